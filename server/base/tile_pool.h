@@ -1,0 +1,84 @@
+// A pool of threads that works through numbered pieces of a picture: tiles, or bands of rows.
+//
+// Any number of callers may submit at once; each waits for its own job. Workers take pieces from the open jobs
+// in turn, so two feeds share the cores fairly. What a piece writes must not depend on who runs it: results are
+// then the same for any number of threads. All workers flush denormals to zero (the filter is twice as slow
+// without).
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace saccade {
+
+// Denormals are zero, in and out, for the calling thread.
+void flushDenormalsToZero();
+
+struct Tile {
+  int x0, y0, x1, y1;  // [x0, x1) x [y0, y1)
+};
+inline constexpr int kTileEdge = 32;
+inline constexpr int kBandRows = 8;
+
+class TilePool {
+ public:
+  explicit TilePool(int threads);  // >= 1
+  ~TilePool();
+  TilePool(const TilePool&) = delete;
+  TilePool& operator=(const TilePool&) = delete;
+
+  int threads() const { return static_cast<int>(workers_.size()); }
+
+  // Calls f(i) for i in [0, count), in any order, on the workers. Returns the CPU time that took.
+  template <class F>
+  std::chrono::nanoseconds run(int count, F&& f) {
+    Job job{count, &f, [](void* context, int i) { (*static_cast<std::remove_reference_t<F>*>(context))(i); }};
+    return runJob(job);
+  }
+
+  // Calls f(Tile) for every tile of a width x height picture.
+  template <class F>
+  std::chrono::nanoseconds forEachTile(int width, int height, F&& f) {
+    const int across = (width + kTileEdge - 1) / kTileEdge, down = (height + kTileEdge - 1) / kTileEdge;
+    return run(across * down, [&](int i) {
+      const int x = i % across * kTileEdge, y = i / across * kTileEdge;
+      f(Tile{x, y, std::min(x + kTileEdge, width), std::min(y + kTileEdge, height)});
+    });
+  }
+
+  // Calls f(y) for every row, a band of rows per piece.
+  template <class F>
+  std::chrono::nanoseconds forEachRow(int height, F&& f) {
+    return run((height + kBandRows - 1) / kBandRows, [&](int band) {
+      for (int y = band * kBandRows; y < std::min((band + 1) * kBandRows, height); ++y) f(y);
+    });
+  }
+
+ private:
+  struct Job {
+    int count;
+    void* context;
+    void (*piece)(void*, int);
+    int next = 0;     // first piece not yet taken
+    int running = 0;  // pieces taken and not finished
+    std::chrono::nanoseconds cpu{0};
+  };
+
+  std::chrono::nanoseconds runJob(Job& job);
+  void work();
+
+  std::mutex mutex_;
+  std::condition_variable work_, done_;
+  std::vector<Job*> jobs_;  // jobs with pieces left to take
+  std::size_t turn_ = 0;
+  bool stop_ = false;
+  std::vector<std::thread> workers_;
+};
+
+}  // namespace saccade

@@ -1,0 +1,64 @@
+// What the renderer gives the methods: features and correlated samples of one frame. Pure data.
+#pragma once
+
+#include <utility>
+
+#include "base/units.h"
+#include "frame/image.h"
+
+namespace saccade {
+
+inline constexpr float kMissDepth = 1e5f;  // depth where the ray hits nothing (scene units); the normal is 0
+
+// Features at the pixel centre. Planes are width x height.
+struct GBuffer {
+  GBuffer(int w, int h) : z(w, h), dz(w, h), nx(w, h), ny(w, h), nz(w, h), albedo(w, h), emission(w, h),
+        motion_x(w, h), motion_y(w, h), z_in_prev(w, h) {
+    z.fill(kMissDepth);
+  }
+  ImageF z;                   // depth along the viewing axis, scene units; kMissDepth where nothing is hit
+  ImageF dz;                  // max(|dz/dx|, |dz/dy|) of the tangent plane, scene units per pixel
+  ImageF nx, ny, nz;          // unit shading normal, world space, towards the camera; 0 where nothing is hit
+  ImageF albedo;              // Rec. 709 luminance of the texture-filtered diffuse albedo, [0, 1]
+  ImageF emission;            // Rec. 709 luminance emitted towards the camera, >= 0
+  ImageF motion_x, motion_y;  // where the surface point was in the previous frame, minus where it is, pixels
+  ImageF z_in_prev;           // depth of the surface point in the previous camera, scene units
+};
+
+// Radiance samples, Rec. 709 luminance, emission included.
+// Pass 1 uses the seeds of the previous frame, pass 2 this frame's own [E (8)].
+struct FrameSamples {
+  FrameSamples(int w, int h) : I1(w, h), I2(w, h) {}
+  ImageF I1, I2;
+  int spp1 = 0, spp2 = 0;  // paths per pixel in each pass; a pass with none leaves its plane at 0
+};
+
+struct Frame {
+  Frame(int width, int height) : g(width, height), samples(width, height) {}
+  int width() const { return g.z.width(); }
+  int height() const { return g.z.height(); }
+  FrameIndex index = 0;
+  TimeNs time{0};
+  GBuffer g;
+  FrameSamples samples;
+};
+
+// Two consecutive frames. A view; never stored.
+struct FramePair {
+  const Frame& cur;
+  const Frame& prev;
+};
+
+// The two newest frames of a feed; swap() makes the current one the previous one.
+class FrameRing {
+ public:
+  FrameRing(int width, int height) : cur_(width, height), prev_(width, height) {}
+  Frame& current() { return cur_; }
+  FramePair pair() const { return {cur_, prev_}; }
+  void swap() { std::swap(cur_, prev_); }
+
+ private:
+  Frame cur_, prev_;
+};
+
+}  // namespace saccade

@@ -1,0 +1,21 @@
+// What a method gives the sensors: the change of intensity over one frame interval. Pure data.
+#pragma once
+
+#include "base/units.h"
+#include "frame/image.h"
+
+namespace saccade {
+
+// All planes are width x height, Rec. 709 luminance.
+struct IntensityChange {
+  IntensityChange(int w, int h) : dI(w, h), I_prev(w, h), I_now(w, h), var_dI(w, h), var_I_prev(w, h) {}
+  TimeNs t0{0}, t1{0};  // the interval [t0, t1) between the two frames
+  FrameIndex frame = 0;  // index of the frame at t1
+  ImageF dI;             // D[I_t - I_{t-1}], any sign
+  ImageF I_prev;         // D[I_{t-1}] >= 0, the denominator of [E (21)]
+  ImageF I_now;          // D[I_t] >= 0
+  ImageF var_dI;         // variance of dI, >= 0; 0 where the method knows none
+  ImageF var_I_prev;     // variance of I_prev, >= 0; 0 where the method knows none
+};
+
+}  // namespace saccade

@@ -1,0 +1,23 @@
+// CPU time by stage of a frame, summed over threads.
+#pragma once
+
+#include <array>
+#include <chrono>
+
+namespace saccade {
+
+enum class Stage { kTrace, kTemporal, kVariance, kAtrous, kModulate, kEvents };
+inline constexpr std::array<const char*, 6> kStageNames{"trace", "temporal", "variance", "atrous", "modulate", "events"};
+
+struct StageTimes {
+  std::array<std::chrono::nanoseconds, kStageNames.size()> cpu{};
+
+  std::chrono::nanoseconds& operator[](Stage s) { return cpu[static_cast<std::size_t>(s)]; }
+  std::chrono::nanoseconds operator[](Stage s) const { return cpu[static_cast<std::size_t>(s)]; }
+  StageTimes& operator+=(const StageTimes& other) {
+    for (std::size_t i = 0; i < cpu.size(); ++i) cpu[i] += other.cpu[i];
+    return *this;
+  }
+};
+
+}  // namespace saccade

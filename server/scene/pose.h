@@ -1,0 +1,34 @@
+// Rigid poses T_world_camera in double precision. Camera axes: x right, y down, z forward.
+#pragma once
+
+#include "base/vec.h"
+
+namespace saccade {
+
+// Unit quaternion, x y z w as in the trajectory files.
+struct Quaternion {
+  double x = 0, y = 0, z = 0, w = 1;
+  friend bool operator==(const Quaternion&, const Quaternion&) = default;
+};
+
+struct Pose {
+  Vec3d position;
+  Quaternion rotation;
+  friend bool operator==(const Pose&, const Pose&) = default;
+};
+
+Quaternion operator*(Quaternion a, Quaternion b);
+Quaternion normalize(Quaternion q);
+Quaternion axisAngle(Vec3d axis_times_angle_rad);
+Vec3d rotate(Quaternion q, Vec3d v);
+Pose operator*(const Pose& a, const Pose& b);
+Pose inverse(const Pose& p);
+
+// Rotation whose columns are the given right-handed orthonormal axes.
+Quaternion fromAxes(Vec3d x, Vec3d y, Vec3d z);
+
+// Interpolation along the screw motion of SE(3) from a (s = 0) to b (s = 1): a * exp(s * log(a^-1 b)).
+// Returns the bits of `a` when a == b or s == 0, those of `b` when s == 1.
+Pose interpolate(const Pose& a, const Pose& b, double s);
+
+}  // namespace saccade

@@ -1,0 +1,37 @@
+// The scenes a server offers: folders scenes/<name>/ with scene.xml, trajectories/*.csv and README.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/trajectory.h"
+
+namespace saccade {
+
+struct SceneEntry {
+  std::string name;
+  std::string description;                // the first line of text in README.md
+  std::vector<std::string> trajectories;  // names of its CSV files, then motionNames()
+  std::string unavailable;                // empty, or why the scene cannot be opened on this machine
+};
+
+class SceneLibrary {
+ public:
+  // `folder` holds one folder per scene. Meshes that are not ours are found at
+  //   $bunny   the Debian package glmark2-data       $dragon  $SACCADE_REAL_SCENES/meshes/dragon.obj
+  // (SACCADE_REAL_SCENES defaults to ../shared/scenes beside the project folder.)
+  explicit SceneLibrary(std::filesystem::path folder);
+
+  std::vector<SceneEntry> list() const;                    // sorted by name
+  // Throws SceneError: an unknown name (the message lists the valid ones), an unavailable scene, a faulty file.
+  Scene load(const std::string& name) const;
+  // A trajectory from the scene's CSV files. Throws SceneError naming the valid ones.
+  Trajectory loadTrajectory(const std::string& scene, const std::string& name) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace saccade
