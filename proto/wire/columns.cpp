@@ -1,0 +1,87 @@
+#include "wire/columns.h"
+
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace saccade {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "columns are copied as they lie in memory");
+
+// Where each column of n events starts in a payload.
+struct Offsets {
+  explicit Offsets(std::size_t n) : x(4 * n), y(6 * n), p(8 * n) {}
+  std::size_t x, y, p;
+};
+
+// Payloads received from a socket need not be aligned, so values are copied, never cast.
+template <class T>
+T load(const char* column, std::size_t i) {
+  T value;
+  std::memcpy(&value, column + i * sizeof(T), sizeof(T));
+  return value;
+}
+
+template <class T>
+void store(char* column, std::size_t i, T value) {
+  std::memcpy(column + i * sizeof(T), &value, sizeof(T));
+}
+
+// The interval as unsigned lengths, so that no header can overflow the sums.
+struct Span {
+  explicit Span(const v1::PacketHeader& h)
+      : length(static_cast<std::uint64_t>(h.t1_ns()) - static_cast<std::uint64_t>(h.t0_ns())) {}
+  bool holds(std::uint64_t after_t0) const { return length == 0 ? after_t0 == 0 : after_t0 < length; }
+  std::uint64_t length;
+};
+
+std::string checkEvent(const Event& e, const v1::PacketHeader& h) {
+  if (e.x >= h.width() || e.y >= h.height()) return "a pixel outside the view";
+  if (e.p > 1) return "a polarity that is neither 0 nor 1";
+  return {};
+}
+
+}  // namespace
+
+std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns, std::uint32_t dt_unit_ns) {
+  const Offsets at(events.size());
+  std::string payload(events.size() * kColumnsBytesPerEvent, '\0');
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const Event& e = events[i];
+    const std::int64_t dt = (e.t_ns - t0_ns) / dt_unit_ns;
+    if (e.t_ns < t0_ns || dt > std::numeric_limits<std::uint32_t>::max()) {
+      throw std::out_of_range("an event lies outside the times its packet can express");
+    }
+    store(payload.data(), i, static_cast<std::uint32_t>(dt));
+    store(payload.data() + at.x, i, e.x);
+    store(payload.data() + at.y, i, e.y);
+    store(payload.data() + at.p, i, e.p);
+  }
+  return payload;
+}
+
+std::string decodeColumns(const v1::PacketHeader& header, std::string_view payload, Events& out) {
+  out.clear();
+  const std::size_t n = header.count();
+  if (payload.size() != n * kColumnsBytesPerEvent) return "a payload whose size is not 9 bytes an event";
+  if (header.t0_ns() < 0 || header.t1_ns() < header.t0_ns()) return "an interval that runs backwards";
+  const Offsets at(n);
+  const Span span(header);
+  const char* bytes = payload.data();
+  out.reserve(n);
+  std::uint64_t prev = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint64_t after_t0 = std::uint64_t{load<std::uint32_t>(bytes, i)} * header.dt_unit_ns();
+    if (after_t0 < prev) return "times that run backwards";
+    if (!span.holds(after_t0)) return "a time outside the packet's interval";
+    prev = after_t0;
+    out.push_back({header.t0_ns() + static_cast<std::int64_t>(after_t0), load<std::uint16_t>(bytes + at.x, i),
+                   load<std::uint16_t>(bytes + at.y, i), load<std::uint8_t>(bytes + at.p, i)});
+    if (std::string fault = checkEvent(out.back(), header); !fault.empty()) return fault;
+  }
+  return {};
+}
+
+}  // namespace saccade
