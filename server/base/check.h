@@ -1,13 +1,14 @@
-// SACCADE_CHECK: a logic fault ends the program, in every build. For faults of input, throw or return a status.
+// SACCADE_CHECK: a logic fault ends the program, in every build. For faults of input, throw or return a
+// status.
 #pragma once
 
 #include <cstdio>
 #include <cstdlib>
 
-#define SACCADE_CHECK(condition)                                                                  \
-  do {                                                                                            \
-    if (!(condition)) {                                                                           \
+#define SACCADE_CHECK(condition)                                                                      \
+  do {                                                                                                \
+    if (!(condition)) {                                                                               \
       std::fprintf(stderr, "%s:%d: logic fault: %s does not hold\n", __FILE__, __LINE__, #condition); \
-      std::abort();                                                                               \
-    }                                                                                             \
+      std::abort();                                                                                   \
+    }                                                                                                 \
   } while (false)

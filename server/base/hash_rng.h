@@ -26,7 +26,11 @@ constexpr std::uint32_t mix32(std::uint32_t v) {
 }
 
 // Uniform in [0, 1): the top 24 bits, so that 1 is never reached by rounding.
-constexpr float toUnit(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
-constexpr float toUnit(std::uint64_t bits) { return toUnit(static_cast<std::uint32_t>(bits >> 32)); }
+constexpr float toUnit(std::uint32_t bits) {
+  return static_cast<float>(bits >> 8) * 0x1p-24f;
+}
+constexpr float toUnit(std::uint64_t bits) {
+  return toUnit(static_cast<std::uint32_t>(bits >> 32));
+}
 
 }  // namespace saccade

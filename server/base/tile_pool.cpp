@@ -1,8 +1,8 @@
 #include "base/tile_pool.h"
 
-#include <ctime>
 #include <pmmintrin.h>
 #include <xmmintrin.h>
+#include <ctime>
 
 #include "base/check.h"
 

@@ -1,9 +1,9 @@
 // A pool of threads that works through numbered pieces of a picture: tiles, or bands of rows.
 //
-// Any number of callers may submit at once; each waits for its own job. Workers take pieces from the open jobs
-// in turn, so two feeds share the cores fairly. What a piece writes must not depend on who runs it: results are
-// then the same for any number of threads. All workers flush denormals to zero (the filter is twice as slow
-// without).
+// Any number of callers may submit at once; each waits for its own job. Workers take pieces from the open
+// jobs in turn, so two feeds share the cores fairly. What a piece writes must not depend on who runs it:
+// results are then the same for any number of threads. All workers flush denormals to zero (the filter is
+// twice as slow without).
 #pragma once
 
 #include <algorithm>

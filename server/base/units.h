@@ -17,6 +17,8 @@ inline TimeNs frameTime(FrameIndex t, double rate_hz) {
   return std::llround(static_cast<double>(t) * 1e9 / rate_hz / kEventTimeUnit.count()) * kEventTimeUnit;
 }
 
-inline double seconds(TimeNs t) { return std::chrono::duration<double>(t).count(); }
+inline double seconds(TimeNs t) {
+  return std::chrono::duration<double>(t).count();
+}
 
 }  // namespace saccade

@@ -12,8 +12,17 @@ inline constexpr float kMissDepth = 1e5f;  // depth where the ray hits nothing (
 
 // Features at the pixel centre. Planes are width x height.
 struct GBuffer {
-  GBuffer(int w, int h) : z(w, h), dz(w, h), nx(w, h), ny(w, h), nz(w, h), albedo(w, h), emission(w, h),
-        motion_x(w, h), motion_y(w, h), z_in_prev(w, h) {
+  GBuffer(int w, int h)
+      : z(w, h),
+        dz(w, h),
+        nx(w, h),
+        ny(w, h),
+        nz(w, h),
+        albedo(w, h),
+        emission(w, h),
+        motion_x(w, h),
+        motion_y(w, h),
+        z_in_prev(w, h) {
     z.fill(kMissDepth);
   }
   ImageF z;                   // depth along the viewing axis, scene units; kMissDepth where nothing is hit

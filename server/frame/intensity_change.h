@@ -9,7 +9,7 @@ namespace saccade {
 // All planes are width x height, Rec. 709 luminance.
 struct IntensityChange {
   IntensityChange(int w, int h) : dI(w, h), I_prev(w, h), I_now(w, h), var_dI(w, h), var_I_prev(w, h) {}
-  TimeNs t0{0}, t1{0};  // the interval [t0, t1) between the two frames
+  TimeNs t0{0}, t1{0};   // the interval [t0, t1) between the two frames
   FrameIndex frame = 0;  // index of the frame at t1
   ImageF dI;             // D[I_t - I_{t-1}], any sign
   ImageF I_prev;         // D[I_{t-1}] >= 0, the denominator of [E (21)]

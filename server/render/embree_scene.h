@@ -1,0 +1,45 @@
+// Ray queries on a scene. embree_scene.cpp is the only file that includes Embree.
+#pragma once
+
+#include <cstdint>
+
+#include "scene/scene.h"
+
+struct RTCDeviceTy;
+struct RTCSceneTy;
+
+namespace saccade {
+
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;  // any length; t counts in units of it
+  float tfar;
+};
+
+struct Hit {
+  float t;
+  Vec3 normal;  // geometric, as wound, not normalised
+  float u, v;   // barycentric, of vertices 1 and 2
+  std::uint32_t geometry, primitive;
+  bool valid = false;
+};
+
+// Geometry ids: meshes in the order of Scene::meshes, then spheres. Keeps pointers into `scene`'s meshes.
+class EmbreeScene {
+ public:
+  explicit EmbreeScene(const Scene& scene);
+  ~EmbreeScene();
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  Hit intersect(const Ray& ray) const;
+  bool occluded(const Ray& ray) const;          // anything in (0, tfar)
+  float diagonal() const { return diagonal_; }  // of the bounding box
+
+ private:
+  RTCDeviceTy* device_;
+  RTCSceneTy* scene_;
+  float diagonal_;
+};
+
+}  // namespace saccade

@@ -1,0 +1,80 @@
+#include "render/renderer.h"
+
+#include <limits>
+
+#include "render/gbuffer_pass.h"
+#include "render/path_tracer.h"
+
+namespace saccade {
+namespace {
+
+// Mean reflected radiance of `spp` paths.
+template <int Channels>
+Rgb meanReflected(const RenderScene& scene, const Surface& s, std::uint64_t seed, std::uint32_t pixel,
+                  int spp, int bounces) {
+  Vec3d sum;
+  for (int i = 0; i < spp; ++i) {
+    sum = sum + toDouble(traceReflected<Channels>(scene, s, PathSampler(seed, pixel, i), bounces).rgb());
+  }
+  return spp > 0 ? toFloat(sum / static_cast<double>(spp)) : Rgb{};
+}
+
+template <int Channels>
+void renderTile(const RenderScene& scene, const Camera& camera, const Camera& prev, const SeedPlan& seeds,
+                int bounces, Tile tile, Frame& out) {
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      const PrimaryHit primary = tracePrimary(scene, camera, prev, x, y, out.g);
+      const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
+      const auto pass = [&](std::uint64_t seed, int spp) {
+        if (!primary.valid || spp == 0) return 0.f;
+        return out.g.emission.at(x, y) +
+               luminance(meanReflected<Channels>(scene, primary.surface, seed, pixel, spp, bounces));
+      };
+      out.samples.I1.at(x, y) = pass(seeds.seed1, seeds.spp1);
+      out.samples.I2.at(x, y) = pass(seeds.seed2, seeds.spp2);
+    }
+  }
+}
+
+}  // namespace
+
+std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
+                                          Frame& out) const {
+  out.samples.spp1 = seeds.spp1;
+  out.samples.spp2 = seeds.spp2;
+  const auto tile = channels_ == 1 ? renderTile<1> : renderTile<3>;
+  return pool_.forEachTile(out.width(), out.height(),
+                           [&](Tile t) { tile(*scene_, camera, prev, seeds, bounces_, t, out); });
+}
+
+void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out,
+                           ImageF (&rgb)[3]) const {
+  pool_.forEachRow(out.height(), [&](int y) {
+    for (int x = 0; x < out.width(); ++x) {
+      const PrimaryHit primary = tracePrimary(*scene_, camera, camera, x, y, out.g);
+      Rgb c;
+      if (primary.valid) {
+        const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
+        c = primary.surface.radiance + meanReflected<3>(*scene_, primary.surface, seed, pixel, spp, bounces_);
+      }
+      rgb[0].at(x, y) = c.x, rgb[1].at(x, y) = c.y, rgb[2].at(x, y) = c.z;
+    }
+  });
+}
+
+std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, double fov_x_deg) {
+  constexpr int kWidth = 64, kHeight = 48;
+  const Camera camera(T_world_camera, fov_x_deg, kWidth, kHeight);
+  std::vector<Vec3> points;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const Vec3 d = camera.direction(static_cast<float>(x), static_cast<float>(y));
+      const Hit hit = scene.geometry().intersect({camera.origin, d, std::numeric_limits<float>::infinity()});
+      if (hit.valid) points.push_back(camera.origin + d * hit.t);
+    }
+  }
+  return points;
+}
+
+}  // namespace saccade

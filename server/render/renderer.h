@@ -1,0 +1,39 @@
+// Renders frames: features, and the samples of both passes.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "base/tile_pool.h"
+#include "frame/frame.h"
+#include "render/camera.h"
+#include "render/render_scene.h"
+#include "render/seed_plan.h"
+
+namespace saccade {
+
+class Renderer {
+ public:
+  // `channels`: 1 or 3. Shares `scene`; keeps a reference to `pool`.
+  Renderer(std::shared_ptr<const RenderScene> scene, int bounces, int channels, TilePool& pool)
+      : scene_(std::move(scene)), bounces_(bounces), channels_(channels), pool_(pool) {}
+
+  // Fills out.g and out.samples. Returns the CPU time. The picture depends on nothing but the arguments.
+  std::chrono::nanoseconds render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
+                                  Frame& out) const;
+
+  // One picture in colour, `spp` paths per pixel, into three planes. Features go to `out.g`, luminance to
+  // pass 2.
+  void renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]) const;
+
+ private:
+  std::shared_ptr<const RenderScene> scene_;
+  int bounces_, channels_;
+  TilePool& pool_;
+};
+
+// World-space points on the surfaces in view, on a grid over the picture. Empty if nothing is in view.
+std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, double fov_x_deg);
+
+}  // namespace saccade
