@@ -1,0 +1,106 @@
+#include "stream/control_server.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kMaxUnanswered = 1024;
+
+// Why a request cannot be handed on, or OK.
+v1::Status checkRequest(const SocketLoop::Parts& parts, v1::Request& request) {
+  if (parts.size() != 2 || !request.ParseFromString(parts[1])) {
+    return makeStatus(v1::CODE_INVALID_ARGUMENT, "a request is one part: a serialized saccade.v1.Request");
+  }
+  if (request.protocol_version() != kProtocolVersion) {
+    return makeStatus(v1::CODE_UNIMPLEMENTED,
+                      "protocol_version is " + std::to_string(request.protocol_version()) +
+                          "; this server knows " + std::to_string(kProtocolVersion),
+                      "protocol_version");
+  }
+  if (request.call_case() == v1::Request::CALL_NOT_SET) {
+    return makeStatus(v1::CODE_UNIMPLEMENTED, "the request holds no call that this server knows", "call");
+  }
+  return okStatus();
+}
+
+}  // namespace
+
+v1::Status okStatus() {
+  return makeStatus(v1::CODE_OK, {});
+}
+
+v1::Status makeStatus(v1::Code code, const std::string& message, const std::string& field) {
+  v1::Status status;
+  status.set_code(code);
+  status.set_message(message);
+  status.set_field(field);
+  return status;
+}
+
+// Replies on their way from the threads that answer to the one that sends.
+struct ControlServer::Outbox {
+  std::mutex mutex;
+  std::vector<std::pair<std::string, std::string>> replies;  // identity, bytes
+  int unanswered = 0;
+
+  void put(const std::string& identity, const v1::Reply& reply) {
+    std::lock_guard lock(mutex);
+    replies.emplace_back(identity, reply.SerializeAsString());
+  }
+};
+
+ControlServer::ControlServer(const std::string& endpoint)
+    : loop_(std::make_shared<SocketLoop>(
+          SocketOptions{.endpoint = endpoint, .max_part_bytes = kMaxRequestBytes})),
+      outbox_(std::make_shared<Outbox>()) {}
+
+ControlServer::~ControlServer() {
+  stop();
+}
+
+void ControlServer::start(Handler handler) {
+  handler_ = std::move(handler);
+  loop_->start([this](const SocketLoop::Parts& parts) { receive(parts); },
+               [this] {
+                 sendReplies();
+                 return SocketLoop::kUntilWoken;
+               });
+}
+
+void ControlServer::stop() {
+  loop_->stop();
+}
+
+void ControlServer::receive(const SocketLoop::Parts& parts) {
+  v1::Request request;
+  v1::Status status = checkRequest(parts, request);
+  std::unique_lock lock(outbox_->mutex);
+  if (status.code() == v1::CODE_OK && outbox_->unanswered >= kMaxUnanswered) {
+    status = makeStatus(v1::CODE_RESOURCE_EXHAUSTED,
+                        "more than " + std::to_string(kMaxUnanswered) + " requests wait for their answers");
+  }
+  ++outbox_->unanswered;
+  lock.unlock();
+  Answer answer = [outbox = outbox_, loop = loop_, identity = parts[0],
+                   id = request.request_id()](v1::Reply reply) {
+    reply.set_request_id(id);
+    outbox->put(identity, reply);
+    loop->wake().wake();
+  };
+  if (status.code() == v1::CODE_OK) return handler_(request, std::move(answer));
+  v1::Reply refusal;
+  *refusal.mutable_status() = std::move(status);
+  answer(std::move(refusal));
+}
+
+void ControlServer::sendReplies() {
+  std::vector<std::pair<std::string, std::string>> replies;
+  {
+    std::lock_guard lock(outbox_->mutex);
+    replies.swap(outbox_->replies);
+    outbox_->unanswered -= static_cast<int>(replies.size());
+  }
+  // One that is not sent had a receiver who is gone, or who asks without ever reading.
+  for (const auto& [identity, bytes] : replies) loop_->send({identity, bytes});
+}
+
+}  // namespace saccade

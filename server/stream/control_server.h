@@ -1,0 +1,47 @@
+// The control socket: one Request, one Reply.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "saccade/v1/control.pb.h"
+#include "stream/socket_loop.h"
+
+namespace saccade {
+
+inline constexpr std::uint32_t kProtocolVersion = 1;
+inline constexpr std::int64_t kMaxRequestBytes = 9 << 20;  // room for a trajectory's text
+
+v1::Status okStatus();
+v1::Status makeStatus(v1::Code code, const std::string& message, const std::string& field = {});
+
+class ControlServer {
+ public:
+  // To be called once, from any thread, soon or late; the reply's request_id is filled in.
+  using Answer = std::function<void(v1::Reply)>;
+  // Called on the control thread with a request that has a call and the right version; must not block.
+  using Handler = std::function<void(const v1::Request&, Answer)>;
+
+  explicit ControlServer(const std::string& endpoint);  // binds; throws std::runtime_error
+  // Answers may still be called after the server is gone; they then go nowhere.
+  ~ControlServer();
+
+  std::string endpoint() const { return loop_->endpoint(); }
+  void start(Handler handler);
+  void stop();
+
+ private:
+  struct Outbox;
+  void receive(const SocketLoop::Parts& parts);
+  void sendReplies();
+
+  std::shared_ptr<SocketLoop> loop_;
+  std::shared_ptr<Outbox> outbox_;
+  Handler handler_;
+};
+
+}  // namespace saccade

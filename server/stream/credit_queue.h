@@ -1,0 +1,72 @@
+// The packets of one stream between the thread that makes them and the one that sends them, bounded by bytes.
+//
+// When it is full, a stream either holds its producer (who asks hasRoom() before each frame; the packets of
+// one frame may overshoot) or loses its oldest packets. What is lost is counted and told in dropped_before of
+// the next packet of that sensor; END is never lost. What has been sent stays, bounded by the same number of
+// bytes, until it is acknowledged, so that a client may resume on another connection.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wire/packet.h"
+
+namespace saccade {
+
+// A packet as it goes on the wire.
+struct WirePacket {
+  std::uint32_t sensor;
+  std::string header;
+  std::shared_ptr<const std::string> payload;
+
+  std::uint64_t bytes() const { return header.size() + payload->size(); }
+};
+
+class CreditQueue {
+ public:
+  enum class Overflow { kHold, kDropOldest };
+
+  CreditQueue(Overflow overflow, std::uint64_t capacity_bytes, std::uint32_t sensors);
+
+  // Producer.
+  bool hasRoom() const;      // always true when the oldest are dropped
+  void push(Packet packet);  // never blocks
+
+  // Consumer.
+  std::optional<WirePacket> pop(std::uint64_t credit_bytes);  // the oldest, if it costs no more than that
+  void putBack();                                             // undoes the last pop(), if it just happened
+  void acknowledge(std::uint32_t sensor, std::uint64_t seq);  // forgets what was sent up to `seq`
+  // Sends again what was sent of every sensor from `from_seq` on and is not acknowledged. Returns why that
+  // cannot be done, or an empty text.
+  std::string resume(std::uint64_t from_seq);
+
+  bool empty() const;  // nothing waits to be sent
+  std::uint64_t droppedPackets() const;
+
+ private:
+  struct Entry {
+    Packet packet;
+    std::uint64_t bytes;
+  };
+  struct Entries {
+    std::deque<Entry> entries;
+    std::uint64_t bytes = 0;
+  };
+  static void moveBackToFront(Entries& from, Entries& to);
+  void dropOldest();
+  void forgetFirstSent();
+
+  const Overflow overflow_;
+  const std::uint64_t capacity_bytes_;
+  mutable std::mutex mutex_;
+  Entries waiting_, sent_;
+  std::vector<std::uint64_t> untold_drops_;  // by sensor: dropped since the last packet sent
+  std::uint64_t dropped_packets_ = 0;
+  std::uint64_t first_resumable_ = 0;  // what was sent and forgotten unacknowledged has a smaller seq
+};
+
+}  // namespace saccade

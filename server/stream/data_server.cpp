@@ -1,0 +1,129 @@
+#include "stream/data_server.h"
+
+#include <algorithm>
+
+namespace saccade {
+namespace {
+
+constexpr std::uint64_t kMaxCredit = std::uint64_t{1} << 40;
+constexpr std::chrono::milliseconds kFullPause{2};  // until a peer whose queue is full is tried again
+
+// Takes as long for any wrong token.
+bool sameToken(const std::string& a, const std::string& b) {
+  if (a.size() != b.size()) return false;
+  int difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) difference |= a[i] ^ b[i];
+  return difference == 0;
+}
+
+}  // namespace
+
+DataServer::DataServer(const std::string& endpoint, const SessionDirectory& sessions)
+    : loop_({.endpoint = endpoint}), sessions_(sessions) {}
+
+void DataServer::start() {
+  loop_.start([this](const SocketLoop::Parts& parts) { receive(parts); }, [this] { return sendPackets(); });
+}
+
+void DataServer::receive(const SocketLoop::Parts& parts) {
+  v1::DataRequest request;
+  const bool parsed = parts.size() == 2 && request.ParseFromString(parts[1]);
+  const std::string fault =
+      parsed ? handle(parts[0], request) : "a request is one part: a serialized saccade.v1.DataRequest";
+  if (!fault.empty()) refuse(parts[0], request.attach().stream_id(), fault);
+}
+
+std::string DataServer::handle(const std::string& identity, const v1::DataRequest& request) {
+  switch (request.request_case()) {
+    case v1::DataRequest::kAttach:
+      return attach(identity, request.attach());
+    case v1::DataRequest::kCredit:
+      return addCredit(identity, request.credit().bytes());
+    case v1::DataRequest::kAck:
+      return acknowledge(identity, request.ack());
+    default:
+      return "the request holds nothing that this server knows";
+  }
+}
+
+std::string DataServer::attach(const std::string& identity, const v1::Attach& request) {
+  const auto session = sessions_.find(request.stream_id());
+  // One message for both, so that nobody learns which streams exist.
+  if (!session || session->broadcast() || !sameToken(session->token(), request.token())) {
+    return "no stream of this name on the data socket has this token";
+  }
+  if (std::string fault = session->queue().resume(request.from_seq()); !fault.empty()) return fault;
+  takeOver(*session, identity);
+  connections_[identity].session = session;
+  session->start();
+  return {};
+}
+
+// Only who knows the token comes here: most likely the same client, on a new connection.
+void DataServer::takeOver(const Session& session, const std::string& identity) {
+  const auto former = std::find_if(connections_.begin(), connections_.end(), [&](const auto& entry) {
+    return entry.second.session.get() == &session && entry.first != identity;
+  });
+  if (former == connections_.end()) return;
+  refuse(former->first, session.id(), "another connection has attached to the stream");
+  connections_.erase(former);
+}
+
+std::string DataServer::addCredit(const std::string& identity, std::uint64_t bytes) {
+  const auto found = connections_.find(identity);
+  if (found == connections_.end()) return "attach to a stream before giving credit";
+  std::uint64_t& credit = found->second.credit_bytes;
+  credit = std::min(kMaxCredit, credit + std::min(kMaxCredit, bytes));
+  return {};
+}
+
+std::string DataServer::acknowledge(const std::string& identity, const v1::Ack& ack) {
+  const auto found = connections_.find(identity);
+  if (found == connections_.end()) return "attach to a stream before acknowledging packets";
+  found->second.session->queue().acknowledge(ack.sensor(), ack.seq());
+  return {};
+}
+
+void DataServer::refuse(const std::string& identity, const std::string& stream_id,
+                        const std::string& message) {
+  const Packet packet = makeErrorPacket(stream_id, message);
+  loop_.send({identity, packet.header.SerializeAsString(), *packet.payload});
+}
+
+std::chrono::milliseconds DataServer::sendPackets() {
+  auto pause = connections_.empty() ? SocketLoop::kUntilWoken : kHeartbeatPause;
+  for (auto it = connections_.begin(); it != connections_.end();) {
+    const auto sent = sendPacketsOf(it->first, it->second);
+    if (sent == SocketLoop::Sent::kFull) pause = kFullPause;
+    const bool closed = !sessions_.find(it->second.session->id());
+    it = sent == SocketLoop::Sent::kGone || closed ? connections_.erase(it) : std::next(it);
+  }
+  return pause;
+}
+
+SocketLoop::Sent DataServer::sendPacketsOf(const std::string& identity, Connection& connection) {
+  while (const auto packet = connection.session->pop(connection.credit_bytes)) {
+    const auto sent = loop_.send({identity, packet->header, *packet->payload});
+    if (sent != SocketLoop::Sent::kYes) {
+      connection.session->queue().putBack();
+      return sent;
+    }
+    connection.credit_bytes -= packet->bytes();
+    connection.last_sent = Signal::Clock::now();
+  }
+  const bool quiet = Signal::Clock::now() - connection.last_sent >= kHeartbeatPause;
+  return quiet ? sendHeartbeat(identity, connection) : SocketLoop::Sent::kYes;
+}
+
+SocketLoop::Sent DataServer::sendHeartbeat(const std::string& identity, Connection& connection) {
+  v1::PacketHeader header;
+  header.set_stream_id(connection.session->id());
+  header.set_kind(v1::KIND_HEARTBEAT);
+  const Packet packet = sealPacket(std::move(header), {});
+  const auto sent = loop_.send({identity, packet.header.SerializeAsString(), *packet.payload});
+  if (sent == SocketLoop::Sent::kYes) connection.session->keepAlive();
+  connection.last_sent = Signal::Clock::now();
+  return sent;
+}
+
+}  // namespace saccade

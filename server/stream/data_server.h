@@ -1,0 +1,50 @@
+// The data socket: hands each stream's packets to the connection that has attached to it, while its credit
+// lasts. A connection that gets none for kHeartbeatPause is sent a heartbeat, which is free of credit: so
+// both ends learn that the other one is gone.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "stream/session_directory.h"
+#include "stream/socket_loop.h"
+
+namespace saccade {
+
+class DataServer {
+ public:
+  static constexpr std::chrono::milliseconds kHeartbeatPause{5000};
+
+  // Binds; throws std::runtime_error. Keeps a reference.
+  DataServer(const std::string& endpoint, const SessionDirectory& sessions);
+
+  std::string endpoint() const { return loop_.endpoint(); }
+  WakeFd& wake() { return loop_.wake(); }  // for the sessions it is to serve
+  void start();
+  void stop() { loop_.stop(); }
+
+ private:
+  struct Connection {
+    std::shared_ptr<Session> session;
+    std::uint64_t credit_bytes = 0;
+    Signal::Clock::time_point last_sent = Signal::Clock::now();
+  };
+  void receive(const SocketLoop::Parts& parts);
+  // Each returns what is wrong, or an empty text.
+  std::string handle(const std::string& identity, const v1::DataRequest& request);
+  std::string attach(const std::string& identity, const v1::Attach& request);
+  std::string addCredit(const std::string& identity, std::uint64_t bytes);
+  std::string acknowledge(const std::string& identity, const v1::Ack& ack);
+  void takeOver(const Session& session, const std::string& identity);
+  void refuse(const std::string& identity, const std::string& stream_id, const std::string& message);
+  std::chrono::milliseconds sendPackets();
+  SocketLoop::Sent sendPacketsOf(const std::string& identity, Connection& connection);
+  SocketLoop::Sent sendHeartbeat(const std::string& identity, Connection& connection);
+
+  SocketLoop loop_;
+  const SessionDirectory& sessions_;
+  std::map<std::string, Connection> connections_;  // attached ones, by identity; at most one for a stream
+};
+
+}  // namespace saccade

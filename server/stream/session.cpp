@@ -1,0 +1,76 @@
+#include "stream/session.h"
+
+#include <sys/random.h>
+
+#include <cerrno>
+#include <system_error>
+#include <vector>
+
+namespace saccade {
+
+std::string randomHex(int count) {
+  std::vector<unsigned char> bytes(count);
+  // Up to 256 bytes come whole or not at all.
+  if (getrandom(bytes.data(), bytes.size(), 0) != count) {
+    throw std::system_error(errno, std::generic_category(), "getrandom");
+  }
+  std::string hex;
+  for (unsigned char byte : bytes) {
+    for (int digit : {byte >> 4, byte & 15}) hex += "0123456789abcdef"[digit];
+  }
+  return hex;
+}
+
+Session::Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
+                 std::shared_ptr<Signal> producer, std::uint64_t queue_bytes)
+    : id_(std::move(id)),
+      token_(randomHex(16)),
+      delivery_(delivery),
+      sensors_(sensors),
+      transport_(transport),
+      producer_(std::move(producer)),
+      queue_(
+          delivery == v1::DELIVERY_LIVE ? CreditQueue::Overflow::kDropOldest : CreditQueue::Overflow::kHold,
+          queue_bytes, sensors) {
+  touch();
+}
+
+std::string Session::topic(std::uint32_t sensor) const {
+  return "s/" + id_ + "/" + std::to_string(sensor) + "/";
+}
+
+void Session::start() {
+  if (started_.exchange(true)) return;
+  touch();
+  producer_->raise();
+}
+
+std::optional<WirePacket> Session::pop(std::uint64_t credit_bytes) {
+  auto packet = queue_.pop(credit_bytes);
+  if (!packet) return {};
+  touch();
+  producer_->raise();
+  return packet;
+}
+
+void Session::keepAlive() {
+  if (!drained()) touch();
+}
+
+void Session::push(Packet packet) {
+  queue_.push(std::move(packet));
+  transport_.wake();
+}
+
+void Session::finish() {
+  finished_ = true;
+  touch();
+  transport_.wake();
+}
+
+void Session::stop() {
+  stopping_ = true;
+  producer_->raise();
+}
+
+}  // namespace saccade

@@ -1,0 +1,70 @@
+// One stream as the transports see it: who may have it, its packets, and what its producer is to do.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "saccade/v1/control.pb.h"
+#include "stream/credit_queue.h"
+#include "stream/signal.h"
+#include "stream/wake_fd.h"
+
+namespace saccade {
+
+// Packets that wait for one stream's client, and as many again that it has not acknowledged.
+inline constexpr std::uint64_t kQueueBytes = 4 << 20;
+
+// All members may be called from any thread.
+class Session {
+ public:
+  // `transport` is woken when there is something to send, `producer` is raised when started(), stopping() or
+  // hasRoom() may have changed. `transport` outlives the session.
+  Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
+          std::shared_ptr<Signal> producer, std::uint64_t queue_bytes = kQueueBytes);
+
+  const std::string& id() const { return id_; }
+  const std::string& token() const { return token_; }  // 128 random bits as hex digits
+  bool broadcast() const { return delivery_ == v1::DELIVERY_BROADCAST; }
+  std::uint32_t sensors() const { return sensors_; }
+  std::string topic(std::uint32_t sensor) const;  // BROADCAST
+
+  // Transports. start(): a receiver is there, the producer may begin.
+  void start();
+  std::optional<WirePacket> pop(std::uint64_t credit_bytes);
+  CreditQueue& queue() { return queue_; }
+  void keepAlive();  // its receiver is there, though it takes nothing
+
+  // Producer.
+  bool started() const { return started_; }
+  bool stopping() const { return stopping_; }
+  bool hasRoom() const { return queue_.hasRoom(); }
+  void push(Packet packet);
+  void finish();  // END or ERROR has been pushed for every sensor; no packet follows
+
+  // Owner. stop(): the producer is to end the stream at the next frame.
+  void stop();
+  bool finished() const { return finished_; }
+  bool drained() const { return finished_ && queue_.empty(); }
+  // When its receiver was last known to be there; the end of the stream, once that is over.
+  Signal::Clock::time_point lastActivity() const { return last_activity_; }
+
+ private:
+  void touch() { last_activity_ = Signal::Clock::now(); }
+
+  const std::string id_, token_;
+  const v1::Delivery delivery_;
+  const std::uint32_t sensors_;
+  WakeFd& transport_;
+  const std::shared_ptr<Signal> producer_;
+  CreditQueue queue_;
+  std::atomic<bool> started_ = false, stopping_ = false, finished_ = false;
+  std::atomic<Signal::Clock::time_point> last_activity_;
+};
+
+// `count` bytes of the kernel's random numbers as hex digits.
+std::string randomHex(int count);
+
+}  // namespace saccade

@@ -1,0 +1,27 @@
+// The streams that transports may serve.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "stream/session.h"
+
+namespace saccade {
+
+class SessionDirectory {
+ public:
+  void add(std::shared_ptr<Session> session);
+  void remove(const std::string& id);
+
+  std::shared_ptr<Session> find(const std::string& id) const;  // null if there is none
+  std::vector<std::shared_ptr<Session>> all() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<Session>> sessions_;
+};
+
+}  // namespace saccade

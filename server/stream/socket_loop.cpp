@@ -1,0 +1,118 @@
+#include "stream/socket_loop.h"
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+#include <zmq.hpp>
+
+namespace saccade {
+namespace {
+
+constexpr std::size_t kMaxParts = 3;
+constexpr int kMessagesPerTurn = 64;  // then packets get their turn, too
+
+void configure(zmq::socket_t& socket, const SocketOptions& options) {
+  socket.set(zmq::sockopt::ipv6, true);
+  socket.set(zmq::sockopt::linger, 1000);
+  socket.set(zmq::sockopt::heartbeat_ivl, 2000);
+  socket.set(zmq::sockopt::heartbeat_timeout, 6000);
+  socket.set(zmq::sockopt::handshake_ivl, 5000);
+  socket.set(zmq::sockopt::maxmsgsize, options.max_part_bytes);
+  socket.set(zmq::sockopt::sndhwm, options.send_queue);
+  if (options.kind == SocketOptions::Kind::kRouter) {
+    socket.set(zmq::sockopt::router_mandatory, true);
+  } else {
+    socket.set(zmq::sockopt::xpub_verbose, true);  // every subscription is seen, not only a topic's first
+    socket.set(zmq::sockopt::xpub_manual, true);   // and takes effect only where we say so
+  }
+}
+
+SocketLoop::Parts receive(zmq::socket_t& socket) {
+  SocketLoop::Parts parts;
+  zmq::message_t part;
+  do {
+    if (!socket.recv(part, zmq::recv_flags::dontwait)) break;
+    if (parts.size() < kMaxParts) parts.push_back(part.to_string());
+  } while (part.more());
+  return parts;
+}
+
+}  // namespace
+
+struct SocketLoop::Impl {
+  zmq::context_t context;
+  zmq::socket_t socket;
+  std::atomic<bool> stop = false;
+  std::thread thread;
+};
+
+SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Impl>()) {
+  const bool router = options.kind == SocketOptions::Kind::kRouter;
+  impl_->socket = {impl_->context, router ? zmq::socket_type::router : zmq::socket_type::xpub};
+  configure(impl_->socket, options);
+  try {
+    impl_->socket.bind(options.endpoint);
+  } catch (const zmq::error_t& fault) {
+    throw std::runtime_error("cannot listen on " + options.endpoint + ": " + fault.what());
+  }
+}
+
+SocketLoop::~SocketLoop() {
+  stop();
+}
+
+std::string SocketLoop::endpoint() const {
+  return impl_->socket.get(zmq::sockopt::last_endpoint);
+}
+
+void SocketLoop::start(OnMessage on_message, OnTurn on_turn) {
+  impl_->thread = std::thread(
+      [this, on_message = std::move(on_message), on_turn = std::move(on_turn)] { run(on_message, on_turn); });
+}
+
+void SocketLoop::stop() {
+  if (!impl_->thread.joinable()) return;
+  impl_->stop = true;
+  wake_.wake();
+  impl_->thread.join();
+}
+
+void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn) {
+  auto pause = on_turn();
+  while (!impl_->stop) {
+    zmq::pollitem_t items[] = {{impl_->socket, 0, ZMQ_POLLIN, 0}, {nullptr, wake_.fd(), ZMQ_POLLIN, 0}};
+    zmq::poll(items, 2, pause);
+    if (items[1].revents) wake_.clear();
+    for (int i = 0; i < kMessagesPerTurn; ++i) {
+      Parts parts = receive(impl_->socket);
+      if (parts.empty()) break;
+      on_message(std::move(parts));
+    }
+    pause = on_turn();
+  }
+}
+
+SocketLoop::Sent SocketLoop::send(std::initializer_list<std::string_view> parts) {
+  std::size_t left = parts.size();
+  for (std::string_view part : parts) {
+    const auto more = --left > 0 ? zmq::send_flags::sndmore : zmq::send_flags::none;
+    try {
+      // Only the first part can be refused.
+      if (!impl_->socket.send(zmq::buffer(part), more | zmq::send_flags::dontwait)) return Sent::kFull;
+    } catch (const zmq::error_t& fault) {
+      if (fault.num() == EHOSTUNREACH) return Sent::kGone;
+      throw;
+    }
+  }
+  return Sent::kYes;
+}
+
+void SocketLoop::setSubscription(const std::string& topic, bool wanted) {
+  if (wanted) {
+    impl_->socket.set(zmq::sockopt::subscribe, topic);
+  } else {
+    impl_->socket.set(zmq::sockopt::unsubscribe, topic);
+  }
+}
+
+}  // namespace saccade
