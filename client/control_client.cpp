@@ -1,0 +1,47 @@
+#include "client/control_client.h"
+
+#include <cmath>
+
+#include "wire/protocol.h"
+
+namespace saccade {
+namespace {
+
+std::string describe(const v1::Status& status) {
+  return status.field().empty() ? status.message() : status.field() + ": " + status.message();
+}
+
+}  // namespace
+
+Refused::Refused(const v1::Status& status) : runtime_error(describe(status)), code(status.code()) {}
+
+ControlClient::ControlClient(zmq::context_t& context, const std::string& endpoint)
+    : endpoint_(endpoint), socket_(connectSocket(context, zmq::socket_type::dealer, endpoint)) {}
+
+v1::Reply ControlClient::call(v1::Request request, std::chrono::milliseconds deadline) {
+  request.set_request_id(++request_id_);
+  request.set_protocol_version(kProtocolVersion);
+  socket_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::none);
+  v1::Reply reply = await(request_id_, deadline);
+  if (reply.status().code() != v1::CODE_OK) throw Refused(reply.status());
+  return reply;
+}
+
+v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::milliseconds deadline) {
+  using Clock = std::chrono::steady_clock;
+  const auto until = Clock::now() + deadline;
+  for (auto left = deadline; left.count() > 0;
+       left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now())) {
+    zmq::message_t message;
+    if (!waitReadable(socket_, left) || !socket_.recv(message, zmq::recv_flags::dontwait)) continue;
+    v1::Reply reply;
+    if (reply.ParseFromArray(message.data(), static_cast<int>(message.size())) &&
+        reply.request_id() == request_id) {
+      return reply;
+    }
+  }
+  throw NoAnswer("no saccaded answers at " + endpoint_ + ": start it with `saccaded --control " + endpoint_ +
+                 "`");
+}
+
+}  // namespace saccade

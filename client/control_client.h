@@ -1,0 +1,46 @@
+// The control plane as a client sees it: a request, then its reply or an exception.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "client/socket.h"
+#include "saccade/v1/control.pb.h"
+
+namespace saccade {
+
+// No reply came before the deadline.
+struct NoAnswer : std::runtime_error {
+  using runtime_error::runtime_error;
+};
+
+// The server said no; what() is its message, with the field in front where it named one.
+struct Refused : std::runtime_error {
+  explicit Refused(const v1::Status& status);
+  v1::Code code;
+};
+
+class ControlClient {
+ public:
+  static constexpr std::chrono::seconds kDeadline{3};  // for what the server answers at once
+
+  // Does not wait for the server. Throws std::invalid_argument where `endpoint` is not one.
+  ControlClient(zmq::context_t& context, const std::string& endpoint);
+
+  // Sends and waits for the reply to this very request; late replies to earlier ones are passed over. A
+  // request made before the server is up reaches it when it comes up. Throws NoAnswer or Refused.
+  v1::Reply call(v1::Request request, std::chrono::milliseconds deadline = kDeadline);
+
+  const std::string& endpoint() const { return endpoint_; }
+
+ private:
+  v1::Reply await(std::uint64_t request_id, std::chrono::milliseconds deadline);
+
+  std::string endpoint_;
+  zmq::socket_t socket_;
+  std::uint64_t request_id_ = 0;
+};
+
+}  // namespace saccade

@@ -1,0 +1,67 @@
+#include "client/subscriber.h"
+
+#include <iterator>
+#include <utility>
+#include <zmq_addon.hpp>
+
+#include "wire/packet.h"
+
+namespace saccade {
+
+Subscriber::Subscriber(zmq::context_t& context, const Attachment& attachment)
+    : socket_(connectSocket(context, zmq::socket_type::dealer, attachment.endpoint)),
+      has_topic_(false),
+      credit_(attachment.credit) {
+  v1::DataRequest request;
+  request.mutable_attach()->set_stream_id(attachment.stream_id);
+  request.mutable_attach()->set_token(attachment.token);
+  send(request);
+  giveCredit(credit_);
+}
+
+Subscriber::Subscriber(zmq::context_t& context, const std::string& endpoint,
+                       const std::vector<std::string>& topics)
+    : socket_(connectSocket(context, zmq::socket_type::sub, endpoint)), has_topic_(true) {
+  for (const std::string& topic : topics) socket_.set(zmq::sockopt::subscribe, topic);
+}
+
+std::optional<Batch> Subscriber::receive(std::chrono::milliseconds timeout) {
+  std::vector<zmq::message_t> parts;
+  if (!waitReadable(socket_, timeout)) return std::nullopt;
+  if (!zmq::recv_multipart(socket_, std::back_inserter(parts), zmq::recv_flags::dontwait))
+    return std::nullopt;
+  const std::size_t first = has_topic_ ? 1 : 0;
+  if (parts.size() != first + 2) throw StreamFault("the server sent a message that is no packet");
+  const zmq::message_t &head = parts[first], &payload = parts[first + 1];
+  if (credit_ > 0) takeCredit(head.size() + payload.size());
+
+  Batch batch;
+  if (!batch.header.ParseFromArray(head.data(), static_cast<int>(head.size()))) {
+    throw StreamFault("the server sent a header that cannot be read");
+  }
+  std::string fault = decodePacket(batch.header, payload.to_string(), batch.events);
+  if (fault.empty() && batch.header.kind() == v1::KIND_ERROR) throw StreamFault(payload.to_string());
+  if (fault.empty()) fault = sequence_.add(batch.header);
+  if (!fault.empty()) throw StreamFault("a packet must not be used: " + fault);
+  return batch;
+}
+
+void Subscriber::send(const v1::DataRequest& request) {
+  socket_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::none);
+}
+
+void Subscriber::giveCredit(std::uint64_t bytes) {
+  v1::DataRequest request;
+  request.mutable_credit()->set_bytes(bytes);
+  send(request);
+}
+
+// Half is given back at once, so that the server never waits for the way there and back.
+void Subscriber::takeCredit(std::uint64_t bytes) {
+  used_ += bytes;
+  if (used_ < credit_ / 2) return;
+  giveCredit(used_);
+  used_ = 0;
+}
+
+}  // namespace saccade

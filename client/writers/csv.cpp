@@ -1,0 +1,24 @@
+// `t_us,x,y,p`: whole microseconds, a heading line.
+#include "client/writers/text_writer.h"
+
+namespace saccade {
+namespace {
+
+void appendLine(std::string& text, const Event& event) {
+  appendNumber(text, event.t_ns / 1000);
+  for (const int value : {int{event.x}, int{event.y}, int{event.p}}) {
+    text += ',';
+    appendNumber(text, value);
+  }
+  text += '\n';
+}
+
+std::unique_ptr<Writer> make(const std::string& path) {
+  return std::make_unique<TextWriter>(path, "t_us,x,y,p\n", appendLine);
+}
+
+}  // namespace
+
+const WriterInfo kCsvWriter{".csv", "t_us,x,y,p with a heading", make};
+
+}  // namespace saccade

@@ -1,0 +1,95 @@
+#include "client/control_client.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "fake_server.h"
+
+namespace saccade {
+namespace {
+
+// Answers one request: `early` other replies first, then one with `status`.
+std::future<v1::Request> answer(FakeServer& server, int early, v1::Status status) {
+  return std::async(std::launch::async, [&server, early, status] {
+    const auto request = server.receive<v1::Request>();
+    v1::Reply reply;
+    for (int i = 1; i <= early; ++i) {
+      reply.set_request_id(request.request_id() + i);
+      server.send(reply);
+    }
+    reply.set_request_id(request.request_id());
+    *reply.mutable_status() = status;
+    reply.mutable_server_info()->set_version("1.2.3");
+    server.send(reply);
+    return request;
+  });
+}
+
+v1::Status statusOf(v1::Code code, const std::string& message = {}, const std::string& field = {}) {
+  v1::Status status;
+  status.set_code(code);
+  status.set_message(message);
+  status.set_field(field);
+  return status;
+}
+
+v1::Request infoRequest() {
+  v1::Request request;
+  request.mutable_server_info();
+  return request;
+}
+
+TEST(ControlClient, ReplyIsMatchedByItsId) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient client(context, server.endpoint());
+  auto request = answer(server, 2, statusOf(v1::CODE_OK));
+  EXPECT_EQ(client.call(infoRequest(), std::chrono::seconds(10)).server_info().version(), "1.2.3");
+  EXPECT_EQ(request.get().protocol_version(), 1u);
+}
+
+TEST(ControlClient, ARefusalNamesTheField) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient client(context, server.endpoint());
+  auto request =
+      answer(server, 0, statusOf(v1::CODE_INVALID_ARGUMENT, "must be above 0", "sensors[1].threshold"));
+  try {
+    client.call(infoRequest(), std::chrono::seconds(10));
+    FAIL() << "no refusal";
+  } catch (const Refused& refused) {
+    EXPECT_EQ(refused.code, v1::CODE_INVALID_ARGUMENT);
+    EXPECT_STREQ(refused.what(), "sensors[1].threshold: must be above 0");
+  }
+}
+
+TEST(ControlClient, SilenceEndsAtTheDeadlineAndSaysWhatToDo) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient client(context, server.endpoint());
+  try {
+    client.call(infoRequest(), std::chrono::milliseconds(20));
+    FAIL() << "an answer from nobody";
+  } catch (const NoAnswer& error) {
+    EXPECT_NE(std::string(error.what()).find("no saccaded answers at " + server.endpoint()),
+              std::string::npos);
+  }
+}
+
+TEST(ControlClient, NonsenseIsNoEndpoint) {
+  zmq::context_t context;
+  EXPECT_THROW(ControlClient(context, "nonsense"), std::invalid_argument);
+}
+
+TEST(ReachableEndpoint, WildcardsBecomeTheHostOfTheControlSocket) {
+  const std::string control = "tcp://render7:5770";
+  EXPECT_EQ(reachableEndpoint("tcp://0.0.0.0:5771", control), "tcp://render7:5771");
+  EXPECT_EQ(reachableEndpoint("tcp://*:5771", control), "tcp://render7:5771");
+  EXPECT_EQ(reachableEndpoint("tcp://[::]:5771", control), "tcp://render7:5771");
+  EXPECT_EQ(reachableEndpoint("tcp://10.0.0.1:5771", control), "tcp://10.0.0.1:5771");
+  EXPECT_EQ(reachableEndpoint("ipc:///run/data", control), "ipc:///run/data");
+}
+
+}  // namespace
+}  // namespace saccade

@@ -1,0 +1,121 @@
+#include "client/recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace saccade {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RecorderTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string at(const std::string& name) const { return folder_ / name; }
+
+  std::string textOf(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(at(name)).rdbuf();
+    return text.str();
+  }
+
+  fs::path folder_;
+};
+
+Batch batchOf(std::uint32_t sensor, v1::Kind kind, Events events) {
+  Batch batch;
+  batch.header.set_sensor(sensor);
+  batch.header.set_kind(kind);
+  batch.header.set_t1_ns(3'000'000'000);
+  batch.events = std::move(events);
+  return batch;
+}
+
+const Events kEvents{{0, 1, 2, 1}, {1'234'567'000, 345, 259, 0}, {2'000'000'000, 0, 0, 1}};
+
+TEST_F(RecorderTest, WritesCsv) {
+  Recorder recorder(at("a.csv"), 1);
+  recorder.add(batchOf(0, v1::KIND_EVENTS, kEvents));
+  recorder.add(batchOf(0, v1::KIND_END, {}));
+  recorder.commit();
+  EXPECT_EQ(textOf("a.csv"), "t_us,x,y,p\n0,1,2,1\n1234567,345,259,0\n2000000,0,0,1\n");
+}
+
+TEST_F(RecorderTest, WritesTxt) {
+  Recorder recorder(at("a.txt"), 1);
+  recorder.add(batchOf(0, v1::KIND_EVENTS, kEvents));
+  recorder.add(batchOf(0, v1::KIND_END, {}));
+  recorder.commit();
+  EXPECT_EQ(textOf("a.txt"), "0.000000000 1 2 1\n1.234567000 345 259 0\n2.000000000 0 0 1\n");
+}
+
+TEST_F(RecorderTest, FileGetsItsNameAtACompleteEnd) {
+  Recorder recorder(at("a.csv"), 1);
+  recorder.add(batchOf(0, v1::KIND_EVENTS, kEvents));
+  EXPECT_FALSE(recorder.complete());
+  EXPECT_FALSE(fs::exists(at("a.csv")));
+  EXPECT_EQ(recorder.files(), std::vector{at("a.csv.partial")});
+  recorder.add(batchOf(0, v1::KIND_END, {}));
+  EXPECT_TRUE(recorder.complete());
+  recorder.commit();
+  EXPECT_EQ(recorder.files(), std::vector{at("a.csv")});
+  EXPECT_FALSE(fs::exists(at("a.csv.partial")));
+}
+
+TEST_F(RecorderTest, WhatCameBeforeAFaultIsKept) {
+  {
+    Recorder recorder(at("a.csv"), 1);
+    recorder.add(batchOf(0, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
+  }
+  EXPECT_EQ(textOf("a.csv.partial"), "t_us,x,y,p\n5,1,2,0\n");
+}
+
+TEST_F(RecorderTest, SeveralSensorsHaveAFileEach) {
+  Recorder recorder(at("a.b.csv"), 2);
+  recorder.add(batchOf(1, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
+  recorder.add(batchOf(1, v1::KIND_END, {}));
+  EXPECT_FALSE(recorder.complete());
+  EXPECT_EQ(recorder.time_ns(), 0);  // nothing is known of sensor 0
+  recorder.add(batchOf(0, v1::KIND_END, {}));
+  ASSERT_TRUE(recorder.complete());
+  recorder.commit();
+  EXPECT_EQ(textOf("a.b-0.csv"), "t_us,x,y,p\n");
+  EXPECT_EQ(textOf("a.b-1.csv"), "t_us,x,y,p\n5,1,2,0\n");
+  EXPECT_EQ(recorder.events(), 1u);
+}
+
+TEST_F(RecorderTest, ASensorNobodyAskedForIsAFault) {
+  Recorder recorder(at("a.csv"), 1);
+  EXPECT_THROW(recorder.add(batchOf(1, v1::KIND_EVENTS, {})), StreamFault);
+}
+
+TEST_F(RecorderTest, UnknownFormatNamesTheKnown) {
+  try {
+    Recorder recorder(at("a.xyz"), 1);
+    FAIL() << "a writer for .xyz";
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    for (const WriterInfo* writer : writerTable()) EXPECT_NE(text.find(writer->extension), std::string::npos);
+  }
+}
+
+TEST_F(RecorderTest, AFolderThatIsNotThereIsNamed) {
+  try {
+    Recorder recorder(at("none/a.csv"), 1);
+    FAIL() << "a file in no folder";
+  } catch (const std::system_error& error) {
+    EXPECT_NE(std::string(error.what()).find("none/a.csv"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace saccade
