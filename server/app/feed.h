@@ -34,16 +34,16 @@ class Feed {
   // Renders the next frame and estimates the change since the one before it.
   const IntensityChange& step();
 
-  // Luminance of frame 0 at a fraction of its pixels in ascending order, 0 <= fraction <= 1.
+  // Luminance of frame 0 at a fraction of its pixels in ascending order, 0 <= fraction <= 1. Before any step.
   float firstFrameLuminance(double fraction) const;
   const StageTimes& lastTimes() const { return times_; }  // of the last step
-  const Frame& newest() const;                            // the frame at t1 of the last step (frame 0 before any)
+  const IntensityChange& change() const { return change_; }
+  const Frame& newest() const { return frames_.pair().cur; }  // at t1 of the last step; frame 0 before any
 
  private:
   void render();
 
   FeedConfig config_;
-  std::shared_ptr<const RenderScene> scene_;
   Trajectory path_;
   TilePool& pool_;
   Renderer renderer_;

@@ -7,7 +7,8 @@
 namespace saccade {
 
 enum class Stage { kTrace, kTemporal, kVariance, kAtrous, kModulate, kEvents };
-inline constexpr std::array<const char*, 6> kStageNames{"trace", "temporal", "variance", "atrous", "modulate", "events"};
+inline constexpr std::array<const char*, 6> kStageNames{"trace",  "temporal", "variance",
+                                                        "atrous", "modulate", "events"};
 
 struct StageTimes {
   std::array<std::chrono::nanoseconds, kStageNames.size()> cpu{};

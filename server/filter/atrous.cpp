@@ -1,0 +1,111 @@
+#include "filter/atrous.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "filter/edge_stopping.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kChunk = 128;                          // pixels whose sums stay in the first-level cache
+constexpr float kKernel[3] = {1, 2.f / 3, 1.f / 6};  // h(q), separable, by distance
+constexpr float kGauss[2] = {1.f / 2, 1.f / 4};      // g_3x3, separable, by distance
+
+// Features of one frame at the pixels of a chunk.
+struct Features {
+  Features(const GBuffer& g, int x0, int y, int n, float sigma_z)
+      : z(g.z.row(y) + x0), nx(g.nx.row(y) + x0), ny(g.ny.row(y) + x0), nz(g.nz.row(y) + x0) {
+    const float* dz = g.dz.row(y) + x0;
+    for (int x = 0; x < n; ++x) r_z[x] = depthFactor(sigma_z, z[x], dz[x]);
+  }
+  const float *z, *nx, *ny, *nz;
+  alignas(64) float r_z[kChunk];
+};
+
+// One signal at the pixels of a chunk, and the sums of its filter. The centre counts fully.
+struct Channel {
+  Channel(const ImageF& signal, const ImageF& variance, int x0, int y, int n, float sigma_l)
+      : c(signal.row(y) + x0), v(variance.row(y) + x0) {
+    const std::ptrdiff_t stride = variance.stride();
+    const std::ptrdiff_t up = y > 0 ? -stride : 0, down = y + 1 < variance.height() ? stride : 0;
+    for (int x = 0; x < n; ++x) {
+      const std::ptrdiff_t left = x0 + x > 0 ? -1 : 0, right = x0 + x + 1 < variance.width() ? 1 : 0;
+      const auto across = [&](const float* p) { return kGauss[0] * p[0] + kGauss[1] * (p[left] + p[right]); };
+      const float* p = v + x;
+      r_l[x] =
+          luminanceFactor(sigma_l, kGauss[0] * across(p) + kGauss[1] * (across(p + up) + across(p + down)));
+      w_sum[x] = 1, c_sum[x] = c[x], v_sum[x] = v[x];
+    }
+  }
+
+  void store(int n, float* c_out, float* v_out) const {
+    for (int x = 0; x < n; ++x) {
+      const float inv = 1 / w_sum[x];
+      c_out[x] = c_sum[x] * inv;
+      v_out[x] = v_sum[x] * inv * inv;
+    }
+  }
+
+  const float *c, *v;
+  alignas(64) float r_l[kChunk], w_sum[kChunk], c_sum[kChunk], v_sum[kChunk];
+};
+
+// e_z + e_n between each pixel and its neighbour at `o`. s_n = sigma_n log2 e.
+inline float featureExponent(const Features& f, int x, std::ptrdiff_t o, float s_n, float inv_distance) {
+  const float cosine = f.nx[x] * f.nx[x + o] + f.ny[x] * f.ny[x + o] + f.nz[x] * f.nz[x + o];
+  return s_n * (1 - cosine) + std::abs(f.z[x] - f.z[x + o]) * (f.r_z[x] * inv_distance);
+}
+
+inline void addTap(Channel& s, int x, std::ptrdiff_t o, float h, float exponent) {
+  const float w = h * fastExp2(-(exponent + std::abs(s.c[x] - s.c[x + o]) * s.r_l[x]));
+  s.w_sum[x] += w;
+  s.c_sum[x] += w * s.c[x + o];
+  s.v_sum[x] += w * w * s.v[x + o];
+}
+
+template <bool UsePrev>
+void filterChunk(const Features& cur, const Features& prev, int n, std::ptrdiff_t stride, int step,
+                 float sigma_n, Channel& primal, Channel& difference) {
+  const float s_n = sigma_n * kLog2E;
+  for (int dy = -2; dy <= 2; ++dy) {
+    for (int dx = -2; dx <= 2; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      const std::ptrdiff_t o = step * (dy * stride + dx);
+      const float h = kKernel[std::abs(dx)] * kKernel[std::abs(dy)];
+      const float inv_distance =
+          1 / (static_cast<float>(step) * std::hypot(static_cast<float>(dx), static_cast<float>(dy)));
+#pragma GCC ivdep
+      for (int x = 0; x < n; ++x) {
+        const float e_cur = featureExponent(cur, x, o, s_n, inv_distance);
+        const float e_diff = UsePrev ? e_cur + featureExponent(prev, x, o, s_n, inv_distance) : e_cur;
+        addTap(primal, x, o, h, e_cur);
+        addTap(difference, x, o, h, e_diff);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousParams& params, int step,
+                                         const Signals& in, TilePool& pool, Signals& out) {
+  SACCADE_CHECK(step <= kMaxAtrousStep);
+  const int width = in.i.width();
+  return pool.forEachRow(in.i.height(), [&](int y) {
+    for (int x0 = 0; x0 < width; x0 += kChunk) {
+      const int n = std::min(kChunk, width - x0);
+      const Features cur(frames.cur.g, x0, y, n, params.sigma_z),
+          prev(frames.prev.g, x0, y, n, params.sigma_z);
+      Channel primal(in.i, in.var_i, x0, y, n, params.sigma_l);
+      Channel difference(in.d, in.var_d, x0, y, n, params.sigma_l_diff);
+      const auto filter = params.use_prev ? filterChunk<true> : filterChunk<false>;
+      filter(cur, prev, n, in.i.stride(), step, params.sigma_n, primal, difference);
+      primal.store(n, out.i.row(y) + x0, out.var_i.row(y) + x0);
+      difference.store(n, out.d.row(y) + x0, out.var_d.row(y) + x0);
+    }
+  });
+}
+
+}  // namespace saccade

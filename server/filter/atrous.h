@@ -1,0 +1,26 @@
+// One iteration of the joint a-trous filter of primal and difference [E (3), (4), (12)].
+//
+// takes    signals with their variances; the features of both frames
+// returns  signals filtered with a 5x5 kernel of spacing `step`, and their variances
+#pragma once
+
+#include "base/tile_pool.h"
+#include "filter/signals.h"
+#include "frame/frame.h"
+
+namespace saccade {
+
+struct AtrousParams {
+  float sigma_z = 1;
+  float sigma_n = 128;
+  float sigma_l = 10;       // primal
+  float sigma_l_diff = 10;  // difference
+  bool use_prev = true;     // w_diff = w_curr w_prev [E (12)]; off: w_diff = w_curr (ablation of Fig. 9 B)
+};
+
+inline constexpr int kMaxAtrousStep = 16;  // 2 * step must stay within Image::kBorder
+
+std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousParams& params, int step,
+                                         const Signals& in, TilePool& pool, Signals& out);
+
+}  // namespace saccade

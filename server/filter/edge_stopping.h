@@ -1,0 +1,46 @@
+// Edge-stopping weights as exponents. All terms of a weight are added up first and one exponential is taken
+// of the sum: w = h * 2^-(e_z + e_n + e_l). Each function returns its term in that base.
+//
+// Where the paper's appendix and Falcor's shader differ we follow the shader, whose defaults the paper uses:
+//   [E (23)] divides |dz| by sigma_z |grad z . (p - q)| + eps; the shader, and we, by sigma_z times the
+//   largest
+//            derivative times the distance |p - q|. It stops less across a slope, and needs one plane less.
+//   [E (24)] max(0, n.n')^sigma_n is written exp(-sigma_n (1 - n.n')): [ours], equal to first order where the
+//            weight is not already negligible, and it joins the common exponent.
+//   [E (25)] has eps outside the variance's root in no version; both, and we, inside.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace saccade {
+
+inline constexpr float kLog2E = std::numbers::log2e_v<float>;
+
+// 2^x for x <= 0, to 0.2 %; 2^-126 below -126. Two additions, two products and a shift: it vectorises.
+inline float fastExp2(float x) {
+  x = std::max(x, -126.f);
+  const float whole = std::floor(x), f = x - whole;
+  const float scale = std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) << 23);
+  return scale * (1 + f * (0.6565f + f * 0.3435f));
+}
+
+// [ours] A wall seen head-on has dz = 0 up to rounding. Its slope counts as at least this much of its depth
+// per pixel (0.006 degrees of view), so that rounding does not stop the filter. Falcor's 1e-8 does.
+inline constexpr float kLeastSlope = 1e-4f;
+
+// Factor r_z(p): e_z = |z(p) - z(q)| * r_z(p) / |p - q|.
+inline float depthFactor(float sigma_z, float z, float dz) {
+  return kLog2E / (sigma_z * std::max(dz, kLeastSlope * z));
+}
+
+// Factor r_l(p): e_l = |l(p) - l(q)| * r_l(p), from the blurred variance g_3x3(Var(l)) [E (25)].
+inline float luminanceFactor(float sigma_l, float variance) {
+  constexpr float kEpsilon = 1e-10f;  // [Falcor]
+  return kLog2E / (sigma_l * std::sqrt(std::max(variance, 0.f) + kEpsilon));
+}
+
+}  // namespace saccade

@@ -1,0 +1,25 @@
+// Temporal accumulation of primal and difference along motion vectors (paper, 4.4.2).
+//
+// takes    this frame's samples i, d; the features of both frames; the histories of t-1 and t-2
+// returns  the history of t: I', D', moments, length, and R_t = W_t I'_{t-1}
+#pragma once
+
+#include "base/tile_pool.h"
+#include "filter/signals.h"
+#include "frame/frame.h"
+
+namespace saccade {
+
+struct AccumulationParams {
+  float alpha = 0.1f;                 // weight of the new sample, at least
+  float moments_alpha = 0.2f;         // the same for the moments
+  float max_history = 32;             // frames
+  bool accumulate_difference = true;  // off: D' = d (ablation of Fig. 9 C)
+  bool correct_difference = true;     // off: without the last two terms of [E (16)]
+};
+
+std::chrono::nanoseconds accumulate(const FramePair& frames, const IlluminationSamples& samples,
+                                    const AccumulationParams& params, const History& prev,
+                                    const ImageF& I_prev2, TilePool& pool, History& out);
+
+}  // namespace saccade

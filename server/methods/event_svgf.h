@@ -1,0 +1,55 @@
+// EventSVGF: the temporal difference itself, accumulated and filtered (paper, 4.3 - 4.5, Figure 4).
+#pragma once
+
+#include "filter/atrous.h"
+#include "filter/signals.h"
+#include "filter/temporal_accumulation.h"
+#include "filter/variance.h"
+#include "methods/method.h"
+
+namespace saccade {
+
+// The defaults are Falcor's, with the paper's alpha. event_svgf.cpp says range and source of each.
+struct EventSvgfParams {
+  float alpha = 0.1f;
+  float moments_alpha = 0.2f;
+  int max_history = 32;
+  int iterations = 4;
+  int feedback_tap = 1;
+  float sigma_l = 10;
+  float sigma_l_diff = 10;
+  float sigma_n = 128;
+  float sigma_z = 1;
+  // Ablations of Figure 9, and of the correction term.
+  bool correlated = true;
+  bool w_prev = true;
+  bool accumulate_difference = true;
+  bool demodulate = true;
+  bool correction = true;
+};
+
+class EventSvgf final : public Method {
+ public:
+  EventSvgf(const EventSvgfParams& params, int width, int height);
+  static MethodInfo info();
+
+  SeedReuse seedReuse() const override;
+  void start(const Frame& first, TilePool& pool) override;
+  void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
+
+ private:
+  // Accumulates and filters; the result is in filtered_.
+  void filter(const FramePair& frames, TilePool& pool, StageTimes& times);
+
+  EventSvgfParams params_;
+  AccumulationParams accumulation_;
+  VarianceParams variance_;
+  AtrousParams atrous_;
+  IlluminationSamples samples_;
+  History history_, history_prev_;  // of this frame and the one before
+  ImageF I_prev2_;                  // I' of two frames ago
+  Signals filtered_, scratch_;
+  ImageF i_prev_, var_i_prev_;  // D[i_{t-1}] and its variance
+};
+
+}  // namespace saccade

@@ -1,0 +1,58 @@
+#include <cmath>
+
+#include "methods/event_svgf.h"
+#include "methods/path_traced.h"
+
+namespace saccade {
+
+const std::vector<MethodInfo>& methodTable() {
+  static const std::vector<MethodInfo> table{
+      EventSvgf::info(),
+      PathTraced::correlatedInfo(),
+      PathTraced::independentInfo(),
+  };
+  return table;
+}
+
+const MethodInfo* findMethod(const std::string& name) {
+  for (const MethodInfo& method : methodTable()) {
+    if (method.name == name) return &method;
+  }
+  return nullptr;
+}
+
+std::string methodNames() {
+  std::string names;
+  for (const MethodInfo& method : methodTable()) names += (names.empty() ? "" : ", ") + method.name;
+  return names;
+}
+
+std::string resolveParams(const MethodInfo& method, const ParamValues& given, ParamValues& resolved,
+                          std::string& bad_name) {
+  resolved.clear();
+  std::string names;
+  for (const ParamSpec& spec : method.params) {
+    resolved[spec.name] = spec.fallback;
+    names += (names.empty() ? "" : ", ") + spec.name;
+  }
+  for (const auto& [name, value] : given) {
+    bad_name = name;
+    if (!resolved.contains(name)) {
+      return method.name + " has no parameter \"" + name + "\"; it has: " + (names.empty() ? "none" : names);
+    }
+    resolved[name] = value;
+  }
+  for (const ParamSpec& spec : method.params) {
+    bad_name = spec.name;
+    const double value = resolved[spec.name];
+    const bool in_range = value >= spec.min && value <= spec.max;  // false for NaN
+    if (!in_range || (spec.whole && value != std::round(value))) {
+      return spec.name + " must be " + (spec.whole ? "a whole number" : "a number") + " from " +
+             std::to_string(spec.min) + " to " + std::to_string(spec.max);
+    }
+  }
+  bad_name.clear();
+  return {};
+}
+
+}  // namespace saccade

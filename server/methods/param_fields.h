@@ -1,0 +1,44 @@
+// Ties the parameters that users set by name to the members of a method's Params, whose initialisers are the
+// defaults.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "methods/method.h"
+
+namespace saccade {
+
+template <class Params>
+struct ParamField {
+  const char* name;
+  std::variant<float Params::*, int Params::*, bool Params::*> member;
+  double min, max;
+  const char *what, *source;
+};
+
+template <class Params>
+std::vector<ParamSpec> paramSpecs(const std::vector<ParamField<Params>>& fields) {
+  std::vector<ParamSpec> specs;
+  const Params defaults;
+  for (const auto& f : fields) {
+    const bool whole = !std::holds_alternative<float Params::*>(f.member);
+    const double fallback = std::visit([&](auto m) { return static_cast<double>(defaults.*m); }, f.member);
+    specs.push_back({f.name, f.min, f.max, fallback, whole, f.what, f.source});
+  }
+  return specs;
+}
+
+// `values` holds every field, checked (resolveParams()).
+template <class Params>
+Params makeParams(const std::vector<ParamField<Params>>& fields, const ParamValues& values) {
+  Params params;
+  for (const auto& f : fields) {
+    const double value = values.at(f.name);
+    std::visit([&](auto m) { params.*m = static_cast<std::remove_reference_t<decltype(params.*m)>>(value); },
+               f.member);
+  }
+  return params;
+}
+
+}  // namespace saccade

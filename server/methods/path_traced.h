@@ -1,0 +1,23 @@
+// Path tracing without a filter: pt, with fresh seeds in every frame, and pt-correlated, with reused ones
+// (paper, 5.1 and Fig. 8 B).
+#pragma once
+
+#include "methods/method.h"
+
+namespace saccade {
+
+class PathTraced final : public Method {
+ public:
+  explicit PathTraced(SeedReuse seeds) : seeds_(seeds) {}
+  static MethodInfo independentInfo();
+  static MethodInfo correlatedInfo();
+
+  SeedReuse seedReuse() const override { return seeds_; }
+  void start(const Frame&, TilePool&) override {}
+  void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
+
+ private:
+  SeedReuse seeds_;
+};
+
+}  // namespace saccade
