@@ -1,0 +1,42 @@
+// An event model turns the brightness change of one interval into events. Its memory of the pixels lives in
+// it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/units.h"
+#include "events/sensor_config.h"
+#include "frame/image.h"
+#include "wire/event.h"
+
+namespace saccade {
+
+// [t0, t1), t0 < t1, both multiples of kEventTimeUnit; `frame` is the frame at t1.
+struct Interval {
+  TimeNs t0, t1;
+  FrameIndex frame;
+};
+
+class EventModel {
+ public:
+  virtual ~EventModel() = default;
+  // `dL` is the change of log brightness over the interval, finite, with a border of 0. Appends the events
+  // row by row, pixel by pixel, those of a pixel in time order (OFF first where times are equal), every time
+  // in [t0, t1). Returns how many events were withheld.
+  virtual std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) = 0;
+};
+
+struct EventModelInfo {
+  std::string name, description;
+  std::unique_ptr<EventModel> (*make)(const SensorConfig& config, int width, int height);
+};
+
+// THE list of event models. The first is the default.
+const std::vector<EventModelInfo>& eventModelTable();
+const EventModelInfo* findEventModel(const std::string& name);  // nullptr if there is none
+std::string eventModelNames();                                  // "accumulating, ..." for messages
+
+}  // namespace saccade

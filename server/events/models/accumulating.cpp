@@ -1,0 +1,42 @@
+// Direct accumulation [E (22)]: a pixel keeps v = L - L_ref, in (-C-, C+).
+#include "base/hash_rng.h"
+#include "events/models/models.h"
+#include "events/threshold_pixels.h"
+
+namespace saccade {
+namespace {
+
+class Accumulating final : public EventModel {
+ public:
+  Accumulating(const SensorConfig& config, int width, int height)
+      : pixels_(config, width, height), v_(width, height) {
+    // L_0 is unknown, so that every pixel starts anywhere between its thresholds.
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const std::uint64_t pixel = static_cast<std::uint64_t>(y) * width + x;
+        v_.at(x, y) = pixels_.levelAt(toUnit(hashKey(config.seed, pixel)));
+      }
+    }
+  }
+
+  std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) override {
+    pixels_.begin(interval);
+    forEachChange(dL, [&](int x, int y, float change) {
+      float& v = v_.row(y)[x];
+      v = pixels_.advance(x, y, v, change, events);
+    });
+    return pixels_.suppressed();
+  }
+
+ private:
+  ThresholdPixels pixels_;
+  ImageF v_;
+};
+
+}  // namespace
+
+std::unique_ptr<EventModel> makeAccumulating(const SensorConfig& config, int width, int height) {
+  return std::make_unique<Accumulating>(config, width, height);
+}
+
+}  // namespace saccade

@@ -1,0 +1,40 @@
+// Stochastic generation (paper, 4.6): a threshold phase uniform in [0, C), fresh for every pixel and frame,
+// so that E[K] = |dL| / C [E (31)]. Nothing is kept between frames but blindness.
+#include "base/hash_rng.h"
+#include "events/models/models.h"
+#include "events/threshold_pixels.h"
+
+namespace saccade {
+namespace {
+
+class Probabilistic final : public EventModel {
+ public:
+  Probabilistic(const SensorConfig& config, int width, int height)
+      : config_(config), width_(width), pixels_(config, width, height) {}
+
+  std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) override {
+    pixels_.begin(interval);
+    const std::uint64_t key = hashKey(config_.seed, interval.frame);
+    forEachChange(dL, [&](int x, int y, float change) {
+      const std::uint64_t pixel = static_cast<std::uint64_t>(y) * width_ + x;
+      // 53 bits: the steps of a float would be seen in E[K] for a small change.
+      const double u = static_cast<double>(hashKey(key, pixel) >> 11) * 0x1p-53;
+      const double phase = change > 0 ? u * config_.threshold : -u * config_.threshold_off;
+      pixels_.advance(x, y, phase, change, events);
+    });
+    return pixels_.suppressed();
+  }
+
+ private:
+  SensorConfig config_;
+  int width_;
+  ThresholdPixels pixels_;
+};
+
+}  // namespace
+
+std::unique_ptr<EventModel> makeProbabilistic(const SensorConfig& config, int width, int height) {
+  return std::make_unique<Probabilistic>(config, width, height);
+}
+
+}  // namespace saccade

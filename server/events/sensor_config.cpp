@@ -1,0 +1,34 @@
+#include "events/sensor_config.h"
+
+#include <sstream>
+
+#include "events/event_model.h"
+
+namespace saccade {
+
+std::optional<SensorFault> findFault(const SensorConfig& config) {
+  const struct {
+    const char* field;
+    double value, min, max;
+  } ranges[] = {
+      {"threshold", config.threshold, 1e-3, 10},
+      {"threshold_off", config.threshold_off, 1e-3, 10},
+      {"bias", config.bias, 1e-12, 1e6},
+      {"refractory_s", seconds(config.refractory), 0, 10},
+      {"max_events_per_pixel_frame", static_cast<double>(config.max_events_per_pixel_frame), 1, 65536},
+  };
+  for (const auto& [field, value, min, max] : ranges) {
+    // Written so that NaN fails.
+    if (!(value >= min && value <= max)) {
+      std::ostringstream message;
+      message << value << " is outside [" << min << ", " << max << "]";
+      return SensorFault{field, message.str()};
+    }
+  }
+  if (!findEventModel(config.model)) {
+    return SensorFault{"model", "no event model '" + config.model + "'; there are: " + eventModelNames()};
+  }
+  return std::nullopt;
+}
+
+}  // namespace saccade

@@ -1,0 +1,28 @@
+// What a client chooses about its sensor.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "base/units.h"
+
+namespace saccade {
+
+struct SensorConfig {
+  double threshold = 0.2;              // C+, natural log units, [1e-3, 10]; ON events
+  double threshold_off = 0.2;          // C-, as C+; OFF events
+  double bias = 1e-3;                  // I_eps, scene luminance, [1e-12, 1e6] [E (1)]
+  std::string model = "accumulating";  // a name of eventModelTable()
+  TimeNs refractory{0};  // [0, 10 s]; blind so long after an event, then starts from the level it sees
+  int max_events_per_pixel_frame = 32;  // [1, 65536]; what exceeds it is suppressed and counted
+  std::uint64_t seed = 0;               // start phase of every pixel; random numbers of the model
+};
+
+// What is wrong with a configuration: the first offending field, named as in the schema, and what is valid.
+struct SensorFault {
+  std::string field, message;
+};
+std::optional<SensorFault> findFault(const SensorConfig& config);
+
+}  // namespace saccade

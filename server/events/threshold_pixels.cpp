@@ -1,0 +1,108 @@
+#include "events/threshold_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+
+namespace saccade {
+namespace {
+
+// The largest float below `limit` > 0.
+float below(double limit) {
+  const float f = static_cast<float>(limit);
+  return f < limit ? f : std::nextafter(f, 0.f);
+}
+
+std::uint64_t wholeThresholds(double change, double threshold) {
+  return static_cast<std::uint64_t>(std::abs(change) / threshold);
+}
+
+}  // namespace
+
+ThresholdPixels::ThresholdPixels(const SensorConfig& config, int width, int height)
+    : on_(config.threshold),
+      off_(config.threshold_off),
+      low_(-below(off_)),
+      high_(below(on_)),
+      refractory_(config.refractory),
+      max_events_(config.max_events_per_pixel_frame),
+      width_(width) {
+  if (refractory_ > TimeNs(0)) blindness_.resize(static_cast<std::size_t>(width) * height);
+}
+
+float ThresholdPixels::levelAt(double fraction) const {
+  return inside(-off_ + fraction * (on_ + off_));
+}
+
+// Rounding to float must not put a level on a threshold.
+float ThresholdPixels::inside(double v) const {
+  return std::clamp(static_cast<float>(v), low_, high_);
+}
+
+void ThresholdPixels::begin(const Interval& interval) {
+  SACCADE_CHECK(interval.t0 < interval.t1);
+  interval_ = interval;
+  length_ns_ = static_cast<double>((interval.t1 - interval.t0).count());
+  suppressed_ = 0;
+}
+
+// Whether a blind pixel wakes in this interval (or has woken before, where brightness stood still since), and
+// at which fraction of it.
+bool ThresholdPixels::wakes(Blindness& blindness, double change, double& start) {
+  start = std::max(0.0, static_cast<double>((blindness.until - interval_.t0).count()) / length_ns_);
+  if (start >= 1) {
+    blindness.change += change;
+    return false;
+  }
+  const double seen = blindness.change + start * change;
+  suppressed_ += wholeThresholds(seen, threshold(seen));
+  blindness = {};
+  return true;
+}
+
+float ThresholdPixels::advance(int x, int y, double v, double change, Events& events) {
+  // A blind pixel joins when it wakes.
+  double start = 0;
+  Blindness* blindness = blindness_.empty() ? nullptr : &blindness_[static_cast<std::size_t>(y) * width_ + x];
+  if (blindness && blindness->until != kAwake) {
+    if (!wakes(*blindness, change, start)) return static_cast<float>(v);
+    v = 0;
+  }
+
+  // Distances are measured along the direction of the change.
+  const double sign = change > 0 ? 1 : -1, speed = std::abs(change);
+  const double C = threshold(change);
+  const double first = C - sign * v, rest = speed * (1 - start);
+  if (rest < first) return inside(v + sign * rest);
+
+  // From one event to the next it is C, and what passes while blind.
+  const double unseen = speed * static_cast<double>(refractory_.count()) / length_ns_;
+  const Crossings crossings{start, first, C + unseen, speed};
+  const auto count = static_cast<std::int64_t>((rest - first) / crossings.period) + 1;
+  send(crossings, count, {0, static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), change > 0},
+       events);
+
+  // After the last event the pixel is blind still, or awake again.
+  const double left = std::max(0.0, rest - crossings.distance(count - 1));
+  const bool blind = blindness && left < unseen;
+  suppressed_ += static_cast<std::uint64_t>(count - blind) * wholeThresholds(unseen, C);
+  if (!blind) return inside(sign * (left - unseen));
+  const auto event = TimeNs(std::llround(crossings.fraction(count - 1) * length_ns_));
+  *blindness = {interval_.t0 + event + refractory_, sign * left};
+  return 0;
+}
+
+// Appends the first crossings of `count` as events like `event`, as far as the bound allows.
+void ThresholdPixels::send(const Crossings& crossings, std::int64_t count, Event event, Events& events) {
+  const std::int64_t sent = std::min(count, max_events_);
+  suppressed_ += static_cast<std::uint64_t>(count - sent);
+  const std::int64_t ticks = (interval_.t1 - interval_.t0) / kEventTimeUnit;
+  for (std::int64_t k = 0; k < sent; ++k) {
+    const auto tick = static_cast<std::int64_t>(crossings.fraction(k) * static_cast<double>(ticks));
+    event.t_ns = (interval_.t0 + std::min(tick, ticks - 1) * kEventTimeUnit).count();
+    events.push_back(event);
+  }
+}
+
+}  // namespace saccade

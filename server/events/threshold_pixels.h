@@ -1,0 +1,85 @@
+// Pixels with two thresholds, a refractory period and a bound: what all event models share.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "events/event_model.h"
+
+namespace saccade {
+
+// Follows pixels through one interval after the other. A pixel's level v is its log brightness minus the
+// reference: ON where v reaches C+, OFF where it reaches -C-; the reference then moves there, so that v is 0.
+// Log brightness is linear inside the interval. After an event the pixel is blind for the refractory period
+// and then takes the level it sees as its reference (v = 0); thresholds passed meanwhile count as suppressed,
+// whole ones of the net change. Events beyond the bound are counted as suppressed, and the pixel behaves as
+// if they had been sent.
+class ThresholdPixels {
+ public:
+  ThresholdPixels(const SensorConfig& config, int width, int height);
+
+  // The level at a fraction [0, 1) of the way from -C- to C+.
+  float levelAt(double fraction) const;
+
+  void begin(const Interval& interval);
+
+  // Moves pixel (x, y) from level `v` in (-C-, C+) by `change` != 0 over the interval, appending its events.
+  // Returns the level at t1, in (-C-, C+). A blind pixel ignores v and returns it; what it returns is void
+  // while it is blind.
+  float advance(int x, int y, double v, double change, Events& events);
+
+  std::uint64_t suppressed() const { return suppressed_; }  // since begin()
+
+ private:
+  struct Blindness {
+    TimeNs until = kAwake;
+    double change = 0;  // of log brightness, since the event
+  };
+  static constexpr TimeNs kAwake = TimeNs::min();
+
+  // Evenly spaced crossings of one pixel in one interval.
+  struct Crossings {
+    double start;          // fraction of the interval at which the pixel is awake
+    double first, period;  // log brightness from there to the first crossing, and from one to the next
+    double speed;          // log brightness per interval
+
+    double distance(std::int64_t k) const { return first + static_cast<double>(k) * period; }
+    double fraction(std::int64_t k) const { return start + distance(k) / speed; }
+  };
+
+  bool wakes(Blindness& blindness, double change, double& start);
+  void send(const Crossings& crossings, std::int64_t count, Event event, Events& events);
+  float inside(double v) const;
+  double threshold(double change) const { return change > 0 ? on_ : off_; }
+
+  double on_, off_;   // C+, C-
+  float low_, high_;  // the smallest and largest level between the thresholds
+  TimeNs refractory_;
+  std::int64_t max_events_;
+  int width_;
+  std::vector<Blindness> blindness_;  // by pixel; empty without refractory period
+  Interval interval_{};
+  double length_ns_ = 0;
+  std::uint64_t suppressed_ = 0;
+};
+
+// Calls f(x, y, dL) where dL is not 0, row by row. A row that stands still costs next to nothing.
+template <class F>
+void forEachChange(const ImageF& dL, F&& f) {
+  constexpr int kBlock = 16;
+  for (int y = 0; y < dL.height(); ++y) {
+    const float* row = dL.row(y);
+    // The last block may reach into the border, which is 0.
+    for (int x0 = 0; x0 < dL.width(); x0 += kBlock) {
+      std::uint32_t bits = 0;
+      for (int i = 0; i < kBlock; ++i) bits |= std::bit_cast<std::uint32_t>(row[x0 + i]);
+      if (bits == 0) continue;
+      for (int x = x0; x < x0 + kBlock; ++x) {
+        if (row[x] != 0) f(x, y, row[x]);
+      }
+    }
+  }
+}
+
+}  // namespace saccade

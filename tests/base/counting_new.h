@@ -1,0 +1,8 @@
+// Counts the allocations of a test program that links saccade_counting_new.
+#pragma once
+
+namespace saccade::test {
+
+int allocations();  // calls of operator new so far, on all threads
+
+}  // namespace saccade::test

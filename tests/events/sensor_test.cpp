@@ -1,0 +1,140 @@
+#include "events/sensor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <tuple>
+
+#include "base/counting_new.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kWidth = 37, kHeight = 11;
+
+// Fills interval `frame` (1, 2, ...), 2 ms long, with random changes of about `size`; a quarter stands still.
+void fillRandom(IntensityChange& change, FrameIndex frame, float size) {
+  std::mt19937 random(static_cast<unsigned>(frame));
+  std::uniform_real_distribution<float> uniform(-size, size);
+  change.frame = frame;
+  change.t0 = frameTime(frame - 1, 500);
+  change.t1 = frameTime(frame, 500);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      change.I_prev.at(x, y) = 1;
+      change.dI.at(x, y) = random() % 4 ? uniform(random) : 0;
+    }
+  }
+}
+
+class SensorOfModel : public testing::TestWithParam<std::string> {
+ protected:
+  SensorConfig config() const { return {.model = GetParam(), .seed = 1}; }
+
+  Events eventsOf(const SensorConfig& config, int frames = 10) const {
+    Sensor sensor(config, kWidth, kHeight);
+    IntensityChange change(kWidth, kHeight);
+    SensorOutput out;
+    Events all;
+    for (int i = 1; i <= frames; ++i) {
+      fillRandom(change, i, 0.6f);
+      sensor.generate(change, out);
+      all.insert(all.end(), out.events.begin(), out.events.end());
+    }
+    return all;
+  }
+};
+
+TEST_P(SensorOfModel, EventsAreInOrderAndInsideTheInterval) {
+  Sensor sensor(config(), kWidth, kHeight);
+  IntensityChange change(kWidth, kHeight);
+  SensorOutput out;
+  for (int i = 1; i <= 10; ++i) {
+    fillRandom(change, i, 0.9f);
+    sensor.generate(change, out);
+    ASSERT_FALSE(out.events.empty());
+    const auto key = [](const Event& e) { return std::tuple(e.t_ns, e.y, e.x, e.p); };
+    for (std::size_t k = 0; k < out.events.size(); ++k) {
+      const Event& e = out.events[k];
+      EXPECT_GE(e.t_ns, change.t0.count());
+      EXPECT_LT(e.t_ns, change.t1.count());
+      EXPECT_TRUE(e.x < kWidth && e.y < kHeight);
+      if (k > 0) {
+        EXPECT_LE(key(out.events[k - 1]), key(e));
+      }
+    }
+  }
+}
+
+TEST_P(SensorOfModel, EqualSeedsGiveEqualEventsAndOthersOthers) {
+  SensorConfig other = config();
+  other.seed = 2;
+  EXPECT_EQ(eventsOf(config()), eventsOf(config()));
+  EXPECT_NE(eventsOf(config()), eventsOf(other));
+}
+
+TEST_P(SensorOfModel, AStandingSceneGivesNoEvents) {
+  Sensor sensor(config(), kWidth, kHeight);
+  IntensityChange change(kWidth, kHeight);
+  SensorOutput out;
+  for (int i = 1; i <= 5; ++i) {
+    fillRandom(change, i, 0);
+    sensor.generate(change, out);
+    EXPECT_TRUE(out.events.empty());
+    EXPECT_EQ(out.suppressed, 0u);
+  }
+}
+
+TEST_P(SensorOfModel, DegenerateInputGivesBoundedEvents) {
+  Sensor sensor(config(), kWidth, kHeight);
+  IntensityChange change(kWidth, kHeight);
+  fillRandom(change, 1, 0);
+  const float values[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                          3e38f, -3e38f};
+  for (int x = 0; x < kWidth; ++x) change.dI.at(x, 0) = values[x % 4];
+  SensorOutput out;
+  sensor.generate(change, out);
+  for (const Event& e : out.events) EXPECT_GE(e.x % 4, 2) << "NaN and Inf give no event";
+  EXPECT_EQ(out.events.size(), 32u * (kWidth / 4) * 2);
+}
+
+TEST_P(SensorOfModel, NothingAllocatesAfterTwoFrames) {
+  SensorConfig with_refractory = config();
+  with_refractory.refractory = TimeNs(100'000);
+  Sensor sensor(with_refractory, kWidth, kHeight);
+  IntensityChange change(kWidth, kHeight);
+  SensorOutput out;
+  for (int i = 1; i <= 10; ++i) {
+    // The busiest frames come first: storage grows to the largest frame met.
+    fillRandom(change, i, i <= 2 ? 0.99f : 0.5f);
+    const int before = test::allocations();
+    sensor.generate(change, out);
+    if (i > 2) {
+      EXPECT_EQ(test::allocations() - before, 0) << "frame " << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, SensorOfModel, testing::Values("accumulating", "probabilistic"),
+                         [](const auto& info) { return info.param; });
+
+TEST(SensorConfig, FaultsNameTheFieldAndWhatIsValid) {
+  EXPECT_FALSE(findFault({}));
+  const auto fieldOf = [](const SensorConfig& config) {
+    const auto fault = findFault(config);
+    return fault ? fault->field : "none";
+  };
+  EXPECT_EQ(fieldOf({.threshold = 0}), "threshold");
+  EXPECT_EQ(fieldOf({.threshold = std::nan("")}), "threshold");
+  EXPECT_EQ(fieldOf({.threshold_off = -1}), "threshold_off");
+  EXPECT_EQ(fieldOf({.bias = 0}), "bias");
+  EXPECT_EQ(fieldOf({.refractory = TimeNs(-1)}), "refractory_s");
+  EXPECT_EQ(fieldOf({.max_events_per_pixel_frame = 0}), "max_events_per_pixel_frame");
+  EXPECT_EQ(findFault({.model = "best"})->message,
+            "no event model 'best'; there are: accumulating, probabilistic");
+}
+
+}  // namespace
+}  // namespace saccade
