@@ -16,8 +16,8 @@ namespace saccade {
 struct Reflectance {
   enum class Kind { kConstant, kBitmap, kCheckerboard };
   Kind kind = Kind::kConstant;
-  Rgb color0, color1;            // kConstant: color0; kCheckerboard: the two colours
-  int texture = -1;              // kBitmap: index into Scene::textures
+  Rgb color0, color1;                    // kConstant: color0; kCheckerboard: the two colours
+  int texture = -1;                      // kBitmap: index into Scene::textures
   Vec2 uv_scale{1, 1}, uv_offset{0, 0};  // texture coordinate = uv * uv_scale + uv_offset
 };
 
@@ -52,8 +52,8 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Mesh> meshes;
   std::vector<Sphere> spheres;
-  Pose T_world_camera;         // the sensor of the scene file; camera axes x right, y down, z forward
-  double fov_x_deg = 45;       // horizontal field of view
+  Pose T_world_camera;            // the sensor of the scene file; camera axes x right, y down, z forward
+  double fov_x_deg = 45;          // horizontal field of view
   int width = 256, height = 256;  // the film of the scene file
 };
 

@@ -24,8 +24,9 @@ class SceneLibrary {
   // (SACCADE_REAL_SCENES defaults to ../shared/scenes beside the project folder.)
   explicit SceneLibrary(std::filesystem::path folder);
 
-  std::vector<SceneEntry> list() const;                    // sorted by name
-  // Throws SceneError: an unknown name (the message lists the valid ones), an unavailable scene, a faulty file.
+  std::vector<SceneEntry> list() const;  // sorted by name
+  // Throws SceneError: an unknown name (the message lists the valid ones), an unavailable scene, a faulty
+  // file.
   Scene load(const std::string& name) const;
   // A trajectory from the scene's CSV files. Throws SceneError naming the valid ones.
   Trajectory loadTrajectory(const std::string& scene, const std::string& name) const;

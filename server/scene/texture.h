@@ -8,7 +8,8 @@
 
 namespace saccade {
 
-// Coordinates repeat with period 1; v = 0 is the bottom row of the picture (the convention of Mitsuba and OBJ).
+// Coordinates repeat with period 1; v = 0 is the bottom edge of the picture (the convention of Mitsuba and
+// OBJ), and the centre of pixel i of n lies at (i + 0.5) / n. Every level has the mean of the whole picture.
 class Texture {
  public:
   Texture(int width, int height, std::vector<Rgb> linear_pixels);  // row 0 on top; builds the mip chain
@@ -17,7 +18,9 @@ class Texture {
   int height() const { return levels_[0].height; }
   bool grey() const { return grey_; }
 
-  // Trilinear. `footprint` is the width of the region to average, in units of uv (1 = the whole picture).
+  // Trilinear: bilinear within a level, linear between the two whose pixels are nearest to the footprint in
+  // size. `footprint` is the width of the region to average, in units of uv (1 = the whole picture); 0: the
+  // finest level.
   Rgb sample(Vec2 uv, float footprint) const;
 
  private:
@@ -25,13 +28,16 @@ class Texture {
     int width, height;
     std::vector<Rgb> pixels;
   };
-  Rgb bilinear(const Level& level, Vec2 uv) const;
+  static Level halve(const Level& fine);
+  static Rgb bilinear(const Level& level, Vec2 uv);
+
   std::vector<Level> levels_;
   bool grey_;
 };
 
-// Reads a picture with OpenImageIO. `raw`: values are linear already; else sRGB-encoded 8/16-bit pictures are
-// made linear. Throws SceneError if it cannot be read.
+// Reads a picture with OpenImageIO: its first three channels, or its first as grey; alpha is left out. `raw`:
+// values are linear already; else sRGB-encoded 8/16-bit pictures are made linear. Values are clamped to [0,
+// 1], as all our pictures are reflectances. Throws SceneError if it cannot be read.
 Texture loadTexture(const std::string& path, bool raw);
 
 }  // namespace saccade

@@ -1,0 +1,77 @@
+#include "scene/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace saccade {
+namespace {
+
+// A square with corner `origin` spanned by two edges, its normal along their cross product.
+void addSquare(Mesh& mesh, Vec3 origin, Vec3 u, Vec3 v) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const Vec3 corner : {origin, origin + u, origin + u + v, origin + v}) mesh.positions.push_back(corner);
+  for (const Vec2 uv : {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}}) mesh.uvs.push_back(uv);
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first, first + 2, first + 3});
+}
+
+Vec3d unitOr(Vec3d v, Vec3d fallback) {
+  const double l = length(v);
+  return l > 0 && std::isfinite(l) ? v / l : fallback;
+}
+
+double angleBetween(Vec3d a, Vec3d b) {
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
+std::vector<Vec3> smoothNormals(const Mesh& mesh) {
+  std::vector<Vec3d> sums(mesh.positions.size());
+  for (const auto& t : mesh.triangles) {
+    const Vec3d p[3] = {toDouble(mesh.positions[t[0]]), toDouble(mesh.positions[t[1]]),
+                        toDouble(mesh.positions[t[2]])};
+    const Vec3d face = unitOr(cross(p[1] - p[0], p[2] - p[0]), {});
+    for (std::size_t i = 0; i < 3; ++i)
+      sums[t[i]] = sums[t[i]] + face * angleBetween(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
+  }
+  std::vector<Vec3> normals(sums.size());
+  std::transform(sums.begin(), sums.end(), normals.begin(), [](Vec3d sum) {
+    return toFloat(unitOr(sum, {0, 0, 1}));
+  });
+  return normals;
+}
+
+}  // namespace
+
+Mesh makeRectangle() {
+  Mesh mesh;
+  addSquare(mesh, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  return mesh;
+}
+
+Mesh makeCube() {
+  Mesh mesh;
+  addSquare(mesh, {-1, -1, 1}, {2, 0, 0}, {0, 2, 0});
+  addSquare(mesh, {1, -1, -1}, {-2, 0, 0}, {0, 2, 0});
+  addSquare(mesh, {1, -1, 1}, {0, 0, -2}, {0, 2, 0});
+  addSquare(mesh, {-1, -1, -1}, {0, 0, 2}, {0, 2, 0});
+  addSquare(mesh, {-1, 1, 1}, {2, 0, 0}, {0, 0, -2});
+  addSquare(mesh, {-1, -1, -1}, {2, 0, 0}, {0, 0, 2});
+  return mesh;
+}
+
+void placeMesh(Mesh& mesh, const Affine& to_world, bool face_normals) {
+  for (Vec3& p : mesh.positions) p = toFloat(mapPoint(to_world, toDouble(p)));
+  if (determinant(to_world) < 0)
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  if (face_normals) {
+    mesh.normals.clear();
+  } else if (mesh.normals.empty()) {
+    mesh.normals = smoothNormals(mesh);
+  } else {
+    for (Vec3& n : mesh.normals) n = toFloat(unitOr(mapNormal(to_world, toDouble(n)), {0, 0, 1}));
+  }
+  mesh.positions.push_back({});
+}
+
+}  // namespace saccade

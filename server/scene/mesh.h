@@ -1,0 +1,21 @@
+// Meshes from formulas, and what makes a raw mesh part of a scene.
+#pragma once
+
+#include "scene/affine.h"
+#include "scene/scene.h"
+
+namespace saccade {
+
+// [-1, 1]^2 at z = 0, normal +z, uv in [0, 1]^2.
+Mesh makeRectangle();
+
+// [-1, 1]^3, normals outwards, each face with uv in [0, 1]^2.
+Mesh makeCube();
+
+// Maps the mesh to the world and gives it the spare position that Embree reads. The normals become unit
+// length; where the mesh has none they are the angle-weighted means of the faces around each vertex;
+// `face_normals` drops them. A map that mirrors turns the triangles round, so that they still face where
+// their normals point.
+void placeMesh(Mesh& mesh, const Affine& to_world, bool face_normals);
+
+}  // namespace saccade

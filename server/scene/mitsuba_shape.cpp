@@ -1,0 +1,104 @@
+#include "scene/mitsuba_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/mesh.h"
+#include "scene/mesh_io.h"
+#include "scene/mitsuba_transform.h"
+#include "scene/xml_properties.h"
+
+namespace saccade {
+namespace {
+
+Rgb parseEmitter(const XmlFile& file, pugi::xml_node emitter) {
+  supportedType(file, emitter, {"area"});
+  Properties properties(file, emitter);
+  const auto radiance = properties.color("radiance", std::numeric_limits<float>::max());
+  properties.finish();
+  if (!radiance) throw file.error(emitter, "an area emitter needs <rgb> or <float name=\"radiance\">");
+  return *radiance;
+}
+
+// What a shape of any type has.
+struct Common {
+  std::string name;
+  Affine to_world;
+  int material;
+  Rgb radiance;
+};
+
+Common parseCommon(const XmlFile& file, pugi::xml_node shape, Properties& properties,
+                   MaterialReader& materials) {
+  const pugi::xml_node emitter = properties.object("emitter");
+  return {shape.attribute("id").value(), parseTransform(file, properties.object("transform", "to_world")),
+          materials.read(properties.object("bsdf")), emitter ? parseEmitter(file, emitter) : Rgb{}};
+}
+
+Mesh loadMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type,
+              const std::string& filename) {
+  if (filename.empty()) throw file.error(shape, "the shape needs <string name=\"filename\">");
+  try {
+    const std::string path = file.locate(filename);
+    return type == "obj" ? loadObj(path) : loadPly(path);
+  } catch (const SceneError& e) {
+    throw file.error(shape, e.what());
+  }
+}
+
+void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type, MaterialReader& materials,
+              Scene& scene) {
+  Properties properties(file, shape);
+  const Common common = parseCommon(file, shape, properties, materials);
+  const bool is_file = type == "obj" || type == "ply";
+  const std::string filename = is_file ? properties.text("filename") : "";
+  const bool face_normals = !is_file || properties.flag("face_normals", false);
+  properties.finish();
+  Mesh mesh = is_file ? loadMesh(file, shape, type, filename) : type == "cube" ? makeCube() : makeRectangle();
+  if (!common.name.empty()) mesh.name = common.name;
+  mesh.material = common.material;
+  mesh.radiance = common.radiance;
+  placeMesh(mesh, common.to_world, face_normals);
+  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                   [](Vec3 p) { return std::isfinite(dot(p, p)); }))
+    throw file.error(shape, "a vertex of the shape is too far away for float numbers");
+  scene.meshes.push_back(std::move(mesh));
+}
+
+// By how much the map scales all lengths.
+double uniformScale(const XmlFile& file, pugi::xml_node at, const Affine& map) {
+  const double scale = length(map.x), tolerance = 1e-4 * scale;
+  const bool uniform =
+      std::abs(length(map.y) - scale) < tolerance && std::abs(length(map.z) - scale) < tolerance &&
+      std::abs(dot(map.x, map.y)) < tolerance * scale && std::abs(dot(map.y, map.z)) < tolerance * scale &&
+      std::abs(dot(map.z, map.x)) < tolerance * scale;
+  if (!uniform) throw file.error(at, "a sphere must be scaled by the same factor in all directions");
+  return scale;
+}
+
+void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, Scene& scene) {
+  Properties properties(file, shape);
+  const Common common = parseCommon(file, shape, properties, materials);
+  const Vec3d center = properties.point("center");
+  const double radius = properties.number("radius", 1) * uniformScale(file, shape, common.to_world);
+  properties.finish();
+  const Vec3 placed = toFloat(mapPoint(common.to_world, center));
+  const float size = static_cast<float>(radius);
+  if (!(size > 0) || !std::isfinite(size) || !std::isfinite(dot(placed, placed)))
+    throw file.error(shape, "a sphere needs a radius above 0 and a centre within reach of float numbers");
+  scene.spheres.push_back({common.name, placed, size, common.material, common.radiance});
+}
+
+}  // namespace
+
+void readShape(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, Scene& scene) {
+  const std::string type = supportedType(file, shape, {"rectangle", "cube", "sphere", "obj", "ply"});
+  if (type == "sphere") {
+    readSphere(file, shape, materials, scene);
+  } else {
+    readMesh(file, shape, type, materials, scene);
+  }
+}
+
+}  // namespace saccade

@@ -1,0 +1,13 @@
+// The shapes of a Mitsuba scene file.
+#pragma once
+
+#include "scene/mitsuba_material.h"
+#include "scene/scene.h"
+#include "scene/xml_file.h"
+
+namespace saccade {
+
+// Adds what a <shape> describes to the meshes or spheres of `scene`. Throws SceneError.
+void readShape(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, Scene& scene);
+
+}  // namespace saccade

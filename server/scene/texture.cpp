@@ -1,0 +1,100 @@
+#include "scene/texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+
+namespace saccade {
+namespace {
+
+// The run of fine pixels under one coarse pixel, and how much of the first and the last is under it.
+struct Cover {
+  int first, last;
+  float first_part, last_part, total;
+};
+
+Cover coverOf(int coarse, int coarse_count, int fine_count) {
+  const double scale = static_cast<double>(fine_count) / coarse_count;
+  const double begin = coarse * scale, end = (coarse + 1) * scale;
+  const int first = static_cast<int>(begin),
+            last = std::min(static_cast<int>(std::ceil(end)), fine_count) - 1;
+  return {first, last, static_cast<float>(first + 1 - begin), static_cast<float>(end - last),
+          static_cast<float>(scale)};
+}
+
+float part(const Cover& c, int i) {
+  return i == c.first ? c.first_part : i == c.last ? c.last_part : 1.0f;
+}
+
+// To [0, 1); 0 for what is not finite.
+float wrap(float u) {
+  const float f = u - std::floor(u);
+  return f >= 0 && f < 1 ? f : 0;
+}
+
+// The two pixels around a coordinate, repeating, and the weight of the second.
+struct Taps {
+  int i0, i1;
+  float w1;
+};
+
+Taps tapsAt(float u, int count) {
+  const float x = wrap(u) * static_cast<float>(count) - 0.5f;
+  const int i = static_cast<int>(std::floor(x));
+  return {i < 0 ? count - 1 : i, i + 1 >= count ? 0 : i + 1, x - static_cast<float>(i)};
+}
+
+Rgb mix(Rgb a, Rgb b, float w) {
+  return a + (b - a) * w;
+}
+
+}  // namespace
+
+Texture::Texture(int width, int height, std::vector<Rgb> linear_pixels) {
+  SACCADE_CHECK(width > 0 && height > 0);
+  SACCADE_CHECK(linear_pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  grey_ =
+      std::all_of(linear_pixels.begin(), linear_pixels.end(), [](Rgb c) { return c.x == c.y && c.y == c.z; });
+  levels_.push_back({width, height, std::move(linear_pixels)});
+  while (levels_.back().width > 1 || levels_.back().height > 1) levels_.push_back(halve(levels_.back()));
+}
+
+// Averages over areas, so that the mean is kept where a side is odd.
+Texture::Level Texture::halve(const Level& fine) {
+  Level coarse{std::max(1, fine.width / 2), std::max(1, fine.height / 2), {}};
+  coarse.pixels.reserve(static_cast<std::size_t>(coarse.width) * static_cast<std::size_t>(coarse.height));
+  for (int y = 0; y < coarse.height; ++y) {
+    const Cover rows = coverOf(y, coarse.height, fine.height);
+    for (int x = 0; x < coarse.width; ++x) {
+      const Cover columns = coverOf(x, coarse.width, fine.width);
+      Rgb sum;
+      for (int j = rows.first; j <= rows.last; ++j) {
+        const Rgb* row = &fine.pixels[static_cast<std::size_t>(j) * static_cast<std::size_t>(fine.width)];
+        for (int i = columns.first; i <= columns.last; ++i)
+          sum = sum + row[i] * (part(rows, j) * part(columns, i));
+      }
+      coarse.pixels.push_back(sum / (rows.total * columns.total));
+    }
+  }
+  return coarse;
+}
+
+Rgb Texture::bilinear(const Level& level, Vec2 uv) {
+  const Taps x = tapsAt(uv.x, level.width), y = tapsAt(1 - uv.y, level.height);
+  const Rgb* row0 = &level.pixels[static_cast<std::size_t>(y.i0) * static_cast<std::size_t>(level.width)];
+  const Rgb* row1 = &level.pixels[static_cast<std::size_t>(y.i1) * static_cast<std::size_t>(level.width)];
+  return mix(mix(row0[x.i0], row0[x.i1], x.w1), mix(row1[x.i0], row1[x.i1], x.w1), y.w1);
+}
+
+Rgb Texture::sample(Vec2 uv, float footprint) const {
+  const float pixels = footprint * static_cast<float>(std::max(width(), height()));
+  if (!(pixels > 1)) return bilinear(levels_[0], uv);
+  const float coarsest = static_cast<float>(levels_.size() - 1);
+  const float level = std::min(std::log2(pixels), coarsest);
+  const std::size_t fine = static_cast<std::size_t>(level);
+  if (fine + 1 == levels_.size()) return levels_.back().pixels[0];
+  return mix(bilinear(levels_[fine], uv), bilinear(levels_[fine + 1], uv), level - static_cast<float>(fine));
+}
+
+}  // namespace saccade
