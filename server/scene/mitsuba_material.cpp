@@ -19,6 +19,12 @@ constexpr Rgb grey(float v) {
   return {v, v, v};
 }
 
+Reflectance constant(Rgb color) {
+  Reflectance r;
+  r.color0 = color;
+  return r;
+}
+
 }  // namespace
 
 int MaterialReader::read(pugi::xml_node bsdf) {
