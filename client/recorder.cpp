@@ -14,10 +14,6 @@ std::string fileOf(const std::string& path, int sensor, int sensors) {
   return file.string() + "-" + std::to_string(sensor) + extension;
 }
 
-std::string partialOf(const std::string& file) {
-  return file + ".partial";
-}
-
 }  // namespace
 
 Recorder::Recorder(const std::string& path, int sensors) {
