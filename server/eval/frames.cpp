@@ -1,0 +1,190 @@
+// `saccade-eval frames`: what a method estimates, frame by frame, or the reference for it.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "app/feed.h"
+#include "eval/commands.h"
+#include "eval/exr.h"
+#include "eval/metrics.h"
+#include "eval/open_scene.h"
+#include "eval/reference.h"
+
+namespace saccade {
+namespace {
+
+struct FramesOptions {
+  std::string scene, trajectory = "right", size = "256x256", frames = "1:21", dump, cache;
+  FeedConfig feed;
+  std::vector<std::string> set;
+  int reference = 0;
+  int threads = static_cast<int>(std::thread::hardware_concurrency());
+  long first = 0, last = 0;
+};
+
+std::string dumpPath(const FramesOptions& o, const char* what, long frame) {
+  char name[64];
+  std::snprintf(name, sizeof name, "%s_%05ld.exr", what, frame);
+  return (std::filesystem::path(o.dump) / name).string();
+}
+
+void writeDump(const FramesOptions& o, long frame, const ImageF& dI, const ImageF& I_prev,
+               const ImageF& var_dI, const ImageF& var_I_prev) {
+  writeExr(dumpPath(o, "dI", frame), {{"Y", &dI}});
+  writeExr(dumpPath(o, "Iprev", frame), {{"Y", &I_prev}});
+  writeExr(dumpPath(o, "variance", frame), {{"I", &var_I_prev}, {"dI", &var_dI}});
+}
+
+// "A:B", frames A to B with 1 <= A <= B, or one frame.
+void parseFrames(FramesOptions& o) {
+  char* end = nullptr;
+  o.first = o.last = std::strtol(o.frames.c_str(), &end, 10);
+  if (*end == ':') o.last = std::strtol(end + 1, &end, 10);
+  if (*end != 0 || o.first < 1 || o.last < o.first) {
+    throw CLI::ValidationError("--frames",
+                               "must be A:B with 1 <= A <= B (the change of frame 1 is since frame 0)");
+  }
+}
+
+void resolveMethod(FramesOptions& o) {
+  const MethodInfo* method = findMethod(o.feed.method);
+  if (!method)
+    throw CLI::ValidationError("--method", "no method \"" + o.feed.method + "\"; there is: " + methodNames());
+  ParamValues given;
+  for (const std::string& pair : o.set) {
+    const auto equals = pair.find('=');
+    char* end = nullptr;
+    const double value = equals == std::string::npos ? 0 : std::strtod(pair.c_str() + equals + 1, &end);
+    if (end == nullptr || *end != 0) throw CLI::ValidationError("--set", "must be name=number, not " + pair);
+    given[pair.substr(0, equals)] = value;
+  }
+  std::string name;
+  const std::string fault = resolveParams(*method, given, o.feed.params, name);
+  if (!fault.empty()) throw CLI::ValidationError("--set", fault);
+  const auto seeds = method->make(o.feed.params, 1, 1)->seedReuse();
+  if (seeds != SeedReuse::kIndependent && o.feed.spp % 2 != 0) {
+    throw CLI::ValidationError("--spp",
+                               o.feed.method + " needs an even number: half of the paths are for each pass");
+  }
+}
+
+void printTimes(const StageTimes& total, double frames) {
+  std::printf("CPU ms per frame:");
+  double sum = 0, filter = 0;
+  for (std::size_t i = 0; i < kStageNames.size(); ++i) {
+    const double ms = std::chrono::duration<double, std::milli>(total.cpu[i]).count() / frames;
+    std::printf(" %s %.2f", kStageNames[i], ms);
+    sum += ms;
+    if (i != 0) filter += ms;
+  }
+  std::printf("  all %.2f; filter / trace %.3f\n", sum, filter / (sum - filter));
+}
+
+void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene, const Trajectory& path,
+               TilePool& pool) {
+  Feed feed(scene, path, o.feed, pool);
+  StageTimes total;
+  Progress progress(o.feed.method, static_cast<double>(o.last));
+  for (long t = 1; t <= o.last; ++t) {
+    const IntensityChange& change = feed.step();
+    total += feed.lastTimes();
+    if (t >= o.first && !o.dump.empty())
+      writeDump(o, t, change.dI, change.I_prev, change.var_dI, change.var_I_prev);
+    progress.add(1);
+    if (interrupted()) throw Interrupted{};
+  }
+  printTimes(total, static_cast<double>(o.last));
+}
+
+void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> scene, const Trajectory& path,
+                  TilePool& pool) {
+  const int w = o.feed.width, h = o.feed.height;
+  const int spp =
+      (o.reference + ReferenceRenderer::kChunk - 1) / ReferenceRenderer::kChunk * ReferenceRenderer::kChunk;
+  ReferenceRenderer renderer(scene, o.feed.bounces, w, h, o.feed.fov_x_deg, o.cache, pool);
+  Progress progress("reference", static_cast<double>(spp) * static_cast<double>(o.last - o.first + 2));
+  const auto render = [&](long t) {
+    return renderer.frame(path.at(frameTime(static_cast<FrameIndex>(t), o.feed.frame_rate_hz)), spp,
+                          progress);
+  };
+  ReferenceFrame prev = render(o.first - 1);
+  ImageF dI(w, h), I_prev(w, h), var_dI(w, h), var_I(w, h), half_a(w, h), half_b(w, h);
+  for (long t = o.first; t <= o.last; ++t) {
+    ReferenceFrame cur = render(t);
+    for (int y = 0; y < h; ++y) {
+      for (int x = 0; x < w; ++x) {
+        half_a.at(x, y) = cur.a.at(x, y) - prev.a.at(x, y);
+        half_b.at(x, y) = cur.b.at(x, y) - prev.b.at(x, y);
+        dI.at(x, y) = cur.mean(x, y) - prev.mean(x, y);
+        I_prev.at(x, y) = prev.mean(x, y);
+        // Of the mean of two halves: the square of half their difference.
+        var_dI.at(x, y) = std::pow((half_a.at(x, y) - half_b.at(x, y)) / 2, 2.f);
+        var_I.at(x, y) = std::pow((prev.a.at(x, y) - prev.b.at(x, y)) / 2, 2.f);
+      }
+    }
+    if (!o.dump.empty()) writeDump(o, t, dI, I_prev, var_dI, var_I);
+    std::printf("frame %ld: %d spp; own error of dI (half of half against half): %.4f relative L1\n", t, spp,
+                relativeL1(half_a, half_b) / 2);
+    prev = std::move(cur);
+  }
+}
+
+void runFrames(FramesOptions& o) {
+  parseFrames(o);
+  resolveMethod(o);
+  const Size size = parseSize(o.size);
+  o.feed.width = size.width, o.feed.height = size.height;
+  const auto scene = openScene(o.scene);
+  o.feed.fov_x_deg = scene->description().fov_x_deg;
+  const Trajectory path = openTrajectory(o.scene, o.trajectory, *scene);
+  TilePool pool(o.threads);
+  watchInterrupt();
+  try {
+    o.reference > 0 ? runReference(o, scene, path, pool) : runMethod(o, scene, path, pool);
+  } catch (const Interrupted&) {
+    throw std::runtime_error("interrupted; the same command goes on with the reference frames in " + o.cache);
+  }
+}
+
+std::string defaultCache() {
+  const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
+  if (cache) return std::string(cache) + "/saccade";
+  return home ? std::string(home) + "/.cache/saccade" : "out/cache";
+}
+
+}  // namespace
+
+void addFramesCommand(CLI::App& app) {
+  auto o = std::make_shared<FramesOptions>();
+  o->cache = defaultCache();
+  auto* c = app.add_subcommand("frames", "run a method, or the reference, and write what it estimates");
+  c->add_option("scene", o->scene, "a scene by name, or a Mitsuba scene.xml by path")->required();
+  c->add_option("--trajectory", o->trajectory, "a motion, one of the scene's own, or a .csv file")
+      ->capture_default_str();
+  c->add_option("--method", o->feed.method, "one of: " + methodNames())->capture_default_str();
+  c->add_option("--spp", o->feed.spp, "paths per pixel and frame, over both passes")
+      ->check(CLI::Range(1, 65536))
+      ->capture_default_str();
+  c->add_option("--frames", o->frames, "A:B, the frames to write; the feed always starts at 0")
+      ->capture_default_str();
+  c->add_option("--size", o->size, "WxH")->capture_default_str();
+  c->add_option("--rate", o->feed.frame_rate_hz, "frames per second")
+      ->check(CLI::Range(0.1, 1e5))
+      ->capture_default_str();
+  c->add_option("--bounces", o->feed.bounces, "indirect bounces")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  c->add_option("--seed", o->feed.seed)->capture_default_str();
+  c->add_option("--set", o->set, "name=value, a parameter of the method");
+  c->add_option("--threads", o->threads)->check(CLI::Range(1, 1024))->capture_default_str();
+  c->add_option("--dump", o->dump, "folder for dI_, Iprev_ and variance_%05d.exr");
+  c->add_option("--reference", o->reference,
+                "paths per pixel of the correlated reference, instead of a method");
+  c->add_option("--cache", o->cache, "folder that keeps reference frames")->capture_default_str();
+  c->callback([o] { runFrames(*o); });
+}
+
+}  // namespace saccade

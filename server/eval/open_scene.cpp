@@ -1,0 +1,41 @@
+#include "eval/open_scene.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "render/renderer.h"
+#include "scene/mitsuba_xml.h"
+#include "scene/scene_error.h"
+#include "scene/scene_library.h"
+
+namespace saccade {
+
+std::string sceneFolder() {
+  const char* folder = std::getenv("SACCADE_SCENES");
+  return folder ? folder : SACCADE_SOURCE_SCENES;
+}
+
+std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {
+  if (name_or_path.ends_with(".xml")) return std::make_shared<RenderScene>(loadMitsubaXml(name_or_path));
+  return std::make_shared<RenderScene>(SceneLibrary(sceneFolder()).load(name_or_path));
+}
+
+Trajectory openTrajectory(const std::string& scene, const std::string& name_or_path,
+                          const RenderScene& opened) {
+  if (name_or_path.ends_with(".csv") || name_or_path.ends_with(".txt")) {
+    std::ifstream file(name_or_path);
+    if (!file) throw SceneError("cannot read the trajectory " + name_or_path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return parseTrajectory(text.str(), name_or_path);
+  }
+  if (isMotion(name_or_path)) {
+    const Scene& s = opened.description();
+    return makeMotion(name_or_path, s.T_world_camera, probePoints(opened, s.T_world_camera, s.fov_x_deg),
+                      s.fov_x_deg);
+  }
+  return SceneLibrary(sceneFolder()).loadTrajectory(scene, name_or_path);
+}
+
+}  // namespace saccade

@@ -1,0 +1,22 @@
+// Scenes and trajectories as the commands name them.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render/render_scene.h"
+#include "scene/trajectory.h"
+
+namespace saccade {
+
+// The folder of our scenes: $SACCADE_SCENES, else that of the source tree.
+std::string sceneFolder();
+
+// A scene of the library by name, or a Mitsuba file by path (anything that ends in .xml). Throws SceneError.
+std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path);
+
+// A CSV file by path, a motion, or one of the scene's own. Throws SceneError.
+Trajectory openTrajectory(const std::string& scene, const std::string& name_or_path,
+                          const RenderScene& description);
+
+}  // namespace saccade

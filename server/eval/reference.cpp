@@ -1,0 +1,128 @@
+#include "eval/reference.h"
+
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+
+#include "base/hash_rng.h"
+#include "eval/exr.h"
+
+namespace saccade {
+namespace {
+
+volatile std::sig_atomic_t g_interrupted = 0;
+
+// Hash of plain values, and of vectors of them.
+struct ContentHash {
+  std::uint64_t value = 0;
+  void bytes(const void* data, std::size_t size) {
+    const auto* p = static_cast<const unsigned char*>(data);
+    for (; size > 0; p += 8, size -= std::min<std::size_t>(size, 8)) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, p, std::min<std::size_t>(size, 8));
+      value = hashKey(value, word);
+    }
+  }
+  template <class T>
+  void add(const T& v) {
+    static_assert(std::has_unique_object_representations_v<T> || std::is_floating_point_v<T> ||
+                  sizeof(T) % 4 == 0);
+    bytes(&v, sizeof v);
+  }
+  template <class T>
+  void add(const std::vector<T>& v) {
+    bytes(v.data(), v.size() * sizeof(T));
+  }
+};
+
+std::uint64_t hashScene(const Scene& scene) {
+  ContentHash h;
+  for (const Mesh& m : scene.meshes)
+    h.add(m.positions), h.add(m.normals), h.add(m.uvs), h.add(m.triangles), h.add(m.material),
+        h.add(m.radiance);
+  for (const Sphere& s : scene.spheres)
+    h.add(s.center), h.add(s.radius), h.add(s.material), h.add(s.radiance);
+  for (const Material& m : scene.materials) {
+    const Reflectance& r = m.reflectance;
+    h.add(static_cast<int>(r.kind)), h.add(r.color0), h.add(r.color1), h.add(r.texture), h.add(r.uv_scale),
+        h.add(r.uv_offset);
+    h.add(static_cast<int>(m.twosided));
+  }
+  for (const Texture& t : scene.textures) {
+    // The picture through its own look-up: 64 x 64 places tell two pictures apart.
+    for (int i = 0; i < 4096; ++i)
+      h.add(t.sample({static_cast<float>(i % 64) / 64, static_cast<float>(i / 64) / 64}, 0));
+  }
+  return h.value;
+}
+
+}  // namespace
+
+void watchInterrupt() {
+  std::signal(SIGINT, [](int) { g_interrupted = 1; });
+  std::signal(SIGTERM, [](int) { g_interrupted = 1; });
+}
+bool interrupted() {
+  return g_interrupted != 0;
+}
+
+ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, int bounces, int width,
+                                     int height, double fov_x_deg, std::string cache, TilePool& pool)
+    : scene_(scene),
+      renderer_(scene, bounces, scene->channels(), pool),
+      width_(width),
+      height_(height),
+      fov_x_deg_(fov_x_deg),
+      cache_(std::move(cache)) {
+  ContentHash h;
+  h.add(hashScene(scene->description())), h.add(bounces), h.add(width), h.add(height), h.add(fov_x_deg);
+  key_ = h.value;
+}
+
+std::string ReferenceRenderer::cachePath(const Pose& pose) const {
+  ContentHash h{key_};
+  h.add(pose.position), h.add(pose.rotation);
+  char name[32];
+  std::snprintf(name, sizeof name, "%016llx.exr", static_cast<unsigned long long>(h.value));
+  return (std::filesystem::path(cache_) / name).string();
+}
+
+ReferenceFrame ReferenceRenderer::frame(const Pose& pose, int spp, Progress& progress) {
+  const Camera camera(pose, fov_x_deg_, width_, height_);
+  const std::string path = cachePath(pose);
+  ReferenceFrame out(width_, height_);
+  int done = 0;
+  if (std::filesystem::exists(path)) {
+    ExrPicture kept = readExr(path);
+    done = kept.attributes.at("spp");
+    out.a.copyFrom(kept.planes.at("a"));
+    out.b.copyFrom(kept.planes.at("b"));
+  }
+  progress.add(std::min(done, spp));
+  const auto keep = [&] { writeExr(path, {{"a", &out.a}, {"b", &out.b}}, {{"spp", done}}); };
+  Frame chunk(width_, height_);
+  auto kept_at = std::chrono::steady_clock::now();
+  while (done < spp) {
+    // Seeds depend on the chunk alone: every frame of every path shares them.
+    const std::uint64_t seed = hashKey(0x5ecade, static_cast<std::uint64_t>(done / kChunk));
+    renderer_.render(camera, camera, {hashKey(seed, 0), hashKey(seed, 1), kChunk / 2, kChunk / 2}, chunk);
+    done += kChunk;
+    const float share = static_cast<float>(kChunk) / static_cast<float>(done);
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0; x < width_; ++x) {
+        out.a.at(x, y) += share * (chunk.samples.I1.at(x, y) - out.a.at(x, y));
+        out.b.at(x, y) += share * (chunk.samples.I2.at(x, y) - out.b.at(x, y));
+      }
+    }
+    progress.add(kChunk);
+    const auto now = std::chrono::steady_clock::now();
+    if (interrupted() || done >= spp || now - kept_at > std::chrono::seconds(10)) {
+      keep();
+      kept_at = now;
+    }
+    if (interrupted()) throw Interrupted{};
+  }
+  return out;
+}
+
+}  // namespace saccade

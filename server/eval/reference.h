@@ -1,0 +1,50 @@
+// The truth that methods are measured against: every frame rendered with the same many seeds, so that the
+// difference of two frames is a converged correlated estimate. Two independent halves tell its own error.
+#pragma once
+
+#include <string>
+
+#include "base/tile_pool.h"
+#include "eval/progress.h"
+#include "render/renderer.h"
+
+namespace saccade {
+
+// Luminance of one frame; each half is the mean of spp/2 paths per pixel.
+struct ReferenceFrame {
+  ReferenceFrame(int w, int h) : a(w, h), b(w, h) {}
+  ImageF a, b;
+  float mean(int x, int y) const { return 0.5f * (a.at(x, y) + b.at(x, y)); }
+};
+
+class ReferenceRenderer {
+ public:
+  // Finished and half-finished frames are kept in `cache`, named by a hash of all they depend on.
+  ReferenceRenderer(std::shared_ptr<const RenderScene> scene, int bounces, int width, int height,
+                    double fov_x_deg, std::string cache, TilePool& pool);
+
+  // Renders until the frame has `spp` paths per pixel, or takes it from the cache. What was rendered is
+  // written every few seconds and when interrupted() turns true, and is gone on with next time.
+  ReferenceFrame frame(const Pose& pose, int spp, Progress& progress);
+
+  static constexpr int kChunk = 64;  // paths per pixel between two looks at the clock
+
+ private:
+  std::string cachePath(const Pose& pose) const;
+
+  std::shared_ptr<const RenderScene> scene_;
+  Renderer renderer_;
+  int width_, height_;
+  double fov_x_deg_;
+  std::string cache_;
+  std::uint64_t key_;
+};
+
+// True once SIGINT or SIGTERM was received; the handler is installed by watchInterrupt().
+void watchInterrupt();
+bool interrupted();
+
+// Thrown when a long command was stopped; what was done is kept.
+struct Interrupted {};
+
+}  // namespace saccade
