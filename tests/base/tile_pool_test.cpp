@@ -1,0 +1,94 @@
+#include "base/tile_pool.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <latch>
+#include <limits>
+#include <thread>
+#include <vector>
+
+namespace saccade {
+namespace {
+
+TEST(TilePool, RunsEveryPieceOnce) {
+  for (const int threads : {1, 2, 7}) {
+    TilePool pool(threads);
+    EXPECT_EQ(pool.threads(), threads);
+    for (const int count : {0, 1, 2, 1000}) {
+      std::vector<std::atomic<int>> runs(count);
+      pool.run(count, [&](int i) { ++runs[i]; });
+      for (const auto& n : runs) ASSERT_EQ(n, 1);
+    }
+  }
+}
+
+TEST(TilePool, TilesCoverThePictureOnce) {
+  TilePool pool(2);
+  for (const auto& [width, height] : {std::pair(1, 1), {32, 32}, {33, 64}, {100, 31}}) {
+    std::vector<std::atomic<int>> hits(width * height);
+    pool.forEachTile(width, height, [&](Tile t) {
+      for (int y = t.y0; y < t.y1; ++y) {
+        for (int x = t.x0; x < t.x1; ++x) ++hits[y * width + x];
+      }
+    });
+    for (const auto& n : hits) ASSERT_EQ(n, 1) << width << "x" << height;
+  }
+}
+
+TEST(TilePool, RowsAreEachVisitedOnce) {
+  TilePool pool(2);
+  std::vector<std::atomic<int>> hits(29);
+  pool.forEachRow(29, [&](int y) { ++hits[y]; });
+  for (const auto& n : hits) EXPECT_EQ(n, 1);
+}
+
+// A job whose pieces wait for another job to begin: a pool that worked through one job before the next would
+// hang.
+TEST(TilePool, OpenJobsShareTheWorkers) {
+  TilePool pool(2);
+  std::latch both(2);
+  auto meet = [&](int) { both.arrive_and_wait(); };
+  std::thread other([&] { pool.run(1, meet); });
+  pool.run(1, meet);
+  other.join();
+}
+
+TEST(TilePool, ManyCallersEachGetTheirOwnResult) {
+  TilePool pool(3);
+  std::vector<std::thread> callers;
+  std::vector<long> sums(8);
+  for (int c = 0; c < 8; ++c) {
+    callers.emplace_back([&, c] {
+      for (int round = 0; round < 50; ++round) {
+        std::atomic<long> sum = 0;
+        pool.run(20, [&](int i) { sum += i * c; });
+        sums[c] += sum;
+      }
+    });
+  }
+  for (auto& caller : callers) caller.join();
+  for (int c = 0; c < 8; ++c) EXPECT_EQ(sums[c], 50L * 190 * c);
+}
+
+TEST(TilePool, CountsCpuTimeOfAllWorkers) {
+  TilePool pool(2);
+  std::atomic<long> steps = 0;
+  auto work = [&](int) {
+    for (int i = 0; i < 200'000; ++i) steps.fetch_add(1, std::memory_order_relaxed);
+  };
+  const auto one = pool.run(1, work), many = pool.run(64, work);
+  EXPECT_GT(one.count(), 0);
+  EXPECT_GT(many, 8 * one);
+}
+
+TEST(TilePool, WorkersFlushDenormals) {
+  TilePool pool(1);
+  volatile float tiny = std::numeric_limits<float>::min();
+  float half = 1;
+  pool.run(1, [&](int) { half = tiny * 0.5f; });
+  EXPECT_EQ(half, 0);
+}
+
+}  // namespace
+}  // namespace saccade
