@@ -1,0 +1,47 @@
+"""Every test is built, every source is formatted, and no file knows whose machine it was written on."""
+import re
+import shutil
+import subprocess
+import unittest
+
+import house
+
+MACHINE_FOLDERS = ["home", "Users", "root", "work", "mnt"]
+MACHINE_PATH = re.compile(r"(?<![\w.)}])/(?:%s)/\w" % "|".join(MACHINE_FOLDERS))
+
+
+class Files(unittest.TestCase):
+    def test_every_source_is_listed(self):
+        for path in house.files({".cpp"}):
+            listed = any(
+                re.search(rf"(?<![\w/]){re.escape(path.relative_to(folder).as_posix())}\b",
+                          house.text(folder / "CMakeLists.txt"))
+                for folder in path.parents
+                if (house.ROOT / folder / "CMakeLists.txt").exists())
+            self.assertTrue(listed, f"{path} stands in no CMakeLists.txt, and so is never built")
+
+    def test_every_test_folder_has_a_list(self):
+        folders = {p.parent for p in house.files({".cpp"}) if p.name.endswith("_test.cpp")}
+        self.assertTrue(folders)
+        for folder in folders:
+            self.assertTrue((house.ROOT / folder / "CMakeLists.txt").exists(), folder)
+
+    @unittest.skipUnless(shutil.which("clang-format"), "clang-format is not installed")
+    def test_sources_are_formatted(self):
+        sources = [str(p) for p in house.files(house.SOURCES)]
+        check = subprocess.run(["clang-format", "--dry-run", "-Werror", *sources], cwd=house.ROOT,
+                               capture_output=True, text=True, check=False)
+        unformatted = {line.split(":")[0] for line in check.stderr.splitlines() if ": error:" in line}
+        self.assertEqual(unformatted, set(), "run clang-format -i on them")
+        self.assertEqual(check.returncode, 0, check.stderr)
+
+    def test_no_path_of_a_developers_machine(self):
+        self.assertTrue(MACHINE_PATH.search('open("/' + 'home/me/a.txt")'))
+        self.assertFalse(MACHINE_PATH.search("tests/" + "work/a.txt"))
+        for path in house.files(house.TEXTS):
+            found = MACHINE_PATH.search(house.text(path))
+            self.assertFalse(found, f"{path}: {found}")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,70 @@
+"""Who may include whom: the rooms of the house stand in the order in which data flows."""
+import re
+import unittest
+
+import house
+
+ROOMS = {
+    "base": "",
+    "frame": "base",
+    "scene": "base",
+    "wire": "",
+    "render": "scene frame base",
+    "filter": "frame base",
+    "methods": "filter frame base",
+    "events": "frame wire base",
+    "stream": "wire base",
+    "app": "base frame scene wire render filter methods events stream",
+    "eval": "base frame scene wire render filter methods events app",
+    "client": "wire",
+}
+# What only these places may include: the rest of the house is not to know it.
+OUTSIDE = {
+    "embree3/": ["server/render/embree_scene.cpp"],
+    "zmq": ["server/stream/", "client/", "tests/"],
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+
+def room_of(path):
+    """The room a file stands in; None for tests."""
+    top, *rest = path.split("/")
+    if top == "server":
+        return rest[0] if len(rest) > 1 else "app"  # main.cpp knows what app knows
+    return {"client": "client", "proto": "wire"}.get(top)
+
+
+def fault(path, included):
+    """What is wrong with this file including that one, or None."""
+    for prefix, places in OUTSIDE.items():
+        if included.startswith(prefix) and not any(path.startswith(place) for place in places):
+            return f"{path} includes {included}, which only {', '.join(places)} may"
+    room, other = room_of(path), included.split("/")[0]
+    if room and other in ROOMS and other != room and other not in ROOMS[room].split():
+        return f"{path} includes {included}: {room} may include {ROOMS[room] or 'no other room'}"
+    return None
+
+
+class Includes(unittest.TestCase):
+    def test_the_rule_itself(self):
+        self.assertIsNone(fault("server/render/renderer.cpp", "frame/frame.h"))
+        self.assertIsNone(fault("server/main.cpp", "app/app.h"))
+        self.assertIsNone(fault("tests/stream/a_test.cpp", "zmq.hpp"))
+        self.assertIn("filter may include", fault("server/filter/atrous.cpp", "render/renderer.h"))
+        self.assertIn("only server/render/embree_scene.cpp", fault("server/render/lights.cpp", "embree3/rtcore.h"))
+        self.assertIn("which only", fault("server/app/app.cpp", "zmq.hpp"))
+        self.assertIn("client may include wire", fault("client/main.cpp", "base/units.h"))
+
+    def test_every_file_keeps_it(self):
+        paths = [p.as_posix() for p in house.files(house.SOURCES)]
+        self.assertTrue({room_of(p) for p in paths} >= {"base", "frame", "events", "wire"}, "files were not found")
+        faults = [f for p in paths for i in INCLUDE.findall(house.text(p)) if (f := fault(p, i))]
+        self.assertEqual(faults, [])
+
+    def test_every_folder_of_the_server_is_a_room(self):
+        rooms = {p.name for p in (house.ROOT / "server").iterdir() if p.is_dir()}
+        self.assertEqual(rooms - set(ROOMS), set())
+
+
+if __name__ == "__main__":
+    unittest.main()
