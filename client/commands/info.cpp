@@ -1,0 +1,55 @@
+// saccade info: what a server is and can do.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "client/commands/commands.h"
+#include "client/control_client.h"
+
+namespace saccade {
+namespace {
+
+void printMethod(const v1::MethodInfo& method) {
+  std::printf("%s  %s\n", method.name().c_str(), method.description().c_str());
+  for (const v1::ParamInfo& param : method.params()) {
+    std::printf("  %-20s %g (%g to %g)  %s\n", param.name().c_str(), param.default_value(), param.min(),
+                param.max(), param.description().c_str());
+  }
+}
+
+void printServer(const v1::ServerDescription& server) {
+  std::printf("saccaded %s, protocol %u, %u threads\n", server.version().c_str(), server.protocol_version(),
+              server.threads());
+  std::printf("data %s, broadcast %s\n", server.data_endpoint().c_str(), server.broadcast_endpoint().c_str());
+  std::printf("\nmethods, their parameters with default and range:\n");
+  for (const v1::MethodInfo& method : server.methods()) printMethod(method);
+}
+
+struct InfoOptions {
+  std::string control;
+  double wait_s = ControlClient::kDeadline.count();
+};
+
+void runInfo(const InfoOptions& options) {
+  zmq::context_t context;
+  ControlClient control(context, options.control);
+  v1::Request request;
+  request.mutable_server_info();
+  const auto wait = std::chrono::duration<double>(options.wait_s);
+  printServer(
+      control.call(std::move(request), std::chrono::ceil<std::chrono::milliseconds>(wait)).server_info());
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("info", "print the server's version, threads and methods");
+  const auto options = std::make_shared<InfoOptions>();
+  addControlOption(*command, options->control);
+  command->add_option("--wait", options->wait_s, "seconds to wait for a server that is not up yet")
+      ->check(CLI::Range(0.001, 86400.0))
+      ->capture_default_str();
+  command->callback([options] { runInfo(*options); });
+}
+
+}  // namespace saccade

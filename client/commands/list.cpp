@@ -1,0 +1,38 @@
+// saccade list: the scenes of a server.
+#include <cstdio>
+#include <memory>
+
+#include "client/commands/commands.h"
+#include "client/control_client.h"
+
+namespace saccade {
+namespace {
+
+void printScene(const v1::SceneInfo& scene) {
+  std::printf("%s  %s\n", scene.name().c_str(), scene.description().c_str());
+  if (!scene.unavailable().empty()) std::printf("  cannot be opened here: %s\n", scene.unavailable().c_str());
+  if (scene.trajectories().empty()) return;
+  std::printf("  trajectories:");
+  for (const std::string& name : scene.trajectories()) std::printf(" %s", name.c_str());
+  std::printf("\n");
+}
+
+void runList(const std::string& endpoint) {
+  zmq::context_t context;
+  ControlClient control(context, endpoint);
+  v1::Request request;
+  request.mutable_list_scenes();
+  const v1::Reply reply = control.call(std::move(request));
+  for (const v1::SceneInfo& scene : reply.list_scenes().scenes()) printScene(scene);
+}
+
+}  // namespace
+
+void addListCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("list", "print the scenes of the server and their trajectories");
+  const auto endpoint = std::make_shared<std::string>();
+  addControlOption(*command, *endpoint);
+  command->callback([endpoint] { runList(*endpoint); });
+}
+
+}  // namespace saccade

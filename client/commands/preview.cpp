@@ -1,0 +1,73 @@
+#include "client/commands/preview.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "client/commands/preview_picture.h"
+
+namespace saccade {
+namespace {
+
+constexpr std::int64_t kShownNs = 1'000'000'000 / 30;  // as long as one picture of a film
+constexpr std::int64_t kSpareNs = 7'000'000;  // the picture may be a little older than the newest events
+
+void writePng(const std::string& path, const RgbPicture& picture) {
+  const auto file = OIIO::ImageOutput::create(path);
+  const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+  if (!file) throw std::runtime_error(OIIO::geterror());
+  if (!file->open(path, spec) || !file->write_image(OIIO::TypeDesc::UINT8, picture.pixels.data()) ||
+      !file->close()) {
+    throw std::runtime_error(file->geterror());
+  }
+}
+
+std::span<const Event> between(const Events& events, std::int64_t t0_ns, std::int64_t t1_ns) {
+  const auto before = [](const Event& e, std::int64_t t_ns) { return e.t_ns < t_ns; };
+  const auto first = std::lower_bound(events.begin(), events.end(), t0_ns, before);
+  return {first, std::lower_bound(first, events.end(), t1_ns, before)};
+}
+
+}  // namespace
+
+Preview::Preview(const std::string& path, std::int64_t at_ns, std::int64_t frame_ns)
+    : path_(path), at_ns_(at_ns), window_ns_(std::max(kShownNs, frame_ns)) {}
+
+void Preview::see(const Batch& batch, StreamHandle& stream) {
+  if (batch.header.sensor() != 0 || state_ == State::kWritten || state_ == State::kFailed) return;
+  keepTail(batch);
+  try {
+    advance(batch.header.t1_ns(), stream);
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "saccade: no preview: %s\n", error.what());
+    state_ = State::kFailed;
+  }
+}
+
+// Until the picture is there, old events go; from then on all are kept until its time has come.
+void Preview::keepTail(const Batch& batch) {
+  if (state_ == State::kWaiting) {
+    const std::int64_t oldest = batch.header.t1_ns() - window_ns_ - kSpareNs;
+    std::erase_if(tail_, [=](const Event& e) { return e.t_ns < oldest; });
+  }
+  tail_.insert(tail_.end(), batch.events.begin(), batch.events.end());
+}
+
+void Preview::advance(std::int64_t time_ns, StreamHandle& stream) {
+  if (state_ == State::kWaiting && time_ns >= at_ns_) {
+    frame_ = stream.picture();
+    state_ = State::kAsked;
+  }
+  if (state_ == State::kAsked && time_ns >= frame_.t1_ns()) {
+    write();
+    state_ = State::kWritten;
+  }
+}
+
+void Preview::write() const {
+  writePng(path_, drawPreview(frame_, between(tail_, frame_.t1_ns() - window_ns_, frame_.t1_ns())));
+}
+
+}  // namespace saccade

@@ -1,0 +1,36 @@
+// Takes one picture of a stream that is being recorded, and writes it as PNG.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "client/stream_handle.h"
+
+namespace saccade {
+
+class Preview {
+ public:
+  // Asks for the picture once stream time has reached at_ns. `frame_ns` is the time between frames.
+  Preview(const std::string& path, std::int64_t at_ns, std::int64_t frame_ns);
+
+  // Every batch of the stream, in order. A picture that cannot be had or written is told on stderr: the
+  // recording goes on.
+  void see(const Batch& batch, StreamHandle& stream);
+
+  bool written() const { return state_ == State::kWritten; }
+
+ private:
+  enum class State { kWaiting, kAsked, kWritten, kFailed };
+  void keepTail(const Batch& batch);
+  void advance(std::int64_t time_ns, StreamHandle& stream);
+  void write() const;
+
+  std::string path_;
+  std::int64_t at_ns_, window_ns_;
+  State state_ = State::kWaiting;
+  v1::FramePicture frame_;
+  Events tail_;  // the latest events of sensor 0
+};
+
+}  // namespace saccade

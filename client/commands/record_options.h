@@ -1,0 +1,34 @@
+// The command line of `saccade record` and the request it stands for.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "saccade/v1/control.pb.h"
+
+namespace saccade {
+
+// What is not given is left to the server's defaults.
+struct RecordOptions {
+  std::string control, scene, trajectory, output, preview;
+  std::vector<double> thresholds, thresholds_off;  // one sensor for each threshold
+  std::optional<double> bias, refractory_s, fov_x_deg;
+  std::string model;
+  std::string size = "346x260";
+  double rate_hz = 500, duration_s = 2;
+  std::string delivery = "lossless", clock = "fast";
+  std::string method;
+  std::optional<std::uint32_t> spp, bounces;
+  std::vector<std::string> params;  // name=value
+  std::uint64_t seed = 0;
+};
+
+void addRecordOptions(CLI::App& command, RecordOptions& options);
+
+// Reads the trajectory's file where one is named. Throws std::invalid_argument naming the option at fault.
+v1::OpenStream makeOpenStream(const RecordOptions& options);
+
+}  // namespace saccade

@@ -1,0 +1,45 @@
+#include "client/commands/summary.h"
+
+#include <cstdio>
+#include <map>
+
+namespace saccade {
+namespace {
+
+using Count = unsigned long long;  // as printf names it
+
+}  // namespace
+
+void printFiles(std::vector<std::string> files, const std::string& preview) {
+  if (!preview.empty()) files.push_back(preview);
+  for (const std::string& file : files) std::printf("wrote %s\n", file.c_str());
+}
+
+void printRates(const Recorder& recorder, double wall_s) {
+  const double stream_s = recorder.time_ns() / 1e9;
+  std::printf("%llu events, %.6g per second of the stream; %.6g s in %.3g s, %.3gx real time\n",
+              Count{recorder.events()}, stream_s > 0 ? recorder.events() / stream_s : 0.0, stream_s, wall_s,
+              stream_s / wall_s);
+  if (recorder.suppressed() == 0) return;
+  std::printf("%llu events withheld by the sensors' limits\n", Count{recorder.suppressed()});
+}
+
+void printLosses(const Losses& losses) {
+  if (losses.gaps == 0) return;
+  std::printf("lost on the way: %llu packets with %llu events, in %llu places\n", Count{losses.packets},
+              Count{losses.events}, Count{losses.gaps});
+}
+
+void printStages(const v1::StreamInfo& info) {
+  std::printf("CPU ms per frame: %.3g", info.frame_cpu_ms());
+  const char* separator = " (";
+  // In one order, which protobuf's own map does not have.
+  for (const auto& [stage, ms] :
+       std::map<std::string, double>(info.stage_cpu_ms().begin(), info.stage_cpu_ms().end())) {
+    std::printf("%s%s %.3g", separator, stage.c_str(), ms);
+    separator = ", ";
+  }
+  std::printf(info.stage_cpu_ms().empty() ? "\n" : ")\n");
+}
+
+}  // namespace saccade

@@ -1,0 +1,52 @@
+// The `saccade` command. Exit codes: 0 done, 1 the stream or the server failed, 2 wrong usage.
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+
+#include "client/commands/commands.h"
+#include "client/control_client.h"
+
+namespace saccade {
+namespace {
+
+int fail(const std::exception& error, int code) {
+  std::fprintf(stderr, "saccade: %s\n", error.what());
+  return code;
+}
+
+bool isUsage(v1::Code code) {
+  return code == v1::CODE_INVALID_ARGUMENT || code == v1::CODE_NOT_FOUND;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Client of saccaded, the event-camera daemon");
+  app.require_subcommand(1);
+  addListCommand(app);
+  addInfoCommand(app);
+  addRecordCommand(app);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::invalid_argument& error) {
+    return fail(error, 2);
+  } catch (const Refused& error) {
+    return fail(error, isUsage(error.code) ? 2 : 1);
+  } catch (const std::exception& error) {
+    return fail(error, 1);
+  }
+}
+
+}  // namespace
+
+void addControlOption(CLI::App& command, std::string& endpoint) {
+  endpoint = "tcp://127.0.0.1:5770";
+  command.add_option("--control", endpoint, "control endpoint of saccaded")->capture_default_str();
+}
+
+}  // namespace saccade
+
+int main(int argc, char** argv) {
+  return saccade::run(argc, argv);
+}
