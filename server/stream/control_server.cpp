@@ -1,5 +1,7 @@
 #include "stream/control_server.h"
 
+#include "wire/protocol.h"
+
 namespace saccade {
 namespace {
 

@@ -13,7 +13,6 @@
 
 namespace saccade {
 
-inline constexpr std::uint32_t kProtocolVersion = 1;
 inline constexpr std::int64_t kMaxRequestBytes = 9 << 20;  // room for a trajectory's text
 
 v1::Status okStatus();

@@ -8,14 +8,6 @@ namespace {
 constexpr std::uint64_t kMaxCredit = std::uint64_t{1} << 40;
 constexpr std::chrono::milliseconds kFullPause{2};  // until a peer whose queue is full is tried again
 
-// Takes as long for any wrong token.
-bool sameToken(const std::string& a, const std::string& b) {
-  if (a.size() != b.size()) return false;
-  int difference = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) difference |= a[i] ^ b[i];
-  return difference == 0;
-}
-
 }  // namespace
 
 DataServer::DataServer(const std::string& endpoint, const SessionDirectory& sessions)
@@ -49,7 +41,7 @@ std::string DataServer::handle(const std::string& identity, const v1::DataReques
 std::string DataServer::attach(const std::string& identity, const v1::Attach& request) {
   const auto session = sessions_.find(request.stream_id());
   // One message for both, so that nobody learns which streams exist.
-  if (!session || session->broadcast() || !sameToken(session->token(), request.token())) {
+  if (!session || session->broadcast() || !session->hasToken(request.token())) {
     return "no stream of this name on the data socket has this token";
   }
   if (std::string fault = session->queue().resume(request.from_seq()); !fault.empty()) return fault;

@@ -35,6 +35,13 @@ Session::Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, W
   touch();
 }
 
+bool Session::hasToken(const std::string& token) const {
+  if (token.size() != token_.size()) return false;
+  int difference = 0;
+  for (std::size_t i = 0; i < token.size(); ++i) difference |= token[i] ^ token_[i];
+  return difference == 0;
+}
+
 std::string Session::topic(std::uint32_t sensor) const {
   return "s/" + id_ + "/" + std::to_string(sensor) + "/";
 }
@@ -65,6 +72,7 @@ void Session::push(Packet packet) {
 void Session::finish() {
   finished_ = true;
   touch();
+  producer_->raise();
   transport_.wake();
 }
 

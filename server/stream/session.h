@@ -20,13 +20,14 @@ inline constexpr std::uint64_t kQueueBytes = 4 << 20;
 // All members may be called from any thread.
 class Session {
  public:
-  // `transport` is woken when there is something to send, `producer` is raised when started(), stopping() or
-  // hasRoom() may have changed. `transport` outlives the session.
+  // `transport` is woken when there is something to send, `producer` is raised when started(), stopping(),
+  // hasRoom() or drained() may have changed. `transport` outlives the session.
   Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
           std::shared_ptr<Signal> producer, std::uint64_t queue_bytes = kQueueBytes);
 
   const std::string& id() const { return id_; }
   const std::string& token() const { return token_; }  // 128 random bits as hex digits
+  bool hasToken(const std::string& token) const;       // takes as long for any wrong one
   bool broadcast() const { return delivery_ == v1::DELIVERY_BROADCAST; }
   std::uint32_t sensors() const { return sensors_; }
   std::string topic(std::uint32_t sensor) const;  // BROADCAST

@@ -1,0 +1,65 @@
+#include "app/app.h"
+
+#include <spdlog/spdlog.h>
+
+#include "wire/protocol.h"
+
+namespace saccade {
+
+App::App(const Config& config)
+    : epoch_(std::stoull(randomHex(8), nullptr, 16)),
+      pool_(config.threads),
+      scenes_(config.scenes),
+      control_(config.control),
+      data_(config.data, sessions_),
+      broadcast_(config.broadcast, sessions_),
+      streams_(sessions_),
+      opener_(scenes_, pool_, streams_, {data_.wake(), broadcast_.wake()}, epoch_),
+      service_(scenes_, streams_, opener_, describe(config)) {
+  data_.start();
+  broadcast_.start();
+  control_.start([this](const v1::Request& request, ControlServer::Answer answer) {
+    service_.handle(request, std::move(answer));
+  });
+  sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
+  spdlog::info("ready: control {} data {} broadcast {}, {} threads, scenes in {}", control_.endpoint(),
+               data_.endpoint(), broadcast_.endpoint(), config.threads, config.scenes);
+}
+
+App::~App() {
+  stop();
+}
+
+v1::ServerDescription App::describe(const Config& config) const {
+  v1::ServerDescription description;
+  description.set_version(SACCADE_VERSION);
+  description.set_protocol_version(kProtocolVersion);
+  description.set_epoch(epoch_);
+  description.set_threads(static_cast<std::uint32_t>(config.threads));
+  description.set_data_endpoint(data_.endpoint());
+  description.set_broadcast_endpoint(broadcast_.endpoint());
+  describeMethods(description);
+  return description;
+}
+
+void App::sweep(std::stop_token stopped) {
+  std::mutex mutex;
+  std::condition_variable_any tick;
+  std::unique_lock lock(mutex);
+  while (!stopped.stop_requested()) {
+    tick.wait_for(lock, stopped, std::chrono::seconds(1), [] { return false; });
+    streams_.sweep(Signal::Clock::now());
+  }
+}
+
+bool App::stop() {
+  opener_.stop();
+  const bool all_taken = streams_.stopAll(Signal::Clock::now() + kDrainTime);
+  sweeper_ = {};
+  control_.stop();
+  data_.stop();
+  broadcast_.stop();
+  return all_taken;
+}
+
+}  // namespace saccade

@@ -1,0 +1,26 @@
+#include "app/refusal.h"
+
+#include <sstream>
+
+#include "stream/control_server.h"
+
+namespace saccade {
+
+v1::Status statusOfException() {
+  try {
+    throw;
+  } catch (const Refusal& refusal) {
+    return makeStatus(refusal.code, refusal.what(), refusal.field);
+  } catch (const std::exception& fault) {
+    return makeStatus(v1::CODE_INTERNAL, fault.what());
+  }
+}
+
+void checkRange(const std::string& field, double value, double min, double max) {
+  if (value >= min && value <= max) return;
+  std::ostringstream message;
+  message << value << " is outside [" << min << ", " << max << "]";
+  throw Refusal(v1::CODE_INVALID_ARGUMENT, field, message.str());
+}
+
+}  // namespace saccade

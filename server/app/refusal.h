@@ -1,0 +1,36 @@
+// Why a request is refused. Thrown where it is found out, made a Status in one place.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "saccade/v1/control.pb.h"
+
+namespace saccade {
+
+struct Refusal : std::runtime_error {
+  Refusal(v1::Code code, std::string field, const std::string& message)
+      : std::runtime_error(message), code(code), field(std::move(field)) {}
+  v1::Code code;
+  std::string field;  // path of the offending field; empty if none is at fault
+};
+
+// The Status of the exception being handled.
+v1::Status statusOfException();
+
+// Throws unless min <= value <= max; NaN throws.
+void checkRange(const std::string& field, double value, double min, double max);
+
+// Throws unless `value` is one that the schema names. `value` 0 becomes `fallback`.
+template <class Enum>
+Enum resolveEnum(const std::string& field, Enum value, Enum fallback) {
+  const auto* names = google::protobuf::GetEnumDescriptor<Enum>();
+  if (value == 0) return fallback;
+  if (names->FindValueByNumber(value)) return value;
+  std::string valid;
+  for (int i = 1; i < names->value_count(); ++i) valid += (i > 1 ? ", " : "") + names->value(i)->name();
+  throw Refusal(v1::CODE_INVALID_ARGUMENT, field,
+                std::to_string(value) + " is no " + names->name() + "; valid: " + valid);
+}
+
+}  // namespace saccade

@@ -1,0 +1,162 @@
+#include "app/resolve.h"
+
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/refusal.h"
+#include "base/hash_rng.h"
+#include "scene/scene_error.h"
+
+namespace saccade {
+namespace {
+
+[[noreturn]] void refuse(const std::string& field, const std::string& message) {
+  throw Refusal(v1::CODE_INVALID_ARGUMENT, field, message);
+}
+
+std::string join(const std::vector<std::string>& names) {
+  std::string all;
+  for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+void checkScene(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes) {
+  std::vector<std::string> names;
+  for (const auto& scene : scenes) names.push_back(scene.name);
+  const auto scene = std::find(names.begin(), names.end(), request.scene());
+  if (scene == names.end()) {
+    throw Refusal(v1::CODE_NOT_FOUND, "scene", "there is no such scene; there are: " + join(names));
+  }
+  const SceneEntry& entry = scenes[static_cast<std::size_t>(scene - names.begin())];
+  if (!entry.unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, "scene", entry.unavailable);
+
+  const v1::Trajectory& path = request.trajectory();
+  if (path.path_case() == v1::Trajectory::PATH_NOT_SET) {
+    refuse("trajectory", "give a csv text or a name, one of: " + join(entry.trajectories));
+  }
+  if (path.has_name() && std::count(entry.trajectories.begin(), entry.trajectories.end(), path.name()) == 0) {
+    throw Refusal(v1::CODE_NOT_FOUND, "trajectory.name",
+                  "the scene has no such trajectory; it has: " + join(entry.trajectories));
+  }
+  if (path.csv().size() > kMaxCsvBytes) {
+    refuse("trajectory.csv", "the text is longer than " + std::to_string(kMaxCsvBytes) + " bytes");
+  }
+}
+
+void resolveView(const v1::View& view, FeedConfig& feed) {
+  checkRange("view.width", view.width(), 1, kMaxViewSide);
+  checkRange("view.height", view.height(), 1, kMaxViewSide);
+  feed.width = static_cast<int>(view.width());
+  feed.height = static_cast<int>(view.height());
+  if (feed.width * feed.height > kMaxViewPixels) {
+    refuse("view", "a view has at most " + std::to_string(kMaxViewPixels) + " pixels");
+  }
+  const double fov = view.fov_x_deg();
+  if (view.has_fov_x_deg() && !(fov > kMinFovDeg && fov < kMaxFovDeg)) {
+    refuse("view.fov_x_deg", std::to_string(fov) + " is outside (1, 170)");
+  }
+}
+
+void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
+  checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), 0.1, 1e5);
+  checkRange("timing.duration_s", timing.duration_s(), 0, 1e7);
+  checkRange("timing.speed", timing.speed(), 0, 1e3);
+  timing.set_clock(resolveEnum("timing.clock", timing.clock(), v1::CLOCK_FAST));
+  // Speed means nothing to FAST: leaving it in would tell equal feeds apart.
+  const double speed = timing.speed() == 0 ? 1 : timing.speed();
+  timing.set_speed(timing.clock() == v1::CLOCK_PACED ? speed : 0);
+  stream.feed.frame_rate_hz = timing.frame_rate_hz();
+  if (timing.duration_s() == 0) return;
+  // A duration that is a whole number of frames but for rounding counts as one.
+  stream.frames = static_cast<FrameIndex>(timing.duration_s() * timing.frame_rate_hz() + 1e-6);
+  if (stream.frames == 0) refuse("timing.duration_s", "is shorter than one frame");
+}
+
+void resolveMethod(v1::Method& method, FeedConfig& feed) {
+  if (method.name().empty()) method.set_name(methodTable().front().name);
+  const MethodInfo* info = findMethod(method.name());
+  if (!info) refuse("method.name", "there is no such method; there are: " + methodNames());
+
+  const ParamValues given(method.params().begin(), method.params().end());
+  std::string bad_name;
+  if (std::string fault = resolveParams(*info, given, feed.params, bad_name); !fault.empty()) {
+    refuse("method.params[\"" + bad_name + "\"]", fault);
+  }
+  method.mutable_params()->insert(feed.params.begin(), feed.params.end());
+
+  if (method.spp() == 0) method.set_spp(2);
+  checkRange("method.spp", method.spp(), 1, 65536);
+  const bool two_passes = info->make(feed.params, 1, 1)->seedReuse() != SeedReuse::kIndependent;
+  if (two_passes && method.spp() % 2 != 0) {
+    refuse("method.spp", method.name() + " traces two passes of spp / 2 paths: spp must be even");
+  }
+  feed.method = method.name();
+  feed.spp = static_cast<int>(method.spp());
+}
+
+void resolveQuality(v1::Quality& quality, FeedConfig& feed) {
+  if (!quality.has_bounces()) quality.set_bounces(3);
+  checkRange("quality.bounces", quality.bounces(), 0, 64);
+  feed.bounces = static_cast<int>(quality.bounces());
+  feed.monochrome = quality.monochrome();
+}
+
+}  // namespace
+
+ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes) {
+  ResolvedStream stream{.request = request, .feed = {}, .sensors = {}};
+  v1::OpenStream& r = stream.request;
+  checkScene(r, scenes);
+  resolveView(*r.mutable_view(), stream.feed);
+  resolveTiming(*r.mutable_timing(), stream);
+  resolveMethod(*r.mutable_method(), stream.feed);
+  resolveQuality(*r.mutable_quality(), stream.feed);
+  r.set_delivery(resolveEnum("delivery", r.delivery(), v1::DELIVERY_LOSSLESS));
+  stream.feed.seed = r.seed();
+
+  if (r.sensors_size() < 1 || r.sensors_size() > kMaxSensors) {
+    refuse("sensors", "a stream has 1 to " + std::to_string(kMaxSensors) + " sensors");
+  }
+  for (int i = 0; i < r.sensors_size(); ++i) {
+    stream.sensors.push_back(resolveSensor(*r.mutable_sensors(i), i, r.seed()));
+  }
+  return stream;
+}
+
+void useFovOf(const Scene& scene, ResolvedStream& stream) {
+  v1::View& view = *stream.request.mutable_view();
+  if (!view.has_fov_x_deg()) view.set_fov_x_deg(scene.fov_x_deg);
+  stream.feed.fov_x_deg = view.fov_x_deg();
+}
+
+Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
+                             const SceneLibrary& library) {
+  const v1::Trajectory& path = stream.request.trajectory();
+  const Pose& start = scene.description().T_world_camera;
+  try {
+    if (path.has_csv()) return parseTrajectory(path.csv(), "trajectory.csv");
+    if (!isMotion(path.name())) return library.loadTrajectory(stream.request.scene(), path.name());
+  } catch (const SceneError& fault) {
+    refuse(path.has_csv() ? "trajectory.csv" : "trajectory.name", fault.what());
+  }
+  const double fov = stream.feed.fov_x_deg;
+  return makeMotion(path.name(), start, probePoints(scene, start, fov), fov);
+}
+
+std::string ResolvedStream::feedKey() const {
+  v1::OpenStream feed_part = request;
+  feed_part.clear_sensors();
+  feed_part.clear_delivery();
+  std::string key;
+  google::protobuf::io::StringOutputStream text(&key);
+  google::protobuf::io::CodedOutputStream out(&text);
+  out.SetSerializationDeterministic(true);  // maps in order
+  feed_part.SerializeToCodedStream(&out);
+  out.Trim();
+  return key;
+}
+
+}  // namespace saccade

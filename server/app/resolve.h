@@ -1,0 +1,43 @@
+// From a client's request to one that leaves nothing open: every default filled in, every value checked.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/feed.h"
+#include "events/sensor_config.h"
+#include "saccade/v1/control.pb.h"
+#include "scene/scene_library.h"
+
+namespace saccade {
+
+inline constexpr int kMaxViewSide = 4096, kMaxViewPixels = 4 << 20;  // pixels
+inline constexpr double kMinFovDeg = 1, kMaxFovDeg = 170;            // exclusive
+inline constexpr int kMaxSensors = 64;
+inline constexpr std::size_t kMaxCsvBytes = 8 << 20;
+
+struct ResolvedStream {
+  v1::OpenStream request;  // as StreamOpened.resolved tells it
+  FeedConfig feed;
+  std::vector<SensorConfig> sensors;
+  FrameIndex frames = 0;  // intervals to render; 0: until closed
+
+  // Streams with equal keys look at the same feed.
+  std::string feedKey() const;
+};
+
+// Checks `request` against the scenes there are. The field of view may still be open: that is the scene's to
+// say, see useFovOf(). Throws Refusal.
+ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes);
+
+// Fills in the field of view from the scene where the request leaves it open.
+void useFovOf(const Scene& scene, ResolvedStream& stream);
+
+// The camera's path. Throws Refusal, with the line of a faulty text.
+Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
+                             const SceneLibrary& library);
+
+// Checks sensor `index` and fills in its defaults. Throws Refusal.
+SensorConfig resolveSensor(v1::Sensor& sensor, int index, std::uint64_t stream_seed);
+
+}  // namespace saccade

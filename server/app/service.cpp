@@ -1,0 +1,88 @@
+#include "app/service.h"
+
+#include "app/refusal.h"
+#include "stream/control_server.h"
+
+namespace saccade {
+
+Service::Service(const SceneCache& scenes, StreamRegistry& streams, StreamOpener& opener,
+                 v1::ServerDescription description)
+    : scenes_(scenes), streams_(streams), opener_(opener), description_(std::move(description)) {}
+
+void Service::handle(const v1::Request& request, std::function<void(v1::Reply)> answer) {
+  v1::Reply reply;
+  try {
+    if (request.has_open_stream()) return opener_.open(request.open_stream(), answer);
+    fill(request, reply);
+    *reply.mutable_status() = okStatus();
+  } catch (...) {
+    *reply.mutable_status() = statusOfException();
+  }
+  answer(std::move(reply));
+}
+
+void Service::fill(const v1::Request& request, v1::Reply& reply) {
+  switch (request.call_case()) {
+    case v1::Request::kListScenes:
+      *reply.mutable_list_scenes() = listScenes();
+      break;
+    case v1::Request::kCloseStream:
+      streams_.close(request.close_stream().stream_id(), request.close_stream().token());
+      reply.mutable_close_stream();
+      break;
+    case v1::Request::kListStreams:
+      *reply.mutable_list_streams() = listStreams();
+      break;
+    case v1::Request::kServerInfo:
+      *reply.mutable_server_info() = description_;
+      break;
+    case v1::Request::kGetFrame:
+      *reply.mutable_get_frame() = getFrame(request.get_frame());
+      break;
+    default:
+      throw Refusal(v1::CODE_UNIMPLEMENTED, "call", "this server does not know the call");
+  }
+}
+
+v1::SceneList Service::listScenes() const {
+  v1::SceneList list;
+  for (const SceneEntry& entry : scenes_.library().list()) {
+    v1::SceneInfo& scene = *list.add_scenes();
+    scene.set_name(entry.name);
+    scene.set_description(entry.description);
+    for (const auto& name : entry.trajectories) scene.add_trajectories(name);
+    scene.set_unavailable(entry.unavailable);
+  }
+  return list;
+}
+
+v1::StreamList Service::listStreams() const {
+  v1::StreamList list;
+  for (auto& info : streams_.list()) *list.add_streams() = std::move(info);
+  return list;
+}
+
+v1::FramePicture Service::getFrame(const v1::GetFrame& call) const {
+  const Stream stream = streams_.find(call.stream_id(), call.token());
+  auto picture = stream.feed->snapshot().picture(stream.request.sensors(0).bias());
+  if (!picture) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the stream has no frame yet");
+  return std::move(*picture);
+}
+
+void describeMethods(v1::ServerDescription& description) {
+  for (const MethodInfo& info : methodTable()) {
+    v1::MethodInfo& method = *description.add_methods();
+    method.set_name(info.name);
+    method.set_description(info.description);
+    for (const ParamSpec& spec : info.params) {
+      v1::ParamInfo& param = *method.add_params();
+      param.set_name(spec.name);
+      param.set_min(spec.min);
+      param.set_max(spec.max);
+      param.set_default_value(spec.fallback);
+      param.set_description(spec.what);
+    }
+  }
+}
+
+}  // namespace saccade

@@ -1,0 +1,37 @@
+// Answers the calls of the control socket.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/scene_cache.h"
+#include "app/stream_opener.h"
+#include "app/stream_registry.h"
+
+namespace saccade {
+
+class Service {
+ public:
+  // Keeps references. `description` is what ServerInfo answers.
+  Service(const SceneCache& scenes, StreamRegistry& streams, StreamOpener& opener,
+          v1::ServerDescription description);
+
+  // Does not block; `answer` is called once, perhaps later and from another thread.
+  void handle(const v1::Request& request, std::function<void(v1::Reply)> answer);
+
+ private:
+  void fill(const v1::Request& request, v1::Reply& reply);
+  v1::SceneList listScenes() const;
+  v1::StreamList listStreams() const;
+  v1::FramePicture getFrame(const v1::GetFrame& call) const;
+
+  const SceneCache& scenes_;
+  StreamRegistry& streams_;
+  StreamOpener& opener_;
+  const v1::ServerDescription description_;
+};
+
+// The methods there are, as ServerInfo lists them.
+void describeMethods(v1::ServerDescription& description);
+
+}  // namespace saccade

@@ -1,0 +1,120 @@
+#include "app/stream_opener.h"
+
+#include <spdlog/spdlog.h>
+
+#include "app/refusal.h"
+#include "stream/control_server.h"
+
+namespace saccade {
+namespace {
+
+constexpr std::size_t kMaxOpening = 64;
+
+// Who paces itself by the clock never waits for its client: such streams cannot hold each other up.
+bool mayShare(const v1::OpenStream& request) {
+  return request.timing().clock() == v1::CLOCK_PACED && request.delivery() != v1::DELIVERY_LOSSLESS;
+}
+
+v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, std::uint64_t epoch,
+                          int channels) {
+  v1::StreamOpened opened;
+  opened.set_stream_id(stream.session->id());
+  opened.set_token(stream.session->token());
+  opened.set_epoch(epoch);
+  *opened.mutable_resolved() = resolved.request;
+  opened.set_frames(resolved.frames);
+  opened.set_luminance_p01(stream.feed->luminanceP01());
+  opened.set_luminance_p50(stream.feed->luminanceP50());
+  opened.set_channels(static_cast<std::uint32_t>(channels));
+  if (!stream.session->broadcast()) return opened;
+  for (std::uint32_t i = 0; i < stream.session->sensors(); ++i) opened.add_topics(stream.session->topic(i));
+  return opened;
+}
+
+}  // namespace
+
+StreamOpener::StreamOpener(SceneCache& scenes, TilePool& pool, StreamRegistry& streams, Transports transports,
+                           std::uint64_t epoch)
+    : scenes_(scenes), pool_(pool), streams_(streams), transports_(transports), epoch_(epoch) {}
+
+void StreamOpener::open(const v1::OpenStream& request, std::function<void(v1::Reply)> answer) {
+  std::lock_guard lock(mutex_);
+  std::erase_if(opening_,
+                [](auto& one) { return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
+  if (stopped_) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the server is stopping");
+  if (opening_.size() >= kMaxOpening) {
+    throw Refusal(v1::CODE_RESOURCE_EXHAUSTED, {},
+                  std::to_string(kMaxOpening) + " streams are being opened already");
+  }
+  opening_.push_back(std::async(std::launch::async, [this, request, answer = std::move(answer)] {
+    v1::Reply reply;
+    try {
+      *reply.mutable_open_stream() = openNow(request);
+      *reply.mutable_status() = okStatus();
+    } catch (...) {
+      *reply.mutable_status() = statusOfException();
+    }
+    answer(std::move(reply));
+  }));
+}
+
+void StreamOpener::stop() {
+  std::unique_lock lock(mutex_);
+  stopped_ = true;
+  const auto opening = std::move(opening_);
+  lock.unlock();  // and wait, as futures of std::async do when they go
+}
+
+v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request) {
+  ResolvedStream resolved = resolve(request, scenes_.library().list());
+  Stream stream;
+  stream.reserved = budget_.reserve(long{resolved.feed.width} * resolved.feed.height);
+  const auto scene = scenes_.get(resolved.request.scene());
+  useFovOf(scene->description(), resolved);
+  stream.request = resolved.request;
+  stream.feed = findFeed(resolved);
+  if (!stream.feed || !connect(resolved, stream)) {
+    stream.feed = makeFeed(resolved, scene);
+    connect(resolved, stream);
+  }
+  streams_.add(stream);
+  spdlog::info("stream {} opened: {}", stream.session->id(),
+               resolved.request.ShortDebugString().substr(0, 500));
+  return describe(resolved, stream, epoch_, resolved.feed.monochrome ? 1 : scene->channels());
+}
+
+std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolved) {
+  if (!mayShare(resolved.request)) return nullptr;
+  std::lock_guard lock(mutex_);
+  std::erase_if(shared_, [](const auto& entry) { return entry.second.expired(); });
+  const auto found = shared_.find(resolved.feedKey());
+  return found == shared_.end() ? nullptr : found->second.lock();
+}
+
+std::shared_ptr<FeedRunner> StreamOpener::makeFeed(const ResolvedStream& resolved,
+                                                   std::shared_ptr<const RenderScene> scene) {
+  Trajectory path = resolveTrajectory(resolved, *scene, scenes_.library());
+  auto feed = std::make_unique<Feed>(std::move(scene), std::move(path), resolved.feed, pool_);
+  const v1::Timing& timing = resolved.request.timing();
+  const FeedPace pace{resolved.frames, timing.frame_rate_hz(), timing.speed()};
+  auto runner =
+      std::make_shared<FeedRunner>(std::move(feed), resolved.feed.width, resolved.feed.height, pace, pool_);
+  if (mayShare(resolved.request)) {
+    std::lock_guard lock(mutex_);
+    shared_[resolved.feedKey()] = runner;
+  }
+  return runner;
+}
+
+bool StreamOpener::connect(const ResolvedStream& resolved, Stream& stream) {
+  const v1::Delivery delivery = resolved.request.delivery();
+  WakeFd& transport = delivery == v1::DELIVERY_BROADCAST ? transports_.broadcast : transports_.data;
+  stream.session = std::make_shared<Session>(std::to_string(next_id_++), delivery,
+                                             static_cast<std::uint32_t>(resolved.sensors.size()), transport,
+                                             stream.feed->signal());
+  stream.outlet = std::make_shared<Outlet>(stream.session, resolved.sensors, resolved.feed.width,
+                                           resolved.feed.height, epoch_);
+  return stream.feed->add(stream.outlet);
+}
+
+}  // namespace saccade

@@ -1,0 +1,57 @@
+// Opens streams: checks the request, loads the scene, finds or makes the feed. This may take seconds, so
+// every request has its own thread.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "app/budget.h"
+#include "app/resolve.h"
+#include "app/scene_cache.h"
+#include "app/stream_registry.h"
+
+namespace saccade {
+
+class StreamOpener {
+ public:
+  struct Transports {
+    WakeFd &data, &broadcast;
+  };
+
+  // Keeps references.
+  StreamOpener(SceneCache& scenes, TilePool& pool, StreamRegistry& streams, Transports transports,
+               std::uint64_t epoch);
+
+  // `answer` is called once, from another thread. Throws Refusal where too many wait already.
+  void open(const v1::OpenStream& request, std::function<void(v1::Reply)> answer);
+  // Waits for those being opened; from now on every request is refused.
+  void stop();
+
+ private:
+  v1::StreamOpened openNow(const v1::OpenStream& request);
+  std::shared_ptr<FeedRunner> findFeed(const ResolvedStream& resolved);
+  std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved,
+                                       std::shared_ptr<const RenderScene> scene);
+  // Makes the stream's session and outlet. False: the feed has ended.
+  bool connect(const ResolvedStream& resolved, Stream& stream);
+
+  SceneCache& scenes_;
+  TilePool& pool_;
+  StreamRegistry& streams_;
+  const Transports transports_;
+  const std::uint64_t epoch_;
+  Budget budget_;
+  std::atomic<std::uint64_t> next_id_ = 1;
+  std::mutex mutex_;
+  std::map<std::string, std::weak_ptr<FeedRunner>> shared_;  // by ResolvedStream::feedKey()
+  std::vector<std::future<void>> opening_;
+  bool stopped_ = false;
+};
+
+}  // namespace saccade

@@ -1,0 +1,114 @@
+#include "app/stream_registry.h"
+
+#include <spdlog/spdlog.h>
+
+#include "app/refusal.h"
+
+namespace saccade {
+namespace {
+
+bool abandoned(const Stream& stream, Signal::Clock::time_point now) {
+  const Session& session = *stream.session;
+  // A broadcast stream may wait for its first subscriber as long as it likes.
+  if (session.broadcast() && !session.finished()) return false;
+  return now - session.lastActivity() > StreamRegistry::kPatience;
+}
+
+bool over(const Stream& stream, Signal::Clock::time_point now) {
+  if (!stream.session->finished()) return false;
+  const bool closed =
+      stream.closed && (stream.session->drained() || now - *stream.closed > StreamRegistry::kPatience);
+  return closed || abandoned(stream, now);
+}
+
+}  // namespace
+
+v1::StreamInfo Stream::info() const {
+  v1::StreamInfo info;
+  const FeedProgress progress = feed->progress();
+  const double frames = static_cast<double>(std::max<FrameIndex>(1, progress.frames));
+  info.set_stream_id(session->id());
+  info.set_scene(request.scene());
+  info.set_delivery(request.delivery());
+  info.set_sensors(session->sensors());
+  info.set_frames_done(progress.frames);
+  info.set_events(outlet->events());
+  info.set_dropped_packets(session->queue().droppedPackets());
+  info.set_lag_s(progress.lag_s);
+  double total_ms = 0;
+  for (std::size_t i = 0; i < kStageNames.size(); ++i) {
+    const double ms = seconds(progress.cpu.cpu[i]) * 1e3 / frames;
+    (*info.mutable_stage_cpu_ms())[kStageNames[i]] = ms;
+    total_ms += ms;
+  }
+  info.set_frame_cpu_ms(total_ms);
+  return info;
+}
+
+StreamRegistry::~StreamRegistry() {
+  stopAll(Signal::Clock::now());
+}
+
+void StreamRegistry::add(Stream stream) {
+  std::lock_guard lock(mutex_);
+  sessions_.add(stream.session);
+  const std::string id = stream.session->id();
+  streams_.emplace(id, std::move(stream));
+}
+
+Stream StreamRegistry::find(const std::string& id, const std::string& token) const {
+  std::lock_guard lock(mutex_);
+  const auto found = streams_.find(id);
+  if (found == streams_.end()) {
+    throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "there is no stream '" + id + "'");
+  }
+  if (!found->second.session->hasToken(token)) {
+    throw Refusal(v1::CODE_PERMISSION_DENIED, "token", "this is not the stream's token");
+  }
+  return found->second;
+}
+
+std::vector<v1::StreamInfo> StreamRegistry::list() const {
+  std::lock_guard lock(mutex_);
+  std::vector<v1::StreamInfo> infos;
+  for (const auto& [id, stream] : streams_) infos.push_back(stream.info());
+  return infos;
+}
+
+void StreamRegistry::close(const std::string& id, const std::string& token) {
+  find(id, token).session->stop();
+  std::lock_guard lock(mutex_);
+  const auto found = streams_.find(id);
+  if (found != streams_.end() && !found->second.closed) found->second.closed = Signal::Clock::now();
+  spdlog::info("stream {} closed by its client", id);
+}
+
+void StreamRegistry::sweep(Signal::Clock::time_point now) {
+  std::vector<Stream> gone;  // their threads are joined once the lock is open again
+  std::lock_guard lock(mutex_);
+  std::erase_if(streams_, [&](auto& entry) {
+    auto& [id, stream] = entry;
+    if (abandoned(stream, now)) stream.session->stop();
+    if (!over(stream, now)) return false;
+    spdlog::info("stream {} forgotten", id);
+    sessions_.remove(id);
+    gone.push_back(std::move(stream));
+    return true;
+  });
+}
+
+bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
+  std::map<std::string, Stream> streams;
+  {
+    std::lock_guard lock(mutex_);
+    streams = streams_;
+  }
+  for (const auto& [id, stream] : streams) stream.session->stop();
+  bool all = true;
+  for (const auto& [id, stream] : streams) {
+    all &= stream.feed->signal()->waitUntil(deadline, [&] { return stream.session->drained(); });
+  }
+  return all;
+}
+
+}  // namespace saccade

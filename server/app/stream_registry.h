@@ -1,0 +1,55 @@
+// The streams of this server, from the reply that opens one until it is closed or forgotten.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/feed_runner.h"
+#include "app/outlet.h"
+#include "stream/session_directory.h"
+
+namespace saccade {
+
+struct Stream {
+  v1::OpenStream request;          // resolved
+  std::shared_ptr<void> reserved;  // its part of the budget
+  std::shared_ptr<FeedRunner> feed;
+  std::shared_ptr<Outlet> outlet;
+  std::shared_ptr<Session> session;
+  std::optional<Signal::Clock::time_point> closed;  // by its client
+
+  v1::StreamInfo info() const;
+};
+
+class StreamRegistry {
+ public:
+  // A stream whose receiver is gone so long is ended; one that has ended stays listed so long.
+  static constexpr std::chrono::seconds kPatience{30};
+
+  // Streams are entered into, and taken from, `sessions`.
+  explicit StreamRegistry(SessionDirectory& sessions) : sessions_(sessions) {}
+  ~StreamRegistry();  // stops what is left
+
+  void add(Stream stream);
+  // A copy of the entry. Throws Refusal: there is none, or `token` is not its token.
+  Stream find(const std::string& id, const std::string& token) const;
+  std::vector<v1::StreamInfo> list() const;
+
+  // Ends the stream at its next frame, if it has not ended; what it has made is still sent. Throws as find().
+  void close(const std::string& id, const std::string& token);
+  // Ends streams without a receiver and forgets those that are over. To be called about once a second.
+  void sweep(Signal::Clock::time_point now);
+  // Ends all streams. Returns whether every packet was taken before `deadline`.
+  bool stopAll(Signal::Clock::time_point deadline);
+
+ private:
+  SessionDirectory& sessions_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Stream> streams_;  // by id
+};
+
+}  // namespace saccade

@@ -1,0 +1,52 @@
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "app/app.h"
+
+namespace {
+
+// Before anything else: on a lesser CPU even the parsing of flags may meet an instruction that is not there.
+bool cpuSuffices() {
+  const std::string_view arch = SACCADE_ARCH;
+  __builtin_cpu_init();
+  if (arch == "x86-64-v4") return __builtin_cpu_supports("x86-64-v4");
+  return __builtin_cpu_supports("x86-64-v3");
+}
+
+sigset_t blockStopSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (!cpuSuffices()) {
+    std::fputs("saccaded was built for " SACCADE_ARCH
+               ", which this CPU is not; build it with -DSACCADE_ARCH=native on this machine\n",
+               stderr);
+    return 1;
+  }
+  const saccade::Config config = saccade::parseConfig(argc, argv);
+  spdlog::set_level(spdlog::level::from_str(config.log_level));
+  const sigset_t stop_signals = blockStopSignals();  // for all threads to come
+  try {
+    saccade::App app(config);
+    int signal = 0;
+    sigwait(&stop_signals, &signal);
+    spdlog::info("signal {}: ending all streams", signal);
+    pthread_sigmask(SIG_UNBLOCK, &stop_signals, nullptr);  // a second signal ends the program at once
+    if (!app.stop()) spdlog::warn("stopped with packets that nobody took");
+  } catch (const std::exception& fault) {
+    spdlog::critical(fault.what());
+    return 1;
+  }
+  return 0;
+}
