@@ -35,11 +35,6 @@ float ThresholdPixels::levelAt(double fraction) const {
   return inside(-off_ + fraction * (on_ + off_));
 }
 
-// Rounding to float must not put a level on a threshold.
-float ThresholdPixels::inside(double v) const {
-  return std::clamp(static_cast<float>(v), low_, high_);
-}
-
 void ThresholdPixels::begin(const Interval& interval) {
   SACCADE_CHECK(interval.t0 < interval.t1);
   interval_ = interval;
@@ -61,7 +56,7 @@ bool ThresholdPixels::wakes(Blindness& blindness, double change, double& start) 
   return true;
 }
 
-float ThresholdPixels::advance(int x, int y, double v, double change, Events& events) {
+float ThresholdPixels::advanceInFull(int x, int y, double v, double change, Events& events) {
   // A blind pixel joins when it wakes.
   double start = 0;
   Blindness* blindness = blindness_.empty() ? nullptr : &blindness_[static_cast<std::size_t>(y) * width_ + x];

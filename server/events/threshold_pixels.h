@@ -1,6 +1,7 @@
 // Pixels with two thresholds, a refractory period and a bound: what all event models share.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <vector>
@@ -27,7 +28,11 @@ class ThresholdPixels {
   // Moves pixel (x, y) from level `v` in (-C-, C+) by `change` != 0 over the interval, appending its events.
   // Returns the level at t1, in (-C-, C+). A blind pixel ignores v and returns it; what it returns is void
   // while it is blind.
-  float advance(int x, int y, double v, double change, Events& events);
+  float advance(int x, int y, double v, double change, Events& events) {
+    const double moved = v + change;
+    const bool quiet = moved > -off_ && moved < on_ && blindness_.empty();  // the rule, and to be cheap
+    return quiet ? inside(moved) : advanceInFull(x, y, v, change, events);
+  }
 
   std::uint64_t suppressed() const { return suppressed_; }  // since begin()
 
@@ -48,9 +53,11 @@ class ThresholdPixels {
     double fraction(std::int64_t k) const { return start + distance(k) / speed; }
   };
 
+  float advanceInFull(int x, int y, double v, double change, Events& events);
   bool wakes(Blindness& blindness, double change, double& start);
   void send(const Crossings& crossings, std::int64_t count, Event event, Events& events);
-  float inside(double v) const;
+  // Rounding to float must not put a level on a threshold.
+  float inside(double v) const { return std::clamp(static_cast<float>(v), low_, high_); }
   double threshold(double change) const { return change > 0 ? on_ : off_; }
 
   double on_, off_;   // C+, C-
