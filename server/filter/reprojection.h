@@ -13,7 +13,7 @@ namespace saccade {
 // 0.
 struct Reprojection {
   std::ptrdiff_t first;      // offset of the upper left tap
-  std::ptrdiff_t nearest;    // offset of the nearest pixel
+  std::ptrdiff_t strongest;  // offset of the tap that weighs most
   float w00, w10, w01, w11;  // add up to 1 if found
   bool found;
 
@@ -40,7 +40,6 @@ inline Reprojection reproject(const GBuffer& cur, const GBuffer& prev, int x, in
 
   Reprojection r;
   r.first = static_cast<std::ptrdiff_t>(y0) * stride + static_cast<std::ptrdiff_t>(x0);
-  r.nearest = r.first + (fy >= 0.5f ? stride : 0) + (fx >= 0.5f ? 1 : 0);
   const float nx = cur.nx.at(x, y), ny = cur.ny.at(x, y), nz = cur.nz.at(x, y), z = cur.z_in_prev.at(x, y);
   const float tolerance = kDepthSlopes * cur.dz.at(x, y) + kDepthShare * cur.z.at(x, y);
   const float *Z = prev.z.row(0), *NX = prev.nx.row(0), *NY = prev.ny.row(0), *NZ = prev.nz.row(0);
@@ -54,6 +53,9 @@ inline Reprojection reproject(const GBuffer& cur, const GBuffer& prev, int x, in
   r.w01 = weight(r.first + stride, (1 - fx) * fy);
   r.w11 = weight(r.first + stride + 1, fx * fy);
   const float sum = r.w00 + r.w10 + r.w01 + r.w11;
+  const float upper = std::max(r.w00, r.w10), lower = std::max(r.w01, r.w11);
+  const bool down = lower > upper, right = down ? r.w11 > r.w01 : r.w10 > r.w00;
+  r.strongest = r.first + (down ? stride : 0) + (right ? 1 : 0);
   r.found = sum >= kLeastWeight;
   const float scale = r.found ? 1 / sum : 0.f;
   r.w00 *= scale, r.w10 *= scale, r.w01 *= scale, r.w11 *= scale;

@@ -22,7 +22,7 @@ std::chrono::nanoseconds accumulate(const FramePair& frames, const IlluminationS
       const float i = samples.i.at(x, y), d = samples.d.at(x, y);
 
       // A history of h frames is their plain mean until 1/h falls below alpha [Falcor].
-      const float h = W.found ? std::min(params.max_history, prev.length.row(0)[W.nearest] + 1) : 1.f;
+      const float h = W.found ? std::min(params.max_history, prev.length.row(0)[W.strongest] + 1) : 1.f;
       const float alpha = std::max(params.alpha, 1 / h), alpha_m = std::max(params.moments_alpha, 1 / h);
       out.length.at(x, y) = h;
 

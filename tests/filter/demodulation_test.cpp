@@ -1,0 +1,75 @@
+#include "filter/demodulation.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "filter/synthetic.h"
+
+namespace saccade {
+namespace {
+
+using test::fillRandom;
+constexpr int kW = 33, kH = 17;
+
+struct Fixture : ::testing::Test {
+  Fixture() {
+    for (Frame* f : {&cur, &prev}) {
+      const std::uint64_t s = f == &cur ? 1 : 100;
+      f->samples.spp1 = f->samples.spp2 = 1;
+      fillRandom(f->g.albedo, s, 0.05f, 1);
+      fillRandom(f->g.emission, s + 1);
+      fillRandom(f->samples.I1, s + 2, 1, 3);
+      fillRandom(f->samples.I2, s + 3, 1, 3);
+    }
+  }
+  TilePool pool{1};
+  Frame cur{kW, kH}, prev{kW, kH};
+  IlluminationSamples samples{kW, kH}, samples_prev{kW, kH};
+  Signals filtered{kW, kH};
+  ImageF zero{kW, kH};
+  IntensityChange change{kW, kH};
+};
+
+// Eq. 19 is an identity: with D the identity it gives back I_t - I_{t-1} for any albedos and emissions.
+TEST_F(Fixture, ModulationUndoesDemodulation) {
+  demodulate({prev, prev}, true, pool, samples_prev);
+  demodulate({cur, prev}, true, pool, samples);
+  for (int y = 0; y < kH; ++y) {
+    for (int x = 0; x < kW; ++x) filtered.d.at(x, y) = samples.i.at(x, y) - samples_prev.i.at(x, y);
+  }
+  filtered.i.copyFrom(samples.i);
+  modulate({cur, prev}, true, 1, filtered, samples_prev.i, zero, pool, change);
+  for (int y = 0; y < kH; ++y) {
+    for (int x = 0; x < kW; ++x) {
+      const float I = (cur.samples.I1.at(x, y) + cur.samples.I2.at(x, y)) / 2;
+      const float I_prev = (prev.samples.I1.at(x, y) + prev.samples.I2.at(x, y)) / 2;
+      EXPECT_NEAR(change.dI.at(x, y), I - I_prev, 2e-5f);
+      EXPECT_NEAR(change.I_prev.at(x, y), I_prev, 1e-5f);
+      EXPECT_NEAR(change.I_now.at(x, y), I, 1e-5f);
+    }
+  }
+}
+
+TEST_F(Fixture, DifferenceIsOfThePassesThatShareSeeds) {
+  demodulate({cur, prev}, true, pool, samples);
+  const float expected = (cur.samples.I1.at(4, 5) - cur.g.emission.at(4, 5)) / cur.g.albedo.at(4, 5) -
+                         (prev.samples.I2.at(4, 5) - prev.g.emission.at(4, 5)) / prev.g.albedo.at(4, 5);
+  EXPECT_NEAR(samples.d.at(4, 5), expected, 1e-5f);
+  demodulate({cur, cur}, true, pool, samples);
+  EXPECT_EQ(samples.d.at(4, 5), 0);  // the first frame has none
+}
+
+TEST_F(Fixture, BlackAlbedoAndBadSamplesStayFinite) {
+  cur.g.albedo.at(1, 1) = 0;
+  cur.samples.I1.at(2, 1) = std::numeric_limits<float>::quiet_NaN();
+  cur.samples.I1.at(3, 1) = std::numeric_limits<float>::infinity();
+  demodulate({cur, prev}, true, pool, samples);
+  for (int x : {1, 2, 3}) {
+    EXPECT_TRUE(std::isfinite(samples.i.at(x, 1))) << x;
+    EXPECT_TRUE(std::isfinite(samples.d.at(x, 1))) << x;
+  }
+}
+
+}  // namespace
+}  // namespace saccade
