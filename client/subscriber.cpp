@@ -33,12 +33,11 @@ std::optional<Batch> Subscriber::receive(std::chrono::milliseconds timeout) {
   const std::size_t first = has_topic_ ? 1 : 0;
   if (parts.size() != first + 2) throw StreamFault("the server sent a message that is no packet");
   const zmq::message_t &head = parts[first], &payload = parts[first + 1];
-  if (credit_ > 0) takeCredit(head.size() + payload.size());
-
   Batch batch;
   if (!batch.header.ParseFromArray(head.data(), static_cast<int>(head.size()))) {
     throw StreamFault("the server sent a header that cannot be read");
   }
+  if (batch.header.kind() != v1::KIND_HEARTBEAT) takeCredit(head.size() + payload.size());
   std::string fault = decodePacket(batch.header, payload.to_string(), batch.events);
   if (fault.empty() && batch.header.kind() == v1::KIND_ERROR) throw StreamFault(payload.to_string());
   if (fault.empty()) fault = sequence_.add(batch.header);
@@ -58,6 +57,7 @@ void Subscriber::giveCredit(std::uint64_t bytes) {
 
 // Half is given back at once, so that the server never waits for the way there and back.
 void Subscriber::takeCredit(std::uint64_t bytes) {
+  if (credit_ == 0) return;
   used_ += bytes;
   if (used_ < credit_ / 2) return;
   giveCredit(used_);

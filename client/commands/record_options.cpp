@@ -122,16 +122,20 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
   command.add_option("--rate", o.rate_hz, "frames per second of stream time")->capture_default_str();
   command.add_option("--duration", o.duration_s, "seconds of stream time; 0: until Ctrl-C")
       ->capture_default_str();
-  command.add_option("--delivery", o.delivery)
+  command
+      .add_option("--delivery", o.delivery,
+                  "what happens when this client is slow: wait, drop the oldest, drop any")
       ->check(CLI::IsMember({"lossless", "live", "broadcast"}))
       ->capture_default_str();
-  command.add_option("--clock", o.clock)->check(CLI::IsMember({"fast", "paced"}))->capture_default_str();
+  command.add_option("--clock", o.clock, "as fast as can be, or in step with the wall clock")
+      ->check(CLI::IsMember({"fast", "paced"}))
+      ->capture_default_str();
   command.add_option("--method", o.method, "see `saccade info`");
   command.add_option("--spp", o.spp, "paths per pixel and frame");
   command.add_option("--bounces", o.bounces, "indirect bounces");
   command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")
       ->allow_extra_args(false);
-  command.add_option("--seed", o.seed)->capture_default_str();
+  command.add_option("--seed", o.seed, "of all random numbers")->capture_default_str();
   command
       .add_option("--preview", o.preview, "PNG of brightness, its change and the events, half way through")
       ->check(CLI::Validator(checkPng, "FILE.png"));

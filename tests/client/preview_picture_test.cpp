@@ -1,0 +1,102 @@
+#include "client/commands/preview_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace saccade {
+namespace {
+
+using Rgb8 = std::array<int, 3>;
+constexpr Rgb8 kWhite{255, 255, 255};
+
+std::string bytesOf(const std::vector<float>& values) {
+  std::string bytes(values.size() * sizeof(float), '\0');
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  return bytes;
+}
+
+v1::FramePicture frameOf(int width, int height, const std::vector<float>& intensity,
+                         const std::vector<float>& change) {
+  v1::FramePicture frame;
+  frame.set_width(width);
+  frame.set_height(height);
+  frame.set_intensity(bytesOf(intensity));
+  frame.set_brightness_change(bytesOf(change));
+  return frame;
+}
+
+Rgb8 at(const RgbPicture& picture, int x, int y) {
+  const auto* p = &picture.pixels[3 * (y * picture.width + x)];
+  return {p[0], p[1], p[2]};
+}
+
+bool isRed(const Rgb8& c) {
+  return c[0] > 2 * c[1] && c[0] > 2 * c[2];
+}
+bool isBlue(const Rgb8& c) {
+  return c[2] > 2 * c[0] && c[2] > 2 * c[1];
+}
+
+// 3x2, panels at 0, 3 + gap and 6 + 2 gaps.
+constexpr int kChange = 3 + kPanelGap, kEvents = 2 * kChange;
+
+TEST(PreviewPicture, PanelsStandSideBySide) {
+  const std::vector<float> zero(6);
+  const auto picture = drawPreview(frameOf(3, 2, zero, zero), {});
+  EXPECT_EQ(picture.width, 9 + 2 * kPanelGap);
+  EXPECT_EQ(picture.height, 2);
+  EXPECT_EQ(picture.pixels.size(), std::size_t(3 * picture.width * 2));
+  EXPECT_EQ(at(picture, 0, 0), (Rgb8{0, 0, 0}));  // nothing seen is black
+  EXPECT_EQ(at(picture, kChange, 0), kWhite);     // no change is white
+  EXPECT_EQ(at(picture, kEvents, 0), kWhite);
+}
+
+TEST(PreviewPicture, IntensityIsExposedAndHasGamma) {
+  const auto picture = drawPreview(frameOf(3, 2, {8, 8, 8, 2, 0, 8}, std::vector<float>(6)), {});
+  EXPECT_EQ(at(picture, 0, 0), kWhite);
+  EXPECT_EQ(at(picture, 1, 1), (Rgb8{0, 0, 0}));
+  const int grey = static_cast<int>(std::lround(255 * std::pow(0.25, 1 / 2.2)));
+  EXPECT_EQ(at(picture, 0, 1), (Rgb8{grey, grey, grey}));
+}
+
+TEST(PreviewPicture, ChangeIsSymmetricInItsColours) {
+  const auto picture = drawPreview(frameOf(3, 2, std::vector<float>(6), {1, -1, 0, 0.5, -0.5, 1}), {});
+  EXPECT_TRUE(isRed(at(picture, kChange, 0)));
+  EXPECT_TRUE(isBlue(at(picture, kChange + 1, 0)));
+  EXPECT_EQ(at(picture, kChange + 2, 0), kWhite);
+  // Half the change is half way to white.
+  EXPECT_NEAR(at(picture, kChange, 1)[1], (255 + at(picture, kChange, 0)[1]) / 2.0, 1);
+  EXPECT_NEAR(at(picture, kChange + 1, 1)[0], (255 + at(picture, kChange + 1, 0)[0]) / 2.0, 1);
+}
+
+TEST(PreviewPicture, TheLatestEventOfAPixelIsOnTop) {
+  const std::vector<float> zero(6);
+  const Events events{
+      {0, 0, 0, 0}, {1000, 2, 1, 0}, {2000, 0, 0, 1}, {3000, 3, 0, 1}};  // the last is outside
+  const auto picture = drawPreview(frameOf(3, 2, zero, zero), events);
+  EXPECT_TRUE(isRed(at(picture, kEvents, 0)));
+  EXPECT_TRUE(isBlue(at(picture, kEvents + 2, 1)));
+  EXPECT_EQ(at(picture, kEvents + 1, 0), kWhite);
+}
+
+TEST(PreviewPicture, WhatIsNoNumberIsDrawnAsZero) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  const auto picture = drawPreview(frameOf(3, 2, {nan, inf, 1, 1, 1, 1}, {nan, -inf, 1, 1, 1, 1}), {});
+  EXPECT_EQ(at(picture, 0, 0), (Rgb8{0, 0, 0}));
+  EXPECT_EQ(at(picture, kChange + 1, 0), kWhite);
+}
+
+TEST(PreviewPicture, PlanesThatDoNotFitAreRefused) {
+  const std::vector<float> zero(6);
+  EXPECT_THROW(drawPreview(frameOf(3, 3, zero, zero), {}), std::runtime_error);
+  EXPECT_THROW(drawPreview(frameOf(0, 0, {}, {}), {}), std::runtime_error);
+  EXPECT_THROW(drawPreview(frameOf(-1, 2, zero, zero), {}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace saccade

@@ -1,0 +1,110 @@
+#include "client/commands/record_options.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace saccade {
+namespace {
+
+RecordOptions parse(const std::string& line) {
+  CLI::App app;
+  RecordOptions options;
+  addRecordOptions(app, options);
+  app.parse(line);
+  return options;
+}
+
+const std::string kNeeded = "cornell-box --trajectory right -o a.csv ";
+
+v1::OpenStream openStream(const std::string& line) {
+  return makeOpenStream(parse(kNeeded + line));
+}
+
+std::string faultOf(const std::string& line) {
+  try {
+    openStream(line);
+  } catch (const std::invalid_argument& fault) {
+    return fault.what();
+  } catch (const CLI::ParseError& fault) {
+    return fault.what();
+  }
+  return {};
+}
+
+TEST(RecordOptions, WhatIsNotGivenIsLeftToTheServer) {
+  const auto open = openStream("");
+  EXPECT_EQ(open.scene(), "cornell-box");
+  EXPECT_EQ(open.trajectory().name(), "right");
+  EXPECT_EQ(open.view().width(), 346u);
+  EXPECT_EQ(open.view().height(), 260u);
+  EXPECT_EQ(open.delivery(), v1::DELIVERY_LOSSLESS);
+  EXPECT_EQ(open.timing().clock(), v1::CLOCK_FAST);
+  ASSERT_EQ(open.sensors_size(), 1);
+  EXPECT_FALSE(open.sensors(0).has_threshold() || open.sensors(0).has_bias());
+  EXPECT_FALSE(open.quality().has_bounces() || open.view().has_fov_x_deg());
+}
+
+TEST(RecordOptions, EachThresholdIsASensor) {
+  const auto open =
+      openStream("--threshold 0.2 --threshold 0.4 --threshold-off 0.3 --bias 0.01 --model probabilistic");
+  ASSERT_EQ(open.sensors_size(), 2);
+  EXPECT_EQ(open.sensors(0).threshold(), 0.2);
+  EXPECT_EQ(open.sensors(1).threshold(), 0.4);
+  EXPECT_EQ(open.sensors(0).threshold_off(), 0.3);
+  EXPECT_EQ(open.sensors(1).threshold_off(), 0.3);
+  EXPECT_EQ(open.sensors(1).bias(), 0.01);
+  EXPECT_EQ(open.sensors(1).model(), v1::EVENT_MODEL_PROBABILISTIC);
+}
+
+TEST(RecordOptions, AValueDoesNotSwallowTheScene) {
+  const auto options = parse("--threshold 0.2 --set alpha=0.5 --trajectory right -o a.csv cornell-box");
+  EXPECT_EQ(options.scene, "cornell-box");
+}
+
+TEST(RecordOptions, RequestHoldsWhatWasGiven) {
+  const auto open = openStream(
+      "--size 64x48 --fov 50 --rate 250 --duration 1.5 --clock paced --delivery live --method pt --spp 4 "
+      "--bounces 0 --set alpha=0.25 --set demodulate=0 --seed 7 --refractory 1e-3");
+  EXPECT_EQ(open.view().width(), 64u);
+  EXPECT_EQ(open.view().height(), 48u);
+  EXPECT_EQ(open.view().fov_x_deg(), 50);
+  EXPECT_EQ(open.timing().frame_rate_hz(), 250);
+  EXPECT_EQ(open.timing().duration_s(), 1.5);
+  EXPECT_EQ(open.timing().clock(), v1::CLOCK_PACED);
+  EXPECT_EQ(open.delivery(), v1::DELIVERY_LIVE);
+  EXPECT_EQ(open.method().name(), "pt");
+  EXPECT_EQ(open.method().spp(), 4u);
+  EXPECT_EQ(open.method().params().at("alpha"), 0.25);
+  EXPECT_EQ(open.method().params().at("demodulate"), 0);
+  EXPECT_TRUE(open.quality().has_bounces());
+  EXPECT_EQ(open.quality().bounces(), 0u);
+  EXPECT_EQ(open.seed(), 7u);
+  EXPECT_EQ(open.sensors(0).refractory_s(), 1e-3);
+}
+
+TEST(RecordOptions, AFileOfPosesIsSentAsText) {
+  const std::string path = std::filesystem::path(testing::TempDir()) / "record_options_test.csv";
+  std::ofstream(path) << "0 0 0 0 0 0 0 1\n";
+  const auto options = parse("cornell-box -o a.csv --trajectory " + path);
+  EXPECT_EQ(makeOpenStream(options).trajectory().csv(), "0 0 0 0 0 0 0 1\n");
+  std::filesystem::remove(path);
+  EXPECT_THROW(makeOpenStream(options), std::invalid_argument);
+}
+
+TEST(RecordOptions, FaultsNameTheOption) {
+  for (const std::string size : {"64", "64x", "x48", "64x48x", "-1x48", "64 x48"}) {
+    EXPECT_NE(faultOf("--size '" + size + "'").find("--size"), std::string::npos) << size;
+  }
+  for (const std::string param : {"alpha", "alpha=", "=1", "alpha=x", "alpha=1x"}) {
+    EXPECT_NE(faultOf("--set " + param).find("--set"), std::string::npos) << param;
+  }
+  EXPECT_NE(faultOf("--threshold 0.2 --threshold-off 0.1 --threshold-off 0.1").find("--threshold-off"),
+            std::string::npos);
+  EXPECT_NE(faultOf("--delivery pigeon").find("lossless"), std::string::npos);
+  EXPECT_NE(faultOf("--preview a.jpg").find("--preview"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace saccade
