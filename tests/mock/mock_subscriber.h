@@ -1,0 +1,59 @@
+// The data and broadcast sockets as a test sees them.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+#include <zmq.hpp>
+
+#include "mock/mock_client.h"
+#include "wire/packet.h"
+
+namespace saccade {
+
+struct Received {
+  std::string topic;  // broadcast only
+  v1::PacketHeader header;
+  std::string payload;
+  std::uint64_t bytes;  // header and payload parts together
+};
+using Packets = std::vector<Received>;
+
+class MockSubscriber {
+ public:
+  explicit MockSubscriber(const std::string& data_endpoint);                              // DEALER
+  MockSubscriber(const std::string& broadcast_endpoint, const v1::StreamOpened& stream);  // SUB to all topics
+
+  void attach(const v1::StreamOpened& stream, std::uint64_t from_seq = 0);
+  void giveCredit(std::uint64_t bytes);
+  void acknowledge(std::uint32_t sensor, std::uint64_t seq);
+  void sendRaw(const std::string& bytes);
+
+  // The next packet but for heartbeats; nothing after `timeout`.
+  std::optional<Received> receive(std::chrono::milliseconds timeout = kPatience);
+  // Packets by sensor, up to the END of `sensors` of them; gives credit back for each. Throws
+  // std::runtime_error at an ERROR and where nothing comes.
+  std::map<std::uint32_t, Packets> receiveAll(int sensors);
+
+ private:
+  zmq::context_t context_;
+  zmq::socket_t socket_;
+  const bool broadcast_;
+};
+
+struct Summary {
+  std::uint64_t packets = 0, events = 0, dropped = 0;  // without END
+  std::int64_t end_ns = 0;
+};
+
+// Decodes the packets of one sensor and adds a test failure for whatever the schema does not allow: a seq or
+// event index that the drops told do not explain, time that runs backwards or has holes, a pixel outside the
+// view, a missing END. `lossy`: packets may be missing, if told.
+Summary checkPackets(const Packets& packets, bool lossy = false);
+
+// The packets as sent, but for what names the stream and the run of the server.
+std::string comparableBytes(const Packets& packets);
+
+}  // namespace saccade

@@ -1,0 +1,30 @@
+// A server in this process, on free ports, with the project's scenes.
+#pragma once
+
+#include "app/app.h"
+#include "mock/mock_client.h"
+#include "mock/mock_subscriber.h"
+
+namespace saccade {
+
+class TestServer {
+ public:
+  explicit TestServer(int threads = 1);
+
+  MockClient& client() { return client_; }
+  MockSubscriber dataSubscriber() { return MockSubscriber(info_.data_endpoint()); }
+  MockSubscriber broadcastSubscriber(const v1::StreamOpened& s) { return {info_.broadcast_endpoint(), s}; }
+  // Opens, attaches with ample credit and receives until the END of every sensor.
+  std::map<std::uint32_t, Packets> run(const v1::OpenStream& request);
+  App& app() { return app_; }
+
+ private:
+  App app_;
+  MockClient client_;
+  v1::ServerDescription info_;
+};
+
+// The Cornell box at 32 x 24, 20 frame intervals of 2 ms, LOSSLESS and FAST, one sensor with a low threshold.
+v1::OpenStream tinyRequest();
+
+}  // namespace saccade

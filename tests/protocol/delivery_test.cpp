@@ -1,0 +1,145 @@
+// Credit, loss, and who may have a stream.
+#include <gtest/gtest.h>
+
+#include "mock/test_server.h"
+
+namespace saccade {
+namespace {
+
+// Pictures large enough, and thresholds low enough, that the stream is much larger than the server's queue.
+v1::OpenStream largeRequest(v1::Delivery delivery) {
+  v1::OpenStream request = tinyRequest();
+  request.set_delivery(delivery);
+  request.mutable_view()->set_width(192);
+  request.mutable_view()->set_height(144);
+  request.mutable_quality()->set_bounces(0);
+  request.mutable_method()->set_name("pt");
+  request.mutable_timing()->set_duration_s(0.12);
+  request.mutable_sensors(0)->set_threshold(0.02);
+  return request;
+}
+
+// Packets of `credit` bytes at most, without giving any back.
+Packets receiveWithoutReturn(MockSubscriber& subscriber, std::uint64_t credit) {
+  Packets packets;
+  std::uint64_t bytes = 0;
+  while (const auto packet = subscriber.receive(std::chrono::milliseconds(1000))) {
+    bytes += packet->bytes;
+    EXPECT_LE(bytes, credit);
+    packets.push_back(*packet);
+  }
+  return packets;
+}
+
+TEST(Delivery, LosslessHoldsTheFeedWithoutCreditAndLosesNothing) {
+  TestServer server(2);
+  const auto stream = server.client().open(largeRequest(v1::DELIVERY_LOSSLESS));
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.attach(stream);
+  constexpr std::uint64_t kCredit = 600'000;
+  subscriber.giveCredit(kCredit);
+  Packets packets = receiveWithoutReturn(subscriber, kCredit);
+  ASSERT_FALSE(packets.empty());
+
+  // Held: asked twice, with as much time between as any frame takes, the feed stands where it stood.
+  const auto before = server.client().info(stream.stream_id());
+  EXPECT_LT(before.frames_done(), stream.frames());
+  EXPECT_FALSE(subscriber.receive(std::chrono::milliseconds(1000)));
+  EXPECT_EQ(server.client().info(stream.stream_id()).frames_done(), before.frames_done());
+
+  subscriber.giveCredit(1 << 20);
+  const auto rest = subscriber.receiveAll(1)[0];
+  packets.insert(packets.end(), rest.begin(), rest.end());
+  EXPECT_EQ(checkPackets(packets).end_ns, 120'000'000);
+}
+
+TEST(Delivery, LiveDropsTheOldestAndTheCountsAddUp) {
+  TestServer server(2);
+  const auto stream = server.client().open(largeRequest(v1::DELIVERY_LIVE));
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.attach(stream);
+  while (server.client().info(stream.stream_id()).frames_done() < stream.frames()) {
+    ASSERT_FALSE(subscriber.receive(std::chrono::milliseconds(50)));  // there is no credit
+  }
+  subscriber.giveCredit(1 << 20);
+  const auto packets = subscriber.receiveAll(1)[0];
+  const Summary summary = checkPackets(packets, true);
+  const auto info = server.client().info(stream.stream_id());
+  EXPECT_GT(summary.dropped, 0u);
+  EXPECT_EQ(summary.dropped, info.dropped_packets());
+  EXPECT_EQ(summary.packets + summary.dropped, packets.back().header.seq());
+  // The index of the first event after the last is the number of events made.
+  EXPECT_EQ(packets.back().header.first_event_index(), info.events());
+  EXPECT_LT(summary.events, info.events());
+}
+
+TEST(Delivery, OnlyTheTokenOpensTheDoor) {
+  TestServer server;
+  const auto stream = server.client().open(tinyRequest());
+  auto forged = stream;
+  forged.set_token(std::string(32, '0'));
+  MockSubscriber thief = server.dataSubscriber(), owner = server.dataSubscriber();
+  owner.attach(stream);
+  thief.attach(forged);
+  const auto refusal = thief.receive();
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->header.kind(), v1::KIND_ERROR);
+  EXPECT_FALSE(refusal->payload.empty());
+  for (const std::string& bytes : {std::string("\xff\xff\xff"), std::string()}) {
+    thief.sendRaw(bytes);
+    EXPECT_EQ(thief.receive()->header.kind(), v1::KIND_ERROR);
+  }
+  thief.giveCredit(1000);
+  EXPECT_EQ(thief.receive()->header.kind(), v1::KIND_ERROR);
+  owner.giveCredit(1 << 20);
+  checkPackets(owner.receiveAll(1)[0]);
+}
+
+TEST(Delivery, AnotherConnectionOfTheClientResumesWithoutLoss) {
+  TestServer server;
+  const auto stream = server.client().open(tinyRequest());
+  MockSubscriber first = server.dataSubscriber(), second = server.dataSubscriber();
+  first.attach(stream);
+  first.giveCredit(1 << 20);
+  Packets packets;
+  for (int i = 0; i < 5; ++i) packets.push_back(*first.receive());
+  first.acknowledge(0, 2);
+  second.attach(stream, packets.back().header.seq() + 1);
+  second.giveCredit(1 << 20);
+  const auto rest = second.receiveAll(1)[0];
+  packets.insert(packets.end(), rest.begin(), rest.end());
+  checkPackets(packets);
+}
+
+TEST(Delivery, BroadcastStartsWithItsFirstSubscriberAndHasNoGap) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  request.set_delivery(v1::DELIVERY_BROADCAST);
+  request.add_sensors()->set_threshold(0.2);
+  const auto stream = server.client().open(request);
+  ASSERT_EQ(stream.topics_size(), 2);
+  EXPECT_EQ(stream.topics(1), "s/" + stream.stream_id() + "/1/");
+  EXPECT_EQ(server.client().info(stream.stream_id()).frames_done(), 0u);
+  MockSubscriber subscriber = server.broadcastSubscriber(stream);
+  auto packets = subscriber.receiveAll(2);
+  for (std::uint32_t sensor : {0u, 1u}) {
+    EXPECT_EQ(checkPackets(packets[sensor]).end_ns, 40'000'000);
+    for (const auto& packet : packets[sensor]) EXPECT_EQ(packet.topic, stream.topics(sensor));
+  }
+}
+
+TEST(Delivery, StoppingEndsEveryStreamWithEnd) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  request.mutable_timing()->set_duration_s(0);
+  const auto stream = server.client().open(request);
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.attach(stream);
+  subscriber.giveCredit(std::uint64_t{1} << 30);
+  ASSERT_TRUE(subscriber.receive());
+  EXPECT_TRUE(server.app().stop());
+  subscriber.receiveAll(1);
+}
+
+}  // namespace
+}  // namespace saccade

@@ -1,0 +1,115 @@
+// Bad requests are answered with the field at fault, and the server goes on.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "mock/test_server.h"
+
+namespace saccade {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+                 kInf = std::numeric_limits<double>::infinity();
+
+struct BadWish {
+  std::string field;
+  std::function<void(v1::OpenStream&)> spoil;
+  v1::Code code = v1::CODE_INVALID_ARGUMENT;
+  std::string told = {};  // what the message must contain
+};
+
+// clang-format off
+const std::vector<BadWish> kBadWishes{
+    {"scene", [](auto& r) { r.set_scene("no-such-scene"); }, v1::CODE_NOT_FOUND, "cornell-box"},
+    {"scene", [](auto& r) { r.set_scene("../scenes/cornell-box"); }, v1::CODE_NOT_FOUND},
+    {"scene", [](auto& r) { r.set_scene("/etc"); }, v1::CODE_NOT_FOUND},
+    {"scene", [](auto& r) { r.clear_scene(); }, v1::CODE_NOT_FOUND},
+    {"view.width", [](auto& r) { r.clear_view(); }},
+    {"view.height", [](auto& r) { r.mutable_view()->set_height(0); }},
+    {"view.width", [](auto& r) { r.mutable_view()->set_width(100000); }},
+    {"view", [](auto& r) { r.mutable_view()->set_width(4096); r.mutable_view()->set_height(4096); }},
+    {"view.fov_x_deg", [](auto& r) { r.mutable_view()->set_fov_x_deg(180); }},
+    {"view.fov_x_deg", [](auto& r) { r.mutable_view()->set_fov_x_deg(kNan); }},
+    {"trajectory", [](auto& r) { r.clear_trajectory(); }},
+    {"trajectory.name", [](auto& r) { r.mutable_trajectory()->set_name("../x"); }, v1::CODE_NOT_FOUND, "right"},
+    {"trajectory.csv", [](auto& r) { r.mutable_trajectory()->set_csv(""); }},
+    {"trajectory.csv", [](auto& r) { r.mutable_trajectory()->set_csv("0 0 0 0 0 0 0 1\n1 2 3\n"); },
+     v1::CODE_INVALID_ARGUMENT, ":2:"},
+    {"trajectory.csv", [](auto& r) { r.mutable_trajectory()->set_csv(std::string((8 << 20) + 1, '#')); }},
+    {"timing.frame_rate_hz", [](auto& r) { r.clear_timing(); }},
+    {"timing.frame_rate_hz", [](auto& r) { r.mutable_timing()->set_frame_rate_hz(kNan); }},
+    {"timing.frame_rate_hz", [](auto& r) { r.mutable_timing()->set_frame_rate_hz(1e9); }},
+    {"timing.duration_s", [](auto& r) { r.mutable_timing()->set_duration_s(-1); }},
+    {"timing.duration_s", [](auto& r) { r.mutable_timing()->set_duration_s(kInf); }},
+    {"timing.duration_s", [](auto& r) { r.mutable_timing()->set_duration_s(1e-4); }},
+    {"timing.clock", [](auto& r) { r.mutable_timing()->set_clock(v1::Clock(3)); },
+     v1::CODE_INVALID_ARGUMENT, "CLOCK_PACED"},
+    {"timing.speed", [](auto& r) { r.mutable_timing()->set_speed(-1); }},
+    {"method.name", [](auto& r) { r.mutable_method()->set_name("magic"); }, v1::CODE_INVALID_ARGUMENT, "event_svgf"},
+    {"method.params[\"beta\"]", [](auto& r) { (*r.mutable_method()->mutable_params())["beta"] = 1; },
+     v1::CODE_INVALID_ARGUMENT, "alpha"},
+    {"method.params[\"alpha\"]", [](auto& r) { (*r.mutable_method()->mutable_params())["alpha"] = kNan; }},
+    {"method.spp", [](auto& r) { r.mutable_method()->set_spp(3); }, v1::CODE_INVALID_ARGUMENT, "even"},
+    {"method.spp", [](auto& r) { r.mutable_method()->set_spp(1 << 20); }},
+    {"quality.bounces", [](auto& r) { r.mutable_quality()->set_bounces(65); }},
+    {"delivery", [](auto& r) { r.set_delivery(v1::Delivery(99)); }, v1::CODE_INVALID_ARGUMENT, "DELIVERY_LIVE"},
+    {"sensors", [](auto& r) { r.clear_sensors(); }},
+    {"sensors", [](auto& r) { for (int i = 0; i < 64; ++i) r.add_sensors(); }},
+    {"sensors[0].threshold", [](auto& r) { r.mutable_sensors(0)->set_threshold(0); }},
+    {"sensors[0].threshold", [](auto& r) { r.mutable_sensors(0)->set_threshold(-0.1); }},
+    {"sensors[1].threshold", [](auto& r) { r.add_sensors()->set_threshold(kNan); }},
+    {"sensors[0].threshold_off", [](auto& r) { r.mutable_sensors(0)->set_threshold_off(kInf); }},
+    {"sensors[0].bias", [](auto& r) { r.mutable_sensors(0)->set_bias(0); }},
+    {"sensors[0].refractory_s", [](auto& r) { r.mutable_sensors(0)->set_refractory_s(kInf); }},
+    {"sensors[0].refractory_s", [](auto& r) { r.mutable_sensors(0)->set_refractory_s(-1); }},
+    {"sensors[0].max_events_per_pixel_frame",
+     [](auto& r) { r.mutable_sensors(0)->set_max_events_per_pixel_frame(4000000000u); }},
+    {"sensors[0].model", [](auto& r) { r.mutable_sensors(0)->set_model(v1::EventModel(9)); },
+     v1::CODE_INVALID_ARGUMENT, "EVENT_MODEL_PROBABILISTIC"},
+};
+// clang-format on
+
+TEST(Request, ABadWishIsRefusedWithItsField) {
+  TestServer server;
+  for (const BadWish& bad : kBadWishes) {
+    v1::OpenStream request = tinyRequest();
+    bad.spoil(request);
+    SCOPED_TRACE(bad.field);
+    const v1::Status status = server.client().tryOpen(request);
+    EXPECT_EQ(status.code(), bad.code) << status.message();
+    EXPECT_EQ(status.field(), bad.field) << status.message();
+    EXPECT_FALSE(status.message().empty());
+    EXPECT_NE(status.message().find(bad.told), std::string::npos) << status.message();
+  }
+  checkPackets(server.run(tinyRequest())[0]);  // the server goes on
+}
+
+TEST(Request, WhatCannotBeReadIsAnsweredToo) {
+  TestServer server;
+  EXPECT_EQ(server.client().callRaw("\xff\xff").status().code(), v1::CODE_INVALID_ARGUMENT);
+  EXPECT_EQ(server.client().callRaw("").status().field(), "protocol_version");
+  EXPECT_EQ(server.client().call({}).status().field(), "call");
+  v1::Request request;
+  request.set_request_id(9);
+  request.set_protocol_version(2);
+  request.mutable_server_info();
+  const v1::Reply reply = server.client().callRaw(request.SerializeAsString());
+  EXPECT_EQ(reply.request_id(), 9u);
+  EXPECT_EQ(reply.status().code(), v1::CODE_UNIMPLEMENTED);
+  EXPECT_EQ(server.client().server().protocol_version(), 1u);
+}
+
+TEST(Request, TheServersLimitsAreNamed) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  request.mutable_view()->set_width(2);
+  request.mutable_view()->set_height(2);
+  for (int i = 0; i < 64; ++i) server.client().open(request);
+  const v1::Status status = server.client().tryOpen(request);
+  EXPECT_EQ(status.code(), v1::CODE_RESOURCE_EXHAUSTED);
+  EXPECT_NE(status.message().find("64"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace saccade
