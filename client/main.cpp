@@ -39,7 +39,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-
 }  // namespace saccade
 
 int main(int argc, char** argv) {

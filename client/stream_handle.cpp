@@ -9,6 +9,12 @@ StreamHandle::StreamHandle(ControlClient& control, const v1::OpenStream& wish) :
 }
 
 StreamHandle::~StreamHandle() {
+  close();
+}
+
+void StreamHandle::close() {
+  if (closed_) return;
+  closed_ = true;
   v1::Request request;
   request.mutable_close_stream()->set_stream_id(opened_.stream_id());
   request.mutable_close_stream()->set_token(opened_.token());

@@ -28,9 +28,13 @@ class StreamHandle {
   std::optional<v1::StreamInfo> info();  // nothing where the server no longer knows the stream
   v1::FramePicture picture();            // the newest frame
 
+  // The server ends the stream at its next frame; what it has made still comes, and then END. Never throws.
+  void close();
+
  private:
   ControlClient& control_;
   v1::StreamOpened opened_;
+  bool closed_ = false;
 };
 
 }  // namespace saccade

@@ -3,7 +3,8 @@
 
 namespace saccade {
 
-void watchInterrupt();  // from now on the first Ctrl-C is only noted; the second ends the program
+// From now on Ctrl-C is only noted; another one, a second or more later, ends the program.
+void watchInterrupt();
 bool interrupted();
 
 }  // namespace saccade

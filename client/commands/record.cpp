@@ -34,12 +34,26 @@ void checkAlive(StreamHandle& stream) {
   if (frames > 0 && info->frames_done() >= frames) throw StreamFault("the end of the stream was lost");
 }
 
-// One batch, or nothing after a while without. Throws where the stream is dead or Ctrl-C was pressed.
+// Ctrl-C is the end that was meant where the stream has no other.
+void heedInterrupt(StreamHandle& stream) {
+  if (stream.opened().frames() > 0) throw StreamFault("interrupted");
+  stream.close();
+}
+
+// One batch, or nothing after a while without.
 std::optional<Batch> nextBatch(Subscriber& subscriber, StreamHandle& stream) {
-  if (interrupted()) throw StreamFault("interrupted");
+  if (interrupted()) heedInterrupt(stream);
   auto batch = subscriber.receive(kSilence);
-  if (!batch && !interrupted()) checkAlive(stream);
+  if (!batch) checkAlive(stream);
   return batch;
+}
+
+// A server that stops ends its streams early.
+void checkWhole(const v1::StreamOpened& opened, double stream_s) {
+  const double frames = stream_s * opened.resolved().timing().frame_rate_hz();
+  if (opened.frames() > 0 && frames < opened.frames() - 0.5) {
+    throw StreamFault("the server ended the stream after " + std::to_string(stream_s) + " s");
+  }
 }
 
 void receiveAll(Subscriber& subscriber, StreamHandle& stream, Recorder& recorder,
@@ -51,6 +65,7 @@ void receiveAll(Subscriber& subscriber, StreamHandle& stream, Recorder& recorder
     if (preview) preview->see(*batch, stream);
     progress.update(recorder.time_ns() / kNsPerSecond, recorder.events());
   }
+  checkWhole(stream.opened(), recorder.time_ns() / kNsPerSecond);
 }
 
 std::string keptText(const Recorder& recorder) {
