@@ -43,9 +43,10 @@ Trajectory parseTrajectory(std::string_view csv, const std::string& name);
 // Speeds are chosen by what the camera sees: `probes` are world-space points on the surfaces in view. The
 // median speed of their images is kMotionPxPerFrame in a picture kMotionWidth pixels wide at kMotionRateHz:
 // at the start, and for shake over its period. Probes behind the camera do not count; without any, one is
-// assumed on the viewing axis at distance 1. A motion that would move none of them stands still. right,
-// forward and orbit turn back after kTurnTime (forward sooner, when it has gone a quarter of the way to the
-// nearest probe; orbit sooner, when it has turned by kMaxOrbitRad), and so stay in the scene for ever.
+// assumed on the viewing axis at distance 1. A motion that would move none of them stands still; shake has a
+// largest swing, which makes it slower where the field of view is beyond about 120 degrees. right, forward
+// and orbit turn back after kTurnTime (forward sooner, when it has gone a quarter of the way to the nearest
+// probe; orbit sooner, when it has turned by kMaxOrbitRad), and so stay in the scene for ever.
 inline constexpr double kMotionPxPerFrame = 0.67, kMotionWidth = 256, kMotionRateHz = 500;
 inline constexpr TimeNs kTurnTime{200'000'000}, kShakePeriod{2'000'000'000};
 inline constexpr double kMaxOrbitRad = 0.25;

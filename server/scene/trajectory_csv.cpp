@@ -46,6 +46,11 @@ std::vector<TimedPose> CsvReader::read(std::string_view csv) {
   return std::move(keys_);
 }
 
+std::string_view trimmed(std::string_view cell) {
+  const std::size_t first = cell.find_first_not_of(" \t"), last = cell.find_last_not_of(" \t");
+  return first == cell.npos ? std::string_view{} : cell.substr(first, last + 1 - first);
+}
+
 // A header is a line without a number.
 bool isHeader(std::string_view line) {
   for (auto word = takeWord(line, ","); !word.empty(); word = takeWord(line, ","))
@@ -76,10 +81,9 @@ CsvReader::Fields CsvReader::split(std::string_view line) const {
   if (esim_) {
     count = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
     for (std::size_t i = 0; i < std::min(count, kFields); ++i) {
-      std::string_view field = line.substr(0, line.find(','));
-      line.remove_prefix(std::min(field.size() + 1, line.size()));
-      fields[i] = takeWord(field);
-      if (!takeWord(field).empty()) fail("blanks within a field");
+      const std::string_view cell = line.substr(0, line.find(','));
+      line.remove_prefix(std::min(cell.size() + 1, line.size()));
+      fields[i] = trimmed(cell);
     }
   } else {
     for (auto word = takeWord(line); !word.empty(); word = takeWord(line), ++count)

@@ -96,9 +96,10 @@ std::vector<pugi::xml_node> Properties::objects(const std::string& tag, const st
 }
 
 pugi::xml_node Properties::object(const std::string& tag, const std::string& name) {
-  const auto found = objects(tag, name);
-  if (found.size() > 1) throw file_.error(found[1], "a second " + titled(tag, name) + "; one is supported");
-  return found.empty() ? pugi::xml_node{} : found[0];
+  const Child* first = take(tag, name);
+  const Child* second = take(tag, name);
+  if (second) throw file_.error(second->given, "a second " + titled(tag, name) + "; one is supported");
+  return first ? first->seen : pugi::xml_node{};
 }
 
 void Properties::readPast(const std::string& tag, const std::string& name) {

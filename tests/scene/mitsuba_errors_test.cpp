@@ -1,0 +1,131 @@
+#include "scene/mitsuba_xml.h"
+#include "scene/scratch.h"
+
+namespace saccade {
+namespace {
+
+// The error of a scene whose line 4 is `line`, after a sensor on line 2 and a bsdf with the id `paint` on
+// line 3.
+std::string errorAt4(const std::string& line) {
+  const Scratch files;
+  files.write("bad.obj", "v 0 0 0\nf 1 1 2\n");
+  files.write("far.obj", "v 0 0 0\nv 1e38 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::string path = files.write(
+      "scene.xml",
+      "<scene version='3.0.0'>\n<sensor type='perspective'><float name='fov' value='40'/></sensor>\n"
+      "<bsdf type='diffuse' id='paint'/>\n" +
+          line + "\n</scene>\n");
+  return errorOf([&] { loadMitsubaXml(path); });
+}
+
+void expectAt4(const std::string& line, const std::string& part) {
+  const std::string error = errorAt4(line);
+  expectContains(error, "scene.xml:4: ");
+  expectContains(error, part);
+}
+
+std::string shape(const std::string& content) {
+  return "<shape type='rectangle'>" + content + "</shape>";
+}
+
+TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
+  expectAt4("<medium type='homogeneous'/>", "<medium> is not supported");
+  expectAt4("<emitter type='envmap'/>", "supported: <sensor>, <shape>");
+  expectAt4("<shape type='disk'/>", "'disk' is not supported; supported: rectangle, cube, sphere, obj, ply");
+  expectAt4(shape("<bsdf type='plastic'/>"), "'plastic' is not supported; supported: diffuse, twosided");
+  expectAt4(shape("<emitter type='spot'/>"), "supported: area");
+  expectAt4(shape("<boolean name='flip_normals' value='true'/>"),
+            "<boolean name=\"flip_normals\"> is not supported");
+  expectAt4(shape("<transform name='toWorld'/>"), "<transform name=\"to_world\">");
+  expectAt4(shape("<bsdf type='diffuse'><texture type='wood' name='reflectance'/></bsdf>"),
+            "bitmap, checkerboard");
+  expectAt4(shape("<transform name='to_world'><shear/></transform>"), "supported: matrix, translate");
+}
+
+TEST(MitsubaErrors, NamesThatLeadNowhere) {
+  expectAt4(shape("<float name='x' value='$nothing'/>"), "$nothing is not defined; defined: none");
+  expectAt4(shape("<ref id='varnish'/>"), "ref to 'varnish'");
+  expectAt4(shape("<ref id='varnish'/>"), "ids: paint");
+  expectAt4("<bsdf type='twosided' id='loop'><ref id='loop'/></bsdf>" + shape("<ref id='loop'/>"),
+            "ref to 'loop'");
+  expectAt4("<bsdf type='diffuse' id='paint'/>", "the id 'paint' is taken");
+  expectAt4("<shape type='obj'><string name='filename' value='absent.obj'/></shape>",
+            "absent.obj: cannot be read");
+  expectAt4("<shape type='obj'><string name='filename' value='bad.obj'/></shape>",
+            "bad.obj:2: vertex index '2'");
+  expectAt4("<shape type='ply'/>", "needs <string name=\"filename\">");
+  expectAt4(shape("<bsdf type='diffuse'><texture type='bitmap' name='reflectance'>"
+                  "<string name='filename' value='absent.png'/></texture></bsdf>"),
+            "absent.png");
+}
+
+TEST(MitsubaErrors, ValuesOutOfRange) {
+  const auto placed = [](const std::string& step) {
+    return shape("<transform name='to_world'>" + step + "</transform>");
+  };
+  expectAt4(placed("<matrix value='1 2 3'/>"), "expected 16 numbers");
+  expectAt4(placed("<matrix value='1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1'/>"), "last row");
+  expectAt4(placed("<scale value='0'/>"), "flattens space");
+  expectAt4(placed("<scale x='nan'/>"), "'nan' is not a finite number");
+  expectAt4(placed("<rotate angle='20'/>"), "expected an axis");
+  expectAt4(placed("<lookat origin='0,0,0' target='0,1,0'/>"), "parallel");
+  expectAt4(shape("<bsdf type='diffuse'><rgb name='reflectance' value='1.5, 0, 0'/></bsdf>"),
+            "'reflectance' must be");
+  expectAt4(shape("<bsdf type='diffuse'><rgb name='reflectance' value='1, 0'/></bsdf>"), "one or three");
+  expectAt4(shape("<emitter type='area'><float name='radiance' value='-1'/></emitter>"),
+            "'radiance' must be");
+  expectAt4("<shape type='obj'><string name='filename' value='far.obj'/></shape>", "too far away");
+}
+
+TEST(MitsubaErrors, ShapesThatCannotBe) {
+  const std::string stretched = "<transform name='to_world'><scale x='2'/></transform>";
+  expectAt4("<shape type='sphere'>" + stretched + "</shape>", "same factor in all directions");
+  expectAt4("<shape type='sphere'><float name='radius' value='0'/></shape>", "radius above 0");
+  expectAt4(shape("<emitter type='area'/>"), "needs <rgb>");
+  expectAt4(shape("<ref id='paint'/><ref id='paint'/>"), "a second <bsdf>");
+  expectAt4(shape("<bsdf type='twosided'/>"), "needs a <bsdf>");
+  expectAt4("<sensor type='perspective'/>", "a second <sensor>");
+}
+
+std::string sensorError(const std::string& content) {
+  const Scratch files;
+  const std::string path =
+      files.write("scene.xml", "<scene>\n<sensor type='perspective'>" + content + "</sensor></scene>");
+  return errorOf([&] { loadMitsubaXml(path); });
+}
+
+TEST(MitsubaErrors, Sensors) {
+  const std::string fov = "<float name='fov' value='40'/>";
+  expectContains(sensorError(""), "scene.xml:2: the sensor needs a <float name=\"fov\">");
+  expectContains(sensorError("<float name='fov' value='180'/>"), "within (0, 180)");
+  expectContains(sensorError(fov + "<string name='fov_axis' value='z'/>"),
+                 "supported: x, y, smaller, larger");
+  expectContains(sensorError(fov + "<film type='hdrfilm'><integer name='width' value='0'/></film>"),
+                 "film's width");
+  expectContains(sensorError(fov + "<transform name='to_world'><scale x='-1'/></transform>"),
+                 "shear or mirror");
+}
+
+TEST(MitsubaErrors, FaultyFiles) {
+  const Scratch files;
+  const auto error = [&](const std::string& bytes) {
+    const std::string path = files.write("scene.xml", bytes);
+    return errorOf([&] { loadMitsubaXml(path); });
+  };
+  expectContains(error("<scene>\n<shape type='cube'>\n"), "scene.xml:2: faulty XML");
+  expectContains(error(""), "faulty XML");
+  expectContains(error("<model/>"), "not <scene>");
+  expectContains(error("<scene/>"), "no <sensor");
+  expectContains(errorOf([] { loadMitsubaXml("/no/such/scene.xml"); }), "cannot be read");
+}
+
+TEST(MitsubaErrors, DeepNestingIsAnErrorNotACrash) {
+  std::string line;
+  for (int i = 0; i < 100000; ++i) line += "<bsdf type='twosided'>";
+  line += "<bsdf type='mirror'/>";
+  for (int i = 0; i < 100000; ++i) line += "</bsdf>";
+  expectAt4(shape(line), "'mirror' is not supported");
+}
+
+}  // namespace
+}  // namespace saccade

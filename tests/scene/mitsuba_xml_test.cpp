@@ -1,0 +1,144 @@
+#include "scene/mitsuba_xml.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/scratch.h"
+
+namespace saccade {
+namespace {
+
+const std::string kSensor = "<sensor type='perspective'><float name='fov' value='40'/></sensor>";
+
+Scene load(const std::string& body, const std::map<std::string, std::string>& definitions = {}) {
+  const Scratch files;
+  files.write("folder/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  return loadMitsubaXml(files.write("folder/scene.xml", "<scene version='3.0.0'>" + body + "</scene>"),
+                        definitions);
+}
+
+// Where a transform takes the point (1, 2, 3).
+Vec3 mapped(const std::string& steps) {
+  const Scene scene = load(kSensor + "<shape type='sphere'><point name='center' x='1' y='2' z='3'/>" +
+                           "<transform name='to_world'>" + steps + "</transform></shape>");
+  return scene.spheres[0].center;
+}
+
+TEST(MitsubaTransform, EachStepMapsAsItSays) {
+  expectNear(mapped("<translate x='1' z='-1'/>"), {2, 2, 2}, 1e-6);
+  expectNear(mapped("<translate value='1, 0, -1'/>"), {2, 2, 2}, 1e-6);
+  expectNear(mapped("<scale value='2'/>"), {2, 4, 6}, 1e-6);
+  expectNear(mapped("<rotate z='1' angle='90'/>"), {-2, 1, 3}, 1e-6);
+  expectNear(mapped("<rotate value='0 0 5' angle='90'/>"), {-2, 1, 3}, 1e-6);
+  expectNear(mapped("<matrix value='0 -1 0 4  1 0 0 5  0 0 1 6  0 0 0 1'/>"), {2, 6, 9}, 1e-6);
+  expectNear(mapped("<matrix value='0 -1 0 1 0 0 0 0 1'/>"), {-2, 1, 3}, 1e-6);
+  // Looking along -x with y up: left is z, so that (1, 2, 3) is 1 along z, 2 along y, 3 along -x.
+  expectNear(mapped("<lookat origin='5,0,0' target='0,0,0' up='0,1,0'/>"), {2, 2, 1}, 1e-6);
+}
+
+TEST(MitsubaTransform, StepsApplyInOrder) {
+  expectNear(mapped("<translate x='1'/><scale value='2'/>"), {4, 4, 6}, 1e-6);
+  expectNear(mapped("<scale value='2'/><translate x='1'/>"), {3, 4, 6}, 1e-6);
+}
+
+TEST(MitsubaSensor, AxesTurnFromLeftUpToRightDown) {
+  const Scene scene = load(
+      "<sensor type='perspective'><float name='fov' value='40'/><transform name='to_world'>"
+      "<lookat origin='1,2,3' target='1,2,9' up='0,1,0'/></transform>"
+      "<film type='hdrfilm'><integer name='width' value='320'/><integer name='height' value='200'/>"
+      "<string name='pixel_format' value='rgb'/><rfilter type='tent'/></film><sampler "
+      "type='independent'/></sensor>");
+  const Pose camera = scene.T_world_camera;
+  expectNear(camera.position, {1, 2, 3}, 1e-12);
+  expectNear(rotate(camera.rotation, {1, 0, 0}), {-1, 0, 0}, 1e-12);
+  expectNear(rotate(camera.rotation, {0, 1, 0}), {0, -1, 0}, 1e-12);
+  expectNear(rotate(camera.rotation, {0, 0, 1}), {0, 0, 1}, 1e-12);
+  EXPECT_EQ(scene.width, 320);
+  EXPECT_EQ(scene.height, 200);
+}
+
+TEST(MitsubaSensor, FovIsTurnedIntoTheHorizontalOne) {
+  const auto fovX = [](const std::string& axis, int width, int height) {
+    return load("<sensor type='perspective'><float name='fov' value='40'/>" + axis +
+                "<film type='hdrfilm'><integer name='width' value='" + std::to_string(width) +
+                "'/><integer name='height' value='" + std::to_string(height) + "'/></film></sensor>")
+        .fov_x_deg;
+  };
+  const auto named = [](const std::string& axis) { return "<string name='fov_axis' value='" + axis + "'/>"; };
+  const double wide = 2 * std::atan(2 * std::tan(20 * std::numbers::pi / 180)) * 180 / std::numbers::pi;
+  EXPECT_DOUBLE_EQ(fovX("", 200, 100), 40);
+  EXPECT_DOUBLE_EQ(fovX(named("x"), 200, 100), 40);
+  EXPECT_NEAR(fovX(named("y"), 200, 100), wide, 1e-9);
+  EXPECT_NEAR(fovX(named("smaller"), 200, 100), wide, 1e-9);
+  EXPECT_DOUBLE_EQ(fovX(named("smaller"), 100, 200), 40);
+  EXPECT_DOUBLE_EQ(fovX(named("larger"), 200, 100), 40);
+}
+
+TEST(MitsubaXml, DefaultsAreOverriddenByDefinitions) {
+  const std::string body = "<default name='size' value='2'/><default name='twice' value='$size'/>" + kSensor +
+                           "<shape type='sphere'><float name='radius' value='$twice'/></shape>";
+  EXPECT_FLOAT_EQ(load(body).spheres[0].radius, 2);
+  EXPECT_FLOAT_EQ(load(body, {{"size", "7"}}).spheres[0].radius, 7);
+  EXPECT_FLOAT_EQ(load(body, {{"twice", "9"}}).spheres[0].radius, 9);
+}
+
+TEST(MitsubaXml, SharesMaterialsByReference) {
+  const Scene scene = load(kSensor +
+                           "<bsdf type='twosided' id='paint'><bsdf type='diffuse'>"
+                           "<rgb name='reflectance' value='0.1 0.2, 0.3'/></bsdf></bsdf>"
+                           "<shape type='rectangle'><ref id='paint'/></shape>"
+                           "<shape type='cube' id='box'><ref id='paint'/></shape>"
+                           "<shape type='obj'><string name='filename' value='a.obj'/></shape>");
+  ASSERT_EQ(scene.materials.size(), 2u);
+  EXPECT_EQ(scene.materials[0].name, "paint");
+  EXPECT_TRUE(scene.materials[0].twosided);
+  expectNear(scene.materials[0].reflectance.color0, {0.1f, 0.2f, 0.3f}, 1e-7);
+  EXPECT_EQ(scene.meshes[1].material, 0);
+  EXPECT_EQ(scene.meshes[1].name, "box");
+  EXPECT_EQ(scene.meshes[2].name, "a");
+  EXPECT_FALSE(scene.materials[1].twosided);
+  expectNear(scene.materials[1].reflectance.color0, {0.5f, 0.5f, 0.5f}, 1e-7);
+}
+
+TEST(MitsubaXml, MeshesAreSmoothUnlessTheyAskForFaceNormals) {
+  const auto normals = [](const std::string& flag) {
+    return load(kSensor + "<shape type='obj'><string name='filename' value='a.obj'/>" + flag + "</shape>")
+        .meshes[0]
+        .normals.size();
+  };
+  EXPECT_EQ(normals(""), 3u);
+  EXPECT_EQ(normals("<boolean name='face_normals' value='true'/>"), 0u);
+}
+
+TEST(MitsubaXml, ReadsEmittersAndCheckerboards) {
+  const Scene scene =
+      load(kSensor +
+           "<texture type='checkerboard' id='board'><float name='color1' value='0.9'/>"
+           "<transform name='to_uv'><scale x='4' y='8'/><translate x='0.5'/></transform></texture>"
+           "<bsdf type='diffuse' id='b'><ref name='reflectance' id='board'/></bsdf>"
+           "<shape type='rectangle'><ref id='b'/>"
+           "<emitter type='area'><rgb name='radiance' value='17, 12, 4'/></emitter></shape>"
+           "<shape type='sphere'><emitter type='area'><float name='radiance' value='3'/></emitter>"
+           "</shape>");
+  const Reflectance& board = scene.materials[0].reflectance;
+  EXPECT_EQ(board.kind, Reflectance::Kind::kCheckerboard);
+  EXPECT_FLOAT_EQ(board.color0.x, 0.4f);
+  EXPECT_FLOAT_EQ(board.color1.y, 0.9f);
+  EXPECT_FLOAT_EQ(board.uv_scale.y, 8);
+  EXPECT_FLOAT_EQ(board.uv_offset.x, 0.5f);
+  expectNear(scene.meshes[0].radiance, {17, 12, 4}, 0);
+  expectNear(scene.spheres[0].radiance, {3, 3, 3}, 0);
+}
+
+TEST(MitsubaXml, LightIsGreyWhereTheWholeSceneIs) {
+  const std::string grey = kSensor +
+                           "<shape type='rectangle'><emitter type='area'>"
+                           "<float name='radiance' value='3'/></emitter></shape>";
+  EXPECT_EQ(colorChannels(load(grey)), 1);
+  EXPECT_EQ(colorChannels(load(grey + "<shape type='sphere'><bsdf type='diffuse'>"
+                                      "<rgb name='reflectance' value='0.1 0.1 0.2'/></bsdf></shape>")),
+            3);
+}
+
+}  // namespace
+}  // namespace saccade

@@ -1,0 +1,138 @@
+#include "scene/scene_library.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "scene/mitsuba_xml.h"
+#include "scene/scratch.h"
+
+namespace saccade {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+const fs::path kScenes = fs::path(SACCADE_SOURCE_DIR) / "scenes";
+
+fs::path realScenes() {
+  const char* given = std::getenv("SACCADE_REAL_SCENES");
+  return given ? fs::path(given) : fs::path(SACCADE_SOURCE_DIR).parent_path() / "shared" / "scenes";
+}
+
+TEST(SceneLibrary, ListsOurFourScenes) {
+  const auto entries = SceneLibrary(kScenes).list();
+  std::vector<std::string> names;
+  for (const SceneEntry& entry : entries) names.push_back(entry.name);
+  for (const std::string name : {"cornell-box", "cornell-bunny", "cornell-dragon", "textured-cornell-box"})
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+}
+
+TEST(SceneLibrary, EverySceneIsDescribedAndHasPathsThatBeginAtItsCamera) {
+  const SceneLibrary library(kScenes);
+  for (const SceneEntry& entry : library.list()) {
+    EXPECT_GT(entry.description.size(), 20u) << entry.name;
+    ASSERT_GE(entry.trajectories.size(), motionNames().size() + 2) << entry.name;
+    if (!entry.unavailable.empty()) continue;
+    const Pose camera = library.load(entry.name).T_world_camera;
+    for (const std::string& name : entry.trajectories) {
+      if (isMotion(name)) continue;
+      const Trajectory path = library.loadTrajectory(entry.name, name);
+      expectNear(path.at(0s).position, camera.position, 1e-5);
+      expectNear(rotate(path.at(0s).rotation, {0, 0, 1}), rotate(camera.rotation, {0, 0, 1}), 1e-5);
+      EXPECT_NE(path.at(1s), path.at(2s));
+      EXPECT_EQ(path.at(2s), path.at(3s));
+    }
+  }
+}
+
+TEST(SceneLibrary, CornellBoxHasItsMeasuredParts) {
+  const Scene scene = SceneLibrary(kScenes).load("cornell-box");
+  EXPECT_EQ(scene.name, "cornell-box");
+  EXPECT_EQ(scene.meshes.size(), 8u);
+  EXPECT_EQ(colorChannels(scene), 3);
+  const auto light = std::find_if(scene.meshes.begin(), scene.meshes.end(),
+                                  [](const Mesh& mesh) { return luminance(mesh.radiance) > 0; });
+  ASSERT_NE(light, scene.meshes.end());
+  const auto& p = light->positions;
+  const auto& t = light->triangles[0];
+  expectNear(normalize(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])), {0, -1, 0}, 1e-6);
+}
+
+TEST(SceneLibrary, TexturedBoxHasOneTextureAndACheckerboard) {
+  const Scene scene = SceneLibrary(kScenes).load("textured-cornell-box");
+  EXPECT_EQ(scene.textures.size(), 1u);
+  EXPECT_EQ(scene.textures[0].width(), 512);
+  EXPECT_TRUE(std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
+    return m.reflectance.kind == Reflectance::Kind::kCheckerboard;
+  }));
+}
+
+// The mesh must stand on the floor of the box, within its walls.
+void expectStandsInTheBox(const std::string& scene_name, const std::string& mesh_name,
+                          std::size_t triangles) {
+  const Scene scene = SceneLibrary(kScenes).load(scene_name);
+  const auto mesh = std::find_if(scene.meshes.begin(), scene.meshes.end(),
+                                 [&](const Mesh& m) { return m.name == mesh_name; });
+  ASSERT_NE(mesh, scene.meshes.end());
+  EXPECT_EQ(mesh->triangles.size(), triangles);
+  float lowest = 1e9f;
+  for (std::size_t i = 0; i + 1 < mesh->positions.size(); ++i) {
+    const Vec3 p = mesh->positions[i];
+    lowest = std::min(lowest, p.y);
+    ASSERT_TRUE(p.x > 0 && p.x < 5.5f && p.y < 5.4f && p.z > 0 && p.z < 5.5f);
+  }
+  EXPECT_NEAR(lowest, 0, 1e-3);
+}
+
+TEST(SceneLibrary, BunnyStandsInTheBox) {
+  if (!fs::exists("/usr/share/glmark2/models/bunny.obj")) GTEST_SKIP() << "glmark2-data is not installed";
+  expectStandsInTheBox("cornell-bunny", "bunny", 69666);
+}
+
+TEST(SceneLibrary, DragonStandsInTheBox) {
+  if (!fs::exists(realScenes() / "meshes" / "dragon.obj"))
+    GTEST_SKIP() << (realScenes() / "meshes" / "dragon.obj").string() << " is absent";
+  expectStandsInTheBox("cornell-dragon", "dragon", 100000);
+}
+
+TEST(RealScenes, CornellBoxOfBitterliLoads) {
+  const fs::path file = realScenes() / "cornell-box" / "scene.xml";
+  if (!fs::exists(file)) GTEST_SKIP() << file.string() << " is absent";
+  const Scene scene = loadMitsubaXml(file.string());
+  EXPECT_EQ(scene.meshes.size(), 8u);
+  EXPECT_EQ(scene.width, 1024);
+  EXPECT_DOUBLE_EQ(scene.fov_x_deg, 19.5);
+  expectNear(scene.T_world_camera.position, {0, 1, 6.8}, 1e-9);
+  expectNear(rotate(scene.T_world_camera.rotation, {1, 0, 0}), {1, 0, 0}, 1e-9);
+  expectNear(scene.meshes.back().radiance, {17, 12, 4}, 0);
+}
+
+TEST(SceneLibrary, UnknownNamesListTheValidOnes) {
+  const SceneLibrary library(kScenes);
+  const std::string scene_error = errorOf([&] { library.load("../scenes/cornell-box"); });
+  expectContains(scene_error, "no scene is named '../scenes/cornell-box'");
+  expectContains(scene_error, "cornell-box, cornell-bunny");
+  expectContains(errorOf([&] { library.loadTrajectory("cornell-box", "../arc"); }), "there are: arc, slide");
+  expectContains(errorOf([] { SceneLibrary("/no/such/folder").list(); }), "not a folder");
+}
+
+TEST(SceneLibrary, ASceneWhoseMeshIsAbsentSaysSo) {
+  const Scratch files;
+  files.write("scenes/lonely/scene.xml", "<scene>$dragon</scene>");
+  files.write("scenes/lonely/README.md", "# lonely\n\nA scene without its dragon.\n");
+  const char* given = std::getenv("SACCADE_REAL_SCENES");
+  const std::string before = given ? given : "";
+  setenv("SACCADE_REAL_SCENES", files.path("nowhere").c_str(), 1);
+  const SceneLibrary library(files.path("scenes"));
+  const auto entries = library.list();
+  const std::string load_error = errorOf([&] { library.load("lonely"); });
+  given ? setenv("SACCADE_REAL_SCENES", before.c_str(), 1) : unsetenv("SACCADE_REAL_SCENES");
+  ASSERT_EQ(entries.size(), 1u);
+  EXPECT_EQ(entries[0].description, "A scene without its dragon.");
+  expectContains(entries[0].unavailable, "dragon.obj is absent");
+  expectContains(load_error, "dragon.obj is absent");
+}
+
+}  // namespace
+}  // namespace saccade
