@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 
 #include "app/app.h"
@@ -43,7 +44,10 @@ int main(int argc, char** argv) {
     sigwait(&stop_signals, &signal);
     spdlog::info("signal {}: ending all streams", signal);
     pthread_sigmask(SIG_UNBLOCK, &stop_signals, nullptr);  // a second signal ends the program at once
-    if (!app.stop()) spdlog::warn("stopped with packets that nobody took");
+    if (!app.stop()) {
+      spdlog::warn("stopped before all streams were done");
+      std::_Exit(0);  // all sockets are closed; a frame may go on for minutes
+    }
   } catch (const std::exception& fault) {
     spdlog::critical(fault.what());
     return 1;

@@ -53,6 +53,7 @@ void App::sweep(std::stop_token stopped) {
 }
 
 bool App::stop() {
+  if (std::exchange(stopped_, true)) return true;
   opener_.stop();
   const bool all_taken = streams_.stopAll(Signal::Clock::now() + kDrainTime);
   sweeper_ = {};

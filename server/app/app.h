@@ -24,7 +24,8 @@ class App {
 
   std::string controlEndpoint() const { return control_.endpoint(); }
 
-  // Ends all streams and sends what is left, for at most kDrainTime. Returns whether all of it was taken.
+  // Ends all streams and sends what is left, for at most kDrainTime. False: a receiver did not take it all,
+  // or a frame was not done in time; the destructor would wait for that frame.
   bool stop();
 
  private:
@@ -42,6 +43,7 @@ class App {
   StreamOpener opener_;
   Service service_;
   std::jthread sweeper_;
+  bool stopped_ = false;
 };
 
 }  // namespace saccade

@@ -106,7 +106,7 @@ bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
   for (const auto& [id, stream] : streams) stream.session->stop();
   bool all = true;
   for (const auto& [id, stream] : streams) {
-    all &= stream.feed->signal()->waitUntil(deadline, [&] { return stream.session->drained(); });
+    all &= stream.feed->signal()->waitUntil(deadline, [&] { return stream.session->settled(); });
   }
   return all;
 }

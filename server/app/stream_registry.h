@@ -43,7 +43,7 @@ class StreamRegistry {
   void close(const std::string& id, const std::string& token);
   // Ends streams without a receiver and forgets those that are over. To be called about once a second.
   void sweep(Signal::Clock::time_point now);
-  // Ends all streams. Returns whether every packet was taken before `deadline`.
+  // Ends all streams. Returns whether, before `deadline`, all packets were taken that had a receiver.
   bool stopAll(Signal::Clock::time_point deadline);
 
  private:

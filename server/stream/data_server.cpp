@@ -46,7 +46,9 @@ std::string DataServer::attach(const std::string& identity, const v1::Attach& re
   }
   if (std::string fault = session->queue().resume(request.from_seq()); !fault.empty()) return fault;
   takeOver(*session, identity);
-  connections_[identity].session = session;
+  Connection& connection = connections_[identity];
+  if (connection.session && connection.session != session) connection.session->leave();
+  connection.session = session;
   session->start();
   return {};
 }
@@ -87,8 +89,9 @@ std::chrono::milliseconds DataServer::sendPackets() {
   for (auto it = connections_.begin(); it != connections_.end();) {
     const auto sent = sendPacketsOf(it->first, it->second);
     if (sent == SocketLoop::Sent::kFull) pause = kFullPause;
-    const bool closed = !sessions_.find(it->second.session->id());
-    it = sent == SocketLoop::Sent::kGone || closed ? connections_.erase(it) : std::next(it);
+    const bool gone = sent == SocketLoop::Sent::kGone;
+    if (gone) it->second.session->leave();
+    it = gone || !sessions_.find(it->second.session->id()) ? connections_.erase(it) : std::next(it);
   }
   return pause;
 }

@@ -47,8 +47,13 @@ std::string Session::topic(std::uint32_t sensor) const {
 }
 
 void Session::start() {
-  if (started_.exchange(true)) return;
+  started_ = has_receiver_ = true;
   touch();
+  producer_->raise();
+}
+
+void Session::leave() {
+  has_receiver_ = false;
   producer_->raise();
 }
 

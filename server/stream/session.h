@@ -21,7 +21,7 @@ inline constexpr std::uint64_t kQueueBytes = 4 << 20;
 class Session {
  public:
   // `transport` is woken when there is something to send, `producer` is raised when started(), stopping(),
-  // hasRoom() or drained() may have changed. `transport` outlives the session.
+  // hasRoom() or settled() may have changed. `transport` outlives the session.
   Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
           std::shared_ptr<Signal> producer, std::uint64_t queue_bytes = kQueueBytes);
 
@@ -32,8 +32,9 @@ class Session {
   std::uint32_t sensors() const { return sensors_; }
   std::string topic(std::uint32_t sensor) const;  // BROADCAST
 
-  // Transports. start(): a receiver is there, the producer may begin.
+  // Transports. start(): a receiver is there, the producer may begin. leave(): it has gone.
   void start();
+  void leave();
   std::optional<WirePacket> pop(std::uint64_t credit_bytes);
   CreditQueue& queue() { return queue_; }
   void keepAlive();  // its receiver is there, though it takes nothing
@@ -49,6 +50,7 @@ class Session {
   void stop();
   bool finished() const { return finished_; }
   bool drained() const { return finished_ && queue_.empty(); }
+  bool settled() const { return drained() || (finished_ && !has_receiver_); }  // nothing can be sent any more
   // When its receiver was last known to be there; the end of the stream, once that is over.
   Signal::Clock::time_point lastActivity() const { return last_activity_; }
 
@@ -61,7 +63,7 @@ class Session {
   WakeFd& transport_;
   const std::shared_ptr<Signal> producer_;
   CreditQueue queue_;
-  std::atomic<bool> started_ = false, stopping_ = false, finished_ = false;
+  std::atomic<bool> started_ = false, has_receiver_ = false, stopping_ = false, finished_ = false;
   std::atomic<Signal::Clock::time_point> last_activity_;
 };
 

@@ -75,6 +75,8 @@ void SocketLoop::stop() {
   impl_->stop = true;
   wake_.wake();
   impl_->thread.join();
+  impl_->socket.close();
+  impl_->context.close();
 }
 
 void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn) {

@@ -31,14 +31,15 @@ class SocketLoop {
   static constexpr std::chrono::milliseconds kUntilWoken{-1};
 
   explicit SocketLoop(const SocketOptions& options);  // binds; throws std::runtime_error naming the endpoint
-  ~SocketLoop();                                      // sends what was accepted, for at most a second
+  ~SocketLoop();
   SocketLoop(const SocketLoop&) = delete;
   SocketLoop& operator=(const SocketLoop&) = delete;
 
   std::string endpoint() const;  // with the real port
   WakeFd& wake() { return wake_; }
   void start(OnMessage on_message, OnTurn on_turn);
-  void stop();  // ends the thread; does nothing if it is not running
+  // Ends the thread, sends what was accepted for at most a second, and closes the socket.
+  void stop();
 
   // From the loop's own thread. kFull: the peer does not read; kGone: there is no such peer any more.
   enum class Sent { kYes, kFull, kGone };

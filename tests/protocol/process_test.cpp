@@ -1,0 +1,97 @@
+// The program itself: its flags, its `ready` line, its end.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+
+#include "mock/test_server.h"
+
+namespace saccade {
+namespace {
+
+class Process {
+ public:
+  explicit Process(const std::vector<std::string>& command) {
+    std::vector<char*> argv;
+    for (const auto& word : command) argv.push_back(const_cast<char*>(word.c_str()));
+    argv.push_back(nullptr);
+    int pipe_ends[2];
+    if (pipe(pipe_ends) != 0) std::abort();
+    pid_ = fork();
+    if (pid_ == 0) {
+      dup2(pipe_ends[1], STDOUT_FILENO);
+      execv(argv[0], argv.data());
+      _exit(127);
+    }
+    ::close(pipe_ends[1]);
+    output_ = fdopen(pipe_ends[0], "r");
+  }
+  ~Process() {
+    if (pid_ > 0) kill(pid_, SIGKILL);
+    finish();
+    fclose(output_);
+  }
+
+  // The next line of output with `word` in it; empty at the end of the output.
+  std::string lineWith(const std::string& word) {
+    char line[4096];
+    while (fgets(line, sizeof line, output_)) {
+      if (std::string(line).find(word) != std::string::npos) return line;
+    }
+    return {};
+  }
+  void signal(int number) { kill(pid_, number); }
+  int finish() {  // exit status; -1 if a signal ended it
+    if (pid_ > 0) waitpid(pid_, &status_, 0);
+    pid_ = 0;
+    return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
+  }
+
+ private:
+  pid_t pid_;
+  int status_ = 0;
+  FILE* output_;
+};
+
+const std::vector<std::string> kServer{
+    SACCADED,      "--control",         "tcp://127.0.0.1:0", "--data", "tcp://127.0.0.1:*",
+    "--broadcast", "tcp://127.0.0.1:*", "--threads",         "1"};
+
+std::string controlEndpoint(const std::string& ready_line) {
+  const auto from = ready_line.find("tcp://");
+  return ready_line.substr(from, ready_line.find(' ', from) - from);
+}
+
+TEST(Process, EndsItsStreamsOnSigterm) {
+  Process server(kServer);
+  MockClient client(controlEndpoint(server.lineWith("ready")));
+  v1::OpenStream request = tinyRequest();
+  request.mutable_timing()->set_duration_s(0);
+  const auto stream = client.open(request);
+  client.open(request);  // nobody will ever attach to this one
+  MockSubscriber subscriber(client.server().data_endpoint());
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 20);
+  const auto first = subscriber.receive();
+  ASSERT_TRUE(first);
+  server.signal(SIGTERM);
+  auto packets = subscriber.receiveAll(1)[0];
+  packets.insert(packets.begin(), *first);
+  checkPackets(packets);
+  EXPECT_EQ(server.finish(), 0);
+}
+
+TEST(Process, RefusesWhatItCannotDo) {
+  auto command = kServer;
+  command.back() = "-1";
+  EXPECT_GT(Process(command).finish(), 0);
+  command = kServer;
+  command[2] = "nonsense";
+  EXPECT_EQ(Process(command).finish(), 1);
+  EXPECT_EQ(Process({SACCADED, "--help"}).finish(), 0);
+}
+
+}  // namespace
+}  // namespace saccade

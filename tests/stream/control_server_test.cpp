@@ -1,0 +1,44 @@
+#include "stream/control_server.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "mock/mock_client.h"
+
+namespace saccade {
+namespace {
+
+// An answer that takes its time, as a scene that is being loaded does, keeps nobody else waiting.
+TEST(ControlServer, ASlowAnswerDelaysNoOther) {
+  ControlServer server("tcp://127.0.0.1:*");
+  std::promise<ControlServer::Answer> slow;
+  server.start([&](const v1::Request& request, ControlServer::Answer answer) {
+    if (request.has_open_stream()) return slow.set_value(std::move(answer));
+    v1::Reply reply;
+    reply.mutable_server_info()->set_version("quick");
+    answer(std::move(reply));
+  });
+  MockClient patient(server.endpoint()), hasty(server.endpoint());
+  auto opened = std::async(std::launch::async, [&] { return patient.tryOpen({}); });
+  const ControlServer::Answer answer = slow.get_future().get();  // the server has it
+  EXPECT_EQ(hasty.server().version(), "quick");
+  v1::Reply late;
+  *late.mutable_status() = makeStatus(v1::CODE_UNAVAILABLE, "late");
+  answer(late);
+  EXPECT_EQ(opened.get().message(), "late");
+}
+
+TEST(ControlServer, AnEndpointInUseIsNamed) {
+  ControlServer first("tcp://127.0.0.1:*");
+  const std::string endpoint = first.endpoint();
+  try {
+    ControlServer second(endpoint);
+    FAIL();
+  } catch (const std::runtime_error& fault) {
+    EXPECT_NE(std::string(fault.what()).find(endpoint), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace saccade
