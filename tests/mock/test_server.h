@@ -14,6 +14,12 @@ class TestServer {
   MockClient& client() { return client_; }
   MockSubscriber dataSubscriber() { return MockSubscriber(info_.data_endpoint()); }
   MockSubscriber broadcastSubscriber(const v1::StreamOpened& s) { return {info_.broadcast_endpoint(), s}; }
+  // SUB to any topics, though no stream may have them.
+  MockSubscriber broadcastSubscriber(const std::vector<std::string>& topics) {
+    v1::StreamOpened stream;
+    for (const auto& topic : topics) stream.add_topics(topic);
+    return broadcastSubscriber(stream);
+  }
   // Opens, attaches with ample credit and receives until the END of every sensor.
   std::map<std::uint32_t, Packets> run(const v1::OpenStream& request);
   App& app() { return app_; }

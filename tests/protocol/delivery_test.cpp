@@ -128,6 +128,20 @@ TEST(Delivery, BroadcastStartsWithItsFirstSubscriberAndHasNoGap) {
   }
 }
 
+// Prefixes would let one subscriber have, and start, the streams of all others.
+TEST(Delivery, BroadcastKnowsOnlyExactTopics) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  request.set_delivery(v1::DELIVERY_BROADCAST);
+  const auto stream = server.client().open(request);
+  MockSubscriber spy = server.broadcastSubscriber({"", "s/", "s/" + stream.stream_id() + "/1/"});
+  EXPECT_FALSE(spy.receive(std::chrono::milliseconds(500)));
+  EXPECT_EQ(server.client().info(stream.stream_id()).frames_done(), 0u);
+  MockSubscriber subscriber = server.broadcastSubscriber(stream);
+  checkPackets(subscriber.receiveAll(1)[0]);
+  EXPECT_FALSE(spy.receive(std::chrono::milliseconds(100)));
+}
+
 TEST(Delivery, StoppingEndsEveryStreamWithEnd) {
   TestServer server;
   v1::OpenStream request = tinyRequest();

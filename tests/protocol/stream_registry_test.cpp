@@ -1,0 +1,71 @@
+// What becomes of streams that nobody looks after, with a clock that the test moves.
+#include "app/stream_registry.h"
+
+#include <gtest/gtest.h>
+#include <spdlog/spdlog.h>
+
+#include "app/refusal.h"
+
+namespace saccade {
+namespace {
+
+class StreamRegistryTest : public testing::Test {
+ protected:
+  StreamRegistryTest() { spdlog::set_level(spdlog::level::warn); }
+
+  std::shared_ptr<Session> add(const std::string& id, v1::Delivery delivery) {
+    Stream stream;
+    stream.session = std::make_shared<Session>(id, delivery, 1, transport_, std::make_shared<Signal>());
+    streams_.add(stream);
+    return stream.session;
+  }
+  Signal::Clock::time_point later(int seconds) const {
+    return Signal::Clock::now() + std::chrono::seconds(seconds);
+  }
+
+  WakeFd transport_;
+  SessionDirectory sessions_;
+  StreamRegistry streams_{sessions_};
+};
+
+TEST_F(StreamRegistryTest, EndsAndThenForgetsAStreamWithoutReceiver) {
+  const auto session = add("1", v1::DELIVERY_LOSSLESS);
+  streams_.sweep(later(29));
+  EXPECT_FALSE(session->stopping());
+  streams_.sweep(later(31));
+  EXPECT_TRUE(session->stopping());
+  EXPECT_TRUE(sessions_.find("1"));  // its producer has not ended it yet
+  session->finish();
+  streams_.sweep(later(29));
+  EXPECT_TRUE(sessions_.find("1"));
+  streams_.sweep(later(31));
+  EXPECT_FALSE(sessions_.find("1"));
+}
+
+TEST_F(StreamRegistryTest, LetsABroadcastWaitForItsFirstSubscriber) {
+  const auto session = add("1", v1::DELIVERY_BROADCAST);
+  streams_.sweep(later(3600));
+  EXPECT_FALSE(session->stopping());
+  session->finish();
+  streams_.sweep(later(31));
+  EXPECT_FALSE(sessions_.find("1"));
+}
+
+TEST_F(StreamRegistryTest, ForgetsAClosedStreamOnceItsPacketsAreTaken) {
+  const auto session = add("1", v1::DELIVERY_LOSSLESS);
+  EXPECT_THROW(streams_.close("1", "not the token"), Refusal);
+  EXPECT_FALSE(session->stopping());
+  streams_.close("1", session->token());
+  EXPECT_TRUE(session->stopping());
+  session->push(makeErrorPacket("1", "the last"));
+  session->finish();
+  streams_.sweep(later(0));
+  EXPECT_TRUE(sessions_.find("1"));
+  EXPECT_TRUE(session->pop(1000));
+  streams_.sweep(later(0));
+  EXPECT_FALSE(sessions_.find("1"));
+  EXPECT_THROW(streams_.close("1", session->token()), Refusal);
+}
+
+}  // namespace
+}  // namespace saccade
