@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+#include "methods/method.h"
+
+namespace saccade {
+namespace {
+
+std::string faultOf(const ParamValues& given, std::string& name) {
+  ParamValues resolved;
+  return resolveParams(*findMethod("event_svgf"), given, resolved, name);
+}
+
+TEST(MethodTable, NamesAreUniqueAndFound) {
+  std::set<std::string> names;
+  for (const MethodInfo& m : methodTable()) {
+    EXPECT_TRUE(names.insert(m.name).second) << m.name;
+    EXPECT_EQ(findMethod(m.name), &m);
+  }
+  EXPECT_EQ(findMethod("no such method"), nullptr);
+  EXPECT_EQ(methodTable()[0].name, "event_svgf");
+}
+
+TEST(MethodTable, EveryParameterHasAPlaceASourceAndADefaultInItsRange) {
+  for (const MethodInfo& m : methodTable()) {
+    for (const ParamSpec& p : m.params) {
+      EXPECT_LE(p.min, p.fallback) << p.name;
+      EXPECT_LE(p.fallback, p.max) << p.name;
+      EXPECT_FALSE(p.what.empty() || p.source.empty()) << p.name;
+    }
+  }
+}
+
+TEST(ResolveParams, FillsInThePapersDefaults) {
+  ParamValues resolved;
+  std::string name;
+  EXPECT_EQ(resolveParams(*findMethod("event_svgf"), {{"sigma_n", 64}}, resolved, name), "");
+  EXPECT_EQ(resolved.at("sigma_n"), 64);
+  EXPECT_NEAR(resolved.at("alpha"), 0.1, 1e-6);
+  EXPECT_EQ(resolved.at("iterations"), 4);
+}
+
+TEST(ResolveParams, NamesWhatIsWrong) {
+  std::string name;
+  EXPECT_NE(faultOf({{"sigma", 1}}, name).find("sigma_l_diff"), std::string::npos);  // lists the valid ones
+  EXPECT_EQ(name, "sigma");
+  for (const double bad : {-1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_NE(faultOf({{"alpha", bad}}, name), "") << bad;
+    EXPECT_EQ(name, "alpha");
+  }
+  EXPECT_NE(faultOf({{"iterations", 2.5}}, name), "");
+}
+
+}  // namespace
+}  // namespace saccade
