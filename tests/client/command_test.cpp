@@ -3,64 +3,80 @@
 #include <signal.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <memory>
+#include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace saccade {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool readLine(std::FILE* pipe, std::string& line) {
-  char buffer[4096];
-  line = std::fgets(buffer, sizeof(buffer), pipe) ? buffer : "";
-  return !line.empty();
-}
+// A program that is running, its stdout and stderr in one pipe.
+class Child {
+ public:
+  explicit Child(const std::string& command)
+      : pipe_(popen(("echo $$; exec " + command + " 2>&1").c_str(), "r")) {
+    pid_ = std::stoi(readLine());
+  }
+  void signal(int number) const { kill(pid_, number); }
+  // Empty at the end.
+  std::string readLine() {
+    char buffer[4096];
+    return std::fgets(buffer, sizeof(buffer), pipe_) ? buffer : "";
+  }
+  std::string readAll() {
+    std::string all;
+    for (std::string line = readLine(); !line.empty(); line = readLine()) all += line;
+    return all;
+  }
+  int exitCode() { return WEXITSTATUS(pclose(pipe_)); }
+
+ private:
+  std::FILE* pipe_;
+  pid_t pid_;
+};
 
 struct Result {
   int code;
-  std::string output;  // stdout and stderr
+  std::string output;
 };
 
+Result finish(Child& child) {
+  std::string output = child.readAll();
+  return {child.exitCode(), std::move(output)};
+}
+
 Result run(const std::string& arguments) {
-  std::FILE* pipe = popen((SACCADE_COMMAND " " + arguments + " 2>&1").c_str(), "r");
-  std::string output;
-  for (std::string line; readLine(pipe, line);) output += line;
-  return {WEXITSTATUS(pclose(pipe)), output};
+  Child child(SACCADE_COMMAND " " + arguments);
+  return finish(child);
 }
 
 // saccaded on free ports, until the end of the test.
 class Server {
  public:
   Server() {
-    const std::string ports =
-        " --control tcp://127.0.0.1:* --data tcp://127.0.0.1:* --broadcast tcp://127.0.0.1:*";
-    pipe_ = popen(("echo $$; exec " SACCADE_SERVER + ports + " 2>&1").c_str(), "r");
-    std::string line;
-    if (readLine(pipe_, line)) pid_ = std::stoi(line);
     const std::string mark = "ready: control ";
-    while (readLine(pipe_, line)) {
-      const std::size_t at = line.find(mark);
-      if (at == std::string::npos) continue;
-      control_ = line.substr(at + mark.size(), line.find(' ', at + mark.size()) - at - mark.size());
-      return;
-    }
-    ADD_FAILURE() << "saccaded did not get ready";
+    std::string line = child_.readLine();
+    while (!line.empty() && line.find(mark) == std::string::npos) line = child_.readLine();
+    if (line.empty()) throw std::runtime_error("saccaded did not get ready");
+    line.erase(0, line.find(mark) + mark.size());
+    control_ = line.substr(0, line.find(' '));
   }
   ~Server() {
-    kill(pid_, SIGTERM);
-    std::string line;
-    while (readLine(pipe_, line)) continue;
-    pclose(pipe_);
+    stop();
+    finish(child_);
   }
+  void stop() const { child_.signal(SIGTERM); }
   std::string option() const { return " --control '" + control_ + "' "; }
 
  private:
-  std::FILE* pipe_;
-  pid_t pid_ = 0;
+  Child child_{SACCADE_SERVER
+               " --control tcp://127.0.0.1:* --data tcp://127.0.0.1:* --broadcast tcp://127.0.0.1:*"};
   std::string control_;
 };
 
@@ -126,6 +142,45 @@ TEST_F(CommandAndServer, RefusalsNameWhatIsValid) {
       "record cornell-box --trajectory right --threshold 0.2 --threshold nan -o a.csv" + server_.option());
   EXPECT_EQ(threshold.code, 2);
   EXPECT_TRUE(holds(threshold, "sensors[1].threshold")) << threshold.output;
+}
+
+// A recording that has begun.
+class Interrupted : public CommandAndServer {
+ protected:
+  Child startRecord(const std::string& duration) {
+    Child child(SACCADE_COMMAND " record cornell-box --trajectory right --size 32x24 --duration " + duration +
+                " -o " + file_.string() + server_.option());
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (!fs::exists(partial_) && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
+    return child;
+  }
+  const fs::path file_ = folder_ / "a.csv", partial_ = folder_ / "a.csv.partial";
+};
+
+TEST_F(Interrupted, CtrlCKeepsWhatCame) {
+  Child record = startRecord("1000");
+  record.signal(SIGINT);
+  const Result result = finish(record);
+  EXPECT_EQ(result.code, 1);
+  EXPECT_TRUE(holds(result, "interrupted") && holds(result, partial_)) << result.output;
+  EXPECT_TRUE(fs::exists(partial_) && !fs::exists(file_));
+}
+
+TEST_F(Interrupted, CtrlCIsTheEndOfAnEndlessStream) {
+  Child record = startRecord("0");
+  record.signal(SIGINT);
+  const Result result = finish(record);
+  EXPECT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(fs::exists(file_) && !fs::exists(partial_));
+}
+
+TEST_F(Interrupted, AServerThatStopsLeavesNoWholeFile) {
+  Child record = startRecord("1000");
+  server_.stop();
+  const Result result = finish(record);
+  EXPECT_EQ(result.code, 1);
+  EXPECT_TRUE(holds(result, "the server ended the stream after")) << result.output;
+  EXPECT_TRUE(fs::exists(partial_) && !fs::exists(file_));
 }
 
 }  // namespace
