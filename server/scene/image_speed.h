@@ -1,0 +1,31 @@
+// How fast the image of what a camera sees moves when the camera does.
+#pragma once
+
+#include <vector>
+
+#include "scene/pose.h"
+
+namespace saccade {
+
+// What the camera sees, in its own axes: points in front of it.
+using View = std::vector<Vec3d>;
+
+// Those of the world-space `points` that lie in front; without any, one point on the viewing axis at
+// distance 1.
+View viewOf(const Pose& camera, const std::vector<Vec3>& points);
+
+double medianDepth(const View& view);
+
+// Velocity of the camera in its own axes, per second: linear in scene units, angular in radians.
+struct Twist {
+  Vec3d linear, angular;
+};
+
+// Median over the view, in focal lengths per second.
+double medianImageSpeed(const View& view, const Twist& camera);
+
+// The same for a camera that goes along `path`, poses relative to the one of the view, `step_s` seconds
+// apart: median over the view and the path.
+double medianImageSpeed(const View& view, const std::vector<Pose>& path, double step_s);
+
+}  // namespace saccade
