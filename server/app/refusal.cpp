@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "scene/scene_error.h"
 #include "stream/control_server.h"
 
 namespace saccade {
@@ -11,6 +12,8 @@ v1::Status statusOfException() {
     throw;
   } catch (const Refusal& refusal) {
     return makeStatus(refusal.code, refusal.what(), refusal.field);
+  } catch (const SceneError& fault) {  // trajectories have become Refusals: this is the scene's own file
+    return makeStatus(v1::CODE_UNAVAILABLE, fault.what(), "scene");
   } catch (const std::exception& fault) {
     return makeStatus(v1::CODE_INTERNAL, fault.what());
   }

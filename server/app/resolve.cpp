@@ -4,10 +4,8 @@
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/refusal.h"
-#include "base/hash_rng.h"
 #include "scene/scene_error.h"
 
 namespace saccade {

@@ -1,4 +1,4 @@
-// A server in this process, on free ports, with the project's scenes.
+// A server in this process, on free ports.
 #pragma once
 
 #include "app/app.h"
@@ -9,7 +9,8 @@ namespace saccade {
 
 class TestServer {
  public:
-  explicit TestServer(int threads = 1);
+  // `scenes`: a folder; empty: the project's own.
+  explicit TestServer(int threads = 1, const std::string& scenes = {});
 
   MockClient& client() { return client_; }
   MockSubscriber dataSubscriber() { return MockSubscriber(info_.data_endpoint()); }
