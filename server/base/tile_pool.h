@@ -37,14 +37,14 @@ class TilePool {
 
   // Calls f(i) for i in [0, count), in any order, on the workers. Returns the CPU time that took.
   template <class F>
-  std::chrono::nanoseconds run(int count, F&& f) {
-    Job job{count, &f, [](void* context, int i) { (*static_cast<std::remove_reference_t<F>*>(context))(i); }};
+  std::chrono::nanoseconds run(int count, const F& f) {
+    Job job{count, &f, [](const void* context, int i) { (*static_cast<const F*>(context))(i); }};
     return runJob(job);
   }
 
   // Calls f(Tile) for every tile of a width x height picture.
   template <class F>
-  std::chrono::nanoseconds forEachTile(int width, int height, F&& f) {
+  std::chrono::nanoseconds forEachTile(int width, int height, const F& f) {
     const int across = (width + kTileEdge - 1) / kTileEdge, down = (height + kTileEdge - 1) / kTileEdge;
     return run(across * down, [&](int i) {
       const int x = i % across * kTileEdge, y = i / across * kTileEdge;
@@ -54,7 +54,7 @@ class TilePool {
 
   // Calls f(y) for every row, a band of rows per piece.
   template <class F>
-  std::chrono::nanoseconds forEachRow(int height, F&& f) {
+  std::chrono::nanoseconds forEachRow(int height, const F& f) {
     return run((height + kBandRows - 1) / kBandRows, [&](int band) {
       for (int y = band * kBandRows; y < std::min((band + 1) * kBandRows, height); ++y) f(y);
     });
@@ -63,8 +63,8 @@ class TilePool {
  private:
   struct Job {
     int count;
-    void* context;
-    void (*piece)(void*, int);
+    const void* context;
+    void (*piece)(const void*, int);
     int next = 0;     // first piece not yet taken
     int running = 0;  // pieces taken and not finished
     std::chrono::nanoseconds cpu{0};
