@@ -15,10 +15,11 @@ constexpr float kGauss[2] = {1.f / 2, 1.f / 4};      // g_3x3, separable, by dis
 
 // Features of one frame at the pixels of a chunk.
 struct Features {
-  Features(const GBuffer& g, int x0, int y, int n, float sigma_z)
+  Features(const GBuffer& g, int x0, int y, int n, const AtrousParams& params)
       : z(g.z.row(y) + x0), nx(g.nx.row(y) + x0), ny(g.ny.row(y) + x0), nz(g.nz.row(y) + x0) {
     const float* dz = g.dz.row(y) + x0;
-    for (int x = 0; x < n; ++x) r_z[x] = depthFactor(sigma_z, z[x], dz[x]);
+    const float least_slope = params.as_falcor ? kFalcorLeastSlope : kLeastSlope;
+    for (int x = 0; x < n; ++x) r_z[x] = depthFactor(params.sigma_z, z[x], dz[x], least_slope);
   }
   const float *z, *nx, *ny, *nz;
   alignas(64) float r_z[kChunk];
@@ -26,12 +27,15 @@ struct Features {
 
 // One signal at the pixels of a chunk, and the sums of its filter. The centre counts fully.
 struct Channel {
-  Channel(const ImageF& signal, const ImageF& variance, int x0, int y, int n, float sigma_l)
+  // Outside the picture the variance repeats its edge [ours]; Falcor reads the 0 of the border.
+  Channel(const ImageF& signal, const ImageF& variance, int x0, int y, int n, float sigma_l, bool as_falcor)
       : c(signal.row(y) + x0), v(variance.row(y) + x0) {
     const std::ptrdiff_t stride = variance.stride();
-    const std::ptrdiff_t up = y > 0 ? -stride : 0, down = y + 1 < variance.height() ? stride : 0;
+    const std::ptrdiff_t up = as_falcor || y > 0 ? -stride : 0;
+    const std::ptrdiff_t down = as_falcor || y + 1 < variance.height() ? stride : 0;
     for (int x = 0; x < n; ++x) {
-      const std::ptrdiff_t left = x0 + x > 0 ? -1 : 0, right = x0 + x + 1 < variance.width() ? 1 : 0;
+      const std::ptrdiff_t left = as_falcor || x0 + x > 0 ? -1 : 0;
+      const std::ptrdiff_t right = as_falcor || x0 + x + 1 < variance.width() ? 1 : 0;
       const auto across = [&](const float* p) { return kGauss[0] * p[0] + kGauss[1] * (p[left] + p[right]); };
       const float* p = v + x;
       r_l[x] =
@@ -65,7 +69,9 @@ inline void addTap(Channel& s, int x, std::ptrdiff_t o, float h, float exponent)
   s.v_sum[x] += w * w * s.v[x + o];
 }
 
-template <bool UsePrev>
+enum class Signal { kPrimal, kBoth, kBothHeedingPrev };
+
+template <Signal What>
 void filterChunk(const Features& cur, const Features& prev, int n, std::ptrdiff_t stride, int step,
                  float sigma_n, Channel& primal, Channel& difference) {
   const float s_n = sigma_n * kLog2E;
@@ -79,9 +85,10 @@ void filterChunk(const Features& cur, const Features& prev, int n, std::ptrdiff_
 #pragma GCC ivdep
       for (int x = 0; x < n; ++x) {
         const float e_cur = featureExponent(cur, x, o, s_n, inv_distance);
-        const float e_diff = UsePrev ? e_cur + featureExponent(prev, x, o, s_n, inv_distance) : e_cur;
         addTap(primal, x, o, h, e_cur);
-        addTap(difference, x, o, h, e_diff);
+        if (What == Signal::kBoth) addTap(difference, x, o, h, e_cur);
+        if (What != Signal::kBothHeedingPrev) continue;
+        addTap(difference, x, o, h, e_cur + featureExponent(prev, x, o, s_n, inv_distance));
       }
     }
   }
@@ -93,17 +100,18 @@ std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousPa
                                          const Signals& in, TilePool& pool, Signals& out) {
   SACCADE_CHECK(step <= kMaxAtrousStep);
   const int width = in.i.width();
+  const auto filter = !params.difference ? filterChunk<Signal::kPrimal>
+                      : !params.use_prev ? filterChunk<Signal::kBoth>
+                                         : filterChunk<Signal::kBothHeedingPrev>;
   return pool.forEachRow(in.i.height(), [&](int y) {
     for (int x0 = 0; x0 < width; x0 += kChunk) {
       const int n = std::min(kChunk, width - x0);
-      const Features cur(frames.cur.g, x0, y, n, params.sigma_z),
-          prev(frames.prev.g, x0, y, n, params.sigma_z);
-      Channel primal(in.i, in.var_i, x0, y, n, params.sigma_l);
-      Channel difference(in.d, in.var_d, x0, y, n, params.sigma_l_diff);
-      const auto filter = params.use_prev ? filterChunk<true> : filterChunk<false>;
+      const Features cur(frames.cur.g, x0, y, n, params), prev(frames.prev.g, x0, y, n, params);
+      Channel primal(in.i, in.var_i, x0, y, n, params.sigma_l, params.as_falcor);
+      Channel difference(in.d, in.var_d, x0, y, n, params.sigma_l_diff, params.as_falcor);
       filter(cur, prev, n, in.i.stride(), step, params.sigma_n, primal, difference);
       primal.store(n, out.i.row(y) + x0, out.var_i.row(y) + x0);
-      difference.store(n, out.d.row(y) + x0, out.var_d.row(y) + x0);
+      if (params.difference) difference.store(n, out.d.row(y) + x0, out.var_d.row(y) + x0);
     }
   });
 }

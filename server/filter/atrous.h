@@ -15,6 +15,8 @@ struct AtrousParams {
   float sigma_n = 128;
   float sigma_l = 10;       // primal
   float sigma_l_diff = 10;  // difference
+  bool difference = true;   // off: only the primal
+  bool as_falcor = false;   // walls seen head-on stop the filter; variance is 0 outside the picture
   bool use_prev = true;     // w_diff = w_curr w_prev [E (12)]; off: w_diff = w_curr (ablation of Fig. 9 B)
 };
 

@@ -11,7 +11,7 @@ float finiteOrZero(float v) {
 
 }  // namespace
 
-std::chrono::nanoseconds demodulate(const FramePair& frames, bool demodulate, TilePool& pool,
+std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, TilePool& pool,
                                     IlluminationSamples& out) {
   const Frame &cur = frames.cur, &prev = frames.prev;
   const auto spp1 = static_cast<float>(cur.samples.spp1), spp2 = static_cast<float>(cur.samples.spp2);
@@ -23,16 +23,16 @@ std::chrono::nanoseconds demodulate(const FramePair& frames, bool demodulate, Ti
     const float *E = cur.g.emission.row(y), *E_prev = prev.g.emission.row(y);
     float *i = out.i.row(y), *d = out.d.row(y);
     for (int x = 0; x < cur.width(); ++x) {
-      const float i_cur = (share1 * I1[x] + share2 * I2[x] - E[x]) / filterAlbedo(A[x], demodulate);
-      const float i1 = (I1[x] - E[x]) / filterAlbedo(A[x], demodulate);
-      const float i2_prev = (I2_prev[x] - E_prev[x]) / filterAlbedo(A_prev[x], demodulate);
+      const float i_cur = (share1 * I1[x] + share2 * I2[x] - E[x]) / filterAlbedo(A[x], by);
+      const float i1 = (I1[x] - E[x]) / filterAlbedo(A[x], by);
+      const float i2_prev = (I2_prev[x] - E_prev[x]) / filterAlbedo(A_prev[x], by);
       i[x] = finiteOrZero(i_cur);
       d[x] = finiteOrZero(i1 - i2_prev) * difference;
     }
   });
 }
 
-std::chrono::nanoseconds modulate(const FramePair& frames, bool demodulate, float variance_scale,
+std::chrono::nanoseconds modulate(const FramePair& frames, Demodulation by, float variance_scale,
                                   const Signals& filtered, const ImageF& i_prev, const ImageF& var_i_prev,
                                   TilePool& pool, IntensityChange& out) {
   return pool.forEachRow(out.dI.height(), [&](int y) {
@@ -43,7 +43,7 @@ std::chrono::nanoseconds modulate(const FramePair& frames, bool demodulate, floa
     float *dI = out.dI.row(y), *I_prev = out.I_prev.row(y), *I_now = out.I_now.row(y);
     float *var_dI = out.var_dI.row(y), *var_I_prev = out.var_I_prev.row(y);
     for (int x = 0; x < out.dI.width(); ++x) {
-      const float a = filterAlbedo(A[x], demodulate), a_prev = filterAlbedo(A_prev[x], demodulate);
+      const float a = filterAlbedo(A[x], by), a_prev = filterAlbedo(A_prev[x], by);
       const float da = a - a_prev;
       dI[x] = a * Dd[x] + da * Di_prev[x] + (E[x] - E_prev[x]);
       I_prev[x] = std::max(0.f, a_prev * Di_prev[x] + E_prev[x]);

@@ -29,12 +29,13 @@ inline float fastExp2(float x) {
 }
 
 // [ours] A wall seen head-on has dz = 0 up to rounding. Its slope counts as at least this much of its depth
-// per pixel (0.006 degrees of view), so that rounding does not stop the filter. Falcor's 1e-8 does.
-inline constexpr float kLeastSlope = 1e-4f;
+// per pixel (0.006 degrees of view), so that rounding does not stop the filter. Falcor's 1e-8 scene units,
+// here for a depth of 10, do stop it.
+inline constexpr float kLeastSlope = 1e-4f, kFalcorLeastSlope = 1e-9f;
 
 // Factor r_z(p): e_z = |z(p) - z(q)| * r_z(p) / |p - q|.
-inline float depthFactor(float sigma_z, float z, float dz) {
-  return kLog2E / (sigma_z * std::max(dz, kLeastSlope * z));
+inline float depthFactor(float sigma_z, float z, float dz, float least_slope) {
+  return kLog2E / (sigma_z * std::max(dz, least_slope * z));
 }
 
 // Factor r_l(p): e_l = |l(p) - l(q)| * r_l(p), from the blurred variance g_3x3(Var(l)) [E (25)].

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "filter/edge_stopping.h"
 
@@ -32,16 +33,17 @@ void addTap(int n, const float* e, std::ptrdiff_t o, float r_l, const float* c, 
 }
 
 // Exponent e_z + e_n of the features of one frame for the neighbours at `o`.
-void addFeatures(int n, const GBuffer& g, int x0, int y, std::ptrdiff_t o, float distance, float sigma_n,
-                 float* e) {
+void addFeatures(int n, const GBuffer& g, int x0, int y, std::ptrdiff_t o, float distance,
+                 const VarianceParams& params, float* e) {
   const float *z = g.z.row(y) + x0, *dz = g.dz.row(y) + x0;
   const float *nx = g.nx.row(y) + x0, *ny = g.ny.row(y) + x0, *nz = g.nz.row(y) + x0;
-  const float s_n = sigma_n * kLog2E, inv_distance = 1 / std::max(distance, 1.f);
+  const float s_n = params.sigma_n * kLog2E, least_slope = params.as_falcor ? kFalcorLeastSlope : kLeastSlope,
+              inv_distance = 1 / std::max(distance, 1.f);
 #pragma GCC ivdep
   for (int x = 0; x < n; ++x) {
     const float cosine = nx[x] * nx[x + o] + ny[x] * ny[x + o] + nz[x] * nz[x + o];
     e[x] += s_n * (1 - cosine) +
-            std::abs(z[x] - z[x + o]) * depthFactor(kSpatialSigmaZ, z[x], dz[x]) * inv_distance;
+            std::abs(z[x] - z[x + o]) * depthFactor(kSpatialSigmaZ, z[x], dz[x], least_slope) * inv_distance;
   }
 }
 
@@ -54,22 +56,28 @@ void spatialChunk(const FramePair& frames, const History& h, const VarianceParam
       const std::ptrdiff_t o = dy * h.I.stride() + dx;
       const float distance = std::hypot(static_cast<float>(dx), static_cast<float>(dy));
       alignas(64) float e[kChunk] = {};
-      if (o != 0) addFeatures(n, frames.cur.g, x0, y, o, distance, params.sigma_n, e);
+      if (o != 0) addFeatures(n, frames.cur.g, x0, y, o, distance, params, e);
       addTap(n, e, o, r_l, h.I.row(y) + x0, h.m1.row(y) + x0, h.m2.row(y) + x0, primal);
-      if (o != 0 && params.use_prev) addFeatures(n, frames.prev.g, x0, y, o, distance, params.sigma_n, e);
+      if (!params.difference) continue;
+      if (o != 0 && params.use_prev) addFeatures(n, frames.prev.g, x0, y, o, distance, params, e);
       addTap(n, e, o, r_l, h.D.row(y) + x0, h.q1.row(y) + x0, h.q2.row(y) + x0, difference);
     }
   }
 }
 
 // Replaces signal and variance where the history is short.
-void mergeChunk(int n, const float* length, const Sums& s, float* c, float* variance) {
+void mergeChunk(int n, const float* length, const Sums& s, float least, float* c, float* variance) {
   for (int x = 0; x < n; ++x) {
     if (length[x] >= kTemporalFrames) continue;
     const float first = s.first[x] / s.w[x], second = s.second[x] / s.w[x];
     c[x] = s.c[x] / s.w[x];
-    variance[x] = std::max(0.f, second - first * first) * (kTemporalFrames / length[x]);
+    variance[x] = std::max(least, second - first * first) * (kTemporalFrames / length[x]);
   }
+}
+
+// Variance of one frame's sample from its accumulated moments.
+void temporalVariance(int width, const float* first, const float* second, float* variance) {
+  for (int x = 0; x < width; ++x) variance[x] = std::max(0.f, second[x] - first[x] * first[x]);
 }
 
 }  // namespace
@@ -77,15 +85,13 @@ void mergeChunk(int n, const float* length, const Sums& s, float* c, float* vari
 std::chrono::nanoseconds estimateVariance(const FramePair& frames, const History& history,
                                           const VarianceParams& params, TilePool& pool, Signals& out) {
   const int width = history.I.width();
+  const float least = params.as_falcor ? std::numeric_limits<float>::lowest() : 0;
   return pool.forEachRow(history.I.height(), [&](int y) {
-    const float *m1 = history.m1.row(y), *m2 = history.m2.row(y), *q1 = history.q1.row(y),
-                *q2 = history.q2.row(y);
     std::copy_n(history.I.row(y), width, out.i.row(y));
-    std::copy_n(history.D.row(y), width, out.d.row(y));
-    float *var_i = out.var_i.row(y), *var_d = out.var_d.row(y);
-    for (int x = 0; x < width; ++x) {
-      var_i[x] = std::max(0.f, m2[x] - m1[x] * m1[x]);
-      var_d[x] = std::max(0.f, q2[x] - q1[x] * q1[x]);
+    temporalVariance(width, history.m1.row(y), history.m2.row(y), out.var_i.row(y));
+    if (params.difference) {
+      std::copy_n(history.D.row(y), width, out.d.row(y));
+      temporalVariance(width, history.q1.row(y), history.q2.row(y), out.var_d.row(y));
     }
     const float* length = history.length.row(y);
     for (int x0 = 0; x0 < width; x0 += kChunk) {
@@ -93,8 +99,9 @@ std::chrono::nanoseconds estimateVariance(const FramePair& frames, const History
       if (*std::min_element(length + x0, length + x0 + n) >= kTemporalFrames) continue;
       Sums primal, difference;
       spatialChunk(frames, history, params, x0, y, n, primal, difference);
-      mergeChunk(n, length + x0, primal, out.i.row(y) + x0, var_i + x0);
-      mergeChunk(n, length + x0, difference, out.d.row(y) + x0, var_d + x0);
+      mergeChunk(n, length + x0, primal, least, out.i.row(y) + x0, out.var_i.row(y) + x0);
+      if (params.difference)
+        mergeChunk(n, length + x0, difference, least, out.d.row(y) + x0, out.var_d.row(y) + x0);
     }
   });
 }

@@ -18,7 +18,9 @@ inline constexpr float kTemporalFrames = 4;
 struct VarianceParams {
   float sigma_l = 10;  // here an absolute difference, as no variance is known yet [Falcor]
   float sigma_n = 128;
-  bool use_prev = true;  // w_prev of [E (12)] for the difference
+  bool use_prev = true;    // w_prev of [E (12)] for the difference
+  bool difference = true;  // off: only the primal
+  bool as_falcor = false;  // the 7x7 variance may be negative, and walls seen head-on are not smoothed
 };
 
 std::chrono::nanoseconds estimateVariance(const FramePair& frames, const History& history,

@@ -38,6 +38,10 @@ const std::vector<ParamField<P>>& fields() {
   return table;
 }
 
+Demodulation demodulation(const P& params) {
+  return params.demodulate ? Demodulation::kAlbedo : Demodulation::kNone;
+}
+
 }  // namespace
 
 MethodInfo EventSvgf::info() {
@@ -50,10 +54,17 @@ MethodInfo EventSvgf::info() {
 
 EventSvgf::EventSvgf(const EventSvgfParams& p, int w, int h)
     : params_(p),
-      accumulation_{p.alpha, p.moments_alpha, static_cast<float>(p.max_history), p.accumulate_difference,
-                    p.correction},
-      variance_{p.sigma_l, p.sigma_n, p.w_prev},
-      atrous_{p.sigma_z, p.sigma_n, p.sigma_l, p.sigma_l_diff, p.w_prev},
+      accumulation_{.alpha = p.alpha,
+                    .moments_alpha = p.moments_alpha,
+                    .max_history = static_cast<float>(p.max_history),
+                    .accumulate_difference = p.accumulate_difference,
+                    .correct_difference = p.correction},
+      variance_{.sigma_l = p.sigma_l, .sigma_n = p.sigma_n, .use_prev = p.w_prev},
+      atrous_{.sigma_z = p.sigma_z,
+              .sigma_n = p.sigma_n,
+              .sigma_l = p.sigma_l,
+              .sigma_l_diff = p.sigma_l_diff,
+              .use_prev = p.w_prev},
       samples_(w, h),
       history_(w, h),
       history_prev_(w, h),
@@ -80,18 +91,18 @@ void EventSvgf::estimate(const FramePair& frames, TilePool& pool, IntensityChang
   // Variances so far are of one frame's sample; a running mean of weight alpha has alpha / (2 - alpha) of it.
   const float variance_scale = params_.alpha / (2 - params_.alpha);
   times[Stage::kModulate] +=
-      modulate(frames, params_.demodulate, variance_scale, filtered_, i_prev_, var_i_prev_, pool, out);
+      modulate(frames, demodulation(params_), variance_scale, filtered_, i_prev_, var_i_prev_, pool, out);
 }
 
 void EventSvgf::filter(const FramePair& frames, TilePool& pool, StageTimes& times) {
   // (A) Samples, demodulated.
-  times[Stage::kModulate] += demodulate(frames, params_.demodulate, pool, samples_);
+  times[Stage::kModulate] += demodulate(frames, demodulation(params_), pool, samples_);
 
   // (B) Accumulate along the motion vectors. I_prev2_ receives I'_{t-2}; its old storage becomes I'_t.
   std::swap(I_prev2_, history_prev_.I);
   std::swap(history_, history_prev_);
   times[Stage::kTemporal] +=
-      accumulate(frames, samples_, accumulation_, history_prev_, I_prev2_, pool, history_);
+      accumulate(frames, samples_, accumulation_, history_prev_, &I_prev2_, pool, history_);
 
   // (C) Filter over space, each iteration twice as wide. One of them is fed back into the history.
   times[Stage::kVariance] += estimateVariance(frames, history_, variance_, pool, filtered_);

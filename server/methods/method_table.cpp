@@ -1,13 +1,16 @@
 #include <cmath>
 
+#include "base/range.h"
 #include "methods/event_svgf.h"
 #include "methods/path_traced.h"
+#include "methods/svgf.h"
 
 namespace saccade {
 
 const std::vector<MethodInfo>& methodTable() {
   static const std::vector<MethodInfo> table{
       EventSvgf::info(),
+      Svgf::info(),
       PathTraced::correlatedInfo(),
       PathTraced::independentInfo(),
   };
@@ -45,11 +48,8 @@ std::string resolveParams(const MethodInfo& method, const ParamValues& given, Pa
   for (const ParamSpec& spec : method.params) {
     bad_name = spec.name;
     const double value = resolved[spec.name];
-    const bool in_range = value >= spec.min && value <= spec.max;  // false for NaN
-    if (!in_range || (spec.whole && value != std::round(value))) {
-      return spec.name + " must be " + (spec.whole ? "a whole number" : "a number") + " from " +
-             std::to_string(spec.min) + " to " + std::to_string(spec.max);
-    }
+    if (std::string fault = rangeFault(value, spec.min, spec.max); !fault.empty()) return fault;
+    if (spec.whole && value != std::round(value)) return "must be a whole number";
   }
   bad_name.clear();
   return {};

@@ -33,13 +33,13 @@ struct Fixture : ::testing::Test {
 
 // Eq. 19 is an identity: with D the identity it gives back I_t - I_{t-1} for any albedos and emissions.
 TEST_F(Fixture, ModulationUndoesDemodulation) {
-  demodulate({prev, prev}, true, pool, samples_prev);
-  demodulate({cur, prev}, true, pool, samples);
+  demodulate({prev, prev}, Demodulation::kAlbedo, pool, samples_prev);
+  demodulate({cur, prev}, Demodulation::kAlbedo, pool, samples);
   for (int y = 0; y < kH; ++y) {
     for (int x = 0; x < kW; ++x) filtered.d.at(x, y) = samples.i.at(x, y) - samples_prev.i.at(x, y);
   }
   filtered.i.copyFrom(samples.i);
-  modulate({cur, prev}, true, 1, filtered, samples_prev.i, zero, pool, change);
+  modulate({cur, prev}, Demodulation::kAlbedo, 1, filtered, samples_prev.i, zero, pool, change);
   for (int y = 0; y < kH; ++y) {
     for (int x = 0; x < kW; ++x) {
       const float I = (cur.samples.I1.at(x, y) + cur.samples.I2.at(x, y)) / 2;
@@ -52,11 +52,11 @@ TEST_F(Fixture, ModulationUndoesDemodulation) {
 }
 
 TEST_F(Fixture, DifferenceIsOfThePassesThatShareSeeds) {
-  demodulate({cur, prev}, true, pool, samples);
+  demodulate({cur, prev}, Demodulation::kAlbedo, pool, samples);
   const float expected = (cur.samples.I1.at(4, 5) - cur.g.emission.at(4, 5)) / cur.g.albedo.at(4, 5) -
                          (prev.samples.I2.at(4, 5) - prev.g.emission.at(4, 5)) / prev.g.albedo.at(4, 5);
   EXPECT_NEAR(samples.d.at(4, 5), expected, 1e-5f);
-  demodulate({cur, cur}, true, pool, samples);
+  demodulate({cur, cur}, Demodulation::kAlbedo, pool, samples);
   EXPECT_EQ(samples.d.at(4, 5), 0);  // the first frame has none
 }
 
@@ -64,11 +64,18 @@ TEST_F(Fixture, BlackAlbedoAndBadSamplesStayFinite) {
   cur.g.albedo.at(1, 1) = 0;
   cur.samples.I1.at(2, 1) = std::numeric_limits<float>::quiet_NaN();
   cur.samples.I1.at(3, 1) = std::numeric_limits<float>::infinity();
-  demodulate({cur, prev}, true, pool, samples);
+  demodulate({cur, prev}, Demodulation::kAlbedo, pool, samples);
   for (int x : {1, 2, 3}) {
     EXPECT_TRUE(std::isfinite(samples.i.at(x, 1))) << x;
     EXPECT_TRUE(std::isfinite(samples.d.at(x, 1))) << x;
   }
+}
+
+TEST(FilterAlbedo, IsFlooredRoundedOrIgnored) {
+  EXPECT_EQ(filterAlbedo(0.3f, Demodulation::kAlbedo), 0.3f);
+  EXPECT_EQ(filterAlbedo(0, Demodulation::kAlbedo), 1e-3f);
+  EXPECT_FLOAT_EQ(filterAlbedo(0.3f, Demodulation::kEightBits), 77 / 255.f);
+  EXPECT_EQ(filterAlbedo(0.3f, Demodulation::kNone), 1);
 }
 
 }  // namespace

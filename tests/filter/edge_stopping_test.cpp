@@ -17,8 +17,9 @@ TEST(FastExp2, IsExactAtWholeNumbersAndNeverNegative) {
 
 TEST(DepthFactor, DoesNotStopAWallSeenHeadOn) {
   const float rounding = 1e-6f;  // of a depth of 5
-  EXPECT_LT(rounding * depthFactor(1, 5, 0), 0.01f);
-  EXPECT_GT(0.05f * depthFactor(1, 5, 0), 50);  // an edge of a hundredth of the depth does
+  EXPECT_LT(rounding * depthFactor(1, 5, 0, kLeastSlope), 0.01f);
+  EXPECT_GT(0.05f * depthFactor(1, 5, 0, kLeastSlope), 50);  // an edge of a hundredth of the depth does
+  EXPECT_GT(rounding * depthFactor(1, 5, 0, kFalcorLeastSlope), 50);  // Falcor's floor is none
 }
 
 }  // namespace

@@ -12,11 +12,15 @@ using test::fillInside;
 using test::fillRandom;
 constexpr int kW = 41, kH = 23;
 
+Reprojection look(const FramePair& frames, int x, int y) {
+  const GBuffer &g = frames.cur.g, &g_prev = frames.prev.g;
+  return Reprojection::find(g, g_prev, x, y, SameSurface(g, g_prev, x, y));
+}
+
 // W v for every pixel, by the definition of the taps.
 void warp(const FramePair& frames, const ImageF& v, ImageF& out) {
   for (int y = 0; y < kH; ++y) {
-    for (int x = 0; x < kW; ++x)
-      out.at(x, y) = reproject(frames.cur.g, frames.prev.g, x, y)(v.row(0), v.stride());
+    for (int x = 0; x < kW; ++x) out.at(x, y) = look(frames, x, y)(v);
   }
 }
 
@@ -54,10 +58,10 @@ TEST_F(Fixture, DifferenceEqualsThatOfThePrimalsAtConstantAlpha) {
   }
   fillInside(before.length, 8);
 
-  accumulate({cur, prev}, samples, {.alpha = alpha}, before, I_prev2, pool, now);
+  accumulate({cur, prev}, samples, {.alpha = alpha}, before, &I_prev2, pool, now);
   for (int y = 0; y < kH; ++y) {
     for (int x = 0; x < kW; ++x) {
-      if (!reproject(cur.g, prev.g, x, y).found) continue;
+      if (!look({cur, prev}, x, y).found()) continue;
       EXPECT_NEAR(now.D.at(x, y), now.I.at(x, y) - before.I.at(x, y), 2e-6f) << x << "," << y;
     }
   }
@@ -67,9 +71,9 @@ TEST_F(Fixture, WithoutCorrectionItDoesNot) {
   fillRandom(I_prev2, 12);
   fillRandom(before.R, 13);
   fillInside(before.length, 8);
-  accumulate({cur, prev}, samples, {.correct_difference = false}, before, I_prev2, pool, now);
+  accumulate({cur, prev}, samples, {.correct_difference = false}, before, &I_prev2, pool, now);
   EXPECT_EQ(now.D.at(20, 10), 0);
-  accumulate({cur, prev}, samples, {}, before, I_prev2, pool, now);
+  accumulate({cur, prev}, samples, {}, before, &I_prev2, pool, now);
   EXPECT_NE(now.D.at(20, 10), 0);
 }
 
@@ -82,7 +86,7 @@ TEST_F(Fixture, LostHistoryStartsAnew) {
   cur.g.z_in_prev.at(7, 5) = 9;                  // was hidden behind the wall
   cur.g.motion_x.at(8, 5) = 1000;                // was outside
   cur.g.nx.at(9, 5) = 1, cur.g.nz.at(9, 5) = 0;  // another face
-  accumulate({cur, prev}, samples, {}, before, I_prev2, pool, now);
+  accumulate({cur, prev}, samples, {}, before, &I_prev2, pool, now);
   for (int x : {7, 8, 9}) {
     EXPECT_EQ(now.length.at(x, 5), 1);
     EXPECT_EQ(now.I.at(x, 5), samples.i.at(x, 5));
@@ -96,7 +100,7 @@ TEST_F(Fixture, TheDifferenceNeedsHistoryInBothFrames) {
   fillRandom(samples.d, 12, -1, 1);
   fillInside(before.length, 8);
   before.length.at(20, 10) = 1;  // this pixel saw a new surface one frame ago
-  accumulate({cur, prev}, samples, {}, before, I_prev2, pool, now);
+  accumulate({cur, prev}, samples, {}, before, &I_prev2, pool, now);
   EXPECT_EQ(now.D.at(20, 10), samples.d.at(20, 10));
 }
 
@@ -108,7 +112,7 @@ TEST_F(Fixture, MotionFollowsTheSurface) {
   fillInside(before.length, 8);
   fillInside(cur.g.motion_x, 1.25f);
   fillInside(cur.g.motion_y, -0.5f);
-  accumulate({cur, prev}, samples, {}, before, I_prev2, pool, now);
+  accumulate({cur, prev}, samples, {}, before, &I_prev2, pool, now);
   EXPECT_NEAR(now.R.at(20, 10), 10 * 21.25f + 9.5f, 1e-4f);
 }
 

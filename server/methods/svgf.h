@@ -1,0 +1,50 @@
+// SVGF, the primal-domain rival: each frame is filtered by itself, D[I_t] - D[I_{t-1}] [E (7)].
+#pragma once
+
+#include "filter/atrous.h"
+#include "filter/signals.h"
+#include "filter/temporal_accumulation.h"
+#include "filter/variance.h"
+#include "methods/method.h"
+
+namespace saccade {
+
+// The defaults are Falcor's, with the paper's alpha. svgf.cpp says range and source of each.
+struct SvgfParams {
+  float alpha = 0.1f;
+  float moments_alpha = 0.2f;
+  int max_history = 32;
+  int iterations = 4;
+  int feedback_tap = 1;
+  float sigma_l = 10;
+  float sigma_n = 128;
+  float sigma_z = 1;
+  bool as_falcor = false;
+};
+
+class Svgf final : public Method {
+ public:
+  Svgf(const SvgfParams& params, int width, int height);
+  static MethodInfo info();
+
+  SeedReuse seedReuse() const override { return SeedReuse::kIndependent; }
+  void start(const Frame& first, TilePool& pool) override;
+  void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
+
+ private:
+  // Accumulates and filters; the result is in filtered_.
+  void filter(const FramePair& frames, TilePool& pool, StageTimes& times);
+  // I = A D[i] + E, and its variance.
+  std::chrono::nanoseconds remodulate(const Frame& frame, TilePool& pool, ImageF& I, ImageF& variance) const;
+
+  SvgfParams params_;
+  AccumulationParams accumulation_;
+  VarianceParams variance_;
+  AtrousParams atrous_;
+  IlluminationSamples samples_;
+  History history_, history_prev_;
+  Signals filtered_, scratch_;
+  ImageF I_prev_, var_I_prev_;  // D[I_{t-1}] and its variance
+};
+
+}  // namespace saccade
