@@ -1,11 +1,7 @@
 #include "stream/broadcast_server.h"
 
-#include <limits>
-
 namespace saccade {
 namespace {
-
-constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
 std::shared_ptr<Session> findByTopic(const SessionDirectory& sessions, const std::string& topic) {
   for (const auto& session : sessions.all()) {
@@ -66,8 +62,10 @@ bool BroadcastServer::ready(const Session& session) const {
 }
 
 void BroadcastServer::sendPacketsOf(Session& session) {
-  while (const auto packet = session.pop(kNoLimit)) {
-    loop_.send({session.topic(packet->sensor), packet->header, *packet->payload});
+  while (session.sendOldest([&](const WirePacket& packet) {
+    loop_.send({session.topic(packet.sensor), packet.header, *packet.payload});
+    return true;  // who is too slow for it has lost it
+  })) {
   }
 }
 

@@ -1,6 +1,7 @@
 #include "stream/credit_queue.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/check.h"
 
@@ -16,8 +17,11 @@ bool CreditQueue::hasRoom() const {
 
 void CreditQueue::push(Packet packet) {
   SACCADE_CHECK(packet.header.sensor() < untold_drops_.size());
-  const std::uint64_t bytes = packet.header.ByteSizeLong() + packet.payload->size();
   std::lock_guard lock(mutex_);
+  if (auto& untold = untold_drops_[packet.header.sensor()]) {
+    packet.header.set_dropped_before(std::exchange(untold, 0));
+  }
+  const std::uint64_t bytes = packet.header.ByteSizeLong() + packet.payload->size();
   waiting_.entries.push_back({std::move(packet), bytes});
   waiting_.bytes += bytes;
   if (overflow_ == Overflow::kDropOldest && waiting_.bytes > capacity_bytes_) dropOldest();
@@ -27,38 +31,43 @@ void CreditQueue::push(Packet packet) {
 void CreditQueue::dropOldest() {
   auto& entries = waiting_.entries;
   for (auto it = entries.begin(); waiting_.bytes > capacity_bytes_ && it + 1 != entries.end();) {
-    const v1::PacketHeader& header = it->packet.header;
-    if (header.kind() != v1::KIND_EVENTS) {
+    if (it->packet.header.kind() != v1::KIND_EVENTS) {
       ++it;
       continue;
     }
-    // One that was sent before and came back may itself tell of drops.
-    untold_drops_[header.sensor()] += 1 + header.dropped_before();
+    tellLoss(it);
     ++dropped_packets_;
     waiting_.bytes -= it->bytes;
     it = entries.erase(it);
   }
 }
 
-std::optional<WirePacket> CreditQueue::pop(std::uint64_t credit_bytes) {
-  std::lock_guard lock(mutex_);
-  if (waiting_.entries.empty()) return {};
-  Entry& entry = waiting_.entries.front();
-  v1::PacketHeader& header = entry.packet.header;
-  std::uint64_t& untold = untold_drops_[header.sensor()];
-  if (untold > 0) header.set_dropped_before(header.dropped_before() + untold);
-  untold = 0;
-  WirePacket out{header.sensor(), header.SerializeAsString(), entry.packet.payload};
-  waiting_.bytes += out.bytes() - entry.bytes;
-  entry.bytes = out.bytes();
-  if (out.bytes() > credit_bytes) return {};
+// The loss goes with the packets, not with the sending: a client that resumes is told the same again.
+void CreditQueue::tellLoss(std::deque<Entry>::iterator lost) {
+  const v1::PacketHeader& header = lost->packet.header;
+  const std::uint64_t drops = 1 + header.dropped_before();
+  const auto next = std::find_if(lost + 1, waiting_.entries.end(), [&](const Entry& entry) {
+    return entry.packet.header.sensor() == header.sensor();
+  });
+  if (next == waiting_.entries.end()) {
+    untold_drops_[header.sensor()] += drops;
+  } else {
+    next->packet.header.set_dropped_before(next->packet.header.dropped_before() + drops);
+  }
+}
 
+bool CreditQueue::sendOldest(const Send& send) {
+  std::lock_guard lock(mutex_);
+  if (waiting_.entries.empty()) return false;
+  Entry& entry = waiting_.entries.front();
+  const v1::PacketHeader& header = entry.packet.header;
+  if (!send({header.sensor(), header.SerializeAsString(), entry.packet.payload})) return false;
   waiting_.bytes -= entry.bytes;
   sent_.bytes += entry.bytes;
   sent_.entries.push_back(std::move(entry));
   waiting_.entries.pop_front();
   while (sent_.bytes > capacity_bytes_ && sent_.entries.size() > 1) forgetFirstSent();
-  return out;
+  return true;
 }
 
 void CreditQueue::forgetFirstSent() {
@@ -73,11 +82,6 @@ void CreditQueue::moveBackToFront(Entries& from, Entries& to) {
   to.bytes += from.entries.back().bytes;
   to.entries.push_front(std::move(from.entries.back()));
   from.entries.pop_back();
-}
-
-void CreditQueue::putBack() {
-  std::lock_guard lock(mutex_);
-  if (!sent_.entries.empty()) moveBackToFront(sent_, waiting_);
 }
 
 void CreditQueue::acknowledge(std::uint32_t sensor, std::uint64_t seq) {

@@ -3,13 +3,14 @@
 // When it is full, a stream either holds its producer (who asks hasRoom() before each frame; the packets of
 // one frame may overshoot) or loses its oldest packets. What is lost is counted and told in dropped_before of
 // the next packet of that sensor; END is never lost. What has been sent stays, bounded by the same number of
-// bytes, until it is acknowledged, so that a client may resume on another connection.
+// bytes, until it is acknowledged, so that a client may resume on another connection. So a stream without
+// credit keeps at most the bound and one frame, or one packet where it drops; and once more the bound.
 #pragma once
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,15 +31,18 @@ class CreditQueue {
  public:
   enum class Overflow { kHold, kDropOldest };
 
+  using Send = std::function<bool(const WirePacket&)>;  // whether it could be sent
+
   CreditQueue(Overflow overflow, std::uint64_t capacity_bytes, std::uint32_t sensors);
 
   // Producer.
   bool hasRoom() const;      // always true when the oldest are dropped
-  void push(Packet packet);  // never blocks
+  void push(Packet packet);  // never waits for a receiver
 
   // Consumer.
-  std::optional<WirePacket> pop(std::uint64_t credit_bytes);  // the oldest, if it costs no more than that
-  void putBack();                                             // undoes the last pop(), if it just happened
+  // Hands the oldest packet to `send`, which must not block nor use the queue. False: there is none, or it
+  // could not be sent and stays the oldest.
+  bool sendOldest(const Send& send);
   void acknowledge(std::uint32_t sensor, std::uint64_t seq);  // forgets what was sent up to `seq`
   // Sends again what was sent of every sensor from `from_seq` on and is not acknowledged. Returns why that
   // cannot be done, or an empty text.
@@ -58,13 +62,14 @@ class CreditQueue {
   };
   static void moveBackToFront(Entries& from, Entries& to);
   void dropOldest();
+  void tellLoss(std::deque<Entry>::iterator lost);
   void forgetFirstSent();
 
   const Overflow overflow_;
   const std::uint64_t capacity_bytes_;
   mutable std::mutex mutex_;
   Entries waiting_, sent_;
-  std::vector<std::uint64_t> untold_drops_;  // by sensor: dropped since the last packet sent
+  std::vector<std::uint64_t> untold_drops_;  // by sensor: for the next packet to be pushed
   std::uint64_t dropped_packets_ = 0;
   std::uint64_t first_resumable_ = 0;  // what was sent and forgotten unacknowledged has a smaller seq
 };

@@ -5,7 +5,7 @@
 namespace saccade {
 namespace {
 
-constexpr std::uint64_t kMaxCredit = std::uint64_t{1} << 40;
+constexpr std::int64_t kMaxCredit = std::int64_t{1} << 40;
 constexpr std::chrono::milliseconds kFullPause{2};  // until a peer whose queue is full is tried again
 
 }  // namespace
@@ -66,8 +66,9 @@ void DataServer::takeOver(const Session& session, const std::string& identity) {
 std::string DataServer::addCredit(const std::string& identity, std::uint64_t bytes) {
   const auto found = connections_.find(identity);
   if (found == connections_.end()) return "attach to a stream before giving credit";
-  std::uint64_t& credit = found->second.credit_bytes;
-  credit = std::min(kMaxCredit, credit + std::min(kMaxCredit, bytes));
+  const auto added = static_cast<std::int64_t>(std::min<std::uint64_t>(kMaxCredit, bytes));
+  std::int64_t& credit = found->second.credit_bytes;
+  credit = std::min(kMaxCredit, credit + added);
   return {};
 }
 
@@ -97,15 +98,18 @@ std::chrono::milliseconds DataServer::sendPackets() {
 }
 
 SocketLoop::Sent DataServer::sendPacketsOf(const std::string& identity, Connection& connection) {
-  while (const auto packet = connection.session->pop(connection.credit_bytes)) {
-    const auto sent = loop_.send({identity, packet->header, *packet->payload});
-    if (sent != SocketLoop::Sent::kYes) {
-      connection.session->queue().putBack();
-      return sent;
-    }
-    connection.credit_bytes -= packet->bytes();
+  auto sent = SocketLoop::Sent::kYes;
+  const auto send = [&](const WirePacket& packet) {
+    sent = loop_.send({identity, packet.header, *packet.payload});
+    if (sent != SocketLoop::Sent::kYes) return false;
+    connection.credit_bytes -= static_cast<std::int64_t>(packet.bytes());
     connection.last_sent = Signal::Clock::now();
+    return true;
+  };
+  // The last packet may overdraw the credit: less than a packet's worth shall not stall a stream in silence.
+  while (connection.credit_bytes > 0 && connection.session->sendOldest(send)) {
   }
+  if (sent != SocketLoop::Sent::kYes) return sent;
   const bool quiet = Signal::Clock::now() - connection.last_sent >= kHeartbeatPause;
   return quiet ? sendHeartbeat(identity, connection) : SocketLoop::Sent::kYes;
 }

@@ -27,7 +27,7 @@ class DataServer {
  private:
   struct Connection {
     std::shared_ptr<Session> session;
-    std::uint64_t credit_bytes = 0;
+    std::int64_t credit_bytes = 0;  // below 0: overdrawn by its last packet
     Signal::Clock::time_point last_sent = Signal::Clock::now();
   };
   void receive(const SocketLoop::Parts& parts);

@@ -57,12 +57,11 @@ void Session::leave() {
   producer_->raise();
 }
 
-std::optional<WirePacket> Session::pop(std::uint64_t credit_bytes) {
-  auto packet = queue_.pop(credit_bytes);
-  if (!packet) return {};
+bool Session::sendOldest(const CreditQueue::Send& send) {
+  if (!queue_.sendOldest(send)) return false;
   touch();
   producer_->raise();
-  return packet;
+  return true;
 }
 
 void Session::keepAlive() {

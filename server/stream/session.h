@@ -4,7 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "saccade/v1/control.pb.h"
@@ -35,7 +34,7 @@ class Session {
   // Transports. start(): a receiver is there, the producer may begin. leave(): it has gone.
   void start();
   void leave();
-  std::optional<WirePacket> pop(std::uint64_t credit_bytes);
+  bool sendOldest(const CreditQueue::Send& send);  // as the queue's
   CreditQueue& queue() { return queue_; }
   void keepAlive();  // its receiver is there, though it takes nothing
 

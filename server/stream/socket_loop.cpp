@@ -12,7 +12,8 @@ constexpr std::size_t kMaxParts = 3;
 constexpr int kMessagesPerTurn = 64;  // then packets get their turn, too
 
 void configure(zmq::socket_t& socket, const SocketOptions& options) {
-  socket.set(zmq::sockopt::ipv6, true);
+  // A socket with IPv6 states IPv4 addresses in a form that few clients understand.
+  socket.set(zmq::sockopt::ipv6, options.endpoint.find('[') != std::string::npos);
   socket.set(zmq::sockopt::linger, 1000);
   socket.set(zmq::sockopt::heartbeat_ivl, 2000);
   socket.set(zmq::sockopt::heartbeat_timeout, 6000);
@@ -52,6 +53,7 @@ SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Im
   configure(impl_->socket, options);
   try {
     impl_->socket.bind(options.endpoint);
+    endpoint_ = impl_->socket.get(zmq::sockopt::last_endpoint);
   } catch (const zmq::error_t& fault) {
     throw std::runtime_error("cannot listen on " + options.endpoint + ": " + fault.what());
   }
@@ -59,10 +61,6 @@ SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Im
 
 SocketLoop::~SocketLoop() {
   stop();
-}
-
-std::string SocketLoop::endpoint() const {
-  return impl_->socket.get(zmq::sockopt::last_endpoint);
 }
 
 void SocketLoop::start(OnMessage on_message, OnTurn on_turn) {

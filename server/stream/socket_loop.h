@@ -16,7 +16,7 @@ namespace saccade {
 struct SocketOptions {
   enum class Kind { kRouter, kXPub };
   Kind kind = Kind::kRouter;
-  std::string endpoint;                    // port 0 or * takes a free one
+  std::string endpoint;                    // port 0 or * takes a free one; IPv6 where the host is in brackets
   std::int64_t max_part_bytes = 64 << 10;  // a peer that sends a larger part is disconnected
   int send_queue = 64;                     // messages per peer
 };
@@ -35,7 +35,7 @@ class SocketLoop {
   SocketLoop(const SocketLoop&) = delete;
   SocketLoop& operator=(const SocketLoop&) = delete;
 
-  std::string endpoint() const;  // with the real port
+  const std::string& endpoint() const { return endpoint_; }  // with the real port
   WakeFd& wake() { return wake_; }
   void start(OnMessage on_message, OnTurn on_turn);
   // Ends the thread, sends what was accepted for at most a second, and closes the socket.
@@ -52,6 +52,7 @@ class SocketLoop {
 
   WakeFd wake_;
   std::unique_ptr<Impl> impl_;
+  std::string endpoint_;
 };
 
 }  // namespace saccade

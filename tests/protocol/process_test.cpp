@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 
+#include "mock/remote_subscriber.h"
 #include "mock/test_server.h"
 
 namespace saccade {
@@ -80,6 +81,30 @@ TEST(Process, EndsItsStreamsOnSigterm) {
   auto packets = subscriber.receiveAll(1)[0];
   packets.insert(packets.begin(), *first);
   checkPackets(packets);
+  EXPECT_EQ(server.finish(), 0);
+}
+
+TEST(Process, GoesOnWhenAClientIsKilledOrStandsStill) {
+  RemoteSubscriber killed, stopped;
+  Process server(kServer);
+  const std::string ready = server.lineWith("ready");
+  EXPECT_EQ(ready.find("::ffff:"), std::string::npos) << ready;
+  MockClient client(controlEndpoint(ready));
+  const std::string data = client.server().data_endpoint();
+  v1::OpenStream request = tinyRequest();
+  request.mutable_timing()->set_duration_s(0);
+  killed.attach(data, client.open(request), 1 << 20);
+  request.set_delivery(v1::DELIVERY_LIVE);
+  stopped.attach(data, client.open(request), 1 << 20);
+  killed.signal(SIGKILL);
+  stopped.signal(SIGSTOP);
+
+  const auto stream = client.open(tinyRequest());
+  MockSubscriber subscriber(data);
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 20);
+  checkPackets(subscriber.receiveAll(1)[0]);
+  server.signal(SIGTERM);
   EXPECT_EQ(server.finish(), 0);
 }
 

@@ -5,8 +5,6 @@
 namespace saccade {
 namespace {
 
-constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
-
 Packet makePacket(std::uint32_t sensor, std::uint64_t seq, std::size_t payload_bytes,
                   v1::Kind kind = v1::KIND_EVENTS) {
   v1::PacketHeader header;
@@ -17,9 +15,11 @@ Packet makePacket(std::uint32_t sensor, std::uint64_t seq, std::size_t payload_b
 }
 
 v1::PacketHeader popHeader(CreditQueue& queue) {
-  const auto packet = queue.pop(kNoLimit);
   v1::PacketHeader header;
-  EXPECT_TRUE(packet && header.ParseFromString(packet->header));
+  EXPECT_TRUE(queue.sendOldest([&](const WirePacket& packet) {
+    EXPECT_EQ(packet.bytes(), packet.header.size() + packet.payload->size());
+    return header.ParseFromString(packet.header);
+  }));
   return header;
 }
 
@@ -38,13 +38,17 @@ TEST(CreditQueue, HoldsTheProducerWhenFullAndLosesNothing) {
   EXPECT_TRUE(queue.hasRoom());
 }
 
-TEST(CreditQueue, GivesNothingThatCreditDoesNotCover) {
-  CreditQueue queue(CreditQueue::Overflow::kHold, 1 << 20, 1);
+TEST(CreditQueue, KeepsWhatCannotBeSentAndLetsNothingInForIt) {
+  CreditQueue queue(CreditQueue::Overflow::kHold, 1000, 1);
+  const auto refuse = [](const WirePacket&) { return false; };
+  EXPECT_FALSE(queue.sendOldest(refuse));
   queue.push(makePacket(0, 0, 1000));
-  EXPECT_FALSE(queue.pop(1000));  // the header costs, too
-  const auto packet = queue.pop(1100);
-  ASSERT_TRUE(packet);
-  EXPECT_EQ(packet->bytes(), packet->header.size() + 1000);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(queue.sendOldest(refuse));
+    EXPECT_FALSE(queue.hasRoom());
+  }
+  EXPECT_EQ(popHeader(queue).seq(), 0u);
+  EXPECT_TRUE(queue.hasRoom());
 }
 
 TEST(CreditQueue, DropsTheOldestAndTellsTheNextOfThatSensor) {
@@ -73,12 +77,12 @@ TEST(CreditQueue, NeverDropsEnd) {
   EXPECT_EQ(popHeader(queue).dropped_before(), 8u);
 }
 
-// What is put back tells of the drops before it, and they must not be forgotten when it is dropped itself.
+// A packet tells of the drops before it, and they must not be forgotten when it is dropped itself.
 TEST(CreditQueue, DropsToldByADroppedPacketAreToldAgain) {
   CreditQueue queue(CreditQueue::Overflow::kDropOldest, 2500, 1);
   for (std::uint64_t seq = 0; seq < 4; ++seq) queue.push(makePacket(0, seq, 1000));
-  EXPECT_EQ(popHeader(queue).dropped_before(), 2u);
-  queue.putBack();
+  const auto refuse = [](const WirePacket&) { return false; };
+  EXPECT_FALSE(queue.sendOldest(refuse));
   queue.push(makePacket(0, 4, 1000));
   const v1::PacketHeader header = popHeader(queue);
   EXPECT_EQ(header.seq(), 3u);
@@ -94,6 +98,20 @@ TEST(CreditQueue, ResumesWithWhatWasSentAndNotAcknowledged) {
   for (std::uint64_t seq = 3; seq < 6; ++seq) EXPECT_EQ(popHeader(queue).seq(), seq);
   EXPECT_EQ(queue.resume(2), "");  // 2 was kept all the while
   EXPECT_EQ(popHeader(queue).seq(), 2u);
+}
+
+// Drops between what was sent and what was not belong to the first that was not.
+TEST(CreditQueue, ResumesWithTheDropsWhereTheyWere) {
+  CreditQueue queue(CreditQueue::Overflow::kDropOldest, 2500, 1);
+  for (std::uint64_t seq = 0; seq < 2; ++seq) queue.push(makePacket(0, seq, 1000));
+  for (int i = 0; i < 2; ++i) popHeader(queue);
+  for (std::uint64_t seq = 2; seq < 6; ++seq) queue.push(makePacket(0, seq, 1000));
+  EXPECT_EQ(queue.resume(1), "");
+  for (const std::uint64_t seq : {1, 4, 5}) {
+    const v1::PacketHeader header = popHeader(queue);
+    EXPECT_EQ(header.seq(), seq);
+    EXPECT_EQ(header.dropped_before(), seq == 4 ? 2u : 0u);
+  }
 }
 
 TEST(CreditQueue, KeepsNoMoreOfWhatWasSentThanItsBound) {

@@ -1,0 +1,70 @@
+#include "mock/remote_subscriber.h"
+
+#include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <sstream>
+
+#include "mock/mock_subscriber.h"
+
+namespace saccade {
+namespace {
+
+// Says a byte at the first packet, then reads on until it is killed.
+[[noreturn]] void subscribe(int orders, int news) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  char text[512] = {};
+  if (read(orders, text, sizeof text - 1) <= 0) _exit(0);
+  std::string endpoint;
+  v1::StreamOpened stream;
+  std::uint64_t credit = 0;
+  std::istringstream(text) >> endpoint >> *stream.mutable_stream_id() >> *stream.mutable_token() >> credit;
+  MockSubscriber subscriber(endpoint);
+  subscriber.attach(stream);
+  subscriber.giveCredit(credit);
+  if (!subscriber.receive() || write(news, "1", 1) != 1) _exit(1);
+  while (true) subscriber.receive();
+}
+
+}  // namespace
+
+RemoteSubscriber::RemoteSubscriber() {
+  int orders[2], news[2];
+  if (pipe(orders) != 0 || pipe(news) != 0) throw std::runtime_error("no pipe");
+  pid_ = fork();
+  if (pid_ == 0) {
+    close(orders[1]);
+    close(news[0]);
+    subscribe(orders[0], news[1]);
+  }
+  close(orders[0]);
+  close(news[1]);
+  orders_ = orders[1];
+  news_ = news[0];
+}
+
+RemoteSubscriber::~RemoteSubscriber() {
+  kill(pid_, SIGKILL);
+  waitpid(pid_, nullptr, 0);
+  close(orders_);
+  close(news_);
+}
+
+void RemoteSubscriber::attach(const std::string& data_endpoint, const v1::StreamOpened& stream,
+                              std::uint64_t credit_bytes) {
+  const std::string order = data_endpoint + " " + stream.stream_id() + " " + stream.token() + " " +
+                            std::to_string(credit_bytes) + "\n";
+  char byte = 0;
+  ASSERT_EQ(write(orders_, order.data(), order.size()), static_cast<ssize_t>(order.size()));
+  ASSERT_EQ(read(news_, &byte, 1), 1) << "the other process got no packet";
+}
+
+void RemoteSubscriber::signal(int number) {
+  kill(pid_, number);
+  if (number == SIGSTOP) waitpid(pid_, nullptr, WUNTRACED);
+}
+
+}  // namespace saccade

@@ -1,0 +1,75 @@
+// Receivers that go without a word.
+#include "stream/data_server.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "mock/mock_subscriber.h"
+#include "mock/remote_subscriber.h"
+
+namespace saccade {
+namespace {
+
+class LostReceiver : public testing::TestWithParam<int> {
+ protected:
+  LostReceiver() { server_.start(); }
+  ~LostReceiver() override { server_.stop(); }
+
+  std::shared_ptr<Session> add(const std::string& id) {
+    auto session = std::make_shared<Session>(id, v1::DELIVERY_LOSSLESS, 1, server_.wake(), signal_);
+    sessions_.add(session);
+    return session;
+  }
+  static v1::StreamOpened opened(const Session& session) {
+    v1::StreamOpened stream;
+    stream.set_stream_id(session.id());
+    stream.set_token(session.token());
+    return stream;
+  }
+  static void push(Session& session, std::uint64_t seq) {
+    v1::PacketHeader header;
+    header.set_stream_id(session.id());
+    header.set_seq(seq);
+    header.set_kind(v1::KIND_EVENTS);
+    session.push(sealPacket(std::move(header), {}));
+  }
+
+  RemoteSubscriber remote_;  // before the server's threads
+  SessionDirectory sessions_;
+  DataServer server_{"tcp://127.0.0.1:*", sessions_};
+  std::shared_ptr<Signal> signal_ = std::make_shared<Signal>();
+};
+
+// One that stands still keeps its connection open: only heartbeats tell.
+TEST_P(LostReceiver, IsNoticedAndDisturbsNoOther) {
+  const auto lost = add("lost"), other = add("other");
+  for (std::uint64_t seq : {0, 1}) push(*lost, seq);
+  remote_.attach(server_.endpoint(), opened(*lost), 1);  // enough for one packet
+  MockSubscriber subscriber(server_.endpoint());
+  subscriber.attach(opened(*other));
+  subscriber.giveCredit(1 << 20);
+  lost->finish();
+  ASSERT_FALSE(lost->settled());  // its receiver may still give credit
+
+  remote_.signal(GetParam());
+  for (std::uint64_t seq = 0; seq < 100; ++seq) {
+    push(*other, seq);
+    const auto packet = subscriber.receive();
+    ASSERT_TRUE(packet);
+    EXPECT_EQ(packet->header.seq(), seq);
+  }
+  EXPECT_TRUE(signal_->waitUntil(Signal::Clock::now() + kPatience, [&] { return lost->settled(); }));
+  EXPECT_FALSE(lost->drained());
+}
+
+INSTANTIATE_TEST_SUITE_P(Killed, LostReceiver, testing::Values(SIGKILL));
+INSTANTIATE_TEST_SUITE_P(Stopped, LostReceiver, testing::Values(SIGSTOP));
+
+TEST(DataServer, StatesItsEndpointAsItWasAskedFor) {
+  SessionDirectory none;
+  EXPECT_EQ(DataServer("tcp://127.0.0.1:*", none).endpoint().find("tcp://127.0.0.1:"), 0u);
+}
+
+}  // namespace
+}  // namespace saccade
