@@ -54,13 +54,14 @@ void App::sweep(std::stop_token stopped) {
 
 bool App::stop() {
   if (std::exchange(stopped_, true)) return true;
-  opener_.stop();
-  const bool all_taken = streams_.stopAll(Signal::Clock::now() + kDrainTime);
+  const auto deadline = Signal::Clock::now() + kDrainTime;
+  const bool all_open = opener_.stop(deadline);
+  const bool all_taken = streams_.stopAll(deadline);
   sweeper_ = {};
   control_.stop();
   data_.stop();
   broadcast_.stop();
-  return all_taken;
+  return all_open && all_taken;
 }
 
 }  // namespace saccade

@@ -25,7 +25,7 @@ class App {
   std::string controlEndpoint() const { return control_.endpoint(); }
 
   // Ends all streams and sends what is left, for at most kDrainTime. False: a receiver did not take it all,
-  // or a frame was not done in time; the destructor would wait for that frame.
+  // or a scene was not loaded or a frame not done in time; the destructor would wait for these.
   bool stop();
 
  private:

@@ -28,11 +28,15 @@ std::unique_ptr<Method> makeMethod(const FeedConfig& config) {
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
            TilePool& pool)
+    : Feed(std::move(scene), std::move(path), config, makeMethod(config), pool) {}
+
+Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
+           std::unique_ptr<Method> method, TilePool& pool)
     : config_(config),
       path_(std::move(path)),
       pool_(pool),
       renderer_(scene, config.bounces, config.monochrome ? 1 : scene->channels(), pool),
-      method_(makeMethod(config)),
+      method_(std::move(method)),
       frames_(config.width, config.height),
       change_(config.width, config.height) {
   render();

@@ -31,6 +31,10 @@ class Feed {
   // Keeps references to `pool`; shares `scene`. Renders frame 0.
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config, TilePool& pool);
 
+  // With a method of the caller's instead of `config.method`.
+  Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
+       std::unique_ptr<Method> method, TilePool& pool);
+
   // Renders the next frame and estimates the change since the one before it.
   const IntensityChange& step();
 

@@ -1,7 +1,6 @@
 #include "app/refusal.h"
 
-#include <sstream>
-
+#include "base/range.h"
 #include "scene/scene_error.h"
 #include "stream/control_server.h"
 
@@ -20,10 +19,8 @@ v1::Status statusOfException() {
 }
 
 void checkRange(const std::string& field, double value, double min, double max) {
-  if (value >= min && value <= max) return;
-  std::ostringstream message;
-  message << value << " is outside [" << min << ", " << max << "]";
-  throw Refusal(v1::CODE_INVALID_ARGUMENT, field, message.str());
+  const std::string fault = rangeFault(value, min, max);
+  if (!fault.empty()) throw Refusal(v1::CODE_INVALID_ARGUMENT, field, fault);
 }
 
 }  // namespace saccade

@@ -7,6 +7,7 @@
 
 #include "app/refusal.h"
 #include "scene/scene_error.h"
+#include "scene/text.h"
 
 namespace saccade {
 namespace {
@@ -15,29 +16,23 @@ namespace {
   throw Refusal(v1::CODE_INVALID_ARGUMENT, field, message);
 }
 
-std::string join(const std::vector<std::string>& names) {
-  std::string all;
-  for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
-
 void checkScene(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes) {
   std::vector<std::string> names;
   for (const auto& scene : scenes) names.push_back(scene.name);
   const auto scene = std::find(names.begin(), names.end(), request.scene());
   if (scene == names.end()) {
-    throw Refusal(v1::CODE_NOT_FOUND, "scene", "there is no such scene; there are: " + join(names));
+    throw Refusal(v1::CODE_NOT_FOUND, "scene", "there is no such scene; there are: " + joinNames(names));
   }
   const SceneEntry& entry = scenes[static_cast<std::size_t>(scene - names.begin())];
   if (!entry.unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, "scene", entry.unavailable);
 
   const v1::Trajectory& path = request.trajectory();
   if (path.path_case() == v1::Trajectory::PATH_NOT_SET) {
-    refuse("trajectory", "give a csv text or a name, one of: " + join(entry.trajectories));
+    refuse("trajectory", "give a csv text or a name, one of: " + joinNames(entry.trajectories));
   }
   if (path.has_name() && std::count(entry.trajectories.begin(), entry.trajectories.end(), path.name()) == 0) {
     throw Refusal(v1::CODE_NOT_FOUND, "trajectory.name",
-                  "the scene has no such trajectory; it has: " + join(entry.trajectories));
+                  "the scene has no such trajectory; it has: " + joinNames(entry.trajectories));
   }
   if (path.csv().size() > kMaxCsvBytes) {
     refuse("trajectory.csv", "the text is longer than " + std::to_string(kMaxCsvBytes) + " bytes");
@@ -52,16 +47,13 @@ void resolveView(const v1::View& view, FeedConfig& feed) {
   if (feed.width * feed.height > kMaxViewPixels) {
     refuse("view", "a view has at most " + std::to_string(kMaxViewPixels) + " pixels");
   }
-  const double fov = view.fov_x_deg();
-  if (view.has_fov_x_deg() && !(fov > kMinFovDeg && fov < kMaxFovDeg)) {
-    refuse("view.fov_x_deg", std::to_string(fov) + " is outside (1, 170)");
-  }
+  if (view.has_fov_x_deg()) checkRange("view.fov_x_deg", view.fov_x_deg(), kMinFovDeg, kMaxFovDeg);
 }
 
 void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
   checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), 0.1, 1e5);
   checkRange("timing.duration_s", timing.duration_s(), 0, 1e7);
-  checkRange("timing.speed", timing.speed(), 0, 1e3);
+  if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), 1e-3, 1e3);
   timing.set_clock(resolveEnum("timing.clock", timing.clock(), v1::CLOCK_FAST));
   // Speed means nothing to FAST: leaving it in would tell equal feeds apart.
   const double speed = timing.speed() == 0 ? 1 : timing.speed();

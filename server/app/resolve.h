@@ -12,7 +12,7 @@
 namespace saccade {
 
 inline constexpr int kMaxViewSide = 4096, kMaxViewPixels = 4 << 20;  // pixels
-inline constexpr double kMinFovDeg = 1, kMaxFovDeg = 170;            // exclusive
+inline constexpr double kMinFovDeg = 1, kMaxFovDeg = 170;            // horizontal
 inline constexpr int kMaxSensors = 64;
 inline constexpr std::size_t kMaxCsvBytes = 8 << 20;
 

@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
 #include "app/refusal.h"
 #include "stream/control_server.h"
 
@@ -39,9 +41,9 @@ StreamOpener::StreamOpener(SceneCache& scenes, TilePool& pool, StreamRegistry& s
 
 void StreamOpener::open(const v1::OpenStream& request, std::function<void(v1::Reply)> answer) {
   std::lock_guard lock(mutex_);
+  if (stopped_) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the server is stopping");
   std::erase_if(opening_,
                 [](auto& one) { return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
-  if (stopped_) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the server is stopping");
   if (opening_.size() >= kMaxOpening) {
     throw Refusal(v1::CODE_RESOURCE_EXHAUSTED, {},
                   std::to_string(kMaxOpening) + " streams are being opened already");
@@ -58,11 +60,13 @@ void StreamOpener::open(const v1::OpenStream& request, std::function<void(v1::Re
   }));
 }
 
-void StreamOpener::stop() {
-  std::unique_lock lock(mutex_);
-  stopped_ = true;
-  const auto opening = std::move(opening_);
-  lock.unlock();  // and wait, as futures of std::async do when they go
+bool StreamOpener::stop(Signal::Clock::time_point deadline) {
+  {
+    std::lock_guard lock(mutex_);
+    stopped_ = true;  // and so nobody else uses `opening_` any more
+  }
+  return std::all_of(opening_.begin(), opening_.end(),
+                     [&](auto& one) { return one.wait_until(deadline) == std::future_status::ready; });
 }
 
 v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request) {
@@ -76,6 +80,7 @@ v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request) {
   if (!stream.feed || !connect(resolved, stream)) {
     stream.feed = makeFeed(resolved, scene);
     connect(resolved, stream);
+    share(resolved, stream.feed);  // only now: it cannot have ended before its own stream joined
   }
   streams_.add(stream);
   spdlog::info("stream {} opened: {}", stream.session->id(),
@@ -97,13 +102,14 @@ std::shared_ptr<FeedRunner> StreamOpener::makeFeed(const ResolvedStream& resolve
   auto feed = std::make_unique<Feed>(std::move(scene), std::move(path), resolved.feed, pool_);
   const v1::Timing& timing = resolved.request.timing();
   const FeedPace pace{resolved.frames, timing.frame_rate_hz(), timing.speed()};
-  auto runner =
-      std::make_shared<FeedRunner>(std::move(feed), resolved.feed.width, resolved.feed.height, pace, pool_);
-  if (mayShare(resolved.request)) {
-    std::lock_guard lock(mutex_);
-    shared_[resolved.feedKey()] = runner;
-  }
-  return runner;
+  return std::make_shared<FeedRunner>(std::move(feed), resolved.feed.width, resolved.feed.height, pace,
+                                      pool_);
+}
+
+void StreamOpener::share(const ResolvedStream& resolved, const std::shared_ptr<FeedRunner>& feed) {
+  if (!mayShare(resolved.request)) return;
+  std::lock_guard lock(mutex_);
+  shared_[resolved.feedKey()] = feed;
 }
 
 bool StreamOpener::connect(const ResolvedStream& resolved, Stream& stream) {

@@ -30,14 +30,16 @@ class StreamOpener {
 
   // `answer` is called once, from another thread. Throws Refusal where too many wait already.
   void open(const v1::OpenStream& request, std::function<void(v1::Reply)> answer);
-  // Waits for those being opened; from now on every request is refused.
-  void stop();
+  // From now on every request is refused. Returns whether those being opened are open before `deadline`; the
+  // destructor waits for the others.
+  bool stop(Signal::Clock::time_point deadline);
 
  private:
   v1::StreamOpened openNow(const v1::OpenStream& request);
   std::shared_ptr<FeedRunner> findFeed(const ResolvedStream& resolved);
   std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved,
                                        std::shared_ptr<const RenderScene> scene);
+  void share(const ResolvedStream& resolved, const std::shared_ptr<FeedRunner>& feed);
   // Makes the stream's session and outlet. False: the feed has ended.
   bool connect(const ResolvedStream& resolved, Stream& stream);
 

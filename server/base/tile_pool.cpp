@@ -44,6 +44,7 @@ std::chrono::nanoseconds TilePool::runJob(Job& job) {
   jobs_.push_back(&job);
   work_.notify_all();
   done_.wait(lock, [&] { return job.next == job.count && job.running == 0; });
+  if (job.fault) std::rethrow_exception(job.fault);
   return job.cpu;
 }
 
@@ -61,10 +62,16 @@ void TilePool::work() {
     ++job.running;
     lock.unlock();
     const auto start = threadCpuTime();
-    job.piece(job.context, piece);
+    std::exception_ptr fault;
+    try {
+      job.piece(job.context, piece);
+    } catch (...) {
+      fault = std::current_exception();
+    }
     const auto used = threadCpuTime() - start;
     lock.lock();
     job.cpu += used;
+    if (fault) job.fault = fault;
     if (--job.running == 0 && job.next == job.count) done_.notify_all();
   }
 }

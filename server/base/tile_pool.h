@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -35,7 +36,8 @@ class TilePool {
 
   int threads() const { return static_cast<int>(workers_.size()); }
 
-  // Calls f(i) for i in [0, count), in any order, on the workers. Returns the CPU time that took.
+  // Calls f(i) for i in [0, count), in any order, on the workers. Returns the CPU time that took. Throws what
+  // a call threw, after all others.
   template <class F>
   std::chrono::nanoseconds run(int count, const F& f) {
     Job job{count, &f, [](const void* context, int i) { (*static_cast<const F*>(context))(i); }};
@@ -68,6 +70,7 @@ class TilePool {
     int next = 0;     // first piece not yet taken
     int running = 0;  // pieces taken and not finished
     std::chrono::nanoseconds cpu{0};
+    std::exception_ptr fault{};
   };
 
   std::chrono::nanoseconds runJob(Job& job);

@@ -63,7 +63,7 @@ void resolveMethod(FramesOptions& o) {
   }
   std::string name;
   const std::string fault = resolveParams(*method, given, o.feed.params, name);
-  if (!fault.empty()) throw CLI::ValidationError("--set", fault);
+  if (!fault.empty()) throw CLI::ValidationError("--set " + name, fault);
   const auto seeds = method->make(o.feed.params, 1, 1)->seedReuse();
   if (seeds != SeedReuse::kIndependent && o.feed.spp % 2 != 0) {
     throw CLI::ValidationError("--spp",

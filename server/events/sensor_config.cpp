@@ -1,7 +1,6 @@
 #include "events/sensor_config.h"
 
-#include <sstream>
-
+#include "base/range.h"
 #include "events/event_model.h"
 
 namespace saccade {
@@ -18,12 +17,7 @@ std::optional<SensorFault> findFault(const SensorConfig& config) {
       {"max_events_per_pixel_frame", static_cast<double>(config.max_events_per_pixel_frame), 1, 65536},
   };
   for (const auto& [field, value, min, max] : ranges) {
-    // Written so that NaN fails.
-    if (!(value >= min && value <= max)) {
-      std::ostringstream message;
-      message << value << " is outside [" << min << ", " << max << "]";
-      return SensorFault{field, message.str()};
-    }
+    if (std::string fault = rangeFault(value, min, max); !fault.empty()) return SensorFault{field, fault};
   }
   if (!findEventModel(config.model)) {
     return SensorFault{"model", "no event model '" + config.model + "'; there are: " + eventModelNames()};

@@ -23,6 +23,18 @@ TEST(TilePool, RunsEveryPieceOnce) {
   }
 }
 
+TEST(TilePool, ThrowsWhatAPieceThrewOnceAllAreDone) {
+  TilePool pool(2);
+  std::atomic<int> runs = 0;
+  const auto piece = [&](int i) {
+    ++runs;
+    if (i == 3) throw std::runtime_error("three");
+  };
+  EXPECT_THROW(pool.run(100, piece), std::runtime_error);
+  EXPECT_EQ(runs, 100);
+  pool.run(3, piece);  // the workers live
+}
+
 TEST(TilePool, TilesCoverThePictureOnce) {
   TilePool pool(2);
   for (const auto& [width, height] : {std::pair(1, 1), {32, 32}, {33, 64}, {100, 31}}) {

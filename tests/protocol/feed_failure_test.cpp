@@ -1,0 +1,86 @@
+// A feed that fails is the matter of its own streams.
+#include <gtest/gtest.h>
+#include <spdlog/spdlog.h>
+
+#include "app/feed_runner.h"
+#include "mock/mock_client.h"
+#include "render/test_scenes.h"
+
+namespace saccade {
+namespace {
+
+// Sees no change, and fails at one frame: on the pool's threads, where most of the work is done.
+class FailingMethod : public Method {
+ public:
+  explicit FailingMethod(FrameIndex fails_at) : fails_at_(fails_at) {}
+  SeedReuse seedReuse() const override { return SeedReuse::kIndependent; }
+  void start(const Frame&, TilePool&) override {}
+  void estimate(const FramePair& frames, TilePool& pool, IntensityChange&, StageTimes&) override {
+    if (frames.cur.index != fails_at_) return;
+    pool.run(4, [](int) { throw std::runtime_error("out of luck"); });
+  }
+
+ private:
+  const FrameIndex fails_at_;
+};
+
+class FeedFailure : public testing::Test {
+ protected:
+  static constexpr FrameIndex kFrames = 5;
+  FeedFailure() { spdlog::set_level(spdlog::level::off); }
+
+  std::unique_ptr<FeedRunner> runner(FrameIndex fails_at) {
+    const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
+    auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config,
+                                       std::make_unique<FailingMethod>(fails_at), pool_);
+    return std::make_unique<FeedRunner>(std::move(feed), 8, 8, FeedPace{kFrames, 100, 0}, pool_);
+  }
+
+  // Of a stream with two sensors, from its start to its end.
+  std::vector<v1::PacketHeader> packetsOf(FeedRunner& runner) {
+    const auto session =
+        std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 2, transport_, runner.signal());
+    runner.add(std::make_shared<Outlet>(session, std::vector<SensorConfig>(2), 8, 8, 0));
+    session->start();
+    EXPECT_TRUE(
+        runner.signal()->waitUntil(Signal::Clock::now() + kPatience, [&] { return session->finished(); }));
+    std::vector<v1::PacketHeader> headers;
+    while (session->sendOldest([&](const WirePacket& packet) {
+      last_payload_ = *packet.payload;
+      return headers.emplace_back().ParseFromString(packet.header);
+    })) {
+    }
+    return headers;
+  }
+
+  TilePool pool_{2};
+  WakeFd transport_;
+  std::string last_payload_;
+  std::shared_ptr<const RenderScene> scene_ = std::make_shared<RenderScene>(test::furnace(0.5f, 1));
+};
+
+TEST_F(FeedFailure, EndsItsStreamsWithErrorAndNoOthers) {
+  const auto failing = runner(3), healthy = runner(kFrames + 1);
+  const auto cut_short = packetsOf(*failing);
+  ASSERT_EQ(cut_short.size(), 2u * 2 + 2);  // frames 1 and 2
+  for (std::uint32_t sensor : {0u, 1u}) {
+    const v1::PacketHeader& last = cut_short[4 + sensor];
+    EXPECT_EQ(last.kind(), v1::KIND_ERROR);
+    EXPECT_EQ(last.sensor(), sensor);
+  }
+  EXPECT_NE(last_payload_.find("out of luck"), std::string::npos);
+
+  const auto whole = packetsOf(*healthy);
+  ASSERT_EQ(whole.size(), 2u * kFrames + 2);
+  EXPECT_EQ(whole.back().kind(), v1::KIND_END);
+}
+
+TEST_F(FeedFailure, LetsNobodyJoinAfterwards) {
+  const auto failing = runner(1);
+  packetsOf(*failing);
+  const auto late = std::make_shared<Session>("2", v1::DELIVERY_LIVE, 1, transport_, failing->signal());
+  EXPECT_FALSE(failing->add(std::make_shared<Outlet>(late, std::vector<SensorConfig>(1), 8, 8, 0)));
+}
+
+}  // namespace
+}  // namespace saccade
