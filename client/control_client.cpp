@@ -7,6 +7,8 @@
 namespace saccade {
 namespace {
 
+constexpr std::chrono::milliseconds kParting{200};  // for a last message to a server that may be gone
+
 std::string describe(const v1::Status& status) {
   return status.field().empty() ? status.message() : status.field() + ": " + status.message();
 }
@@ -19,12 +21,22 @@ ControlClient::ControlClient(zmq::context_t& context, const std::string& endpoin
     : endpoint_(endpoint), socket_(connectSocket(context, zmq::socket_type::dealer, endpoint)) {}
 
 v1::Reply ControlClient::call(v1::Request request, std::chrono::milliseconds deadline) {
-  request.set_request_id(++request_id_);
-  request.set_protocol_version(kProtocolVersion);
-  socket_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::none);
+  send(std::move(request));
   v1::Reply reply = await(request_id_, deadline);
   if (reply.status().code() != v1::CODE_OK) throw Refused(reply.status());
   return reply;
+}
+
+void ControlClient::tell(v1::Request request) {
+  // Closing the socket at once would throw the message away.
+  socket_.set(zmq::sockopt::linger, static_cast<int>(kParting.count()));
+  send(std::move(request));
+}
+
+void ControlClient::send(v1::Request request) {
+  request.set_request_id(++request_id_);
+  request.set_protocol_version(kProtocolVersion);
+  socket_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::none);
 }
 
 v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::milliseconds deadline) {

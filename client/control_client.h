@@ -33,9 +33,13 @@ class ControlClient {
   // request made before the server is up reaches it when it comes up. Throws NoAnswer or Refused.
   v1::Reply call(v1::Request request, std::chrono::milliseconds deadline = kDeadline);
 
+  // Sends and does not wait: what the reply says is of no interest, or nobody may be there to give one.
+  void tell(v1::Request request);
+
   const std::string& endpoint() const { return endpoint_; }
 
  private:
+  void send(v1::Request request);
   v1::Reply await(std::uint64_t request_id, std::chrono::milliseconds deadline);
 
   std::string endpoint_;

@@ -17,9 +17,9 @@ struct Losses {
 
 class SequenceCheck {
  public:
-  // Counts what is missing before this packet; each sensor starts at seq 0. Returns what is wrong, or an
-  // empty text: a seq that runs backwards, or a packet that follows its predecessor and does not go on where
-  // that ended.
+  // Counts what is missing before this packet; each sensor starts at seq 0, at any time: who joins a shared
+  // feed late comes into its middle. Returns what is wrong, or an empty text: a seq that runs backwards, or a
+  // packet that follows its predecessor and does not go on where that ended.
   std::string add(const v1::PacketHeader& header);
 
   const Losses& losses() const { return losses_; }

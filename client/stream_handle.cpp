@@ -19,9 +19,9 @@ void StreamHandle::close() {
   request.mutable_close_stream()->set_stream_id(opened_.stream_id());
   request.mutable_close_stream()->set_token(opened_.token());
   try {
-    control_.call(std::move(request));
-  } catch (const std::exception&) {
-    // A server that is gone, or forgot the stream, has nothing to close.
+    control_.tell(std::move(request));
+  } catch (const zmq::error_t&) {
+    // A signal came first: the server forgets by itself what nobody receives.
   }
 }
 

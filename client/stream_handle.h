@@ -28,7 +28,8 @@ class StreamHandle {
   std::optional<v1::StreamInfo> info();  // nothing where the server no longer knows the stream
   v1::FramePicture picture();            // the newest frame
 
-  // The server ends the stream at its next frame; what it has made still comes, and then END. Never throws.
+  // The server ends the stream at its next frame; what it has made still comes, and then END. Neither waits
+  // for an answer, since the server may be gone, nor throws.
   void close();
 
  private:

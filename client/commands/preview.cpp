@@ -11,8 +11,8 @@
 namespace saccade {
 namespace {
 
-constexpr std::int64_t kShownNs = 1'000'000'000 / 30;  // as long as one picture of a film
-constexpr std::int64_t kSpareNs = 7'000'000;  // the picture may be a little older than the newest events
+constexpr std::int64_t kShownNs = 10'000'000;  // so few that edges stand apart
+constexpr std::int64_t kSpareNs = 7'000'000;   // the picture may be a little older than the newest events
 
 void writePng(const std::string& path, const RgbPicture& picture) {
   const auto file = OIIO::ImageOutput::create(path);

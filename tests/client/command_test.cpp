@@ -11,6 +11,8 @@
 #include <string>
 #include <thread>
 
+#include "scratch_folder.h"
+
 namespace saccade {
 namespace {
 
@@ -102,14 +104,8 @@ TEST(Command, NobodyAnswersIsCode1AndSaysWhatToDo) {
 
 class CommandAndServer : public testing::Test {
  protected:
-  CommandAndServer() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~CommandAndServer() override { fs::remove_all(folder_); }
-
   Server server_;
-  const fs::path folder_ = fs::path(testing::TempDir()) / "saccade_command_test";
+  const ScratchFolder folder_;
 };
 
 TEST_F(CommandAndServer, TellsWhatThereIs) {
@@ -122,15 +118,15 @@ TEST_F(CommandAndServer, TellsWhatThereIs) {
 }
 
 TEST_F(CommandAndServer, RecordsASensorPerThreshold) {
-  const std::string file = folder_ / "a.csv", picture = folder_ / "a.png";
+  const std::string file = folder_.at("a.csv"), picture = folder_.at("a.png");
   const Result result =
       run("record cornell-box --trajectory right --size 32x24 --duration 0.06 --threshold 0.2 "
           "--threshold 0.4 -o " +
           file + " --preview " + picture + server_.option());
   ASSERT_EQ(result.code, 0) << result.output;
-  EXPECT_TRUE(holds(result, "wrote " + (folder_ / "a-0.csv").string())) << result.output;
+  EXPECT_TRUE(holds(result, "wrote " + folder_.at("a-0.csv"))) << result.output;
   EXPECT_TRUE(holds(result, "trace ")) << result.output;
-  EXPECT_GT(fs::file_size(folder_ / "a-0.csv"), fs::file_size(folder_ / "a-1.csv"));
+  EXPECT_GT(fs::file_size(folder_.at("a-0.csv")), fs::file_size(folder_.at("a-1.csv")));
   EXPECT_GT(fs::file_size(picture), 100u);
 }
 
@@ -149,12 +145,12 @@ class Interrupted : public CommandAndServer {
  protected:
   Child startRecord(const std::string& duration) {
     Child child(SACCADE_COMMAND " record cornell-box --trajectory right --size 32x24 --duration " + duration +
-                " -o " + file_.string() + server_.option());
+                " -o " + file_ + server_.option());
     const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     while (!fs::exists(partial_) && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
     return child;
   }
-  const fs::path file_ = folder_ / "a.csv", partial_ = folder_ / "a.csv.partial";
+  const std::string file_ = folder_.at("a.csv"), partial_ = folder_.at("a.csv.partial");
 };
 
 TEST_F(Interrupted, CtrlCKeepsWhatCame) {

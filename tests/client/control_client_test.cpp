@@ -49,6 +49,24 @@ TEST(ControlClient, ReplyIsMatchedByItsId) {
   EXPECT_EQ(request.get().protocol_version(), 1u);
 }
 
+TEST(ControlClient, WhatIsToldArrivesThoughTheClientIsGone) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient(context, server.endpoint()).tell(infoRequest());
+  EXPECT_EQ(server.receive<v1::Request>().protocol_version(), 1u);
+}
+
+TEST(ControlClient, TheReplyToWhatWasToldIsPassedOver) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient client(context, server.endpoint());
+  client.tell(infoRequest());
+  answer(server, 0, statusOf(v1::CODE_NOT_FOUND)).get();
+  auto request = answer(server, 0, statusOf(v1::CODE_OK));
+  EXPECT_EQ(client.call(infoRequest(), std::chrono::seconds(10)).server_info().version(), "1.2.3");
+  EXPECT_EQ(request.get().request_id(), 2u);
+}
+
 TEST(ControlClient, ARefusalNamesTheField) {
   zmq::context_t context;
   FakeServer server(context);

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "scratch_folder.h"
+
 namespace saccade {
 namespace {
 
@@ -85,7 +87,8 @@ TEST(RecordOptions, RequestHoldsWhatWasGiven) {
 }
 
 TEST(RecordOptions, AFileOfPosesIsSentAsText) {
-  const std::string path = std::filesystem::path(testing::TempDir()) / "record_options_test.csv";
+  const ScratchFolder folder;
+  const std::string path = folder.at("path.csv");
   std::ofstream(path) << "0 0 0 0 0 0 0 1\n";
   const auto options = parse("cornell-box -o a.csv --trajectory " + path);
   EXPECT_EQ(makeOpenStream(options).trajectory().csv(), "0 0 0 0 0 0 0 1\n");

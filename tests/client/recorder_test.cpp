@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "scratch_folder.h"
+
 namespace saccade {
 namespace {
 
@@ -13,14 +15,7 @@ namespace fs = std::filesystem;
 
 class RecorderTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string at(const std::string& name) const { return folder_ / name; }
+  std::string at(const std::string& name) const { return folder_.at(name); }
 
   std::string textOf(const std::string& name) const {
     std::ostringstream text;
@@ -28,7 +23,7 @@ class RecorderTest : public testing::Test {
     return text.str();
   }
 
-  fs::path folder_;
+  const ScratchFolder folder_;
 };
 
 Batch batchOf(std::uint32_t sensor, v1::Kind kind, Events events) {

@@ -27,6 +27,15 @@ TEST(SequenceCheck, SensorsAreFollowedApart) {
   EXPECT_EQ(check.losses().gaps, 0u);
 }
 
+TEST(SequenceCheck, AStreamMayBeginAtAnyTime) {
+  SequenceCheck check;
+  EXPECT_EQ(check.add(headerOf(0, 0, 0, 5, 8000, 9000)), "");
+  EXPECT_EQ(check.add(headerOf(1, 0, 0, 2, 8000, 9000)), "");
+  EXPECT_EQ(check.add(headerOf(0, 1, 5, 1, 9000, 9500)), "");
+  EXPECT_EQ(check.losses().gaps, 0u);
+  EXPECT_NE(check.add(headerOf(1, 1, 2, 1, 9500, 9900)), "");  // from then on without holes
+}
+
 TEST(SequenceCheck, AGapIsCountedOnce) {
   SequenceCheck check;
   EXPECT_EQ(check.add(headerOf(0, 3, 70, 5, 4000, 5000)), "");  // seq 0, 1 and 2 are missing
