@@ -122,6 +122,19 @@ TEST_F(Fixture, LeavesAConstantPictureAlone) {
   }
 }
 
+TEST_F(Fixture, ThePrimalIsTheSameWithAndWithoutTheDifference) {
+  atrousIteration({cur, prev}, {}, 2, in, pool, out);
+  Signals alone(kW, kH);
+  atrousIteration({cur, prev}, {.difference = false}, 2, in, pool, alone);
+  for (int y = 0; y < kH; ++y) {
+    for (int x = 0; x < kW; ++x) {
+      ASSERT_EQ(alone.i.at(x, y), out.i.at(x, y));
+      ASSERT_EQ(alone.var_i.at(x, y), out.var_i.at(x, y));
+    }
+  }
+  EXPECT_EQ(alone.d.at(5, 5), 0);
+}
+
 // Figure 3: an edge that only the previous frame saw must hold back the difference, not the primal.
 TEST_F(Fixture, TheDifferenceHeedsEdgesOfThePreviousFrame) {
   for (Frame* f : {&cur, &prev}) test::makeWall(*f);

@@ -116,5 +116,45 @@ TEST_F(Fixture, MotionFollowsTheSurface) {
   EXPECT_NEAR(now.R.at(20, 10), 10 * 21.25f + 9.5f, 1e-4f);
 }
 
+// Failing its own four taps, a pixel takes the mean of what its neighbours know of the surface.
+TEST_F(Fixture, LooksAroundWhereItsOwnTapsAreOfAnotherSurface) {
+  fillInside(before.length, 8);
+  fillInside(before.I, 0.25f);
+  fillInside(cur.g.motion_x, 0);
+  fillInside(cur.g.motion_y, 0);
+  prev.g.z.at(20, 10) = 9;
+  before.I.at(20, 10) = 100;
+  accumulate({cur, prev}, samples, {}, before, &I_prev2, pool, now);
+  EXPECT_NEAR(now.R.at(20, 10), 0.25f, 1e-6f);
+  EXPECT_EQ(now.length.at(20, 10), 9);
+}
+
+TEST_F(Fixture, WithoutHistoryOfTwoFramesOnlyThePrimalIsAccumulated) {
+  fillRandom(samples.i, 11);
+  fillRandom(before.I, 13);
+  fillInside(before.length, 8);
+  accumulate({cur, prev}, samples, {}, before, &I_prev2, pool, now);
+  History alone(kW, kH);
+  accumulate({cur, prev}, samples, {}, before, nullptr, pool, alone);
+  EXPECT_EQ(alone.I.at(20, 10), now.I.at(20, 10));
+  EXPECT_EQ(alone.m2.at(20, 10), now.m2.at(20, 10));
+}
+
+// Falcor's faults, on request alone.
+TEST_F(Fixture, FalcorLosesTheHistoryOfAFastDollyAndOfTheFirstColumn) {
+  fillInside(before.length, 8);
+  fillInside(cur.g.motion_x, 0);
+  fillInside(cur.g.motion_y, 0);
+  accumulate({cur, prev}, samples, {.as_falcor = true}, before, nullptr, pool, now);
+  EXPECT_EQ(now.length.at(0, 5), 1);
+  EXPECT_EQ(now.length.at(5, 5), 9);
+  fillInside(cur.g.z, 4.5f);  // half a unit nearer than the frame before saw it
+  accumulate({cur, prev}, samples, {.as_falcor = true}, before, nullptr, pool, now);
+  EXPECT_EQ(now.length.at(5, 5), 1);
+  accumulate({cur, prev}, samples, {}, before, nullptr, pool, now);
+  EXPECT_EQ(now.length.at(5, 5), 9);
+  EXPECT_EQ(now.length.at(0, 5), 9);
+}
+
 }  // namespace
 }  // namespace saccade
