@@ -9,7 +9,6 @@
 #include "app/feed.h"
 #include "eval/commands.h"
 #include "eval/exr.h"
-#include "eval/metrics.h"
 #include "eval/open_scene.h"
 #include "eval/reference.h"
 
@@ -111,23 +110,20 @@ void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> sce
                           progress);
   };
   ReferenceFrame prev = render(o.first - 1);
-  ImageF dI(w, h), I_prev(w, h), var_dI(w, h), var_I(w, h), half_a(w, h), half_b(w, h);
+  ImageF var_dI(w, h), var_I(w, h);
   for (long t = o.first; t <= o.last; ++t) {
     ReferenceFrame cur = render(t);
+    const ReferenceChange truth(prev, cur);
     for (int y = 0; y < h; ++y) {
       for (int x = 0; x < w; ++x) {
-        half_a.at(x, y) = cur.a.at(x, y) - prev.a.at(x, y);
-        half_b.at(x, y) = cur.b.at(x, y) - prev.b.at(x, y);
-        dI.at(x, y) = cur.mean(x, y) - prev.mean(x, y);
-        I_prev.at(x, y) = prev.mean(x, y);
         // Of the mean of two halves: the square of half their difference.
-        var_dI.at(x, y) = std::pow((half_a.at(x, y) - half_b.at(x, y)) / 2, 2.f);
+        var_dI.at(x, y) = std::pow((truth.half_a.at(x, y) - truth.half_b.at(x, y)) / 2, 2.f);
         var_I.at(x, y) = std::pow((prev.a.at(x, y) - prev.b.at(x, y)) / 2, 2.f);
       }
     }
-    if (!o.dump.empty()) writeDump(o, t, dI, I_prev, var_dI, var_I);
+    if (!o.dump.empty()) writeDump(o, t, truth.dI, truth.I_prev, var_dI, var_I);
     std::printf("frame %ld: %d spp; own error of dI (half of half against half): %.4f relative L1\n", t, spp,
-                relativeL1(half_a, half_b) / 2);
+                truth.error());
     prev = std::move(cur);
   }
 }

@@ -6,6 +6,7 @@
 
 #include "base/hash_rng.h"
 #include "eval/exr.h"
+#include "eval/metrics.h"
 
 namespace saccade {
 namespace {
@@ -57,6 +58,27 @@ std::uint64_t hashScene(const Scene& scene) {
 }
 
 }  // namespace
+
+ReferenceChange::ReferenceChange(const ReferenceFrame& prev, const ReferenceFrame& cur)
+    : dI(cur.a.width(), cur.a.height()),
+      I_prev(dI.width(), dI.height()),
+      I_now(dI.width(), dI.height()),
+      half_a(dI.width(), dI.height()),
+      half_b(dI.width(), dI.height()) {
+  for (int y = 0; y < dI.height(); ++y) {
+    for (int x = 0; x < dI.width(); ++x) {
+      half_a.at(x, y) = cur.a.at(x, y) - prev.a.at(x, y);
+      half_b.at(x, y) = cur.b.at(x, y) - prev.b.at(x, y);
+      dI.at(x, y) = 0.5f * (half_a.at(x, y) + half_b.at(x, y));
+      I_prev.at(x, y) = prev.mean(x, y);
+      I_now.at(x, y) = cur.mean(x, y);
+    }
+  }
+}
+
+double ReferenceChange::error() const {
+  return relativeL1(half_a, half_b) / 2;
+}
 
 void watchInterrupt() {
   std::signal(SIGINT, [](int) { g_interrupted = 1; });

@@ -17,6 +17,13 @@ struct ReferenceFrame {
   float mean(int x, int y) const { return 0.5f * (a.at(x, y) + b.at(x, y)); }
 };
 
+// The change between two frames. `half_a` and `half_b` are independent estimates of dI.
+struct ReferenceChange {
+  ReferenceChange(const ReferenceFrame& prev, const ReferenceFrame& cur);
+  ImageF dI, I_prev, I_now, half_a, half_b;
+  double error() const;  // of dI, relative L1: half of what the halves differ by
+};
+
 class ReferenceRenderer {
  public:
   // Finished and half-finished frames are kept in `cache`, named by a hash of all they depend on.

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <map>
+#include <memory>
 
 #include "app/feed.h"
 #include "eval/metrics.h"
@@ -32,27 +32,16 @@ std::string cacheFolder() {
 class Bench {
  public:
   Bench(std::string name, std::shared_ptr<const RenderScene> scene)
-      : name_(std::move(name)),
-        scene_(std::move(scene)),
-        path_(openTrajectory(name_, "right", *scene_)),
-        truth_(kSize, kSize) {
+      : name_(std::move(name)), scene_(std::move(scene)), path_(openTrajectory(name_, "right", *scene_)) {
     ReferenceRenderer renderer(scene_, 3, kSize, kSize, scene_->description().fov_x_deg, cacheFolder(),
                                pool_);
     Progress progress("reference of " + name_, 2.0 * kReferenceSpp);
     const auto at = [&](int t) {
       return renderer.frame(path_.at(frameTime(t, kRate)), kReferenceSpp, progress);
     };
-    const ReferenceFrame prev = at(kFrame - 1), cur = at(kFrame);
-    ImageF a(kSize, kSize), b(kSize, kSize);
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
-        truth_.at(x, y) = cur.mean(x, y) - prev.mean(x, y);
-        a.at(x, y) = cur.a.at(x, y) - prev.a.at(x, y);
-        b.at(x, y) = cur.b.at(x, y) - prev.b.at(x, y);
-      }
-    }
+    truth_ = std::make_unique<ReferenceChange>(at(kFrame - 1), at(kFrame));
     std::printf("%s, %dx%d, right, frame %d; reference of %d spp, own error %.4f\n", name_.c_str(), kSize,
-                kSize, kFrame, kReferenceSpp, relativeL1(a, b) / 2);
+                kSize, kFrame, kReferenceSpp, truth_->error());
   }
 
   // Relative L1 of dI.
@@ -64,7 +53,7 @@ class Bench {
     EXPECT_EQ(resolveParams(*findMethod(method), given, c.params, bad), "");
     Feed feed(scene_, path_, c, pool_);
     for (int t = 1; t <= kFrame; ++t) feed.step();
-    const double e = relativeL1(feed.change().dI, truth_);
+    const double e = relativeL1(feed.change().dI, truth_->dI);
     std::printf("  %-14s %d spp %-24s %.4f\n", method.c_str(), spp,
                 given.empty() ? "" : given.begin()->first.c_str(), e);
     return e;
@@ -75,7 +64,7 @@ class Bench {
   TilePool pool_{2};
   std::shared_ptr<const RenderScene> scene_;
   Trajectory path_;
-  ImageF truth_;
+  std::unique_ptr<ReferenceChange> truth_;
 };
 
 void expectThePapersOrder(Bench& bench) {
