@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
+#include <string>
 
 #include "client/commands/commands.h"
 #include "client/control_client.h"
@@ -18,9 +19,14 @@ bool isUsage(v1::Code code) {
   return code == v1::CODE_INVALID_ARGUMENT || code == v1::CODE_NOT_FOUND;
 }
 
+std::string usageFault(const CLI::App*, const CLI::Error& error) {
+  return std::string("saccade: ") + error.what() + "; see --help\n";
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Client of saccaded, the event-camera daemon");
   app.require_subcommand(1);
+  app.failure_message(usageFault);
   addListCommand(app);
   addInfoCommand(app);
   addRecordCommand(app);

@@ -1,7 +1,9 @@
 #include "client/recorder.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
+#include <system_error>
 
 namespace saccade {
 namespace {
@@ -20,6 +22,7 @@ Recorder::Recorder(const std::string& path, int sensors) {
   const WriterInfo& format = writerFor(path);
   for (int i = 0; i < sensors; ++i) {
     const std::string file = fileOf(path, i, sensors);
+    if (std::filesystem::is_directory(file)) throw std::system_error(EISDIR, std::generic_category(), file);
     const std::string partial = file + ".partial";
     outputs_.push_back({file, partial, format.make(partial)});
   }
@@ -27,6 +30,7 @@ Recorder::Recorder(const std::string& path, int sensors) {
 
 void Recorder::add(const Batch& batch) {
   if (batch.header.sensor() >= outputs_.size()) throw StreamFault("a packet is of a sensor nobody asked for");
+  if (!begin_ns_) begin_ns_ = batch.header.t0_ns();
   Output& output = outputs_[batch.header.sensor()];
   output.writer->write(batch.events);
   output.time_ns = std::max(output.time_ns, batch.header.t1_ns());
@@ -51,6 +55,10 @@ std::int64_t Recorder::time_ns() const {
   return std::min_element(outputs_.begin(), outputs_.end(),
                           [](const Output& a, const Output& b) { return a.time_ns < b.time_ns; })
       ->time_ns;
+}
+
+std::int64_t Recorder::duration_ns() const {
+  return std::max<std::int64_t>(0, time_ns() - begin_ns_.value_or(0));
 }
 
 std::vector<std::string> Recorder::files() const {

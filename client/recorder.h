@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace saccade {
 class Recorder {
  public:
   // Starts FILE.partial for each sensor; with several, FILE is `path` with the sensor's index before the
-  // extension (events-0.csv). Throws as writerFor() and Writer do.
+  // extension (events-0.csv). Throws as writerFor() and Writer do, also where FILE is a folder.
   Recorder(const std::string& path, int sensors);
 
   // Throws StreamFault where the batch is of a sensor the stream does not have.
@@ -25,6 +26,7 @@ class Recorder {
   std::uint64_t events() const { return events_; }
   std::uint64_t suppressed() const { return suppressed_; }
   std::int64_t time_ns() const;            // stream time up to which all sensors are known
+  std::int64_t duration_ns() const;        // from the first packet up to there
   std::vector<std::string> files() const;  // as they are named now
 
  private:
@@ -35,6 +37,7 @@ class Recorder {
     bool ended = false;
   };
   std::vector<Output> outputs_;
+  std::optional<std::int64_t> begin_ns_;
   std::uint64_t events_ = 0, suppressed_ = 0;
 };
 

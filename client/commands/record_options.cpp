@@ -15,10 +15,15 @@ std::string checkPng(const std::string& path) {
 void addRecordOptions(CLI::App& command, RecordOptions& o) {
   addControlOption(command, o.control);
   command.add_option("scene", o.scene, "name of a scene, see `saccade list`")->required();
-  command.add_option("--trajectory", o.trajectory, "a trajectory of the scene, or a TUM or ESIM file")
+  command
+      .add_option("--trajectory", o.trajectory,
+                  "a trajectory of the scene, or a TUM or ESIM file (*.csv, or any file that is there)")
       ->required();
-  command.add_option("-o,--output", o.output, "file to write: " + writerNames())->required();
-  command.add_option("--threshold", o.thresholds, "contrast threshold C; give it again for another sensor")
+  command.add_option("-o,--output", o.output, "file to write, by its extension: " + writerNames())
+      ->required();
+  command
+      .add_option("--threshold", o.thresholds,
+                  "contrast threshold C, in natural log units; give it again for another sensor")
       ->allow_extra_args(false)
       ->delimiter(',');
   command
@@ -36,7 +41,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       ->capture_default_str();
   command
       .add_option("--delivery", o.delivery,
-                  "what happens when this client is slow: wait, drop the oldest, drop any")
+                  "when this client is slow: wait for it, drop the oldest, drop any")
       ->check(CLI::IsMember({"lossless", "live", "broadcast"}))
       ->capture_default_str();
   command.add_option("--clock", o.clock, "as fast as can be, or in step with the wall clock")
@@ -49,8 +54,13 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       ->allow_extra_args(false);
   command.add_option("--seed", o.seed, "of all random numbers")->capture_default_str();
   command
-      .add_option("--preview", o.preview, "PNG of brightness, its change and the events, half way through")
+      .add_option("--preview", o.preview,
+                  "PNG of brightness, its change and the latest events, half way through")
       ->check(CLI::Validator(checkPng, "FILE.png"));
+  command.footer(
+      "What has no default here is left to the server. Exit codes: 0 recorded, 1 the stream or the server "
+      "failed,\n2 wrong usage. Until it is complete, the file is called FILE.partial.\n\n"
+      "saccade record cornell-bunny --trajectory right --size 240x180 -o events.csv --preview events.png");
 }
 
 }  // namespace saccade

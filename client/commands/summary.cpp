@@ -16,7 +16,7 @@ void printFiles(std::vector<std::string> files, const std::string& preview) {
 }
 
 void printRates(const Recorder& recorder, double wall_s) {
-  const double stream_s = recorder.time_ns() / 1e9;
+  const double stream_s = recorder.duration_ns() / 1e9;
   std::printf("%llu events, %.6g per second of the stream; %.6g s in %.3g s, %.3gx real time\n",
               Count{recorder.events()}, stream_s > 0 ? recorder.events() / stream_s : 0.0, stream_s, wall_s,
               stream_s / wall_s);

@@ -95,6 +95,16 @@ TEST(Command, WrongUsageIsCode2) {
   EXPECT_EQ(run("--help").code, 0);
 }
 
+TEST(Command, WrongUsageIsToldInOneLine) {
+  for (const char* line : {"", "record", "record cornell-box --trajectory right -o a.csv --frob",
+                           "record cornell-box --trajectory right -o a.csv --delivery pigeon",
+                           "record cornell-box --trajectory none.csv -o a.csv"}) {
+    const Result result = run(line);
+    EXPECT_EQ(result.output.find("saccade: "), 0u) << result.output;
+    EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
+  }
+}
+
 TEST(Command, NobodyAnswersIsCode1AndSaysWhatToDo) {
   const Result result = run("info --wait 0.05 --control tcp://127.0.0.1:1");
   EXPECT_EQ(result.code, 1);
@@ -138,6 +148,10 @@ TEST_F(CommandAndServer, RefusalsNameWhatIsValid) {
       "record cornell-box --trajectory right --threshold 0.2 --threshold nan -o a.csv" + server_.option());
   EXPECT_EQ(threshold.code, 2);
   EXPECT_TRUE(holds(threshold, "sensors[1].threshold")) << threshold.output;
+  const Result output =
+      run("record cornell-box --trajectory right -o " + folder_.at("none/a.csv") + server_.option());
+  EXPECT_EQ(output.code, 2);
+  EXPECT_TRUE(holds(output, "--output: ") && holds(output, "none/a.csv")) << output.output;
 }
 
 // A recording that has begun.

@@ -103,6 +103,24 @@ TEST_F(RecorderTest, UnknownFormatNamesTheKnown) {
   }
 }
 
+TEST_F(RecorderTest, ARecordingMayBeginInTheMiddleOfAFeed) {
+  Recorder recorder(at("a.csv"), 2);
+  EXPECT_EQ(recorder.duration_ns(), 0);
+  Batch batch = batchOf(0, v1::KIND_EVENTS, {});
+  batch.header.set_t0_ns(2'900'000'000);
+  recorder.add(batch);
+  EXPECT_EQ(recorder.duration_ns(), 0);  // nothing is known of sensor 1
+  batch.header.set_sensor(1);
+  recorder.add(batch);
+  EXPECT_EQ(recorder.time_ns(), 3'000'000'000);
+  EXPECT_EQ(recorder.duration_ns(), 100'000'000);
+}
+
+TEST_F(RecorderTest, AFolderIsNoFile) {
+  fs::create_directory(at("a.csv"));
+  EXPECT_THROW(Recorder(at("a.csv"), 1), std::system_error);
+}
+
 TEST_F(RecorderTest, AFolderThatIsNotThereIsNamed) {
   try {
     Recorder recorder(at("none/a.csv"), 1);
