@@ -1,5 +1,6 @@
 #include "eval/exr.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <filesystem>
@@ -67,6 +68,18 @@ ExrPicture readExr(const std::string& path) {
     if (name.starts_with("saccade:")) picture.attributes[name.substr(8)] = attribute.get_int();
   }
   return picture;
+}
+
+std::string encodePng(int width, int height, const std::vector<Rgb8>& pixels) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  auto out = ImageOutput::create("png");
+  if (!out || !out->set_ioproxy(&memory) ||
+      !out->open("memory.png", ImageSpec(width, height, 3, TypeDesc::UINT8)) ||
+      !out->write_image(TypeDesc::UINT8, pixels.data()) || !out->close()) {
+    throw std::runtime_error("cannot encode a PNG: " + (out ? out->geterror() : OIIO::geterror()));
+  }
+  return {bytes.begin(), bytes.end()};
 }
 
 void writePng(const std::string& path, int width, int height, const std::vector<Rgb8>& pixels) {

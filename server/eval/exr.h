@@ -30,6 +30,7 @@ ExrPicture readExr(const std::string& path);
 struct Rgb8 {
   unsigned char r, g, b;
 };
+std::string encodePng(int width, int height, const std::vector<Rgb8>& pixels);  // the bytes of the file
 void writePng(const std::string& path, int width, int height, const std::vector<Rgb8>& pixels);
 
 }  // namespace saccade

@@ -6,13 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <memory>
 
-#include "app/feed.h"
+#include "eval/bench.h"
 #include "eval/metrics.h"
-#include "eval/open_scene.h"
-#include "eval/reference.h"
-#include "scene/mitsuba_xml.h"
 #include "statistical/outside_files.h"
 
 namespace saccade {
@@ -21,7 +17,6 @@ namespace {
 constexpr int kFrame = 21;
 const bool kFull = std::getenv("SACCADE_FULL") != nullptr;
 const int kSize = kFull ? 256 : 96, kReferenceSpp = kFull ? 4096 : 1024;
-const double kRate = 500;
 
 std::string cacheFolder() {
   if (const char* cache = std::getenv("SACCADE_CACHE")) return cache;
@@ -29,52 +24,44 @@ std::string cacheFolder() {
   return kFull && home ? std::string(home) + "/.cache/saccade" : ::testing::TempDir() + "saccade-cache";
 }
 
-class Bench {
+class Errors {
  public:
-  Bench(std::string name, std::shared_ptr<const RenderScene> scene)
-      : name_(std::move(name)), scene_(std::move(scene)), path_(openTrajectory(name_, "right", *scene_)) {
-    ReferenceRenderer renderer(scene_, 3, kSize, kSize, scene_->description().fov_x_deg, cacheFolder(),
-                               pool_);
-    Progress progress("reference of " + name_, 2.0 * kReferenceSpp);
-    const auto at = [&](int t) {
-      return renderer.frame(path_.at(frameTime(t, kRate)), kReferenceSpp, progress);
-    };
-    truth_ = std::make_unique<ReferenceChange>(at(kFrame - 1), at(kFrame));
-    std::printf("%s, %dx%d, right, frame %d; reference of %d spp, own error %.4f\n", name_.c_str(), kSize,
-                kSize, kFrame, kReferenceSpp, truth_->error());
+  explicit Errors(const std::string& scene)
+      : bench_({.scene = scene,
+                .width = kSize,
+                .height = kSize,
+                .frame = kFrame,
+                .reference_spp = kReferenceSpp,
+                .cache = cacheFolder()},
+               pool_) {
+    std::printf("%s, %dx%d, right, frame %d; reference of %d spp, own error %.4f\n", scene.c_str(), kSize,
+                kSize, kFrame, kReferenceSpp, bench_.truth().error());
   }
 
   // Relative L1 of dI.
-  double error(const std::string& method, int spp, const ParamValues& given = {}) {
-    FeedConfig c;
-    c.width = c.height = kSize, c.fov_x_deg = scene_->description().fov_x_deg, c.frame_rate_hz = kRate;
-    c.method = method, c.spp = spp, c.seed = 1;
+  double of(const std::string& method, int spp, const ParamValues& given = {}) {
+    ParamValues params;
     std::string bad;
-    EXPECT_EQ(resolveParams(*findMethod(method), given, c.params, bad), "");
-    Feed feed(scene_, path_, c, pool_);
-    for (int t = 1; t <= kFrame; ++t) feed.step();
-    const double e = relativeL1(feed.change().dI, truth_->dI);
+    EXPECT_EQ(resolveParams(*findMethod(method), given, params, bad), "");
+    const double e = relativeL1(bench_.run(method, spp, params, 1).change.dI, bench_.truth().dI);
     std::printf("  %-14s %d spp %-24s %.4f\n", method.c_str(), spp,
                 given.empty() ? "" : given.begin()->first.c_str(), e);
     return e;
   }
 
  private:
-  std::string name_;
   TilePool pool_{2};
-  std::shared_ptr<const RenderScene> scene_;
-  Trajectory path_;
-  std::unique_ptr<ReferenceChange> truth_;
+  Bench bench_;
 };
 
-void expectThePapersOrder(Bench& bench) {
-  const double full = bench.error("event_svgf", 2);
-  const double correlated = bench.error("pt-correlated", 4), independent = bench.error("pt", 4);
+void expectThePapersOrder(Errors& errors) {
+  const double full = errors.of("event_svgf", 2);
+  const double correlated = errors.of("pt-correlated", 4), independent = errors.of("pt", 4);
   // Coarse pixels see less of the surfaces that the filter could average, and their reference is noisier.
   EXPECT_LE(full, (kFull ? 0.30 : 0.45) * correlated);
   EXPECT_GE(independent, 5 * correlated);
   for (const char* part : {"correlated", "w_prev", "accumulate_difference", "correction"}) {
-    EXPECT_GT(bench.error("event_svgf", 2, {{part, 0}}), full) << "without " << part;
+    EXPECT_GT(errors.of("event_svgf", 2, {{part, 0}}), full) << "without " << part;
   }
 }
 
@@ -82,8 +69,8 @@ const char* kBunny = "/usr/share/glmark2/models/bunny.obj";  // Debian's glmark2
 
 TEST(DifferenceQuality, CornellBunny) {
   SACCADE_NEEDS(kBunny);
-  Bench bench("cornell-bunny", openScene("cornell-bunny"));
-  expectThePapersOrder(bench);
+  Errors errors("cornell-bunny");
+  expectThePapersOrder(errors);
 }
 
 TEST(DifferenceQuality, BunnyInSomebodyElsesCornellBox) {
@@ -99,14 +86,14 @@ TEST(DifferenceQuality, BunnyInSomebodyElsesCornellBox) {
                   "</transform><ref id=\"FloorBSDF\"/></shape></scene>");
   const std::string path = ::testing::TempDir() + "bunny_in_box.xml";
   std::ofstream(path) << xml;
-  Bench bench("bunny in the box", std::make_shared<RenderScene>(loadMitsubaXml(path)));
-  expectThePapersOrder(bench);
+  Errors errors(path);
+  expectThePapersOrder(errors);
 }
 
 TEST(DifferenceQuality, DemodulationKeepsTexture) {
-  Bench bench("textured-cornell-box", openScene("textured-cornell-box"));
-  const double full = bench.error("event_svgf", 2);
-  EXPECT_GT(bench.error("event_svgf", 2, {{"demodulate", 0}}), full);
+  Errors errors("textured-cornell-box");
+  const double full = errors.of("event_svgf", 2);
+  EXPECT_GT(errors.of("event_svgf", 2, {{"demodulate", 0}}), full);
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+// Log-log charts as SVG text: one panel for each scene and metric, a line for each method.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace saccade {
+
+struct ChartPoint {
+  double x, y;        // > 0
+  std::string label;  // written beside the point: its settings
+};
+
+struct ChartLine {
+  std::string name;
+  std::vector<ChartPoint> points;  // joined in this order
+};
+
+struct ChartPanel {
+  std::string title, x_label, y_label;
+  std::vector<ChartLine> lines;
+};
+
+// The points that no other point beats in both coordinates (smaller is better), by rising x.
+std::vector<ChartPoint> paretoFront(const ChartPanel& panel);
+
+// `across` panels in a row; a legend below; the Pareto front of each panel as a broad grey line.
+std::string drawCharts(const std::vector<ChartPanel>& panels, int across);
+
+}  // namespace saccade
