@@ -1,7 +1,6 @@
-#include <algorithm>
-
 #include "events/event_model.h"
 #include "events/models/models.h"
+#include "events/named_rows.h"
 
 namespace saccade {
 
@@ -16,16 +15,11 @@ const std::vector<EventModelInfo>& eventModelTable() {
 }
 
 const EventModelInfo* findEventModel(const std::string& name) {
-  const auto& table = eventModelTable();
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const auto& row) { return row.name == name; });
-  return found == table.end() ? nullptr : &*found;
+  return findRow(eventModelTable(), name);
 }
 
 std::string eventModelNames() {
-  std::string names;
-  for (const auto& row : eventModelTable()) names += (names.empty() ? "" : ", ") + row.name;
-  return names;
+  return joinRowNames(eventModelTable());
 }
 
 }  // namespace saccade

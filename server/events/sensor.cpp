@@ -9,12 +9,14 @@ Sensor::Sensor(const SensorConfig& config, int width, int height)
     : bias_(static_cast<float>(config.bias)), dL_(width, height) {
   SACCADE_CHECK(!findFault(config));
   SACCADE_CHECK(width <= UINT16_MAX && height <= UINT16_MAX);
+  reconstruction_ = findReconstruction(config.reconstruction)->make(config, width, height);
   model_ = findEventModel(config.model)->make(config, width, height);
 }
 
 void Sensor::generate(const IntensityChange& change, SensorOutput& out) {
   const Interval interval{change.t0, change.t1, change.frame};
   logResponse(change, bias_, dL_);
+  reconstruction_->reconstruct(change, dL_);
   out.events.clear();
   out.suppressed = model_->generate(dL_, interval, out.events);
   order_.sort(out.events, interval);

@@ -1,10 +1,11 @@
-// A sensor turns changes of intensity into events: threshold, bias, event model, refractory period.
+// A sensor turns changes of intensity into events: bias, reconstruction, event model.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 
 #include "events/event_model.h"
+#include "events/reconstruction.h"
 #include "events/sensor_config.h"
 #include "events/time_order.h"
 #include "frame/intensity_change.h"
@@ -27,7 +28,8 @@ class Sensor {
 
  private:
   float bias_;
-  ImageF dL_;  // [E (21)]
+  ImageF dL_;  // [E (21)], then as reconstructed
+  std::unique_ptr<Reconstruction> reconstruction_;
   std::unique_ptr<EventModel> model_;
   TimeOrder order_;
 };

@@ -1,0 +1,51 @@
+// Brightness reconstruction (paper, 4.6 and Fig. 7): which change of brightness a sensor believes.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "events/sensor_config.h"
+#include "frame/intensity_change.h"
+
+namespace saccade {
+
+// The sum of dL is right from frame to frame, but small errors add up to a drift. The primal picture does not
+// drift, but is noisy. A reconstruction weighs the two:
+//
+//   direct         L^_t = L^_{t-1} + dL_t [E (22)]. Drifts without bound. A standing scene, whose dL is 0,
+//                  gives exactly no change.
+//   complementary  L^_t = L- + k (L^prim_t - L-), L- = L^_{t-1} + dL_t, k = 1 - exp(-2 pi cutoff dt).
+//                  An error b per frame in dL adds up to b (1 - k) / k and no further.
+//   kalman         the same with k of each pixel from the variances of dL and L^prim (see kalman.cpp).
+//
+// L^prim = log(I_eps + I_now); L^_0 is that of the first I_prev, and its error is drawn out like a drift.
+//
+// A standing scene under complementary does change: its primal is noisy, and the noise comes through
+// low-passed. Primal noise of variance s^2 and correlation rho^n between frames n apart leaves in L^ the
+// variance
+//
+//   s^2 k / (2 - k) (1 + (1 - k) rho) / (1 - (1 - k) rho),
+//
+// 0.24^2 s^2 at 500 frames per second and the defaults (rho = 0.9): a pixel fires now and then where 0.24 s
+// comes near C. Under kalman a scene that has always stood gives exactly no change, as long as the method
+// gives it no variance of dL; where motion ends, k falls like 1 / n and the pixel falls silent.
+class Reconstruction {
+ public:
+  virtual ~Reconstruction() = default;
+  // Takes in `dL` the response of `change`, finite; leaves there L^_t - L^_{t-1}, finite. Must be given every
+  // interval, in order. Does not touch the border, and does not allocate.
+  virtual void reconstruct(const IntensityChange& change, ImageF& dL) = 0;
+};
+
+struct ReconstructionInfo {
+  std::string name, description;
+  std::unique_ptr<Reconstruction> (*make)(const SensorConfig& config, int width, int height);
+};
+
+// THE list of reconstructions. The first is the default.
+const std::vector<ReconstructionInfo>& reconstructionTable();
+const ReconstructionInfo* findReconstruction(const std::string& name);  // nullptr if there is none
+std::string reconstructionNames();                                      // "direct, ..." for messages
+
+}  // namespace saccade

@@ -1,0 +1,77 @@
+// Kalman filter [WNSM21] in frame form: the gain of each pixel follows from the variances of dL and L^prim.
+//
+//   P- = P + Q,  k = P- / (P- + R),  P = (1 - k) P-
+//   Q = var_dI / (I_eps + I_prev)^2,  R = (2 - alpha) / alpha var_I_prev / (I_eps + I_prev)^2
+//
+// from P_0 = 0: without a change there is nothing to correct. Both variances are relative, those of a
+// logarithm to first order; var_I_prev stands in for that of I_now, whose relative noise is much the same.
+#include <algorithm>
+#include <vector>
+
+#include "events/log_ratio.h"
+#include "events/reconstruction/predict_correct.h"
+#include "events/reconstruction/reconstructions.h"
+
+namespace saccade {
+namespace {
+
+// The filter takes the errors of successive primals for independent, but an accumulated primal remembers: its
+// noise n frames apart has the correlation (1 - alpha)^n, so that a mean over many frames has
+// 1 + 2 sum (1 - alpha)^n = (2 - alpha) / alpha times the variance of independent ones. A sensor does not
+// know the method's alpha; this is the default of all that accumulate. With half of it R is too small by 2,
+// and k too large by sqrt 2.
+//
+// An accumulated dI remembers, too. To inflate Q as well, which is to inflate neither, would give the L^ of
+// least error; with R alone the change of L^ has least noise, and it is the change that fires.
+constexpr float kPrimalAlpha = 0.1f;
+constexpr float kInflation = (2 - kPrimalAlpha) / kPrimalAlpha;
+
+constexpr float kMaxVariance = 1e12f;  // brightness spans less than 100: larger variances say no less
+
+float clampVariance(float v) {
+  return v > 0 ? std::min(v, kMaxVariance) : 0;  // NaN is 0
+}
+
+class Kalman final : public Reconstruction {
+ public:
+  Kalman(const SensorConfig& config, int width, int height)
+      : I_eps_(static_cast<float>(config.bias)),
+        brightness_(config.bias, width, height),
+        P_(width, height),
+        gains_(static_cast<std::size_t>(width)) {}
+
+  void reconstruct(const IntensityChange& change, ImageF& dL) override {
+    brightness_.advance(
+        change, [&](int y) { return computeGains(change, y); }, dL);
+  }
+
+ private:
+  // Where the method knows no variance of the primal (0), there is no correction.
+  const float* computeGains(const IntensityChange& change, int y) {
+    const float *I_prev = change.I_prev.row(y), *var_dI = change.var_dI.row(y),
+                *var_I = change.var_I_prev.row(y);
+    float* __restrict P = P_.row(y), * __restrict k = gains_.data();
+    for (int x = 0; x < P_.width(); ++x) {
+      const float response = I_eps_ + clampTo(I_prev[x], 0, kMaxLuminance);
+      const float scale = 1 / (response * response);
+      const float Q = clampVariance(scale * var_dI[x]), R = kInflation * clampVariance(scale * var_I[x]);
+      const float predicted = std::min(P[x] + Q, kMaxVariance);
+      k[x] = R > 0 ? predicted / (predicted + R) : 0;
+      P[x] = (1 - k[x]) * predicted;
+    }
+    return k;
+  }
+
+  float I_eps_;
+  PredictCorrect brightness_;
+  ImageF P_;                  // variance of L^
+  std::vector<float> gains_;  // of a row
+};
+
+}  // namespace
+
+std::unique_ptr<Reconstruction> makeKalman(const SensorConfig& config, int width, int height) {
+  return std::make_unique<Kalman>(config, width, height);
+}
+
+}  // namespace saccade
