@@ -154,17 +154,20 @@ TEST_F(CommandAndServer, RefusalsNameWhatIsValid) {
   EXPECT_TRUE(holds(output, "--output: ") && holds(output, "none/a.csv")) << output.output;
 }
 
-// A recording that has begun.
+// A recording that events have come to: before that a server that stops would not know of its receiver.
 class Interrupted : public CommandAndServer {
  protected:
   Child startRecord(const std::string& duration) {
     Child child(SACCADE_COMMAND " record cornell-box --trajectory right --size 32x24 --duration " + duration +
                 " -o " + file_ + server_.option());
     const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    while (!fs::exists(partial_) && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
+    while (!begun() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
     return child;
   }
   const std::string file_ = folder_.at("a.csv"), partial_ = folder_.at("a.csv.partial");
+
+ private:
+  bool begun() const { return fs::exists(partial_) && fs::file_size(partial_) > 0; }
 };
 
 TEST_F(Interrupted, CtrlCKeepsWhatCame) {
