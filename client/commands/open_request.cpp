@@ -85,10 +85,17 @@ v1::Sensor makeSensor(const RecordOptions& options, std::size_t index) {
   if (!off.empty()) sensor.set_threshold_off(off[off.size() == 1 ? 0 : index]);
   if (options.bias) sensor.set_bias(*options.bias);
   if (options.refractory_s) sensor.set_refractory_s(*options.refractory_s);
-  if (options.model.empty()) return sensor;
-  v1::EventModel model;
-  setEnum(v1::EventModel_Parse, "EVENT_MODEL_", options.model, model);
-  sensor.set_model(model);
+  if (options.cutoff_hz) sensor.set_cutoff_hz(*options.cutoff_hz);
+  if (!options.model.empty()) {
+    v1::EventModel model;
+    setEnum(v1::EventModel_Parse, "EVENT_MODEL_", options.model, model);
+    sensor.set_model(model);
+  }
+  if (!options.reconstruction.empty()) {
+    v1::ReconstructionModel reconstruction;
+    setEnum(v1::ReconstructionModel_Parse, "RECONSTRUCTION_", options.reconstruction, reconstruction);
+    sensor.set_reconstruction(reconstruction);
+  }
   return sensor;
 }
 

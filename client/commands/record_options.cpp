@@ -34,6 +34,11 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
   command.add_option("--refractory", o.refractory_s, "seconds a pixel is blind after an event");
   command.add_option("--model", o.model, "event model")
       ->check(CLI::IsMember({"accumulating", "probabilistic"}));
+  command
+      .add_option("--reconstruction", o.reconstruction,
+                  "which change of brightness the sensors believe; direct is the difference alone")
+      ->check(CLI::IsMember({"direct", "complementary", "kalman"}));
+  command.add_option("--cutoff", o.cutoff_hz, "Hz below which complementary believes the primal picture");
   command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   command.add_option("--fov", o.fov_x_deg, "horizontal field of view, degrees");
   command.add_option("--rate", o.rate_hz, "frames per second of stream time")->capture_default_str();

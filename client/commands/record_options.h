@@ -15,8 +15,8 @@ namespace saccade {
 struct RecordOptions {
   std::string control, scene, trajectory, output, preview;
   std::vector<double> thresholds, thresholds_off;  // one sensor for each threshold
-  std::optional<double> bias, refractory_s, fov_x_deg;
-  std::string model;
+  std::optional<double> bias, refractory_s, cutoff_hz, fov_x_deg;
+  std::string model, reconstruction;
   std::string size = "346x260";
   double rate_hz = 500, duration_s = 2;
   std::string delivery = "lossless", clock = "fast";

@@ -9,9 +9,9 @@
 namespace saccade {
 namespace {
 
-// EVENT_MODEL_ACCUMULATING is "accumulating".
-std::string modelName(v1::EventModel model) {
-  std::string name = v1::EventModel_Name(model).substr(std::string("EVENT_MODEL_").size());
+// EVENT_MODEL_ACCUMULATING is "accumulating", where `prefix` is "EVENT_MODEL_".
+std::string nameWithout(const std::string& prefix, const std::string& value) {
+  std::string name = value.substr(prefix.size());
   std::transform(name.begin(), name.end(), name.begin(), [](char c) { return std::tolower(c); });
   return name;
 }
@@ -27,6 +27,9 @@ void fillDefaults(v1::Sensor& sensor, const std::string& field, std::uint64_t se
   }
   if (!sensor.has_seed()) sensor.set_seed(seed);
   sensor.set_model(resolveEnum(field + ".model", sensor.model(), v1::EVENT_MODEL_ACCUMULATING));
+  sensor.set_reconstruction(
+      resolveEnum(field + ".reconstruction", sensor.reconstruction(), v1::RECONSTRUCTION_DIRECT));
+  if (!sensor.has_cutoff_hz()) sensor.set_cutoff_hz(defaults.reconstruction_cutoff_hz);
 }
 
 }  // namespace
@@ -39,7 +42,10 @@ SensorConfig resolveSensor(v1::Sensor& sensor, int index, std::uint64_t stream_s
   config.threshold = sensor.threshold();
   config.threshold_off = sensor.threshold_off();
   config.bias = sensor.bias();
-  config.model = modelName(sensor.model());
+  config.model = nameWithout("EVENT_MODEL_", v1::EventModel_Name(sensor.model()));
+  config.reconstruction =
+      nameWithout("RECONSTRUCTION_", v1::ReconstructionModel_Name(sensor.reconstruction()));
+  config.reconstruction_cutoff_hz = sensor.cutoff_hz();
   config.refractory = TimeNs(std::llround(sensor.refractory_s() * 1e9));
   config.max_events_per_pixel_frame = static_cast<int>(
       std::min<std::uint32_t>(sensor.max_events_per_pixel_frame(), std::numeric_limits<int>::max()));

@@ -49,8 +49,9 @@ TEST(RecordOptions, WhatIsNotGivenIsLeftToTheServer) {
 }
 
 TEST(RecordOptions, EachThresholdIsASensor) {
-  const auto open =
-      openStream("--threshold 0.2 --threshold 0.4 --threshold-off 0.3 --bias 0.01 --model probabilistic");
+  const auto open = openStream(
+      "--threshold 0.2 --threshold 0.4 --threshold-off 0.3 --bias 0.01 --model probabilistic "
+      "--reconstruction complementary --cutoff 2");
   ASSERT_EQ(open.sensors_size(), 2);
   EXPECT_EQ(open.sensors(0).threshold(), 0.2);
   EXPECT_EQ(open.sensors(1).threshold(), 0.4);
@@ -58,6 +59,8 @@ TEST(RecordOptions, EachThresholdIsASensor) {
   EXPECT_EQ(open.sensors(1).threshold_off(), 0.3);
   EXPECT_EQ(open.sensors(1).bias(), 0.01);
   EXPECT_EQ(open.sensors(1).model(), v1::EVENT_MODEL_PROBABILISTIC);
+  EXPECT_EQ(open.sensors(1).reconstruction(), v1::RECONSTRUCTION_COMPLEMENTARY);
+  EXPECT_EQ(open.sensors(1).cutoff_hz(), 2);
 }
 
 TEST(RecordOptions, AValueDoesNotSwallowTheScene) {
@@ -106,6 +109,7 @@ TEST(RecordOptions, FaultsNameTheOption) {
   EXPECT_NE(faultOf("--threshold 0.2 --threshold-off 0.1 --threshold-off 0.1").find("--threshold-off"),
             std::string::npos);
   EXPECT_NE(faultOf("--delivery pigeon").find("lossless"), std::string::npos);
+  EXPECT_NE(faultOf("--reconstruction magic").find("kalman"), std::string::npos);
   EXPECT_NE(faultOf("--preview a.jpg").find("--preview"), std::string::npos);
 }
 

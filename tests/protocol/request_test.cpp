@@ -70,6 +70,10 @@ const std::vector<BadWish> kBadWishes{
      [](auto& r) { r.mutable_sensors(0)->set_max_events_per_pixel_frame(4000000000u); }},
     {"sensors[0].model", [](auto& r) { r.mutable_sensors(0)->set_model(v1::EventModel(9)); },
      v1::CODE_INVALID_ARGUMENT, "EVENT_MODEL_PROBABILISTIC"},
+    {"sensors[0].reconstruction",
+     [](auto& r) { r.mutable_sensors(0)->set_reconstruction(v1::ReconstructionModel(9)); },
+     v1::CODE_INVALID_ARGUMENT, "RECONSTRUCTION_KALMAN"},
+    {"sensors[0].cutoff_hz", [](auto& r) { r.mutable_sensors(0)->set_cutoff_hz(0); }},
 };
 // clang-format on
 
