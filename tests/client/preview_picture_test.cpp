@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 
@@ -15,9 +14,7 @@ using Rgb8 = std::array<int, 3>;
 constexpr Rgb8 kWhite{255, 255, 255};
 
 std::string bytesOf(const std::vector<float>& values) {
-  std::string bytes(values.size() * sizeof(float), '\0');
-  std::memcpy(bytes.data(), values.data(), bytes.size());
-  return bytes;
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
 }
 
 v1::FramePicture frameOf(int width, int height, const std::vector<float>& intensity,
