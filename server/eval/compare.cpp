@@ -1,84 +1,123 @@
 // `saccade-eval compare`: dumped frames against those of the reference, in figures and as a picture.
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "eval/commands.h"
-#include "eval/exr.h"
-#include "eval/metrics.h"
+#include "eval/difference_picture.h"
+#include "eval/metrics/frame_errors.h"
 
 namespace saccade {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct CompareOptions {
   std::string dump, reference, picture;
+  double bias = 1e-3, threshold = 0.2;
 };
 
-// Blue below, white at, red above zero; `scale` is full colour.
-Rgb8 divergingColor(float v, float scale) {
-  const float s = std::clamp(v / scale, -1.f, 1.f), rest = 255 * (1 - std::abs(s));
-  const auto fade = static_cast<unsigned char>(rest);
-  return s > 0 ? Rgb8{255, fade, fade} : Rgb8{fade, fade, 255};
+// The figures of one frame, in the order of the heading.
+using Row = std::array<double, 8>;
+constexpr const char* kHeading =
+    "frame          dI L1   MAPE  dL L1   MAPE  false ev.  missed ev.  false %  missed %";
+
+void print(const std::string& name, const Row& r) {
+  std::printf("%-12s %7.4f %6.3f %6.4f %6.3f %10.6f %11.6f %8.4f %9.4f\n", name.c_str(), r[0], r[1], r[2],
+              r[3], r[4], r[5], 100 * r[6], 100 * r[7]);
 }
 
-// The 99th percentile of |v|: a few edges must not take all the colour.
-float colorScale(const ImageF& plane) {
-  std::vector<float> values;
-  for (int y = 0; y < plane.height(); ++y) {
-    for (int x = 0; x < plane.width(); ++x) values.push_back(std::abs(plane.at(x, y)));
-  }
-  const auto rank = static_cast<std::ptrdiff_t>(0.97 * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return std::max(values[static_cast<std::size_t>(rank)], 1e-9f);
+Row toRow(const FrameErrors& e) {
+  return {e.dI_l1,
+          e.dI_mape,
+          e.dL_l1,
+          e.dL_mape,
+          e.rates.false_events,
+          e.rates.missed_events,
+          e.rates.false_pixels,
+          e.rates.missed_pixels};
 }
 
-// Ours, reference and their difference side by side, all in the reference's scale.
-void writeComparison(const std::string& path, const ImageF& x, const ImageF& ref) {
-  const int w = ref.width(), h = ref.height();
-  const float scale = colorScale(ref);
-  std::vector<Rgb8> pixels;
-  pixels.reserve(static_cast<std::size_t>(3 * w) * h);
-  for (int row = 0; row < h; ++row) {
-    for (int column = 0; column < 3 * w; ++column) {
-      const int c = column % w;
-      const float v[3] = {x.at(c, row), ref.at(c, row), x.at(c, row) - ref.at(c, row)};
-      pixels.push_back(divergingColor(v[column / w], scale));
-    }
+ImageF readLuminance(const fs::path& file) {
+  ExrPicture picture = readExr(file.string());
+  const auto plane = picture.planes.find("Y");
+  if (plane == picture.planes.end()) throw std::runtime_error(file.string() + " has no channel Y");
+  return std::move(plane->second);
+}
+
+void checkSize(const fs::path& file, const ImageF& plane, int width, int height) {
+  if (plane.width() == width && plane.height() == height) return;
+  throw std::runtime_error(file.string() + " is " + std::to_string(plane.width()) + "x" +
+                           std::to_string(plane.height()) + ", not " + std::to_string(width) + "x" +
+                           std::to_string(height));
+}
+
+// Frame `number`, as it stands in dI_<number>.exr, from the folder written by frames --dump.
+IntensityChange readChange(const std::string& folder, const std::string& number, int width, int height) {
+  IntensityChange change(width, height);
+  for (const auto& [name, plane] : {std::pair{"dI_", &change.dI}, {"Iprev_", &change.I_prev}}) {
+    const fs::path file = fs::path(folder) / (name + number);
+    ImageF read = readLuminance(file);
+    checkSize(file, read, width, height);
+    *plane = std::move(read);
   }
-  writePng(path, 3 * w, h, pixels);
+  return change;
+}
+
+// "00001.exr" of each dI_00001.exr that stands in both folders, in order.
+std::vector<std::string> commonFrames(const CompareOptions& o) {
+  std::vector<std::string> frames;
+  for (const auto& entry : fs::directory_iterator(o.dump)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("dI_") && fs::exists(fs::path(o.reference) / name)) frames.push_back(name.substr(3));
+  }
+  std::sort(frames.begin(), frames.end());
+  if (frames.empty())
+    throw std::runtime_error("no dI_*.exr stands in both " + o.dump + " and " + o.reference);
+  return frames;
 }
 
 void runCompare(const CompareOptions& o) {
-  int compared = 0;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(o.dump)) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) {
-    const std::string name = file.filename().string();
-    const auto truth = std::filesystem::path(o.reference) / name;
-    if (!name.starts_with("dI_") || !std::filesystem::exists(truth)) continue;
-    const ExrPicture x = readExr(file.string()), ref = readExr(truth.string());
-    std::printf("%s  relative L1 %.4f\n", name.c_str(), relativeL1(x.planes.at("Y"), ref.planes.at("Y")));
-    if (!o.picture.empty()) writeComparison(o.picture, x.planes.at("Y"), ref.planes.at("Y"));
-    ++compared;
+  const std::vector<std::string> frames = commonFrames(o);
+  const ImageF first = readLuminance(fs::path(o.reference) / ("dI_" + frames.front()));
+  const int w = first.width(), h = first.height();
+  std::puts(kHeading);
+  Row mean{};
+  for (const std::string& frame : frames) {
+    const IntensityChange x = readChange(o.dump, frame, w, h), ref = readChange(o.reference, frame, w, h);
+    const Row row = toRow(frameErrors(x, ref, static_cast<float>(o.bias), o.threshold));
+    print("dI_" + frame, row);
+    for (std::size_t i = 0; i < row.size(); ++i) mean[i] += row[i] / static_cast<double>(frames.size());
+    if (!o.picture.empty() && frame == frames.back())
+      writePng(o.picture, 3 * w, h, differencePicture(x.dI, ref.dI));
   }
-  if (compared == 0) throw std::runtime_error("no dI_*.exr stands in both " + o.dump + " and " + o.reference);
+  print("mean", mean);
 }
 
 }  // namespace
 
 void addCompareCommand(CLI::App& app) {
   auto o = std::make_shared<CompareOptions>();
-  auto* command = app.add_subcommand("compare", "dI of two dumps: relative L1 of each frame, and a picture");
+  auto* command = app.add_subcommand(
+      "compare",
+      "two dumps: relative L1 and MAPE of dI and dL, false and missed events (per pixel and frame, and as "
+      "the share of pixels with any; mean over the threshold phase), and a picture");
   command->add_option("dump", o->dump, "folder written by frames --dump")
       ->required()
       ->check(CLI::ExistingDirectory);
   command->add_option("reference", o->reference, "folder written by frames --reference --dump")
       ->required()
       ->check(CLI::ExistingDirectory);
-  command->add_option("-o,--output", o->picture, "PNG of the last frame: dump, reference, their difference");
+  command->add_option("--bias", o->bias, "I_eps, scene luminance")
+      ->check(CLI::Range(1e-12, 1e6))
+      ->capture_default_str();
+  command->add_option("--threshold", o->threshold, "C of both polarities, natural log units")
+      ->check(CLI::Range(1e-3, 10.0))
+      ->capture_default_str();
+  command->add_option("-o,--output", o->picture,
+                      "PNG of the last frame's dI: dump, reference, their difference");
   command->callback([o] { runCompare(*o); });
 }
 

@@ -1,11 +1,4 @@
-// How far a picture is from the truth (DESIGN: what is measured).
+// Where relativeL1() used to be: for includers of the old name.
 #pragma once
 
-#include "frame/image.h"
-
-namespace saccade {
-
-// sum |x - ref| / sum |ref|; 0 if both are 0 everywhere, infinite if only ref is.
-double relativeL1(const ImageF& x, const ImageF& ref);
-
-}  // namespace saccade
+#include "eval/metrics/plane_error.h"

@@ -1,0 +1,29 @@
+// False and missed events of one frame, had method and reference the same threshold phase in every pixel.
+// Thresholds lie C apart, and U in [0, C) is how far the pixel stands above the next lower one [E (26)]: a
+// change d crosses |floor((U + d) / C)| of them [E (27)]. An event is false where the reference has none at
+// that phase, and missed the other way round.
+#pragma once
+
+#include <cstdint>
+
+#include "frame/image.h"
+
+namespace saccade {
+
+// Means over the pixels of the frame.
+struct EventRates {
+  double false_events = 0, missed_events = 0;  // events per pixel-frame, >= 0: the headline
+  double false_pixels = 0, missed_pixels = 0;  // share of pixel-frames with any such event, [0, 1]
+};
+
+// The mean over all phases, in closed form: free of sampling noise. Planes of dL, finite; C > 0.
+EventRates integratedRates(const ImageF& dL, const ImageF& dL_ref, double C);
+
+// Counted at one phase per pixel, drawn from `seed`: what a single run sees.
+EventRates sampledRates(const ImageF& dL, const ImageF& dL_ref, double C, std::uint64_t seed);
+
+// Of one pixel: events of the change d, in the mean over U, counted only where the change `ref` has none.
+// With ref = 0 it is |d| / C [E (31)]. Swap d and ref for the missed ones.
+double expectedFalseEvents(double d, double ref, double C);
+
+}  // namespace saccade

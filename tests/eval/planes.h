@@ -1,0 +1,17 @@
+// Planes written out by hand.
+#pragma once
+
+#include <initializer_list>
+
+#include "frame/image.h"
+
+namespace saccade::test {
+
+// One row.
+inline ImageF plane(std::initializer_list<float> values) {
+  ImageF image(static_cast<int>(values.size()), 1);
+  std::copy(values.begin(), values.end(), image.row(0));
+  return image;
+}
+
+}  // namespace saccade::test
