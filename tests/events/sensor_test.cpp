@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/counting_new.h"
+#include "events/log_response.h"
 
 namespace saccade {
 namespace {
@@ -101,19 +102,42 @@ TEST_P(SensorOfModel, DegenerateInputGivesBoundedEvents) {
 }
 
 TEST_P(SensorOfModel, NothingAllocatesAfterTwoFrames) {
-  SensorConfig with_refractory = config();
-  with_refractory.refractory = TimeNs(100'000);
-  Sensor sensor(with_refractory, kWidth, kHeight);
+  for (const ReconstructionInfo& reconstruction : reconstructionTable()) {
+    SensorConfig with_refractory = config();
+    with_refractory.reconstruction = reconstruction.name;
+    with_refractory.refractory = TimeNs(100'000);
+    Sensor sensor(with_refractory, kWidth, kHeight);
+    IntensityChange change(kWidth, kHeight);
+    change.I_now.fill(1);
+    change.var_dI.fill(0.01f);
+    change.var_I_prev.fill(0.1f);
+    SensorOutput out;
+    for (int i = 1; i <= 10; ++i) {
+      // The busiest frames come first: storage grows to the largest frame met.
+      fillRandom(change, i, i <= 2 ? 0.99f : 0.5f);
+      const int before = test::allocations();
+      sensor.generate(change, out);
+      if (i > 2) {
+        EXPECT_EQ(test::allocations() - before, 0) << reconstruction.name << ", frame " << i;
+      }
+    }
+  }
+}
+
+TEST_P(SensorOfModel, DirectGivesTheModelTheResponseItself) {
+  Sensor sensor(config(), kWidth, kHeight);
+  const auto model = findEventModel(GetParam())->make(config(), kWidth, kHeight);
   IntensityChange change(kWidth, kHeight);
+  ImageF dL(kWidth, kHeight);
   SensorOutput out;
   for (int i = 1; i <= 10; ++i) {
-    // The busiest frames come first: storage grows to the largest frame met.
-    fillRandom(change, i, i <= 2 ? 0.99f : 0.5f);
-    const int before = test::allocations();
+    fillRandom(change, i, 0.6f);
     sensor.generate(change, out);
-    if (i > 2) {
-      EXPECT_EQ(test::allocations() - before, 0) << "frame " << i;
-    }
+    Events events;
+    logResponse(change, static_cast<float>(config().bias), dL);
+    model->generate(dL, {change.t0, change.t1, change.frame}, events);
+    TimeOrder().sort(events, {change.t0, change.t1, change.frame});
+    EXPECT_EQ(out.events, events) << "frame " << i;
   }
 }
 
@@ -132,6 +156,10 @@ TEST(SensorConfig, FaultsNameTheFieldAndWhatIsValid) {
   EXPECT_EQ(fieldOf({.bias = 0}), "bias");
   EXPECT_EQ(fieldOf({.refractory = TimeNs(-1)}), "refractory_s");
   EXPECT_EQ(fieldOf({.max_events_per_pixel_frame = 0}), "max_events_per_pixel_frame");
+  EXPECT_EQ(fieldOf({.reconstruction_cutoff_hz = 0}), "cutoff_hz");
+  EXPECT_EQ(findFault({.reconstruction = "poisson"})->message,
+            "no reconstruction 'poisson'; there are: direct, complementary, kalman");
+  EXPECT_EQ(fieldOf({.reconstruction = ""}), "reconstruction");
   EXPECT_EQ(findFault({.model = "best"})->message,
             "no event model 'best'; there are: accumulating, probabilistic");
 }
