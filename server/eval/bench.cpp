@@ -36,6 +36,7 @@ BenchRun Bench::run(const std::string& method, int spp, const ParamValues& param
   }
   BenchRun run(setup_.width, setup_.height);
   const IntensityChange& change = feed.change();
+  run.change.t0 = change.t0, run.change.t1 = change.t1, run.change.frame = change.frame;
   run.change.dI.copyFrom(change.dI);
   run.change.I_prev.copyFrom(change.I_prev);
   run.change.I_now.copyFrom(change.I_now);

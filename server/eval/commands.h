@@ -14,5 +14,9 @@ Size parseSize(const std::string& text);
 void addStillCommand(CLI::App& app);
 void addFramesCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
+void addChartCommand(CLI::App& app);
+
+// Where reference frames are kept: $XDG_CACHE_HOME/saccade, else ~/.cache/saccade.
+std::string defaultCache();
 
 }  // namespace saccade

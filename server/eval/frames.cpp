@@ -9,6 +9,7 @@
 #include "app/feed.h"
 #include "eval/commands.h"
 #include "eval/exr.h"
+#include "eval/method_spec.h"
 #include "eval/open_scene.h"
 #include "eval/reference.h"
 
@@ -49,24 +50,10 @@ void parseFrames(FramesOptions& o) {
 }
 
 void resolveMethod(FramesOptions& o) {
-  const MethodInfo* method = findMethod(o.feed.method);
-  if (!method)
-    throw CLI::ValidationError("--method", "no method \"" + o.feed.method + "\"; there is: " + methodNames());
-  ParamValues given;
-  for (const std::string& pair : o.set) {
-    const auto equals = pair.find('=');
-    char* end = nullptr;
-    const double value = equals == std::string::npos ? 0 : std::strtod(pair.c_str() + equals + 1, &end);
-    if (end == nullptr || *end != 0) throw CLI::ValidationError("--set", "must be name=number, not " + pair);
-    given[pair.substr(0, equals)] = value;
-  }
-  std::string name;
-  const std::string fault = resolveParams(*method, given, o.feed.params, name);
-  if (!fault.empty()) throw CLI::ValidationError("--set " + name, fault);
-  const auto seeds = method->make(o.feed.params, 1, 1)->seedReuse();
-  if (seeds != SeedReuse::kIndependent && o.feed.spp % 2 != 0) {
-    throw CLI::ValidationError("--spp",
-                               o.feed.method + " needs an even number: half of the paths are for each pass");
+  const MethodSpec method = parseMethod(o.feed.method, o.set);
+  o.feed.params = method.params;
+  if (!method.takes(o.feed.spp)) {
+    throw std::runtime_error(o.feed.method + " needs an even --spp: half of the paths are for each pass");
   }
 }
 
@@ -143,12 +130,6 @@ void runFrames(FramesOptions& o) {
   } catch (const Interrupted&) {
     throw std::runtime_error("interrupted; the same command goes on with the reference frames in " + o.cache);
   }
-}
-
-std::string defaultCache() {
-  const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
-  if (cache) return std::string(cache) + "/saccade";
-  return home ? std::string(home) + "/.cache/saccade" : "out/cache";
 }
 
 }  // namespace

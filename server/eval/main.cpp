@@ -1,5 +1,6 @@
 // saccade-eval: pictures, dumps and figures from the same rooms that the server runs.
 #include <cstdio>
+#include <cstdlib>
 
 #include "eval/commands.h"
 
@@ -16,6 +17,12 @@ Size parseSize(const std::string& text) {
   return size;
 }
 
+std::string defaultCache() {
+  const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
+  if (cache) return std::string(cache) + "/saccade";
+  return home ? std::string(home) + "/.cache/saccade" : "out/cache";
+}
+
 }  // namespace saccade
 
 int main(int argc, char** argv) {
@@ -24,6 +31,7 @@ int main(int argc, char** argv) {
   saccade::addStillCommand(app);
   saccade::addFramesCommand(app);
   saccade::addCompareCommand(app);
+  saccade::addChartCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

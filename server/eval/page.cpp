@@ -56,9 +56,9 @@ void Page::pictures(const std::vector<std::string>& columns, const std::vector<s
     for (const Cell& cell : cells[r]) {
       html_ += "<td>";
       if (!cell.pixels.empty()) {
-        html_ += "<img width=\"" + std::to_string(cell.width) + "\" height=\"" + std::to_string(cell.height) +
-                 "\" src=\"data:image/png;base64," + base64(encodePng(cell.width, cell.height, cell.pixels)) +
-                 "\">";
+        html_ += "<img width=\"" + std::to_string(cell.width * cell.zoom) + "\" height=\"" +
+                 std::to_string(cell.height * cell.zoom) + "\" src=\"data:image/png;base64," +
+                 base64(encodePng(cell.width, cell.height, cell.pixels)) + "\">";
       }
       html_ += escaped(cell.caption) + "</td>";
     }

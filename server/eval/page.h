@@ -20,6 +20,7 @@ class Page {
     std::string caption;
     int width = 0, height = 0;
     std::vector<Rgb8> pixels;  // empty: only the caption
+    int zoom = 1;
   };
   void pictures(const std::vector<std::string>& columns, const std::vector<std::string>& rows,
                 const std::vector<std::vector<Cell>>& cells);

@@ -125,7 +125,7 @@ TEST(CornellBox, EqualsCyclesInBothPosesAndInTheirDifference) {
   SACCADE_NEEDS(test::realScene("cornell-box/scene.xml"));
   SACCADE_NEEDS(test::referenceRender("cornell-box-128/cornell_128_b3_p0.npy"));
   const bool full = std::getenv("SACCADE_FULL") != nullptr;
-  const Ours ours = renderOurs(full ? 9216 : 512);
+  const Ours ours = renderOurs(full ? 10240 : 512);
 
   // Mean ratio within 0.3 % for both poses.
   EXPECT_NEAR(mean(ours.p0) / mean(readLuminance("p0")), 1, 0.003);

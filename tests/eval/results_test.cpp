@@ -1,0 +1,54 @@
+#include "eval/results.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace saccade {
+namespace {
+
+struct Fixture : ::testing::Test {
+  Fixture() { std::filesystem::remove_all(folder); }
+  std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string("results_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  std::string path = (folder / "results.csv").string();
+};
+
+Result makeResult() {
+  Result r{"box", "svgf:alpha=0.2", 4, 12.5, 10, 0.05, {}};
+  r.errors.dI_l1 = 0.25;
+  r.errors.rates.missed_pixels = 0.125;
+  return r;
+}
+
+TEST_F(Fixture, WhatStandsIsReadAgain) {
+  ResultTable(path, "128x128").add(makeResult());
+  const ResultTable table(path, "128x128");
+  ASSERT_EQ(table.rows().size(), 1u);
+  EXPECT_TRUE(table.has("box", "svgf:alpha=0.2", 4));
+  EXPECT_FALSE(table.has("box", "svgf", 4));
+  EXPECT_EQ(table.rows()[0].cpu_ms, 12.5);
+  EXPECT_EQ(table.rows()[0].errors.dI_l1, 0.25);
+  EXPECT_EQ(table.rows()[0].errors.rates.missed_pixels, 0.125);
+}
+
+TEST_F(Fixture, RowsOfOtherSettingsAreNotMixedIn) {
+  ResultTable(path, "128x128").add(makeResult());
+  EXPECT_THROW(ResultTable(path, "64x64"), std::runtime_error);
+}
+
+TEST_F(Fixture, AHalfWrittenRowIsNamed) {
+  ResultTable(path, "128x128").add(makeResult());
+  std::ofstream(path, std::ios::app) << "box,pt,4,1.5";
+  try {
+    ResultTable(path, "128x128");
+    FAIL();
+  } catch (const std::runtime_error& fault) {
+    EXPECT_NE(std::string(fault.what()).find("box,pt,4,1.5"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace saccade
