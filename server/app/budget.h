@@ -7,18 +7,21 @@
 namespace saccade {
 
 inline constexpr int kMaxStreams = 64;
-inline constexpr long kMaxOpenPixels = 16 << 20;  // of all views; a feed takes about 200 bytes for each
+inline constexpr long kMaxStreamBytes = 4L << 30;  // all streams together, as streamBytes() estimates
+
+// About the memory of a stream that looks through a view of its own.
+long streamBytes(int width, int height, int sensors);
 
 class Budget {
  public:
-  // A place for a stream whose view has so many pixels; given back when the last copy goes. The budget must
-  // outlive it. Throws Refusal naming the limit.
-  std::shared_ptr<void> reserve(long pixels);
+  // A place for a stream of so many bytes; given back when the last copy goes. The budget must outlive it.
+  // Throws Refusal naming the limit.
+  std::shared_ptr<void> reserve(long bytes);
 
  private:
   std::mutex mutex_;
   int streams_ = 0;
-  long pixels_ = 0;
+  long bytes_ = 0;
 };
 
 }  // namespace saccade

@@ -72,7 +72,8 @@ bool StreamOpener::stop(Signal::Clock::time_point deadline) {
 v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request) {
   ResolvedStream resolved = resolve(request, scenes_.library().list());
   Stream stream;
-  stream.reserved = budget_.reserve(long{resolved.feed.width} * resolved.feed.height);
+  stream.reserved = budget_.reserve(
+      streamBytes(resolved.feed.width, resolved.feed.height, static_cast<int>(resolved.sensors.size())));
   const auto scene = scenes_.get(resolved.request.scene());
   useFovOf(scene->description(), resolved);
   stream.request = resolved.request;

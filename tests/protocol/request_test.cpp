@@ -118,5 +118,33 @@ TEST(Request, TheServersLimitsAreNamed) {
   EXPECT_NE(status.message().find("64"), std::string::npos);
 }
 
+TEST(Request, AViewTooLargeForItsManySensorsIsRefused) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  request.mutable_view()->set_width(2048);
+  request.mutable_view()->set_height(2048);
+  while (request.sensors_size() < 64) request.add_sensors();
+  const v1::Status status = server.client().tryOpen(request);
+  EXPECT_EQ(status.code(), v1::CODE_RESOURCE_EXHAUSTED);
+  EXPECT_EQ(status.field(), "view");
+  EXPECT_NE(status.message().find("4096 MiB"), std::string::npos) << status.message();
+}
+
+TEST(Request, ABadWishIsAnsweredWhileOthersAreServed) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  request.mutable_timing()->set_duration_s(0.2);
+  const auto stream = server.client().open(request);
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 20);
+  for (const BadWish& bad : kBadWishes) {
+    v1::OpenStream spoilt = tinyRequest();
+    bad.spoil(spoilt);
+    EXPECT_NE(server.client().tryOpen(spoilt).code(), v1::CODE_OK);
+  }
+  EXPECT_EQ(checkPackets(subscriber.receiveAll(1)[0]).end_ns, 200'000'000);
+}
+
 }  // namespace
 }  // namespace saccade
