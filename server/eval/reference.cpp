@@ -6,7 +6,7 @@
 
 #include "base/hash_rng.h"
 #include "eval/exr.h"
-#include "eval/metrics.h"
+#include "eval/metrics/plane_error.h"
 
 namespace saccade {
 namespace {

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "eval/bench.h"
-#include "eval/metrics.h"
+#include "eval/metrics/plane_error.h"
 #include "statistical/outside_files.h"
 
 namespace saccade {
