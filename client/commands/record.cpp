@@ -18,8 +18,8 @@ constexpr double kNsPerSecond = 1e9;
 
 std::optional<Preview> makePreview(const std::string& path, const v1::Timing& timing) {
   if (path.empty()) return std::nullopt;
-  const double half_s = timing.duration_s() > 0 ? timing.duration_s() / 2 : 1;
-  return Preview(path, std::llround(half_s * kNsPerSecond),
+  const double third_s = timing.duration_s() > 0 ? timing.duration_s() / 3 : 1;
+  return Preview(path, std::llround(third_s * kNsPerSecond),
                  std::llround(kNsPerSecond / timing.frame_rate_hz()));
 }
 

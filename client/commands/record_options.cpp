@@ -60,7 +60,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
   command.add_option("--seed", o.seed, "of all random numbers")->capture_default_str();
   command
       .add_option("--preview", o.preview,
-                  "PNG of brightness, its change and the latest events, half way through")
+                  "PNG of brightness, its change and the latest events, a third of the way through")
       ->check(CLI::Validator(checkPng, "FILE.png"));
   command.footer(
       "What has no default here is left to the server. Exit codes: 0 recorded, 1 the stream or the server "
