@@ -62,7 +62,8 @@ void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
   if (timing.duration_s() == 0) return;
   // A duration that is a whole number of frames but for rounding counts as one.
   stream.frames = static_cast<FrameIndex>(timing.duration_s() * timing.frame_rate_hz() + 1e-6);
-  if (stream.frames == 0) refuse("timing.duration_s", "is shorter than one frame");
+  if (stream.frames == 0)
+    checkRange("timing.duration_s", timing.duration_s(), 1 / timing.frame_rate_hz(), 1e7);
 }
 
 void resolveMethod(v1::Method& method, FeedConfig& feed) {

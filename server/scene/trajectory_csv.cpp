@@ -42,7 +42,7 @@ std::vector<TimedPose> CsvReader::read(std::string_view csv) {
     ++line_;
     readLine(takeLine(csv));
   }
-  if (keys_.empty()) fail("no pose in the whole text");
+  if (keys_.empty()) fail("no pose in the whole text; expected lines of t x y z qx qy qz qw");
   return std::move(keys_);
 }
 
