@@ -1,4 +1,5 @@
 // `saccade-eval chart`: accuracy against CPU time for every method at several budgets, and pictures of each.
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -96,8 +97,11 @@ std::vector<ChartPanel> makePanels(const ChartOptions& o, const ResultTable& tab
         ChartLine line{method, {}};
         for (const int spp : o.spp) {
           for (const Result& r : table.rows()) {
-            const bool here = r.scene == scene && r.method == method && r.spp == spp && metric.of(r) > 0;
-            if (here) line.points.push_back({r.cpu_ms, metric.of(r), std::to_string(spp) + " spp"});
+            if (r.scene != scene || r.method != method || r.spp != spp) continue;
+            // A logarithmic axis has no place for 0, nor for the infinite error where the truth is 0.
+            const double error = metric.of(r);
+            if (error > 0 && std::isfinite(error))
+              line.points.push_back({r.cpu_ms, error, std::to_string(spp) + " spp"});
           }
         }
         panel.lines.push_back(std::move(line));

@@ -1,6 +1,7 @@
 #include "eval/results.h"
 
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -52,11 +53,17 @@ void ResultTable::read() {
   while (std::getline(file, line)) {
     std::istringstream fields(line);
     Result r;
-    char comma;
+    std::string number;
     std::getline(fields, r.scene, ',');
     std::getline(fields, r.method, ',');
-    fields >> r.spp;
-    for (double* value : numbers(r)) fields >> comma >> *value;
+    std::getline(fields, number, ',');
+    r.spp = std::atoi(number.c_str());
+    for (double* value : numbers(r)) {
+      std::getline(fields, number, ',');
+      char* end = nullptr;
+      *value = std::strtod(number.c_str(), &end);  // reads inf and nan, as a stream does not
+      if (end == number.c_str()) fields.setstate(std::ios::failbit);
+    }
     if (!fields) throw std::runtime_error(path_ + ": cannot read the row \"" + line + "\"; remove it");
     rows_.push_back(r);
   }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 namespace saccade {
 namespace {
@@ -19,6 +20,7 @@ struct Fixture : ::testing::Test {
 Result makeResult() {
   Result r{"box", "svgf:alpha=0.2", 4, 12.5, 10, 0.05, {}};
   r.errors.dI_l1 = 0.25;
+  r.errors.dI_mape = std::numeric_limits<double>::infinity();  // where the truth stands still
   r.errors.rates.missed_pixels = 0.125;
   return r;
 }
@@ -31,6 +33,7 @@ TEST_F(Fixture, WhatStandsIsReadAgain) {
   EXPECT_FALSE(table.has("box", "svgf", 4));
   EXPECT_EQ(table.rows()[0].cpu_ms, 12.5);
   EXPECT_EQ(table.rows()[0].errors.dI_l1, 0.25);
+  EXPECT_EQ(table.rows()[0].errors.dI_mape, std::numeric_limits<double>::infinity());
   EXPECT_EQ(table.rows()[0].errors.rates.missed_pixels, 0.125);
 }
 
