@@ -27,7 +27,7 @@ MethodSpec parseMethod(const std::string& name, const std::vector<std::string>& 
   }
   std::string bad;
   const std::string fault = resolveParams(*method, given, spec.params, bad);
-  if (!fault.empty()) throw std::runtime_error(fault);
+  if (!fault.empty()) throw std::runtime_error(bad + ": " + fault);
   return spec;
 }
 

@@ -26,6 +26,12 @@ TEST(MethodSpec, NamesWhatIsWrong) {
        {"", "nothing", "svgf:alpha", "svgf:alpha=", "svgf:alpha=x", "svgf:alpha=7", "svgf:beta=1"}) {
     EXPECT_THROW(parseMethod(text), std::runtime_error) << text;
   }
+  try {
+    parseMethod("svgf:alpha=7");
+    FAIL();
+  } catch (const std::runtime_error& fault) {
+    EXPECT_NE(std::string(fault.what()).find("alpha"), std::string::npos) << fault.what();
+  }
 }
 
 }  // namespace
