@@ -5,8 +5,9 @@
 namespace saccade {
 namespace {
 
-float finiteOrZero(float v) {
-  return std::abs(v) <= 3e38f ? v : 0.f;
+// The filter squares what it gets and adds up: 1e18 leaves room for that in a float.
+float boundedOrZero(float v) {
+  return std::abs(v) <= 1e18f ? v : 0.f;
 }
 
 }  // namespace
@@ -26,8 +27,8 @@ std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, Ti
       const float i_cur = (share1 * I1[x] + share2 * I2[x] - E[x]) / filterAlbedo(A[x], by);
       const float i1 = (I1[x] - E[x]) / filterAlbedo(A[x], by);
       const float i2_prev = (I2_prev[x] - E_prev[x]) / filterAlbedo(A_prev[x], by);
-      i[x] = finiteOrZero(i_cur);
-      d[x] = finiteOrZero(i1 - i2_prev) * difference;
+      i[x] = boundedOrZero(i_cur);
+      d[x] = boundedOrZero(i1 - i2_prev) * difference;
     }
   });
 }

@@ -26,7 +26,7 @@ inline float filterAlbedo(float A, Demodulation by) {
 }
 
 // i = (I - E) / A [E (17)]. The first frame of a feed has no difference: call with frames.prev == frames.cur,
-// and d is 0. Samples that are not finite count as 0.
+// and d is 0. Illumination that is not finite, or beyond 1e18 (whose moments would not be), counts as 0.
 std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, TilePool& pool,
                                     IlluminationSamples& out);
 
