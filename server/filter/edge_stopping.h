@@ -1,13 +1,13 @@
 // Edge-stopping weights as exponents. All terms of a weight are added up first and one exponential is taken
 // of the sum: w = h * 2^-(e_z + e_n + e_l). Each function returns its term in that base.
 //
-// Where the paper's appendix and Falcor's shader differ we follow the shader, whose defaults the paper uses:
-//   [E (23)] divides |dz| by sigma_z |grad z . (p - q)| + eps; the shader, and we, by sigma_z times the
-//   largest
-//            derivative times the distance |p - q|. It stops less across a slope, and needs one plane less.
-//   [E (24)] max(0, n.n')^sigma_n is written exp(-sigma_n (1 - n.n')): [ours], equal to first order where the
-//            weight is not already negligible, and it joins the common exponent.
-//   [E (25)] has eps outside the variance's root in no version; both, and we, inside.
+// Against the paper's appendix:
+// - [E (23)] divides |dz| by sigma_z |grad z . (p - q)| + eps. We divide by sigma_z times the largest
+//   derivative times the distance |p - q| [Falcor], as the paper uses Falcor's defaults. It stops less
+//   across a slope, and needs one plane less.
+// - [E (24)] max(0, n.n')^sigma_n is written exp(-sigma_n (1 - n.n')) [ours]: equal to first order where the
+//   weight is not already negligible, and it joins the common exponent.
+// - [E (25)] is as it stands, with eps under the root.
 #pragma once
 
 #include <algorithm>

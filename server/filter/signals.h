@@ -28,7 +28,7 @@ struct History {
   ImageF R;       // R_t = W_t I'_{t-1}: what was reprojected to make I'_t
   ImageF m1, m2;  // accumulated moments of i
   ImageF q1, q2;  // accumulated moments of d
-  ImageF length;  // number of frames accumulated; 1: the history was lost here
+  ImageF length;  // number of frames accumulated; 1: the history was lost here; 0: before frame 0
 };
 
 }  // namespace saccade

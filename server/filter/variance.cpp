@@ -32,13 +32,13 @@ void addTap(int n, const float* e, std::ptrdiff_t o, float r_l, const float* c, 
   }
 }
 
-// Exponent e_z + e_n of the features of one frame for the neighbours at `o`.
+// Adds e_z + e_n of one frame's features for the neighbours at `o`, `distance` > 0 pixels away.
 void addFeatures(int n, const GBuffer& g, int x0, int y, std::ptrdiff_t o, float distance,
                  const VarianceParams& params, float* e) {
   const float *z = g.z.row(y) + x0, *dz = g.dz.row(y) + x0;
   const float *nx = g.nx.row(y) + x0, *ny = g.ny.row(y) + x0, *nz = g.nz.row(y) + x0;
   const float s_n = params.sigma_n * kLog2E, least_slope = params.as_falcor ? kFalcorLeastSlope : kLeastSlope,
-              inv_distance = 1 / std::max(distance, 1.f);
+              inv_distance = 1 / distance;
 #pragma GCC ivdep
   for (int x = 0; x < n; ++x) {
     const float cosine = nx[x] * nx[x + o] + ny[x] * ny[x + o] + nz[x] * nz[x + o];

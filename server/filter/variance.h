@@ -1,10 +1,10 @@
 // Variance of the samples, which steers the spatial filter.
 //
 // takes    the history of t
-// returns  signals for the spatial filter: where at least kTemporalFrames were accumulated, I' and D' with
+// returns  signals for the spatial filter. Where at least kTemporalFrames were accumulated: I' and D' with
 // the
-//          variance max(0, m2 - m1^2) of one frame's sample; elsewhere both smoothed over 7x7 pixels, and the
-//          variance from moments smoothed alike, raised by 4/h because they are few [Falcor]
+//          variance max(0, m2 - m1^2) of one frame's sample. Elsewhere: both smoothed over 7x7 pixels, and
+//          the variance from moments smoothed alike, raised by 4/h because they are few [Falcor]
 #pragma once
 
 #include "base/tile_pool.h"
