@@ -16,7 +16,7 @@ namespace saccade {
 template <class T>
 class Image {
  public:
-  static constexpr int kBorder = 32;  // two times the longest tap of four a-trous iterations
+  static constexpr int kBorder = 32;  // the longest tap of five a-trous iterations: 2 * 16
 
   Image() = default;
   Image(int width, int height) : width_(width), height_(height) {
