@@ -2,8 +2,8 @@
 
 #include <embree3/rtcore.h>
 
-#include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "base/check.h"
 

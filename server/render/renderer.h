@@ -23,8 +23,8 @@ class Renderer {
   std::chrono::nanoseconds render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
                                   Frame& out) const;
 
-  // One picture in colour, `spp` paths per pixel, into three planes. Features go to `out.g`, luminance to
-  // pass 2.
+  // One picture in colour, `spp` paths per pixel, into three planes. Features go to `out.g`; `out.samples` is
+  // left as it is.
   void renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]) const;
 
  private:
