@@ -90,8 +90,7 @@ bool interrupted() {
 
 ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, int bounces, int width,
                                      int height, double fov_x_deg, std::string cache, TilePool& pool)
-    : scene_(scene),
-      renderer_(scene, bounces, scene->channels(), pool),
+    : renderer_(scene, bounces, scene->channels(), pool),
       width_(width),
       height_(height),
       fov_x_deg_(fov_x_deg),

@@ -26,7 +26,8 @@ struct ReferenceChange {
 
 class ReferenceRenderer {
  public:
-  // Finished and half-finished frames are kept in `cache`, named by a hash of all they depend on.
+  // Finished and half-finished frames are kept in `cache`, named by a hash of scene, view and bounces: not of
+  // the code, so empty the folder after a change of the path tracer.
   ReferenceRenderer(std::shared_ptr<const RenderScene> scene, int bounces, int width, int height,
                     double fov_x_deg, std::string cache, TilePool& pool);
 
@@ -39,7 +40,6 @@ class ReferenceRenderer {
  private:
   std::string cachePath(const Pose& pose) const;
 
-  std::shared_ptr<const RenderScene> scene_;
   Renderer renderer_;
   int width_, height_;
   double fov_x_deg_;
