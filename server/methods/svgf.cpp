@@ -1,5 +1,6 @@
 #include "methods/svgf.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "filter/demodulation.h"
@@ -110,7 +111,7 @@ std::chrono::nanoseconds Svgf::remodulate(const Frame& frame, TilePool& pool, Im
     for (int x = 0; x < frame.width(); ++x) {
       const float a = filterAlbedo(A[x], demodulation(params_));
       I_row[x] = std::max(0.f, a * Di[x] + E[x]);
-      variance_row[x] = variance_scale * a * a * V[x];
+      variance_row[x] = variance_scale * a * a * std::max(0.f, V[x]);  // as_falcor: V may be negative
     }
   });
 }

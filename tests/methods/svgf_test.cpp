@@ -53,6 +53,20 @@ TEST_F(Fixture, CleansThePictureButItsDifferenceStaysAlive) {
   }
 }
 
+// Falcor's 7x7 variance of a short history may be negative; what leaves the method must not. Without normals
+// every pixel stands alone: its variance is 0 up to rounding, of either sign.
+TEST_F(Fixture, VariancesAreNeverNegative) {
+  for (Frame* f : {&a, &b}) test::fillInside(f->g.nz, 0);
+  Svgf method({.as_falcor = true}, kW, kH);
+  run(method, 2);
+  for (int y = 0; y < kH; ++y) {
+    for (int x = 0; x < kW; ++x) {
+      ASSERT_GE(change.var_dI.at(x, y), 0) << x << "," << y;
+      ASSERT_GE(change.var_I_prev.at(x, y), 0) << x << "," << y;
+    }
+  }
+}
+
 TEST_F(Fixture, EightBitAlbedoMovesTheResultByItsRounding) {
   for (Frame* f : {&a, &b}) test::fillInside(f->g.albedo, 0.5f);  // 0.5 * 255 rounds to 128
   Svgf exact({}, kW, kH), falcor({.as_falcor = true}, kW, kH);
