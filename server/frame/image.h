@@ -12,7 +12,7 @@ namespace saccade {
 
 // One plane of width x height values. Rows start on 64-byte boundaries, and kBorder pixels may be read (and
 // written) on every side: row(y)[x] is valid for x in [-kBorder, width + kBorder), y likewise. The border
-// keeps what fillBorder() put there (zero at first). Owns its memory; moves, and copies only by copyFrom().
+// is zero at first and keeps what fill() put there. Owns its memory; moves, and copies only by copyFrom().
 template <class T>
 class Image {
  public:
@@ -40,19 +40,6 @@ class Image {
 
   // Sets every pixel, border included.
   void fill(T value) { std::fill_n(row(-kBorder) - kBorder, stride_ * (height_ + 2 * kBorder), value); }
-
-  // Sets the border alone.
-  void fillBorder(T value) {
-    for (int y = -kBorder; y < height_ + kBorder; ++y) {
-      T* r = row(y);
-      if (y < 0 || y >= height_) {
-        std::fill(r - kBorder, r + width_ + kBorder, value);
-      } else {
-        std::fill(r - kBorder, r, value);
-        std::fill(r + width_, r + width_ + kBorder, value);
-      }
-    }
-  }
 
   void copyFrom(const Image& other) {
     SACCADE_CHECK(width_ == other.width_ && height_ == other.height_);
