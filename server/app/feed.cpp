@@ -1,7 +1,6 @@
 #include "app/feed.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace saccade {
 namespace {

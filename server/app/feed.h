@@ -28,7 +28,7 @@ struct FeedConfig {
 
 class Feed {
  public:
-  // Keeps references to `pool`; shares `scene`. Renders frame 0.
+  // Keeps a reference to `pool`; shares `scene`. Renders frame 0.
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config, TilePool& pool);
 
   // With a method of the caller's instead of `config.method`.
