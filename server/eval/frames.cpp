@@ -128,7 +128,8 @@ void runFrames(FramesOptions& o) {
   try {
     o.reference > 0 ? runReference(o, scene, path, pool) : runMethod(o, scene, path, pool);
   } catch (const Interrupted&) {
-    throw std::runtime_error("interrupted; the same command goes on with the reference frames in " + o.cache);
+    throw std::runtime_error(
+        o.reference > 0 ? "interrupted; the same command goes on with what is in " + o.cache : "interrupted");
   }
 }
 

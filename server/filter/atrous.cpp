@@ -107,12 +107,14 @@ std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousPa
   return pool.forEachRow(in.i.height(), [&](int y) {
     for (int x0 = 0; x0 < width; x0 += kChunk) {
       const int n = std::min(kChunk, width - x0);
-      const Features cur(frames.cur.g, x0, y, n, params), prev(frames.prev.g, x0, y, n, params);
+      // Of what is not asked for, no pixel is prepared.
+      const int n_diff = params.difference ? n : 0, n_prev = params.use_prev ? n_diff : 0;
+      const Features cur(frames.cur.g, x0, y, n, params), prev(frames.prev.g, x0, y, n_prev, params);
       Channel primal(in.i, in.var_i, x0, y, n, params.sigma_l, params.as_falcor);
-      Channel difference(in.d, in.var_d, x0, y, n, params.sigma_l_diff, params.as_falcor);
+      Channel difference(in.d, in.var_d, x0, y, n_diff, params.sigma_l_diff, params.as_falcor);
       filter(cur, prev, n, in.i.stride(), step, params.sigma_n, primal, difference);
       primal.store(n, out.i.row(y) + x0, out.var_i.row(y) + x0);
-      if (params.difference) difference.store(n, out.d.row(y) + x0, out.var_d.row(y) + x0);
+      difference.store(n_diff, out.d.row(y) + x0, out.var_d.row(y) + x0);
     }
   });
 }
