@@ -4,14 +4,10 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "eval/markup.h"
+
 namespace saccade {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text) out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return out;
-}
 
 std::string base64(const std::string& bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -29,18 +25,18 @@ std::string base64(const std::string& bytes) {
 }  // namespace
 
 Page::Page(const std::string& title) {
-  html_ = "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(title) +
+  html_ = "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escapeMarkup(title) +
           "</title><style>body{font:14px sans-serif;margin:24px;max-width:1800px}td,th{padding:2px "
           "6px;text-align:center;"
           "font-size:12px}img{image-rendering:pixelated;display:block;margin:auto}</style></head><body><h1>" +
-          escaped(title) + "</h1>\n";
+          escapeMarkup(title) + "</h1>\n";
 }
 
 void Page::heading(const std::string& text) {
-  html_ += "<h2>" + escaped(text) + "</h2>\n";
+  html_ += "<h2>" + escapeMarkup(text) + "</h2>\n";
 }
 void Page::paragraph(const std::string& text) {
-  html_ += "<p>" + escaped(text) + "</p>\n";
+  html_ += "<p>" + escapeMarkup(text) + "</p>\n";
 }
 void Page::svg(const std::string& svg) {
   html_ += svg;
@@ -49,10 +45,10 @@ void Page::svg(const std::string& svg) {
 void Page::pictures(const std::vector<std::string>& columns, const std::vector<std::string>& rows,
                     const std::vector<std::vector<Cell>>& cells) {
   html_ += "<table><tr><th></th>";
-  for (const std::string& column : columns) html_ += "<th>" + escaped(column) + "</th>";
+  for (const std::string& column : columns) html_ += "<th>" + escapeMarkup(column) + "</th>";
   html_ += "</tr>\n";
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    html_ += "<tr><th>" + escaped(rows[r]) + "</th>";
+    html_ += "<tr><th>" + escapeMarkup(rows[r]) + "</th>";
     for (const Cell& cell : cells[r]) {
       html_ += "<td>";
       if (!cell.pixels.empty()) {
@@ -60,7 +56,7 @@ void Page::pictures(const std::vector<std::string>& columns, const std::vector<s
                  std::to_string(cell.height * cell.zoom) + "\" src=\"data:image/png;base64," +
                  base64(encodePng(cell.width, cell.height, cell.pixels)) + "\">";
       }
-      html_ += escaped(cell.caption) + "</td>";
+      html_ += escapeMarkup(cell.caption) + "</td>";
     }
     html_ += "</tr>\n";
   }

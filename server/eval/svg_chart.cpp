@@ -6,6 +6,8 @@
 #include <limits>
 #include <set>
 
+#include "eval/markup.h"
+
 namespace saccade {
 namespace {
 
@@ -20,12 +22,6 @@ std::string format(const char* pattern, Args... args) {
   char text[512];
   std::snprintf(text, sizeof text, pattern, args...);
   return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text) out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return out;
 }
 
 // A logarithmic axis of whole steps 1, 2, 5 around the values.
@@ -75,11 +71,11 @@ std::string drawAxes(const ChartPanel& panel, const Axis& x, const Axis& y) {
         kLeft, kWidth - kRight, y(v), y(v), kLeft - 5, y(v) + 4, v);
   }
   svg += format("<text x=\"%g\" y=\"18\" text-anchor=\"middle\" font-weight=\"bold\">", kWidth / 2) +
-         escaped(panel.title) + "</text>\n";
+         escapeMarkup(panel.title) + "</text>\n";
   svg += format("<text x=\"%g\" y=\"%g\" text-anchor=\"middle\">", kWidth / 2, kHeight - 10) +
-         escaped(panel.x_label) + "</text>\n";
+         escapeMarkup(panel.x_label) + "</text>\n";
   svg += format("<text transform=\"translate(13,%g) rotate(-90)\" text-anchor=\"middle\">", kHeight / 2) +
-         escaped(panel.y_label) + "</text>\n";
+         escapeMarkup(panel.y_label) + "</text>\n";
   return svg;
 }
 
@@ -101,7 +97,7 @@ std::string drawPanel(const ChartPanel& panel, const std::vector<std::string>& n
                  "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\"/><text x=\"%.1f\" y=\"%.1f\" "
                  "font-size=\"9\" fill=\"%s\">",
                  x(p.x), y(p.y), color.c_str(), x(p.x) + 5, y(p.y) - 4, color.c_str()) +
-             escaped(p.label) + "</text>\n";
+             escapeMarkup(p.label) + "</text>\n";
     }
   }
   return svg;
@@ -113,7 +109,7 @@ std::string drawLegend(const std::vector<std::string>& names, double y) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     svg += format("<circle cx=\"%g\" cy=\"%g\" r=\"4\" fill=\"%s\"/><text x=\"%g\" y=\"%g\">", x, y,
                   kColors[i % std::size(kColors)], x + 9, y + 4) +
-           escaped(names[i]) + "</text>\n";
+           escapeMarkup(names[i]) + "</text>\n";
     x += 26 + 7.2 * static_cast<double>(names[i].size());
   }
   return svg + format(
