@@ -1,25 +1,16 @@
 // EventSVGF: the temporal difference itself, accumulated and filtered (paper, 4.3 - 4.5, Figure 4).
 #pragma once
 
-#include "filter/atrous.h"
 #include "filter/signals.h"
 #include "filter/temporal_accumulation.h"
-#include "filter/variance.h"
 #include "methods/method.h"
+#include "methods/svgf_common.h"
 
 namespace saccade {
 
-// The defaults are Falcor's, with the paper's alpha. event_svgf.cpp says range and source of each.
-struct EventSvgfParams {
-  float alpha = 0.1f;
-  float moments_alpha = 0.2f;
-  int max_history = 32;
-  int iterations = 4;
-  int feedback_tap = 1;
-  float sigma_l = 10;
+// event_svgf.cpp and svgf_common.h say range and source of each.
+struct EventSvgfParams : SvgfCommonParams {
   float sigma_l_diff = 10;
-  float sigma_n = 128;
-  float sigma_z = 1;
   // Ablations of Figure 9, and of the correction term.
   bool correlated = true;
   bool w_prev = true;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "filter/demodulation.h"
-#include "methods/param_fields.h"
 
 namespace saccade {
 namespace {
@@ -12,21 +11,10 @@ namespace {
 using P = SvgfParams;
 
 const std::vector<ParamField<P>>& fields() {
-  static const std::vector<ParamField<P>> table{
-      {"alpha", &P::alpha, 0.001, 1, "least weight of the new sample; 1: no history",
-       "paper 5.1 (Falcor: 0.05)"},
-      {"moments_alpha", &P::moments_alpha, 0.001, 1, "least weight of the new sample in the moments",
-       "Falcor"},
-      {"max_history", &P::max_history, 1, 1024, "frames after which the history counts as full", "Falcor"},
-      {"iterations", &P::iterations, 0, 5, "a-trous iterations, of spacing 1, 2, 4, ...", "Falcor"},
-      {"feedback_tap", &P::feedback_tap, -1, 4, "iteration whose result becomes the history; -1: none",
-       "Falcor"},
-      {"sigma_l", &P::sigma_l, 0.01, 1000, "luminance tolerance, standard deviations [E (25)]", "Falcor"},
-      {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
-      {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
+  static const std::vector<ParamField<P>> table = withCommonFields<P>({
       {"as_falcor", &P::as_falcor, 0, 1, "with Falcor's known faults: depth test, borders, 8-bit albedo",
        "Falcor"},
-  };
+  });
   return table;
 }
 
@@ -93,17 +81,12 @@ void Svgf::filter(const FramePair& frames, TilePool& pool, StageTimes& times) {
   std::swap(history_, history_prev_);
   times[Stage::kTemporal] +=
       accumulate(frames, samples_, accumulation_, history_prev_, nullptr, pool, history_);
-  times[Stage::kVariance] += estimateVariance(frames, history_, variance_, pool, filtered_);
-  for (int iteration = 0; iteration < params_.iterations; ++iteration) {
-    times[Stage::kAtrous] += atrousIteration(frames, atrous_, 1 << iteration, filtered_, pool, scratch_);
-    std::swap(filtered_, scratch_);
-    if (iteration == params_.feedback_tap) history_.I.copyFrom(filtered_.i);
-  }
+  filterOverSpace(frames, params_, variance_, atrous_, pool, history_, filtered_, scratch_, times);
 }
 
 std::chrono::nanoseconds Svgf::remodulate(const Frame& frame, TilePool& pool, ImageF& I,
                                           ImageF& variance) const {
-  const float variance_scale = params_.alpha / (2 - params_.alpha);
+  const float variance_scale = params_.varianceScale();
   return pool.forEachRow(frame.height(), [&](int y) {
     const float *A = frame.g.albedo.row(y), *E = frame.g.emission.row(y);
     const float *Di = filtered_.i.row(y), *V = filtered_.var_i.row(y);

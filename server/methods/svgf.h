@@ -1,24 +1,15 @@
 // SVGF, the primal-domain rival: each frame is filtered by itself, D[I_t] - D[I_{t-1}] [E (7)].
 #pragma once
 
-#include "filter/atrous.h"
 #include "filter/signals.h"
 #include "filter/temporal_accumulation.h"
-#include "filter/variance.h"
 #include "methods/method.h"
+#include "methods/svgf_common.h"
 
 namespace saccade {
 
-// The defaults are Falcor's, with the paper's alpha. svgf.cpp says range and source of each.
-struct SvgfParams {
-  float alpha = 0.1f;
-  float moments_alpha = 0.2f;
-  int max_history = 32;
-  int iterations = 4;
-  int feedback_tap = 1;
-  float sigma_l = 10;
-  float sigma_n = 128;
-  float sigma_z = 1;
+// svgf.cpp and svgf_common.h say range and source of each.
+struct SvgfParams : SvgfCommonParams {
   bool as_falcor = false;
 };
 

@@ -9,6 +9,12 @@ namespace {
 
 constexpr int kW = 40, kH = 30;
 
+SvgfParams withFaults() {
+  SvgfParams params;
+  params.as_falcor = true;
+  return params;
+}
+
 // A standing wall of random samples of mean 1, fresh in every frame.
 struct Fixture : ::testing::Test {
   Fixture() {
@@ -57,7 +63,7 @@ TEST_F(Fixture, CleansThePictureButItsDifferenceStaysAlive) {
 // every pixel stands alone: its variance is 0 up to rounding, of either sign.
 TEST_F(Fixture, VariancesAreNeverNegative) {
   for (Frame* f : {&a, &b}) test::fillInside(f->g.nz, 0);
-  Svgf method({.as_falcor = true}, kW, kH);
+  Svgf method(withFaults(), kW, kH);
   run(method, 2);
   for (int y = 0; y < kH; ++y) {
     for (int x = 0; x < kW; ++x) {
@@ -69,7 +75,7 @@ TEST_F(Fixture, VariancesAreNeverNegative) {
 
 TEST_F(Fixture, EightBitAlbedoMovesTheResultByItsRounding) {
   for (Frame* f : {&a, &b}) test::fillInside(f->g.albedo, 0.5f);  // 0.5 * 255 rounds to 128
-  Svgf exact({}, kW, kH), falcor({.as_falcor = true}, kW, kH);
+  Svgf exact({}, kW, kH), falcor(withFaults(), kW, kH);
   run(exact, 5);
   const float I = change.I_now.at(20, 15);
   run(falcor, 5);

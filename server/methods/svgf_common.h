@@ -1,0 +1,54 @@
+// What SVGF and EventSVGF share: Falcor's parameters, and the filter over space.
+#pragma once
+
+#include "filter/atrous.h"
+#include "filter/signals.h"
+#include "filter/variance.h"
+#include "methods/param_fields.h"
+
+namespace saccade {
+
+// The defaults are Falcor's, with the paper's alpha.
+struct SvgfCommonParams {
+  float alpha = 0.1f;
+  float moments_alpha = 0.2f;
+  int max_history = 32;
+  int iterations = 4;
+  int feedback_tap = 1;
+  float sigma_l = 10;
+  float sigma_n = 128;
+  float sigma_z = 1;
+
+  // Variances inside the filter are of one frame's sample; a running mean of weight alpha has this share of
+  // it.
+  float varianceScale() const { return alpha / (2 - alpha); }
+};
+
+// Their rows, for a method whose parameters P derive from them; `more` follows.
+template <class P>
+std::vector<ParamField<P>> withCommonFields(const std::vector<ParamField<P>>& more) {
+  std::vector<ParamField<P>> fields{
+      {"alpha", &P::alpha, 0.001, 1, "least weight of the new sample; 1: no history",
+       "paper 5.1 (Falcor: 0.05)"},
+      {"moments_alpha", &P::moments_alpha, 0.001, 1, "least weight of the new sample in the moments",
+       "Falcor"},
+      {"max_history", &P::max_history, 1, 1024, "frames after which the history counts as full", "Falcor"},
+      {"iterations", &P::iterations, 0, 5, "a-trous iterations, of spacing 1, 2, 4, ...", "Falcor"},
+      {"feedback_tap", &P::feedback_tap, -1, 4, "iteration whose result becomes the history; -1: none",
+       "Falcor"},
+      {"sigma_l", &P::sigma_l, 0.01, 1000, "luminance tolerance of the primal, standard deviations [E (25)]",
+       "Falcor"},
+      {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
+      {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
+  };
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
+}
+
+// Variance, then iterations each twice as wide. The one at the feedback tap becomes the history. The result
+// is in `filtered`.
+void filterOverSpace(const FramePair& frames, const SvgfCommonParams& params, const VarianceParams& variance,
+                     const AtrousParams& atrous, TilePool& pool, History& history, Signals& filtered,
+                     Signals& scratch, StageTimes& times);
+
+}  // namespace saccade
