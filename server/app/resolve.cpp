@@ -80,8 +80,7 @@ void resolveMethod(v1::Method& method, FeedConfig& feed) {
 
   if (method.spp() == 0) method.set_spp(2);
   checkRange("method.spp", method.spp(), 1, 65536);
-  const bool two_passes = info->make(feed.params, 1, 1)->seedReuse() != SeedReuse::kIndependent;
-  if (two_passes && method.spp() % 2 != 0) {
+  if (!takesSpp(*info, feed.params, static_cast<int>(method.spp()))) {
     refuse("method.spp", method.name() + " traces two passes of spp / 2 paths: spp must be even");
   }
   feed.method = method.name();

@@ -7,7 +7,7 @@
 namespace saccade {
 
 bool MethodSpec::takes(int spp) const {
-  return spp % 2 == 0 || findMethod(name)->make(params, 1, 1)->seedReuse() == SeedReuse::kIndependent;
+  return takesSpp(*findMethod(name), params, spp);
 }
 
 MethodSpec parseMethod(const std::string& name, const std::vector<std::string>& settings) {

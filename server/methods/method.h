@@ -57,4 +57,7 @@ std::string methodNames();                              // "event_svgf, pt, ..."
 std::string resolveParams(const MethodInfo& method, const ParamValues& given, ParamValues& resolved,
                           std::string& bad_name);
 
+// Whether `spp` paths can be split over the passes: two passes need an even number.
+bool takesSpp(const MethodInfo& method, const ParamValues& resolved, int spp);
+
 }  // namespace saccade

@@ -55,4 +55,8 @@ std::string resolveParams(const MethodInfo& method, const ParamValues& given, Pa
   return {};
 }
 
+bool takesSpp(const MethodInfo& method, const ParamValues& resolved, int spp) {
+  return spp % 2 == 0 || method.make(resolved, 1, 1)->seedReuse() == SeedReuse::kIndependent;
+}
+
 }  // namespace saccade
