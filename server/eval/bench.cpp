@@ -13,8 +13,8 @@ Bench::Bench(const BenchSetup& setup, TilePool& pool)
                              scene_->description().fov_x_deg, setup.cache, pool);
   Progress progress("reference of " + setup.scene, 2.0 * setup.reference_spp);
   const auto at = [&](int t) {
-    return renderer.frame(path_.at(frameTime(static_cast<FrameIndex>(t), setup.frame_rate_hz)),
-                          setup.reference_spp, progress);
+    const TimeNs time = frameTime(static_cast<FrameIndex>(t), setup.frame_rate_hz);
+    return renderer.frame(path_.at(time), time, setup.reference_spp, progress);
   };
   const ReferenceFrame prev = at(setup.frame - 1);
   truth_ = std::make_unique<ReferenceChange>(prev, at(setup.frame));

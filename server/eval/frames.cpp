@@ -93,8 +93,8 @@ void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> sce
   ReferenceRenderer renderer(scene, o.feed.bounces, w, h, o.feed.fov_x_deg, o.cache, pool);
   Progress progress("reference", static_cast<double>(spp) * static_cast<double>(o.last - o.first + 2));
   const auto render = [&](long t) {
-    return renderer.frame(path.at(frameTime(static_cast<FrameIndex>(t), o.feed.frame_rate_hz)), spp,
-                          progress);
+    const TimeNs time = frameTime(static_cast<FrameIndex>(t), o.feed.frame_rate_hz);
+    return renderer.frame(path.at(time), time, spp, progress);
   };
   ReferenceFrame prev = render(o.first - 1);
   ImageF var_dI(w, h), var_I(w, h);

@@ -108,7 +108,7 @@ std::string ReferenceRenderer::cachePath(const Pose& pose) const {
   return (std::filesystem::path(cache_) / name).string();
 }
 
-ReferenceFrame ReferenceRenderer::frame(const Pose& pose, int spp, Progress& progress) {
+ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs /*time*/, int spp, Progress& progress) {
   const Camera camera(pose, fov_x_deg_, width_, height_);
   const std::string path = cachePath(pose);
   ReferenceFrame out(width_, height_);

@@ -33,7 +33,7 @@ class ReferenceRenderer {
 
   // Renders until the frame has `spp` paths per pixel, or takes it from the cache. What was rendered is
   // written every few seconds and when interrupted() turns true, and is gone on with next time.
-  ReferenceFrame frame(const Pose& pose, int spp, Progress& progress);
+  ReferenceFrame frame(const Pose& pose, TimeNs time, int spp, Progress& progress);
 
   static constexpr int kChunk = 64;  // paths per pixel between two looks at the clock
 
