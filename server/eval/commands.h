@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/default_cache.h"
+
 namespace saccade {
 
 struct Size {
@@ -15,8 +17,5 @@ void addStillCommand(CLI::App& app);
 void addFramesCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
 void addChartCommand(CLI::App& app);
-
-// Where reference frames are kept: $XDG_CACHE_HOME/saccade, else ~/.cache/saccade.
-std::string defaultCache();
 
 }  // namespace saccade

@@ -1,6 +1,5 @@
 // saccade-eval: pictures, dumps and figures from the same rooms that the server runs.
 #include <cstdio>
-#include <cstdlib>
 
 #include "eval/commands.h"
 
@@ -15,12 +14,6 @@ Size parseSize(const std::string& text) {
     throw CLI::ValidationError("--size", "must be WxH, each from 1 to 16384, not " + text);
   }
   return size;
-}
-
-std::string defaultCache() {
-  const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
-  if (cache) return std::string(cache) + "/saccade";
-  return home ? std::string(home) + "/.cache/saccade" : "out/cache";
 }
 
 }  // namespace saccade
