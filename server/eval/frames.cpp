@@ -9,9 +9,9 @@
 #include "app/feed.h"
 #include "eval/commands.h"
 #include "eval/exr.h"
-#include "eval/method_spec.h"
 #include "eval/open_scene.h"
 #include "eval/reference.h"
+#include "methods/method_spec.h"
 
 namespace saccade {
 namespace {

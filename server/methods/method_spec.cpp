@@ -1,4 +1,4 @@
-#include "eval/method_spec.h"
+#include "methods/method_spec.h"
 
 #include <cstdlib>
 #include <sstream>
