@@ -42,7 +42,7 @@ class Feed {
   float firstFrameLuminance(double fraction) const;
   const StageTimes& lastTimes() const { return times_; }  // of the last step
   const IntensityChange& change() const { return change_; }
-  const Frame& newest() const { return frames_.pair().cur; }  // at t1 of the last step; frame 0 before any
+  FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
 
  private:
   void render();

@@ -1,49 +1,132 @@
 #include "eval/bench.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "eval/metrics/for_each_pixel.h"
 #include "eval/open_scene.h"
 
 namespace saccade {
+namespace {
+
+// Goes on with the velocity that `motion` has at its start, whose pose it passes at time `at`.
+Trajectory straightThrough(const Trajectory& motion, TimeNs at) {
+  constexpr TimeNs kStep{1'000'000};
+  Pose early = motion.at(TimeNs{0}), late = early;
+  const Vec3d way = (motion.at(kStep).position - early.position) * (seconds(at) / seconds(kStep));
+  early.position = early.position - way;
+  late.position = late.position + way;
+  return Trajectory({{TimeNs{0}, early}, {2 * at, late}});
+}
+
+IntensityChange copyOf(const IntensityChange& change) {
+  IntensityChange copy(change.dI.width(), change.dI.height());
+  copy.t0 = change.t0, copy.t1 = change.t1, copy.frame = change.frame;
+  copy.dI.copyFrom(change.dI);
+  copy.I_prev.copyFrom(change.I_prev);
+  copy.I_now.copyFrom(change.I_now);
+  copy.var_dI.copyFrom(change.var_dI);
+  copy.var_I_prev.copyFrom(change.var_I_prev);
+  return copy;
+}
+
+IntensityChange changeOf(const ReferenceChange& reference) {
+  IntensityChange change(reference.dI.width(), reference.dI.height());
+  change.dI.copyFrom(reference.dI);
+  change.I_prev.copyFrom(reference.I_prev);
+  change.I_now.copyFrom(reference.I_now);
+  return change;
+}
+
+double medianMotion(const GBuffer& g) {
+  std::vector<double> lengths;
+  forEachPixel(g.z, [&](int x, int y) {
+    if (g.z.at(x, y) < kMissDepth) lengths.push_back(std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y)));
+  });
+  if (lengths.empty()) return 0;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+}  // namespace
 
 Bench::Bench(const BenchSetup& setup, TilePool& pool)
     : setup_(setup),
       pool_(pool),
       scene_(openScene(setup.scene)),
       path_(openTrajectory(setup.scene, setup.trajectory, *scene_)) {
-  ReferenceRenderer renderer(scene_, setup.bounces, setup.width, setup.height,
-                             scene_->description().fov_x_deg, setup.cache, pool);
-  Progress progress("reference of " + setup.scene, 2.0 * setup.reference_spp);
-  const auto at = [&](int t) {
-    const TimeNs time = frameTime(static_cast<FrameIndex>(t), setup.frame_rate_hz);
-    return renderer.frame(path_.at(time), time, setup.reference_spp, progress);
-  };
-  const ReferenceFrame prev = at(setup.frame - 1);
-  truth_ = std::make_unique<ReferenceChange>(prev, at(setup.frame));
+  SACCADE_CHECK(setup.first >= 1 && setup.first <= setup.last);
+  if (setup.px_per_frame > 0) {
+    setup_.frame_rate_hz =
+        kMotionRateHz * kMotionPxPerFrame / setup.px_per_frame * (setup.width / kMotionWidth);
+    path_ = straightThrough(path_, frameTime(static_cast<FrameIndex>(setup.last), setup_.frame_rate_hz));
+  }
+  renderTruth();
 }
 
-BenchRun Bench::run(const std::string& method, int spp, const ParamValues& params, std::uint64_t seed) const {
+void Bench::renderTruth() {
+  const int w = setup_.width, h = setup_.height;
+  const double fov = scene_->description().fov_x_deg;
+  ReferenceRenderer reference(scene_, setup_.bounces, w, h, fov, setup_.cache, pool_);
+  Progress progress("reference of " + setup_.scene,
+                    static_cast<double>(setup_.last - setup_.first + 2) * setup_.reference_spp);
+  // The features, from a feed of a single path: its frames know where surfaces were.
+  FeedConfig config = feedConfig();
+  config.method = "pt", config.spp = 1, config.bounces = 0;
+  Feed features(scene_, path_, config, pool_);
+  for (int t = 1; t < setup_.first; ++t) features.step();
+  const auto frame = [&](int t) {
+    const TimeNs time = frameTime(static_cast<FrameIndex>(t), setup_.frame_rate_hz);
+    return reference.frame(path_.at(time), time, setup_.reference_spp, progress);
+  };
+  ReferenceFrame prev = frame(setup_.first - 1);
+  for (int t = setup_.first; t <= setup_.last; ++t) {
+    ReferenceFrame cur = frame(t);
+    const IntensityChange& at = features.step();
+    ReferenceChange change(prev, cur);
+    IntensityChange mean = changeOf(change);
+    mean.t0 = at.t0, mean.t1 = at.t1, mean.frame = at.frame;
+    truth_.push_back(
+        {std::move(change), std::move(mean), findRegions(features.frames().cur.g, features.frames().prev.g)});
+    prev = std::move(cur);
+  }
+  median_px_ = medianMotion(features.frames().cur.g);
+}
+
+double Bench::referenceError() const {
+  double sum = 0;
+  for (const Truth& t : truth_) sum += t.reference.error();
+  return sum / static_cast<double>(truth_.size());
+}
+
+double Bench::medianPxPerFrame() const {
+  return median_px_;
+}
+
+FeedConfig Bench::feedConfig() const {
   FeedConfig config;
   config.width = setup_.width, config.height = setup_.height;
   config.fov_x_deg = scene_->description().fov_x_deg;
   config.frame_rate_hz = setup_.frame_rate_hz;
-  config.method = method, config.params = params, config.spp = spp;
-  config.bounces = setup_.bounces, config.seed = seed;
+  config.bounces = setup_.bounces;
+  return config;
+}
+
+BenchRun Bench::run(const MethodSpec& method, int spp, std::uint64_t seed) const {
+  FeedConfig config = feedConfig();
+  config.method = method.name, config.params = method.params, config.spp = spp, config.seed = seed;
   Feed feed(scene_, path_, config, pool_);
   StageTimes total;
-  for (int t = 1; t <= setup_.frame; ++t) {
-    feed.step();
+  BenchRun run;
+  for (int t = 1; t <= setup_.last; ++t) {
+    const IntensityChange& change = feed.step();
     total += feed.lastTimes();
+    if (t >= setup_.first) run.changes.push_back(copyOf(change));
     if (interrupted()) throw Interrupted{};
   }
-  BenchRun run(setup_.width, setup_.height);
-  const IntensityChange& change = feed.change();
-  run.change.t0 = change.t0, run.change.t1 = change.t1, run.change.frame = change.frame;
-  run.change.dI.copyFrom(change.dI);
-  run.change.I_prev.copyFrom(change.I_prev);
-  run.change.I_now.copyFrom(change.I_now);
-  run.change.var_dI.copyFrom(change.var_dI);
-  run.change.var_I_prev.copyFrom(change.var_I_prev);
   const auto ms = [&](std::chrono::nanoseconds t) {
-    return std::chrono::duration<double, std::milli>(t).count() / setup_.frame;
+    return std::chrono::duration<double, std::milli>(t).count() / setup_.last;
   };
   for (const auto stage : total.cpu) run.cpu_ms += ms(stage);
   run.trace_ms = ms(total[Stage::kTrace]);

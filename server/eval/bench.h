@@ -6,26 +6,37 @@
 #include <vector>
 
 #include "app/feed.h"
+#include "eval/metrics/regions.h"
 #include "eval/reference.h"
+#include "methods/method_spec.h"
 
 namespace saccade {
 
 struct BenchSetup {
   std::string scene = "cornell-box", trajectory = "right";
   int width = 128, height = 128;
-  double frame_rate_hz = 500;
+  double frame_rate_hz = 250;
+  // > 0: the motion `right` or `forward` goes on straight, passes its start at frame `last`, and moves the
+  // images by this much (median at the start); frame_rate_hz is then chosen so. 0: the trajectory as it is.
+  double px_per_frame = 0;
   int bounces = 3;
-  int frame = 21;  // the one that is scored; the feed runs from 0
+  int first = 21, last = 21;  // the frames that are scored, 1 <= first <= last; the feed runs from 0
   int reference_spp = 4096;
   std::string cache;  // folder of reference frames
 };
 
-// What a method made of the scored frame.
+// The change from one frame to the next, as it is.
+struct Truth {
+  ReferenceChange reference;
+  IntensityChange change;  // the mean of both halves, with the times of the frame
+  RegionMap regions;
+};
+
+// What a method made of the scored frames.
 struct BenchRun {
-  BenchRun(int width, int height) : change(width, height) {}
-  IntensityChange change;
-  double cpu_ms = 0;    // per frame, tracing and filter
-  double trace_ms = 0;  // of it, tracing
+  std::vector<IntensityChange> changes;  // one for each Truth
+  double cpu_ms = 0;                     // per frame, tracing and filter, mean over all frames from 1 on
+  double trace_ms = 0;                   // of it, tracing
 };
 
 class Bench {
@@ -34,15 +45,21 @@ class Bench {
   Bench(const BenchSetup& setup, TilePool& pool);
 
   const BenchSetup& setup() const { return setup_; }
-  const ReferenceChange& truth() const { return *truth_; }
-  BenchRun run(const std::string& method, int spp, const ParamValues& params, std::uint64_t seed) const;
+  const std::vector<Truth>& truth() const { return truth_; }  // of frames first to last
+  double referenceError() const;    // of the truth's dI, relative L1, mean over the frames
+  double medianPxPerFrame() const;  // how far the images of surfaces move into the last frame
+  BenchRun run(const MethodSpec& method, int spp, std::uint64_t seed) const;
 
  private:
+  FeedConfig feedConfig() const;
+  void renderTruth();
+
   BenchSetup setup_;
   TilePool& pool_;
   std::shared_ptr<const RenderScene> scene_;
   Trajectory path_;
-  std::unique_ptr<ReferenceChange> truth_;
+  std::vector<Truth> truth_;
+  double median_px_ = 0;
 };
 
 }  // namespace saccade

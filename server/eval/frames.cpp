@@ -22,31 +22,20 @@ struct FramesOptions {
   std::vector<std::string> set;
   int reference = 0;
   int threads = static_cast<int>(std::thread::hardware_concurrency());
-  long first = 0, last = 0;
+  int first = 0, last = 0;
 };
 
-std::string dumpPath(const FramesOptions& o, const char* what, long frame) {
+std::string dumpPath(const FramesOptions& o, const char* what, int frame) {
   char name[64];
-  std::snprintf(name, sizeof name, "%s_%05ld.exr", what, frame);
+  std::snprintf(name, sizeof name, "%s_%05d.exr", what, frame);
   return (std::filesystem::path(o.dump) / name).string();
 }
 
-void writeDump(const FramesOptions& o, long frame, const ImageF& dI, const ImageF& I_prev,
+void writeDump(const FramesOptions& o, int frame, const ImageF& dI, const ImageF& I_prev,
                const ImageF& var_dI, const ImageF& var_I_prev) {
   writeExr(dumpPath(o, "dI", frame), {{"Y", &dI}});
   writeExr(dumpPath(o, "Iprev", frame), {{"Y", &I_prev}});
   writeExr(dumpPath(o, "variance", frame), {{"I", &var_I_prev}, {"dI", &var_dI}});
-}
-
-// "A:B", frames A to B with 1 <= A <= B, or one frame.
-void parseFrames(FramesOptions& o) {
-  char* end = nullptr;
-  o.first = o.last = std::strtol(o.frames.c_str(), &end, 10);
-  if (*end == ':') o.last = std::strtol(end + 1, &end, 10);
-  if (*end != 0 || o.first < 1 || o.last < o.first) {
-    throw CLI::ValidationError("--frames",
-                               "must be A:B with 1 <= A <= B (the change of frame 1 is since frame 0)");
-  }
 }
 
 void resolveMethod(FramesOptions& o) {
@@ -74,7 +63,7 @@ void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene,
   Feed feed(scene, path, o.feed, pool);
   StageTimes total;
   Progress progress(o.feed.method, static_cast<double>(o.last));
-  for (long t = 1; t <= o.last; ++t) {
+  for (int t = 1; t <= o.last; ++t) {
     const IntensityChange& change = feed.step();
     total += feed.lastTimes();
     if (t >= o.first && !o.dump.empty())
@@ -92,13 +81,13 @@ void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> sce
       (o.reference + ReferenceRenderer::kChunk - 1) / ReferenceRenderer::kChunk * ReferenceRenderer::kChunk;
   ReferenceRenderer renderer(scene, o.feed.bounces, w, h, o.feed.fov_x_deg, o.cache, pool);
   Progress progress("reference", static_cast<double>(spp) * static_cast<double>(o.last - o.first + 2));
-  const auto render = [&](long t) {
+  const auto render = [&](int t) {
     const TimeNs time = frameTime(static_cast<FrameIndex>(t), o.feed.frame_rate_hz);
     return renderer.frame(path.at(time), time, spp, progress);
   };
   ReferenceFrame prev = render(o.first - 1);
   ImageF var_dI(w, h), var_I(w, h);
-  for (long t = o.first; t <= o.last; ++t) {
+  for (int t = o.first; t <= o.last; ++t) {
     ReferenceFrame cur = render(t);
     const ReferenceChange truth(prev, cur);
     for (int y = 0; y < h; ++y) {
@@ -109,14 +98,15 @@ void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> sce
       }
     }
     if (!o.dump.empty()) writeDump(o, t, truth.dI, truth.I_prev, var_dI, var_I);
-    std::printf("frame %ld: %d spp; own error of dI (half of half against half): %.4f relative L1\n", t, spp,
+    std::printf("frame %d: %d spp; own error of dI (half of half against half): %.4f relative L1\n", t, spp,
                 truth.error());
     prev = std::move(cur);
   }
 }
 
 void runFrames(FramesOptions& o) {
-  parseFrames(o);
+  const FrameRange range = parseFrameRange(o.frames);
+  o.first = range.first, o.last = range.last;
   resolveMethod(o);
   const Size size = parseSize(o.size);
   o.feed.width = size.width, o.feed.height = size.height;

@@ -16,6 +16,22 @@ Size parseSize(const std::string& text) {
   return size;
 }
 
+FrameRange parseFrameRange(const std::string& text) {
+  constexpr int kMaxFrame = 1'000'000;
+  FrameRange range;
+  char rest = 0;
+  const int found = std::sscanf(text.c_str(), "%d:%d%c", &range.first, &range.last, &rest);
+  if (found == 1 && text.find(':') == text.npos)
+    range.last = range.first;
+  else if (found != 2)
+    range.first = 0;
+  if (range.first < 1 || range.last < range.first || range.last > kMaxFrame) {
+    throw CLI::ValidationError("--frames",
+                               "must be A:B with 1 <= A <= B (the change of frame 1 is since frame 0)");
+  }
+  return range;
+}
+
 }  // namespace saccade
 
 int main(int argc, char** argv) {
@@ -25,6 +41,7 @@ int main(int argc, char** argv) {
   saccade::addFramesCommand(app);
   saccade::addCompareCommand(app);
   saccade::addChartCommand(app);
+  saccade::addFigureCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

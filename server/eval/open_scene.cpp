@@ -1,5 +1,6 @@
 #include "eval/open_scene.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -14,6 +15,17 @@ namespace saccade {
 std::string sceneFolder() {
   const char* folder = std::getenv("SACCADE_SCENES");
   return folder ? folder : SACCADE_SOURCE_SCENES;
+}
+
+std::vector<std::string> availableScenes() {
+  std::vector<std::string> names;
+  for (const SceneEntry& scene : SceneLibrary(sceneFolder()).list()) {
+    if (scene.unavailable.empty())
+      names.push_back(scene.name);
+    else
+      std::fprintf(stderr, "left out: %s: %s\n", scene.name.c_str(), scene.unavailable.c_str());
+  }
+  return names;
 }
 
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {

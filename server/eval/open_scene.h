@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "render/render_scene.h"
 #include "scene/trajectory.h"
@@ -11,6 +12,9 @@ namespace saccade {
 
 // The folder of our scenes: $SACCADE_SCENES, else that of the source tree.
 std::string sceneFolder();
+
+// The names of our scenes that can be opened on this machine; says on stderr which cannot, and why.
+std::vector<std::string> availableScenes();
 
 // A scene of the library by name, or a Mitsuba file by path (anything that ends in .xml). Throws SceneError.
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path);

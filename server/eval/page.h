@@ -2,9 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
-
-#include "eval/exr.h"
 
 namespace saccade {
 
@@ -14,17 +11,7 @@ class Page {
 
   void heading(const std::string& text);
   void paragraph(const std::string& text);
-  void svg(const std::string& svg);
-  // Pictures in rows, each with a line of text below it; `columns` stand above.
-  struct Cell {
-    std::string caption;
-    int width = 0, height = 0;
-    std::vector<Rgb8> pixels;  // empty: only the caption
-    int zoom = 1;
-  };
-  void pictures(const std::vector<std::string>& columns, const std::vector<std::string>& rows,
-                const std::vector<std::vector<Cell>>& cells);
-
+  void svg(const std::string& svg);           // a chart, or pictures
   void write(const std::string& path) const;  // throws std::runtime_error
 
  private:

@@ -1,6 +1,6 @@
 #include "eval/results.h"
 
-#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,24 +10,17 @@
 namespace saccade {
 namespace {
 
-constexpr const char* kHeader =
-    "scene,method,spp,cpu_ms,trace_ms,reference_error,dI_l1,dI_mape,dL_l1,dL_mape,false_events,missed_events,"
-    "false_pixels,missed_pixels";
+std::string header() {
+  std::string names = "scene,method,spp,cpu_ms,trace_ms,px_per_frame,reference_error";
+  for (const ScoreColumn& column : kScoreColumns) names += std::string(",") + column.name;
+  return names;
+}
 
 // The numbers of a row, in the order of the header.
-template <class R>
-auto numbers(R& r) {
-  return std::array{&r.cpu_ms,
-                    &r.trace_ms,
-                    &r.reference_error,
-                    &r.errors.dI_l1,
-                    &r.errors.dI_mape,
-                    &r.errors.dL_l1,
-                    &r.errors.dL_mape,
-                    &r.errors.rates.false_events,
-                    &r.errors.rates.missed_events,
-                    &r.errors.rates.false_pixels,
-                    &r.errors.rates.missed_pixels};
+std::vector<double*> numbers(Result& r) {
+  std::vector<double*> values{&r.cpu_ms, &r.trace_ms, &r.px_per_frame, &r.reference_error};
+  for (const ScoreColumn& column : kScoreColumns) values.push_back(&(r.score.*column.value));
+  return values;
 }
 
 }  // namespace
@@ -39,7 +32,7 @@ ResultTable::ResultTable(std::string path, std::string settings)
     read();
     return;
   }
-  std::ofstream(path_) << settings_ << '\n' << kHeader << '\n';
+  std::ofstream(path_) << settings_ << '\n' << header() << '\n';
 }
 
 void ResultTable::read() {
@@ -49,7 +42,9 @@ void ResultTable::read() {
     throw std::runtime_error(path_ + " was made with other settings (" + line +
                              "); choose another folder or remove it");
   }
-  std::getline(file, line);
+  if (!std::getline(file, line) || line != header()) {
+    throw std::runtime_error(path_ + " has other columns than this program writes; remove it");
+  }
   while (std::getline(file, line)) {
     std::istringstream fields(line);
     Result r;
@@ -69,21 +64,47 @@ void ResultTable::read() {
   }
 }
 
-bool ResultTable::has(const std::string& scene, const std::string& method, int spp) const {
+const Result* ResultTable::find(const std::string& scene, const std::string& method, int spp) const {
   for (const Result& r : rows_) {
-    if (r.scene == scene && r.method == method && r.spp == spp) return true;
+    if (r.scene == scene && r.method == method && r.spp == spp) return &r;
   }
-  return false;
+  return nullptr;
 }
 
-void ResultTable::add(const Result& r) {
+void ResultTable::add(const Result& result) {
+  rows_.push_back(result);
+  Result& r = rows_.back();
   std::ostringstream line;
   line << r.scene << ',' << r.method << ',' << r.spp;
   for (const double* value : numbers(r)) line << ',' << *value;
   std::ofstream file(path_, std::ios::app);
   file << line.str() << '\n';
   if (!file.flush()) throw std::runtime_error("cannot write " + path_);
-  rows_.push_back(r);
+}
+
+void printTable(const ResultTable& table) {
+  std::printf("%-36s %-40s %4s %8s %7s %7s %7s %7s %9s %9s %8s\n", "scene", "method", "spp", "CPU ms",
+              "ref.err", "dI L1", "dI MAPE", "dL L1", "false", "missed", "sigma dL");
+  for (const Result& r : table.rows()) {
+    const Score& s = r.score;
+    std::printf("%-36s %-40s %4d %8.2f %7.3f %7.3f %7.2f %7.3f %9.5f %9.5f %8.5f\n", r.scene.c_str(),
+                r.method.c_str(), r.spp, r.cpu_ms, r.reference_error, s.dI_l1, s.dI_mape, s.dL_l1,
+                s.false_events, s.missed_events, s.sigma_dL);
+  }
+}
+
+Result measure(const Bench& bench, const MethodSpec& method, int spp, int repeats, double bias,
+               double threshold) {
+  Result r;
+  r.scene = bench.setup().scene, r.method = method.text, r.spp = spp;
+  r.px_per_frame = bench.medianPxPerFrame(), r.reference_error = bench.referenceError();
+  std::vector<BenchRun> runs;
+  for (int seed = 1; seed <= repeats; ++seed) {
+    runs.push_back(bench.run(method, spp, static_cast<std::uint64_t>(seed)));
+    r.cpu_ms += runs.back().cpu_ms / repeats, r.trace_ms += runs.back().trace_ms / repeats;
+  }
+  r.score = scoreOf(bench, runs, bias, threshold);
+  return r;
 }
 
 }  // namespace saccade

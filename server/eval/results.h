@@ -1,10 +1,11 @@
-// The table behind the chart: one row for each scene, method and budget. A row that stands is not run again.
+// The table behind a chart or a figure: one row for each scene, method and budget. A row that stands is not
+// run again.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "eval/metrics/frame_errors.h"
+#include "eval/score.h"
 
 namespace saccade {
 
@@ -12,8 +13,9 @@ struct Result {
   std::string scene, method;  // method with its settings: "svgf:as_falcor=1"
   int spp = 0;
   double cpu_ms = 0, trace_ms = 0;  // per frame
+  double px_per_frame = 0;          // median motion
   double reference_error = 0;       // of the truth's dI, relative L1
-  FrameErrors errors{};
+  Score score{};
 };
 
 class ResultTable {
@@ -22,8 +24,9 @@ class ResultTable {
   // std::runtime_error.
   ResultTable(std::string path, std::string settings);
 
+  const std::string& path() const { return path_; }
   const std::vector<Result>& rows() const { return rows_; }
-  bool has(const std::string& scene, const std::string& method, int spp) const;
+  const Result* find(const std::string& scene, const std::string& method, int spp) const;  // nullptr: none
   void add(const Result& result);  // appended to the file at once
 
  private:
@@ -32,5 +35,12 @@ class ResultTable {
   std::string path_, settings_;
   std::vector<Result> rows_;
 };
+
+// The rows for people, in a few figures, on stdout.
+void printTable(const ResultTable& table);
+
+// Runs `method` with the seeds 1 to `repeats` and scores it.
+Result measure(const Bench& bench, const MethodSpec& method, int spp, int repeats, double bias,
+               double threshold);
 
 }  // namespace saccade

@@ -85,8 +85,9 @@ std::string drawPanel(const ChartPanel& panel, const std::vector<std::string>& n
     for (const ChartPoint& p : line.points) x.include(p.x), y.include(p.y);
   }
   std::string svg = drawAxes(panel, x, y);
-  svg += polyline(paretoFront(panel), x, y,
-                  "stroke=\"#bbb\" stroke-width=\"7\" stroke-linejoin=\"round\" opacity=\"0.6\"");
+  if (panel.pareto)
+    svg += polyline(paretoFront(panel), x, y,
+                    "stroke=\"#bbb\" stroke-width=\"7\" stroke-linejoin=\"round\" opacity=\"0.6\"");
   for (const ChartLine& line : panel.lines) {
     const auto index =
         static_cast<std::size_t>(std::find(names.begin(), names.end(), line.name) - names.begin());
@@ -103,7 +104,7 @@ std::string drawPanel(const ChartPanel& panel, const std::vector<std::string>& n
   return svg;
 }
 
-std::string drawLegend(const std::vector<std::string>& names, double y) {
+std::string drawLegend(const std::vector<std::string>& names, bool pareto, double y) {
   std::string svg;
   double x = kLeft;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -112,6 +113,7 @@ std::string drawLegend(const std::vector<std::string>& names, double y) {
            escapeMarkup(names[i]) + "</text>\n";
     x += 26 + 7.2 * static_cast<double>(names[i].size());
   }
+  if (!pareto) return svg;
   return svg + format(
                    "<line x1=\"%g\" x2=\"%g\" y1=\"%g\" y2=\"%g\" stroke=\"#bbb\" stroke-width=\"7\"/><text "
                    "x=\"%g\" y=\"%g\">Pareto front</text>\n",
@@ -149,7 +151,7 @@ std::string drawCharts(const std::vector<ChartPanel>& panels, int across) {
     svg += format("<g transform=\"translate(%g,%g)\">\n", kWidth * (i % across), kHeight * (i / across)) +
            drawPanel(panels[static_cast<std::size_t>(i)], names) + "</g>\n";
   }
-  return svg + drawLegend(names, kHeight * down + 8) + "</svg>\n";
+  return svg + drawLegend(names, panels.front().pareto, kHeight * down + 8) + "</svg>\n";
 }
 
 }  // namespace saccade

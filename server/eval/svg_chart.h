@@ -19,12 +19,13 @@ struct ChartLine {
 struct ChartPanel {
   std::string title, x_label, y_label;
   std::vector<ChartLine> lines;
+  bool pareto = false;  // draw the front of the points that no other beats, as a broad grey line
 };
 
 // The points that no other point beats in both coordinates (smaller is better), by rising x.
 std::vector<ChartPoint> paretoFront(const ChartPanel& panel);
 
-// `across` panels in a row; a legend below; the Pareto front of each panel as a broad grey line.
+// `across` panels in a row; a legend below.
 std::string drawCharts(const std::vector<ChartPanel>& panels, int across);
 
 }  // namespace saccade

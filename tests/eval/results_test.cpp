@@ -18,10 +18,10 @@ struct Fixture : ::testing::Test {
 };
 
 Result makeResult() {
-  Result r{"box", "svgf:alpha=0.2", 4, 12.5, 10, 0.05, {}};
-  r.errors.dI_l1 = 0.25;
-  r.errors.dI_mape = std::numeric_limits<double>::infinity();  // where the truth stands still
-  r.errors.rates.missed_pixels = 0.125;
+  Result r{"box", "svgf:alpha=0.2", 4, 12.5, 10, 0.67, 0.05, {}};
+  r.score.dI_l1 = 0.25;
+  r.score.dI_mape = std::numeric_limits<double>::infinity();  // where the truth stands still
+  r.score.time_error_ms = 0.125;
   return r;
 }
 
@@ -29,12 +29,12 @@ TEST_F(Fixture, WhatStandsIsReadAgain) {
   ResultTable(path, "128x128").add(makeResult());
   const ResultTable table(path, "128x128");
   ASSERT_EQ(table.rows().size(), 1u);
-  EXPECT_TRUE(table.has("box", "svgf:alpha=0.2", 4));
-  EXPECT_FALSE(table.has("box", "svgf", 4));
+  EXPECT_NE(table.find("box", "svgf:alpha=0.2", 4), nullptr);
+  EXPECT_EQ(table.find("box", "svgf", 4), nullptr);
   EXPECT_EQ(table.rows()[0].cpu_ms, 12.5);
-  EXPECT_EQ(table.rows()[0].errors.dI_l1, 0.25);
-  EXPECT_EQ(table.rows()[0].errors.dI_mape, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(table.rows()[0].errors.rates.missed_pixels, 0.125);
+  EXPECT_EQ(table.rows()[0].score.dI_l1, 0.25);
+  EXPECT_EQ(table.rows()[0].score.dI_mape, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(table.rows()[0].score.time_error_ms, 0.125);
 }
 
 TEST_F(Fixture, RowsOfOtherSettingsAreNotMixedIn) {

@@ -30,20 +30,22 @@ class Errors {
       : bench_({.scene = scene,
                 .width = kSize,
                 .height = kSize,
-                .frame = kFrame,
+                .frame_rate_hz = 500,
+                .first = kFrame,
+                .last = kFrame,
                 .reference_spp = kReferenceSpp,
                 .cache = cacheFolder()},
                pool_) {
     std::printf("%s, %dx%d, right, frame %d; reference of %d spp, own error %.4f\n", scene.c_str(), kSize,
-                kSize, kFrame, kReferenceSpp, bench_.truth().error());
+                kSize, kFrame, kReferenceSpp, bench_.referenceError());
   }
 
   // Relative L1 of dI.
   double of(const std::string& method, int spp, const ParamValues& given = {}) {
-    ParamValues params;
-    std::string bad;
-    EXPECT_EQ(resolveParams(*findMethod(method), given, params, bad), "");
-    const double e = relativeL1(bench_.run(method, spp, params, 1).change.dI, bench_.truth().dI);
+    std::string spec = method;
+    for (const auto& [name, value] : given) spec += ":" + name + "=" + std::to_string(value);
+    const double e =
+        relativeL1(bench_.run(parseMethod(spec), spp, 1).changes.back().dI, bench_.truth().back().change.dI);
     std::printf("  %-14s %d spp %-24s %.4f\n", method.c_str(), spp,
                 given.empty() ? "" : given.begin()->first.c_str(), e);
     return e;

@@ -1,0 +1,27 @@
+// The flags that charts and figures share.
+#pragma once
+
+#include "eval/bench.h"
+#include "eval/commands.h"
+
+namespace saccade {
+
+struct BenchOptions {
+  BenchSetup setup;  // scene: filled by the command
+  std::string size = "128x128", frames = "17:21";
+  int repeats = 2;
+  double threshold = 0.2, bias = 1e-3;
+  bool quick = false;
+
+  // All of it in one line of key=value, for the head of a table.
+  std::string text() const;
+};
+
+// Adds the flags, with what stands in `o` as their defaults. After parsing, resolve() reads the texts and,
+// for
+// --quick, halves the side of the picture, the frame rate (so that motion keeps its pixels) and most of the
+// rest.
+void addBenchOptions(CLI::App& app, BenchOptions& o);
+void resolve(BenchOptions& o);  // throws CLI::ValidationError
+
+}  // namespace saccade

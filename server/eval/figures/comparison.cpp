@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "eval/change_pictures.h"
+#include "eval/figures/figure.h"
+#include "eval/results.h"
+
+namespace saccade {
+namespace {
+
+void compareOn(const std::string& scene, const FigureOptions& o, TilePool& pool, ResultTable& table) {
+  BenchSetup setup = o.bench.setup;
+  setup.scene = scene;
+  const Bench bench(setup, pool);
+  const IntensityChange& truth = bench.truth().back().change;
+  ChangePictures pictures(truth, static_cast<float>(o.bench.bias), o.bench.threshold);
+  Progress progress(scene, static_cast<double>(o.methods.size() * o.spp.size()));
+  for (const int spp : o.spp) {
+    for (const std::string& text : o.methods) {
+      const MethodSpec method = parseMethod(text);
+      if (!table.find(scene, text, spp))
+        table.add(measure(bench, method, spp, o.bench.repeats, o.bench.bias, o.bench.threshold));
+      pictures.add(text + ", " + std::to_string(spp) + " spp", bench.run(method, spp, 1).changes.back(),
+                   &table.find(scene, text, spp)->score);
+      progress.add(1);
+    }
+  }
+  pictures.add("reference", truth, nullptr);
+  std::string name = scene;
+  std::replace(name.begin(), name.end(), '/', '_');
+  writeText(o.path("_" + name + ".svg"), pictures.draw());
+}
+
+}  // namespace
+
+std::string FigureOptions::path(const std::string& rest) const {
+  return (std::filesystem::path(output) / ("figure" + std::to_string(number) + rest)).string();
+}
+
+void writeText(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (!file.flush()) throw std::runtime_error("cannot write " + path);
+  std::printf("wrote %s\n", path.c_str());
+}
+
+void runComparison(const FigureOptions& o, TilePool& pool) {
+  ResultTable table(o.path(".csv"), o.bench.text());
+  for (const std::string& scene : o.scenes) compareOn(scene, o, pool, table);
+  printTable(table);
+}
+
+}  // namespace saccade

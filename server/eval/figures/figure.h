@@ -1,0 +1,40 @@
+// The figures of the paper as commands: what each shows, and the settings it is sized for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "eval/bench_options.h"
+
+namespace saccade {
+
+struct FigureOptions {
+  int number = 0;
+  BenchOptions bench;
+  std::vector<std::string> scenes, methods;
+  std::vector<int> spp;
+  std::vector<double> speeds;  // pixels per frame; empty: the figure has one speed
+  std::string output;          // folder for figure<number>.csv and figure<number>*.svg
+
+  // "<output>/figure<number><rest>"
+  std::string path(const std::string& rest) const;
+};
+
+struct Figure {
+  FigureOptions defaults;
+  const char* what;
+  void (*run)(const FigureOptions& o, TilePool& pool);  // throws Interrupted, std::runtime_error
+};
+
+// THE list of figures.
+const std::vector<Figure>& figureTable();
+
+// Methods and budgets side by side: a row of the table and a column of pictures each, a picture file for each
+// scene.
+void runComparison(const FigureOptions& o, TilePool& pool);
+// Error, noise and bias against the speed of the camera, in both directions `right` and `forward`.
+void runSpeeds(const FigureOptions& o, TilePool& pool);
+
+void writeText(const std::string& path, const std::string& text);  // throws std::runtime_error
+
+}  // namespace saccade

@@ -1,0 +1,95 @@
+#include <cmath>
+#include <cstdio>
+
+#include "eval/difference_picture.h"
+#include "eval/figures/figure.h"
+#include "eval/metrics/brightness_change.h"
+#include "eval/picture_grid.h"
+#include "eval/results.h"
+#include "eval/svg_chart.h"
+
+namespace saccade {
+namespace {
+
+constexpr const char* kMotions[] = {"right", "forward"};
+constexpr double Score::*kMetrics[] = {&Score::sigma_dL, &Score::noise_dL,     &Score::bias_dL,
+                                       &Score::dL_l1,    &Score::false_events, &Score::missed_events};
+
+std::string format(const char* pattern, double a, double b = 0) {
+  char text[96];
+  std::snprintf(text, sizeof text, pattern, a, b);
+  return text;
+}
+
+// The key of a row: which scene, direction and speed.
+std::string rowName(const std::string& scene, const std::string& motion, double speed) {
+  return scene + " " + motion + " " + format("%g px", speed);
+}
+
+GridPicture pictureOf(const IntensityChange& change, float bias, float scale, const std::string& caption) {
+  return {caption, change.dI.width(), change.dI.height(),
+          signedPicture(brightnessChange(change, bias), scale)};
+}
+
+// Runs one speed: a column of the pictures, dL of the truth and of every method.
+void runSpeed(const FigureOptions& o, const std::string& motion, double speed, TilePool& pool,
+              ResultTable& table, std::vector<std::vector<GridPicture>>& rows) {
+  BenchSetup setup = o.bench.setup;
+  setup.scene = o.scenes.front(), setup.trajectory = motion, setup.px_per_frame = speed;
+  const Bench bench(setup, pool);
+  const auto bias = static_cast<float>(o.bench.bias);
+  const IntensityChange& truth = bench.truth().back().change;
+  const float scale = colorScale(brightnessChange(truth, bias));
+  rows[0].push_back(pictureOf(truth, bias, scale, format("own error %.3f", bench.referenceError())));
+  const std::string name = rowName(setup.scene, motion, speed);
+  for (std::size_t m = 0; m < o.methods.size(); ++m) {
+    const MethodSpec method = parseMethod(o.methods[m]);
+    if (!table.find(name, method.text, o.spp.front())) {
+      Result r = measure(bench, method, o.spp.front(), o.bench.repeats, o.bench.bias, o.bench.threshold);
+      r.scene = name;
+      table.add(r);
+    }
+    const Score& score = table.find(name, method.text, o.spp.front())->score;
+    rows[m + 1].push_back(pictureOf(bench.run(method, o.spp.front(), 1).changes.back(), bias, scale,
+                                    format("L1 %.3f, sigma %.2g", score.dL_l1, score.sigma_dL)));
+  }
+}
+
+ChartPanel makePanel(const FigureOptions& o, const ResultTable& table, const std::string& motion,
+                     double Score::*metric) {
+  const ScoreColumn& column = columnOf(metric);
+  ChartPanel panel{o.scenes.front() + ", " + motion, "pixels per frame", column.label, {}};
+  for (const std::string& method : o.methods) {
+    ChartLine line{method, {}};
+    for (const double speed : o.speeds) {
+      const Result* r = table.find(rowName(o.scenes.front(), motion, speed), method, o.spp.front());
+      if (r && r->score.*metric > 0) line.points.push_back({speed, r->score.*metric, ""});
+    }
+    panel.lines.push_back(std::move(line));
+  }
+  return panel;
+}
+
+}  // namespace
+
+void runSpeeds(const FigureOptions& o, TilePool& pool) {
+  ResultTable table(o.path(".csv"), o.bench.text());
+  std::vector<ChartPanel> panels;
+  for (const std::string motion : kMotions) {
+    std::vector<std::string> columns, names{"reference"};
+    names.insert(names.end(), o.methods.begin(), o.methods.end());
+    std::vector<std::vector<GridPicture>> rows(names.size());
+    Progress progress(motion, static_cast<double>(o.speeds.size()));
+    for (const double speed : o.speeds) {
+      runSpeed(o, motion, speed, pool, table, rows);
+      columns.push_back(format("%g px per frame", speed));
+      progress.add(1);
+    }
+    writeText(o.path("_" + motion + ".svg"), drawPictureGrid(columns, names, rows));
+    for (const auto metric : kMetrics) panels.push_back(makePanel(o, table, motion, metric));
+  }
+  writeText(o.path(".svg"), drawCharts(panels, static_cast<int>(std::size(kMetrics))));
+  printTable(table);
+}
+
+}  // namespace saccade

@@ -1,2 +1,0 @@
-#pragma once
-#include "methods/method_spec.h"
