@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <thread>
 
@@ -14,6 +13,8 @@
 #include "eval/page.h"
 #include "eval/results.h"
 #include "eval/svg_chart.h"
+#include "eval/within.h"
+#include "eval/write_text.h"
 
 namespace saccade {
 namespace {
@@ -25,6 +26,7 @@ struct ChartOptions {
   std::vector<int> spp{1, 2, 4, 8, 32, 128};
   std::vector<std::string> metrics{"dI_l1",         "dL_l1",    "false_events",
                                    "missed_events", "sigma_dL", "voxel_error"};
+  std::vector<std::string> within;
   std::string output = defaultCache() + "/chart";
   int pictures_spp = 2;
 };
@@ -91,13 +93,19 @@ std::string drawChart(const ChartOptions& o, const ResultTable& table) {
   return drawCharts(panels, static_cast<int>(o.metrics.size()));
 }
 
-void runChart(ChartOptions& o) {
-  resolve(o.bench);
-  for (const std::string& method : o.methods) parseMethod(method);  // before anything is rendered
-  for (const std::string& metric : o.metrics) findColumn(metric);
-  if (o.scenes.empty()) o.scenes = availableScenes();
-  const std::filesystem::path folder(o.output);
-  ResultTable table((folder / "results.csv").string(), o.bench.text());
+bool isComplete(const ChartOptions& o, const ResultTable& table) {
+  for (const std::string& scene : o.scenes) {
+    for (const std::string& method : o.methods) {
+      for (const int spp : o.spp) {
+        if (parseMethod(method).takes(spp) && !table.find(scene, method, spp)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+// Fills the table, and draws it.
+void renderChart(const ChartOptions& o, ResultTable& table) {
   TilePool pool(static_cast<int>(std::thread::hardware_concurrency()));
   Page page("Saccade: accuracy against time");
   page.paragraph(o.bench.text() + ". CPU time is that of all threads together.");
@@ -108,11 +116,27 @@ void runChart(ChartOptions& o) {
     throw std::runtime_error("interrupted; the same command goes on where it stopped");
   }
   const std::string chart = drawChart(o, table);
-  std::ofstream(folder / "chart.svg") << chart;
   page.heading("Accuracy against time");
   page.svg(chart);
+  const std::filesystem::path folder(o.output);
+  writeText((folder / "chart.svg").string(), chart);
   page.write((folder / "index.html").string());
   std::printf("wrote %s, chart.svg and index.html\n", table.path().c_str());
+}
+
+void runChart(ChartOptions& o) {
+  resolve(o.bench);
+  // What is wrong with the flags is said before anything is rendered.
+  for (const std::string& method : o.methods) parseMethod(method);
+  for (const std::string& metric : o.metrics) findColumn(metric);
+  std::vector<Within> limits;
+  for (const std::string& limit : o.within) limits.push_back(parseWithin(limit));
+  if (o.scenes.empty()) o.scenes = availableScenes();
+
+  ResultTable table((std::filesystem::path(o.output) / "results.csv").string(), o.bench.text());
+  if (limits.empty() || !isComplete(o, table)) renderChart(o, table);
+  for (const Within& limit : limits)
+    std::fputs(answerWithin(readAccuracyTable(table.path()), limit).c_str(), stdout);
 }
 
 }  // namespace
@@ -133,6 +157,10 @@ void addChartCommand(CLI::App& app) {
   c->add_option("--metrics", o->metrics, "columns of results.csv to draw")
       ->delimiter(',')
       ->capture_default_str();
+  c->add_option(
+      "--within", o->within,
+      "20ms: the most accurate setting in that CPU time; 2%: the fastest with at most that many false "
+      "events per pixel-frame. A table that stands is not rendered again");
   addBenchOptions(*c, o->bench);
   c->add_option("-o,--output", o->output, "folder for results.csv, chart.svg and index.html")
       ->capture_default_str();

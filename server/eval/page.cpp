@@ -1,9 +1,7 @@
 #include "eval/page.h"
 
-#include <fstream>
-#include <stdexcept>
-
 #include "eval/markup.h"
+#include "eval/write_text.h"
 
 namespace saccade {
 Page::Page(const std::string& title) {
@@ -24,9 +22,7 @@ void Page::svg(const std::string& svg) {
 }
 
 void Page::write(const std::string& path) const {
-  std::ofstream file(path, std::ios::binary);
-  file << html_ << "</body></html>\n";
-  if (!file.flush()) throw std::runtime_error("cannot write " + path);
+  writeText(path, html_ + "</body></html>\n");
 }
 
 }  // namespace saccade

@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 #include "eval/change_pictures.h"
 #include "eval/figures/figure.h"
@@ -30,21 +27,10 @@ void compareOn(const std::string& scene, const FigureOptions& o, TilePool& pool,
   pictures.add("reference", truth, nullptr);
   std::string name = scene;
   std::replace(name.begin(), name.end(), '/', '_');
-  writeText(o.path("_" + name + ".svg"), pictures.draw());
+  writePicture(o, "_" + name + ".svg", pictures.draw());
 }
 
 }  // namespace
-
-std::string FigureOptions::path(const std::string& rest) const {
-  return (std::filesystem::path(output) / ("figure" + std::to_string(number) + rest)).string();
-}
-
-void writeText(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file.flush()) throw std::runtime_error("cannot write " + path);
-  std::printf("wrote %s\n", path.c_str());
-}
 
 void runComparison(const FigureOptions& o, TilePool& pool) {
   ResultTable table(o.path(".csv"), o.bench.text());

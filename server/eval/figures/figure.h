@@ -35,6 +35,7 @@ void runComparison(const FigureOptions& o, TilePool& pool);
 // Error, noise and bias against the speed of the camera, in both directions `right` and `forward`.
 void runSpeeds(const FigureOptions& o, TilePool& pool);
 
-void writeText(const std::string& path, const std::string& text);  // throws std::runtime_error
+// Writes "<output>/figure<number><rest>" and says so. Throws std::runtime_error.
+void writePicture(const FigureOptions& o, const std::string& rest, const std::string& svg);
 
 }  // namespace saccade

@@ -85,10 +85,10 @@ void runSpeeds(const FigureOptions& o, TilePool& pool) {
       columns.push_back(format("%g px per frame", speed));
       progress.add(1);
     }
-    writeText(o.path("_" + motion + ".svg"), drawPictureGrid(columns, names, rows));
+    writePicture(o, "_" + motion + ".svg", drawPictureGrid(columns, names, rows));
     for (const auto metric : kMetrics) panels.push_back(makePanel(o, table, motion, metric));
   }
-  writeText(o.path(".svg"), drawCharts(panels, static_cast<int>(std::size(kMetrics))));
+  writePicture(o, ".svg", drawCharts(panels, static_cast<int>(std::size(kMetrics))));
   printTable(table);
 }
 
