@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "app/accuracy_source.h"
 #include "app/config.h"
 #include "app/service.h"
 #include "stream/broadcast_server.h"
@@ -33,6 +34,7 @@ class App {
   void sweep(std::stop_token stopped);
 
   const std::uint64_t epoch_;
+  const AccuracySource accuracy_;
   TilePool pool_;
   SceneCache scenes_;
   SessionDirectory sessions_;

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <thread>
 
+#include "methods/accuracy_table.h"
+
 namespace saccade {
 
 Config parseConfig(int argc, const char* const* argv) {
@@ -17,6 +19,11 @@ Config parseConfig(int argc, const char* const* argv) {
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_option("--scenes", config.scenes, "folder of the scenes")->check(CLI::ExistingDirectory);
+  app.add_option(
+         "--accuracy", config.accuracy,
+         "results.csv of `saccade-eval chart`, which budgets of streams are answered from; default: " +
+             defaultAccuracyTable() + ", if it is there")
+      ->check(CLI::ExistingFile);
   app.add_option("--log-level", config.log_level)
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}))
       ->capture_default_str();
@@ -28,6 +35,9 @@ Config parseConfig(int argc, const char* const* argv) {
   }
   if (config.threads == 0) config.threads = std::max(1u, std::thread::hardware_concurrency());
   if (config.scenes.empty()) config.scenes = findScenes();
+  if (config.accuracy.empty() && std::filesystem::exists(defaultAccuracyTable())) {
+    config.accuracy = defaultAccuracyTable();
+  }
   return config;
 }
 

@@ -12,6 +12,7 @@ struct Config {
   std::string broadcast = "tcp://127.0.0.1:5772";
   int threads = 0;                 // [1, 1024]; 0: one per core
   std::string scenes;              // folder with a folder for each scene; empty: findScenes()
+  std::string accuracy;            // file of saccade-eval chart, see AccuracySource; empty: none
   std::string log_level = "info";  // trace, debug, info, warning, error, critical, off
 };
 

@@ -66,11 +66,15 @@ void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
     checkRange("timing.duration_s", timing.duration_s(), 1 / timing.frame_rate_hz(), 1e7);
 }
 
+void checkMethodName(const v1::Method& method) {
+  if (method.name().empty() || findMethod(method.name())) return;
+  refuse("method.name", "there is no such method; there are: " + methodNames());
+}
+
+// Its name is checked.
 void resolveMethod(v1::Method& method, FeedConfig& feed) {
   if (method.name().empty()) method.set_name(methodTable().front().name);
   const MethodInfo* info = findMethod(method.name());
-  if (!info) refuse("method.name", "there is no such method; there are: " + methodNames());
-
   const ParamValues given(method.params().begin(), method.params().end());
   std::string bad_name;
   if (std::string fault = resolveParams(*info, given, feed.params, bad_name); !fault.empty()) {
@@ -94,25 +98,31 @@ void resolveQuality(v1::Quality& quality, FeedConfig& feed) {
   feed.monochrome = quality.monochrome();
 }
 
+void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors) {
+  if (request.sensors_size() < 1 || request.sensors_size() > kMaxSensors) {
+    refuse("sensors", "a stream has 1 to " + std::to_string(kMaxSensors) + " sensors");
+  }
+  for (int i = 0; i < request.sensors_size(); ++i) {
+    sensors.push_back(resolveSensor(*request.mutable_sensors(i), i, request.seed()));
+  }
+}
+
 }  // namespace
 
-ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes) {
-  ResolvedStream stream{.request = request, .feed = {}, .sensors = {}};
+ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes,
+                       const AccuracySource& accuracy) {
+  ResolvedStream stream{.request = request, .feed = {}, .sensors = {}, .expected = {}};
   v1::OpenStream& r = stream.request;
   checkScene(r, scenes);
   resolveView(*r.mutable_view(), stream.feed);
   resolveTiming(*r.mutable_timing(), stream);
+  resolveSensors(r, stream.sensors);
+  checkMethodName(r.method());
+  stream.expected = resolveBudget(r, stream.sensors, accuracy);
   resolveMethod(*r.mutable_method(), stream.feed);
   resolveQuality(*r.mutable_quality(), stream.feed);
   r.set_delivery(resolveEnum("delivery", r.delivery(), v1::DELIVERY_LOSSLESS));
   stream.feed.seed = r.seed();
-
-  if (r.sensors_size() < 1 || r.sensors_size() > kMaxSensors) {
-    refuse("sensors", "a stream has 1 to " + std::to_string(kMaxSensors) + " sensors");
-  }
-  for (int i = 0; i < r.sensors_size(); ++i) {
-    stream.sensors.push_back(resolveSensor(*r.mutable_sensors(i), i, r.seed()));
-  }
   return stream;
 }
 
@@ -140,6 +150,8 @@ std::string ResolvedStream::feedKey() const {
   v1::OpenStream feed_part = request;
   feed_part.clear_sensors();
   feed_part.clear_delivery();
+  feed_part.mutable_quality()->clear_budget_ms();  // what it has chosen tells feeds apart
+  feed_part.mutable_quality()->clear_max_false_rate();
   std::string key;
   google::protobuf::io::StringOutputStream text(&key);
   google::protobuf::io::CodedOutputStream out(&text);

@@ -1,9 +1,10 @@
 // From a client's request to one that leaves nothing open: every default filled in, every value checked.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
+#include "app/accuracy_source.h"
 #include "app/feed.h"
 #include "events/sensor_config.h"
 #include "saccade/v1/control.pb.h"
@@ -20,7 +21,8 @@ struct ResolvedStream {
   v1::OpenStream request;  // as StreamOpened.resolved tells it
   FeedConfig feed;
   std::vector<SensorConfig> sensors;
-  FrameIndex frames = 0;  // intervals to render; 0: until closed
+  FrameIndex frames = 0;                        // intervals to render; 0: until closed
+  std::optional<v1::ExpectedQuality> expected;  // where a budget was asked
 
   // Streams with equal keys look at the same feed.
   std::string feedKey() const;
@@ -28,7 +30,14 @@ struct ResolvedStream {
 
 // Checks `request` against the scenes there are. The field of view may still be open: that is the scene's to
 // say, see useFovOf(). Throws Refusal.
-ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes);
+ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes,
+                       const AccuracySource& accuracy);
+
+// Fills in method and bounces where the request has a budget instead, and returns what to expect of them.
+// `sensors`: those of the request, resolved. Throws Refusal.
+std::optional<v1::ExpectedQuality> resolveBudget(v1::OpenStream& request,
+                                                 const std::vector<SensorConfig>& sensors,
+                                                 const AccuracySource& accuracy);
 
 // Fills in the field of view from the scene where the request leaves it open.
 void useFovOf(const Scene& scene, ResolvedStream& stream);

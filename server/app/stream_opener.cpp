@@ -28,6 +28,7 @@ v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, 
   opened.set_luminance_p01(stream.feed->luminanceP01());
   opened.set_luminance_p50(stream.feed->luminanceP50());
   opened.set_channels(static_cast<std::uint32_t>(channels));
+  if (resolved.expected) *opened.mutable_expected() = *resolved.expected;
   if (!stream.session->broadcast()) return opened;
   for (std::uint32_t i = 0; i < stream.session->sensors(); ++i) opened.add_topics(stream.session->topic(i));
   return opened;
@@ -35,9 +36,14 @@ v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, 
 
 }  // namespace
 
-StreamOpener::StreamOpener(SceneCache& scenes, TilePool& pool, StreamRegistry& streams, Transports transports,
-                           std::uint64_t epoch)
-    : scenes_(scenes), pool_(pool), streams_(streams), transports_(transports), epoch_(epoch) {}
+StreamOpener::StreamOpener(SceneCache& scenes, const AccuracySource& accuracy, TilePool& pool,
+                           StreamRegistry& streams, Transports transports, std::uint64_t epoch)
+    : scenes_(scenes),
+      accuracy_(accuracy),
+      pool_(pool),
+      streams_(streams),
+      transports_(transports),
+      epoch_(epoch) {}
 
 void StreamOpener::open(const v1::OpenStream& request, std::function<void(v1::Reply)> answer) {
   std::lock_guard lock(mutex_);
@@ -70,7 +76,7 @@ bool StreamOpener::stop(Signal::Clock::time_point deadline) {
 }
 
 v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request) {
-  ResolvedStream resolved = resolve(request, scenes_.library().list());
+  ResolvedStream resolved = resolve(request, scenes_.library().list(), accuracy_);
   Stream stream;
   stream.reserved = budget_.reserve(
       streamBytes(resolved.feed.width, resolved.feed.height, static_cast<int>(resolved.sensors.size())));

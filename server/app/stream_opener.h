@@ -25,8 +25,8 @@ class StreamOpener {
   };
 
   // Keeps references.
-  StreamOpener(SceneCache& scenes, TilePool& pool, StreamRegistry& streams, Transports transports,
-               std::uint64_t epoch);
+  StreamOpener(SceneCache& scenes, const AccuracySource& accuracy, TilePool& pool, StreamRegistry& streams,
+               Transports transports, std::uint64_t epoch);
 
   // `answer` is called once, from another thread. Throws Refusal where too many wait already.
   void open(const v1::OpenStream& request, std::function<void(v1::Reply)> answer);
@@ -44,6 +44,7 @@ class StreamOpener {
   bool connect(const ResolvedStream& resolved, Stream& stream);
 
   SceneCache& scenes_;
+  const AccuracySource& accuracy_;
   TilePool& pool_;
   StreamRegistry& streams_;
   const Transports transports_;

@@ -9,8 +9,8 @@ namespace saccade {
 
 class TestServer {
  public:
-  // `scenes`: a folder; empty: the project's own.
-  explicit TestServer(int threads = 1, const std::string& scenes = {});
+  // `scenes`: a folder; empty: the project's own. `accuracy`: file of a table; empty: none.
+  explicit TestServer(int threads = 1, const std::string& scenes = {}, const std::string& accuracy = {});
 
   MockClient& client() { return client_; }
   MockSubscriber dataSubscriber() { return MockSubscriber(info_.data_endpoint()); }

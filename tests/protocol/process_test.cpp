@@ -5,9 +5,11 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 
 #include "mock/remote_subscriber.h"
 #include "mock/test_server.h"
+#include "protocol/accuracy_file.h"
 
 namespace saccade {
 namespace {
@@ -106,6 +108,37 @@ TEST(Process, GoesOnWhenAClientIsKilledOrStandsStill) {
   checkPackets(subscriber.receiveAll(1)[0]);
   server.signal(SIGTERM);
   EXPECT_EQ(server.finish(), 0);
+}
+
+// saccaded with a cache folder of its own, where the default table of accuracy is looked for.
+class ProcessAndCache : public testing::Test {
+ protected:
+  ProcessAndCache() { setenv("XDG_CACHE_HOME", cache_.c_str(), 1); }
+  ~ProcessAndCache() override { std::filesystem::remove_all(cache_); }
+  const std::string cache_ = testing::TempDir() + "process_test_" + std::to_string(getpid());
+  const std::string default_folder_ = cache_ + "/saccade/chart";
+};
+
+TEST_F(ProcessAndCache, SaysWhetherItHasBudgets) {
+  EXPECT_NE(Process(kServer).lineWith("budgets").find("saccade-eval chart --quick"), std::string::npos);
+  const AccuracyFile by_default(default_folder_), named(cache_ + "/named");
+  EXPECT_NE(Process(kServer).lineWith("budgets").find(by_default.path()), std::string::npos);
+  auto command = kServer;
+  command.insert(command.end(), {"--accuracy", named.path()});
+  EXPECT_NE(Process(command).lineWith("budgets").find(named.path()), std::string::npos);
+}
+
+TEST_F(ProcessAndCache, AFaultyTableEndsItOnlyWhereItWasAskedFor) {
+  const AccuracyFile by_default(default_folder_), named(cache_ + "/named");
+  for (const AccuracyFile* file : {&by_default, &named}) std::ofstream(file->path()) << "nonsense\n";
+  Process warned(kServer);
+  EXPECT_NE(warned.lineWith("warn").find(by_default.path() + ":1: "), std::string::npos);
+  EXPECT_NE(warned.lineWith("ready"), "");
+  auto command = kServer;
+  command.insert(command.end(), {"--accuracy", named.path()});
+  Process refused(command);
+  EXPECT_NE(refused.lineWith("critical").find(named.path() + ":1: "), std::string::npos);
+  EXPECT_EQ(refused.finish(), 1);
 }
 
 TEST(Process, RefusesWhatItCannotDo) {
