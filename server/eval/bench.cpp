@@ -1,8 +1,8 @@
 #include "eval/bench.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "base/quantile.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/open_scene.h"
 
@@ -19,17 +19,6 @@ Trajectory straightThrough(const Trajectory& motion, TimeNs at) {
   return Trajectory({{TimeNs{0}, early}, {2 * at, late}});
 }
 
-IntensityChange copyOf(const IntensityChange& change) {
-  IntensityChange copy(change.dI.width(), change.dI.height());
-  copy.t0 = change.t0, copy.t1 = change.t1, copy.frame = change.frame;
-  copy.dI.copyFrom(change.dI);
-  copy.I_prev.copyFrom(change.I_prev);
-  copy.I_now.copyFrom(change.I_now);
-  copy.var_dI.copyFrom(change.var_dI);
-  copy.var_I_prev.copyFrom(change.var_I_prev);
-  return copy;
-}
-
 IntensityChange changeOf(const ReferenceChange& reference) {
   IntensityChange change(reference.dI.width(), reference.dI.height());
   change.dI.copyFrom(reference.dI);
@@ -43,10 +32,7 @@ double medianMotion(const GBuffer& g) {
   forEachPixel(g.z, [&](int x, int y) {
     if (g.z.at(x, y) < kMissDepth) lengths.push_back(std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y)));
   });
-  if (lengths.empty()) return 0;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return lengths.empty() ? 0 : quantile(lengths, 0.5);
 }
 
 }  // namespace
@@ -62,7 +48,7 @@ Bench::Bench(const BenchSetup& setup, TilePool& pool)
         kMotionRateHz * kMotionPxPerFrame / setup.px_per_frame * (setup.width / kMotionWidth);
     path_ = straightThrough(path_, frameTime(static_cast<FrameIndex>(setup.last), setup_.frame_rate_hz));
   }
-  renderTruth();
+  if (setup_.reference_spp > 0) renderTruth();
 }
 
 void Bench::renderTruth() {
@@ -100,10 +86,6 @@ double Bench::referenceError() const {
   return sum / static_cast<double>(truth_.size());
 }
 
-double Bench::medianPxPerFrame() const {
-  return median_px_;
-}
-
 FeedConfig Bench::feedConfig() const {
   FeedConfig config;
   config.width = setup_.width, config.height = setup_.height;
@@ -113,7 +95,8 @@ FeedConfig Bench::feedConfig() const {
   return config;
 }
 
-BenchRun Bench::run(const MethodSpec& method, int spp, std::uint64_t seed) const {
+BenchRun Bench::run(const MethodSpec& method, int spp, std::uint64_t seed,
+                    const std::function<void(const IntensityChange&)>& each) const {
   FeedConfig config = feedConfig();
   config.method = method.name, config.params = method.params, config.spp = spp, config.seed = seed;
   Feed feed(scene_, path_, config, pool_);
@@ -122,7 +105,8 @@ BenchRun Bench::run(const MethodSpec& method, int spp, std::uint64_t seed) const
   for (int t = 1; t <= setup_.last; ++t) {
     const IntensityChange& change = feed.step();
     total += feed.lastTimes();
-    if (t >= setup_.first) run.changes.push_back(copyOf(change));
+    if (each) each(change);
+    if (t >= setup_.first) run.changes.emplace_back(setup_.width, setup_.height).copyFrom(change);
     if (interrupted()) throw Interrupted{};
   }
   const auto ms = [&](std::chrono::nanoseconds t) {

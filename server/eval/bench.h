@@ -1,6 +1,7 @@
 // One scene on one path, with its truth: what every method is run on and measured against.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,8 +22,8 @@ struct BenchSetup {
   double px_per_frame = 0;
   int bounces = 3;
   int first = 21, last = 21;  // the frames that are scored, 1 <= first <= last; the feed runs from 0
-  int reference_spp = 4096;
-  std::string cache;  // folder of reference frames
+  int reference_spp = 4096;   // 0: no truth
+  std::string cache;          // folder of reference frames
 };
 
 // The change from one frame to the next, as it is.
@@ -46,9 +47,11 @@ class Bench {
 
   const BenchSetup& setup() const { return setup_; }
   const std::vector<Truth>& truth() const { return truth_; }  // of frames first to last
-  double referenceError() const;    // of the truth's dI, relative L1, mean over the frames
-  double medianPxPerFrame() const;  // how far the images of surfaces move into the last frame
-  BenchRun run(const MethodSpec& method, int spp, std::uint64_t seed) const;
+  double referenceError() const;  // of the truth's dI, relative L1, mean over the frames
+  double medianPxPerFrame() const { return median_px_; }  // of the images of surfaces, into the last frame
+  // `each`, where given, sees the changes of all frames from 1 on.
+  BenchRun run(const MethodSpec& method, int spp, std::uint64_t seed,
+               const std::function<void(const IntensityChange&)>& each = {}) const;
 
  private:
   FeedConfig feedConfig() const;
