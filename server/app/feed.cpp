@@ -1,6 +1,6 @@
 #include "app/feed.h"
 
-#include <algorithm>
+#include "base/quantile.h"
 
 namespace saccade {
 namespace {
@@ -75,9 +75,7 @@ float Feed::firstFrameLuminance(double fraction) const {
       values.push_back(s.spp1 > 0 ? 0.5f * (s.I1.at(x, y) + s.I2.at(x, y)) : s.I2.at(x, y));
     }
   }
-  const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
+  return quantile(values, fraction);
 }
 
 }  // namespace saccade

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quantile.h"
 #include "eval/metrics/for_each_pixel.h"
 
 namespace saccade {
@@ -19,9 +20,7 @@ Rgb8 divergingColor(float v, float scale) {
 float colorScale(const ImageF& plane) {
   std::vector<float> values;
   forEachPixel(plane, [&](int x, int y) { values.push_back(std::abs(plane.at(x, y))); });
-  const auto rank = static_cast<std::ptrdiff_t>(0.97 * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return std::max(values[static_cast<std::size_t>(rank)], 1e-9f);
+  return std::max(quantile(values, 0.97), 1e-9f);
 }
 
 std::vector<Rgb8> signedPicture(const ImageF& plane, float scale) {

@@ -9,6 +9,8 @@ namespace saccade {
 // All planes are width x height, Rec. 709 luminance.
 struct IntensityChange {
   IntensityChange(int w, int h) : dI(w, h), I_prev(w, h), I_now(w, h), var_dI(w, h), var_I_prev(w, h) {}
+  void copyFrom(const IntensityChange& other);
+
   TimeNs t0{0}, t1{0};   // the interval [t0, t1) between the two frames
   FrameIndex frame = 0;  // index of the frame at t1
   ImageF dI;             // D[I_t - I_{t-1}], any sign
@@ -17,5 +19,13 @@ struct IntensityChange {
   ImageF var_dI;         // variance of dI, >= 0; 0 where the method knows none
   ImageF var_I_prev;     // variance of I_prev, >= 0; 0 where the method knows none
 };
+
+inline void IntensityChange::copyFrom(const IntensityChange& other) {
+  t0 = other.t0, t1 = other.t1, frame = other.frame;
+  for (const auto plane : {&IntensityChange::dI, &IntensityChange::I_prev, &IntensityChange::I_now,
+                           &IntensityChange::var_dI, &IntensityChange::var_I_prev}) {
+    (this->*plane).copyFrom(other.*plane);
+  }
+}
 
 }  // namespace saccade
