@@ -103,7 +103,7 @@ Result measure(const Bench& bench, const MethodSpec& method, int spp, int repeat
     runs.push_back(bench.run(method, spp, static_cast<std::uint64_t>(seed)));
     r.cpu_ms += runs.back().cpu_ms / repeats, r.trace_ms += runs.back().trace_ms / repeats;
   }
-  r.score = scoreOf(bench, runs, bias, threshold);
+  r.score = scoreOf(bench.truth(), runs, bias, threshold);
   return r;
 }
 

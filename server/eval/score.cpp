@@ -6,9 +6,10 @@
 
 #include "eval/metrics/brightness_change.h"
 #include "eval/metrics/error_parts.h"
+#include "eval/metrics/event_rates.h"
 #include "eval/metrics/event_streams.h"
 #include "eval/metrics/for_each_pixel.h"
-#include "eval/metrics/frame_errors.h"
+#include "eval/metrics/plane_error.h"
 #include "events/sensor.h"
 
 namespace saccade {
@@ -24,14 +25,33 @@ ImageF brightnessChange(const Truth& truth, const ImageF& half_dI, float bias) {
   return brightnessChange(change, bias);
 }
 
+// One frame: the truth, and what each repeat made of it.
+struct ScoredFrame {
+  ScoredFrame(const Truth& truth, float bias)
+      : regions(truth.regions),
+        dI(truth.change.dI),
+        dL(brightnessChange(truth.change, bias)),
+        half_a(brightnessChange(truth, truth.reference.half_a, bias)),
+        half_b(brightnessChange(truth, truth.reference.half_b, bias)) {}
+  const RegionMap& regions;
+  const ImageF& dI;
+  ImageF dL, half_a, half_b;  // halves: of dL
+  struct Repeat {
+    const ImageF& dI;
+    ImageF dL;
+  };
+  std::vector<Repeat> repeats;
+};
+
 // A mean whose sum is still growing.
 struct Mean {
   double sum = 0, count = 0;
-  void add(double value, double weight = 1) { sum += weight * value, count += weight; }
+  void add(double value) { sum += value, ++count; }
   double value() const { return count > 0 ? sum / count : kNaN; }
 };
 
-// Of mean squares; error_parts.h gives the root of a negative one as negative.
+// Of mean squares over frames; error_parts.h gives the root of a negative one as negative, and NaN where a
+// frame has no such pixel.
 struct MeanSquare {
   Mean mean;
   void add(double root) {
@@ -45,26 +65,23 @@ struct Region {
   double Score::*false_events, Score::*missed_events, Score::*rms;
 };
 constexpr Region kRegions[] = {
+    {region::kAnywhere, &Score::false_events, &Score::missed_events, &Score::rms_dL},
     {region::kSmooth, &Score::false_smooth, &Score::missed_smooth, &Score::rms_smooth},
     {region::kCurved, &Score::false_curved, &Score::missed_curved, &Score::rms_curved},
     {region::kChanged, &Score::false_changed, &Score::missed_changed, &Score::rms_changed},
 };
 
-void scoreRegion(const Region& r, const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats,
-                 float bias, double C, Score& score) {
+void scoreRegion(const Region& r, const std::vector<ScoredFrame>& frames, double C, Score& score) {
   Mean false_events, missed_events;
   MeanSquare rms;
-  for (std::size_t f = 0; f < truth.size(); ++f) {
-    const ImageF ref = brightnessChange(truth[f].change, bias);
-    const ImageF a = brightnessChange(truth[f], truth[f].reference.half_a, bias),
-                 b = brightnessChange(truth[f], truth[f].reference.half_b, bias);
-    for (const BenchRun& run : repeats) {
-      const ImageF dL = brightnessChange(run.changes[f], bias);
-      rms.add(rmsError(dL, a, b, truth[f].regions, r.bits));
-      forEachPixel(dL, [&](int x, int y) {
-        if (!(truth[f].regions.at(x, y) & r.bits)) return;
-        false_events.add(expectedFalseEvents(dL.at(x, y), ref.at(x, y), C));
-        missed_events.add(expectedFalseEvents(ref.at(x, y), dL.at(x, y), C));
+  for (const ScoredFrame& f : frames) {
+    for (const auto& repeat : f.repeats) {
+      rms.add(rmsError(repeat.dL, f.half_a, f.half_b, f.regions, r.bits));
+      forEachPixel(f.regions, [&](int x, int y) {
+        if (!(f.regions.at(x, y) & r.bits)) return;
+        const double d = repeat.dL.at(x, y), ref = f.dL.at(x, y);
+        false_events.add(expectedFalseEvents(d, ref, C));
+        missed_events.add(expectedFalseEvents(ref, d, C));
       });
     }
   }
@@ -73,37 +90,31 @@ void scoreRegion(const Region& r, const std::vector<Truth>& truth, const std::ve
   score.*r.rms = rms.root();
 }
 
-void scoreFrames(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, float bias, double C,
-                 Score& score) {
-  Mean dI_l1, dI_mape, dL_l1, dL_mape, false_events, missed_events;
-  for (std::size_t f = 0; f < truth.size(); ++f) {
-    for (const BenchRun& run : repeats) {
-      const FrameErrors e = frameErrors(run.changes[f], truth[f].change, bias, C);
-      dI_l1.add(e.dI_l1), dI_mape.add(e.dI_mape), dL_l1.add(e.dL_l1), dL_mape.add(e.dL_mape);
-      false_events.add(e.rates.false_events), missed_events.add(e.rates.missed_events);
+void scorePlanes(const std::vector<ScoredFrame>& frames, Score& score) {
+  Mean dI_l1, dI_mape, dL_l1, dL_mape;
+  for (const ScoredFrame& f : frames) {
+    for (const auto& repeat : f.repeats) {
+      dI_l1.add(relativeL1(repeat.dI, f.dI)), dI_mape.add(mape(repeat.dI, f.dI));
+      dL_l1.add(relativeL1(repeat.dL, f.dL)), dL_mape.add(mape(repeat.dL, f.dL));
     }
   }
   score.dI_l1 = dI_l1.value(), score.dI_mape = dI_mape.value();
   score.dL_l1 = dL_l1.value(), score.dL_mape = dL_mape.value();
-  score.false_events = false_events.value(), score.missed_events = missed_events.value();
 }
 
-void scoreNoise(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, float bias,
-                Score& score) {
+// Needs two repeats.
+void scoreNoise(const std::vector<ScoredFrame>& frames, Score& score) {
   Mean sigma;
-  MeanSquare rms, bias_part, noise;
-  for (std::size_t f = 0; f < truth.size(); ++f) {
-    const Truth& t = truth[f];
-    Repeats dL(t.change.dI.width(), t.change.dI.height());
-    for (const BenchRun& run : repeats) dL.add(brightnessChange(run.changes[f], bias));
-    const ErrorParts parts =
-        errorParts(dL, brightnessChange(t, t.reference.half_a, bias),
-                   brightnessChange(t, t.reference.half_b, bias), t.regions, region::kAnywhere);
-    rms.add(parts.rms), bias_part.add(parts.bias), noise.add(parts.noise);
-    sigma.add(median(dL.sigma(), t.regions, region::kUnchanged));
+  MeanSquare bias, noise;
+  for (const ScoredFrame& f : frames) {
+    Repeats dL(f.dL.width(), f.dL.height());
+    for (const auto& repeat : f.repeats) dL.add(repeat.dL);
+    const ErrorParts parts = errorParts(dL, f.half_a, f.half_b, f.regions, region::kAnywhere);
+    bias.add(parts.bias), noise.add(parts.noise);
+    const double unchanged = median(dL.sigma(), f.regions, region::kUnchanged);
+    if (!std::isnan(unchanged)) sigma.add(unchanged);
   }
-  score.sigma_dL = sigma.value();
-  score.rms_dL = rms.root(), score.bias_dL = bias_part.root(), score.noise_dL = noise.root();
+  score.sigma_dL = sigma.value(), score.bias_dL = bias.root(), score.noise_dL = noise.root();
 }
 
 Events eventsOf(const std::vector<const IntensityChange*>& changes, double bias, double C) {
@@ -151,15 +162,22 @@ std::string scoreNames() {
   return names;
 }
 
-Score scoreOf(const Bench& bench, const std::vector<BenchRun>& repeats, double bias, double threshold) {
-  SACCADE_CHECK(!repeats.empty());
+Score scoreOf(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, double bias,
+              double threshold) {
+  SACCADE_CHECK(!truth.empty() && !repeats.empty());
   const auto I_eps = static_cast<float>(bias);
+  std::vector<ScoredFrame> frames;
+  for (std::size_t f = 0; f < truth.size(); ++f) {
+    frames.emplace_back(truth[f], I_eps);
+    for (const BenchRun& run : repeats)
+      frames.back().repeats.push_back({run.changes[f].dI, brightnessChange(run.changes[f], I_eps)});
+  }
   Score score;
-  for (const ScoreColumn& column : kScoreColumns) score.*column.value = kNaN;
-  scoreFrames(bench.truth(), repeats, I_eps, threshold, score);
-  for (const Region& r : kRegions) scoreRegion(r, bench.truth(), repeats, I_eps, threshold, score);
-  if (repeats.size() > 1) scoreNoise(bench.truth(), repeats, I_eps, score);
-  scoreEvents(bench.truth(), repeats, bias, threshold, score);
+  score.sigma_dL = score.bias_dL = score.noise_dL = kNaN;
+  scorePlanes(frames, score);
+  for (const Region& r : kRegions) scoreRegion(r, frames, threshold, score);
+  if (repeats.size() > 1) scoreNoise(frames, score);
+  scoreEvents(truth, repeats, bias, threshold, score);
   return score;
 }
 

@@ -11,7 +11,7 @@ namespace saccade {
 // All rates are per pixel-frame. NaN where it has no meaning: noise of a single repeat, a region without
 // pixels.
 struct Score {
-  double dI_l1, dI_mape, dL_l1, dL_mape;             // frame_errors.h
+  double dI_l1, dI_mape, dL_l1, dL_mape;             // plane_error.h
   double false_events, missed_events;                // integrated over the threshold phase, event_rates.h
   double false_smooth, false_curved, false_changed;  // the same over the pixels of a region, regions.h
   double missed_smooth, missed_curved, missed_changed;
@@ -54,7 +54,9 @@ inline constexpr std::array<ScoreColumn, 22> kScoreColumns{{
 const ScoreColumn& columnOf(double Score::*value);
 std::string scoreNames();  // "dI_l1, dI_mape, ..." for messages
 
-// `repeats`: runs of one setting with different seeds, at least one. `bias` is I_eps, `threshold` C.
-Score scoreOf(const Bench& bench, const std::vector<BenchRun>& repeats, double bias, double threshold);
+// `truth`: consecutive frames. `repeats`: runs of them at one setting with different seeds. At least one of
+// each. `bias` is I_eps, `threshold` C.
+Score scoreOf(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, double bias,
+              double threshold);
 
 }  // namespace saccade
