@@ -17,10 +17,21 @@ void printMethod(const v1::MethodInfo& method) {
   }
 }
 
+void printBudgets(const v1::BudgetInfo& budgets) {
+  if (!budgets.unavailable().empty()) {
+    std::printf("no budgets: %s\n", budgets.unavailable().c_str());
+    return;
+  }
+  std::printf("budgets (record --budget-ms, --max-false-rate) for:");
+  for (const std::string& scene : budgets.scenes()) std::printf(" %s", scene.c_str());
+  std::printf("\n  measured with %s\n", budgets.measured_on().c_str());
+}
+
 void printServer(const v1::ServerDescription& server) {
   std::printf("saccaded %s, protocol %u, %u threads\n", server.version().c_str(), server.protocol_version(),
               server.threads());
   std::printf("data %s, broadcast %s\n", server.data_endpoint().c_str(), server.broadcast_endpoint().c_str());
+  printBudgets(server.budgets());
   std::printf("\nmethods, their parameters with default and range:\n");
   for (const v1::MethodInfo& method : server.methods()) printMethod(method);
 }

@@ -78,6 +78,14 @@ v1::Method makeMethod(const RecordOptions& options) {
   return method;
 }
 
+v1::Quality makeQuality(const RecordOptions& options) {
+  v1::Quality quality;
+  if (options.bounces) quality.set_bounces(*options.bounces);
+  if (options.budget_ms) quality.set_budget_ms(*options.budget_ms);
+  if (options.max_false_rate) quality.set_max_false_rate(*options.max_false_rate);
+  return quality;
+}
+
 v1::Sensor makeSensor(const RecordOptions& options, std::size_t index) {
   v1::Sensor sensor;
   const auto& off = options.thresholds_off;
@@ -122,7 +130,7 @@ v1::OpenStream makeOpenStream(const RecordOptions& options) {
   *open.mutable_trajectory() = makeTrajectory(options.trajectory);
   *open.mutable_timing() = makeTiming(options);
   *open.mutable_method() = makeMethod(options);
-  if (options.bounces) open.mutable_quality()->set_bounces(*options.bounces);
+  *open.mutable_quality() = makeQuality(options);
   for (std::size_t i = 0; i < sensors; ++i) *open.add_sensors() = makeSensor(options, i);
   v1::Delivery delivery;
   setEnum(v1::Delivery_Parse, "DELIVERY_", options.delivery, delivery);

@@ -60,6 +60,7 @@ void runRecord(const RecordOptions& options) {
   ControlClient control(context, options.control);
   const v1::ServerDescription server = describeServer(control);
   StreamHandle stream(control, wish);
+  printChoice(stream.opened());
   Recorder recorder = startRecorder(options.output, wish.sensors_size());
   Subscriber subscriber = stream.subscribe(context, server);
   auto preview = makePreview(options.preview, stream.opened().resolved().timing());

@@ -53,10 +53,23 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       ->check(CLI::IsMember({"fast", "paced"}))
       ->capture_default_str();
   command.add_option("--method", o.method, "see `saccade info`");
-  command.add_option("--spp", o.spp, "paths per pixel and frame");
+  CLI::Option* spp = command.add_option("--spp", o.spp, "paths per pixel and frame");
   command.add_option("--bounces", o.bounces, "indirect bounces");
-  command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")
-      ->allow_extra_args(false);
+  CLI::Option* set =
+      command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")
+          ->allow_extra_args(false);
+  CLI::Option* budget =
+      command
+          .add_option("--budget-ms", o.budget_ms,
+                      "let the server choose the most accurate setting within these CPU ms per frame")
+          ->excludes(spp)
+          ->excludes(set);
+  command
+      .add_option("--max-false-rate", o.max_false_rate,
+                  "let it choose the fastest with at most so many false events per pixel-frame")
+      ->excludes(spp)
+      ->excludes(set)
+      ->excludes(budget);
   command.add_option("--seed", o.seed, "of all random numbers")->capture_default_str();
   command
       .add_option("--preview", o.preview,

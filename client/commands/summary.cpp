@@ -10,6 +10,15 @@ using Count = unsigned long long;  // as printf names it
 
 }  // namespace
 
+void printChoice(const v1::StreamOpened& opened) {
+  if (!opened.has_expected()) return;
+  const v1::ExpectedQuality& expected = opened.expected();
+  std::printf("chosen: %s at %u spp\n", expected.setting().c_str(), opened.resolved().method().spp());
+  std::printf("expected: %.3g CPU ms per frame, %.3g false and %.3g missed events per pixel-frame\n",
+              expected.cpu_ms(), expected.false_rate(), expected.missed_rate());
+  std::printf("  as measured with %s\n", expected.measured_on().c_str());
+}
+
 void printFiles(std::vector<std::string> files, const std::string& preview) {
   if (!preview.empty()) files.push_back(preview);
   for (const std::string& file : files) std::printf("wrote %s\n", file.c_str());

@@ -1,4 +1,4 @@
-// What `saccade record` says at the end, on stdout.
+// What `saccade record` says on stdout.
 #pragma once
 
 #include <string>
@@ -9,6 +9,8 @@
 
 namespace saccade {
 
+// What the server chose for a budget, and promises; nothing where none was asked.
+void printChoice(const v1::StreamOpened& opened);
 void printFiles(std::vector<std::string> files, const std::string& preview);  // preview: empty for none
 void printRates(const Recorder& recorder, double wall_s);
 void printLosses(const Losses& losses);  // nothing where nothing was lost

@@ -35,7 +35,8 @@ Config parseConfig(int argc, const char* const* argv) {
   }
   if (config.threads == 0) config.threads = std::max(1u, std::thread::hardware_concurrency());
   if (config.scenes.empty()) config.scenes = findScenes();
-  if (config.accuracy.empty() && std::filesystem::exists(defaultAccuracyTable())) {
+  std::error_code none;
+  if (config.accuracy.empty() && std::filesystem::exists(defaultAccuracyTable(), none)) {
     config.accuracy = defaultAccuracyTable();
   }
   return config;

@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "mock/accuracy_file.h"
 #include "scratch_folder.h"
 
 namespace saccade {
@@ -61,7 +62,10 @@ Result run(const std::string& arguments) {
 // saccaded on free ports, until the end of the test.
 class Server {
  public:
-  Server() {
+  explicit Server(const std::string& flags = {})
+      : child_(SACCADE_SERVER
+               " --control tcp://127.0.0.1:* --data tcp://127.0.0.1:* --broadcast tcp://127.0.0.1:* " +
+               flags) {
     const std::string mark = "ready: control ";
     std::string line = child_.readLine();
     while (!line.empty() && line.find(mark) == std::string::npos) line = child_.readLine();
@@ -77,8 +81,7 @@ class Server {
   std::string option() const { return " --control '" + control_ + "' "; }
 
  private:
-  Child child_{SACCADE_SERVER
-               " --control tcp://127.0.0.1:* --data tcp://127.0.0.1:* --broadcast tcp://127.0.0.1:*"};
+  Child child_;
   std::string control_;
 };
 
@@ -121,7 +124,7 @@ class CommandAndServer : public testing::Test {
 TEST_F(CommandAndServer, TellsWhatThereIs) {
   const Result info = run("info --wait 30" + server_.option());
   EXPECT_EQ(info.code, 0);
-  EXPECT_TRUE(holds(info, "event_svgf") && holds(info, "alpha")) << info.output;
+  EXPECT_TRUE(holds(info, "event_svgf") && holds(info, "alpha") && holds(info, "budgets")) << info.output;
   const Result list = run("list" + server_.option());
   EXPECT_EQ(list.code, 0);
   EXPECT_TRUE(holds(list, "cornell-box") && holds(list, "right")) << list.output;
@@ -138,6 +141,26 @@ TEST_F(CommandAndServer, RecordsASensorPerThreshold) {
   EXPECT_TRUE(holds(result, "trace ")) << result.output;
   EXPECT_GT(fs::file_size(folder_.at("a-0.csv")), fs::file_size(folder_.at("a-1.csv")));
   EXPECT_GT(fs::file_size(picture), 100u);
+}
+
+TEST(CommandAndBudget, TellsWhatWasChosenAndWhatToExpect) {
+  const ScratchFolder folder;
+  const AccuracyFile table(folder.at("chart"));
+  const Server server("--accuracy " + table.path());
+  const Result info = run("info" + server.option());
+  EXPECT_TRUE(holds(info, "--budget-ms, --max-false-rate) for: cornell-box\n")) << info.output;
+  EXPECT_TRUE(holds(info, table.settings())) << info.output;
+  const std::string record =
+      "record cornell-box --trajectory right --size 32x24 --duration 0.01 --threshold 0.1 -o " +
+      folder.at("a.csv") + server.option();
+  const Result chosen = run(record + "--budget-ms 4 --method svgf");
+  EXPECT_EQ(chosen.code, 0);
+  EXPECT_TRUE(holds(chosen, "chosen: svgf:as_falcor=1 at 1 spp\n")) << chosen.output;
+  EXPECT_TRUE(holds(chosen, "3 CPU ms per frame, 0.1 false and 0.12 missed events")) << chosen.output;
+  EXPECT_TRUE(holds(chosen, table.settings())) << chosen.output;
+  const Result refused = run(record + "--max-false-rate 0.001");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(holds(refused, "quality.max_false_rate: the lowest rate here")) << refused.output;
 }
 
 TEST_F(CommandAndServer, RefusalsNameWhatIsValid) {

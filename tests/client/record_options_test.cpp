@@ -89,6 +89,24 @@ TEST(RecordOptions, RequestHoldsWhatWasGiven) {
   EXPECT_EQ(open.sensors(0).refractory_s(), 1e-3);
 }
 
+TEST(RecordOptions, ABudgetTakesThePlaceOfASetting) {
+  const auto within = openStream("--budget-ms 20 --method svgf");
+  EXPECT_EQ(within.quality().budget_ms(), 20);
+  EXPECT_FALSE(within.quality().has_max_false_rate());
+  EXPECT_EQ(within.method().name(), "svgf");
+  const auto at_most = openStream("--max-false-rate 0.02 --bounces 3");
+  EXPECT_EQ(at_most.quality().max_false_rate(), 0.02);
+  EXPECT_FALSE(at_most.quality().has_budget_ms());
+  EXPECT_EQ(at_most.quality().bounces(), 3u);
+  EXPECT_FALSE(openStream("").quality().has_budget_ms());
+  for (const std::string other : {"--spp 2", "--set alpha=0.1", "--max-false-rate 1"}) {
+    EXPECT_NE(faultOf("--budget-ms 20 " + other).find("--budget-ms"), std::string::npos) << other;
+  }
+  for (const std::string other : {"--spp 2", "--set alpha=0.1"}) {
+    EXPECT_NE(faultOf("--max-false-rate 1 " + other).find("--max-false-rate"), std::string::npos) << other;
+  }
+}
+
 TEST(RecordOptions, AFileOfPosesIsSentAsText) {
   const ScratchFolder folder;
   const std::string path = folder.at("path.csv");

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "app/resolve.h"
+#include "mock/accuracy_file.h"
 #include "mock/test_server.h"
-#include "protocol/accuracy_file.h"
 
 namespace saccade {
 namespace {

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "mock/accuracy_file.h"
 #include "mock/remote_subscriber.h"
 #include "mock/test_server.h"
-#include "protocol/accuracy_file.h"
 
 namespace saccade {
 namespace {
