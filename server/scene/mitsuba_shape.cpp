@@ -2,38 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "scene/mesh.h"
 #include "scene/mesh_io.h"
+#include "scene/mitsuba_emitter.h"
 #include "scene/mitsuba_transform.h"
 #include "scene/xml_properties.h"
 
 namespace saccade {
 namespace {
 
-Rgb parseEmitter(const XmlFile& file, pugi::xml_node emitter) {
-  supportedType(file, emitter, {"area"});
-  Properties properties(file, emitter);
-  const auto radiance = properties.color("radiance", std::numeric_limits<float>::max());
-  properties.finish();
-  if (!radiance) throw file.error(emitter, "an area emitter needs <rgb> or <float name=\"radiance\">");
-  return *radiance;
-}
-
 // What a shape of any type has.
 struct Common {
   std::string name;
   Affine to_world;
   int material;
-  Rgb radiance;
+  Emission emission;
 };
 
 Common parseCommon(const XmlFile& file, pugi::xml_node shape, Properties& properties,
                    MaterialReader& materials) {
   const pugi::xml_node emitter = properties.object("emitter");
   return {shape.attribute("id").value(), parseTransform(file, properties.object("transform", "to_world")),
-          materials.read(properties.object("bsdf")), emitter ? parseEmitter(file, emitter) : Rgb{}};
+          materials.read(properties.object("bsdf")), emitter ? parseEmitter(file, emitter) : Emission{}};
 }
 
 Mesh loadMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type,
@@ -58,7 +49,8 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   Mesh mesh = is_file ? loadMesh(file, shape, type, filename) : type == "cube" ? makeCube() : makeRectangle();
   if (!common.name.empty()) mesh.name = common.name;
   mesh.material = common.material;
-  mesh.radiance = common.radiance;
+  mesh.radiance = common.emission.radiance;
+  mesh.strength = common.emission.strength;
   placeMesh(mesh, common.to_world, face_normals);
   if (!std::all_of(mesh.positions.begin(), mesh.positions.end(),
                    [](Vec3 p) { return std::isfinite(dot(p, p)); }))
@@ -87,7 +79,8 @@ void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& mater
   const float size = static_cast<float>(radius);
   if (!(size > 0) || !std::isfinite(size) || !std::isfinite(dot(placed, placed)))
     throw file.error(shape, "a sphere needs a radius above 0 and a centre within reach of float numbers");
-  scene.spheres.push_back({common.name, placed, size, common.material, common.radiance});
+  scene.spheres.push_back(
+      {common.name, placed, size, common.material, common.emission.radiance, common.emission.strength});
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "base/vec.h"
 #include "scene/pose.h"
+#include "scene/strength.h"
 #include "scene/texture.h"
 
 namespace saccade {
@@ -35,7 +36,8 @@ struct Mesh {
   std::vector<Vec2> uvs;      // per vertex; empty: none
   std::vector<std::array<std::uint32_t, 3>> triangles;
   int material = 0;
-  Rgb radiance;  // emitted on the side of the geometric normal (counter-clockwise front); 0: none
+  Rgb radiance;            // emitted on the side of the geometric normal (counter-clockwise front); 0: none
+  Strength strength = {};  // of radiance, over time
 };
 
 struct Sphere {
@@ -43,7 +45,8 @@ struct Sphere {
   Vec3 center;
   float radius = 1;
   int material = 0;
-  Rgb radiance;  // emitted outwards; 0: none
+  Rgb radiance;            // emitted outwards; 0: none
+  Strength strength = {};  // of radiance, over time
 };
 
 struct Scene {

@@ -77,6 +77,34 @@ TEST(MitsubaErrors, ValuesOutOfRange) {
   expectAt4("<shape type='obj'><string name='filename' value='far.obj'/></shape>", "too far away");
 }
 
+// The fault of an emitter's strength; line 4 is the one that holds it.
+void expectStrengthFault(const std::string& properties, const std::string& part) {
+  expectAt4(shape("<emitter type='area'><float name='radiance' value='1'/>" + properties + "</emitter>"),
+            part);
+}
+
+TEST(MitsubaErrors, Strengths) {
+  const auto fault = [](const std::string& keys, const std::string& part) {
+    expectStrengthFault("<string name='strength' value='" + keys + "'/>", part);
+  };
+  fault("", "at least one key");
+  for (const std::string word : {"0.5", "0:", ":1", "0:1:2", "zero:1", "0:one", "0:inf", "nan:1"})
+    fault("0:1 " + word, "'" + word + "' is not seconds:factor");
+  fault("-0.1:1", "'-0.1:1' has a time outside");
+  fault("1e10:1", "'1e10:1' has a time outside");
+  fault("0:-0.5", "'0:-0.5' has a factor below 0");
+  fault("0:1e39", "'0:1e39' has a factor below 0 or too large");
+  fault("0:1, 0.2:1, 0.1:0", "'0.1:0' is earlier");
+  const auto periodFault = [](const std::string& keys, const std::string& period) {
+    expectStrengthFault("<string name='strength' value='" + keys +
+                            "'/><float name='strength_period' value='" + period + "'/>",
+                        "strength_period must be");
+  };
+  for (const std::string period : {"0", "-1", "1e-12", "1e10"}) periodFault("0:1", period);
+  periodFault("0:1, 0.2:0", "0.19");
+  expectStrengthFault("<float name='strength_period' value='1'/>", "needs a <string name=\"strength\">");
+}
+
 TEST(MitsubaErrors, ShapesThatCannotBe) {
   const std::string stretched = "<transform name='to_world'><scale x='2'/></transform>";
   expectAt4("<shape type='sphere'>" + stretched + "</shape>", "same factor in all directions");

@@ -1,0 +1,17 @@
+// The emitters of a Mitsuba scene file.
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/xml_file.h"
+
+namespace saccade {
+
+struct Emission {
+  Rgb radiance;
+  Strength strength;
+};
+
+// What the <emitter type="area"> of a shape says. Throws SceneError.
+Emission parseEmitter(const XmlFile& file, pugi::xml_node emitter);
+
+}  // namespace saccade
