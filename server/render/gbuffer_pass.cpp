@@ -27,8 +27,8 @@ void setMotion(const Camera::Projection& now, const Camera::Projection& before, 
 
 }  // namespace
 
-PrimaryHit tracePrimary(const RenderScene& scene, const Camera& camera, const Camera& prev, int x, int y,
-                        GBuffer& g) {
+PrimaryHit tracePrimary(const RenderScene& scene, const EmitterStrengths& strengths, const Camera& camera,
+                        const Camera& prev, int x, int y, GBuffer& g) {
   const Vec3 direction = camera.direction(static_cast<float>(x), static_cast<float>(y));
   const Ray ray{camera.origin, direction, std::numeric_limits<float>::infinity()};
   const Hit hit = scene.geometry().intersect(ray);
@@ -38,15 +38,15 @@ PrimaryHit tracePrimary(const RenderScene& scene, const Camera& camera, const Ca
     g.z.at(x, y) = g.z_in_prev.at(x, y) = kMissDepth;
     return {};
   }
-  const PrimaryHit primary{scene.surface(ray, hit, hit.t * camera.pixel), true};
-  const Surface& s = primary.surface;
+  const Surface s = scene.surface(ray, hit, hit.t * camera.pixel);
+  const PrimaryHit primary{s, s.radiance * strengths[hit.geometry], true};
   g.z.at(x, y) = hit.t;
   g.dz.at(x, y) = planeSlope(camera, direction, s.point - camera.origin, s.geometric_normal, hit.t);
   g.nx.at(x, y) = s.shading_normal.x;
   g.ny.at(x, y) = s.shading_normal.y;
   g.nz.at(x, y) = s.shading_normal.z;
   g.albedo.at(x, y) = luminance(s.albedo);
-  g.emission.at(x, y) = luminance(s.radiance);
+  g.emission.at(x, y) = luminance(primary.emission);
   setMotion(camera.project(s.point), prev.project(s.point), x, y, g);
   return primary;
 }

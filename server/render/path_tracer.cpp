@@ -16,8 +16,8 @@ constexpr float kIndirectFootprint = 0.25f;  // per distance: a diffuse lobe is 
 
 // Light from a point chosen on a light source.
 template <int Channels>
-Color<Channels> directLight(const RenderScene& scene, const Surface& s, const PathSampler& sampler,
-                            int dimension) {
+Color<Channels> directLight(const RenderScene& scene, const EmitterStrengths& strengths, const Surface& s,
+                            const PathSampler& sampler, int dimension) {
   const LightSample light = scene.lights().sample(
       sampler.u(dimension + kLight), sampler.u(dimension + kLightU), sampler.u(dimension + kLightV));
   const Vec3 origin = scene.leave(s), to_light = light.point - origin;
@@ -28,14 +28,14 @@ Color<Channels> directLight(const RenderScene& scene, const Surface& s, const Pa
   if (scene.geometry().occluded({origin, to_light, kShadowEnd})) return {};
   const Lane pdf_light = light.pdf * distance2 / cos_light;  // per solid angle
   const Lane weight = balance(pdf_light, cosinePdf(cos_s));
-  return Color<Channels>(light.radiance) * (weight * cos_s * kInvPi / pdf_light);
+  return Color<Channels>(light.radiance) * (weight * cos_s * kInvPi / pdf_light * strengths[light.geometry]);
 }
 
 }  // namespace
 
 template <int Channels>
-Color<Channels> traceReflected(const RenderScene& scene, const Surface& primary, const PathSampler& sampler,
-                               int bounces) {
+Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths& strengths,
+                               const Surface& primary, const PathSampler& sampler, int bounces) {
   Color<Channels> radiance, throughput(Lane(1));
   if (scene.lights().empty()) return radiance;
   Surface s = primary;
@@ -43,7 +43,7 @@ Color<Channels> traceReflected(const RenderScene& scene, const Surface& primary,
     throughput = throughput * Color<Channels>(s.albedo);
     if (throughput.luminance() <= 0) return radiance;
     const int dimension = vertex * kDimensions;
-    radiance += throughput * directLight<Channels>(scene, s, sampler, dimension);
+    radiance += throughput * directLight<Channels>(scene, strengths, s, sampler, dimension);
 
     // Continue in a direction of the BSDF.
     const DirectionSample next =
@@ -58,13 +58,16 @@ Color<Channels> traceReflected(const RenderScene& scene, const Surface& primary,
     if (luminance(s.radiance) > 0) {
       const Lane cos_light = -dot(next.direction, s.geometric_normal);
       const Lane pdf_light = scene.lights().pdf(s.radiance) * hit.t * hit.t / std::max(cos_light, 1e-6f);
-      radiance += throughput * Color<Channels>(s.radiance) * balance(next.pdf, pdf_light);
+      radiance +=
+          throughput * Color<Channels>(s.radiance) * (balance(next.pdf, pdf_light) * strengths[hit.geometry]);
     }
     if (vertex == bounces) return radiance;
   }
 }
 
-template Color<1> traceReflected<1>(const RenderScene&, const Surface&, const PathSampler&, int);
-template Color<3> traceReflected<3>(const RenderScene&, const Surface&, const PathSampler&, int);
+template Color<1> traceReflected<1>(const RenderScene&, const EmitterStrengths&, const Surface&,
+                                    const PathSampler&, int);
+template Color<3> traceReflected<3>(const RenderScene&, const EmitterStrengths&, const Surface&,
+                                    const PathSampler&, int);
 
 }  // namespace saccade

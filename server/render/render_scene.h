@@ -15,7 +15,7 @@ struct Surface {
   Vec3 point;
   Vec3 geometric_normal, shading_normal;  // unit, on the side the ray came from
   Rgb albedo;                             // texture-filtered; 0 behind a one-sided material
-  Rgb radiance;                           // emitted towards the ray's origin
+  Rgb radiance;                           // emitted towards the ray's origin at strength 1
 };
 
 class RenderScene {

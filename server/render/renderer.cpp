@@ -10,26 +10,27 @@ namespace {
 
 // Mean reflected radiance of `spp` paths.
 template <int Channels>
-Rgb meanReflected(const RenderScene& scene, const Surface& s, std::uint64_t seed, std::uint32_t pixel,
-                  int spp, int bounces) {
+Rgb meanReflected(const RenderScene& scene, const EmitterStrengths& strengths, const Surface& s,
+                  std::uint64_t seed, std::uint32_t pixel, int spp, int bounces) {
   Vec3d sum;
   for (int i = 0; i < spp; ++i) {
-    sum = sum + toDouble(traceReflected<Channels>(scene, s, PathSampler(seed, pixel, i), bounces).rgb());
+    sum = sum +
+          toDouble(traceReflected<Channels>(scene, strengths, s, PathSampler(seed, pixel, i), bounces).rgb());
   }
   return spp > 0 ? toFloat(sum / static_cast<double>(spp)) : Rgb{};
 }
 
 template <int Channels>
-void renderTile(const RenderScene& scene, const Camera& camera, const Camera& prev, const SeedPlan& seeds,
-                int bounces, Tile tile, Frame& out) {
+void renderTile(const RenderScene& scene, const EmitterStrengths& strengths, const Camera& camera,
+                const Camera& prev, const SeedPlan& seeds, int bounces, Tile tile, Frame& out) {
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
-      const PrimaryHit primary = tracePrimary(scene, camera, prev, x, y, out.g);
+      const PrimaryHit primary = tracePrimary(scene, strengths, camera, prev, x, y, out.g);
       const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
       const auto pass = [&](std::uint64_t seed, int spp) {
         if (!primary.valid || spp == 0) return 0.f;
-        return out.g.emission.at(x, y) +
-               luminance(meanReflected<Channels>(scene, primary.surface, seed, pixel, spp, bounces));
+        return out.g.emission.at(x, y) + luminance(meanReflected<Channels>(scene, strengths, primary.surface,
+                                                                           seed, pixel, spp, bounces));
       };
       out.samples.I1.at(x, y) = pass(seeds.seed1, seeds.spp1);
       out.samples.I2.at(x, y) = pass(seeds.seed2, seeds.spp2);
@@ -40,23 +41,25 @@ void renderTile(const RenderScene& scene, const Camera& camera, const Camera& pr
 }  // namespace
 
 std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
-                                          Frame& out) const {
+                                          Frame& out) {
+  strengths_.setTime(out.time);
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
   const auto tile = channels_ == 1 ? renderTile<1> : renderTile<3>;
   return pool_.forEachTile(out.width(), out.height(),
-                           [&](Tile t) { tile(*scene_, camera, prev, seeds, bounces_, t, out); });
+                           [&](Tile t) { tile(*scene_, strengths_, camera, prev, seeds, bounces_, t, out); });
 }
 
-void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out,
-                           ImageF (&rgb)[3]) const {
+void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]) {
+  strengths_.setTime(out.time);
   pool_.forEachRow(out.height(), [&](int y) {
     for (int x = 0; x < out.width(); ++x) {
-      const PrimaryHit primary = tracePrimary(*scene_, camera, camera, x, y, out.g);
+      const PrimaryHit primary = tracePrimary(*scene_, strengths_, camera, camera, x, y, out.g);
       Rgb c;
       if (primary.valid) {
         const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
-        c = primary.surface.radiance + meanReflected<3>(*scene_, primary.surface, seed, pixel, spp, bounces_);
+        c = primary.emission +
+            meanReflected<3>(*scene_, strengths_, primary.surface, seed, pixel, spp, bounces_);
       }
       rgb[0].at(x, y) = c.x, rgb[1].at(x, y) = c.y, rgb[2].at(x, y) = c.z;
     }

@@ -12,14 +12,22 @@
 namespace saccade {
 namespace {
 
+using namespace std::chrono_literals;
+
 constexpr int kW = 40, kH = 30;
 
-std::shared_ptr<const RenderScene> room() {
+std::shared_ptr<const RenderScene> room(const Strength& lamp = {}) {
   Scene s = test::furnace(0.6f, 0);
   s.meshes.push_back(test::quad({-0.3f, -0.95f, -0.3f}, {0, 0, 0.6f}, {0.6f, 0, 0}, 0, {9, 9, 9}));
+  s.meshes.back().strength = lamp;
   s.spheres.push_back({"ball", {0.2f, 0.5f, 0.5f}, 0.4f, 0, {}});
   s.T_world_camera.position = {0, 0, -0.9};
   return std::make_shared<RenderScene>(std::move(s));
+}
+
+// Off from frame 3 to frame 5.
+Strength blinking() {
+  return Strength({{0ms, 1}, {30ms, 1}, {30ms, 0}, {60ms, 0}, {60ms, 1}});
 }
 
 // Stands, or goes right by 0.005 a frame.
@@ -62,6 +70,23 @@ TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
   }
 }
 
+TEST(Feed, ALampThatIsSwitchedChangesThePictureInThatFrameAlone) {
+  TilePool pool(2);
+  const Strength lamp({{0ms, 1}, {50ms, 1}, {50ms, 0.25f}});
+  Feed switched(room(lamp), path(false), config("pt-correlated"), pool);
+  Feed steady(room(), path(false), config("pt-correlated"), pool);
+  for (int t = 1; t <= 8; ++t) {
+    const IntensityChange &change = switched.step(), &base = steady.step();
+    EXPECT_EQ(largestChange(change) > 0, t == 5);  // 50 ms at 100 Hz
+    for (int y = 0; y < kH; ++y) {
+      for (int x = 0; x < kW; ++x) {
+        ASSERT_EQ(change.I_prev.at(x, y), (t > 5 ? 0.25f : 1) * base.I_prev.at(x, y)) << "frame " << t;
+        ASSERT_EQ(change.I_now.at(x, y), (t >= 5 ? 0.25f : 1) * base.I_now.at(x, y)) << "frame " << t;
+      }
+    }
+  }
+}
+
 TEST(Feed, IsTheSameForAnyNumberOfThreads) {
   TilePool one(1), three(3);
   Feed a(room(), path(true), config("event_svgf"), one), b(room(), path(true), config("event_svgf"), three);
@@ -79,7 +104,7 @@ TEST(Feed, IsTheSameForAnyNumberOfThreads) {
 TEST(Feed, GivesFinitePicturesAndTiledTimes) {
   TilePool pool(2);
   for (const MethodInfo& method : methodTable()) {
-    Feed feed(room(), path(true), config(method.name), pool);
+    Feed feed(room(blinking()), path(true), config(method.name), pool);
     for (int t = 1; t <= 8; ++t) {
       const IntensityChange& change = feed.step();
       EXPECT_EQ(change.t0, TimeNs((t - 1) * 10'000'000));
@@ -97,7 +122,7 @@ TEST(Feed, GivesFinitePicturesAndTiledTimes) {
 
 TEST(Feed, AllocatesNothingAfterTwoFrames) {
   TilePool pool(2);
-  Feed feed(room(), path(true), config("event_svgf"), pool);
+  Feed feed(room(Strength({{0ms, 1}})), path(true), config("event_svgf"), pool);  // looked up in every frame
   Sensor sensor({}, kW, kH);
   SensorOutput out;
   for (int t = 1; t <= 2; ++t) sensor.generate(feed.step(), out);
