@@ -91,6 +91,7 @@ bool interrupted() {
 ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, int bounces, int width,
                                      int height, double fov_x_deg, std::string cache, TilePool& pool)
     : renderer_(scene, bounces, scene->channels(), pool),
+      strengths_(scene->description()),
       width_(width),
       height_(height),
       fov_x_deg_(fov_x_deg),
@@ -102,14 +103,15 @@ ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, i
 
 std::string ReferenceRenderer::cachePath(const Pose& pose) const {
   ContentHash h{key_};
-  h.add(pose.position), h.add(pose.rotation);
+  h.add(pose.position), h.add(pose.rotation), h.add(strengths_.factors());
   char name[32];
   std::snprintf(name, sizeof name, "%016llx.exr", static_cast<unsigned long long>(h.value));
   return (std::filesystem::path(cache_) / name).string();
 }
 
-ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs /*time*/, int spp, Progress& progress) {
+ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, Progress& progress) {
   const Camera camera(pose, fov_x_deg_, width_, height_);
+  strengths_.setTime(time);
   const std::string path = cachePath(pose);
   ReferenceFrame out(width_, height_);
   int done = 0;
@@ -122,6 +124,7 @@ ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs /*time*/, int s
   progress.add(std::min(done, spp));
   const auto keep = [&] { writeExr(path, {{"a", &out.a}, {"b", &out.b}}, {{"spp", done}}); };
   Frame chunk(width_, height_);
+  chunk.time = time;
   auto kept_at = std::chrono::steady_clock::now();
   while (done < spp) {
     // Seeds depend on the chunk alone: every frame of every path shares them.

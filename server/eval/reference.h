@@ -7,6 +7,7 @@
 #include "base/tile_pool.h"
 #include "eval/progress.h"
 #include "render/renderer.h"
+#include "scene/emitter_strengths.h"
 
 namespace saccade {
 
@@ -31,16 +32,18 @@ class ReferenceRenderer {
   ReferenceRenderer(std::shared_ptr<const RenderScene> scene, int bounces, int width, int height,
                     double fov_x_deg, std::string cache, TilePool& pool);
 
-  // Renders until the frame has `spp` paths per pixel, or takes it from the cache. What was rendered is
-  // written every few seconds and when interrupted() turns true, and is gone on with next time.
+  // The frame at a stream time. Renders until it has `spp` paths per pixel, or takes it from the cache. What
+  // was rendered is written every few seconds and when interrupted() turns true, and is gone on with next
+  // time.
   ReferenceFrame frame(const Pose& pose, TimeNs time, int spp, Progress& progress);
 
   static constexpr int kChunk = 64;  // paths per pixel between two looks at the clock
 
  private:
-  std::string cachePath(const Pose& pose) const;
+  std::string cachePath(const Pose& pose) const;  // with strengths_ at the frame's time
 
   Renderer renderer_;
+  EmitterStrengths strengths_;
   int width_, height_;
   double fov_x_deg_;
   std::string cache_;
