@@ -1,0 +1,176 @@
+#include "eval/score.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "eval/planes.h"
+
+namespace saccade {
+namespace {
+
+using test::plane;
+
+constexpr double kBias = 0.5, kC = 0.2;
+constexpr float kLuminance = 0.5f;  // I_prev everywhere: kBias + kLuminance = 1
+
+// A frame of 10 ms in which the brightness changes by dL >= log(1/2) [E (21)].
+IntensityChange frameOf(const ImageF& dL, int frame) {
+  IntensityChange change(dL.width(), 1);
+  change.t0 = TimeNs((frame - 1) * 10'000'000), change.t1 = TimeNs(frame * 10'000'000);
+  change.frame = static_cast<FrameIndex>(frame);
+  for (int x = 0; x < dL.width(); ++x) change.dI.at(x, 0) = std::expm1(dL.at(x, 0));
+  change.I_prev.fill(kLuminance);
+  return change;
+}
+
+// Halves of brightness change dL + apart and dL - apart; `regions`: one for each pixel.
+Truth truthOf(const ImageF& dL, const std::vector<std::uint32_t>& regions, int frame = 1, float apart = 0) {
+  const int w = dL.width();
+  ReferenceFrame prev(w, 1), cur(w, 1);
+  for (int x = 0; x < w; ++x) {
+    prev.a.at(x, 0) = prev.b.at(x, 0) = kLuminance;
+    cur.a.at(x, 0) = kLuminance + std::expm1(dL.at(x, 0) + apart);
+    cur.b.at(x, 0) = kLuminance + std::expm1(dL.at(x, 0) - apart);
+  }
+  RegionMap map(w, 1);
+  std::copy(regions.begin(), regions.end(), map.row(0));
+  return {ReferenceChange(prev, cur), frameOf(dL, frame), std::move(map)};
+}
+
+// Frames 1, 2, ... with these changes of brightness.
+template <class... Planes>
+BenchRun runOf(const Planes&... dL) {
+  BenchRun run;
+  int frame = 0;
+  (run.changes.push_back(frameOf(dL, ++frame)), ...);
+  return run;
+}
+
+template <class First, class... Rest>
+std::vector<First> listOf(First first, Rest... rest) {
+  std::vector<First> list;
+  list.push_back(std::move(first));
+  (list.push_back(std::move(rest)), ...);
+  return list;
+}
+
+constexpr std::uint32_t kSmooth = region::kSmooth, kCurved = region::kCurved, kChanged = region::kChanged;
+constexpr double kTolerance = 1e-6, kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(Score, OfTheTruthItselfIsZeroInEveryColumn) {
+  const ImageF dL = plane({0.5f, -0.4f, 0.3f, 0.6f});
+  const auto truth = listOf(truthOf(dL, {kSmooth, kCurved, kChanged, kSmooth}));
+  const Score score = scoreOf(truth, listOf(runOf(dL), runOf(dL)), kBias, kC);
+  for (const ScoreColumn& column : kScoreColumns)
+    EXPECT_NEAR(score.*column.value, 0, kTolerance) << column.name;
+}
+
+TEST(Score, TellsTheRegionsApart) {
+  const auto truth = listOf(truthOf(plane({0, 0, 0, 0.1f}), {kSmooth, kSmooth, kCurved, kChanged}));
+  const Score score = scoreOf(truth, listOf(runOf(plane({0.05f, 0.15f, -0.3f, 0}))), kBias, kC);
+  // Where one of both is 0, the other's events are |dL| / C [E (31)].
+  EXPECT_NEAR(score.false_smooth, (0.05 + 0.15) / 2 / kC, kTolerance);
+  EXPECT_NEAR(score.false_curved, 0.3 / kC, kTolerance);
+  EXPECT_EQ(score.false_changed, 0);
+  EXPECT_NEAR(score.false_events, (0.05 + 0.15 + 0.3) / 4 / kC, kTolerance);
+  EXPECT_EQ(score.missed_smooth, 0);
+  EXPECT_EQ(score.missed_curved, 0);
+  EXPECT_NEAR(score.missed_changed, 0.1 / kC, kTolerance);
+  EXPECT_NEAR(score.missed_events, 0.1 / 4 / kC, kTolerance);
+
+  EXPECT_NEAR(score.rms_smooth, std::sqrt((0.0025 + 0.0225) / 2), kTolerance);
+  EXPECT_NEAR(score.rms_curved, 0.3, kTolerance);
+  EXPECT_NEAR(score.rms_changed, 0.1, kTolerance);
+  EXPECT_NEAR(score.rms_dL, std::sqrt((0.0025 + 0.0225 + 0.09 + 0.01) / 4), kTolerance);
+
+  const double floor = 0.01 * 0.1 / 4;
+  EXPECT_NEAR(score.dL_l1, (0.05 + 0.15 + 0.3 + 0.1) / 0.1, 1e-5);
+  EXPECT_NEAR(score.dL_mape / (((0.05 + 0.15 + 0.3) / floor + 0.1 / (0.1 + floor)) / 4), 1, 1e-5);
+  const double dI = std::expm1(0.1), false_dI = std::expm1(0.05) + std::expm1(0.15) - std::expm1(-0.3);
+  EXPECT_NEAR(score.dI_l1, (false_dI + dI) / dI, 1e-5);
+  EXPECT_NEAR(score.dI_mape / ((false_dI / (0.01 * dI / 4) + 1 / (1 + 0.01 / 4)) / 4), 1, 1e-5);
+}
+
+// Errors of 0.1 and 0.3 in the first frame, none in the second.
+TEST(Score, IsTheMeanOverFramesAndRepeats) {
+  const auto truth = listOf(truthOf(plane({-0.1f}), {kSmooth}, 1), truthOf(plane({0.2f}), {kSmooth}, 2));
+  const auto repeats = listOf(runOf(plane({0}), plane({0.2f})), runOf(plane({0.2f}), plane({0.2f})));
+  const Score score = scoreOf(truth, repeats, kBias, kC);
+  EXPECT_NEAR(score.dL_l1, (0.1 / 0.1 + 0.3 / 0.1) / 4, 1e-5);
+  EXPECT_NEAR(score.rms_dL, std::sqrt((0.01 + 0.09) / 4), kTolerance);
+  const double variance = 0.02;  // of 0 and 0.2
+  EXPECT_NEAR(score.sigma_dL, std::sqrt(variance) / 2, kTolerance);
+  EXPECT_NEAR(score.noise_dL, std::sqrt(variance / 2), kTolerance);
+  EXPECT_NEAR(score.bias_dL, std::sqrt((0.04 - variance / 2) / 2), kTolerance);
+}
+
+// Halves of the truth that are off by 0.1 to either side, and a method that is right, or off by 0.2.
+TEST(Score, IsFreeOfTheNoiseOfTheTruth) {
+  const auto truth = listOf(truthOf(plane({0.1f}), {kCurved}, 1, 0.1f));
+  EXPECT_NEAR(scoreOf(truth, listOf(runOf(plane({0.1f}))), kBias, kC).rms_dL, -0.1, kTolerance);
+  const auto off = listOf(runOf(plane({0.3f})), runOf(plane({0.3f})));
+  const Score score = scoreOf(truth, off, kBias, kC);
+  for (const double error : {score.rms_dL, score.rms_curved, score.bias_dL})
+    EXPECT_NEAR(error, std::sqrt(0.04 - 0.01), kTolerance);
+}
+
+// The change comes two frames of 10 ms late: as many events, all in other voxels and beyond the cap of 5 ms.
+TEST(Score, OfALateRunIsWrongInTimeAlone) {
+  const ImageF none = plane({0, 0}), step = plane({0.5f, -0.5f});
+  const auto truth = listOf(truthOf(step, {kSmooth, kSmooth}, 1), truthOf(none, {kSmooth, kSmooth}, 2),
+                            truthOf(none, {kSmooth, kSmooth}, 3));
+  const auto late = [&] { return runOf(none, none, step); };
+  const Score score = scoreOf(truth, listOf(late()), kBias, kC);
+  EXPECT_EQ(score.count_error, 0);
+  EXPECT_EQ(score.voxel_error, 2);
+  EXPECT_EQ(score.time_error_ms, 5);
+  // In the mean with a repeat that is right.
+  const Score half = scoreOf(truth, listOf(late(), runOf(step, none, none)), kBias, kC);
+  EXPECT_EQ(half.count_error, 0);
+  EXPECT_EQ(half.voxel_error, 1);
+  EXPECT_EQ(half.time_error_ms, 2.5);
+  // A repeat without an event has no time.
+  EXPECT_EQ(scoreOf(truth, listOf(late(), runOf(none, none, none)), kBias, kC).time_error_ms, 5);
+}
+
+TEST(Score, HasNoNoiseOfASingleRepeat) {
+  const auto truth = listOf(truthOf(plane({0.1f}), {kSmooth}));
+  const Score score = scoreOf(truth, listOf(runOf(plane({0.2f}))), kBias, kC);
+  for (const double unknown : {score.sigma_dL, score.noise_dL, score.bias_dL})
+    EXPECT_TRUE(std::isnan(unknown));
+  EXPECT_NEAR(score.rms_dL, 0.1, kTolerance);
+}
+
+TEST(Score, IsUnknownWhereThereIsNoPixelOrEvent) {
+  const auto truth = listOf(truthOf(plane({0.1f}), {kChanged}, 1), truthOf(plane({0.1f}), {kSmooth}, 2));
+  const auto repeats = listOf(runOf(plane({0}), plane({0})), runOf(plane({0.2f}), plane({0})));
+  const Score score = scoreOf(truth, repeats, kBias, 10);
+  for (const double unknown :
+       {score.false_curved, score.missed_curved, score.rms_curved, score.time_error_ms})
+    EXPECT_TRUE(std::isnan(unknown));
+  // A frame without such pixels does not count.
+  EXPECT_NEAR(score.rms_changed, 0.1, kTolerance);
+  EXPECT_NEAR(score.rms_smooth, 0.1, kTolerance);
+  EXPECT_EQ(score.sigma_dL, 0);
+  EXPECT_GT(score.noise_dL, 0);
+}
+
+TEST(Score, IsInfiniteWhereTheTruthStandsStill) {
+  const auto truth = listOf(truthOf(plane({0}), {kSmooth}));
+  const Score score = scoreOf(truth, listOf(runOf(plane({0.3f}))), kBias, kC);
+  for (const double error :
+       {score.dI_l1, score.dI_mape, score.dL_l1, score.dL_mape, score.count_error, score.voxel_error})
+    EXPECT_EQ(error, kInfinity);
+  EXPECT_NEAR(score.false_events, 0.3 / kC, kTolerance);
+}
+
+TEST(ScoreColumns, AreFoundAndNamed) {
+  EXPECT_STREQ(columnOf(&Score::noise_dL).name, "noise_dL");
+  for (const ScoreColumn& column : kScoreColumns)
+    EXPECT_NE(scoreNames().find(column.name), std::string::npos) << column.name;
+}
+
+}  // namespace
+}  // namespace saccade
