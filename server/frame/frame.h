@@ -8,7 +8,9 @@
 
 namespace saccade {
 
-inline constexpr float kMissDepth = 1e5f;  // depth where the ray hits nothing (scene units); the normal is 0
+// Where a ray hits nothing stands one far surface, a surface like any other to the filters. Its normal is
+// (0, 0, 1).
+inline constexpr float kMissDepth = 1e5f;  // its depth, scene units
 
 // Features at the pixel centre. Planes are width x height.
 struct GBuffer {
@@ -27,7 +29,7 @@ struct GBuffer {
   }
   ImageF z;                   // depth along the viewing axis, scene units; kMissDepth where nothing is hit
   ImageF dz;                  // max(|dz/dx|, |dz/dy|) of the tangent plane, scene units per pixel
-  ImageF nx, ny, nz;          // unit shading normal, world space, towards the camera; 0 where nothing is hit
+  ImageF nx, ny, nz;          // unit shading normal, world space, towards the camera; 0 in the border
   ImageF albedo;              // Rec. 709 luminance of the texture-filtered diffuse albedo, [0, 1]
   ImageF emission;            // Rec. 709 luminance emitted towards the camera, >= 0
   ImageF motion_x, motion_y;  // where the surface point was in the previous frame, minus where it is, pixels

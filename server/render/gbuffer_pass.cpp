@@ -33,7 +33,8 @@ PrimaryHit tracePrimary(const RenderScene& scene, const EmitterStrengths& streng
   const Ray ray{camera.origin, direction, std::numeric_limits<float>::infinity()};
   const Hit hit = scene.geometry().intersect(ray);
   if (!hit.valid) {
-    for (ImageF* plane : {&g.dz, &g.nx, &g.ny, &g.nz, &g.albedo, &g.emission}) plane->at(x, y) = 0;
+    for (ImageF* plane : {&g.dz, &g.nx, &g.ny, &g.albedo, &g.emission}) plane->at(x, y) = 0;
+    g.nz.at(x, y) = 1;
     setMotion(camera.projectDirection(direction), prev.projectDirection(direction), x, y, g);
     g.z.at(x, y) = g.z_in_prev.at(x, y) = kMissDepth;
     return {};

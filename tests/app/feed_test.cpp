@@ -87,6 +87,30 @@ TEST(Feed, ALampThatIsSwitchedChangesThePictureInThatFrameAlone) {
   }
 }
 
+// What appears where nothing was has no history, but neighbours that appeared with it.
+TEST(Feed, WhatAppearsOutOfNothingIsFiltered) {
+  Scene s = test::floorFromAbove(0.5f);
+  s.meshes.push_back(test::quad({1, -1, 1}, {0, 0, 2}, {0, 2, 0}, 0, {9, 9, 9}));
+  const Pose down = s.T_world_camera, up{down.position, {}};
+  const Trajectory turn({{0ms, up}, {9ms, up}, {10ms, down}});
+  const auto scene = std::make_shared<RenderScene>(std::move(s));
+  TilePool pool(2);
+  const auto noiseOf = [&](const char* method) {
+    FeedConfig c = config(method);
+    c.fov_x_deg = 10;
+    Feed feed(scene, turn, c, pool);
+    EXPECT_EQ(largestChange(feed.change()), 0);
+    const ImageF& dI = feed.step().dI;
+    double sum = 0, squares = 0;
+    for (int y = 0; y < kH; ++y) {
+      for (int x = 0; x < kW; ++x) sum += dI.at(x, y), squares += dI.at(x, y) * dI.at(x, y);
+    }
+    const double mean = sum / (kW * kH);
+    return std::sqrt(squares / (kW * kH) - mean * mean) / mean;
+  };
+  EXPECT_LT(noiseOf("event_svgf"), 0.3 * noiseOf("pt-correlated"));
+}
+
 TEST(Feed, IsTheSameForAnyNumberOfThreads) {
   TilePool one(1), three(3);
   Feed a(room(), path(true), config("event_svgf"), one), b(room(), path(true), config("event_svgf"), three);

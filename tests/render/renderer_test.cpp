@@ -84,6 +84,20 @@ TEST_F(Fixture, MotionPointsToWhereTheSurfaceWas) {
   }
 }
 
+TEST_F(Fixture, WhereNothingIsHitStandsOneFarSurface) {
+  const Camera away({{0, 0, 9}, {}}, 80, kW, kH), before({{0, 0, 8}, {}}, 80, kW, kH);
+  const Frame frame = render(away, before, SeedPlan::correlated(1, 1, 2));
+  const GBuffer& g = frame.g;
+  for (int y = 0; y < kH; ++y) {
+    for (int x = 0; x < kW; ++x) {
+      ASSERT_EQ(Vec3(g.nx.at(x, y), g.ny.at(x, y), g.nz.at(x, y)), Vec3(0, 0, 1));
+      ASSERT_EQ(g.z.at(x, y), kMissDepth);
+      ASSERT_EQ(g.z_in_prev.at(x, y), kMissDepth);
+      ASSERT_EQ(frame.samples.I1.at(x, y) + frame.samples.I2.at(x, y) + g.albedo.at(x, y), 0);
+    }
+  }
+}
+
 TEST_F(Fixture, AStandingCameraHasNoMotionAtAll) {
   const Frame frame = render(cameraAt(0.3), cameraAt(0.3), SeedPlan::correlated(1, 1, 2));
   for (int y = 0; y < kH; ++y) {

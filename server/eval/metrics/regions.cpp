@@ -16,7 +16,7 @@ Vec3 normalAt(const GBuffer& g, int x, int y) {
   return {g.nx.at(x, y), g.ny.at(x, y), g.nz.at(x, y)};
 }
 
-// By the chord between them: two misses, whose normals are 0, are alike, and a hit and a miss are not.
+// By the chord between them.
 bool alike(Vec3 a, Vec3 b, float degrees) {
   const float chord = 2 * std::sin(degrees * std::numbers::pi_v<float> / 360);
   return dot(a - b, a - b) <= chord * chord;
@@ -42,8 +42,10 @@ bool changed(const GBuffer& cur, const GBuffer& prev, int x, int y) {
 }
 
 bool curved(const GBuffer& g, int x, int y) {
+  const bool hit = g.z.at(x, y) < kMissDepth;
   for (int qy = std::max(y - 1, 0); qy <= std::min(y + 1, g.z.height() - 1); ++qy) {
     for (int qx = std::max(x - 1, 0); qx <= std::min(x + 1, g.z.width() - 1); ++qx) {
+      if ((g.z.at(qx, qy) < kMissDepth) != hit) return true;
       if (!alike(normalAt(g, x, y), normalAt(g, qx, qy), kCurvedDeg)) return true;
     }
   }
