@@ -44,7 +44,7 @@ std::chrono::nanoseconds modulate(const FramePair& frames, Demodulation by, floa
     float *dI = out.dI.row(y), *I_prev = out.I_prev.row(y), *I_now = out.I_now.row(y);
     float *var_dI = out.var_dI.row(y), *var_I_prev = out.var_I_prev.row(y);
     for (int x = 0; x < out.dI.width(); ++x) {
-      const float a = filterAlbedo(A[x], by), a_prev = filterAlbedo(A_prev[x], by);
+      const float a = modulationAlbedo(A[x], by), a_prev = modulationAlbedo(A_prev[x], by);
       const float da = a - a_prev;
       dI[x] = a * Dd[x] + da * Di_prev[x] + (E[x] - E_prev[x]);
       I_prev[x] = std::max(0.f, a_prev * Di_prev[x] + E_prev[x]);

@@ -11,7 +11,7 @@
 
 namespace saccade {
 
-inline constexpr float kAlbedoFloor = 1e-3f;  // the same on the way in and out
+inline constexpr float kAlbedoFloor = 1e-3f;  // the same on the way in and out, but for an albedo of 0
 
 // What light is divided by before it is filtered.
 enum class Demodulation {
@@ -23,6 +23,12 @@ enum class Demodulation {
 inline float filterAlbedo(float A, Demodulation by) {
   if (by == Demodulation::kNone) return 1;
   return std::max(by == Demodulation::kAlbedo ? A : std::round(A * 255) / 255, kAlbedoFloor);
+}
+
+// What filtered light is multiplied by. Where the albedo is 0 nothing is reflected, whatever light the filter
+// spilled there [ours].
+inline float modulationAlbedo(float A, Demodulation by) {
+  return A == 0 && by == Demodulation::kAlbedo ? 0 : filterAlbedo(A, by);
 }
 
 // i = (I - E) / A [E (17)]. The first frame of a feed has no difference: call with frames.prev == frames.cur,

@@ -92,7 +92,7 @@ std::chrono::nanoseconds Svgf::remodulate(const Frame& frame, TilePool& pool, Im
     const float *Di = filtered_.i.row(y), *V = filtered_.var_i.row(y);
     float *I_row = I.row(y), *variance_row = variance.row(y);
     for (int x = 0; x < frame.width(); ++x) {
-      const float a = filterAlbedo(A[x], demodulation(params_));
+      const float a = modulationAlbedo(A[x], demodulation(params_));
       I_row[x] = std::max(0.f, a * Di[x] + E[x]);
       variance_row[x] = variance_scale * a * a * std::max(0.f, V[x]);  // as_falcor: V may be negative
     }

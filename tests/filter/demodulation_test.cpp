@@ -72,11 +72,29 @@ TEST_F(Fixture, BlackAlbedoAndBadSamplesStayFinite) {
   }
 }
 
+// A black pixel shows what it emits, though the filter brings it its neighbours' light.
+TEST_F(Fixture, BlackReflectsNoneOfTheLightThatTheFilterSpills) {
+  cur.g.albedo.at(1, 1) = prev.g.albedo.at(1, 1) = 0;  // stays black
+  cur.g.albedo.at(2, 1) = 0;                           // turns black
+  const float E = cur.g.emission.at(2, 1), I_prev = 0.5f * prev.g.albedo.at(2, 1) + prev.g.emission.at(2, 1);
+  for (ImageF* plane : {&filtered.i, &filtered.d}) test::fillInside(*plane, 3);
+  ImageF i_prev(kW, kH);
+  test::fillInside(i_prev, 0.5f);
+  modulate({cur, prev}, Demodulation::kAlbedo, 1, filtered, i_prev, zero, pool, change);
+  EXPECT_EQ(change.dI.at(1, 1), cur.g.emission.at(1, 1) - prev.g.emission.at(1, 1));
+  EXPECT_EQ(change.I_prev.at(1, 1), prev.g.emission.at(1, 1));
+  EXPECT_EQ(change.I_now.at(1, 1), cur.g.emission.at(1, 1));
+  EXPECT_NEAR(change.dI.at(2, 1), E - I_prev, 1e-6f);
+}
+
 TEST(FilterAlbedo, IsFlooredRoundedOrIgnored) {
   EXPECT_EQ(filterAlbedo(0.3f, Demodulation::kAlbedo), 0.3f);
   EXPECT_EQ(filterAlbedo(0, Demodulation::kAlbedo), 1e-3f);
   EXPECT_FLOAT_EQ(filterAlbedo(0.3f, Demodulation::kEightBits), 77 / 255.f);
   EXPECT_EQ(filterAlbedo(0.3f, Demodulation::kNone), 1);
+  EXPECT_EQ(modulationAlbedo(1e-6f, Demodulation::kAlbedo), 1e-3f);
+  EXPECT_EQ(modulationAlbedo(0, Demodulation::kAlbedo), 0);
+  EXPECT_EQ(modulationAlbedo(0, Demodulation::kEightBits), 1e-3f);  // Falcor's
 }
 
 }  // namespace
