@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include <cmath>
 #include <limits>
 
 #include "render/gbuffer_pass.h"
@@ -8,14 +9,16 @@
 namespace saccade {
 namespace {
 
-// Mean reflected radiance of `spp` paths.
+// Mean reflected radiance of `spp` paths, finite: a path whose estimate is not (a light sample on the very
+// point it lights, a lamp beyond what floats can weigh) counts as dark.
 template <int Channels>
 Rgb meanReflected(const RenderScene& scene, const EmitterStrengths& strengths, const Surface& s,
                   std::uint64_t seed, std::uint32_t pixel, int spp, int bounces) {
   Vec3d sum;
   for (int i = 0; i < spp; ++i) {
-    sum = sum +
-          toDouble(traceReflected<Channels>(scene, strengths, s, PathSampler(seed, pixel, i), bounces).rgb());
+    const Rgb path =
+        traceReflected<Channels>(scene, strengths, s, PathSampler(seed, pixel, i), bounces).rgb();
+    if (std::isfinite(luminance(path))) sum = sum + toDouble(path);
   }
   return spp > 0 ? toFloat(sum / static_cast<double>(spp)) : Rgb{};
 }

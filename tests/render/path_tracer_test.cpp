@@ -83,5 +83,13 @@ TEST(Materials, OneSidedIsBlackFromBehind) {
   EXPECT_EQ(renderMean(scene, 1, 4).mean, 0);
 }
 
+// Its power overflows, and with it every weight: such paths are dark, and no NaN leaves the renderer.
+TEST(AreaLight, BeyondFloatsStaysFinite) {
+  Scene scene = test::floorFromAbove(0.6f);
+  scene.meshes.push_back(test::quad({-1, -1, 1.5f}, {0, 2, 0}, {2, 0, 0}, 0, {3e38f, 3e38f, 3e38f}));
+  scene.T_world_camera.position.z = 1;
+  EXPECT_TRUE(std::isfinite(renderMean(std::move(scene), 2, 4).mean));
+}
+
 }  // namespace
 }  // namespace saccade
