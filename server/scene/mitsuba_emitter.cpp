@@ -13,6 +13,7 @@ namespace {
 constexpr double kMaxSeconds = 9e9;  // what whole nanoseconds can count
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr float kMaxFloat = std::numeric_limits<float>::max();
+constexpr float kMaxRadiance = 1e18f, kMaxFactor = 1e18f;  // their product and the power of lamps stay finite
 
 TimeNs toTime(double seconds) {
   return TimeNs{std::llround(seconds * 1e9)};
@@ -26,7 +27,7 @@ StrengthKey parseKey(const XmlFile& file, pugi::xml_node at, std::string_view wo
   const std::string key = "the key '" + std::string(word) + "'";
   if (!time || !factor) throw file.error(at, key + " is not seconds:factor, two finite numbers");
   if (!(*time >= 0 && *time <= kMaxSeconds)) throw file.error(at, key + " has a time outside of [0, 9e9] s");
-  if (!(*factor >= 0 && *factor <= kMaxFloat))
+  if (!(*factor >= 0 && *factor <= kMaxFactor))
     throw file.error(at, key + " has a factor below 0 or too large");
   return {toTime(*time), static_cast<float>(*factor)};
 }
@@ -65,6 +66,8 @@ Emission parseEmitter(const XmlFile& file, pugi::xml_node emitter) {
   const Strength strength = parseStrength(file, emitter, properties);
   properties.finish();
   if (!radiance) throw file.error(emitter, "an area emitter needs <rgb> or <float name=\"radiance\">");
+  if (std::max({radiance->x, radiance->y, radiance->z}) > kMaxRadiance)
+    throw file.error(emitter, "a radiance above 1e18 is too bright for float numbers");
   return {*radiance, strength};
 }
 

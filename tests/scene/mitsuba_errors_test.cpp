@@ -74,6 +74,8 @@ TEST(MitsubaErrors, ValuesOutOfRange) {
   expectAt4(shape("<bsdf type='diffuse'><rgb name='reflectance' value='1, 0'/></bsdf>"), "one or three");
   expectAt4(shape("<emitter type='area'><float name='radiance' value='-1'/></emitter>"),
             "'radiance' must be");
+  expectAt4(shape("<emitter type='area'><float name='radiance' value='2e18'/></emitter>"),
+            "a radiance above 1e18");
   expectAt4("<shape type='obj'><string name='filename' value='far.obj'/></shape>", "too far away");
 }
 
@@ -93,7 +95,7 @@ TEST(MitsubaErrors, Strengths) {
   fault("-0.1:1", "'-0.1:1' has a time outside");
   fault("1e10:1", "'1e10:1' has a time outside");
   fault("0:-0.5", "'0:-0.5' has a factor below 0");
-  fault("0:1e39", "'0:1e39' has a factor below 0 or too large");
+  fault("0:2e18", "'0:2e18' has a factor below 0 or too large");
   fault("0:1, 0.2:1, 0.1:0", "'0.1:0' is earlier");
   const auto periodFault = [](const std::string& keys, const std::string& period) {
     expectStrengthFault("<string name='strength' value='" + keys +
