@@ -150,8 +150,6 @@ std::string ResolvedStream::feedKey() const {
   v1::OpenStream feed_part = request;
   feed_part.clear_sensors();
   feed_part.clear_delivery();
-  feed_part.mutable_quality()->clear_budget_ms();  // what it has chosen tells feeds apart
-  feed_part.mutable_quality()->clear_max_false_rate();
   std::string key;
   google::protobuf::io::StringOutputStream text(&key);
   google::protobuf::io::CodedOutputStream out(&text);

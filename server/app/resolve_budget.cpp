@@ -42,10 +42,12 @@ MeasuredSetting choose(const v1::Quality& quality, const std::vector<MeasuredSet
                                  : fastest(settings, quality.max_false_rate());
 }
 
-// Fills in what was left open.
+// Fills in what was left open, in the place of the budget: sent again, the request asks for the same.
 v1::ExpectedQuality take(const MeasuredSetting& setting, const AccuracyTable& table,
                          v1::OpenStream& request) {
-  request.mutable_quality()->set_bounces(static_cast<std::uint32_t>(table.bounces));
+  v1::Quality& quality = *request.mutable_quality();
+  quality.clear_budget_ms(), quality.clear_max_false_rate();
+  quality.set_bounces(static_cast<std::uint32_t>(table.bounces));
   v1::Method& method = *request.mutable_method();
   method.set_name(setting.method.name);
   method.set_spp(static_cast<std::uint32_t>(setting.spp));
