@@ -1,0 +1,37 @@
+// What BSDFs take and give. Directions are unit vectors in the shading frame and point away from the surface:
+// wo to where light goes (the camera's side of the path), wi to where it comes from. z is the normal; for
+// dielectrics it points outside.
+#pragma once
+
+#include "render/bsdf/bsdf_tables.h"
+
+namespace saccade {
+
+// A material at one point: textures looked up. Colours are linear, in [0, 1].
+struct Bsdf {
+  const BsdfTables* tables;        // of the material
+  LaneRgb diffuse{};               // diffuse, plastics: reflectance of the base
+  LaneRgb specular{1, 1, 1};       // all but diffuse: factor of what the interface reflects
+  LaneRgb transmittance{1, 1, 1};  // dielectrics: factor of what it lets through
+};
+
+// Of a pair of directions; both 0 for what happens at one direction only (delta lobes).
+struct BsdfValue {
+  LaneRgb value{};  // f |cos_i|
+  Lane pdf = 0;     // of sampling wi, per solid angle
+};
+
+struct BsdfSample {
+  LaneVec3 wi;
+  LaneRgb weight;        // f |cos_i| / pdf; 0: nothing comes from there
+  Lane pdf;              // per solid angle, of all lobes; 0: delta, or invalid with weight 0
+  LaneMask delta;        // of a delta lobe, which no evaluation sees
+  LaneMask transmitted;  // wi is on the other side
+};
+
+// A sample of the lobes that are no deltas.
+inline BsdfSample weigh(LaneVec3 wi, BsdfValue v) {
+  return {wi, v.value * select(v.pdf > 0, 1 / v.pdf, Lane(0)), v.pdf, false, false};
+}
+
+}  // namespace saccade

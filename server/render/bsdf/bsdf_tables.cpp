@@ -1,0 +1,91 @@
+#include "render/bsdf/bsdf_tables.h"
+
+#include "render/bsdf/fresnel.h"
+#include "render/bsdf/microfacet.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kNormals = 24;  // per dimension
+constexpr int kCosines = 256;
+
+// The i-th node in [0, 1] of a rule that is finer towards both ends, and its weight: steep normals are rare,
+// and it is they that lose light.
+struct Node {
+  explicit Node(float i) : u(ease(i + 0.5f)), weight(ease(i + 1) - ease(i)) {}
+  static float ease(float i) {
+    const float t = i / kNormals;
+    return t * t * (3 - 2 * t);
+  }
+  float u, weight;
+};
+
+// Mean of at(wo, m) over the microfacets seen from cosine cos_o. wo lies in the xz plane, so that half of u2
+// stands for all.
+template <class Function>
+auto meanOverNormals(const Microfacets& f, float cos_o, Function at) {
+  const Vec3 wo{std::sqrt(1 - cos_o * cos_o), 0, cos_o};
+  decltype(at(wo, wo)) sum{};
+  for (int i = 0; i < kNormals; ++i) {
+    for (int j = 0; j < kNormals; ++j) {
+      const Node n1(static_cast<float>(i)), n2(static_cast<float>(j));
+      sum = sum + at(wo, sampleVisibleNormal(f, wo, n1.u, n2.u / 2)) * (n1.weight * n2.weight);
+    }
+  }
+  return sum;
+}
+
+// Fraction of light from cosine cos_o that rough plastic or metal reflects: E[F G1].
+template <class Fresnel>
+Rgb roughReflectance(const Microfacets& f, float cos_o, Fresnel fresnel) {
+  return meanOverNormals(f, cos_o, [&](Vec3 wo, Vec3 m) {
+    const Vec3 wi = mirror(wo, m);
+    return fresnel(dot(wo, m)) * (wi.z > 0 ? visibleFraction(f, wi) : 0);
+  });
+}
+
+// Fraction that a rough dielectric lets through: E[(1 - F) G1] [Walter 2007 (21)].
+float roughTransmittance(const Microfacets& f, float cos_o, float ior) {
+  return meanOverNormals(f, cos_o, [&](Vec3 wo, Vec3 m) {
+    const float cos_m = dot(wo, m);
+    const Refraction r = fresnelDielectric(cos_m, ior);
+    const Vec3 wt = m * (cos_m / ior - r.cos_t) - wo / ior;
+    return wt.z < 0 ? (1 - r.reflectance) * visibleFraction(f, wt) : 0;
+  });
+}
+
+// 2 int_0^1 at(c) c dc, over the square root of c.
+template <class Function>
+float cosineWeightedMean(Function at) {
+  float sum = 0;
+  for (int i = 0; i < kCosines; ++i) {
+    const float root = (static_cast<float>(i) + 0.5f) / kCosines, c = root * root;
+    sum += at(c) * c * 4 * root;
+  }
+  return sum / kCosines;
+}
+
+}  // namespace
+
+BsdfTables::BsdfTables(const BsdfModel& m) : model(m) {
+  model.alpha = std::max(m.alpha, kLeastAlpha);
+  const Microfacets f{m.microfacets, model.alpha};
+  const auto dielectric = [&](float cosine) { return fresnelDielectric(cosine, m.ior).reflectance; };
+  if (m.kind == BsdfKind::kRoughConductor) {
+    const auto conductor = [&](float cosine) { return fresnelConductor(cosine, m.eta, m.k); };
+    reflectance.fill([&](float cos_o) { return roughReflectance(f, cos_o, conductor); });
+  }
+  if (m.kind == BsdfKind::kRoughPlastic) {
+    const auto grey = [&](float cosine) { return Rgb{1, 1, 1} * dielectric(cosine); };
+    reflectance.fill([&](float cos_o) { return roughReflectance(f, cos_o, grey); });
+    transmittance.fill([&](float cos_o) { return roughTransmittance(f, cos_o, m.ior); });
+    mean_transmittance = cosineWeightedMean(transmittance);
+  }
+  if (m.kind == BsdfKind::kPlastic)
+    mean_transmittance = cosineWeightedMean([&](float cosine) { return 1 - dielectric(cosine); });
+  // As much light goes in through an interface as would come out [Walter 2007, reciprocity]; what does not
+  // come out is reflected.
+  internal_reflectance = 1 - mean_transmittance / (m.ior * m.ior);
+}
+
+}  // namespace saccade

@@ -1,0 +1,50 @@
+// What shading needs to know of a material and would be slow to find at each hit: built once per material.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "base/lane.h"
+#include "scene/bsdf_model.h"
+
+namespace saccade {
+
+// A quantity over the cosine of a direction with the normal, in equal steps of its square root: it changes
+// most at grazing angles.
+template <class T>
+class CosineTable {
+ public:
+  template <class Function>
+  void fill(Function at) {
+    for (int i = 0; i < kSize; ++i) {
+      const float root = std::max(0.01f, static_cast<float>(i) / (kSize - 1));
+      values_[i] = at(root * root);
+    }
+  }
+  T operator()(Lane cosine) const {
+    const Lane x = std::sqrt(std::clamp(cosine, Lane(0), Lane(1))) * (kSize - 1);
+    const int i = std::min(static_cast<int>(x), kSize - 2);
+    const Lane w = x - static_cast<float>(i);
+    return values_[i] * (1 - w) + values_[i + 1] * w;
+  }
+
+ private:
+  static constexpr int kSize = 32;
+  std::array<T, kSize> values_{};
+};
+
+struct BsdfTables {
+  explicit BsdfTables(const BsdfModel& model);
+
+  BsdfModel model;  // its roughness is at least kLeastAlpha
+
+  // Rough kinds: light that arrives from outside and leaves into the hemisphere above (per channel) or below
+  // (rough plastic). What would need a second bounce between microfacets is lost, as in Mitsuba.
+  CosineTable<Rgb> reflectance;
+  CosineTable<float> transmittance;
+
+  // Plastics: transmittance of diffuse light from outside, and reflectance of diffuse light from inside.
+  float mean_transmittance = 1, internal_reflectance = 0;
+};
+
+}  // namespace saccade

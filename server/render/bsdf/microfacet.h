@@ -1,0 +1,76 @@
+// Isotropic microfacet distributions with separable Smith masking, as Mitsuba's. Directions are in the
+// shading frame; m is a microfacet's normal.
+#pragma once
+
+#include "render/bsdf/beckmann.h"
+#include "render/bsdf/sampling.h"
+#include "scene/bsdf_model.h"
+
+namespace saccade {
+
+struct Microfacets {
+  MicrofacetKind kind;
+  Lane alpha;  // at least kLeastAlpha
+};
+inline constexpr float kLeastAlpha = 1e-4f;
+
+// D: area of microfacets of normal m, per area and solid angle [Walter 2007 (25), (33)].
+inline Lane normalDensity(const Microfacets& f, LaneVec3 m) {
+  const Lane cos2 = std::max(Lane(1e-12f), m.z * m.z), inv_alpha2 = 1 / (f.alpha * f.alpha);
+  const Lane e = (m.x * m.x + m.y * m.y) * inv_alpha2;
+  const Lane inv_shape =
+      f.kind == MicrofacetKind::kGgx ? 1 / ((cos2 + e) * (cos2 + e)) : std::exp(-e / cos2) / (cos2 * cos2);
+  return kInvPi * inv_alpha2 * inv_shape;
+}
+
+// G1: fraction of the microfacets that face v which v sees [Walter 2007 (34)]; Beckmann's in closed form
+// [Heitz 2014], where Mitsuba has a fit to 0.4 %.
+inline Lane visibleFraction(const Microfacets& f, LaneVec3 v) {
+  const Lane slope = f.alpha * std::sqrt(v.x * v.x + v.y * v.y) / std::abs(v.z);
+  if (f.kind == MicrofacetKind::kGgx) return 2 / (1 + std::sqrt(1 + slope * slope));
+  const Lane a = 1 / std::max(Lane(1e-6f), slope);
+  const Lane tail = std::exp(-a * a) * std::numbers::inv_sqrtpi_v<float> / a;
+  return 2 / (2 + tail - std::erfc(a));
+}
+
+// A normal seen from v at roughness 1, of any length: a point of the cap that v sees [Dupuy and Benyoub
+// 2023].
+inline LaneVec3 sampleGgxNormal(LaneVec3 v, Lane u1, Lane u2) {
+  const Lane height = (1 - u1) * (1 + v.z), z = height - v.z;
+  const Lane r = std::sqrt(std::max(Lane(0), 1 - z * z)), phi = 2 * std::numbers::pi_v<float> * u2;
+  return {v.x + r * std::cos(phi), v.y + r * std::sin(phi), height};
+}
+
+inline LaneVec3 sampleBeckmannNormal(LaneVec3 v, Lane u1, Lane u2) {
+  const Slope s = sampleBeckmannSlope(v.z, u1, u2);
+  const Lane sin_v = std::sqrt(v.x * v.x + v.y * v.y);
+  const Lane cos_phi = select(sin_v > 0, v.x / sin_v, Lane(1)),
+             sin_phi = select(sin_v > 0, v.y / sin_v, Lane(0));
+  return {sin_phi * s.y - cos_phi * s.x, -sin_phi * s.x - cos_phi * s.y, 1};
+}
+
+// A unit normal with the density D G1 max(0, v.m) / v.z of those that v sees, v.z > 0: v is stretched to
+// where the roughness is 1, and the normal back [Heitz 2014].
+inline LaneVec3 sampleVisibleNormal(const Microfacets& f, LaneVec3 v, Lane u1, Lane u2) {
+  const LaneVec3 stretched = normalize(LaneVec3{f.alpha * v.x, f.alpha * v.y, std::max(Lane(1e-7f), v.z)});
+  const LaneVec3 m = f.kind == MicrofacetKind::kGgx ? sampleGgxNormal(stretched, u1, u2)
+                                                    : sampleBeckmannNormal(stretched, u1, u2);
+  return normalize(LaneVec3{f.alpha * m.x, f.alpha * m.y, m.z});
+}
+
+// Reflection of a perfect mirror's microfacets.
+struct MicrofacetReflection {
+  Lane value;  // f cos_i without Fresnel's factor
+  Lane pdf;    // of reflecting off visible normals, per solid angle
+  Lane cos_m;  // between either direction and the microfacet that reflects one into the other
+};
+
+// wo.z and wi.z > 0 [Walter 2007 (20)].
+inline MicrofacetReflection reflectOff(const Microfacets& f, LaneVec3 wo, LaneVec3 wi) {
+  const LaneVec3 h = wo + wi;
+  const LaneVec3 m = h / std::max(Lane(1e-12f), length(h));
+  const Lane pdf = normalDensity(f, m) * visibleFraction(f, wo) / (4 * wo.z);
+  return {pdf * visibleFraction(f, wi), pdf, std::clamp(dot(wo, m), Lane(0), Lane(1))};
+}
+
+}  // namespace saccade

@@ -1,0 +1,22 @@
+// The frame in which BSDFs are written: z is the shading normal, x and y are any that complete it.
+#pragma once
+
+#include "base/lane.h"
+
+namespace saccade {
+
+struct ShadingFrame {
+  // About the unit vector n, without a singularity (Duff et al. 2017).
+  explicit ShadingFrame(LaneVec3 n) : z(n) {
+    const Lane sign = std::copysign(Lane(1), n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+    x = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    y = {b, sign + n.y * n.y * a, -n.y};
+  }
+
+  LaneVec3 toWorld(LaneVec3 w) const { return x * w.x + y * w.y + z * w.z; }
+  LaneVec3 toLocal(LaneVec3 w) const { return {dot(w, x), dot(w, y), dot(w, z)}; }
+
+  LaneVec3 x, y, z;
+};
+
+}  // namespace saccade
