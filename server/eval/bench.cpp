@@ -19,14 +19,6 @@ Trajectory straightThrough(const Trajectory& motion, TimeNs at) {
   return Trajectory({{TimeNs{0}, early}, {2 * at, late}});
 }
 
-IntensityChange changeOf(const ReferenceChange& reference) {
-  IntensityChange change(reference.dI.width(), reference.dI.height());
-  change.dI.copyFrom(reference.dI);
-  change.I_prev.copyFrom(reference.I_prev);
-  change.I_now.copyFrom(reference.I_now);
-  return change;
-}
-
 double medianMotion(const GBuffer& g) {
   std::vector<double> lengths;
   forEachPixel(g.z, [&](int x, int y) {
@@ -70,11 +62,9 @@ void Bench::renderTruth() {
   for (int t = setup_.first; t <= setup_.last; ++t) {
     ReferenceFrame cur = frame(t);
     const IntensityChange& at = features.step();
-    ReferenceChange change(prev, cur);
-    IntensityChange mean = changeOf(change);
-    mean.t0 = at.t0, mean.t1 = at.t1, mean.frame = at.frame;
-    truth_.push_back(
-        {std::move(change), std::move(mean), findRegions(features.frames().cur.g, features.frames().prev.g)});
+    truth_.push_back({{prev, cur}, findRegions(features.frames().cur.g, features.frames().prev.g)});
+    IntensityChange& change = truth_.back().change;
+    change.t0 = at.t0, change.t1 = at.t1, change.frame = at.frame;
     prev = std::move(cur);
   }
   median_px_ = medianMotion(features.frames().cur.g);
@@ -82,7 +72,7 @@ void Bench::renderTruth() {
 
 double Bench::referenceError() const {
   double sum = 0;
-  for (const Truth& t : truth_) sum += t.reference.error();
+  for (const Truth& t : truth_) sum += t.error();
   return sum / static_cast<double>(truth_.size());
 }
 

@@ -26,10 +26,8 @@ struct BenchSetup {
   std::string cache;          // folder of reference frames
 };
 
-// The change from one frame to the next, as it is.
-struct Truth {
-  ReferenceChange reference;
-  IntensityChange change;  // the mean of both halves, with the times of the frame
+// The change from one frame to the next, as it is, with its times.
+struct Truth : ReferenceChange {
   RegionMap regions;
 };
 

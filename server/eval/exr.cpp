@@ -2,6 +2,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <stdexcept>
@@ -14,11 +15,12 @@ using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-// Writes beside the target, then renames: nobody ever sees half a file.
+// Writes beside the target, then renames: nobody ever sees half a file, nor one of two processes.
 void writePicture(const std::string& path, const ImageSpec& spec, TypeDesc type, const void* data) {
   const std::filesystem::path target(path);
   if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path());
-  const std::string partial = (target.parent_path() / (".partial-" + target.filename().string())).string();
+  const std::string partial =
+      target.parent_path() / (".partial-" + std::to_string(getpid()) + "-" + target.filename().string());
   auto out = ImageOutput::create(partial);
   if (!out || !out->open(partial, spec) || !out->write_image(type, data) || !out->close()) {
     throw std::runtime_error("cannot write " + path + ": " + (out ? out->geterror() : OIIO::geterror()));

@@ -1,5 +1,4 @@
 // `saccade-eval frames`: what a method estimates, frame by frame, or the reference for it.
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -31,11 +30,11 @@ std::string dumpPath(const FramesOptions& o, const char* what, int frame) {
   return (std::filesystem::path(o.dump) / name).string();
 }
 
-void writeDump(const FramesOptions& o, int frame, const ImageF& dI, const ImageF& I_prev,
-               const ImageF& var_dI, const ImageF& var_I_prev) {
-  writeExr(dumpPath(o, "dI", frame), {{"Y", &dI}});
-  writeExr(dumpPath(o, "Iprev", frame), {{"Y", &I_prev}});
-  writeExr(dumpPath(o, "variance", frame), {{"I", &var_I_prev}, {"dI", &var_dI}});
+void writeDump(const FramesOptions& o, int frame, const IntensityChange& change) {
+  if (o.dump.empty()) return;
+  writeExr(dumpPath(o, "dI", frame), {{"Y", &change.dI}});
+  writeExr(dumpPath(o, "Iprev", frame), {{"Y", &change.I_prev}});
+  writeExr(dumpPath(o, "variance", frame), {{"I", &change.var_I_prev}, {"dI", &change.var_dI}});
 }
 
 void resolveMethod(FramesOptions& o) {
@@ -66,8 +65,7 @@ void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene,
   for (int t = 1; t <= o.last; ++t) {
     const IntensityChange& change = feed.step();
     total += feed.lastTimes();
-    if (t >= o.first && !o.dump.empty())
-      writeDump(o, t, change.dI, change.I_prev, change.var_dI, change.var_I_prev);
+    if (t >= o.first) writeDump(o, t, change);
     progress.add(1);
     if (interrupted()) throw Interrupted{};
   }
@@ -86,18 +84,10 @@ void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> sce
     return renderer.frame(path.at(time), time, spp, progress);
   };
   ReferenceFrame prev = render(o.first - 1);
-  ImageF var_dI(w, h), var_I(w, h);
   for (int t = o.first; t <= o.last; ++t) {
     ReferenceFrame cur = render(t);
     const ReferenceChange truth(prev, cur);
-    for (int y = 0; y < h; ++y) {
-      for (int x = 0; x < w; ++x) {
-        // Of the mean of two halves: the square of half their difference.
-        var_dI.at(x, y) = std::pow((truth.half_a.at(x, y) - truth.half_b.at(x, y)) / 2, 2.f);
-        var_I.at(x, y) = std::pow((prev.a.at(x, y) - prev.b.at(x, y)) / 2, 2.f);
-      }
-    }
-    if (!o.dump.empty()) writeDump(o, t, truth.dI, truth.I_prev, var_dI, var_I);
+    writeDump(o, t, truth.change);
     std::printf("frame %d: %d spp; own error of dI (half of half against half): %.4f relative L1\n", t, spp,
                 truth.error());
     prev = std::move(cur);

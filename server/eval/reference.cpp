@@ -6,6 +6,7 @@
 
 #include "base/hash_rng.h"
 #include "eval/exr.h"
+#include "eval/metrics/for_each_pixel.h"
 #include "eval/metrics/plane_error.h"
 
 namespace saccade {
@@ -44,7 +45,7 @@ std::uint64_t hashScene(const Scene& scene) {
   for (const Sphere& s : scene.spheres)
     h.add(s.center), h.add(s.radius), h.add(s.material), h.add(s.radiance);
   for (const Material& m : scene.materials) {
-    const Reflectance& r = m.reflectance;
+    const auto& r = m.reflectance;
     h.add(static_cast<int>(r.kind)), h.add(r.color0), h.add(r.color1), h.add(r.texture), h.add(r.uv_scale),
         h.add(r.uv_offset);
     h.add(static_cast<int>(m.twosided));
@@ -57,23 +58,38 @@ std::uint64_t hashScene(const Scene& scene) {
   return h.value;
 }
 
+// Takes the frame kept at `path`. Returns its paths per pixel, 0 where there is none that can be used.
+int readKept(const std::string& path, ReferenceFrame& frame) {
+  if (!std::filesystem::exists(path)) return 0;
+  try {
+    const ExrPicture kept = readExr(path);
+    const ImageF &a = kept.planes.at("a"), &b = kept.planes.at("b");
+    const int spp = kept.attributes.at("spp");
+    if (a.width() != frame.a.width() || a.height() != frame.a.height()) return 0;
+    frame.a.copyFrom(a), frame.b.copyFrom(b);
+    return spp;
+  } catch (const std::exception&) {  // not to be read, or without one of them
+    return 0;
+  }
+}
+
 }  // namespace
 
 ReferenceChange::ReferenceChange(const ReferenceFrame& prev, const ReferenceFrame& cur)
-    : dI(cur.a.width(), cur.a.height()),
-      I_prev(dI.width(), dI.height()),
-      I_now(dI.width(), dI.height()),
-      half_a(dI.width(), dI.height()),
-      half_b(dI.width(), dI.height()) {
-  for (int y = 0; y < dI.height(); ++y) {
-    for (int x = 0; x < dI.width(); ++x) {
-      half_a.at(x, y) = cur.a.at(x, y) - prev.a.at(x, y);
-      half_b.at(x, y) = cur.b.at(x, y) - prev.b.at(x, y);
-      dI.at(x, y) = 0.5f * (half_a.at(x, y) + half_b.at(x, y));
-      I_prev.at(x, y) = prev.mean(x, y);
-      I_now.at(x, y) = cur.mean(x, y);
-    }
-  }
+    : change(cur.a.width(), cur.a.height()),
+      half_a(cur.a.width(), cur.a.height()),
+      half_b(cur.a.width(), cur.a.height()) {
+  // Of the mean of two halves.
+  const auto variance = [](float a, float b) { return 0.25f * (a - b) * (a - b); };
+  forEachPixel(half_a, [&](int x, int y) {
+    const float a = half_a.at(x, y) = cur.a.at(x, y) - prev.a.at(x, y);
+    const float b = half_b.at(x, y) = cur.b.at(x, y) - prev.b.at(x, y);
+    change.dI.at(x, y) = 0.5f * (a + b);
+    change.I_prev.at(x, y) = prev.mean(x, y);
+    change.I_now.at(x, y) = cur.mean(x, y);
+    change.var_dI.at(x, y) = variance(a, b);
+    change.var_I_prev.at(x, y) = variance(prev.a.at(x, y), prev.b.at(x, y));
+  });
 }
 
 double ReferenceChange::error() const {
@@ -101,9 +117,9 @@ ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, i
   key_ = h.value;
 }
 
-std::string ReferenceRenderer::cachePath(const Pose& pose) const {
+std::string ReferenceRenderer::cachePath(const Pose& pose, int spp) const {
   ContentHash h{key_};
-  h.add(pose.position), h.add(pose.rotation), h.add(strengths_.factors());
+  h.add(pose.position), h.add(pose.rotation), h.add(strengths_.factors()), h.add(spp);
   char name[32];
   std::snprintf(name, sizeof name, "%016llx.exr", static_cast<unsigned long long>(h.value));
   return (std::filesystem::path(cache_) / name).string();
@@ -112,15 +128,9 @@ std::string ReferenceRenderer::cachePath(const Pose& pose) const {
 ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, Progress& progress) {
   const Camera camera(pose, fov_x_deg_, width_, height_);
   strengths_.setTime(time);
-  const std::string path = cachePath(pose);
+  const std::string path = cachePath(pose, spp);
   ReferenceFrame out(width_, height_);
-  int done = 0;
-  if (std::filesystem::exists(path)) {
-    ExrPicture kept = readExr(path);
-    done = kept.attributes.at("spp");
-    out.a.copyFrom(kept.planes.at("a"));
-    out.b.copyFrom(kept.planes.at("b"));
-  }
+  int done = readKept(path, out);
   progress.add(std::min(done, spp));
   const auto keep = [&] { writeExr(path, {{"a", &out.a}, {"b", &out.b}}, {{"spp", done}}); };
   Frame chunk(width_, height_);

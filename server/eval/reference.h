@@ -6,6 +6,7 @@
 
 #include "base/tile_pool.h"
 #include "eval/progress.h"
+#include "frame/intensity_change.h"
 #include "render/renderer.h"
 #include "scene/emitter_strengths.h"
 
@@ -18,11 +19,12 @@ struct ReferenceFrame {
   float mean(int x, int y) const { return 0.5f * (a.at(x, y) + b.at(x, y)); }
 };
 
-// The change between two frames. `half_a` and `half_b` are independent estimates of dI.
+// The change between two frames.
 struct ReferenceChange {
   ReferenceChange(const ReferenceFrame& prev, const ReferenceFrame& cur);
-  ImageF dI, I_prev, I_now, half_a, half_b;
-  double error() const;  // of dI, relative L1: half of what the halves differ by
+  IntensityChange change;  // the mean of both halves, with its own variances; times are the caller's
+  ImageF half_a, half_b;   // independent estimates of dI
+  double error() const;    // of dI, relative L1: half of what the halves differ by
 };
 
 class ReferenceRenderer {
@@ -32,15 +34,16 @@ class ReferenceRenderer {
   ReferenceRenderer(std::shared_ptr<const RenderScene> scene, int bounces, int width, int height,
                     double fov_x_deg, std::string cache, TilePool& pool);
 
-  // The frame at a stream time. Renders until it has `spp` paths per pixel, or takes it from the cache. What
-  // was rendered is written every few seconds and when interrupted() turns true, and is gone on with next
-  // time.
+  // The frame at a stream time, of `spp` paths per pixel, rounded up to whole chunks: rendered, or taken from
+  // the cache. What was rendered is written every few seconds and when interrupted() turns true, and is gone
+  // on with next time; a file that cannot be read, or is no such frame, is rendered anew. Frames of different
+  // spp are kept apart: their difference would be noise of the paths that only one of them has.
   ReferenceFrame frame(const Pose& pose, TimeNs time, int spp, Progress& progress);
 
   static constexpr int kChunk = 64;  // paths per pixel between two looks at the clock
 
  private:
-  std::string cachePath(const Pose& pose) const;  // with strengths_ at the frame's time
+  std::string cachePath(const Pose& pose, int spp) const;  // with strengths_ at the frame's time
 
   Renderer renderer_;
   EmitterStrengths strengths_;

@@ -31,8 +31,8 @@ struct ScoredFrame {
       : regions(truth.regions),
         dI(truth.change.dI),
         dL(brightnessChange(truth.change, bias)),
-        half_a(brightnessChange(truth, truth.reference.half_a, bias)),
-        half_b(brightnessChange(truth, truth.reference.half_b, bias)) {}
+        half_a(brightnessChange(truth, truth.half_a, bias)),
+        half_b(brightnessChange(truth, truth.half_b, bias)) {}
   const RegionMap& regions;
   const ImageF& dI;
   ImageF dL, half_a, half_b;  // halves: of dL

@@ -1,7 +1,11 @@
 #include "eval/reference.h"
 
 #include <filesystem>
+#include <fstream>
+#include <functional>
 
+#include "eval/exr.h"
+#include "eval/metrics/for_each_pixel.h"
 #include "render/test_scenes.h"
 #include "scene/scratch.h"
 
@@ -27,8 +31,38 @@ struct Fixture : ::testing::Test {
     std::filesystem::create_directories(files.path("cache"));
     return {scene, 1, kW, kH, 60, files.path("cache"), pool};
   }
+  ReferenceFrame render(int spp) {
+    const auto steady = scene({});
+    return renderer(steady).frame(steady->description().T_world_camera, 0ms, spp, progress);
+  }
+  // The only one.
+  std::string keptFile() const {
+    return std::filesystem::directory_iterator(files.path("cache"))->path().string();
+  }
   long kept() const { return std::distance(std::filesystem::directory_iterator(files.path("cache")), {}); }
 };
+
+void expectEqual(const ReferenceFrame& x, const ReferenceFrame& y) {
+  forEachPixel(x.a, [&](int column, int row) {
+    ASSERT_EQ(x.a.at(column, row), y.a.at(column, row));
+    ASSERT_EQ(x.b.at(column, row), y.b.at(column, row));
+  });
+}
+
+TEST(ReferenceChange, ByHand) {
+  ReferenceFrame prev(1, 1), cur(1, 1);
+  prev.a.fill(1), prev.b.fill(2), cur.a.fill(4), cur.b.fill(3);
+  const ReferenceChange truth(prev, cur);
+  EXPECT_EQ(truth.half_a.at(0, 0), 3);
+  EXPECT_EQ(truth.half_b.at(0, 0), 1);
+  EXPECT_EQ(truth.change.dI.at(0, 0), 2);
+  EXPECT_EQ(truth.change.I_prev.at(0, 0), 1.5);
+  EXPECT_EQ(truth.change.I_now.at(0, 0), 3.5);
+  // Of two samples 3 and 1 the variance is 2, and that of their mean is 1.
+  EXPECT_EQ(truth.change.var_dI.at(0, 0), 1);
+  EXPECT_EQ(truth.change.var_I_prev.at(0, 0), 0.25);
+  EXPECT_EQ(truth.error(), 1);
+}
 
 TEST_F(Fixture, ShowsAndKeepsAFrameForEveryStrengthOfItsLamp) {
   const auto switched = scene(Strength({{0ms, 1}, {50ms, 1}, {50ms, 0.25f}}));
@@ -56,6 +90,59 @@ TEST_F(Fixture, TimeIsNothingToASceneThatStaysAsItIs) {
   reference.frame(pose, 0ms, 64, progress);
   reference.frame(pose, 50ms, 64, progress);
   EXPECT_EQ(kept(), 1);
+}
+
+TEST_F(Fixture, AFrameIsTakenFromTheCache) {
+  render(64);
+  ReferenceFrame other(kW, kH);
+  other.b.at(3, 2) = 7;
+  writeExr(keptFile(), {{"a", &other.a}, {"b", &other.b}}, {{"spp", 64}});
+  expectEqual(render(64), other);
+}
+
+TEST_F(Fixture, AHalfFinishedFrameIsGoneOnWith) {
+  const ReferenceFrame whole = render(128);
+  const std::string path = keptFile();
+  ReferenceFrame half = render(64);
+  EXPECT_NE(half.b.at(3, 2), whole.b.at(3, 2));
+  half.a.at(3, 2) += 64;  // to be known by
+  writeExr(path, {{"a", &half.a}, {"b", &half.b}}, {{"spp", 64}});
+  const ReferenceFrame gone_on = render(128);
+  EXPECT_NEAR(gone_on.a.at(3, 2), whole.a.at(3, 2) + 32, 1e-4);
+  EXPECT_EQ(gone_on.b.at(3, 2), whole.b.at(3, 2));
+}
+
+// Otherwise the difference of two frames would be noise of the paths that only one of them has.
+TEST_F(Fixture, FramesOfMorePathsAreKeptApart) {
+  const ReferenceFrame few = render(64);
+  std::filesystem::remove(keptFile());
+  render(128);
+  expectEqual(render(64), few);
+}
+
+TEST_F(Fixture, AFileThatIsNoSuchFrameIsRenderedAnew) {
+  const ReferenceFrame frame = render(64);
+  const std::string path = keptFile();
+  const auto size = std::filesystem::file_size(path);
+  const ImageF small(3, 2), other(kW, kH);
+  const std::function<void()> spoilers[] = {
+      [&] { std::filesystem::resize_file(path, size / 2); },
+      [&] { std::ofstream(path) << "no picture"; },
+      [&] {
+        writeExr(path, {{"a", &other}, {"b", &other}});
+      },
+      [&] {
+        writeExr(path, {{"Y", &other}}, {{"spp", 64}});
+      },
+      [&] {
+        writeExr(path, {{"a", &small}, {"b", &small}}, {{"spp", 64}});
+      },
+  };
+  for (const auto& spoil : spoilers) {
+    spoil();
+    expectEqual(render(64), frame);
+    EXPECT_EQ(readExr(path).attributes.at("spp"), 64);
+  }
 }
 
 }  // namespace

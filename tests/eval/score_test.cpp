@@ -36,7 +36,9 @@ Truth truthOf(const ImageF& dL, const std::vector<std::uint32_t>& regions, int f
   }
   RegionMap map(w, 1);
   std::copy(regions.begin(), regions.end(), map.row(0));
-  return {ReferenceChange(prev, cur), frameOf(dL, frame), std::move(map)};
+  Truth truth{{prev, cur}, std::move(map)};
+  truth.change.copyFrom(frameOf(dL, frame));
+  return truth;
 }
 
 // Frames 1, 2, ... with these changes of brightness.
