@@ -1,10 +1,12 @@
 #include "eval/bench_options.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <sstream>
 
 #include "base/cpu_name.h"
 #include "base/default_cache.h"
+#include "eval/arguments.h"
 
 namespace saccade {
 

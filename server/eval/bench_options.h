@@ -2,7 +2,10 @@
 #pragma once
 
 #include "eval/bench.h"
-#include "eval/commands.h"
+
+namespace CLI {
+class App;
+}
 
 namespace saccade {
 

@@ -9,6 +9,7 @@
 #include "base/default_cache.h"
 #include "eval/bench_options.h"
 #include "eval/change_pictures.h"
+#include "eval/commands.h"
 #include "eval/open_scene.h"
 #include "eval/page.h"
 #include "eval/results.h"

@@ -3,22 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/default_cache.h"
-
 namespace saccade {
-
-struct Size {
-  int width = 256, height = 256;
-};
-// "WxH", 1 to 16384 each. Throws CLI::ValidationError.
-Size parseSize(const std::string& text);
-
-struct FrameRange {
-  int first = 1, last = 21;
-};
-// "A:B", frames A to B with 1 <= A <= B (the change of frame 1 is since frame 0), or one frame. Throws as
-// well.
-FrameRange parseFrameRange(const std::string& text);
 
 void addStillCommand(CLI::App& app);
 void addFramesCommand(CLI::App& app);

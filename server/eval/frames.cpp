@@ -6,6 +6,8 @@
 #include <thread>
 
 #include "app/feed.h"
+#include "base/default_cache.h"
+#include "eval/arguments.h"
 #include "eval/commands.h"
 #include "eval/exr.h"
 #include "eval/open_scene.h"

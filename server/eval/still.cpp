@@ -4,6 +4,7 @@
 #include <memory>
 #include <thread>
 
+#include "eval/arguments.h"
 #include "eval/commands.h"
 #include "eval/exr.h"
 #include "eval/open_scene.h"

@@ -1,0 +1,58 @@
+#include "eval/arguments.h"
+
+#include "scene/scratch.h"
+
+namespace saccade {
+namespace {
+
+// What is said of a text that is not valid.
+template <class Parse>
+std::string faultOf(Parse parse, const std::string& text) {
+  try {
+    parse(text);
+  } catch (const std::runtime_error& fault) {
+    return fault.what();
+  }
+  return "no fault";
+}
+
+void expectRange(const std::string& text, int first, int last) {
+  const FrameRange range = parseFrameRange(text);
+  EXPECT_EQ(range.first, first) << text;
+  EXPECT_EQ(range.last, last) << text;
+}
+
+TEST(ParseFrameRange, IsARangeOrOneFrame) {
+  expectRange("17:21", 17, 21);
+  expectRange("3:3", 3, 3);
+  expectRange("5", 5, 5);
+  expectRange("1:1000000", 1, 1'000'000);
+}
+
+TEST(ParseFrameRange, NamesTheFlagAndWhatWouldBeValid) {
+  for (const char* text :
+       {"", ":", "0", "0:3", "3:2", "a", "3:", ":3", "1:2x", "1:2:3", " 1:2", "1: 2", "-1:2", "+1:2", "1.5",
+        "1000001", "1:1000001", "1:99999999999999999999", "99999999999999999999"}) {
+    const std::string fault = faultOf(parseFrameRange, text);
+    for (const std::string part : {"--frames", "1 <= A <= B <= 1000000"}) expectContains(fault, part);
+    EXPECT_TRUE(fault.ends_with("not " + std::string(text))) << fault;
+  }
+}
+
+TEST(ParseSize, IsWidthAndHeight) {
+  const Size size = parseSize("640x16384");
+  EXPECT_EQ(size.width, 640);
+  EXPECT_EQ(size.height, 16384);
+}
+
+TEST(ParseSize, NamesTheFlagAndWhatWouldBeValid) {
+  for (const char* text : {"", "x", "640", "640x", "x480", "640x480x", "640X480", "640 x480", "0x480",
+                           "640x-1", "640x16385", "99999999999999999999x1"}) {
+    const std::string fault = faultOf(parseSize, text);
+    for (const std::string part : {"--size", "from 1 to 16384"}) expectContains(fault, part);
+    EXPECT_TRUE(fault.ends_with("not " + std::string(text))) << fault;
+  }
+}
+
+}  // namespace
+}  // namespace saccade
