@@ -31,7 +31,9 @@ RenderScene::RenderScene(Scene scene)
       geometry_(scene_),
       lights_(scene_),
       channels_(colorChannels(scene_)),
-      epsilon_(kRelativeEpsilon * geometry_.diagonal()) {}
+      epsilon_(kRelativeEpsilon * geometry_.diagonal()) {
+  requireRenderable(scene_);
+}
 
 Surface RenderScene::surface(const Ray& ray, const Hit& hit, float footprint) const {
   Vec3 n = normalize(hit.normal);
@@ -59,7 +61,8 @@ RenderScene::Patch RenderScene::meshPatch(const Mesh& mesh, const Hit& hit, Vec3
     const Vec3 ns = interpolate(mesh.normals[i], mesh.normals[j], mesh.normals[k], hit.u, hit.v);
     if (dot(ns, ns) > 0) patch.shading_normal = normalize(ns);
   }
-  if (!mesh.uvs.empty() && scene_.materials[mesh.material].reflectance.kind != Reflectance::Kind::kConstant) {
+  if (!mesh.uvs.empty() &&
+      scene_.materials[mesh.material].reflectance.kind != SurfaceColor::Kind::kConstant) {
     const Vec2 p = mesh.uvs[i], q = mesh.uvs[j], r = mesh.uvs[k];
     patch.uv = {p.x * (1 - hit.u - hit.v) + q.x * hit.u + r.x * hit.v,
                 p.y * (1 - hit.u - hit.v) + q.y * hit.u + r.y * hit.v};
@@ -78,11 +81,11 @@ RenderScene::Patch RenderScene::spherePatch(const Sphere& sphere, Vec3 normal) c
           1 / (2 * kPi * sphere.radius),          sphere.material, sphere.radiance};
 }
 
-Rgb RenderScene::reflectance(const Reflectance& r, Vec2 uv, float footprint) const {
-  if (r.kind == Reflectance::Kind::kConstant) return r.color0;
+Rgb RenderScene::reflectance(const SurfaceColor& r, Vec2 uv, float footprint) const {
+  if (r.kind == SurfaceColor::Kind::kConstant) return r.color0;
   const Vec2 st{uv.x * r.uv_scale.x + r.uv_offset.x, uv.y * r.uv_scale.y + r.uv_offset.y};
   const float width = footprint * std::sqrt(std::abs(r.uv_scale.x * r.uv_scale.y));
-  if (r.kind == Reflectance::Kind::kBitmap) return scene_.textures[r.texture].sample(st, width);
+  if (r.kind == SurfaceColor::Kind::kBitmap) return scene_.textures[r.texture].sample(st, width);
   // Mitsuba's checkerboard has color0 where both coordinates lie in the same half of their period.
   const float same = 0.5f + 0.5f * filteredSquareWave(st.x, width) * filteredSquareWave(st.y, width);
   return r.color0 * same + r.color1 * (1 - same);

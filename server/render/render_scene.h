@@ -43,7 +43,7 @@ class RenderScene {
   };
   Patch meshPatch(const Mesh& mesh, const Hit& hit, Vec3 normal) const;
   Patch spherePatch(const Sphere& sphere, Vec3 normal) const;
-  Rgb reflectance(const Reflectance& r, Vec2 uv, float footprint) const;
+  Rgb reflectance(const SurfaceColor& r, Vec2 uv, float footprint) const;
 
   Scene scene_;
   EmbreeScene geometry_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace saccade {
@@ -60,6 +61,23 @@ Mesh makeCube() {
   return mesh;
 }
 
+// One vertex of the middle for each triangle, as v differs between them.
+Mesh makeDisk() {
+  Mesh mesh;
+  for (int i = 0; i <= kDiskCorners; ++i) {
+    const float turns = static_cast<float>(i) / kDiskCorners;
+    const double angle = 2 * std::numbers::pi * (i % kDiskCorners) / kDiskCorners;
+    mesh.positions.push_back(toFloat(Vec3d{std::cos(angle), std::sin(angle), 0}));
+    mesh.uvs.push_back({1, turns});
+  }
+  for (std::uint32_t i = 0; i < kDiskCorners; ++i) {
+    mesh.triangles.push_back({static_cast<std::uint32_t>(mesh.positions.size()), i, i + 1});
+    mesh.positions.push_back({});
+    mesh.uvs.push_back({0, (static_cast<float>(i) + 0.5f) / kDiskCorners});
+  }
+  return mesh;
+}
+
 void placeMesh(Mesh& mesh, const Affine& to_world, bool face_normals) {
   for (Vec3& p : mesh.positions) p = toFloat(mapPoint(to_world, toDouble(p)));
   if (determinant(to_world) < 0)
@@ -72,6 +90,10 @@ void placeMesh(Mesh& mesh, const Affine& to_world, bool face_normals) {
     for (Vec3& n : mesh.normals) n = toFloat(unitOr(mapNormal(to_world, toDouble(n)), {0, 0, 1}));
   }
   mesh.positions.push_back({});
+  mesh.positions.shrink_to_fit();
+  mesh.normals.shrink_to_fit();
+  mesh.uvs.shrink_to_fit();
+  mesh.triangles.shrink_to_fit();
 }
 
 }  // namespace saccade

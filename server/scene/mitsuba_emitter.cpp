@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/limits.h"
 #include "scene/text.h"
 #include "scene/xml_properties.h"
 
@@ -12,8 +13,7 @@ namespace {
 
 constexpr double kMaxSeconds = 9e9;  // what whole nanoseconds can count
 constexpr double kForever = std::numeric_limits<double>::infinity();
-constexpr float kMaxFloat = std::numeric_limits<float>::max();
-constexpr float kMaxRadiance = 1e18f, kMaxFactor = 1e18f;  // their product and the power of lamps stay finite
+constexpr float kMaxFactor = 1e18f;  // times kMaxRadiance it is finite
 
 TimeNs toTime(double seconds) {
   return TimeNs{std::llround(seconds * 1e9)};
@@ -62,12 +62,12 @@ Strength parseStrength(const XmlFile& file, pugi::xml_node emitter, Properties& 
 Emission parseEmitter(const XmlFile& file, pugi::xml_node emitter) {
   supportedType(file, emitter, {"area"});
   Properties properties(file, emitter);
-  const auto radiance = properties.color("radiance", kMaxFloat);
+  properties.readPast("float", {"sampling_weight"});
+  const auto radiance = properties.color("radiance", kMaxRadiance);
   const Strength strength = parseStrength(file, emitter, properties);
   properties.finish();
-  if (!radiance) throw file.error(emitter, "an area emitter needs <rgb> or <float name=\"radiance\">");
-  if (std::max({radiance->x, radiance->y, radiance->z}) > kMaxRadiance)
-    throw file.error(emitter, "a radiance above 1e18 is too bright for float numbers");
+  if (!radiance)
+    throw file.error(emitter, "an area emitter needs <rgb>, <spectrum> or <float name=\"radiance\">");
   return {*radiance, strength};
 }
 

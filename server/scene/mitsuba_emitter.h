@@ -1,4 +1,4 @@
-// The emitters of a Mitsuba scene file.
+// The emitters of a Mitsuba scene file that are the surface of a shape.
 #pragma once
 
 #include "scene/scene.h"

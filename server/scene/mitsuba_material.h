@@ -2,17 +2,16 @@
 #pragma once
 
 #include <map>
-#include <utility>
 
-#include "scene/scene.h"
-#include "scene/xml_file.h"
+#include "scene/mitsuba_texture.h"
 
 namespace saccade {
 
 class MaterialReader {
  public:
-  // Adds what it reads to the materials and textures of `scene`.
-  MaterialReader(const XmlFile& file, Scene& scene) : file_(file), scene_(scene) {}
+  // Adds what it reads to the materials of `scene`.
+  MaterialReader(const XmlFile& file, TextureReader& textures, Scene& scene)
+      : file_(file), textures_(textures), scene_(scene) {}
 
   // Index of the material a <bsdf> describes; of a grey 0.5 if it is null. Each is read once. Throws
   // SceneError.
@@ -20,14 +19,12 @@ class MaterialReader {
 
  private:
   Material parse(pugi::xml_node bsdf);
-  Reflectance parseReflectance(pugi::xml_node diffuse);
-  Reflectance parseTexture(pugi::xml_node texture);
-  int readBitmap(pugi::xml_node at, const std::string& filename, bool raw);
+  pugi::xml_node readWrapper(const std::string& type, pugi::xml_node bsdf, Material& material);
 
   const XmlFile& file_;
+  TextureReader& textures_;
   Scene& scene_;
   std::map<pugi::xml_node, int> materials_;
-  std::map<std::pair<std::string, bool>, int> textures_;  // by path and `raw`
 };
 
 }  // namespace saccade

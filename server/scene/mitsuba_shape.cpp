@@ -27,35 +27,42 @@ Common parseCommon(const XmlFile& file, pugi::xml_node shape, Properties& proper
           materials.read(properties.object("bsdf")), emitter ? parseEmitter(file, emitter) : Emission{}};
 }
 
-Mesh loadMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type,
-              const std::string& filename) {
-  if (filename.empty()) throw file.error(shape, "the shape needs <string name=\"filename\">");
-  try {
-    const std::string path = file.locate(filename);
-    return type == "obj" ? loadObj(path) : loadPly(path);
-  } catch (const SceneError& e) {
-    throw file.error(shape, e.what());
-  }
+Mesh loadMesh(const std::string& type, const std::string& path, bool flip_v) {
+  if (type == "rectangle") return makeRectangle();
+  if (type == "cube") return makeCube();
+  if (type == "disk") return makeDisk();
+  Mesh mesh = type == "obj" ? loadObj(path) : loadPly(path);
+  if (flip_v)
+    for (Vec2& uv : mesh.uvs) uv.y = 1 - uv.y;
+  return mesh;
+}
+
+bool isFinite(const Mesh& mesh) {
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                     [](Vec3 p) { return std::isfinite(dot(p, p)); });
 }
 
 void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type, MaterialReader& materials,
-              Scene& scene) {
+              FileLoads& loads, Scene& scene) {
   Properties properties(file, shape);
   const Common common = parseCommon(file, shape, properties, materials);
   const bool is_file = type == "obj" || type == "ply";
-  const std::string filename = is_file ? properties.text("filename") : "";
+  const std::string path = is_file ? file.locate(shape, properties.text("filename")) : "";
   const bool face_normals = !is_file || properties.flag("face_normals", false);
+  const bool flip_v = is_file && properties.flag("flip_tex_coords", type == "obj");
   properties.finish();
-  Mesh mesh = is_file ? loadMesh(file, shape, type, filename) : type == "cube" ? makeCube() : makeRectangle();
-  if (!common.name.empty()) mesh.name = common.name;
-  mesh.material = common.material;
-  mesh.radiance = common.emission.radiance;
-  mesh.strength = common.emission.strength;
-  placeMesh(mesh, common.to_world, face_normals);
-  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(),
-                   [](Vec3 p) { return std::isfinite(dot(p, p)); }))
-    throw file.error(shape, "a vertex of the shape is too far away for float numbers");
-  scene.meshes.push_back(std::move(mesh));
+  const std::size_t index = scene.meshes.size();
+  scene.meshes.emplace_back();
+  loads.add(shape, [=, &meshes = scene.meshes] {
+    Mesh mesh = loadMesh(type, path, flip_v);
+    placeMesh(mesh, common.to_world, face_normals);
+    if (!isFinite(mesh)) throw SceneError("a vertex of the shape is too far away for float numbers");
+    if (!common.name.empty()) mesh.name = common.name;
+    mesh.material = common.material;
+    mesh.radiance = common.emission.radiance;
+    mesh.strength = common.emission.strength;
+    meshes[index] = std::move(mesh);
+  });
 }
 
 // By how much the map scales all lengths.
@@ -72,7 +79,7 @@ double uniformScale(const XmlFile& file, pugi::xml_node at, const Affine& map) {
 void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, Scene& scene) {
   Properties properties(file, shape);
   const Common common = parseCommon(file, shape, properties, materials);
-  const Vec3d center = properties.point("center");
+  const Vec3d center = properties.vector("center").value_or(Vec3d{});
   const double radius = properties.number("radius", 1) * uniformScale(file, shape, common.to_world);
   properties.finish();
   const Vec3 placed = toFloat(mapPoint(common.to_world, center));
@@ -85,12 +92,13 @@ void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& mater
 
 }  // namespace
 
-void readShape(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, Scene& scene) {
-  const std::string type = supportedType(file, shape, {"rectangle", "cube", "sphere", "obj", "ply"});
+void readShape(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, FileLoads& loads,
+               Scene& scene) {
+  const std::string type = supportedType(file, shape, {"obj", "ply", "rectangle", "cube", "disk", "sphere"});
   if (type == "sphere") {
     readSphere(file, shape, materials, scene);
   } else {
-    readMesh(file, shape, type, materials, scene);
+    readMesh(file, shape, type, materials, loads, scene);
   }
 }
 

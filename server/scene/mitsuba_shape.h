@@ -7,7 +7,9 @@
 
 namespace saccade {
 
-// Adds what a <shape> describes to the meshes or spheres of `scene`. Throws SceneError.
-void readShape(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, Scene& scene);
+// Adds what a <shape> describes to the meshes or spheres of `scene`; `loads` will fill the meshes. Throws
+// SceneError.
+void readShape(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, FileLoads& loads,
+               Scene& scene);
 
 }  // namespace saccade

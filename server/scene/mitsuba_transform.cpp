@@ -71,7 +71,7 @@ Affine parseStep(const XmlFile& file, pugi::xml_node node) {
   if (name == "translate") return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, axesIn(file, node, 0)};
   if (name == "rotate") return parseRotate(file, node);
   if (name == "scale") return parseScale(file, node);
-  if (name == "lookat") return parseLookAt(file, node);
+  if (name == "lookat" || name == "lookAt") return parseLookAt(file, node);
   throw file.error(node, "<" + name +
                              "> is not supported in <transform>; supported: matrix, translate, rotate, "
                              "scale, lookat");

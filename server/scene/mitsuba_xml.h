@@ -1,11 +1,19 @@
-// Reads a Mitsuba 3 scene file.
+// Reads a Mitsuba scene file of either dialect: 0.4 to 0.6 (toWorld, intIOR) or 3 (to_world, int_ior). Names
+// of both are read in all files; where defaults differ, the scene's version decides.
 //
-// Supported: perspective sensor (fov along x, or fov_axis y|x|smaller|larger); shapes rectangle, cube,
-// sphere, obj, ply; bsdf diffuse under any number of twosided; textures bitmap (to_uv scale/translate, raw)
-// and checkerboard; emitter area with rgb or float radiance; to_world of matrix, translate, rotate, scale,
-// lookat in order; <default> and $names; ids and refs. Integrator, sampler, film rfilter and the like are
-// read past; the film's width and height are kept. Anything else is a SceneError naming file, line and what
-// is supported.
+// Supported:
+//   sensor    perspective: fov along x, or fov_axis y|x|smaller|larger
+//   shape     obj, ply (face_normals, flip_tex_coords), rectangle, cube, disk, sphere
+//   bsdf      diffuse, plastic, roughplastic, conductor, roughconductor, dielectric, thindielectric; around
+//   one,
+//             in any order: twosided, mask, bumpmap
+//   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
+//   emitter   area, of a shape; envmap, constant, point, directional
+//   transform of matrix, translate, rotate, scale, lookat in order
+//   <default> and $names; ids and refs to what stands before
+// Colours are rgb, float, or spectrum of one number. A bsdf at the top without an id goes by that of the bsdf
+// within it. Integrator, sampler and the like are read past; the film's width and height are kept. Anything
+// else, and what is beyond limits.h, is a SceneError naming file, line and what is supported.
 //
 // Our extension: an area emitter may change over stream time, by a factor (dimensionless, at least 0) on its
 // radiance.
@@ -16,15 +24,14 @@
 // frame before.
 #pragma once
 
-#include <map>
 #include <string>
 
+#include "scene/load_options.h"
 #include "scene/scene.h"
 
 namespace saccade {
 
-// `definitions` override the file's <default> values ($name). Relative file names are looked up in the folder
-// of the scene file. Throws SceneError.
-Scene loadMitsubaXml(const std::string& path, const std::map<std::string, std::string>& definitions = {});
+// Relative file names are looked up in the folder of the scene file. Throws SceneError.
+Scene loadMitsubaXml(const std::string& path, const LoadOptions& options = {});
 
 }  // namespace saccade

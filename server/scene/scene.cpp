@@ -2,27 +2,65 @@
 
 #include <algorithm>
 
+#include "scene/scene_error.h"
+
 namespace saccade {
 namespace {
 
 bool grey(Rgb c) {
   return c.x == c.y && c.y == c.z;
 }
+bool grey(const SurfaceColor& c) {
+  return grey(c.color0) && grey(c.color1);
+}
 bool grey(const Material& m) {
-  return grey(m.reflectance.color0) && grey(m.reflectance.color1);
+  return grey(m.reflectance) && grey(m.specular) && grey(m.transmittance) && grey(m.opacity) &&
+         grey(m.model.eta) && grey(m.model.k);
+}
+bool grey(const Texture& t) {
+  return t.grey();
+}
+bool grey(const Mesh& m) {
+  return grey(m.radiance);
+}
+bool grey(const Sphere& s) {
+  return grey(s.radiance);
+}
+bool grey(const PointLight& l) {
+  return grey(l.intensity);
+}
+bool grey(const DirectionalLight& l) {
+  return grey(l.irradiance);
+}
+template <class T>
+bool grey(const std::vector<T>& all) {
+  return std::all_of(all.begin(), all.end(), [](const T& one) { return grey(one); });
+}
+bool grey(const Environment& e) {
+  return grey(e.radiance) && grey(e.picture.pixels);
+}
+
+bool plain(const Material& m) {
+  return m.model.kind == BsdfKind::kDiffuse && isOpaque(m) && !isBumpy(m);
 }
 
 }  // namespace
 
-int colorChannels(const Scene& scene) {
-  const bool all_grey =
-      std::all_of(scene.materials.begin(), scene.materials.end(),
-                  [](const Material& m) { return grey(m); }) &&
-      std::all_of(scene.textures.begin(), scene.textures.end(), [](const Texture& t) { return t.grey(); }) &&
-      std::all_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return grey(m.radiance); }) &&
-      std::all_of(scene.spheres.begin(), scene.spheres.end(),
-                  [](const Sphere& s) { return grey(s.radiance); });
+int colorChannels(const Scene& s) {
+  const bool all_grey = grey(s.materials) && grey(s.textures) && grey(s.meshes) && grey(s.spheres) &&
+                        grey(s.point_lights) && grey(s.directional_lights) &&
+                        (!s.environment || grey(*s.environment));
   return all_grey ? 1 : 3;
+}
+
+void requireRenderable(const Scene& scene) {
+  const auto fault = [&](const std::string& what) {
+    return SceneError(scene.name + ": " + what + ": cannot be rendered yet");
+  };
+  for (const Material& m : scene.materials)
+    if (!plain(m)) throw fault("the material '" + m.name + "' is not diffuse, or has a mask or a bump map");
+  if (scene.environment || !scene.point_lights.empty() || !scene.directional_lights.empty())
+    throw fault("an emitter of a type other than area");
 }
 
 }  // namespace saccade

@@ -3,30 +3,18 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/light.h"
+#include "scene/material.h"
 #include "scene/pose.h"
 #include "scene/strength.h"
 #include "scene/texture.h"
 
 namespace saccade {
-
-// Diffuse reflectance over the surface: linear RGB in [0, 1].
-struct Reflectance {
-  enum class Kind { kConstant, kBitmap, kCheckerboard };
-  Kind kind = Kind::kConstant;
-  Rgb color0, color1;                    // kConstant: color0; kCheckerboard: the two colours
-  int texture = -1;                      // kBitmap: index into Scene::textures
-  Vec2 uv_scale{1, 1}, uv_offset{0, 0};  // texture coordinate = uv * uv_scale + uv_offset
-};
-
-struct Material {
-  std::string name;
-  Reflectance reflectance;
-  bool twosided = false;  // false: black seen from behind the geometric normal
-};
 
 // Triangles share positions with Embree: `positions` has one spare entry at the end, which Embree may read.
 struct Mesh {
@@ -55,12 +43,18 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Mesh> meshes;
   std::vector<Sphere> spheres;
+  std::optional<Environment> environment = {};
+  std::vector<PointLight> point_lights = {};
+  std::vector<DirectionalLight> directional_lights = {};
   Pose T_world_camera;            // the sensor of the scene file; camera axes x right, y down, z forward
   double fov_x_deg = 45;          // horizontal field of view
   int width = 256, height = 256;  // the film of the scene file
 };
 
-// 1 if every reflectance, texture and radiance of the scene is grey, else 3.
+// 1 if every colour of the scene is grey, of surfaces, textures, metals and lights, else 3.
 int colorChannels(const Scene& scene);
+
+// Throws SceneError naming the first thing in the scene that cannot be rendered yet.
+void requireRenderable(const Scene& scene);
 
 }  // namespace saccade

@@ -88,14 +88,19 @@ std::vector<SceneEntry> SceneLibrary::list() const {
   return entries;
 }
 
-Scene SceneLibrary::load(const std::string& name) const {
+Scene SceneLibrary::load(const std::string& name, const LoadProgress& progress) const {
   requireName("scene", name, sceneNames(folder_));
   const fs::path file = folder_ / name / "scene.xml";
   if (const std::string why = whyUnavailable(file, folder_); !why.empty())
     throw SceneError(name + ": " + why);
-  std::map<std::string, std::string> definitions;
-  for (const auto& [mesh_name, mesh] : outsideMeshes(folder_)) definitions[mesh_name] = mesh.path.string();
-  return loadMitsubaXml(file.string(), definitions);
+  LoadOptions options;
+  options.progress = progress;
+  options.confined_to = {folder_};
+  for (const auto& [mesh_name, mesh] : outsideMeshes(folder_)) {
+    options.definitions[mesh_name] = mesh.path.string();
+    options.confined_to.push_back(mesh.path);
+  }
+  return loadMitsubaXml(file.string(), options);
 }
 
 Trajectory SceneLibrary::loadTrajectory(const std::string& scene, const std::string& name) const {

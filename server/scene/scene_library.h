@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/load_options.h"
 #include "scene/scene.h"
 #include "scene/trajectory.h"
 
@@ -27,7 +28,7 @@ class SceneLibrary {
   std::vector<SceneEntry> list() const;  // sorted by name
   // Throws SceneError: an unknown name (the message lists the valid ones), an unavailable scene, a faulty
   // file.
-  Scene load(const std::string& name) const;
+  Scene load(const std::string& name, const LoadProgress& progress = {}) const;
   // A trajectory from the scene's CSV files. Throws SceneError naming the valid ones.
   Trajectory loadTrajectory(const std::string& scene, const std::string& name) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -26,10 +27,14 @@ std::optional<T> parseAs(std::string_view word) {
 
 }  // namespace
 
-std::string readFile(const std::string& path) {
+std::string readFile(const std::string& path, std::size_t max_bytes) {
+  std::error_code fault;  // also for what is no plain file
+  const auto size = std::filesystem::file_size(path, fault);
+  if (!fault && size > max_bytes)
+    throw SceneError(path + ": has more than " + std::to_string(max_bytes) + " bytes");
+  std::string bytes(fault ? 0 : size, '\0');
   std::ifstream in(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open() || in.bad()) throw SceneError(path + ": cannot be read");
+  if (fault || !in.read(bytes.data(), std::ssize(bytes))) throw SceneError(path + ": cannot be read");
   return bytes;
 }
 

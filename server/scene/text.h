@@ -1,6 +1,8 @@
 // Text: files read piece by piece (lines, words, numbers), and lists of names for messages.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,8 +10,9 @@
 
 namespace saccade {
 
-// The bytes of a file. Throws SceneError if it cannot be read.
-std::string readFile(const std::string& path);
+// The bytes of a plain file. Throws SceneError if it cannot be read or has more than `max_bytes`.
+std::string readFile(const std::string& path,
+                     std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
 
 // Takes the first line off `text`, without its end (LF or CRLF).
 std::string_view takeLine(std::string_view& text);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "scene/picture.h"
 
 namespace saccade {
 namespace {
@@ -95,6 +96,11 @@ Rgb Texture::sample(Vec2 uv, float footprint) const {
   const std::size_t fine = static_cast<std::size_t>(level);
   if (fine + 1 == levels_.size()) return levels_.back().pixels[0];
   return mix(bilinear(levels_[fine], uv), bilinear(levels_[fine + 1], uv), level - static_cast<float>(fine));
+}
+
+Texture loadTexture(const std::string& path, bool raw) {
+  Picture picture = loadPicture(path, raw ? PixelUse::kRawReflectance : PixelUse::kReflectance);
+  return Texture(picture.width, picture.height, std::move(picture.pixels));
 }
 
 }  // namespace saccade

@@ -35,9 +35,7 @@ class Texture {
   bool grey_;
 };
 
-// Reads a picture with OpenImageIO: its first three channels, or its first as grey; alpha is left out. `raw`:
-// values are linear already; else sRGB-encoded 8/16-bit pictures are made linear. Values are clamped to [0,
-// 1], as all our pictures are reflectances. Throws SceneError if it cannot be read.
+// `raw`: values are linear already. Throws as loadPicture() does.
 Texture loadTexture(const std::string& path, bool raw);
 
 }  // namespace saccade

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "scene/confinement.h"
+#include "scene/limits.h"
 #include "scene/text.h"
 
 namespace saccade {
@@ -30,24 +32,55 @@ bool isAncestor(pugi::xml_node ancestor, pugi::xml_node node) {
   return false;
 }
 
+int depthOf(pugi::xml_node node) {
+  int depth = 0;
+  while (depth <= kMaxXmlDepth && (node = node.parent())) ++depth;
+  return depth;
+}
+
+// Of a bsdf with an id within others without: the outermost of these if it stands at the top of the scene,
+// where nothing else could refer to it. So do files name a bsdf under a bump map.
+pugi::xml_node wholeBsdf(pugi::xml_node node) {
+  const auto isBsdf = [](pugi::xml_node n) { return std::string(n.name()) == "bsdf"; };
+  pugi::xml_node outer = node;
+  while (isBsdf(outer) && isBsdf(outer.parent()) && !outer.parent().attribute("id")) outer = outer.parent();
+  return std::string(outer.parent().name()) == "scene" ? outer : node;
+}
+
 }  // namespace
 
-XmlFile::XmlFile(const std::string& path, std::map<std::string, std::string> definitions)
-    : path_(path), text_(readFile(path)) {
+XmlFile::XmlFile(const std::string& path, const LoadOptions& options)
+    : path_(path), confined_to_(options.confined_to) {
+  if (!mayRead(path)) throw SceneError(path + ": leads out of the folder of the scenes");
+  text_ = readFile(path, kMaxXmlBytes);
   const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size());
   if (!result)
     throw SceneError(path_, lineAt(result.offset), std::string("faulty XML: ") + result.description());
   if (std::string(root().name()) != "scene") throw error(root(), "the root element is not <scene>");
-  substituteNames(std::move(definitions));
+  substituteNames(options.definitions);
+  indexIds();
+}
+
+bool XmlFile::mayRead(const std::string& path) const {
+  return confined_to_.empty() || liesWithin(path, confined_to_);
+}
+
+void XmlFile::indexIds() {
   forEachElement(document_, [&](pugi::xml_node node) {
+    if (depthOf(node) > kMaxXmlDepth)
+      throw error(node, "the elements are nested more than " + std::to_string(kMaxXmlDepth) + " deep");
     const std::string id = node.attribute("id").value();
     if (id.empty() || std::string(node.name()) == "ref") return;
-    if (!ids_.emplace(id, node).second) throw error(node, "the id '" + id + "' is taken already");
+    if (!ids_.emplace(id, wholeBsdf(node)).second) throw error(node, "the id '" + id + "' is taken already");
   });
 }
 
 SceneError XmlFile::error(pugi::xml_node at, const std::string& what) const {
   return {path_, lineAt(at.offset_debug()), what};
+}
+
+bool XmlFile::isMitsuba0() const {
+  return std::string(root().attribute("version").value()).starts_with("0.");
 }
 
 long XmlFile::lineAt(std::ptrdiff_t offset) const {
@@ -67,7 +100,7 @@ void XmlFile::substituteNames(std::map<std::string, std::string> definitions) {
 }
 
 std::string XmlFile::substituted(pugi::xml_node node, const std::string& text,
-                                 const std::map<std::string, std::string>& definitions) const {
+                                 const std::map<std::string, std::string>& definitions) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
     if (text[i] != '$') {
@@ -83,6 +116,9 @@ std::string XmlFile::substituted(pugi::xml_node node, const std::string& text,
       for (const auto& [name, value] : definitions) names.push_back("$" + name);
       throw error(node, text.substr(i, end - i) + " is not defined; defined: " + joinNames(names));
     }
+    if ((substituted_bytes_ += found->second.size()) > kMaxSubstitutedBytes)
+      throw error(node,
+                  "the values of $names take more than " + std::to_string(kMaxSubstitutedBytes) + " bytes");
     out += found->second;
     i = end;
   }
@@ -101,8 +137,12 @@ pugi::xml_node XmlFile::resolve(pugi::xml_node node) const {
   throw error(node, "ref to '" + id + "', which is no object before this line; ids: " + joinNames(names));
 }
 
-std::string XmlFile::locate(const std::string& filename) const {
-  return (std::filesystem::path(path_).parent_path() / filename).string();
+std::string XmlFile::locate(pugi::xml_node at, const std::string& filename) const {
+  if (filename.empty())
+    throw error(at, "the " + std::string(at.name()) + " needs <string name=\"filename\">");
+  const std::string path = (std::filesystem::path(path_).parent_path() / filename).string();
+  if (!mayRead(path)) throw error(at, "the file " + path + " leads out of the folder of the scenes");
+  return path;
 }
 
 }  // namespace saccade

@@ -1,4 +1,7 @@
 // The properties of one object of a scene file: its children, by tag and name.
+//
+// Names are those of Mitsuba 3. A file may spell them as Mitsuba 0.5 and 0.6 do (toWorld, intIOR): both are
+// read as to_world, int_ior.
 #pragma once
 
 #include <optional>
@@ -19,23 +22,27 @@ class Properties {
   double number(const std::string& name, double fallback);       // <float> or <integer>, finite
   bool flag(const std::string& name, bool fallback);             // <boolean>
   std::string text(const std::string& name);                     // <string>; empty if absent
-  Vec3d point(const std::string& name);                          // <point>; the origin if absent
-  std::optional<Rgb> color(const std::string& name, float max);  // <rgb> or <float>, each value in [0, max]
+  std::optional<Vec3d> vector(const std::string& name);          // <point> or <vector>, finite
+  std::optional<Rgb> color(const std::string& name, float max);  // <rgb>, <spectrum> of a number, or <float>;
+                                                                 // each value in [0, max]
 
-  // The objects with this tag and name, seen through <ref>. Unnamed objects have an empty name.
+  // The objects with this tag and name, or of any name if it is empty, seen through <ref>.
   std::vector<pugi::xml_node> objects(const std::string& tag, const std::string& name = {});
   // At most one of them; null if absent.
   pugi::xml_node object(const std::string& tag, const std::string& name = {});
-  void readPast(const std::string& tag, const std::string& name);
+  // Takes, unread, what has nothing to say here.
+  void readPast(const std::string& tag, const std::vector<std::string>& names = {{}});
 
   void finish();
 
  private:
   struct Child {
     pugi::xml_node given, seen;  // as written; what a <ref> stands for
+    std::string name;            // as in Mitsuba 3
     bool taken = false;
   };
-  Child* take(const std::string& tag, const std::string& name);
+  std::vector<Child*> takeAll(const std::string& tag, const std::string& name);
+  Child* take(const std::string& tag, const std::string& name);  // at most one; nullptr if absent
   double parsed(pugi::xml_node node) const;
 
   const XmlFile& file_;

@@ -1,6 +1,7 @@
 #include "scene/mesh.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "scene/scratch.h"
 
@@ -46,6 +47,19 @@ TEST(Cube, FacesOutwardsOnAllSides) {
     sum = sum + n;
   }
   expectNear(sum, {0, 0, 0}, 1e-6);
+}
+
+// Mitsuba's uv: the radius, and the angle in turns.
+TEST(Disk, FacesUpZWithPolarUv) {
+  const Mesh mesh = makeDisk();
+  EXPECT_NEAR(area(mesh), std::numbers::pi, 1.1e-4 * std::numbers::pi);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) expectNear(faceNormal(mesh, i), {0, 0, 1}, 1e-4);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const double r = mesh.uvs[i].x, angle = 2 * std::numbers::pi * mesh.uvs[i].y;
+    expectNear(mesh.positions[i], toFloat(Vec3d{r * std::cos(angle), r * std::sin(angle), 0}), 1e-6);
+  }
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t i : t) EXPECT_NEAR(mesh.uvs[i].y, mesh.uvs[t[0]].y, 1.0 / kDiskCorners);
 }
 
 TEST(PlaceMesh, LeavesASparePositionThatNoTriangleUses) {

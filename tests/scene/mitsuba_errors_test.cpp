@@ -30,13 +30,19 @@ std::string shape(const std::string& content) {
 
 TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
   expectAt4("<medium type='homogeneous'/>", "<medium> is not supported");
-  expectAt4("<emitter type='envmap'/>", "supported: <sensor>, <shape>");
-  expectAt4("<shape type='disk'/>", "'disk' is not supported; supported: rectangle, cube, sphere, obj, ply");
-  expectAt4(shape("<bsdf type='plastic'/>"), "'plastic' is not supported; supported: diffuse, twosided");
+  expectAt4("<medium type='homogeneous'/>", "supported: <sensor>, <shape>, <emitter>");
+  expectAt4("<emitter type='area'/>",
+            "'area' is not supported; supported: envmap, constant, point, directional");
+  expectAt4("<shape type='hair'/>",
+            "'hair' is not supported; supported: obj, ply, rectangle, cube, disk, sphere");
+  expectAt4(shape("<bsdf type='principled'/>"),
+            "'principled' is not supported; supported: diffuse, plastic, roughplastic, conductor, "
+            "roughconductor, dielectric, thindielectric, twosided, mask, bumpmap");
   expectAt4(shape("<emitter type='spot'/>"), "supported: area");
   expectAt4(shape("<boolean name='flip_normals' value='true'/>"),
             "<boolean name=\"flip_normals\"> is not supported");
-  expectAt4(shape("<transform name='toWorld'/>"), "<transform name=\"to_world\">");
+  expectAt4(shape("<boolean name='flipNormals' value='true'/>"),
+            "supported: <emitter>, <transform name=\"to_world\">");
   expectAt4(shape("<bsdf type='diffuse'><texture type='wood' name='reflectance'/></bsdf>"),
             "bitmap, checkerboard");
   expectAt4(shape("<transform name='to_world'><shear/></transform>"), "supported: matrix, translate");
@@ -53,7 +59,7 @@ TEST(MitsubaErrors, NamesThatLeadNowhere) {
             "absent.obj: cannot be read");
   expectAt4("<shape type='obj'><string name='filename' value='bad.obj'/></shape>",
             "bad.obj:2: vertex index '2'");
-  expectAt4("<shape type='ply'/>", "needs <string name=\"filename\">");
+  expectAt4("<shape type='ply'/>", "the shape needs <string name=\"filename\">");
   expectAt4(shape("<bsdf type='diffuse'><texture type='bitmap' name='reflectance'>"
                   "<string name='filename' value='absent.png'/></texture></bsdf>"),
             "absent.png");
@@ -75,7 +81,7 @@ TEST(MitsubaErrors, ValuesOutOfRange) {
   expectAt4(shape("<emitter type='area'><float name='radiance' value='-1'/></emitter>"),
             "'radiance' must be");
   expectAt4(shape("<emitter type='area'><float name='radiance' value='2e18'/></emitter>"),
-            "a radiance above 1e18");
+            "'radiance' must be");
   expectAt4("<shape type='obj'><string name='filename' value='far.obj'/></shape>", "too far away");
 }
 
@@ -152,9 +158,33 @@ TEST(MitsubaErrors, FaultyFiles) {
 TEST(MitsubaErrors, DeepNestingIsAnErrorNotACrash) {
   std::string line;
   for (int i = 0; i < 100000; ++i) line += "<bsdf type='twosided'>";
-  line += "<bsdf type='mirror'/>";
+  line += "<bsdf type='diffuse'/>";
   for (int i = 0; i < 100000; ++i) line += "</bsdf>";
-  expectAt4(shape(line), "'mirror' is not supported");
+  expectAt4(shape(line), "nested more than 64 deep");
+}
+
+// Ten times longer with each line: the billion laughs, by <default> and by entities.
+TEST(MitsubaErrors, NamesThatGrowWithoutEndAreAnError) {
+  std::string line = "<default name='a0' value='aaaaaaaaaa'/>";
+  for (int i = 1; i < 12; ++i) {
+    line += "<default name='a" + std::to_string(i) + "' value='";
+    for (int k = 0; k < 10; ++k) line += "$a" + std::to_string(i - 1);
+    line += "'/>";
+  }
+  expectAt4(line, "the values of $names take more than");
+}
+
+TEST(MitsubaErrors, EntitiesAreNotExpanded) {
+  std::string entities = "<!DOCTYPE scene [<!ENTITY e0 '40'>";
+  for (int i = 1; i < 30; ++i) {
+    const std::string before = "&e" + std::to_string(i - 1) + ";";
+    entities += "<!ENTITY e" + std::to_string(i) + " '" + before + before + "'>";
+  }
+  const Scratch files;
+  const std::string path = files.write(
+      "scene.xml",
+      entities + "]><scene><sensor type='perspective'><float name='fov' value='&e29;'/></sensor></scene>");
+  expectContains(errorOf([&] { loadMitsubaXml(path); }), "'&e29;' is not a finite number");
 }
 
 }  // namespace

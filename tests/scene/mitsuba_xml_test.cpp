@@ -14,7 +14,7 @@ Scene load(const std::string& body, const std::map<std::string, std::string>& de
   const Scratch files;
   files.write("folder/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   return loadMitsubaXml(files.write("folder/scene.xml", "<scene version='3.0.0'>" + body + "</scene>"),
-                        definitions);
+                        {.definitions = definitions});
 }
 
 // Where a transform takes the point (1, 2, 3).
@@ -120,14 +120,49 @@ TEST(MitsubaXml, ReadsEmittersAndCheckerboards) {
            "<emitter type='area'><rgb name='radiance' value='17, 12, 4'/></emitter></shape>"
            "<shape type='sphere'><emitter type='area'><float name='radiance' value='3'/></emitter>"
            "</shape>");
-  const Reflectance& board = scene.materials[0].reflectance;
-  EXPECT_EQ(board.kind, Reflectance::Kind::kCheckerboard);
+  const SurfaceColor& board = scene.materials[0].reflectance;
+  EXPECT_EQ(board.kind, SurfaceColor::Kind::kCheckerboard);
   EXPECT_FLOAT_EQ(board.color0.x, 0.4f);
   EXPECT_FLOAT_EQ(board.color1.y, 0.9f);
   EXPECT_FLOAT_EQ(board.uv_scale.y, 8);
   EXPECT_FLOAT_EQ(board.uv_offset.x, 0.5f);
   expectNear(scene.meshes[0].radiance, {17, 12, 4}, 0);
   expectNear(scene.spheres[0].radiance, {3, 3, 3}, 0);
+}
+
+// The same scene as it is written for 0.5 and for 3.
+TEST(MitsubaXml, BothDialectsSayTheSame) {
+  const auto scene = [](const std::string& fov_axis, const std::string& to_world, const std::string& look_at,
+                        const std::string& face_normals, const std::string& file_format) {
+    return load(
+        "<integrator type='path'><integer name='maxDepth' value='9'/></integrator>"
+        "<sensor type='perspective'><float name='fov' value='40'/><string name='" +
+        fov_axis + "' value='x'/><transform name='" + to_world + "'><" + look_at +
+        " origin='1,2,3' target='1,2,9' up='0,1,0'/></transform><film type='hdrfilm'>"
+        "<string name='" +
+        file_format +
+        "' value='openexr'/><boolean name='banner' value='false'/>"
+        "<rfilter name='rfilter' type='tent'/></film><sampler type='sobol'/></sensor>"
+        "<shape type='obj'><string name='filename' value='a.obj'/><boolean name='" +
+        face_normals + "' value='true'/><transform name='" + to_world +
+        "'><translate x='5'/></transform></shape>");
+  };
+  const Scene old = scene("fovAxis", "toWorld", "lookAt", "faceNormals", "fileFormat");
+  const Scene now = scene("fov_axis", "to_world", "lookat", "face_normals", "file_format");
+  for (const Scene* s : {&old, &now}) {
+    EXPECT_EQ(s->T_world_camera.position, (Vec3d{1, 2, 3}));
+    EXPECT_EQ(s->meshes[0].positions[0], (Vec3{5, 0, 0}));
+    EXPECT_TRUE(s->meshes[0].normals.empty());
+  }
+}
+
+TEST(MitsubaXml, ObjectsMayHaveNames) {
+  const Scene scene =
+      load(kSensor +
+           "<bsdf type='diffuse' id='a'/><shape type='cube'><ref name='bsdf' id='a'/>"
+           "<emitter name='light' type='area'><spectrum name='radiance' value='2'/></emitter></shape>");
+  EXPECT_EQ(scene.materials[0].name, "a");
+  expectNear(scene.meshes[0].radiance, {2, 2, 2}, 0);
 }
 
 TEST(MitsubaXml, LightIsGreyWhereTheWholeSceneIs) {

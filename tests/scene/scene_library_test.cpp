@@ -64,7 +64,7 @@ TEST(SceneLibrary, TexturedBoxHasOneTextureAndACheckerboard) {
   EXPECT_EQ(scene.textures.size(), 1u);
   EXPECT_EQ(scene.textures[0].width(), 512);
   EXPECT_TRUE(std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
-    return m.reflectance.kind == Reflectance::Kind::kCheckerboard;
+    return m.reflectance.kind == SurfaceColor::Kind::kCheckerboard;
   }));
 }
 
@@ -96,18 +96,6 @@ TEST(SceneLibrary, DragonStandsInTheBox) {
   expectStandsInTheBox("cornell-dragon", "dragon", 100000);
 }
 
-TEST(RealScenes, CornellBoxOfBitterliLoads) {
-  const fs::path file = realScenes() / "cornell-box" / "scene.xml";
-  if (!fs::exists(file)) GTEST_SKIP() << file.string() << " is absent";
-  const Scene scene = loadMitsubaXml(file.string());
-  EXPECT_EQ(scene.meshes.size(), 8u);
-  EXPECT_EQ(scene.width, 1024);
-  EXPECT_DOUBLE_EQ(scene.fov_x_deg, 19.5);
-  expectNear(scene.T_world_camera.position, {0, 1, 6.8}, 1e-9);
-  expectNear(rotate(scene.T_world_camera.rotation, {1, 0, 0}), {1, 0, 0}, 1e-9);
-  expectNear(scene.meshes.back().radiance, {17, 12, 4}, 0);
-}
-
 TEST(SceneLibrary, UnknownNamesListTheValidOnes) {
   const SceneLibrary library(kScenes);
   const std::string scene_error = errorOf([&] { library.load("../scenes/cornell-box"); });
@@ -132,6 +120,46 @@ TEST(SceneLibrary, ASceneWhoseMeshIsAbsentSaysSo) {
   EXPECT_EQ(entries[0].description, "A scene without its dragon.");
   expectContains(entries[0].unavailable, "dragon.obj is absent");
   expectContains(load_error, "dragon.obj is absent");
+}
+
+// A scene of `body` beside a folder `secret` that is not the library's.
+std::string errorOfOutsider(const Scratch& files, const std::string& body) {
+  files.write("secret/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  files.write("scenes/meshes/b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  files.write(
+      "scenes/mine/scene.xml",
+      "<scene><sensor type='perspective'><float name='fov' value='40'/></sensor>\n" + body + "</scene>");
+  return errorOf([&] { SceneLibrary(files.path("scenes")).load("mine"); });
+}
+
+TEST(SceneLibrary, AScenesFilesStayWithinTheFolderOfTheScenes) {
+  const Scratch files;
+  const auto mesh = [](const std::string& filename) {
+    return "<shape type='obj'><string name='filename' value='" + filename + "'/></shape>";
+  };
+  EXPECT_EQ(errorOfOutsider(files, mesh("../meshes/b.obj")), "no error");
+  for (const std::string& name : {std::string("../../secret/a.obj"), files.path("secret/a.obj")}) {
+    const std::string error = errorOfOutsider(files, mesh(name));
+    expectContains(error, "scene.xml:2: ");
+    expectContains(error, "a.obj leads out of the folder of the scenes");
+  }
+  fs::create_directory_symlink(files.path("secret"), files.path("scenes/mine/models"));
+  expectContains(errorOfOutsider(files, mesh("models/a.obj")), "leads out of the folder");
+  EXPECT_NO_THROW(loadMitsubaXml(files.path("scenes/mine/scene.xml")));  // who opens it by hand may
+  expectContains(errorOfOutsider(files,
+                                 "<shape type='cube'><bsdf type='diffuse'><texture type='bitmap' "
+                                 "name='reflectance'><string name='filename' value='../../secret/a.png'/>"
+                                 "</texture></bsdf></shape>"),
+                 "a.png leads out");
+}
+
+TEST(SceneLibrary, ALinkThatLeadsOutIsNoScene) {
+  const Scratch files;
+  files.write("secret/scene.xml", "<scene/>");
+  files.write("scenes/README.md", "");
+  fs::create_directory_symlink(files.path("secret"), files.path("scenes/linked"));
+  expectContains(errorOf([&] { SceneLibrary(files.path("scenes")).load("linked"); }),
+                 "leads out of the folder");
 }
 
 }  // namespace

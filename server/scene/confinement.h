@@ -1,0 +1,12 @@
+// Files that a scene may read, and files that it may not.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace saccade {
+
+// Whether `file`, with its links and dots followed, is one of `places` or lies below one of them.
+bool liesWithin(const std::filesystem::path& file, const std::vector<std::filesystem::path>& places);
+
+}  // namespace saccade

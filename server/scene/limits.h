@@ -1,0 +1,22 @@
+// How large a scene may be. What is larger is a SceneError that names the file, before it takes the memory.
+#pragma once
+
+#include <cstddef>
+
+namespace saccade {
+
+inline constexpr std::size_t kMaxXmlBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kMaxSubstitutedBytes = std::size_t{16} << 20;  // of all values with a $name
+inline constexpr int kMaxXmlDepth = 64;                                     // elements within elements
+inline constexpr int kMaxBsdfDepth = 16;    // bsdfs within bsdfs, through <ref>
+inline constexpr int kMaxFilmEdge = 16384;  // pixels
+
+inline constexpr std::size_t kMaxMeshBytes = std::size_t{4} << 30;  // of a file
+inline constexpr std::size_t kMaxTriangles = 100'000'000;           // of a mesh, and of all meshes together
+
+inline constexpr int kMaxPictureEdge = 16384;                           // pixels
+inline constexpr std::size_t kMaxPicturePixels = std::size_t{1} << 27;  // of a picture: 1.5 GiB as floats
+
+inline constexpr float kMaxRadiance = 1e18f;  // of any light: its products and the power of lamps stay finite
+
+}  // namespace saccade

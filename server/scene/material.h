@@ -1,0 +1,48 @@
+// What a surface is made of.
+#pragma once
+
+#include <string>
+
+#include "base/vec.h"
+#include "scene/bsdf_model.h"
+
+namespace saccade {
+
+// A colour over the surface: linear RGB in [0, 1].
+struct SurfaceColor {
+  enum class Kind { kConstant, kBitmap, kCheckerboard };
+  Kind kind = Kind::kConstant;
+  Rgb color0, color1;                    // kConstant: color0; kCheckerboard: the two colours
+  int texture = -1;                      // kBitmap: index into Scene::textures
+  Vec2 uv_scale{1, 1}, uv_offset{0, 0};  // texture coordinate = uv * uv_scale + uv_offset
+};
+
+inline SurfaceColor constantColor(Rgb color) {
+  SurfaceColor c;
+  c.color0 = color;
+  return c;
+}
+inline const SurfaceColor kWhite = constantColor({1, 1, 1});
+
+struct Material {
+  std::string name;
+  SurfaceColor reflectance;  // diffuse: all of it; plastics: of the base
+  bool twosided = false;     // false: black seen from behind the geometric normal. Glass is never black
+  BsdfModel model = {};
+  SurfaceColor specular = kWhite;       // all but diffuse: factor of what the interface reflects
+  SurfaceColor transmittance = kWhite;  // dielectrics: factor of what it lets through
+  SurfaceColor opacity = kWhite;        // the rest of the light goes straight on, as if nothing were there
+  // Bump map: luminance * height_scale is a displacement along the normal, in scene units. Only its changes
+  // over the surface count.
+  SurfaceColor height = {};
+  float height_scale = 1;
+};
+
+inline bool isOpaque(const Material& m) {
+  return m.opacity.kind == SurfaceColor::Kind::kConstant && m.opacity.color0 == Rgb{1, 1, 1};
+}
+inline bool isBumpy(const Material& m) {
+  return m.height.kind != SurfaceColor::Kind::kConstant && m.height_scale != 0;
+}
+
+}  // namespace saccade

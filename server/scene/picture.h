@@ -1,0 +1,26 @@
+// Pictures as files hold them, made linear.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace saccade {
+
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<Rgb> pixels;  // linear; row 0 on top
+};
+
+enum class PixelUse {
+  kReflectance,     // sRGB-encoded 8/16-bit pictures are made linear; clamped to [0, 1]
+  kRawReflectance,  // values are linear already; clamped to [0, 1]
+  kRadiance,        // sRGB-encoded 8/16-bit pictures are made linear; clamped to [0, kMaxRadiance]
+};
+
+// Reads a picture with OpenImageIO: its first three channels, or its first as grey; alpha is left out. What
+// is no number becomes 0. Throws SceneError if it cannot be read or is larger than limits.h allows.
+Picture loadPicture(const std::string& path, PixelUse use);
+
+}  // namespace saccade

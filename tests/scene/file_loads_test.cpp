@@ -1,0 +1,56 @@
+#include "scene/file_loads.h"
+
+#include "scene/mitsuba_scratch.h"
+
+namespace saccade {
+namespace {
+
+// Meshes of 1, 2, 3 ... triangles.
+std::string manyMeshes(const Scratch& files, int count) {
+  std::string body, mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < count; ++i) {
+    const std::string name = "m" + std::to_string(i) + ".obj";
+    files.write(name, mesh += "f 1 2 3\n");
+    body += "<shape type='obj'><string name='filename' value='" + name + "'/></shape>\n";
+  }
+  return body;
+}
+
+TEST(FileLoads, MeshesStandInTheOrderOfTheFileWhateverTheThreads) {
+  const Scratch files;
+  const std::string body = manyMeshes(files, 20);
+  for (const int threads : {1, 4}) {
+    const Scene scene = loadBody(files, body, "3.0.0", {.threads = threads});
+    ASSERT_EQ(scene.meshes.size(), 20u);
+    for (std::size_t i = 0; i < 20; ++i) {
+      EXPECT_EQ(scene.meshes[i].triangles.size(), i + 1);
+      EXPECT_EQ(scene.meshes[i].name, "m" + std::to_string(i));
+    }
+  }
+}
+
+TEST(FileLoads, ProgressCountsEveryFileOnce) {
+  const Scratch files;
+  const std::string body = manyMeshes(files, 9);
+  std::vector<int> seen;
+  loadBody(files, body, "3.0.0", {.threads = 3, .progress = [&](int done, int total) {
+                                    EXPECT_EQ(total, 9);
+                                    seen.push_back(done);
+                                  }});
+  EXPECT_EQ(seen, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+TEST(FileLoads, TheFirstFaultInTheFileIsTheOneThatIsTold) {
+  const Scratch files;
+  const std::string body = manyMeshes(files, 20);
+  files.write("m7.obj", "v 0 0\n");
+  files.write("m11.obj", "f 1 2 3\n");
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    const std::string error = errorOf([&] { loadBody(files, body, "3.0.0", {.threads = 4}); });
+    expectContains(error, "scene.xml:10: ");
+    expectContains(error, "m7.obj:1: ");
+  }
+}
+
+}  // namespace
+}  // namespace saccade

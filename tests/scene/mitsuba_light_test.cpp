@@ -1,0 +1,97 @@
+#include "scene/mitsuba_scratch.h"
+
+namespace saccade {
+namespace {
+
+Scene light(const std::string& type, const std::string& properties) {
+  const Scratch files;
+  files.write("sky.ppm", "P3 2 1 255  255 255 255  0 128 255");
+  return loadBody(files, "<emitter type='" + type + "'>" + properties + "</emitter>");
+}
+
+std::string lightError(const std::string& type, const std::string& properties) {
+  return errorOf([&] { light(type, properties); });
+}
+
+TEST(MitsubaLight, AConstantEnvironmentHasNoPicture) {
+  const Scene scene = light("constant", "<rgb name='radiance' value='1, 2, 3'/>");
+  ASSERT_TRUE(scene.environment);
+  EXPECT_EQ(scene.environment->radiance, (Rgb{1, 2, 3}));
+  EXPECT_TRUE(scene.environment->picture.pixels.empty());
+}
+
+TEST(MitsubaLight, AnEnvmapHasAPictureATurnAndAScale) {
+  const Scene scene = light("envmap",
+                            "<string name='filename' value='sky.ppm'/><float name='scale' value='4'/>"
+                            "<transform name='toWorld'><scale x='-2' y='2' z='2'/><rotate y='1' angle='90'/>"
+                            "</transform><float name='samplingWeight' value='2'/>");
+  ASSERT_TRUE(scene.environment);
+  EXPECT_EQ(scene.environment->radiance, (Rgb{4, 4, 4}));
+  EXPECT_EQ(scene.environment->picture.width, 2);
+  EXPECT_FLOAT_EQ(scene.environment->picture.pixels[1].z, 1);
+  EXPECT_NEAR(scene.environment->picture.pixels[1].y, 0.2159, 1e-4);  // sRGB 128, linear
+  // x mirrored, then turned from z to x: the picture's +x goes to world +z.
+  expectNear(scene.environment->to_world.x, {0, 0, 1}, 1e-9);
+  expectNear(scene.environment->to_world.z, {1, 0, 0}, 1e-9);
+}
+
+TEST(MitsubaLight, PointLightsStandWhereTheySay) {
+  const std::string intensity = "<spectrum name='intensity' value='5'/>";
+  for (const std::string place :
+       {"<point name='position' x='1' y='2' z='3'/>", "<point name='position' value='1, 2, 3'/>",
+        "<transform name='toWorld'><translate x='1' y='2' z='3'/></transform>"}) {
+    const Scene scene = light("point", place + intensity);
+    ASSERT_EQ(scene.point_lights.size(), 1u);
+    EXPECT_EQ(scene.point_lights[0].position, (Vec3{1, 2, 3}));
+    EXPECT_EQ(scene.point_lights[0].intensity, (Rgb{5, 5, 5}));
+  }
+}
+
+TEST(MitsubaLight, DirectionalLightsGoWhereTheySay) {
+  const std::string irradiance = "<rgb name='irradiance' value='1, 0, 2'/>";
+  for (const std::string direction :
+       {"<vector name='direction' x='0' y='-3' z='0'/>", "<vector name='direction' value='0, -3, 0'/>",
+        "<transform name='to_world'><rotate x='1' angle='90'/></transform>"}) {
+    const Scene scene = light("directional", direction + irradiance);
+    ASSERT_EQ(scene.directional_lights.size(), 1u);
+    expectNear(scene.directional_lights[0].direction, {0, -1, 0}, 1e-7);
+    EXPECT_EQ(scene.directional_lights[0].irradiance, (Rgb{1, 0, 2}));
+  }
+}
+
+TEST(MitsubaLight, ColouredLightNeedsThreeChannels) {
+  EXPECT_EQ(colorChannels(light("constant", "<float name='radiance' value='2'/>")), 1);
+  EXPECT_EQ(colorChannels(light("constant", "<rgb name='radiance' value='2, 2, 1'/>")), 3);
+  EXPECT_EQ(colorChannels(light("point", "<rgb name='intensity' value='2, 2, 1'/>")), 3);
+  EXPECT_EQ(colorChannels(light("directional", "<rgb name='irradiance' value='2, 2, 1'/>")), 3);
+  EXPECT_EQ(colorChannels(light("envmap", "<string name='filename' value='sky.ppm'/>")), 3);
+}
+
+TEST(MitsubaLight, CannotBeRenderedYet) {
+  const Scene scene = light("constant", "<float name='radiance' value='2'/>");
+  expectContains(errorOf([&] { requireRenderable(scene); }), "emitter");
+}
+
+TEST(MitsubaLight, FaultsAreErrors) {
+  expectContains(lightError("constant", ""),
+                 "scene.xml:3: the emitter needs <rgb>, <spectrum> or <float "
+                 "name=\"radiance\">");
+  expectContains(lightError("envmap", ""), "the emitter needs <string name=\"filename\">");
+  expectContains(lightError("envmap", "<string name='filename' value='absent.exr'/>"), "scene.xml:3: ");
+  expectContains(lightError("envmap", "<string name='filename' value='absent.exr'/>"), "absent.exr");
+  expectContains(
+      lightError("envmap", "<string name='filename' value='sky.ppm'/><float name='scale' value='-1'/>"),
+      "the scale must be within");
+  expectContains(lightError("envmap",
+                            "<string name='filename' value='sky.ppm'/><transform name='to_world'>"
+                            "<matrix value='1 1 0 0 1 0 0 0 1'/></transform>"),
+                 "not shear");
+  expectContains(lightError("directional", "<vector name='direction' value='0 0 0'/>"), "must not be 0");
+  expectContains(lightError("point", "<float name='intensity' value='1e30'/>"), "'intensity' must be");
+  const Scratch files;
+  const std::string sky = "<emitter type='constant'><float name='radiance' value='1'/></emitter>";
+  expectContains(errorOf([&] { loadBody(files, sky + "\n" + sky); }), "scene.xml:4: a second emitter");
+}
+
+}  // namespace
+}  // namespace saccade
