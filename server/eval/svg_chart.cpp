@@ -3,19 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
-#include <set>
 
 #include "eval/markup.h"
 
 namespace saccade {
 namespace {
 
-constexpr double kWidth = 420, kHeight = 320, kLeft = 58, kRight = 14, kTop = 30, kBottom = 44,
+constexpr double kWidth = 420, kHeight = 320, kLeft = 64, kRight = 14, kTop = 30, kBottom = 44,
                  kLegendRow = 20;
 // Colours that the colour-blind can tell apart (Okabe and Ito).
 constexpr const char* kColors[] = {"#d55e00", "#0072b2", "#009e73", "#cc79a7",
-                                   "#e69f00", "#56b4e9", "#000000"};
+                                   "#e69f00", "#56b4e9", "#999999"};
+constexpr const char* kReferenceColor = "#000000";
+
+// What the legend says of the lines of one name.
+struct Key {
+  std::string name, color;
+};
+
+auto findKey(const std::vector<Key>& keys, const std::string& name) {
+  return std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
+}
 
 template <class... Args>
 std::string format(const char* pattern, Args... args) {
@@ -24,37 +32,14 @@ std::string format(const char* pattern, Args... args) {
   return text;
 }
 
-// A logarithmic axis of whole steps 1, 2, 5 around the values.
-class Axis {
- public:
-  Axis(double first, double last) : first_(first), last_(last) {}
-  void include(double v) { low_ = std::min(low_, v), high_ = std::max(high_, v); }
-  double operator()(double v) const {
-    const double low = std::log(low_ / 1.15), high = std::log(high_ * 1.15);
-    return first_ + (last_ - first_) * (std::log(v) - low) / (high - low);
-  }
-  std::vector<double> ticks() const {
-    std::vector<double> values;
-    for (double decade = std::pow(10, std::floor(std::log10(low_))); decade <= high_ * 10; decade *= 10) {
-      for (double step : {1.0, 2.0, 5.0}) {
-        if (decade * step >= low_ / 1.15 && decade * step <= high_ * 1.15) values.push_back(decade * step);
-      }
-    }
-    return values;
-  }
-
- private:
-  double first_, last_, low_ = std::numeric_limits<double>::infinity(), high_ = 0;
-};
-
-std::string polyline(const std::vector<ChartPoint>& points, const Axis& x, const Axis& y,
+std::string polyline(const std::vector<ChartPoint>& points, const ChartAxis& x, const ChartAxis& y,
                      const std::string& style) {
   std::string text = "<polyline fill=\"none\" " + style + " points=\"";
   for (const ChartPoint& p : points) text += format("%.1f,%.1f ", x(p.x), y(p.y));
   return text + "\"/>\n";
 }
 
-std::string drawAxes(const ChartPanel& panel, const Axis& x, const Axis& y) {
+std::string drawAxes(const ChartPanel& panel, const ChartAxis& x, const ChartAxis& y) {
   std::string svg =
       format("<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"#888\"/>\n", kLeft,
              kTop, kWidth - kLeft - kRight, kHeight - kTop - kBottom);
@@ -79,8 +64,24 @@ std::string drawAxes(const ChartPanel& panel, const Axis& x, const Axis& y) {
   return svg;
 }
 
-std::string drawPanel(const ChartPanel& panel, const std::vector<std::string>& names) {
-  Axis x(kLeft, kWidth - kRight), y(kHeight - kBottom, kTop);
+std::string drawLine(const ChartLine& line, const std::string& color, const ChartAxis& x,
+                     const ChartAxis& y) {
+  std::string svg;
+  if (line.style != LineStyle::kMarks)
+    svg += polyline(line.points, x, y, "stroke=\"" + color + "\" stroke-width=\"1.5\"");
+  if (line.style == LineStyle::kLine || line.style == LineStyle::kReference) return svg;
+  for (const ChartPoint& p : line.points) {
+    svg += format(
+               "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\"/><text x=\"%.1f\" y=\"%.1f\" "
+               "font-size=\"9\" fill=\"%s\">",
+               x(p.x), y(p.y), color.c_str(), x(p.x) + 5, y(p.y) - 4, color.c_str()) +
+           escapeMarkup(p.label) + "</text>\n";
+  }
+  return svg;
+}
+
+std::string drawPanel(const ChartPanel& panel, const std::vector<Key>& keys) {
+  ChartAxis x(panel.x_scale, kLeft, kWidth - kRight), y(panel.y_scale, kHeight - kBottom, kTop);
   for (const ChartLine& line : panel.lines) {
     for (const ChartPoint& p : line.points) x.include(p.x), y.include(p.y);
   }
@@ -88,30 +89,33 @@ std::string drawPanel(const ChartPanel& panel, const std::vector<std::string>& n
   if (panel.pareto)
     svg += polyline(paretoFront(panel), x, y,
                     "stroke=\"#bbb\" stroke-width=\"7\" stroke-linejoin=\"round\" opacity=\"0.6\"");
-  for (const ChartLine& line : panel.lines) {
-    const auto index =
-        static_cast<std::size_t>(std::find(names.begin(), names.end(), line.name) - names.begin());
-    const std::string color = kColors[index % std::size(kColors)];
-    svg += polyline(line.points, x, y, "stroke=\"" + color + "\" stroke-width=\"1.5\"");
-    for (const ChartPoint& p : line.points) {
-      svg += format(
-                 "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\"/><text x=\"%.1f\" y=\"%.1f\" "
-                 "font-size=\"9\" fill=\"%s\">",
-                 x(p.x), y(p.y), color.c_str(), x(p.x) + 5, y(p.y) - 4, color.c_str()) +
-             escapeMarkup(p.label) + "</text>\n";
-    }
-  }
+  for (auto line = panel.lines.rbegin(); line != panel.lines.rend(); ++line)
+    svg += drawLine(*line, findKey(keys, line->name)->color, x, y);
   return svg;
 }
 
-std::string drawLegend(const std::vector<std::string>& names, bool pareto, double y) {
+// In the order of their first appearance.
+std::vector<Key> keysOf(const std::vector<ChartPanel>& panels) {
+  std::vector<Key> keys;
+  std::size_t colors = 0;
+  for (const ChartPanel& panel : panels) {
+    for (const ChartLine& line : panel.lines) {
+      if (findKey(keys, line.name) != keys.end()) continue;
+      const bool reference = line.style == LineStyle::kReference;
+      keys.push_back({line.name, reference ? kReferenceColor : kColors[colors++ % std::size(kColors)]});
+    }
+  }
+  return keys;
+}
+
+std::string drawLegend(const std::vector<Key>& keys, bool pareto, double y) {
   std::string svg;
   double x = kLeft;
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (const Key& key : keys) {
     svg += format("<circle cx=\"%g\" cy=\"%g\" r=\"4\" fill=\"%s\"/><text x=\"%g\" y=\"%g\">", x, y,
-                  kColors[i % std::size(kColors)], x + 9, y + 4) +
-           escapeMarkup(names[i]) + "</text>\n";
-    x += 26 + 7.2 * static_cast<double>(names[i].size());
+                  key.color.c_str(), x + 9, y + 4) +
+           escapeMarkup(key.name) + "</text>\n";
+    x += 26 + 7.2 * static_cast<double>(key.name.size());
   }
   if (!pareto) return svg;
   return svg + format(
@@ -134,12 +138,7 @@ std::vector<ChartPoint> paretoFront(const ChartPanel& panel) {
 }
 
 std::string drawCharts(const std::vector<ChartPanel>& panels, int across) {
-  std::vector<std::string> names;  // in the order of their first appearance: one colour each
-  for (const ChartPanel& panel : panels) {
-    for (const ChartLine& line : panel.lines) {
-      if (std::find(names.begin(), names.end(), line.name) == names.end()) names.push_back(line.name);
-    }
-  }
+  const std::vector<Key> keys = keysOf(panels);
   const int count = static_cast<int>(panels.size()), down = (count + across - 1) / across;
   const double width = kWidth * std::min(across, count), height = kHeight * down + kLegendRow;
   std::string svg = format(
@@ -149,9 +148,9 @@ std::string drawCharts(const std::vector<ChartPanel>& panels, int across) {
       width, height, width, height);
   for (int i = 0; i < count; ++i) {
     svg += format("<g transform=\"translate(%g,%g)\">\n", kWidth * (i % across), kHeight * (i / across)) +
-           drawPanel(panels[static_cast<std::size_t>(i)], names) + "</g>\n";
+           drawPanel(panels[static_cast<std::size_t>(i)], keys) + "</g>\n";
   }
-  return svg + drawLegend(names, panels.front().pareto, kHeight * down + 8) + "</svg>\n";
+  return svg + drawLegend(keys, panels.front().pareto, kHeight * down + 8) + "</svg>\n";
 }
 
 }  // namespace saccade

@@ -15,11 +15,45 @@ TEST(ParetoFront, KeepsWhatNothingBeats) {
 }
 
 TEST(DrawCharts, NamesEverythingAndEscapesIt) {
-  const ChartPanel panel{"a < b", "time", "error", {{"one", {{1, 2, "2 spp"}, {10, 0.2, "8 spp"}}}}};
+  ChartPanel panel{"a < b", "time", "error", {{"one", {{1, 2, "2 spp"}, {10, 0.2, "8 spp"}}}}};
+  panel.pareto = true;
   const std::string svg = drawCharts({panel, panel}, 2);
   for (const char* text : {"a &lt; b", "time", "error", "one", "2 spp", "8 spp", "Pareto front", "</svg>"}) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
   }
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+int countOf(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// Two points each; the legend marks both names.
+TEST(DrawCharts, MarksPointsAndDrawsLinesByStyle) {
+  const std::vector<ChartPoint> points{{1, 1, ""}, {2, 3, ""}};
+  const struct {
+    LineStyle style;
+    int marks, lines;
+  } cases[] = {{LineStyle::kLineAndMarks, 2, 1},
+               {LineStyle::kLine, 0, 1},
+               {LineStyle::kMarks, 2, 0},
+               {LineStyle::kReference, 0, 1}};
+  for (const auto& [style, marks, lines] : cases) {
+    const std::string svg = drawCharts({{"", "", "", {{"one", points, style}}}}, 1);
+    EXPECT_EQ(countOf(svg, "r=\"3\""), marks);
+    EXPECT_EQ(countOf(svg, "<polyline"), lines);
+    EXPECT_EQ(countOf(svg, "#000000") > 0, style == LineStyle::kReference);
+  }
+}
+
+// On a linear axis the middle of 1 and 3 is 2, and there is room below zero.
+TEST(DrawCharts, TakesLinearAxes) {
+  ChartPanel panel{"", "", "", {{"one", {{1, -2, ""}, {2, 0, ""}, {3, 2, ""}}, LineStyle::kMarks}}};
+  panel.x_scale = panel.y_scale = Scale::kLinear;
+  const std::string svg = drawCharts({panel}, 1);
+  EXPECT_NE(svg.find("cx=\"235.0\" cy=\"153.0\""), std::string::npos);  // the middle of the frame
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 

@@ -1,0 +1,63 @@
+#include "eval/chart_axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace saccade {
+namespace {
+
+constexpr double kLogMargin = 1.15, kLinearMargin = 0.03;  // a factor; a share of the span
+constexpr double kManyDecades = 5;
+constexpr int kLinearSteps = 6;  // at most so many
+
+}  // namespace
+
+void ChartAxis::include(double v) {
+  min_ = std::min(min_, v), max_ = std::max(max_, v);
+}
+
+double ChartAxis::low() const {
+  if (scale_ == Scale::kLog) return min_ / kLogMargin;
+  return max_ > min_ ? min_ - kLinearMargin * (max_ - min_) : min_ - 1;
+}
+
+double ChartAxis::high() const {
+  if (scale_ == Scale::kLog) return max_ * kLogMargin;
+  return max_ > min_ ? max_ + kLinearMargin * (max_ - min_) : max_ + 1;
+}
+
+double ChartAxis::operator()(double v) const {
+  const auto scaled = [this](double value) { return scale_ == Scale::kLog ? std::log(value) : value; };
+  const double share = (scaled(v) - scaled(low())) / (scaled(high()) - scaled(low()));
+  return first_ + (last_ - first_) * share;
+}
+
+std::vector<double> ChartAxis::ticks() const {
+  return scale_ == Scale::kLog ? logTicks() : linearTicks();
+}
+
+std::vector<double> ChartAxis::logTicks() const {
+  const bool many = high() > low() * std::pow(10, kManyDecades);
+  std::vector<double> values;
+  for (double decade = std::pow(10, std::floor(std::log10(min_))); decade <= max_ * 10; decade *= 10) {
+    for (double step : {1.0, 2.0, 5.0}) {
+      if (many && step > 1) continue;
+      if (decade * step >= low() && decade * step <= high()) values.push_back(decade * step);
+    }
+  }
+  return values;
+}
+
+std::vector<double> ChartAxis::linearTicks() const {
+  const double span = high() - low(), decade = std::pow(10, std::floor(std::log10(span / kLinearSteps)));
+  double step = decade;
+  for (double s : {2.0, 5.0, 10.0}) {
+    if (span / step > kLinearSteps) step = decade * s;
+  }
+  std::vector<double> values;
+  for (auto k = std::llround(std::ceil(low() / step)); static_cast<double>(k) * step <= high(); ++k)
+    values.push_back(static_cast<double>(k) * step);
+  return values;
+}
+
+}  // namespace saccade

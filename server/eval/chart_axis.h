@@ -1,0 +1,32 @@
+// The axes of a chart: from values to places on the page.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+namespace saccade {
+
+enum class Scale { kLog, kLinear };  // kLog: values > 0
+
+class ChartAxis {
+ public:
+  // From `first` to `last` on the page.
+  ChartAxis(Scale scale, double first, double last) : scale_(scale), first_(first), last_(last) {}
+
+  void include(double v);  // widens the axis so that it holds v
+  double operator()(double v) const;
+  // In whole steps of 1, 2, 5 times a power of ten; whole powers alone where a logarithmic axis spans many.
+  std::vector<double> ticks() const;
+
+ private:
+  double low() const;  // of the axis, a margin beyond the values
+  double high() const;
+  std::vector<double> linearTicks() const;
+  std::vector<double> logTicks() const;
+
+  Scale scale_;
+  double first_, last_;
+  double min_ = std::numeric_limits<double>::infinity(), max_ = -min_;
+};
+
+}  // namespace saccade
