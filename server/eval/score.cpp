@@ -10,7 +10,7 @@
 #include "eval/metrics/event_streams.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/metrics/plane_error.h"
-#include "events/sensor.h"
+#include "eval/sequence.h"
 
 namespace saccade {
 namespace {
@@ -117,28 +117,13 @@ void scoreNoise(const std::vector<ScoredFrame>& frames, Score& score) {
   score.sigma_dL = sigma.value(), score.bias_dL = bias.root(), score.noise_dL = noise.root();
 }
 
-Events eventsOf(const std::vector<const IntensityChange*>& changes, double bias, double C) {
-  const ImageF& plane = changes.front()->dI;
-  Sensor sensor({.threshold = C, .threshold_off = C, .bias = bias}, plane.width(), plane.height());
-  Events all;
-  SensorOutput out;
-  for (const IntensityChange* change : changes) {
-    sensor.generate(*change, out);
-    all.insert(all.end(), out.events.begin(), out.events.end());
-  }
-  return all;
-}
-
 void scoreEvents(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, double bias, double C,
                  Score& score) {
-  std::vector<const IntensityChange*> changes;
-  for (const Truth& t : truth) changes.push_back(&t.change);
-  const Events ref = eventsOf(changes, bias, C);
+  const SensorConfig sensor{.threshold = C, .threshold_off = C, .bias = bias};
+  const Events ref = eventsOf(sequenceOf(truth), sensor);
   Mean count, voxel, time;
   for (const BenchRun& run : repeats) {
-    changes.clear();
-    for (const IntensityChange& change : run.changes) changes.push_back(&change);
-    const Events events = eventsOf(changes, bias, C);
+    const Events events = eventsOf(sequenceOf(run), sensor);
     count.add(countError(events, ref));
     voxel.add(voxelError(events, ref));
     if (!events.empty()) time.add(nearestTimeError(events, ref).mean_ns / 1e6);

@@ -1,0 +1,25 @@
+// Power of a series of frames by frequency.
+#pragma once
+
+#include <vector>
+
+namespace saccade {
+
+// One-sided density: what lies between two frequencies is the sum of density * step_hz over them.
+struct Spectrum {
+  double step_hz = 0;
+  std::vector<double> density;  // at (k + 1) * step_hz, up to half the frame rate; unit of the series^2 / Hz
+
+  double hz(std::size_t k) const { return static_cast<double>(k + 1) * step_hz; }
+  double powerAbove(double hz) const;  // of frequencies > hz, unit of the series^2
+};
+
+// The discrete Fourier transform of the deviation from the mean, under a Hann window whose power is divided
+// out. The first step holds what the window leaves of the mean and of slower changes. `x`: two values or
+// more.
+Spectrum powerSpectrum(const std::vector<double>& x, double rate_hz);
+
+// Adds `x`, of a series of the same length and rate; an empty sum takes its place.
+void operator+=(Spectrum& sum, const Spectrum& x);
+
+}  // namespace saccade
