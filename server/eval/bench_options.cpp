@@ -18,9 +18,10 @@ std::string BenchOptions::text() const {
     text << " px_per_frame=" << setup.px_per_frame;
   else
     text << " rate_hz=" << setup.frame_rate_hz;
-  text << " frames=" << setup.first << ':' << setup.last << " bounces=" << setup.bounces
-       << " threshold=" << threshold << " bias=" << bias << " reference_spp=" << setup.reference_spp
-       << " repeats=" << repeats;
+  text << " frames=" << setup.first << ':' << setup.last << " bounces=" << setup.bounces;
+  if (threshold > 0) text << " threshold=" << threshold;
+  text << " bias=" << bias << " reference_spp=" << setup.reference_spp;
+  if (repeats > 0) text << " repeats=" << repeats;
   return text.str();
 }
 
@@ -40,12 +41,16 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
   app.add_option("--reference", o.setup.reference_spp, "paths per pixel of the reference")
       ->check(CLI::Range(64, 1 << 20))
       ->capture_default_str();
-  app.add_option("--repeats", o.repeats, "runs with other seeds")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--threshold", o.threshold, "C of the events")
-      ->check(CLI::Range(1e-3, 10.0))
-      ->capture_default_str();
+  if (o.repeats > 0) {
+    app.add_option("--repeats", o.repeats, "runs with other seeds")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+  }
+  if (o.threshold > 0) {
+    app.add_option("--threshold", o.threshold, "C of the events")
+        ->check(CLI::Range(1e-3, 10.0))
+        ->capture_default_str();
+  }
   app.add_option("--bias", o.bias, "I_eps")->check(CLI::Range(1e-12, 1e6))->capture_default_str();
   app.add_option("--cache", o.setup.cache, "folder that keeps reference frames")->capture_default_str();
   app.add_flag("--quick", o.quick, "half the size, fewer frames, a reference of a quarter of the paths");

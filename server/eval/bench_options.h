@@ -12,8 +12,9 @@ namespace saccade {
 struct BenchOptions {
   BenchSetup setup;  // scene: filled by the command
   std::string size = "128x128", frames = "17:21";
-  int repeats = 2;
-  double threshold = 0.2, bias = 1e-3;
+  int repeats = 2;         // 0: the command runs once, and has no such flag
+  double threshold = 0.2;  // 0: the command has thresholds of its own, and not this flag
+  double bias = 1e-3;
   bool quick = false;
 
   // All of it in one line of key=value, for the head of a table.

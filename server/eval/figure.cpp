@@ -1,4 +1,5 @@
 // `saccade-eval figure N`: the figures of the paper on our scenes.
+#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -13,6 +14,7 @@ void runFigure(const Figure& figure, FigureOptions& o) {
   resolve(o.bench);
   if (o.scenes.empty()) o.scenes = availableScenes();
   for (const std::string& method : o.methods) parseMethod(method);  // before anything is rendered
+  std::filesystem::create_directories(o.output);
   TilePool pool(static_cast<int>(std::thread::hardware_concurrency()));
   watchInterrupt();
   try {
@@ -40,6 +42,18 @@ void addFigure(CLI::App& parent, const Figure& figure) {
         ->delimiter(',')
         ->check(CLI::Range(1e-3, 1e3))
         ->capture_default_str();
+  }
+  if (!o->thresholds.empty()) {
+    c->add_option("--thresholds", o->thresholds, "C of the events")
+        ->delimiter(',')
+        ->check(CLI::Range(1e-3, 10.0))
+        ->capture_default_str();
+  }
+  if (o->pixel) {
+    c->add_option("--pixel", *o->pixel, "X,Y; default: one that always shows a smooth surface")
+        ->delimiter(',')
+        ->expected(2)
+        ->check(CLI::NonNegativeNumber);
   }
   addBenchOptions(*c, o->bench);
   c->add_option("-o,--output", o->output, "folder for the table and the pictures")->capture_default_str();

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "eval/change_pictures.h"
 #include "eval/figures/figure.h"
 #include "eval/results.h"
@@ -25,9 +23,7 @@ void compareOn(const std::string& scene, const FigureOptions& o, TilePool& pool,
     }
   }
   pictures.add("reference", truth, nullptr);
-  std::string name = scene;
-  std::replace(name.begin(), name.end(), '/', '_');
-  writePicture(o, "_" + name + ".svg", pictures.draw());
+  writePicture(o, "_" + scene + ".svg", pictures.draw());
 }
 
 }  // namespace

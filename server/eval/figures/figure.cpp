@@ -1,5 +1,6 @@
 #include "eval/figures/figure.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -8,7 +9,9 @@
 namespace saccade {
 
 std::string FigureOptions::path(const std::string& rest) const {
-  return (std::filesystem::path(output) / ("figure" + std::to_string(number) + rest)).string();
+  std::string name = "figure" + std::to_string(number) + rest;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return (std::filesystem::path(output) / name).string();
 }
 
 void writePicture(const FigureOptions& o, const std::string& rest, const std::string& svg) {

@@ -1,6 +1,7 @@
 // The figures of the paper as commands: what each shows, and the settings it is sized for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,12 @@ struct FigureOptions {
   BenchOptions bench;
   std::vector<std::string> scenes, methods;
   std::vector<int> spp;
-  std::vector<double> speeds;  // pixels per frame; empty: the figure has one speed
-  std::string output;          // folder for figure<number>.csv and figure<number>*.svg
+  std::vector<double> speeds = {};             // pixels per frame; empty: the figure has one speed
+  std::vector<double> thresholds = {};         // C; empty: the figure has one, that of `bench`
+  std::optional<std::vector<int>> pixel = {};  // x, y, or empty: chosen from the truth; none: no flag
+  std::string output = {};                     // folder for figure<number>.csv and figure<number>*.svg
 
-  // "<output>/figure<number><rest>"
+  // "<output>/figure<number><rest>"; a "/" in `rest`, as of a scene by path, becomes "_".
   std::string path(const std::string& rest) const;
 };
 
@@ -34,6 +37,11 @@ const std::vector<Figure>& figureTable();
 void runComparison(const FigureOptions& o, TilePool& pool);
 // Error, noise and bias against the speed of the camera, in both directions `right` and `forward`.
 void runSpeeds(const FigureOptions& o, TilePool& pool);
+
+// Appendix B: false events against the noise of dL.
+void runNoiseLaw(const FigureOptions& o, TilePool& pool);
+// Brightness over time and by frequency; what reconstructions of brightness are worth.
+void runBrightness(const FigureOptions& o, TilePool& pool);
 
 // Writes "<output>/figure<number><rest>" and says so. Throws std::runtime_error.
 void writePicture(const FigureOptions& o, const std::string& rest, const std::string& svg);

@@ -12,6 +12,20 @@ BenchOptions frames(const char* range, int repeats) {
   return o;
 }
 
+// The first lies on top in charts, and is shown through every reconstruction.
+const std::vector<std::string> kSequenceMethods{"event_svgf", "svgf", "svgf:as_falcor=1", "pt-correlated",
+                                                "pt"};
+
+// A small picture for many frames, which `right` moves by about a third of a pixel each, there and back every
+// 100.
+BenchOptions sequence() {
+  BenchOptions o;
+  o.size = "64x64", o.frames = "1:256";
+  o.setup.reference_spp = 1024;
+  o.repeats = 0, o.threshold = 0;
+  return o;
+}
+
 std::vector<std::string> sweepSigmaL() {
   std::vector<std::string> specs;
   for (const char* sigma : {"1", "2", "4", "10", "20", "40"})
@@ -23,10 +37,16 @@ std::vector<std::string> sweepSigmaL() {
 
 const std::vector<Figure>& figureTable() {
   static const std::vector<Figure> table{
-      {{6, frames("17:21", 2), {}, kMethods, {2, 4, 32}, {}, {}},
+      {{5, sequence(), {"cornell-bunny"}, kSequenceMethods, {2, 8}, {}, {0.05, 0.1, 0.2, 0.5}},
+       "false events against the noise of dL, at several thresholds",
+       runNoiseLaw},
+      {{6, frames("17:21", 2), {}, kMethods, {2, 4, 32}},
        "every method side by side, on every scene",
        runComparison},
-      {{8, frames("1:3", 2), {"cornell-bunny"}, {"pt", "pt-correlated"}, {2, 4, 8, 32, 128, 512}, {}, {}},
+      {{7, sequence(), {"cornell-bunny"}, kSequenceMethods, {2}, {}, {0.1, 0.2, 0.5}, std::vector<int>{}},
+       "brightness of one pixel over time and by frequency; reconstructions of brightness compared",
+       runBrightness},
+      {{8, frames("1:3", 2), {"cornell-bunny"}, {"pt", "pt-correlated"}, {2, 4, 8, 32, 128, 512}},
        "path tracing with and without correlated seeds, against the paths per pixel",
        runComparison},
       {{9,
@@ -34,9 +54,7 @@ const std::vector<Figure>& figureTable() {
         {"textured-cornell-box"},
         {"event_svgf:correlated=0", "event_svgf:w_prev=0", "event_svgf:accumulate_difference=0",
          "event_svgf:demodulate=0", "event_svgf:correction=0", "event_svgf"},
-        {2},
-        {},
-        {}},
+        {2}},
        "EventSVGF with one part switched off",
        runComparison},
       {{10,
@@ -44,11 +62,10 @@ const std::vector<Figure>& figureTable() {
         {"cornell-bunny"},
         {"event_svgf", "svgf", "svgf:as_falcor=1"},
         {2},
-        {0.1, 0.25, 0.33, 0.67, 1, 1.5, 2, 4, 8, 16},
-        {}},
+        {0.1, 0.25, 0.33, 0.67, 1, 1.5, 2, 4, 8, 16}},
        "errors against the speed of the camera, to the right and forward",
        runSpeeds},
-      {{11, frames("17:21", 2), {"cornell-bunny"}, sweepSigmaL(), {2}, {}, {}},
+      {{11, frames("17:21", 2), {"cornell-bunny"}, sweepSigmaL(), {2}},
        "EventSVGF with other luminance tolerances",
        runComparison},
   };

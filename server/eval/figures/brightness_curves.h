@@ -1,0 +1,35 @@
+// Brightness of one pixel over time, and its spectrum, as tables and charts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "eval/figures/figure.h"
+#include "eval/sequence.h"
+#include "eval/svg_chart.h"
+
+namespace saccade {
+
+struct BrightnessCurve {
+  std::string name;
+  LineStyle style;
+  BrightnessSequence L;
+};
+
+struct Pixel {
+  int x = 0, y = 0;
+};
+
+// Of the pixels that show a smooth surface in every frame (of all, if there are none), that whose brightness
+// spans more than kTypicalSpan of them do: light moves over it, but no edge.
+Pixel typicalPixel(const std::vector<Truth>& truth, const BrightnessSequence& L);
+inline constexpr double kTypicalSpan = 0.75;
+
+// Writes, for the curves of one scene, figure<number>_<scene>_time.csv (L at the pixel, a column for each
+// curve), ..._spectrum.csv (power density of L by frequency, mean over the pixels within kSpectrumReach of it
+// in x and in y) and ....svg with both. Throws std::runtime_error.
+void writeBrightness(const FigureOptions& o, const std::string& scene,
+                     const std::vector<BrightnessCurve>& curves, Pixel pixel, double rate_hz);
+inline constexpr int kSpectrumReach = 4;
+
+}  // namespace saccade

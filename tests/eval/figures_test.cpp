@@ -1,0 +1,66 @@
+// `saccade-eval figure N` as a user runs it, on very small pictures.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "client/scratch_folder.h"
+
+namespace saccade {
+namespace {
+
+std::string textOf(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+long linesOf(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+// Exit code of the command; its output goes to `log`.
+int figure(const std::string& arguments, const ScratchFolder& folder) {
+  const std::string command = std::string(SACCADE_EVAL) + " figure " + arguments +
+                              " --reference 64 --cache " + folder.at("cache") + " -o " + folder.at("out") +
+                              " > " + folder.at("log") + " 2>&1";
+  return WEXITSTATUS(std::system(command.c_str()));
+}
+
+TEST(Figure5, WritesALineForEachMethodBudgetAndThreshold) {
+  ScratchFolder folder;
+  ASSERT_EQ(figure("5 cornell-box --size 16x16 --frames 1:3 --methods pt,event_svgf --spp 2,4 "
+                   "--thresholds 0.1,0.3",
+                   folder),
+            0)
+      << textOf(folder.at("log"));
+  EXPECT_EQ(linesOf(textOf(folder.at("out/figure5.csv"))), 2 + 2 * 2 * 2);
+  const std::string svg = textOf(folder.at("out/figure5.svg"));
+  for (const char* name : {"pt", "event_svgf", "theory"})
+    EXPECT_NE(svg.find(">" + std::string(name) + "<"), std::string::npos) << name;
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST(Figure7, WritesCurvesSpectraAndReconstructions) {
+  ScratchFolder folder;
+  ASSERT_EQ(figure("7 cornell-box --size 16x16 --frames 1:4 --methods svgf --thresholds 0.2", folder), 0)
+      << textOf(folder.at("log"));
+  const std::string time = textOf(folder.at("out/figure7_cornell-box_time.csv"));
+  EXPECT_EQ(time.substr(0, time.find('\n')), "seconds,truth,svgf,complementary,kalman");
+  EXPECT_EQ(linesOf(time), 1 + 5);  // L_0 to L_4
+  EXPECT_EQ(linesOf(textOf(folder.at("out/figure7_cornell-box_spectrum.csv"))), 1 + 2);
+  EXPECT_EQ(linesOf(textOf(folder.at("out/figure7.csv"))), 2 + 6);
+  EXPECT_NE(textOf(folder.at("out/figure7_cornell-box.svg")).find("power density"), std::string::npos);
+}
+
+TEST(Figure7, RefusesAPixelOutsideThePicture) {
+  ScratchFolder folder;
+  EXPECT_NE(figure("7 cornell-box --size 16x16 --frames 1:2 --pixel 16,3", folder), 0);
+  EXPECT_NE(textOf(folder.at("log")).find("16x16"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace saccade
