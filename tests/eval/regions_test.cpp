@@ -56,6 +56,12 @@ TEST(Regions, NothingBeforeAndNothingNowIsSmooth) {
   EXPECT_EQ(countOf(findRegions(nothing, nothing), region::kSmooth), kSize * kSize);
 }
 
+TEST(Regions, WhereAWallEndsItIsASilhouetteWhateverTheNormals) {
+  GBuffer g = wall();
+  g.z.at(kMid, kMid) = g.z_in_prev.at(kMid, kMid) = kMissDepth;
+  EXPECT_EQ(countOf(findRegions(g, g), region::kCurved), 9);
+}
+
 // A steep wall seen by a moving camera: the pixel's depth changes by what its slope allows, no surface does.
 TEST(Regions, ASlopeExplainsADepthThatChanges) {
   GBuffer prev = wall(1), cur = wall(1, 2);
