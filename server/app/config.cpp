@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <filesystem>
-#include <thread>
 
+#include "base/tile_pool.h"
 #include "methods/accuracy_table.h"
 
 namespace saccade {
@@ -33,7 +33,7 @@ Config parseConfig(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& fault) {
     std::exit(app.exit(fault));
   }
-  if (config.threads == 0) config.threads = std::max(1u, std::thread::hardware_concurrency());
+  if (config.threads == 0) config.threads = hardwareThreads();
   if (config.scenes.empty()) config.scenes = findScenes();
   std::error_code none;
   if (config.accuracy.empty() && std::filesystem::exists(defaultAccuracyTable(), none)) {

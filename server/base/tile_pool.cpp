@@ -22,6 +22,10 @@ void flushDenormalsToZero() {
   _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
 }
 
+int hardwareThreads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 TilePool::TilePool(int threads) {
   SACCADE_CHECK(threads >= 1);
   jobs_.reserve(64);

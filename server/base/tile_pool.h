@@ -19,6 +19,8 @@ namespace saccade {
 // Denormals are zero, in and out, for the calling thread.
 void flushDenormalsToZero();
 
+int hardwareThreads();  // that this machine runs at once, 1 if it does not say
+
 struct Tile {
   int x0, y0, x1, y1;  // [x0, x1) x [y0, y1)
 };

@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
-#include <thread>
 
 #include "eval/arguments.h"
 #include "eval/commands.h"
@@ -31,7 +30,7 @@ void runStill(const StillOptions& o) {
   const auto scene = openScene(o.scene);
   const Scene& s = scene->description();
   const Size size = o.size.empty() ? Size{s.width, s.height} : parseSize(o.size);
-  TilePool pool(static_cast<int>(std::thread::hardware_concurrency()));
+  TilePool pool(hardwareThreads());
   const Camera camera(moved(s.T_world_camera, o.offset), s.fov_x_deg, size.width, size.height);
   Renderer renderer(scene, o.bounces, 3, pool);
 
