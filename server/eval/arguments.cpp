@@ -42,4 +42,10 @@ FrameRange parseFrameRange(const std::string& text) {
                                  text);
 }
 
+void checkSpp(const MethodSpec& method, int spp) {
+  if (method.takes(spp)) return;
+  throw CLI::ValidationError("--spp", "must be even for " + method.text +
+                                          ", half of the paths for each pass, not " + std::to_string(spp));
+}
+
 }  // namespace saccade

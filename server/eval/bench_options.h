@@ -21,11 +21,11 @@ struct BenchOptions {
   std::string text() const;
 };
 
-// Adds the flags, with what stands in `o` as their defaults. After parsing, resolve() reads the texts and,
-// for
-// --quick, halves the side of the picture, the frame rate (so that motion keeps its pixels) and most of the
-// rest.
+// Adds the flags, with what stands in `o` as their defaults.
 void addBenchOptions(CLI::App& app, BenchOptions& o);
-void resolve(BenchOptions& o);  // throws CLI::ValidationError
+
+// Reads the texts after parsing; --quick halves the sides of the picture, the frame rate (so that motion
+// keeps its pixels) and most of the rest. Throws CLI::ValidationError.
+void resolve(BenchOptions& o);
 
 }  // namespace saccade

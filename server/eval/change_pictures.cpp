@@ -1,9 +1,9 @@
 #include "eval/change_pictures.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "eval/difference_picture.h"
+#include "eval/format.h"
 #include "eval/metrics/brightness_change.h"
 #include "events/sensor.h"
 
@@ -27,10 +27,7 @@ GridPicture picture(const ImageF& plane, float scale, const std::string& caption
 
 template <class... Values>
 std::string caption(const Score* score, const char* pattern, Values... values) {
-  if (!score) return {};
-  char text[96];
-  std::snprintf(text, sizeof text, pattern, score->*values...);
-  return text;
+  return score ? format(pattern, score->*values...) : "";
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "base/default_cache.h"
 #include "eval/bench_options.h"
 #include "eval/change_pictures.h"
 #include "eval/commands.h"
+#include "eval/format.h"
 #include "eval/open_scene.h"
 #include "eval/page.h"
 #include "eval/results.h"
@@ -46,19 +46,15 @@ void runScene(const ChartOptions& o, const std::string& scene, TilePool& pool, R
     for (const int spp : o.spp) {
       progress.add(1);
       if (!method.takes(spp)) continue;
-      if (!table.find(scene, text, spp))
-        table.add(measure(bench, method, spp, o.bench.repeats, o.bench.bias, o.bench.threshold));
+      const Result& result = measure(bench, scene, method, spp, o.bench, table);
       if (spp != o.pictures_spp) continue;
-      const BenchRun run = bench.run(method, spp, 1);
-      pictures.add(text + ", " + std::to_string(spp) + " spp", run.changes.back(),
-                   &table.find(scene, text, spp)->score);
+      pictures.add(text + ", " + std::to_string(spp) + " spp", bench.run(method, spp, 1).changes.back(),
+                   &result.score);
     }
   }
   pictures.add("reference", truth, nullptr);
-  char title[256];
-  std::snprintf(title, sizeof title, "%s: %.2f px per frame, error of the reference's dI %.3f", scene.c_str(),
-                bench.medianPxPerFrame(), bench.referenceError());
-  page.heading(title);
+  page.heading(format("%s: %.2f px per frame, error of the reference's dI %.3f", scene.c_str(),
+                      bench.medianPxPerFrame(), bench.referenceError()));
   page.svg(pictures.draw());
 }
 
@@ -107,7 +103,7 @@ bool isComplete(const ChartOptions& o, const ResultTable& table) {
 
 // Fills the table, and draws it.
 void renderChart(const ChartOptions& o, ResultTable& table) {
-  TilePool pool(static_cast<int>(std::thread::hardware_concurrency()));
+  TilePool pool(hardwareThreads());
   Page page("Saccade: accuracy against time");
   page.paragraph(o.bench.text() + ". CPU time is that of all threads together.");
   watchInterrupt();

@@ -1,8 +1,8 @@
 // `saccade-eval figure N`: the figures of the paper on our scenes.
 #include <filesystem>
 #include <memory>
-#include <thread>
 
+#include "eval/arguments.h"
 #include "eval/commands.h"
 #include "eval/figures/figure.h"
 #include "eval/open_scene.h"
@@ -13,9 +13,11 @@ namespace {
 void runFigure(const Figure& figure, FigureOptions& o) {
   resolve(o.bench);
   if (o.scenes.empty()) o.scenes = availableScenes();
-  for (const std::string& method : o.methods) parseMethod(method);  // before anything is rendered
+  for (const std::string& method : o.methods) {
+    for (const int spp : o.spp) checkSpp(parseMethod(method), spp);
+  }
   std::filesystem::create_directories(o.output);
-  TilePool pool(static_cast<int>(std::thread::hardware_concurrency()));
+  TilePool pool(hardwareThreads());
   watchInterrupt();
   try {
     figure.run(o, pool);

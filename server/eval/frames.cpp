@@ -3,13 +3,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "app/feed.h"
 #include "base/default_cache.h"
 #include "eval/arguments.h"
 #include "eval/commands.h"
 #include "eval/exr.h"
+#include "eval/format.h"
 #include "eval/open_scene.h"
 #include "eval/reference.h"
 #include "methods/method_spec.h"
@@ -22,14 +22,12 @@ struct FramesOptions {
   FeedConfig feed;
   std::vector<std::string> set;
   int reference = 0;
-  int threads = static_cast<int>(std::thread::hardware_concurrency());
+  int threads = hardwareThreads();
   int first = 0, last = 0;
 };
 
 std::string dumpPath(const FramesOptions& o, const char* what, int frame) {
-  char name[64];
-  std::snprintf(name, sizeof name, "%s_%05d.exr", what, frame);
-  return (std::filesystem::path(o.dump) / name).string();
+  return (std::filesystem::path(o.dump) / format("%s_%05d.exr", what, frame)).string();
 }
 
 void writeDump(const FramesOptions& o, int frame, const IntensityChange& change) {
@@ -42,9 +40,7 @@ void writeDump(const FramesOptions& o, int frame, const IntensityChange& change)
 void resolveMethod(FramesOptions& o) {
   const MethodSpec method = parseMethod(o.feed.method, o.set);
   o.feed.params = method.params;
-  if (!method.takes(o.feed.spp)) {
-    throw std::runtime_error(o.feed.method + " needs an even --spp: half of the paths are for each pass");
-  }
+  checkSpp(method, o.feed.spp);
 }
 
 void printTimes(const StageTimes& total, double frames) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 
+#include "eval/format.h"
 #include "eval/markup.h"
 
 namespace saccade {
@@ -66,12 +66,11 @@ std::string drawPictureGrid(const std::vector<std::string>& columns, const std::
     }
     y += height + kCaption + kGap;
   }
-  char head[256];
-  std::snprintf(head, sizeof head,
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
-                "width=\"%d\" height=\"%d\" font-family=\"sans-serif\" font-size=\"11\">\n"
-                "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
-                width, y);
+  const std::string head = format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+      "width=\"%d\" height=\"%d\" font-family=\"sans-serif\" font-size=\"11\">\n"
+      "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
+      width, y);
   return head + body + "</svg>\n";
 }
 

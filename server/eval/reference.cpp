@@ -6,6 +6,7 @@
 
 #include "base/hash_rng.h"
 #include "eval/exr.h"
+#include "eval/format.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/metrics/plane_error.h"
 
@@ -120,8 +121,7 @@ ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, i
 std::string ReferenceRenderer::cachePath(const Pose& pose, int spp) const {
   ContentHash h{key_};
   h.add(pose.position), h.add(pose.rotation), h.add(strengths_.factors()), h.add(spp);
-  char name[32];
-  std::snprintf(name, sizeof name, "%016llx.exr", static_cast<unsigned long long>(h.value));
+  const std::string name = format("%016llx.exr", static_cast<unsigned long long>(h.value));
   return (std::filesystem::path(cache_) / name).string();
 }
 

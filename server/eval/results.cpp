@@ -93,18 +93,20 @@ void printTable(const ResultTable& table) {
   }
 }
 
-Result measure(const Bench& bench, const MethodSpec& method, int spp, int repeats, double bias,
-               double threshold) {
+const Result& measure(const Bench& bench, const std::string& name, const MethodSpec& method, int spp,
+                      const BenchOptions& o, ResultTable& table) {
+  if (const Result* stands = table.find(name, method.text, spp)) return *stands;
   Result r;
-  r.scene = bench.setup().scene, r.method = method.text, r.spp = spp;
+  r.scene = name, r.method = method.text, r.spp = spp;
   r.px_per_frame = bench.medianPxPerFrame(), r.reference_error = bench.referenceError();
   std::vector<BenchRun> runs;
-  for (int seed = 1; seed <= repeats; ++seed) {
+  for (int seed = 1; seed <= o.repeats; ++seed) {
     runs.push_back(bench.run(method, spp, static_cast<std::uint64_t>(seed)));
-    r.cpu_ms += runs.back().cpu_ms / repeats, r.trace_ms += runs.back().trace_ms / repeats;
+    r.cpu_ms += runs.back().cpu_ms / o.repeats, r.trace_ms += runs.back().trace_ms / o.repeats;
   }
-  r.score = scoreOf(bench.truth(), runs, bias, threshold);
-  return r;
+  r.score = scoreOf(bench.truth(), runs, o.bias, o.threshold);
+  table.add(r);
+  return table.rows().back();
 }
 
 }  // namespace saccade

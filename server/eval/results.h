@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "eval/bench_options.h"
 #include "eval/score.h"
 
 namespace saccade {
@@ -39,8 +40,9 @@ class ResultTable {
 // The rows for people, in a few figures, on stdout.
 void printTable(const ResultTable& table);
 
-// Runs `method` with the seeds 1 to `repeats` and scores it.
-Result measure(const Bench& bench, const MethodSpec& method, int spp, int repeats, double bias,
-               double threshold);
+// The row of `name`, method and budget: as it stands in `table`, or of the method run with the seeds 1 to
+// o.repeats, and added. Valid until the next is added.
+const Result& measure(const Bench& bench, const std::string& name, const MethodSpec& method, int spp,
+                      const BenchOptions& o, ResultTable& table);
 
 }  // namespace saccade

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "eval/format.h"
 #include "eval/markup.h"
 
 namespace saccade {
@@ -23,13 +23,6 @@ struct Key {
 
 auto findKey(const std::vector<Key>& keys, const std::string& name) {
   return std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
-}
-
-template <class... Args>
-std::string format(const char* pattern, Args... args) {
-  char text[512];
-  std::snprintf(text, sizeof text, pattern, args...);
-  return text;
 }
 
 std::string polyline(const std::vector<ChartPoint>& points, const ChartAxis& x, const ChartAxis& y,

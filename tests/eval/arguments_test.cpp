@@ -5,11 +5,11 @@
 namespace saccade {
 namespace {
 
-// What is said of a text that is not valid.
-template <class Parse>
-std::string faultOf(Parse parse, const std::string& text) {
+// What is said of an argument that is not valid.
+template <class Read, class Argument>
+std::string faultOf(Read read, const Argument& argument) {
   try {
-    parse(text);
+    read(argument);
   } catch (const std::runtime_error& fault) {
     return fault.what();
   }
@@ -52,6 +52,15 @@ TEST(ParseSize, NamesTheFlagAndWhatWouldBeValid) {
     for (const std::string part : {"--size", "from 1 to 16384"}) expectContains(fault, part);
     EXPECT_TRUE(fault.ends_with("not " + std::string(text))) << fault;
   }
+}
+
+TEST(CheckSpp, RefusesPathsThatTwoPassesCannotShare) {
+  for (const int spp : {1, 2, 3}) EXPECT_NO_THROW(checkSpp(parseMethod("pt"), spp));
+  const MethodSpec method = parseMethod("event_svgf:alpha=0.2");
+  EXPECT_NO_THROW(checkSpp(method, 2));
+  const std::string fault = faultOf([](const MethodSpec& m) { checkSpp(m, 3); }, method);
+  for (const std::string part : {"--spp", "even", "event_svgf:alpha=0.2", "not 3"})
+    expectContains(fault, part);
 }
 
 }  // namespace

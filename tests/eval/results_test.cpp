@@ -53,5 +53,34 @@ TEST_F(Fixture, AHalfWrittenRowIsNamed) {
   }
 }
 
+TEST_F(Fixture, WhatStandsIsNotMeasuredAgain) {
+  TilePool pool(2);
+  const Bench bench({.scene = "cornell-box",
+                     .width = 16,
+                     .height = 12,
+                     .bounces = 0,
+                     .first = 1,
+                     .last = 1,
+                     .reference_spp = 64,
+                     .cache = (folder / "cache").string()},
+                    pool);
+  ResultTable table(path, "16x12");
+  BenchOptions o;
+  o.repeats = 2;
+  Result stands = makeResult();
+  stands.method = "pt", stands.spp = 1;
+  table.add(stands);
+  const MethodSpec pt = parseMethod("pt");
+  EXPECT_EQ(measure(bench, "box", pt, 1, o, table).score.dI_l1, stands.score.dI_l1);
+  EXPECT_EQ(table.rows().size(), 1u);
+
+  const Result& measured = measure(bench, "box", pt, 2, o, table);
+  EXPECT_EQ(table.find("box", "pt", 2), &measured);
+  EXPECT_GT(measured.cpu_ms, measured.trace_ms);
+  EXPECT_EQ(measured.px_per_frame, bench.medianPxPerFrame());
+  EXPECT_EQ(measured.reference_error, bench.referenceError());
+  EXPECT_GT(measured.score.noise_dL, 0);  // known by the repeats
+}
+
 }  // namespace
 }  // namespace saccade

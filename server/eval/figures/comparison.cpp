@@ -15,10 +15,9 @@ void compareOn(const std::string& scene, const FigureOptions& o, TilePool& pool,
   for (const int spp : o.spp) {
     for (const std::string& text : o.methods) {
       const MethodSpec method = parseMethod(text);
-      if (!table.find(scene, text, spp))
-        table.add(measure(bench, method, spp, o.bench.repeats, o.bench.bias, o.bench.threshold));
+      const Result& result = measure(bench, scene, method, spp, o.bench, table);
       pictures.add(text + ", " + std::to_string(spp) + " spp", bench.run(method, spp, 1).changes.back(),
-                   &table.find(scene, text, spp)->score);
+                   &result.score);
       progress.add(1);
     }
   }

@@ -1,8 +1,8 @@
 #include <cmath>
-#include <cstdio>
 
 #include "eval/difference_picture.h"
 #include "eval/figures/figure.h"
+#include "eval/format.h"
 #include "eval/metrics/brightness_change.h"
 #include "eval/picture_grid.h"
 #include "eval/results.h"
@@ -14,12 +14,6 @@ namespace {
 constexpr const char* kMotions[] = {"right", "forward"};
 constexpr double Score::*kMetrics[] = {&Score::sigma_dL, &Score::noise_dL,     &Score::bias_dL,
                                        &Score::dL_l1,    &Score::false_events, &Score::missed_events};
-
-std::string format(const char* pattern, double a, double b = 0) {
-  char text[96];
-  std::snprintf(text, sizeof text, pattern, a, b);
-  return text;
-}
 
 // The key of a row: which scene, direction and speed.
 std::string rowName(const std::string& scene, const std::string& motion, double speed) {
@@ -44,12 +38,7 @@ void runSpeed(const FigureOptions& o, const std::string& motion, double speed, T
   const std::string name = rowName(setup.scene, motion, speed);
   for (std::size_t m = 0; m < o.methods.size(); ++m) {
     const MethodSpec method = parseMethod(o.methods[m]);
-    if (!table.find(name, method.text, o.spp.front())) {
-      Result r = measure(bench, method, o.spp.front(), o.bench.repeats, o.bench.bias, o.bench.threshold);
-      r.scene = name;
-      table.add(r);
-    }
-    const Score& score = table.find(name, method.text, o.spp.front())->score;
+    const Score& score = measure(bench, name, method, o.spp.front(), o.bench, table).score;
     rows[m + 1].push_back(pictureOf(bench.run(method, o.spp.front(), 1).changes.back(), bias, scale,
                                     format("L1 %.3f, sigma %.2g", score.dL_l1, score.sigma_dL)));
   }
