@@ -12,7 +12,7 @@ namespace saccade {
 
 std::string BenchOptions::text() const {
   std::ostringstream text;
-  text << "cpu=\"" << cpuName() << "\" trajectory=" << setup.trajectory << " size=" << setup.width << 'x'
+  text << "cpu=\"" << cpuName() << "\" trajectory=\"" << setup.trajectory << "\" size=" << setup.width << 'x'
        << setup.height;
   if (setup.px_per_frame > 0)
     text << " px_per_frame=" << setup.px_per_frame;
