@@ -9,6 +9,7 @@
 #include "scene/mitsuba_xml.h"
 #include "scene/scene_error.h"
 #include "scene/scene_library.h"
+#include "scene/slow_load.h"
 
 namespace saccade {
 
@@ -29,8 +30,11 @@ std::vector<std::string> availableScenes() {
 }
 
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {
-  if (name_or_path.ends_with(".xml")) return std::make_shared<RenderScene>(loadMitsubaXml(name_or_path));
-  return std::make_shared<RenderScene>(SceneLibrary(sceneFolder()).load(name_or_path));
+  const LoadProgress progress = tellSlowLoad(
+      name_or_path, [](const std::string& text) { std::fprintf(stderr, "loading %s\n", text.c_str()); });
+  if (name_or_path.ends_with(".xml"))
+    return std::make_shared<RenderScene>(loadMitsubaXml(name_or_path, {.progress = progress}));
+  return std::make_shared<RenderScene>(SceneLibrary(sceneFolder()).load(name_or_path, progress));
 }
 
 Trajectory openTrajectory(const std::string& scene, const std::string& name_or_path,

@@ -6,7 +6,8 @@
 
 namespace saccade {
 
-// Whether `file`, with its links and dots followed, is one of `places` or lies below one of them.
-bool liesWithin(const std::filesystem::path& file, const std::vector<std::filesystem::path>& places);
+// Whether `file`, with its links and dots followed, is one of `places` or lies below one of them. Without any
+// place every file is free.
+bool mayRead(const std::filesystem::path& file, const std::vector<std::filesystem::path>& places);
 
 }  // namespace saccade

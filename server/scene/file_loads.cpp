@@ -1,11 +1,11 @@
 #include "scene/file_loads.h"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <thread>
-
-#include "base/tile_pool.h"
 
 namespace saccade {
 namespace {
@@ -20,25 +20,35 @@ int threadsFor(const LoadOptions& options, int loads) {
 
 void FileLoads::run(const XmlFile& file, const LoadOptions& options) const {
   const int total = static_cast<int>(loads_.size());
-  if (total == 0) return;
+  std::atomic<int> next = 0;
   std::mutex mutex;
-  std::map<int, std::string> faults;  // by place in the order
+  std::map<int, std::exception_ptr> faults;  // by place in the order
   int done = 0;
-  const auto runOne = [&](int i) {
-    std::string fault;
-    try {
-      loads_[static_cast<std::size_t>(i)].run();
-    } catch (const SceneError& e) {
-      fault = e.what();
+  const auto work = [&] {
+    for (int i = next++; i < total; i = next++) {
+      std::exception_ptr fault;
+      try {
+        loads_[static_cast<std::size_t>(i)].run();
+      } catch (...) {
+        fault = std::current_exception();
+      }
+      const std::lock_guard lock(mutex);
+      if (fault) faults[i] = fault;
+      if (options.progress) options.progress(++done, total);
     }
-    const std::lock_guard lock(mutex);
-    if (!fault.empty()) faults[i] = fault;
-    if (options.progress) options.progress(++done, total);
   };
-  TilePool(threadsFor(options, total)).run(total, runOne);
+  {
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < threadsFor(options, total); ++i) helpers.emplace_back(work);
+    work();
+  }
   if (faults.empty()) return;
-  const auto& [first, what] = *faults.begin();
-  throw file.error(loads_[static_cast<std::size_t>(first)].at, what);
+  const auto& [first, fault] = *faults.begin();
+  try {
+    std::rethrow_exception(fault);
+  } catch (const SceneError& e) {
+    throw file.error(loads_[static_cast<std::size_t>(first)].at, e.what());
+  }
 }
 
 }  // namespace saccade

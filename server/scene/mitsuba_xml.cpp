@@ -2,12 +2,14 @@
 
 #include <filesystem>
 
+#include "scene/confinement.h"
 #include "scene/file_loads.h"
 #include "scene/limits.h"
 #include "scene/mitsuba_light.h"
 #include "scene/mitsuba_material.h"
 #include "scene/mitsuba_sensor.h"
 #include "scene/mitsuba_shape.h"
+#include "scene/text.h"
 
 namespace saccade {
 namespace {
@@ -23,7 +25,12 @@ void checkTriangles(const XmlFile& file, const Scene& scene) {
 }  // namespace
 
 Scene loadMitsubaXml(const std::string& path, const LoadOptions& options) {
-  const XmlFile file(path, options);
+  if (!mayRead(path, options.confined_to)) throw SceneError(path + ": leads out of the folder of the scenes");
+  return parseMitsubaXml(readFile(path, kMaxXmlBytes), path, options);
+}
+
+Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options) {
+  const XmlFile file(std::move(text), path, options);
   Properties properties(file, file.root());
   Scene scene;
   scene.name = std::filesystem::path(path).parent_path().filename().string();

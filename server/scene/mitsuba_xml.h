@@ -33,5 +33,7 @@ namespace saccade {
 
 // Relative file names are looked up in the folder of the scene file. Throws SceneError.
 Scene loadMitsubaXml(const std::string& path, const LoadOptions& options = {});
+// The same of what the file at `path` holds.
+Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options = {});
 
 }  // namespace saccade

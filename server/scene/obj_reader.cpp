@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "base/hash_rng.h"
+#include "scene/limits.h"
 #include "scene/mesh_io.h"
 #include "scene/scene_error.h"
 #include "scene/text.h"
@@ -25,7 +26,7 @@ struct CornerHash {
 class ObjReader {
  public:
   explicit ObjReader(const std::string& path) : path_(path) {}
-  Mesh read();
+  Mesh read(std::string_view text);
 
  private:
   void readLine(std::string_view line);
@@ -47,9 +48,8 @@ class ObjReader {
   Mesh mesh_;
 };
 
-Mesh ObjReader::read() {
-  const std::string bytes = readFile(path_);
-  for (std::string_view text = bytes; !text.empty();) {
+Mesh ObjReader::read(std::string_view text) {
+  while (!text.empty()) {
     ++line_;
     readLine(takeLine(text));
   }
@@ -95,6 +95,8 @@ void ObjReader::readFace(std::string_view words) {
   for (auto word = takeWord(words); !word.empty() && word[0] != '#'; word = takeWord(words))
     face_.push_back(vertexOf(readCorner(word)));
   if (face_.size() < 3) fail("a face needs at least 3 corners");
+  if (mesh_.triangles.size() + face_.size() > kMaxTriangles)
+    fail("more than " + std::to_string(kMaxTriangles) + " triangles");
   for (std::size_t i = 2; i < face_.size(); ++i)
     mesh_.triangles.push_back({face_[0], face_[i - 1], face_[i]});
 }
@@ -136,8 +138,12 @@ std::uint32_t ObjReader::vertexOf(const Corner& corner) {
 
 }  // namespace
 
+Mesh parseObj(std::string_view bytes, const std::string& path) {
+  return ObjReader(path).read(bytes);
+}
+
 Mesh loadObj(const std::string& path) {
-  return ObjReader(path).read();
+  return parseObj(readFile(path, kMaxMeshBytes), path);
 }
 
 }  // namespace saccade

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "scene/limits.h"
 #include "scene/mesh_io.h"
 #include "scene/ply_header.h"
 #include "scene/ply_values.h"
@@ -14,7 +15,7 @@ namespace {
 class PlyReader {
  public:
   explicit PlyReader(const std::string& path) : path_(path) {}
-  Mesh read();
+  Mesh read(std::string_view bytes);
 
  private:
   void readVertices(const PlyElement& element, PlyValues& values);
@@ -39,11 +40,9 @@ bool isFaceList(const PlyProperty& p) {
   return p.is_list && !p.type.is_float && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
-Mesh PlyReader::read() {
-  const std::string bytes = readFile(path_);
-  std::string_view data = bytes;
-  const PlyHeader header = takePlyHeader(data, path_);
-  PlyValues values(data, header.format, path_);
+Mesh PlyReader::read(std::string_view bytes) {
+  const PlyHeader header = takePlyHeader(bytes, path_);
+  PlyValues values(bytes, header.format, path_);
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty()) fail("element '" + element.name + "' has no properties");
     if (element.name == "vertex" && mesh_.positions.empty()) {
@@ -98,6 +97,8 @@ void PlyReader::readFaces(const PlyElement& element, PlyValues& values) {
 void PlyReader::readFace(long long face, const PlyProperty& property, PlyValues& values) {
   const long long corners = values.readCount(property.count_type);
   if (corners < 3) fail("face " + std::to_string(face) + " has fewer than 3 corners");
+  if (static_cast<std::size_t>(corners) + mesh_.triangles.size() > kMaxTriangles)
+    fail("more than " + std::to_string(kMaxTriangles) + " triangles");
   std::uint32_t first = 0, prev = 0;
   for (long long i = 0; i < corners; ++i) {
     const double index = values.readNumber(property.type);
@@ -113,8 +114,12 @@ void PlyReader::readFace(long long face, const PlyProperty& property, PlyValues&
 
 }  // namespace
 
+Mesh parsePly(std::string_view bytes, const std::string& path) {
+  return PlyReader(path).read(bytes);
+}
+
 Mesh loadPly(const std::string& path) {
-  return PlyReader(path).read();
+  return parsePly(readFile(path, kMaxMeshBytes), path);
 }
 
 }  // namespace saccade

@@ -49,20 +49,14 @@ pugi::xml_node wholeBsdf(pugi::xml_node node) {
 
 }  // namespace
 
-XmlFile::XmlFile(const std::string& path, const LoadOptions& options)
-    : path_(path), confined_to_(options.confined_to) {
-  if (!mayRead(path)) throw SceneError(path + ": leads out of the folder of the scenes");
-  text_ = readFile(path, kMaxXmlBytes);
+XmlFile::XmlFile(std::string text, const std::string& path, const LoadOptions& options)
+    : text_(std::move(text)), path_(path), confined_to_(options.confined_to) {
   const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size());
   if (!result)
     throw SceneError(path_, lineAt(result.offset), std::string("faulty XML: ") + result.description());
   if (std::string(root().name()) != "scene") throw error(root(), "the root element is not <scene>");
   substituteNames(options.definitions);
   indexIds();
-}
-
-bool XmlFile::mayRead(const std::string& path) const {
-  return confined_to_.empty() || liesWithin(path, confined_to_);
 }
 
 void XmlFile::indexIds() {
@@ -141,7 +135,8 @@ std::string XmlFile::locate(pugi::xml_node at, const std::string& filename) cons
   if (filename.empty())
     throw error(at, "the " + std::string(at.name()) + " needs <string name=\"filename\">");
   const std::string path = (std::filesystem::path(path_).parent_path() / filename).string();
-  if (!mayRead(path)) throw error(at, "the file " + path + " leads out of the folder of the scenes");
+  if (!mayRead(path, confined_to_))
+    throw error(at, "the file " + path + " leads out of the folder of the scenes");
   return path;
 }
 

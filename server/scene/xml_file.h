@@ -14,9 +14,9 @@ namespace saccade {
 
 class XmlFile {
  public:
-  // Throws SceneError: a file that cannot be read or lies outside of what it is confined to, faulty XML, a
-  // root that is not <scene>, a $name that is not defined, what is beyond limits.h.
-  XmlFile(const std::string& path, const LoadOptions& options);
+  // `text` is what the file at `path` holds. Throws SceneError: faulty XML, a root that is not <scene>, a
+  // $name that is not defined, what is beyond limits.h.
+  XmlFile(std::string text, const std::string& path, const LoadOptions& options);
 
   pugi::xml_node root() const { return document_.document_element(); }
   bool isMitsuba0() const;  // written for 0.4 to 0.6, whose defaults differ here and there
@@ -32,13 +32,12 @@ class XmlFile {
 
  private:
   long lineAt(std::ptrdiff_t offset) const;
-  bool mayRead(const std::string& path) const;
   void substituteNames(std::map<std::string, std::string> definitions);
   std::string substituted(pugi::xml_node node, const std::string& text,
                           const std::map<std::string, std::string>& definitions);
   void indexIds();
 
-  std::string path_, text_;
+  std::string text_, path_;
   std::vector<std::filesystem::path> confined_to_;
   std::size_t substituted_bytes_ = 0;
   pugi::xml_document document_;

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "scene/limits.h"
 #include "scene/scratch.h"
 
 namespace saccade {
@@ -172,6 +173,19 @@ TEST(Ply, AHugeCountEndsWithTheFile) {
                    "ends within its data");
   expectContains(plyError("ply\nformat ascii 1.0\nelement vertex 9000000000000000000\nend_header\n"),
                  "no properties");
+  expectContains(
+      plyError("ply\nformat ascii 1.0\nelement vertex 1\n" + kXyz +
+               "element face 1\nproperty list uint uint vertex_index\nend_header\n0 0 0\n4000000000 0 0 0\n"),
+      "more than 100000000 triangles");
+}
+
+TEST(MeshFiles, AreNoLargerThanTheirLimit) {
+  const Scratch files;
+  const std::string path = files.write("large.obj", "");
+  std::filesystem::resize_file(path, kMaxMeshBytes + 1);  // a hole, which takes no space
+  expectContains(errorOf([&] { loadObj(path); }), "large.obj: has more than 4294967296 bytes");
+  expectContains(errorOf([&] { loadPly(path); }), "large.obj: has more than 4294967296 bytes");
+  expectContains(errorOf([&] { loadObj(files.path("")); }), "cannot be read");  // a folder
 }
 
 }  // namespace

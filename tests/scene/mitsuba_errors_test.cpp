@@ -1,3 +1,4 @@
+#include "scene/limits.h"
 #include "scene/mitsuba_xml.h"
 #include "scene/scratch.h"
 
@@ -153,6 +154,8 @@ TEST(MitsubaErrors, FaultyFiles) {
   expectContains(error("<model/>"), "not <scene>");
   expectContains(error("<scene/>"), "no <sensor");
   expectContains(errorOf([] { loadMitsubaXml("/no/such/scene.xml"); }), "cannot be read");
+  std::filesystem::resize_file(files.path("scene.xml"), kMaxXmlBytes + 1);
+  expectContains(errorOf([&] { loadMitsubaXml(files.path("scene.xml")); }), "has more than 67108864 bytes");
 }
 
 TEST(MitsubaErrors, DeepNestingIsAnErrorNotACrash) {
