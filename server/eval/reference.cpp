@@ -1,63 +1,19 @@
 #include "eval/reference.h"
 
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 
-#include "base/hash_rng.h"
+#include "eval/content_hash.h"
 #include "eval/exr.h"
 #include "eval/format.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/metrics/plane_error.h"
+#include "eval/scene_hash.h"
 
 namespace saccade {
 namespace {
 
 volatile std::sig_atomic_t g_interrupted = 0;
-
-// Hash of plain values, and of vectors of them.
-struct ContentHash {
-  std::uint64_t value = 0;
-  void bytes(const void* data, std::size_t size) {
-    const auto* p = static_cast<const unsigned char*>(data);
-    for (; size > 0; p += 8, size -= std::min<std::size_t>(size, 8)) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, p, std::min<std::size_t>(size, 8));
-      value = hashKey(value, word);
-    }
-  }
-  template <class T>
-  void add(const T& v) {
-    static_assert(std::has_unique_object_representations_v<T> || std::is_floating_point_v<T> ||
-                  sizeof(T) % 4 == 0);
-    bytes(&v, sizeof v);
-  }
-  template <class T>
-  void add(const std::vector<T>& v) {
-    bytes(v.data(), v.size() * sizeof(T));
-  }
-};
-
-std::uint64_t hashScene(const Scene& scene) {
-  ContentHash h;
-  for (const Mesh& m : scene.meshes)
-    h.add(m.positions), h.add(m.normals), h.add(m.uvs), h.add(m.triangles), h.add(m.material),
-        h.add(m.radiance);
-  for (const Sphere& s : scene.spheres)
-    h.add(s.center), h.add(s.radius), h.add(s.material), h.add(s.radiance);
-  for (const Material& m : scene.materials) {
-    const auto& r = m.reflectance;
-    h.add(static_cast<int>(r.kind)), h.add(r.color0), h.add(r.color1), h.add(r.texture), h.add(r.uv_scale),
-        h.add(r.uv_offset);
-    h.add(static_cast<int>(m.twosided));
-  }
-  for (const Texture& t : scene.textures) {
-    // The picture through its own look-up: 64 x 64 places tell two pictures apart.
-    for (int i = 0; i < 4096; ++i)
-      h.add(t.sample({static_cast<float>(i % 64) / 64, static_cast<float>(i / 64) / 64}, 0));
-  }
-  return h.value;
-}
 
 // Takes the frame kept at `path`. Returns its paths per pixel, 0 where there is none that can be used.
 int readKept(const std::string& path, ReferenceFrame& frame) {
