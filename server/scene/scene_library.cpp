@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "scene/confinement.h"
 #include "scene/mitsuba_xml.h"
 #include "scene/scene_error.h"
 #include "scene/text.h"
@@ -29,7 +30,10 @@ std::map<std::string, OutsideMesh> outsideMeshes(const fs::path& scenes) {
             "set SACCADE_REAL_SCENES to a folder with meshes/dragon.obj"}}};
 }
 
+const char* const kLeadsOut = " leads out of the folder of the scenes";
+
 std::string whyUnavailable(const fs::path& scene_file, const fs::path& scenes) {
+  if (!mayRead(scene_file, {scenes})) return scene_file.string() + kLeadsOut;
   const std::string text = readFile(scene_file.string());
   for (const auto& [name, mesh] : outsideMeshes(scenes))
     if (text.find("$" + name) != text.npos && !fs::exists(mesh.path))
@@ -38,8 +42,8 @@ std::string whyUnavailable(const fs::path& scene_file, const fs::path& scenes) {
 }
 
 // The first line that is neither blank nor a title.
-std::string describe(const fs::path& readme) {
-  if (!fs::exists(readme)) return {};
+std::string describe(const fs::path& readme, const fs::path& scenes) {
+  if (!fs::exists(readme) || !mayRead(readme, {scenes})) return {};
   const std::string bytes = readFile(readme.string());
   for (std::string_view text = bytes; !text.empty();) {
     const auto line = takeLine(text);
@@ -80,7 +84,7 @@ std::vector<SceneEntry> SceneLibrary::list() const {
   std::vector<SceneEntry> entries;
   for (const std::string& name : sceneNames(folder_)) {
     const fs::path scene = folder_ / name;
-    SceneEntry entry{name, describe(scene / "README.md"), csvNames(scene / "trajectories"),
+    SceneEntry entry{name, describe(scene / "README.md", folder_), csvNames(scene / "trajectories"),
                      whyUnavailable(scene / "scene.xml", folder_)};
     entry.trajectories.insert(entry.trajectories.end(), motionNames().begin(), motionNames().end());
     entries.push_back(std::move(entry));
@@ -108,6 +112,7 @@ Trajectory SceneLibrary::loadTrajectory(const std::string& scene, const std::str
   const fs::path folder = folder_ / scene / "trajectories";
   requireName("trajectory of the scene " + scene, name, csvNames(folder));
   const std::string file = (folder / (name + ".csv")).string();
+  if (!mayRead(file, {folder_})) throw SceneError(file + kLeadsOut);
   return parseTrajectory(readFile(file), file);
 }
 

@@ -1,4 +1,5 @@
 // The scenes a server offers: folders scenes/<name>/ with scene.xml, trajectories/*.csv and README.md.
+// Nothing outside of scenes/ is read, wherever names and links lead, but the meshes below.
 #pragma once
 
 #include <filesystem>

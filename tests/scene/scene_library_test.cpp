@@ -158,8 +158,21 @@ TEST(SceneLibrary, ALinkThatLeadsOutIsNoScene) {
   files.write("secret/scene.xml", "<scene/>");
   files.write("scenes/README.md", "");
   fs::create_directory_symlink(files.path("secret"), files.path("scenes/linked"));
-  expectContains(errorOf([&] { SceneLibrary(files.path("scenes")).load("linked"); }),
-                 "leads out of the folder");
+  const SceneLibrary library(files.path("scenes"));
+  expectContains(errorOf([&] { library.load("linked"); }), "leads out of the folder");
+  expectContains(library.list().at(0).unavailable, "leads out of the folder");
+}
+
+TEST(SceneLibrary, LinksToOtherPeoplesTextAreNotRead) {
+  const Scratch files;
+  const std::string secret = files.write("secret.txt", "A password.");
+  files.write("scenes/mine/scene.xml", "<scene/>");
+  fs::create_directory(files.path("scenes/mine/trajectories"));
+  fs::create_symlink(secret, files.path("scenes/mine/README.md"));
+  fs::create_symlink(secret, files.path("scenes/mine/trajectories/path.csv"));
+  const SceneLibrary library(files.path("scenes"));
+  EXPECT_EQ(library.list().at(0).description, "");
+  expectContains(errorOf([&] { library.loadTrajectory("mine", "path"); }), "leads out of the folder");
 }
 
 }  // namespace
