@@ -32,9 +32,10 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
            std::unique_ptr<Method> method, TilePool& pool)
     : config_(config),
+      scene_(std::move(scene)),
       path_(std::move(path)),
       pool_(pool),
-      renderer_(scene, config.bounces, config.monochrome ? 1 : scene->channels(), pool),
+      renderer_(scene_, config.bounces, config.monochrome ? 1 : scene_->channels(), pool),
       method_(std::move(method)),
       frames_(config.width, config.height),
       change_(config.width, config.height) {
@@ -63,6 +64,10 @@ void Feed::render() {
   const Camera prev(path_.at(time_prev), config_.fov_x_deg, config_.width, config_.height);
   const SeedPlan seeds = makeSeedPlan(method_->seedReuse(), config_.seed, frame.index, config_.spp);
   times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, frame);
+}
+
+PixelSpeed Feed::pixelSpeed(FrameIndex frames) const {
+  return measurePixelSpeed(*scene_, path_, config_, frames);
 }
 
 float Feed::firstFrameLuminance(double fraction) const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "app/pixel_speed.h"
 #include "base/tile_pool.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
@@ -38,6 +39,8 @@ class Feed {
   // Renders the next frame and estimates the change since the one before it.
   const IntensityChange& step();
 
+  // Of the first `frames` intervals; 0: of as many as there may be.
+  PixelSpeed pixelSpeed(FrameIndex frames) const;
   // Luminance of frame 0 at a fraction of its pixels in ascending order, 0 <= fraction <= 1. Before any step.
   float firstFrameLuminance(double fraction) const;
   const StageTimes& lastTimes() const { return times_; }  // of the last step
@@ -48,6 +51,7 @@ class Feed {
   void render();
 
   FeedConfig config_;
+  std::shared_ptr<const RenderScene> scene_;
   Trajectory path_;
   TilePool& pool_;
   Renderer renderer_;

@@ -30,6 +30,7 @@ FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, int width, int height, const 
       pool_(pool),
       luminance_p01_(feed_->firstFrameLuminance(0.01)),
       luminance_p50_(feed_->firstFrameLuminance(0.5)),
+      pixel_speed_(feed_->pixelSpeed(pace.frames)),
       snapshot_(width, height) {}
 
 FeedRunner::~FeedRunner() {

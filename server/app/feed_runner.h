@@ -12,6 +12,7 @@
 #include "app/feed.h"
 #include "app/frame_snapshot.h"
 #include "app/outlet.h"
+#include "app/pixel_speed.h"
 #include "stream/signal.h"
 
 namespace saccade {
@@ -44,6 +45,7 @@ class FeedRunner {
   const FrameSnapshot& snapshot() const { return snapshot_; }
   float luminanceP01() const { return luminance_p01_; }  // of frame 0
   float luminanceP50() const { return luminance_p50_; }
+  const PixelSpeed& pixelSpeed() const { return pixel_speed_; }
 
  private:
   void run();
@@ -63,6 +65,7 @@ class FeedRunner {
   TilePool& pool_;
   const std::shared_ptr<Signal> signal_ = std::make_shared<Signal>();
   const float luminance_p01_, luminance_p50_;
+  const PixelSpeed pixel_speed_;
   FrameSnapshot snapshot_;
 
   // The feed's thread.

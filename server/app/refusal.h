@@ -18,6 +18,8 @@ struct Refusal : std::runtime_error {
 // The Status of the exception being handled.
 v1::Status statusOfException();
 
+[[noreturn]] void refuse(const std::string& field, const std::string& message);  // CODE_INVALID_ARGUMENT
+
 // Throws unless min <= value <= max; NaN throws.
 void checkRange(const std::string& field, double value, double min, double max);
 
@@ -32,5 +34,9 @@ Enum resolveEnum(const std::string& field, Enum value, Enum fallback) {
   throw Refusal(v1::CODE_INVALID_ARGUMENT, field,
                 std::to_string(value) + " is no " + names->name() + "; valid: " + valid);
 }
+
+// What the code calls a value of the schema: EVENT_MODEL_KALMAN without the prefix "EVENT_MODEL_" is
+// "kalman".
+std::string nameWithout(const std::string& prefix, const std::string& value);
 
 }  // namespace saccade

@@ -6,17 +6,12 @@
 #include <algorithm>
 
 #include "app/refusal.h"
-#include "scene/scene_error.h"
 #include "scene/text.h"
 
 namespace saccade {
 namespace {
 
-[[noreturn]] void refuse(const std::string& field, const std::string& message) {
-  throw Refusal(v1::CODE_INVALID_ARGUMENT, field, message);
-}
-
-void checkScene(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes) {
+const SceneEntry& findScene(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes) {
   std::vector<std::string> names;
   for (const auto& scene : scenes) names.push_back(scene.name);
   const auto scene = std::find(names.begin(), names.end(), request.scene());
@@ -25,18 +20,7 @@ void checkScene(const v1::OpenStream& request, const std::vector<SceneEntry>& sc
   }
   const SceneEntry& entry = scenes[static_cast<std::size_t>(scene - names.begin())];
   if (!entry.unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, "scene", entry.unavailable);
-
-  const v1::Trajectory& path = request.trajectory();
-  if (path.path_case() == v1::Trajectory::PATH_NOT_SET) {
-    refuse("trajectory", "give a csv text or a name, one of: " + joinNames(entry.trajectories));
-  }
-  if (path.has_name() && std::count(entry.trajectories.begin(), entry.trajectories.end(), path.name()) == 0) {
-    throw Refusal(v1::CODE_NOT_FOUND, "trajectory.name",
-                  "the scene has no such trajectory; it has: " + joinNames(entry.trajectories));
-  }
-  if (path.csv().size() > kMaxCsvBytes) {
-    refuse("trajectory.csv", "the text is longer than " + std::to_string(kMaxCsvBytes) + " bytes");
-  }
+  return entry;
 }
 
 void resolveView(const v1::View& view, FeedConfig& feed) {
@@ -113,7 +97,7 @@ ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEnt
                        const AccuracySource& accuracy) {
   ResolvedStream stream{.request = request, .feed = {}, .sensors = {}, .expected = {}};
   v1::OpenStream& r = stream.request;
-  checkScene(r, scenes);
+  checkTrajectory(*r.mutable_trajectory(), findScene(r, scenes));
   resolveView(*r.mutable_view(), stream.feed);
   resolveTiming(*r.mutable_timing(), stream);
   resolveSensors(r, stream.sensors);
@@ -130,20 +114,6 @@ void useFovOf(const Scene& scene, ResolvedStream& stream) {
   v1::View& view = *stream.request.mutable_view();
   if (!view.has_fov_x_deg()) view.set_fov_x_deg(scene.fov_x_deg);
   stream.feed.fov_x_deg = view.fov_x_deg();
-}
-
-Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
-                             const SceneLibrary& library) {
-  const v1::Trajectory& path = stream.request.trajectory();
-  const Pose& start = scene.description().T_world_camera;
-  try {
-    if (path.has_csv()) return parseTrajectory(path.csv(), "trajectory.csv");
-    if (!isMotion(path.name())) return library.loadTrajectory(stream.request.scene(), path.name());
-  } catch (const SceneError& fault) {
-    refuse(path.has_csv() ? "trajectory.csv" : "trajectory.name", fault.what());
-  }
-  const double fov = stream.feed.fov_x_deg;
-  return makeMotion(path.name(), start, probePoints(scene, start, fov), fov);
 }
 
 std::string ResolvedStream::feedKey() const {

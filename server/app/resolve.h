@@ -16,6 +16,8 @@ inline constexpr int kMaxViewSide = 4096, kMaxViewPixels = 4 << 20;  // pixels
 inline constexpr double kMinFovDeg = 1, kMaxFovDeg = 170;            // horizontal
 inline constexpr int kMaxSensors = 64;
 inline constexpr std::size_t kMaxCsvBytes = 8 << 20;
+inline constexpr int kMaxKeyframes = 100'000;
+inline constexpr double kMinTurnSeconds = 1e-3, kMaxTurnSeconds = 1e3;
 
 struct ResolvedStream {
   v1::OpenStream request;  // as StreamOpened.resolved tells it
@@ -42,7 +44,13 @@ std::optional<v1::ExpectedQuality> resolveBudget(v1::OpenStream& request,
 // Fills in the field of view from the scene where the request leaves it open.
 void useFovOf(const Scene& scene, ResolvedStream& stream);
 
-// The camera's path. Throws Refusal, with the line of a faulty text.
+// Checks what needs no scene to be loaded, and fills in the defaults. Throws Refusal.
+void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene);
+
+// Throws Refusal naming the key.
+Trajectory resolveKeyframes(const v1::Keyframes& keyframes);
+
+// The camera's path, once the field of view is known. Throws Refusal, with the line of a faulty text.
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
                              const SceneLibrary& library);
 

@@ -7,10 +7,6 @@
 namespace saccade {
 namespace {
 
-[[noreturn]] void refuse(const std::string& field, const std::string& message) {
-  throw Refusal(v1::CODE_INVALID_ARGUMENT, field, message);
-}
-
 // The one that is set.
 std::string checkBudget(const v1::Quality& quality) {
   if (quality.has_budget_ms() && quality.has_max_false_rate()) {

@@ -9,13 +9,6 @@
 namespace saccade {
 namespace {
 
-// EVENT_MODEL_ACCUMULATING is "accumulating", where `prefix` is "EVENT_MODEL_".
-std::string nameWithout(const std::string& prefix, const std::string& value) {
-  std::string name = value.substr(prefix.size());
-  std::transform(name.begin(), name.end(), name.begin(), [](char c) { return std::tolower(c); });
-  return name;
-}
-
 void fillDefaults(v1::Sensor& sensor, const std::string& field, std::uint64_t seed) {
   const SensorConfig defaults;
   if (!sensor.has_threshold()) sensor.set_threshold(defaults.threshold);

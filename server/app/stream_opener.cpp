@@ -27,6 +27,8 @@ v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, 
   opened.set_frames(resolved.frames);
   opened.set_luminance_p01(stream.feed->luminanceP01());
   opened.set_luminance_p50(stream.feed->luminanceP50());
+  opened.set_px_per_frame_p50(stream.feed->pixelSpeed().p50);
+  opened.set_px_per_frame_p99(stream.feed->pixelSpeed().p99);
   opened.set_channels(static_cast<std::uint32_t>(channels));
   if (resolved.expected) *opened.mutable_expected() = *resolved.expected;
   if (!stream.session->broadcast()) return opened;

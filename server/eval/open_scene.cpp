@@ -46,11 +46,11 @@ Trajectory openTrajectory(const std::string& scene, const std::string& name_or_p
     text << file.rdbuf();
     return parseTrajectory(text.str(), name_or_path);
   }
-  if (isMotion(name_or_path)) {
-    const Scene& s = opened.description();
-    return makeMotion(name_or_path, s.T_world_camera, probePoints(opened, s.T_world_camera, s.fov_x_deg),
-                      s.fov_x_deg);
-  }
+  const Scene& s = opened.description();
+  const auto motion =
+      isMotionName(name_or_path) ? namedMotion(name_or_path, s.fov_x_deg) : parseMotion(name_or_path);
+  if (motion)
+    return makeMotion(*motion, s.T_world_camera, probePoints(opened, s.T_world_camera, s.fov_x_deg));
   return SceneLibrary(sceneFolder()).loadTrajectory(scene, name_or_path);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/render_scene.h"
-#include "scene/trajectory.h"
+#include "scene/motion.h"
 
 namespace saccade {
 
@@ -19,7 +19,8 @@ std::vector<std::string> availableScenes();
 // A scene of the library by name, or a Mitsuba file by path (anything that ends in .xml). Throws SceneError.
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path);
 
-// A CSV file by path, a motion, or one of the scene's own. Throws SceneError.
+// A CSV file by path, a motion by name or as parseMotion() reads it, or one of the scene's own. Throws
+// SceneError.
 Trajectory openTrajectory(const std::string& scene, const std::string& name_or_path,
                           const RenderScene& description);
 

@@ -46,18 +46,21 @@ double medianImageSpeed(const View& view, const Twist& camera) {
   return median(std::move(speeds));
 }
 
+void appendImageSteps(const View& view, const Pose& from, const Pose& to, std::vector<double>& lengths) {
+  const Pose before = inverse(from), after = inverse(to);
+  for (const Vec3d p : view) {
+    const Vec3d a = mapPoint(before, p), b = mapPoint(after, p);
+    if (a.z < kNear || b.z < kNear) continue;
+    lengths.push_back(std::hypot(b.x / b.z - a.x / a.z, b.y / b.z - a.y / a.z));
+  }
+}
+
 double medianImageSpeed(const View& view, const std::vector<Pose>& path, double step_s) {
   constexpr std::size_t kStride = 10;  // enough to know the median
-  std::vector<double> speeds{0};
-  for (std::size_t i = 0; i + 1 < path.size(); i += kStride) {
-    const Pose before = inverse(path[i]), after = inverse(path[i + 1]);
-    for (const Vec3d p : view) {
-      const Vec3d a = mapPoint(before, p), b = mapPoint(after, p);
-      if (a.z < kNear || b.z < kNear) continue;
-      speeds.push_back(std::hypot(b.x / b.z - a.x / a.z, b.y / b.z - a.y / a.z) / step_s);
-    }
-  }
-  return median(std::move(speeds));
+  std::vector<double> lengths{0};
+  for (std::size_t i = 0; i + 1 < path.size(); i += kStride)
+    appendImageSteps(view, path[i], path[i + 1], lengths);
+  return median(std::move(lengths)) / step_s;
 }
 
 }  // namespace saccade

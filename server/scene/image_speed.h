@@ -28,4 +28,8 @@ double medianImageSpeed(const View& view, const Twist& camera);
 // apart: median over the view and the path.
 double medianImageSpeed(const View& view, const std::vector<Pose>& path, double step_s);
 
+// Appends how far the image of each point moves when the camera goes from one pose to another, both relative
+// to that of the view: focal lengths. Points that are behind at either are left out.
+void appendImageSteps(const View& view, const Pose& from, const Pose& to, std::vector<double>& lengths);
+
 }  // namespace saccade

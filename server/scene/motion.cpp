@@ -1,97 +1,85 @@
+#include "scene/motion.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/check.h"
-#include "scene/image_speed.h"
+#include "base/range.h"
+#include "scene/screw_motion.h"
 #include "scene/shake.h"
-#include "scene/trajectory.h"
 
 namespace saccade {
 namespace {
 
-// By how much to multiply this velocity for the images to have `speed`; 0 where it moves none.
-double scaleFor(const View& view, const Twist& twist, double speed) {
-  const double found = medianImageSpeed(view, twist);
-  return found > 0 ? speed / found : 0;
-}
+constexpr double kPi = std::numbers::pi, kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMinSpeed = 1e-6, kMaxSpeed = 1e6;
+constexpr const char* kShake = "shake";
 
-// Goes from the start to `far` and back, for ever.
-Trajectory thereAndBack(const Pose& start, const Pose& far, double turn_s) {
-  const TimeNs turn = std::clamp(TimeNs{std::llround(turn_s * 1e9)}, TimeNs{1'000'000}, kTurnTime);
-  return Trajectory::periodic({{TimeNs{0}, start}, {turn, start * far}, {2 * turn, start}});
-}
-
-// The time in which `rate` covers `limit`, at most kTurnTime.
-double turnTime(double limit, double rate) {
-  return rate * seconds(kTurnTime) > limit ? limit / rate : seconds(kTurnTime);
-}
-
-Trajectory makeRight(const Pose& start, const View& view, double speed) {
-  const double rate = scaleFor(view, {{1, 0, 0}, {}}, speed);
-  return thereAndBack(start, {{rate * seconds(kTurnTime), 0, 0}, {}}, seconds(kTurnTime));
-}
-
-Trajectory makeForward(const Pose& start, const View& view, double speed) {
-  const double rate = scaleFor(view, {{0, 0, 1}, {}}, speed);
-  const auto nearest = std::min_element(view.begin(), view.end(), [](Vec3d a, Vec3d b) { return a.z < b.z; });
-  const double turn_s = turnTime(nearest->z / 4, rate);
-  return thereAndBack(start, {{0, 0, rate * turn_s}, {}}, turn_s);
-}
-
-Trajectory makeOrbit(const Pose& start, const View& view, double speed) {
-  const auto off_axis = [](Vec3d p) { return std::hypot(p.x, p.y) / p.z; };
-  const auto looked_at =
-      std::min_element(view.begin(), view.end(), [&](Vec3d a, Vec3d b) { return off_axis(a) < off_axis(b); });
-  const Vec3d pivot{0, 0, looked_at->z}, axis{0, -1, 0};  // to the right at first
-  const double rate = scaleFor(view, {-cross(axis, pivot), axis}, speed);
-  const double turn_s = turnTime(kMaxOrbitRad, rate);
-  const Quaternion turned = axisAngle(axis * (rate * turn_s));
-  return thereAndBack(start, {pivot - rotate(turned, pivot), turned}, turn_s);
-}
-
-Trajectory makeStill(const Pose& start, const View&, double) {
-  return Trajectory({{TimeNs{0}, start}});
-}
-
-// `speed` is the median speed to give the images, in focal lengths per second.
-struct Motion {
+// THE list of kinds. Of shake, which has no constant velocity, only the name.
+struct Kind {
   std::string name;
-  Trajectory (*make)(const Pose& start, const View& view, double speed);
+  Twist velocity;  // at speed 1: scene units or radians per second; see Screw
 };
-
-// THE list of motions.
-const std::vector<Motion>& motionTable() {
-  static const std::vector<Motion> table{{"right", makeRight},
-                                         {"forward", makeForward},
-                                         {"orbit", makeOrbit},
-                                         {"shake", makeShake},
-                                         {"still", makeStill}};
+const std::vector<Kind>& kindTable() {
+  static const std::vector<Kind> table{{"dolly", {{0, 0, 1}, {}}},     {"truck", {{1, 0, 0}, {}}},
+                                       {"pedestal", {{0, -1, 0}, {}}}, {"pan", {{}, {0, 1, 0}}},
+                                       {"tilt", {{}, {1, 0, 0}}},      {"roll", {{}, {0, 0, 1}}},
+                                       {"orbit", {{}, {0, -1, 0}}},    {kShake, {}}};
   return table;
+}
+
+Screw makeScrew(const Kind& kind, const View& view) {
+  const auto nearer = [](Vec3d a, Vec3d b) { return a.z < b.z; };
+  const auto off_axis = [](Vec3d p) { return std::hypot(p.x, p.y) / p.z; };
+  const auto more_central = [&](Vec3d a, Vec3d b) { return off_axis(a) < off_axis(b); };
+  if (kind.name == "dolly")
+    return {kind.velocity, {}, std::min_element(view.begin(), view.end(), nearer)->z / 4};
+  if (kind.name == "orbit")
+    return {kind.velocity, {0, 0, std::min_element(view.begin(), view.end(), more_central)->z}, kMaxOrbitRad};
+  return {kind.velocity, {}, kInfinity};
+}
+
+// Scene units or radians per second.
+double rateOf(const Motion& motion, const Screw& screw, const View& view) {
+  double rate = motion.speed * (screw.rotates() ? kPi / 180 : 1);
+  if (motion.image_speed) {
+    const double found = medianImageSpeed(view, screw.twist());
+    rate = found > 0 ? motion.speed / found : 0;
+  }
+  const double most = screw.rotates() ? kMaxTurnsPerSecond * 2 * kPi : kMaxDistance;
+  return std::clamp(rate, -most, most);
 }
 
 }  // namespace
 
-const std::vector<std::string>& motionNames() {
+const std::vector<std::string>& motionKinds() {
   static const auto names = [] {
     std::vector<std::string> list;
-    for (const Motion& motion : motionTable()) list.push_back(motion.name);
+    for (const Kind& kind : kindTable()) list.push_back(kind.name);
     return list;
   }();
   return names;
 }
 
-bool isMotion(const std::string& name) {
-  return std::find(motionNames().begin(), motionNames().end(), name) != motionNames().end();
+std::string speedFault(const std::string& kind, double speed) {
+  if (kind == kShake) return rangeFault(speed, kMinSpeed, kMaxSpeed);
+  const std::string fault = rangeFault(std::abs(speed), kMinSpeed, kMaxSpeed);
+  return fault.empty() ? fault : "of either sign: " + fault;
 }
 
-Trajectory makeMotion(const std::string& name, const Pose& start, const std::vector<Vec3>& probes,
-                      double fov_x_deg) {
-  const auto motion = std::find_if(motionTable().begin(), motionTable().end(),
-                                   [&](const Motion& m) { return m.name == name; });
-  SACCADE_CHECK(motion != motionTable().end());
-  const double focal_px = kMotionWidth / 2 / std::tan(fov_x_deg * std::numbers::pi / 360);
-  return motion->make(start, viewOf(start, probes), kMotionPxPerFrame * kMotionRateHz / focal_px);
+Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3>& probes) {
+  const auto kind = std::find_if(kindTable().begin(), kindTable().end(),
+                                 [&](const Kind& k) { return k.name == motion.kind; });
+  SACCADE_CHECK(kind != kindTable().end());
+  const View view = viewOf(start, probes);
+  if (kind->name == kShake)
+    return makeShake(start, view, motion.image_speed ? motion.speed : motion.speed * kPi / 180, motion.seed);
+  const Screw screw = makeScrew(*kind, view);
+  const double rate = rateOf(motion, screw, view);
+  if (rate == 0) return Trajectory({{TimeNs{0}, start}});
+  return motion.turn_s == 0.0 ? onAndOn(screw, start, rate) : thereAndBack(screw, start, rate, motion.turn_s);
 }
 
 }  // namespace saccade

@@ -9,17 +9,12 @@ Vec3d vectorPart(Quaternion q) {
   return {q.x, q.y, q.z};
 }
 
+double innerProduct(Quaternion a, Quaternion b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+}
+
 // Below this angle the closed forms lose digits and the first terms of their series are exact.
 constexpr double kSmallAngle = 1e-4;
-
-// Rotation vector of q, the short way round.
-Vec3d logRotation(Quaternion q) {
-  if (q.w < 0) q = {-q.x, -q.y, -q.z, -q.w};
-  const Vec3d v = vectorPart(q);
-  const double sine = length(v);
-  const double angle = 2 * std::atan2(sine, q.w);
-  return v * (angle < kSmallAngle ? 2.0 / q.w : angle / sine);
-}
 
 // V(w) v, where exp(w, v) has the translation V(w) v: what is travelled while turning.
 Vec3d travelled(Vec3d w, Vec3d v) {
@@ -50,8 +45,22 @@ Quaternion operator*(Quaternion a, Quaternion b) {
 }
 
 Quaternion normalize(Quaternion q) {
-  const double s = 1 / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  const double s = 1 / std::sqrt(innerProduct(q, q));
   return {q.x * s, q.y * s, q.z * s, q.w * s};
+}
+
+Quaternion conjugate(Quaternion q) {
+  return {-q.x, -q.y, -q.z, q.w};
+}
+
+bool isRotation(Quaternion q) {
+  const double norm2 = innerProduct(q, q);
+  return norm2 > 1e-12 && norm2 < 1e12;
+}
+
+Quaternion unitNear(Quaternion q, Quaternion prev) {
+  const Quaternion unit = normalize(q);
+  return innerProduct(unit, prev) < 0 ? Quaternion{-unit.x, -unit.y, -unit.z, -unit.w} : unit;
 }
 
 Quaternion axisAngle(Vec3d axis_times_angle_rad) {
@@ -59,6 +68,14 @@ Quaternion axisAngle(Vec3d axis_times_angle_rad) {
   const double s = angle < kSmallAngle ? 0.5 - angle * angle / 48 : std::sin(angle / 2) / angle;
   const Vec3d v = axis_times_angle_rad * s;
   return {v.x, v.y, v.z, std::cos(angle / 2)};
+}
+
+Vec3d rotationVector(Quaternion q) {
+  if (q.w < 0) q = {-q.x, -q.y, -q.z, -q.w};
+  const Vec3d v = vectorPart(q);
+  const double sine = length(v);
+  const double angle = 2 * std::atan2(sine, q.w);
+  return v * (angle < kSmallAngle ? 2.0 / q.w : angle / sine);
 }
 
 Vec3d rotate(Quaternion q, Vec3d v) {
@@ -71,7 +88,7 @@ Pose operator*(const Pose& a, const Pose& b) {
 }
 
 Pose inverse(const Pose& p) {
-  const Quaternion q{-p.rotation.x, -p.rotation.y, -p.rotation.z, p.rotation.w};
+  const Quaternion q = conjugate(p.rotation);
   return {-rotate(q, p.position), q};
 }
 
@@ -88,7 +105,7 @@ Pose interpolate(const Pose& a, const Pose& b, double s) {
   if (s == 0 || a == b) return a;
   if (s == 1) return b;
   const Pose step = inverse(a) * b;
-  const Vec3d w = logRotation(step.rotation), v = velocityTo(w, step.position);
+  const Vec3d w = rotationVector(step.rotation), v = velocityTo(w, step.position);
   Pose p = a * Pose{travelled(w * s, v * s), axisAngle(w * s)};
   p.rotation = normalize(p.rotation);
   return p;

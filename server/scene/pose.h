@@ -19,7 +19,14 @@ struct Pose {
 
 Quaternion operator*(Quaternion a, Quaternion b);
 Quaternion normalize(Quaternion q);
+Quaternion conjugate(Quaternion q);
+// Whether q can be made unit length: 1e-6 < |q| < 1e6.
+bool isRotation(Quaternion q);
+// Unit length, and of q and -q, which are one rotation, the nearer to `prev`: equal rotations have equal
+// bits.
+Quaternion unitNear(Quaternion q, Quaternion prev);
 Quaternion axisAngle(Vec3d axis_times_angle_rad);
+Vec3d rotationVector(Quaternion q);  // the inverse of axisAngle(), the short way round
 Vec3d rotate(Quaternion q, Vec3d v);
 Pose operator*(const Pose& a, const Pose& b);
 Pose inverse(const Pose& p);

@@ -6,6 +6,7 @@
 
 #include "scene/confinement.h"
 #include "scene/mitsuba_xml.h"
+#include "scene/motion.h"
 #include "scene/scene_error.h"
 #include "scene/text.h"
 

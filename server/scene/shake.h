@@ -2,12 +2,12 @@
 #pragma once
 
 #include "scene/image_speed.h"
-#include "scene/trajectory.h"
+#include "scene/motion.h"
 
 namespace saccade {
 
 // Periodic. `speed` is the median speed of the images of `view`, in focal lengths per second; it is less
 // where it would take a swing of half a radian.
-Trajectory makeShake(const Pose& start, const View& view, double speed);
+Trajectory makeShake(const Pose& start, const View& view, double speed, std::uint64_t seed);
 
 }  // namespace saccade

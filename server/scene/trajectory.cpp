@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "scene/pose_spline.h"
 
 namespace saccade {
 
-Trajectory::Trajectory(std::vector<TimedPose> keys) : keys_(std::move(keys)) {
+Trajectory::Trajectory(std::vector<TimedPose> keys, Interpolation interpolation)
+    : keys_(std::move(keys)), interpolation_(interpolation) {
   SACCADE_CHECK(!keys_.empty());
   const auto not_later = [](const TimedPose& a, const TimedPose& b) { return a.time >= b.time; };
   SACCADE_CHECK(std::adjacent_find(keys_.begin(), keys_.end(), not_later) == keys_.end());
@@ -30,7 +32,9 @@ Pose Trajectory::at(TimeNs t) const {
   if (after == keys_.begin()) return keys_.front().pose;
   const TimedPose& a = *std::prev(after);
   if (after == keys_.end()) return a.pose;
-  return interpolate(a.pose, after->pose, seconds(t - a.time) / seconds(after->time - a.time));
+  const double s = seconds(t - a.time) / seconds(after->time - a.time);
+  if (interpolation_ == Interpolation::kLinear) return interpolate(a.pose, after->pose, s);
+  return interpolateCubic(keys_, static_cast<std::size_t>(after - keys_.begin()), s);
 }
 
 }  // namespace saccade

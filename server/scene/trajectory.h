@@ -15,17 +15,27 @@ struct TimedPose {
   Pose pose;
 };
 
-// Timed poses, interpolated on SE(3). Before the first and after the last it holds them.
+enum class Interpolation {
+  kLinear,  // along the screw motion of SE(3) from key to key: the velocity jumps at the keys
+  kCubic,   // the velocity jumps nowhere between the first key and the last, see pose_spline.h
+};
+
+inline constexpr double kMaxDistance = 1e9;  // of a position read from outside, scene units along each axis
+
+// Timed poses and what is between them. Before the first and after the last it holds them.
 class Trajectory {
  public:
-  explicit Trajectory(std::vector<TimedPose> keys);  // at least one; times strictly increasing
+  // At least one key; times strictly increasing.
+  explicit Trajectory(std::vector<TimedPose> keys, Interpolation interpolation = Interpolation::kLinear);
   // Repeats for ever; `period` is the time of the last key, whose pose equals the first.
   static Trajectory periodic(std::vector<TimedPose> keys);
 
   Pose at(TimeNs t) const;
+  TimeNs lastTime() const { return keys_.back().time; }  // of the last key; of a periodic one the period
 
  private:
   std::vector<TimedPose> keys_;
+  Interpolation interpolation_;
   bool periodic_ = false;
 };
 
@@ -36,23 +46,5 @@ class Trajectory {
 // wrong number of fields, not a finite number, a position beyond 1e9, times that do not increase, a
 // quaternion of length 0 (others are made unit length), no pose at all, more than 1,000,000 poses.
 Trajectory parseTrajectory(std::string_view csv, const std::string& name);
-
-// The motions that exist for any scene.
-//   right    to the camera's right         forward  along the viewing axis      still  none
-//   orbit    around the point looked at    shake    hand-held: a sum of seeded sines in all six axes
-// Speeds are chosen by what the camera sees: `probes` are world-space points on the surfaces in view. The
-// median speed of their images is kMotionPxPerFrame in a picture kMotionWidth pixels wide at kMotionRateHz:
-// at the start, and for shake over its period. Probes behind the camera do not count; without any, one is
-// assumed on the viewing axis at distance 1. A motion that would move none of them stands still; shake has a
-// largest swing, which makes it slower where the field of view is beyond about 120 degrees. right, forward
-// and orbit turn back after kTurnTime (forward sooner, when it has gone a quarter of the way to the nearest
-// probe; orbit sooner, when it has turned by kMaxOrbitRad), and so stay in the scene for ever.
-inline constexpr double kMotionPxPerFrame = 0.67, kMotionWidth = 256, kMotionRateHz = 500;
-inline constexpr TimeNs kTurnTime{200'000'000}, kShakePeriod{2'000'000'000};
-inline constexpr double kMaxOrbitRad = 0.25;
-const std::vector<std::string>& motionNames();
-bool isMotion(const std::string& name);
-Trajectory makeMotion(const std::string& name, const Pose& start, const std::vector<Vec3>& probes,
-                      double fov_x_deg);
 
 }  // namespace saccade

@@ -10,7 +10,7 @@ namespace saccade {
 namespace {
 
 constexpr std::size_t kMaxPoses = 1'000'000;
-constexpr double kMaxDistance = 1e9, kMaxSeconds = 9e9;
+constexpr double kMaxSeconds = 9e9;
 constexpr std::size_t kFields = 8;
 
 class CsvReader {
@@ -121,14 +121,9 @@ Pose CsvReader::readPose(const Fields& fields) const {
   for (std::size_t i = 1; i < kFields; ++i) v[i] = number(fields[i]);
   if (std::max({std::abs(v[1]), std::abs(v[2]), std::abs(v[3])}) > kMaxDistance)
     fail("a position beyond 1e9");
-  Quaternion q{v[4], v[5], v[6], v[7]};
-  const double norm2 = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  if (!(norm2 > 1e-12 && norm2 < 1e12)) fail("a quaternion whose length is near 0 or far from 1");
-  q = normalize(q);
-  // q and -q are one rotation: keep to the side of the pose before, so that equal rotations have equal bits.
-  const Quaternion prev = keys_.empty() ? q : keys_.back().pose.rotation;
-  if (q.x * prev.x + q.y * prev.y + q.z * prev.z + q.w * prev.w < 0) q = {-q.x, -q.y, -q.z, -q.w};
-  return {{v[1], v[2], v[3]}, q};
+  const Quaternion q{v[4], v[5], v[6], v[7]};
+  if (!isRotation(q)) fail("a quaternion whose length is near 0 or far from 1");
+  return {{v[1], v[2], v[3]}, unitNear(q, keys_.empty() ? q : keys_.back().pose.rotation)};
 }
 
 }  // namespace

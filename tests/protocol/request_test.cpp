@@ -12,6 +12,23 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
                  kInf = std::numeric_limits<double>::infinity();
 
+v1::Motion& pan(v1::OpenStream& r) {
+  v1::Motion& motion = *r.mutable_trajectory()->mutable_motion();
+  motion.set_kind(v1::MOTION_PAN);
+  motion.set_speed(15);
+  return motion;
+}
+
+// The second of two good keys.
+v1::Keyframe& secondKey(v1::OpenStream& r) {
+  v1::Keyframes& keyframes = *r.mutable_trajectory()->mutable_keyframes();
+  for (const double time_s : {0.0, 0.5}) {
+    keyframes.add_keys()->set_time_s(time_s);
+    keyframes.mutable_keys()->rbegin()->mutable_rotation()->set_w(1);
+  }
+  return *keyframes.mutable_keys(1);
+}
+
 struct BadWish {
   std::string field;
   std::function<void(v1::OpenStream&)> spoil;
@@ -38,6 +55,33 @@ const std::vector<BadWish> kBadWishes{
     {"trajectory.csv", [](auto& r) { r.mutable_trajectory()->set_csv("0 0 0 0 0 0 0 1\n1 2 3\n"); },
      v1::CODE_INVALID_ARGUMENT, ":2:"},
     {"trajectory.csv", [](auto& r) { r.mutable_trajectory()->set_csv(std::string((8 << 20) + 1, '#')); }},
+    {"trajectory.motion.kind", [](auto& r) { pan(r).clear_kind(); }, v1::CODE_INVALID_ARGUMENT, "pedestal"},
+    {"trajectory.motion.kind", [](auto& r) { pan(r).set_kind(v1::MotionKind(99)); }, v1::CODE_INVALID_ARGUMENT,
+     "MOTION_ORBIT"},
+    {"trajectory.motion", [](auto& r) { pan(r).clear_speed(); }, v1::CODE_INVALID_ARGUMENT, "px_per_frame"},
+    {"trajectory.motion.speed", [](auto& r) { pan(r).set_speed(0); }},
+    {"trajectory.motion.speed", [](auto& r) { pan(r).set_speed(kNan); }},
+    {"trajectory.motion.speed", [](auto& r) { pan(r).set_speed(-2e6); }},
+    {"trajectory.motion.speed", [](auto& r) { auto& m = pan(r); m.set_kind(v1::MOTION_SHAKE); m.set_speed(-15); }},
+    {"trajectory.motion.px_per_frame", [](auto& r) { pan(r).set_px_per_frame(kInf); }},
+    {"trajectory.motion.turn_s", [](auto& r) { pan(r).set_turn_s(-1); }},
+    {"trajectory.motion.turn_s", [](auto& r) { pan(r).set_turn_s(1e-4); }},
+    {"trajectory.motion.turn_s", [](auto& r) { pan(r).set_turn_s(kNan); }},
+    {"trajectory.keyframes.keys", [](auto& r) { r.mutable_trajectory()->mutable_keyframes(); },
+     v1::CODE_INVALID_ARGUMENT, "100000"},
+    {"trajectory.keyframes.interpolation",
+     [](auto& r) { secondKey(r); r.mutable_trajectory()->mutable_keyframes()->set_interpolation(v1::Interpolation(7)); },
+     v1::CODE_INVALID_ARGUMENT, "INTERPOLATION_CUBIC"},
+    {"trajectory.keyframes.keys[1].time_s", [](auto& r) { secondKey(r).set_time_s(kNan); }},
+    {"trajectory.keyframes.keys[1].time_s", [](auto& r) { secondKey(r).set_time_s(2e9); }},
+    {"trajectory.keyframes.keys[1].time_s", [](auto& r) { secondKey(r).set_time_s(4e-10); }, v1::CODE_INVALID_ARGUMENT,
+     "not later"},
+    {"trajectory.keyframes.keys[1].position.x", [](auto& r) { secondKey(r).mutable_position()->set_x(kInf); }},
+    {"trajectory.keyframes.keys[1].position.y", [](auto& r) { secondKey(r).mutable_position()->set_y(kNan); }},
+    {"trajectory.keyframes.keys[1].position.z", [](auto& r) { secondKey(r).mutable_position()->set_z(-1e10); }},
+    {"trajectory.keyframes.keys[1].rotation", [](auto& r) { secondKey(r).clear_rotation(); }},
+    {"trajectory.keyframes.keys[1].rotation", [](auto& r) { secondKey(r).mutable_rotation()->set_y(kNan); }},
+    {"trajectory.keyframes.keys[1].rotation", [](auto& r) { secondKey(r).mutable_rotation()->set_w(kInf); }},
     {"timing.frame_rate_hz", [](auto& r) { r.clear_timing(); }},
     {"timing.frame_rate_hz", [](auto& r) { r.mutable_timing()->set_frame_rate_hz(kNan); }},
     {"timing.frame_rate_hz", [](auto& r) { r.mutable_timing()->set_frame_rate_hz(1e9); }},

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "base/hash_rng.h"
+#include "scene/motion.h"
 #include "scene/scratch.h"
-#include "scene/trajectory.h"
 
 namespace saccade {
 namespace {
@@ -50,32 +50,33 @@ double median(std::vector<double> values) {
 TEST(Motion, StartsAtTheReferenceSpeed) {
   for (const std::string name : {"right", "forward", "orbit"}) {
     std::vector<double> steps;
-    appendSteps(makeMotion(name, kStart, probes(), kFov), TimeNs{0}, steps);
+    appendSteps(makeMotion(namedMotion(name, kFov), kStart, probes()), TimeNs{0}, steps);
     EXPECT_NEAR(median(steps), kMotionPxPerFrame, 0.01 * kMotionPxPerFrame) << name;
   }
 }
 
 TEST(Motion, ShakeHasTheReferenceSpeedOverItsPeriod) {
-  const Trajectory path = makeMotion("shake", kStart, probes(), kFov);
+  const Trajectory path = makeMotion(namedMotion("shake", kFov), kStart, probes());
   std::vector<double> steps;
   for (TimeNs t{0}; t < kShakePeriod; t += 10ms) appendSteps(path, t, steps);
   EXPECT_NEAR(median(steps), kMotionPxPerFrame, 0.01 * kMotionPxPerFrame);
 }
 
 TEST(Motion, ShakeStaysNearItsStart) {
-  const Trajectory path = makeMotion("shake", kStart, probes(), kFov);
+  const Trajectory path = makeMotion(namedMotion("shake", kFov), kStart, probes());
   for (TimeNs t{0}; t < kShakePeriod; t += 10ms)
     EXPECT_LT(length(path.at(t).position - kStart.position), 0.05 * 6.5);  // of the median depth
 }
 
 TEST(Motion, StillNeverMoves) {
-  const Trajectory path = makeMotion("still", kStart, probes(), kFov);
+  const Trajectory path = makeMotion(namedMotion("still", kFov), kStart, probes());
   for (const TimeNs t : {TimeNs{0}, TimeNs{1}, kFrame, TimeNs{100s}}) EXPECT_EQ(path.at(t), kStart);
 }
 
 TEST(Motion, GoesTheWayItsNameSays) {
   const auto direction = [](const std::string& name) {
-    const Vec3d moved = makeMotion(name, kStart, probes(), kFov).at(kFrame).position - kStart.position;
+    const Vec3d moved =
+        makeMotion(namedMotion(name, kFov), kStart, probes()).at(kFrame).position - kStart.position;
     return normalize(rotate(inverse(kStart).rotation, moved));
   };
   expectNear(direction("right"), {1, 0, 0}, 1e-9);
@@ -84,11 +85,11 @@ TEST(Motion, GoesTheWayItsNameSays) {
 }
 
 TEST(Motion, TurnsBackAndRepeats) {
-  const Trajectory right = makeMotion("right", kStart, probes(), kFov);
+  const Trajectory right = makeMotion(namedMotion("right", kFov), kStart, probes());
   EXPECT_EQ(right.at(2 * kTurnTime), kStart);
   expectNear(right.at(kTurnTime + 50ms).position, right.at(kTurnTime - 50ms).position, 1e-12);
   EXPECT_EQ(right.at(40 * kTurnTime + kFrame), right.at(kFrame));
-  const Trajectory shake = makeMotion("shake", kStart, probes(), kFov);
+  const Trajectory shake = makeMotion(namedMotion("shake", kFov), kStart, probes());
   EXPECT_EQ(shake.at(TimeNs{0}), kStart);
   EXPECT_EQ(shake.at(3 * kShakePeriod), kStart);
 }
@@ -99,7 +100,7 @@ TEST(Motion, ForwardKeepsItsDistance) {
   double nearest = 1e9, farthest = 0;
   for (const Vec3 p : points)
     nearest = std::min(nearest, (to_start.position + rotate(to_start.rotation, toDouble(p))).z);
-  const Trajectory path = makeMotion("forward", kStart, points, kFov);
+  const Trajectory path = makeMotion(namedMotion("forward", kFov), kStart, points);
   for (TimeNs t{0}; t < 1s; t += kFrame)
     farthest = std::max(farthest, length(path.at(t).position - kStart.position));
   EXPECT_LE(farthest, nearest / 4 + 1e-9);
@@ -110,7 +111,7 @@ TEST(Motion, OrbitKeepsLookingAtItsPoint) {
   std::vector<Vec3> points = probes();
   const Vec3 middle = toFloat(kStart.position + rotate(kStart.rotation, {0, 0, 5}));
   points.push_back(middle);
-  const Trajectory path = makeMotion("orbit", kStart, points, kFov);
+  const Trajectory path = makeMotion(namedMotion("orbit", kFov), kStart, points);
   for (TimeNs t{0}; t < 400ms; t += 20ms) {
     const Vec2 seen = project(path.at(t), middle);
     EXPECT_NEAR(std::hypot(seen.x, seen.y), 0, 1e-3);
@@ -124,14 +125,14 @@ TEST(Motion, IsFiniteWhateverIsInView) {
   for (const std::vector<Vec3>& points : {std::vector<Vec3>{}, {behind}, {ahead}})
     for (const std::string& name : motionNames())
       for (const double fov : {1.0, kFov, 179.0}) {
-        const Pose p = makeMotion(name, kStart, points, fov).at(60ms);
+        const Pose p = makeMotion(namedMotion(name, fov), kStart, points).at(60ms);
         EXPECT_TRUE(length(p.position) < 1000 && std::abs(p.rotation.w) <= 1) << name << " at " << fov;
       }
 }
 
 TEST(Motion, NamesAreKnown) {
-  for (const std::string& name : motionNames()) EXPECT_TRUE(isMotion(name));
-  EXPECT_FALSE(isMotion("sideways"));
+  for (const std::string& name : motionNames()) EXPECT_TRUE(isMotionName(name));
+  EXPECT_FALSE(isMotionName("sideways"));
   EXPECT_EQ(motionNames().size(), 5u);
 }
 

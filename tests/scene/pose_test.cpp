@@ -14,6 +14,20 @@ TEST(Pose, RotateTurnsCounterClockwise) {
   expectNear(rotate(axisAngle({0, 0, kPi / 2}), {1, 0, 0}), {0, 1, 0}, 1e-15);
 }
 
+TEST(Pose, RotationVectorIsTheInverseOfAxisAngle) {
+  for (const Vec3d w : {Vec3d{0, 0, 0}, {1e-9, 0, 0}, {0.3, -0.2, 0.9}, {0, 3.1, 0}})
+    expectNear(rotationVector(axisAngle(w)), w, 1e-12);
+  expectNear(rotationVector(axisAngle({0, 0, 2 * kPi - 0.1})), {0, 0, -0.1}, 1e-12);  // the short way round
+}
+
+TEST(Pose, EqualRotationsBecomeEqualBits) {
+  const Quaternion q{0.1, -0.2, 0.3, -0.9}, opposite{-0.1, 0.2, -0.3, 0.9};
+  const Quaternion unit = unitNear(q, q);
+  EXPECT_NEAR(unit.x * unit.x + unit.y * unit.y + unit.z * unit.z + unit.w * unit.w, 1, 1e-15);
+  EXPECT_GT(unit.x, 0);
+  EXPECT_EQ(unitNear(opposite, unit), unit);
+}
+
 TEST(Pose, FromAxesIsTheRotationWithTheseColumns) {
   for (const Vec3d w : {Vec3d{0.3, 0.2, 0.1}, {3.1, 0, 0.1}, {0, 3.1, 0.2}, {0.1, 0, -3.1}, {0, 0, kPi}}) {
     const Quaternion q = axisAngle(w);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "scene/mitsuba_xml.h"
+#include "scene/motion.h"
 #include "scene/scratch.h"
 
 namespace saccade {
@@ -36,7 +37,7 @@ TEST(SceneLibrary, EverySceneIsDescribedAndHasPathsThatBeginAtItsCamera) {
     if (!entry.unavailable.empty()) continue;
     const Pose camera = library.load(entry.name).T_world_camera;
     for (const std::string& name : entry.trajectories) {
-      if (isMotion(name)) continue;
+      if (isMotionName(name)) continue;
       const Trajectory path = library.loadTrajectory(entry.name, name);
       expectNear(path.at(0s).position, camera.position, 1e-5);
       expectNear(rotate(path.at(0s).rotation, {0, 0, 1}), rotate(camera.rotation, {0, 0, 1}), 1e-5);
