@@ -15,10 +15,21 @@ std::string checkPng(const std::string& path) {
 void addRecordOptions(CLI::App& command, RecordOptions& o) {
   addControlOption(command, o.control);
   command.add_option("scene", o.scene, "name of a scene, see `saccade list`")->required();
-  command
-      .add_option("--trajectory", o.trajectory,
-                  "a trajectory of the scene, or a TUM or ESIM file (*.csv, or any file that is there)")
-      ->required();
+  CLI::Option* trajectory = command.add_option(
+      "--trajectory", o.trajectory,
+      "a trajectory of the scene, or a TUM or ESIM file (*.csv, or any file that is there)");
+  CLI::Option* motion =
+      command
+          .add_option(
+              "--motion", o.motion,
+              "KIND:SPEED from the scene's own camera, such as dolly:0.2 or pan:-15: dolly (forward), truck "
+              "(right), pedestal (up) in scene units per second, pan (right), tilt (up), roll "
+              "(clockwise), orbit (right), shake (hand-held) in degrees per second; or KIND:SPEEDpx, in "
+              "pixels per frame, such as truck:0.7px")
+          ->excludes(trajectory);
+  command.add_option("--turn", o.turn_s, "seconds after which the motion turns back, 0: never")
+      ->needs(motion);
+  command.add_option("--motion-seed", o.motion_seed, "of shake")->needs(motion);
   command.add_option("-o,--output", o.output, "file to write, by its extension: " + writerNames())
       ->required();
   command

@@ -13,7 +13,10 @@ namespace saccade {
 
 // What is not given is left to the server's defaults.
 struct RecordOptions {
-  std::string control, scene, trajectory, output, preview;
+  std::string control, scene, output, preview;
+  std::string trajectory, motion;  // one of them
+  std::optional<double> turn_s;
+  std::uint64_t motion_seed = 0;
   std::vector<double> thresholds, thresholds_off;  // one sensor for each threshold
   std::optional<double> bias, refractory_s, cutoff_hz, fov_x_deg;
   std::string model, reconstruction;
@@ -29,7 +32,9 @@ struct RecordOptions {
 
 void addRecordOptions(CLI::App& command, RecordOptions& options);
 
-// Reads the trajectory's file where one is named. Throws std::invalid_argument naming the option at fault.
+// Reads the trajectory's file where one is named. Both throw std::invalid_argument naming the option at
+// fault.
+v1::Trajectory makeTrajectory(const RecordOptions& options);
 v1::OpenStream makeOpenStream(const RecordOptions& options);
 
 }  // namespace saccade

@@ -19,6 +19,11 @@ void printChoice(const v1::StreamOpened& opened) {
   std::printf("  as measured with %s\n", expected.measured_on().c_str());
 }
 
+void printPixelSpeed(const v1::StreamOpened& opened) {
+  std::printf("the picture moves by %.3g pixels per frame (median; 99th percentile %.3g)\n",
+              opened.px_per_frame_p50(), opened.px_per_frame_p99());
+}
+
 void printFiles(std::vector<std::string> files, const std::string& preview) {
   if (!preview.empty()) files.push_back(preview);
   for (const std::string& file : files) std::printf("wrote %s\n", file.c_str());

@@ -92,7 +92,8 @@ bool holds(const Result& result, const std::string& text) {
 TEST(Command, WrongUsageIsCode2) {
   for (const char* line :
        {"", "fly", "record", "record cornell-box --trajectory right -o a.xyz",
-        "record cornell-box --trajectory right -o a.csv --size 3", "list --control nonsense"}) {
+        "record cornell-box --trajectory right -o a.csv --size 3", "record cornell-box -o a.csv",
+        "record cornell-box --motion pan -o a.csv", "list --control nonsense"}) {
     EXPECT_EQ(run(line).code, 2) << line;
   }
   EXPECT_EQ(run("--help").code, 0);
@@ -139,6 +140,8 @@ TEST_F(CommandAndServer, RecordsASensorPerThreshold) {
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(holds(result, "wrote " + folder_.at("a-0.csv"))) << result.output;
   EXPECT_TRUE(holds(result, "trace ")) << result.output;
+  EXPECT_TRUE(holds(result, "the picture moves by 0.0") && holds(result, "pixels per frame"))
+      << result.output;
   EXPECT_GT(fs::file_size(folder_.at("a-0.csv")), fs::file_size(folder_.at("a-1.csv")));
   EXPECT_GT(fs::file_size(picture), 100u);
 }

@@ -117,6 +117,46 @@ TEST(RecordOptions, AFileOfPosesIsSentAsText) {
   EXPECT_THROW(makeOpenStream(options), std::invalid_argument);
 }
 
+v1::OpenStream openMotion(const std::string& line) {
+  return makeOpenStream(parse("cornell-box -o a.csv --motion " + line));
+}
+
+TEST(RecordOptions, AMotionHasASpeedPerSecondOrInPixels) {
+  const v1::Motion pan = openMotion("pan:-15 --turn 0").trajectory().motion();
+  EXPECT_EQ(pan.kind(), v1::MOTION_PAN);
+  EXPECT_EQ(pan.speed(), -15);
+  EXPECT_TRUE(pan.has_turn_s() && pan.turn_s() == 0);
+  const v1::Motion shake = openMotion("shake:0.7px --motion-seed 9").trajectory().motion();
+  EXPECT_EQ(shake.kind(), v1::MOTION_SHAKE);
+  EXPECT_EQ(shake.px_per_frame(), 0.7);
+  EXPECT_EQ(shake.seed(), 9u);
+  EXPECT_FALSE(shake.has_turn_s());
+}
+
+TEST(RecordOptions, AFaultyMotionIsNamed) {
+  const auto fault = [](const std::string& line) {
+    try {
+      openMotion(line);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(fault("fly:1"),
+            "--motion: 'fly' is none of dolly, truck, pedestal, pan, tilt, roll, orbit, shake");
+  EXPECT_NE(fault("unspecified:1").find("is none of"), std::string::npos);
+  for (const std::string text : {"pan", "pan:", "pan:px", "pan:1p", "pan:1:2", ":1"}) {
+    EXPECT_EQ(fault(text).find("--motion: '"), 0u) << text;
+  }
+}
+
+TEST(RecordOptions, OnePathIsAskedFor) {
+  EXPECT_NE(faultOf("--motion pan:1").find("--trajectory"), std::string::npos);
+  EXPECT_NE(faultOf("--turn 1").find("--motion"), std::string::npos);
+  EXPECT_NE(faultOf("--motion-seed 1").find("--motion"), std::string::npos);
+  EXPECT_THROW(makeOpenStream(parse("cornell-box -o a.csv")), std::invalid_argument);
+}
+
 TEST(RecordOptions, FaultsNameTheOption) {
   for (const std::string size : {"64", "64x", "x48", "64x48x", "-1x48", "64 x48"}) {
     EXPECT_NE(faultOf("--size '" + size + "'").find("--size"), std::string::npos) << size;

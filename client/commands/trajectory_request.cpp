@@ -1,0 +1,58 @@
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "client/commands/record_options.h"
+#include "client/commands/request_text.h"
+
+namespace saccade {
+namespace {
+
+std::string readFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!(text << file.rdbuf())) throw std::invalid_argument("--trajectory: cannot read '" + path + "'");
+  return text.str();
+}
+
+v1::Trajectory readTrajectory(const std::string& name_or_file) {
+  v1::Trajectory trajectory;
+  if (name_or_file.ends_with(".csv") || std::filesystem::is_regular_file(name_or_file)) {
+    trajectory.set_csv(readFile(name_or_file));
+  } else {
+    trajectory.set_name(name_or_file);
+  }
+  return trajectory;
+}
+
+v1::Motion makeMotion(const RecordOptions& options) {
+  const auto [name, speed] = splitAt(options.motion, ':');
+  const bool in_pixels = speed.ends_with("px");
+  const auto value =
+      parseNumber<double>(std::string_view(speed).substr(0, speed.size() - (in_pixels ? 2 : 0)));
+  if (!value)
+    throw std::invalid_argument("--motion: '" + options.motion + "' is not KIND:SPEED, such as dolly:0.2");
+  v1::Motion motion;
+  motion.set_kind(enumValue<v1::MotionKind>("--motion", "MOTION_", name));
+  if (in_pixels) {
+    motion.set_px_per_frame(*value);
+  } else {
+    motion.set_speed(*value);
+  }
+  if (options.turn_s) motion.set_turn_s(*options.turn_s);
+  motion.set_seed(options.motion_seed);
+  return motion;
+}
+
+}  // namespace
+
+v1::Trajectory makeTrajectory(const RecordOptions& options) {
+  if (options.motion.empty() == options.trajectory.empty())
+    throw std::invalid_argument("give one of --trajectory and --motion");
+  if (options.motion.empty()) return readTrajectory(options.trajectory);
+  v1::Trajectory trajectory;
+  *trajectory.mutable_motion() = makeMotion(options);
+  return trajectory;
+}
+
+}  // namespace saccade
