@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
+
 namespace saccade {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr int kLinearSteps = 6;  // at most so many
 }  // namespace
 
 void ChartAxis::include(double v) {
+  SACCADE_CHECK(std::isfinite(v) && (scale_ == Scale::kLinear || v > 0));
   min_ = std::min(min_, v), max_ = std::max(max_, v);
 }
 

@@ -6,7 +6,7 @@
 
 namespace saccade {
 
-enum class Scale { kLog, kLinear };  // kLog: values > 0
+enum class Scale { kLog, kLinear };  // kLog: of finite values > 0
 
 class ChartAxis {
  public:

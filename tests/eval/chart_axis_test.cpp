@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace saccade {
 namespace {
 
@@ -38,6 +40,11 @@ TEST(LogAxis, HasStepsOfOneTwoFive) {
   ASSERT_EQ(ticks.size(), expected.size());
   for (std::size_t i = 0; i < ticks.size(); ++i) EXPECT_DOUBLE_EQ(ticks[i], expected[i]);
   EXPECT_NEAR(a(1), 50, 1e-9);
+}
+
+TEST(LogAxis, HasNoPlaceForZero) {
+  EXPECT_DEATH(axis(Scale::kLog, {0}), "v > 0");
+  EXPECT_DEATH(axis(Scale::kLinear, {std::nan("")}), "isfinite");
 }
 
 TEST(LogAxis, HasWholeDecadesWhereThereAreMany) {

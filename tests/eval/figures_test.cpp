@@ -56,6 +56,26 @@ TEST(Figure7, WritesCurvesSpectraAndReconstructions) {
   EXPECT_NE(textOf(folder.at("out/figure7_cornell-box.svg")).find("power density"), std::string::npos);
 }
 
+// Nothing changes: no power at any frequency, and no events on either side.
+TEST(Figure7, LivesWithAStandingCamera) {
+  ScratchFolder folder;
+  ASSERT_EQ(figure("7 cornell-box --size 16x16 --frames 1:3 --trajectory still --methods event_svgf "
+                   "--thresholds 0.01",
+                   folder),
+            0)
+      << textOf(folder.at("log"));
+  std::istringstream table(textOf(folder.at("out/figure7.csv")));
+  std::string line;
+  int rows = 0;
+  while (std::getline(table, line)) {
+    if (!line.starts_with("cornell-box,")) continue;
+    ++rows;
+    if (line.find("complementary") != line.npos) continue;
+    EXPECT_NE(line.find(",0.01,0,0,0,0,0,"), line.npos) << line;
+  }
+  EXPECT_EQ(rows, 6);
+}
+
 TEST(Figure7, RefusesAPixelOutsideThePicture) {
   ScratchFolder folder;
   EXPECT_NE(figure("7 cornell-box --size 16x16 --frames 1:2 --pixel 16,3", folder), 0);

@@ -90,6 +90,8 @@ void writeBrightness(const FigureOptions& o, const std::string& scene,
   }
   writeText(o.path("_" + scene + "_time.csv"), csvOf("seconds", time));
   writeText(o.path("_" + scene + "_spectrum.csv"), csvOf("hz", spectrum));
+  for (ChartLine& line : spectrum.lines)
+    std::erase_if(line.points, [](const ChartPoint& p) { return p.y == 0; });
   writePicture(o, "_" + scene + ".svg", drawCharts({time, spectrum}, 2));
 }
 
