@@ -17,12 +17,12 @@ struct SurfaceColor {
   Vec2 uv_scale{1, 1}, uv_offset{0, 0};  // texture coordinate = uv * uv_scale + uv_offset
 };
 
-inline SurfaceColor constantColor(Rgb color) {
+constexpr SurfaceColor constantColor(Rgb color) {
   SurfaceColor c;
   c.color0 = color;
   return c;
 }
-inline const SurfaceColor kWhite = constantColor({1, 1, 1});
+inline constexpr SurfaceColor kWhite = constantColor({1, 1, 1});
 
 struct Material {
   std::string name;

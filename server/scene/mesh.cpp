@@ -1,6 +1,7 @@
 #include "scene/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -8,11 +9,12 @@
 namespace saccade {
 namespace {
 
-// A square with corner `origin` spanned by two edges, its normal along their cross product.
-void addSquare(Mesh& mesh, Vec3 origin, Vec3 u, Vec3 v) {
+// A square with corner `origin` spanned by two edges, its normal along their cross product. `uvs` are those
+// of the corners, in the order origin, origin + a, origin + a + b, origin + b.
+void addSquare(Mesh& mesh, Vec3 origin, Vec3 a, Vec3 b, const std::array<Vec2, 4>& uvs) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  for (const Vec3 corner : {origin, origin + u, origin + u + v, origin + v}) mesh.positions.push_back(corner);
-  for (const Vec2 uv : {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}}) mesh.uvs.push_back(uv);
+  for (const Vec3 corner : {origin, origin + a, origin + a + b, origin + b}) mesh.positions.push_back(corner);
+  mesh.uvs.insert(mesh.uvs.end(), uvs.begin(), uvs.end());
   mesh.triangles.push_back({first, first + 1, first + 2});
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
@@ -46,18 +48,19 @@ std::vector<Vec3> smoothNormals(const Mesh& mesh) {
 
 Mesh makeRectangle() {
   Mesh mesh;
-  addSquare(mesh, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  addSquare(mesh, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
   return mesh;
 }
 
 Mesh makeCube() {
+  constexpr std::array<Vec2, 4> kUvs{{{0, 1}, {1, 1}, {1, 0}, {0, 0}}};
   Mesh mesh;
-  addSquare(mesh, {-1, -1, 1}, {2, 0, 0}, {0, 2, 0});
-  addSquare(mesh, {1, -1, -1}, {-2, 0, 0}, {0, 2, 0});
-  addSquare(mesh, {1, -1, 1}, {0, 0, -2}, {0, 2, 0});
-  addSquare(mesh, {-1, -1, -1}, {0, 0, 2}, {0, 2, 0});
-  addSquare(mesh, {-1, 1, 1}, {2, 0, 0}, {0, 0, -2});
-  addSquare(mesh, {-1, -1, -1}, {2, 0, 0}, {0, 0, 2});
+  addSquare(mesh, {1, -1, -1}, {0, 0, 2}, {-2, 0, 0}, kUvs);
+  addSquare(mesh, {1, 1, -1}, {-2, 0, 0}, {0, 0, 2}, kUvs);
+  addSquare(mesh, {1, -1, -1}, {0, 2, 0}, {0, 0, 2}, kUvs);
+  addSquare(mesh, {1, -1, 1}, {0, 2, 0}, {-2, 0, 0}, kUvs);
+  addSquare(mesh, {-1, -1, 1}, {0, 2, 0}, {0, 0, -2}, kUvs);
+  addSquare(mesh, {1, 1, -1}, {0, -2, 0}, {-2, 0, 0}, kUvs);
   return mesh;
 }
 

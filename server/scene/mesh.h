@@ -1,4 +1,4 @@
-// Meshes from formulas, and what makes a raw mesh part of a scene.
+// Meshes from formulas, with Mitsuba's texture coordinates, and what makes a raw mesh part of a scene.
 #pragma once
 
 #include "scene/affine.h"
@@ -12,8 +12,8 @@ Mesh makeRectangle();
 // [-1, 1]^3, normals outwards, each face with uv in [0, 1]^2.
 Mesh makeCube();
 
-// The disk of radius 1 at z = 0, normal +z, as a polygon inscribed in it: its area is 1e-4 too small. As in
-// Mitsuba, u is the radius, and v the angle from +x to +y in turns.
+// The disk of radius 1 at z = 0, normal +z, as a polygon inscribed in it: its area is 1e-4 too small. u is
+// the radius, and v the angle from +x to +y in turns.
 inline constexpr int kDiskCorners = 256;
 Mesh makeDisk();
 

@@ -49,6 +49,29 @@ TEST(Cube, FacesOutwardsOnAllSides) {
   expectNear(sum, {0, 0, 0}, 1e-6);
 }
 
+// Mitsuba's parametrisation: for each side its normal, and the directions in which u and v grow.
+TEST(Cube, HasMitsubasTextureCoordinates) {
+  struct Side {
+    Vec3 normal, u, v;
+  };
+  const Side sides[] = {{{0, -1, 0}, {0, 0, 1}, {1, 0, 0}}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, -1}},
+                        {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}},
+                        {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}}};
+  const Mesh mesh = makeCube();
+  for (const Side& side : sides) {
+    int corners = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      if (dot(faceNormal(mesh, i), side.normal) < 0.5f) continue;
+      for (const std::uint32_t k : mesh.triangles[i]) {
+        ++corners;
+        EXPECT_FLOAT_EQ(mesh.uvs[k].x, (dot(mesh.positions[k], side.u) + 1) / 2);
+        EXPECT_FLOAT_EQ(mesh.uvs[k].y, (dot(mesh.positions[k], side.v) + 1) / 2);
+      }
+    }
+    EXPECT_EQ(corners, 6);
+  }
+}
+
 // Mitsuba's uv: the radius, and the angle in turns.
 TEST(Disk, FacesUpZWithPolarUv) {
   const Mesh mesh = makeDisk();
