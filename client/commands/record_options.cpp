@@ -22,10 +22,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       command
           .add_option(
               "--motion", o.motion,
-              "KIND:SPEED from the scene's own camera, such as dolly:0.2 or pan:-15: dolly (forward), truck "
-              "(right), pedestal (up) in scene units per second, pan (right), tilt (up), roll "
-              "(clockwise), orbit (right), shake (hand-held) in degrees per second; or KIND:SPEEDpx, in "
-              "pixels per frame, such as truck:0.7px")
+              "KIND:SPEED from the scene's own camera, or KIND:SPEEDpx in pixels per frame, see below")
           ->excludes(trajectory);
   command.add_option("--turn", o.turn_s, "seconds after which the motion turns back, 0: never")
       ->needs(motion);
@@ -87,6 +84,9 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
                   "PNG of brightness, its change and the latest events, a third of the way through")
       ->check(CLI::Validator(checkPng, "FILE.png"));
   command.footer(
+      "Motions: dolly:0.2 (forward), truck (right), pedestal (up), in scene units per second;\n"
+      "pan:-15 (right), tilt (up), roll (clockwise), orbit (right), shake (hand-held), in degrees\n"
+      "per second. A negative speed goes the other way.\n\n"
       "What has no default here is left to the server. Exit codes: 0 recorded, 1 the stream or the server "
       "failed,\n2 wrong usage. Until it is complete, the file is called FILE.partial.\n\n"
       "saccade record cornell-bunny --trajectory right --size 240x180 -o events.csv --preview events.png");

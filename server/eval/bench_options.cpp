@@ -27,7 +27,8 @@ std::string BenchOptions::text() const {
 
 void addBenchOptions(CLI::App& app, BenchOptions& o) {
   o.setup.cache = defaultCache();
-  app.add_option("--trajectory", o.setup.trajectory, "a motion, one of the scene's own, or a .csv file")
+  app.add_option("--trajectory", o.setup.trajectory,
+                 "a motion (right, dolly:0.2), one of the scene's own, or a .csv file")
       ->capture_default_str();
   app.add_option("--size", o.size, "WxH")->capture_default_str();
   app.add_option("--rate", o.setup.frame_rate_hz, "frames per second")

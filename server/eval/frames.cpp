@@ -118,7 +118,8 @@ void addFramesCommand(CLI::App& app) {
   o->cache = defaultCache();
   auto* c = app.add_subcommand("frames", "run a method, or the reference, and write what it estimates");
   c->add_option("scene", o->scene, "a scene by name, or a Mitsuba scene.xml by path")->required();
-  c->add_option("--trajectory", o->trajectory, "a motion, one of the scene's own, or a .csv file")
+  c->add_option("--trajectory", o->trajectory,
+                "a motion (right, dolly:0.2), one of the scene's own, or a .csv file")
       ->capture_default_str();
   c->add_option("--method", o->feed.method, "one of: " + methodNames())->capture_default_str();
   c->add_option("--spp", o->feed.spp, "paths per pixel and frame, over both passes")
