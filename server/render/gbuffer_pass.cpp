@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "render/guide.h"
+#include "render/surface_at.h"
+
 namespace saccade {
 namespace {
 
@@ -25,31 +28,56 @@ void setMotion(const Camera::Projection& now, const Camera::Projection& before, 
   g.z_in_prev.at(x, y) = before.z;
 }
 
+void setNormal(Vec3 n, int x, int y, GBuffer& g) {
+  g.nx.at(x, y) = n.x, g.ny.at(x, y) = n.y, g.nz.at(x, y) = n.z;
+}
+
+// Where nothing is hit stands one far surface.
+void setFar(const Camera& camera, const Camera& prev, Vec3 direction, int x, int y, GBuffer& g) {
+  setNormal({0, 0, 1}, x, y, g);
+  setMotion(camera.projectDirection(direction), prev.projectDirection(direction), x, y, g);
+  g.z.at(x, y) = g.z_in_prev.at(x, y) = kMissDepth;
+  g.dz.at(x, y) = 0;
+}
+
 }  // namespace
 
+template <Shading S>
 PrimaryHit tracePrimary(const RenderScene& scene, const EmitterStrengths& strengths, const Camera& camera,
                         const Camera& prev, int x, int y, GBuffer& g) {
   const Vec3 direction = camera.direction(static_cast<float>(x), static_cast<float>(y));
   const Ray ray{camera.origin, direction, std::numeric_limits<float>::infinity()};
   const Hit hit = scene.geometry().intersect(ray);
-  if (!hit.valid) {
-    for (ImageF* plane : {&g.dz, &g.nx, &g.ny, &g.albedo, &g.emission}) plane->at(x, y) = 0;
-    g.nz.at(x, y) = 1;
-    setMotion(camera.projectDirection(direction), prev.projectDirection(direction), x, y, g);
-    g.z.at(x, y) = g.z_in_prev.at(x, y) = kMissDepth;
-    return {};
+  PrimaryHit primary{};
+  Guide guide{};
+  if (hit.valid) {
+    RayCone cone{0, camera.pixel};
+    cone.width = cone.at(hit.t);
+    primary = {{surfaceAt<S>(scene, ray, hit, cone.width), normalize(direction), cone}, {}, true};
+    guide = findGuide<S>(scene, strengths, ray, hit, primary.start);
+  } else {
+    guide.hit = false;
+    if constexpr (S == Shading::kAll) guide.emission = scene.lights().distantRadiance(normalize(direction));
   }
-  const Surface s = scene.surface(ray, hit, hit.t * camera.pixel);
-  const PrimaryHit primary{s, s.radiance * strengths[hit.geometry], true};
-  g.z.at(x, y) = hit.t;
-  g.dz.at(x, y) = planeSlope(camera, direction, s.point - camera.origin, s.geometric_normal, hit.t);
-  g.nx.at(x, y) = s.shading_normal.x;
-  g.ny.at(x, y) = s.shading_normal.y;
-  g.nz.at(x, y) = s.shading_normal.z;
-  g.albedo.at(x, y) = luminance(s.albedo);
-  g.emission.at(x, y) = luminance(primary.emission);
-  setMotion(camera.project(s.point), prev.project(s.point), x, y, g);
+  primary.emission = guide.emission;
+  g.albedo.at(x, y) = luminance(guide.albedo);
+  g.emission.at(x, y) = luminance(guide.emission);
+  if (!guide.hit) {
+    setFar(camera, prev, direction, x, y, g);
+    return primary;
+  }
+  setNormal(guide.normal, x, y, g);
+  setMotion(camera.project(guide.point), prev.project(guide.point), x, y, g);
+  g.z.at(x, y) = guide.t;
+  g.dz.at(x, y) = planeSlope(camera, direction, guide.point - camera.origin, guide.plane_normal, guide.t);
   return primary;
 }
+
+template PrimaryHit tracePrimary<Shading::kDiffuse>(const RenderScene&, const EmitterStrengths&,
+                                                    const Camera&, const Camera&, int, int, GBuffer&);
+template PrimaryHit tracePrimary<Shading::kTexturedDiffuse>(const RenderScene&, const EmitterStrengths&,
+                                                            const Camera&, const Camera&, int, int, GBuffer&);
+template PrimaryHit tracePrimary<Shading::kAll>(const RenderScene&, const EmitterStrengths&, const Camera&,
+                                                const Camera&, int, int, GBuffer&);
 
 }  // namespace saccade

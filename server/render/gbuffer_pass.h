@@ -3,19 +3,19 @@
 
 #include "frame/frame.h"
 #include "render/camera.h"
-#include "render/render_scene.h"
-#include "scene/emitter_strengths.h"
+#include "render/path_tracer.h"
 
 namespace saccade {
 
 struct PrimaryHit {
-  Surface surface;
-  Rgb emission;  // surface.radiance at its strength
-  bool valid = false;
+  PathStart start;
+  Rgb emission;        // that is seen without noise: of the guide, or of the environment where nothing is hit
+  bool valid = false;  // whether anything is hit
 };
 
 // Traces the centre of pixel (x, y) and fills that pixel of `g`. With centre sampling both passes of a frame
 // share this hit. `prev` is the camera of the previous frame.
+template <Shading S>
 PrimaryHit tracePrimary(const RenderScene& scene, const EmitterStrengths& strengths, const Camera& camera,
                         const Camera& prev, int x, int y, GBuffer& g);
 

@@ -2,11 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace saccade {
+namespace {
 
-Lights::Lights(const Scene& scene) {
+constexpr float kShadowEnd = 1 - 1e-4f;  // shadow rays stop just before the light
+constexpr float kEndless = std::numeric_limits<float>::infinity();
+
+IncidentLight distant(Vec3 direction, Rgb radiance, Lane pdf, LaneMask delta) {
+  return {direction, direction, kEndless, radiance, pdf, delta};
+}
+
+}  // namespace
+
+Lights::Lights(const Scene& scene, float radius)
+    : point_lights_(scene.point_lights), directional_lights_(scene.directional_lights) {
+  // Power over pi; of distant lights what falls on the disk that the scene shows them.
+  const float disk = std::numbers::pi_v<float> * radius * radius;
+  addAreaLights(scene);
+  for (const PointLight& l : point_lights_) choose(4 * luminance(l.intensity));
+  for (const DirectionalLight& l : directional_lights_)
+    choose(luminance(l.irradiance) * disk * std::numbers::inv_pi_v<float>);
+  if (scene.environment) {
+    environment_.emplace(*scene.environment);
+    choose(4 * environment_->meanLuminance() * disk);
+  }
+  if (empty()) return;
+  const float power = cdf_.back();
+  for (float& c : cdf_) c /= power;
+  inv_power_ = 1 / power;
+}
+
+void Lights::addAreaLights(const Scene& scene) {
   std::uint32_t geometry = 0;  // counted as EmbreeScene does
   for (const Mesh& mesh : scene.meshes) {
     const std::uint32_t id = geometry++;
@@ -22,33 +51,72 @@ Lights::Lights(const Scene& scene) {
     const float area = 4 * std::numbers::pi_v<float> * sphere.radius * sphere.radius;
     add({sphere.center, {}, {}, sphere.radius, sphere.radiance, id}, area);
   }
-  if (empty()) return;
-  const float power = cdf_.back();
-  for (float& c : cdf_) c /= power;
-  inv_power_ = 1 / power;
 }
 
-void Lights::add(const Light& light, float area) {
+void Lights::add(const AreaLight& light, float area) {
   if (area <= 0) return;
-  lights_.push_back(light);
-  cdf_.push_back((cdf_.empty() ? 0 : cdf_.back()) + luminance(light.radiance) * area);
+  area_lights_.push_back(light);
+  choose(luminance(light.radiance) * area);
 }
 
-LightSample Lights::sample(Lane u_light, Lane u1, Lane u2) const {
+void Lights::choose(float power) {
+  cdf_.push_back((empty() ? 0 : cdf_.back()) + power);
+}
+
+template <Shading S>
+IncidentLight Lights::at(Vec3 point, Lane u_light, Lane u1, Lane u2) const {
   const auto i = std::min<std::size_t>(std::upper_bound(cdf_.begin(), cdf_.end(), u_light) - cdf_.begin(),
-                                       lights_.size() - 1);
-  const Light& light = lights_[i];
+                                       cdf_.size() - 1);
+  if (S != Shading::kAll || i < area_lights_.size()) return areaLight(area_lights_[i], point, u1, u2);
+  return otherLight(i, point, u1, u2);
+}
+
+IncidentLight Lights::areaLight(const AreaLight& light, Vec3 point, Lane u1, Lane u2) const {
+  Vec3 on_light, normal;
   if (light.radius > 0) {
     const float z = 1 - 2 * u1, r = std::sqrt(std::max(0.f, 1 - z * z)),
                 phi = 2 * std::numbers::pi_v<float> * u2;
-    const Vec3 n{r * std::cos(phi), r * std::sin(phi), z};
-    return {light.corner + n * light.radius, n, light.radiance, pdf(light.radiance), light.geometry};
+    normal = {r * std::cos(phi), r * std::sin(phi), z};
+    on_light = light.corner + normal * light.radius;
+  } else {  // uniform on the triangle by the square-root map
+    const float s = std::sqrt(u1);
+    on_light = light.corner + light.edge1 * (1 - s) + light.edge2 * (u2 * s);
+    normal = normalize(cross(light.edge1, light.edge2));
   }
-  // Uniform on the triangle by the square-root map.
-  const float s = std::sqrt(u1);
-  const Vec3 point = light.corner + light.edge1 * (1 - s) + light.edge2 * (u2 * s);
-  return {point, normalize(cross(light.edge1, light.edge2)), light.radiance, pdf(light.radiance),
-          light.geometry};
+  const Vec3 segment = on_light - point;
+  const Lane distance2 = dot(segment, segment);
+  const Vec3 w = segment / std::sqrt(distance2);
+  const Lane cosine = -dot(w, normal);
+  const Lane per_solid_angle = cosine > 0 ? pdf(light.radiance) * distance2 / cosine : 0;
+  return {w, segment, kShadowEnd, light.radiance, per_solid_angle, false, light.geometry};
 }
+
+IncidentLight Lights::otherLight(std::size_t i, Vec3 point, Lane u1, Lane u2) const {
+  const Lane p = probability(i);
+  i -= area_lights_.size();
+  if (i < point_lights_.size()) {
+    const PointLight& l = point_lights_[i];
+    const Vec3 segment = l.position - point;
+    const Lane distance2 = dot(segment, segment);
+    return {segment / std::sqrt(distance2), segment, kShadowEnd, l.intensity / distance2, p, true};
+  }
+  i -= point_lights_.size();
+  if (i < directional_lights_.size())
+    return distant(-directional_lights_[i].direction, directional_lights_[i].irradiance, p, true);
+  const EnvironmentSample s = environment_->sample(u1, u2);
+  return distant(s.direction, s.radiance, s.pdf * p, false);
+}
+
+Rgb Lights::distantRadiance(Vec3 direction) const {
+  return environment_ ? environment_->radiance(direction) : Rgb{};
+}
+
+Lane Lights::distantPdf(Vec3 direction) const {
+  return environment_ ? environment_->pdf(direction) * probability(cdf_.size() - 1) : 0;
+}
+
+template IncidentLight Lights::at<Shading::kDiffuse>(Vec3, Lane, Lane, Lane) const;
+template IncidentLight Lights::at<Shading::kTexturedDiffuse>(Vec3, Lane, Lane, Lane) const;
+template IncidentLight Lights::at<Shading::kAll>(Vec3, Lane, Lane, Lane) const;
 
 }  // namespace saccade

@@ -9,10 +9,21 @@
 
 namespace saccade {
 
-// One estimate of the radiance reflected at `primary` after at most `bounces` indirect bounces (0: direct
-// light only). Emission of `primary` itself is not in it.
-template <int Channels>
+// The first surface that a pixel's ray meets.
+struct PathStart {
+  Surface surface;
+  Vec3 direction;  // in which the ray arrived, unit
+  RayCone cone;    // at the surface
+};
+
+// What a pixel shows in mirrors and through clear glass is found by following the view this far.
+inline constexpr int kMaxViewDepth = 8;
+
+// One estimate of the radiance that leaves `start` after at most `bounces` indirect bounces off rough
+// surfaces (0: direct light only). What is emitted by `start` itself and along its view (guide.h) is not in
+// it: it is known without noise.
+template <Shading S, int Channels>
 Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths& strengths,
-                               const Surface& primary, const PathSampler& sampler, int bounces);
+                               const PathStart& start, const PathSampler& sampler, int bounces);
 
 }  // namespace saccade

@@ -38,11 +38,18 @@ struct Material {
   float height_scale = 1;
 };
 
+inline bool isTextured(const SurfaceColor& c) {
+  return c.kind != SurfaceColor::Kind::kConstant;
+}
+inline bool isTextured(const Material& m) {
+  return isTextured(m.reflectance) || isTextured(m.specular) || isTextured(m.transmittance) ||
+         isTextured(m.opacity) || isTextured(m.height);
+}
 inline bool isOpaque(const Material& m) {
-  return m.opacity.kind == SurfaceColor::Kind::kConstant && m.opacity.color0 == Rgb{1, 1, 1};
+  return !isTextured(m.opacity) && m.opacity.color0 == Rgb{1, 1, 1};
 }
 inline bool isBumpy(const Material& m) {
-  return m.height.kind != SurfaceColor::Kind::kConstant && m.height_scale != 0;
+  return isTextured(m.height) && m.height_scale != 0;
 }
 
 }  // namespace saccade

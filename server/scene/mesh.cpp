@@ -44,6 +44,15 @@ std::vector<Vec3> smoothNormals(const Mesh& mesh) {
   return normals;
 }
 
+// Turns triangles round that face away from the normals of their corners.
+void turnToNormals(Mesh& mesh) {
+  for (auto& t : mesh.triangles) {
+    const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
+    const Vec3 mean = mesh.normals[t[0]] + mesh.normals[t[1]] + mesh.normals[t[2]];
+    if (dot(cross(b - a, c - a), mean) < 0) std::swap(t[1], t[2]);
+  }
+}
+
 }  // namespace
 
 Mesh makeRectangle() {
@@ -91,6 +100,7 @@ void placeMesh(Mesh& mesh, const Affine& to_world, bool face_normals) {
     mesh.normals = smoothNormals(mesh);
   } else {
     for (Vec3& n : mesh.normals) n = toFloat(unitOr(mapNormal(to_world, toDouble(n)), {0, 0, 1}));
+    turnToNormals(mesh);
   }
   mesh.positions.push_back({});
   mesh.positions.shrink_to_fit();

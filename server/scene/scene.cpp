@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "scene/scene_error.h"
-
 namespace saccade {
 namespace {
 
@@ -40,10 +38,6 @@ bool grey(const Environment& e) {
   return grey(e.radiance) && grey(e.picture.pixels);
 }
 
-bool plain(const Material& m) {
-  return m.model.kind == BsdfKind::kDiffuse && isOpaque(m) && !isBumpy(m);
-}
-
 }  // namespace
 
 int colorChannels(const Scene& s) {
@@ -51,16 +45,6 @@ int colorChannels(const Scene& s) {
                         grey(s.point_lights) && grey(s.directional_lights) &&
                         (!s.environment || grey(*s.environment));
   return all_grey ? 1 : 3;
-}
-
-void requireRenderable(const Scene& scene) {
-  const auto fault = [&](const std::string& what) {
-    return SceneError(scene.name + ": " + what + ": cannot be rendered yet");
-  };
-  for (const Material& m : scene.materials)
-    if (!plain(m)) throw fault("the material '" + m.name + "' is not diffuse, or has a mask or a bump map");
-  if (scene.environment || !scene.point_lights.empty() || !scene.directional_lights.empty())
-    throw fault("an emitter of a type other than area");
 }
 
 }  // namespace saccade

@@ -54,7 +54,4 @@ struct Scene {
 // 1 if every colour of the scene is grey, of surfaces, textures, metals and lights, else 3.
 int colorChannels(const Scene& scene);
 
-// Throws SceneError naming the first thing in the scene that cannot be rendered yet.
-void requireRenderable(const Scene& scene);
-
 }  // namespace saccade

@@ -67,11 +67,6 @@ TEST(MitsubaLight, ColouredLightNeedsThreeChannels) {
   EXPECT_EQ(colorChannels(light("envmap", "<string name='filename' value='sky.ppm'/>")), 3);
 }
 
-TEST(MitsubaLight, CannotBeRenderedYet) {
-  const Scene scene = light("constant", "<float name='radiance' value='2'/>");
-  expectContains(errorOf([&] { requireRenderable(scene); }), "emitter");
-}
-
 TEST(MitsubaLight, FaultsAreErrors) {
   expectContains(lightError("constant", ""),
                  "scene.xml:3: the emitter needs <rgb>, <spectrum> or <float "

@@ -180,12 +180,5 @@ TEST(MitsubaMaterial, ChainsOfReferencesEnd) {
                  "nested more than 16 deep");
 }
 
-TEST(MitsubaMaterial, WhatCannotBeRenderedYetSaysSo) {
-  const Scratch files;
-  EXPECT_NO_THROW(requireRenderable(loadBody(files, "<shape type='cube'><bsdf type='diffuse'/></shape>")));
-  const Scene scene = loadBody(files, "<shape type='cube'><bsdf type='plastic' id='shiny'/></shape>");
-  expectContains(errorOf([&] { requireRenderable(scene); }), "'shiny'");
-}
-
 }  // namespace
 }  // namespace saccade

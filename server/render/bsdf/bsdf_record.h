@@ -24,7 +24,7 @@ struct BsdfValue {
 struct BsdfSample {
   LaneVec3 wi;
   LaneRgb weight;        // f |cos_i| / pdf; 0: nothing comes from there
-  Lane pdf;              // per solid angle, of all lobes; 0: delta, or invalid with weight 0
+  Lane pdf;              // per solid angle, of all lobes; delta: the probability of its lobe; 0: weight is 0
   LaneMask delta;        // of a delta lobe, which no evaluation sees
   LaneMask transmitted;  // wi is on the other side
 };

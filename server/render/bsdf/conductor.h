@@ -12,7 +12,7 @@ struct Conductor {
 
   static BsdfValue evaluate(const Bsdf&, LaneVec3, LaneVec3) { return {}; }
   static BsdfSample sample(const Bsdf& b, LaneVec3 wo, Lane, Lane, Lane) {
-    return {mirror(wo), albedo(b, wo.z), 0, true, false};
+    return {mirror(wo), albedo(b, wo.z), 1, true, false};
   }
   static LaneRgb albedo(const Bsdf& b, Lane cos_o) {
     const LaneRgb f =

@@ -13,8 +13,8 @@ inline BsdfSample reflectOrTransmit(const Bsdf& b, LaneVec3 wo, LaneVec3 wt, Lan
   const LaneMask reflected = u_lobe < p;
   const Lane scale = select(reflected, f / p, (1 - f) / (1 - p));
   return {select(reflected, mirror(wo), wt),
-          select(reflected, b.specular, b.transmittance) * select(wo.z != 0, scale, Lane(0)), 0, true,
-          !reflected};
+          select(reflected, b.specular, b.transmittance) * select(wo.z != 0, scale, Lane(0)),
+          select(reflected, p, 1 - p), true, !reflected};
 }
 
 inline LaneRgb reflectanceAndTransmittance(const Bsdf& b, Lane cos_o, Lane f) {

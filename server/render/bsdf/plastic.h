@@ -53,8 +53,7 @@ struct Plastic {
     const LaneVec3 wi = select(delta, mirror(wo), cosineHemisphere(u1, u2));
     const BsdfSample scattered = weigh(wi, evaluate(b, wo, wi));
     const LaneRgb reflected = b.specular * select(wo.z > 0, o.reflectance / p, Lane(0));
-    return {wi, select(delta, reflected, scattered.weight), select(delta, Lane(0), scattered.pdf), delta,
-            false};
+    return {wi, select(delta, reflected, scattered.weight), select(delta, p, scattered.pdf), delta, false};
   }
   static LaneRgb albedo(const Bsdf& b, Lane cos_o) {
     return plasticAlbedo(b, at(b, cos_o)) * select(cos_o > 0, Lane(1), Lane(0));

@@ -1,0 +1,75 @@
+// What a surface does with light, in world space: its BSDF, and its mask.
+#pragma once
+
+#include <algorithm>
+
+#include "render/bsdf/shading_frame.h"
+#include "render/surface.h"
+
+namespace saccade {
+
+template <Shading S>
+class Scatter {
+ public:
+  // `arriving`: direction of the ray that found `s`, unit. Keeps a reference to `s`.
+  Scatter(const Surface& s, Vec3 arriving)
+      : s_(s), arriving_(arriving), frame_(kAny && s.inside ? -s.shading_normal : s.shading_normal) {
+    if constexpr (kAny) {  // on the side that the geometry says, whatever the shading normal
+      wo_ = frame_.toLocal(-arriving);
+      wo_.z = s.inside ? std::min(wo_.z, -kGrazing) : std::max(wo_.z, kGrazing);
+    }
+  }
+
+  // Light from the unit direction w.
+  BsdfValue evaluate(Vec3 w) const {
+    if (dot(w, s_.geometric_normal) <= 0) return {};
+    BsdfValue v = evaluateBsdf<kKinds>(s_.bsdf, wo_, frame_.toLocal(w));
+    if constexpr (kAny) v.value = v.value * s_.opacity, v.pdf *= s_.opacity;
+    return v;
+  }
+
+  // A direction, `wi`, in world space.
+  BsdfSample sample(Lane u_lobe, Lane u1, Lane u2) const {
+    if constexpr (kAny) {
+      if (u_lobe >= s_.opacity) return {arriving_, {1, 1, 1}, 1 - s_.opacity, true, true};
+      u_lobe = std::min(u_lobe / s_.opacity, 0x1.fffffep-1f);
+    }
+    BsdfSample next = sampleBsdf<kKinds>(s_.bsdf, wo_, u_lobe, u1, u2);
+    if constexpr (kAny) next.pdf *= s_.opacity;
+    next.wi = frame_.toWorld(next.wi);
+    const Lane side = dot(next.wi, s_.geometric_normal);
+    if ((next.transmitted ? -side : side) <= 0) next.weight = {}, next.pdf = 0;
+    return next;
+  }
+
+  // Fraction of light that comes back or goes on, all directions together.
+  Rgb albedo() const {
+    const Rgb a = bsdfAlbedo<kKinds>(s_.bsdf, wo_.z);
+    if constexpr (kAny) return a * s_.opacity + Rgb{1, 1, 1} * (1 - s_.opacity);
+    return a;
+  }
+
+  // Whether a sample is what one sees here: the likelier direction of a mirror, of clear glass, of a mask.
+  // sample(0.5, ...) finds it where there is one.
+  bool isView(const BsdfSample& next) const {
+    const BsdfKind kind = s_.bsdf.tables->model.kind;
+    const bool clear =
+        kind == BsdfKind::kConductor || kind == BsdfKind::kDielectric || kind == BsdfKind::kThinDielectric;
+    return next.delta && next.pdf >= 0.5f && (clear || next.transmitted);
+  }
+
+  // The normal about which it mirrors.
+  Vec3 normal() const { return frame_.z; }
+
+ private:
+  static constexpr bool kAny = S == Shading::kAll;
+  static constexpr BsdfKinds kKinds = kAny ? kAllBsdfKinds : only(BsdfKind::kDiffuse);
+  static constexpr Lane kGrazing = 1e-3f;
+
+  const Surface& s_;
+  Vec3 arriving_;
+  ShadingFrame frame_;
+  LaneVec3 wo_{0, 0, 1};  // diffuse: which way does not matter
+};
+
+}  // namespace saccade

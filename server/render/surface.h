@@ -1,0 +1,44 @@
+// A point on a surface, ready for shading.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "render/bsdf/bsdf.h"
+
+namespace saccade {
+
+// The renderer is compiled for three sets of scenes; a scene gets the smallest that holds it and pays for
+// nothing beyond.
+enum class Shading {
+  kDiffuse,          // diffuse materials of one colour each, area lights
+  kTexturedDiffuse,  // diffuse materials, area lights
+  kAll,
+};
+
+struct Surface {
+  Vec3 point;
+  Vec3 geometric_normal, shading_normal;  // unit, on the side the ray came from
+  Bsdf bsdf;                              // black behind a one-sided material
+  Rgb radiance;                           // emitted towards the ray's origin at strength 1
+
+  // kAll only.
+  bool inside;   // of glass: the ray came from behind the material's own normal
+  Lane opacity;  // the rest of the light goes straight on
+};
+
+// Width of the region that one path stands for, seen at a right angle, along a ray: what textures are
+// averaged over. Widths in scene units [Akenine-Moller 2021].
+struct RayCone {
+  Lane width, spread;  // at the ray's origin; growth per unit of t
+
+  Lane at(Lane t) const { return width + spread * t; }
+  // Off a rough surface: a lobe of this pdf per solid angle. A diffuse one is so wide that coarse mips do.
+  static Lane lobeSpread(Lane pdf) {
+    constexpr Lane kDiffuse = 0.25f;
+    return kDiffuse * std::min(Lane(1), 1 / std::sqrt(std::numbers::pi_v<float> * pdf));
+  }
+};
+
+}  // namespace saccade

@@ -1,0 +1,37 @@
+// Colours of surfaces at a point.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/scene.h"
+
+namespace saccade {
+
+// A place in texture space, and the width that a look-up averages over.
+struct TexturePoint {
+  Vec2 uv;
+  float footprint;
+};
+
+// Mean over [x - w/2, x + w/2] of the square wave that is +1 on [0, 1/2) and -1 on [1/2, 1), repeated.
+inline float filteredSquareWave(float x, float w) {
+  const auto integral = [](float t) {
+    const float f = t - std::floor(t);
+    return std::min(f, 1 - f);
+  };
+  w = std::max(w, 1e-5f);
+  return (integral(x + w / 2) - integral(x - w / 2)) / w;
+}
+
+inline Rgb lookUp(const Scene& scene, const SurfaceColor& c, TexturePoint p) {
+  if (c.kind == SurfaceColor::Kind::kConstant) return c.color0;
+  const Vec2 st{p.uv.x * c.uv_scale.x + c.uv_offset.x, p.uv.y * c.uv_scale.y + c.uv_offset.y};
+  const float width = p.footprint * std::sqrt(std::abs(c.uv_scale.x * c.uv_scale.y));
+  if (c.kind == SurfaceColor::Kind::kBitmap) return scene.textures[c.texture].sample(st, width);
+  // Mitsuba's checkerboard has color0 where both coordinates lie in the same half of their period.
+  const float same = 0.5f + 0.5f * filteredSquareWave(st.x, width) * filteredSquareWave(st.y, width);
+  return c.color0 * same + c.color1 * (1 - same);
+}
+
+}  // namespace saccade
