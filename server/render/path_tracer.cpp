@@ -2,37 +2,25 @@
 
 #include <limits>
 
-#include "render/scatter.h"
-#include "render/surface_at.h"
+#include "render/direct_light.h"
 
 namespace saccade {
 namespace {
 
 // Every vertex has its own random dimensions, so that paths that part at one vertex still share the numbers
 // of the next.
-enum Dimension { kLight, kLightU, kLightV, kBounceU, kBounceV, kLobe, kDimensions };
+enum Dimension { kLight, kBounce = kLight + 3, kLobe = kBounce + 2, kDimensions };
 
 constexpr int kMaxDeltas = 16;  // mirrors and glass that a path may meet besides its bounces
 
-// Balance heuristic (Veach 1995).
-Lane balance(Lane pdf, Lane other) {
-  return pdf / (pdf + other);
-}
+// How the last direction was chosen that was not straight on: what weighs light found by chance.
+struct Choice {
+  Lane pdf;       // per solid angle, times the chance of all that went straight since
+  bool delta;     // no other way to find this light
+  Lane distance;  // since then
 
-// Light from a point chosen on a light source.
-template <Shading S, int Channels>
-Color<Channels> directLight(const RenderScene& scene, const EmitterStrengths& strengths, const Surface& s,
-                            const Scatter<S>& scatter, const PathSampler& sampler, int dimension) {
-  const Vec3 origin = scene.leave(s);
-  const IncidentLight light = scene.lights().at<S>(
-      origin, sampler.u(dimension + kLight), sampler.u(dimension + kLightU), sampler.u(dimension + kLightV));
-  if (light.pdf <= 0) return {};
-  const BsdfValue f = scatter.evaluate(light.direction);
-  if (f.pdf <= 0 || scene.geometry().occluded({origin, light.segment, light.reach})) return {};
-  Lane weight = light.delta ? 1 : balance(light.pdf, f.pdf);
-  if (light.geometry != IncidentLight::kNoGeometry) weight *= strengths[light.geometry];
-  return Color<Channels>(light.radiance) * Color<Channels>(f.value) * (weight / light.pdf);
-}
+  Lane weight(Lane pdf_light) const { return delta ? 1 : balance(pdf, pdf_light); }
+};
 
 }  // namespace
 
@@ -45,41 +33,53 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
   Surface s = start.surface;
   Vec3 arriving = start.direction;
   RayCone cone = start.cone;
+  Choice choice{1, true, 0};
+  const bool passages = S == Shading::kAll && scene.hasPassages();
   bool in_view = S == Shading::kAll;
   for (int vertex = 0, bounce = 0; vertex <= bounces + kMaxDeltas; ++vertex) {
     const int dimension = vertex * kDimensions;
     const Scatter<S> scatter(s, arriving);
-    radiance += throughput * directLight<S, Channels>(scene, strengths, s, scatter, sampler, dimension);
+    const bool spent = passages && bounce > bounces;
+    if (!spent)
+      radiance +=
+          throughput * directLight<S, Channels>(scene, strengths, s, scatter, sampler, dimension + kLight);
 
     // Continue in a direction of the BSDF.
-    const BsdfSample next = scatter.sample(sampler.u(dimension + kLobe), sampler.u(dimension + kBounceU),
-                                           sampler.u(dimension + kBounceV));
-    if (next.pdf <= 0) return radiance;
+    const BsdfSample next = scatter.sample(sampler.u(dimension + kLobe), sampler.u(dimension + kBounce),
+                                           sampler.u(dimension + kBounce + 1));
     throughput = throughput * Color<Channels>(next.weight);
-    if (throughput.luminance() <= 0) return radiance;
+    if (next.pdf <= 0 || throughput.luminance() <= 0) return radiance;
+    const bool straight = S == Shading::kAll && scatter.isStraight(next);
+    if (spent && !straight) return radiance;
+    if (straight)
+      choice.pdf *= scatter.passage().probability;
+    else
+      choice = {next.pdf, next.delta, 0};
     if constexpr (S == Shading::kAll) in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
     if (!next.delta) cone.spread = RayCone::lobeSpread(next.pdf);
     const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
     const Hit hit = scene.geometry().intersect(ray);
+
+    // Light found by chance: direct light of the vertex we come from.
     if (!hit.valid) {
-      if constexpr (S == Shading::kAll) {
-        const Lane weight = next.delta ? 1 : balance(next.pdf, lights.distantPdf(next.wi));
-        if (!in_view) radiance += throughput * Color<Channels>(lights.distantRadiance(next.wi)) * weight;
-      }
+      if constexpr (S == Shading::kAll)
+        if (!in_view)
+          radiance += throughput * Color<Channels>(lights.distantRadiance(next.wi)) *
+                      choice.weight(lights.distantPdf(next.wi));
       return radiance;
     }
     cone.width = cone.at(hit.t);
     s = surfaceAt<S>(scene, ray, hit, cone.width);
     arriving = next.wi;
-
-    // Light found by chance: direct light of the vertex we come from.
+    choice.distance += hit.t;
     if (luminance(s.radiance) > 0 && !in_view) {
-      const Lane cos_light = -dot(next.wi, s.geometric_normal);
-      const Lane pdf_light = lights.pdf(s.radiance) * hit.t * hit.t / std::max(cos_light, 1e-6f);
-      const Lane weight = next.delta ? 1 : balance(next.pdf, pdf_light);
-      radiance += throughput * Color<Channels>(s.radiance) * (weight * strengths[hit.geometry]);
+      const Lane cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
+      const Lane pdf_light = lights.pdf(s.radiance) * choice.distance * choice.distance / cos_light;
+      radiance +=
+          throughput * Color<Channels>(s.radiance) * (choice.weight(pdf_light) * strengths[hit.geometry]);
     }
-    if (!next.delta && bounce++ == bounces) return radiance;
+    bounce += !next.delta;
+    if (bounce > bounces && !passages) return radiance;  // else the last ray passes what shadow rays do
   }
   return radiance;
 }

@@ -11,6 +11,10 @@ bool isDiffuse(const Material& m) {
   return m.model.kind == BsdfKind::kDiffuse && isOpaque(m) && !isBumpy(m);
 }
 
+bool hasPassage(const Material& m) {
+  return m.model.kind == BsdfKind::kThinDielectric || !isOpaque(m);
+}
+
 Shading leastShading(const Scene& s) {
   const auto& all = s.materials;
   const bool distant = s.environment || !s.point_lights.empty() || !s.directional_lights.empty();
@@ -28,6 +32,7 @@ RenderScene::RenderScene(Scene scene)
       lights_(scene_, geometry_.diagonal() / 2),
       shading_(leastShading(scene_)),
       channels_(colorChannels(scene_)),
+      has_passages_(std::any_of(scene_.materials.begin(), scene_.materials.end(), hasPassage)),
       epsilon_(kRelativeEpsilon * geometry_.diagonal()) {
   if (shading_ == Shading::kAll)
     for (const Material& m : scene_.materials) tables_.emplace_back(m.model);

@@ -21,6 +21,8 @@ class RenderScene {
   Shading shading() const { return shading_; }  // the least that holds the scene
   int channels() const { return channels_; }
 
+  bool hasPassages() const { return has_passages_; }  // whether a shadow ray may pass through something
+
   // Of a material; kAll only.
   const BsdfTables& tables(int material) const { return tables_[material]; }
 
@@ -36,6 +38,7 @@ class RenderScene {
   Lights lights_;
   Shading shading_;
   int channels_;
+  bool has_passages_;
   float epsilon_;
   std::vector<BsdfTables> tables_;  // by material
 };

@@ -6,30 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/renderer.h"
+#include "render/render_mean.h"
 #include "render/test_scenes.h"
 
 namespace saccade {
 namespace {
 
-// Mean luminance of a picture and its standard error, from the spread of the pixels.
-struct Mean {
-  double mean, error;
-};
-Mean renderMean(Scene scene, int bounces, int spp, int size = 32, int channels = 1) {
-  auto s = std::make_shared<RenderScene>(std::move(scene));
-  TilePool pool(2);
-  Frame frame(size, size);
-  const Camera camera(s->description().T_world_camera, s->description().fov_x_deg, size, size);
-  Renderer(s, bounces, channels, pool).render(camera, camera, SeedPlan::independent(1, 0, spp), frame);
-  double sum = 0, square = 0;
-  for (int y = 0; y < size; ++y) {
-    for (int x = 0; x < size; ++x)
-      sum += frame.samples.I2.at(x, y), square += std::pow(frame.samples.I2.at(x, y), 2);
-  }
-  const double n = size * size, mean = sum / n;
-  return {mean, std::sqrt(std::max(0.0, square / n - mean * mean) / n)};
-}
+using test::Mean;
+using test::renderMean;
 
 // Every surface emits 1 and reflects a: after B indirect bounces the radiance is 1 + a + ... + a^(B+1).
 TEST(Furnace, EqualsTheGeometricSeries) {

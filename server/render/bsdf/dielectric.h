@@ -7,9 +7,19 @@
 
 namespace saccade {
 
+// Light in a straight line, from what is behind.
+struct Passage {
+  LaneRgb fraction{1, 1, 1};
+  Lane probability = 1;
+};
+
+inline Lane reflectionProbability(const Bsdf& b, Lane f) {
+  return lobeProbability(f * luminance(b.specular), (1 - f) * luminance(b.transmittance));
+}
+
 // Reflects a fraction f of light towards wo from mirror(wo), and lets 1 - f through from wt.
 inline BsdfSample reflectOrTransmit(const Bsdf& b, LaneVec3 wo, LaneVec3 wt, Lane f, Lane u_lobe) {
-  const Lane p = lobeProbability(f * luminance(b.specular), (1 - f) * luminance(b.transmittance));
+  const Lane p = reflectionProbability(b, f);
   const LaneMask reflected = u_lobe < p;
   const Lane scale = select(reflected, f / p, (1 - f) / (1 - p));
   return {select(reflected, mirror(wo), wt),
@@ -58,6 +68,11 @@ struct ThinDielectric {
   }
   static LaneRgb albedo(const Bsdf& b, Lane cos_o) {
     return reflectanceAndTransmittance(b, cos_o, reflectance(b, cos_o));
+  }
+  // What of light from behind goes straight through, and the probability that sample() finds it.
+  static Passage passage(const Bsdf& b, Lane cos_o) {
+    const Lane f = reflectance(b, cos_o);
+    return {b.transmittance * (1 - f), 1 - reflectionProbability(b, f)};
   }
 
  private:
