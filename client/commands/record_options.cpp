@@ -43,8 +43,10 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
   command.add_option("--model", o.model, "event model")
       ->check(CLI::IsMember({"accumulating", "probabilistic"}));
   command
-      .add_option("--reconstruction", o.reconstruction,
-                  "which change of brightness the sensors believe; direct is the difference alone")
+      .add_option(
+          "--reconstruction", o.reconstruction,
+          "which change of brightness the sensors believe: direct the difference alone, the others draw it "
+          "towards the picture; default: kalman")
       ->check(CLI::IsMember({"direct", "complementary", "kalman"}));
   command.add_option("--cutoff", o.cutoff_hz, "Hz below which complementary believes the primal picture");
   command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();

@@ -1,9 +1,11 @@
 // Why a request is refused. Thrown where it is found out, made a Status in one place.
 #pragma once
 
+#include <cctype>
 #include <stdexcept>
 #include <string>
 
+#include "base/check.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade {
@@ -35,8 +37,18 @@ Enum resolveEnum(const std::string& field, Enum value, Enum fallback) {
                 std::to_string(value) + " is no " + names->name() + "; valid: " + valid);
 }
 
-// What the code calls a value of the schema: EVENT_MODEL_KALMAN without the prefix "EVENT_MODEL_" is
+// What the code calls a value of the schema: RECONSTRUCTION_KALMAN without the prefix "RECONSTRUCTION_" is
 // "kalman".
 std::string nameWithout(const std::string& prefix, const std::string& value);
+
+// The reverse. The schema has a value of that name.
+template <class Enum>
+Enum valueNamed(const std::string& prefix, const std::string& name) {
+  std::string full = prefix;
+  for (const unsigned char c : name) full += static_cast<char>(std::toupper(c));
+  const auto* value = google::protobuf::GetEnumDescriptor<Enum>()->FindValueByName(full);
+  SACCADE_CHECK(value);
+  return static_cast<Enum>(value->number());
+}
 
 }  // namespace saccade

@@ -19,9 +19,11 @@ void fillDefaults(v1::Sensor& sensor, const std::string& field, std::uint64_t se
     sensor.set_max_events_per_pixel_frame(defaults.max_events_per_pixel_frame);
   }
   if (!sensor.has_seed()) sensor.set_seed(seed);
-  sensor.set_model(resolveEnum(field + ".model", sensor.model(), v1::EVENT_MODEL_ACCUMULATING));
+  sensor.set_model(resolveEnum(field + ".model", sensor.model(),
+                               valueNamed<v1::EventModel>("EVENT_MODEL_", defaults.model)));
   sensor.set_reconstruction(
-      resolveEnum(field + ".reconstruction", sensor.reconstruction(), v1::RECONSTRUCTION_DIRECT));
+      resolveEnum(field + ".reconstruction", sensor.reconstruction(),
+                  valueNamed<v1::ReconstructionModel>("RECONSTRUCTION_", defaults.reconstruction)));
   if (!sensor.has_cutoff_hz()) sensor.set_cutoff_hz(defaults.reconstruction_cutoff_hz);
 }
 

@@ -12,8 +12,12 @@ namespace {
 
 // Events of this one interval, ON minus OFF per pixel. One seed: every column has the same phases.
 ImageF eventBalance(const IntensityChange& change, float bias, double threshold) {
-  Sensor sensor({.threshold = threshold, .threshold_off = threshold, .bias = bias, .model = "probabilistic"},
-                change.dI.width(), change.dI.height());
+  const SensorConfig config{.threshold = threshold,
+                            .threshold_off = threshold,
+                            .bias = bias,
+                            .model = "probabilistic",
+                            .reconstruction = "direct"};
+  Sensor sensor(config, change.dI.width(), change.dI.height());
   SensorOutput out;
   sensor.generate(change, out);
   ImageF balance(change.dI.width(), change.dI.height());

@@ -119,7 +119,7 @@ void scoreNoise(const std::vector<ScoredFrame>& frames, Score& score) {
 
 void scoreEvents(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, double bias, double C,
                  Score& score) {
-  const SensorConfig sensor{.threshold = C, .threshold_off = C, .bias = bias};
+  const SensorConfig sensor{.threshold = C, .threshold_off = C, .bias = bias, .reconstruction = "direct"};
   const Events ref = eventsOf(sequenceOf(truth), sensor);
   Mean count, voxel, time;
   for (const BenchRun& run : repeats) {

@@ -18,8 +18,8 @@ struct Score {
   double sigma_dL;                   // median over unchanged surfaces of the standard deviation over repeats
   double rms_dL, bias_dL, noise_dL;  // error_parts.h, over all pixels; roots of mean squares over frames
   double rms_smooth, rms_curved, rms_changed;  // of dL in a region
-  double count_error, voxel_error;             // event_streams.h, accumulating sensors over all scored frames
-  double time_error_ms;  // mean distance of an event to the nearest of the truth, at most 5
+  double count_error, voxel_error;  // event_streams.h, over all scored frames; sensors that believe dL alone
+  double time_error_ms;             // mean distance of an event to the nearest of the truth, at most 5
 };
 
 struct ScoreColumn {

@@ -17,7 +17,12 @@ namespace saccade {
 //                  gives exactly no change.
 //   complementary  L^_t = L- + k (L^prim_t - L-), L- = L^_{t-1} + dL_t, k = 1 - exp(-2 pi cutoff dt).
 //                  An error b per frame in dL adds up to b (1 - k) / k and no further.
-//   kalman         the same with k of each pixel from the variances of dL and L^prim (see kalman.cpp).
+//   kalman         the same with k of each pixel from the variances of dL and L^prim (see kalman.cpp). The
+//                  default: EventSVGF under it has a quarter fewer false events than under direct, at most
+//                  a tenth more missed ones, and half the drift (saccade-eval figure 7).
+//
+// Where a method knows no variance of the primal (var_I_prev is 0, as of pt and pt-correlated) kalman has
+// nothing to weigh, and is direct, but that L^ stays within the brightness that a pixel can have.
 //
 // L^prim = log(I_eps + I_now); L^_0 is that of the first I_prev, and its error is drawn out like a drift.
 //
@@ -43,7 +48,7 @@ struct ReconstructionInfo {
   std::unique_ptr<Reconstruction> (*make)(const SensorConfig& config, int width, int height);
 };
 
-// THE list of reconstructions. The first is the default.
+// THE list of reconstructions. SensorConfig says which is the default.
 const std::vector<ReconstructionInfo>& reconstructionTable();
 const ReconstructionInfo* findReconstruction(const std::string& name);  // nullptr if there is none
 std::string reconstructionNames();                                      // "direct, ..." for messages

@@ -14,7 +14,7 @@ struct SensorConfig {
   double threshold_off = 0.2;             // C-, as C+; OFF events
   double bias = 1e-3;                     // I_eps, scene luminance, [1e-12, 1e6] [E (1)]
   std::string model = "accumulating";     // a name of eventModelTable()
-  std::string reconstruction = "direct";  // a name of reconstructionTable()
+  std::string reconstruction = "kalman";  // a name of reconstructionTable()
   // Of complementary: below it the primal is believed, above it the difference; Hz, [1e-4, 1e4]. At 0.5 Hz a
   // drift is drawn back within 0.3 s, 160 frames at 500 Hz: long enough to average over a primal that
   // remembers 19.

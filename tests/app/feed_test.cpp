@@ -60,7 +60,7 @@ TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
     Feed feed(room(), path(false), config(method), pool);
     Sensor sensor({.threshold = 0.01, .threshold_off = 0.01, .bias = 1e-8}, kW, kH);
     SensorOutput out;
-    for (int t = 1; t <= 30; ++t) {
+    for (int t = 1; t <= 300; ++t) {
       const IntensityChange& change = feed.step();
       ASSERT_EQ(largestChange(change), 0) << method << " frame " << t;
       sensor.generate(change, out);

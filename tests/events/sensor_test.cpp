@@ -125,7 +125,9 @@ TEST_P(SensorOfModel, NothingAllocatesAfterTwoFrames) {
 }
 
 TEST_P(SensorOfModel, DirectGivesTheModelTheResponseItself) {
-  Sensor sensor(config(), kWidth, kHeight);
+  SensorConfig direct = config();
+  direct.reconstruction = "direct";
+  Sensor sensor(direct, kWidth, kHeight);
   const auto model = findEventModel(GetParam())->make(config(), kWidth, kHeight);
   IntensityChange change(kWidth, kHeight);
   ImageF dL(kWidth, kHeight);

@@ -56,6 +56,8 @@ TEST(Service, TellsWhatItResolved) {
   EXPECT_GT(resolved.view().fov_x_deg(), 1);
   EXPECT_EQ(resolved.quality().bounces(), 3u);
   EXPECT_EQ(resolved.sensors(0).threshold_off(), 0.1);
+  EXPECT_EQ(resolved.sensors(0).model(), v1::EVENT_MODEL_ACCUMULATING);
+  EXPECT_EQ(resolved.sensors(0).reconstruction(), v1::RECONSTRUCTION_KALMAN);
   EXPECT_EQ(resolved.timing().clock(), v1::CLOCK_FAST);
   EXPECT_EQ(resolved.delivery(), v1::DELIVERY_LOSSLESS);
   EXPECT_GT(opened.luminance_p50(), 0);

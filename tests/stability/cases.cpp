@@ -43,7 +43,7 @@ std::vector<StabilityCase> motionCases() {
 std::vector<StabilityCase> longCases(bool full) {
   return {
       {.name = "drift",
-       .why = "dL alone, added up: small errors of one sign add up too",
+       .why = "changes of brightness, added up: small errors of one sign add up too",
        .rate_hz = 300,
        .width = full ? 64 : 48,
        .height = full ? 64 : 48,

@@ -7,14 +7,15 @@ namespace saccade::test {
 
 // Rates are per pixel-frame. NaN where the case has no truth, or no repeats.
 struct Figures {
-  double wrong_events;  // false and missed ones of the scored frames, integrated over the threshold phase
+  // False and missed ones of the scored frames, integrated over the threshold phase: of dL, before a sensor.
+  double wrong_events;
   double false_events, missed_events;
   double dL_l1;       // relative L1 of dL
   double sigma_dL;    // over repeats, median over unchanged surfaces
-  double drift;       // median |L - L_truth| after the last frame, from dL alone, natural log units
-  double events;      // that a sensor sends, all frames
+  double drift;       // median |L - L_truth| after the last frame, of a default sensor, natural log units
+  double events;      // that a default sensor sends, all frames
   double suppressed;  // that it withholds, all frames
-  double non_finite;  // values of dI, I_prev, I_now and dL, all frames
+  double non_finite;  // values of dI, I_prev, I_now and dL as reconstructed, all frames
 };
 
 struct FigureColumn {

@@ -32,16 +32,18 @@ BenchSetup startOf(BenchSetup setup) {
   return setup;
 }
 
+// What a client gets who asks for no more.
+SensorConfig sensorOf(const StabilityCase& c) {
+  return {.threshold = c.threshold, .threshold_off = c.threshold, .bias = c.bias};
+}
+
 // Looks at every frame of a run.
 class Watch {
  public:
-  explicit Watch(const StabilityCase& c)
-      : bias_(static_cast<float>(c.bias)),
-        sensor_({.threshold = c.threshold, .threshold_off = c.threshold, .bias = c.bias}, c.width, c.height),
-        L_(c.width, c.height) {}
+  explicit Watch(const StabilityCase& c) : Watch(sensorOf(c), c.width, c.height) {}
 
   void see(const IntensityChange& change) {
-    const ImageF dL = brightnessChange(change, bias_);
+    const ImageF dL = reconstructed(change);
     for (const ImageF* plane : {&change.dI, &change.I_prev, &change.I_now, &dL})
       forEachPixel(*plane, [&](int x, int y) { non_finite_ += std::isfinite(plane->at(x, y)) ? 0 : 1; });
     forEachPixel(dL, [&](int x, int y) { L_.at(x, y) += dL.at(x, y); });
@@ -55,10 +57,23 @@ class Watch {
     f.events = events_ / pixel_frames_, f.suppressed = suppressed_ / pixel_frames_;
     f.non_finite = non_finite_;
   }
-  const Image<double>& L() const { return L_; }  // since frame 0 [E (22)]
+  const Image<double>& L() const { return L_; }  // as reconstructed, since frame 0
 
  private:
+  Watch(const SensorConfig& sensor, int w, int h)
+      : bias_(static_cast<float>(sensor.bias)),
+        reconstruction_(findReconstruction(sensor.reconstruction)->make(sensor, w, h)),
+        sensor_(sensor, w, h),
+        L_(w, h) {}
+
+  ImageF reconstructed(const IntensityChange& change) {
+    ImageF dL = brightnessChange(change, bias_);
+    reconstruction_->reconstruct(change, dL);
+    return dL;
+  }
+
   float bias_;
+  std::unique_ptr<Reconstruction> reconstruction_;
   Sensor sensor_;
   SensorOutput out_;
   Image<double> L_;
