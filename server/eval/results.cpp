@@ -39,8 +39,9 @@ void ResultTable::read() {
   std::ifstream file(path_);
   std::string line;
   if (!std::getline(file, line) || line != settings_) {
-    throw std::runtime_error(path_ + " was made with other settings (" + line +
-                             "); choose another folder or remove it");
+    throw std::runtime_error(
+        path_ + " was made with other settings:\n  " + line + "\nnot with\n  " + settings_ +
+        "\nGive the flags of that table, name another folder with -o, or remove the file to measure anew");
   }
   if (!std::getline(file, line) || line != header()) {
     throw std::runtime_error(path_ + " has other columns than this program writes; remove it");

@@ -9,7 +9,7 @@
 namespace saccade {
 namespace {
 
-constexpr double kWidth = 420, kHeight = 320, kLeft = 64, kRight = 14, kTop = 30, kBottom = 44,
+constexpr double kWidth = 450, kHeight = 320, kLeft = 64, kRight = 44, kTop = 30, kBottom = 44,
                  kLegendRow = 20;
 // Colours that the colour-blind can tell apart (Okabe and Ito).
 constexpr const char* kColors[] = {"#d55e00", "#0072b2", "#009e73", "#cc79a7",

@@ -39,7 +39,13 @@ TEST_F(Fixture, WhatStandsIsReadAgain) {
 
 TEST_F(Fixture, RowsOfOtherSettingsAreNotMixedIn) {
   ResultTable(path, "128x128").add(makeResult());
-  EXPECT_THROW(ResultTable(path, "64x64"), std::runtime_error);
+  try {
+    ResultTable(path, "64x64");
+    FAIL();
+  } catch (const std::runtime_error& fault) {
+    for (const std::string& told : {path, std::string("128x128"), std::string("64x64"), std::string("-o")})
+      EXPECT_NE(std::string(fault.what()).find(told), std::string::npos) << told;
+  }
 }
 
 TEST_F(Fixture, AHalfWrittenRowIsNamed) {

@@ -147,6 +147,8 @@ TEST(Degenerate, AVarianceOfNothingOrInfinityBreaksNothing) {
 TEST(Degenerate, AMethodWithoutVariancesIsBelieved) {
   ReconstructionRun run(kKalman);
   for (int t = 0; t < 10; ++t) EXPECT_NEAR(run.step(0.1, 3), 0.1, 1e-6);
+  for (int t = 0; t < 100; ++t) run.step(-0.1, 3);
+  EXPECT_NEAR(run.sum, std::log(run.bias), 1e-5) << "but nothing is darker than black";
 }
 
 TEST(Degenerate, APrimalThatIsNoNumberCorrectsNothing) {

@@ -50,10 +50,7 @@ std::vector<StabilityCase> longCases(bool full) {
        .last = full ? 2000 : 200,
        .scored = 1,
        .judged = &F::drift,
-       .bound = full ? 2.4 : 0.55,
-       .beaten_by = {"svgf", "svgf:as_falcor=1", "pt"},
-       .beaten_why = "L is a sum of estimates, while differences of pictures add up to a difference of two "
-                     "pictures"},
+       .bound = 0.31},
       {.name = "standing",
        .why = "nothing changes, so that every event is false; seen by the most sensitive of sensors",
        .scene = "textured-cornell-box",
