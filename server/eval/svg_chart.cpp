@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "eval/chart_labels.h"
 #include "eval/format.h"
 #include "eval/markup.h"
 
@@ -10,7 +11,7 @@ namespace saccade {
 namespace {
 
 constexpr double kWidth = 450, kHeight = 320, kLeft = 64, kRight = 44, kTop = 30, kBottom = 44,
-                 kLegendRow = 20;
+                 kMiddle = (kLeft + kWidth - kRight) / 2, kLegendRow = 20;
 // Colours that the colour-blind can tell apart (Okabe and Ito).
 constexpr const char* kColors[] = {"#d55e00", "#0072b2", "#009e73", "#cc79a7",
                                    "#e69f00", "#56b4e9", "#999999"};
@@ -48,9 +49,9 @@ std::string drawAxes(const ChartPanel& panel, const ChartAxis& x, const ChartAxi
         "text-anchor=\"end\">%g</text>\n",
         kLeft, kWidth - kRight, y(v), y(v), kLeft - 5, y(v) + 4, v);
   }
-  svg += format("<text x=\"%g\" y=\"18\" text-anchor=\"middle\" font-weight=\"bold\">", kWidth / 2) +
+  svg += format("<text x=\"%g\" y=\"18\" text-anchor=\"middle\" font-weight=\"bold\">", kMiddle) +
          escapeMarkup(panel.title) + "</text>\n";
-  svg += format("<text x=\"%g\" y=\"%g\" text-anchor=\"middle\">", kWidth / 2, kHeight - 10) +
+  svg += format("<text x=\"%g\" y=\"%g\" text-anchor=\"middle\">", kMiddle, kHeight - 10) +
          escapeMarkup(panel.x_label) + "</text>\n";
   svg += format("<text transform=\"translate(13,%g) rotate(-90)\" text-anchor=\"middle\">", kHeight / 2) +
          escapeMarkup(panel.y_label) + "</text>\n";
@@ -64,11 +65,23 @@ std::string drawLine(const ChartLine& line, const std::string& color, const Char
     svg += polyline(line.points, x, y, "stroke=\"" + color + "\" stroke-width=\"1.5\"");
   if (line.style == LineStyle::kLine || line.style == LineStyle::kReference) return svg;
   for (const ChartPoint& p : line.points) {
-    svg += format(
-               "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\"/><text x=\"%.1f\" y=\"%.1f\" "
-               "font-size=\"9\" fill=\"%s\">",
-               x(p.x), y(p.y), color.c_str(), x(p.x) + 5, y(p.y) - 4, color.c_str()) +
-           escapeMarkup(p.label) + "</text>\n";
+    svg += format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\">", x(p.x), y(p.y), color.c_str()) +
+           "<title>" + escapeMarkup(line.name + " " + p.label) + "</title></circle>\n";
+  }
+  return svg;
+}
+
+std::string drawLabels(const ChartLine& line, const std::string& color, const ChartAxis& x,
+                       const ChartAxis& y, LabelPlaces& places) {
+  std::string svg;
+  for (const ChartPoint& p : line.points) {
+    if (p.label.empty()) continue;
+    const double left = x(p.x) + 5;
+    if (const auto baseline = places.take(left, y(p.y), p.label)) {
+      svg += format("<text x=\"%.1f\" y=\"%.1f\" font-size=\"%g\" fill=\"%s\">", left, *baseline, kLabelSize,
+                    color.c_str()) +
+             escapeMarkup(p.label) + "</text>\n";
+    }
   }
   return svg;
 }
@@ -84,6 +97,9 @@ std::string drawPanel(const ChartPanel& panel, const std::vector<Key>& keys) {
                     "stroke=\"#bbb\" stroke-width=\"7\" stroke-linejoin=\"round\" opacity=\"0.6\"");
   for (auto line = panel.lines.rbegin(); line != panel.lines.rend(); ++line)
     svg += drawLine(*line, findKey(keys, line->name)->color, x, y);
+  LabelPlaces places;
+  for (const ChartLine& line : panel.lines)
+    svg += drawLabels(line, findKey(keys, line.name)->color, x, y, places);
   return svg;
 }
 

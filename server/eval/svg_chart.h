@@ -10,7 +10,7 @@ namespace saccade {
 
 struct ChartPoint {
   double x, y;        // > 0 on a logarithmic axis
-  std::string label;  // written beside the point: its settings
+  std::string label;  // its settings: written beside the point where there is room, and shown by its tip
 };
 
 // kReference: a black line, what the others are measured against.

@@ -48,6 +48,17 @@ TEST(DrawCharts, MarksPointsAndDrawsLinesByStyle) {
   }
 }
 
+// Of points that fall together the first is labelled above, the second below, and the third by its tip alone.
+TEST(DrawCharts, WritesNoLabelOverAnother) {
+  const auto at = [](const char* name, const char* label) { return ChartLine{name, {{1, 1, label}}}; };
+  const std::string svg =
+      drawCharts({{"", "", "", {at("one", "2 spp"), at("two", "4 spp"), at("three", "8 spp")}}}, 1);
+  EXPECT_LT(svg.find(">2 spp<"), svg.find(">4 spp<"));
+  EXPECT_EQ(countOf(svg, ">4 spp<"), 1);
+  EXPECT_EQ(countOf(svg, ">8 spp<"), 0);
+  EXPECT_EQ(countOf(svg, ">three 8 spp<"), 1);
+}
+
 // On a linear axis the middle of 1 and 3 is 2, and there is room below zero.
 TEST(DrawCharts, TakesLinearAxes) {
   ChartPanel panel{"", "", "", {{"one", {{1, -2, ""}, {2, 0, ""}, {3, 2, ""}}, LineStyle::kMarks}}};

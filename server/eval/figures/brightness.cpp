@@ -48,8 +48,7 @@ void addRun(const FigureOptions& o, const std::string& scene, const std::string&
     }
     const bool curve = name == "direct" || (method == o.methods.front() && name == reconstruction);
     if (spp == o.spp.front() && curve)
-      results.curves.push_back(
-          {name == "direct" ? method : name, LineStyle::kLine, brightnessOf(run, sensor)});
+      results.curves.push_back({method + " " + name, LineStyle::kLine, brightnessOf(run, sensor)});
   }
 }
 
