@@ -8,6 +8,7 @@ namespace saccade {
 void addStillCommand(CLI::App& app);
 void addFramesCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
+void addCompareStillsCommand(CLI::App& app);
 void addChartCommand(CLI::App& app);
 void addFigureCommand(CLI::App& app);
 

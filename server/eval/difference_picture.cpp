@@ -7,15 +7,12 @@
 #include "eval/metrics/for_each_pixel.h"
 
 namespace saccade {
-namespace {
 
 Rgb8 divergingColor(float v, float scale) {
   const float s = std::clamp(v / scale, -1.f, 1.f), rest = 255 * (1 - std::abs(s));
   const auto fade = static_cast<unsigned char>(rest);
   return s > 0 ? Rgb8{255, fade, fade} : Rgb8{fade, fade, 255};
 }
-
-}  // namespace
 
 float colorScale(const ImageF& plane) {
   std::vector<float> values;

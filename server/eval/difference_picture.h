@@ -7,6 +7,9 @@
 
 namespace saccade {
 
+// `scale` > 0 and above: red; 0: white; below: blue.
+Rgb8 divergingColor(float v, float scale);
+
 // One plane: blue below, white at, red above zero; `scale` > 0 is full colour.
 std::vector<Rgb8> signedPicture(const ImageF& plane, float scale);
 

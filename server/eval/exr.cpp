@@ -72,6 +72,17 @@ ExrPicture readExr(const std::string& path) {
   return picture;
 }
 
+RgbPlanes readRgb(const std::string& path) {
+  ExrPicture picture = readExr(path);
+  RgbPlanes planes;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto plane = picture.planes.find(std::string(1, "RGB"[c]));
+    if (plane == picture.planes.end()) throw std::runtime_error(path + " has no channels R, G and B");
+    planes[c] = std::move(plane->second);
+  }
+  return planes;
+}
+
 std::string encodePng(int width, int height, const std::vector<Rgb8>& pixels) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/image.h"
+#include "eval/rgb_planes.h"
 
 namespace saccade {
 
@@ -25,6 +25,9 @@ struct ExrPicture {
 };
 // Throws std::runtime_error if the file cannot be read.
 ExrPicture readExr(const std::string& path);
+
+// The channels R, G and B. Throws std::runtime_error also where one is absent.
+RgbPlanes readRgb(const std::string& path);
 
 // 8-bit RGB picture, rows from the top. Throws std::runtime_error.
 struct Rgb8 {

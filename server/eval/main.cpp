@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   saccade::addStillCommand(app);
   saccade::addFramesCommand(app);
   saccade::addCompareCommand(app);
+  saccade::addCompareStillsCommand(app);
   saccade::addChartCommand(app);
   saccade::addFigureCommand(app);
   try {
