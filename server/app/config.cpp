@@ -1,44 +1,94 @@
 #include "app/config.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 
+#include "app/config_sources.h"
 #include "base/tile_pool.h"
 #include "methods/accuracy_table.h"
 
 namespace saccade {
+namespace {
 
-Config parseConfig(int argc, const char* const* argv) {
-  Config config;
-  CLI::App app("saccaded: renders scenes, and streams what an event camera would see of them");
+constexpr int kUsage = 2;  // exit status
+
+void addOptions(CLI::App& app, Config& config) {
   app.add_option("--control", config.control, "endpoint for requests")->capture_default_str();
   app.add_option("--data", config.data, "endpoint for streams with credit")->capture_default_str();
   app.add_option("--broadcast", config.broadcast, "endpoint for broadcast streams")->capture_default_str();
   app.add_option("--threads", config.threads, "threads that render; 0: one per core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_option("--scenes", config.scenes, "folder of the scenes")->check(CLI::ExistingDirectory);
+  app.add_option("--scenes", config.scenes, "folder of the scenes")
+      ->check(CLI::ExistingDirectory)
+      ->capture_default_str();
   app.add_option(
          "--accuracy", config.accuracy,
          "results.csv of `saccade-eval chart`, which budgets of streams are answered from; default: " +
              defaultAccuracyTable() + ", if it is there")
-      ->check(CLI::ExistingFile);
+      ->check(CLI::ExistingFile)
+      ->default_str(config.accuracy);
   app.add_option("--log-level", config.log_level)
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}))
       ->capture_default_str();
-  app.set_version_flag("--version", SACCADE_VERSION);
+}
+
+// What is asked for besides serving.
+struct Errand {
+  std::string file;
+  bool print = false, check = false;
+};
+
+void addErrands(CLI::App& app, Errand& errand) {
+  app.add_option("--config", errand.file, "TOML file of these options; SACCADE_CONFIG in the environment")
+      ->configurable(false);
+  app.add_flag("--print-config", errand.print, "print every option with its value and origin, as such a file")
+      ->configurable(false);
+  app.add_flag("--check-config", errand.check, "say whether the server could start so")->configurable(false);
+  app.set_version_flag("--version", SACCADE_VERSION)->configurable(false);
+  app.get_help_ptr()->configurable(false);
+  app.footer(
+      "What no flag sets is taken from the environment (--log-level from SACCADE_LOG_LEVEL), then from "
+      "the file of --config (log-level = \"debug\").");
+}
+
+void run(const Errand& errand, const ConfigSources& sources) {
+  if (errand.print) std::fputs(sources.describe().c_str(), stdout);
+  if (errand.check) std::fprintf(stderr, "the configuration is valid\n");
+  if (errand.print || errand.check) std::exit(0);
+}
+
+Config defaultConfig() {
+  Config config;
+  config.scenes = findScenes();
+  std::error_code none;
+  if (std::filesystem::exists(defaultAccuracyTable(), none)) config.accuracy = defaultAccuracyTable();
+  return config;
+}
+
+}  // namespace
+
+Config parseConfig(int argc, const char* const* argv) {
+  Config config = defaultConfig();
+  Errand errand;
+  CLI::App app("saccaded: renders scenes, and streams what an event camera would see of them");
+  addOptions(app, config);
+  addErrands(app, errand);
   try {
     app.parse(argc, argv);
+    const char* file = std::getenv("SACCADE_CONFIG");
+    if (errand.file.empty() && file) errand.file = file;
+    run(errand, ConfigSources(app, errand.file));
   } catch (const CLI::ParseError& fault) {
-    std::exit(app.exit(fault));
+    std::exit(app.exit(fault) == 0 ? 0 : kUsage);
+  } catch (const std::runtime_error& fault) {
+    std::fprintf(stderr, "saccaded: %s\n", fault.what());
+    std::exit(kUsage);
   }
   if (config.threads == 0) config.threads = hardwareThreads();
-  if (config.scenes.empty()) config.scenes = findScenes();
-  std::error_code none;
-  if (config.accuracy.empty() && std::filesystem::exists(defaultAccuracyTable(), none)) {
-    config.accuracy = defaultAccuracyTable();
-  }
   return config;
 }
 

@@ -1,4 +1,4 @@
-// What the server is told on its command line.
+// What the server is told: see ConfigSources.
 #pragma once
 
 #include <string>
@@ -16,7 +16,8 @@ struct Config {
   std::string log_level = "info";  // trace, debug, info, warning, error, critical, off
 };
 
-// Parses the command line. --help and faults print and end the program.
+// From the command line, the environment and the file named there. --help, --print-config, --check-config and
+// faults print and end the program; faults with exit status 2.
 Config parseConfig(int argc, const char* const* argv);
 
 // The scenes of the installation this program belongs to, else of the source tree it was built from.

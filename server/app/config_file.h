@@ -1,0 +1,20 @@
+// The configuration file: TOML, one key for each option, named as on the command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace saccade {
+
+struct Setting {
+  std::string key, value;  // the value as it would stand on the command line
+  std::string origin;      // file:line
+};
+
+// The settings of a file in its order of keys. Throws std::runtime_error naming file and line.
+std::vector<Setting> readConfigFile(const std::string& path);
+
+// A text as TOML writes it: in quotes, with escapes.
+std::string quoteToml(const std::string& text);
+
+}  // namespace saccade

@@ -1,0 +1,105 @@
+#include "app/config_sources.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace saccade {
+namespace {
+
+class Sources : public testing::Test {
+ protected:
+  Sources() {
+    app_.add_option("--data", data_)->capture_default_str();
+    app_.add_option("--log-level", level_)->check(CLI::IsMember({"info", "debug"}))->capture_default_str();
+    app_.add_option("--threads", threads_)->check(CLI::Range(0, 8))->capture_default_str();
+    app_.add_flag("--insecure", insecure_);
+    app_.add_option("--accuracy", accuracy_)->check(CLI::ExistingFile)->capture_default_str();
+  }
+  ~Sources() override {
+    for (const char* name : {"SACCADE_DATA", "SACCADE_LOG_LEVEL", "SACCADE_THREADS", "SACCADE_INSECURE"}) {
+      unsetenv(name);
+    }
+  }
+
+  ConfigSources apply(const std::string& flags = {}, const std::string& file_text = {}) {
+    std::ofstream(file_) << file_text;
+    app_.parse(flags);
+    return ConfigSources(app_, file_);
+  }
+  // What is said about the faulty file or environment.
+  std::string fault(const std::string& file_text) {
+    try {
+      apply({}, file_text);
+    } catch (const std::runtime_error& fault) {
+      return fault.what();
+    }
+    return {};
+  }
+
+  CLI::App app_;
+  const std::string file_ = testing::TempDir() + "config_sources_test.toml";
+  std::string data_ = "a", level_ = "info", accuracy_;
+  int threads_ = 0;
+  bool insecure_ = false;
+};
+
+TEST_F(Sources, AFlagBeatsTheEnvironmentBeatsTheFileBeatsTheDefault) {
+  setenv("SACCADE_THREADS", "2", 1);
+  setenv("SACCADE_LOG_LEVEL", "debug", 1);
+  const auto sources = apply("--threads 1", "threads = 3\nlog-level = \"info\"\ninsecure = true\n");
+  EXPECT_EQ(threads_, 1);
+  EXPECT_EQ(level_, "debug");
+  EXPECT_TRUE(insecure_);
+  EXPECT_EQ(data_, "a");
+  EXPECT_EQ(sources.describe(),
+            "data = \"a\"  # default\n"
+            "log-level = \"debug\"  # SACCADE_LOG_LEVEL\n"
+            "threads = 1  # flag\n"
+            "insecure = true  # " +
+                file_ + ":3\n# accuracy = \"\"  # default\n");
+}
+
+TEST_F(Sources, AnEmptyVariableSaysNothing) {
+  setenv("SACCADE_DATA", "", 1);
+  apply({}, "data = \"b\"\n");
+  EXPECT_EQ(data_, "b");
+}
+
+TEST_F(Sources, AFlagMayBeFalseInTheFile) {
+  EXPECT_EQ(apply({}, "insecure = false\n").describe().find("insecure = true"), std::string::npos);
+  EXPECT_FALSE(insecure_);
+}
+
+TEST_F(Sources, WhatIsDescribedIsAFileThatSaysTheSame) {
+  const std::string text = apply("--data 'tcp://[::1]:7 # \"x\"' --threads 4 --insecure").describe();
+  const std::string data = data_;
+  data_ = "a", threads_ = 0, insecure_ = false;
+  apply({}, text);
+  EXPECT_EQ(data_, data);
+  EXPECT_EQ(threads_, 4);
+  EXPECT_TRUE(insecure_);
+}
+
+TEST_F(Sources, AnUnknownKeyIsAnErrorThatNamesTheNearest) {
+  EXPECT_EQ(fault("data = \"b\"\nthread = 2\n"), file_ + ":2: there is no 'thread'; did you mean 'threads'?");
+  EXPECT_EQ(fault("help = true\n").find(file_ + ":1: there is no 'help'"), 0);
+}
+
+TEST_F(Sources, AFaultNamesItsPlace) {
+  EXPECT_EQ(fault("\nthreads = 9\n").find(file_ + ":2: --threads: "), 0);
+  EXPECT_EQ(fault("data = \"b\"\nthreads = \n").find(file_ + ":2: "), 0);
+  EXPECT_EQ(fault("data = [1]\n").find(file_ + ":1: 'data' is to be"), 0);
+  EXPECT_EQ(fault("data = \"b\"\ndata = \"c\"\n").find(file_ + ":2: "), 0);
+  setenv("SACCADE_LOG_LEVEL", "loud", 1);
+  EXPECT_EQ(fault("").find("SACCADE_LOG_LEVEL: --log-level: "), 0) << fault("");
+}
+
+TEST_F(Sources, AFileThatIsNotThereIsAnError) {
+  app_.parse("");
+  EXPECT_THROW(ConfigSources(app_, file_ + ".none"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace saccade

@@ -1,0 +1,50 @@
+// What saccaded says about its configuration, and how it exits.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "mock/process.h"
+
+namespace saccade {
+namespace {
+
+struct Said {
+  int status;
+  std::string text;
+};
+
+Said ask(std::vector<std::string> flags) {
+  flags.insert(flags.begin(), SACCADED);
+  Process server(flags);
+  const std::string text = server.rest();
+  return {server.finish(), text};
+}
+
+TEST(Config, TheExampleIsValidAndSetsWhatItSays) {
+  const std::string example = SACCADE_SOURCE_DIR "/deploy/saccaded.toml";
+  const Said checked = ask({"--check-config", "--config", example});
+  EXPECT_EQ(checked.status, 0) << checked.text;
+  const Said printed = ask({"--print-config", "--config", example});
+  EXPECT_NE(printed.text.find("control = \"tcp://127.0.0.1:5770\"  # " + example), std::string::npos)
+      << printed.text;
+}
+
+TEST(Config, TheFileMayBeNamedInTheEnvironment) {
+  const std::string file = testing::TempDir() + "config_test.toml";
+  std::ofstream(file) << "threads = 3\n";
+  setenv("SACCADE_CONFIG", file.c_str(), 1);
+  EXPECT_NE(ask({"--print-config"}).text.find("threads = 3  # " + file + ":1\n"), std::string::npos);
+  unsetenv("SACCADE_CONFIG");
+}
+
+TEST(Config, AFaultEndsItNamingThePlace) {
+  setenv("SACCADE_THREADS", "many", 1);
+  const Said said = ask({"--check-config"});
+  unsetenv("SACCADE_THREADS");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_EQ(said.text.find("saccaded: SACCADE_THREADS: "), 0) << said.text;
+}
+
+}  // namespace
+}  // namespace saccade

@@ -1,0 +1,67 @@
+// A program that a test runs. It is killed where it has not ended by itself.
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace saccade {
+
+class Process {
+ public:
+  explicit Process(const std::vector<std::string>& command) {
+    std::vector<char*> argv;
+    for (const auto& word : command) argv.push_back(const_cast<char*>(word.c_str()));
+    argv.push_back(nullptr);
+    int pipe_ends[2];
+    if (pipe(pipe_ends) != 0) std::abort();
+    pid_ = fork();
+    if (pid_ == 0) {
+      dup2(pipe_ends[1], STDOUT_FILENO);
+      dup2(pipe_ends[1], STDERR_FILENO);
+      execv(argv[0], argv.data());
+      _exit(127);
+    }
+    ::close(pipe_ends[1]);
+    output_ = fdopen(pipe_ends[0], "r");
+  }
+  ~Process() {
+    if (pid_ > 0) kill(pid_, SIGKILL);
+    finish();
+    fclose(output_);
+  }
+
+  // The next line of output with `word` in it; empty at the end of the output.
+  std::string lineWith(const std::string& word) {
+    char line[4096];
+    while (fgets(line, sizeof line, output_)) {
+      if (std::string(line).find(word) != std::string::npos) return line;
+    }
+    return {};
+  }
+  // All output that is left.
+  std::string rest() {
+    std::string text;
+    char line[4096];
+    while (fgets(line, sizeof line, output_)) text += line;
+    return text;
+  }
+  void signal(int number) { kill(pid_, number); }
+  int finish() {  // exit status; -1 if a signal ended it
+    if (pid_ > 0) waitpid(pid_, &status_, 0);
+    pid_ = 0;
+    return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
+  }
+
+ private:
+  pid_t pid_;
+  int status_ = 0;
+  FILE* output_;
+};
+
+}  // namespace saccade
