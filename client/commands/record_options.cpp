@@ -65,6 +65,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
   command.add_option("--method", o.method, "see `saccade info`");
   CLI::Option* spp = command.add_option("--spp", o.spp, "paths per pixel and frame");
   command.add_option("--bounces", o.bounces, "indirect bounces");
+  command.add_flag("--jitter", o.jitter, "paths start all over the pixel: fine texture and edges alias less");
   CLI::Option* set =
       command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")
           ->allow_extra_args(false);

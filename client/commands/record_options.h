@@ -25,6 +25,7 @@ struct RecordOptions {
   std::string delivery = "lossless", clock = "fast";
   std::string method;
   std::optional<std::uint32_t> spp, bounces;
+  bool jitter = false;
   std::optional<double> budget_ms, max_false_rate;
   std::vector<std::string> params;  // name=value
   std::uint64_t seed = 0;

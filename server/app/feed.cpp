@@ -35,7 +35,7 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
       scene_(std::move(scene)),
       path_(std::move(path)),
       pool_(pool),
-      renderer_(scene_, config.bounces, config.monochrome ? 1 : scene_->channels(), pool),
+      renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}, pool),
       method_(std::move(method)),
       frames_(config.width, config.height),
       change_(config.width, config.height) {

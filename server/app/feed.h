@@ -23,6 +23,7 @@ struct FeedConfig {
   ParamValues params;                 // resolved by resolveParams()
   int spp = 2;                        // paths per pixel and frame over both passes
   int bounces = 3;                    // indirect bounces
+  bool jitter = false;                // RenderSettings::jitter
   bool monochrome = false;
   std::uint64_t seed = 0;
 };

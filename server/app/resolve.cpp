@@ -80,6 +80,7 @@ void resolveQuality(v1::Quality& quality, FeedConfig& feed) {
   checkRange("quality.bounces", quality.bounces(), 0, 64);
   feed.bounces = static_cast<int>(quality.bounces());
   feed.monochrome = quality.monochrome();
+  feed.jitter = quality.jitter();
 }
 
 void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors) {

@@ -46,7 +46,8 @@ Bench::Bench(const BenchSetup& setup, TilePool& pool)
 void Bench::renderTruth() {
   const int w = setup_.width, h = setup_.height;
   const double fov = scene_->description().fov_x_deg;
-  ReferenceRenderer reference(scene_, setup_.bounces, w, h, fov, setup_.cache, pool_);
+  ReferenceRenderer reference(scene_, {setup_.bounces, scene_->channels(), setup_.jitter}, w, h, fov,
+                              setup_.cache, pool_);
   Progress progress("reference of " + setup_.scene,
                     static_cast<double>(setup_.last - setup_.first + 2) * setup_.reference_spp);
   // The features, from a feed of a single path: its frames know where surfaces were.
@@ -82,6 +83,7 @@ FeedConfig Bench::feedConfig() const {
   config.fov_x_deg = scene_->description().fov_x_deg;
   config.frame_rate_hz = setup_.frame_rate_hz;
   config.bounces = setup_.bounces;
+  config.jitter = setup_.jitter;
   return config;
 }
 

@@ -21,6 +21,7 @@ struct BenchSetup {
   // images by this much (median at the start); frame_rate_hz is then chosen so. 0: the trajectory as it is.
   double px_per_frame = 0;
   int bounces = 3;
+  bool jitter = false;        // of the methods; the truth is then the mean over the whole pixel
   int first = 21, last = 21;  // the frames that are scored, 1 <= first <= last; the feed runs from 0
   int reference_spp = 4096;   // 0: no truth
   std::string cache;          // folder of reference frames

@@ -19,6 +19,7 @@ std::string BenchOptions::text() const {
   else
     text << " rate_hz=" << setup.frame_rate_hz;
   text << " frames=" << setup.first << ':' << setup.last << " bounces=" << setup.bounces;
+  if (setup.jitter) text << " jitter=1";
   if (threshold > 0) text << " threshold=" << threshold;
   text << " bias=" << bias << " reference_spp=" << setup.reference_spp;
   if (repeats > 0) text << " repeats=" << repeats;
@@ -36,6 +37,8 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
       ->capture_default_str();
   app.add_option("--frames", o.frames, "A:B, the frames that are scored; a run starts at 0")
       ->capture_default_str();
+  app.add_flag("--jitter", o.setup.jitter,
+               "paths start all over the pixel, not at its centre; the reference is its mean");
   app.add_option("--bounces", o.setup.bounces, "indirect bounces")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();

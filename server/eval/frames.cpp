@@ -75,7 +75,8 @@ void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> sce
   const int w = o.feed.width, h = o.feed.height;
   const int spp =
       (o.reference + ReferenceRenderer::kChunk - 1) / ReferenceRenderer::kChunk * ReferenceRenderer::kChunk;
-  ReferenceRenderer renderer(scene, o.feed.bounces, w, h, o.feed.fov_x_deg, o.cache, pool);
+  ReferenceRenderer renderer(scene, {o.feed.bounces, scene->channels(), o.feed.jitter}, w, h,
+                             o.feed.fov_x_deg, o.cache, pool);
   Progress progress("reference", static_cast<double>(spp) * static_cast<double>(o.last - o.first + 2));
   const auto render = [&](int t) {
     const TimeNs time = frameTime(static_cast<FrameIndex>(t), o.feed.frame_rate_hz);
@@ -131,6 +132,7 @@ void addFramesCommand(CLI::App& app) {
   c->add_option("--rate", o->feed.frame_rate_hz, "frames per second")
       ->check(CLI::Range(0.1, 1e5))
       ->capture_default_str();
+  c->add_flag("--jitter", o->feed.jitter, "paths start all over the pixel, not at its centre");
   c->add_option("--bounces", o->feed.bounces, "indirect bounces")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();

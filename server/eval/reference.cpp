@@ -9,6 +9,7 @@
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/metrics/plane_error.h"
 #include "eval/scene_hash.h"
+#include "render/sub_pixel.h"
 
 namespace saccade {
 namespace {
@@ -61,16 +62,20 @@ bool interrupted() {
   return g_interrupted != 0;
 }
 
-ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, int bounces, int width,
-                                     int height, double fov_x_deg, std::string cache, TilePool& pool)
-    : renderer_(scene, bounces, scene->channels(), pool),
+ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings,
+                                     int width, int height, double fov_x_deg, std::string cache,
+                                     TilePool& pool)
+    : renderer_(scene, {settings.bounces, settings.channels}, pool),
       strengths_(scene->description()),
+      whole_pixel_(settings.jitter),
       width_(width),
       height_(height),
       fov_x_deg_(fov_x_deg),
       cache_(std::move(cache)) {
   ContentHash h;
-  h.add(hashScene(scene->description())), h.add(bounces), h.add(width), h.add(height), h.add(fov_x_deg);
+  h.add(hashScene(scene->description())), h.add(settings.bounces), h.add(width), h.add(height),
+      h.add(fov_x_deg);
+  if (settings.jitter) h.add(settings.jitter);
   key_ = h.value;
 }
 
@@ -82,7 +87,6 @@ std::string ReferenceRenderer::cachePath(const Pose& pose, int spp) const {
 }
 
 ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, Progress& progress) {
-  const Camera camera(pose, fov_x_deg_, width_, height_);
   strengths_.setTime(time);
   const std::string path = cachePath(pose, spp);
   ReferenceFrame out(width_, height_);
@@ -94,7 +98,10 @@ ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, 
   auto kept_at = std::chrono::steady_clock::now();
   while (done < spp) {
     // Seeds depend on the chunk alone: every frame of every path shares them.
-    const std::uint64_t seed = hashKey(0x5ecade, static_cast<std::uint64_t>(done / kChunk));
+    const auto index = static_cast<std::uint32_t>(done / kChunk);
+    const std::uint64_t seed = hashKey(0x5ecade, index);
+    Camera camera(pose, fov_x_deg_, width_, height_);
+    if (whole_pixel_) camera.cx += 0.5f - halton(index, 2), camera.cy += 0.5f - halton(index, 3);
     renderer_.render(camera, camera, {hashKey(seed, 0), hashKey(seed, 1), kChunk / 2, kChunk / 2}, chunk);
     done += kChunk;
     const float share = static_cast<float>(kChunk) / static_cast<float>(done);

@@ -29,9 +29,10 @@ struct ReferenceChange {
 
 class ReferenceRenderer {
  public:
-  // Finished and half-finished frames are kept in `cache`, named by a hash of scene, view and bounces: not of
-  // the code, so empty the folder after a change of the path tracer.
-  ReferenceRenderer(std::shared_ptr<const RenderScene> scene, int bounces, int width, int height,
+  // Finished and half-finished frames are kept in `cache`, named by a hash of scene, view and settings: not
+  // of the code, so empty the folder after a change of the path tracer. With settings.jitter it is the mean
+  // over the whole pixel.
+  ReferenceRenderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings, int width, int height,
                     double fov_x_deg, std::string cache, TilePool& pool);
 
   // The frame at a stream time, of `spp` paths per pixel, rounded up to whole chunks: rendered, or taken from
@@ -47,6 +48,7 @@ class ReferenceRenderer {
 
   Renderer renderer_;
   EmitterStrengths strengths_;
+  bool whole_pixel_;
   int width_, height_;
   double fov_x_deg_;
   std::string cache_;

@@ -32,7 +32,7 @@ void runStill(const StillOptions& o) {
   const Size size = o.size.empty() ? Size{s.width, s.height} : parseSize(o.size);
   TilePool pool(hardwareThreads());
   const Camera camera(moved(s.T_world_camera, o.offset), s.fov_x_deg, size.width, size.height);
-  Renderer renderer(scene, o.bounces, 3, pool);
+  Renderer renderer(scene, {o.bounces, 3}, pool);
 
   ImageF sum[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
   ImageF part[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "render/guide.h"
 #include "render/surface_at.h"
 
 namespace saccade {
@@ -44,40 +43,43 @@ void setFar(const Camera& camera, const Camera& prev, Vec3 direction, int x, int
 
 template <Shading S>
 PrimaryHit tracePrimary(const RenderScene& scene, const EmitterStrengths& strengths, const Camera& camera,
-                        const Camera& prev, int x, int y, GBuffer& g) {
-  const Vec3 direction = camera.direction(static_cast<float>(x), static_cast<float>(y));
-  const Ray ray{camera.origin, direction, std::numeric_limits<float>::infinity()};
-  const Hit hit = scene.geometry().intersect(ray);
+                        float x, float y) {
   PrimaryHit primary{};
-  Guide guide{};
-  if (hit.valid) {
-    RayCone cone{0, camera.pixel};
-    cone.width = cone.at(hit.t);
-    primary = {{surfaceAt<S>(scene, ray, hit, cone.width), normalize(direction), cone}, {}, true};
-    guide = findGuide<S>(scene, strengths, ray, hit, primary.start);
-  } else {
-    guide.hit = false;
-    if constexpr (S == Shading::kAll) guide.emission = scene.lights().distantRadiance(normalize(direction));
-  }
-  primary.emission = guide.emission;
-  g.albedo.at(x, y) = luminance(guide.albedo);
-  g.emission.at(x, y) = luminance(guide.emission);
-  if (!guide.hit) {
-    setFar(camera, prev, direction, x, y, g);
+  primary.direction = camera.direction(x, y);
+  const Ray ray{camera.origin, primary.direction, std::numeric_limits<float>::infinity()};
+  const Hit hit = scene.geometry().intersect(ray);
+  primary.valid = hit.valid;
+  const Vec3 unit = normalize(primary.direction);
+  if (!hit.valid) {
+    primary.guide.hit = false;
+    if constexpr (S == Shading::kAll) primary.guide.emission = scene.lights().distantRadiance(unit);
     return primary;
   }
-  setNormal(guide.normal, x, y, g);
-  setMotion(camera.project(guide.point), prev.project(guide.point), x, y, g);
-  g.z.at(x, y) = guide.t;
-  g.dz.at(x, y) = planeSlope(camera, direction, guide.point - camera.origin, guide.plane_normal, guide.t);
+  RayCone cone{0, camera.pixel};
+  cone.width = cone.at(hit.t);
+  primary.start = {surfaceAt<S>(scene, ray, hit, cone.width), unit, cone};
+  primary.guide = findGuide<S>(scene, strengths, ray, hit, primary.start);
   return primary;
 }
 
+void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,
+                   GBuffer& g) {
+  const Guide& guide = primary.guide;
+  g.albedo.at(x, y) = luminance(guide.albedo);
+  g.emission.at(x, y) = luminance(guide.emission);
+  if (!guide.hit) return setFar(camera, prev, primary.direction, x, y, g);
+  setNormal(guide.normal, x, y, g);
+  setMotion(camera.project(guide.point), prev.project(guide.point), x, y, g);
+  g.z.at(x, y) = guide.t;
+  g.dz.at(x, y) =
+      planeSlope(camera, primary.direction, guide.point - camera.origin, guide.plane_normal, guide.t);
+}
+
 template PrimaryHit tracePrimary<Shading::kDiffuse>(const RenderScene&, const EmitterStrengths&,
-                                                    const Camera&, const Camera&, int, int, GBuffer&);
+                                                    const Camera&, float, float);
 template PrimaryHit tracePrimary<Shading::kTexturedDiffuse>(const RenderScene&, const EmitterStrengths&,
-                                                            const Camera&, const Camera&, int, int, GBuffer&);
+                                                            const Camera&, float, float);
 template PrimaryHit tracePrimary<Shading::kAll>(const RenderScene&, const EmitterStrengths&, const Camera&,
-                                                const Camera&, int, int, GBuffer&);
+                                                float, float);
 
 }  // namespace saccade

@@ -14,29 +14,31 @@
 
 namespace saccade {
 
+struct RenderSettings {
+  int bounces = 3;      // indirect
+  int channels = 3;     // 1 or 3
+  bool jitter = false;  // paths start all over the pixel, not at its centre (paper, Fig. 12)
+};
+
 class Renderer {
  public:
-  // `channels`: 1 or 3. Shares `scene`; keeps a reference to `pool`.
-  Renderer(std::shared_ptr<const RenderScene> scene, int bounces, int channels, TilePool& pool)
-      : scene_(std::move(scene)),
-        strengths_(scene_->description()),
-        bounces_(bounces),
-        channels_(channels),
-        pool_(pool) {}
+  // Shares `scene`; keeps a reference to `pool`.
+  Renderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings, TilePool& pool)
+      : scene_(std::move(scene)), strengths_(scene_->description()), settings_(settings), pool_(pool) {}
 
   // Fills out.g and out.samples, emitters as strong as they are at out.time. Returns the CPU time. The
   // picture depends on nothing but the arguments.
   std::chrono::nanoseconds render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
                                   Frame& out);
 
-  // One picture in colour at out.time, `spp` paths per pixel, into three planes. Features go to `out.g`;
-  // `out.samples` is left as it is.
+  // One picture in colour at out.time, `spp` paths per pixel from its centre, into three planes. Features go
+  // to `out.g`; `out.samples` is left as it is.
   void renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]);
 
  private:
   std::shared_ptr<const RenderScene> scene_;
   EmitterStrengths strengths_;  // at the time of the frame in work
-  int bounces_, channels_;
+  RenderSettings settings_;
   TilePool& pool_;
 };
 

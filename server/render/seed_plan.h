@@ -7,23 +7,24 @@
 namespace saccade {
 
 struct SeedPlan {
-  std::uint64_t seed1, seed2;  // of pass 1 and pass 2
-  int spp1, spp2;              // paths per pixel in each
+  std::uint64_t seed1, seed2;           // of pass 1 and pass 2
+  int spp1, spp2;                       // paths per pixel in each
+  FrameIndex jitter1 = 0, jitter2 = 0;  // the frame whose place within the pixel each takes, where jittered
 
   // r_t: the seed of frame t.
   static std::uint64_t frameSeed(std::uint64_t stream_seed, FrameIndex t) { return hashKey(stream_seed, t); }
 
-  // Pass 1 replays the seed of the previous frame, pass 2 draws this frame's own [E (8)].
+  // Pass 1 replays the seed (and the jitter) of the previous frame, pass 2 draws this frame's own [E (8)].
   static SeedPlan correlated(std::uint64_t stream_seed, FrameIndex t, int spp) {
-    return {frameSeed(stream_seed, t - 1), frameSeed(stream_seed, t), spp / 2, spp / 2};
+    return {frameSeed(stream_seed, t - 1), frameSeed(stream_seed, t), spp / 2, spp / 2, t - 1, t};
   }
   // Both passes with seeds that no other frame uses.
   static SeedPlan independentPairs(std::uint64_t stream_seed, FrameIndex t, int spp) {
-    return {hashKey(frameSeed(stream_seed, t), 1), frameSeed(stream_seed, t), spp / 2, spp / 2};
+    return {hashKey(frameSeed(stream_seed, t), 1), frameSeed(stream_seed, t), spp / 2, spp / 2, t, t};
   }
   // All paths in pass 2.
   static SeedPlan independent(std::uint64_t stream_seed, FrameIndex t, int spp) {
-    return {0, frameSeed(stream_seed, t), 0, spp};
+    return {0, frameSeed(stream_seed, t), 0, spp, t, t};
   }
 };
 

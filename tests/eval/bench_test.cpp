@@ -28,8 +28,8 @@ struct BenchTest : ::testing::Test {
   // What the reference shows from there, as the bench renders it.
   ImageF luminance(const Pose& pose) {
     Progress progress("reference", 1);
-    ReferenceRenderer renderer(scene, setup.bounces, kW, kH, scene->description().fov_x_deg, setup.cache,
-                               pool);
+    ReferenceRenderer renderer(scene, {setup.bounces, scene->channels()}, kW, kH,
+                               scene->description().fov_x_deg, setup.cache, pool);
     const ReferenceFrame frame = renderer.frame(pose, TimeNs{0}, setup.reference_spp, progress);
     ImageF mean(kW, kH);
     forEachPixel(mean, [&](int x, int y) { mean.at(x, y) = frame.mean(x, y); });

@@ -29,7 +29,7 @@ struct Fixture : ::testing::Test {
   }
   ReferenceRenderer renderer(std::shared_ptr<const RenderScene> scene) {
     std::filesystem::create_directories(files.path("cache"));
-    return {scene, 1, kW, kH, 60, files.path("cache"), pool};
+    return {scene, {1, 1}, kW, kH, 60, files.path("cache"), pool};
   }
   ReferenceFrame render(int spp) {
     const auto steady = scene({});

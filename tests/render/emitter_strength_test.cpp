@@ -30,7 +30,7 @@ Frame render(const Scene& scene, TimeNs time, const SeedPlan& seeds = kSeeds, in
   Frame frame(kSize, kSize);
   frame.time = time;
   const Camera camera(scene.T_world_camera, scene.fov_x_deg, kSize, kSize);
-  Renderer(s, 2, channels, pool).render(camera, camera, seeds, frame);
+  Renderer(s, {2, channels}, pool).render(camera, camera, seeds, frame);
   return frame;
 }
 
@@ -66,7 +66,7 @@ TEST(EmitterStrength, OfAStillIsThatAtTheTimeOfItsFrame) {
   const auto s = std::make_shared<RenderScene>(scene);
   const Camera camera(scene.T_world_camera, scene.fov_x_deg, kSize, kSize);
   TilePool pool(2);
-  Renderer renderer(s, 1, 3, pool);
+  Renderer renderer(s, {1, 3}, pool);
   const auto green = [&](TimeNs time) {
     Frame frame(kSize, kSize);
     frame.time = time;

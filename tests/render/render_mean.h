@@ -10,13 +10,16 @@
 namespace saccade::test {
 
 // What the scene's own camera sees from where it stood before.
-inline Frame renderFrame(Scene scene, int bounces, int spp, int size = 32, int channels = 1) {
+inline Frame renderFrame(Scene scene, const SeedPlan& seeds, RenderSettings settings, int size) {
   auto s = std::make_shared<RenderScene>(std::move(scene));
   TilePool pool(2);
   Frame frame(size, size);
   const Camera camera(s->description().T_world_camera, s->description().fov_x_deg, size, size);
-  Renderer(s, bounces, channels, pool).render(camera, camera, SeedPlan::independent(1, 0, spp), frame);
+  Renderer(s, settings, pool).render(camera, camera, seeds, frame);
   return frame;
+}
+inline Frame renderFrame(Scene scene, int bounces, int spp, int size = 32, int channels = 1) {
+  return renderFrame(std::move(scene), SeedPlan::independent(1, 0, spp), {bounces, channels}, size);
 }
 
 // Mean luminance and its standard error, from the spread of the pixels.

@@ -80,7 +80,7 @@ Ours renderOurs(int spp) {
   auto scene = std::make_shared<RenderScene>(loadMitsubaXml(test::realScene("cornell-box/scene.xml")));
   const Scene& s = scene->description();
   TilePool pool(2);
-  Renderer renderer(scene, kBounces, 3, pool);
+  Renderer renderer(scene, {kBounces, 3}, pool);
   const Camera camera[2] = {{s.T_world_camera, s.fov_x_deg, kSize, kSize},
                             {s.T_world_camera * Pose{{0.01, 0, 0}, {}}, s.fov_x_deg, kSize, kSize}};
   Frame frame(kSize, kSize);

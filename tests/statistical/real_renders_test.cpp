@@ -24,7 +24,7 @@ RgbPlanes render(const std::string& file, Effort effort) {
   const auto scene = std::make_shared<RenderScene>(loadMitsubaXml(file));
   const Scene& s = scene->description();
   TilePool pool(2);
-  Renderer renderer(scene, effort.bounces, 3, pool);
+  Renderer renderer(scene, {effort.bounces, 3}, pool);
   Frame frame(s.width, s.height);
   ImageF rgb[3] = {{s.width, s.height}, {s.width, s.height}, {s.width, s.height}};
   renderer.renderStill(Camera(s.T_world_camera, s.fov_x_deg, s.width, s.height), 1, effort.spp, frame, rgb);

@@ -1,0 +1,35 @@
+// Where within a pixel its paths start when they are jittered.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/vec.h"
+
+namespace saccade {
+
+// Radical inverse of i in [0, 1).
+constexpr float halton(std::uint32_t i, std::uint32_t base) {
+  float value = 0, digit = 1;
+  for (; i > 0; i /= base) digit /= static_cast<float>(base), value += digit * static_cast<float>(i % base);
+  return value;
+}
+
+// More cost more than they give: on textures and edges 4 leave a third of the error of pixel centres for 1.4
+// times the tracing, 16 two thirds of that for 2.7 times.
+inline constexpr std::uint32_t kSubPixels = 4;
+
+// Offsets from the pixel's centre in pixels: the first points of the Halton sequence in bases 2 and 3, moved
+// so that their mean is the centre.
+inline constexpr auto kSubPixelOffsets = [] {
+  std::array<Vec2, kSubPixels> points{};
+  Vec2 mean;
+  for (std::uint32_t i = 0; i < kSubPixels; ++i) {
+    points[i] = {halton(i, 2), halton(i, 3)};
+    mean.x += points[i].x / kSubPixels, mean.y += points[i].y / kSubPixels;
+  }
+  for (Vec2& p : points) p.x -= mean.x, p.y -= mean.y;
+  return points;
+}();
+
+}  // namespace saccade
