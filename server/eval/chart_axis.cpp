@@ -11,6 +11,7 @@ namespace {
 constexpr double kLogMargin = 1.15, kLinearMargin = 0.03;  // a factor; a share of the span
 constexpr double kManyDecades = 5;
 constexpr int kLinearSteps = 6;  // at most so many
+constexpr std::size_t kFewTicks = 3;
 
 }  // namespace
 
@@ -40,11 +41,15 @@ std::vector<double> ChartAxis::ticks() const {
 }
 
 std::vector<double> ChartAxis::logTicks() const {
-  const bool many = high() > low() * std::pow(10, kManyDecades);
+  if (high() > low() * std::pow(10, kManyDecades)) return logTicks({1});
+  const std::vector<double> coarse = logTicks({1, 2, 5});
+  return coarse.size() < kFewTicks ? logTicks({1, 2, 3, 4, 5, 6, 7, 8, 9}) : coarse;
+}
+
+std::vector<double> ChartAxis::logTicks(std::initializer_list<double> steps) const {
   std::vector<double> values;
   for (double decade = std::pow(10, std::floor(std::log10(min_))); decade <= max_ * 10; decade *= 10) {
-    for (double step : {1.0, 2.0, 5.0}) {
-      if (many && step > 1) continue;
+    for (const double step : steps) {
       if (decade * step >= low() && decade * step <= high()) values.push_back(decade * step);
     }
   }

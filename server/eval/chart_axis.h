@@ -1,6 +1,7 @@
 // The axes of a chart: from values to places on the page.
 #pragma once
 
+#include <initializer_list>
 #include <limits>
 #include <vector>
 
@@ -15,7 +16,8 @@ class ChartAxis {
 
   void include(double v);  // widens the axis so that it holds v
   double operator()(double v) const;
-  // In whole steps of 1, 2, 5 times a power of ten; whole powers alone where a logarithmic axis spans many.
+  // In whole steps of 1, 2, 5 times a power of ten. A logarithmic axis of many decades has whole powers
+  // alone, one that would have only two ticks all of 1 to 9.
   std::vector<double> ticks() const;
 
  private:
@@ -23,6 +25,7 @@ class ChartAxis {
   double high() const;
   std::vector<double> linearTicks() const;
   std::vector<double> logTicks() const;
+  std::vector<double> logTicks(std::initializer_list<double> steps) const;
 
   Scale scale_;
   double first_, last_;

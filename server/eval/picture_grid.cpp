@@ -9,7 +9,7 @@
 namespace saccade {
 namespace {
 
-constexpr int kPictureWidth = 192, kGap = 8, kRowLabel = 120, kHead = 34, kCaption = 18;
+constexpr int kPictureWidth = 192, kGap = 8, kRowLabel = 120, kHeadLine = 14, kCaption = 18;
 
 std::string base64(const std::string& bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -37,11 +37,15 @@ std::string drawPicture(const GridPicture& cell, int x, int y, int height) {
          text(x + kPictureWidth / 2, y + height + kCaption - 4, cell.caption);
 }
 
-// A column's name breaks at its first comma or colon: methods carry their settings behind one.
-std::string drawHead(const std::string& name, int x) {
-  const std::size_t at = std::min(name.find_first_of(",:"), name.size());
-  const std::string rest = at < name.size() ? name.substr(at + 1) : "";
-  return text(x, 14, name.substr(0, at)) + text(x, 28, rest);
+// A column's name breaks at its commas and colons: methods carry their settings behind them.
+std::vector<std::string> headLines(const std::string& name) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < name.size();) {
+    const std::size_t end = std::min(name.find_first_of(",:", at), name.size());
+    lines.push_back(name.substr(at, end - at));
+    at = name.find_first_not_of(' ', end + 1);
+  }
+  return lines;
 }
 
 }  // namespace
@@ -50,11 +54,14 @@ std::string drawPictureGrid(const std::vector<std::string>& columns, const std::
                             const std::vector<std::vector<GridPicture>>& cells) {
   const int width = kRowLabel + static_cast<int>(columns.size()) * (kPictureWidth + kGap);
   std::string body;
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    body +=
-        drawHead(columns[c], kRowLabel + static_cast<int>(c) * (kPictureWidth + kGap) + kPictureWidth / 2);
+  int center = kRowLabel + kPictureWidth / 2, head_end = 0;
+  for (const std::string& column : columns) {
+    int y = 0;
+    for (const std::string& line : headLines(column)) body += text(center, y += kHeadLine, line);
+    center += kPictureWidth + kGap;
+    head_end = std::max(head_end, y);
   }
-  int y = kHead;
+  int y = head_end + kGap;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const GridPicture& first = cells[r].front();
     const int height = kPictureWidth * first.height / first.width;

@@ -11,7 +11,8 @@ namespace saccade {
 namespace {
 
 constexpr double kWidth = 450, kHeight = 320, kLeft = 64, kRight = 44, kTop = 30, kBottom = 44,
-                 kMiddle = (kLeft + kWidth - kRight) / 2, kLegendRow = 20;
+                 kMiddle = (kLeft + kWidth - kRight) / 2, kLegendRow = 20, kLegendChar = 6.6,
+                 kParetoEntry = 120;
 // Colours that the colour-blind can tell apart (Okabe and Ito).
 constexpr const char* kColors[] = {"#d55e00", "#0072b2", "#009e73", "#cc79a7",
                                    "#e69f00", "#56b4e9", "#999999"};
@@ -117,16 +118,23 @@ std::vector<Key> keysOf(const std::vector<ChartPanel>& panels) {
   return keys;
 }
 
-std::string drawLegend(const std::vector<Key>& keys, bool pareto, double y) {
+// Rows of at most `width`, from `y` on; leaves there the last of them.
+std::string drawLegend(const std::vector<Key>& keys, bool pareto, double width, double& y) {
   std::string svg;
   double x = kLeft;
+  const auto startRowUnlessFits = [&](double entry) {
+    if (x > kLeft && x + entry > width) x = kLeft, y += kLegendRow;
+  };
   for (const Key& key : keys) {
+    const double entry = 26 + kLegendChar * static_cast<double>(key.name.size());
+    startRowUnlessFits(entry);
     svg += format("<circle cx=\"%g\" cy=\"%g\" r=\"4\" fill=\"%s\"/><text x=\"%g\" y=\"%g\">", x, y,
                   key.color.c_str(), x + 9, y + 4) +
            escapeMarkup(key.name) + "</text>\n";
-    x += 26 + 7.2 * static_cast<double>(key.name.size());
+    x += entry;
   }
   if (!pareto) return svg;
+  startRowUnlessFits(kParetoEntry);
   return svg + format(
                    "<line x1=\"%g\" x2=\"%g\" y1=\"%g\" y2=\"%g\" stroke=\"#bbb\" stroke-width=\"7\"/><text "
                    "x=\"%g\" y=\"%g\">Pareto front</text>\n",
@@ -149,7 +157,10 @@ std::vector<ChartPoint> paretoFront(const ChartPanel& panel) {
 std::string drawCharts(const std::vector<ChartPanel>& panels, int across) {
   const std::vector<Key> keys = keysOf(panels);
   const int count = static_cast<int>(panels.size()), down = (count + across - 1) / across;
-  const double width = kWidth * std::min(across, count), height = kHeight * down + kLegendRow;
+  const double width = kWidth * std::min(across, count);
+  double legend_end = kHeight * down + 8;
+  const std::string legend = drawLegend(keys, panels.front().pareto, width, legend_end);
+  const double height = legend_end + kLegendRow - 8;
   std::string svg = format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g %g\" "
       "font-family=\"sans-serif\" font-size=\"11\">\n"
@@ -159,7 +170,7 @@ std::string drawCharts(const std::vector<ChartPanel>& panels, int across) {
     svg += format("<g transform=\"translate(%g,%g)\">\n", kWidth * (i % across), kHeight * (i / across)) +
            drawPanel(panels[static_cast<std::size_t>(i)], keys) + "</g>\n";
   }
-  return svg + drawLegend(keys, panels.front().pareto, kHeight * down + 8) + "</svg>\n";
+  return svg + legend + "</svg>\n";
 }
 
 }  // namespace saccade

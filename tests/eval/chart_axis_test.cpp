@@ -42,6 +42,12 @@ TEST(LogAxis, HasStepsOfOneTwoFive) {
   EXPECT_NEAR(a(1), 50, 1e-9);
 }
 
+TEST(LogAxis, HasFinerStepsWhereTwoWouldBeAll) {
+  const Values ticks = axis(Scale::kLog, {0.05, 0.09}).ticks(), expected{0.05, 0.06, 0.07, 0.08, 0.09, 0.1};
+  ASSERT_EQ(ticks.size(), expected.size());
+  for (std::size_t i = 0; i < ticks.size(); ++i) EXPECT_DOUBLE_EQ(ticks[i], expected[i]);
+}
+
 TEST(LogAxis, HasNoPlaceForZero) {
   EXPECT_DEATH(axis(Scale::kLog, {0}), "v > 0");
   EXPECT_DEATH(axis(Scale::kLinear, {std::nan("")}), "isfinite");

@@ -69,8 +69,18 @@ TEST(PictureGrid, ShowsItsTextsAsTheyAre) {
   const auto svg =
       parse(drawPictureGrid({"svgf:a<1, 2 spp"}, {"R&D"}, {{picture(4, "L1 < 0.5 & \"MAPE\" > 1")}}));
   const auto found = texts(svg);
-  for (const char* text : {"svgf", "a<1, 2 spp", "R&D", "L1 < 0.5 & \"MAPE\" > 1"})
+  for (const char* text : {"svgf", "a<1", "2 spp", "R&D", "L1 < 0.5 & \"MAPE\" > 1"})
     EXPECT_EQ(found.count(text), 1u) << text;
+}
+
+TEST(PictureGrid, BreaksTheNameOfAColumnIntoLinesAboveItsPictures) {
+  const auto svg =
+      parse(drawPictureGrid({"one", "svgf:a=1:b=2, 2 spp"}, {""}, {{picture(2, ""), picture(2, "")}}));
+  std::set<int> baselines;
+  for (const auto node : svg.select_nodes("/svg/text[.='svgf' or .='a=1' or .='b=2' or .='2 spp']"))
+    baselines.insert(node.node().attribute("y").as_int());
+  EXPECT_EQ(baselines.size(), 4u);
+  EXPECT_LT(*baselines.rbegin(), svg.select_node("/svg/image").node().attribute("y").as_int());
 }
 
 TEST(PictureGrid, HasRoomForAllOfItsPictures) {

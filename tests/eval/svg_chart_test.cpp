@@ -59,6 +59,20 @@ TEST(DrawCharts, WritesNoLabelOverAnother) {
   EXPECT_EQ(countOf(svg, ">three 8 spp<"), 1);
 }
 
+// Two of these names make a row.
+TEST(DrawCharts, BreaksALegendThatIsTooWide) {
+  const auto height = [](int names) {
+    ChartPanel panel{"", "", "", {}};
+    for (int i = 0; i < names; ++i)
+      panel.lines.push_back({"a name of many letters " + std::to_string(i), {{1, 1, ""}}});
+    const std::string svg = drawCharts({panel}, 1);
+    return std::stod(svg.substr(svg.find("height=\"") + 8));
+  };
+  EXPECT_EQ(height(1), height(2));
+  EXPECT_GT(height(8), height(4));
+  EXPECT_GT(height(4), height(1));
+}
+
 // On a linear axis the middle of 1 and 3 is 2, and there is room below zero.
 TEST(DrawCharts, TakesLinearAxes) {
   ChartPanel panel{"", "", "", {{"one", {{1, -2, ""}, {2, 0, ""}, {3, 2, ""}}, LineStyle::kMarks}}};
