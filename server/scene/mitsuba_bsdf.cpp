@@ -137,6 +137,11 @@ std::vector<std::string> bsdfTypes() {
   return names;
 }
 
+std::string bsdfTypeOf(BsdfKind kind) {
+  return std::find_if(std::begin(kBsdfTypes), std::end(kBsdfTypes), [&](auto& t) { return t.kind == kind; })
+      ->name;
+}
+
 void readBsdf(const XmlFile& file, pugi::xml_node bsdf, TextureReader& textures, Material& material) {
   const std::string name = supportedType(file, bsdf, bsdfTypes());
   const auto* type =

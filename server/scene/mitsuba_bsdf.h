@@ -7,6 +7,7 @@ namespace saccade {
 
 // The types of <bsdf> that readBsdf() knows: what "roughplastic" and the like are called.
 std::vector<std::string> bsdfTypes();
+std::string bsdfTypeOf(BsdfKind kind);
 
 // Sets what a <bsdf> of one of these types says of a material. Throws SceneError.
 void readBsdf(const XmlFile& file, pugi::xml_node bsdf, TextureReader& textures, Material& material);

@@ -94,8 +94,20 @@ Rgb Texture::sample(Vec2 uv, float footprint) const {
   const float coarsest = static_cast<float>(levels_.size() - 1);
   const float level = std::min(std::log2(pixels), coarsest);
   const std::size_t fine = static_cast<std::size_t>(level);
-  if (fine + 1 == levels_.size()) return levels_.back().pixels[0];
+  if (fine + 1 == levels_.size()) return bilinear(levels_.back(), uv);
   return mix(bilinear(levels_[fine], uv), bilinear(levels_[fine + 1], uv), level - static_cast<float>(fine));
+}
+
+Rgb Texture::mean() const {
+  Vec3d sum;
+  for (const Rgb c : pixels()) sum = sum + toDouble(c);
+  return toFloat(sum / static_cast<double>(pixels().size()));
+}
+
+std::size_t Texture::bytes() const {
+  std::size_t count = 0;
+  for (const Level& level : levels_) count += level.pixels.size();
+  return count * sizeof(Rgb);
 }
 
 Texture loadTexture(const std::string& path, bool raw) {

@@ -17,6 +17,13 @@ class Texture {
   int width() const { return levels_[0].width; }
   int height() const { return levels_[0].height; }
   bool grey() const { return grey_; }
+  const std::vector<Rgb>& pixels() const { return levels_[0].pixels; }  // row 0 on top
+  Rgb mean() const;                                                     // of all pixels
+  std::size_t bytes() const;                                            // in memory, with the mip chain
+
+  bool mipMapped() const { return levels_.size() > 1; }
+  // Leaves the finest level alone: from then on a look-up is bilinear, whatever its footprint.
+  void dropMips() { levels_.erase(levels_.begin() + 1, levels_.end()); }
 
   // Trilinear: bilinear within a level, linear between the two whose pixels are nearest to the footprint in
   // size. `footprint` is the width of the region to average, in units of uv (1 = the whole picture); 0: the

@@ -1,0 +1,64 @@
+#include <utility>
+
+#include "render/bsdf/bsdf.h"
+#include "render/parts/parts.h"
+
+namespace saccade {
+namespace {
+
+bool isGlass(const Material& m) {
+  return m.model.kind == BsdfKind::kDielectric || m.model.kind == BsdfKind::kThinDielectric;
+}
+bool isPlastic(const Material& m) {
+  return m.model.kind == BsdfKind::kPlastic || m.model.kind == BsdfKind::kRoughPlastic;
+}
+bool isSpecular(const Material& m) {
+  return m.model.kind != BsdfKind::kDiffuse;
+}
+
+// change(colour) at each place of `c`. A changed bitmap becomes a new texture.
+template <class Change>
+SurfaceColor mapped(Scene& scene, SurfaceColor c, Change change) {
+  c.color0 = change(c.color0), c.color1 = change(c.color1);
+  if (c.kind != SurfaceColor::Kind::kBitmap) return c;
+  const Texture& picture = scene.textures[static_cast<std::size_t>(c.texture)];
+  std::vector<Rgb> pixels = picture.pixels();
+  std::transform(pixels.begin(), pixels.end(), pixels.begin(), change);
+  c.texture = static_cast<int>(scene.textures.size());
+  scene.textures.push_back(Texture(picture.width(), picture.height(), std::move(pixels)));
+  return c;
+}
+
+// The albedo of plastic or metal seen at a right angle, over the surface. Where both its colours vary, the
+// base does, under the mean of the interface.
+SurfaceColor albedoAcross(Scene& scene, const Material& m) {
+  const BsdfTables tables(m.model);
+  Bsdf b{.tables = &tables, .diffuse = meanOf(scene, m.reflectance), .specular = meanOf(scene, m.specular)};
+  const bool base = isPlastic(m) && (isTextured(m.reflectance) || !isTextured(m.specular));
+  return mapped(scene, base ? m.reflectance : m.specular, [&](Rgb colour) {
+    (base ? b.diffuse : b.specular) = colour;
+    return bsdfAlbedo(b, 1);
+  });
+}
+
+}  // namespace
+
+bool hasSpecular(const Scene& scene) {
+  return anyMaterial(scene, isSpecular);
+}
+
+// Glass goes: nearly all light goes through it, and whatever is opaque in its place would hide what is
+// behind.
+void leaveOutSpecular(Scene& scene) {
+  std::vector<bool> glass;
+  for (Material& m : scene.materials) {
+    glass.push_back(isGlass(m));
+    if (!isSpecular(m) || isGlass(m)) continue;
+    m.reflectance = albedoAcross(scene, m);
+    m.specular = kWhite;
+    m.model = {};
+  }
+  removeSurfaces(scene, glass);
+}
+
+}  // namespace saccade
