@@ -1,0 +1,47 @@
+// A file of measurements: what all rows share in the first line, the names of the columns in the second.
+//   # cpu="AMD EPYC" size=128x128 bounces=3     words key=value or key="any text"
+//   scene,method,spp,cpu_ms                     in any order
+//   cornell-box,pt,1,12.5
+#pragma once
+
+#include <fstream>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace saccade {
+
+// All faults are std::runtime_error naming file and line.
+class TableFile {
+ public:
+  // Reads the first line. `kind`: whose file it should be, for the message where it is another's: "this is
+  // no ...".
+  TableFile(const std::string& path, const std::string& kind);
+
+  const std::string& settings() const { return settings_; }     // the first line, without its "# "
+  void readColumns(std::initializer_list<const char*> needed);  // there may be others
+  bool nextRow();                                               // false: there is none
+
+  // Of the row, or of the settings.
+  const std::string& field(const std::string& name) const;
+  double number(const std::string& name, double min, double max) const;
+  int integer(const std::string& name, int min, int max) const;
+
+  // A fault of the line that was read last.
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  bool nextLine() { return ++number_, static_cast<bool>(std::getline(file_, line_)); }
+  void readSettings(const std::string& kind);
+  std::vector<std::string> splitLine() const;
+
+  const std::string path_;
+  std::ifstream file_;
+  std::string line_, settings_;
+  int number_ = 0;
+  std::vector<std::string> columns_;
+  std::map<std::string, std::string> fields_;
+};
+
+}  // namespace saccade
