@@ -42,6 +42,16 @@ FrameRange parseFrameRange(const std::string& text) {
                                  text);
 }
 
+double parseTolerance(const std::string& text) {
+  double percent = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, percent);
+  const bool whole = error == std::errc() && std::string_view(rest, end) == "%";
+  if (whole && percent > 0 && percent <= 100) return percent / 100;
+  throw CLI::ValidationError("--tolerance",
+                             "must be a share of the events, over 0% and up to 100%, not " + text);
+}
+
 void checkSpp(const MethodSpec& method, int spp) {
   if (method.takes(spp)) return;
   throw CLI::ValidationError("--spp", "must be even for " + method.text +

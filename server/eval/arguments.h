@@ -20,6 +20,9 @@ struct FrameRange {
 // "A:B", frames A to B with 1 <= A <= B <= 1,000,000 (the change of frame 1 is since frame 0), or one frame.
 FrameRange parseFrameRange(const std::string& text);
 
+// "2%", over 0% and up to 100%, as a fraction.
+double parseTolerance(const std::string& text);
+
 // Throws where the method cannot split that many paths over its passes.
 void checkSpp(const MethodSpec& method, int spp);
 

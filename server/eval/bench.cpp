@@ -43,6 +43,12 @@ Bench::Bench(const BenchSetup& setup, TilePool& pool)
   if (setup_.reference_spp > 0) renderTruth();
 }
 
+Bench::Bench(const Bench& other, std::shared_ptr<const RenderScene> scene, int bounces)
+    : setup_(other.setup_), pool_(other.pool_), scene_(std::move(scene)), path_(other.path_) {
+  setup_.bounces = bounces;
+  if (setup_.reference_spp > 0) renderTruth();
+}
+
 void Bench::renderTruth() {
   const int w = setup_.width, h = setup_.height;
   const double fov = scene_->description().fov_x_deg;

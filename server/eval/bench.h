@@ -43,8 +43,11 @@ class Bench {
  public:
   // Opens the scene and renders the truth, with progress on stderr. Throws SceneError, Interrupted.
   Bench(const BenchSetup& setup, TilePool& pool);
+  // The same camera on `scene` instead, with so many bounces, and its truth.
+  Bench(const Bench& other, std::shared_ptr<const RenderScene> scene, int bounces);
 
   const BenchSetup& setup() const { return setup_; }
+  const std::shared_ptr<const RenderScene>& scene() const { return scene_; }
   const std::vector<Truth>& truth() const { return truth_; }  // of frames first to last
   double referenceError() const;  // of the truth's dI, relative L1, mean over the frames
   double medianPxPerFrame() const { return median_px_; }  // of the images of surfaces, into the last frame

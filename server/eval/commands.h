@@ -11,5 +11,6 @@ void addCompareCommand(CLI::App& app);
 void addCompareStillsCommand(CLI::App& app);
 void addChartCommand(CLI::App& app);
 void addFigureCommand(CLI::App& app);
+void addNeedsCommand(CLI::App& app);
 
 }  // namespace saccade

@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   saccade::addCompareStillsCommand(app);
   saccade::addChartCommand(app);
   saccade::addFigureCommand(app);
+  saccade::addNeedsCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -25,8 +25,9 @@ void add(ContentHash& h, const Material& m) {
   h.add(m.height_scale);
 }
 
-// The picture through its own look-up.
+// The picture through its own look-up. One without its mips looks otherwise from afar.
 void add(ContentHash& h, const Texture& t) {
+  if (!t.mipMapped()) h.add(1);
   for (int i = 0; i < 4096; ++i)
     h.add(t.sample({static_cast<float>(i % 64) / 64, static_cast<float>(i / 64) / 64}, 0));
 }

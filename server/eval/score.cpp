@@ -17,25 +17,17 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// dL of one half of the reference; the halves share the denominator, whose noise is small.
-ImageF brightnessChange(const Truth& truth, const ImageF& half_dI, float bias) {
-  IntensityChange change(half_dI.width(), half_dI.height());
-  change.dI.copyFrom(half_dI);
-  change.I_prev.copyFrom(truth.change.I_prev);
-  return brightnessChange(change, bias);
-}
-
 // One frame: the truth, and what each repeat made of it.
 struct ScoredFrame {
   ScoredFrame(const Truth& truth, float bias)
       : regions(truth.regions),
         dI(truth.change.dI),
         dL(brightnessChange(truth.change, bias)),
-        half_a(brightnessChange(truth, truth.half_a, bias)),
-        half_b(brightnessChange(truth, truth.half_b, bias)) {}
+        half_a(brightnessChange(truth.half_a, truth.change.I_prev, bias)),
+        half_b(brightnessChange(truth.half_b, truth.change.I_prev, bias)) {}
   const RegionMap& regions;
   const ImageF& dI;
-  ImageF dL, half_a, half_b;  // halves: of dL
+  ImageF dL, half_a, half_b;  // halves: of dL; they share the denominator, whose noise is small
   struct Repeat {
     const ImageF& dI;
     ImageF dL;

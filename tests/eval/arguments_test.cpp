@@ -63,5 +63,13 @@ TEST(CheckSpp, RefusesPathsThatTwoPassesCannotShare) {
     expectContains(fault, part);
 }
 
+TEST(ParseTolerance, IsAPercentage) {
+  EXPECT_DOUBLE_EQ(parseTolerance("2%"), 0.02);
+  EXPECT_DOUBLE_EQ(parseTolerance("0.5%"), 0.005);
+  EXPECT_DOUBLE_EQ(parseTolerance("100%"), 1);
+  for (const char* text : {"2", "%", "0%", "-1%", "100.1%", "nan%", "2%%", " 2%", "2 %"})
+    EXPECT_THROW(parseTolerance(text), std::runtime_error) << text;
+}
+
 }  // namespace
 }  // namespace saccade

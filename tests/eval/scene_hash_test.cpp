@@ -64,5 +64,13 @@ TEST(SceneHash, OfADiffuseMaterialOnlyItsReflectanceCounts) {
   EXPECT_EQ(hashScene(a), hashScene(b));
 }
 
+TEST(SceneHash, TellsATextureFromItselfWithoutMips) {
+  Scene scene = shinyScene();
+  scene.textures = {Texture(2, 1, {{0, 0, 0}, {1, 1, 1}})};
+  const std::uint64_t filtered = hashScene(scene);
+  scene.textures[0].dropMips();
+  EXPECT_NE(hashScene(scene), filtered);
+}
+
 }  // namespace
 }  // namespace saccade

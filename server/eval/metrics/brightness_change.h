@@ -12,4 +12,12 @@ inline ImageF brightnessChange(const IntensityChange& change, float bias) {
   return dL;
 }
 
+// The same of another estimate of the difference.
+inline ImageF brightnessChange(const ImageF& dI, const ImageF& I_prev, float bias) {
+  IntensityChange change(dI.width(), dI.height());
+  change.dI.copyFrom(dI);
+  change.I_prev.copyFrom(I_prev);
+  return brightnessChange(change, bias);
+}
+
 }  // namespace saccade

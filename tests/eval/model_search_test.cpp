@@ -1,0 +1,68 @@
+#include "eval/model_search.h"
+
+#include <gtest/gtest.h>
+
+namespace saccade {
+namespace {
+
+const SceneModel kWhole{2, {}};
+
+// A world in which every part and bounce costs and changes so much, and changes add up.
+struct World {
+  std::map<Part, std::pair<double, double>> parts;  // cpu_ms, changed
+  double bounce_ms = 1, bounce_changed = 0.1;
+  std::vector<SceneModel> asked = {};
+
+  MeasuredModel measure(const SceneModel& model) {
+    asked.push_back(model);
+    MeasuredModel m{.scene = "box", .model = model, .cpu_ms = 20};
+    m.cpu_ms -= bounce_ms * (kWhole.bounces - model.bounces);
+    m.changed += bounce_changed * (kWhole.bounces - model.bounces);
+    for (const Part part : model.without) m.cpu_ms -= parts[part].first, m.changed += parts[part].second;
+    return m;
+  }
+  // What was measured beyond the whole and each simplification alone.
+  std::vector<SceneModel> combinations() {
+    Parts there;
+    for (const auto& [part, effect] : parts) there.insert(part);
+    const MeasuredModel whole = measure(kWhole);
+    std::vector<MeasuredModel> simpler;
+    for (const SceneModel& model : simplerByOne(kWhole, there)) simpler.push_back(measure(model));
+    asked.clear();
+    const auto all = withCombinations(whole, simpler, [&](const SceneModel& m) { return measure(m); });
+    EXPECT_EQ(all.front().model, kWhole);
+    EXPECT_EQ(all.size(), 1 + simpler.size() + asked.size());
+    return asked;
+  }
+};
+
+TEST(ModelSearch, LeavesOutEachPartAloneAndBounceAfterBounce) {
+  EXPECT_EQ(simplerByOne(kWhole, {Part::kMasks, Part::kTextures}),
+            (std::vector<SceneModel>{{1, {}}, {0, {}}, {2, {Part::kTextures}}, {2, {Part::kMasks}}}));
+  EXPECT_TRUE(simplerByOne({0, {}}, {}).empty());
+}
+
+TEST(ModelSearch, AddsWhatChangesLeastFirst) {
+  World world{{{Part::kTextures, {1, 0.3}}, {Part::kMasks, {1, 0.05}}}};  // one bounce 0.1, both 0.2
+  const Parts masks{Part::kMasks};
+  EXPECT_EQ(world.combinations(),
+            (std::vector<SceneModel>{{1, masks}, {0, masks}, {0, {Part::kTextures, Part::kMasks}}}));
+}
+
+TEST(ModelSearch, FewerBouncesAloneAreKnownAlready) {
+  EXPECT_TRUE(World{{}}.combinations().empty());
+}
+
+TEST(ModelSearch, WhatSavesNoTimeStays) {
+  World world{{{Part::kMipFiltering, {-1, 0.01}}, {Part::kMasks, {0, 0.02}}}};
+  EXPECT_TRUE(world.combinations().empty());
+}
+
+TEST(ModelSearch, EndsWhereMoreThanAllEventsChange) {
+  World world{{{Part::kTextures, {1, 0.6}}, {Part::kMasks, {1, 0.7}}, {Part::kSpecular, {1, 0.9}}}};
+  EXPECT_EQ(world.combinations(),
+            (std::vector<SceneModel>{{0, {Part::kTextures}}, {0, {Part::kTextures, Part::kMasks}}}));
+}
+
+}  // namespace
+}  // namespace saccade
