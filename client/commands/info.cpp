@@ -17,12 +17,12 @@ void printMethod(const v1::MethodInfo& method) {
   }
 }
 
-void printBudgets(const v1::BudgetInfo& budgets) {
+void printBudgets(const char* name, const char* options, const v1::BudgetInfo& budgets) {
   if (!budgets.unavailable().empty()) {
-    std::printf("no budgets: %s\n", budgets.unavailable().c_str());
+    std::printf("no %s: %s\n", name, budgets.unavailable().c_str());
     return;
   }
-  std::printf("budgets (record --budget-ms, --max-false-rate) for:");
+  std::printf("%s (record %s) for:", name, options);
   for (const std::string& scene : budgets.scenes()) std::printf(" %s", scene.c_str());
   std::printf("\n  measured with %s\n", budgets.measured_on().c_str());
 }
@@ -31,7 +31,11 @@ void printServer(const v1::ServerDescription& server) {
   std::printf("saccaded %s, protocol %u, %u threads\n", server.version().c_str(), server.protocol_version(),
               server.threads());
   std::printf("data %s, broadcast %s\n", server.data_endpoint().c_str(), server.broadcast_endpoint().c_str());
-  printBudgets(server.budgets());
+  printBudgets("budgets", "--budget-ms, --max-false-rate", server.budgets());
+  printBudgets("needs", "--needs", server.needs());
+  std::printf("\nparts of a scene's model (record --without), and what takes their place:\n");
+  for (const v1::PartInfo& part : server.parts())
+    std::printf("  %-20s %s\n", part.name().c_str(), part.description().c_str());
   std::printf("\nmethods, their parameters with default and range:\n");
   for (const v1::MethodInfo& method : server.methods()) printMethod(method);
 }

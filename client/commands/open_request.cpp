@@ -33,12 +33,22 @@ v1::Method makeMethod(const RecordOptions& options) {
   return method;
 }
 
+// "2%" is 0.02.
+double parseShare(const std::string& option, const std::string& text) {
+  const auto [number, rest] = splitAt(text, '%');
+  const auto percent = parseNumber<double>(number);
+  if (percent && rest.empty() && text.ends_with('%')) return *percent / 100;
+  throw std::invalid_argument(option + ": '" + text + "' is not a percentage, such as 2%");
+}
+
 v1::Quality makeQuality(const RecordOptions& options) {
   v1::Quality quality;
   if (options.bounces) quality.set_bounces(*options.bounces);
   quality.set_jitter(options.jitter);
   if (options.budget_ms) quality.set_budget_ms(*options.budget_ms);
   if (options.max_false_rate) quality.set_max_false_rate(*options.max_false_rate);
+  if (!options.needs.empty()) quality.set_needs(parseShare("--needs", options.needs));
+  for (const std::string& part : options.without) quality.add_without(part);
   return quality;
 }
 

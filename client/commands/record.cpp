@@ -61,6 +61,7 @@ void runRecord(const RecordOptions& options) {
   const v1::ServerDescription server = describeServer(control);
   StreamHandle stream(control, wish);
   printChoice(stream.opened());
+  printModel(stream.opened());
   printPixelSpeed(stream.opened());
   Recorder recorder = startRecorder(options.output, wish.sensors_size());
   Subscriber subscriber = stream.subscribe(context, server);

@@ -64,22 +64,36 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       ->capture_default_str();
   command.add_option("--method", o.method, "see `saccade info`");
   CLI::Option* spp = command.add_option("--spp", o.spp, "paths per pixel and frame");
-  command.add_option("--bounces", o.bounces, "indirect bounces");
+  CLI::Option* bounces = command.add_option("--bounces", o.bounces, "indirect bounces");
+  CLI::Option* without =
+      command
+          .add_option("--without", o.without,
+                      "part of the scene's model to do without, see `saccade info`; may be given again")
+          ->allow_extra_args(false)
+          ->delimiter(',');
   command.add_flag("--jitter", o.jitter, "paths start all over the pixel: fine texture and edges alias less");
   CLI::Option* set =
       command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")
           ->allow_extra_args(false);
+  CLI::Option* needs =
+      command
+          .add_option("--needs", o.needs,
+                      "let the server do without what changes at most so many of the events, such as 2%")
+          ->excludes(bounces)
+          ->excludes(without);
   CLI::Option* budget =
       command
           .add_option("--budget-ms", o.budget_ms,
                       "let the server choose the most accurate setting within these CPU ms per frame")
           ->excludes(spp)
-          ->excludes(set);
+          ->excludes(set)
+          ->excludes(needs);
   command
       .add_option("--max-false-rate", o.max_false_rate,
                   "let it choose the fastest with at most so many false events per pixel-frame")
       ->excludes(spp)
       ->excludes(set)
+      ->excludes(needs)
       ->excludes(budget);
   command.add_option("--seed", o.seed, "of all random numbers")->capture_default_str();
   command

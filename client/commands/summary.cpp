@@ -10,6 +10,15 @@ using Count = unsigned long long;  // as printf names it
 
 }  // namespace
 
+void printModel(const v1::StreamOpened& opened) {
+  if (!opened.has_simpler()) return;
+  const v1::ExpectedChange& simpler = opened.simpler();
+  std::printf("chosen: %s\n", simpler.model().c_str());
+  std::printf("expected: %.3g %% of the time of the whole model, %.3g %% of its events change\n",
+              100 * simpler.time(), 100 * simpler.changed());
+  std::printf("  as measured with %s\n", simpler.measured_on().c_str());
+}
+
 void printChoice(const v1::StreamOpened& opened) {
   if (!opened.has_expected()) return;
   const v1::ExpectedQuality& expected = opened.expected();

@@ -11,6 +11,8 @@ namespace saccade {
 
 // What the server chose for a budget, and promises; nothing where none was asked.
 void printChoice(const v1::StreamOpened& opened);
+// The same of needs.
+void printModel(const v1::StreamOpened& opened);
 void printPixelSpeed(const v1::StreamOpened& opened);
 void printFiles(std::vector<std::string> files, const std::string& preview);  // preview: empty for none
 void printRates(const Recorder& recorder, double wall_s);

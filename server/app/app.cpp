@@ -8,14 +8,14 @@ namespace saccade {
 
 App::App(const Config& config)
     : epoch_(std::stoull(randomHex(8), nullptr, 16)),
-      accuracy_(openAccuracySource(config.accuracy)),
+      tables_{openAccuracySource(config.accuracy), openNeedsSource(config.needs)},
       pool_(config.threads),
       scenes_(config.scenes),
       control_(config.control),
       data_(config.data, sessions_),
       broadcast_(config.broadcast, sessions_),
       streams_(sessions_),
-      opener_(scenes_, accuracy_, pool_, streams_, {data_.wake(), broadcast_.wake()}, epoch_),
+      opener_(scenes_, tables_, pool_, streams_, {data_.wake(), broadcast_.wake()}, epoch_),
       service_(scenes_, streams_, opener_, describe(config)) {
   data_.start();
   broadcast_.start();
@@ -40,7 +40,9 @@ v1::ServerDescription App::describe(const Config& config) const {
   description.set_data_endpoint(data_.endpoint());
   description.set_broadcast_endpoint(broadcast_.endpoint());
   describeMethods(description);
-  *description.mutable_budgets() = accuracy_.info();
+  describeParts(description);
+  *description.mutable_budgets() = tables_.accuracy.info();
+  *description.mutable_needs() = tables_.needs.info();
   return description;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <thread>
 
-#include "app/accuracy_source.h"
 #include "app/config.h"
+#include "app/measured_source.h"
 #include "app/service.h"
 #include "stream/broadcast_server.h"
 #include "stream/control_server.h"
@@ -34,7 +34,7 @@ class App {
   void sweep(std::stop_token stopped);
 
   const std::uint64_t epoch_;
-  const AccuracySource accuracy_;
+  const MeasuredTables tables_;
   TilePool pool_;
   SceneCache scenes_;
   SessionDirectory sessions_;

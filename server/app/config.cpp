@@ -7,11 +7,18 @@
 #include <stdexcept>
 
 #include "app/config_sources.h"
+#include "app/needs_table.h"
 #include "base/tile_pool.h"
 #include "methods/accuracy_table.h"
 
 namespace saccade {
 namespace {
+
+// `path`, or empty.
+std::string ifThere(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::exists(path, none) ? path : "";
+}
 
 constexpr int kUsage = 2;  // exit status
 
@@ -31,6 +38,11 @@ void addOptions(CLI::App& app, Config& config) {
              defaultAccuracyTable() + ", if it is there")
       ->check(CLI::ExistingFile)
       ->default_str(config.accuracy);
+  app.add_option("--needs", config.needs,
+                 "table of `saccade-eval needs`, which Quality.needs is answered from; default: " +
+                     defaultNeedsTable() + ", if it is there")
+      ->check(CLI::ExistingFile)
+      ->default_str(config.needs);
   app.add_option("--log-level", config.log_level)
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}))
       ->capture_default_str();
@@ -64,8 +76,8 @@ void run(const Errand& errand, const ConfigSources& sources) {
 Config defaultConfig() {
   Config config;
   config.scenes = findScenes();
-  std::error_code none;
-  if (std::filesystem::exists(defaultAccuracyTable(), none)) config.accuracy = defaultAccuracyTable();
+  config.accuracy = ifThere(defaultAccuracyTable());
+  config.needs = ifThere(defaultNeedsTable());
   return config;
 }
 

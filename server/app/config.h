@@ -13,6 +13,7 @@ struct Config {
   int threads = 0;                 // [1, 1024]; 0: one per core
   std::string scenes;              // folder with a folder for each scene; empty: findScenes()
   std::string accuracy;            // file of saccade-eval chart, see AccuracySource; empty: none
+  std::string needs;               // file of saccade-eval needs, see NeedsSource; empty: none
   std::string log_level = "info";  // trace, debug, info, warning, error, critical, off
 };
 

@@ -75,12 +75,13 @@ void resolveMethod(v1::Method& method, FeedConfig& feed) {
   feed.spp = static_cast<int>(method.spp());
 }
 
-void resolveQuality(v1::Quality& quality, FeedConfig& feed) {
+void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
   if (!quality.has_bounces()) quality.set_bounces(3);
   checkRange("quality.bounces", quality.bounces(), 0, 64);
-  feed.bounces = static_cast<int>(quality.bounces());
-  feed.monochrome = quality.monochrome();
-  feed.jitter = quality.jitter();
+  stream.feed.bounces = static_cast<int>(quality.bounces());
+  stream.feed.monochrome = quality.monochrome();
+  stream.without = resolveParts(quality);
+  stream.feed.jitter = quality.jitter();
 }
 
 void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors) {
@@ -95,26 +96,31 @@ void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors)
 }  // namespace
 
 ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes,
-                       const AccuracySource& accuracy) {
-  ResolvedStream stream{.request = request, .feed = {}, .sensors = {}, .expected = {}};
+                       const MeasuredTables& tables) {
+  ResolvedStream stream{
+      .request = request, .feed = {}, .sensors = {}, .without = {}, .expected = {}, .simpler = {}};
   v1::OpenStream& r = stream.request;
   checkTrajectory(*r.mutable_trajectory(), findScene(r, scenes));
   resolveView(*r.mutable_view(), stream.feed);
   resolveTiming(*r.mutable_timing(), stream);
   resolveSensors(r, stream.sensors);
   checkMethodName(r.method());
-  stream.expected = resolveBudget(r, stream.sensors, accuracy);
+  stream.simpler = resolveNeeds(r, tables.needs);
+  stream.expected = resolveBudget(r, stream.sensors, tables.accuracy);
   resolveMethod(*r.mutable_method(), stream.feed);
-  resolveQuality(*r.mutable_quality(), stream.feed);
+  resolveQuality(*r.mutable_quality(), stream);
   r.set_delivery(resolveEnum("delivery", r.delivery(), v1::DELIVERY_LOSSLESS));
   stream.feed.seed = r.seed();
   return stream;
 }
 
-void useFovOf(const Scene& scene, ResolvedStream& stream) {
+void fitTo(const Scene& scene, ResolvedStream& stream) {
   v1::View& view = *stream.request.mutable_view();
   if (!view.has_fov_x_deg()) view.set_fov_x_deg(scene.fov_x_deg);
   stream.feed.fov_x_deg = view.fov_x_deg();
+  const Parts parts = partsOf(scene);
+  std::erase_if(stream.without, [&](Part part) { return parts.count(part) == 0; });
+  setParts(stream.without, *stream.request.mutable_quality());
 }
 
 std::string ResolvedStream::feedKey() const {

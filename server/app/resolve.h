@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/accuracy_source.h"
 #include "app/feed.h"
+#include "app/measured_source.h"
 #include "events/sensor_config.h"
 #include "saccade/v1/control.pb.h"
 #include "scene/scene_library.h"
@@ -13,6 +13,7 @@
 namespace saccade {
 
 inline constexpr int kMaxViewSide = 4096, kMaxViewPixels = 4 << 20;  // pixels
+inline constexpr double kLeastNeeds = 1e-6;                          // share of the events
 inline constexpr double kMinFovDeg = 1, kMaxFovDeg = 170;            // horizontal
 inline constexpr int kMaxSensors = 64;
 inline constexpr std::size_t kMaxCsvBytes = 8 << 20;
@@ -24,16 +25,18 @@ struct ResolvedStream {
   FeedConfig feed;
   std::vector<SensorConfig> sensors;
   FrameIndex frames = 0;                        // intervals to render; 0: until closed
+  Parts without;                                // of the scene's model
   std::optional<v1::ExpectedQuality> expected;  // where a budget was asked
+  std::optional<v1::ExpectedChange> simpler;    // where needs were
 
   // Streams with equal keys look at the same feed.
   std::string feedKey() const;
 };
 
-// Checks `request` against the scenes there are. The field of view may still be open: that is the scene's to
-// say, see useFovOf(). Throws Refusal.
+// Checks `request` against the scenes there are. The field of view may still be open, and parts of the model
+// be named that the scene lacks: that is the scene's to say, see fitTo(). Throws Refusal.
 ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes,
-                       const AccuracySource& accuracy);
+                       const MeasuredTables& tables);
 
 // Fills in method and bounces where the request has a budget instead, and returns what to expect of them.
 // `sensors`: those of the request, resolved. Throws Refusal.
@@ -41,8 +44,17 @@ std::optional<v1::ExpectedQuality> resolveBudget(v1::OpenStream& request,
                                                  const std::vector<SensorConfig>& sensors,
                                                  const AccuracySource& accuracy);
 
-// Fills in the field of view from the scene where the request leaves it open.
-void useFovOf(const Scene& scene, ResolvedStream& stream);
+// Fills in bounces and parts to do without where the request has needs instead, and returns what to expect of
+// them. Throws Refusal.
+std::optional<v1::ExpectedChange> resolveNeeds(v1::OpenStream& request, const NeedsSource& source);
+
+// The parts to do without, which it puts in order. Throws Refusal.
+Parts resolveParts(v1::Quality& quality);
+void setParts(const Parts& parts, v1::Quality& quality);
+
+// Fills in the field of view from the scene where the request leaves it open, and takes from `without` what
+// the scene has not: it would tell equal feeds apart.
+void fitTo(const Scene& scene, ResolvedStream& stream);
 
 // Checks what needs no scene to be loaded, and fills in the defaults. Throws Refusal.
 void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene);

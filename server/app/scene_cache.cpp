@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include "app/refusal.h"
+#include "scene/scene_needs.h"
 #include "scene/slow_load.h"
 
 namespace saccade {
@@ -9,7 +11,12 @@ namespace saccade {
 std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name) {
   std::packaged_task<Loaded()> load([&] {
     const auto log = [](const std::string& text) { spdlog::info("loading {}", text); };
-    return std::make_shared<const RenderScene>(library_.load(name, tellSlowLoad(name, log)));
+    auto scene = std::make_shared<const RenderScene>(library_.load(name, tellSlowLoad(name, log)));
+    const std::string needs = needsOf(scene->description()).text();
+    spdlog::info("loaded {}: {}", name, needs);
+    std::lock_guard lock(mutex_);
+    needs_[name] = needs;
+    return scene;
   });
   std::unique_lock lock(mutex_);
   const auto [entry, first] = scenes_.try_emplace(name);
@@ -24,6 +31,29 @@ std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name) {
     if (first) scenes_.erase(name);
     throw;
   }
+}
+
+std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name, const Parts& without) {
+  const auto whole = get(name);
+  if (without.empty()) return whole;
+  std::lock_guard lock(simplifying_);
+  std::erase_if(simplified_, [](const auto& entry) { return entry.second.expired(); });
+  const auto found = simplified_.find({name, without});
+  if (found != simplified_.end())
+    if (auto scene = found->second.lock()) return scene;
+  if (simplified_.size() >= kMaxSimplified) {
+    throw Refusal(v1::CODE_RESOURCE_EXHAUSTED, "quality.without",
+                  std::to_string(kMaxSimplified) + " other scenes without parts of theirs are in use");
+  }
+  auto scene = std::make_shared<const RenderScene>(simplified(whole->description(), without));
+  simplified_[{name, without}] = scene;
+  return scene;
+}
+
+std::string SceneCache::needs(const std::string& name) const {
+  std::lock_guard lock(mutex_);
+  const auto found = needs_.find(name);
+  return found == needs_.end() ? "" : found->second;
 }
 
 }  // namespace saccade

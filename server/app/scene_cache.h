@@ -8,6 +8,7 @@
 #include <string>
 
 #include "render/render_scene.h"
+#include "render/simplify.h"
 #include "scene/scene_library.h"
 
 namespace saccade {
@@ -19,13 +20,23 @@ class SceneCache {
   const SceneLibrary& library() const { return library_; }
   // Loads the scene, or waits for another thread that does. Throws SceneError; a later call tries again.
   std::shared_ptr<const RenderScene> get(const std::string& name);
+  // The same without parts of its model; shared while anyone has it. Throws SceneError, and Refusal where
+  // kMaxSimplified others are in use.
+  std::shared_ptr<const RenderScene> get(const std::string& name, const Parts& without);
+  static constexpr std::size_t kMaxSimplified = 16;
+
+  // What a scene needs, for people; empty until it was loaded.
+  std::string needs(const std::string& name) const;
 
  private:
   using Loaded = std::shared_ptr<const RenderScene>;
 
   SceneLibrary library_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::map<std::string, std::shared_future<Loaded>> scenes_;
+  std::map<std::string, std::string> needs_;  // of those that are loaded
+  std::mutex simplifying_;
+  std::map<std::pair<std::string, Parts>, std::weak_ptr<const RenderScene>> simplified_;
 };
 
 }  // namespace saccade

@@ -52,6 +52,7 @@ v1::SceneList Service::listScenes() const {
     scene.set_description(entry.description);
     for (const auto& name : entry.trajectories) scene.add_trajectories(name);
     scene.set_unavailable(entry.unavailable);
+    scene.set_needs(scenes_.needs(entry.name));
   }
   return list;
 }
@@ -82,6 +83,14 @@ void describeMethods(v1::ServerDescription& description) {
       param.set_default_value(spec.fallback);
       param.set_description(spec.what);
     }
+  }
+}
+
+void describeParts(v1::ServerDescription& description) {
+  for (const PartInfo& info : partTable()) {
+    v1::PartInfo& part = *description.add_parts();
+    part.set_name(info.name);
+    part.set_description(info.description);
   }
 }
 

@@ -33,5 +33,7 @@ class Service {
 
 // The methods there are, as ServerInfo lists them.
 void describeMethods(v1::ServerDescription& description);
+// The parts of a scene's model that a stream can do without.
+void describeParts(v1::ServerDescription& description);
 
 }  // namespace saccade

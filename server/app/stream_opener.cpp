@@ -31,6 +31,7 @@ v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, 
   opened.set_px_per_frame_p99(stream.feed->pixelSpeed().p99);
   opened.set_channels(static_cast<std::uint32_t>(channels));
   if (resolved.expected) *opened.mutable_expected() = *resolved.expected;
+  if (resolved.simpler) *opened.mutable_simpler() = *resolved.simpler;
   if (!stream.session->broadcast()) return opened;
   for (std::uint32_t i = 0; i < stream.session->sensors(); ++i) opened.add_topics(stream.session->topic(i));
   return opened;
@@ -38,10 +39,10 @@ v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, 
 
 }  // namespace
 
-StreamOpener::StreamOpener(SceneCache& scenes, const AccuracySource& accuracy, TilePool& pool,
+StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool,
                            StreamRegistry& streams, Transports transports, std::uint64_t epoch)
     : scenes_(scenes),
-      accuracy_(accuracy),
+      tables_(tables),
       pool_(pool),
       streams_(streams),
       transports_(transports),
@@ -78,16 +79,17 @@ bool StreamOpener::stop(Signal::Clock::time_point deadline) {
 }
 
 v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request) {
-  ResolvedStream resolved = resolve(request, scenes_.library().list(), accuracy_);
+  ResolvedStream resolved = resolve(request, scenes_.library().list(), tables_);
   Stream stream;
   stream.reserved = budget_.reserve(
       streamBytes(resolved.feed.width, resolved.feed.height, static_cast<int>(resolved.sensors.size())));
-  const auto scene = scenes_.get(resolved.request.scene());
-  useFovOf(scene->description(), resolved);
+  const auto whole = scenes_.get(resolved.request.scene());
+  fitTo(whole->description(), resolved);
+  const auto scene = scenes_.get(resolved.request.scene(), resolved.without);
   stream.request = resolved.request;
   stream.feed = findFeed(resolved);
   if (!stream.feed || !connect(resolved, stream)) {
-    stream.feed = makeFeed(resolved, scene);
+    stream.feed = makeFeed(resolved, *whole, scene);
     connect(resolved, stream);
     share(resolved, stream.feed);  // only now: it cannot have ended before its own stream joined
   }
@@ -105,9 +107,9 @@ std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolve
   return found == shared_.end() ? nullptr : found->second.lock();
 }
 
-std::shared_ptr<FeedRunner> StreamOpener::makeFeed(const ResolvedStream& resolved,
+std::shared_ptr<FeedRunner> StreamOpener::makeFeed(const ResolvedStream& resolved, const RenderScene& whole,
                                                    std::shared_ptr<const RenderScene> scene) {
-  Trajectory path = resolveTrajectory(resolved, *scene, scenes_.library());
+  Trajectory path = resolveTrajectory(resolved, whole, scenes_.library());
   auto feed = std::make_unique<Feed>(std::move(scene), std::move(path), resolved.feed, pool_);
   const v1::Timing& timing = resolved.request.timing();
   const FeedPace pace{resolved.frames, timing.frame_rate_hz(), timing.speed()};

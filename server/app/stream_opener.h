@@ -25,7 +25,7 @@ class StreamOpener {
   };
 
   // Keeps references.
-  StreamOpener(SceneCache& scenes, const AccuracySource& accuracy, TilePool& pool, StreamRegistry& streams,
+  StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool, StreamRegistry& streams,
                Transports transports, std::uint64_t epoch);
 
   // `answer` is called once, from another thread. Throws Refusal where too many wait already.
@@ -37,14 +37,14 @@ class StreamOpener {
  private:
   v1::StreamOpened openNow(const v1::OpenStream& request);
   std::shared_ptr<FeedRunner> findFeed(const ResolvedStream& resolved);
-  std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved,
+  std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved, const RenderScene& whole,
                                        std::shared_ptr<const RenderScene> scene);
   void share(const ResolvedStream& resolved, const std::shared_ptr<FeedRunner>& feed);
   // Makes the stream's session and outlet. False: the feed has ended.
   bool connect(const ResolvedStream& resolved, Stream& stream);
 
   SceneCache& scenes_;
-  const AccuracySource& accuracy_;
+  const MeasuredTables& tables_;
   TilePool& pool_;
   StreamRegistry& streams_;
   const Transports transports_;

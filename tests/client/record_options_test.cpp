@@ -107,6 +107,18 @@ TEST(RecordOptions, ABudgetTakesThePlaceOfASetting) {
   }
 }
 
+TEST(RecordOptions, AModelIsNamedOrLeftToWhatTheEventsNeed) {
+  const auto named = openStream("--without textures --without masks,specular").quality();
+  EXPECT_EQ(std::vector<std::string>(named.without().begin(), named.without().end()),
+            (std::vector<std::string>{"textures", "masks", "specular"}));
+  EXPECT_FALSE(named.has_needs());
+  EXPECT_DOUBLE_EQ(openStream("--needs 2.5%").quality().needs(), 0.025);
+  for (const std::string text : {"2", "%", "x%", "2%%", "2% "})
+    EXPECT_NE(faultOf("--needs '" + text + "'").find("--needs"), std::string::npos) << text;
+  for (const std::string other : {"--bounces 2", "--without masks", "--budget-ms 20", "--max-false-rate 1"})
+    EXPECT_NE(faultOf("--needs 2% " + other).find("--needs"), std::string::npos) << other;
+}
+
 TEST(RecordOptions, AFileOfPosesIsSentAsText) {
   const ScratchFolder folder;
   const std::string path = folder.at("path.csv");

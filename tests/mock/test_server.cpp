@@ -5,20 +5,25 @@
 namespace saccade {
 namespace {
 
-Config testConfig(int threads, const std::string& scenes, const std::string& accuracy) {
+Config testConfig(int threads, const std::string& scenes, const std::string& accuracy,
+                  const std::string& needs) {
   spdlog::set_level(spdlog::level::warn);
   Config config;
   config.control = config.data = config.broadcast = "tcp://127.0.0.1:*";
   config.threads = threads;
   config.scenes = scenes.empty() ? SACCADE_SOURCE_DIR "/scenes" : scenes;
   config.accuracy = accuracy;
+  config.needs = needs;
   return config;
 }
 
 }  // namespace
 
-TestServer::TestServer(int threads, const std::string& scenes, const std::string& accuracy)
-    : app_(testConfig(threads, scenes, accuracy)), client_(app_.controlEndpoint()), info_(client_.server()) {}
+TestServer::TestServer(int threads, const std::string& scenes, const std::string& accuracy,
+                       const std::string& needs)
+    : app_(testConfig(threads, scenes, accuracy, needs)),
+      client_(app_.controlEndpoint()),
+      info_(client_.server()) {}
 
 std::map<std::uint32_t, Packets> TestServer::run(const v1::OpenStream& request) {
   const v1::StreamOpened stream = client_.open(request);

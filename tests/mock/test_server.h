@@ -9,8 +9,9 @@ namespace saccade {
 
 class TestServer {
  public:
-  // `scenes`: a folder; empty: the project's own. `accuracy`: file of a table; empty: none.
-  explicit TestServer(int threads = 1, const std::string& scenes = {}, const std::string& accuracy = {});
+  // `scenes`: a folder; empty: the project's own. `accuracy`, `needs`: files of tables; empty: none.
+  explicit TestServer(int threads = 1, const std::string& scenes = {}, const std::string& accuracy = {},
+                      const std::string& needs = {});
 
   MockClient& client() { return client_; }
   MockSubscriber dataSubscriber() { return MockSubscriber(info_.data_endpoint()); }

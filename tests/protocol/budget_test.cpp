@@ -136,15 +136,15 @@ TEST_F(Budgets, GiveTheEventsOfTheSettingThatWasChosen) {
 
 TEST_F(Budgets, AreNoPartOfAFeed) {
   const auto scenes = SceneLibrary(SACCADE_SOURCE_DIR "/scenes").list();
-  const AccuracySource accuracy = openAccuracySource(file_.path());
-  const auto key = [&](const v1::OpenStream& r) { return resolve(r, scenes, accuracy).feedKey(); };
+  const MeasuredTables tables{openAccuracySource(file_.path()), openNeedsSource({})};
+  const auto key = [&](const v1::OpenStream& r) { return resolve(r, scenes, tables).feedKey(); };
   v1::OpenStream same = tinyRequest();
   same.mutable_quality()->set_bounces(2);
   EXPECT_EQ(key(within(5)), key(same));
   EXPECT_EQ(key(within(6)), key(same));
   EXPECT_EQ(key(atMost(0.05)), key(same));
   EXPECT_NE(key(within(20)), key(same));
-  EXPECT_EQ(key(resolve(within(20), scenes, accuracy).request), key(within(20)));
+  EXPECT_EQ(key(resolve(within(20), scenes, tables).request), key(within(20)));
 }
 
 TEST_F(Budgets, TheServerTellsWhetherItHasThem) {
