@@ -18,8 +18,8 @@ namespace saccade {
 //   complementary  L^_t = L- + k (L^prim_t - L-), L- = L^_{t-1} + dL_t, k = 1 - exp(-2 pi cutoff dt).
 //                  An error b per frame in dL adds up to b (1 - k) / k and no further.
 //   kalman         the same with k of each pixel from the variances of dL and L^prim (see kalman.cpp). The
-//                  default: EventSVGF under it has a quarter fewer false events than under direct, at most
-//                  a tenth more missed ones, and half the drift (saccade-eval figure 7).
+//                  default: EventSVGF under it has a quarter to a third fewer false events than under direct,
+//                  a tenth more missed ones at most, and half the drift (saccade-eval figure 7).
 //
 // Where a method knows no variance of the primal (var_I_prev is 0, as of pt and pt-correlated) kalman has
 // nothing to weigh, and is direct, but that L^ stays within the brightness that a pixel can have.
@@ -33,8 +33,8 @@ namespace saccade {
 //   s^2 k / (2 - k) (1 + (1 - k) rho) / (1 - (1 - k) rho),
 //
 // 0.24^2 s^2 at 500 frames per second and the defaults (rho = 0.9): a pixel fires now and then where 0.24 s
-// comes near C. Under kalman a scene that has always stood gives exactly no change, as long as the method
-// gives it no variance of dL; where motion ends, k falls like 1 / n and the pixel falls silent.
+// comes near C. Under kalman a standing scene gives exactly no change where the method gives it no
+// variance of dL; where motion ends, that variance and with it k die away as fast as the method forgets.
 class Reconstruction {
  public:
   virtual ~Reconstruction() = default;

@@ -70,6 +70,22 @@ TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
   }
 }
 
+// What was wrong when the camera stopped stays wrong: it is not drawn out as events of a picture at rest.
+TEST(Feed, ACameraThatStopsFallsSilent) {
+  TilePool pool(2);
+  const Pose home{{0, 0, -0.9}, {}}, there{{0.1, 0, -0.9}, {}};
+  Feed feed(room(), Trajectory({{0ms, home}, {200ms, there}, {3000ms, there}}), config("event_svgf"), pool);
+  Sensor sensor({}, kW, kH);
+  SensorOutput out;
+  std::size_t early = 0, late = 0;  // the camera stops at frame 20; the filter's memory fades
+  for (int t = 1; t <= 250; ++t) {
+    sensor.generate(feed.step(), out);
+    (t <= 100 ? early : late) += out.events.size();
+  }
+  EXPECT_GT(early, 100u);
+  EXPECT_EQ(late, 0u);
+}
+
 TEST(Feed, ALampThatIsSwitchedChangesThePictureInThatFrameAlone) {
   TilePool pool(2);
   const Strength lamp({{0ms, 1}, {50ms, 1}, {50ms, 0.25f}});

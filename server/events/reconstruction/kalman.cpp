@@ -1,11 +1,15 @@
 // Kalman filter [WNSM21] in frame form: the gain of each pixel follows from the variances of dL and L^prim.
 //
-//   P- = P + Q,  k = P- / (P- + R),  P = (1 - k) P-
+//   k = P / (P + R),  P = (Q + sqrt(Q^2 + 4 Q R)) / 2
 //   Q = var_dI / (I_eps + I_prev)^2,  R = (2 - alpha) / alpha var_I_prev / (I_eps + I_prev)^2
 //
-// from P_0 = 0: without a change there is nothing to correct. Both variances are relative, those of a
-// logarithm to first order; var_I_prev stands in for that of I_now, whose relative noise is much the same.
+// P is the variance of the prediction where Q and R stay as they are: the fixed point of P = (1 - k) P + Q
+// [ours, for the P of WNSM21 that follows them frame by frame]. Without a change there is thus nothing to
+// correct, at once and not by and by as the memory of a P fades: a camera that stops falls silent. Both
+// variances are relative, those of a logarithm to first order; var_I_prev stands in for that of I_now, whose
+// relative noise is much the same.
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "events/log_ratio.h"
@@ -37,7 +41,6 @@ class Kalman final : public Reconstruction {
   Kalman(const SensorConfig& config, int width, int height)
       : I_eps_(static_cast<float>(config.bias)),
         brightness_(config.bias, width, height),
-        P_(width, height),
         gains_(static_cast<std::size_t>(width)) {}
 
   void reconstruct(const IntensityChange& change, ImageF& dL) override {
@@ -50,21 +53,19 @@ class Kalman final : public Reconstruction {
   const float* computeGains(const IntensityChange& change, int y) {
     const float *I_prev = change.I_prev.row(y), *var_dI = change.var_dI.row(y),
                 *var_I = change.var_I_prev.row(y);
-    float* __restrict P = P_.row(y), * __restrict k = gains_.data();
-    for (int x = 0; x < P_.width(); ++x) {
+    float* __restrict k = gains_.data();
+    for (int x = 0; x < change.dI.width(); ++x) {
       const float response = I_eps_ + clampTo(I_prev[x], 0, kMaxLuminance);
       const float scale = 1 / (response * response);
       const float Q = clampVariance(scale * var_dI[x]), R = kInflation * clampVariance(scale * var_I[x]);
-      const float predicted = std::min(P[x] + Q, kMaxVariance);
+      const float predicted = (Q + std::sqrt(Q * (Q + 4 * R))) / 2;
       k[x] = R > 0 ? predicted / (predicted + R) : 0;
-      P[x] = (1 - k[x]) * predicted;
     }
     return k;
   }
 
   float I_eps_;
   PredictCorrect brightness_;
-  ImageF P_;                  // variance of L^
   std::vector<float> gains_;  // of a row
 };
 
