@@ -18,8 +18,8 @@ namespace saccade {
 //   complementary  L^_t = L- + k (L^prim_t - L-), L- = L^_{t-1} + dL_t, k = 1 - exp(-2 pi cutoff dt).
 //                  An error b per frame in dL adds up to b (1 - k) / k and no further.
 //   kalman         the same with k of each pixel from the variances of dL and L^prim (see kalman.cpp). The
-//                  default: EventSVGF under it has a quarter to a third fewer false events than under direct,
-//                  a tenth more missed ones at most, and half the drift (saccade-eval figure 7).
+//                  default: EventSVGF under it has 10 to 33 % fewer false events than under direct, 0 to 11 %
+//                  more missed ones, and half the drift or less (saccade-eval figure 7).
 //
 // Where a method knows no variance of the primal (var_I_prev is 0, as of pt and pt-correlated) kalman has
 // nothing to weigh, and is direct, but that L^ stays within the brightness that a pixel can have.
