@@ -29,10 +29,12 @@ double medianMotion(const GBuffer& g) {
 
 }  // namespace
 
-Bench::Bench(const BenchSetup& setup, TilePool& pool)
+Bench::Bench(const BenchSetup& setup, TilePool& pool) : Bench(setup, openScene(setup.scene), pool) {}
+
+Bench::Bench(const BenchSetup& setup, std::shared_ptr<const RenderScene> scene, TilePool& pool)
     : setup_(setup),
       pool_(pool),
-      scene_(openScene(setup.scene)),
+      scene_(std::move(scene)),
       path_(openTrajectory(setup.scene, setup.trajectory, *scene_)) {
   SACCADE_CHECK(setup.first >= 1 && setup.first <= setup.last);
   if (setup.px_per_frame > 0) {

@@ -45,6 +45,8 @@ class Bench {
   Bench(const BenchSetup& setup, TilePool& pool);
   // The same camera on `scene` instead, with so many bounces, and its truth.
   Bench(const Bench& other, std::shared_ptr<const RenderScene> scene, int bounces);
+  // On a scene of one's own, which goes by the name of setup.scene.
+  Bench(const BenchSetup& setup, std::shared_ptr<const RenderScene> scene, TilePool& pool);
 
   const BenchSetup& setup() const { return setup_; }
   const std::shared_ptr<const RenderScene>& scene() const { return scene_; }

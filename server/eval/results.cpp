@@ -94,18 +94,18 @@ void printTable(const ResultTable& table) {
   }
 }
 
-const Result& measure(const Bench& bench, const std::string& name, const MethodSpec& method, int spp,
-                      const BenchOptions& o, ResultTable& table) {
+const Result& measure(const Bench& truth, const Bench& bench, const std::string& name,
+                      const MethodSpec& method, int spp, const BenchOptions& o, ResultTable& table) {
   if (const Result* stands = table.find(name, method.text, spp)) return *stands;
   Result r;
   r.scene = name, r.method = method.text, r.spp = spp;
-  r.px_per_frame = bench.medianPxPerFrame(), r.reference_error = bench.referenceError();
+  r.px_per_frame = truth.medianPxPerFrame(), r.reference_error = truth.referenceError();
   std::vector<BenchRun> runs;
   for (int seed = 1; seed <= o.repeats; ++seed) {
     runs.push_back(bench.run(method, spp, static_cast<std::uint64_t>(seed)));
     r.cpu_ms += runs.back().cpu_ms / o.repeats, r.trace_ms += runs.back().trace_ms / o.repeats;
   }
-  r.score = scoreOf(bench.truth(), runs, o.bias, o.threshold);
+  r.score = scoreOf(truth.truth(), runs, o.bias, o.threshold);
   table.add(r);
   return table.rows().back();
 }

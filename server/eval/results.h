@@ -40,9 +40,14 @@ class ResultTable {
 // The rows for people, in a few figures, on stdout.
 void printTable(const ResultTable& table);
 
-// The row of `name`, method and budget: as it stands in `table`, or of the method run with the seeds 1 to
-// o.repeats, and added. Valid until the next is added.
-const Result& measure(const Bench& bench, const std::string& name, const MethodSpec& method, int spp,
-                      const BenchOptions& o, ResultTable& table);
+// The row of `name`, method and budget: as it stands in `table`, or of the method run on `bench` with the
+// seeds 1 to o.repeats and held against the truth of `truth`, and added. Valid until the next is added.
+const Result& measure(const Bench& truth, const Bench& bench, const std::string& name,
+                      const MethodSpec& method, int spp, const BenchOptions& o, ResultTable& table);
+// Against its own truth.
+inline const Result& measure(const Bench& bench, const std::string& name, const MethodSpec& method, int spp,
+                             const BenchOptions& o, ResultTable& table) {
+  return measure(bench, bench, name, method, spp, o, table);
+}
 
 }  // namespace saccade

@@ -35,6 +35,9 @@ const std::vector<Figure>& figureTable();
 // Methods and budgets side by side: a row of the table and a column of pictures each, a picture file for each
 // scene.
 void runComparison(const FigureOptions& o, TilePool& pool);
+// Texture seen at pixel centres without and with mips, and all over the pixel, against the mean over the
+// pixel of the texture as it is.
+void runSampling(const FigureOptions& o, TilePool& pool);
 // Error, noise and bias against the speed of the camera, in both directions `right` and `forward`.
 void runSpeeds(const FigureOptions& o, TilePool& pool);
 

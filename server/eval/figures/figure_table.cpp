@@ -68,6 +68,9 @@ const std::vector<Figure>& figureTable() {
       {{11, frames("17:21", 2), {"cornell-bunny"}, sweepSigmaL(), {2}},
        "EventSVGF with other luminance tolerances",
        runComparison},
+      {{12, frames("17:21", 2), {"textured-cornell-box"}, {"event_svgf", "svgf", "pt-correlated"}, {2}},
+       "fine texture: pixel centres without and with mips, and paths from all over the pixel",
+       runSampling},
   };
   return table;
 }
