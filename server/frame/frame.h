@@ -12,7 +12,9 @@ namespace saccade {
 // (0, 0, 1).
 inline constexpr float kMissDepth = 1e5f;  // its depth, scene units
 
-// Features at the pixel centre. Planes are width x height.
+// Features at the pixel centre, of what is seen there: in a flat mirror or behind clear glass the surface that
+// it shows, where it seems to be. With jitter, albedo and emission are means over the pixel. Planes are
+// width x height.
 struct GBuffer {
   GBuffer(int w, int h)
       : z(w, h),
@@ -30,8 +32,8 @@ struct GBuffer {
   ImageF z;                   // depth along the viewing axis, scene units; kMissDepth where nothing is hit
   ImageF dz;                  // max(|dz/dx|, |dz/dy|) of the tangent plane, scene units per pixel
   ImageF nx, ny, nz;          // unit shading normal, world space, towards the camera; 0 in the border
-  ImageF albedo;              // Rec. 709 luminance of the texture-filtered diffuse albedo, [0, 1]
-  ImageF emission;            // Rec. 709 luminance emitted towards the camera, >= 0
+  ImageF albedo;              // fraction of light that is reflected into the view, Rec. 709 luminance, [0, 1]
+  ImageF emission;            // Rec. 709 luminance emitted into the view, >= 0
   ImageF motion_x, motion_y;  // where the surface point was in the previous frame, minus where it is, pixels
   ImageF z_in_prev;           // depth of the surface point in the previous camera, scene units
 };
