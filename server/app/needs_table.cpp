@@ -33,7 +33,7 @@ std::string defaultNeedsTable() {
 const MeasuredModel& cheapest(const std::vector<MeasuredModel>& models, double tolerance) {
   const MeasuredModel* best = &models.front();
   for (const MeasuredModel& m : models)
-    if (m.changed <= tolerance && m.cpu_ms < best->cpu_ms) best = &m;
+    if (m.changed <= tolerance && m.noise <= tolerance && m.cpu_ms < best->cpu_ms) best = &m;
   return *best;
 }
 

@@ -44,8 +44,8 @@ void writeNeedsTable(const std::string& path, const NeedsTable& table);  // make
 // Where it stands unless it is said otherwise.
 std::string defaultNeedsTable();
 
-// The least CPU time among those that change at most `tolerance` of the events. `models`: the whole one
-// first.
+// The least CPU time among those that change at most `tolerance` of the events, where noise alone would not
+// change more. `models`: the whole one first.
 const MeasuredModel& cheapest(const std::vector<MeasuredModel>& models, double tolerance);
 
 }  // namespace saccade
