@@ -17,8 +17,10 @@ std::string describe(const v1::Status& status) {
 
 Refused::Refused(const v1::Status& status) : runtime_error(describe(status)), code(status.code()) {}
 
-ControlClient::ControlClient(zmq::context_t& context, const std::string& endpoint)
-    : endpoint_(endpoint), socket_(connectSocket(context, zmq::socket_type::dealer, endpoint)) {}
+ControlClient::ControlClient(zmq::context_t& context, const std::string& endpoint, const CurveKeys& keys)
+    : endpoint_(endpoint),
+      keys_(keys),
+      socket_(connectSocket(context, zmq::socket_type::dealer, endpoint, keys)) {}
 
 v1::Reply ControlClient::call(v1::Request request, std::chrono::milliseconds deadline) {
   send(std::move(request));
@@ -53,7 +55,7 @@ v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::millisecon
     }
   }
   throw NoAnswer("no saccaded answers at " + endpoint_ + ": start it with `saccaded --control " + endpoint_ +
-                 "`");
+                 "`; a server with keys answers only those on its list");
 }
 
 }  // namespace saccade

@@ -26,8 +26,8 @@ class ControlClient {
  public:
   static constexpr std::chrono::seconds kDeadline{3};  // for what the server answers at once
 
-  // Does not wait for the server. Throws std::invalid_argument where `endpoint` is not one.
-  ControlClient(zmq::context_t& context, const std::string& endpoint);
+  // Does not wait for the server. Throws std::invalid_argument where `endpoint` or a key is not one.
+  ControlClient(zmq::context_t& context, const std::string& endpoint, const CurveKeys& keys = {});
 
   // Sends and waits for the reply to this very request; late replies to earlier ones are passed over. A
   // request made before the server is up reaches it when it comes up. Throws NoAnswer or Refused.
@@ -37,12 +37,14 @@ class ControlClient {
   void tell(v1::Request request);
 
   const std::string& endpoint() const { return endpoint_; }
+  const CurveKeys& keys() const { return keys_; }
 
  private:
   void send(v1::Request request);
   v1::Reply await(std::uint64_t request_id, std::chrono::milliseconds deadline);
 
   std::string endpoint_;
+  CurveKeys keys_;
   zmq::socket_t socket_;
   std::uint64_t request_id_ = 0;
 };

@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
   addListCommand(app);
   addInfoCommand(app);
   addRecordCommand(app);
+  addKeygenCommand(app);
   try {
     app.parse(argc, argv);
     return 0;

@@ -3,15 +3,33 @@
 #include <cerrno>
 #include <stdexcept>
 
-namespace saccade {
+#include "wire/curve_key.h"
 
-zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, const std::string& endpoint) {
+namespace saccade {
+namespace {
+
+void useKeys(zmq::socket_t& socket, const CurveKeys& keys) {
+  if (!isCurveKey(keys.secret) || !isCurveKey(keys.server_public)) {
+    throw std::invalid_argument("a key is 40 characters, as `saccade keygen` writes it");
+  }
+  char public_key[41];
+  if (zmq_curve_public(public_key, keys.secret.c_str()) != 0) throw zmq::error_t();
+  socket.set(zmq::sockopt::curve_serverkey, keys.server_public);
+  socket.set(zmq::sockopt::curve_secretkey, keys.secret);
+  socket.set(zmq::sockopt::curve_publickey, public_key);
+}
+
+}  // namespace
+
+zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, const std::string& endpoint,
+                            const CurveKeys& keys) {
   zmq::socket_t socket(context, type);
   socket.set(zmq::sockopt::linger, 0);
   // Credit bounds what waits on a DEALER; a second bound would hold up the server's sends.
   if (type == zmq::socket_type::dealer) socket.set(zmq::sockopt::rcvhwm, 0);
   socket.set(zmq::sockopt::heartbeat_ivl, 2000);
   socket.set(zmq::sockopt::heartbeat_timeout, 6000);
+  if (!keys.secret.empty() || !keys.server_public.empty()) useKeys(socket, keys);
   try {
     socket.connect(endpoint);
   } catch (const zmq::error_t&) {

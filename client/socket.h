@@ -7,9 +7,16 @@
 
 namespace saccade {
 
+// Of CURVE. Empty texts: the server works without keys.
+struct CurveKeys {
+  std::string secret;         // the client's own
+  std::string server_public;  // the server's
+};
+
 // A socket that leaves nothing behind when it closes and notices a peer that is gone. Throws
-// std::invalid_argument where `endpoint` is not one.
-zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, const std::string& endpoint);
+// std::invalid_argument where `endpoint` or a key is not one.
+zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, const std::string& endpoint,
+                            const CurveKeys& keys = {});
 
 // Whether a message waits; false when `timeout` has passed or a signal came first.
 bool waitReadable(zmq::socket_t& socket, std::chrono::milliseconds timeout);

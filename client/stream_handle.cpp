@@ -28,10 +28,11 @@ void StreamHandle::close() {
 Subscriber StreamHandle::subscribe(zmq::context_t& context, const v1::ServerDescription& server) const {
   if (opened_.resolved().delivery() == v1::DELIVERY_BROADCAST) {
     const auto endpoint = reachableEndpoint(server.broadcast_endpoint(), control_.endpoint());
-    return Subscriber(context, endpoint, {opened_.topics().begin(), opened_.topics().end()});
+    return Subscriber(context, endpoint, {opened_.topics().begin(), opened_.topics().end()}, control_.keys());
   }
   const auto endpoint = reachableEndpoint(server.data_endpoint(), control_.endpoint());
-  return Subscriber(context, {endpoint, opened_.stream_id(), opened_.token()});
+  return Subscriber(context,
+                    {endpoint, opened_.stream_id(), opened_.token(), Subscriber::kCredit, control_.keys()});
 }
 
 std::optional<v1::StreamInfo> StreamHandle::info() {

@@ -9,7 +9,7 @@
 namespace saccade {
 
 Subscriber::Subscriber(zmq::context_t& context, const Attachment& attachment)
-    : socket_(connectSocket(context, zmq::socket_type::dealer, attachment.endpoint)),
+    : socket_(connectSocket(context, zmq::socket_type::dealer, attachment.endpoint, attachment.keys)),
       has_topic_(false),
       credit_(attachment.credit) {
   v1::DataRequest request;
@@ -20,8 +20,8 @@ Subscriber::Subscriber(zmq::context_t& context, const Attachment& attachment)
 }
 
 Subscriber::Subscriber(zmq::context_t& context, const std::string& endpoint,
-                       const std::vector<std::string>& topics)
-    : socket_(connectSocket(context, zmq::socket_type::sub, endpoint)), has_topic_(true) {
+                       const std::vector<std::string>& topics, const CurveKeys& keys)
+    : socket_(connectSocket(context, zmq::socket_type::sub, endpoint, keys)), has_topic_(true) {
   for (const std::string& topic : topics) socket_.set(zmq::sockopt::subscribe, topic);
 }
 

@@ -32,11 +32,13 @@ class Subscriber {
   struct Attachment {
     std::string endpoint, stream_id, token;
     std::uint64_t credit = kCredit;  // given at once, and topped up whenever half of it has arrived
+    CurveKeys keys = {};
   };
   // LOSSLESS and LIVE, on the data socket.
   Subscriber(zmq::context_t& context, const Attachment& attachment);
   // BROADCAST: the topics of StreamOpened.
-  Subscriber(zmq::context_t& context, const std::string& endpoint, const std::vector<std::string>& topics);
+  Subscriber(zmq::context_t& context, const std::string& endpoint, const std::vector<std::string>& topics,
+             const CurveKeys& keys = {});
 
   // The next batch of any sensor; nothing when `timeout` has passed or a signal came first. Throws
   // StreamFault at a packet of KIND_ERROR or one that fails its checks.

@@ -18,11 +18,12 @@ bool cpuSuffices() {
   return __builtin_cpu_supports("x86-64-v3");
 }
 
-sigset_t blockStopSignals() {
+sigset_t blockSignals() {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   return signals;
 }
@@ -38,13 +39,13 @@ int main(int argc, char** argv) {
   }
   const saccade::Config config = saccade::parseConfig(argc, argv);
   spdlog::set_level(spdlog::level::from_str(config.log_level));
-  const sigset_t stop_signals = blockStopSignals();  // for all threads to come
+  const sigset_t signals = blockSignals();  // for all threads to come
   try {
     saccade::App app(config);
     int signal = 0;
-    sigwait(&stop_signals, &signal);
+    while (sigwait(&signals, &signal) == 0 && signal == SIGHUP) app.reloadKeys();
     spdlog::info("signal {}: ending all streams", signal);
-    pthread_sigmask(SIG_UNBLOCK, &stop_signals, nullptr);  // a second signal ends the program at once
+    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends the program at once
     if (!app.stop()) {
       spdlog::warn("stopped before all streams were done");
       std::_Exit(0);  // all sockets are closed; a frame may go on for minutes

@@ -41,13 +41,13 @@ void printServer(const v1::ServerDescription& server) {
 }
 
 struct InfoOptions {
-  std::string control;
+  ServerOptions server;
   double wait_s = ControlClient::kDeadline.count();
 };
 
 void runInfo(const InfoOptions& options) {
   zmq::context_t context;
-  ControlClient control(context, options.control);
+  ControlClient control = connectTo(context, options.server);
   v1::Request request;
   request.mutable_server_info();
   const auto wait = std::chrono::duration<double>(options.wait_s);
@@ -60,7 +60,7 @@ void runInfo(const InfoOptions& options) {
 void addInfoCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("info", "print the server's version, threads and methods");
   const auto options = std::make_shared<InfoOptions>();
-  addControlOption(*command, options->control);
+  addServerOptions(*command, options->server);
   command->add_option("--wait", options->wait_s, "seconds to wait for a server that is not up yet")
       ->check(CLI::Range(0.001, 86400.0))
       ->capture_default_str();

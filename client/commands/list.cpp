@@ -18,9 +18,9 @@ void printScene(const v1::SceneInfo& scene) {
   std::printf("\n");
 }
 
-void runList(const std::string& endpoint) {
+void runList(const ServerOptions& options) {
   zmq::context_t context;
-  ControlClient control(context, endpoint);
+  ControlClient control = connectTo(context, options);
   v1::Request request;
   request.mutable_list_scenes();
   const v1::Reply reply = control.call(std::move(request));
@@ -31,9 +31,9 @@ void runList(const std::string& endpoint) {
 
 void addListCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "print the scenes of the server and their trajectories");
-  const auto endpoint = std::make_shared<std::string>();
-  addControlOption(*command, *endpoint);
-  command->callback([endpoint] { runList(*endpoint); });
+  const auto options = std::make_shared<ServerOptions>();
+  addServerOptions(*command, *options);
+  command->callback([options] { runList(*options); });
 }
 
 }  // namespace saccade

@@ -57,7 +57,7 @@ void runRecord(const RecordOptions& options) {
   watchInterrupt();
 
   zmq::context_t context;
-  ControlClient control(context, options.control);
+  ControlClient control = connectTo(context, options.server);
   const v1::ServerDescription server = describeServer(control);
   StreamHandle stream(control, wish);
   printChoice(stream.opened());

@@ -13,7 +13,7 @@ std::string checkPng(const std::string& path) {
 }  // namespace
 
 void addRecordOptions(CLI::App& command, RecordOptions& o) {
-  addControlOption(command, o.control);
+  addServerOptions(command, o.server);
   command.add_option("scene", o.scene, "name of a scene, see `saccade list`")->required();
   CLI::Option* trajectory = command.add_option(
       "--trajectory", o.trajectory,

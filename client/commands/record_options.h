@@ -7,13 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "client/commands/commands.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade {
 
 // What is not given is left to the server's defaults.
 struct RecordOptions {
-  std::string control, scene, output, preview;
+  ServerOptions server;
+  std::string scene, output, preview;
   std::string trajectory, motion;  // one of them
   std::optional<double> turn_s;
   std::uint64_t motion_seed = 0;

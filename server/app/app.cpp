@@ -8,19 +8,20 @@ namespace saccade {
 
 App::App(const Config& config)
     : epoch_(std::stoull(randomHex(8), nullptr, 16)),
+      keys_(openKeys(config)),
       tables_{openAccuracySource(config.accuracy), openNeedsSource(config.needs)},
       pool_(config.threads),
       scenes_(config.scenes),
-      control_(config.control),
-      data_(config.data, sessions_),
-      broadcast_(config.broadcast, sessions_),
+      control_(config.control, keys_),
+      data_(config.data, sessions_, keys_),
+      broadcast_(config.broadcast, sessions_, keys_),
       streams_(sessions_),
       opener_(scenes_, tables_, pool_, streams_, {data_.wake(), broadcast_.wake()}, epoch_),
       service_(scenes_, streams_, opener_, describe(config)) {
   data_.start();
   broadcast_.start();
-  control_.start([this](const v1::Request& request, ControlServer::Answer answer) {
-    service_.handle(request, std::move(answer));
+  control_.start([this](const v1::Request& request, const std::string& user, ControlServer::Answer answer) {
+    service_.handle(request, user, std::move(answer));
   });
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
   spdlog::info("ready: control {} data {} broadcast {}, {} threads, scenes in {}", control_.endpoint(),
@@ -29,6 +30,16 @@ App::App(const Config& config)
 
 App::~App() {
   stop();
+}
+
+void App::reloadKeys() {
+  if (!keys_) return;
+  try {
+    keys_->clients->reload();
+    spdlog::info("{} clients may connect", keys_->clients->size());
+  } catch (const std::runtime_error& fault) {
+    spdlog::error("the keys stay as they were: {}", fault.what());
+  }
 }
 
 v1::ServerDescription App::describe(const Config& config) const {

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/config.h"
+#include "app/keys.h"
 #include "app/measured_source.h"
 #include "app/service.h"
 #include "stream/broadcast_server.h"
@@ -25,6 +26,8 @@ class App {
 
   std::string controlEndpoint() const { return control_.endpoint(); }
 
+  void reloadKeys();  // the clients' ones; where that fails the log says so and they stay as they were
+
   // Ends all streams and sends what is left, for at most kDrainTime. False: a receiver did not take it all,
   // or a scene was not loaded or a frame not done in time; the destructor would wait for these.
   bool stop();
@@ -34,6 +37,7 @@ class App {
   void sweep(std::stop_token stopped);
 
   const std::uint64_t epoch_;
+  const std::optional<ServerKeys> keys_;
   const MeasuredTables tables_;
   TilePool pool_;
   SceneCache scenes_;

@@ -3,10 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
-#include <stdexcept>
 
 #include "app/config_sources.h"
+#include "app/keys.h"
 #include "app/needs_table.h"
 #include "base/tile_pool.h"
 #include "methods/accuracy_table.h"
@@ -26,6 +27,12 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--control", config.control, "endpoint for requests")->capture_default_str();
   app.add_option("--data", config.data, "endpoint for streams with credit")->capture_default_str();
   app.add_option("--broadcast", config.broadcast, "endpoint for broadcast streams")->capture_default_str();
+  app.add_option("--secret-key", config.secret_key, "file of the server's secret key, from `saccade keygen`")
+      ->capture_default_str();
+  app.add_option("--client-keys", config.client_keys,
+                 "file of the public keys that may connect, one in each line; SIGHUP reads it again")
+      ->capture_default_str();
+  app.add_flag("--insecure", config.insecure, "let other machines connect without keys");
   app.add_option("--threads", config.threads, "threads that render; 0: one per core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
@@ -67,9 +74,12 @@ void addErrands(CLI::App& app, Errand& errand) {
       "the file of --config (log-level = \"debug\").");
 }
 
-void run(const Errand& errand, const ConfigSources& sources) {
+void run(const Errand& errand, const Config& config, const ConfigSources& sources) {
   if (errand.print) std::fputs(sources.describe().c_str(), stdout);
-  if (errand.check) std::fprintf(stderr, "the configuration is valid\n");
+  if (errand.check) {
+    openKeys(config);
+    std::fprintf(stderr, "the configuration is valid\n");
+  }
   if (errand.print || errand.check) std::exit(0);
 }
 
@@ -93,10 +103,10 @@ Config parseConfig(int argc, const char* const* argv) {
     app.parse(argc, argv);
     const char* file = std::getenv("SACCADE_CONFIG");
     if (errand.file.empty() && file) errand.file = file;
-    run(errand, ConfigSources(app, errand.file));
+    run(errand, config, ConfigSources(app, errand.file));
   } catch (const CLI::ParseError& fault) {
     std::exit(app.exit(fault) == 0 ? 0 : kUsage);
-  } catch (const std::runtime_error& fault) {
+  } catch (const std::exception& fault) {
     std::fprintf(stderr, "saccaded: %s\n", fault.what());
     std::exit(kUsage);
   }

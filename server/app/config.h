@@ -10,6 +10,9 @@ struct Config {
   std::string control = "tcp://127.0.0.1:5770";
   std::string data = "tcp://127.0.0.1:5771";
   std::string broadcast = "tcp://127.0.0.1:5772";
+  std::string secret_key;          // file of the server's own key; empty: no keys
+  std::string client_keys;         // file of the clients' keys, see ClientKeys; given where secret_key is
+  bool insecure = false;           // whether other machines may connect without keys
   int threads = 0;                 // [1, 1024]; 0: one per core
   std::string scenes;              // folder with a folder for each scene; empty: findScenes()
   std::string accuracy;            // file of saccade-eval chart, see AccuracySource; empty: none

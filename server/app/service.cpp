@@ -9,11 +9,12 @@ Service::Service(const SceneCache& scenes, StreamRegistry& streams, StreamOpener
                  v1::ServerDescription description)
     : scenes_(scenes), streams_(streams), opener_(opener), description_(std::move(description)) {}
 
-void Service::handle(const v1::Request& request, std::function<void(v1::Reply)> answer) {
+void Service::handle(const v1::Request& request, const std::string& user,
+                     std::function<void(v1::Reply)> answer) {
   v1::Reply reply;
   try {
-    if (request.has_open_stream()) return opener_.open(request.open_stream(), answer);
-    fill(request, reply);
+    if (request.has_open_stream()) return opener_.open(request.open_stream(), user, answer);
+    fill(request, user, reply);
     *reply.mutable_status() = okStatus();
   } catch (...) {
     *reply.mutable_status() = statusOfException();
@@ -21,7 +22,7 @@ void Service::handle(const v1::Request& request, std::function<void(v1::Reply)> 
   answer(std::move(reply));
 }
 
-void Service::fill(const v1::Request& request, v1::Reply& reply) {
+void Service::fill(const v1::Request& request, const std::string& user, v1::Reply& reply) {
   switch (request.call_case()) {
     case v1::Request::kListScenes:
       *reply.mutable_list_scenes() = listScenes();
@@ -31,7 +32,7 @@ void Service::fill(const v1::Request& request, v1::Reply& reply) {
       reply.mutable_close_stream();
       break;
     case v1::Request::kListStreams:
-      *reply.mutable_list_streams() = listStreams();
+      *reply.mutable_list_streams() = listStreams(user);
       break;
     case v1::Request::kServerInfo:
       *reply.mutable_server_info() = description_;
@@ -57,9 +58,9 @@ v1::SceneList Service::listScenes() const {
   return list;
 }
 
-v1::StreamList Service::listStreams() const {
+v1::StreamList Service::listStreams(const std::string& user) const {
   v1::StreamList list;
-  for (auto& info : streams_.list()) *list.add_streams() = std::move(info);
+  for (auto& info : streams_.list(user)) *list.add_streams() = std::move(info);
   return list;
 }
 

@@ -16,13 +16,14 @@ class Service {
   Service(const SceneCache& scenes, StreamRegistry& streams, StreamOpener& opener,
           v1::ServerDescription description);
 
-  // Does not block; `answer` is called once, perhaps later and from another thread.
-  void handle(const v1::Request& request, std::function<void(v1::Reply)> answer);
+  // Does not block; `answer` is called once, perhaps later and from another thread. `user` is who asks:
+  // streams are listed to those who opened them.
+  void handle(const v1::Request& request, const std::string& user, std::function<void(v1::Reply)> answer);
 
  private:
-  void fill(const v1::Request& request, v1::Reply& reply);
+  void fill(const v1::Request& request, const std::string& user, v1::Reply& reply);
   v1::SceneList listScenes() const;
-  v1::StreamList listStreams() const;
+  v1::StreamList listStreams(const std::string& user) const;
   v1::FramePicture getFrame(const v1::GetFrame& call) const;
 
   const SceneCache& scenes_;

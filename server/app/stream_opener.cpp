@@ -11,6 +11,7 @@ namespace saccade {
 namespace {
 
 constexpr std::size_t kMaxOpening = 64;
+constexpr int kIdBytes = 8;  // random: who is not told of a stream cannot subscribe to its topics
 
 // Who paces itself by the clock never waits for its client: such streams cannot hold each other up.
 bool mayShare(const v1::OpenStream& request) {
@@ -48,7 +49,8 @@ StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, Til
       transports_(transports),
       epoch_(epoch) {}
 
-void StreamOpener::open(const v1::OpenStream& request, std::function<void(v1::Reply)> answer) {
+void StreamOpener::open(const v1::OpenStream& request, const std::string& user,
+                        std::function<void(v1::Reply)> answer) {
   std::lock_guard lock(mutex_);
   if (stopped_) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the server is stopping");
   std::erase_if(opening_,
@@ -57,10 +59,10 @@ void StreamOpener::open(const v1::OpenStream& request, std::function<void(v1::Re
     throw Refusal(v1::CODE_RESOURCE_EXHAUSTED, {},
                   std::to_string(kMaxOpening) + " streams are being opened already");
   }
-  opening_.push_back(std::async(std::launch::async, [this, request, answer = std::move(answer)] {
+  opening_.push_back(std::async(std::launch::async, [this, request, user, answer = std::move(answer)] {
     v1::Reply reply;
     try {
-      *reply.mutable_open_stream() = openNow(request);
+      *reply.mutable_open_stream() = openNow(request, user);
       *reply.mutable_status() = okStatus();
     } catch (...) {
       *reply.mutable_status() = statusOfException();
@@ -78,7 +80,7 @@ bool StreamOpener::stop(Signal::Clock::time_point deadline) {
                      [&](auto& one) { return one.wait_until(deadline) == std::future_status::ready; });
 }
 
-v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request) {
+v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request, const std::string& user) {
   ResolvedStream resolved = resolve(request, scenes_.library().list(), tables_);
   Stream stream;
   stream.reserved = budget_.reserve(
@@ -86,6 +88,7 @@ v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request) {
   const auto whole = scenes_.get(resolved.request.scene());
   fitTo(whole->description(), resolved);
   const auto scene = scenes_.get(resolved.request.scene(), resolved.without);
+  stream.user = user;
   stream.request = resolved.request;
   stream.feed = findFeed(resolved);
   if (!stream.feed || !connect(resolved, stream)) {
@@ -126,7 +129,7 @@ void StreamOpener::share(const ResolvedStream& resolved, const std::shared_ptr<F
 bool StreamOpener::connect(const ResolvedStream& resolved, Stream& stream) {
   const v1::Delivery delivery = resolved.request.delivery();
   WakeFd& transport = delivery == v1::DELIVERY_BROADCAST ? transports_.broadcast : transports_.data;
-  stream.session = std::make_shared<Session>(std::to_string(next_id_++), delivery,
+  stream.session = std::make_shared<Session>(randomHex(kIdBytes), delivery,
                                              static_cast<std::uint32_t>(resolved.sensors.size()), transport,
                                              stream.feed->signal());
   stream.outlet = std::make_shared<Outlet>(stream.session, resolved.sensors, resolved.feed.width,

@@ -2,7 +2,6 @@
 // every request has its own thread.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <future>
 #include <map>
@@ -29,13 +28,13 @@ class StreamOpener {
                Transports transports, std::uint64_t epoch);
 
   // `answer` is called once, from another thread. Throws Refusal where too many wait already.
-  void open(const v1::OpenStream& request, std::function<void(v1::Reply)> answer);
+  void open(const v1::OpenStream& request, const std::string& user, std::function<void(v1::Reply)> answer);
   // From now on every request is refused. Returns whether those being opened are open before `deadline`; the
   // destructor waits for the others.
   bool stop(Signal::Clock::time_point deadline);
 
  private:
-  v1::StreamOpened openNow(const v1::OpenStream& request);
+  v1::StreamOpened openNow(const v1::OpenStream& request, const std::string& user);
   std::shared_ptr<FeedRunner> findFeed(const ResolvedStream& resolved);
   std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved, const RenderScene& whole,
                                        std::shared_ptr<const RenderScene> scene);
@@ -50,7 +49,6 @@ class StreamOpener {
   const Transports transports_;
   const std::uint64_t epoch_;
   Budget budget_;
-  std::atomic<std::uint64_t> next_id_ = 1;
   std::mutex mutex_;
   std::map<std::string, std::weak_ptr<FeedRunner>> shared_;  // by ResolvedStream::feedKey()
   std::vector<std::future<void>> opening_;

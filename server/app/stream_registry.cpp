@@ -68,10 +68,12 @@ Stream StreamRegistry::find(const std::string& id, const std::string& token) con
   return found->second;
 }
 
-std::vector<v1::StreamInfo> StreamRegistry::list() const {
+std::vector<v1::StreamInfo> StreamRegistry::list(const std::string& user) const {
   std::lock_guard lock(mutex_);
   std::vector<v1::StreamInfo> infos;
-  for (const auto& [id, stream] : streams_) infos.push_back(stream.info());
+  for (const auto& [id, stream] : streams_) {
+    if (stream.user == user) infos.push_back(stream.info());
+  }
   return infos;
 }
 

@@ -15,6 +15,7 @@
 namespace saccade {
 
 struct Stream {
+  std::string user;                // who opened it: a public key; empty without keys
   v1::OpenStream request;          // resolved
   std::shared_ptr<void> reserved;  // its part of the budget
   std::shared_ptr<FeedRunner> feed;
@@ -37,7 +38,7 @@ class StreamRegistry {
   void add(Stream stream);
   // A copy of the entry. Throws Refusal: there is none, or `token` is not its token.
   Stream find(const std::string& id, const std::string& token) const;
-  std::vector<v1::StreamInfo> list() const;
+  std::vector<v1::StreamInfo> list(const std::string& user) const;  // what this one has opened
 
   // Ends the stream at its next frame, if it has not ended; what it has made is still sent. Throws as find().
   void close(const std::string& id, const std::string& token);

@@ -16,19 +16,22 @@ std::shared_ptr<Session> findByTopic(const SessionDirectory& sessions, const std
 }  // namespace
 
 // Topics are short. What a subscriber is too slow for is dropped at its own queue; a gap of seq shows it.
-BroadcastServer::BroadcastServer(const std::string& endpoint, const SessionDirectory& sessions)
+BroadcastServer::BroadcastServer(const std::string& endpoint, const SessionDirectory& sessions,
+                                 const std::optional<ServerKeys>& keys)
     : loop_({.kind = SocketOptions::Kind::kXPub,
              .endpoint = endpoint,
-             .max_part_bytes = 256,
-             .send_queue = 256}),
+             .max_part_bytes = 512,  // the largest message of the handshake of CURVE has about 300
+             .send_queue = 256,
+             .keys = keys}),
       sessions_(sessions) {}
 
 void BroadcastServer::start() {
-  loop_.start([this](const SocketLoop::Parts& parts) { receive(parts); }, [this] { return turn(); });
+  loop_.start([this](const SocketLoop::Message& message) { receive(message.parts); },
+              [this] { return turn(); });
 }
 
 // A subscription is one part: 1 (or 0 to end it), then the topic.
-void BroadcastServer::receive(const SocketLoop::Parts& parts) {
+void BroadcastServer::receive(const std::vector<std::string>& parts) {
   if (parts.size() != 1 || parts[0].empty() || static_cast<unsigned char>(parts[0][0]) > 1) return;
   const bool wanted = parts[0][0] == 1;
   const std::string topic = parts[0].substr(1);

@@ -19,7 +19,8 @@ class BroadcastServer {
   static constexpr std::chrono::milliseconds kJoinTime{250};
 
   // Binds; throws std::runtime_error. Keeps a reference.
-  BroadcastServer(const std::string& endpoint, const SessionDirectory& sessions);
+  BroadcastServer(const std::string& endpoint, const SessionDirectory& sessions,
+                  const std::optional<ServerKeys>& keys = std::nullopt);
 
   std::string endpoint() const { return loop_.endpoint(); }
   WakeFd& wake() { return loop_.wake(); }  // for the sessions it is to serve
@@ -31,7 +32,7 @@ class BroadcastServer {
     Signal::Clock::time_point deadline;
     std::set<std::string> topics;
   };
-  void receive(const SocketLoop::Parts& parts);
+  void receive(const std::vector<std::string>& parts);
   std::chrono::milliseconds turn();
   bool ready(const Session& session) const;  // enough of its topics are subscribed
   void sendPacketsOf(Session& session);

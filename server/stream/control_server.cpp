@@ -8,7 +8,7 @@ namespace {
 constexpr int kMaxUnanswered = 1024;
 
 // Why a request cannot be handed on, or OK.
-v1::Status checkRequest(const SocketLoop::Parts& parts, v1::Request& request) {
+v1::Status checkRequest(const std::vector<std::string>& parts, v1::Request& request) {
   if (parts.size() != 2 || !request.ParseFromString(parts[1])) {
     return makeStatus(v1::CODE_INVALID_ARGUMENT, "a request is one part: a serialized saccade.v1.Request");
   }
@@ -50,9 +50,9 @@ struct ControlServer::Outbox {
   }
 };
 
-ControlServer::ControlServer(const std::string& endpoint)
+ControlServer::ControlServer(const std::string& endpoint, const std::optional<ServerKeys>& keys)
     : loop_(std::make_shared<SocketLoop>(
-          SocketOptions{.endpoint = endpoint, .max_part_bytes = kMaxRequestBytes})),
+          SocketOptions{.endpoint = endpoint, .max_part_bytes = kMaxRequestBytes, .keys = keys})),
       outbox_(std::make_shared<Outbox>()) {}
 
 ControlServer::~ControlServer() {
@@ -61,7 +61,7 @@ ControlServer::~ControlServer() {
 
 void ControlServer::start(Handler handler) {
   handler_ = std::move(handler);
-  loop_->start([this](const SocketLoop::Parts& parts) { receive(parts); },
+  loop_->start([this](const SocketLoop::Message& message) { receive(message); },
                [this] {
                  sendReplies();
                  return SocketLoop::kUntilWoken;
@@ -72,9 +72,9 @@ void ControlServer::stop() {
   loop_->stop();
 }
 
-void ControlServer::receive(const SocketLoop::Parts& parts) {
+void ControlServer::receive(const SocketLoop::Message& message) {
   v1::Request request;
-  v1::Status status = checkRequest(parts, request);
+  v1::Status status = checkRequest(message.parts, request);
   std::unique_lock lock(outbox_->mutex);
   if (status.code() == v1::CODE_OK && outbox_->unanswered >= kMaxUnanswered) {
     status = makeStatus(v1::CODE_RESOURCE_EXHAUSTED,
@@ -82,13 +82,13 @@ void ControlServer::receive(const SocketLoop::Parts& parts) {
   }
   ++outbox_->unanswered;
   lock.unlock();
-  Answer answer = [outbox = outbox_, loop = loop_, identity = parts[0],
+  Answer answer = [outbox = outbox_, loop = loop_, identity = message.parts[0],
                    id = request.request_id()](v1::Reply reply) {
     reply.set_request_id(id);
     outbox->put(identity, reply);
     loop->wake().wake();
   };
-  if (status.code() == v1::CODE_OK) return handler_(request, std::move(answer));
+  if (status.code() == v1::CODE_OK) return handler_(request, message.user, std::move(answer));
   v1::Reply refusal;
   *refusal.mutable_status() = std::move(status);
   answer(std::move(refusal));

@@ -22,10 +22,12 @@ class ControlServer {
  public:
   // To be called once, from any thread, soon or late; the reply's request_id is filled in.
   using Answer = std::function<void(v1::Reply)>;
-  // Called on the control thread with a request that has a call and the right version; must not block.
-  using Handler = std::function<void(const v1::Request&, Answer)>;
+  // Called on the control thread with a request that has a call and the right version, and with the public
+  // key of who asks, empty without keys; must not block.
+  using Handler = std::function<void(const v1::Request&, const std::string& user, Answer)>;
 
-  explicit ControlServer(const std::string& endpoint);  // binds; throws std::runtime_error
+  // Binds; throws std::runtime_error.
+  explicit ControlServer(const std::string& endpoint, const std::optional<ServerKeys>& keys = std::nullopt);
   // Answers may still be called after the server is gone; they then go nowhere.
   ~ControlServer();
 
@@ -35,7 +37,7 @@ class ControlServer {
 
  private:
   struct Outbox;
-  void receive(const SocketLoop::Parts& parts);
+  void receive(const SocketLoop::Message& message);
   void sendReplies();
 
   std::shared_ptr<SocketLoop> loop_;

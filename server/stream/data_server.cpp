@@ -10,14 +10,16 @@ constexpr std::chrono::milliseconds kFullPause{2};  // until a peer whose queue 
 
 }  // namespace
 
-DataServer::DataServer(const std::string& endpoint, const SessionDirectory& sessions)
-    : loop_({.endpoint = endpoint}), sessions_(sessions) {}
+DataServer::DataServer(const std::string& endpoint, const SessionDirectory& sessions,
+                       const std::optional<ServerKeys>& keys)
+    : loop_({.endpoint = endpoint, .keys = keys}), sessions_(sessions) {}
 
 void DataServer::start() {
-  loop_.start([this](const SocketLoop::Parts& parts) { receive(parts); }, [this] { return sendPackets(); });
+  loop_.start([this](const SocketLoop::Message& message) { receive(message.parts); },
+              [this] { return sendPackets(); });
 }
 
-void DataServer::receive(const SocketLoop::Parts& parts) {
+void DataServer::receive(const std::vector<std::string>& parts) {
   v1::DataRequest request;
   const bool parsed = parts.size() == 2 && request.ParseFromString(parts[1]);
   const std::string fault =

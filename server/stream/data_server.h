@@ -17,7 +17,8 @@ class DataServer {
   static constexpr std::chrono::milliseconds kHeartbeatPause{5000};
 
   // Binds; throws std::runtime_error. Keeps a reference.
-  DataServer(const std::string& endpoint, const SessionDirectory& sessions);
+  DataServer(const std::string& endpoint, const SessionDirectory& sessions,
+             const std::optional<ServerKeys>& keys = std::nullopt);
 
   std::string endpoint() const { return loop_.endpoint(); }
   WakeFd& wake() { return loop_.wake(); }  // for the sessions it is to serve
@@ -30,7 +31,7 @@ class DataServer {
     std::int64_t credit_bytes = 0;  // below 0: overdrawn by its last packet
     Signal::Clock::time_point last_sent = Signal::Clock::now();
   };
-  void receive(const SocketLoop::Parts& parts);
+  void receive(const std::vector<std::string>& parts);
   // Each returns what is wrong, or an empty text.
   std::string handle(const std::string& identity, const v1::DataRequest& request);
   std::string attach(const std::string& identity, const v1::Attach& request);

@@ -5,6 +5,9 @@
 #include <thread>
 #include <zmq.hpp>
 
+#include "stream/curve_probe.h"
+#include "stream/zap_handler.h"
+
 namespace saccade {
 namespace {
 
@@ -28,20 +31,24 @@ void configure(zmq::socket_t& socket, const SocketOptions& options) {
   }
 }
 
-SocketLoop::Parts receive(zmq::socket_t& socket) {
-  SocketLoop::Parts parts;
+SocketLoop::Message receive(zmq::socket_t& socket) {
+  SocketLoop::Message message;
   zmq::message_t part;
   do {
     if (!socket.recv(part, zmq::recv_flags::dontwait)) break;
-    if (parts.size() < kMaxParts) parts.push_back(part.to_string());
+    const char* user = zmq_msg_gets(part.handle(), "User-Id");
+    if (user) message.user = user;
+    if (message.parts.size() < kMaxParts) message.parts.push_back(part.to_string());
   } while (part.more());
-  return parts;
+  return message;
 }
 
 }  // namespace
 
 struct SocketLoop::Impl {
   zmq::context_t context;
+  std::shared_ptr<const ClientKeys> clients;
+  std::optional<ZapHandler> zap;
   zmq::socket_t socket;
   std::atomic<bool> stop = false;
   std::thread thread;
@@ -51,12 +58,19 @@ SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Im
   const bool router = options.kind == SocketOptions::Kind::kRouter;
   impl_->socket = {impl_->context, router ? zmq::socket_type::router : zmq::socket_type::xpub};
   configure(impl_->socket, options);
+  if (options.keys) {
+    impl_->clients = options.keys->clients;
+    impl_->zap.emplace(impl_->context, options.keys->clients);
+    secureServer(impl_->socket, options.keys->secret);
+  }
   try {
     impl_->socket.bind(options.endpoint);
     endpoint_ = impl_->socket.get(zmq::sockopt::last_endpoint);
   } catch (const zmq::error_t& fault) {
     throw std::runtime_error("cannot listen on " + options.endpoint + ": " + fault.what());
   }
+  if (!options.keys) return;
+  probeRefusal(router ? zmq::socket_type::dealer : zmq::socket_type::sub, endpoint_, options.keys->secret);
 }
 
 SocketLoop::~SocketLoop() {
@@ -74,6 +88,7 @@ void SocketLoop::stop() {
   wake_.wake();
   impl_->thread.join();
   impl_->socket.close();
+  impl_->zap.reset();
   impl_->context.close();
 }
 
@@ -84,12 +99,17 @@ void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn) {
     zmq::poll(items, 2, pause);
     if (items[1].revents) wake_.clear();
     for (int i = 0; i < kMessagesPerTurn; ++i) {
-      Parts parts = receive(impl_->socket);
-      if (parts.empty()) break;
-      on_message(std::move(parts));
+      const Message message = receive(impl_->socket);
+      if (message.parts.empty()) break;
+      if (allowed(message)) on_message(message);
     }
     pause = on_turn();
   }
+}
+
+// A key may have been taken off the list since its owner connected.
+bool SocketLoop::allowed(const Message& message) const {
+  return !impl_->clients || impl_->clients->allow(message.user);
 }
 
 SocketLoop::Sent SocketLoop::send(std::initializer_list<std::string_view> parts) {

@@ -5,13 +5,21 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "stream/client_keys.h"
 #include "stream/wake_fd.h"
 
 namespace saccade {
+
+// Only who has a key on the list may connect, over CURVE.
+struct ServerKeys {
+  std::string secret;  // the server's own
+  std::shared_ptr<ClientKeys> clients;
+};
 
 struct SocketOptions {
   enum class Kind { kRouter, kXPub };
@@ -19,18 +27,23 @@ struct SocketOptions {
   std::string endpoint;                    // port 0 or * takes a free one; IPv6 where the host is in brackets
   std::int64_t max_part_bytes = 64 << 10;  // a peer that sends a larger part is disconnected
   int send_queue = 64;                     // messages per peer
+  std::optional<ServerKeys> keys;          // none: everybody may connect
 };
 
 class SocketLoop {
  public:
-  using Parts = std::vector<std::string>;
-  // A router's messages begin with the peer's identity. Parts beyond the third are thrown away.
-  using OnMessage = std::function<void(Parts)>;
+  struct Message {
+    // A router's begin with the peer's identity. Those beyond the third are thrown away.
+    std::vector<std::string> parts;
+    std::string user;  // the peer's public key; empty without keys
+  };
+  using OnMessage = std::function<void(const Message&)>;
   // Called after messages and wake-ups. Returns the longest time to sleep before the next call.
   using OnTurn = std::function<std::chrono::milliseconds()>;
   static constexpr std::chrono::milliseconds kUntilWoken{-1};
 
-  explicit SocketLoop(const SocketOptions& options);  // binds; throws std::runtime_error naming the endpoint
+  // Binds; throws std::runtime_error naming the endpoint, also where there are keys and a stranger is let in.
+  explicit SocketLoop(const SocketOptions& options);
   ~SocketLoop();
   SocketLoop(const SocketLoop&) = delete;
   SocketLoop& operator=(const SocketLoop&) = delete;
@@ -49,6 +62,7 @@ class SocketLoop {
  private:
   struct Impl;  // keeps zmq.hpp out of the header
   void run(const OnMessage& on_message, const OnTurn& on_turn);
+  bool allowed(const Message& message) const;
 
   WakeFd wake_;
   std::unique_ptr<Impl> impl_;

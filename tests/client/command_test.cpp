@@ -146,6 +146,21 @@ TEST_F(CommandAndServer, RecordsASensorPerThreshold) {
   EXPECT_GT(fs::file_size(picture), 100u);
 }
 
+TEST(CommandAndKeys, RecordsFromAServerThatWantsThem) {
+  const ScratchFolder folder;
+  const std::string server = folder.at("server"), alice = folder.at("alice"), file = folder.at("a.csv");
+  ASSERT_EQ(run("keygen " + server).code, 0);
+  ASSERT_EQ(run("keygen " + alice).code, 0);
+  fs::copy_file(alice + ".pub", folder.at("clients"));
+  const Server daemon("--secret-key " + server + ".key --client-keys " + folder.at("clients"));
+  const std::string keys = " --secret-key " + alice + ".key --server-key " + server + ".pub ";
+  const std::string record = "record cornell-box --trajectory right --size 32x24 --duration 0.01 -o " + file;
+  EXPECT_EQ(run("info --wait 0.2 " + daemon.option()).code, 1);
+  EXPECT_EQ(run("info --secret-key " + alice + ".key" + daemon.option()).code, 2);
+  EXPECT_EQ(run(record + keys + daemon.option()).code, 0);
+  EXPECT_TRUE(fs::exists(file));
+}
+
 TEST(CommandAndBudget, TellsWhatWasChosenAndWhatToExpect) {
   const ScratchFolder folder;
   const AccuracyFile table(folder.at("chart"));

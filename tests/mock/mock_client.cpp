@@ -6,10 +6,16 @@
 
 namespace saccade {
 
-MockClient::MockClient(const std::string& control_endpoint) : socket_(context_, zmq::socket_type::dealer) {
+MockClient::MockClient(const std::string& control_endpoint, const MockKeys& keys)
+    : socket_(context_, zmq::socket_type::dealer) {
   socket_.set(zmq::sockopt::linger, 0);
-  socket_.set(zmq::sockopt::rcvtimeo, static_cast<int>(kPatience.count()));
+  setPatience(kPatience);
+  keys.apply(socket_);
   socket_.connect(control_endpoint);
+}
+
+void MockClient::setPatience(std::chrono::milliseconds patience) {
+  socket_.set(zmq::sockopt::rcvtimeo, static_cast<int>(patience.count()));
 }
 
 v1::Reply MockClient::call(v1::Request request) {

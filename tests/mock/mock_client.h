@@ -5,6 +5,7 @@
 #include <string>
 #include <zmq.hpp>
 
+#include "mock/mock_keys.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade {
@@ -13,7 +14,7 @@ inline constexpr std::chrono::milliseconds kPatience{30000};  // no test waits l
 
 class MockClient {
  public:
-  explicit MockClient(const std::string& control_endpoint);
+  explicit MockClient(const std::string& control_endpoint, const MockKeys& keys = {});
 
   v1::Reply call(v1::Request request);          // adds request_id and version; checks that the id comes back
   v1::Reply callRaw(const std::string& bytes);  // throws std::runtime_error where no reply comes
@@ -22,6 +23,7 @@ class MockClient {
   v1::Status close(const v1::StreamOpened& stream);
   v1::StreamInfo info(const std::string& stream_id);  // empty where it is not listed
   v1::ServerDescription server();
+  void setPatience(std::chrono::milliseconds patience);  // for one reply; kPatience at first
 
  private:
   zmq::context_t context_;

@@ -6,15 +6,18 @@
 
 namespace saccade {
 
-MockSubscriber::MockSubscriber(const std::string& data_endpoint)
+MockSubscriber::MockSubscriber(const std::string& data_endpoint, const MockKeys& keys)
     : socket_(context_, zmq::socket_type::dealer), broadcast_(false) {
   socket_.set(zmq::sockopt::linger, 0);
+  keys.apply(socket_);
   socket_.connect(data_endpoint);
 }
 
-MockSubscriber::MockSubscriber(const std::string& broadcast_endpoint, const v1::StreamOpened& stream)
+MockSubscriber::MockSubscriber(const std::string& broadcast_endpoint, const v1::StreamOpened& stream,
+                               const MockKeys& keys)
     : socket_(context_, zmq::socket_type::sub), broadcast_(true) {
   socket_.set(zmq::sockopt::linger, 0);
+  keys.apply(socket_);
   for (const auto& topic : stream.topics()) socket_.set(zmq::sockopt::subscribe, topic);
   socket_.connect(broadcast_endpoint);
 }

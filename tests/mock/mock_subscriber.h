@@ -23,8 +23,9 @@ using Packets = std::vector<Received>;
 
 class MockSubscriber {
  public:
-  explicit MockSubscriber(const std::string& data_endpoint);                              // DEALER
-  MockSubscriber(const std::string& broadcast_endpoint, const v1::StreamOpened& stream);  // SUB to all topics
+  explicit MockSubscriber(const std::string& data_endpoint, const MockKeys& keys = {});  // DEALER
+  MockSubscriber(const std::string& broadcast_endpoint, const v1::StreamOpened& stream,
+                 const MockKeys& keys = {});  // SUB to all topics
 
   void attach(const v1::StreamOpened& stream, std::uint64_t from_seq = 0);
   void giveCredit(std::uint64_t bytes);

@@ -5,13 +5,11 @@
 namespace saccade {
 namespace {
 
-Config testConfig(int threads, const std::string& scenes, const std::string& accuracy,
-                  const std::string& needs) {
-  spdlog::set_level(spdlog::level::warn);
-  Config config;
-  config.control = config.data = config.broadcast = "tcp://127.0.0.1:*";
+Config configFor(int threads, const std::string& scenes, const std::string& accuracy,
+                 const std::string& needs) {
+  Config config = testConfig();
   config.threads = threads;
-  config.scenes = scenes.empty() ? SACCADE_SOURCE_DIR "/scenes" : scenes;
+  if (!scenes.empty()) config.scenes = scenes;
   config.accuracy = accuracy;
   config.needs = needs;
   return config;
@@ -19,11 +17,21 @@ Config testConfig(int threads, const std::string& scenes, const std::string& acc
 
 }  // namespace
 
+Config testConfig() {
+  spdlog::set_level(spdlog::level::warn);
+  Config config;
+  config.control = config.data = config.broadcast = "tcp://127.0.0.1:*";
+  config.threads = 1;
+  config.scenes = SACCADE_SOURCE_DIR "/scenes";
+  return config;
+}
+
 TestServer::TestServer(int threads, const std::string& scenes, const std::string& accuracy,
                        const std::string& needs)
-    : app_(testConfig(threads, scenes, accuracy, needs)),
-      client_(app_.controlEndpoint()),
-      info_(client_.server()) {}
+    : TestServer(configFor(threads, scenes, accuracy, needs)) {}
+
+TestServer::TestServer(const Config& config, const MockKeys& keys)
+    : app_(config), client_(app_.controlEndpoint(), keys), info_(client_.server()) {}
 
 std::map<std::uint32_t, Packets> TestServer::run(const v1::OpenStream& request) {
   const v1::StreamOpened stream = client_.open(request);

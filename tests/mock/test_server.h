@@ -12,6 +12,7 @@ class TestServer {
   // `scenes`: a folder; empty: the project's own. `accuracy`, `needs`: files of tables; empty: none.
   explicit TestServer(int threads = 1, const std::string& scenes = {}, const std::string& accuracy = {},
                       const std::string& needs = {});
+  explicit TestServer(const Config& config, const MockKeys& keys = {});
 
   MockClient& client() { return client_; }
   MockSubscriber dataSubscriber() { return MockSubscriber(info_.data_endpoint()); }
@@ -31,6 +32,9 @@ class TestServer {
   MockClient client_;
   v1::ServerDescription info_;
 };
+
+// Free ports, one thread, the project's scenes, and a log of warnings only.
+Config testConfig();
 
 // The Cornell box at 32 x 24, 20 frame intervals of 2 ms, LOSSLESS and FAST, one sensor with a low threshold.
 v1::OpenStream tinyRequest();

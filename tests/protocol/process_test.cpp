@@ -96,6 +96,31 @@ TEST_F(ProcessAndCache, AFaultyTableEndsItOnlyWhereItWasAskedFor) {
   EXPECT_EQ(refused.finish(), 1);
 }
 
+TEST(Process, ReadsItsKeysAgainOnSighup) {
+  const std::string secret = testing::TempDir() + "process_test.key",
+                    list = testing::TempDir() + "process_test.keys";
+  const MockKeys own = makeMockKeys(), client = makeMockKeys(own.public_key);
+  std::ofstream(secret) << own.secret;
+  std::ofstream(list) << "# nobody yet\n";
+  auto command = kServer;
+  command.insert(command.end(), {"--secret-key", secret, "--client-keys", list});
+  Process server(command);
+  const std::string endpoint = controlEndpoint(server.lineWith("ready"));
+  EXPECT_EQ(handshake(endpoint, client), ZMQ_EVENT_HANDSHAKE_FAILED_AUTH);
+  std::ofstream(list) << client.public_key << "\n";
+  server.signal(SIGHUP);
+  EXPECT_NE(server.lineWith("1 clients may connect"), "");
+  EXPECT_EQ(MockClient(endpoint, client).server().threads(), 1u);
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.finish(), 0);
+}
+
+TEST(Process, AnOpenAddressWithoutKeysIsRefusedAndSaysWhy) {
+  Process server({SACCADED, "--check-config", "--control", "tcp://0.0.0.0:0"});
+  EXPECT_NE(server.lineWith("--control").find("--insecure"), std::string::npos);
+  EXPECT_EQ(server.finish(), 2);
+}
+
 TEST(Process, RefusesWhatItCannotDo) {
   auto command = kServer;
   command.back() = "-1";

@@ -13,7 +13,7 @@ namespace {
 TEST(ControlServer, ASlowAnswerDelaysNoOther) {
   ControlServer server("tcp://127.0.0.1:*");
   std::promise<ControlServer::Answer> slow;
-  server.start([&](const v1::Request& request, ControlServer::Answer answer) {
+  server.start([&](const v1::Request& request, const std::string&, ControlServer::Answer answer) {
     if (request.has_open_stream()) return slow.set_value(std::move(answer));
     v1::Reply reply;
     reply.mutable_server_info()->set_version("quick");

@@ -1,0 +1,12 @@
+// saccade keygen: a new pair of CURVE keys.
+#pragma once
+
+#include <string>
+
+namespace saccade {
+
+// Writes NAME.key, the secret one, which only its owner may read, and NAME.pub. Throws std::runtime_error
+// naming the file, also where it exists: what is in use is never overwritten.
+void writeKeyPair(const std::string& name);
+
+}  // namespace saccade

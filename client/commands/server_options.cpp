@@ -1,0 +1,30 @@
+#include <stdexcept>
+
+#include "client/commands/commands.h"
+#include "wire/curve_key.h"
+
+namespace saccade {
+
+void addServerOptions(CLI::App& command, ServerOptions& options) {
+  command.add_option("--control", options.control, "control endpoint of saccaded")
+      ->envname("SACCADE_SERVER")
+      ->capture_default_str();
+  command
+      .add_option("--secret-key", options.secret_key, "file of your secret key, where the server wants one")
+      ->envname("SACCADE_CLIENT_KEY");
+  command.add_option("--server-key", options.server_key, "file of the server's public key, likewise")
+      ->envname("SACCADE_SERVER_KEY");
+}
+
+ControlClient connectTo(zmq::context_t& context, const ServerOptions& options) {
+  if (options.secret_key.empty() != options.server_key.empty()) {
+    throw std::invalid_argument("--secret-key and --server-key belong together");
+  }
+  CurveKeys keys;
+  if (!options.secret_key.empty()) {
+    keys = {readCurveKey(options.secret_key), readCurveKey(options.server_key)};
+  }
+  return ControlClient(context, options.control, keys);
+}
+
+}  // namespace saccade

@@ -1,0 +1,24 @@
+#include "wire/curve_key.h"
+
+#include <fstream>
+#include <stdexcept>
+
+namespace saccade {
+
+bool isCurveKey(std::string_view text) {
+  constexpr std::string_view kDigits =
+      "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.-:+=^!/*?&<>()[]{}@%$#";
+  return text.size() == 40 && text.find_first_not_of(kDigits) == std::string_view::npos;
+}
+
+std::string readCurveKey(const std::string& path) {
+  std::ifstream file(path);
+  std::string key, more;
+  if (!file) throw std::invalid_argument("the key file " + path + " cannot be read");
+  if (!(file >> key) || !isCurveKey(key) || file >> more) {
+    throw std::invalid_argument(path + " holds no key as `saccade keygen` writes it");
+  }
+  return key;
+}
+
+}  // namespace saccade

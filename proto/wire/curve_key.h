@@ -1,0 +1,14 @@
+// Keys of CURVE as text: 32 bytes as 40 characters of Z85 [ZeroMQ RFC 32].
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace saccade {
+
+bool isCurveKey(std::string_view text);
+
+// The key that a file consists of, but for blanks around it. Throws std::invalid_argument naming the file.
+std::string readCurveKey(const std::string& path);
+
+}  // namespace saccade

@@ -1,0 +1,67 @@
+#include "stream/zap_handler.h"
+
+#include <iterator>
+#include <zmq_addon.hpp>
+
+namespace saccade {
+namespace {
+
+constexpr std::size_t kKeyBytes = 32;
+// ZMQ_ZAP_ENFORCE_DOMAIN, which Debian's header hides: without a handler CURVE would let any key in.
+constexpr int kZapEnforceDomain = 93;
+
+std::string keyText(const std::string& bytes) {
+  char text[41];
+  zmq_z85_encode(text, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> answerZap(const std::vector<std::string>& request, const ClientKeys& clients) {
+  // version, request id, domain, address, identity, mechanism, credentials
+  const std::string id = request.size() > 1 ? request[1] : "";
+  const bool curve =
+      request.size() == 7 && request[0] == "1.0" && request[5] == "CURVE" && request[6].size() == kKeyBytes;
+  const std::string key = curve ? keyText(request[6]) : "";
+  if (!curve || !clients.allow(key)) return {"1.0", id, "400", "the key is not on the list", "", ""};
+  return {"1.0", id, "200", "OK", key, ""};
+}
+
+ZapHandler::ZapHandler(zmq::context_t& context, std::shared_ptr<const ClientKeys> clients)
+    : clients_(std::move(clients)), socket_(context, zmq::socket_type::rep) {
+  socket_.set(zmq::sockopt::linger, 0);
+  socket_.bind("inproc://zeromq.zap.01");
+  thread_ = std::thread([this] { run(); });
+}
+
+ZapHandler::~ZapHandler() {
+  stop_.wake();
+  thread_.join();
+}
+
+void ZapHandler::run() {
+  while (true) {
+    zmq::pollitem_t items[] = {{socket_, 0, ZMQ_POLLIN, 0}, {nullptr, stop_.fd(), ZMQ_POLLIN, 0}};
+    zmq::poll(items, 2, std::chrono::milliseconds(-1));
+    if (items[1].revents) return;
+    std::vector<zmq::message_t> parts;
+    if (!zmq::recv_multipart(socket_, std::back_inserter(parts))) continue;
+    std::vector<std::string> request;
+    for (const auto& part : parts) request.push_back(part.to_string());
+    std::vector<zmq::const_buffer> answer;
+    const auto words = answerZap(request, *clients_);
+    for (const auto& word : words) answer.push_back(zmq::buffer(word));
+    zmq::send_multipart(socket_, answer);
+  }
+}
+
+void secureServer(zmq::socket_t& socket, const std::string& secret_key) {
+  const int on = 1;
+  socket.set(zmq::sockopt::curve_server, true);
+  socket.set(zmq::sockopt::curve_secretkey, secret_key);
+  socket.set(zmq::sockopt::zap_domain, "saccade");
+  if (zmq_setsockopt(socket.handle(), kZapEnforceDomain, &on, sizeof on) != 0) throw zmq::error_t();
+}
+
+}  // namespace saccade

@@ -1,0 +1,133 @@
+// A server with keys: who comes in, who is turned away, and what one client sees of another.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "mock/test_server.h"
+
+namespace saccade {
+namespace {
+
+class KeyedServer : public testing::Test {
+ protected:
+  KeyedServer() {
+    std::filesystem::create_directories(folder_);
+    std::ofstream(config_.secret_key = folder_ + "/server.key") << server_.secret << "\n";
+    config_.client_keys = folder_ + "/clients";
+    allow({alice_, bob_});
+  }
+  ~KeyedServer() override { std::filesystem::remove_all(folder_); }
+
+  void allow(const std::vector<MockKeys>& clients) const {
+    std::ofstream list(config_.client_keys);
+    for (const auto& client : clients) list << client.public_key << "\n";
+  }
+  std::vector<std::string> seen(MockClient& client) const {
+    v1::Request request;
+    request.mutable_list_streams();
+    std::vector<std::string> ids;
+    const v1::Reply reply = client.call(request);
+    for (const auto& stream : reply.list_streams().streams()) ids.push_back(stream.stream_id());
+    return ids;
+  }
+
+  const MockKeys server_ = makeMockKeys();
+  const MockKeys alice_ = makeMockKeys(server_.public_key), bob_ = makeMockKeys(server_.public_key);
+  const std::string folder_ = testing::TempDir() + "keys_test_" + std::to_string(getpid());
+  Config config_ = testConfig();
+};
+
+TEST_F(KeyedServer, ServesAllSocketsToAListedKey) {
+  TestServer server(config_, alice_);
+  v1::OpenStream request = tinyRequest();
+  const auto info = server.client().server();
+  for (const auto delivery : {v1::DELIVERY_LOSSLESS, v1::DELIVERY_BROADCAST}) {
+    request.set_delivery(delivery);
+    const auto stream = server.client().open(request);
+    MockSubscriber subscriber = delivery == v1::DELIVERY_BROADCAST
+                                    ? MockSubscriber(info.broadcast_endpoint(), stream, alice_)
+                                    : MockSubscriber(info.data_endpoint(), alice_);
+    if (delivery != v1::DELIVERY_BROADCAST) {
+      subscriber.attach(stream);
+      subscriber.giveCredit(1 << 20);
+    }
+    checkPackets(subscriber.receiveAll(1)[0]);
+  }
+}
+
+TEST_F(KeyedServer, TurnsAllOthersAwayOnEverySocket) {
+  TestServer server(config_, alice_);
+  const auto info = server.client().server();
+  const auto dealer = zmq::socket_type::dealer, sub = zmq::socket_type::sub;
+  const MockKeys stranger = makeMockKeys(server_.public_key);
+  for (const auto& [endpoint, type] : {std::pair(server.app().controlEndpoint(), dealer),
+                                       {info.data_endpoint(), dealer},
+                                       {info.broadcast_endpoint(), sub}}) {
+    EXPECT_EQ(handshake(endpoint, alice_, 10000, type), ZMQ_EVENT_HANDSHAKE_SUCCEEDED);
+    EXPECT_EQ(handshake(endpoint, stranger, 10000, type), ZMQ_EVENT_HANDSHAKE_FAILED_AUTH);
+    EXPECT_NE(handshake(endpoint, {}, 200, type), ZMQ_EVENT_HANDSHAKE_SUCCEEDED);
+  }
+}
+
+TEST_F(KeyedServer, AClientSeesItsOwnStreamsOnly) {
+  TestServer server(config_, alice_);
+  MockClient& alice = server.client();
+  MockClient bob(server.app().controlEndpoint(), bob_);
+  const auto stream = alice.open(tinyRequest());
+  EXPECT_EQ(seen(alice), std::vector{stream.stream_id()});
+  EXPECT_EQ(seen(bob), std::vector<std::string>{});
+
+  auto forged = stream;
+  forged.set_token(bob.open(tinyRequest()).token());
+  EXPECT_EQ(bob.close(forged).code(), v1::CODE_PERMISSION_DENIED);
+  MockSubscriber thief(alice.server().data_endpoint(), bob_);
+  thief.attach(forged);
+  const auto refused = thief.receive();
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->header.kind(), v1::KIND_ERROR);
+  thief.acknowledge(0, 5);  // of no stream, since it is attached to none
+  EXPECT_EQ(thief.receive()->header.kind(), v1::KIND_ERROR);
+
+  MockSubscriber owner(alice.server().data_endpoint(), alice_);
+  owner.attach(stream);
+  owner.giveCredit(1 << 20);
+  checkPackets(owner.receiveAll(1)[0]);
+}
+
+TEST_F(KeyedServer, ReadsItsListAgain) {
+  TestServer server(config_, alice_);
+  const std::string endpoint = server.app().controlEndpoint();
+  MockClient bob(endpoint, bob_);
+  EXPECT_EQ(bob.server().threads(), 1u);
+  const MockKeys carol = makeMockKeys(server_.public_key);
+  allow({alice_, carol});
+  server.app().reloadKeys();
+  EXPECT_EQ(MockClient(endpoint, carol).server().threads(), 1u);
+  EXPECT_EQ(handshake(endpoint, bob_), ZMQ_EVENT_HANDSHAKE_FAILED_AUTH);
+  bob.setPatience(std::chrono::milliseconds(200));  // his connection stands, but is deaf
+  EXPECT_THROW(bob.server(), std::runtime_error);
+
+  std::ofstream(config_.client_keys) << "nonsense\n";
+  server.app().reloadKeys();
+  EXPECT_EQ(MockClient(endpoint, carol).server().threads(), 1u);
+}
+
+TEST_F(KeyedServer, AnOpenAddressWantsKeysOrAWord) {
+  Config open = testConfig();
+  open.data = "tcp://0.0.0.0:*";
+  EXPECT_THROW(App{open}, std::runtime_error);
+  open.insecure = true;
+  EXPECT_NO_THROW(App{open});
+  open = config_;
+  open.control = "tcp://0.0.0.0:*";
+  EXPECT_NO_THROW(App{open});
+  open.insecure = true;
+  EXPECT_THROW(App{open}, std::runtime_error);
+  config_.client_keys.clear();
+  EXPECT_THROW(App{config_}, std::runtime_error);
+}
+
+}  // namespace
+}  // namespace saccade
