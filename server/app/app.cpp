@@ -2,12 +2,16 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
+#include "app/metrics.h"
 #include "wire/protocol.h"
 
 namespace saccade {
 
 App::App(const Config& config)
     : epoch_(std::stoull(randomHex(8), nullptr, 16)),
+      drain_time_(config.drain_s),
       keys_(openKeys(config)),
       tables_{openAccuracySource(config.accuracy), openNeedsSource(config.needs)},
       pool_(config.threads),
@@ -16,7 +20,7 @@ App::App(const Config& config)
       data_(config.data, sessions_, keys_),
       broadcast_(config.broadcast, sessions_, keys_),
       streams_(sessions_),
-      opener_(scenes_, tables_, pool_, streams_, {data_.wake(), broadcast_.wake()}, epoch_),
+      opener_(scenes_, tables_, pool_, streams_, {data_.wake(), broadcast_.wake()}, totals_, epoch_),
       service_(scenes_, streams_, opener_, describe(config)) {
   data_.start();
   broadcast_.start();
@@ -24,8 +28,10 @@ App::App(const Config& config)
     service_.handle(request, user, std::move(answer));
   });
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
-  spdlog::info("ready: control {} data {} broadcast {}, {} threads, scenes in {}", control_.endpoint(),
-               data_.endpoint(), broadcast_.endpoint(), config.threads, config.scenes);
+  if (config.http != "off") http_.emplace(config.http, pages());
+  spdlog::info("ready: control {} data {} broadcast {} http {}, {} threads, scenes in {}",
+               control_.endpoint(), data_.endpoint(), broadcast_.endpoint(), httpEndpoint(), config.threads,
+               config.scenes);
 }
 
 App::~App() {
@@ -57,6 +63,27 @@ v1::ServerDescription App::describe(const Config& config) const {
   return description;
 }
 
+bool App::alive() const {
+  const auto oldest = std::min({control_.lastTurn(), data_.lastTurn(), broadcast_.lastTurn()});
+  return Signal::Clock::now() - oldest < kStall;
+}
+
+HttpServer::Pages App::pages() const {
+  const auto say = [](bool yes, const char* text) {
+    return HttpAnswer{.status = yes ? 200 : 503, .body = text};
+  };
+  return {
+      {"/healthz",
+       [=, this] { return alive() ? say(true, "alive\n") : say(false, "a thread stands still\n"); }},
+      {"/readyz", [=, this] { return ready() ? say(true, "ready\n") : say(false, "stopping\n"); }},
+      {"/metrics",
+       [this] {
+         return HttpAnswer{.type = "text/plain; version=0.0.4; charset=utf-8",
+                           .body = metricsText(totals_, streams_, scenes_, ready())};
+       }},
+  };
+}
+
 void App::sweep(std::stop_token stopped) {
   std::mutex mutex;
   std::condition_variable_any tick;
@@ -64,12 +91,14 @@ void App::sweep(std::stop_token stopped) {
   while (!stopped.stop_requested()) {
     tick.wait_for(lock, stopped, std::chrono::seconds(1), [] { return false; });
     streams_.sweep(Signal::Clock::now());
+    for (WakeFd* loop : {&control_.wake(), &data_.wake(), &broadcast_.wake()}) loop->wake();
   }
 }
 
 bool App::stop() {
-  if (std::exchange(stopped_, true)) return true;
-  const auto deadline = Signal::Clock::now() + kDrainTime;
+  if (stopping_.exchange(true)) return true;
+  const auto deadline =
+      Signal::Clock::now() + std::chrono::duration_cast<Signal::Clock::duration>(drain_time_);
   const bool all_open = opener_.stop(deadline);
   const bool all_taken = streams_.stopAll(deadline);
   sweeper_ = {};

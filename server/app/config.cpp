@@ -27,6 +27,12 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--control", config.control, "endpoint for requests")->capture_default_str();
   app.add_option("--data", config.data, "endpoint for streams with credit")->capture_default_str();
   app.add_option("--broadcast", config.broadcast, "endpoint for broadcast streams")->capture_default_str();
+  app.add_option("--http", config.http, "address of /metrics, /healthz and /readyz; off: none")
+      ->capture_default_str();
+  app.add_option("--drain-time", config.drain_s,
+                 "seconds that receivers have to take what is left, on SIGTERM")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
   app.add_option("--secret-key", config.secret_key, "file of the server's secret key, from `saccade keygen`")
       ->capture_default_str();
   app.add_option("--client-keys", config.client_keys,
@@ -85,6 +91,7 @@ void run(const Errand& errand, const Config& config, const ConfigSources& source
 
 Config defaultConfig() {
   Config config;
+  config.http = "http://127.0.0.1:5773";
   config.scenes = findScenes();
   config.accuracy = ifThere(defaultAccuracyTable());
   config.needs = ifThere(defaultNeedsTable());

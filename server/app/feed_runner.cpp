@@ -24,10 +24,11 @@ void logTimes(FrameIndex frame, const StageTimes& times) {
 }  // namespace
 
 FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, int width, int height, const FeedPace& pace,
-                       TilePool& pool)
+                       TilePool& pool, Totals& totals)
     : feed_(std::move(feed)),
       pace_(pace),
       pool_(pool),
+      totals_(totals),
       luminance_p01_(feed_->firstFrameLuminance(0.01)),
       luminance_p50_(feed_->firstFrameLuminance(0.5)),
       pixel_speed_(feed_->pixelSpeed(pace.frames)),
@@ -121,7 +122,10 @@ void FeedRunner::step() {
   const double lag_s = waitUntilDue(change.t1);
   StageTimes times = feed_->lastTimes();
   for (auto& outlet : outlets_) {
-    if (outlet->session().started()) times[Stage::kEvents] += outlet->publish(change, pool_);
+    if (!outlet->session().started()) continue;
+    const std::uint64_t events_before = outlet->events();
+    times[Stage::kEvents] += outlet->publish(change, pool_);
+    totals_.events += outlet->events() - events_before;
   }
   snapshot_.take(change);
   record(times, lag_s);
@@ -141,6 +145,8 @@ double FeedRunner::waitUntilDue(TimeNs t) {
 
 void FeedRunner::record(const StageTimes& times, double lag_s) {
   logTimes(frame_, times);
+  totals_.frames += 1;
+  totals_.add(times);
   std::lock_guard lock(mutex_);
   progress_.frames = frame_;
   progress_.lag_s = lag_s;

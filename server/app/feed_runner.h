@@ -13,6 +13,7 @@
 #include "app/frame_snapshot.h"
 #include "app/outlet.h"
 #include "app/pixel_speed.h"
+#include "app/totals.h"
 #include "stream/signal.h"
 
 namespace saccade {
@@ -31,7 +32,9 @@ struct FeedProgress {
 
 class FeedRunner {
  public:
-  FeedRunner(std::unique_ptr<Feed> feed, int width, int height, const FeedPace& pace, TilePool& pool);
+  // Keeps references to `pool` and to `totals`, which it adds to.
+  FeedRunner(std::unique_ptr<Feed> feed, int width, int height, const FeedPace& pace, TilePool& pool,
+             Totals& totals);
   ~FeedRunner();  // its streams must be stopped, or the feed must have an end
   FeedRunner(const FeedRunner&) = delete;
   FeedRunner& operator=(const FeedRunner&) = delete;
@@ -63,6 +66,7 @@ class FeedRunner {
   const std::unique_ptr<Feed> feed_;
   const FeedPace pace_;
   TilePool& pool_;
+  Totals& totals_;
   const std::shared_ptr<Signal> signal_ = std::make_shared<Signal>();
   const float luminance_p01_, luminance_p50_;
   const PixelSpeed pixel_speed_;

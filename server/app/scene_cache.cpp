@@ -8,22 +8,32 @@
 
 namespace saccade {
 
-std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name) {
-  std::packaged_task<Loaded()> load([&] {
-    const auto log = [](const std::string& text) { spdlog::info("loading {}", text); };
-    auto scene = std::make_shared<const RenderScene>(library_.load(name, tellSlowLoad(name, log)));
+SceneCache::Loaded SceneCache::load(const std::string& name) {
+  const auto log = [](const std::string& text) { spdlog::info("loading {}", text); };
+  const auto began = std::chrono::steady_clock::now();
+  try {
+    const auto scene = std::make_shared<const RenderScene>(library_.load(name, tellSlowLoad(name, log)));
+    loads_.ns += (std::chrono::steady_clock::now() - began) / std::chrono::nanoseconds(1);
+    ++loads_.done;
     const std::string needs = needsOf(scene->description()).text();
     spdlog::info("loaded {}: {}", name, needs);
     std::lock_guard lock(mutex_);
     needs_[name] = needs;
     return scene;
-  });
+  } catch (...) {
+    ++loads_.failed;
+    throw;
+  }
+}
+
+std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name) {
+  std::packaged_task<Loaded()> task([&] { return load(name); });
   std::unique_lock lock(mutex_);
   const auto [entry, first] = scenes_.try_emplace(name);
-  if (first) entry->second = load.get_future().share();
+  if (first) entry->second = task.get_future().share();
   const std::shared_future<Loaded> scene = entry->second;
   lock.unlock();
-  if (first) load();
+  if (first) task();
   try {
     return scene.get();
   } catch (...) {

@@ -1,6 +1,8 @@
 // The scenes in memory: each is loaded once, and shared.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <future>
 #include <map>
 #include <memory>
@@ -13,11 +15,18 @@
 
 namespace saccade {
 
+// Since the server started.
+struct SceneLoads {
+  std::atomic<std::uint64_t> done = 0, failed = 0;
+  std::atomic<std::int64_t> ns = 0;  // time that took
+};
+
 class SceneCache {
  public:
   explicit SceneCache(const std::string& folder) : library_(folder) {}
 
   const SceneLibrary& library() const { return library_; }
+  const SceneLoads& loads() const { return loads_; }
   // Loads the scene, or waits for another thread that does. Throws SceneError; a later call tries again.
   std::shared_ptr<const RenderScene> get(const std::string& name);
   // The same without parts of its model; shared while anyone has it. Throws SceneError, and Refusal where
@@ -30,8 +39,10 @@ class SceneCache {
 
  private:
   using Loaded = std::shared_ptr<const RenderScene>;
+  Loaded load(const std::string& name);
 
   SceneLibrary library_;
+  SceneLoads loads_;
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_future<Loaded>> scenes_;
   std::map<std::string, std::string> needs_;  // of those that are loaded

@@ -41,12 +41,14 @@ v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, 
 }  // namespace
 
 StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool,
-                           StreamRegistry& streams, Transports transports, std::uint64_t epoch)
+                           StreamRegistry& streams, Transports transports, Totals& totals,
+                           std::uint64_t epoch)
     : scenes_(scenes),
       tables_(tables),
       pool_(pool),
       streams_(streams),
       transports_(transports),
+      totals_(totals),
       epoch_(epoch) {}
 
 void StreamOpener::open(const v1::OpenStream& request, const std::string& user,
@@ -116,8 +118,8 @@ std::shared_ptr<FeedRunner> StreamOpener::makeFeed(const ResolvedStream& resolve
   auto feed = std::make_unique<Feed>(std::move(scene), std::move(path), resolved.feed, pool_);
   const v1::Timing& timing = resolved.request.timing();
   const FeedPace pace{resolved.frames, timing.frame_rate_hz(), timing.speed()};
-  return std::make_shared<FeedRunner>(std::move(feed), resolved.feed.width, resolved.feed.height, pace,
-                                      pool_);
+  return std::make_shared<FeedRunner>(std::move(feed), resolved.feed.width, resolved.feed.height, pace, pool_,
+                                      totals_);
 }
 
 void StreamOpener::share(const ResolvedStream& resolved, const std::shared_ptr<FeedRunner>& feed) {
@@ -131,7 +133,7 @@ bool StreamOpener::connect(const ResolvedStream& resolved, Stream& stream) {
   WakeFd& transport = delivery == v1::DELIVERY_BROADCAST ? transports_.broadcast : transports_.data;
   stream.session = std::make_shared<Session>(randomHex(kIdBytes), delivery,
                                              static_cast<std::uint32_t>(resolved.sensors.size()), transport,
-                                             stream.feed->signal());
+                                             stream.feed->signal(), totals_.traffic);
   stream.outlet = std::make_shared<Outlet>(stream.session, resolved.sensors, resolved.feed.width,
                                            resolved.feed.height, epoch_);
   return stream.feed->add(stream.outlet);

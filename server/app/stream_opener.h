@@ -25,7 +25,7 @@ class StreamOpener {
 
   // Keeps references.
   StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool, StreamRegistry& streams,
-               Transports transports, std::uint64_t epoch);
+               Transports transports, Totals& totals, std::uint64_t epoch);
 
   // `answer` is called once, from another thread. Throws Refusal where too many wait already.
   void open(const v1::OpenStream& request, const std::string& user, std::function<void(v1::Reply)> answer);
@@ -47,6 +47,7 @@ class StreamOpener {
   TilePool& pool_;
   StreamRegistry& streams_;
   const Transports transports_;
+  Totals& totals_;
   const std::uint64_t epoch_;
   Budget budget_;
   std::mutex mutex_;

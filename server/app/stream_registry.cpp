@@ -77,6 +77,17 @@ std::vector<v1::StreamInfo> StreamRegistry::list(const std::string& user) const 
   return infos;
 }
 
+StreamCensus StreamRegistry::census() const {
+  StreamCensus census{{{"lossless", 0}, {"live", 0}, {"broadcast", 0}}, 0};
+  std::lock_guard lock(mutex_);
+  for (const auto& [id, stream] : streams_) {
+    if (stream.session->finished()) continue;
+    census.running[nameWithout("DELIVERY_", v1::Delivery_Name(stream.request.delivery()))] += 1;
+    census.lag_s = std::max(census.lag_s, stream.feed->progress().lag_s);
+  }
+  return census;
+}
+
 void StreamRegistry::close(const std::string& id, const std::string& token) {
   find(id, token).session->stop();
   std::lock_guard lock(mutex_);

@@ -26,6 +26,11 @@ struct Stream {
   v1::StreamInfo info() const;
 };
 
+struct StreamCensus {
+  std::map<std::string, int> running;  // streams that have not ended, by the name of their delivery
+  double lag_s = 0;                    // of the one that is latest
+};
+
 class StreamRegistry {
  public:
   // A stream whose receiver is gone so long is ended; one that has ended stays listed so long.
@@ -39,6 +44,7 @@ class StreamRegistry {
   // A copy of the entry. Throws Refusal: there is none, or `token` is not its token.
   Stream find(const std::string& id, const std::string& token) const;
   std::vector<v1::StreamInfo> list(const std::string& user) const;  // what this one has opened
+  StreamCensus census() const;
 
   // Ends the stream at its next frame, if it has not ended; what it has made is still sent. Throws as find().
   void close(const std::string& id, const std::string& token);

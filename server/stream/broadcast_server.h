@@ -24,6 +24,7 @@ class BroadcastServer {
 
   std::string endpoint() const { return loop_.endpoint(); }
   WakeFd& wake() { return loop_.wake(); }  // for the sessions it is to serve
+  auto lastTurn() const { return loop_.lastTurn(); }
   void start();
   void stop() { loop_.stop(); }
 

@@ -32,6 +32,8 @@ class ControlServer {
   ~ControlServer();
 
   std::string endpoint() const { return loop_->endpoint(); }
+  WakeFd& wake() { return loop_->wake(); }
+  auto lastTurn() const { return loop_->lastTurn(); }
   void start(Handler handler);
   void stop();
 

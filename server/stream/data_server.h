@@ -22,6 +22,7 @@ class DataServer {
 
   std::string endpoint() const { return loop_.endpoint(); }
   WakeFd& wake() { return loop_.wake(); }  // for the sessions it is to serve
+  auto lastTurn() const { return loop_.lastTurn(); }
   void start();
   void stop() { loop_.stop(); }
 

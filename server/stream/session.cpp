@@ -22,13 +22,14 @@ std::string randomHex(int count) {
 }
 
 Session::Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
-                 std::shared_ptr<Signal> producer, std::uint64_t queue_bytes)
+                 std::shared_ptr<Signal> producer, Traffic& traffic, std::uint64_t queue_bytes)
     : id_(std::move(id)),
       token_(randomHex(16)),
       delivery_(delivery),
       sensors_(sensors),
       transport_(transport),
       producer_(std::move(producer)),
+      traffic_(traffic),
       queue_(
           delivery == v1::DELIVERY_LIVE ? CreditQueue::Overflow::kDropOldest : CreditQueue::Overflow::kHold,
           queue_bytes, sensors) {
@@ -58,7 +59,14 @@ void Session::leave() {
 }
 
 bool Session::sendOldest(const CreditQueue::Send& send) {
-  if (!queue_.sendOldest(send)) return false;
+  std::uint64_t bytes = 0;
+  const auto count = [&](const WirePacket& packet) {
+    bytes = packet.bytes();
+    return send(packet);
+  };
+  if (!queue_.sendOldest(count)) return false;
+  traffic_.packets += 1;
+  traffic_.bytes += bytes;
   touch();
   producer_->raise();
   return true;
@@ -69,7 +77,9 @@ void Session::keepAlive() {
 }
 
 void Session::push(Packet packet) {
+  const std::uint64_t dropped_before = queue_.droppedPackets();
   queue_.push(std::move(packet));
+  traffic_.dropped_packets += queue_.droppedPackets() - dropped_before;
   transport_.wake();
 }
 

@@ -9,6 +9,7 @@
 #include "saccade/v1/control.pb.h"
 #include "stream/credit_queue.h"
 #include "stream/signal.h"
+#include "stream/traffic.h"
 #include "stream/wake_fd.h"
 
 namespace saccade {
@@ -20,9 +21,10 @@ inline constexpr std::uint64_t kQueueBytes = 4 << 20;
 class Session {
  public:
   // `transport` is woken when there is something to send, `producer` is raised when started(), stopping(),
-  // hasRoom() or settled() may have changed. `transport` outlives the session.
+  // hasRoom() or settled() may have changed. `transport` and `traffic`, which is added to, outlive the
+  // session.
   Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
-          std::shared_ptr<Signal> producer, std::uint64_t queue_bytes = kQueueBytes);
+          std::shared_ptr<Signal> producer, Traffic& traffic, std::uint64_t queue_bytes = kQueueBytes);
 
   const std::string& id() const { return id_; }
   const std::string& token() const { return token_; }  // 128 random bits as hex digits
@@ -61,6 +63,7 @@ class Session {
   const std::uint32_t sensors_;
   WakeFd& transport_;
   const std::shared_ptr<Signal> producer_;
+  Traffic& traffic_;
   CreditQueue queue_;
   std::atomic<bool> started_ = false, has_receiver_ = false, stopping_ = false, finished_ = false;
   std::atomic<Signal::Clock::time_point> last_activity_;

@@ -51,6 +51,7 @@ struct SocketLoop::Impl {
   std::optional<ZapHandler> zap;
   zmq::socket_t socket;
   std::atomic<bool> stop = false;
+  std::atomic<std::chrono::steady_clock::time_point> last_turn = std::chrono::steady_clock::now();
   std::thread thread;
 };
 
@@ -104,7 +105,12 @@ void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn) {
       if (allowed(message)) on_message(message);
     }
     pause = on_turn();
+    impl_->last_turn = std::chrono::steady_clock::now();
   }
+}
+
+std::chrono::steady_clock::time_point SocketLoop::lastTurn() const {
+  return impl_->last_turn;
 }
 
 // A key may have been taken off the list since its owner connected.

@@ -49,6 +49,8 @@ class SocketLoop {
   SocketLoop& operator=(const SocketLoop&) = delete;
 
   const std::string& endpoint() const { return endpoint_; }  // with the real port
+  // When the thread last went around; a wake-up makes it do so. From any thread.
+  std::chrono::steady_clock::time_point lastTurn() const;
   WakeFd& wake() { return wake_; }
   void start(OnMessage on_message, OnTurn on_turn);
   // Ends the thread, sends what was accepted for at most a second, and closes the socket.

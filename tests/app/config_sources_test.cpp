@@ -39,7 +39,8 @@ class Sources : public testing::Test {
   }
 
   CLI::App app_;
-  const std::string file_ = testing::TempDir() + "config_sources_test.toml";
+  const std::string file_ =
+      testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml";
   std::string data_ = "a", level_ = "info", accuracy_;
   int threads_ = 0;
   bool insecure_ = false;

@@ -64,7 +64,8 @@ class Server {
  public:
   explicit Server(const std::string& flags = {})
       : child_(SACCADE_SERVER
-               " --control tcp://127.0.0.1:* --data tcp://127.0.0.1:* --broadcast tcp://127.0.0.1:* " +
+               " --control tcp://127.0.0.1:* --data tcp://127.0.0.1:* --broadcast tcp://127.0.0.1:* --http "
+               "off " +
                flags) {
     const std::string mark = "ready: control ";
     std::string line = child_.readLine();

@@ -14,7 +14,8 @@ ROOMS = {
     "methods": "filter frame base",
     "events": "frame wire base",
     "stream": "wire base",
-    "app": "base frame scene wire render filter methods events stream",
+    "ops": "base",
+    "app": "base frame scene wire render filter methods events stream ops",
     "eval": "base frame scene wire render filter methods events app",
     "client": "wire",
 }
@@ -22,6 +23,9 @@ ROOMS = {
 OUTSIDE = {
     "embree3/": ["server/render/embree_scene.cpp"],
     "zmq": ["server/stream/", "client/", "tests/"],
+    "civetweb": ["server/ops/http_server.cpp"],
+    "prometheus/": ["server/app/metrics.cpp"],
+    "toml++/": ["server/app/config_file.cpp"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 

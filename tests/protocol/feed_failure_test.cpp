@@ -33,13 +33,13 @@ class FeedFailure : public testing::Test {
     const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
     auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config,
                                        std::make_unique<FailingMethod>(fails_at), pool_);
-    return std::make_unique<FeedRunner>(std::move(feed), 8, 8, FeedPace{kFrames, 100, 0}, pool_);
+    return std::make_unique<FeedRunner>(std::move(feed), 8, 8, FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 
   // Of a stream with two sensors, from its start to its end.
   std::vector<v1::PacketHeader> packetsOf(FeedRunner& runner) {
-    const auto session =
-        std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 2, transport_, runner.signal());
+    const auto session = std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 2, transport_, runner.signal(),
+                                                   totals_.traffic);
     runner.add(std::make_shared<Outlet>(session, std::vector<SensorConfig>(2), 8, 8, 0));
     session->start();
     EXPECT_TRUE(
@@ -53,6 +53,7 @@ class FeedFailure : public testing::Test {
     return headers;
   }
 
+  Totals totals_;
   TilePool pool_{2};
   WakeFd transport_;
   std::string last_payload_;
@@ -78,7 +79,8 @@ TEST_F(FeedFailure, EndsItsStreamsWithErrorAndNoOthers) {
 TEST_F(FeedFailure, LetsNobodyJoinAfterwards) {
   const auto failing = runner(1);
   packetsOf(*failing);
-  const auto late = std::make_shared<Session>("2", v1::DELIVERY_LIVE, 1, transport_, failing->signal());
+  const auto late =
+      std::make_shared<Session>("2", v1::DELIVERY_LIVE, 1, transport_, failing->signal(), totals_.traffic);
   EXPECT_FALSE(failing->add(std::make_shared<Outlet>(late, std::vector<SensorConfig>(1), 8, 8, 0)));
 }
 

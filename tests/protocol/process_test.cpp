@@ -13,9 +13,17 @@
 namespace saccade {
 namespace {
 
-const std::vector<std::string> kServer{
-    SACCADED,      "--control",         "tcp://127.0.0.1:0", "--data", "tcp://127.0.0.1:*",
-    "--broadcast", "tcp://127.0.0.1:*", "--threads",         "1"};
+const std::vector<std::string> kServer{SACCADED,
+                                       "--control",
+                                       "tcp://127.0.0.1:0",
+                                       "--data",
+                                       "tcp://127.0.0.1:*",
+                                       "--broadcast",
+                                       "tcp://127.0.0.1:*",
+                                       "--http",
+                                       "off",
+                                       "--threads",
+                                       "1"};
 
 std::string controlEndpoint(const std::string& ready_line) {
   const auto from = ready_line.find("tcp://");

@@ -16,7 +16,7 @@ class RecordPy(unittest.TestCase):
     def setUp(self):
         free = "tcp://127.0.0.1:*"
         self.server = subprocess.Popen(
-            [SACCADED, "--control", free, "--data", free, "--broadcast", free, "--threads", "1"],
+            [SACCADED, "--control", free, "--data", free, "--broadcast", free, "--http", "off", "--threads", "1"],
             stdout=subprocess.PIPE, text=True)
         self.ports = self.awaitLine(r"ready: control \S+:(\d+) data \S+:(\d+)").groups()
 

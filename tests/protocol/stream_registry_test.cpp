@@ -15,7 +15,8 @@ class StreamRegistryTest : public testing::Test {
 
   std::shared_ptr<Session> add(const std::string& id, v1::Delivery delivery) {
     Stream stream;
-    stream.session = std::make_shared<Session>(id, delivery, 1, transport_, std::make_shared<Signal>());
+    stream.session =
+        std::make_shared<Session>(id, delivery, 1, transport_, std::make_shared<Signal>(), traffic_);
     streams_.add(stream);
     return stream.session;
   }
@@ -25,6 +26,7 @@ class StreamRegistryTest : public testing::Test {
 
   WakeFd transport_;
   SessionDirectory sessions_;
+  Traffic traffic_;
   StreamRegistry streams_{sessions_};
 };
 

@@ -17,7 +17,7 @@ class LostReceiver : public testing::TestWithParam<int> {
   ~LostReceiver() override { server_.stop(); }
 
   std::shared_ptr<Session> add(const std::string& id) {
-    auto session = std::make_shared<Session>(id, v1::DELIVERY_LOSSLESS, 1, server_.wake(), signal_);
+    auto session = std::make_shared<Session>(id, v1::DELIVERY_LOSSLESS, 1, server_.wake(), signal_, traffic_);
     sessions_.add(session);
     return session;
   }
@@ -37,6 +37,7 @@ class LostReceiver : public testing::TestWithParam<int> {
 
   RemoteSubscriber remote_;  // before the server's threads
   SessionDirectory sessions_;
+  Traffic traffic_;
   DataServer server_{"tcp://127.0.0.1:*", sessions_};
   std::shared_ptr<Signal> signal_ = std::make_shared<Signal>();
 };

@@ -1,0 +1,100 @@
+#include "app/metrics.h"
+
+#include <prometheus/metric_family.h>
+#include <prometheus/text_serializer.h>
+
+#include "app/process_usage.h"
+
+namespace saccade {
+namespace {
+
+using prometheus::MetricFamily;
+using prometheus::MetricType;
+
+class Families {
+ public:
+  void counter(const std::string& name, const std::string& help) { begin(name, help, MetricType::Counter); }
+  void gauge(const std::string& name, const std::string& help) { begin(name, help, MetricType::Gauge); }
+
+  // A value of the family begun last.
+  void value(double value, std::vector<prometheus::ClientMetric::Label> labels = {}) {
+    prometheus::ClientMetric metric;
+    metric.label = std::move(labels);
+    (families_.back().type == MetricType::Counter ? metric.counter.value : metric.gauge.value) = value;
+    families_.back().metric.push_back(std::move(metric));
+  }
+  std::string text() const { return prometheus::TextSerializer().Serialize(families_); }
+
+ private:
+  void begin(const std::string& name, const std::string& help, MetricType type) {
+    families_.push_back({name, help, type, {}});
+  }
+  std::vector<MetricFamily> families_;
+};
+
+void addWork(Families& all, const Totals& totals) {
+  all.counter("saccade_frames_total", "Frames rendered; those of a shared feed once.");
+  all.value(static_cast<double>(totals.frames));
+  all.counter("saccade_frame_cpu_seconds_total", "CPU time of frames over all threads, by stage.");
+  for (std::size_t i = 0; i < kStageNames.size(); ++i) {
+    all.value(static_cast<double>(totals.stage_cpu_ns[i]) * 1e-9, {{"stage", kStageNames[i]}});
+  }
+  all.counter("saccade_events_total", "Events that sensors have made.");
+  all.value(static_cast<double>(totals.events));
+}
+
+void addTraffic(Families& all, const Traffic& traffic) {
+  all.counter("saccade_sent_packets_total", "Packets sent on the data and broadcast sockets.");
+  all.value(static_cast<double>(traffic.packets));
+  all.counter("saccade_sent_bytes_total", "Their headers and payloads.");
+  all.value(static_cast<double>(traffic.bytes));
+  all.counter("saccade_dropped_packets_total", "Packets that live streams without credit have dropped.");
+  all.value(static_cast<double>(traffic.dropped_packets));
+}
+
+void addStreams(Families& all, const StreamRegistry& streams) {
+  const StreamCensus census = streams.census();
+  all.gauge("saccade_streams", "Streams that have not ended, by delivery.");
+  for (const auto& [delivery, count] : census.running) all.value(count, {{"delivery", delivery}});
+  all.gauge("saccade_lag_seconds", "How far the paced stream that is latest is behind its clock.");
+  all.value(census.lag_s);
+}
+
+void addScenes(Families& all, const SceneLoads& loads) {
+  all.counter("saccade_scene_loads_total", "Scenes read from their files, by result.");
+  all.value(static_cast<double>(loads.done), {{"result", "ok"}});
+  all.value(static_cast<double>(loads.failed), {{"result", "failed"}});
+  all.counter("saccade_scene_load_seconds_total", "Time that took, of those that are ok.");
+  all.value(static_cast<double>(loads.ns) * 1e-9);
+}
+
+void addProcess(Families& all) {
+  const ProcessUsage usage = processUsage();
+  all.counter("process_cpu_seconds_total", "User and system CPU time.");
+  all.value(usage.cpu_s);
+  all.gauge("process_resident_memory_bytes", "Resident memory.");
+  all.value(usage.resident_bytes);
+  all.gauge("process_open_fds", "Open file descriptors; near process_max_fds no client can connect.");
+  all.value(usage.open_fds);
+  all.gauge("process_max_fds", "Limit of open file descriptors.");
+  all.value(usage.max_fds);
+}
+
+}  // namespace
+
+std::string metricsText(const Totals& totals, const StreamRegistry& streams, const SceneCache& scenes,
+                        bool ready) {
+  Families all;
+  all.gauge("saccade_info", "1; which version serves.");
+  all.value(1, {{"version", SACCADE_VERSION}});
+  all.gauge("saccade_ready", "1 while streams may be opened.");
+  all.value(ready ? 1 : 0);
+  addWork(all, totals);
+  addTraffic(all, totals.traffic);
+  addStreams(all, streams);
+  addScenes(all, scenes.loads());
+  addProcess(all);
+  return all.text();
+}
+
+}  // namespace saccade

@@ -1,0 +1,24 @@
+// What the server has done since it started, on all streams together. Added to from any thread.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "methods/stage_times.h"
+#include "stream/traffic.h"
+
+namespace saccade {
+
+struct Totals {
+  std::atomic<std::uint64_t> frames = 0;  // rendered; those of a shared feed once
+  std::atomic<std::uint64_t> events = 0;
+  std::array<std::atomic<std::int64_t>, kStageNames.size()> stage_cpu_ns{};
+  Traffic traffic;
+
+  void add(const StageTimes& times) {
+    for (std::size_t i = 0; i < times.cpu.size(); ++i) stage_cpu_ns[i] += times.cpu[i].count();
+  }
+};
+
+}  // namespace saccade

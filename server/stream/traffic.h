@@ -1,0 +1,14 @@
+// What has gone to clients, and what has not, on all streams together since the server started.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace saccade {
+
+struct Traffic {
+  std::atomic<std::uint64_t> packets = 0, bytes = 0;  // sent; what is sent again counts again
+  std::atomic<std::uint64_t> dropped_packets = 0;     // of LIVE streams without credit
+};
+
+}  // namespace saccade
