@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/app.h"
+#include "ops/log.h"
 
 namespace {
 
@@ -38,7 +39,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   const saccade::Config config = saccade::parseConfig(argc, argv);
-  spdlog::set_level(spdlog::level::from_str(config.log_level));
+  saccade::setUpLog(config.log_level, config.log_format);
   const sigset_t signals = blockSignals();  // for all threads to come
   try {
     saccade::App app(config);

@@ -19,9 +19,10 @@ App::App(const Config& config)
       control_(config.control, keys_),
       data_(config.data, sessions_, keys_),
       broadcast_(config.broadcast, sessions_, keys_),
-      streams_(sessions_),
-      opener_(scenes_, tables_, pool_, streams_, {data_.wake(), broadcast_.wake()}, totals_, epoch_),
-      service_(scenes_, streams_, opener_, describe(config)) {
+      streams_(sessions_, client_log_),
+      opener_(scenes_, tables_, pool_, streams_, {data_.wake(), broadcast_.wake()}, totals_, client_log_,
+              epoch_),
+      service_(scenes_, streams_, opener_, client_log_, describe(config)) {
   data_.start();
   broadcast_.start();
   control_.start([this](const v1::Request& request, const std::string& user, ControlServer::Answer answer) {

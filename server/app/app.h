@@ -11,6 +11,7 @@
 #include "app/keys.h"
 #include "app/measured_source.h"
 #include "app/service.h"
+#include "ops/client_log.h"
 #include "ops/http_server.h"
 #include "stream/broadcast_server.h"
 #include "stream/control_server.h"
@@ -48,6 +49,7 @@ class App {
   const std::optional<ServerKeys> keys_;
   const MeasuredTables tables_;
   Totals totals_;
+  ClientLog client_log_;
   TilePool pool_;
   SceneCache scenes_;
   SessionDirectory sessions_;

@@ -59,6 +59,9 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--log-level", config.log_level)
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}))
       ->capture_default_str();
+  app.add_option("--log-format", config.log_format, "lines for people, or for machines")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
 }
 
 // What is asked for besides serving.

@@ -19,7 +19,8 @@ struct Config {
   std::string scenes;        // folder with a folder for each scene; empty: findScenes()
   std::string accuracy;      // file of saccade-eval chart, see AccuracySource; empty: none
   std::string needs;         // file of saccade-eval needs, see NeedsSource; empty: none
-  std::string log_level = "info";  // trace, debug, info, warning, error, critical, off
+  std::string log_level = "info";   // trace, debug, info, warning, error, critical, off
+  std::string log_format = "text";  // text, json
 };
 
 // From the command line, the environment and the file named there. --help, --print-config, --check-config and

@@ -5,21 +5,26 @@
 
 namespace saccade {
 
-Service::Service(const SceneCache& scenes, StreamRegistry& streams, StreamOpener& opener,
+Service::Service(const SceneCache& scenes, StreamRegistry& streams, StreamOpener& opener, ClientLog& log,
                  v1::ServerDescription description)
-    : scenes_(scenes), streams_(streams), opener_(opener), description_(std::move(description)) {}
+    : scenes_(scenes), streams_(streams), opener_(opener), log_(log), description_(std::move(description)) {}
 
 void Service::handle(const v1::Request& request, const std::string& user,
                      std::function<void(v1::Reply)> answer) {
+  const auto tell = [&log = log_, user, answer = std::move(answer)](v1::Reply reply) {
+    const v1::Status& status = reply.status();
+    if (status.code() != v1::CODE_OK) log.info(user, "refused: " + status.field() + " " + status.message());
+    answer(std::move(reply));
+  };
   v1::Reply reply;
   try {
-    if (request.has_open_stream()) return opener_.open(request.open_stream(), user, answer);
+    if (request.has_open_stream()) return opener_.open(request.open_stream(), user, tell);
     fill(request, user, reply);
     *reply.mutable_status() = okStatus();
   } catch (...) {
     *reply.mutable_status() = statusOfException();
   }
-  answer(std::move(reply));
+  tell(std::move(reply));
 }
 
 void Service::fill(const v1::Request& request, const std::string& user, v1::Reply& reply) {

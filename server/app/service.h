@@ -13,7 +13,7 @@ namespace saccade {
 class Service {
  public:
   // Keeps references. `description` is what ServerInfo answers.
-  Service(const SceneCache& scenes, StreamRegistry& streams, StreamOpener& opener,
+  Service(const SceneCache& scenes, StreamRegistry& streams, StreamOpener& opener, ClientLog& log,
           v1::ServerDescription description);
 
   // Does not block; `answer` is called once, perhaps later and from another thread. `user` is who asks:
@@ -29,6 +29,7 @@ class Service {
   const SceneCache& scenes_;
   StreamRegistry& streams_;
   StreamOpener& opener_;
+  ClientLog& log_;
   const v1::ServerDescription description_;
 };
 

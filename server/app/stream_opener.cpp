@@ -1,7 +1,5 @@
 #include "app/stream_opener.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 
 #include "app/refusal.h"
@@ -41,7 +39,7 @@ v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, 
 }  // namespace
 
 StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool,
-                           StreamRegistry& streams, Transports transports, Totals& totals,
+                           StreamRegistry& streams, Transports transports, Totals& totals, ClientLog& log,
                            std::uint64_t epoch)
     : scenes_(scenes),
       tables_(tables),
@@ -49,6 +47,7 @@ StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, Til
       streams_(streams),
       transports_(transports),
       totals_(totals),
+      log_(log),
       epoch_(epoch) {}
 
 void StreamOpener::open(const v1::OpenStream& request, const std::string& user,
@@ -99,8 +98,8 @@ v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request, const std:
     share(resolved, stream.feed);  // only now: it cannot have ended before its own stream joined
   }
   streams_.add(stream);
-  spdlog::info("stream {} opened: {}", stream.session->id(),
-               resolved.request.ShortDebugString().substr(0, 500));
+  log_.info(user, "stream " + stream.session->id() +
+                      " opened: " + resolved.request.ShortDebugString().substr(0, 500));
   return describe(resolved, stream, epoch_, resolved.feed.monochrome ? 1 : scene->channels());
 }
 

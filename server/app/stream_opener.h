@@ -14,6 +14,7 @@
 #include "app/resolve.h"
 #include "app/scene_cache.h"
 #include "app/stream_registry.h"
+#include "ops/client_log.h"
 
 namespace saccade {
 
@@ -25,7 +26,7 @@ class StreamOpener {
 
   // Keeps references.
   StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool, StreamRegistry& streams,
-               Transports transports, Totals& totals, std::uint64_t epoch);
+               Transports transports, Totals& totals, ClientLog& log, std::uint64_t epoch);
 
   // `answer` is called once, from another thread. Throws Refusal where too many wait already.
   void open(const v1::OpenStream& request, const std::string& user, std::function<void(v1::Reply)> answer);
@@ -48,6 +49,7 @@ class StreamOpener {
   StreamRegistry& streams_;
   const Transports transports_;
   Totals& totals_;
+  ClientLog& log_;
   const std::uint64_t epoch_;
   Budget budget_;
   std::mutex mutex_;

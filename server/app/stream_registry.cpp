@@ -1,7 +1,5 @@
 #include "app/stream_registry.h"
 
-#include <spdlog/spdlog.h>
-
 #include "app/refusal.h"
 
 namespace saccade {
@@ -89,11 +87,12 @@ StreamCensus StreamRegistry::census() const {
 }
 
 void StreamRegistry::close(const std::string& id, const std::string& token) {
-  find(id, token).session->stop();
+  const Stream stream = find(id, token);
+  stream.session->stop();
   std::lock_guard lock(mutex_);
   const auto found = streams_.find(id);
   if (found != streams_.end() && !found->second.closed) found->second.closed = Signal::Clock::now();
-  spdlog::info("stream {} closed by its client", id);
+  log_.info(stream.user, "closed stream " + id);
 }
 
 void StreamRegistry::sweep(Signal::Clock::time_point now) {
@@ -103,7 +102,7 @@ void StreamRegistry::sweep(Signal::Clock::time_point now) {
     auto& [id, stream] = entry;
     if (abandoned(stream, now)) stream.session->stop();
     if (!over(stream, now)) return false;
-    spdlog::info("stream {} forgotten", id);
+    log_.info(stream.user, "stream " + id + " forgotten");
     sessions_.remove(id);
     gone.push_back(std::move(stream));
     return true;

@@ -10,6 +10,7 @@
 
 #include "app/feed_runner.h"
 #include "app/outlet.h"
+#include "ops/client_log.h"
 #include "stream/session_directory.h"
 
 namespace saccade {
@@ -37,7 +38,7 @@ class StreamRegistry {
   static constexpr std::chrono::seconds kPatience{30};
 
   // Streams are entered into, and taken from, `sessions`.
-  explicit StreamRegistry(SessionDirectory& sessions) : sessions_(sessions) {}
+  StreamRegistry(SessionDirectory& sessions, ClientLog& log) : sessions_(sessions), log_(log) {}
   ~StreamRegistry();  // stops what is left
 
   void add(Stream stream);
@@ -55,6 +56,7 @@ class StreamRegistry {
 
  private:
   SessionDirectory& sessions_;
+  ClientLog& log_;
   mutable std::mutex mutex_;
   std::map<std::string, Stream> streams_;  // by id
 };

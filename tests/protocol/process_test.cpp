@@ -123,6 +123,27 @@ TEST(Process, ReadsItsKeysAgainOnSighup) {
   EXPECT_EQ(server.finish(), 0);
 }
 
+// 300 requests that are refused cause 50 lines at once, and then five a second.
+TEST(Process, AClientDoesNotFillTheLog) {
+  auto command = kServer;
+  command.insert(command.end(), {"--log-format", "json"});
+  Process server(command);
+  MockClient client(controlEndpoint(server.lineWith("ready")));
+  v1::OpenStream wrong = tinyRequest();
+  wrong.set_scene("no such scene");
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 300; ++i) EXPECT_EQ(client.tryOpen(wrong).code(), v1::CODE_NOT_FOUND);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  server.signal(SIGTERM);
+  const std::string rest = server.rest();
+  int lines = 0;
+  for (auto at = rest.find("no such scene"); at != std::string::npos; at = rest.find("no such scene", at + 1))
+    ++lines;
+  EXPECT_GE(lines, 50);
+  EXPECT_LE(lines, 52 + 5 * took.count());
+  EXPECT_EQ(rest.find("{\"time\":\""), 0u);
+}
+
 TEST(Process, AnOpenAddressWithoutKeysIsRefusedAndSaysWhy) {
   Process server({SACCADED, "--check-config", "--control", "tcp://0.0.0.0:0"});
   EXPECT_NE(server.lineWith("--control").find("--insecure"), std::string::npos);

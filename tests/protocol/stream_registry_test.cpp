@@ -27,7 +27,8 @@ class StreamRegistryTest : public testing::Test {
   WakeFd transport_;
   SessionDirectory sessions_;
   Traffic traffic_;
-  StreamRegistry streams_{sessions_};
+  ClientLog log_;
+  StreamRegistry streams_{sessions_, log_};
 };
 
 TEST_F(StreamRegistryTest, EndsAndThenForgetsAStreamWithoutReceiver) {

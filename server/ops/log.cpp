@@ -1,0 +1,75 @@
+#include "ops/log.h"
+
+#include <spdlog/formatter.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+#include <ctime>
+
+namespace saccade {
+namespace {
+
+// Bytes of the character that `text` begins with; 0 where it is no UTF-8 [RFC 3629].
+std::size_t utf8Length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const unsigned first = byte(0), second = byte(1);
+  const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool surrogate = first == 0xED && second >= 0xA0;
+  const bool beyond = first > 0xF4 || (first == 0xF4 && second >= 0x90);
+  return overlong || surrogate || beyond ? 0 : length;
+}
+
+std::string quoteAscii(char c) {
+  if (c == '"' || c == '\\') return {'\\', c};
+  if (c == '\n') return "\\n";
+  if (c >= ' ' && c != 0x7F) return {c};
+  char escape[8];
+  std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
+  return escape;
+}
+
+class JsonFormatter : public spdlog::formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& line) override {
+    const auto ms = std::chrono::floor<std::chrono::milliseconds>(message.time.time_since_epoch()).count();
+    const std::time_t seconds = ms / 1000;
+    std::tm utc{};
+    gmtime_r(&seconds, &utc);
+    char time[32];
+    std::strftime(time, sizeof time, "%FT%T", &utc);
+    const auto level = spdlog::level::to_string_view(message.level);
+    fmt::format_to(std::back_inserter(line),
+                   R"({{"time":"{}.{:03}Z","level":"{}","message":{}}})"
+                   "\n",
+                   time, ms % 1000, std::string_view(level.data(), level.size()),
+                   quoteJson({message.payload.data(), message.payload.size()}));
+  }
+  std::unique_ptr<formatter> clone() const override { return std::make_unique<JsonFormatter>(); }
+};
+
+}  // namespace
+
+std::string quoteJson(std::string_view text) {
+  std::string quoted = "\"";
+  while (!text.empty()) {
+    const std::size_t length = utf8Length(text);
+    if (length == 0) {
+      quoted += "\uFFFD";
+    } else {
+      quoted += length == 1 ? quoteAscii(text[0]) : std::string(text.substr(0, length));
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return quoted + '"';
+}
+
+void setUpLog(const std::string& level, const std::string& format) {
+  spdlog::set_level(spdlog::level::from_str(level));
+  if (format == "json") spdlog::set_formatter(std::make_unique<JsonFormatter>());
+}
+
+}  // namespace saccade
