@@ -30,6 +30,7 @@ App::App(const Config& config)
   });
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
   if (config.http != "off") http_.emplace(config.http, pages());
+  manager_.tell("READY=1");
   spdlog::info("ready: control {} data {} broadcast {} http {}, {} threads, scenes in {}",
                control_.endpoint(), data_.endpoint(), broadcast_.endpoint(), httpEndpoint(), config.threads,
                config.scenes);
@@ -93,11 +94,13 @@ void App::sweep(std::stop_token stopped) {
     tick.wait_for(lock, stopped, std::chrono::seconds(1), [] { return false; });
     streams_.sweep(Signal::Clock::now());
     for (WakeFd* loop : {&control_.wake(), &data_.wake(), &broadcast_.wake()}) loop->wake();
+    if (alive()) manager_.tell("WATCHDOG=1");
   }
 }
 
 bool App::stop() {
   if (stopping_.exchange(true)) return true;
+  manager_.tell("STOPPING=1");
   const auto deadline =
       Signal::Clock::now() + std::chrono::duration_cast<Signal::Clock::duration>(drain_time_);
   const bool all_open = opener_.stop(deadline);

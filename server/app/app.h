@@ -13,6 +13,7 @@
 #include "app/service.h"
 #include "ops/client_log.h"
 #include "ops/http_server.h"
+#include "ops/service_manager.h"
 #include "stream/broadcast_server.h"
 #include "stream/control_server.h"
 #include "stream/data_server.h"
@@ -59,6 +60,7 @@ class App {
   StreamRegistry streams_;
   StreamOpener opener_;
   Service service_;
+  const ServiceManager manager_;
   std::jthread sweeper_;
   std::atomic<bool> stopping_ = false;
   std::optional<HttpServer> http_;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "mock/accuracy_file.h"
+#include "mock/mock_service_manager.h"
 #include "mock/process.h"
 #include "mock/remote_subscriber.h"
 #include "mock/test_server.h"
@@ -102,6 +103,20 @@ TEST_F(ProcessAndCache, AFaultyTableEndsItOnlyWhereItWasAskedFor) {
   Process refused(command);
   EXPECT_NE(refused.lineWith("critical").find(named.path() + ":1: "), std::string::npos);
   EXPECT_EQ(refused.finish(), 1);
+}
+
+// As systemd sees a service of Type=notify with a watchdog.
+TEST(Process, TellsTheServiceManagerHowItIs) {
+  const MockServiceManager manager;
+  Process server(kServer);
+  EXPECT_EQ(manager.next(), "READY=1");
+  EXPECT_EQ(manager.next(), "WATCHDOG=1");
+  EXPECT_EQ(manager.next(), "WATCHDOG=1");
+  server.signal(SIGTERM);
+  std::string last = manager.next();
+  while (last == "WATCHDOG=1") last = manager.next();
+  EXPECT_EQ(last, "STOPPING=1");
+  EXPECT_EQ(server.finish(), 0);
 }
 
 TEST(Process, ReadsItsKeysAgainOnSighup) {
