@@ -12,8 +12,8 @@ namespace saccade {
 // (0, 0, 1).
 inline constexpr float kMissDepth = 1e5f;  // its depth, scene units
 
-// Features at the pixel centre, of what is seen there: in a flat mirror or behind clear glass the surface that
-// it shows, where it seems to be. With jitter, albedo and emission are means over the pixel. Planes are
+// Features at the pixel centre, of what is seen there: in a flat mirror or behind clear glass the surface
+// that it shows, where it seems to be. With jitter, albedo and emission are means over the pixel. Planes are
 // width x height.
 struct GBuffer {
   GBuffer(int w, int h)
