@@ -5,6 +5,7 @@
 #include "base/quantile.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/open_scene.h"
+#include "render/simplify.h"
 
 namespace saccade {
 namespace {
@@ -27,14 +28,18 @@ double medianMotion(const GBuffer& g) {
   return lengths.empty() ? 0 : quantile(lengths, 0.5);
 }
 
+std::shared_ptr<const RenderScene> openSceneOf(const BenchSetup& setup) {
+  auto scene = openScene(setup.scene);
+  if (setup.mips) return scene;
+  return std::make_shared<RenderScene>(simplified(scene->description(), {Part::kMipFiltering}));
+}
+
 }  // namespace
 
-Bench::Bench(const BenchSetup& setup, TilePool& pool) : Bench(setup, openScene(setup.scene), pool) {}
-
-Bench::Bench(const BenchSetup& setup, std::shared_ptr<const RenderScene> scene, TilePool& pool)
+Bench::Bench(const BenchSetup& setup, TilePool& pool)
     : setup_(setup),
       pool_(pool),
-      scene_(std::move(scene)),
+      scene_(openSceneOf(setup)),
       path_(openTrajectory(setup.scene, setup.trajectory, *scene_)) {
   SACCADE_CHECK(setup.first >= 1 && setup.first <= setup.last);
   if (setup.px_per_frame > 0) {
@@ -48,6 +53,12 @@ Bench::Bench(const BenchSetup& setup, std::shared_ptr<const RenderScene> scene, 
 Bench::Bench(const Bench& other, std::shared_ptr<const RenderScene> scene, int bounces)
     : setup_(other.setup_), pool_(other.pool_), scene_(std::move(scene)), path_(other.path_) {
   setup_.bounces = bounces;
+  if (setup_.reference_spp > 0) renderTruth();
+}
+
+Bench::Bench(const Bench& other, bool jitter)
+    : setup_(other.setup_), pool_(other.pool_), scene_(other.scene_), path_(other.path_) {
+  setup_.jitter = jitter;
   if (setup_.reference_spp > 0) renderTruth();
 }
 

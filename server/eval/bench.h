@@ -22,6 +22,7 @@ struct BenchSetup {
   double px_per_frame = 0;
   int bounces = 3;
   bool jitter = false;        // of the methods; the truth is then the mean over the whole pixel
+  bool mips = true;           // false: textures have their finest level alone
   int first = 21, last = 21;  // the frames that are scored, 1 <= first <= last; the feed runs from 0
   int reference_spp = 4096;   // 0: no truth
   std::string cache;          // folder of reference frames
@@ -43,10 +44,9 @@ class Bench {
  public:
   // Opens the scene and renders the truth, with progress on stderr. Throws SceneError, Interrupted.
   Bench(const BenchSetup& setup, TilePool& pool);
-  // The same camera on `scene` instead, with so many bounces, and its truth.
+  // The same camera on `scene` instead, with so many bounces, or with jitter, and its truth.
   Bench(const Bench& other, std::shared_ptr<const RenderScene> scene, int bounces);
-  // On a scene of one's own, which goes by the name of setup.scene.
-  Bench(const BenchSetup& setup, std::shared_ptr<const RenderScene> scene, TilePool& pool);
+  Bench(const Bench& other, bool jitter);
 
   const BenchSetup& setup() const { return setup_; }
   const std::shared_ptr<const RenderScene>& scene() const { return scene_; }

@@ -79,6 +79,15 @@ MeasuredModel ModelBench::whole() const {
   return {.scene = whole_.setup().scene, .model = {whole_.setup().bounces, {}}, .cpu_ms = whole_ms_};
 }
 
+MeasuredModel ModelBench::jittered() const {
+  std::vector<Bench> benches;
+  benches.emplace_back(whole_, true);
+  MeasuredModel model = whole();
+  model.cpu_ms *= relativeTimes(benches).front();
+  compare(benches.front(), model);
+  return model;
+}
+
 std::vector<MeasuredModel> ModelBench::measure(const std::vector<SceneModel>& models) const {
   std::map<Parts, std::shared_ptr<const RenderScene>> scenes{{{}, whole_.scene()}};
   std::vector<Bench> benches;

@@ -22,6 +22,8 @@ class ModelBench {
   double noise() const { return noise_; }
 
   MeasuredModel whole() const;
+  // The whole model with jitter: what it costs, and how much of the events that mends. Throws Interrupted.
+  MeasuredModel jittered() const;
   // Each of them, timed in turn with the whole model. Throws Interrupted.
   std::vector<MeasuredModel> measure(const std::vector<SceneModel>& models) const;
 

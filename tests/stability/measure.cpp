@@ -21,6 +21,8 @@ BenchSetup setupOf(const StabilityCase& c, const StabilityForm& form) {
           .height = c.height,
           .frame_rate_hz = c.rate_hz,
           .px_per_frame = c.px_per_frame,
+          .jitter = c.jitter,
+          .mips = c.mips,
           .first = c.last + 1 - std::max(1, c.scored),
           .last = c.last,
           .reference_spp = c.scored > 0 ? form.reference_spp : 0,

@@ -1,8 +1,6 @@
 #include "eval/change_pictures.h"
 #include "eval/figures/figure.h"
-#include "eval/open_scene.h"
 #include "eval/results.h"
-#include "render/simplify.h"
 
 namespace saccade {
 namespace {
@@ -13,18 +11,17 @@ struct Sampling {
 };
 
 void sampleOn(const std::string& scene, const FigureOptions& o, TilePool& pool, ResultTable& table) {
-  const auto with_mips = openScene(scene);
-  const auto without =
-      std::make_shared<RenderScene>(simplified(with_mips->description(), {Part::kMipFiltering}));
-  BenchSetup centre = o.bench.setup;
-  centre.scene = scene, centre.jitter = false, centre.reference_spp = 0;
-  BenchSetup jittered = centre, true_setup = o.bench.setup;
-  jittered.jitter = true;
-  true_setup.scene = scene, true_setup.jitter = true;
-  const Bench truth(true_setup, without, pool);
-  const Sampling samplings[] = {{"centre, no mips", {centre, without, pool}},
-                                {"centre, mips", {centre, with_mips, pool}},
-                                {"jitter, mips", {jittered, with_mips, pool}}};
+  BenchSetup true_setup = o.bench.setup;
+  true_setup.scene = scene, true_setup.jitter = true, true_setup.mips = false;
+  const Bench truth(true_setup, pool);
+  const auto sampling = [&](bool jitter, bool mips) {
+    BenchSetup setup = true_setup;
+    setup.jitter = jitter, setup.mips = mips, setup.reference_spp = 0;
+    return Bench(setup, pool);
+  };
+  const Sampling samplings[] = {{"centre, no mips", sampling(false, false)},
+                                {"centre, mips", sampling(false, true)},
+                                {"jitter, mips", sampling(true, true)}};
 
   ChangePictures pictures(truth.truth().back().change, static_cast<float>(o.bench.bias), o.bench.threshold);
   Progress progress(scene, static_cast<double>(o.methods.size() * std::size(samplings)));
