@@ -44,6 +44,21 @@ TEST(Materials, ReflectTheirAlbedoInAFurnace) {
   }
 }
 
+// A slab of glass before a lamp, head-on: (1 - f) / (1 + f) of it comes through, with all reflections inside.
+TEST(Materials, ASlabOfGlassLetsLightThrough) {
+  Scene scene = test::floorFromAbove(0);
+  scene.meshes[0].radiance = {2, 2, 2};
+  scene.materials.push_back(of(BsdfKind::kDielectric));
+  scene.meshes.push_back(test::quad({-9, -9, 1.5f}, {18, 0, 0}, {0, 18, 0}, 1));  // facing the camera
+  scene.meshes.push_back(test::quad({-9, -9, 1}, {0, 18, 0}, {18, 0, 0}, 1));     // facing the lamp
+  const Frame frame = test::renderFrame(std::move(scene), 0, 1024);
+  const test::Mean m = test::meanOf(frame.samples.I2);
+  const double f = 0.04;
+  EXPECT_NEAR(m.mean, 2 * (1 - f) / (1 + f), 4 * m.error);
+  EXPECT_LT(m.error, 2e-3);
+  EXPECT_NEAR(test::meanOf(frame.g.emission).mean, 2 * (1 - f) * (1 - f), 1e-3);  // straight through
+}
+
 TEST(Materials, AMaskShowsItsShare) {
   Material m = test::grey(0.5f);
   m.opacity.color0 = {0.75f, 0.75f, 0.75f};
