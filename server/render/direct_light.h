@@ -17,12 +17,11 @@ inline Lane balance(Lane pdf, Lane other) {
 // What panes and masks let through along a shadow ray.
 inline Passage passageAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
   constexpr int kMaxPassages = 16;
-  constexpr float kFootprint = 0.25f;  // per distance: light is spread out, so coarse mips do
   Passage all;
   for (int i = 0; i < kMaxPassages; ++i) {
     const Hit hit = scene.geometry().intersect(ray);
     if (!hit.valid) return all;
-    const Surface s = surfaceAt<Shading::kAll>(scene, ray, hit, kFootprint * hit.t);
+    const Surface s = surfaceAt<Shading::kAll>(scene, ray, hit, RayCone::kDiffuseSpread * hit.t);
     const Passage one = Scatter<Shading::kAll>(s, direction).passage();
     all = {all.fraction * one.fraction, all.probability * one.probability};
     if (luminance(all.fraction) <= 0) break;

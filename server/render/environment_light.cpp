@@ -85,15 +85,22 @@ EnvironmentLight::Cell EnvironmentLight::cellAt(Vec3 direction) const {
   return {cornersOf(column, row), x - static_cast<Lane>(column), y - static_cast<Lane>(row)};
 }
 
-Rgb EnvironmentLight::radiance(Vec3 direction) const {
-  const auto [corners, x, y] = cellAt(direction);
+Rgb EnvironmentLight::radianceIn(const Cell& cell) {
+  const auto& [corners, x, y] = cell;
   const auto mix = [](Rgb a, Rgb b, Lane w) { return a * (1 - w) + b * w; };
   return mix(mix(corners[0], corners[1], x), mix(corners[2], corners[3], x), y);
 }
 
+Lane EnvironmentLight::pdfIn(const Cell& cell) const {
+  return saccade::meanLuminance(cell.corners) / (4 * kPi * mean_luminance_);
+}
+
+Rgb EnvironmentLight::radiance(Vec3 direction) const {
+  return radianceIn(cellAt(direction));
+}
+
 Lane EnvironmentLight::pdf(Vec3 direction) const {
-  if (mean_luminance_ <= 0) return 0;
-  return saccade::meanLuminance(cellAt(direction).corners) / (4 * kPi * mean_luminance_);
+  return mean_luminance_ > 0 ? pdfIn(cellAt(direction)) : 0;
 }
 
 EnvironmentSample EnvironmentLight::sample(Lane u1, Lane u2) const {
@@ -106,7 +113,8 @@ EnvironmentSample EnvironmentLight::sample(Lane u1, Lane u2) const {
   const Lane azimuth = 2 * kPi * turn, r = 2 * std::sqrt(share * (1 - share));
   const LaneVec3 direction =
       x_ * (r * std::sin(azimuth)) + y_ * (1 - 2 * share) - z_ * (r * std::cos(azimuth));
-  return {direction, radiance(direction), pdf(direction)};
+  const Cell cell = cellAt(direction);
+  return {direction, radianceIn(cell), pdfIn(cell)};
 }
 
 }  // namespace saccade

@@ -40,6 +40,8 @@ class EnvironmentLight {
     Lane x, y;
   };
   Cell cellAt(Vec3 direction) const;
+  static Rgb radianceIn(const Cell& cell);
+  Lane pdfIn(const Cell& cell) const;
   Rgb corner(int column, int row) const;  // one beyond the edge at most
   std::array<Rgb, 4> cornersOf(int column, int row) const;
   float shareAbove(int row) const;

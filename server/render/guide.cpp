@@ -15,7 +15,7 @@ Vec3 mirrored(Vec3 v, Vec3 about) {
   return v - about * (2 * dot(v, about));
 }
 
-// Follows the view from `start`, which is a mirror, glass, or a mask.
+// Follows the view from `start` through mirrors, clear glass and masks; anything else it ends at.
 Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& primary,
                  const Hit& first, const PathStart& start) {
   Guide g{};

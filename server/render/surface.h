@@ -33,11 +33,12 @@ struct Surface {
 struct RayCone {
   Lane width, spread;  // at the ray's origin; growth per unit of t
 
+  static constexpr Lane kDiffuseSpread = 0.25f;  // so wide that coarse mips do
+
   Lane at(Lane t) const { return width + spread * t; }
-  // Off a rough surface: a lobe of this pdf per solid angle. A diffuse one is so wide that coarse mips do.
+  // Off a rough surface: a lobe of this pdf per solid angle.
   static Lane lobeSpread(Lane pdf) {
-    constexpr Lane kDiffuse = 0.25f;
-    return kDiffuse * std::min(Lane(1), 1 / std::sqrt(std::numbers::pi_v<float> * pdf));
+    return kDiffuseSpread * std::min(Lane(1), 1 / std::sqrt(std::numbers::pi_v<float> * pdf));
   }
 };
 

@@ -1,12 +1,11 @@
 // Streams that ask for a time or for an accuracy instead of a setting.
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
 
 #include "app/resolve.h"
 #include "mock/accuracy_file.h"
-#include "mock/test_server.h"
+#include "mock/bad_request.h"
 
 namespace saccade {
 namespace {
@@ -31,19 +30,12 @@ v1::OpenStream atMost(double max_false_rate) {
   return request;
 }
 
-struct BadBudget {
-  v1::OpenStream request;
-  std::function<void(v1::OpenStream&)> spoil;
-  v1::Code code;
-  std::string field, told;
-};
-
 constexpr auto kInvalid = v1::CODE_INVALID_ARGUMENT;
 constexpr auto kUnavailable = v1::CODE_UNAVAILABLE;
 const auto kNothing = [](v1::OpenStream&) {};
 
 // clang-format off
-const std::vector<BadBudget> kBadBudgets{
+const std::vector<BadRequest> kBadBudgets{
     {within(0), kNothing, kInvalid, "quality.budget_ms", "0 is outside [0.001"},
     {within(kNan), kNothing, kInvalid, "quality.budget_ms", "nan"},
     {within(kInf), kNothing, kInvalid, "quality.budget_ms", "inf"},
@@ -68,14 +60,7 @@ const std::vector<BadBudget> kBadBudgets{
 
 TEST_F(Budgets, ABadOneIsRefusedWithItsField) {
   TestServer server(1, {}, file_.path());
-  for (BadBudget bad : kBadBudgets) {
-    bad.spoil(bad.request);
-    SCOPED_TRACE(bad.request.ShortDebugString());
-    const v1::Status status = server.client().tryOpen(bad.request);
-    EXPECT_EQ(status.code(), bad.code) << status.message();
-    EXPECT_EQ(status.field(), bad.field) << status.message();
-    EXPECT_NE(status.message().find(bad.told), std::string::npos) << status.message();
-  }
+  expectRefused(server, kBadBudgets);
 }
 
 TEST_F(Budgets, WhatWasChosenAndWhatToExpectIsTold) {

@@ -2,13 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <functional>
 #include <limits>
 
 #include "app/refusal.h"
 #include "app/resolve.h"
 #include "base/cpu_name.h"
-#include "mock/test_server.h"
+#include "mock/bad_request.h"
 #include "scene/scratch.h"
 
 namespace saccade {
@@ -53,18 +52,11 @@ std::vector<std::string> leftOut(const v1::StreamOpened& opened) {
   return {names.begin(), names.end()};
 }
 
-struct BadNeeds {
-  v1::OpenStream request;
-  std::function<void(v1::OpenStream&)> spoil;
-  v1::Code code;
-  std::string field, told;
-};
-
 constexpr auto kInvalid = v1::CODE_INVALID_ARGUMENT;
 const auto kNothing = [](v1::OpenStream&) {};
 
 // clang-format off
-const std::vector<BadNeeds> kBadNeeds{
+const std::vector<BadRequest> kBadNeeds{
     {needing(0), kNothing, kInvalid, "quality.needs", "0 is outside"},
     {needing(1.01), kNothing, kInvalid, "quality.needs", "1.01 is outside"},
     {needing(std::numeric_limits<double>::quiet_NaN()), kNothing, kInvalid, "quality.needs", "nan"},
@@ -80,14 +72,7 @@ const std::vector<BadNeeds> kBadNeeds{
 
 TEST_F(Needs, ABadOneIsRefusedWithItsField) {
   TestServer server(1, {}, {}, table());
-  for (BadNeeds bad : kBadNeeds) {
-    bad.spoil(bad.request);
-    SCOPED_TRACE(bad.request.ShortDebugString());
-    const v1::Status status = server.client().tryOpen(bad.request);
-    EXPECT_EQ(status.code(), bad.code) << status.message();
-    EXPECT_EQ(status.field(), bad.field) << status.message();
-    EXPECT_NE(status.message().find(bad.told), std::string::npos) << status.message();
-  }
+  expectRefused(server, kBadNeeds);
 }
 
 TEST_F(Needs, TheFastestThatKeepsThemIsChosenAndTold) {
