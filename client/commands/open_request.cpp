@@ -65,7 +65,7 @@ v1::Sensor makeSensor(const RecordOptions& options, std::size_t index) {
   }
   if (!options.reconstruction.empty()) {
     sensor.set_reconstruction(
-        enumValue<v1::ReconstructionModel>("--reconstruction", "RECONSTRUCTION_", options.reconstruction));
+        enumValue<v1::Reconstruction>("--reconstruction", "RECONSTRUCTION_", options.reconstruction));
   }
   return sensor;
 }

@@ -33,7 +33,7 @@ v1::Motion makeMotion(const RecordOptions& options) {
   if (!value)
     throw std::invalid_argument("--motion: '" + options.motion + "' is not KIND:SPEED, such as dolly:0.2");
   v1::Motion motion;
-  motion.set_kind(enumValue<v1::MotionKind>("--motion", "MOTION_", name));
+  motion.set_kind(enumValue<v1::MotionKind>("--motion", "MOTION_KIND_", name));
   if (in_pixels) {
     motion.set_px_per_frame(*value);
   } else {

@@ -23,7 +23,7 @@ void fillDefaults(v1::Sensor& sensor, const std::string& field, std::uint64_t se
                                valueNamed<v1::EventModel>("EVENT_MODEL_", defaults.model)));
   sensor.set_reconstruction(
       resolveEnum(field + ".reconstruction", sensor.reconstruction(),
-                  valueNamed<v1::ReconstructionModel>("RECONSTRUCTION_", defaults.reconstruction)));
+                  valueNamed<v1::Reconstruction>("RECONSTRUCTION_", defaults.reconstruction)));
   if (!sensor.has_cutoff_hz()) sensor.set_cutoff_hz(defaults.reconstruction_cutoff_hz);
 }
 
@@ -38,8 +38,7 @@ SensorConfig resolveSensor(v1::Sensor& sensor, int index, std::uint64_t stream_s
   config.threshold_off = sensor.threshold_off();
   config.bias = sensor.bias();
   config.model = nameWithout("EVENT_MODEL_", v1::EventModel_Name(sensor.model()));
-  config.reconstruction =
-      nameWithout("RECONSTRUCTION_", v1::ReconstructionModel_Name(sensor.reconstruction()));
+  config.reconstruction = nameWithout("RECONSTRUCTION_", v1::Reconstruction_Name(sensor.reconstruction()));
   config.reconstruction_cutoff_hz = sensor.cutoff_hz();
   config.refractory = TimeNs(std::llround(sensor.refractory_s() * 1e9));
   config.max_events_per_pixel_frame = static_cast<int>(

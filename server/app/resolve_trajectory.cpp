@@ -12,14 +12,14 @@ namespace saccade {
 namespace {
 
 std::string kindOf(const v1::Motion& motion) {
-  return nameWithout("MOTION_", v1::MotionKind_Name(motion.kind()));
+  return nameWithout("MOTION_KIND_", v1::MotionKind_Name(motion.kind()));
 }
 
 void checkMotion(v1::Motion& motion) {
   const std::string field = "trajectory.motion";
-  if (motion.kind() == v1::MOTION_UNSPECIFIED)
+  if (motion.kind() == v1::MOTION_KIND_UNSPECIFIED)
     refuse(field + ".kind", "give one of: " + joinNames(motionKinds()));
-  resolveEnum(field + ".kind", motion.kind(), v1::MOTION_UNSPECIFIED);
+  resolveEnum(field + ".kind", motion.kind(), v1::MOTION_KIND_UNSPECIFIED);
   if (motion.rate_case() == v1::Motion::RATE_NOT_SET) refuse(field, "give a speed or px_per_frame");
   const std::string rate = motion.has_speed() ? ".speed" : ".px_per_frame";
   const std::string fault =
@@ -27,8 +27,8 @@ void checkMotion(v1::Motion& motion) {
   if (!fault.empty()) refuse(field + rate, fault);
   if (motion.turn_s() != 0) checkRange(field + ".turn_s", motion.turn_s(), kMinTurnSeconds, kMaxTurnSeconds);
   // What means nothing to a kind would tell equal feeds apart.
-  if (motion.kind() == v1::MOTION_SHAKE) motion.clear_turn_s();
-  if (motion.kind() != v1::MOTION_SHAKE) motion.clear_seed();
+  if (motion.kind() == v1::MOTION_KIND_SHAKE) motion.clear_turn_s();
+  if (motion.kind() != v1::MOTION_KIND_SHAKE) motion.clear_seed();
 }
 
 void checkKeyframes(v1::Keyframes& keyframes) {

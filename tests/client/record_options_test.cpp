@@ -135,11 +135,11 @@ v1::OpenStream openMotion(const std::string& line) {
 
 TEST(RecordOptions, AMotionHasASpeedPerSecondOrInPixels) {
   const v1::Motion pan = openMotion("pan:-15 --turn 0").trajectory().motion();
-  EXPECT_EQ(pan.kind(), v1::MOTION_PAN);
+  EXPECT_EQ(pan.kind(), v1::MOTION_KIND_PAN);
   EXPECT_EQ(pan.speed(), -15);
   EXPECT_TRUE(pan.has_turn_s() && pan.turn_s() == 0);
   const v1::Motion shake = openMotion("shake:0.7px --motion-seed 9").trajectory().motion();
-  EXPECT_EQ(shake.kind(), v1::MOTION_SHAKE);
+  EXPECT_EQ(shake.kind(), v1::MOTION_KIND_SHAKE);
   EXPECT_EQ(shake.px_per_frame(), 0.7);
   EXPECT_EQ(shake.seed(), 9u);
   EXPECT_FALSE(shake.has_turn_s());

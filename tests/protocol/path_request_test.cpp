@@ -51,7 +51,7 @@ class WallScene {
 TEST(PathRequest, TheReplyTellsThePixelSpeedOfATruckPastAWall) {
   const WallScene scene;
   TestServer server(1, scene.folder());
-  v1::OpenStream request = motionRequest(v1::MOTION_TRUCK);
+  v1::OpenStream request = motionRequest(v1::MOTION_KIND_TRUCK);
   request.set_scene("wall");
   request.mutable_view()->set_fov_x_deg(90);  // the focal length is half the width, 16 pixels
   request.mutable_trajectory()->mutable_motion()->set_speed(-0.5);
@@ -73,7 +73,7 @@ TEST(PathRequest, EveryKindOfMotionMovesThePicture) {
 
 TEST(PathRequest, AMotionMayBeAskedForInPixelsPerFrame) {
   TestServer server;
-  for (const v1::MotionKind kind : {v1::MOTION_TRUCK, v1::MOTION_PAN, v1::MOTION_ORBIT}) {
+  for (const v1::MotionKind kind : {v1::MOTION_KIND_TRUCK, v1::MOTION_KIND_PAN, v1::MOTION_KIND_ORBIT}) {
     v1::OpenStream request = motionRequest(kind);
     request.mutable_trajectory()->mutable_motion()->set_px_per_frame(0.1);
     request.mutable_timing()->set_duration_s(0.01);
@@ -83,7 +83,7 @@ TEST(PathRequest, AMotionMayBeAskedForInPixelsPerFrame) {
 
 TEST(PathRequest, WhatMeansNothingToAKindIsNotKept) {
   TestServer server;
-  v1::OpenStream pan = motionRequest(v1::MOTION_PAN), shake = motionRequest(v1::MOTION_SHAKE);
+  v1::OpenStream pan = motionRequest(v1::MOTION_KIND_PAN), shake = motionRequest(v1::MOTION_KIND_SHAKE);
   for (v1::OpenStream* request : {&pan, &shake}) {
     request->mutable_trajectory()->mutable_motion()->set_speed(3);
     request->mutable_trajectory()->mutable_motion()->set_turn_s(0);
@@ -97,7 +97,7 @@ TEST(PathRequest, WhatMeansNothingToAKindIsNotKept) {
 
 TEST(PathRequest, TheSeedOfAShakeChangesItsPath) {
   TestServer server;
-  v1::OpenStream request = motionRequest(v1::MOTION_SHAKE);
+  v1::OpenStream request = motionRequest(v1::MOTION_KIND_SHAKE);
   request.mutable_trajectory()->mutable_motion()->set_px_per_frame(3);
   const std::string bytes = bytesOf(server, request);
   EXPECT_EQ(bytesOf(server, request), bytes);

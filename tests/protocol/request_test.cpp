@@ -14,7 +14,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
 
 v1::Motion& pan(v1::OpenStream& r) {
   v1::Motion& motion = *r.mutable_trajectory()->mutable_motion();
-  motion.set_kind(v1::MOTION_PAN);
+  motion.set_kind(v1::MOTION_KIND_PAN);
   motion.set_speed(15);
   return motion;
 }
@@ -57,12 +57,12 @@ const std::vector<BadWish> kBadWishes{
     {"trajectory.csv", [](auto& r) { r.mutable_trajectory()->set_csv(std::string((8 << 20) + 1, '#')); }},
     {"trajectory.motion.kind", [](auto& r) { pan(r).clear_kind(); }, v1::CODE_INVALID_ARGUMENT, "pedestal"},
     {"trajectory.motion.kind", [](auto& r) { pan(r).set_kind(v1::MotionKind(99)); }, v1::CODE_INVALID_ARGUMENT,
-     "MOTION_ORBIT"},
+     "MOTION_KIND_ORBIT"},
     {"trajectory.motion", [](auto& r) { pan(r).clear_speed(); }, v1::CODE_INVALID_ARGUMENT, "px_per_frame"},
     {"trajectory.motion.speed", [](auto& r) { pan(r).set_speed(0); }},
     {"trajectory.motion.speed", [](auto& r) { pan(r).set_speed(kNan); }},
     {"trajectory.motion.speed", [](auto& r) { pan(r).set_speed(-2e6); }},
-    {"trajectory.motion.speed", [](auto& r) { auto& m = pan(r); m.set_kind(v1::MOTION_SHAKE); m.set_speed(-15); }},
+    {"trajectory.motion.speed", [](auto& r) { auto& m = pan(r); m.set_kind(v1::MOTION_KIND_SHAKE); m.set_speed(-15); }},
     {"trajectory.motion.px_per_frame", [](auto& r) { pan(r).set_px_per_frame(kInf); }},
     {"trajectory.motion.turn_s", [](auto& r) { pan(r).set_turn_s(-1); }},
     {"trajectory.motion.turn_s", [](auto& r) { pan(r).set_turn_s(1e-4); }},
@@ -116,7 +116,7 @@ const std::vector<BadWish> kBadWishes{
     {"sensors[0].model", [](auto& r) { r.mutable_sensors(0)->set_model(v1::EventModel(9)); },
      v1::CODE_INVALID_ARGUMENT, "EVENT_MODEL_PROBABILISTIC"},
     {"sensors[0].reconstruction",
-     [](auto& r) { r.mutable_sensors(0)->set_reconstruction(v1::ReconstructionModel(9)); },
+     [](auto& r) { r.mutable_sensors(0)->set_reconstruction(v1::Reconstruction(9)); },
      v1::CODE_INVALID_ARGUMENT, "RECONSTRUCTION_KALMAN"},
     {"sensors[0].cutoff_hz", [](auto& r) { r.mutable_sensors(0)->set_cutoff_hz(0); }},
 };
