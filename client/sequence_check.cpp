@@ -3,7 +3,7 @@
 namespace saccade {
 
 std::string SequenceCheck::add(const v1::PacketHeader& header) {
-  if (header.kind() != v1::KIND_EVENTS && header.kind() != v1::KIND_END) return {};  // the others take no seq
+  if (header.kind() == v1::KIND_HEARTBEAT || header.kind() == v1::KIND_ERROR) return {};  // they take no seq
   Next& next = next_.try_emplace(header.sensor(), Next{0, 0, header.t0_ns()}).first->second;
   if (header.seq() < next.seq || header.first_event_index() < next.first_event_index) {
     return "it is out of order";

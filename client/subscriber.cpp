@@ -4,8 +4,6 @@
 #include <utility>
 #include <zmq_addon.hpp>
 
-#include "wire/packet.h"
-
 namespace saccade {
 
 Subscriber::Subscriber(zmq::context_t& context, const Attachment& attachment)
@@ -38,7 +36,7 @@ std::optional<Batch> Subscriber::receive(std::chrono::milliseconds timeout) {
     throw StreamFault("the server sent a header that cannot be read");
   }
   if (batch.header.kind() != v1::KIND_HEARTBEAT) takeCredit(head.size() + payload.size());
-  std::string fault = decodePacket(batch.header, payload.to_string(), batch.events);
+  std::string fault = decodePacket(batch.header, payload.to_string(), batch);
   if (fault.empty() && batch.header.kind() == v1::KIND_ERROR) throw StreamFault(payload.to_string());
   if (fault.empty()) fault = sequence_.add(batch.header);
   if (!fault.empty()) throw StreamFault("a packet must not be used: " + fault);

@@ -11,13 +11,12 @@
 #include "client/sequence_check.h"
 #include "client/socket.h"
 #include "saccade/v1/events.pb.h"
-#include "wire/event.h"
+#include "wire/packet.h"
 
 namespace saccade {
 
-struct Batch {
+struct Batch : PacketContent {
   v1::PacketHeader header;
-  Events events;  // none unless header.kind is KIND_EVENTS
 };
 
 // The stream cannot go on, or what arrives cannot be trusted.

@@ -3,7 +3,7 @@
 namespace saccade {
 
 const std::vector<const CodecInfo*>& codecTable() {
-  static const std::vector<const CodecInfo*> table{&kCodecNone};
+  static const std::vector<const CodecInfo*> table{&kCodecNone, &kCodecZstd};
   return table;
 }
 

@@ -17,7 +17,7 @@ struct CodecInfo {
   std::optional<std::string> (*decode)(std::string coded, std::size_t raw_size);
 };
 
-extern const CodecInfo kCodecNone;
+extern const CodecInfo kCodecNone, kCodecZstd;
 
 // THE list of codecs.
 const std::vector<const CodecInfo*>& codecTable();

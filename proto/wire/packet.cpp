@@ -10,19 +10,38 @@
 namespace saccade {
 namespace {
 
-std::string checkEvents(const v1::PacketHeader& header) {
-  if (header.layout() != v1::LAYOUT_COLUMNS)
-    return "layout " + std::to_string(header.layout()) + " is unknown";
+std::string checkCoding(const v1::PacketHeader& header, v1::Layout layout) {
+  if (header.layout() != layout) {
+    return "layout " + std::to_string(header.layout()) + " instead of " + std::to_string(layout);
+  }
   if (!findCodec(header.codec())) return "codec " + std::to_string(header.codec()) + " is unknown";
+  return {};
+}
+
+std::string checkEvents(const v1::PacketHeader& header) {
   if (header.count() > kMaxPacketEvents) return "count is above " + std::to_string(kMaxPacketEvents);
   if (header.dt_unit_ns() == 0) return "dt_unit_ns is 0";
-  return {};
+  return checkCoding(header, v1::LAYOUT_COLUMNS);
+}
+
+std::uint64_t pixelsOf(const v1::PacketHeader& header) {
+  return std::uint64_t{header.width()} * header.height();
+}
+
+std::string checkSnapshot(const v1::PacketHeader& header) {
+  const std::uint64_t pixels = pixelsOf(header);
+  if (pixels == 0 || pixels > kMaxSnapshotPixels) {
+    return std::to_string(pixels) + " pixels: 1 to " + std::to_string(kMaxSnapshotPixels) + " are valid";
+  }
+  return header.count() == 0 ? checkCoding(header, v1::LAYOUT_PLANES) : "a snapshot carries no events";
 }
 
 std::string checkKind(const v1::PacketHeader& header, std::size_t payload_bytes) {
   switch (header.kind()) {
     case v1::KIND_EVENTS:
       return checkEvents(header);
+    case v1::KIND_SNAPSHOT:
+      return checkSnapshot(header);
     case v1::KIND_HEARTBEAT:
     case v1::KIND_END:
       return header.count() == 0 && payload_bytes == 0 ? "" : "a packet of its kind carries no events";
@@ -57,14 +76,18 @@ std::string checkPacket(const v1::PacketHeader& header, std::string_view payload
   return {};
 }
 
-std::string decodePacket(const v1::PacketHeader& header, std::string payload, Events& out) {
-  out.clear();
+std::string decodePacket(const v1::PacketHeader& header, std::string payload, PacketContent& out) {
+  out = {};
   if (std::string fault = checkPacket(header, payload); !fault.empty()) return fault;
-  if (header.kind() != v1::KIND_EVENTS) return {};
-  const auto raw =
-      findCodec(header.codec())->decode(std::move(payload), header.count() * kColumnsBytesPerEvent);
-  if (!raw) return "a payload whose size is not 9 bytes an event";
-  return decodeColumns(header, *raw, out);
+  const bool snapshot = header.kind() == v1::KIND_SNAPSHOT;
+  if (header.kind() != v1::KIND_EVENTS && !snapshot) return {};
+  const std::size_t size =
+      snapshot ? pixelsOf(header) * kPlanesBytesPerPixel : header.count() * kColumnsBytesPerEvent;
+  const auto raw = findCodec(header.codec())->decode(std::move(payload), size);
+  if (!raw) return "the payload does not hold " + std::to_string(size) + " bytes";
+  if (!snapshot) return decodeColumns(header, *raw, out.events);
+  out.pixels = decodePlanes(*raw);
+  return {};
 }
 
 }  // namespace saccade

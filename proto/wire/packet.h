@@ -9,10 +9,12 @@
 
 #include "saccade/v1/events.pb.h"
 #include "wire/event.h"
+#include "wire/planes.h"
 
 namespace saccade {
 
 inline constexpr std::uint32_t kMaxPacketEvents = 32768;
+inline constexpr std::uint64_t kMaxSnapshotPixels = 4 << 20;
 inline constexpr std::uint32_t kTimeUnitNs = 1000;  // event times and packet bounds are multiples of it
 
 struct Packet {
@@ -30,12 +32,18 @@ Packet sealPacket(v1::PacketHeader header, std::string payload);
 Packet makeErrorPacket(const std::string& stream_id, const std::string& message);
 
 // For receivers; header and payload may hold anything. Returns why the packet must not be used, or an empty
-// text: unknown kind, layout or codec, more than kMaxPacketEvents events, a payload that its crc32 does not
-// match or whose size does not fit its kind.
+// text: unknown kind, layout or codec, more than kMaxPacketEvents events or kMaxSnapshotPixels, a payload
+// that its crc32 does not match or whose size does not fit its kind.
 std::string checkPacket(const v1::PacketHeader& header, std::string_view payload);
 
-// checkPacket() and then the events, in `out` (none unless KIND_EVENTS). Returns what is wrong, or an empty
-// text.
-std::string decodePacket(const v1::PacketHeader& header, std::string payload, Events& out);
+// What a packet of KIND_EVENTS or KIND_SNAPSHOT carries.
+struct PacketContent {
+  Events events;
+  PixelState pixels;
+};
+
+// checkPacket() and then the content, of which what the kind does not carry is empty. Returns what is wrong,
+// or an empty text.
+std::string decodePacket(const v1::PacketHeader& header, std::string payload, PacketContent& out);
 
 }  // namespace saccade

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "wire/codec_table.h"
 #include "wire/columns.h"
 
 namespace saccade {
@@ -14,9 +13,9 @@ struct Piece {
   std::int64_t t1_ns;  // where the next piece starts
 };
 
-// The longest first packet of `events` (in time order), which start at or after t0_ns.
-Piece firstPiece(std::span<const Event> events, std::int64_t t0_ns, std::int64_t t1_ns) {
-  if (events.size() <= kMaxPacketEvents) return {events.size(), t1_ns};
+// The longest first packet of more than kMaxPacketEvents `events` in time order, which start at or after
+// t0_ns.
+Piece firstPiece(std::span<const Event> events, std::int64_t t0_ns) {
   const std::int64_t cut = events[kMaxPacketEvents].t_ns;
   const auto before_cut = std::partition_point(events.begin(), events.begin() + kMaxPacketEvents,
                                                [&](const Event& e) { return e.t_ns < cut; });
@@ -26,9 +25,13 @@ Piece firstPiece(std::span<const Event> events, std::int64_t t0_ns, std::int64_t
   return {count, cut};
 }
 
+std::int64_t nextPacketTime(std::int64_t t_ns) {
+  return (t_ns / kPacketTimeNs + 1) * kPacketTimeNs;
+}
+
 }  // namespace
 
-PacketCutter::PacketCutter(const Source& source) {
+PacketCutter::PacketCutter(const Source& source) : codec_(*source.codec) {
   header_.set_stream_id(source.stream_id);
   header_.set_epoch(source.epoch);
   header_.set_sensor(source.sensor);
@@ -36,40 +39,81 @@ PacketCutter::PacketCutter(const Source& source) {
   header_.set_height(source.height);
   header_.set_dt_unit_ns(kTimeUnitNs);
   header_.set_layout(v1::LAYOUT_COLUMNS);
-  header_.set_codec(kCodecNone.id);
+  header_.set_codec(codec_.id);
+}
+
+Packet PacketCutter::snapshot(std::int64_t t_ns, std::uint64_t frame, std::string planes) {
+  v1::PacketHeader header = nextHeader(v1::KIND_SNAPSHOT, t_ns, t_ns, frame);
+  header.set_layout(v1::LAYOUT_PLANES);
+  return sealPacket(std::move(header), codec_.encode(std::move(planes)));
 }
 
 std::vector<Packet> PacketCutter::cut(std::span<const Event> events, const PacketInterval& interval) {
-  std::vector<Packet> packets;
-  std::int64_t t0 = interval.t0_ns;
-  do {
-    const Piece piece = firstPiece(events, t0, interval.t1_ns);
-    v1::PacketHeader header = nextHeader(v1::KIND_EVENTS, t0, piece.t1_ns, piece.count);
-    header.set_frame(interval.frame);
-    if (packets.empty()) header.set_suppressed(interval.suppressed);
-    packets.push_back(sealPacket(
-        std::move(header), kCodecNone.encode(encodeColumns(events.first(piece.count), t0, kTimeUnitNs))));
-    events = events.subspan(piece.count);
-    t0 = piece.t1_ns;
-  } while (t0 < interval.t1_ns);
-  return packets;
+  std::vector<Packet> full;
+  if (!open_) t0_ns_ = interval.t0_ns, frame_ = interval.frame;
+  suppressed_ += interval.suppressed;
+  for (std::int64_t t = interval.t0_ns; t < interval.t1_ns;) {
+    t = std::min(nextPacketTime(t), interval.t1_ns);
+    const auto end =
+        std::partition_point(events.begin(), events.end(), [&](const Event& e) { return e.t_ns < t; });
+    const std::size_t count = end - events.begin();
+    fill(events.first(count), t, interval.frame, full);
+    events = events.subspan(count);
+  }
+  return full;
 }
 
-Packet PacketCutter::end(std::int64_t t_ns, std::uint64_t frame) {
-  v1::PacketHeader header = nextHeader(v1::KIND_END, t_ns, t_ns, 0);
-  header.set_frame(frame);
-  return sealPacket(std::move(header), {});
+// Adds the events up to t1_ns.
+void PacketCutter::fill(std::span<const Event> events, std::int64_t t1_ns, std::uint64_t frame,
+                        std::vector<Packet>& full) {
+  events_.insert(events_.end(), events.begin(), events.end());
+  t1_ns_ = t1_ns;
+  open_ = true;
+  while (events_.size() > kMaxPacketEvents) {
+    const Piece piece = firstPiece(events_, t0_ns_);
+    full.push_back(take(piece.count, piece.t1_ns));
+    frame_ = frame;
+  }
+  if (t1_ns % kPacketTimeNs != 0 && events_.size() < kEnoughEvents) return;
+  full.push_back(take(events_.size(), t1_ns));
+  frame_ = frame;
+  open_ = false;
+}
+
+// The packet up to t1_ns, with the first `count` events.
+Packet PacketCutter::take(std::size_t count, std::int64_t t1_ns) {
+  v1::PacketHeader header = nextHeader(v1::KIND_EVENTS, t0_ns_, t1_ns, frame_);
+  header.set_count(static_cast<std::uint32_t>(count));
+  header.set_suppressed(std::exchange(suppressed_, 0));
+  header_.set_first_event_index(header_.first_event_index() + count);
+  std::string columns = encodeColumns(std::span(events_).first(count), t0_ns_, kTimeUnitNs);
+  events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(count));
+  t0_ns_ = t1_ns;
+  return sealPacket(std::move(header), codec_.encode(std::move(columns)));
+}
+
+std::vector<Packet> PacketCutter::flush() {
+  std::vector<Packet> left;
+  if (std::exchange(open_, false)) left.push_back(take(events_.size(), t1_ns_));
+  return left;
+}
+
+std::vector<Packet> PacketCutter::end(std::int64_t t_ns, std::uint64_t frame, v1::EndReason reason) {
+  std::vector<Packet> last = flush();
+  v1::PacketHeader header = nextHeader(v1::KIND_END, t_ns, t_ns, frame);
+  header.set_end_reason(reason);
+  last.push_back(sealPacket(std::move(header), {}));
+  return last;
 }
 
 v1::PacketHeader PacketCutter::nextHeader(v1::Kind kind, std::int64_t t0_ns, std::int64_t t1_ns,
-                                          std::size_t count) {
+                                          std::uint64_t frame) {
   v1::PacketHeader header = header_;
   header.set_kind(kind);
   header.set_t0_ns(t0_ns);
   header.set_t1_ns(t1_ns);
-  header.set_count(static_cast<std::uint32_t>(count));
+  header.set_frame(frame);
   header_.set_seq(header_.seq() + 1);
-  header_.set_first_event_index(header_.first_event_index() + count);
   return header;
 }
 

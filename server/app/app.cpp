@@ -19,7 +19,7 @@ App::App(const Config& config)
       control_(config.control, keys_),
       data_(config.data, sessions_, keys_),
       broadcast_(config.broadcast, sessions_, keys_),
-      streams_(sessions_, client_log_),
+      streams_(sessions_, client_log_, StreamRegistry::Lease(config.lease_s)),
       opener_(scenes_, tables_, pool_, streams_, {data_.wake(), broadcast_.wake()}, totals_, client_log_,
               epoch_),
       service_(scenes_, streams_, opener_, client_log_, describe(config)) {

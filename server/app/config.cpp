@@ -33,6 +33,10 @@ void addOptions(CLI::App& app, Config& config) {
                  "seconds that receivers have to take what is left, on SIGTERM")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
+  app.add_option("--lease", config.lease_s,
+                 "seconds that a stream without a receiver lives on, and can be resumed")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
   app.add_option("--secret-key", config.secret_key, "file of the server's secret key, from `saccade keygen`")
       ->capture_default_str();
   app.add_option("--client-keys", config.client_keys,

@@ -12,6 +12,7 @@ struct Config {
   std::string broadcast = "tcp://127.0.0.1:5772";
   std::string http = "off";  // address of metrics and health, such as http://127.0.0.1:5773; "off": none
   double drain_s = 5;        // [0, 3600] how long stop() waits for receivers
+  double lease_s = 30;       // [0.1, 86400] how long a stream lives without a receiver
   std::string secret_key;    // file of the server's own key; empty: no keys
   std::string client_keys;   // file of the clients' keys, see ClientKeys; given where secret_key is
   bool insecure = false;     // whether other machines may connect without keys

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/resolve.h"
 #include "base/tile_pool.h"
 #include "events/sensor.h"
 #include "stream/session.h"
@@ -14,14 +15,14 @@ namespace saccade {
 
 class Outlet {
  public:
-  Outlet(std::shared_ptr<Session> session, const std::vector<SensorConfig>& sensors, int width, int height,
-         std::uint64_t epoch);
+  Outlet(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch);
 
   const Session& session() const { return *session_; }
   std::uint64_t events() const { return events_; }  // from any thread
 
   // The feed's thread only. publish() takes every interval from the stream's first on, in order, and returns
-  // the CPU time of the sensors. `frame` is the index of the frame at t.
+  // the CPU time of the sensors. A stream that joins a running feed begins with a snapshot of its pixels.
+  // `frame` is the index of the frame at t.
   std::chrono::nanoseconds publish(const IntensityChange& change, TilePool& pool);
   void end(TimeNs t, FrameIndex frame);
   void fail(const std::string& message);
@@ -30,10 +31,15 @@ class Outlet {
   struct Eye {
     Sensor sensor;
     PacketCutter cutter;
+    std::uint64_t from_event;  // what ends before it is not sent
     SensorOutput output;
   };
+  void join(const IntensityChange& first);
+  void push(const Eye& eye, std::vector<Packet> packets);
+
   const std::shared_ptr<Session> session_;
   std::vector<Eye> eyes_;
+  bool joined_ = false;
   std::atomic<std::uint64_t> events_ = 0;
 };
 

@@ -93,6 +93,15 @@ void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors)
   }
 }
 
+// Only who owns its feed can have it begin where nothing is known yet.
+void checkFromEvents(const v1::OpenStream& request) {
+  if (request.delivery() == v1::DELIVERY_LOSSLESS) return;
+  for (int i = 0; i < request.sensors_size(); ++i) {
+    if (request.sensors(i).from_event() == 0) continue;
+    refuse("sensors[" + std::to_string(i) + "].from_event", "only a LOSSLESS stream goes on from an event");
+  }
+}
+
 }  // namespace
 
 ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes,
@@ -110,6 +119,8 @@ ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEnt
   resolveMethod(*r.mutable_method(), stream.feed);
   resolveQuality(*r.mutable_quality(), stream);
   r.set_delivery(resolveEnum("delivery", r.delivery(), v1::DELIVERY_LOSSLESS));
+  checkFromEvents(r);
+  r.set_codec(resolveEnum("codec", r.codec(), v1::CODEC_NONE));
   stream.feed.seed = r.seed();
   return stream;
 }
@@ -127,6 +138,7 @@ std::string ResolvedStream::feedKey() const {
   v1::OpenStream feed_part = request;
   feed_part.clear_sensors();
   feed_part.clear_delivery();
+  feed_part.clear_codec();
   std::string key;
   google::protobuf::io::StringOutputStream text(&key);
   google::protobuf::io::CodedOutputStream out(&text);

@@ -133,8 +133,7 @@ bool StreamOpener::connect(const ResolvedStream& resolved, Stream& stream) {
   stream.session = std::make_shared<Session>(randomHex(kIdBytes), delivery,
                                              static_cast<std::uint32_t>(resolved.sensors.size()), transport,
                                              stream.feed->signal(), totals_.traffic);
-  stream.outlet = std::make_shared<Outlet>(stream.session, resolved.sensors, resolved.feed.width,
-                                           resolved.feed.height, epoch_);
+  stream.outlet = std::make_shared<Outlet>(stream.session, resolved, epoch_);
   return stream.feed->add(stream.outlet);
 }
 

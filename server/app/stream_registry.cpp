@@ -3,23 +3,16 @@
 #include "app/refusal.h"
 
 namespace saccade {
-namespace {
 
-bool abandoned(const Stream& stream, Signal::Clock::time_point now) {
-  const Session& session = *stream.session;
-  // A broadcast stream may wait for its first subscriber as long as it likes.
-  if (session.broadcast() && !session.finished()) return false;
-  return now - session.lastActivity() > StreamRegistry::kPatience;
+bool StreamRegistry::abandoned(const Stream& stream, Signal::Clock::time_point now) const {
+  return now - stream.session->lastActivity() > lease_;
 }
 
-bool over(const Stream& stream, Signal::Clock::time_point now) {
+bool StreamRegistry::over(const Stream& stream, Signal::Clock::time_point now) const {
   if (!stream.session->finished()) return false;
-  const bool closed =
-      stream.closed && (stream.session->drained() || now - *stream.closed > StreamRegistry::kPatience);
+  const bool closed = stream.closed && (stream.session->drained() || now - *stream.closed > lease_);
   return closed || abandoned(stream, now);
 }
-
-}  // namespace
 
 v1::StreamInfo Stream::info() const {
   v1::StreamInfo info;
@@ -88,7 +81,7 @@ StreamCensus StreamRegistry::census() const {
 
 void StreamRegistry::close(const std::string& id, const std::string& token) {
   const Stream stream = find(id, token);
-  stream.session->stop();
+  stream.session->stop(v1::END_REASON_CLOSED);
   std::lock_guard lock(mutex_);
   const auto found = streams_.find(id);
   if (found != streams_.end() && !found->second.closed) found->second.closed = Signal::Clock::now();
@@ -100,7 +93,7 @@ void StreamRegistry::sweep(Signal::Clock::time_point now) {
   std::lock_guard lock(mutex_);
   std::erase_if(streams_, [&](auto& entry) {
     auto& [id, stream] = entry;
-    if (abandoned(stream, now)) stream.session->stop();
+    if (abandoned(stream, now)) stream.session->stop(v1::END_REASON_ABANDONED);
     if (!over(stream, now)) return false;
     log_.info(stream.user, "stream " + id + " forgotten");
     sessions_.remove(id);
@@ -115,7 +108,7 @@ bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
     std::lock_guard lock(mutex_);
     streams = streams_;
   }
-  for (const auto& [id, stream] : streams) stream.session->stop();
+  for (const auto& [id, stream] : streams) stream.session->stop(v1::END_REASON_DRAINING);
   bool all = true;
   for (const auto& [id, stream] : streams) {
     all &= stream.feed->signal()->waitUntil(deadline, [&] { return stream.session->settled(); });

@@ -34,11 +34,12 @@ struct StreamCensus {
 
 class StreamRegistry {
  public:
-  // A stream whose receiver is gone so long is ended; one that has ended stays listed so long.
-  static constexpr std::chrono::seconds kPatience{30};
+  using Lease = std::chrono::duration<double>;
 
-  // Streams are entered into, and taken from, `sessions`.
-  StreamRegistry(SessionDirectory& sessions, ClientLog& log) : sessions_(sessions), log_(log) {}
+  // Streams are entered into, and taken from, `sessions`. A stream whose receiver is gone for `lease`, or has
+  // not come yet, is ended; one that has ended can be resumed and is listed for so long.
+  StreamRegistry(SessionDirectory& sessions, ClientLog& log, Lease lease)
+      : sessions_(sessions), log_(log), lease_(lease) {}
   ~StreamRegistry();  // stops what is left
 
   void add(Stream stream);
@@ -55,8 +56,12 @@ class StreamRegistry {
   bool stopAll(Signal::Clock::time_point deadline);
 
  private:
+  bool abandoned(const Stream& stream, Signal::Clock::time_point now) const;
+  bool over(const Stream& stream, Signal::Clock::time_point now) const;
+
   SessionDirectory& sessions_;
   ClientLog& log_;
+  const Lease lease_;
   mutable std::mutex mutex_;
   std::map<std::string, Stream> streams_;  // by id
 };

@@ -27,6 +27,8 @@ class EventModel {
   // row by row, pixel by pixel, those of a pixel in time order (OFF first where times are equal), every time
   // in [t0, t1). Returns how many events were withheld.
   virtual std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) = 0;
+  // Log brightness of pixel (x, y) minus the reference of its next event; 0 for a model without a reference.
+  virtual float level(int x, int y) const = 0;
 };
 
 struct EventModelInfo {

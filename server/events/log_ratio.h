@@ -31,4 +31,15 @@ inline float logRatio(float a, float b, float change) {
   return static_cast<float>(static_cast<std::int32_t>(exponent) >> 23) * kLog2 + series;
 }
 
+// log(I_eps + I) [E (1)]; I is clamped to [0, kMaxLuminance]. A NaN stays.
+inline float logBrightness(float I, float I_eps) {
+  const float response = I_eps + clampTo(I, 0, kMaxLuminance);
+  return logRatio(1, response, response - 1);
+}
+
+// The same, with 0 for an I that is NaN or Inf.
+inline float finiteLogBrightness(float I, float I_eps) {
+  return logBrightness(I - I == 0 ? I : 0, I_eps);
+}
+
 }  // namespace saccade

@@ -1,6 +1,7 @@
 #include "events/sensor.h"
 
 #include "base/check.h"
+#include "events/log_ratio.h"
 #include "events/log_response.h"
 
 namespace saccade {
@@ -11,6 +12,18 @@ Sensor::Sensor(const SensorConfig& config, int width, int height)
   SACCADE_CHECK(width <= UINT16_MAX && height <= UINT16_MAX);
   reconstruction_ = findReconstruction(config.reconstruction)->make(config, width, height);
   model_ = findEventModel(config.model)->make(config, width, height);
+}
+
+PixelState Sensor::pixelsAtStart(const ImageF& I_prev) const {
+  PixelState pixels;
+  for (int y = 0; y < I_prev.height(); ++y) {
+    for (int x = 0; x < I_prev.width(); ++x) {
+      const float L = finiteLogBrightness(I_prev.at(x, y), bias_);
+      pixels.brightness.push_back(L);
+      pixels.reference.push_back(L - model_->level(x, y));
+    }
+  }
+  return pixels;
 }
 
 void Sensor::generate(const IntensityChange& change, SensorOutput& out) {

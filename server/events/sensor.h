@@ -10,6 +10,7 @@
 #include "events/time_order.h"
 #include "frame/intensity_change.h"
 #include "wire/event.h"
+#include "wire/planes.h"
 
 namespace saccade {
 
@@ -22,6 +23,9 @@ class Sensor {
  public:
   // `config` has no fault; 1 <= width, height <= 65535.
   Sensor(const SensorConfig& config, int width, int height);
+
+  // The pixels before the first interval, row by row; I_prev is that of its change.
+  PixelState pixelsAtStart(const ImageF& I_prev) const;
 
   // Must be given every interval, in order. `out` is overwritten; its storage is reused.
   void generate(const IntensityChange& change, SensorOutput& out);

@@ -1,6 +1,7 @@
 #include "stream/credit_queue.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/check.h"
@@ -8,7 +9,7 @@
 namespace saccade {
 
 CreditQueue::CreditQueue(Overflow overflow, std::uint64_t capacity_bytes, std::uint32_t sensors)
-    : overflow_(overflow), capacity_bytes_(capacity_bytes), untold_drops_(sensors) {}
+    : overflow_(overflow), capacity_bytes_(capacity_bytes), untold_drops_(sensors), first_held_(sensors) {}
 
 bool CreditQueue::hasRoom() const {
   std::lock_guard lock(mutex_);
@@ -27,7 +28,7 @@ void CreditQueue::push(Packet packet) {
   if (overflow_ == Overflow::kDropOldest && waiting_.bytes > capacity_bytes_) dropOldest();
 }
 
-// The newest packet stays, however large, and so does what is not events: END, ERROR.
+// The newest packet stays, however large, and so does what is not events.
 void CreditQueue::dropOldest() {
   auto& entries = waiting_.entries;
   for (auto it = entries.begin(); waiting_.bytes > capacity_bytes_ && it + 1 != entries.end();) {
@@ -66,46 +67,47 @@ bool CreditQueue::sendOldest(const Send& send) {
   sent_.bytes += entry.bytes;
   sent_.entries.push_back(std::move(entry));
   waiting_.entries.pop_front();
-  while (sent_.bytes > capacity_bytes_ && sent_.entries.size() > 1) forgetFirstSent();
+  while (sent_.bytes > kKeptBounds * capacity_bytes_ && sent_.entries.size() > 1) forgetFirstSent();
   return true;
 }
 
 void CreditQueue::forgetFirstSent() {
   const Entry& first = sent_.entries.front();
-  first_resumable_ = std::max(first_resumable_, first.packet.header.seq() + 1);
+  first_held_[first.packet.header.sensor()] = first.packet.header.seq() + 1;
   sent_.bytes -= first.bytes;
   sent_.entries.pop_front();
 }
 
-void CreditQueue::moveBackToFront(Entries& from, Entries& to) {
-  from.bytes -= from.entries.back().bytes;
-  to.bytes += from.entries.back().bytes;
-  to.entries.push_front(std::move(from.entries.back()));
-  from.entries.pop_back();
-}
-
+// What is not held any more cannot be asked for again.
 void CreditQueue::acknowledge(std::uint32_t sensor, std::uint64_t seq) {
   std::lock_guard lock(mutex_);
   std::erase_if(sent_.entries, [&](const Entry& entry) {
     const v1::PacketHeader& header = entry.packet.header;
-    const bool safe = header.sensor() == sensor && header.seq() <= seq;
-    if (safe) sent_.bytes -= entry.bytes;
-    return safe;
+    if (header.sensor() != sensor || header.seq() > seq) return false;
+    first_held_[sensor] = std::max(first_held_[sensor], header.seq() + 1);
+    sent_.bytes -= entry.bytes;
+    return true;
   });
 }
 
-std::string CreditQueue::resume(std::uint64_t from_seq) {
+std::string CreditQueue::resume(const std::vector<std::uint64_t>& from_seqs) {
+  SACCADE_CHECK(from_seqs.size() == first_held_.size());
   std::lock_guard lock(mutex_);
-  if (from_seq < first_resumable_) {
-    return "packets before seq " + std::to_string(first_resumable_) + " are no longer held";
+  for (std::size_t i = 0; i < from_seqs.size(); ++i) {
+    if (from_seqs[i] < first_held_[i]) {
+      return "packets of sensor " + std::to_string(i) + " before seq " + std::to_string(first_held_[i]) +
+             " are no longer held";
+    }
   }
-  // In order of sending; what is older than asked for stays behind, as sent.
-  Entries older;
-  while (!sent_.entries.empty()) {
-    const bool again = sent_.entries.back().packet.header.seq() >= from_seq;
-    moveBackToFront(sent_, again ? waiting_ : older);
+  Entries all = std::move(sent_);
+  std::move(waiting_.entries.begin(), waiting_.entries.end(), std::back_inserter(all.entries));
+  sent_ = {}, waiting_ = {};
+  for (Entry& entry : all.entries) {
+    const v1::PacketHeader& header = entry.packet.header;
+    Entries& to = header.seq() < from_seqs[header.sensor()] ? sent_ : waiting_;
+    to.bytes += entry.bytes;
+    to.entries.push_back(std::move(entry));
   }
-  sent_ = std::move(older);
   return {};
 }
 

@@ -2,9 +2,11 @@
 //
 // When it is full, a stream either holds its producer (who asks hasRoom() before each frame; the packets of
 // one frame may overshoot) or loses its oldest packets. What is lost is counted and told in dropped_before of
-// the next packet of that sensor; END is never lost. What has been sent stays, bounded by the same number of
-// bytes, until it is acknowledged, so that a client may resume on another connection. So a stream without
-// credit keeps at most the bound and one frame, or one packet where it drops; and once more the bound.
+// the next packet of that sensor; what is not events is never lost. What has been sent stays, bounded by
+// kKeptBounds times the bytes, until it is acknowledged, so that a client may resume on another connection:
+// one that acknowledges what it gives credit for, and gives no more than one bound, loses nothing. So a
+// stream without credit keeps at most the bound and one frame, or one packet where it drops; and kKeptBounds
+// times the bound.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +33,8 @@ class CreditQueue {
  public:
   enum class Overflow { kHold, kDropOldest };
 
+  static constexpr std::uint64_t kKeptBounds = 2;
+
   using Send = std::function<bool(const WirePacket&)>;  // whether it could be sent
 
   CreditQueue(Overflow overflow, std::uint64_t capacity_bytes, std::uint32_t sensors);
@@ -44,9 +48,8 @@ class CreditQueue {
   // could not be sent and stays the oldest.
   bool sendOldest(const Send& send);
   void acknowledge(std::uint32_t sensor, std::uint64_t seq);  // forgets what was sent up to `seq`
-  // Sends again what was sent of every sensor from `from_seq` on and is not acknowledged. Returns why that
-  // cannot be done, or an empty text.
-  std::string resume(std::uint64_t from_seq);
+  // What comes next of each sensor is what has this seq. Returns why that cannot be done, or an empty text.
+  std::string resume(const std::vector<std::uint64_t>& from_seqs);
 
   bool empty() const;  // nothing waits to be sent
   std::uint64_t droppedPackets() const;
@@ -60,7 +63,6 @@ class CreditQueue {
     std::deque<Entry> entries;
     std::uint64_t bytes = 0;
   };
-  static void moveBackToFront(Entries& from, Entries& to);
   void dropOldest();
   void tellLoss(std::deque<Entry>::iterator lost);
   void forgetFirstSent();
@@ -71,7 +73,7 @@ class CreditQueue {
   Entries waiting_, sent_;
   std::vector<std::uint64_t> untold_drops_;  // by sensor: for the next packet to be pushed
   std::uint64_t dropped_packets_ = 0;
-  std::uint64_t first_resumable_ = 0;  // what was sent and forgotten unacknowledged has a smaller seq
+  std::vector<std::uint64_t> first_held_;  // by sensor: what was sent and is forgotten has a smaller seq
 };
 
 }  // namespace saccade

@@ -46,7 +46,12 @@ std::string DataServer::attach(const std::string& identity, const v1::Attach& re
   if (!session || session->broadcast() || !session->hasToken(request.token())) {
     return "no stream of this name on the data socket has this token";
   }
-  if (std::string fault = session->queue().resume(request.from_seq()); !fault.empty()) return fault;
+  std::vector<std::uint64_t> from(session->sensors(), request.from_seq());
+  if (request.from_seqs_size() > 0) from.assign(request.from_seqs().begin(), request.from_seqs().end());
+  if (from.size() != session->sensors()) {
+    return "from_seqs has one seq for each of the " + std::to_string(session->sensors()) + " sensors";
+  }
+  if (std::string fault = session->queue().resume(from); !fault.empty()) return fault;
   takeOver(*session, identity);
   Connection& connection = connections_[identity];
   if (connection.session && connection.session != session) connection.session->leave();
@@ -77,7 +82,9 @@ std::string DataServer::addCredit(const std::string& identity, std::uint64_t byt
 std::string DataServer::acknowledge(const std::string& identity, const v1::Ack& ack) {
   const auto found = connections_.find(identity);
   if (found == connections_.end()) return "attach to a stream before acknowledging packets";
-  found->second.session->queue().acknowledge(ack.sensor(), ack.seq());
+  Session& session = *found->second.session;
+  if (ack.sensor() >= session.sensors()) return "the stream has no sensor " + std::to_string(ack.sensor());
+  session.queue().acknowledge(ack.sensor(), ack.seq());
   return {};
 }
 
@@ -117,10 +124,7 @@ SocketLoop::Sent DataServer::sendPacketsOf(const std::string& identity, Connecti
 }
 
 SocketLoop::Sent DataServer::sendHeartbeat(const std::string& identity, Connection& connection) {
-  v1::PacketHeader header;
-  header.set_stream_id(connection.session->id());
-  header.set_kind(v1::KIND_HEARTBEAT);
-  const Packet packet = sealPacket(std::move(header), {});
+  const Packet packet = connection.session->heartbeat();
   const auto sent = loop_.send({identity, packet.header.SerializeAsString(), *packet.payload});
   if (sent == SocketLoop::Sent::kYes) connection.session->keepAlive();
   connection.last_sent = Signal::Clock::now();

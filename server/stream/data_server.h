@@ -1,6 +1,6 @@
 // The data socket: hands each stream's packets to the connection that has attached to it, while its credit
-// lasts. A connection that gets none for kHeartbeatPause is sent a heartbeat, which is free of credit: so
-// both ends learn that the other one is gone.
+// lasts. A connection that gets none for kHeartbeatPause is sent a heartbeat, which is free of credit: it
+// tells how far the stream is, and both ends learn that the other one is gone.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace saccade {
 
 class DataServer {
  public:
-  static constexpr std::chrono::milliseconds kHeartbeatPause{5000};
+  static constexpr std::chrono::milliseconds kHeartbeatPause{1000};
 
   // Binds; throws std::runtime_error. Keeps a reference.
   DataServer(const std::string& endpoint, const SessionDirectory& sessions,

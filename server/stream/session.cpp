@@ -67,13 +67,24 @@ bool Session::sendOldest(const CreditQueue::Send& send) {
   if (!queue_.sendOldest(count)) return false;
   traffic_.packets += 1;
   traffic_.bytes += bytes;
-  touch();
+  if (has_receiver_) touch();
   producer_->raise();
   return true;
 }
 
 void Session::keepAlive() {
   if (!drained()) touch();
+}
+
+Packet Session::heartbeat(std::uint32_t sensor) const {
+  v1::PacketHeader header;
+  header.set_stream_id(id_);
+  header.set_sensor(sensor);
+  header.set_kind(v1::KIND_HEARTBEAT);
+  header.set_frame(frame_);
+  header.set_t0_ns(t_ns_);
+  header.set_t1_ns(header.t0_ns());
+  return sealPacket(std::move(header), {});
 }
 
 void Session::push(Packet packet) {
@@ -83,6 +94,11 @@ void Session::push(Packet packet) {
   transport_.wake();
 }
 
+void Session::setProgress(std::uint64_t frame, std::int64_t t_ns) {
+  frame_ = frame;
+  t_ns_ = t_ns;
+}
+
 void Session::finish() {
   finished_ = true;
   touch();
@@ -90,7 +106,9 @@ void Session::finish() {
   transport_.wake();
 }
 
-void Session::stop() {
+void Session::stop(v1::EndReason reason) {
+  auto unstopped = v1::END_REASON_FINISHED;
+  end_reason_.compare_exchange_strong(unstopped, reason);
   stopping_ = true;
   producer_->raise();
 }

@@ -14,7 +14,7 @@
 
 namespace saccade {
 
-// Packets that wait for one stream's client, and as many again that it has not acknowledged.
+// Packets that wait for one stream's client; those it has not acknowledged besides, see CreditQueue.
 inline constexpr std::uint64_t kQueueBytes = 4 << 20;
 
 // All members may be called from any thread.
@@ -39,16 +39,19 @@ class Session {
   bool sendOldest(const CreditQueue::Send& send);  // as the queue's
   CreditQueue& queue() { return queue_; }
   void keepAlive();  // its receiver is there, though it takes nothing
+  Packet heartbeat(std::uint32_t sensor = 0) const;
 
   // Producer.
   bool started() const { return started_; }
   bool stopping() const { return stopping_; }
   bool hasRoom() const { return queue_.hasRoom(); }
   void push(Packet packet);
+  void setProgress(std::uint64_t frame, std::int64_t t_ns);  // the newest frame; told by heartbeats
+  v1::EndReason endReason() const { return end_reason_; }    // END_REASON_FINISHED unless stopping()
   void finish();  // END or ERROR has been pushed for every sensor; no packet follows
 
-  // Owner. stop(): the producer is to end the stream at the next frame.
-  void stop();
+  // Owner. stop(): the producer is to end the stream at the next frame; the first reason stands.
+  void stop(v1::EndReason reason);
   bool finished() const { return finished_; }
   bool drained() const { return finished_ && queue_.empty(); }
   bool settled() const { return drained() || (finished_ && !has_receiver_); }  // nothing can be sent any more
@@ -66,6 +69,9 @@ class Session {
   Traffic& traffic_;
   CreditQueue queue_;
   std::atomic<bool> started_ = false, has_receiver_ = false, stopping_ = false, finished_ = false;
+  std::atomic<v1::EndReason> end_reason_ = v1::END_REASON_FINISHED;
+  std::atomic<std::uint64_t> frame_ = 0;
+  std::atomic<std::int64_t> t_ns_ = 0;
   std::atomic<Signal::Clock::time_point> last_activity_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "fake_server.h"
 
 namespace saccade {
@@ -24,8 +26,8 @@ class SubscriberTest : public testing::Test {
   }
 
   Packet nextPacket() {
-    t_ns_ += 1000;
-    return cutter_.cut(Events{{t_ns_ - 1000, 1, 2, 1}}, {t_ns_ - 1000, t_ns_, 0, 0}).at(0);
+    const std::int64_t t0 = std::exchange(t_ns_, t_ns_ + kPacketTimeNs);
+    return cutter_.cut(Events{{t0, 1, 2, 1}}, {t0, t_ns_, 0, 0}).at(0);
   }
 
   static std::uint64_t bytesOf(const Packet& packet) {

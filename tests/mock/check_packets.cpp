@@ -28,8 +28,8 @@ Summary checkPackets(const Packets& packets, bool lossy) {
   std::int64_t t = 0;
   for (const Received& packet : packets) {
     const v1::PacketHeader& header = packet.header;
-    Events events;
-    EXPECT_EQ(decodePacket(header, packet.payload, events), "");
+    PacketContent content;
+    EXPECT_EQ(decodePacket(header, packet.payload, content), "");
     EXPECT_EQ(header.seq(), seq + header.dropped_before());
     EXPECT_TRUE(lossy || header.dropped_before() == 0);
     if (header.dropped_before() == 0) {
@@ -38,10 +38,10 @@ Summary checkPackets(const Packets& packets, bool lossy) {
     }
     EXPECT_GE(header.first_event_index(), index);
     EXPECT_GE(header.t0_ns(), t);
-    checkEvents(header, events);
+    checkEvents(header, content.events);
     summary.dropped += header.dropped_before();
     summary.packets += header.kind() == v1::KIND_EVENTS;
-    summary.events += events.size();
+    summary.events += content.events.size();
     seq = header.seq() + 1;
     index = header.first_event_index() + header.count();
     t = header.t1_ns();

@@ -27,6 +27,7 @@ class FailingMethod : public Method {
 class FeedFailure : public testing::Test {
  protected:
   static constexpr FrameIndex kFrames = 5;
+  static constexpr std::size_t kPacketsPerFrame = 2;  // of 10 ms
   FeedFailure() { spdlog::set_level(spdlog::level::off); }
 
   std::unique_ptr<FeedRunner> runner(FrameIndex fails_at) {
@@ -36,11 +37,24 @@ class FeedFailure : public testing::Test {
     return std::make_unique<FeedRunner>(std::move(feed), 8, 8, FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 
+  static std::shared_ptr<Outlet> makeOutlet(const std::shared_ptr<Session>& session) {
+    ResolvedStream stream{.request = {},
+                          .feed = {.width = 8, .height = 8, .params = {}},
+                          .sensors = {},
+                          .without = {},
+                          .expected = {},
+                          .simpler = {}};
+    stream.request.set_codec(v1::CODEC_NONE);
+    for (std::uint32_t i = 0; i < session->sensors(); ++i) stream.request.add_sensors();
+    stream.sensors.resize(session->sensors());
+    return std::make_shared<Outlet>(session, stream, 0);
+  }
+
   // Of a stream with two sensors, from its start to its end.
   std::vector<v1::PacketHeader> packetsOf(FeedRunner& runner) {
     const auto session = std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 2, transport_, runner.signal(),
                                                    totals_.traffic);
-    runner.add(std::make_shared<Outlet>(session, std::vector<SensorConfig>(2), 8, 8, 0));
+    runner.add(makeOutlet(session));
     session->start();
     EXPECT_TRUE(
         runner.signal()->waitUntil(Signal::Clock::now() + kPatience, [&] { return session->finished(); }));
@@ -63,16 +77,16 @@ class FeedFailure : public testing::Test {
 TEST_F(FeedFailure, EndsItsStreamsWithErrorAndNoOthers) {
   const auto failing = runner(3), healthy = runner(kFrames + 1);
   const auto cut_short = packetsOf(*failing);
-  ASSERT_EQ(cut_short.size(), 2u * 2 + 2);  // frames 1 and 2
+  ASSERT_EQ(cut_short.size(), 2u * kPacketsPerFrame * 2 + 2);  // frames 1 and 2
   for (std::uint32_t sensor : {0u, 1u}) {
-    const v1::PacketHeader& last = cut_short[4 + sensor];
+    const v1::PacketHeader& last = cut_short[cut_short.size() - 2 + sensor];
     EXPECT_EQ(last.kind(), v1::KIND_ERROR);
     EXPECT_EQ(last.sensor(), sensor);
   }
   EXPECT_NE(last_payload_.find("out of luck"), std::string::npos);
 
   const auto whole = packetsOf(*healthy);
-  ASSERT_EQ(whole.size(), 2u * kFrames + 2);
+  ASSERT_EQ(whole.size(), 2u * kPacketsPerFrame * kFrames + 2);
   EXPECT_EQ(whole.back().kind(), v1::KIND_END);
 }
 
@@ -81,7 +95,7 @@ TEST_F(FeedFailure, LetsNobodyJoinAfterwards) {
   packetsOf(*failing);
   const auto late =
       std::make_shared<Session>("2", v1::DELIVERY_LIVE, 1, transport_, failing->signal(), totals_.traffic);
-  EXPECT_FALSE(failing->add(std::make_shared<Outlet>(late, std::vector<SensorConfig>(1), 8, 8, 0)));
+  EXPECT_FALSE(failing->add(makeOutlet(late)));
 }
 
 }  // namespace

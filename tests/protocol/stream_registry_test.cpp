@@ -28,7 +28,7 @@ class StreamRegistryTest : public testing::Test {
   SessionDirectory sessions_;
   Traffic traffic_;
   ClientLog log_;
-  StreamRegistry streams_{sessions_, log_};
+  StreamRegistry streams_{sessions_, log_, std::chrono::seconds(30)};
 };
 
 TEST_F(StreamRegistryTest, EndsAndThenForgetsAStreamWithoutReceiver) {
@@ -45,10 +45,18 @@ TEST_F(StreamRegistryTest, EndsAndThenForgetsAStreamWithoutReceiver) {
   EXPECT_FALSE(sessions_.find("1"));
 }
 
-TEST_F(StreamRegistryTest, LetsABroadcastWaitForItsFirstSubscriber) {
+// It sends all the same, but that is nobody's sign of life.
+TEST_F(StreamRegistryTest, EndsABroadcastWithoutSubscribers) {
   const auto session = add("1", v1::DELIVERY_BROADCAST);
-  streams_.sweep(later(3600));
-  EXPECT_FALSE(session->stopping());
+  session->start();
+  session->leave();
+  session->push(makeErrorPacket("1", "to nobody"));
+  const auto before = session->lastActivity();
+  EXPECT_TRUE(session->sendOldest([](const WirePacket&) { return true; }));
+  EXPECT_EQ(session->lastActivity(), before);
+  streams_.sweep(later(31));
+  EXPECT_TRUE(session->stopping());
+  EXPECT_EQ(session->endReason(), v1::END_REASON_ABANDONED);
   session->finish();
   streams_.sweep(later(31));
   EXPECT_FALSE(sessions_.find("1"));

@@ -94,9 +94,9 @@ TEST(CreditQueue, ResumesWithWhatWasSentAndNotAcknowledged) {
   for (std::uint64_t seq = 0; seq < 6; ++seq) queue.push(makePacket(0, seq, 100));
   for (int i = 0; i < 5; ++i) popHeader(queue);
   queue.acknowledge(0, 1);
-  EXPECT_EQ(queue.resume(3), "");
+  EXPECT_EQ(queue.resume({3}), "");
   for (std::uint64_t seq = 3; seq < 6; ++seq) EXPECT_EQ(popHeader(queue).seq(), seq);
-  EXPECT_EQ(queue.resume(2), "");  // 2 was kept all the while
+  EXPECT_EQ(queue.resume({2}), "");  // 2 was kept all the while
   EXPECT_EQ(popHeader(queue).seq(), 2u);
 }
 
@@ -106,7 +106,7 @@ TEST(CreditQueue, ResumesWithTheDropsWhereTheyWere) {
   for (std::uint64_t seq = 0; seq < 2; ++seq) queue.push(makePacket(0, seq, 1000));
   for (int i = 0; i < 2; ++i) popHeader(queue);
   for (std::uint64_t seq = 2; seq < 6; ++seq) queue.push(makePacket(0, seq, 1000));
-  EXPECT_EQ(queue.resume(1), "");
+  EXPECT_EQ(queue.resume({1}), "");
   for (const std::uint64_t seq : {1, 4, 5}) {
     const v1::PacketHeader header = popHeader(queue);
     EXPECT_EQ(header.seq(), seq);
@@ -114,14 +114,40 @@ TEST(CreditQueue, ResumesWithTheDropsWhereTheyWere) {
   }
 }
 
+// A client may have got what this end does not know to have arrived.
+TEST(CreditQueue, ResumesEachSensorWhereItIs) {
+  CreditQueue queue(CreditQueue::Overflow::kHold, 1 << 20, 2);
+  for (std::uint64_t seq = 0; seq < 4; ++seq) {
+    for (std::uint32_t sensor : {0u, 1u}) queue.push(makePacket(sensor, seq, 100));
+  }
+  for (int i = 0; i < 6; ++i) popHeader(queue);
+  EXPECT_EQ(queue.resume({0, 0}), "");
+  EXPECT_EQ(queue.resume({3, 1}), "");
+  for (const auto& [sensor, seq] : {std::pair{1u, 1u}, {1u, 2u}, {0u, 3u}, {1u, 3u}}) {
+    const v1::PacketHeader header = popHeader(queue);
+    EXPECT_EQ(header.sensor(), sensor);
+    EXPECT_EQ(header.seq(), seq);
+  }
+  EXPECT_TRUE(queue.empty());
+}
+
+TEST(CreditQueue, WhatIsAcknowledgedCannotBeHadAgain) {
+  CreditQueue queue(CreditQueue::Overflow::kHold, 1 << 20, 1);
+  queue.push(makePacket(0, 0, 100));
+  popHeader(queue);
+  queue.acknowledge(0, 0);
+  EXPECT_NE(queue.resume({0}), "");
+  EXPECT_EQ(queue.resume({1}), "");
+}
+
 TEST(CreditQueue, KeepsNoMoreOfWhatWasSentThanItsBound) {
-  CreditQueue queue(CreditQueue::Overflow::kHold, 2500, 1);
+  CreditQueue queue(CreditQueue::Overflow::kHold, 1250, 1);
   for (std::uint64_t seq = 0; seq < 10; ++seq) {
     queue.push(makePacket(0, seq, 1000));
     popHeader(queue);
   }
-  EXPECT_NE(queue.resume(7).find("8"), std::string::npos);  // names the first that is held
-  EXPECT_EQ(queue.resume(8), "");
+  EXPECT_NE(queue.resume({7}).find("8"), std::string::npos);  // names the first that is held
+  EXPECT_EQ(queue.resume({8}), "");
   EXPECT_EQ(popHeader(queue).seq(), 8u);
 }
 

@@ -36,6 +36,16 @@ Events eventsOf(const google::protobuf::Value& list) {
   return events;
 }
 
+PixelState pixelsOf(const google::protobuf::Value& list) {
+  PixelState pixels;
+  for (const auto& row : list.list_value().values()) {
+    const auto at = [&](int i) { return static_cast<float>(row.list_value().values(i).number_value()); };
+    pixels.brightness.push_back(at(0));
+    pixels.reference.push_back(at(1));
+  }
+  return pixels;
+}
+
 v1::PacketHeader headerOf(const google::protobuf::Value& fields) {
   std::string json;
   v1::PacketHeader header;
@@ -57,11 +67,12 @@ void checkVector(const std::filesystem::path& path) {
   ASSERT_TRUE(header.ParseFromString(data.substr(4, size)));
   if (expected.crc32() == 0) expected.set_crc32(header.crc32());
   EXPECT_TRUE(google::protobuf::util::MessageDifferencer::Equals(header, expected));
-  Events events;
-  const std::string fault = decodePacket(header, data.substr(4 + size), events);
+  PacketContent content;
+  const std::string fault = decodePacket(header, data.substr(4 + size), content);
   EXPECT_EQ(fault.empty(), meaning.at("valid").bool_value()) << fault;
   if (fault.empty()) {
-    EXPECT_EQ(events, eventsOf(meaning.at("events_t_ns_x_y_p")));
+    EXPECT_EQ(content.events, eventsOf(meaning.at("events_t_ns_x_y_p")));
+    EXPECT_EQ(content.pixels, pixelsOf(meaning.at("pixels")));
   }
 }
 
@@ -72,7 +83,7 @@ TEST(GoldenPackets, AreReadAsWritten) {
     checkVector(entry.path());
     ++count;
   }
-  EXPECT_GE(count, 10);
+  EXPECT_GE(count, 17);
 }
 
 }  // namespace

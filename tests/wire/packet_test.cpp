@@ -36,7 +36,7 @@ TEST(Packet, CheckSaysWhatIsWrong) {
   crc.set_crc32(1);
   EXPECT_EQ(checkPacket(eventsHeader(), {}), "");
   EXPECT_EQ(checkPacket(kind, {}), "kind 99 is unknown");
-  EXPECT_EQ(checkPacket(layout, {}), "layout 99 is unknown");
+  EXPECT_EQ(checkPacket(layout, {}), "layout 99 instead of 1");
   EXPECT_EQ(checkPacket(codec, {}), "codec 99 is unknown");
   EXPECT_EQ(checkPacket(count, {}), "count is above 32768");
   EXPECT_EQ(checkPacket(unit, {}), "dt_unit_ns is 0");
@@ -55,9 +55,9 @@ TEST(Packet, ErrorCarriesItsMessage) {
   EXPECT_EQ(packet.header.kind(), v1::KIND_ERROR);
   EXPECT_EQ(packet.header.stream_id(), "s1");
   EXPECT_EQ(*packet.payload, "the scene is gone");
-  Events none;
+  PacketContent none;
   EXPECT_EQ(decodePacket(packet.header, *packet.payload, none), "");
-  EXPECT_TRUE(none.empty());
+  EXPECT_TRUE(none.events.empty());
 }
 
 TEST(CodecTable, NamesAndIdsAreUniqueAndRowsInvertThemselves) {

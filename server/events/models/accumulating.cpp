@@ -28,6 +28,8 @@ class Accumulating final : public EventModel {
     return pixels_.suppressed();
   }
 
+  float level(int x, int y) const override { return v_.at(x, y); }
+
  private:
   ThresholdPixels pixels_;
   ImageF v_;

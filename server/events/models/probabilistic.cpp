@@ -25,6 +25,8 @@ class Probabilistic final : public EventModel {
     return pixels_.suppressed();
   }
 
+  float level(int, int) const override { return 0; }
+
  private:
   SensorConfig config_;
   int width_;

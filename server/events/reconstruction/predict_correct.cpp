@@ -3,27 +3,18 @@
 #include "events/log_ratio.h"
 
 namespace saccade {
-namespace {
-
-// log(I_eps + I); I is clamped as for dL.
-float brightness(float I, float I_eps) {
-  const float response = I_eps + clampTo(I, 0, kMaxLuminance);
-  return logRatio(1, response, response - 1);
-}
-
-}  // namespace
 
 PredictCorrect::PredictCorrect(double bias, int width, int height)
     : I_eps_(static_cast<float>(bias)),
-      low_(brightness(0, I_eps_)),
-      high_(brightness(kMaxLuminance, I_eps_)),
+      low_(logBrightness(0, I_eps_)),
+      high_(logBrightness(kMaxLuminance, I_eps_)),
       L_(width, height) {}
 
 void PredictCorrect::start(const ImageF& I_prev) {
   for (int y = 0; y < L_.height(); ++y) {
     const float* I = I_prev.row(y);
     float* L = L_.row(y);
-    for (int x = 0; x < L_.width(); ++x) L[x] = I[x] - I[x] == 0 ? brightness(I[x], I_eps_) : low_;
+    for (int x = 0; x < L_.width(); ++x) L[x] = finiteLogBrightness(I[x], I_eps_);
   }
   started_ = true;
 }
@@ -32,7 +23,7 @@ void PredictCorrect::advanceRow(int y, const float* I_now, const float* k, float
   float* __restrict L = L_.row(y);
   for (int x = 0; x < L_.width(); ++x) {
     const float predicted = clampTo(L[x] + dL[x], low_, high_);
-    const float correction = k[x] * (brightness(I_now[x], I_eps_) - predicted);
+    const float correction = k[x] * (logBrightness(I_now[x], I_eps_) - predicted);
     const float corrected = predicted + (I_now[x] - I_now[x] == 0 ? correction : 0);
     // The difference of what is stored: rounding of the sum must not become a drift of its own.
     dL[x] = corrected - L[x];
