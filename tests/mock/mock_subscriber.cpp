@@ -22,11 +22,11 @@ MockSubscriber::MockSubscriber(const std::string& broadcast_endpoint, const v1::
   socket_.connect(broadcast_endpoint);
 }
 
-void MockSubscriber::attach(const v1::StreamOpened& stream, std::uint64_t from_seq) {
+void MockSubscriber::attach(const v1::StreamOpened& stream, const std::vector<std::uint64_t>& from_seqs) {
   v1::DataRequest request;
   request.mutable_attach()->set_stream_id(stream.stream_id());
   request.mutable_attach()->set_token(stream.token());
-  request.mutable_attach()->set_from_seq(from_seq);
+  request.mutable_attach()->mutable_from_seqs()->Add(from_seqs.begin(), from_seqs.end());
   sendRaw(request.SerializeAsString());
 }
 
@@ -48,17 +48,21 @@ void MockSubscriber::sendRaw(const std::string& bytes) {
 }
 
 std::optional<Received> MockSubscriber::receive(std::chrono::milliseconds timeout) {
+  auto packet = receiveAny(timeout);
+  while (packet && packet->header.kind() == v1::KIND_HEARTBEAT) packet = receiveAny(timeout);
+  return packet;
+}
+
+std::optional<Received> MockSubscriber::receiveAny(std::chrono::milliseconds timeout) {
   socket_.set(zmq::sockopt::rcvtimeo, static_cast<int>(timeout.count()));
   Received packet;
-  do {
-    zmq::message_t header, payload, topic;
-    if (broadcast_ && !socket_.recv(topic)) return {};
-    if (!socket_.recv(header) || !header.more() || !socket_.recv(payload)) return {};
-    packet.topic = topic.to_string();
-    packet.payload = payload.to_string();
-    packet.bytes = header.size() + payload.size();
-    if (!packet.header.ParseFromString(header.to_string())) throw std::runtime_error("a broken header");
-  } while (packet.header.kind() == v1::KIND_HEARTBEAT);
+  zmq::message_t header, payload, topic;
+  if (broadcast_ && !socket_.recv(topic)) return {};
+  if (!socket_.recv(header) || !header.more() || !socket_.recv(payload)) return {};
+  packet.topic = topic.to_string();
+  packet.payload = payload.to_string();
+  packet.bytes = header.size() + payload.size();
+  if (!packet.header.ParseFromString(header.to_string())) throw std::runtime_error("a broken header");
   return packet;
 }
 

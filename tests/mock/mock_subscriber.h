@@ -27,13 +27,15 @@ class MockSubscriber {
   MockSubscriber(const std::string& broadcast_endpoint, const v1::StreamOpened& stream,
                  const MockKeys& keys = {});  // SUB to all topics
 
-  void attach(const v1::StreamOpened& stream, std::uint64_t from_seq = 0);
+  // `from_seqs`: by sensor; none: from the beginning.
+  void attach(const v1::StreamOpened& stream, const std::vector<std::uint64_t>& from_seqs = {});
   void giveCredit(std::uint64_t bytes);
   void acknowledge(std::uint32_t sensor, std::uint64_t seq);
   void sendRaw(const std::string& bytes);
 
   // The next packet but for heartbeats; nothing after `timeout`.
   std::optional<Received> receive(std::chrono::milliseconds timeout = kPatience);
+  std::optional<Received> receiveAny(std::chrono::milliseconds timeout = kPatience);  // heartbeats too
   // Packets by sensor, up to the END of `sensors` of them; gives credit back for each. Throws
   // std::runtime_error at an ERROR and where nothing comes.
   std::map<std::uint32_t, Packets> receiveAll(int sensors);

@@ -1,6 +1,8 @@
 // Credit, loss, and who may have a stream.
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "mock/test_server.h"
 
 namespace saccade {
@@ -130,11 +132,50 @@ TEST(Delivery, AnotherConnectionOfTheClientResumesWithoutLoss) {
   Packets packets;
   for (int i = 0; i < 5; ++i) packets.push_back(*first.receive());
   first.acknowledge(0, 2);
-  second.attach(stream, packets.back().header.seq() + 1);
+  second.attach(stream, {packets.back().header.seq() + 1});
   second.giveCredit(1 << 20);
   const auto rest = second.receiveAll(1)[0];
   packets.insert(packets.end(), rest.begin(), rest.end());
   checkPackets(packets);
+}
+
+TEST(Delivery, AResumeNamesEverySensorAndWhatIsHeld) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  request.add_sensors();
+  const auto stream = server.client().open(request);
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.attach(stream);
+  subscriber.giveCredit(1);
+  ASSERT_TRUE(subscriber.receive());
+  subscriber.acknowledge(0, 0);
+  subscriber.acknowledge(2, 0);  // there is no such sensor
+  subscriber.attach(stream, {0});
+  subscriber.attach(stream, {0, 0});
+  for (const char* told : {"no sensor 2", "2 sensors", "before seq 1"}) {
+    const auto refusal = subscriber.receive();
+    ASSERT_TRUE(refusal);
+    EXPECT_NE(refusal->payload.find(told), std::string::npos) << refusal->payload;
+  }
+}
+
+TEST(Delivery, CompressedStreamsHoldTheSameEvents) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  const auto plain = server.run(request)[0];
+  request.set_codec(v1::CODEC_ZSTD);
+  const auto packed = server.run(request)[0];
+  ASSERT_EQ(plain.size(), packed.size());
+  std::uint64_t plain_bytes = 0, packed_bytes = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    PacketContent a, b;
+    EXPECT_EQ(decodePacket(plain[i].header, plain[i].payload, a), "");
+    EXPECT_EQ(decodePacket(packed[i].header, packed[i].payload, b), "");
+    EXPECT_EQ(a.events, b.events);
+    plain_bytes += plain[i].payload.size();
+    packed_bytes += packed[i].payload.size();
+  }
+  EXPECT_LT(packed_bytes, plain_bytes * 2 / 3);
 }
 
 TEST(Delivery, BroadcastStartsWithItsFirstSubscriberAndHasNoGap) {
@@ -151,6 +192,32 @@ TEST(Delivery, BroadcastStartsWithItsFirstSubscriberAndHasNoGap) {
   for (std::uint32_t sensor : {0u, 1u}) {
     EXPECT_EQ(checkPackets(packets[sensor]).end_ns, 40'000'000);
     for (const auto& packet : packets[sensor]) EXPECT_EQ(packet.topic, stream.topics(sensor));
+  }
+}
+
+TEST(Delivery, BroadcastLivesAsLongAsAnybodySubscribes) {
+  Config config = testConfig();
+  config.lease_s = 0.3;
+  TestServer server(config);
+  v1::OpenStream request = tinyRequest();
+  request.set_delivery(v1::DELIVERY_BROADCAST);
+  request.mutable_timing()->set_clock(v1::CLOCK_PACED);
+  request.mutable_timing()->set_frame_rate_hz(20);
+  request.mutable_timing()->set_duration_s(0);
+  const auto stream = server.client().open(request);
+  std::optional<MockSubscriber> first(server.broadcastSubscriber(stream));
+  ASSERT_TRUE(first->receive());
+  std::optional<MockSubscriber> second(server.broadcastSubscriber(stream));
+  ASSERT_TRUE(second->receive());
+  first.reset();
+  const auto begin = second->receive()->header.t0_ns();
+  while (second->receive()->header.t1_ns() < begin + 2'000'000'000) {  // many leases, and sweeps
+  }
+  EXPECT_EQ(server.client().info(stream.stream_id()).stream_id(), stream.stream_id());
+  second.reset();
+  const auto deadline = Signal::Clock::now() + kPatience;
+  while (server.client().info(stream.stream_id()).stream_id() == stream.stream_id()) {
+    ASSERT_LT(Signal::Clock::now(), deadline);
   }
 }
 

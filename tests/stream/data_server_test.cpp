@@ -67,6 +67,31 @@ TEST_P(LostReceiver, IsNoticedAndDisturbsNoOther) {
 INSTANTIATE_TEST_SUITE_P(Killed, LostReceiver, testing::Values(SIGKILL));
 INSTANTIATE_TEST_SUITE_P(Stopped, LostReceiver, testing::Values(SIGSTOP));
 
+// Rendering again what a client already has sends nothing for a long time.
+TEST(DataServer, TellsHowFarItIsWhenThereIsNothingToSend) {
+  SessionDirectory sessions;
+  Traffic traffic;
+  DataServer server("tcp://127.0.0.1:*", sessions);
+  const auto session = std::make_shared<Session>("a", v1::DELIVERY_LOSSLESS, 1, server.wake(),
+                                                 std::make_shared<Signal>(), traffic);
+  sessions.add(session);
+  session->setProgress(9, 18'000'000);
+  server.start();
+  v1::StreamOpened stream;
+  stream.set_stream_id("a");
+  stream.set_token(session->token());
+  MockSubscriber subscriber(server.endpoint());
+  subscriber.attach(stream);
+  for (int i = 0; i < 2; ++i) {
+    const auto packet = subscriber.receiveAny();
+    ASSERT_TRUE(packet);
+    EXPECT_EQ(packet->header.kind(), v1::KIND_HEARTBEAT);
+    EXPECT_EQ(packet->header.frame(), 9u);
+    EXPECT_EQ(packet->header.t0_ns(), 18'000'000);
+  }
+  server.stop();
+}
+
 TEST(DataServer, StatesItsEndpointAsItWasAskedFor) {
   SessionDirectory none;
   EXPECT_EQ(DataServer("tcp://127.0.0.1:*", none).endpoint().find("tcp://127.0.0.1:"), 0u);
