@@ -1,0 +1,137 @@
+"""soak.py FOLDER_OF_PROGRAMS OUT MINUTES: see run."""
+import collections, csv, pathlib, random, re, signal, subprocess, sys, threading, time, urllib.request
+import numpy as np
+
+import visitors
+from saccade.v1 import control_pb2 as c
+from stream_client import CREDIT, Link, Stream, Tally
+
+BIN, OUT, SECONDS = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), float(sys.argv[3]) * 60
+LEASE_S, SAMPLE_S, RELOAD_S, WARM_UP = 5, 5, 60, 0.2
+LARGEST_SLOPE = 1.0  # MB in 10 minutes
+FREE = "tcp://127.0.0.1:*"
+
+
+class Server:
+    def __init__(self):
+        for name in ("server", "client"):
+            for end in (".key", ".pub"): (OUT / (name + end)).unlink(missing_ok=True)
+            subprocess.run([BIN / "saccade", "keygen", OUT / name], check=True, stdout=subprocess.DEVNULL)
+        self.process = subprocess.Popen(
+            [BIN / "saccaded", "--control", FREE, "--data", FREE, "--broadcast", FREE, "--http", "http://127.0.0.1:0",
+             "--secret-key", OUT / "server.key", "--client-keys", OUT / "client.pub", "--lease", str(LEASE_S)],
+            stdout=subprocess.PIPE, text=True)
+        ready = next(filter(None, (re.search(r"ready: control (\S+) .* http (\S+),", line) for line in self.process.stdout)))
+        self.control, self.http = ready.groups()
+        threading.Thread(target=self.drain, daemon=True).start()
+
+    def drain(self):
+        with open(OUT / "saccaded.log", "w") as log:
+            for line in self.process.stdout: log.write(line)
+
+    def metrics(self):
+        text = urllib.request.urlopen(self.http + "/metrics", timeout=30).read().decode()
+        sums = collections.Counter()
+        for name, value in re.findall(r"^(\w+)(?:\{.*\})? (\S+)$", text, re.M): sums[name] += float(value)
+        return sums
+
+
+class Crowd:
+    """Visitors, one a second, and guests who stay to the end. What each has received is added up by its kind."""
+
+    def __init__(self, link):
+        self.link, self.random, self.lock, self.over = link, random.Random(1), threading.Lock(), False
+        self.tallies, self.visits, self.failures, self.threads = (
+            collections.defaultdict(Tally), collections.Counter(), [], [])
+
+    def run(self, name, what):
+        def body():
+            try:
+                tally = what()
+            except Exception as fault:
+                with self.lock: self.failures.append(f"{name}: {fault}")
+                return
+            with self.lock:
+                self.tallies[name] += tally
+                self.visits[name] += 1
+        self.threads = [t for t in self.threads if t.is_alive()] + [threading.Thread(target=body)]
+        self.threads[-1].start()
+
+    def visit(self):
+        kind, seed = self.random.choice(visitors.KINDS), self.random.getrandbits(32)
+        self.run(kind.__name__, lambda: kind(self.link, seed))
+
+    def stay(self, name, request):
+        def body():
+            stream = Stream(self.link, request)
+            if not stream.broadcast: stream.give(CREDIT)
+            stream.receive_until(lambda: self.over)
+            stream.close()
+            return stream.tally
+        self.run(name, body)
+
+    def leave(self):
+        self.over = True
+        for thread in self.threads: thread.join()
+
+
+def progress(text):
+    print(f"\r{text:<100}", end="", file=sys.stderr, flush=True)
+
+
+def soak(server, crowd):
+    paced = dict(clock=c.CLOCK_PACED, duration_s=0)
+    for _ in range(2): crowd.stay("shared live feed", visitors.request(c.DELIVERY_LIVE, 3, **paced))
+    crowd.stay("endless broadcast", visitors.request(c.DELIVERY_BROADCAST, 4, **paced))
+    crowd.stay("endless lossless", visitors.request(c.DELIVERY_LOSSLESS, 5, **paced))
+    begin, samples = time.monotonic(), []
+    next_sample = next_reload = 0
+    while (now := time.monotonic() - begin) < SECONDS:
+        crowd.visit()
+        if now >= next_reload:
+            server.process.send_signal(signal.SIGHUP)
+            next_reload += RELOAD_S
+        if now >= next_sample:
+            m = server.metrics()
+            samples.append((now, m["process_resident_memory_bytes"] / 1e6, m["process_open_fds"], m["saccade_streams"]))
+            progress("%4.0f of %.0f s: %.1f MB, %d descriptors, %d streams" % (now, SECONDS, *samples[-1][1:]))
+            next_sample += SAMPLE_S
+        time.sleep(max(0, 1 - (time.monotonic() - begin - now)))  # the pace of the visitors
+    progress("")
+    return np.array(samples)
+
+
+def report(samples, crowd, last):
+    with open(OUT / "soak.csv", "w", newline="") as file:
+        csv.writer(file).writerows([("seconds", "resident_mb", "descriptors", "streams"), *samples.tolist()])
+    t, mb, fds, streams = samples[int(len(samples) * WARM_UP):].T
+    slope = np.polyfit(t / 600, mb, 1)[0]
+    total = Tally()
+    for name in sorted(crowd.visits):
+        print(f"{name} x{crowd.visits[name]}: {crowd.tallies[name]}")
+        total += crowd.tallies[name]
+    print(f"all: {total}")
+    print(f"server: {last['saccade_sent_packets_total']:.0f} packets sent, {last['saccade_dropped_packets_total']:.0f} dropped")
+    print(f"memory: {mb.min():.1f} to {mb.max():.1f} MB, slope {slope:+.2f} MB in 10 minutes (at most {LARGEST_SLOPE})")
+    print(f"descriptors: {fds.min():.0f} to {fds.max():.0f}; streams: {streams.min():.0f} to {streams.max():.0f}")
+    for failure in crowd.failures: print("FAILED:", failure)
+    return slope <= LARGEST_SLOPE and total.lost == total.faults == 0 and not crowd.failures
+
+
+def settled(server):
+    """What is left once all are gone and every lease is over."""
+    deadline = time.monotonic() + 10 * LEASE_S
+    while (m := server.metrics())["saccade_streams"] > 0 and time.monotonic() < deadline: pass
+    return m
+
+
+server = Server()
+crowd = Crowd(Link(server.control, (OUT / "client.key").read_bytes().strip(), (OUT / "server.pub").read_bytes().strip()))
+samples = soak(server, crowd)
+crowd.leave()
+last = settled(server)
+server.process.terminate()
+status = server.process.wait(timeout=60)
+good = report(samples, crowd, last)
+print(f"at the end: {last['saccade_streams']:.0f} streams, {last['process_open_fds']:.0f} descriptors, exit status {status}")
+sys.exit(0 if good and status == 0 and last["saccade_streams"] == 0 else 1)
