@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends the program at once
     if (!app.stop()) {
       spdlog::warn("stopped before all streams were done");
+      saccade::finishLog();
       std::_Exit(0);  // all sockets are closed; a frame may go on for minutes
     }
   } catch (const std::exception& fault) {

@@ -4,6 +4,7 @@
 #include <prometheus/text_serializer.h>
 
 #include "app/process_usage.h"
+#include "ops/log.h"
 
 namespace saccade {
 namespace {
@@ -69,6 +70,8 @@ void addScenes(Families& all, const SceneLoads& loads) {
 }
 
 void addProcess(Families& all) {
+  all.counter("saccade_dropped_log_lines_total", "Log lines that nobody read in time.");
+  all.value(static_cast<double>(droppedLogLines()));
   const ProcessUsage usage = processUsage();
   all.counter("process_cpu_seconds_total", "User and system CPU time.");
   all.value(usage.cpu_s);

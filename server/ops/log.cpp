@@ -1,6 +1,8 @@
 #include "ops/log.h"
 
+#include <spdlog/async.h>
 #include <spdlog/formatter.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include <cstdio>
@@ -68,8 +70,20 @@ std::string quoteJson(std::string_view text) {
 }
 
 void setUpLog(const std::string& level, const std::string& format) {
+  spdlog::init_thread_pool(kLogQueue, 1);
+  spdlog::set_default_logger(spdlog::create_async_nb<spdlog::sinks::stdout_color_sink_mt>("saccaded"));
+  spdlog::set_pattern("[%Y-%m-%d %H:%M:%S.%e] [%^%l%$] %v");
   spdlog::set_level(spdlog::level::from_str(level));
   if (format == "json") spdlog::set_formatter(std::make_unique<JsonFormatter>());
+}
+
+void finishLog() {
+  spdlog::shutdown();
+}
+
+std::size_t droppedLogLines() {
+  const auto pool = spdlog::thread_pool();
+  return pool ? pool->overrun_counter() : 0;
 }
 
 }  // namespace saccade

@@ -30,6 +30,7 @@ TEST(Log, JsonIsOneObjectInEachLine) {
   setUpLog("info", "json");
   spdlog::debug("not told");
   spdlog::warn("two\nlines, \"quoted\"");
+  finishLog();
   const std::string line = testing::internal::GetCapturedStdout();
   const std::regex pattern(R"(\{"time":"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z","level":"warning",)"
                            R"("message":"two\\nlines, \\"quoted\\""\}\n)");

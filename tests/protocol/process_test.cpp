@@ -50,6 +50,28 @@ TEST(Process, EndsItsStreamsOnSigterm) {
   EXPECT_EQ(server.finish(), 0);
 }
 
+// A full pipe must hold up the log alone.
+TEST(Process, GoesOnWhenNobodyReadsItsLog) {
+  std::vector<std::string> command = kServer;
+  command.insert(command.end(), {"--log-level", "debug"});  // a line for each frame
+  Process server(command);
+  MockClient client(controlEndpoint(server.lineWith("ready")));
+  v1::OpenStream request = tinyRequest();
+  request.mutable_view()->set_width(1);
+  request.mutable_view()->set_height(1);
+  request.mutable_timing()->set_duration_s(4);
+  const auto stream = client.open(request);
+  MockSubscriber subscriber(client.server().data_endpoint());
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 20);
+  const auto packets = subscriber.receiveAll(1)[0];
+  EXPECT_EQ(packets.back().header.frame(), 2000u);  // 100 bytes each: more than a pipe holds
+  client.close(stream);
+  server.signal(SIGTERM);
+  EXPECT_NE(server.lineWith("frame 1999"), "");
+  EXPECT_EQ(server.finish(), 0);
+}
+
 TEST(Process, GoesOnWhenAClientIsKilledOrStandsStill) {
   RemoteSubscriber killed, stopped;
   Process server(kServer);
