@@ -22,10 +22,10 @@ void checkEvents(const v1::PacketHeader& header, const Events& events) {
 
 }  // namespace
 
-Summary checkPackets(const Packets& packets, bool lossy) {
+Summary checkPackets(const Packets& packets, bool lossy, std::int64_t begin_ns) {
   Summary summary;
   std::uint64_t seq = 0, index = 0;
-  std::int64_t t = 0;
+  std::int64_t t = begin_ns;
   for (const Received& packet : packets) {
     const v1::PacketHeader& header = packet.header;
     PacketContent content;

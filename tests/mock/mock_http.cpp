@@ -1,29 +1,15 @@
 #include "mock/mock_http.h"
 
-#include <arpa/inet.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <cstdlib>
 
+#include "mock/loopback.h"
+
 namespace saccade {
-namespace {
-
-int connectTo(const std::string& endpoint) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  address.sin_port = htons(static_cast<std::uint16_t>(std::atoi(endpoint.c_str() + endpoint.rfind(':') + 1)));
-  const int fd = socket(AF_INET, SOCK_STREAM, 0);
-  if (connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) return fd;
-  close(fd);
-  return -1;
-}
-
-}  // namespace
-
 HttpReply httpSend(const std::string& endpoint, const std::string& request) {
-  const int fd = connectTo(endpoint);
+  const int fd = connectLoopback(portOf(endpoint));
   if (fd < 0) return {};
   send(fd, request.data(), request.size(), MSG_NOSIGNAL);
   std::string answer;

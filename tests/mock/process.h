@@ -51,6 +51,7 @@ class Process {
     while (fgets(line, sizeof line, output_)) text += line;
     return text;
   }
+  pid_t pid() const { return pid_; }
   void signal(int number) { kill(pid_, number); }
   int finish() {  // exit status; -1 if a signal ended it
     if (pid_ > 0) waitpid(pid_, &status_, 0);

@@ -13,7 +13,7 @@
 namespace saccade {
 namespace {
 
-// Says a byte at the first packet, then reads on until it is killed.
+// Says a byte at the first packet, and a summary at the END; then waits to be killed.
 [[noreturn]] void subscribe(int orders, int news) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   char text[512] = {};
@@ -21,12 +21,25 @@ namespace {
   std::string endpoint;
   v1::StreamOpened stream;
   std::uint64_t credit = 0;
-  std::istringstream(text) >> endpoint >> *stream.mutable_stream_id() >> *stream.mutable_token() >> credit;
+  bool refill = false;
+  std::istringstream(text) >> endpoint >> *stream.mutable_stream_id() >> *stream.mutable_token() >> credit >>
+      refill;
   MockSubscriber subscriber(endpoint);
   subscriber.attach(stream);
   subscriber.giveCredit(credit);
-  if (!subscriber.receive() || write(news, "1", 1) != 1) _exit(1);
-  while (true) subscriber.receive();
+  Packets packets;
+  while (packets.empty() || packets.back().header.kind() != v1::KIND_END) {
+    const auto packet = subscriber.receive();
+    if (!packet || (packets.empty() && write(news, "1", 1) != 1)) _exit(1);
+    if (refill) subscriber.giveCredit(packet->bytes);
+    packets.push_back(*packet);
+  }
+  const Summary summary = checkPackets(packets, true, packets.front().header.t0_ns());
+  std::ostringstream line;
+  line << testing::Test::HasFailure() << ' ' << summary.packets << ' ' << summary.events << ' '
+       << summary.dropped << ' ' << summary.end_ns << '\n';
+  if (write(news, line.str().data(), line.str().size()) < 0) _exit(1);
+  while (true) pause();
 }
 
 }  // namespace
@@ -54,12 +67,23 @@ RemoteSubscriber::~RemoteSubscriber() {
 }
 
 void RemoteSubscriber::attach(const std::string& data_endpoint, const v1::StreamOpened& stream,
-                              std::uint64_t credit_bytes) {
+                              std::uint64_t credit_bytes, Refill refill) {
   const std::string order = data_endpoint + " " + stream.stream_id() + " " + stream.token() + " " +
-                            std::to_string(credit_bytes) + "\n";
+                            std::to_string(credit_bytes) + (refill == Refill::kYes ? " 1\n" : " 0\n");
   char byte = 0;
   ASSERT_EQ(write(orders_, order.data(), order.size()), static_cast<ssize_t>(order.size()));
   ASSERT_EQ(read(news_, &byte, 1), 1) << "the other process got no packet";
+}
+
+Summary RemoteSubscriber::summary() {
+  char text[256] = {};
+  EXPECT_GT(read(news_, text, sizeof text - 1), 0) << "the other process got no END";
+  bool failed = true;
+  Summary summary;
+  std::istringstream(text) >> failed >> summary.packets >> summary.events >> summary.dropped >>
+      summary.end_ns;
+  EXPECT_FALSE(failed) << "in the other process";
+  return summary;
 }
 
 void RemoteSubscriber::signal(int number) {

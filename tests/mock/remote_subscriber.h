@@ -3,7 +3,7 @@
 
 #include <sys/types.h>
 
-#include "saccade/v1/control.pb.h"
+#include "mock/mock_subscriber.h"
 
 namespace saccade {
 
@@ -14,8 +14,14 @@ class RemoteSubscriber {
   RemoteSubscriber(const RemoteSubscriber&) = delete;
   RemoteSubscriber& operator=(const RemoteSubscriber&) = delete;
 
-  // Has it attach and give credit once. Returns when it has got its first packet.
-  void attach(const std::string& data_endpoint, const v1::StreamOpened& stream, std::uint64_t credit_bytes);
+  // Whether it gives credit back for what it has received.
+  enum class Refill { kNo, kYes };
+  // Has it attach and give credit. Returns when it has got its first packet.
+  void attach(const std::string& data_endpoint, const v1::StreamOpened& stream, std::uint64_t credit_bytes,
+              Refill refill = Refill::kNo);
+  // Of a stream with one sensor, at its END: what it has received, and what it was told had been dropped.
+  // Adds a failure for each packet that is not as the schema says.
+  Summary summary();
   void signal(int number);  // SIGSTOP: returns when it stands still
 
  private:
