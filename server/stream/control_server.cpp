@@ -9,6 +9,7 @@ constexpr int kMaxUnanswered = 1024;
 
 // Why a request cannot be handed on, or OK.
 v1::Status checkRequest(const std::vector<std::string>& parts, v1::Request& request) {
+  if (!hasServersName(parts[0])) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNamedItself);
   if (parts.size() != 2 || !request.ParseFromString(parts[1])) {
     return makeStatus(v1::CODE_INVALID_ARGUMENT, "a request is one part: a serialized saccade.v1.Request");
   }

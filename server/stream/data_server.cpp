@@ -21,6 +21,7 @@ void DataServer::start() {
 
 void DataServer::receive(const std::vector<std::string>& parts) {
   v1::DataRequest request;
+  if (!hasServersName(parts[0])) return refuse(parts[0], {}, kNamedItself);
   const bool parsed = parts.size() == 2 && request.ParseFromString(parts[1]);
   const std::string fault =
       parsed ? handle(parts[0], request) : "a request is one part: a serialized saccade.v1.DataRequest";

@@ -45,6 +45,12 @@ SocketLoop::Message receive(zmq::socket_t& socket) {
 
 }  // namespace
 
+// What ZeroMQ makes up begins with 0, and a peer cannot guess that of another [zmq_setsockopt,
+// ZMQ_ROUTING_ID].
+bool hasServersName(const std::string& identity) {
+  return identity.starts_with('\0');
+}
+
 struct SocketLoop::Impl {
   zmq::context_t context;
   std::shared_ptr<const ClientKeys> clients;

@@ -30,6 +30,11 @@ struct SocketOptions {
   std::optional<ServerKeys> keys;          // none: everybody may connect
 };
 
+// Whether ZeroMQ itself has named this peer of a router. A peer that names itself has no name of its own:
+// whoever connects under it next, when the first one is gone, has its replies and its packets.
+bool hasServersName(const std::string& identity);
+inline constexpr const char* kNamedItself = "leave the socket's routing id (identity) unset";
+
 class SocketLoop {
  public:
   struct Message {
