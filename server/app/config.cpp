@@ -23,6 +23,45 @@ std::string ifThere(const std::string& path) {
 
 constexpr int kUsage = 2;  // exit status
 
+// What is asked for besides serving.
+struct Errand {
+  std::string file;
+  bool print = false, check = false;
+};
+
+void addErrands(CLI::App& app, Errand& errand) {
+  app.add_option("--config", errand.file, "TOML file of these options; SACCADE_CONFIG in the environment")
+      ->configurable(false);
+  app.add_flag("--print-config", errand.print, "print every option with its value and origin, as such a file")
+      ->configurable(false);
+  app.add_flag("--check-config", errand.check, "say whether the server could start so")->configurable(false);
+  app.set_version_flag("--version", SACCADE_VERSION)->configurable(false);
+  app.get_help_ptr()->configurable(false);
+  app.footer(
+      "What no flag sets is taken from the environment (--log-level from SACCADE_LOG_LEVEL), then from "
+      "the file of --config (log-level = \"debug\").");
+}
+
+void run(const Errand& errand, const Config& config, const ConfigSources& sources) {
+  if (errand.print) std::fputs(sources.describe().c_str(), stdout);
+  if (errand.check) {
+    openKeys(config);
+    std::fprintf(stderr, "the configuration is valid\n");
+  }
+  if (errand.print || errand.check) std::exit(0);
+}
+
+Config defaultConfig() {
+  Config config;
+  config.http = "http://127.0.0.1:5773";
+  config.scenes = findScenes();
+  config.accuracy = ifThere(defaultAccuracyTable());
+  config.needs = ifThere(defaultNeedsTable());
+  return config;
+}
+
+}  // namespace
+
 void addOptions(CLI::App& app, Config& config) {
   app.add_option("--control", config.control, "endpoint for requests")->capture_default_str();
   app.add_option("--data", config.data, "endpoint for streams with credit")->capture_default_str();
@@ -67,45 +106,6 @@ void addOptions(CLI::App& app, Config& config) {
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
 }
-
-// What is asked for besides serving.
-struct Errand {
-  std::string file;
-  bool print = false, check = false;
-};
-
-void addErrands(CLI::App& app, Errand& errand) {
-  app.add_option("--config", errand.file, "TOML file of these options; SACCADE_CONFIG in the environment")
-      ->configurable(false);
-  app.add_flag("--print-config", errand.print, "print every option with its value and origin, as such a file")
-      ->configurable(false);
-  app.add_flag("--check-config", errand.check, "say whether the server could start so")->configurable(false);
-  app.set_version_flag("--version", SACCADE_VERSION)->configurable(false);
-  app.get_help_ptr()->configurable(false);
-  app.footer(
-      "What no flag sets is taken from the environment (--log-level from SACCADE_LOG_LEVEL), then from "
-      "the file of --config (log-level = \"debug\").");
-}
-
-void run(const Errand& errand, const Config& config, const ConfigSources& sources) {
-  if (errand.print) std::fputs(sources.describe().c_str(), stdout);
-  if (errand.check) {
-    openKeys(config);
-    std::fprintf(stderr, "the configuration is valid\n");
-  }
-  if (errand.print || errand.check) std::exit(0);
-}
-
-Config defaultConfig() {
-  Config config;
-  config.http = "http://127.0.0.1:5773";
-  config.scenes = findScenes();
-  config.accuracy = ifThere(defaultAccuracyTable());
-  config.needs = ifThere(defaultNeedsTable());
-  return config;
-}
-
-}  // namespace
 
 Config parseConfig(int argc, const char* const* argv) {
   Config config = defaultConfig();

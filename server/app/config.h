@@ -3,6 +3,10 @@
 
 #include <string>
 
+namespace CLI {
+class App;
+}
+
 namespace saccade {
 
 struct Config {
@@ -22,7 +26,11 @@ struct Config {
   std::string needs;         // file of saccade-eval needs, see NeedsSource; empty: none
   std::string log_level = "info";   // trace, debug, info, warning, error, critical, off
   std::string log_format = "text";  // text, json
+  friend bool operator==(const Config&, const Config&) = default;
 };
+
+// The options that may be configured; they set `config`, whose values now are their defaults.
+void addOptions(CLI::App& app, Config& config);
 
 // From the command line, the environment and the file named there. --help, --print-config, --check-config and
 // faults print and end the program; faults with exit status 2.

@@ -111,7 +111,8 @@ bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
   for (const auto& [id, stream] : streams) stream.session->stop(v1::END_REASON_DRAINING);
   bool all = true;
   for (const auto& [id, stream] : streams) {
-    all &= stream.feed->signal()->waitUntil(deadline, [&] { return stream.session->settled(); });
+    const Session& session = *stream.session;
+    all &= stream.feed->signal()->waitUntil(deadline, [&] { return session.settled(); });
   }
   return all;
 }

@@ -7,8 +7,21 @@ namespace {
 
 constexpr int kMaxUnanswered = 1024;
 
-// Why a request cannot be handed on, or OK.
-v1::Status checkRequest(const std::vector<std::string>& parts, v1::Request& request) {
+}  // namespace
+
+v1::Status okStatus() {
+  return makeStatus(v1::CODE_OK, {});
+}
+
+v1::Status makeStatus(v1::Code code, const std::string& message, const std::string& field) {
+  v1::Status status;
+  status.set_code(code);
+  status.set_message(message);
+  status.set_field(field);
+  return status;
+}
+
+v1::Status readRequest(const std::vector<std::string>& parts, v1::Request& request) {
   if (!hasServersName(parts[0])) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNamedItself);
   if (parts.size() != 2 || !request.ParseFromString(parts[1])) {
     return makeStatus(v1::CODE_INVALID_ARGUMENT, "a request is one part: a serialized saccade.v1.Request");
@@ -23,20 +36,6 @@ v1::Status checkRequest(const std::vector<std::string>& parts, v1::Request& requ
     return makeStatus(v1::CODE_UNIMPLEMENTED, "the request holds no call that this server knows", "call");
   }
   return okStatus();
-}
-
-}  // namespace
-
-v1::Status okStatus() {
-  return makeStatus(v1::CODE_OK, {});
-}
-
-v1::Status makeStatus(v1::Code code, const std::string& message, const std::string& field) {
-  v1::Status status;
-  status.set_code(code);
-  status.set_message(message);
-  status.set_field(field);
-  return status;
 }
 
 // Replies on their way from the threads that answer to the one that sends.
@@ -75,7 +74,7 @@ void ControlServer::stop() {
 
 void ControlServer::receive(const SocketLoop::Message& message) {
   v1::Request request;
-  v1::Status status = checkRequest(message.parts, request);
+  v1::Status status = readRequest(message.parts, request);
   std::unique_lock lock(outbox_->mutex);
   if (status.code() == v1::CODE_OK && outbox_->unanswered >= kMaxUnanswered) {
     status = makeStatus(v1::CODE_RESOURCE_EXHAUSTED,

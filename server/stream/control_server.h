@@ -18,6 +18,10 @@ inline constexpr std::int64_t kMaxRequestBytes = 9 << 20;  // room for a traject
 v1::Status okStatus();
 v1::Status makeStatus(v1::Code code, const std::string& message, const std::string& field = {});
 
+// Reads `request` from the parts of a message: the peer's identity and the bytes. Returns why it cannot be
+// handed on, or OK.
+v1::Status readRequest(const std::vector<std::string>& parts, v1::Request& request);
+
 class ControlServer {
  public:
   // To be called once, from any thread, soon or late; the reply's request_id is filled in.

@@ -31,14 +31,14 @@ const std::string kNow =
 </scene>)";
 
 // The scene stands beside its mesh and its picture, and may read nothing else.
-void read(std::string_view bytes) {
+bool read(std::string_view bytes) {
   static const Scratch files;
   static const std::string mesh = files.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   static const std::string picture = files.write("a.ppm", "P3 1 1 255  1 2 3");
   LoadOptions options;
   options.confined_to = {mesh, picture};
   options.threads = 1;
-  parseMitsubaXml(std::string(bytes), files.path("scene.xml"), options);
+  return accepts<SceneError>([&] { parseMitsubaXml(std::string(bytes), files.path("scene.xml"), options); });
 }
 
 }  // namespace

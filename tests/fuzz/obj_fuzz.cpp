@@ -1,6 +1,7 @@
 #include "fuzz/fuzz_target.h"
 #include "scene/mesh.h"
 #include "scene/mesh_io.h"
+#include "scene/scene_error.h"
 
 namespace saccade {
 
@@ -12,8 +13,10 @@ const FuzzTarget& fuzzTarget() {
       {"f", "v ", "vt ", "vn ", "/", "//", "-1", "0", "9", "nan", "inf", "1e39", "99999999999999999999",
        "\n"},
       [](std::string_view bytes) {
-        Mesh mesh = parseObj(bytes, "fuzz.obj");
-        placeMesh(mesh, {}, false);
+        return accepts<SceneError>([&] {
+          Mesh mesh = parseObj(bytes, "fuzz.obj");
+          placeMesh(mesh, {}, false);
+        });
       }};
   return target;
 }
