@@ -40,7 +40,11 @@ std::vector<Setting> readConfigFile(const std::string& path) {
 }
 
 std::string quoteToml(const std::string& text) {
-  constexpr auto kFlags = toml::toml_formatter::default_flags & ~toml::format_flags::allow_literal_strings;
+  using Flags = toml::format_flags;
+  // In the literal form there are no escapes, and one of many lines would lose a line end that it begins
+  // with.
+  constexpr auto kFlags =
+      toml::toml_formatter::default_flags & ~Flags::allow_literal_strings & ~Flags::allow_multi_line_strings;
   const toml::value<std::string> value(text);
   std::ostringstream quoted;
   quoted << toml::toml_formatter(value, kFlags);

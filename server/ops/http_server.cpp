@@ -51,6 +51,8 @@ HttpServer::HttpServer(const std::string& endpoint, Pages pages) : impl_(std::ma
                            "2000",
                            "enable_keep_alive",
                            "no",
+                           "tcp_nodelay",  // an answer is several writes
+                           "1",
                            nullptr};
   mg_callbacks callbacks{};
   callbacks.log_message = passOver;

@@ -25,6 +25,7 @@ void DataServer::receive(const std::vector<std::string>& parts) {
   const bool parsed = parts.size() == 2 && request.ParseFromString(parts[1]);
   const std::string fault =
       parsed ? handle(parts[0], request) : "a request is one part: a serialized saccade.v1.DataRequest";
+  if (!parsed) request.Clear();  // what was read before the fault may hold a text that is no UTF-8
   if (!fault.empty()) refuse(parts[0], request.attach().stream_id(), fault);
 }
 

@@ -83,6 +83,14 @@ TEST_F(Sources, WhatIsDescribedIsAFileThatSaysTheSame) {
   EXPECT_TRUE(insecure_);
 }
 
+TEST_F(Sources, ALineEndStaysInWhatIsDescribed) {
+  setenv("SACCADE_DATA", "\nb\n", 1);
+  const std::string text = apply().describe();
+  unsetenv("SACCADE_DATA");
+  apply({}, text);
+  EXPECT_EQ(data_, "\nb\n") << text;
+}
+
 TEST_F(Sources, AnUnknownKeyIsAnErrorThatNamesTheNearest) {
   EXPECT_EQ(fault("data = \"b\"\nthread = 2\n"), file_ + ":2: there is no 'thread'; did you mean 'threads'?");
   EXPECT_EQ(fault("help = true\n").find(file_ + ":1: there is no 'help'"), 0);

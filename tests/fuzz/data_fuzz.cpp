@@ -22,7 +22,6 @@ struct World {
   Traffic traffic;
   DataServer server{"tcp://127.0.0.1:*", sessions};
   std::shared_ptr<Signal> signal = std::make_shared<Signal>();
-  MockSubscriber client{server.endpoint()};
   std::uint64_t inputs = 0;
 };
 
@@ -64,14 +63,15 @@ struct Answer {
   int errors = 0;
 };
 
-// What comes before the refusal of a request that only this input has.
-Answer receiveAll(World& world) {
+// What comes before the refusal of one more request.
+Answer receiveAll(MockSubscriber& client) {
   v1::StreamOpened none;
-  none.set_stream_id("none" + std::to_string(world.inputs));
-  world.client.attach(none);
+  none.set_stream_id("none");
+  none.set_token("none");
+  client.attach(none);
   Answer answer;
   while (true) {
-    const auto packet = world.client.receive();
+    const auto packet = client.receive();
     SACCADE_CHECK(packet);
     if (packet->header.stream_id() == none.stream_id()) return answer;
     if (packet->header.kind() == v1::KIND_ERROR) {
@@ -86,19 +86,20 @@ Answer receiveAll(World& world) {
 bool read(std::string_view bytes) {
   static World world;
   ++world.inputs;
+  MockSubscriber client(world.server.endpoint());
   fuzz::DataTalk talk;
   const bool parsed = talk.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()));
   const Served lossless(world, "lossless", v1::DELIVERY_LOSSLESS), live(world, "live", v1::DELIVERY_LIVE);
-  if (!parsed) world.client.sendRaw(std::string(bytes));
+  if (!parsed) client.sendRaw(std::string(bytes));
   double credit = 0;
   for (int i = 0; parsed && i < std::min(kMaxRequests, talk.requests_size()); ++i) {
     v1::DataRequest& request = *talk.mutable_requests(i);
     fillIn(request, "lossless", *lossless);
     fillIn(request, "live", *live);
     credit += static_cast<double>(request.credit().bytes());
-    world.client.sendRaw(request.SerializeAsString());
+    client.sendRaw(request.SerializeAsString());
   }
-  const Answer answer = receiveAll(world);
+  const Answer answer = receiveAll(client);
   if (parsed)
     SACCADE_CHECK(static_cast<double>(answer.packet_bytes) <= credit + static_cast<double>(answer.largest));
   return answer.errors == 0;
