@@ -8,7 +8,12 @@
 namespace saccade {
 namespace {
 
-void checkEvents(const v1::PacketHeader& header, const Events& events) {
+void checkContent(const v1::PacketHeader& header, const PacketContent& content) {
+  const Events& events = content.events;
+  const std::size_t pixels = std::size_t{header.width()} * header.height();
+  const bool snapshot = header.kind() == v1::KIND_SNAPSHOT;
+  SACCADE_CHECK(content.pixels.brightness.size() == (snapshot ? pixels : 0));
+  SACCADE_CHECK(content.pixels.reference.size() == (snapshot ? pixels : 0));
   SACCADE_CHECK(events.size() == header.count() || header.kind() != v1::KIND_EVENTS);
   std::int64_t prev = header.t0_ns();
   for (const Event& e : events) {
@@ -25,9 +30,9 @@ bool read(std::string_view bytes) {
   for (fuzz::Packet& packet : *train.mutable_packets()) {
     v1::PacketHeader& header = *packet.mutable_header();
     if (header.crc32() == 0) header.set_crc32(crc32Of(packet.payload()));
-    Events events;
-    if (!decodePacket(header, packet.payload(), events).empty()) return false;
-    checkEvents(header, events);
+    PacketContent content;
+    if (!decodePacket(header, packet.payload(), content).empty()) return false;
+    checkContent(header, content);
     if (!sequence.add(header).empty()) return false;
   }
   return true;
