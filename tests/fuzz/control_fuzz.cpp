@@ -35,7 +35,7 @@ struct World {
   Totals totals;
   ClientLog log;
   SessionDirectory sessions;
-  StreamRegistry streams{sessions, log};
+  StreamRegistry streams{sessions, log, std::chrono::seconds(30)};
   StreamOpener opener{scenes, tables, pool, streams, {data, broadcast}, totals, log, 1};
   Service service{scenes, streams, opener, log, {}};
 };
