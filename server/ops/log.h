@@ -1,5 +1,6 @@
-// The log: lines of text for people, or of JSON for machines, on stdout. A thread of its own writes them, so that
-// whoever reads them, or does not, holds up nobody: where kLogQueue lines wait, the oldest are dropped and counted.
+// The log: lines of text for people, or of JSON for machines, on stdout. A thread of its own writes them, so
+// that whoever reads them, or does not, holds up nobody: where kLogQueue lines wait, the oldest are dropped
+// and counted.
 #pragma once
 
 #include <cstddef>
