@@ -15,24 +15,26 @@ DataServer::DataServer(const std::string& endpoint, const SessionDirectory& sess
     : loop_({.endpoint = endpoint, .keys = keys}), sessions_(sessions) {}
 
 void DataServer::start() {
-  loop_.start([this](const SocketLoop::Message& message) { receive(message.parts); },
+  loop_.start([this](const SocketLoop::Message& message) { receive(message); },
               [this] { return sendPackets(); });
 }
 
-void DataServer::receive(const std::vector<std::string>& parts) {
+void DataServer::receive(const SocketLoop::Message& message) {
+  const std::vector<std::string>& parts = message.parts;
   v1::DataRequest request;
   if (!hasServersName(parts[0])) return refuse(parts[0], {}, kNamedItself);
   const bool parsed = parts.size() == 2 && request.ParseFromString(parts[1]);
   const std::string fault =
-      parsed ? handle(parts[0], request) : "a request is one part: a serialized saccade.v1.DataRequest";
+      parsed ? handle(message, request) : "a request is one part: a serialized saccade.v1.DataRequest";
   if (!parsed) request.Clear();  // what was read before the fault may hold a text that is no UTF-8
   if (!fault.empty()) refuse(parts[0], request.attach().stream_id(), fault);
 }
 
-std::string DataServer::handle(const std::string& identity, const v1::DataRequest& request) {
+std::string DataServer::handle(const SocketLoop::Message& message, const v1::DataRequest& request) {
+  const std::string& identity = message.parts[0];
   switch (request.request_case()) {
     case v1::DataRequest::kAttach:
-      return attach(identity, request.attach());
+      return attach(message, request.attach());
     case v1::DataRequest::kCredit:
       return addCredit(identity, request.credit().bytes());
     case v1::DataRequest::kAck:
@@ -42,7 +44,8 @@ std::string DataServer::handle(const std::string& identity, const v1::DataReques
   }
 }
 
-std::string DataServer::attach(const std::string& identity, const v1::Attach& request) {
+std::string DataServer::attach(const SocketLoop::Message& message, const v1::Attach& request) {
+  const std::string& identity = message.parts[0];
   const auto session = sessions_.find(request.stream_id());
   // One message for both, so that nobody learns which streams exist.
   if (!session || session->broadcast() || !session->hasToken(request.token())) {
@@ -58,6 +61,7 @@ std::string DataServer::attach(const std::string& identity, const v1::Attach& re
   Connection& connection = connections_[identity];
   if (connection.session && connection.session != session) connection.session->leave();
   connection.session = session;
+  connection.user = message.user;
   session->start();
   return {};
 }
@@ -99,7 +103,8 @@ void DataServer::refuse(const std::string& identity, const std::string& stream_i
 std::chrono::milliseconds DataServer::sendPackets() {
   auto pause = connections_.empty() ? SocketLoop::kUntilWoken : kHeartbeatPause;
   for (auto it = connections_.begin(); it != connections_.end();) {
-    const auto sent = sendPacketsOf(it->first, it->second);
+    const bool revoked = !loop_.allows(it->second.user);
+    const auto sent = revoked ? SocketLoop::Sent::kGone : sendPacketsOf(it->first, it->second);
     if (sent == SocketLoop::Sent::kFull) pause = kFullPause;
     const bool gone = sent == SocketLoop::Sent::kGone;
     if (gone) it->second.session->leave();

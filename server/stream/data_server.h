@@ -29,13 +29,14 @@ class DataServer {
  private:
   struct Connection {
     std::shared_ptr<Session> session;
+    std::string user;               // whose it is, see SocketLoop::Message
     std::int64_t credit_bytes = 0;  // below 0: overdrawn by its last packet
     Signal::Clock::time_point last_sent = Signal::Clock::now();
   };
-  void receive(const std::vector<std::string>& parts);
+  void receive(const SocketLoop::Message& message);
   // Each returns what is wrong, or an empty text.
-  std::string handle(const std::string& identity, const v1::DataRequest& request);
-  std::string attach(const std::string& identity, const v1::Attach& request);
+  std::string handle(const SocketLoop::Message& message, const v1::DataRequest& request);
+  std::string attach(const SocketLoop::Message& message, const v1::Attach& request);
   std::string addCredit(const std::string& identity, std::uint64_t bytes);
   std::string acknowledge(const std::string& identity, const v1::Ack& ack);
   void takeOver(const Session& session, const std::string& identity);

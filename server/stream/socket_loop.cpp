@@ -108,7 +108,7 @@ void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn) {
     for (int i = 0; i < kMessagesPerTurn; ++i) {
       const Message message = receive(impl_->socket);
       if (message.parts.empty()) break;
-      if (allowed(message)) on_message(message);
+      if (allows(message.user)) on_message(message);
     }
     pause = on_turn();
     impl_->last_turn = std::chrono::steady_clock::now();
@@ -119,9 +119,8 @@ std::chrono::steady_clock::time_point SocketLoop::lastTurn() const {
   return impl_->last_turn;
 }
 
-// A key may have been taken off the list since its owner connected.
-bool SocketLoop::allowed(const Message& message) const {
-  return !impl_->clients || impl_->clients->allow(message.user);
+bool SocketLoop::allows(const std::string& user) const {
+  return !impl_->clients || impl_->clients->allow(user);
 }
 
 SocketLoop::Sent SocketLoop::send(std::initializer_list<std::string_view> parts) {

@@ -64,12 +64,13 @@ class SocketLoop {
   // From the loop's own thread. kFull: the peer does not read; kGone: there is no such peer any more.
   enum class Sent { kYes, kFull, kGone };
   Sent send(std::initializer_list<std::string_view> parts);
+  // A key may have been taken off the list since its owner connected.
+  bool allows(const std::string& user) const;
   void setSubscription(const std::string& topic, bool wanted);  // of the peer that sent the last message
 
  private:
   struct Impl;  // keeps zmq.hpp out of the header
   void run(const OnMessage& on_message, const OnTurn& on_turn);
-  bool allowed(const Message& message) const;
 
   WakeFd wake_;
   std::unique_ptr<Impl> impl_;

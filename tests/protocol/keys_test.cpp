@@ -114,6 +114,24 @@ TEST_F(KeyedServer, ReadsItsListAgain) {
   EXPECT_EQ(MockClient(endpoint, carol).server().threads(), 1u);
 }
 
+// However much credit it has given.
+TEST_F(KeyedServer, AKeyThatIsTakenOffTheListGetsNoPacketMore) {
+  TestServer server(config_, alice_);
+  MockClient bob(server.app().controlEndpoint(), bob_);
+  v1::OpenStream request = tinyRequest();
+  request.mutable_timing()->set_duration_s(0);
+  request.mutable_timing()->set_clock(v1::CLOCK_PACED);
+  const auto stream = bob.open(request);
+  MockSubscriber subscriber(bob.server().data_endpoint(), bob_);
+  subscriber.attach(stream);
+  subscriber.giveCredit(std::uint64_t{1} << 40);
+  ASSERT_TRUE(subscriber.receive());
+  allow({alice_});
+  server.app().reloadKeys();
+  const auto deadline = Signal::Clock::now() + kPatience;
+  while (subscriber.receive(std::chrono::milliseconds(500))) ASSERT_LT(Signal::Clock::now(), deadline);
+}
+
 TEST_F(KeyedServer, AnOpenAddressWantsKeysOrAWord) {
   Config open = testConfig();
   open.data = "tcp://0.0.0.0:*";
