@@ -28,6 +28,8 @@ class KilledClients : public testing::Test {
   v1::StreamOpened openAndKill(RemoteSubscriber& remote) {
     v1::OpenStream request = tinyRequest();
     request.mutable_timing()->set_duration_s(0);
+    request.mutable_timing()->set_clock(v1::CLOCK_PACED);  // none of them hurries to fill its queue
+    request.mutable_timing()->set_frame_rate_hz(50);
     const auto stream = client_.open(request);
     remote.attach(server_.data(), stream, 64 << 10);
     remote.signal(SIGKILL);
