@@ -65,9 +65,12 @@ v1::ServerDescription App::describe(const Config& config) const {
   return description;
 }
 
+Signal::Clock::time_point App::oldestTurn() const {
+  return std::min({control_.lastTurn(), data_.lastTurn(), broadcast_.lastTurn()});
+}
+
 bool App::alive() const {
-  const auto oldest = std::min({control_.lastTurn(), data_.lastTurn(), broadcast_.lastTurn()});
-  return Signal::Clock::now() - oldest < kStall;
+  return Signal::Clock::now() - oldestTurn() < kStall;
 }
 
 HttpServer::Pages App::pages() const {
@@ -90,11 +93,14 @@ void App::sweep(std::stop_token stopped) {
   std::mutex mutex;
   std::condition_variable_any tick;
   std::unique_lock lock(mutex);
+  auto woken = Signal::Clock::now();
   while (!stopped.stop_requested()) {
     tick.wait_for(lock, stopped, std::chrono::seconds(1), [] { return false; });
     streams_.sweep(Signal::Clock::now());
+    // All have gone around since: else the manager is told nothing, and restarts us when its own time is up.
+    if (oldestTurn() >= woken) manager_.tell("WATCHDOG=1");
+    woken = Signal::Clock::now();
     for (WakeFd* loop : {&control_.wake(), &data_.wake(), &broadcast_.wake()}) loop->wake();
-    if (alive()) manager_.tell("WATCHDOG=1");
   }
 }
 

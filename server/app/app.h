@@ -44,6 +44,7 @@ class App {
   v1::ServerDescription describe(const Config& config) const;
   HttpServer::Pages pages() const;
   void sweep(std::stop_token stopped);
+  Signal::Clock::time_point oldestTurn() const;  // of the sockets' threads
 
   const std::uint64_t epoch_;
   const std::chrono::duration<double> drain_time_;
