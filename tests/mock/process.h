@@ -1,6 +1,7 @@
 // A program that a test runs. It is killed where it has not ended by itself.
 #pragma once
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,6 +21,7 @@ class Process {
     argv.push_back(nullptr);
     int pipe_ends[2];
     if (pipe(pipe_ends) != 0) std::abort();
+    fcntl(pipe_ends[0], F_SETPIPE_SZ, 1 << 20);  // a program whose output nobody reads would stand still
     pid_ = fork();
     if (pid_ == 0) {
       dup2(pipe_ends[1], STDOUT_FILENO);
