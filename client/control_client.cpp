@@ -1,6 +1,7 @@
 #include "client/control_client.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include "wire/protocol.h"
 
@@ -10,7 +11,13 @@ namespace {
 constexpr std::chrono::milliseconds kParting{200};  // for a last message to a server that may be gone
 
 std::string describe(const v1::Status& status) {
-  return status.field().empty() ? status.message() : status.field() + ": " + status.message();
+  std::string text = status.field().empty() ? status.message() : status.field() + ": " + status.message();
+  if (status.retry_after_s() > 0) {
+    char hint[64];
+    std::snprintf(hint, sizeof hint, " (try again in %g s)", status.retry_after_s());
+    text += hint;
+  }
+  return text;
 }
 
 }  // namespace

@@ -36,6 +36,11 @@ void printServer(const v1::ServerDescription& server) {
   std::printf("\nparts of a scene's model (record --without), and what takes their place:\n");
   for (const v1::PartInfo& part : server.parts())
     std::printf("  %-20s %s\n", part.name().c_str(), part.description().c_str());
+  std::printf("\nlimits (of saccaded: --limit-NAME):\n");
+  for (const v1::LimitInfo& limit : server.limits()) {
+    std::printf("  %-20s %9.15g %-3s  %s\n", limit.name().c_str(), limit.value(), limit.unit().c_str(),
+                limit.description().c_str());
+  }
   std::printf("\nmethods, their parameters with default and range:\n");
   for (const v1::MethodInfo& method : server.methods()) printMethod(method);
 }

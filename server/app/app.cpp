@@ -14,15 +14,17 @@ App::App(const Config& config)
       drain_time_(config.drain_s),
       keys_(openKeys(config)),
       tables_{openAccuracySource(config.accuracy), openNeedsSource(config.needs)},
+      budget_(config.limits),
       pool_(config.threads),
-      scenes_(config.scenes),
-      control_(config.control, keys_),
-      data_(config.data, sessions_, keys_),
+      scenes_(config.scenes, config.limits),
+      control_(config.control, static_cast<std::int64_t>(config.limits.bytes(Limit::kMessage)),
+               totals_.requests, keys_),
+      data_(config.data, sessions_, static_cast<std::int64_t>(config.limits.bytes(Limit::kCredit)), keys_),
       broadcast_(config.broadcast, sessions_, keys_),
       streams_(sessions_, client_log_, StreamRegistry::Lease(config.lease_s)),
-      opener_(scenes_, tables_, pool_, streams_, {data_.wake(), broadcast_.wake()}, totals_, client_log_,
-              epoch_),
-      service_(scenes_, streams_, opener_, client_log_, describe(config)) {
+      opener_(scenes_, tables_, pool_, budget_, streams_, {data_.wake(), broadcast_.wake()}, totals_,
+              client_log_, epoch_),
+      service_(scenes_, budget_, streams_, opener_, client_log_, describe(config)) {
   data_.start();
   broadcast_.start();
   control_.start([this](const v1::Request& request, const std::string& user, ControlServer::Answer answer) {
@@ -60,6 +62,7 @@ v1::ServerDescription App::describe(const Config& config) const {
   description.set_broadcast_endpoint(broadcast_.endpoint());
   describeMethods(description);
   describeParts(description);
+  describeLimits(config.limits, description);
   *description.mutable_budgets() = tables_.accuracy.info();
   *description.mutable_needs() = tables_.needs.info();
   return description;

@@ -50,6 +50,7 @@ class App {
   const std::chrono::duration<double> drain_time_;
   const std::optional<ServerKeys> keys_;
   const MeasuredTables tables_;
+  Budget budget_;
   Totals totals_;
   ClientLog client_log_;
   TilePool pool_;

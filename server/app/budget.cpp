@@ -1,36 +1,42 @@
 #include "app/budget.h"
 
 #include "app/refusal.h"
-#include "frame/image.h"
 
 namespace saccade {
 
-// Measured on streams of 1 and 17 sensors; a sensor with all its options on takes three times the plainest.
-long streamBytes(int width, int height, int sensors) {
-  constexpr long kFeedBytes = 260, kSensorBytes = 24;  // for a pixel
-  const long pixels = (long{width} + 2 * ImageF::kBorder) * (long{height} + 2 * ImageF::kBorder);
-  return pixels * (kFeedBytes + kSensorBytes * sensors);
+std::shared_ptr<void> Budget::take(const std::string& client, const std::vector<Share>& shares) {
+  std::lock_guard lock(mutex_);
+  for (const Share& share : shares) {
+    const auto own = ofOneClient(share.limit);
+    if (own && !client.empty()) check(taken_by_[client], *own, share);
+    check(taken_, share.limit, share);
+  }
+  add(client, shares, 1);
+  return {this, [client, shares](Budget* budget) {
+            std::lock_guard lock(budget->mutex_);
+            budget->add(client, shares, -1);
+          }};
 }
 
-std::shared_ptr<void> Budget::reserve(long bytes) {
-  std::lock_guard lock(mutex_);
-  if (streams_ + 1 > kMaxStreams) {
-    throw Refusal(v1::CODE_RESOURCE_EXHAUSTED, {},
-                  "there are " + std::to_string(kMaxStreams) + " streams, the most this server has");
-  }
-  if (bytes_ + bytes > kMaxStreamBytes) {
-    const auto mib = [](long n) { return std::to_string(n >> 20) + " MiB"; };
-    throw Refusal(v1::CODE_RESOURCE_EXHAUSTED, "view",
-                  "with its sensors this view takes about " + mib(bytes) + "; of " + mib(kMaxStreamBytes) +
-                      " for all streams, " + mib(bytes_) + " are taken");
-  }
-  ++streams_;
-  bytes_ += bytes;
-  return {this, [bytes](Budget* budget) {
-            std::lock_guard lock(budget->mutex_);
-            --budget->streams_;
-            budget->bytes_ -= bytes;
-          }};
+void Budget::check(const Taken& taken, Limit limit, const Share& share) const {
+  const auto found = taken.find(share.limit);
+  const double before = found == taken.end() ? 0 : found->second, most = limits_[limit];
+  if (before + share.amount <= most) return;
+  const bool others = limit == share.limit && share.amount <= most;
+  throw LimitReached(limit, share.field,
+                     amountText(limit, share.amount) + " more would exceed " + amountText(limit, most) +
+                         ", " + amountText(limit, before) + " are taken",
+                     others ? kRetrySeconds : 0);
+}
+
+void Budget::add(const std::string& client, const std::vector<Share>& shares, int sign) {
+  for (const Share& share : shares) taken_[share.limit] += sign * share.amount;
+  if (client.empty()) return;
+  Taken& own = taken_by_[client];
+  bool none = true;
+  for (const Share& share : shares) own[share.limit] += sign * share.amount;
+  for (const auto& [limit, amount] : own) none &= amount == 0;
+  if (none) taken_by_.erase(client);
 }
 
 }  // namespace saccade

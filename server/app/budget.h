@@ -1,27 +1,41 @@
-// What all streams together may take of the machine.
+// What all streams together, and those of each client, may take of the machine.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
+#include <string>
+#include <vector>
+
+#include "app/limits.h"
 
 namespace saccade {
 
-inline constexpr int kMaxStreams = 64;
-inline constexpr long kMaxStreamBytes = 4L << 30;  // all streams together, as streamBytes() estimates
-
-// About the memory of a stream that looks through a view of its own.
-long streamBytes(int width, int height, int sensors);
+// So much of a limit, for the sake of a field.
+struct Share {
+  Limit limit;
+  double amount;
+  std::string field = {};
+};
 
 class Budget {
  public:
-  // A place for a stream of so many bytes; given back when the last copy goes. The budget must outlive it.
-  // Throws Refusal naming the limit.
-  std::shared_ptr<void> reserve(long bytes);
+  explicit Budget(const Limits& limits) : limits_(limits) {}
+  const Limits& limits() const { return limits_; }
+
+  // All of the shares, or none; given back when the last copy goes. The budget must outlive it. `client`: its
+  // public key, empty without keys. Throws Refusal naming the first limit that is too low.
+  std::shared_ptr<void> take(const std::string& client, const std::vector<Share>& shares);
 
  private:
+  using Taken = std::map<Limit, double>;
+  void check(const Taken& taken, Limit limit, const Share& share) const;
+  void add(const std::string& client, const std::vector<Share>& shares, int sign);
+
+  const Limits limits_;
   std::mutex mutex_;
-  int streams_ = 0;
-  long bytes_ = 0;
+  Taken taken_;
+  std::map<std::string, Taken> taken_by_;  // by client
 };
 
 }  // namespace saccade

@@ -1,6 +1,7 @@
 #include "app/config.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -9,6 +10,7 @@
 #include "app/config_sources.h"
 #include "app/keys.h"
 #include "app/needs_table.h"
+#include "base/range.h"
 #include "base/tile_pool.h"
 #include "methods/accuracy_table.h"
 
@@ -21,7 +23,26 @@ std::string ifThere(const std::string& path) {
   return std::filesystem::exists(path, none) ? path : "";
 }
 
-constexpr int kUsage = 2;  // exit status
+constexpr int kUsage = 2;            // exit status
+constexpr double kUnlimited = 1e12;  // more than any machine has
+
+void addLimits(CLI::App& app, Limits& limits) {
+  for (const LimitRow& row : limitTable()) {
+    char fallback[32];
+    std::snprintf(fallback, sizeof fallback, "%.15g", limits[row.limit]);
+    const auto fault = [&row](const std::string& text) {
+      double value = std::nan("");
+      CLI::detail::lexical_cast(text, value);
+      return rangeFault(value, row.min, kUnlimited);
+    };
+    const std::string unit = row.unit;
+    app.add_option(std::string("--limit-") + row.name, limits[row.limit],
+                   (unit.empty() ? "" : unit + ": ") + row.what)
+        ->group("Limits, of all clients and of one")
+        ->check(fault)
+        ->default_str(fallback);
+  }
+}
 
 // What is asked for besides serving.
 struct Errand {
@@ -105,6 +126,7 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--log-format", config.log_format, "lines for people, or for machines")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
+  addLimits(app, config.limits);
 }
 
 Config parseConfig(int argc, const char* const* argv) {

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "app/limits.h"
+
 namespace CLI {
 class App;
 }
@@ -24,6 +26,7 @@ struct Config {
   std::string scenes;        // folder with a folder for each scene; empty: findScenes()
   std::string accuracy;      // file of saccade-eval chart, see AccuracySource; empty: none
   std::string needs;         // file of saccade-eval needs, see NeedsSource; empty: none
+  Limits limits;
   std::string log_level = "info";   // trace, debug, info, warning, error, critical, off
   std::string log_format = "text";  // text, json
   friend bool operator==(const Config&, const Config&) = default;

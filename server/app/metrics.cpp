@@ -4,6 +4,7 @@
 #include <prometheus/text_serializer.h>
 
 #include "app/process_usage.h"
+#include "app/refusal.h"
 #include "ops/log.h"
 
 namespace saccade {
@@ -53,6 +54,15 @@ void addTraffic(Families& all, const Traffic& traffic) {
   all.value(static_cast<double>(traffic.dropped_packets));
 }
 
+void addRequests(Families& all, const RequestCounts& requests) {
+  all.counter("saccade_requests_total", "Requests answered on the control socket, by call and code.");
+  for (const auto& [kind, count] : requests.all()) {
+    const auto* call = v1::Request::descriptor()->FindFieldByNumber(kind.first);
+    all.value(static_cast<double>(count), {{"call", call ? call->name() : "none"},
+                                           {"code", nameWithout("CODE_", v1::Code_Name(kind.second))}});
+  }
+}
+
 void addStreams(Families& all, const StreamRegistry& streams) {
   const StreamCensus census = streams.census();
   all.gauge("saccade_streams", "Streams that have not ended, by delivery.");
@@ -94,6 +104,7 @@ std::string metricsText(const Totals& totals, const StreamRegistry& streams, con
   all.value(ready ? 1 : 0);
   addWork(all, totals);
   addTraffic(all, totals.traffic);
+  addRequests(all, totals.requests);
   addStreams(all, streams);
   addScenes(all, scenes.loads());
   addProcess(all);

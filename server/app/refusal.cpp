@@ -9,11 +9,21 @@
 
 namespace saccade {
 
+LimitReached::LimitReached(Limit reached, std::string field, const std::string& message, double retry_s)
+    : Refusal(v1::CODE_RESOURCE_EXHAUSTED, std::move(field),
+              std::string("limit ") + rowOf(reached).name + ": " + message) {
+  limit = rowOf(reached).name;
+  retry_after_s = retry_s;
+}
+
 v1::Status statusOfException() {
   try {
     throw;
   } catch (const Refusal& refusal) {
-    return makeStatus(refusal.code, refusal.what(), refusal.field);
+    v1::Status status = makeStatus(refusal.code, refusal.what(), refusal.field);
+    status.set_limit(refusal.limit);
+    status.set_retry_after_s(refusal.retry_after_s);
+    return status;
   } catch (const SceneError& fault) {  // trajectories have become Refusals: this is the scene's own file
     return makeStatus(v1::CODE_UNAVAILABLE, fault.what(), "scene");
   } catch (const std::exception& fault) {

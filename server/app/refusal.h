@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/limits.h"
 #include "base/check.h"
 #include "saccade/v1/control.pb.h"
 
@@ -15,6 +16,16 @@ struct Refusal : std::runtime_error {
       : std::runtime_error(message), code(code), field(std::move(field)) {}
   v1::Code code;
   std::string field;  // path of the offending field; empty if none is at fault
+  std::string limit;  // the one that is reached; empty unless CODE_RESOURCE_EXHAUSTED
+  double retry_after_s = 0;
+};
+
+// Others who hold what is wanted end when they like.
+inline constexpr double kRetrySeconds = 2;
+
+struct LimitReached : Refusal {
+  // `retry_after_s` as in Status.
+  LimitReached(Limit limit, std::string field, const std::string& message, double retry_after_s = 0);
 };
 
 // The Status of the exception being handled.

@@ -51,9 +51,10 @@ std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name, cons
   const auto found = simplified_.find({name, without});
   if (found != simplified_.end())
     if (auto scene = found->second.lock()) return scene;
-  if (simplified_.size() >= kMaxSimplified) {
-    throw Refusal(v1::CODE_RESOURCE_EXHAUSTED, "quality.without",
-                  std::to_string(kMaxSimplified) + " other scenes without parts of theirs are in use");
+  if (simplified_.size() >= most_reduced_) {
+    throw LimitReached(Limit::kReducedScenes, "quality.without",
+                       std::to_string(most_reduced_) + " other scenes without parts of theirs are in use",
+                       kRetrySeconds);
   }
   auto scene = std::make_shared<const RenderScene>(simplified(whole->description(), without));
   simplified_[{name, without}] = scene;

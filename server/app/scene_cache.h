@@ -9,6 +9,7 @@
 #include <mutex>
 #include <string>
 
+#include "app/limits.h"
 #include "render/render_scene.h"
 #include "render/simplify.h"
 #include "scene/scene_library.h"
@@ -23,16 +24,16 @@ struct SceneLoads {
 
 class SceneCache {
  public:
-  explicit SceneCache(const std::string& folder) : library_(folder) {}
+  explicit SceneCache(const std::string& folder, const Limits& limits = {})
+      : library_(folder), most_reduced_(static_cast<std::size_t>(limits[Limit::kReducedScenes])) {}
 
   const SceneLibrary& library() const { return library_; }
   const SceneLoads& loads() const { return loads_; }
   // Loads the scene, or waits for another thread that does. Throws SceneError; a later call tries again.
   std::shared_ptr<const RenderScene> get(const std::string& name);
-  // The same without parts of its model; shared while anyone has it. Throws SceneError, and Refusal where
-  // kMaxSimplified others are in use.
+  // The same without parts of its model; shared while anyone has it. Throws SceneError, and LimitReached
+  // where too many others are in use.
   std::shared_ptr<const RenderScene> get(const std::string& name, const Parts& without);
-  static constexpr std::size_t kMaxSimplified = 16;
 
   // What a scene needs, for people; empty until it was loaded.
   std::string needs(const std::string& name) const;
@@ -42,6 +43,7 @@ class SceneCache {
   Loaded load(const std::string& name);
 
   SceneLibrary library_;
+  const std::size_t most_reduced_;
   SceneLoads loads_;
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_future<Loaded>> scenes_;

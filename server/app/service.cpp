@@ -5,9 +5,14 @@
 
 namespace saccade {
 
-Service::Service(const SceneCache& scenes, StreamRegistry& streams, StreamOpener& opener, ClientLog& log,
-                 v1::ServerDescription description)
-    : scenes_(scenes), streams_(streams), opener_(opener), log_(log), description_(std::move(description)) {}
+Service::Service(const SceneCache& scenes, Budget& budget, StreamRegistry& streams, StreamOpener& opener,
+                 ClientLog& log, v1::ServerDescription description)
+    : scenes_(scenes),
+      budget_(budget),
+      streams_(streams),
+      opener_(opener),
+      log_(log),
+      description_(std::move(description)) {}
 
 void Service::handle(const v1::Request& request, const std::string& user,
                      std::function<void(v1::Reply)> answer) {
@@ -18,7 +23,13 @@ void Service::handle(const v1::Request& request, const std::string& user,
   };
   v1::Reply reply;
   try {
-    if (request.has_open_stream()) return opener_.open(request.open_stream(), user, tell);
+    auto slot = budget_.take(user, {{Limit::kRequests, 1}});
+    if (request.has_open_stream()) {
+      return opener_.open(request.open_stream(), user, [tell, slot](v1::Reply late) mutable {
+        slot.reset();  // before its client, who may ask the next at once, hears of it
+        tell(std::move(late));
+      });
+    }
     fill(request, user, reply);
     *reply.mutable_status() = okStatus();
   } catch (...) {

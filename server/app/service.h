@@ -13,8 +13,8 @@ namespace saccade {
 class Service {
  public:
   // Keeps references. `description` is what ServerInfo answers.
-  Service(const SceneCache& scenes, StreamRegistry& streams, StreamOpener& opener, ClientLog& log,
-          v1::ServerDescription description);
+  Service(const SceneCache& scenes, Budget& budget, StreamRegistry& streams, StreamOpener& opener,
+          ClientLog& log, v1::ServerDescription description);
 
   // Does not block; `answer` is called once, perhaps later and from another thread. `user` is who asks:
   // streams are listed to those who opened them.
@@ -27,6 +27,7 @@ class Service {
   v1::FramePicture getFrame(const v1::GetFrame& call) const;
 
   const SceneCache& scenes_;
+  Budget& budget_;
   StreamRegistry& streams_;
   StreamOpener& opener_;
   ClientLog& log_;

@@ -3,17 +3,21 @@
 #include <algorithm>
 
 #include "app/refusal.h"
+#include "app/stream_cost.h"
 #include "stream/control_server.h"
 
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMaxOpening = 64;
 constexpr int kIdBytes = 8;  // random: who is not told of a stream cannot subscribe to its topics
+
+bool isPaced(const v1::OpenStream& request) {
+  return request.timing().clock() == v1::CLOCK_PACED;
+}
 
 // Who paces itself by the clock never waits for its client: such streams cannot hold each other up.
 bool mayShare(const v1::OpenStream& request) {
-  return request.timing().clock() == v1::CLOCK_PACED && request.delivery() != v1::DELIVERY_LOSSLESS;
+  return isPaced(request) && request.delivery() != v1::DELIVERY_LOSSLESS;
 }
 
 v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, std::uint64_t epoch,
@@ -38,12 +42,14 @@ v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, 
 
 }  // namespace
 
-StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool,
+StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool, Budget& budget,
                            StreamRegistry& streams, Transports transports, Totals& totals, ClientLog& log,
                            std::uint64_t epoch)
     : scenes_(scenes),
       tables_(tables),
       pool_(pool),
+      paced_pool_(pool.urgent()),
+      budget_(budget),
       streams_(streams),
       transports_(transports),
       totals_(totals),
@@ -56,10 +62,6 @@ void StreamOpener::open(const v1::OpenStream& request, const std::string& user,
   if (stopped_) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the server is stopping");
   std::erase_if(opening_,
                 [](auto& one) { return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
-  if (opening_.size() >= kMaxOpening) {
-    throw Refusal(v1::CODE_RESOURCE_EXHAUSTED, {},
-                  std::to_string(kMaxOpening) + " streams are being opened already");
-  }
   opening_.push_back(std::async(std::launch::async, [this, request, user, answer = std::move(answer)] {
     v1::Reply reply;
     try {
@@ -83,24 +85,45 @@ bool StreamOpener::stop(Signal::Clock::time_point deadline) {
 
 v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request, const std::string& user) {
   ResolvedStream resolved = resolve(request, scenes_.library().list(), tables_);
+  checkAlone(resolved.request, budget_.limits());
   Stream stream;
-  stream.reserved = budget_.reserve(
-      streamBytes(resolved.feed.width, resolved.feed.height, static_cast<int>(resolved.sensors.size())));
+  stream.reserved = budget_.take(user, sharesOf(resolved, budget_.limits()));
   const auto whole = scenes_.get(resolved.request.scene());
   fitTo(whole->description(), resolved);
   const auto scene = scenes_.get(resolved.request.scene(), resolved.without);
   stream.user = user;
   stream.request = resolved.request;
-  stream.feed = findFeed(resolved);
-  if (!stream.feed || !connect(resolved, stream)) {
-    stream.feed = makeFeed(resolved, *whole, scene);
-    connect(resolved, stream);
-    share(resolved, stream.feed);  // only now: it cannot have ended before its own stream joined
+  {
+    std::unique_lock pacing(pacing_, std::defer_lock);
+    if (isPaced(resolved.request)) pacing.lock();
+    openFeed(resolved, *whole, scene, stream);
+    streams_.add(stream);
   }
-  streams_.add(stream);
   log_.info(user, "stream " + stream.session->id() +
                       " opened: " + resolved.request.ShortDebugString().substr(0, 500));
   return describe(resolved, stream, epoch_, resolved.feed.monochrome ? 1 : scene->channels());
+}
+
+void StreamOpener::openFeed(const ResolvedStream& resolved, const RenderScene& whole,
+                            const std::shared_ptr<const RenderScene>& scene, Stream& stream) {
+  stream.feed = findFeed(resolved);
+  if (stream.feed && connect(resolved, stream)) return;
+  Trajectory path = resolveTrajectory(resolved, whole, scenes_.library());
+  stream.frame_s = admit(resolved, path, scene);
+  stream.feed = makeFeed(resolved, std::move(path), scene);
+  connect(resolved, stream);
+  share(resolved, stream.feed);  // only now: it cannot have ended before its own stream joined
+}
+
+// Returns what a frame takes, 0 where nobody asks.
+double StreamOpener::admit(const ResolvedStream& resolved, const Trajectory& path,
+                           const std::shared_ptr<const RenderScene>& scene) {
+  const Limits& limits = budget_.limits();
+  if (!isPaced(resolved.request) || limits[Limit::kCpu] == 0) return 0;
+  const double frame_s = measureFrame(scene, path, resolved, pool_);
+  const double threads = std::min(pool_.threads(), hardwareThreads());
+  checkPace(resolved.request.timing(), frame_s, streams_.load(), threads, limits);
+  return frame_s;
 }
 
 std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolved) {
@@ -111,13 +134,13 @@ std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolve
   return found == shared_.end() ? nullptr : found->second.lock();
 }
 
-std::shared_ptr<FeedRunner> StreamOpener::makeFeed(const ResolvedStream& resolved, const RenderScene& whole,
+std::shared_ptr<FeedRunner> StreamOpener::makeFeed(const ResolvedStream& resolved, Trajectory path,
                                                    std::shared_ptr<const RenderScene> scene) {
-  Trajectory path = resolveTrajectory(resolved, whole, scenes_.library());
-  auto feed = std::make_unique<Feed>(std::move(scene), std::move(path), resolved.feed, pool_);
+  TilePool& pool = isPaced(resolved.request) ? paced_pool_ : pool_;
+  auto feed = std::make_unique<Feed>(std::move(scene), std::move(path), resolved.feed, pool);
   const v1::Timing& timing = resolved.request.timing();
   const FeedPace pace{resolved.frames, timing.frame_rate_hz(), timing.speed()};
-  return std::make_shared<FeedRunner>(std::move(feed), resolved.feed.width, resolved.feed.height, pace, pool_,
+  return std::make_shared<FeedRunner>(std::move(feed), resolved.feed.width, resolved.feed.height, pace, pool,
                                       totals_);
 }
 
@@ -130,9 +153,9 @@ void StreamOpener::share(const ResolvedStream& resolved, const std::shared_ptr<F
 bool StreamOpener::connect(const ResolvedStream& resolved, Stream& stream) {
   const v1::Delivery delivery = resolved.request.delivery();
   WakeFd& transport = delivery == v1::DELIVERY_BROADCAST ? transports_.broadcast : transports_.data;
-  stream.session = std::make_shared<Session>(randomHex(kIdBytes), delivery,
-                                             static_cast<std::uint32_t>(resolved.sensors.size()), transport,
-                                             stream.feed->signal(), totals_.traffic);
+  stream.session = std::make_shared<Session>(
+      randomHex(kIdBytes), delivery, static_cast<std::uint32_t>(resolved.sensors.size()), transport,
+      stream.feed->signal(), totals_.traffic, budget_.limits().bytes(Limit::kQueue));
   stream.outlet = std::make_shared<Outlet>(stream.session, resolved, epoch_);
   return stream.feed->add(stream.outlet);
 }

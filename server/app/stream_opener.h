@@ -25,10 +25,11 @@ class StreamOpener {
   };
 
   // Keeps references.
-  StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool, StreamRegistry& streams,
-               Transports transports, Totals& totals, ClientLog& log, std::uint64_t epoch);
+  StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool, Budget& budget,
+               StreamRegistry& streams, Transports transports, Totals& totals, ClientLog& log,
+               std::uint64_t epoch);
 
-  // `answer` is called once, from another thread. Throws Refusal where too many wait already.
+  // `answer` is called once, from another thread. How many wait is the caller's to bound. Throws Refusal.
   void open(const v1::OpenStream& request, const std::string& user, std::function<void(v1::Reply)> answer);
   // From now on every request is refused. Returns whether those being opened are open before `deadline`; the
   // destructor waits for the others.
@@ -36,8 +37,13 @@ class StreamOpener {
 
  private:
   v1::StreamOpened openNow(const v1::OpenStream& request, const std::string& user);
+  // Throws LimitReached, where the threads do not suffice for the pace.
+  void openFeed(const ResolvedStream& resolved, const RenderScene& whole,
+                const std::shared_ptr<const RenderScene>& scene, Stream& stream);
+  double admit(const ResolvedStream& resolved, const Trajectory& path,
+               const std::shared_ptr<const RenderScene>& scene);
   std::shared_ptr<FeedRunner> findFeed(const ResolvedStream& resolved);
-  std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved, const RenderScene& whole,
+  std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved, Trajectory path,
                                        std::shared_ptr<const RenderScene> scene);
   void share(const ResolvedStream& resolved, const std::shared_ptr<FeedRunner>& feed);
   // Makes the stream's session and outlet. False: the feed has ended.
@@ -46,12 +52,14 @@ class StreamOpener {
   SceneCache& scenes_;
   const MeasuredTables& tables_;
   TilePool& pool_;
+  TilePool paced_pool_;
+  Budget& budget_;
   StreamRegistry& streams_;
   const Transports transports_;
   Totals& totals_;
   ClientLog& log_;
   const std::uint64_t epoch_;
-  Budget budget_;
+  std::mutex pacing_;  // PACED streams are admitted one after another
   std::mutex mutex_;
   std::map<std::string, std::weak_ptr<FeedRunner>> shared_;  // by ResolvedStream::feedKey()
   std::vector<std::future<void>> opening_;

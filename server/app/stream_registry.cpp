@@ -1,5 +1,7 @@
 #include "app/stream_registry.h"
 
+#include <algorithm>
+
 #include "app/refusal.h"
 
 namespace saccade {
@@ -34,6 +36,15 @@ v1::StreamInfo Stream::info() const {
   }
   info.set_frame_cpu_ms(total_ms);
   return info;
+}
+
+double Stream::load() const {
+  constexpr FrameIndex kSureFrames = 10;  // the mean of so many is better than a measurement before
+  const v1::Timing& timing = request.timing();
+  if (timing.clock() != v1::CLOCK_PACED || session->finished()) return 0;
+  const FeedProgress done = feed->progress();
+  const double mean_s = seconds(done.cpu.total()) / static_cast<double>(std::max<FrameIndex>(1, done.frames));
+  return (done.frames < kSureFrames ? frame_s : mean_s) * timing.frame_rate_hz() * timing.speed();
 }
 
 StreamRegistry::~StreamRegistry() {
@@ -77,6 +88,18 @@ StreamCensus StreamRegistry::census() const {
     census.lag_s = std::max(census.lag_s, stream.feed->progress().lag_s);
   }
   return census;
+}
+
+double StreamRegistry::load() const {
+  std::lock_guard lock(mutex_);
+  std::map<const FeedRunner*, double> loads;
+  for (const auto& [id, stream] : streams_) {
+    double& load = loads[stream.feed.get()];
+    load = std::max(load, stream.load());
+  }
+  double sum = 0;
+  for (const auto& [feed, load] : loads) sum += load;
+  return sum;
 }
 
 void StreamRegistry::close(const std::string& id, const std::string& token) {

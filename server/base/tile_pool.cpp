@@ -2,7 +2,12 @@
 
 #include <pmmintrin.h>
 #include <xmmintrin.h>
+#include <algorithm>
+#include <condition_variable>
 #include <ctime>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 #include "base/check.h"
 
@@ -26,44 +31,60 @@ int hardwareThreads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-TilePool::TilePool(int threads) {
-  SACCADE_CHECK(threads >= 1);
-  jobs_.reserve(64);
-  for (int i = 0; i < threads; ++i) workers_.emplace_back([this] { work(); });
+struct TilePool::Workers {
+  explicit Workers(int count);
+  ~Workers();
+  void work();
+
+  // Jobs with pieces left to take, in turn.
+  struct Open {
+    std::vector<Job*> jobs;
+    std::size_t turn = 0;
+  };
+  bool idle() const { return urgent.jobs.empty() && others.jobs.empty(); }
+  Job& takePiece(int& piece);
+
+  std::mutex mutex;
+  std::condition_variable wanted, done;
+  Open urgent, others;
+  bool stop = false;
+  std::vector<std::thread> threads;
+};
+
+TilePool::Workers::Workers(int count) {
+  for (Open* open : {&urgent, &others}) open->jobs.reserve(64);
+  for (int i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
 }
 
-TilePool::~TilePool() {
+TilePool::Workers::~Workers() {
   {
-    std::lock_guard lock(mutex_);
-    SACCADE_CHECK(jobs_.empty());
-    stop_ = true;
+    std::lock_guard lock(mutex);
+    SACCADE_CHECK(idle());
+    stop = true;
   }
-  work_.notify_all();
-  for (auto& worker : workers_) worker.join();
+  wanted.notify_all();
+  for (auto& thread : threads) thread.join();
 }
 
-std::chrono::nanoseconds TilePool::runJob(Job& job) {
-  if (job.count == 0) return {};
-  std::unique_lock lock(mutex_);
-  jobs_.push_back(&job);
-  work_.notify_all();
-  done_.wait(lock, [&] { return job.next == job.count && job.running == 0; });
-  if (job.fault) std::rethrow_exception(job.fault);
-  return job.cpu;
+// There is one.
+TilePool::Job& TilePool::Workers::takePiece(int& piece) {
+  auto& [jobs, turn] = urgent.jobs.empty() ? others : urgent;
+  turn = (turn + 1) % jobs.size();
+  Job& job = *jobs[turn];
+  piece = job.next++;
+  if (job.next == job.count) jobs.erase(jobs.begin() + static_cast<std::ptrdiff_t>(turn));
+  ++job.running;
+  return job;
 }
 
-void TilePool::work() {
+void TilePool::Workers::work() {
   flushDenormalsToZero();
-  std::unique_lock lock(mutex_);
+  std::unique_lock lock(mutex);
   while (true) {
-    work_.wait(lock, [&] { return stop_ || !jobs_.empty(); });
-    if (stop_) return;
-    // Take one piece from the next open job in turn.
-    turn_ = (turn_ + 1) % jobs_.size();
-    Job& job = *jobs_[turn_];
-    const int piece = job.next++;
-    if (job.next == job.count) jobs_.erase(jobs_.begin() + static_cast<std::ptrdiff_t>(turn_));
-    ++job.running;
+    wanted.wait(lock, [&] { return stop || !idle(); });
+    if (stop) return;
+    int piece = 0;
+    Job& job = takePiece(piece);
     lock.unlock();
     const auto start = threadCpuTime();
     std::exception_ptr fault;
@@ -76,8 +97,26 @@ void TilePool::work() {
     lock.lock();
     job.cpu += used;
     if (fault) job.fault = fault;
-    if (--job.running == 0 && job.next == job.count) done_.notify_all();
+    if (--job.running == 0 && job.next == job.count) done.notify_all();
   }
+}
+
+TilePool::TilePool(int threads) : workers_(std::make_shared<Workers>(threads)) {
+  SACCADE_CHECK(threads >= 1);
+}
+
+int TilePool::threads() const {
+  return static_cast<int>(workers_->threads.size());
+}
+
+std::chrono::nanoseconds TilePool::runJob(Job& job) {
+  if (job.count == 0) return {};
+  std::unique_lock lock(workers_->mutex);
+  (urgent_ ? workers_->urgent : workers_->others).jobs.push_back(&job);
+  workers_->wanted.notify_all();
+  workers_->done.wait(lock, [&] { return job.next == job.count && job.running == 0; });
+  if (job.fault) std::rethrow_exception(job.fault);
+  return job.cpu;
 }
 
 }  // namespace saccade

@@ -1,18 +1,16 @@
 // A pool of threads that works through numbered pieces of a picture: tiles, or bands of rows.
 //
 // Any number of callers may submit at once; each waits for its own job. Workers take pieces from the open
-// jobs in turn, so two feeds share the cores fairly. What a piece writes must not depend on who runs it:
-// results are then the same for any number of threads. All workers flush denormals to zero (the filter is
-// twice as slow without).
+// jobs in turn, so two feeds share the cores fairly; those of urgent() before all others. What a piece writes
+// must not depend on who runs it: results are then the same for any number of threads. All workers flush
+// denormals to zero (the filter is twice as slow without).
 #pragma once
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
 #include <exception>
-#include <mutex>
-#include <thread>
-#include <vector>
+#include <memory>
+#include <utility>
 
 namespace saccade {
 
@@ -30,11 +28,10 @@ inline constexpr int kBandRows = 8;
 class TilePool {
  public:
   explicit TilePool(int threads);  // >= 1
-  ~TilePool();
-  TilePool(const TilePool&) = delete;
-  TilePool& operator=(const TilePool&) = delete;
+  // The same workers, who take pieces of its jobs first: for who has to be done by a certain time.
+  TilePool urgent() const { return TilePool(workers_, true); }
 
-  int threads() const { return static_cast<int>(workers_.size()); }
+  int threads() const;
 
   // Calls f(i) for i in [0, count), in any order, on the workers. Returns the CPU time that took. Throws what
   // a call threw, after all others.
@@ -72,16 +69,13 @@ class TilePool {
     std::chrono::nanoseconds cpu{0};
     std::exception_ptr fault{};
   };
+  struct Workers;
 
+  TilePool(std::shared_ptr<Workers> workers, bool urgent) : workers_(std::move(workers)), urgent_(urgent) {}
   std::chrono::nanoseconds runJob(Job& job);
-  void work();
 
-  std::mutex mutex_;
-  std::condition_variable work_, done_;
-  std::vector<Job*> jobs_;  // jobs with pieces left to take
-  std::size_t turn_ = 0;
-  bool stop_ = false;
-  std::vector<std::thread> workers_;
+  std::shared_ptr<Workers> workers_;
+  bool urgent_ = false;
 };
 
 }  // namespace saccade

@@ -15,6 +15,11 @@ struct StageTimes {
 
   std::chrono::nanoseconds& operator[](Stage s) { return cpu[static_cast<std::size_t>(s)]; }
   std::chrono::nanoseconds operator[](Stage s) const { return cpu[static_cast<std::size_t>(s)]; }
+  std::chrono::nanoseconds total() const {
+    std::chrono::nanoseconds sum{0};
+    for (const auto time : cpu) sum += time;
+    return sum;
+  }
   StageTimes& operator+=(const StageTimes& other) {
     for (std::size_t i = 0; i < cpu.size(); ++i) cpu[i] += other.cpu[i];
     return *this;

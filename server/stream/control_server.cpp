@@ -3,11 +3,7 @@
 #include "wire/protocol.h"
 
 namespace saccade {
-namespace {
-
-constexpr int kMaxUnanswered = 1024;
-
-}  // namespace
+namespace {}  // namespace
 
 v1::Status okStatus() {
   return makeStatus(v1::CODE_OK, {});
@@ -42,7 +38,6 @@ v1::Status readRequest(const std::vector<std::string>& parts, v1::Request& reque
 struct ControlServer::Outbox {
   std::mutex mutex;
   std::vector<std::pair<std::string, std::string>> replies;  // identity, bytes
-  int unanswered = 0;
 
   void put(const std::string& identity, const v1::Reply& reply) {
     std::lock_guard lock(mutex);
@@ -50,9 +45,11 @@ struct ControlServer::Outbox {
   }
 };
 
-ControlServer::ControlServer(const std::string& endpoint, const std::optional<ServerKeys>& keys)
-    : loop_(std::make_shared<SocketLoop>(
-          SocketOptions{.endpoint = endpoint, .max_part_bytes = kMaxRequestBytes, .keys = keys})),
+ControlServer::ControlServer(const std::string& endpoint, std::int64_t max_bytes, RequestCounts& counts,
+                             const std::optional<ServerKeys>& keys)
+    : counts_(counts),
+      loop_(std::make_shared<SocketLoop>(
+          SocketOptions{.endpoint = endpoint, .max_part_bytes = max_bytes, .keys = keys})),
       outbox_(std::make_shared<Outbox>()) {}
 
 ControlServer::~ControlServer() {
@@ -75,15 +72,9 @@ void ControlServer::stop() {
 void ControlServer::receive(const SocketLoop::Message& message) {
   v1::Request request;
   v1::Status status = readRequest(message.parts, request);
-  std::unique_lock lock(outbox_->mutex);
-  if (status.code() == v1::CODE_OK && outbox_->unanswered >= kMaxUnanswered) {
-    status = makeStatus(v1::CODE_RESOURCE_EXHAUSTED,
-                        "more than " + std::to_string(kMaxUnanswered) + " requests wait for their answers");
-  }
-  ++outbox_->unanswered;
-  lock.unlock();
-  Answer answer = [outbox = outbox_, loop = loop_, identity = message.parts[0],
-                   id = request.request_id()](v1::Reply reply) {
+  Answer answer = [outbox = outbox_, loop = loop_, identity = message.parts[0], id = request.request_id(),
+                   call = request.call_case(), &counts = counts_](v1::Reply reply) {
+    counts.add({call, reply.status().code()});
     reply.set_request_id(id);
     outbox->put(identity, reply);
     loop->wake().wake();
@@ -99,7 +90,6 @@ void ControlServer::sendReplies() {
   {
     std::lock_guard lock(outbox_->mutex);
     replies.swap(outbox_->replies);
-    outbox_->unanswered -= static_cast<int>(replies.size());
   }
   // One that is not sent had a receiver who is gone, or who asks without ever reading.
   for (const auto& [identity, bytes] : replies) loop_->send({identity, bytes});

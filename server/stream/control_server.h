@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "saccade/v1/control.pb.h"
+#include "stream/request_counts.h"
 #include "stream/socket_loop.h"
 
 namespace saccade {
-
-inline constexpr std::int64_t kMaxRequestBytes = 9 << 20;  // room for a trajectory's text
 
 v1::Status okStatus();
 v1::Status makeStatus(v1::Code code, const std::string& message, const std::string& field = {});
@@ -30,8 +29,10 @@ class ControlServer {
   // key of who asks, empty without keys; must not block.
   using Handler = std::function<void(const v1::Request&, const std::string& user, Answer)>;
 
-  // Binds; throws std::runtime_error.
-  explicit ControlServer(const std::string& endpoint, const std::optional<ServerKeys>& keys = std::nullopt);
+  // Binds; throws std::runtime_error. Adds every answer to `counts`, which outlives the answers. A peer that
+  // sends more than `max_bytes` at once is disconnected.
+  ControlServer(const std::string& endpoint, std::int64_t max_bytes, RequestCounts& counts,
+                const std::optional<ServerKeys>& keys = std::nullopt);
   // Answers may still be called after the server is gone; they then go nowhere.
   ~ControlServer();
 
@@ -46,6 +47,7 @@ class ControlServer {
   void receive(const SocketLoop::Message& message);
   void sendReplies();
 
+  RequestCounts& counts_;
   std::shared_ptr<SocketLoop> loop_;
   std::shared_ptr<Outbox> outbox_;
   Handler handler_;

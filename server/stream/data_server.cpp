@@ -5,14 +5,13 @@
 namespace saccade {
 namespace {
 
-constexpr std::int64_t kMaxCredit = std::int64_t{1} << 40;
 constexpr std::chrono::milliseconds kFullPause{2};  // until a peer whose queue is full is tried again
 
 }  // namespace
 
-DataServer::DataServer(const std::string& endpoint, const SessionDirectory& sessions,
+DataServer::DataServer(const std::string& endpoint, const SessionDirectory& sessions, std::int64_t max_credit,
                        const std::optional<ServerKeys>& keys)
-    : loop_({.endpoint = endpoint, .keys = keys}), sessions_(sessions) {}
+    : loop_({.endpoint = endpoint, .keys = keys}), sessions_(sessions), max_credit_(max_credit) {}
 
 void DataServer::start() {
   loop_.start([this](const SocketLoop::Message& message) { receive(message); },
@@ -79,9 +78,11 @@ void DataServer::takeOver(const Session& session, const std::string& identity) {
 std::string DataServer::addCredit(const std::string& identity, std::uint64_t bytes) {
   const auto found = connections_.find(identity);
   if (found == connections_.end()) return "attach to a stream before giving credit";
-  const auto added = static_cast<std::int64_t>(std::min<std::uint64_t>(kMaxCredit, bytes));
   std::int64_t& credit = found->second.credit_bytes;
-  credit = std::min(kMaxCredit, credit + added);
+  if (bytes > static_cast<std::uint64_t>(max_credit_ - std::max<std::int64_t>(0, credit))) {
+    return "limit credit: a connection has at most " + std::to_string(max_credit_) + " bytes";
+  }
+  credit += static_cast<std::int64_t>(bytes);
   return {};
 }
 

@@ -16,8 +16,8 @@ class DataServer {
  public:
   static constexpr std::chrono::milliseconds kHeartbeatPause{1000};
 
-  // Binds; throws std::runtime_error. Keeps a reference.
-  DataServer(const std::string& endpoint, const SessionDirectory& sessions,
+  // Binds; throws std::runtime_error. Keeps a reference. `max_credit`: bytes that a connection may have.
+  DataServer(const std::string& endpoint, const SessionDirectory& sessions, std::int64_t max_credit,
              const std::optional<ServerKeys>& keys = std::nullopt);
 
   std::string endpoint() const { return loop_.endpoint(); }
@@ -47,6 +47,7 @@ class DataServer {
 
   SocketLoop loop_;
   const SessionDirectory& sessions_;
+  const std::int64_t max_credit_;
   std::map<std::string, Connection> connections_;  // attached ones, by identity; at most one for a stream
 };
 

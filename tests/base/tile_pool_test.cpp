@@ -5,6 +5,7 @@
 #include <atomic>
 #include <latch>
 #include <limits>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -64,6 +65,26 @@ TEST(TilePool, OpenJobsShareTheWorkers) {
   std::thread other([&] { pool.run(1, meet); });
   pool.run(1, meet);
   other.join();
+}
+
+// Pieces taken in turn would stand between the urgent ones.
+TEST(TilePool, UrgentJobsGoFirst) {
+  TilePool pool(1), urgent = pool.urgent();
+  EXPECT_EQ(urgent.threads(), 1);
+  std::latch begun(1);
+  std::atomic<bool> done = false;
+  std::string order;  // the worker's alone
+  std::thread other([&] {
+    pool.run(1'000'000, [&](int i) {
+      if (i == 0) begun.count_down();
+      if (!done) order += '.';
+    });
+  });
+  begun.wait();
+  urgent.run(5, [&](int) { order += 'u'; });
+  done = true;
+  other.join();
+  EXPECT_NE(order.find("uuuuu"), std::string::npos);
 }
 
 TEST(TilePool, ManyCallersEachGetTheirOwnResult) {

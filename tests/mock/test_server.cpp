@@ -22,6 +22,7 @@ Config testConfig() {
   Config config;
   config.control = config.data = config.broadcast = "tcp://127.0.0.1:*";
   config.threads = 1;
+  config.limits[Limit::kCpu] = 0;  // a build with sanitizers may be too slow for any pace
   config.scenes = SACCADE_SOURCE_DIR "/scenes";
   return config;
 }

@@ -33,7 +33,7 @@ class TestServer {
   v1::ServerDescription info_;
 };
 
-// Free ports, one thread, the project's scenes, and a log of warnings only.
+// Free ports, one thread, the project's scenes, any pace, and a log of warnings only.
 Config testConfig();
 
 // The Cornell box at 32 x 24, 20 frame intervals of 2 ms, LOSSLESS and FAST, one sensor with a low threshold.

@@ -78,6 +78,18 @@ TEST_F(Http, CountsStreamsByDelivery) {
   EXPECT_EQ(get("/metrics").body.find(stream.stream_id()), std::string::npos);
 }
 
+TEST_F(Http, CountsRequestsByCallAndCode) {
+  v1::OpenStream wrong = tinyRequest();
+  wrong.set_scene("no such scene");
+  server_.run(tinyRequest());
+  for (int i = 0; i < 2; ++i) server_.client().tryOpen(wrong);
+  server_.client().call({});
+  const std::string name = "saccade_requests_total";
+  EXPECT_EQ(metric(name + "{call=\"open_stream\",code=\"ok\"}"), 1);
+  EXPECT_EQ(metric(name + "{call=\"open_stream\",code=\"not_found\"}"), 2);
+  EXPECT_EQ(metric(name + "{call=\"none\",code=\"unimplemented\"}"), 1);
+}
+
 TEST_F(Http, PromtoolFindsNoFault) {
   if (std::system("command -v promtool >/dev/null") != 0) GTEST_SKIP() << "promtool is not installed";
   server_.run(tinyRequest());

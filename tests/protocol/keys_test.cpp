@@ -1,43 +1,12 @@
 // A server with keys: who comes in, who is turned away, and what one client sees of another.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 
-#include "mock/test_server.h"
+#include "mock/keyed_server.h"
 
 namespace saccade {
 namespace {
-
-class KeyedServer : public testing::Test {
- protected:
-  KeyedServer() {
-    std::filesystem::create_directories(folder_);
-    std::ofstream(config_.secret_key = folder_ + "/server.key") << server_.secret << "\n";
-    config_.client_keys = folder_ + "/clients";
-    allow({alice_, bob_});
-  }
-  ~KeyedServer() override { std::filesystem::remove_all(folder_); }
-
-  void allow(const std::vector<MockKeys>& clients) const {
-    std::ofstream list(config_.client_keys);
-    for (const auto& client : clients) list << client.public_key << "\n";
-  }
-  std::vector<std::string> seen(MockClient& client) const {
-    v1::Request request;
-    request.mutable_list_streams();
-    std::vector<std::string> ids;
-    const v1::Reply reply = client.call(request);
-    for (const auto& stream : reply.list_streams().streams()) ids.push_back(stream.stream_id());
-    return ids;
-  }
-
-  const MockKeys server_ = makeMockKeys();
-  const MockKeys alice_ = makeMockKeys(server_.public_key), bob_ = makeMockKeys(server_.public_key);
-  const std::string folder_ = testing::TempDir() + "keys_test_" + std::to_string(getpid());
-  Config config_ = testConfig();
-};
 
 TEST_F(KeyedServer, ServesAllSocketsToAListedKey) {
   TestServer server(config_, alice_);

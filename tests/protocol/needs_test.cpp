@@ -134,7 +134,10 @@ TEST_F(Needs, ScenesAreSharedByThePartsTheyDoWithout) {
 }
 
 TEST_F(Needs, OnlySoManySimplifiedScenesAreInMemory) {
-  SceneCache scenes(SACCADE_SOURCE_DIR "/scenes");
+  constexpr unsigned kMost = 3;
+  Limits limits;
+  limits[Limit::kReducedScenes] = kMost;
+  SceneCache scenes(SACCADE_SOURCE_DIR "/scenes", limits);
   const auto setOf = [](unsigned bits) {
     Parts parts;
     for (const PartInfo& info : partTable())
@@ -142,10 +145,9 @@ TEST_F(Needs, OnlySoManySimplifiedScenesAreInMemory) {
     return parts;
   };
   std::vector<std::shared_ptr<const RenderScene>> in_use;
-  for (unsigned bits = 1; bits <= SceneCache::kMaxSimplified; ++bits)
-    in_use.push_back(scenes.get(kBox, setOf(bits)));
-  const Parts next = setOf(SceneCache::kMaxSimplified + 1);
-  EXPECT_THROW(scenes.get(kBox, next), Refusal);
+  for (unsigned bits = 1; bits <= kMost; ++bits) in_use.push_back(scenes.get(kBox, setOf(bits)));
+  const Parts next = setOf(kMost + 1);
+  EXPECT_THROW(scenes.get(kBox, next), LimitReached);
   EXPECT_EQ(scenes.get(kBox, setOf(1)), in_use[0]);
   in_use.pop_back();
   EXPECT_NE(scenes.get(kBox, next), nullptr);

@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include "app/refusal.h"
+#include "render/test_scenes.h"
 
 namespace saccade {
 namespace {
@@ -76,6 +77,38 @@ TEST_F(StreamRegistryTest, ForgetsAClosedStreamOnceItsPacketsAreTaken) {
   streams_.sweep(later(0));
   EXPECT_FALSE(sessions_.find("1"));
   EXPECT_THROW(streams_.close("1", session->token()), Refusal);
+}
+
+// Two streams at one feed, and one at another.
+TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
+  TilePool pool(1);
+  Totals totals;
+  const auto feed = [&] {
+    const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
+    return std::make_shared<FeedRunner>(
+        std::make_unique<Feed>(std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
+                               Trajectory({{TimeNs(0), Pose{}}}), config, pool),
+        8, 8, FeedPace{5, 100, 2}, pool, totals);
+  };
+  Stream stream;
+  stream.request.mutable_timing()->set_clock(v1::CLOCK_PACED);
+  stream.request.mutable_timing()->set_frame_rate_hz(100);
+  stream.request.mutable_timing()->set_speed(2);
+  stream.frame_s = 1e-3;
+  const auto shared = feed(), own = feed();
+  std::vector<std::shared_ptr<Session>> sessions;
+  for (const auto& [id, looked_at] : {std::pair("1", shared), {"2", shared}, {"3", own}}) {
+    stream.feed = looked_at;
+    stream.session =
+        std::make_shared<Session>(id, v1::DELIVERY_LIVE, 1, transport_, std::make_shared<Signal>(), traffic_);
+    sessions.push_back(stream.session);
+    streams_.add(stream);
+  }
+  EXPECT_DOUBLE_EQ(streams_.load(), 0.4);
+  sessions[0]->finish();
+  EXPECT_DOUBLE_EQ(streams_.load(), 0.4);
+  sessions[1]->finish();
+  EXPECT_DOUBLE_EQ(streams_.load(), 0.2);
 }
 
 }  // namespace

@@ -9,9 +9,12 @@
 namespace saccade {
 namespace {
 
+constexpr std::int64_t kMaxBytes = 1 << 20;
+
 // An answer that takes its time, as a scene that is being loaded does, keeps nobody else waiting.
 TEST(ControlServer, ASlowAnswerDelaysNoOther) {
-  ControlServer server("tcp://127.0.0.1:*");
+  RequestCounts counts;
+  ControlServer server("tcp://127.0.0.1:*", kMaxBytes, counts);
   std::promise<ControlServer::Answer> slow;
   server.start([&](const v1::Request& request, const std::string&, ControlServer::Answer answer) {
     if (request.has_open_stream()) return slow.set_value(std::move(answer));
@@ -30,10 +33,11 @@ TEST(ControlServer, ASlowAnswerDelaysNoOther) {
 }
 
 TEST(ControlServer, AnEndpointInUseIsNamed) {
-  ControlServer first("tcp://127.0.0.1:*");
+  RequestCounts counts;
+  ControlServer first("tcp://127.0.0.1:*", kMaxBytes, counts);
   const std::string endpoint = first.endpoint();
   try {
-    ControlServer second(endpoint);
+    ControlServer second(endpoint, kMaxBytes, counts);
     FAIL();
   } catch (const std::runtime_error& fault) {
     EXPECT_NE(std::string(fault.what()).find(endpoint), std::string::npos);

@@ -11,6 +11,8 @@
 namespace saccade {
 namespace {
 
+constexpr std::int64_t kMaxCredit = 1 << 20;
+
 class LostReceiver : public testing::TestWithParam<int> {
  protected:
   LostReceiver() { server_.start(); }
@@ -38,7 +40,7 @@ class LostReceiver : public testing::TestWithParam<int> {
   RemoteSubscriber remote_;  // before the server's threads
   SessionDirectory sessions_;
   Traffic traffic_;
-  DataServer server_{"tcp://127.0.0.1:*", sessions_};
+  DataServer server_{"tcp://127.0.0.1:*", sessions_, kMaxCredit};
   std::shared_ptr<Signal> signal_ = std::make_shared<Signal>();
 };
 
@@ -71,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Stopped, LostReceiver, testing::Values(SIGSTOP));
 TEST(DataServer, TellsHowFarItIsWhenThereIsNothingToSend) {
   SessionDirectory sessions;
   Traffic traffic;
-  DataServer server("tcp://127.0.0.1:*", sessions);
+  DataServer server("tcp://127.0.0.1:*", sessions, kMaxCredit);
   const auto session = std::make_shared<Session>("a", v1::DELIVERY_LOSSLESS, 1, server.wake(),
                                                  std::make_shared<Signal>(), traffic);
   sessions.add(session);
@@ -92,9 +94,33 @@ TEST(DataServer, TellsHowFarItIsWhenThereIsNothingToSend) {
   server.stop();
 }
 
+TEST(DataServer, NamesTheLimitOfCredit) {
+  SessionDirectory sessions;
+  Traffic traffic;
+  DataServer server("tcp://127.0.0.1:*", sessions, kMaxCredit);
+  const auto session = std::make_shared<Session>("a", v1::DELIVERY_LOSSLESS, 1, server.wake(),
+                                                 std::make_shared<Signal>(), traffic);
+  sessions.add(session);
+  server.start();
+  v1::StreamOpened stream;
+  stream.set_stream_id("a");
+  stream.set_token(session->token());
+  MockSubscriber subscriber(server.endpoint());
+  subscriber.attach(stream);
+  subscriber.giveCredit(kMaxCredit);
+  for (const std::uint64_t more : {std::uint64_t{1}, ~std::uint64_t{0}}) {
+    subscriber.giveCredit(more);
+    const auto refused = subscriber.receive();
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(refused->header.kind(), v1::KIND_ERROR);
+    EXPECT_NE(refused->payload.find("limit credit"), std::string::npos) << refused->payload;
+  }
+  server.stop();
+}
+
 TEST(DataServer, StatesItsEndpointAsItWasAskedFor) {
   SessionDirectory none;
-  EXPECT_EQ(DataServer("tcp://127.0.0.1:*", none).endpoint().find("tcp://127.0.0.1:"), 0u);
+  EXPECT_EQ(DataServer("tcp://127.0.0.1:*", none, kMaxCredit).endpoint().find("tcp://127.0.0.1:"), 0u);
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+#include "app/limits.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "stream/session.h"
+
+namespace saccade {
+
+constexpr double kMiB = 1 << 20;
+
+const std::array<LimitRow, 17>& limitTable() {
+  static const std::array<LimitRow, 17> rows{{
+      {Limit::kStreams, "streams", 64, 1, "", "open streams"},
+      {Limit::kClientStreams, "client-streams", 32, 1, "", "those of one client"},
+      {Limit::kSensors, "sensors", 1024, 1, "", "sensors of all streams"},
+      {Limit::kClientSensors, "client-sensors", 512, 1, "", "those of one client"},
+      {Limit::kPixels, "pixels", 64 << 20, 1, "", "pixels of the views of all streams"},
+      {Limit::kClientPixels, "client-pixels", 32 << 20, 1, "", "those of one client"},
+      {Limit::kRequests, "requests", 64, 1, "", "requests under way, mostly streams being opened"},
+      {Limit::kClientRequests, "client-requests", 32, 1, "", "those of one client"},
+      {Limit::kMemory, "memory", 4096, 1, "MiB", "feeds and sensors of all streams, as estimated"},
+      {Limit::kQueues, "queues", 1024, 1, "MiB", "packets kept for the clients of all streams"},
+      {Limit::kQueue, "queue", kQueueBytes / kMiB, 0.0625, "MiB",
+       "packets that wait for the client of one stream"},
+      {Limit::kCredit, "credit", 4096, 1, "MiB", "credit of one connection"},
+      {Limit::kMessage, "message", 9, 0.0625, "MiB", "one request; a longer one ends its connection"},
+      {Limit::kFrameRate, "frame-rate", 1e5, 0.1, "Hz", "frame rate of one stream"},
+      {Limit::kTrajectoryPoints, "trajectory-points", 2e5, 1, "",
+       "keyframes, or lines of CSV, of one stream"},
+      {Limit::kReducedScenes, "reduced-scenes", 16, 0, "", "scenes in memory that lack parts of theirs"},
+      {Limit::kCpu, "cpu", 85, 0, "%",
+       "of the threads for PACED streams; 0: they are not measured, and may lag"},
+  }};
+  return rows;
+}
+
+std::optional<Limit> ofOneClient(Limit limit) {
+  switch (limit) {
+    case Limit::kStreams:
+      return Limit::kClientStreams;
+    case Limit::kSensors:
+      return Limit::kClientSensors;
+    case Limit::kPixels:
+      return Limit::kClientPixels;
+    case Limit::kRequests:
+      return Limit::kClientRequests;
+    default:
+      return std::nullopt;
+  }
+}
+
+Limits::Limits() {
+  for (const LimitRow& row : limitTable()) (*this)[row.limit] = row.fallback;
+}
+
+std::uint64_t Limits::bytes(Limit limit) const {
+  return static_cast<std::uint64_t>((*this)[limit] * kMiB);
+}
+
+std::string amountText(Limit limit, double amount) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.15g", amount >= 1 ? std::ceil(amount) : amount);
+  const std::string unit = rowOf(limit).unit;
+  return unit.empty() ? text : text + (" " + unit);
+}
+
+void describeLimits(const Limits& limits, v1::ServerDescription& description) {
+  for (const LimitRow& row : limitTable()) {
+    v1::LimitInfo& info = *description.add_limits();
+    info.set_name(row.name);
+    info.set_value(limits[row.limit]);
+    info.set_unit(row.unit);
+    info.set_description(row.what);
+  }
+}
+
+}  // namespace saccade

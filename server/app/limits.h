@@ -1,0 +1,68 @@
+// What the server bounds, for all and for each client: the one table of it.
+//
+// A client is its public key. Without keys nobody can tell clients apart: then those of one client bind
+// nothing.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "saccade/v1/control.pb.h"
+
+namespace saccade {
+
+enum class Limit {
+  kStreams,
+  kClientStreams,
+  kSensors,
+  kClientSensors,
+  kPixels,
+  kClientPixels,
+  kRequests,
+  kClientRequests,
+  kMemory,
+  kQueues,
+  kQueue,
+  kCredit,
+  kMessage,
+  kFrameRate,
+  kTrajectoryPoints,
+  kReducedScenes,
+  kCpu,
+};
+
+struct LimitRow {
+  Limit limit;
+  const char* name;  // on the wire; the option is --limit-<name>
+  double fallback, min;
+  const char* unit;  // empty: a number of things
+  const char* what;
+};
+
+const std::array<LimitRow, 17>& limitTable();  // in the order of Limit
+inline const LimitRow& rowOf(Limit limit) {
+  return limitTable()[static_cast<std::size_t>(limit)];
+}
+
+// That of one client beside one for all; most have none.
+std::optional<Limit> ofOneClient(Limit limit);
+
+// A value for each.
+class Limits {
+ public:
+  Limits();  // the defaults
+  double& operator[](Limit limit) { return values_[static_cast<std::size_t>(limit)]; }
+  double operator[](Limit limit) const { return values_[static_cast<std::size_t>(limit)]; }
+  std::uint64_t bytes(Limit limit) const;  // of one in MiB
+  friend bool operator==(const Limits&, const Limits&) = default;
+
+ private:
+  std::array<double, 17> values_;
+};
+
+// A number with the unit of the limit, for people.
+std::string amountText(Limit limit, double amount);
+
+void describeLimits(const Limits& limits, v1::ServerDescription& description);
+
+}  // namespace saccade

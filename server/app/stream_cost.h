@@ -1,0 +1,28 @@
+// What one stream takes of the limits.
+#pragma once
+
+#include <vector>
+
+#include "app/budget.h"
+#include "app/resolve.h"
+
+namespace saccade {
+
+// MiB, about: the memory of a stream that looks through a view of its own.
+double streamMemory(int width, int height, int sensors);
+
+std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits);
+
+// Throws LimitReached: the request exceeds a limit that each stream has for itself.
+void checkAlone(const v1::OpenStream& request, const Limits& limits);
+
+// CPU seconds of a frame with its sensors over all threads. Renders a few frames of a feed that is then
+// thrown away: that of the stream is not touched.
+double measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
+                    const ResolvedStream& stream, TilePool& pool);
+
+// Throws LimitReached unless a PACED stream of such frames fits beside what others take. `taken`: CPU seconds
+// per second; `threads`: that there are.
+void checkPace(const v1::Timing& timing, double frame_s, double taken, double threads, const Limits& limits);
+
+}  // namespace saccade

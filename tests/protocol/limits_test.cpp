@@ -1,0 +1,194 @@
+// What a server bounds: every limit is named, and reaching it harms nobody else.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "mock/keyed_server.h"
+#include "wire/protocol.h"
+
+namespace saccade {
+namespace {
+
+Config withLimit(Limit limit, double value) {
+  Config config = testConfig();
+  config.limits[limit] = value;
+  return config;
+}
+
+void expectReached(const v1::Status& status, Limit limit, const std::string& field) {
+  EXPECT_EQ(status.code(), v1::CODE_RESOURCE_EXHAUSTED) << status.message();
+  EXPECT_EQ(status.limit(), rowOf(limit).name) << status.message();
+  EXPECT_EQ(status.field(), field) << status.message();
+  EXPECT_NE(status.message().find(rowOf(limit).name), std::string::npos) << status.message();
+}
+
+v1::OpenStream withPoses(int keys, int csv_lines) {
+  v1::OpenStream request = tinyRequest();
+  std::string csv;
+  for (int i = 0; i < csv_lines; ++i) csv += std::to_string(i) + " 0 0 0 0 0 0 1\n";
+  if (csv_lines > 0) request.mutable_trajectory()->set_csv(csv);
+  for (int i = 0; i < keys; ++i) {
+    v1::Keyframe& key = *request.mutable_trajectory()->mutable_keyframes()->add_keys();
+    key.set_time_s(i);
+    key.mutable_rotation()->set_w(1);
+  }
+  return request;
+}
+
+// Room for one stream of tinyRequest() and not for a second, which may come later.
+TEST(Limits, OneMoreThanAllMayHaveIsRefused) {
+  const struct {
+    Limit limit;
+    double value;
+    std::string field;
+  } all[]{{Limit::kStreams, 1, ""},
+          {Limit::kSensors, 1, "sensors"},
+          {Limit::kPixels, 32 * 24 * 1.5, "view"},
+          {Limit::kMemory, 3.5, "view"},  // of 2.3 each
+          {Limit::kQueues, 20, ""}};      // of 12 each
+  for (const auto& [limit, value, field] : all) {
+    TestServer server(withLimit(limit, value));
+    server.client().open(tinyRequest());
+    const v1::Status status = server.client().tryOpen(tinyRequest());
+    expectReached(status, limit, field);
+    EXPECT_GT(status.retry_after_s(), 0);
+  }
+}
+
+TEST(Limits, WhatIsTooMuchByItselfIsWorthNoSecondTry) {
+  v1::OpenStream many = tinyRequest();
+  many.add_sensors();
+  const struct {
+    Limit limit;
+    double value;
+    v1::OpenStream request;
+    std::string field;
+  } all[]{{Limit::kPixels, 700, tinyRequest(), "view"},
+          {Limit::kSensors, 1, many, "sensors"},
+          {Limit::kFrameRate, 499, tinyRequest(), "timing.frame_rate_hz"},
+          {Limit::kTrajectoryPoints, 3, withPoses(4, 0), "trajectory.keyframes.keys"},
+          {Limit::kTrajectoryPoints, 3, withPoses(0, 4), "trajectory.csv"}};
+  for (const auto& [limit, value, request, field] : all) {
+    TestServer server(withLimit(limit, value));
+    const v1::Status status = server.client().tryOpen(request);
+    expectReached(status, limit, field);
+    EXPECT_EQ(status.retry_after_s(), 0);
+  }
+  TestServer server(withLimit(Limit::kTrajectoryPoints, 4));
+  EXPECT_EQ(server.client().tryOpen(withPoses(4, 0)).code(), v1::CODE_OK);
+  EXPECT_EQ(server.client().tryOpen(withPoses(0, 4)).code(), v1::CODE_OK);
+}
+
+TEST(Limits, APlaceIsFreeAgainOnceItsStreamIsOver) {
+  TestServer server(withLimit(Limit::kStreams, 1));
+  const auto stream = server.client().open(tinyRequest());
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 20);
+  subscriber.receiveAll(1);
+  expectReached(server.client().tryOpen(tinyRequest()), Limit::kStreams, "");
+  server.client().close(stream);
+  const auto deadline = Signal::Clock::now() + kPatience;
+  auto code = v1::CODE_UNSPECIFIED;
+  while (code != v1::CODE_OK && Signal::Clock::now() < deadline)
+    code = server.client().tryOpen(tinyRequest()).code();
+  EXPECT_EQ(code, v1::CODE_OK);
+}
+
+class ClientLimits : public KeyedServer {};
+
+TEST_F(ClientLimits, BindOneClientAndNoOther) {
+  const struct {
+    Limit limit;
+    double value;
+    std::string field;
+  } all[]{{Limit::kClientStreams, 1, ""},
+          {Limit::kClientSensors, 1, "sensors"},
+          {Limit::kClientPixels, 32 * 24, "view"}};
+  for (const auto& [limit, value, field] : all) {
+    Config config = config_;
+    config.limits[limit] = value;
+    TestServer server(config, alice_);
+    MockClient bob(server.app().controlEndpoint(), bob_);
+    server.client().open(tinyRequest());
+    const v1::Status status = server.client().tryOpen(tinyRequest());
+    expectReached(status, limit, field);
+    EXPECT_EQ(status.retry_after_s(), 0);  // she has to end one herself
+    EXPECT_EQ(bob.tryOpen(tinyRequest()).code(), v1::CODE_OK);
+  }
+}
+
+TEST(Limits, ThoseOfOneClientBindNobodyWithoutKeys) {
+  TestServer server(withLimit(Limit::kClientStreams, 1));
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(server.client().tryOpen(tinyRequest()).code(), v1::CODE_OK);
+}
+
+// A thousand at once. Every one is answered, no more are opened than there are places, and who was there
+// before goes on.
+TEST(Limits, AFloodOfStartsIsRefused) {
+  constexpr int kRequests = 1000, kPlaces = 6;
+  Config config = withLimit(Limit::kStreams, kPlaces);
+  config.limits[Limit::kRequests] = 4;
+  TestServer server(config);
+  v1::OpenStream request = tinyRequest();
+  request.mutable_timing()->set_duration_s(0.2);
+  const auto stream = server.client().open(request);
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 20);
+
+  zmq::context_t context;
+  zmq::socket_t flood(context, zmq::socket_type::dealer);
+  flood.set(zmq::sockopt::linger, 0);
+  flood.set(zmq::sockopt::rcvtimeo, static_cast<int>(kPatience.count()));
+  for (const auto queue : {ZMQ_SNDHWM, ZMQ_RCVHWM}) {
+    const int none = 0;
+    zmq_setsockopt(flood.handle(), queue, &none, sizeof none);
+  }
+  flood.connect(server.app().controlEndpoint());
+  v1::Request start;
+  start.set_protocol_version(kProtocolVersion);
+  *start.mutable_open_stream() = tinyRequest();
+  for (int i = 0; i < kRequests; ++i) flood.send(zmq::buffer(start.SerializeAsString()));
+  std::map<std::string, int> answers;  // by limit
+  for (int i = 0; i < kRequests; ++i) {
+    zmq::message_t message;
+    v1::Reply reply;
+    ASSERT_TRUE(flood.recv(message)) << "after " << i << " replies";
+    ASSERT_TRUE(reply.ParseFromString(message.to_string()));
+    ++answers[reply.status().limit()];
+    EXPECT_EQ(reply.has_open_stream(), reply.status().limit().empty());
+    if (!reply.has_open_stream()) EXPECT_GT(reply.status().retry_after_s(), 0);
+  }
+  EXPECT_GE(answers[""], 1);
+  EXPECT_LE(answers[""], kPlaces - 1);
+  EXPECT_GT(answers["requests"], 0);
+  EXPECT_EQ(answers[""] + answers["requests"] + answers["streams"], kRequests);
+  EXPECT_EQ(checkPackets(subscriber.receiveAll(1)[0]).end_ns, 200'000'000);
+}
+
+TEST(Limits, ARequestThatIsTooLongEndsItsConnectionOnly) {
+  TestServer server(withLimit(Limit::kMessage, 1));
+  MockClient verbose(server.app().controlEndpoint());
+  verbose.setPatience(std::chrono::milliseconds(300));
+  EXPECT_THROW(verbose.callRaw(std::string((1 << 20) + 1, 'x')), std::runtime_error);
+  EXPECT_EQ(server.client().server().threads(), 1u);
+}
+
+TEST(Limits, TheServerListsThemAndTheProtocolExplainsThem) {
+  TestServer server(withLimit(Limit::kStreams, 5));
+  std::map<std::string, double> told;
+  for (const auto& limit : server.client().server().limits()) told[limit.name()] = limit.value();
+  EXPECT_EQ(told.size(), limitTable().size());
+  EXPECT_EQ(told["streams"], 5);
+  EXPECT_EQ(told["queue"], 4);
+  std::ifstream file(SACCADE_SOURCE_DIR "/proto/PROTOCOL.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  for (const auto& [name, value] : told) EXPECT_NE(page.find("`" + name + "`"), std::string::npos) << name;
+  for (const LimitRow& row : limitTable()) EXPECT_EQ(&row, &rowOf(row.limit)) << row.name;
+}
+
+}  // namespace
+}  // namespace saccade

@@ -1,0 +1,94 @@
+// Which PACED streams a server takes: those whose pace its threads suffice for.
+#include <gtest/gtest.h>
+
+#include "app/refusal.h"
+#include "app/stream_cost.h"
+#include "mock/test_server.h"
+
+namespace saccade {
+namespace {
+
+Config withAdmission() {
+  Config config = testConfig();
+  config.limits[Limit::kCpu] = 85;
+  return config;
+}
+
+v1::OpenStream pacedRequest(double frame_rate_hz, double speed) {
+  v1::OpenStream request = tinyRequest();
+  request.mutable_timing()->set_clock(v1::CLOCK_PACED);
+  request.mutable_timing()->set_frame_rate_hz(frame_rate_hz);
+  request.mutable_timing()->set_speed(speed);
+  request.mutable_timing()->set_duration_s(5 / frame_rate_hz);
+  return request;
+}
+
+// The number after `word`.
+double numberAfter(const std::string& text, const std::string& word) {
+  const auto at = text.find(word);
+  return at == std::string::npos ? 0 : std::atof(text.c_str() + at + word.size());
+}
+
+// 4 ms at 500 frames a second are 2 threads; of 4, at 75 %, 3 are to be had.
+TEST(Pace, AStreamFitsBesideTheOthersOrNot) {
+  Limits limits;
+  limits[Limit::kCpu] = 75;
+  v1::Timing timing;
+  timing.set_frame_rate_hz(500);
+  timing.set_speed(1);
+  EXPECT_NO_THROW(checkPace(timing, 0.004, 0.99, 4, limits));
+  for (const auto& [taken, retry_s] : {std::pair(1.01, kRetrySeconds), {9.0, kRetrySeconds}}) {
+    try {
+      checkPace(timing, 0.004, taken, 4, limits);
+      FAIL() << taken;
+    } catch (const LimitReached& reached) {
+      EXPECT_EQ(reached.limit, "cpu");
+      EXPECT_EQ(reached.retry_after_s, retry_s);
+    }
+  }
+  timing.set_speed(2);
+  try {
+    checkPace(timing, 0.004, 0, 4, limits);
+    FAIL();
+  } catch (const LimitReached& reached) {
+    EXPECT_EQ(reached.retry_after_s, 0);  // not even on an idle server
+    EXPECT_EQ(numberAfter(reached.what(), "a frame takes "), 4);
+    EXPECT_EQ(numberAfter(reached.what(), "rate of "), 370);  // 375, rounded down
+    EXPECT_EQ(numberAfter(reached.what(), "speed of "), 1.5);
+  }
+}
+
+TEST(Pace, TheServerMeasuresAndSaysWhatFits) {
+  TestServer server(withAdmission());
+  const v1::Status status = server.client().tryOpen(pacedRequest(1e5, 1));
+  EXPECT_EQ(status.code(), v1::CODE_RESOURCE_EXHAUSTED);
+  EXPECT_EQ(status.limit(), "cpu");
+  EXPECT_EQ(status.field(), "timing");
+  EXPECT_EQ(status.retry_after_s(), 0);
+  const double fits_hz = numberAfter(status.message(), "rate of ");
+  const double fits_speed = numberAfter(status.message(), "speed of ");
+  ASSERT_GT(fits_hz, 0) << status.message();
+  EXPECT_EQ(server.client().tryOpen(pacedRequest(fits_hz / 4, 1)).code(), v1::CODE_OK);
+  EXPECT_EQ(server.client().tryOpen(pacedRequest(1e5, fits_speed / 4)).code(), v1::CODE_OK);
+}
+
+TEST(Pace, WithoutAdmissionAStreamMayLag) {
+  TestServer server;
+  EXPECT_EQ(server.client().tryOpen(pacedRequest(1e5, 1)).code(), v1::CODE_OK);
+}
+
+TEST(Pace, MeasuringChangesNoEvent) {
+  TestServer asked(withAdmission()), unasked;
+  const v1::OpenStream request = pacedRequest(500, 0.02);
+  const Packets one = asked.run(request)[0], other = unasked.run(request)[0];
+  ASSERT_EQ(one.size(), other.size());
+  std::uint64_t events = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].payload, other[i].payload);
+    events += one[i].header.count();
+  }
+  EXPECT_GT(events, 0u);
+}
+
+}  // namespace
+}  // namespace saccade
