@@ -3,8 +3,9 @@
 
 #include <fstream>
 #include <iterator>
-#include <set>
+#include <map>
 
+#include "app/refusal.h"
 #include "mock/keyed_server.h"
 #include "wire/protocol.h"
 
@@ -160,7 +161,7 @@ TEST(Limits, AFloodOfStartsIsRefused) {
     ASSERT_TRUE(reply.ParseFromString(message.to_string()));
     ++answers[reply.status().limit()];
     EXPECT_EQ(reply.has_open_stream(), reply.status().limit().empty());
-    if (!reply.has_open_stream()) EXPECT_GT(reply.status().retry_after_s(), 0);
+    EXPECT_EQ(reply.status().retry_after_s(), reply.has_open_stream() ? 0 : kRetrySeconds);
   }
   EXPECT_GE(answers[""], 1);
   EXPECT_LE(answers[""], kPlaces - 1);
@@ -180,7 +181,8 @@ TEST(Limits, ARequestThatIsTooLongEndsItsConnectionOnly) {
 TEST(Limits, TheServerListsThemAndTheProtocolExplainsThem) {
   TestServer server(withLimit(Limit::kStreams, 5));
   std::map<std::string, double> told;
-  for (const auto& limit : server.client().server().limits()) told[limit.name()] = limit.value();
+  const auto description = server.client().server();
+  for (const auto& limit : description.limits()) told[limit.name()] = limit.value();
   EXPECT_EQ(told.size(), limitTable().size());
   EXPECT_EQ(told["streams"], 5);
   EXPECT_EQ(told["queue"], 4);
