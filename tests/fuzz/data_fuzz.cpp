@@ -73,7 +73,7 @@ struct World {
 
   SessionDirectory sessions;
   Traffic traffic;
-  DataServer server{"tcp://127.0.0.1:*", sessions};
+  DataServer server{"tcp://127.0.0.1:*", sessions, std::int64_t{1} << 32};
   std::shared_ptr<Signal> signal = std::make_shared<Signal>();
   std::optional<Client> client;
   double credit = 0;  // bytes that the client may be sent, at most
