@@ -3,7 +3,6 @@
 #include "wire/protocol.h"
 
 namespace saccade {
-namespace {}  // namespace
 
 v1::Status okStatus() {
   return makeStatus(v1::CODE_OK, {});

@@ -1,6 +1,7 @@
 // A request, as far as it goes before anything is rendered.
 #include "app/refusal.h"
 #include "app/service.h"
+#include "app/stream_cost.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/message_mutator.h"
 #include "fuzz/path_check.h"
@@ -36,8 +37,9 @@ struct World {
   ClientLog log;
   SessionDirectory sessions;
   StreamRegistry streams{sessions, log, std::chrono::seconds(30)};
-  StreamOpener opener{scenes, tables, pool, streams, {data, broadcast}, totals, log, 1};
-  Service service{scenes, streams, opener, log, {}};
+  Budget budget{Limits()};
+  StreamOpener opener{scenes, tables, pool, budget, streams, {data, broadcast}, totals, log, 1};
+  Service service{scenes, budget, streams, opener, log, {}};
 };
 
 // Whoever asks for what was resolved gets it.
@@ -53,6 +55,7 @@ void checkResolved(const ResolvedStream& stream, const World& world) {
 v1::Status open(const v1::OpenStream& request, const World& world) {
   try {
     ResolvedStream stream = resolve(request, world.list, world.tables);
+    checkAlone(stream.request, world.budget.limits());
     fitTo(world.scene->description(), stream);
     checkResolved(stream, world);
     const Trajectory path = resolveTrajectory(stream, *world.scene, world.scenes.library());
