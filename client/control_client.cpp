@@ -1,5 +1,6 @@
 #include "client/control_client.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -8,6 +9,7 @@
 namespace saccade {
 namespace {
 
+constexpr std::chrono::milliseconds kGlance{200};   // between two calls of Waiting
 constexpr std::chrono::milliseconds kParting{200};  // for a last message to a server that may be gone
 
 std::string describe(const v1::Status& status) {
@@ -29,9 +31,10 @@ ControlClient::ControlClient(zmq::context_t& context, const std::string& endpoin
       keys_(keys),
       socket_(connectSocket(context, zmq::socket_type::dealer, endpoint, keys)) {}
 
-v1::Reply ControlClient::call(v1::Request request, std::chrono::milliseconds deadline) {
+v1::Reply ControlClient::call(v1::Request request, std::chrono::milliseconds deadline,
+                              const Waiting& waiting) {
   send(std::move(request));
-  v1::Reply reply = await(request_id_, deadline);
+  v1::Reply reply = await(request_id_, deadline, waiting);
   if (reply.status().code() != v1::CODE_OK) throw Refused(reply.status());
   return reply;
 }
@@ -48,13 +51,16 @@ void ControlClient::send(v1::Request request) {
   socket_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::none);
 }
 
-v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::milliseconds deadline) {
+v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::milliseconds deadline,
+                               const Waiting& waiting) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + deadline;
   for (auto left = deadline; left.count() > 0;
        left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now())) {
+    if (waiting) waiting();
     zmq::message_t message;
-    if (!waitReadable(socket_, left) || !socket_.recv(message, zmq::recv_flags::dontwait)) continue;
+    if (!waitReadable(socket_, std::min(left, kGlance)) || !socket_.recv(message, zmq::recv_flags::dontwait))
+      continue;
     v1::Reply reply;
     if (reply.ParseFromArray(message.data(), static_cast<int>(message.size())) &&
         reply.request_id() == request_id) {

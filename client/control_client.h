@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -22,6 +23,9 @@ struct Refused : std::runtime_error {
   v1::Code code;
 };
 
+// Called several times a second while something is waited for; what it throws ends the wait.
+using Waiting = std::function<void()>;
+
 class ControlClient {
  public:
   static constexpr std::chrono::seconds kDeadline{3};  // for what the server answers at once
@@ -31,7 +35,8 @@ class ControlClient {
 
   // Sends and waits for the reply to this very request; late replies to earlier ones are passed over. A
   // request made before the server is up reaches it when it comes up. Throws NoAnswer or Refused.
-  v1::Reply call(v1::Request request, std::chrono::milliseconds deadline = kDeadline);
+  v1::Reply call(v1::Request request, std::chrono::milliseconds deadline = kDeadline,
+                 const Waiting& waiting = {});
 
   // Sends and does not wait: what the reply says is of no interest, or nobody may be there to give one.
   void tell(v1::Request request);
@@ -41,7 +46,7 @@ class ControlClient {
 
  private:
   void send(v1::Request request);
-  v1::Reply await(std::uint64_t request_id, std::chrono::milliseconds deadline);
+  v1::Reply await(std::uint64_t request_id, std::chrono::milliseconds deadline, const Waiting& waiting);
 
   std::string endpoint_;
   CurveKeys keys_;

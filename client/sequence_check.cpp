@@ -1,22 +1,84 @@
 #include "client/sequence_check.h"
 
-namespace saccade {
+#include <algorithm>
+#include <string>
 
-std::string SequenceCheck::add(const v1::PacketHeader& header) {
-  if (header.kind() == v1::KIND_HEARTBEAT || header.kind() == v1::KIND_ERROR) return {};  // they take no seq
-  Next& next = next_.try_emplace(header.sensor(), Next{0, 0, header.t0_ns()}).first->second;
-  if (header.seq() < next.seq || header.first_event_index() < next.first_event_index) {
-    return "it is out of order";
+#include "client/stream_fault.h"
+
+namespace saccade {
+namespace {
+
+bool takesSeq(v1::Kind kind) {
+  return kind != v1::KIND_HEARTBEAT && kind != v1::KIND_ERROR;
+}
+
+}  // namespace
+
+SequenceCheck::SequenceCheck(const v1::OpenStream& resolved) : due_(resolved.sensors_size()) {
+  for (std::size_t i = 0; i < due_.size(); ++i) {
+    due_[i].event = resolved.sensors(static_cast<int>(i)).from_event();
+    due_[i].joined = due_[i].event == 0;
   }
-  if (header.seq() > next.seq) {
+}
+
+std::optional<SequenceCheck::News> SequenceCheck::add(const v1::PacketHeader& header) {
+  if (header.sensor() >= due_.size()) throw StreamFault("a packet is of a sensor nobody asked for");
+  Point& due = due_[header.sensor()];
+  if (!takesSeq(header.kind()) || due.ended) return std::nullopt;
+  const auto news = due.joined ? follow(due, header) : join(due, header);
+  due.seq = std::max(due.seq, header.seq() + 1);
+  if (!news) return std::nullopt;
+  due.event = header.first_event_index() + header.count();
+  due.t_ns = header.t1_ns();
+  due.joined = true;
+  due.ended = header.kind() == v1::KIND_END;
+  return news;
+}
+
+// A stream that was drained has cut its last packet short: the same events come again with those after them.
+std::optional<SequenceCheck::News> SequenceCheck::join(const Point& due,
+                                                       const v1::PacketHeader& header) const {
+  const std::uint64_t begin = header.first_event_index(), end = begin + header.count();
+  const bool is_end = header.kind() == v1::KIND_END;
+  if (begin > due.event || (is_end && begin < due.event)) {
+    throw StreamFault("the stream was to go on at event " + std::to_string(due.event) + ", not at " +
+                      std::to_string(begin));
+  }
+  const std::int64_t t_ns = due.t_ns.value_or(header.t0_ns());
+  const bool nothing_new = begin < due.event || (due.t_ns && header.t1_ns() <= t_ns);
+  if (!is_end && end <= due.event && nothing_new) return std::nullopt;
+  return News{due.event - begin, std::max(t_ns, header.t0_ns())};
+}
+
+std::optional<SequenceCheck::News> SequenceCheck::follow(const Point& due, const v1::PacketHeader& header) {
+  if (header.seq() < due.seq) return std::nullopt;
+  const bool gap = header.seq() > due.seq;
+  if (header.first_event_index() < due.event) throw StreamFault("events run backwards");
+  const bool goes_on =
+      header.t0_ns() == due.t_ns.value_or(header.t0_ns()) && header.first_event_index() == due.event;
+  if (!gap && !goes_on) throw StreamFault("a packet does not go on where the one before it ended");
+  if (gap) {
     ++losses_.gaps;
-    losses_.packets += header.seq() - next.seq;
-    losses_.events += header.first_event_index() - next.first_event_index;
-  } else if (header.t0_ns() != next.t0_ns || header.first_event_index() != next.first_event_index) {
-    return "it does not go on where the one before it ended";
+    losses_.packets += header.seq() - due.seq;
+    losses_.events += header.first_event_index() - due.event;
   }
-  next = {header.seq() + 1, header.first_event_index() + header.count(), header.t1_ns()};
-  return {};
+  return News{0, header.t0_ns()};
+}
+
+void SequenceCheck::restart() {
+  for (Point& due : due_) due.joined = false, due.seq = 0;
+}
+
+std::vector<std::uint64_t> SequenceCheck::seqs() const {
+  std::vector<std::uint64_t> seqs;
+  for (const Point& due : due_) seqs.push_back(due.seq);
+  return seqs;
+}
+
+std::vector<std::uint64_t> SequenceCheck::events() const {
+  std::vector<std::uint64_t> events;
+  for (const Point& due : due_) events.push_back(due.event);
+  return events;
 }
 
 }  // namespace saccade

@@ -1,10 +1,12 @@
-// Whether the packets of a stream came whole and in order, told from their headers.
+// Whether the packets of a stream come whole and in order, told from their headers, and where each sensor
+// goes on after a break.
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <string>
+#include <optional>
+#include <vector>
 
+#include "saccade/v1/control.pb.h"
 #include "saccade/v1/events.pb.h"
 
 namespace saccade {
@@ -17,19 +19,39 @@ struct Losses {
 
 class SequenceCheck {
  public:
-  // Counts what is missing before this packet; each sensor starts at seq 0, at any time: who joins a shared
-  // feed late comes into its middle. Returns what is wrong, or an empty text: a seq that runs backwards, or a
-  // packet that follows its predecessor and does not go on where that ended.
-  std::string add(const v1::PacketHeader& header);
+  // Each sensor starts at seq 0, at any time: who joins a shared feed late comes into its middle. With
+  // `from_event` it starts at any seq, with the packet that holds or begins at this event.
+  explicit SequenceCheck(const v1::OpenStream& resolved);
+
+  // What is new in a packet: all but its first events, from a time on.
+  struct News {
+    std::uint64_t known_events;
+    std::int64_t t0_ns;
+  };
+  // Nothing where all of the packet came before, or where it takes no seq. Counts what is missing before it.
+  // Throws StreamFault where the packet does not go on where the one before it ended.
+  std::optional<News> add(const v1::PacketHeader& header);
+
+  // The same request has been opened again, at events().
+  void restart();
+
+  // By sensor: what is due.
+  std::vector<std::uint64_t> seqs() const;
+  std::vector<std::uint64_t> events() const;
 
   const Losses& losses() const { return losses_; }
 
  private:
-  struct Next {
-    std::uint64_t seq = 0, first_event_index = 0;
-    std::int64_t t0_ns = 0;
+  struct Point {
+    std::uint64_t seq = 0, event = 0;
+    std::optional<std::int64_t> t_ns;
+    bool joined = true;  // false: the stream is to begin at `event`, whatever its seq
+    bool ended = false;
   };
-  std::map<std::uint32_t, Next> next_;  // by sensor
+  std::optional<News> join(const Point& due, const v1::PacketHeader& header) const;
+  std::optional<News> follow(const Point& due, const v1::PacketHeader& header);
+
+  std::vector<Point> due_;  // by sensor
   Losses losses_;
 };
 

@@ -3,18 +3,40 @@
 namespace saccade {
 
 StreamHandle::StreamHandle(ControlClient& control, const v1::OpenStream& wish) : control_(control) {
-  v1::Request request;
-  *request.mutable_open_stream() = wish;
-  opened_ = control_.call(std::move(request), kOpenDeadline).open_stream();
+  open(wish, kOpenDeadline, {});
 }
 
 StreamHandle::~StreamHandle() {
   close();
 }
 
+void StreamHandle::reopen(const std::vector<std::uint64_t>& from_events, std::chrono::milliseconds deadline,
+                          const Waiting& waiting) {
+  v1::OpenStream wish = opened_.resolved();
+  for (std::size_t i = 0; i < from_events.size(); ++i) {
+    wish.mutable_sensors(static_cast<int>(i))->set_from_event(from_events[i]);
+  }
+  open(wish, deadline, waiting);
+}
+
+// The server is asked first whether it is there, so that a request with a long deadline does not wait for one
+// that is not.
+void StreamHandle::open(const v1::OpenStream& wish, std::chrono::milliseconds deadline,
+                        const Waiting& waiting) {
+  v1::Request who, request;
+  who.mutable_server_info();
+  server_ = control_.call(std::move(who), ControlClient::kDeadline, waiting).server_info();
+  if (!opened_.stream_id().empty()) tellClose();
+  *request.mutable_open_stream() = wish;
+  opened_ = control_.call(std::move(request), deadline, waiting).open_stream();
+}
+
 void StreamHandle::close() {
-  if (closed_) return;
+  if (!closed_) tellClose();
   closed_ = true;
+}
+
+void StreamHandle::tellClose() {
   v1::Request request;
   request.mutable_close_stream()->set_stream_id(opened_.stream_id());
   request.mutable_close_stream()->set_token(opened_.token());
@@ -25,20 +47,25 @@ void StreamHandle::close() {
   }
 }
 
-Subscriber StreamHandle::subscribe(zmq::context_t& context, const v1::ServerDescription& server) const {
-  if (opened_.resolved().delivery() == v1::DELIVERY_BROADCAST) {
-    const auto endpoint = reachableEndpoint(server.broadcast_endpoint(), control_.endpoint());
-    return Subscriber(context, endpoint, {opened_.topics().begin(), opened_.topics().end()}, control_.keys());
+Subscriber StreamHandle::subscribe(zmq::context_t& context,
+                                   const std::vector<std::uint64_t>& from_seqs) const {
+  const CurveKeys& keys = control_.keys();
+  if (delivery() == v1::DELIVERY_BROADCAST) {
+    const auto endpoint = reachableEndpoint(server_.broadcast_endpoint(), control_.endpoint());
+    return Subscriber(context, endpoint, {opened_.topics().begin(), opened_.topics().end()}, keys);
   }
-  const auto endpoint = reachableEndpoint(server.data_endpoint(), control_.endpoint());
-  return Subscriber(context,
-                    {endpoint, opened_.stream_id(), opened_.token(), Subscriber::kCredit, control_.keys()});
+  const auto endpoint = reachableEndpoint(server_.data_endpoint(), control_.endpoint());
+  return Subscriber(context, {.endpoint = endpoint,
+                              .stream_id = opened_.stream_id(),
+                              .token = opened_.token(),
+                              .from_seqs = from_seqs,
+                              .keys = keys});
 }
 
-std::optional<v1::StreamInfo> StreamHandle::info() {
+std::optional<v1::StreamInfo> StreamHandle::info(const Waiting& waiting) {
   v1::Request request;
   request.mutable_list_streams();
-  const v1::Reply reply = control_.call(std::move(request));
+  const v1::Reply reply = control_.call(std::move(request), ControlClient::kDeadline, waiting);
   for (const v1::StreamInfo& stream : reply.list_streams().streams()) {
     if (stream.stream_id() == opened_.stream_id()) return stream;
   }

@@ -11,8 +11,10 @@ Subscriber::Subscriber(zmq::context_t& context, const Attachment& attachment)
       has_topic_(false),
       credit_(attachment.credit) {
   v1::DataRequest request;
-  request.mutable_attach()->set_stream_id(attachment.stream_id);
-  request.mutable_attach()->set_token(attachment.token);
+  v1::Attach& attach = *request.mutable_attach();
+  attach.set_stream_id(attachment.stream_id);
+  attach.set_token(attachment.token);
+  attach.mutable_from_seqs()->Assign(attachment.from_seqs.begin(), attachment.from_seqs.end());
   send(request);
   giveCredit(credit_);
 }
@@ -24,6 +26,7 @@ Subscriber::Subscriber(zmq::context_t& context, const std::string& endpoint,
 }
 
 std::optional<Batch> Subscriber::receive(std::chrono::milliseconds timeout) {
+  giveBack();
   std::vector<zmq::message_t> parts;
   if (!waitReadable(socket_, timeout)) return std::nullopt;
   if (!zmq::recv_multipart(socket_, std::back_inserter(parts), zmq::recv_flags::dontwait))
@@ -35,11 +38,15 @@ std::optional<Batch> Subscriber::receive(std::chrono::milliseconds timeout) {
   if (!batch.header.ParseFromArray(head.data(), static_cast<int>(head.size()))) {
     throw StreamFault("the server sent a header that cannot be read");
   }
-  if (batch.header.kind() != v1::KIND_HEARTBEAT) takeCredit(head.size() + payload.size());
-  std::string fault = decodePacket(batch.header, payload.to_string(), batch);
-  if (fault.empty() && batch.header.kind() == v1::KIND_ERROR) throw StreamFault(payload.to_string());
-  if (fault.empty()) fault = sequence_.add(batch.header);
+  const std::string fault = decodePacket(batch.header, payload.to_string(), batch);
   if (!fault.empty()) throw StreamFault("a packet must not be used: " + fault);
+  if (batch.header.kind() == v1::KIND_ERROR) {
+    throw StreamRefused(payload.to_string(), !batch.header.stream_id().empty());
+  }
+  if (batch.header.kind() != v1::KIND_HEARTBEAT) {
+    used_ += head.size() + payload.size();
+    safe_[batch.header.sensor()] = batch.header.seq();
+  }
   return batch;
 }
 
@@ -54,12 +61,15 @@ void Subscriber::giveCredit(std::uint64_t bytes) {
 }
 
 // Half is given back at once, so that the server never waits for the way there and back.
-void Subscriber::takeCredit(std::uint64_t bytes) {
-  if (credit_ == 0) return;
-  used_ += bytes;
-  if (used_ < credit_ / 2) return;
-  giveCredit(used_);
-  used_ = 0;
+void Subscriber::giveBack() {
+  if (credit_ == 0 || used_ < credit_ / 2) return;
+  for (const auto& [sensor, seq] : std::exchange(safe_, {})) {
+    v1::DataRequest request;
+    request.mutable_ack()->set_sensor(sensor);
+    request.mutable_ack()->set_seq(seq);
+    send(request);
+  }
+  giveCredit(std::exchange(used_, 0));
 }
 
 }  // namespace saccade

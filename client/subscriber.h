@@ -1,15 +1,15 @@
-// The data plane as a client sees it: batches of events, checked and decoded.
+// One connection to a stream: batches of events, decoded.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "client/sequence_check.h"
 #include "client/socket.h"
+#include "client/stream_fault.h"
 #include "saccade/v1/events.pb.h"
 #include "wire/packet.h"
 
@@ -19,18 +19,14 @@ struct Batch : PacketContent {
   v1::PacketHeader header;
 };
 
-// The stream cannot go on, or what arrives cannot be trusted.
-struct StreamFault : std::runtime_error {
-  using runtime_error::runtime_error;
-};
-
 class Subscriber {
  public:
   static constexpr std::uint64_t kCredit = 4 << 20;  // bytes that may be under way
 
   struct Attachment {
     std::string endpoint, stream_id, token;
-    std::uint64_t credit = kCredit;  // given at once, and topped up whenever half of it has arrived
+    std::vector<std::uint64_t> from_seqs = {};  // by sensor; empty: from the beginning
+    std::uint64_t credit = kCredit;             // given at once, and topped up whenever half of it is used
     CurveKeys keys = {};
   };
   // LOSSLESS and LIVE, on the data socket.
@@ -39,22 +35,22 @@ class Subscriber {
   Subscriber(zmq::context_t& context, const std::string& endpoint, const std::vector<std::string>& topics,
              const CurveKeys& keys = {});
 
-  // The next batch of any sensor; nothing when `timeout` has passed or a signal came first. Throws
-  // StreamFault at a packet of KIND_ERROR or one that fails its checks.
+  // The next batch of any sensor, heartbeats too; nothing when `timeout` has passed or a signal came first.
+  // The call says that the batch before is safe: the server may be told that it need not keep it. Throws
+  // StreamRefused at a packet of KIND_ERROR, StreamFault at one that fails its checks.
   std::optional<Batch> receive(std::chrono::milliseconds timeout);
-
-  const Losses& losses() const { return sequence_.losses(); }
 
  private:
   void send(const v1::DataRequest& request);
   void giveCredit(std::uint64_t bytes);
-  void takeCredit(std::uint64_t bytes);
+  void giveBack();
 
   zmq::socket_t socket_;
   bool has_topic_;            // broadcast: a part in front of the header
   std::uint64_t credit_ = 0;  // 0: this socket works without
-  std::uint64_t used_ = 0;    // bytes that arrived since credit was last given
-  SequenceCheck sequence_;
+  // Since credit was last given: the bytes that came, and by sensor the newest packet.
+  std::uint64_t used_ = 0;
+  std::map<std::uint32_t, std::uint64_t> safe_;
 };
 
 }  // namespace saccade

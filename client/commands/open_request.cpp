@@ -94,6 +94,7 @@ v1::OpenStream makeOpenStream(const RecordOptions& options) {
   *open.mutable_quality() = makeQuality(options);
   for (std::size_t i = 0; i < sensors; ++i) *open.add_sensors() = makeSensor(options, i);
   open.set_delivery(enumValue<v1::Delivery>("--delivery", "DELIVERY_", options.delivery));
+  if (!options.codec.empty()) open.set_codec(enumValue<v1::Codec>("--codec", "CODEC_", options.codec));
   open.set_seed(options.seed);
   return open;
 }

@@ -23,14 +23,32 @@ std::string barOf(double fraction) {
 Progress::Progress(double duration_s) : duration_s_(duration_s), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 void Progress::update(double stream_s, std::uint64_t events) {
-  const auto now = Clock::now();
-  if (now - shown_ < (terminal_ ? Clock::duration(kRedraw) : Clock::duration(kNextLine))) return;
-  shown_ = now;
+  if (!due()) return;
   const double wall = elapsed_s();
-  const std::string bar = terminal_ && duration_s_ > 0 ? barOf(stream_s / duration_s_) : "";
-  std::fprintf(stderr, "%s%s%.3f s, %llu events, %.3g events/s, %.3gx real time%s", terminal_ ? "\r" : "",
-               bar.c_str(), stream_s, static_cast<unsigned long long>(events), events / wall, stream_s / wall,
-               terminal_ ? "\x1b[K" : "\n");
+  char numbers[128];
+  std::snprintf(numbers, sizeof(numbers), "%.3f s, %llu events, %.3g events/s, %.3gx real time", stream_s,
+                static_cast<unsigned long long>(events), events / wall, stream_s / wall);
+  show((terminal_ && duration_s_ > 0 ? barOf(stream_s / duration_s_) : "") + numbers);
+}
+
+void Progress::note(const std::string& text) {
+  if (due()) show(text);
+}
+
+void Progress::tell(const std::string& text) {
+  finish();
+  std::fprintf(stderr, "%s\n", text.c_str());
+}
+
+bool Progress::due() {
+  const auto now = Clock::now();
+  if (now - shown_ < (terminal_ ? Clock::duration(kRedraw) : Clock::duration(kNextLine))) return false;
+  shown_ = now;
+  return true;
+}
+
+void Progress::show(const std::string& text) {
+  std::fprintf(stderr, terminal_ ? "\r%s\x1b[K" : "%s\n", text.c_str());
   open_line_ = terminal_;
 }
 

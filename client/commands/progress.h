@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace saccade {
 
@@ -11,12 +12,17 @@ class Progress {
   explicit Progress(double duration_s);  // of the stream; 0: unknown
 
   void update(double stream_s, std::uint64_t events);
-  void finish();  // leaves the line as it is
+  void note(const std::string& text);  // in the place of update(), where nothing comes
+  void tell(const std::string& text);  // a line of its own, at once
+  void finish();                       // leaves the line as it is
 
   double elapsed_s() const;  // wall-clock time since the start
 
  private:
   using Clock = std::chrono::steady_clock;
+  bool due();
+  void show(const std::string& text);
+
   const double duration_s_;
   const bool terminal_;
   const Clock::time_point start_ = Clock::now();

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "client/commands/interrupt.h"
 
@@ -9,15 +10,7 @@ namespace saccade {
 namespace {
 
 constexpr double kNsPerSecond = 1e9;
-constexpr std::chrono::seconds kSilence{5};  // after which the server is asked whether the stream still lives
-
-// A slow scene is silent, too; throws only where nothing can come any more.
-void checkAlive(StreamHandle& stream) {
-  const auto info = stream.info();
-  if (!info) throw StreamFault("the server no longer knows the stream");
-  const std::uint64_t frames = stream.opened().frames();
-  if (frames > 0 && info->frames_done() >= frames) throw StreamFault("the end of the stream was lost");
-}
+constexpr std::chrono::milliseconds kGlance{500};  // between two looks at Ctrl-C and the progress
 
 // Ctrl-C is the end that was meant where the stream has no other.
 void heedInterrupt(StreamHandle& stream) {
@@ -25,12 +18,15 @@ void heedInterrupt(StreamHandle& stream) {
   stream.close();
 }
 
-// One batch, or nothing after a while without.
-std::optional<Batch> nextBatch(Subscriber& subscriber, StreamHandle& stream) {
-  if (interrupted()) heedInterrupt(stream);
-  auto batch = subscriber.receive(kSilence);
-  if (!batch) checkAlive(stream);
-  return batch;
+void showProgress(const Subscription& subscription, const StreamHandle& stream, const Batch& batch,
+                  const Recorder& recorder, Progress& progress) {
+  if (subscription.catchingUp()) {
+    const std::uint64_t frames = stream.opened().frames();
+    progress.note("rendering again: frame " + std::to_string(batch.header.frame()) +
+                  (frames > 0 ? " of " + std::to_string(frames) : ""));
+  } else {
+    progress.update(recorder.duration_ns() / kNsPerSecond, recorder.events());
+  }
 }
 
 // A server that stops ends its streams early.
@@ -43,16 +39,26 @@ void checkWhole(const v1::StreamOpened& opened, double stream_s) {
 
 }  // namespace
 
-void receiveAll(Subscriber& subscriber, StreamHandle& stream, Recorder& recorder,
+void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& recorder,
                 std::optional<Preview>& preview, Progress& progress) {
+  std::uint64_t epoch = stream.opened().epoch();
   while (!recorder.complete()) {
-    const auto batch = nextBatch(subscriber, stream);
+    if (interrupted()) heedInterrupt(stream);
+    const auto batch = subscription.receive(kGlance);
+    if (std::exchange(epoch, stream.opened().epoch()) != stream.opened().epoch()) {
+      progress.tell("saccade: the server has started anew; it renders up to what is recorded, then on");
+    }
     if (!batch) continue;
     recorder.add(*batch);
-    if (preview) preview->see(*batch, stream);
-    progress.update(recorder.duration_ns() / kNsPerSecond, recorder.events());
+    if (preview && batch->header.kind() == v1::KIND_EVENTS) preview->see(*batch, stream);
+    showProgress(subscription, stream, *batch, recorder, progress);
   }
   checkWhole(stream.opened(), recorder.time_ns() / kNsPerSecond);
+}
+
+void showWaiting(Progress& progress) {
+  if (interrupted()) throw StreamFault("interrupted");
+  progress.note("waiting for the server");
 }
 
 }  // namespace saccade

@@ -6,13 +6,16 @@
 #include "client/commands/preview.h"
 #include "client/commands/progress.h"
 #include "client/recorder.h"
-#include "client/stream_handle.h"
+#include "client/subscription.h"
 
 namespace saccade {
 
 // Returns when every sensor has ended, as the stream or Ctrl-C on an endless one ends it. Throws StreamFault
-// where the end is not the one that was asked for, NoAnswer where the server is gone, and as Recorder does.
-void receiveAll(Subscriber& subscriber, StreamHandle& stream, Recorder& recorder,
+// where the end is not the one that was asked for, and as Subscription and Recorder do.
+void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& recorder,
                 std::optional<Preview>& preview, Progress& progress);
+
+// What receiveAll() does while a server that is away is waited for: to be Subscription::Patience::waiting.
+void showWaiting(Progress& progress);
 
 }  // namespace saccade

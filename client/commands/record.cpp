@@ -23,6 +23,10 @@ std::optional<Preview> makePreview(const std::string& path, const v1::Timing& ti
                  std::llround(kNsPerSecond / timing.frame_rate_hz()));
 }
 
+std::chrono::milliseconds secondsOf(double time_s) {
+  return std::chrono::milliseconds(std::llround(time_s * 1e3));
+}
+
 std::string keptText(const Recorder& recorder) {
   std::string text = "; what came (" + std::to_string(recorder.events()) + " events) is kept in";
   for (const std::string& file : recorder.files()) text += " " + file;
@@ -35,12 +39,6 @@ Recorder startRecorder(const std::string& path, int sensors) {
   } catch (const std::system_error& error) {
     throw std::invalid_argument(std::string("--output: ") + error.what());
   }
-}
-
-v1::ServerDescription describeServer(ControlClient& control) {
-  v1::Request request;
-  request.mutable_server_info();
-  return control.call(std::move(request)).server_info();
 }
 
 void printStagesOf(StreamHandle& stream) {
@@ -58,17 +56,18 @@ void runRecord(const RecordOptions& options) {
 
   zmq::context_t context;
   ControlClient control = connectTo(context, options.server);
-  const v1::ServerDescription server = describeServer(control);
   StreamHandle stream(control, wish);
   printChoice(stream.opened());
   printModel(stream.opened());
   printPixelSpeed(stream.opened());
   Recorder recorder = startRecorder(options.output, wish.sensors_size());
-  Subscriber subscriber = stream.subscribe(context, server);
   auto preview = makePreview(options.preview, stream.opened().resolved().timing());
   Progress progress(options.duration_s);
+  Subscription subscription(
+      context, stream,
+      {.retry_time = secondsOf(options.retry_time_s), .waiting = [&progress] { showWaiting(progress); }});
   try {
-    receiveAll(subscriber, stream, recorder, preview, progress);
+    receiveAll(subscription, stream, recorder, preview, progress);
   } catch (const std::exception& error) {
     progress.finish();
     throw std::runtime_error(error.what() + keptText(recorder));
@@ -78,7 +77,7 @@ void runRecord(const RecordOptions& options) {
   recorder.commit();
   printFiles(recorder.files(), preview && preview->written() ? options.preview : "");
   printRates(recorder, wall_s);
-  printLosses(subscriber.losses());
+  printLosses(subscription.losses());
   printStagesOf(stream);
 }
 

@@ -2,9 +2,16 @@
 
 #include "client/commands/commands.h"
 #include "client/writers/writer.h"
+#include "wire/codec_table.h"
 
 namespace saccade {
 namespace {
+
+std::vector<std::string> codecNames() {
+  std::vector<std::string> names;
+  for (const CodecInfo* codec : codecTable()) names.emplace_back(codec->name);
+  return names;
+}
 
 std::string checkPng(const std::string& path) {
   return path.ends_with(".png") ? "" : "'" + path + "' is no .png file";
@@ -61,6 +68,13 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       ->capture_default_str();
   command.add_option("--clock", o.clock, "as fast as can be, or in step with the wall clock")
       ->check(CLI::IsMember({"fast", "paced"}))
+      ->capture_default_str();
+  command.add_option("--codec", o.codec, "how events are compressed on the way; default: none")
+      ->check(CLI::IsMember(codecNames()));
+  command
+      .add_option("--retry-time", o.retry_time_s,
+                  "seconds to try again where the connection or the server is lost; 0: never")
+      ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command.add_option("--method", o.method, "see `saccade info`");
   CLI::Option* spp = command.add_option("--spp", o.spp, "paths per pixel and frame");

@@ -25,6 +25,8 @@ struct RecordOptions {
   std::string size = "346x260";
   double rate_hz = 500, duration_s = 2;
   std::string delivery = "lossless", clock = "fast";
+  std::string codec;
+  double retry_time_s = 60;
   std::string method;
   std::optional<std::uint32_t> spp, bounces;
   bool jitter = false;

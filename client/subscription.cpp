@@ -1,0 +1,159 @@
+#include "client/subscription.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+namespace saccade {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kGlance{200};  // between two calls of Waiting
+constexpr milliseconds kLongestPause{4000};
+
+// The packet without what came before.
+void cutOff(const SequenceCheck::News& news, Batch& batch) {
+  batch.events.erase(batch.events.begin(),
+                     batch.events.begin() + static_cast<std::ptrdiff_t>(news.known_events));
+  if (!batch.events.empty() && batch.events.front().t_ns < news.t0_ns) {
+    throw StreamFault("the stream does not come out as it did before it was lost");
+  }
+  v1::PacketHeader& header = batch.header;
+  header.set_first_event_index(header.first_event_index() + news.known_events);
+  header.set_count(static_cast<std::uint32_t>(batch.events.size()));
+  header.set_t0_ns(news.t0_ns);
+}
+
+bool mayPass(v1::Code code) {
+  return code == v1::CODE_UNAVAILABLE || code == v1::CODE_RESOURCE_EXHAUSTED;
+}
+
+}  // namespace
+
+Subscription::Subscription(zmq::context_t& context, StreamHandle& stream, Patience patience)
+    : context_(context),
+      stream_(stream),
+      patience_(std::move(patience)),
+      sequence_(stream.opened().resolved()) {
+  connect();
+}
+
+void Subscription::connect() {
+  // A subscriber's socket comes back by itself, and misses less than a new one.
+  if (!connection_ || stream_.delivery() != v1::DELIVERY_BROADCAST) {
+    connection_.emplace(stream_.subscribe(context_, sequence_.seqs()));
+  }
+  heard_ = false;
+  last_heard_ = Clock::now();
+}
+
+std::optional<Batch> Subscription::receive(milliseconds timeout) {
+  const auto until = Clock::now() + timeout;
+  while (true) {
+    const auto left = std::min(until, last_heard_ + patience_.silence) - Clock::now();
+    auto batch = receiveFromConnection(std::max(milliseconds(0), std::chrono::ceil<milliseconds>(left)));
+    if (batch && take(*batch)) return batch;
+    if (batch) continue;
+    if (Clock::now() - last_heard_ >= patience_.silence) mend();
+    return std::nullopt;
+  }
+}
+
+std::optional<Batch> Subscription::receiveFromConnection(milliseconds timeout) {
+  try {
+    return connection_->receive(timeout);
+  } catch (const StreamRefused& refused) {
+    if (heard_ && refused.connection_only) {
+      connect();
+    } else {
+      startAgain(refused.what());
+    }
+    return std::nullopt;
+  }
+}
+
+// Whether there is anything in it for the caller.
+bool Subscription::take(Batch& batch) {
+  heard_ = true;
+  last_heard_ = Clock::now();
+  lost_since_.reset();
+  if (batch.header.kind() == v1::KIND_HEARTBEAT) return true;
+  if (endsEarly(batch.header)) {
+    startAgain("the server ended the stream at frame " + std::to_string(batch.header.frame()));
+    return false;
+  }
+  const auto news = sequence_.add(batch.header);
+  if (!news) return false;
+  if (lossless() && losses().gaps > 0) throw StreamFault("packets of a LOSSLESS stream are missing");
+  cutOff(*news, batch);
+  failure_.clear();
+  return true;
+}
+
+// By the server's own will, and it is worth going on.
+bool Subscription::endsEarly(const v1::PacketHeader& header) const {
+  const bool left =
+      header.end_reason() == v1::END_REASON_DRAINING || header.end_reason() == v1::END_REASON_ABANDONED;
+  const std::uint64_t frames = stream_.opened().frames();
+  const bool last_frame = frames > 0 && header.frame() >= frames;
+  return left && !last_frame && lossless() && !stream_.closed() && patience_.retry_time.count() > 0;
+}
+
+// Nothing has come for a while: on another connection, or does the server still have the stream?
+void Subscription::mend() {
+  if (!lost_since_) lost_since_ = Clock::now();
+  if (outOfPatience()) throw StreamFault("the connection to the server is lost");
+  if (heard_ && stream_.delivery() != v1::DELIVERY_BROADCAST) return connect();
+  const auto info = retry([&](milliseconds) { return stream_.info(patience_.waiting); });
+  if (!info) return startAgain("the server no longer knows the stream");
+  const std::uint64_t frames = stream_.opened().frames();
+  if (stream_.delivery() == v1::DELIVERY_BROADCAST && frames > 0 && info->frames_done() >= frames) {
+    throw StreamFault("the end of the stream was lost");
+  }
+  connect();
+}
+
+void Subscription::startAgain(const std::string& failure) {
+  const bool again = failure == failure_;  // and nothing has come since
+  if (!lossless() || stream_.closed() || again || patience_.retry_time.count() == 0) {
+    throw StreamFault(failure);
+  }
+  if (!lost_since_) lost_since_ = Clock::now();
+  retry([&](milliseconds deadline) {
+    stream_.reopen(sequence_.events(), deadline, patience_.waiting);
+    return true;
+  });
+  failure_ = failure;
+  lost_since_.reset();
+  sequence_.restart();
+  connect();
+}
+
+bool Subscription::outOfPatience() const {
+  return Clock::now() - *lost_since_ >= patience_.retry_time;
+}
+
+void Subscription::pause(milliseconds time) const {
+  for (; time.count() > 0; time -= kGlance) {
+    if (patience_.waiting) patience_.waiting();
+    std::this_thread::sleep_for(std::min(time, kGlance));
+  }
+}
+
+// Each attempt may take twice as long as the one before.
+template <class Attempt>
+auto Subscription::retry(const Attempt& attempt) {
+  for (milliseconds deadline = ControlClient::kDeadline;; deadline *= 2) {
+    try {
+      return attempt(deadline);
+    } catch (const NoAnswer&) {
+      if (outOfPatience()) throw;
+    } catch (const Refused& refused) {
+      if (!mayPass(refused.code) || outOfPatience()) throw;
+    }
+    pause(std::min(deadline / 12, kLongestPause));
+  }
+}
+
+}  // namespace saccade
