@@ -1,16 +1,14 @@
 #include "client/subscription.h"
 
 #include <algorithm>
-#include <thread>
 #include <utility>
+
+#include "client/retry.h"
 
 namespace saccade {
 namespace {
 
 using std::chrono::milliseconds;
-
-constexpr milliseconds kGlance{200};  // between two calls of Waiting
-constexpr milliseconds kLongestPause{4000};
 
 // The packet without what came before.
 void cutOff(const SequenceCheck::News& news, Batch& batch) {
@@ -25,10 +23,6 @@ void cutOff(const SequenceCheck::News& news, Batch& batch) {
   header.set_t0_ns(news.t0_ns);
 }
 
-bool mayPass(v1::Code code) {
-  return code == v1::CODE_UNAVAILABLE || code == v1::CODE_RESOURCE_EXHAUSTED;
-}
-
 }  // namespace
 
 Subscription::Subscription(zmq::context_t& context, StreamHandle& stream, Patience patience)
@@ -41,7 +35,7 @@ Subscription::Subscription(zmq::context_t& context, StreamHandle& stream, Patien
 
 void Subscription::connect() {
   // A subscriber's socket comes back by itself, and misses less than a new one.
-  if (!connection_ || stream_.delivery() != v1::DELIVERY_BROADCAST) {
+  if (!connection_ || !broadcast()) {
     connection_.emplace(stream_.subscribe(context_, sequence_.seqs()));
   }
   heard_ = false;
@@ -85,7 +79,9 @@ bool Subscription::take(Batch& batch) {
   }
   const auto news = sequence_.add(batch.header);
   if (!news) return false;
-  if (lossless() && losses().gaps > 0) throw StreamFault("packets of a LOSSLESS stream are missing");
+  if (stream_.delivery() == v1::DELIVERY_LOSSLESS && losses().gaps > 0) {
+    throw StreamFault("packets of a LOSSLESS stream are missing");
+  }
   cutOff(*news, batch);
   failure_.clear();
   return true;
@@ -97,18 +93,19 @@ bool Subscription::endsEarly(const v1::PacketHeader& header) const {
       header.end_reason() == v1::END_REASON_DRAINING || header.end_reason() == v1::END_REASON_ABANDONED;
   const std::uint64_t frames = stream_.opened().frames();
   const bool last_frame = frames > 0 && header.frame() >= frames;
-  return left && !last_frame && lossless() && !stream_.closed() && patience_.retry_time.count() > 0;
+  return left && !last_frame && mayStartAgain();
 }
 
 // Nothing has come for a while: on another connection, or does the server still have the stream?
 void Subscription::mend() {
-  if (!lost_since_) lost_since_ = Clock::now();
-  if (outOfPatience()) throw StreamFault("the connection to the server is lost");
-  if (heard_ && stream_.delivery() != v1::DELIVERY_BROADCAST) return connect();
-  const auto info = retry([&](milliseconds) { return stream_.info(patience_.waiting); });
+  const auto until = patienceEnds();
+  if (Clock::now() >= until) throw StreamFault("the connection to the server is lost");
+  if (heard_ && !broadcast()) return connect();
+  std::optional<v1::StreamInfo> info;
+  retry([&](milliseconds) { info = stream_.info(patience_.waiting); }, until, patience_.waiting);
   if (!info) return startAgain("the server no longer knows the stream");
   const std::uint64_t frames = stream_.opened().frames();
-  if (stream_.delivery() == v1::DELIVERY_BROADCAST && frames > 0 && info->frames_done() >= frames) {
+  if (broadcast() && frames > 0 && info->frames_done() >= frames) {
     throw StreamFault("the end of the stream was lost");
   }
   connect();
@@ -116,44 +113,25 @@ void Subscription::mend() {
 
 void Subscription::startAgain(const std::string& failure) {
   const bool again = failure == failure_;  // and nothing has come since
-  if (!lossless() || stream_.closed() || again || patience_.retry_time.count() == 0) {
-    throw StreamFault(failure);
-  }
-  if (!lost_since_) lost_since_ = Clock::now();
-  retry([&](milliseconds deadline) {
+  if (!mayStartAgain() || again) throw StreamFault(failure);
+  const auto attempt = [&](milliseconds deadline) {
     stream_.reopen(sequence_.events(), deadline, patience_.waiting);
-    return true;
-  });
+  };
+  retry(attempt, patienceEnds(), patience_.waiting);
   failure_ = failure;
   lost_since_.reset();
   sequence_.restart();
   connect();
 }
 
-bool Subscription::outOfPatience() const {
-  return Clock::now() - *lost_since_ >= patience_.retry_time;
+bool Subscription::mayStartAgain() const {
+  const bool lossless = stream_.delivery() == v1::DELIVERY_LOSSLESS;
+  return lossless && !stream_.closed() && patience_.retry_time.count() > 0;
 }
 
-void Subscription::pause(milliseconds time) const {
-  for (; time.count() > 0; time -= kGlance) {
-    if (patience_.waiting) patience_.waiting();
-    std::this_thread::sleep_for(std::min(time, kGlance));
-  }
-}
-
-// Each attempt may take twice as long as the one before.
-template <class Attempt>
-auto Subscription::retry(const Attempt& attempt) {
-  for (milliseconds deadline = ControlClient::kDeadline;; deadline *= 2) {
-    try {
-      return attempt(deadline);
-    } catch (const NoAnswer&) {
-      if (outOfPatience()) throw;
-    } catch (const Refused& refused) {
-      if (!mayPass(refused.code) || outOfPatience()) throw;
-    }
-    pause(std::min(deadline / 12, kLongestPause));
-  }
+Subscription::Clock::time_point Subscription::patienceEnds() {
+  if (!lost_since_) lost_since_ = Clock::now();
+  return *lost_since_ + patience_.retry_time;
 }
 
 }  // namespace saccade

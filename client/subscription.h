@@ -40,17 +40,15 @@ class Subscription {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool lossless() const { return stream_.delivery() == v1::DELIVERY_LOSSLESS; }
+  bool broadcast() const { return stream_.delivery() == v1::DELIVERY_BROADCAST; }
   void connect();
   std::optional<Batch> receiveFromConnection(std::chrono::milliseconds timeout);
   bool take(Batch& batch);
   bool endsEarly(const v1::PacketHeader& header) const;
   void mend();
   void startAgain(const std::string& failure);
-  bool outOfPatience() const;
-  void pause(std::chrono::milliseconds time) const;
-  template <class Attempt>
-  auto retry(const Attempt& attempt);
+  bool mayStartAgain() const;
+  Clock::time_point patienceEnds();
 
   zmq::context_t& context_;
   StreamHandle& stream_;

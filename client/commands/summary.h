@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "client/recorder.h"
+#include "client/sequence_check.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade {

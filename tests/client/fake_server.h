@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
 #include <zmq.hpp>
 
@@ -31,6 +32,10 @@ class FakeServer {
     return message;
   }
   v1::DataRequest receive() { return receive<v1::DataRequest>(); }
+  bool saysNothing(std::chrono::milliseconds time) {
+    zmq::pollitem_t item{socket_.handle(), 0, ZMQ_POLLIN, 0};
+    return zmq::poll(&item, 1, time) == 0;
+  }
 
   // To whoever spoke last.
   void send(const google::protobuf::Message& head) {

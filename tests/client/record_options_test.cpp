@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "scratch_folder.h"
+#include "wire/codec_table.h"
 
 namespace saccade {
 namespace {
@@ -117,6 +118,20 @@ TEST(RecordOptions, AModelIsNamedOrLeftToWhatTheEventsNeed) {
     EXPECT_NE(faultOf("--needs '" + text + "'").find("--needs"), std::string::npos) << text;
   for (const std::string other : {"--bounces 2", "--without masks", "--budget-ms 20", "--max-false-rate 1"})
     EXPECT_NE(faultOf("--needs 2% " + other).find("--needs"), std::string::npos) << other;
+}
+
+TEST(RecordOptions, CodecsAreThoseOfTheTable) {
+  EXPECT_EQ(openStream("").codec(), v1::CODEC_UNSPECIFIED);
+  for (const CodecInfo* codec : codecTable()) {
+    EXPECT_EQ(openStream(std::string("--codec ") + codec->name).codec(), codec->id);
+  }
+  EXPECT_NE(faultOf("--codec lzw").find("zstd"), std::string::npos);
+}
+
+TEST(RecordOptions, TheTimeToRetryIsAMinuteUnlessSet) {
+  EXPECT_EQ(parse(kNeeded).retry_time_s, 60);
+  EXPECT_EQ(parse(kNeeded + "--retry-time 0").retry_time_s, 0);
+  EXPECT_NE(faultOf("--retry-time -1").find("--retry-time"), std::string::npos);
 }
 
 TEST(RecordOptions, AFileOfPosesIsSentAsText) {

@@ -116,6 +116,22 @@ TEST_F(RecorderTest, ARecordingMayBeginInTheMiddleOfAFeed) {
   EXPECT_EQ(recorder.duration_ns(), 100'000'000);
 }
 
+TEST_F(RecorderTest, SnapshotsAndHeartbeatsLeaveNoTrace) {
+  Recorder recorder(at("a.csv"), 1);
+  Batch snapshot = batchOf(0, v1::KIND_SNAPSHOT, {});
+  snapshot.header.set_t0_ns(3'000'000'000);
+  snapshot.pixels = {{0.5f}, {0.25f}};
+  recorder.add(snapshot);
+  Batch heartbeat = batchOf(0, v1::KIND_HEARTBEAT, {});
+  heartbeat.header.set_t1_ns(9'000'000'000);  // rendered, not received
+  recorder.add(heartbeat);
+  EXPECT_EQ(recorder.time_ns(), 3'000'000'000);
+  EXPECT_EQ(recorder.duration_ns(), 0);
+  recorder.add(batchOf(0, v1::KIND_END, {}));
+  recorder.commit();
+  EXPECT_EQ(textOf("a.csv"), "t_us,x,y,p\n");
+}
+
 TEST_F(RecorderTest, AFolderIsNoFile) {
   fs::create_directory(at("a.csv"));
   EXPECT_THROW(Recorder(at("a.csv"), 1), std::system_error);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <utility>
 
 #include "fake_server.h"
@@ -17,10 +18,12 @@ class SubscriberTest : public testing::Test {
  protected:
   // A client that is attached, its attach and first credit read.
   Subscriber attach(std::uint64_t credit) {
-    Subscriber client(context_, {server_.endpoint(), "s1", "secret", credit});
+    Subscriber client(context_, {server_.endpoint(), "s1", "secret", {4, 7}, credit});
     const auto attach = server_.receive().attach();
     EXPECT_EQ(attach.stream_id(), "s1");
     EXPECT_EQ(attach.token(), "secret");
+    EXPECT_EQ(std::vector(attach.from_seqs().begin(), attach.from_seqs().end()),
+              (std::vector<std::uint64_t>{4, 7}));
     EXPECT_EQ(server_.receive().credit().bytes(), credit);
     return client;
   }
@@ -64,38 +67,74 @@ TEST_F(SubscriberTest, NothingArrivesInTime) {
   EXPECT_FALSE(client.receive(std::chrono::milliseconds(0)));
 }
 
-TEST_F(SubscriberTest, RefillsCreditAtHalf) {
+// What was received last is not yet safe: the client may still be writing it.
+TEST_F(SubscriberTest, RefillsCreditAtHalfAndAcknowledgesWhatIsSafe) {
   const std::uint64_t kCredit = 1000;
   Subscriber client = attach(kCredit);
   for (int round = 0; round < 3; ++round) {
-    std::uint64_t sent = 0;
+    std::uint64_t sent = 0, last_seq = 0;
     while (sent < kCredit / 2) {
       const Packet packet = nextPacket();
       sent += bytesOf(packet);
+      last_seq = packet.header.seq();
       server_.send(packet);
       ASSERT_TRUE(client.receive(seconds(10)));
     }
-    // One message a round, of all that arrived: earlier refills would have come first and been smaller.
+    EXPECT_TRUE(server_.saysNothing(std::chrono::milliseconds(10)));
+    EXPECT_FALSE(client.receive(seconds(0)));
+    // One of each a round, of all that arrived: earlier ones would have come first and been smaller.
+    EXPECT_EQ(server_.receive().ack().seq(), last_seq);
     EXPECT_EQ(server_.receive().credit().bytes(), sent);
   }
 }
 
-TEST_F(SubscriberTest, CountsGaps) {
-  Subscriber client = attach(1 << 20);
-  for (const bool lost : {false, true, true, false, true, false}) {
-    const Packet packet = nextPacket();
-    if (lost) continue;
+TEST_F(SubscriberTest, EachSensorIsAcknowledged) {
+  Subscriber client = attach(100);
+  for (const std::uint32_t sensor : {0u, 1u}) {
+    Packet packet = nextPacket();
+    packet.header.set_sensor(sensor);
+    packet.header.set_seq(8 + sensor);
     server_.send(packet);
     ASSERT_TRUE(client.receive(seconds(10)));
   }
-  EXPECT_EQ(client.losses().gaps, 2u);
-  EXPECT_EQ(client.losses().packets, 3u);
-  EXPECT_EQ(client.losses().events, 3u);
+  client.receive(seconds(0));
+  std::map<std::uint32_t, std::uint64_t> seqs;
+  for (int i = 0; i < 4; ++i) {
+    const v1::DataRequest request = server_.receive();
+    if (request.has_ack()) seqs[request.ack().sensor()] = request.ack().seq();
+  }
+  EXPECT_EQ(seqs, (std::map<std::uint32_t, std::uint64_t>{{0, 8}, {1, 9}}));
 }
 
-TEST_F(SubscriberTest, AnErrorOfTheStreamIsThrownWithItsText) {
+TEST_F(SubscriberTest, HeartbeatsCostNothing) {
+  Subscriber client = attach(10);
+  v1::PacketHeader heartbeat;
+  heartbeat.set_kind(v1::KIND_HEARTBEAT);
+  heartbeat.set_frame(12);
+  server_.send(sealPacket(heartbeat, {}));
+  const auto batch = client.receive(seconds(10));
+  ASSERT_TRUE(batch);
+  EXPECT_EQ(batch->header.frame(), 12u);
+  client.receive(seconds(0));
+  EXPECT_TRUE(server_.saysNothing(std::chrono::milliseconds(10)));
+}
+
+TEST_F(SubscriberTest, AnErrorIsThrownWithItsText) {
   Subscriber client = attach(1000);
   EXPECT_EQ(faultOf(client, makeErrorPacket("s1", "wrong token")), "wrong token");
+}
+
+TEST_F(SubscriberTest, AnErrorMayBeOfTheConnectionAlone) {
+  Subscriber client = attach(1000);
+  for (const std::string stream : {"", "s1"}) {
+    server_.send(makeErrorPacket(stream, "attach first"));
+    try {
+      client.receive(seconds(10));
+      FAIL() << "no fault";
+    } catch (const StreamRefused& refused) {
+      EXPECT_EQ(refused.connection_only, stream.empty());
+    }
+  }
 }
 
 TEST_F(SubscriberTest, BadPacketsAreFaults) {

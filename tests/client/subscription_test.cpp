@@ -1,0 +1,261 @@
+// A stream whose connection and server come and go as a test says: both ends of the server are played by it.
+#include "client/subscription.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <future>
+
+#include "fake_server.h"
+
+namespace saccade {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::int64_t kMs = 1'000'000;
+
+// The packets of a stream of 20 ms, an event each ms, cut every 5 ms, and END.
+std::vector<Packet> packetsOf(const std::string& stream, std::int64_t until_ms = 20,
+                              v1::EndReason reason = v1::END_REASON_FINISHED) {
+  PacketCutter cutter(PacketCutter::Source{stream, 9, 0, 346, 260});
+  std::vector<Packet> packets;
+  const auto add = [&](std::vector<Packet> more) { packets.insert(packets.end(), more.begin(), more.end()); };
+  for (std::int64_t t = 0; t < until_ms; ++t) {
+    const Event event{t * kMs, static_cast<std::uint16_t>(t), 2, 1};
+    add(cutter.cut(Events{event}, {t * kMs, (t + 1) * kMs, static_cast<std::uint64_t>(t), 0}));
+  }
+  add(cutter.end(until_ms * kMs, static_cast<std::uint64_t>(until_ms), reason));
+  return packets;
+}
+
+Events eventsOf(std::int64_t until_ms) {
+  Events events;
+  for (std::int64_t t = 0; t < until_ms; ++t)
+    events.push_back({t * kMs, static_cast<std::uint16_t>(t), 2, 1});
+  return events;
+}
+
+class SubscriptionTest : public testing::Test {
+ protected:
+  // The server's part. Answers what is asked on control until a stream is opened, as `stream`; what was
+  // asked.
+  v1::OpenStream open(const std::string& stream) {
+    while (true) {
+      const auto request = control_.receive<v1::Request>();
+      v1::Reply reply;
+      reply.set_request_id(request.request_id());
+      reply.mutable_status()->set_code(v1::CODE_OK);
+      if (request.has_list_streams()) reply.mutable_list_streams();  // it knows of none
+      if (request.has_server_info()) reply.mutable_server_info()->set_data_endpoint(data_.endpoint());
+      if (request.has_open_stream()) {
+        v1::StreamOpened& opened = *reply.mutable_open_stream();
+        opened.set_stream_id(stream);
+        opened.set_frames(20);
+        *opened.mutable_resolved() = request.open_stream();
+      }
+      if (!request.has_close_stream()) control_.send(reply);
+      if (request.has_open_stream() || testing::Test::HasFailure()) return request.open_stream();
+    }
+  }
+  v1::Attach attached() {
+    v1::DataRequest request;
+    while (!request.has_attach() && !testing::Test::HasFailure()) request = data_.receive();
+    return request.attach();
+  }
+  void send(const std::vector<Packet>& packets, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i <= last; ++i) data_.send(packets.at(i));
+  }
+
+  // The client's part: its batches until END, while the server does `script`.
+  void record(const std::function<void()>& script, Subscription::Patience patience = {}) {
+    auto server = std::async(std::launch::async, script);
+    patience.silence = milliseconds(150);
+    ControlClient control(context_, control_.endpoint());
+    StreamHandle stream(control, wish_);
+    Subscription subscription(context_, stream, patience);
+    for (bool ended = false; !ended;) {
+      const auto batch = subscription.receive(milliseconds(1000));
+      if (!batch) continue;
+      if (batch->header.kind() == v1::KIND_HEARTBEAT) {
+        EXPECT_TRUE(subscription.catchingUp());
+        ++heartbeats_;
+        continue;
+      }
+      EXPECT_FALSE(subscription.catchingUp());
+      EXPECT_EQ(batch->header.first_event_index(), events_.size());
+      EXPECT_EQ(batch->header.count(), batch->events.size());
+      events_.insert(events_.end(), batch->events.begin(), batch->events.end());
+      ended = batch->header.kind() == v1::KIND_END;
+    }
+    losses_ = subscription.losses();
+  }
+  std::string faultOf(const std::function<void()>& script, const Subscription::Patience& patience = {}) {
+    try {
+      record(script, patience);
+    } catch (const std::runtime_error& fault) {
+      return fault.what();
+    }
+    return "no fault";
+  }
+
+  zmq::context_t context_;
+  FakeServer control_{context_}, data_{context_};
+  v1::OpenStream wish_ = [] {
+    v1::OpenStream wish;
+    wish.set_delivery(v1::DELIVERY_LOSSLESS);
+    wish.add_sensors()->set_threshold(0.25);
+    return wish;
+  }();
+  Events events_;
+  Losses losses_;
+  int heartbeats_ = 0;
+};
+
+TEST_F(SubscriptionTest, AfterSilenceAnotherConnectionGoesOn) {
+  const auto packets = packetsOf("s1");
+  record([&] {
+    open("s1");
+    EXPECT_EQ(attached().from_seqs(0), 0u);
+    send(packets, 0, 1);
+    EXPECT_EQ(attached().from_seqs(0), 2u);
+    send(packets, 1, 4);  // the first of them was under way already
+  });
+  EXPECT_EQ(events_, eventsOf(20));
+}
+
+TEST_F(SubscriptionTest, AServerThatKnowsNothingOfTheConnectionIsAskedAgain) {
+  const auto packets = packetsOf("s1");
+  record([&] {
+    open("s1");
+    attached();
+    send(packets, 0, 1);
+    data_.send(makeErrorPacket("", "attach to a stream before giving credit"));
+    EXPECT_EQ(attached().from_seqs(0), 2u);
+    send(packets, 2, 4);
+  });
+  EXPECT_EQ(events_, eventsOf(20));
+}
+
+TEST_F(SubscriptionTest, AStreamThatIsLostIsOpenedAgainAndGoesOnWhereItWas) {
+  const auto packets = packetsOf("s1"), again = packetsOf("s2");
+  record([&] {
+    open("s1");
+    attached();
+    send(packets, 0, 1);
+    attached();
+    data_.send(makeErrorPacket("s1", "no stream of this name"));
+    const v1::OpenStream request = open("s2");
+    EXPECT_EQ(request.sensors(0).from_event(), 10u);
+    EXPECT_EQ(request.sensors(0).threshold(), 0.25);
+    const v1::Attach attach = attached();
+    EXPECT_EQ(attach.stream_id(), "s2");
+    EXPECT_EQ(attach.from_seqs(0), 0u);
+    v1::PacketHeader heartbeat;
+    heartbeat.set_kind(v1::KIND_HEARTBEAT);
+    data_.send(sealPacket(heartbeat, {}));
+    send(again, 2, 4);
+  });
+  EXPECT_EQ(events_, eventsOf(20));
+  EXPECT_EQ(heartbeats_, 1);
+}
+
+TEST_F(SubscriptionTest, WhatADrainedServerHasCutShortComesOnce) {
+  const auto packets = packetsOf("s1", 7, v1::END_REASON_DRAINING), again = packetsOf("s2");
+  record([&] {
+    open("s1");
+    attached();
+    send(packets, 0, 2);
+    EXPECT_EQ(open("s2").sensors(0).from_event(), 7u);
+    attached();
+    send(again, 1, 4);
+  });
+  EXPECT_EQ(events_, eventsOf(20));
+}
+
+TEST_F(SubscriptionTest, AStreamThatIsNotWhatItWasIsAFault) {
+  const auto packets = packetsOf("s1", 7, v1::END_REASON_DRAINING);
+  PacketCutter cutter(PacketCutter::Source{"s2", 9, 0, 346, 260});
+  const std::int64_t t = 5 * kMs;
+  cutter.cut(eventsOf(5), {0, t, 0, 0});
+  const Events early{{t, 1, 2, 1}, {t, 1, 2, 1}, {t, 1, 2, 1}};
+  const auto other = cutter.cut(early, {t, 2 * t, 5, 0});
+  EXPECT_NE(faultOf([&] {
+              open("s1");
+              attached();
+              send(packets, 0, 2);
+              open("s2");
+              attached();
+              send(other, 0, 0);
+            }).find("does not come out as it did"),
+            std::string::npos);
+}
+
+TEST_F(SubscriptionTest, TheSameFailureTwiceIsTheEnd) {
+  const auto fail = [&](const std::string& stream) {
+    open(stream);
+    attached();
+    data_.send(makeErrorPacket(stream, "the scene is gone"));
+  };
+  EXPECT_EQ(faultOf([&] { fail("s1"), fail("s2"); }), "the scene is gone");
+}
+
+TEST_F(SubscriptionTest, WithoutTimeToRetryTheEndIsTakenAsItComes) {
+  const auto packets = packetsOf("s1", 7, v1::END_REASON_DRAINING);
+  record([&] { open("s1"), attached(), send(packets, 0, 2); }, {.retry_time = milliseconds(0)});
+  EXPECT_EQ(events_, eventsOf(7));
+}
+
+TEST_F(SubscriptionTest, WithoutTimeToRetrySilenceIsAFault) {
+  EXPECT_EQ(faultOf([&] { open("s1"), attached(); }, {.retry_time = milliseconds(0)}),
+            "the connection to the server is lost");
+}
+
+TEST_F(SubscriptionTest, AServerThatIsAwayIsWaitedForAsLongAsTheCallerLikes) {
+  int waits = 0;
+  const auto waiting = [&waits] {
+    if (++waits == 3) throw StreamFault("enough");
+  };
+  EXPECT_EQ(faultOf([&] { open("s1"), attached(); }, {.waiting = waiting}), "enough");
+}
+
+TEST_F(SubscriptionTest, MissingPacketsOfALosslessStreamAreAFault) {
+  const auto packets = packetsOf("s1");
+  const auto script = [&] { open("s1"), attached(), send(packets, 0, 0), send(packets, 2, 4); };
+  EXPECT_NE(faultOf(script).find("missing"), std::string::npos);
+}
+
+class LiveSubscription : public SubscriptionTest {
+ protected:
+  LiveSubscription() { wish_.set_delivery(v1::DELIVERY_LIVE); }
+};
+
+TEST_F(LiveSubscription, GoesOnWithWhatIsLeftAndCountsTheGap) {
+  const auto packets = packetsOf("s1");
+  record([&] {
+    open("s1");
+    attached();
+    send(packets, 0, 0);
+    EXPECT_EQ(attached().from_seqs(0), 1u);
+    // The events of two packets are missing.
+    events_ = eventsOf(15);
+    send(packets, 3, 4);
+  });
+  EXPECT_EQ(losses_.packets, 2u);
+  EXPECT_EQ(losses_.events, 10u);
+}
+
+TEST_F(LiveSubscription, IsNotOpenedAgain) {
+  const auto packets = packetsOf("s1");
+  EXPECT_EQ(faultOf([&] {
+              open("s1");
+              attached();
+              send(packets, 0, 0);
+              attached();
+              data_.send(makeErrorPacket("s1", "no stream of this name"));
+            }),
+            "no stream of this name");
+}
+
+}  // namespace
+}  // namespace saccade
