@@ -15,8 +15,13 @@ namespace {
 bool cpuSuffices() {
   const std::string_view arch = SACCADE_ARCH;
   __builtin_cpu_init();
-  if (arch == "x86-64-v4") return __builtin_cpu_supports("x86-64-v4");
-  return __builtin_cpu_supports("x86-64-v3");
+  // Feature by feature: Clang 14 does not know the levels by name.
+  const bool v3 =
+      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
+  if (arch != "x86-64-v4") return v3;
+  return v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl");
 }
 
 sigset_t blockSignals() {

@@ -29,7 +29,7 @@ const FuzzTarget& fuzzTarget() {
                                  {kKey, " ", "\n", "\r\n", "\t", "# ", "#", std::string(1, '\0'), "\xff"},
                                  read,
                                  nullptr,
-                                 10000};
+                                 2000};
   return target;
 }
 

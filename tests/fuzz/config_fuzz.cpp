@@ -121,7 +121,7 @@ const FuzzTarget& fuzzTarget() {
                                   "#"},
                                  read,
                                  nullptr,
-                                 5000};
+                                 2000};
   return target;
 }
 
