@@ -48,7 +48,10 @@ ControlServer::ControlServer(const std::string& endpoint, std::int64_t max_bytes
                              const std::optional<ServerKeys>& keys)
     : counts_(counts),
       loop_(std::make_shared<SocketLoop>(
-          SocketOptions{.endpoint = endpoint, .max_part_bytes = max_bytes, .keys = keys})),
+          SocketOptions{.endpoint = endpoint,
+                        .max_part_bytes = max_bytes,
+                        .send_queue = 1024,  // replies, mostly short, to who asks much at once
+                        .keys = keys})),
       outbox_(std::make_shared<Outbox>()) {}
 
 ControlServer::~ControlServer() {

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <latch>
 #include <thread>
 
 #include "base/quantile.h"
@@ -17,6 +18,8 @@ namespace saccade {
 namespace {
 
 constexpr int kFeeds = 4, kRequests = 2000;
+constexpr std::chrono::milliseconds kPause{
+    2};  // between requests, so that the feeds render many frames meanwhile
 constexpr double kMostP99Ms = 20;
 
 std::string controlEndpoint(const std::string& ready_line) {
@@ -25,12 +28,14 @@ std::string controlEndpoint(const std::string& ready_line) {
 }
 
 // Takes what comes until `stop`.
-void receive(const std::string& data, const v1::StreamOpened& stream, const std::atomic<bool>& stop) {
+void receive(const std::string& data, const v1::StreamOpened& stream, std::latch& all_render,
+             const std::atomic<bool>& stop) {
   MockSubscriber subscriber(data);
   subscriber.attach(stream);
   subscriber.giveCredit(4 << 20);
-  while (!stop) {
+  for (bool first = true; !stop; first = false) {
     const auto packet = subscriber.receive();
+    if (first) all_render.count_down();
     if (!packet) return ADD_FAILURE() << "a feed stands still";
     subscriber.giveCredit(packet->bytes);
   }
@@ -59,13 +64,18 @@ TEST(ControlLatency, IsShortWhileFourFeedsRender) {
   request.mutable_view()->set_height(192);
   request.mutable_timing()->set_duration_s(0);
   std::atomic<bool> stop = false;
+  std::latch all_render(kFeeds);
   std::vector<std::thread> receivers;
   for (int i = 0; i < kFeeds; ++i) {
     const auto stream = client.open(request);
-    receivers.emplace_back([&, stream] { receive(data, stream, stop); });
+    receivers.emplace_back([&, stream] { receive(data, stream, all_render, stop); });
   }
+  all_render.wait();
   std::vector<float> times;
-  for (int i = 0; i < kRequests; ++i) times.push_back(milliseconds(client, i));
+  for (int i = 0; i < kRequests; ++i) {
+    std::this_thread::sleep_for(kPause);
+    times.push_back(milliseconds(client, i));
+  }
   stop = true;
   for (auto& receiver : receivers) receiver.join();
   const float p99 = quantile(times, 0.99);

@@ -84,7 +84,9 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
   TilePool pool(1);
   Totals totals;
   const auto feed = [&] {
-    const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
+    FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
+    std::string none;
+    EXPECT_EQ(resolveParams(*findMethod(config.method), {}, config.params, none), "");
     return std::make_shared<FeedRunner>(
         std::make_unique<Feed>(std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
                                Trajectory({{TimeNs(0), Pose{}}}), config, pool),
