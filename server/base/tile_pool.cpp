@@ -1,6 +1,7 @@
 #include "base/tile_pool.h"
 
 #include <pmmintrin.h>
+#include <sys/resource.h>
 #include <xmmintrin.h>
 #include <algorithm>
 #include <condition_variable>
@@ -13,6 +14,9 @@
 
 namespace saccade {
 namespace {
+
+// Who answers clients or sends packets has little to do, and shall not wait for a turn of who renders.
+constexpr int kNiceness = 5;
 
 std::chrono::nanoseconds threadCpuTime() {
   timespec t;
@@ -79,6 +83,8 @@ TilePool::Job& TilePool::Workers::takePiece(int& piece) {
 
 void TilePool::Workers::work() {
   flushDenormalsToZero();
+  setpriority(PRIO_PROCESS, 0,
+              kNiceness);  // of this thread alone; may be forbidden, and is then done without
   std::unique_lock lock(mutex);
   while (true) {
     wanted.wait(lock, [&] { return stop || !idle(); });
