@@ -83,8 +83,8 @@ TilePool::Job& TilePool::Workers::takePiece(int& piece) {
 
 void TilePool::Workers::work() {
   flushDenormalsToZero();
-  setpriority(PRIO_PROCESS, 0,
-              kNiceness);  // of this thread alone; may be forbidden, and is then done without
+  // Of this thread alone.
+  setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kNiceness);
   std::unique_lock lock(mutex);
   while (true) {
     wanted.wait(lock, [&] { return stop || !idle(); });
