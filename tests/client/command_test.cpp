@@ -200,8 +200,9 @@ TEST_F(CommandAndServer, RefusalsNameWhatIsValid) {
 class Interrupted : public CommandAndServer {
  protected:
   Child startRecord(const std::string& duration) {
-    Child child(SACCADE_COMMAND " record cornell-box --trajectory right --size 32x24 --duration " + duration +
-                " -o " + file_ + server_.option());
+    Child child(SACCADE_COMMAND
+                " record cornell-box --trajectory right --size 32x24 --retry-time 0 --duration " +
+                duration + " -o " + file_ + server_.option());
     const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     while (!begun() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
     return child;

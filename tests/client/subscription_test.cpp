@@ -70,7 +70,7 @@ class SubscriptionTest : public testing::Test {
   // The client's part: its batches until END, while the server does `script`.
   void record(const std::function<void()>& script, Subscription::Patience patience = {}) {
     auto server = std::async(std::launch::async, script);
-    patience.silence = milliseconds(150);
+    patience.silence = milliseconds(500);
     ControlClient control(context_, control_.endpoint());
     StreamHandle stream(control, wish_);
     Subscription subscription(context_, stream, patience);

@@ -1,0 +1,76 @@
+// What `saccade record` writes when its server is lost in the middle and comes back: the same, byte by byte.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "client/scratch_folder.h"
+#include "mock/server_process.h"
+#include "mock/wait_until.h"
+
+namespace saccade {
+namespace {
+
+namespace fs = std::filesystem;
+
+class LostServer : public testing::Test {
+ protected:
+  Process record(const std::string& file, const std::vector<std::string>& more) const {
+    std::vector<std::string> words{SACCADE_COMMAND, "record", "cornell-box",   "--trajectory", "right",
+                                   "--size",        "32x24",  "--threshold",   "0.05",         "--duration",
+                                   "0.6",           "-o",     folder_.at(file)};
+    words.insert(words.end(), {"--control", control_});
+    words.insert(words.end(), more.begin(), more.end());
+    return Process(words);
+  }
+
+  // Once some of `file` is written, the server gets `signal` and another takes its place.
+  void replaceServer(const std::string& file, int signal) {
+    const std::string partial = folder_.at(file + ".partial");
+    const auto begun = [&] { return fs::exists(partial) && fs::file_size(partial) > 0; };
+    ASSERT_TRUE(waitUntil(begun, kPatience));
+    server_->process().signal(signal);
+    server_->process().finish();
+    server_.emplace(std::vector<std::string>{"--control", control_, "--data", data_});
+  }
+
+  std::string textOf(const std::string& file) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_.at(file)).rdbuf();
+    return text.str();
+  }
+
+  const ScratchFolder folder_;
+  std::optional<ServerProcess> server_{std::in_place};
+  const std::string control_ = server_->control(), data_ = server_->data();
+};
+
+TEST_F(LostServer, KilledTheRecordingIsWhatItWouldHaveBeen) {
+  const std::vector<std::string> two{"--threshold", "0.1", "--codec", "zstd"};
+  EXPECT_EQ(record("whole.csv", two).finish(), 0);
+  Process disturbed = record("a.csv", two);
+  replaceServer("a-0.csv", SIGKILL);
+  const std::string output = disturbed.rest();
+  EXPECT_EQ(disturbed.finish(), 0) << output;
+  EXPECT_NE(output.find("the server has started anew"), std::string::npos) << output;
+  EXPECT_EQ(output.find("lost on the way"), std::string::npos) << output;
+  for (const std::string sensor : {"-0.csv", "-1.csv"}) {
+    EXPECT_GT(textOf("whole" + sensor).size(), 10000u);
+    EXPECT_TRUE(textOf("a" + sensor) == textOf("whole" + sensor)) << sensor;
+  }
+}
+
+TEST_F(LostServer, DrainedTheRecordingIsWhatItWouldHaveBeen) {
+  EXPECT_EQ(record("whole.csv", {}).finish(), 0);
+  Process disturbed = record("a.csv", {});
+  replaceServer("a.csv", SIGTERM);
+  const std::string output = disturbed.rest();
+  EXPECT_EQ(disturbed.finish(), 0) << output;
+  EXPECT_NE(output.find("the server has started anew"), std::string::npos) << output;
+  EXPECT_TRUE(textOf("a.csv") == textOf("whole.csv"));
+}
+
+}  // namespace
+}  // namespace saccade
