@@ -118,8 +118,10 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       "Motions: dolly:0.2 (forward), truck (right), pedestal (up), in scene units per second;\n"
       "pan:-15 (right), tilt (up), roll (clockwise), orbit (right), shake (hand-held), in degrees\n"
       "per second. A negative speed goes the other way.\n\n"
-      "What has no default here is left to the server. Exit codes: 0 recorded, 1 the stream or the server "
-      "failed,\n2 wrong usage. Until it is complete, the file is called FILE.partial.\n\n"
+      "What has no default here is left to the server. A lossless recording outlives its server: it goes on\n"
+      "where it was with one that comes within the time to retry. Exit codes: 0 recorded, 1 the stream or "
+      "the\n"
+      "server failed, 2 wrong usage. Until it is complete, the file is called FILE.partial.\n\n"
       "saccade record cornell-bunny --trajectory right --size 240x180 -o events.csv --preview events.png");
 }
 

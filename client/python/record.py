@@ -1,9 +1,12 @@
 # A whole client. Make its modules once: protoc --python_out=. -I proto proto/saccade/v1/*.proto
-# Then: PYTHONPATH=. python3 client/python/record.py [CONTROL_PORT DATA_PORT]
+# Then: PYTHONPATH=. python3 client/python/record.py [CONTROL_PORT DATA_PORT [SECRET_KEY_FILE SERVER_PUBLIC_KEY_FILE]]
 import sys, zmq, numpy as np, saccade.v1.control_pb2 as c, saccade.v1.events_pb2 as e
 
 control, data = (zmq.Context.instance().socket(zmq.DEALER) for _ in range(2))
-for s, port in zip((control, data), sys.argv[1:] or (5770, 5771)): s.connect(f"tcp://127.0.0.1:{port}")
+for s, port in zip((control, data), sys.argv[1:3] or (5770, 5771)):
+    if keys := [open(file, "rb").read().strip() for file in sys.argv[3:]]:  # for a server that wants them
+        s.curve_secretkey, s.curve_publickey, s.curve_serverkey = keys[0], zmq.curve_public(keys[0]), keys[1]
+    s.connect(f"tcp://127.0.0.1:{port}")
 control.send(c.Request(protocol_version=1, open_stream=c.OpenStream(
     scene="cornell-box", trajectory=dict(name="right"), view=dict(width=64, height=48),
     timing=dict(frame_rate_hz=500, duration_s=0.1), sensors=[dict(threshold=0.2)])).SerializeToString())

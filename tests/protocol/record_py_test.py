@@ -14,13 +14,21 @@ MISSING = [name for name in ("zmq", "numpy", "google") if importlib.util.find_sp
 
 class RecordPy(unittest.TestCase):
     def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        schema = [str(p) for p in sorted((ROOT / "proto/saccade/v1").glob("*.proto"))]
+        subprocess.run([PROTOC, f"--python_out={self.folder}", "-I", str(ROOT / "proto"), *schema], check=True)
+
+    def start(self, *flags):
         free = "tcp://127.0.0.1:*"
         self.server = subprocess.Popen(
-            [SACCADED, "--control", free, "--data", free, "--broadcast", free, "--http", "off", "--threads", "1"],
+            [SACCADED, "--control", free, "--data", free, "--broadcast", free, "--http", "off", "--threads", "1", *flags],
             stdout=subprocess.PIPE, text=True)
+        self.addCleanup(self.stop)
         self.ports = self.awaitLine(r"ready: control \S+:(\d+) data \S+:(\d+)").groups()
 
-    def tearDown(self):
+    def stop(self):
         self.server.terminate()
         self.server.communicate(timeout=60)
         self.assertEqual(self.server.returncode, 0)
@@ -28,24 +36,38 @@ class RecordPy(unittest.TestCase):
     def awaitLine(self, pattern):
         return next(filter(None, (re.search(pattern, line) for line in self.server.stdout)))
 
-    def test_it_records_a_stream_to_its_end(self):
-        with tempfile.TemporaryDirectory() as folder:
-            schema = [str(p) for p in sorted((ROOT / "proto/saccade/v1").glob("*.proto"))]
-            subprocess.run([PROTOC, f"--python_out={folder}", "-I", str(ROOT / "proto"), *schema], check=True)
-            done = subprocess.run([sys.executable, str(ROOT / "client/python/record.py"), *self.ports],
-                                  env={**os.environ, "PYTHONPATH": folder}, capture_output=True, text=True,
-                                  timeout=120, check=False)
+    def record(self, *keys, timeout=120):
+        return subprocess.run([sys.executable, str(ROOT / "client/python/record.py"), *self.ports, *keys],
+                              env={**os.environ, "PYTHONPATH": str(self.folder)}, capture_output=True, text=True,
+                              timeout=timeout, check=False)
+
+    def expectAll(self, done):
         self.assertEqual(done.returncode, 0, done.stderr)
         told = sum(int(re.match(r"(\d+) events from", line)[1]) for line in done.stdout.splitlines())
         self.assertEqual(told, int(self.awaitLine(r"ended after 50 frames: (\d+) events")[1]))
         self.assertGreater(told, 0)
 
+    def test_it_records_a_stream_to_its_end(self):
+        self.start()
+        self.expectAll(self.record())
+
+    def test_it_has_keys_for_a_server_that_wants_them(self):
+        import zmq
+        for name in ("server", "alice"):
+            public, secret = zmq.curve_keypair()
+            (self.folder / f"{name}.pub").write_bytes(public + b"\n")
+            (self.folder / f"{name}.key").write_bytes(secret + b"\n")
+        self.start("--secret-key", self.folder / "server.key", "--client-keys", self.folder / "alice.pub")
+        self.expectAll(self.record(self.folder / "alice.key", self.folder / "server.pub"))
+        with self.assertRaises(subprocess.TimeoutExpired):
+            self.record(timeout=2)
+
 
 class Source(unittest.TestCase):
-    def test_it_has_fifteen_lines_of_code(self):
+    def test_it_has_eighteen_lines_of_code(self):
         code = [line for line in (ROOT / "client/python/record.py").read_text().splitlines()
                 if line.strip() and not line.strip().startswith("#")]
-        self.assertLessEqual(len(code), 15)
+        self.assertLessEqual(len(code), 18)
 
 
 if __name__ == "__main__":
