@@ -23,6 +23,7 @@ class BroadcastServer {
   // Binds; throws std::runtime_error. Keeps a reference.
   BroadcastServer(const std::string& endpoint, const SessionDirectory& sessions,
                   const std::optional<ServerKeys>& keys = std::nullopt);
+  ~BroadcastServer() { stop(); }
 
   std::string endpoint() const { return loop_.endpoint(); }
   WakeFd& wake() { return loop_.wake(); }  // for the sessions it is to serve

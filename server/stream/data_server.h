@@ -19,6 +19,7 @@ class DataServer {
   // Binds; throws std::runtime_error. Keeps a reference. `max_credit`: bytes that a connection may have.
   DataServer(const std::string& endpoint, const SessionDirectory& sessions, std::int64_t max_credit,
              const std::optional<ServerKeys>& keys = std::nullopt);
+  ~DataServer() { stop(); }
 
   std::string endpoint() const { return loop_.endpoint(); }
   WakeFd& wake() { return loop_.wake(); }  // for the sessions it is to serve
