@@ -132,8 +132,11 @@ bool read(std::string_view bytes) {
   if (!world.client || world.credit > kMuch) world.client.emplace(world.server.endpoint()), world.credit = 0;
   fuzz::DataTalk talk;
   if (!talk.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
-    world.client->send(std::string(bytes));
     talk.Clear();
+    v1::DataRequest request;  // which it may be nevertheless
+    if (request.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
+      world.credit += static_cast<double>(request.credit().bytes());
+    world.client->send(std::string(bytes));
   }
   const Answer answer = talkTo(world, std::move(talk));
   // A packet may overdraw, and so may one of the input before that comes only now; both are then forgotten

@@ -1,5 +1,6 @@
 // What a client reads: packets of a server that may be anyone's.
 #include "client/sequence_check.h"
+#include "client/stream_fault.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/inputs.pb.h"
 #include "fuzz/message_mutator.h"
@@ -23,17 +24,32 @@ void checkContent(const v1::PacketHeader& header, const PacketContent& content) 
   }
 }
 
+// The second of two sensors goes on at an event.
+v1::OpenStream resolved() {
+  v1::OpenStream request;
+  request.add_sensors();
+  request.add_sensors()->set_from_event(1);
+  return request;
+}
+
+bool follows(SequenceCheck& sequence, const v1::PacketHeader& header, const Events& events) {
+  return accepts<StreamFault>([&] {
+    const auto news = sequence.add(header);
+    SACCADE_CHECK(!news || news->known_events <= events.size());
+  });
+}
+
 bool read(std::string_view bytes) {
   fuzz::PacketTrain train;
   if (!train.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
-  SequenceCheck sequence;
+  SequenceCheck sequence(resolved());
   for (fuzz::Packet& packet : *train.mutable_packets()) {
     v1::PacketHeader& header = *packet.mutable_header();
     if (header.crc32() == 0) header.set_crc32(crc32Of(packet.payload()));
     PacketContent content;
     if (!decodePacket(header, packet.payload(), content).empty()) return false;
     checkContent(header, content);
-    if (!sequence.add(header).empty()) return false;
+    if (!follows(sequence, header, content.events)) return false;
   }
   return true;
 }
