@@ -43,13 +43,13 @@ struct TilePool::Workers {
   // Jobs with pieces left to take, in turn.
   struct Open {
     std::vector<Job*> jobs;
-    std::size_t turn = 0;
+    std::size_t turn = 0;  // whose it is
   };
   bool idle() const { return urgent.jobs.empty() && others.jobs.empty(); }
   Job& takePiece(int& piece);
 
   std::mutex mutex;
-  std::condition_variable wanted, done;
+  std::condition_variable wanted;
   Open urgent, others;
   bool stop = false;
   std::vector<std::thread> threads;
@@ -73,10 +73,14 @@ TilePool::Workers::~Workers() {
 // There is one.
 TilePool::Job& TilePool::Workers::takePiece(int& piece) {
   auto& [jobs, turn] = urgent.jobs.empty() ? others : urgent;
-  turn = (turn + 1) % jobs.size();
+  if (turn >= jobs.size()) turn = 0;  // behind the last one comes the first
   Job& job = *jobs[turn];
   piece = job.next++;
-  if (job.next == job.count) jobs.erase(jobs.begin() + static_cast<std::ptrdiff_t>(turn));
+  if (job.next == job.count) {
+    jobs.erase(jobs.begin() + static_cast<std::ptrdiff_t>(turn));  // the next one takes its place
+  } else {
+    ++turn;
+  }
   ++job.running;
   return job;
 }
@@ -103,7 +107,8 @@ void TilePool::Workers::work() {
     lock.lock();
     job.cpu += used;
     if (fault) job.fault = fault;
-    if (--job.running == 0 && job.next == job.count) done.notify_all();
+    // With the lock: without it the caller might be gone already, and the job with it.
+    if (--job.running == 0 && job.next == job.count) job.done.notify_one();
   }
 }
 
@@ -120,7 +125,7 @@ std::chrono::nanoseconds TilePool::runJob(Job& job) {
   std::unique_lock lock(workers_->mutex);
   (urgent_ ? workers_->urgent : workers_->others).jobs.push_back(&job);
   workers_->wanted.notify_all();
-  workers_->done.wait(lock, [&] { return job.next == job.count && job.running == 0; });
+  job.done.wait(lock, [&] { return job.next == job.count && job.running == 0; });
   if (job.fault) std::rethrow_exception(job.fault);
   return job.cpu;
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <memory>
 #include <utility>
@@ -68,6 +69,7 @@ class TilePool {
     int running = 0;  // pieces taken and not finished
     std::chrono::nanoseconds cpu{0};
     std::exception_ptr fault{};
+    std::condition_variable done{};  // its own: what one caller waits for wakes no other
   };
   struct Workers;
 
