@@ -28,17 +28,22 @@ SceneCache::Loaded SceneCache::load(const std::string& name) {
 
 std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name) {
   std::packaged_task<Loaded()> task([&] { return load(name); });
+  const auto changed = library_.lastChange(name);
   std::unique_lock lock(mutex_);
-  const auto [entry, first] = scenes_.try_emplace(name);
-  if (first) entry->second = task.get_future().share();
-  const std::shared_future<Loaded> scene = entry->second;
+  Entry& entry = scenes_[name];
+  const bool first = !entry.scene.valid() || entry.changed != changed;
+  if (first) entry = {changed, task.get_future().share()};
+  const std::shared_future<Loaded> scene = entry.scene;
   lock.unlock();
   if (first) task();
   try {
     return scene.get();
   } catch (...) {
     lock.lock();
-    if (first) scenes_.erase(name);
+    if (const auto failed = scenes_.find(name);
+        failed != scenes_.end() && failed->second.changed == changed) {
+      scenes_.erase(failed);
+    }
     throw;
   }
 }
@@ -47,17 +52,17 @@ std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name, cons
   const auto whole = get(name);
   if (without.empty()) return whole;
   std::lock_guard lock(simplifying_);
-  std::erase_if(simplified_, [](const auto& entry) { return entry.second.expired(); });
+  std::erase_if(simplified_, [](const auto& entry) { return entry.second.scene.expired(); });
   const auto found = simplified_.find({name, without});
-  if (found != simplified_.end())
-    if (auto scene = found->second.lock()) return scene;
+  if (found != simplified_.end() && found->second.whole.lock() == whole)
+    if (auto scene = found->second.scene.lock()) return scene;
   if (simplified_.size() >= most_reduced_) {
     throw LimitReached(Limit::kReducedScenes, "quality.without",
                        std::to_string(most_reduced_) + " other scenes without parts of theirs are in use",
                        kRetrySeconds);
   }
   auto scene = std::make_shared<const RenderScene>(simplified(whole->description(), without));
-  simplified_[{name, without}] = scene;
+  simplified_[{name, without}] = {whole, scene};
   return scene;
 }
 

@@ -1,8 +1,10 @@
-// The scenes in memory: each is loaded once, and shared.
+// The scenes in memory: each is loaded once, and shared; and once more when its scene.xml has changed. Who
+// has a scene keeps it as it was.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <future>
 #include <map>
 #include <memory>
@@ -40,16 +42,23 @@ class SceneCache {
 
  private:
   using Loaded = std::shared_ptr<const RenderScene>;
+  struct Entry {
+    std::filesystem::file_time_type changed;
+    std::shared_future<Loaded> scene;
+  };
+  struct Simplified {
+    std::weak_ptr<const RenderScene> whole, scene;
+  };
   Loaded load(const std::string& name);
 
   SceneLibrary library_;
   const std::size_t most_reduced_;
   SceneLoads loads_;
   mutable std::mutex mutex_;
-  std::map<std::string, std::shared_future<Loaded>> scenes_;
+  std::map<std::string, Entry> scenes_;
   std::map<std::string, std::string> needs_;  // of those that are loaded
   std::mutex simplifying_;
-  std::map<std::pair<std::string, Parts>, std::weak_ptr<const RenderScene>> simplified_;
+  std::map<std::pair<std::string, Parts>, Simplified> simplified_;
 };
 
 }  // namespace saccade

@@ -108,6 +108,12 @@ Scene SceneLibrary::load(const std::string& name, const LoadProgress& progress) 
   return loadMitsubaXml(file.string(), options);
 }
 
+fs::file_time_type SceneLibrary::lastChange(const std::string& name) const {
+  std::error_code absent;
+  const auto time = fs::last_write_time(folder_ / name / "scene.xml", absent);
+  return absent ? fs::file_time_type::min() : time;
+}
+
 Trajectory SceneLibrary::loadTrajectory(const std::string& scene, const std::string& name) const {
   requireName("scene", scene, sceneNames(folder_));
   const fs::path folder = folder_ / scene / "trajectories";

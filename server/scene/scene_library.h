@@ -30,6 +30,8 @@ class SceneLibrary {
   // Throws SceneError: an unknown name (the message lists the valid ones), an unavailable scene, a faulty
   // file.
   Scene load(const std::string& name, const LoadProgress& progress = {}) const;
+  // When the scene's scene.xml was last written; the beginning of time where there is none.
+  std::filesystem::file_time_type lastChange(const std::string& name) const;
   // A trajectory from the scene's CSV files. Throws SceneError naming the valid ones.
   Trajectory loadTrajectory(const std::string& scene, const std::string& name) const;
 
