@@ -1,9 +1,11 @@
 // Bad requests are answered with the field at fault, and the server goes on.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <functional>
 #include <limits>
 
+#include "base/quantile.h"
 #include "mock/test_server.h"
 
 namespace saccade {
@@ -69,6 +71,9 @@ const std::vector<BadWish> kBadWishes{
     {"trajectory.motion.turn_s", [](auto& r) { pan(r).set_turn_s(kNan); }},
     {"trajectory.keyframes.keys", [](auto& r) { r.mutable_trajectory()->mutable_keyframes(); },
      v1::CODE_INVALID_ARGUMENT, "100000"},
+    {"trajectory.keyframes.keys",
+     [](auto& r) { auto& k = *r.mutable_trajectory()->mutable_keyframes(); while (k.keys_size() <= 100'000) k.add_keys(); },
+     v1::CODE_INVALID_ARGUMENT, "100000"},
     {"trajectory.keyframes.interpolation",
      [](auto& r) { secondKey(r); r.mutable_trajectory()->mutable_keyframes()->set_interpolation(v1::Interpolation(7)); },
      v1::CODE_INVALID_ARGUMENT, "INTERPOLATION_CUBIC"},
@@ -124,16 +129,21 @@ const std::vector<BadWish> kBadWishes{
 
 TEST(Request, ABadWishIsRefusedWithItsField) {
   TestServer server;
+  std::vector<double> took_ms;
   for (const BadWish& bad : kBadWishes) {
     v1::OpenStream request = tinyRequest();
     bad.spoil(request);
     SCOPED_TRACE(bad.field);
+    const auto began = std::chrono::steady_clock::now();
     const v1::Status status = server.client().tryOpen(request);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
+    took_ms.push_back(took.count());
     EXPECT_EQ(status.code(), bad.code) << status.message();
     EXPECT_EQ(status.field(), bad.field) << status.message();
     EXPECT_FALSE(status.message().empty());
     EXPECT_NE(status.message().find(bad.told), std::string::npos) << status.message();
   }
+  EXPECT_LT(quantile(took_ms, 0.5), 10);
   checkPackets(server.run(tinyRequest())[0]);  // the server goes on
 }
 
@@ -149,7 +159,43 @@ TEST(Request, WhatCannotBeReadIsAnsweredToo) {
   const v1::Reply reply = server.client().callRaw(request.SerializeAsString());
   EXPECT_EQ(reply.request_id(), 9u);
   EXPECT_EQ(reply.status().code(), v1::CODE_UNIMPLEMENTED);
+  EXPECT_NE(reply.status().message().find("protocol_version is 2"), std::string::npos);
+  EXPECT_NE(reply.status().message().find("this server knows 1"), std::string::npos);
   EXPECT_EQ(server.client().server().protocol_version(), 1u);
+}
+
+void addUnknownField(google::protobuf::Message& message) {
+  constexpr int kOfTheFuture = 10'000;
+  message.GetReflection()->MutableUnknownFields(&message)->AddVarint(kOfTheFuture, 1);
+}
+
+// What a newer client may say: more than this server knows, in a version that it does.
+TEST(Request, FieldsOfTheFutureArePassedOver) {
+  TestServer server;
+  v1::Request open;
+  *open.mutable_open_stream() = tinyRequest();
+  for (google::protobuf::Message* message : std::initializer_list<google::protobuf::Message*>{
+           &open, open.mutable_open_stream(), open.mutable_open_stream()->mutable_sensors(0)}) {
+    addUnknownField(*message);
+  }
+  const v1::Reply reply = server.client().call(open);
+  ASSERT_EQ(reply.status().code(), v1::CODE_OK) << reply.status().message();
+  v1::DataRequest attach;
+  attach.mutable_attach()->set_stream_id(reply.open_stream().stream_id());
+  attach.mutable_attach()->set_token(reply.open_stream().token());
+  addUnknownField(*attach.mutable_attach());
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.sendRaw(attach.SerializeAsString());
+  subscriber.giveCredit(1 << 20);
+  checkPackets(subscriber.receiveAll(1)[0]);
+
+  v1::DataRequest unknown;
+  addUnknownField(unknown);
+  subscriber.sendRaw(unknown.SerializeAsString());
+  const auto answer = subscriber.receive();
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->header.kind(), v1::KIND_ERROR);
+  EXPECT_NE(answer->payload.find("this server knows"), std::string::npos) << answer->payload;
 }
 
 TEST(Request, TheServersLimitsAreNamed) {
