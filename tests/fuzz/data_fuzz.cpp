@@ -1,7 +1,6 @@
 // What one client says to a data server, over a real connection. The names of the streams stand for those of
 // this input, which have packets to send; their tokens are filled in.
 #include <algorithm>
-#include <optional>
 #include <zmq.hpp>
 
 #include "fuzz/fuzz_target.h"
@@ -15,16 +14,16 @@ namespace {
 constexpr int kMaxRequests = 32;  // their answers fit the server's queue
 constexpr std::uint32_t kSensors = 2;
 constexpr std::uint64_t kQueue = 150;  // bytes: a few packets
-constexpr double kMuch = 1e4;          // bytes of credit: another input shall not be told by it
 
 struct Answer {
   std::uint64_t packet_bytes = 0, largest = 0;
   int errors = 0;
 };
 
+// A connection of its own for each input: its credit goes with it.
 class Client {
  public:
-  explicit Client(const std::string& endpoint) : socket_(context_, zmq::socket_type::dealer) {
+  Client(zmq::context_t& context, const std::string& endpoint) : socket_(context, zmq::socket_type::dealer) {
     socket_.set(zmq::sockopt::linger, 0);
     socket_.set(zmq::sockopt::rcvtimeo, 5000);
     socket_.connect(endpoint);
@@ -64,7 +63,6 @@ class Client {
       }
     }
   }
-  zmq::context_t context_;
   zmq::socket_t socket_;
 };
 
@@ -75,8 +73,7 @@ struct World {
   Traffic traffic;
   DataServer server{"tcp://127.0.0.1:*", sessions, std::int64_t{1} << 32};
   std::shared_ptr<Signal> signal = std::make_shared<Signal>();
-  std::optional<Client> client;
-  double credit = 0;  // bytes that the client may be sent, at most
+  zmq::context_t context;  // of all clients
   std::uint64_t inputs = 0;
 };
 
@@ -113,37 +110,34 @@ void fillIn(v1::DataRequest& request, const std::string& name, const Session& se
   if (request.attach().token().empty()) request.mutable_attach()->set_token(session.token());
 }
 
-// Says it all, and returns the answer.
-Answer talkTo(World& world, fuzz::DataTalk talk) {
-  const Served lossless(world, "lossless", v1::DELIVERY_LOSSLESS), live(world, "live", v1::DELIVERY_LIVE);
+// Says it all, and returns how much credit it gives.
+double sayTo(Client& client, fuzz::DataTalk talk, const Session& lossless, const Session& live) {
+  double credit = 0;
   for (int i = 0; i < std::min(kMaxRequests, talk.requests_size()); ++i) {
     v1::DataRequest& request = *talk.mutable_requests(i);
-    fillIn(request, "lossless", *lossless);
-    fillIn(request, "live", *live);
-    world.credit += static_cast<double>(request.credit().bytes());
-    world.client->send(request.SerializeAsString());
+    fillIn(request, "lossless", lossless);
+    fillIn(request, "live", live);
+    credit += static_cast<double>(request.credit().bytes());
+    client.send(request.SerializeAsString());
   }
-  return world.client->receiveAll();
+  return credit;
 }
 
 bool read(std::string_view bytes) {
   static World world;
   ++world.inputs;
-  if (!world.client || world.credit > kMuch) world.client.emplace(world.server.endpoint()), world.credit = 0;
+  const Served lossless(world, "lossless", v1::DELIVERY_LOSSLESS), live(world, "live", v1::DELIVERY_LIVE);
+  Client client(world.context, world.server.endpoint());
   fuzz::DataTalk talk;
-  if (!talk.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
-    talk.Clear();
-    v1::DataRequest request;  // which it may be nevertheless
-    if (request.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
-      world.credit += static_cast<double>(request.credit().bytes());
-    world.client->send(std::string(bytes));
+  double credit = 0;
+  if (talk.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
+    credit = sayTo(client, std::move(talk), *lossless, *live);
+  } else {
+    client.send(std::string(bytes));
   }
-  const Answer answer = talkTo(world, std::move(talk));
-  // A packet may overdraw, and so may one of the input before that comes only now; both are then forgotten
-  // with their streams.
-  SACCADE_CHECK(static_cast<double>(answer.packet_bytes) <=
-                world.credit + 2 * static_cast<double>(answer.largest));
-  world.credit = std::max(0., world.credit - static_cast<double>(answer.packet_bytes));
+  const Answer answer = client.receiveAll();
+  // The last packet may overdraw the credit.
+  SACCADE_CHECK(static_cast<double>(answer.packet_bytes) <= credit + static_cast<double>(answer.largest));
   return answer.errors == 0;
 }
 
