@@ -20,7 +20,8 @@ class Server:
             subprocess.run([BIN / "saccade", "keygen", OUT / name], check=True, stdout=subprocess.DEVNULL)
         self.process = subprocess.Popen(
             [BIN / "saccaded", "--control", FREE, "--data", FREE, "--broadcast", FREE, "--http", "http://127.0.0.1:0",
-             "--secret-key", OUT / "server.key", "--client-keys", OUT / "client.pub", "--lease", str(LEASE_S)],
+             "--secret-key", OUT / "server.key", "--client-keys", OUT / "client.pub", "--lease", str(LEASE_S),
+             "--limit-queue", "0.0625"],
             stdout=subprocess.PIPE, text=True)
         ready = next(filter(None, (re.search(r"ready: control (\S+) .* http (\S+),", line) for line in self.process.stdout)))
         self.control, self.http = ready.groups()
@@ -50,6 +51,10 @@ class Crowd:
             try:
                 tally = what()
             except Exception as fault:
+                limit = getattr(fault.args[0] if fault.args else None, "limit", "")
+                if limit:
+                    with self.lock: self.visits[f"refused, limit {limit}"] += 1
+                    return
                 with self.lock: self.failures.append(f"{name}: {fault}")
                 return
             with self.lock:

@@ -104,6 +104,10 @@ class Stream:
         for _ in itertools.takewhile(lambda _: not done() and self.ended < self.sensors, itertools.count()):
             if not self.receive(): raise Refused("nothing came for 20 s")
 
+    def info(self):
+        streams = self.link.call(self.context, list_streams=c.ListStreams()).list_streams.streams
+        return next(s for s in streams if s.stream_id == self.opened.stream_id)
+
     def vanish(self):
         self.context.destroy(linger=0)
 

@@ -1,5 +1,5 @@
 """Clients that stay for a moment, each with manners of its own. They return what they have received."""
-import random
+import random, time
 
 from saccade.v1 import control_pb2 as c
 from stream_client import CREDIT, Refused, Stream, Tally
@@ -37,6 +37,7 @@ def miserly(link, seed):
     stream = Stream(link, request(c.DELIVERY_LIVE, seed, duration_s=1, clock=c.CLOCK_PACED))
     stream.give(1)
     stream.receive_until(lambda: stream.tally.packets >= 1)
+    while stream.info().frames_done < 100: time.sleep(0.1)
     stream.give(CREDIT)
     stream.receive_until(lambda: False)
     stream.close()
