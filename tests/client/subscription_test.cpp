@@ -68,7 +68,8 @@ class SubscriptionTest : public testing::Test {
   }
 
   // The client's part: its batches until END, while the server does `script`.
-  void record(const std::function<void()>& script, Subscription::Patience patience = {}) {
+  void record(const std::function<void()>& script,
+              Subscription::Patience patience = {.retry_time = milliseconds(5000)}) {
     auto server = std::async(std::launch::async, script);
     patience.silence = milliseconds(500);
     ControlClient control(context_, control_.endpoint());
@@ -90,7 +91,8 @@ class SubscriptionTest : public testing::Test {
     }
     losses_ = subscription.losses();
   }
-  std::string faultOf(const std::function<void()>& script, const Subscription::Patience& patience = {}) {
+  std::string faultOf(const std::function<void()>& script,
+                      const Subscription::Patience& patience = {.retry_time = milliseconds(5000)}) {
     try {
       record(script, patience);
     } catch (const std::runtime_error& fault) {
