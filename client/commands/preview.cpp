@@ -57,7 +57,12 @@ void Preview::keepTail(const Batch& batch) {
 
 void Preview::advance(std::int64_t time_ns, StreamHandle& stream) {
   if (state_ == State::kWaiting && time_ns >= at_ns_) {
-    frame_ = stream.picture();
+    try {
+      frame_ = stream.picture();
+    } catch (const Refused& refused) {
+      if (refused.code != v1::CODE_RESOURCE_EXHAUSTED) throw;
+      return;  // too many ask at once; with the next batch there is another chance
+    }
     state_ = State::kAsked;
   }
   if (state_ == State::kAsked && time_ns >= frame_.t1_ns()) {

@@ -18,6 +18,17 @@ std::shared_ptr<void> Budget::take(const std::string& client, const std::vector<
           }};
 }
 
+void Budget::use(Limit rate, double amount) {
+  std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  const std::chrono::duration<double> left = paid_off_[rate] - now, added(amount / limits_[rate]);
+  if (left.count() > 0) {
+    throw LimitReached(rate, {}, "more than " + amountText(rate, limits_[rate]) + " are asked for",
+                       left.count());
+  }
+  paid_off_[rate] = now + std::chrono::duration_cast<Clock::duration>(added);
+}
+
 void Budget::check(const Taken& taken, Limit limit, const Share& share) const {
   const auto found = taken.find(share.limit);
   const double before = found == taken.end() ? 0 : found->second, most = limits_[limit];

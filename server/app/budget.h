@@ -1,6 +1,7 @@
 // What all streams together, and those of each client, may take of the machine.
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -27,7 +28,12 @@ class Budget {
   // public key, empty without keys. Throws Refusal naming the first limit that is too low.
   std::shared_ptr<void> take(const std::string& client, const std::vector<Share>& shares);
 
+  // So much of a limit that is a rate. Throws LimitReached until what was used before is paid off: one amount
+  // may exceed the limit.
+  void use(Limit rate, double amount);
+
  private:
+  using Clock = std::chrono::steady_clock;
   using Taken = std::map<Limit, double>;
   void check(const Taken& taken, Limit limit, const Share& share) const;
   void add(const std::string& client, const std::vector<Share>& shares, int sign);
@@ -35,7 +41,8 @@ class Budget {
   const Limits limits_;
   std::mutex mutex_;
   Taken taken_;
-  std::map<std::string, Taken> taken_by_;  // by client
+  std::map<std::string, Taken> taken_by_;        // by client
+  std::map<Limit, Clock::time_point> paid_off_;  // of rates
 };
 
 }  // namespace saccade

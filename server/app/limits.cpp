@@ -9,8 +9,8 @@ namespace saccade {
 
 constexpr double kMiB = 1 << 20;
 
-const std::array<LimitRow, 17>& limitTable() {
-  static const std::array<LimitRow, 17> rows{{
+const std::array<LimitRow, 18>& limitTable() {
+  static const std::array<LimitRow, 18> rows{{
       {Limit::kStreams, "streams", 64, 1, "", "open streams"},
       {Limit::kClientStreams, "client-streams", 32, 1, "", "those of one client"},
       {Limit::kSensors, "sensors", 1024, 1, "", "sensors of all streams"},
@@ -25,6 +25,7 @@ const std::array<LimitRow, 17>& limitTable() {
        "packets that wait for the client of one stream"},
       {Limit::kCredit, "credit", 4096, 1, "MiB", "credit of one connection"},
       {Limit::kMessage, "message", 9, 0.0625, "MiB", "one request; a longer one ends its connection"},
+      {Limit::kPictures, "pictures", 64, 1, "MiB a second", "pictures that get_frame gives to all clients"},
       {Limit::kFrameRate, "frame-rate", 1e5, 0.1, "Hz", "frame rate of one stream"},
       {Limit::kTrajectoryPoints, "trajectory-points", 2e5, 1, "",
        "keyframes, or lines of CSV, of one stream"},

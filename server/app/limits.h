@@ -25,6 +25,7 @@ enum class Limit {
   kQueue,
   kCredit,
   kMessage,
+  kPictures,
   kFrameRate,
   kTrajectoryPoints,
   kReducedScenes,
@@ -39,7 +40,7 @@ struct LimitRow {
   const char* what;
 };
 
-const std::array<LimitRow, 17>& limitTable();  // in the order of Limit
+const std::array<LimitRow, 18>& limitTable();  // in the order of Limit
 inline const LimitRow& rowOf(Limit limit) {
   return limitTable()[static_cast<std::size_t>(limit)];
 }
@@ -57,7 +58,7 @@ class Limits {
   friend bool operator==(const Limits&, const Limits&) = default;
 
  private:
-  std::array<double, 17> values_;
+  std::array<double, 18> values_;
 };
 
 // A number with the unit of the limit, for people.

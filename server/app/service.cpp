@@ -82,6 +82,8 @@ v1::StreamList Service::listStreams(const std::string& user) const {
 
 v1::FramePicture Service::getFrame(const v1::GetFrame& call) const {
   const Stream stream = streams_.find(call.stream_id(), call.token());
+  const v1::View& view = stream.request.view();
+  budget_.use(Limit::kPictures, 2.0 * sizeof(float) * view.width() * view.height() / (1 << 20));
   auto picture = stream.feed->snapshot().picture(stream.request.sensors(0).bias());
   if (!picture) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the stream has no frame yet");
   return std::move(*picture);

@@ -170,6 +170,36 @@ TEST(Limits, AFloodOfStartsIsRefused) {
   EXPECT_EQ(checkPackets(subscriber.receiveAll(1)[0]).end_ns, 200'000'000);
 }
 
+// Whoever asks and does not read must not fill the server's memory with pictures.
+TEST(Limits, PicturesComeAtTheirRate) {
+  TestServer server(withLimit(Limit::kPictures, 1));
+  v1::OpenStream request = tinyRequest();
+  request.mutable_view()->set_width(128);
+  request.mutable_view()->set_height(256);  // 1/4 MiB
+  request.mutable_method()->set_name("pt");
+  request.mutable_quality()->set_bounces(0);
+  request.mutable_timing()->set_duration_s(0.006);
+  const auto stream = server.client().open(request);
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 30);
+  subscriber.receiveAll(1);
+  v1::Request look;
+  look.mutable_get_frame()->set_stream_id(stream.stream_id());
+  look.mutable_get_frame()->set_token(stream.token());
+  const auto began = Signal::Clock::now();
+  EXPECT_EQ(server.client().call(look).status().code(), v1::CODE_OK);
+  v1::Status status = server.client().call(look).status();
+  expectReached(status, Limit::kPictures, "");
+  EXPECT_GT(status.retry_after_s(), 0);
+  EXPECT_LE(status.retry_after_s(), 0.25);
+  while (status.code() != v1::CODE_OK) {
+    ASSERT_LT(Signal::Clock::now() - began, kPatience);
+    status = server.client().call(look).status();
+  }
+  EXPECT_GE(Signal::Clock::now() - began, std::chrono::milliseconds(250));
+}
+
 TEST(Limits, ARequestThatIsTooLongEndsItsConnectionOnly) {
   TestServer server(withLimit(Limit::kMessage, 1));
   MockClient verbose(server.app().controlEndpoint());
