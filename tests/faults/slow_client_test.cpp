@@ -51,6 +51,7 @@ struct Prompt {
       if (!packet) return;
       arrivals.push_back(Clock::now());
       subscriber.giveCredit(packet->bytes);
+      subscriber.acknowledge(0, packet->header.seq());
       packets.push_back(std::move(*packet));
     }
   }
@@ -78,7 +79,7 @@ class SlowClient : public testing::Test {
       streams_.push_back(client_.open(liveRequest()));
       subscribers_.emplace_back(server_.data());
       subscribers_[i].attach(streams_[i]);
-      subscribers_[i].giveCredit(kCredit);
+      subscribers_[i].giveCredit(kQueueBytes);
     }
   }
   void receiveAll() {
