@@ -36,10 +36,11 @@ class Link:
 
 
 class Tally:
-    """Received packets, and those that were dropped: told by dropped_before, or missing from seq (lost)."""
+    """Received packets, and those that were not: dropped (told by dropped_before), missed (a gap of seq in a broadcast,
+    whose subscriber was too slow), lost (a gap where there must be none)."""
 
     def __init__(self):
-        self.packets = self.events = self.dropped = self.lost = self.faults = self.heartbeats = self.snapshots = 0
+        self.packets = self.events = self.dropped = self.missed = self.lost = self.faults = self.heartbeats = self.snapshots = 0
         self.suppressed = 0
 
     def __iadd__(self, other):
@@ -93,7 +94,9 @@ class Stream:
         tally.events += header.count
         tally.suppressed += header.suppressed
         tally.dropped += header.dropped_before
-        tally.lost += gap - header.dropped_before
+        untold = gap - header.dropped_before
+        tally.missed += untold if self.broadcast else 0
+        tally.lost += 0 if self.broadcast else untold
         tally.snapshots += header.kind == e.KIND_SNAPSHOT
         tally.faults += gap < 0 or zlib.crc32(payload) != header.crc32
         tally.faults += gap == 0 and (due_event, due_t0) != (header.first_event_index, header.t0_ns)
