@@ -116,10 +116,10 @@ bool FeedRunner::needsCare() const {
 void FeedRunner::step() {
   if (frame_ == 0) began_ = Signal::Clock::now();
   if (!running_ && pace_.speed > 0) wall_zero_ = Signal::Clock::now() - wallTime(now(), pace_.speed);
-  running_ = true;
+  running_ = std::none_of(outlets_.begin(), outlets_.end(), [](const auto& o) { return o->catchingUp(); });
   const IntensityChange& change = feed_->step();
   frame_ = change.frame;
-  const double lag_s = waitUntilDue(change.t1);
+  const double lag_s = running_ ? waitUntilDue(change.t1) : 0;
   StageTimes times = feed_->lastTimes();
   for (auto& outlet : outlets_) {
     if (!outlet->session().started()) continue;

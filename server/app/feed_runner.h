@@ -1,7 +1,8 @@
 // Runs a feed on a thread of its own and hands each interval to the streams that look at it.
 //
 // A stream takes part from the first frame after its receiver has come until it is stopped, and then gets its
-// END. Frames are rendered while at least one stream has a receiver, and none is without room.
+// END. Frames are rendered while at least one stream has a receiver, and none is without room; at their pace,
+// but for those that a stream is not to get.
 #pragma once
 
 #include <memory>
@@ -75,7 +76,7 @@ class FeedRunner {
   // The feed's thread.
   std::vector<std::shared_ptr<Outlet>> outlets_;
   FrameIndex frame_ = 0;                                    // the newest one
-  bool running_ = false;                                    // since the last time that nobody looked
+  bool running_ = false;                                    // at its pace, since there was a reason not to
   Signal::Clock::time_point began_ = Signal::Clock::now();  // the first frame
   Signal::Clock::time_point wall_zero_;                     // when stream time 0 was due, by the pace
 

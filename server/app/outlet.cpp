@@ -1,5 +1,6 @@
 #include "app/outlet.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace saccade {
@@ -27,10 +28,15 @@ std::chrono::nanoseconds Outlet::publish(const IntensityChange& change, TilePool
     const PacketInterval interval{change.t0.count(), change.t1.count(), change.frame - 1,
                                   eye.output.suppressed};
     push(eye, eye.cutter.cut(eye.output.events, interval));
+    eye.events += eye.output.events.size();
     events_ += eye.output.events.size();
   }
   session_->setProgress(change.frame, change.t1.count());
   return used;
+}
+
+bool Outlet::catchingUp() const {
+  return std::any_of(eyes_.begin(), eyes_.end(), [](const Eye& eye) { return eye.events < eye.from_event; });
 }
 
 void Outlet::join(const IntensityChange& first) {

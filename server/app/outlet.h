@@ -18,6 +18,7 @@ class Outlet {
   Outlet(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch);
 
   const Session& session() const { return *session_; }
+  bool catchingUp() const;  // nothing has come yet of what its client wants; on the feed's thread
   std::uint64_t events() const { return events_; }  // from any thread
 
   // The feed's thread only. publish() takes every interval from the stream's first on, in order, and returns
@@ -33,6 +34,7 @@ class Outlet {
     PacketCutter cutter;
     std::uint64_t from_event;  // what ends before it is not sent
     SensorOutput output;
+    std::uint64_t events = 0;  // made
   };
   void join(const IntensityChange& first);
   void push(const Eye& eye, std::vector<Packet> packets);

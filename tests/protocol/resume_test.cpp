@@ -49,6 +49,21 @@ TEST_F(Resume, FromAnEventGivesTheIdenticalRest) {
   expectRest(all, all + 1000);  // END comes in any case
 }
 
+// At its pace this one takes 40 s.
+TEST_F(Resume, DoesNotKeepThePaceUntilItHasCaughtUp) {
+  v1::OpenStream request = twoSensors();
+  request.mutable_timing()->set_clock(v1::CLOCK_PACED);
+  request.mutable_timing()->set_speed(1e-3);
+  for (const int sensor : {0, 1}) {
+    request.mutable_sensors(sensor)->set_from_event(whole_[sensor].back().header.first_event_index());
+  }
+  const auto began = Signal::Clock::now();
+  auto rest = again_.run(request);
+  EXPECT_LT(Signal::Clock::now() - began, std::chrono::seconds(20));
+  EXPECT_EQ(comparableBytes(rest[0]),
+            comparableBytes(restOf(whole_[0], whole_[0].back().header.first_event_index())));
+}
+
 TEST_F(Resume, IsForLosslessStreamsAlone) {
   v1::OpenStream request = twoSensors();
   request.mutable_sensors(1)->set_from_event(1);
