@@ -30,7 +30,8 @@ class SteppedClock {
   ~SteppedClock() { unlink(path_.c_str()); }
   void set(std::int64_t seconds) { *offset_ = seconds; }
   std::vector<std::string> wrapper() const {
-    return {"/usr/bin/env", "SACCADE_TEST_CLOCK=" + path_, "LD_PRELOAD=" CLOCK_SHIM};
+    return {"/usr/bin/env", "SACCADE_TEST_CLOCK=" + path_, "LD_PRELOAD=" CLOCK_SHIM,
+            "ASAN_OPTIONS=verify_asan_link_order=0"};
   }
 
  private:

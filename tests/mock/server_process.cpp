@@ -17,7 +17,8 @@ std::vector<std::string> command(const std::vector<std::string>& flags,
                                                                   {"--data", "tcp://127.0.0.1:*"},
                                                                   {"--broadcast", "tcp://127.0.0.1:*"},
                                                                   {"--http", "http://127.0.0.1:0"},
-                                                                  {"--threads", "1"}};
+                                                                  {"--threads", "1"},
+                                                                  {"--limit-cpu", "0"}};
   for (const auto& [flag, value] : defaults) {
     if (std::find(flags.begin(), flags.end(), flag) == flags.end()) words.insert(words.end(), {flag, value});
   }
@@ -51,7 +52,8 @@ Usage ServerProcess::usage() const {
   std::ifstream statm(proc + "/statm");
   std::int64_t pages = 0, resident = 0;
   statm >> pages >> resident;
-  return {resident * getpagesize(), countEntries(proc + "/fd"), countEntries(proc + "/task")};
+  return {kSanitized ? 0 : resident * getpagesize(), countEntries(proc + "/fd"),
+          countEntries(proc + "/task")};
 }
 
 }  // namespace saccade

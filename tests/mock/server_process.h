@@ -9,14 +9,21 @@
 
 namespace saccade {
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
+
 struct Usage {
-  std::int64_t resident_bytes = 0;
+  std::int64_t resident_bytes = 0;  // 0 where kSanitized: sanitizers keep what is freed
   int fds = 0, threads = 0;
 };
 
 class ServerProcess {
  public:
-  // One thread that renders, unless `flags` say otherwise. `before`: what to run it under, such as
+  // One thread that renders, and PACED streams are not measured, unless `flags` say otherwise. `before`: what
+  // to run it under, such as
   // {"/bin/sh",
   // "-c", ...}. Throws std::runtime_error where it does not become ready.
   explicit ServerProcess(const std::vector<std::string>& flags = {},
