@@ -8,6 +8,8 @@
 namespace saccade {
 namespace {
 
+constexpr int kMostWaiting = 20'000;  // packets
+
 void useKeys(zmq::socket_t& socket, const CurveKeys& keys) {
   if (!isCurveKey(keys.secret) || !isCurveKey(keys.server_public)) {
     throw std::invalid_argument("a key is 40 characters, as `saccade keygen` writes it");
@@ -25,8 +27,9 @@ zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, cons
                             const CurveKeys& keys) {
   zmq::socket_t socket(context, type);
   socket.set(zmq::sockopt::linger, 0);
-  // Credit bounds what waits on a DEALER; a second bound would hold up the server's sends.
-  if (type == zmq::socket_type::dealer) socket.set(zmq::sockopt::rcvhwm, 0);
+  // Credit bounds what waits on a DEALER. A SUB that is full is cut off by heartbeats, and libzmq 4.3 may
+  // then end the whole program (its issue 3937): so there is room for most of a minute.
+  socket.set(zmq::sockopt::rcvhwm, type == zmq::socket_type::dealer ? 0 : kMostWaiting);
   socket.set(zmq::sockopt::heartbeat_ivl, 2000);
   socket.set(zmq::sockopt::heartbeat_timeout, 6000);
   if (!keys.secret.empty() || !keys.server_public.empty()) useKeys(socket, keys);

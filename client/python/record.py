@@ -6,6 +6,7 @@ control, data = (zmq.Context.instance().socket(zmq.DEALER) for _ in range(2))
 for s, port in zip((control, data), sys.argv[1:3] or (5770, 5771)):
     if keys := [open(file, "rb").read().strip() for file in sys.argv[3:]]:  # for a server that wants them
         s.curve_secretkey, s.curve_publickey, s.curve_serverkey = keys[0], zmq.curve_public(keys[0]), keys[1]
+    s.rcvhwm = 0  # credit bounds what waits
     s.connect(f"tcp://127.0.0.1:{port}")
 control.send(c.Request(protocol_version=1, open_stream=c.OpenStream(
     scene="cornell-box", trajectory=dict(name="right"), view=dict(width=64, height=48),

@@ -21,6 +21,7 @@ class Link:
     def connect(self, context, kind, endpoint, topics=()):
         socket = context.socket(kind)
         socket.linger, socket.rcvtimeo, socket.heartbeat_ivl = 0, 20_000, 2000
+        socket.rcvhwm = 0  # see proto/PROTOCOL.md, Credit
         socket.curve_secretkey, socket.curve_publickey = self.secret, zmq.curve_public(self.secret)
         socket.curve_serverkey = self.server_key
         for topic in topics: socket.subscribe(topic)
