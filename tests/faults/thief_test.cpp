@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "mock/fault_proxy.h"
 #include "mock/test_server.h"
@@ -70,12 +71,17 @@ TEST(Thief, CannotTakeTheNameOfAnother) {
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->kind(), v1::KIND_ERROR);
   victim.reset();
-  NamedPeer thief(endpoint, "alice");
-  thief.say(credit(1 << 20));
-  const auto refusal = thief.receive(kPatience);
-  ASSERT_TRUE(refusal);
+  // As long as the server does not know that the first one has gone, ZeroMQ passes over a second of its name.
+  std::optional<NamedPeer> thief;
+  std::optional<v1::PacketHeader> refusal;
+  for (const auto began = Signal::Clock::now(); !refusal;) {
+    ASSERT_LT(Signal::Clock::now() - began, kPatience);
+    thief.emplace(endpoint, "alice");
+    thief->say(credit(1 << 20));
+    refusal = thief->receive(milliseconds(500));
+  }
   EXPECT_EQ(refusal->kind(), v1::KIND_ERROR);
-  EXPECT_FALSE(thief.receive(milliseconds(200)));
+  EXPECT_FALSE(thief->receive(milliseconds(200)));
 
   MockSubscriber owner = server.dataSubscriber();
   owner.attach(stream);
