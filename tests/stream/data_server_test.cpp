@@ -69,53 +69,48 @@ TEST_P(LostReceiver, IsNoticedAndDisturbsNoOther) {
 INSTANTIATE_TEST_SUITE_P(Killed, LostReceiver, testing::Values(SIGKILL));
 INSTANTIATE_TEST_SUITE_P(Stopped, LostReceiver, testing::Values(SIGSTOP));
 
+// A client that has attached to a stream which sends nothing.
+class QuietStream : public testing::Test {
+ protected:
+  QuietStream() {
+    sessions_.add(session_);
+    session_->setProgress(9, 18'000'000);
+    server_.start();
+    v1::StreamOpened stream;
+    stream.set_stream_id(session_->id());
+    stream.set_token(session_->token());
+    subscriber_.attach(stream);
+  }
+  ~QuietStream() override { server_.stop(); }
+
+  SessionDirectory sessions_;
+  Traffic traffic_;
+  DataServer server_{"tcp://127.0.0.1:*", sessions_, kMaxCredit};
+  std::shared_ptr<Session> session_ = std::make_shared<Session>("a", v1::DELIVERY_LOSSLESS, 1, server_.wake(),
+                                                                std::make_shared<Signal>(), traffic_);
+  MockSubscriber subscriber_{server_.endpoint()};
+};
+
 // Rendering again what a client already has sends nothing for a long time.
-TEST(DataServer, TellsHowFarItIsWhenThereIsNothingToSend) {
-  SessionDirectory sessions;
-  Traffic traffic;
-  DataServer server("tcp://127.0.0.1:*", sessions, kMaxCredit);
-  const auto session = std::make_shared<Session>("a", v1::DELIVERY_LOSSLESS, 1, server.wake(),
-                                                 std::make_shared<Signal>(), traffic);
-  sessions.add(session);
-  session->setProgress(9, 18'000'000);
-  server.start();
-  v1::StreamOpened stream;
-  stream.set_stream_id("a");
-  stream.set_token(session->token());
-  MockSubscriber subscriber(server.endpoint());
-  subscriber.attach(stream);
+TEST_F(QuietStream, TellsHowFarItIsWhenThereIsNothingToSend) {
   for (int i = 0; i < 2; ++i) {
-    const auto packet = subscriber.receiveAny();
+    const auto packet = subscriber_.receiveAny();
     ASSERT_TRUE(packet);
     EXPECT_EQ(packet->header.kind(), v1::KIND_HEARTBEAT);
     EXPECT_EQ(packet->header.frame(), 9u);
     EXPECT_EQ(packet->header.t0_ns(), 18'000'000);
   }
-  server.stop();
 }
 
-TEST(DataServer, NamesTheLimitOfCredit) {
-  SessionDirectory sessions;
-  Traffic traffic;
-  DataServer server("tcp://127.0.0.1:*", sessions, kMaxCredit);
-  const auto session = std::make_shared<Session>("a", v1::DELIVERY_LOSSLESS, 1, server.wake(),
-                                                 std::make_shared<Signal>(), traffic);
-  sessions.add(session);
-  server.start();
-  v1::StreamOpened stream;
-  stream.set_stream_id("a");
-  stream.set_token(session->token());
-  MockSubscriber subscriber(server.endpoint());
-  subscriber.attach(stream);
-  subscriber.giveCredit(kMaxCredit);
+TEST_F(QuietStream, NamesTheLimitOfCredit) {
+  subscriber_.giveCredit(kMaxCredit);
   for (const std::uint64_t more : {std::uint64_t{1}, ~std::uint64_t{0}}) {
-    subscriber.giveCredit(more);
-    const auto refused = subscriber.receive();
+    subscriber_.giveCredit(more);
+    const auto refused = subscriber_.receive();
     ASSERT_TRUE(refused);
     EXPECT_EQ(refused->header.kind(), v1::KIND_ERROR);
     EXPECT_NE(refused->payload.find("limit credit"), std::string::npos) << refused->payload;
   }
-  server.stop();
 }
 
 TEST(DataServer, StatesItsEndpointAsItWasAskedFor) {
