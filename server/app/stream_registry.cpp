@@ -7,13 +7,15 @@
 namespace saccade {
 
 bool StreamRegistry::abandoned(const Stream& stream, Signal::Clock::time_point now) const {
-  return now - stream.session->lastActivity() > lease_;
+  const auto since = stream.session->unattended();
+  return since && now - *since > lease_;
 }
 
 bool StreamRegistry::over(const Stream& stream, Signal::Clock::time_point now) const {
   if (!stream.session->finished()) return false;
-  const bool closed = stream.closed && (stream.session->drained() || now - *stream.closed > lease_);
-  return closed || abandoned(stream, now);
+  if (abandoned(stream, now)) return true;
+  const bool taken = stream.session->drained() || !stream.session->started();
+  return stream.closed && (taken || now - *stream.closed > lease_);
 }
 
 v1::StreamInfo Stream::info() const {

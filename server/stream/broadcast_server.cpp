@@ -97,7 +97,6 @@ void BroadcastServer::sendPacketsOf(Session& session, Audience& audience) {
     loop_.send({session.topic(i), session.heartbeat(i).header.SerializeAsString(), {}});
   }
   audience.last_sent = now;
-  session.keepAlive();
 }
 
 }  // namespace saccade

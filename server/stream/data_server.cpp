@@ -133,10 +133,8 @@ SocketLoop::Sent DataServer::sendPacketsOf(const std::string& identity, Connecti
 
 SocketLoop::Sent DataServer::sendHeartbeat(const std::string& identity, Connection& connection) {
   const Packet packet = connection.session->heartbeat();
-  const auto sent = loop_.send({identity, packet.header.SerializeAsString(), *packet.payload});
-  if (sent == SocketLoop::Sent::kYes) connection.session->keepAlive();
   connection.last_sent = Signal::Clock::now();
-  return sent;
+  return loop_.send({identity, packet.header.SerializeAsString(), *packet.payload});
 }
 
 }  // namespace saccade

@@ -54,6 +54,7 @@ void Session::start() {
 }
 
 void Session::leave() {
+  touch();
   has_receiver_ = false;
   producer_->raise();
 }
@@ -72,8 +73,9 @@ bool Session::sendOldest(const CreditQueue::Send& send) {
   return true;
 }
 
-void Session::keepAlive() {
-  if (!drained()) touch();
+std::optional<Signal::Clock::time_point> Session::unattended() const {
+  if (has_receiver_ && !drained()) return std::nullopt;
+  return last_activity_;
 }
 
 Packet Session::heartbeat(std::uint32_t sensor) const {

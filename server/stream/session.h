@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "saccade/v1/control.pb.h"
@@ -38,7 +39,6 @@ class Session {
   void leave();
   bool sendOldest(const CreditQueue::Send& send);  // as the queue's
   CreditQueue& queue() { return queue_; }
-  void keepAlive();  // its receiver is there, though it takes nothing
   Packet heartbeat(std::uint32_t sensor = 0) const;
 
   // Producer.
@@ -55,8 +55,8 @@ class Session {
   bool finished() const { return finished_; }
   bool drained() const { return finished_ && queue_.empty(); }
   bool settled() const { return drained() || (finished_ && !has_receiver_); }  // nothing can be sent any more
-  // When its receiver was last known to be there; the end of the stream, once that is over.
-  Signal::Clock::time_point lastActivity() const { return last_activity_; }
+  // Since when nobody has been there for what it has, or will have; nothing while somebody is.
+  std::optional<Signal::Clock::time_point> unattended() const;
 
  private:
   void touch() { last_activity_ = Signal::Clock::now(); }

@@ -15,8 +15,8 @@ namespace {
 
 const bool kFull = std::getenv("SACCADE_FULL") != nullptr;
 constexpr int kRounds = 2;
-const int kClients = kFull ? 60 : 12;  // killed in each round
-constexpr const char* kLease = "0.5";  // seconds; ended after one, forgotten after another
+const int kClients = kFull ? 100 : 12;  // killed in each round
+constexpr const char* kLease = "0.5";   // seconds; ended after one, forgotten after another
 constexpr std::chrono::seconds kForgotten{5};
 constexpr std::int64_t kMaxGrowthBytes = 4 << 20;  // a stream takes 2 MB
 // The heap of the server gives back what it does not need.

@@ -6,15 +6,32 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <functional>
 #include <sstream>
 
-#include "mock/mock_subscriber.h"
+#include "mock/resuming_subscriber.h"
 
 namespace saccade {
 namespace {
 
-// Says a byte at the first packet, and a summary at the END; then waits to be killed.
-[[noreturn]] void subscribe(int orders, int news) {
+constexpr std::chrono::milliseconds kSilence{1500};
+
+// The packets of a stream, one for each call.
+std::function<Received()> packetsOf(const std::string& endpoint, const v1::StreamOpened& stream,
+                                    std::uint64_t credit, bool refill) {
+  if (refill) {
+    const auto subscriber = std::make_shared<ResumingSubscriber>(endpoint, stream, credit);
+    return [subscriber] { return subscriber->receive(kSilence); };
+  }
+  const auto subscriber = std::make_shared<MockSubscriber>(endpoint);
+  subscriber->attach(stream);
+  subscriber->giveCredit(credit);
+  return [subscriber] { return subscriber->receive().value(); };
+}
+
+// Says a byte at the first packet, and a summary at the END; then waits to be killed. A fault ends the
+// process.
+[[noreturn]] void subscribe(int orders, int news) noexcept {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   char text[512] = {};
   if (read(orders, text, sizeof text - 1) <= 0) _exit(0);
@@ -24,16 +41,10 @@ namespace {
   bool refill = false;
   std::istringstream(text) >> endpoint >> *stream.mutable_stream_id() >> *stream.mutable_token() >> credit >>
       refill;
-  MockSubscriber subscriber(endpoint);
-  subscriber.attach(stream);
-  subscriber.giveCredit(credit);
-  Packets packets;
-  while (packets.empty() || packets.back().header.kind() != v1::KIND_END) {
-    const auto packet = subscriber.receive();
-    if (!packet || (packets.empty() && write(news, "1", 1) != 1)) _exit(1);
-    if (refill) subscriber.giveCredit(packet->bytes);
-    packets.push_back(*packet);
-  }
+  const auto receive = packetsOf(endpoint, stream, credit, refill);
+  Packets packets{receive()};
+  if (write(news, "1", 1) != 1) _exit(1);
+  while (packets.back().header.kind() != v1::KIND_END) packets.push_back(receive());
   const Summary summary = checkPackets(packets, true, packets.front().header.t0_ns());
   std::ostringstream line;
   line << testing::Test::HasFailure() << ' ' << summary.packets << ' ' << summary.events << ' '

@@ -14,7 +14,7 @@ class RemoteSubscriber {
   RemoteSubscriber(const RemoteSubscriber&) = delete;
   RemoteSubscriber& operator=(const RemoteSubscriber&) = delete;
 
-  // Whether it gives credit back for what it has received.
+  // Whether it gives credit back for what it has received, and attaches anew when its connection is lost.
   enum class Refill { kNo, kYes };
   // Has it attach and give credit. Returns when it has got its first packet.
   void attach(const std::string& data_endpoint, const v1::StreamOpened& stream, std::uint64_t credit_bytes,

@@ -39,6 +39,16 @@ Received ResumingSubscriber::receive(const std::function<bool()>& lost) {
   throw std::runtime_error("no packet came");
 }
 
+Received ResumingSubscriber::receive(std::chrono::milliseconds silence) {
+  auto since = std::chrono::steady_clock::now();
+  return receive([&] {
+    const auto now = std::chrono::steady_clock::now();
+    const bool lost = now - since > silence;
+    if (lost) since = now;
+    return lost;
+  });
+}
+
 Packets ResumingSubscriber::receiveAll(const std::function<bool()>& lost) {
   Packets packets;
   while (packets.empty() || packets.back().header.kind() != v1::KIND_END) packets.push_back(receive(lost));

@@ -18,6 +18,7 @@ class ResumingSubscriber {
   // `lost` whether to attach anew. Throws std::runtime_error at an ERROR and where nothing comes for
   // kPatience.
   Received receive(const std::function<bool()>& lost);
+  Received receive(std::chrono::milliseconds silence);    // after which a connection counts as lost
   Packets receiveAll(const std::function<bool()>& lost);  // to END
   int attached() const { return attached_; }              // how often
 

@@ -46,15 +46,31 @@ TEST_F(StreamRegistryTest, EndsAndThenForgetsAStreamWithoutReceiver) {
   EXPECT_FALSE(sessions_.find("1"));
 }
 
+// However short the lease is beside the time between two heartbeats.
+TEST_F(StreamRegistryTest, KeepsAStreamWhoseReceiverIsThereThoughItTakesNothing) {
+  const auto session = add("1", v1::DELIVERY_LOSSLESS);
+  session->start();
+  streams_.sweep(later(3600));
+  EXPECT_FALSE(session->stopping());
+  session->leave();
+  streams_.sweep(later(29));
+  EXPECT_FALSE(session->stopping());
+  streams_.sweep(later(31));
+  EXPECT_TRUE(session->stopping());
+  session->finish();
+  streams_.sweep(later(31));
+  EXPECT_FALSE(sessions_.find("1"));
+}
+
 // It sends all the same, but that is nobody's sign of life.
 TEST_F(StreamRegistryTest, EndsABroadcastWithoutSubscribers) {
   const auto session = add("1", v1::DELIVERY_BROADCAST);
   session->start();
   session->leave();
   session->push(makeErrorPacket("1", "to nobody"));
-  const auto before = session->lastActivity();
+  const auto before = session->unattended();
   EXPECT_TRUE(session->sendOldest([](const WirePacket&) { return true; }));
-  EXPECT_EQ(session->lastActivity(), before);
+  EXPECT_EQ(session->unattended(), before);
   streams_.sweep(later(31));
   EXPECT_TRUE(session->stopping());
   EXPECT_EQ(session->endReason(), v1::END_REASON_ABANDONED);
@@ -65,6 +81,7 @@ TEST_F(StreamRegistryTest, EndsABroadcastWithoutSubscribers) {
 
 TEST_F(StreamRegistryTest, ForgetsAClosedStreamOnceItsPacketsAreTaken) {
   const auto session = add("1", v1::DELIVERY_LOSSLESS);
+  session->start();
   EXPECT_THROW(streams_.close("1", "not the token"), Refusal);
   EXPECT_FALSE(session->stopping());
   streams_.close("1", session->token());
@@ -77,6 +94,18 @@ TEST_F(StreamRegistryTest, ForgetsAClosedStreamOnceItsPacketsAreTaken) {
   streams_.sweep(later(0));
   EXPECT_FALSE(sessions_.find("1"));
   EXPECT_THROW(streams_.close("1", session->token()), Refusal);
+}
+
+// As by one who has only asked what a stream would be like.
+TEST_F(StreamRegistryTest, ForgetsAtOnceWhatNobodyHasReceivedWhenItIsClosed) {
+  const auto session = add("1", v1::DELIVERY_LOSSLESS);
+  streams_.close("1", session->token());
+  session->push(makeErrorPacket("1", "END"));
+  streams_.sweep(later(0));
+  EXPECT_TRUE(sessions_.find("1"));  // its producer has not ended it yet
+  session->finish();
+  streams_.sweep(later(0));
+  EXPECT_FALSE(sessions_.find("1"));
 }
 
 // Two streams at one feed, and one at another.
