@@ -30,6 +30,7 @@ std::optional<SequenceCheck::News> SequenceCheck::add(const v1::PacketHeader& he
   if (!news) return std::nullopt;
   due.event = header.first_event_index() + header.count();
   due.t_ns = header.t1_ns();
+  due.suppressed = header.suppressed();
   due.joined = true;
   due.ended = header.kind() == v1::KIND_END;
   return news;
@@ -47,7 +48,8 @@ std::optional<SequenceCheck::News> SequenceCheck::join(const Point& due,
   const std::int64_t t_ns = due.t_ns.value_or(header.t0_ns());
   const bool nothing_new = begin < due.event || (due.t_ns && header.t1_ns() <= t_ns);
   if (!is_end && end <= due.event && nothing_new) return std::nullopt;
-  return News{due.event - begin, std::max(t_ns, header.t0_ns())};
+  const bool again = header.t0_ns() < t_ns;
+  return News{due.event - begin, std::max(t_ns, header.t0_ns()), again ? due.suppressed : 0};
 }
 
 std::optional<SequenceCheck::News> SequenceCheck::follow(const Point& due, const v1::PacketHeader& header) {

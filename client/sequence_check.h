@@ -23,10 +23,11 @@ class SequenceCheck {
   // `from_event` it starts at any seq, with the packet that holds or begins at this event.
   explicit SequenceCheck(const v1::OpenStream& resolved);
 
-  // What is new in a packet: all but its first events, from a time on.
+  // What is new in a packet: all but its first events, and what was suppressed among them, from a time on.
   struct News {
     std::uint64_t known_events;
     std::int64_t t0_ns;
+    std::uint64_t known_suppressed = 0;
   };
   // Nothing where all of the packet came before, or where it takes no seq. Counts what is missing before it.
   // Throws StreamFault where the packet does not go on where the one before it ended.
@@ -44,6 +45,7 @@ class SequenceCheck {
  private:
   struct Point {
     std::uint64_t seq = 0, event = 0;
+    std::uint64_t suppressed = 0;  // in the newest packet
     std::optional<std::int64_t> t_ns;
     bool joined = true;  // false: the stream is to begin at `event`, whatever its seq
     bool ended = false;

@@ -14,13 +14,15 @@ using std::chrono::milliseconds;
 void cutOff(const SequenceCheck::News& news, Batch& batch) {
   batch.events.erase(batch.events.begin(),
                      batch.events.begin() + static_cast<std::ptrdiff_t>(news.known_events));
-  if (!batch.events.empty() && batch.events.front().t_ns < news.t0_ns) {
+  v1::PacketHeader& header = batch.header;
+  const bool earlier = !batch.events.empty() && batch.events.front().t_ns < news.t0_ns;
+  if (earlier || header.suppressed() < news.known_suppressed) {
     throw StreamFault("the stream does not come out as it did before it was lost");
   }
-  v1::PacketHeader& header = batch.header;
   header.set_first_event_index(header.first_event_index() + news.known_events);
   header.set_count(static_cast<std::uint32_t>(batch.events.size()));
   header.set_t0_ns(news.t0_ns);
+  header.set_suppressed(header.suppressed() - news.known_suppressed);
 }
 
 }  // namespace

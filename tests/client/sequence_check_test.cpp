@@ -123,7 +123,9 @@ TEST(SequenceCheck, AStreamThatIsOpenedAgainGoesOnInTimeToo) {
   const auto again = [](const v1::PacketHeader& header) {
     SequenceCheck check(requestFrom({0}));
     expectNext(check, headerOf(0, 0, 0, 5, 0, 5000));
-    expectNext(check, headerOf(0, 1, 5, 5, 5000, 7000));
+    auto cut_short = headerOf(0, 1, 5, 5, 5000, 7000);
+    cut_short.set_suppressed(3);
+    expectNext(check, cut_short);
     check.restart();
     EXPECT_EQ(check.seqs(), (std::vector<std::uint64_t>{0}));
     EXPECT_EQ(check.events(), (std::vector<std::uint64_t>{10}));
@@ -134,10 +136,13 @@ TEST(SequenceCheck, AStreamThatIsOpenedAgainGoesOnInTimeToo) {
   const auto rest = again(headerOf(0, 1, 5, 9, 5000, 10000));  // that packet had been cut short
   EXPECT_EQ(rest.value().known_events, 5u);
   EXPECT_EQ(rest.value().t0_ns, 7000);
+  EXPECT_EQ(rest.value().known_suppressed, 3u);
   EXPECT_FALSE(again(headerOf(0, 1, 10, 0, 5000, 7000)));
   EXPECT_FALSE(again(headerOf(0, 0, 0, 5, 0, 5000)));
   EXPECT_EQ(again(headerOf(0, 1, 10, 0, 5000, 10000)).value().t0_ns, 7000);
-  EXPECT_EQ(again(headerOf(0, 2, 10, 1, 10000, 15000)).value().t0_ns, 10000);  // nothing happened until then
+  const auto later = again(headerOf(0, 2, 10, 1, 10000, 15000));  // nothing happened until then
+  EXPECT_EQ(later.value().t0_ns, 10000);
+  EXPECT_EQ(later.value().known_suppressed, 0u);
 }
 
 }  // namespace

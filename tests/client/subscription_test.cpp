@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 
 constexpr std::int64_t kMs = 1'000'000;
 
-// The packets of a stream of 20 ms, an event each ms, cut every 5 ms, and END.
+// The packets of a stream of 20 ms, an event each ms and another that is withheld, cut every 5 ms, and END.
 std::vector<Packet> packetsOf(const std::string& stream, std::int64_t until_ms = 20,
                               v1::EndReason reason = v1::END_REASON_FINISHED) {
   PacketCutter cutter(PacketCutter::Source{stream, 9, 0, 346, 260});
@@ -23,7 +23,7 @@ std::vector<Packet> packetsOf(const std::string& stream, std::int64_t until_ms =
   const auto add = [&](std::vector<Packet> more) { packets.insert(packets.end(), more.begin(), more.end()); };
   for (std::int64_t t = 0; t < until_ms; ++t) {
     const Event event{t * kMs, static_cast<std::uint16_t>(t), 2, 1};
-    add(cutter.cut(Events{event}, {t * kMs, (t + 1) * kMs, static_cast<std::uint64_t>(t), 0}));
+    add(cutter.cut(Events{event}, {t * kMs, (t + 1) * kMs, static_cast<std::uint64_t>(t), 1}));
   }
   add(cutter.end(until_ms * kMs, static_cast<std::uint64_t>(until_ms), reason));
   return packets;
@@ -87,6 +87,7 @@ class SubscriptionTest : public testing::Test {
       EXPECT_EQ(batch->header.first_event_index(), events_.size() + subscription.losses().events);
       EXPECT_EQ(batch->header.count(), batch->events.size());
       events_.insert(events_.end(), batch->events.begin(), batch->events.end());
+      suppressed_ += batch->header.suppressed();
       ended = batch->header.kind() == v1::KIND_END;
     }
     losses_ = subscription.losses();
@@ -111,6 +112,7 @@ class SubscriptionTest : public testing::Test {
   }();
   Events events_;
   Losses losses_;
+  std::uint64_t suppressed_ = 0;
   int heartbeats_ = 0;
 };
 
@@ -173,6 +175,7 @@ TEST_F(SubscriptionTest, WhatADrainedServerHasCutShortComesOnce) {
     send(again, 1, 4);
   });
   EXPECT_EQ(events_, eventsOf(20));
+  EXPECT_EQ(suppressed_, 20u);
 }
 
 TEST_F(SubscriptionTest, AStreamThatIsNotWhatItWasIsAFault) {
