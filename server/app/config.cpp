@@ -102,7 +102,8 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--client-keys", config.client_keys,
                  "file of the public keys that may connect, one in each line; SIGHUP reads it again")
       ->capture_default_str();
-  app.add_flag("--insecure", config.insecure, "let other machines connect without keys");
+  app.add_flag("--insecure", config.insecure, "let other machines connect without keys")
+      ->check(CLI::IsMember({"true", "false"}));  // CLI11 by itself takes 10 for true
   app.add_option("--threads", config.threads, "threads that render; 0: one per core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

@@ -22,7 +22,7 @@ bool isFlag(const CLI::Option& option) {
 
 std::string valueOf(const CLI::Option& option) {
   const std::string value = option.count() > 0 ? option.results().front() : option.get_default_str();
-  if (isFlag(option)) return value == "true" || value == "1" ? "true" : "false";
+  if (isFlag(option)) return value == "true" ? value : "false";
   return isNumber(option) ? value : quoteToml(value);
 }
 

@@ -46,5 +46,15 @@ TEST(Config, AFaultEndsItNamingThePlace) {
   EXPECT_EQ(said.text.find("saccaded: SACCADE_THREADS: "), 0) << said.text;
 }
 
+// Whoever opens a server to all must have said so.
+TEST(Config, WhatIsNeitherTrueNorFalseIsNoFlag) {
+  for (const char* value : {"10", "1", "yes", "tru"}) {
+    const Said said = ask({"--check-config", std::string("--insecure=") + value});
+    EXPECT_NE(said.status, 0) << value;
+    EXPECT_NE(said.text.find("not in {true,false}"), std::string::npos) << said.text;
+  }
+  EXPECT_NE(ask({"--print-config", "--insecure"}).text.find("insecure = true"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace saccade
