@@ -59,32 +59,37 @@ void checkAlone(const v1::OpenStream& request, const Limits& limits) {
             request.trajectory().keyframes().keys_size(), limits);
 }
 
-double measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
-                    const ResolvedStream& stream, TilePool& pool) {
+CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
+                     const ResolvedStream& stream, TilePool& pool) {
   Feed feed(std::move(scene), path, stream.feed, pool);
   std::vector<Sensor> sensors;
   for (const SensorConfig& config : stream.sensors)
     sensors.emplace_back(config, stream.feed.width, stream.feed.height);
   std::vector<SensorOutput> outputs(sensors.size());
-  double spent_s = 0, first_s = 0;
+  CpuCost spent, first;
   int frames = 0;
-  while (frames < kMeasuredFrames && spent_s < kEnoughSeconds) {
+  while (frames < kMeasuredFrames && spent.feed + spent.sensors < kEnoughSeconds) {
     const IntensityChange& change = feed.step();
-    const auto events =
-        pool.run(static_cast<int>(sensors.size()), [&](int i) { sensors[i].generate(change, outputs[i]); });
-    spent_s += seconds(feed.lastTimes().total() + events);
-    if (++frames == 1) first_s = spent_s;
+    spent.feed += seconds(feed.lastTimes().total());
+    spent.sensors += seconds(
+        pool.run(static_cast<int>(sensors.size()), [&](int i) { sensors[i].generate(change, outputs[i]); }));
+    if (++frames == 1) first = spent;
   }
-  return frames == 1 ? first_s : (spent_s - first_s) / (frames - 1);
+  if (frames == 1) return first;
+  return {(spent.feed - first.feed) / (frames - 1), (spent.sensors - first.sensors) / (frames - 1)};
 }
 
-void checkPace(const v1::Timing& timing, double frame_s, double taken, double threads, const Limits& limits) {
+void checkPace(const v1::Timing& timing, const CpuCost& frame, double taken, double threads,
+               const Limits& limits) {
   const double most = threads * limits[Limit::kCpu] / 100, free = std::max(0.0, most - taken);
+  const double frame_s = frame.feed + frame.sensors;
   const double need = frame_s * timing.frame_rate_hz() * timing.speed();
   if (need <= free) return;
-  std::string message = "a frame takes " + number(frame_s * 1e3) + " ms of CPU, so this stream takes " +
-                        number(need) + " threads; " + number(free) + " of " + number(most) + " are free";
-  if (free > 0) {
+  const bool joins = frame.feed == 0;
+  std::string message = (joins ? "in each frame its sensors take " : "a frame takes ") +
+                        number(frame_s * 1e3) + " ms of CPU, so this stream takes " + number(need) +
+                        " threads; " + number(free) + " of " + number(most) + " are free";
+  if (free > 0 && !joins) {
     message += ": what fits is a frame rate of " + atMost(timing.frame_rate_hz() * free / need) +
                " Hz, or a speed of " + atMost(timing.speed() * free / need);
   }

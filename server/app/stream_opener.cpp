@@ -106,24 +106,28 @@ v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request, const std:
 
 void StreamOpener::openFeed(const ResolvedStream& resolved, const RenderScene& whole,
                             const std::shared_ptr<const RenderScene>& scene, Stream& stream) {
-  stream.feed = findFeed(resolved);
-  if (stream.feed && connect(resolved, stream)) return;
   Trajectory path = resolveTrajectory(resolved, whole, scenes_.library());
-  stream.frame_s = admit(resolved, path, scene);
+  stream.feed = findFeed(resolved);
+  if (stream.feed) {
+    stream.frame_cost = admit(resolved, path, scene, true);
+    if (connect(resolved, stream)) return;
+  }
+  stream.frame_cost = admit(resolved, path, scene, false);
   stream.feed = makeFeed(resolved, std::move(path), scene);
   connect(resolved, stream);
   share(resolved, stream.feed);  // only now: it cannot have ended before its own stream joined
 }
 
 // Returns what a frame takes, 0 where nobody asks.
-double StreamOpener::admit(const ResolvedStream& resolved, const Trajectory& path,
-                           const std::shared_ptr<const RenderScene>& scene) {
+CpuCost StreamOpener::admit(const ResolvedStream& resolved, const Trajectory& path,
+                            const std::shared_ptr<const RenderScene>& scene, bool joins) {
   const Limits& limits = budget_.limits();
-  if (!isPaced(resolved.request) || limits[Limit::kCpu] == 0) return 0;
-  const double frame_s = measureFrame(scene, path, resolved, pool_);
+  if (!isPaced(resolved.request) || limits[Limit::kCpu] == 0) return {};
+  CpuCost frame = measureFrame(scene, path, resolved, pool_);
+  if (joins) frame.feed = 0;
   const double threads = std::min(pool_.threads(), hardwareThreads());
-  checkPace(resolved.request.timing(), frame_s, streams_.load(), threads, limits);
-  return frame_s;
+  checkPace(resolved.request.timing(), frame, streams_.load(), threads, limits);
+  return frame;
 }
 
 std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolved) {

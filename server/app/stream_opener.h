@@ -40,8 +40,8 @@ class StreamOpener {
   // Throws LimitReached, where the threads do not suffice for the pace.
   void openFeed(const ResolvedStream& resolved, const RenderScene& whole,
                 const std::shared_ptr<const RenderScene>& scene, Stream& stream);
-  double admit(const ResolvedStream& resolved, const Trajectory& path,
-               const std::shared_ptr<const RenderScene>& scene);
+  CpuCost admit(const ResolvedStream& resolved, const Trajectory& path,
+                const std::shared_ptr<const RenderScene>& scene, bool joins);
   std::shared_ptr<FeedRunner> findFeed(const ResolvedStream& resolved);
   std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved, Trajectory path,
                                        std::shared_ptr<const RenderScene> scene);

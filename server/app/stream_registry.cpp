@@ -40,13 +40,16 @@ v1::StreamInfo Stream::info() const {
   return info;
 }
 
-double Stream::load() const {
+CpuCost Stream::load() const {
   constexpr FrameIndex kSureFrames = 10;  // the mean of so many is better than a measurement before
   const v1::Timing& timing = request.timing();
-  if (timing.clock() != v1::CLOCK_PACED || session->finished()) return 0;
+  if (timing.clock() != v1::CLOCK_PACED || session->finished()) return {};
   const FeedProgress done = feed->progress();
-  const double mean_s = seconds(done.cpu.total()) / static_cast<double>(std::max<FrameIndex>(1, done.frames));
-  return (done.frames < kSureFrames ? frame_s : mean_s) * timing.frame_rate_hz() * timing.speed();
+  const double mean_s = seconds(done.cpu.total() - done.cpu[Stage::kEvents]) /
+                        static_cast<double>(std::max<FrameIndex>(1, done.frames));
+  const double frames_per_s = timing.frame_rate_hz() * timing.speed();
+  return {(done.frames < kSureFrames ? frame_cost.feed : mean_s) * frames_per_s,
+          frame_cost.sensors * frames_per_s};
 }
 
 StreamRegistry::~StreamRegistry() {
@@ -94,13 +97,15 @@ StreamCensus StreamRegistry::census() const {
 
 double StreamRegistry::load() const {
   std::lock_guard lock(mutex_);
-  std::map<const FeedRunner*, double> loads;
-  for (const auto& [id, stream] : streams_) {
-    double& load = loads[stream.feed.get()];
-    load = std::max(load, stream.load());
-  }
+  std::map<const FeedRunner*, double> feeds;
   double sum = 0;
-  for (const auto& [feed, load] : loads) sum += load;
+  for (const auto& [id, stream] : streams_) {
+    const CpuCost load = stream.load();
+    double& feed = feeds[stream.feed.get()];
+    feed = std::max(feed, load.feed);
+    sum += load.sensors;
+  }
+  for (const auto& [feed, load] : feeds) sum += load;
   return sum;
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/feed_runner.h"
 #include "app/outlet.h"
+#include "app/stream_cost.h"
 #include "ops/client_log.h"
 #include "stream/session_directory.h"
 
@@ -19,15 +20,14 @@ struct Stream {
   std::string user;                // who opened it: a public key; empty without keys
   v1::OpenStream request;          // resolved
   std::shared_ptr<void> reserved;  // its part of the budget
-  double frame_s = 0;  // PACED: CPU time of a frame of the feed, as measured before it; 0: not measured
+  CpuCost frame_cost;              // PACED: as measured before it was opened; no feed's where it joined one
   std::shared_ptr<FeedRunner> feed;
   std::shared_ptr<Outlet> outlet;
   std::shared_ptr<Session> session;
   std::optional<Signal::Clock::time_point> closed;  // by its client
 
   v1::StreamInfo info() const;
-  double load()
-      const;  // CPU seconds per second that its feed takes to keep the pace; 0: it has none, or has ended
+  CpuCost load() const;  // of a second, to keep the pace; 0: it has none, or has ended
 };
 
 struct StreamCensus {
@@ -50,7 +50,7 @@ class StreamRegistry {
   Stream find(const std::string& id, const std::string& token) const;
   std::vector<v1::StreamInfo> list(const std::string& user) const;  // what this one has opened
   StreamCensus census() const;
-  double load() const;  // of all streams, those that share a feed once
+  double load() const;  // CPU seconds of a second, to keep the pace of all streams; a shared feed counts once
 
   // Ends the stream at its next frame, if it has not ended; what it has made is still sent. Throws as find().
   void close(const std::string& id, const std::string& token);

@@ -36,10 +36,10 @@ TEST(Pace, AStreamFitsBesideTheOthersOrNot) {
   v1::Timing timing;
   timing.set_frame_rate_hz(500);
   timing.set_speed(1);
-  EXPECT_NO_THROW(checkPace(timing, 0.004, 0.99, 4, limits));
+  EXPECT_NO_THROW(checkPace(timing, {0.003, 0.001}, 0.99, 4, limits));
   for (const auto& [taken, retry_s] : {std::pair(1.01, kRetrySeconds), {9.0, kRetrySeconds}}) {
     try {
-      checkPace(timing, 0.004, taken, 4, limits);
+      checkPace(timing, {0.003, 0.001}, taken, 4, limits);
       FAIL() << taken;
     } catch (const LimitReached& reached) {
       EXPECT_EQ(reached.limit, "cpu");
@@ -48,7 +48,7 @@ TEST(Pace, AStreamFitsBesideTheOthersOrNot) {
   }
   timing.set_speed(2);
   try {
-    checkPace(timing, 0.004, 0, 4, limits);
+    checkPace(timing, {0.003, 0.001}, 0, 4, limits);
     FAIL();
   } catch (const LimitReached& reached) {
     EXPECT_EQ(reached.retry_after_s, 0);  // not even on an idle server
@@ -70,6 +70,28 @@ TEST(Pace, TheServerMeasuresAndSaysWhatFits) {
   ASSERT_GT(fits_hz, 0) << status.message();
   EXPECT_EQ(server.client().tryOpen(pacedRequest(fits_hz / 4, 1)).code(), v1::CODE_OK);
   EXPECT_EQ(server.client().tryOpen(pacedRequest(1e4, 10 * fits_speed / 4)).code(), v1::CODE_OK);
+}
+
+// Its feed is rendered in any case, but not for as many sensors as one likes.
+TEST(Pace, WhoJoinsAFeedIsAskedForItsSensorsOnly) {
+  TestServer server(withAdmission());
+  const auto request = [](double frame_rate_hz, int sensors) {
+    v1::OpenStream live = pacedRequest(frame_rate_hz, 1);
+    live.set_delivery(v1::DELIVERY_LIVE);
+    live.mutable_method()->set_name("pt");
+    live.mutable_quality()->set_bounces(0);
+    while (live.sensors_size() < sensors) *live.add_sensors() = live.sensors(0);
+    return live;
+  };
+  const double fits_hz = numberAfter(server.client().tryOpen(request(1e5, 1)).message(), "rate of ");
+  ASSERT_GT(fits_hz, 0);
+  const double half = fits_hz / 2;
+  const auto first = server.client().open(request(half, 1));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(server.client().tryOpen(request(half, 1)).code(), v1::CODE_OK);
+  const v1::Status status = server.client().tryOpen(request(half, 64));
+  EXPECT_EQ(status.limit(), "cpu") << status.message();
+  EXPECT_GT(numberAfter(status.message(), "in each frame its sensors take "), 0) << status.message();
+  EXPECT_EQ(numberAfter(status.message(), "rate of "), 0) << status.message();  // it would be another feed
 }
 
 TEST(Pace, WithoutAdmissionAStreamMayLag) {
