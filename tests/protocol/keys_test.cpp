@@ -93,7 +93,7 @@ TEST_F(KeyedServer, AKeyThatIsTakenOffTheListGetsNoPacketMore) {
   const auto stream = bob.open(request);
   MockSubscriber subscriber(bob.server().data_endpoint(), bob_);
   subscriber.attach(stream);
-  subscriber.giveCredit(std::uint64_t{1} << 40);
+  subscriber.giveCredit(std::uint64_t{1} << 30);
   ASSERT_TRUE(subscriber.receive());
   allow({alice_});
   server.app().reloadKeys();
