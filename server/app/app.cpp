@@ -1,5 +1,6 @@
 #include "app/app.h"
 
+#include <malloc.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -99,7 +100,8 @@ void App::sweep(std::stop_token stopped) {
   auto woken = Signal::Clock::now();
   while (!stopped.stop_requested()) {
     tick.wait_for(lock, stopped, std::chrono::seconds(1), [] { return false; });
-    streams_.sweep(Signal::Clock::now());
+    // The heap would keep for ever what many streams at once have taken.
+    if (streams_.sweep(Signal::Clock::now()) > 0) malloc_trim(0);
     // All have gone around since: else the manager is told nothing, and restarts us when its own time is up.
     if (oldestTurn() >= woken) manager_.tell("WATCHDOG=1");
     woken = Signal::Clock::now();

@@ -118,7 +118,7 @@ void StreamRegistry::close(const std::string& id, const std::string& token) {
   log_.info(stream.user, "closed stream " + id);
 }
 
-void StreamRegistry::sweep(Signal::Clock::time_point now) {
+std::size_t StreamRegistry::sweep(Signal::Clock::time_point now) {
   std::vector<Stream> gone;  // their threads are joined once the lock is open again
   std::lock_guard lock(mutex_);
   std::erase_if(streams_, [&](auto& entry) {
@@ -130,6 +130,7 @@ void StreamRegistry::sweep(Signal::Clock::time_point now) {
     gone.push_back(std::move(stream));
     return true;
   });
+  return gone.size();
 }
 
 bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {

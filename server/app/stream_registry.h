@@ -54,8 +54,9 @@ class StreamRegistry {
 
   // Ends the stream at its next frame, if it has not ended; what it has made is still sent. Throws as find().
   void close(const std::string& id, const std::string& token);
-  // Ends streams without a receiver and forgets those that are over. To be called about once a second.
-  void sweep(Signal::Clock::time_point now);
+  // Ends streams without a receiver and forgets those that are over; returns how many. To be called about
+  // once a second.
+  std::size_t sweep(Signal::Clock::time_point now);
   // Ends all streams. Returns whether, before `deadline`, all packets were taken that had a receiver.
   bool stopAll(Signal::Clock::time_point deadline);
 

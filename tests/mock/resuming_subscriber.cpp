@@ -18,11 +18,15 @@ void ResumingSubscriber::attach() {
 }
 
 Received ResumingSubscriber::receive(const std::function<bool()>& lost) {
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
-  while (std::chrono::steady_clock::now() < deadline) {
-    auto packet = connection_->receive(std::chrono::milliseconds(20));
-    if (!packet && lost()) attach();
-    if (!packet) continue;
+  constexpr std::chrono::milliseconds kMoment{20};
+  // Moments, not time: its process may be stopped for longer than that.
+  for (auto left = kPatience / kMoment; left > 0;) {
+    auto packet = connection_->receive(kMoment);
+    if (!packet) {
+      --left;
+      if (lost()) attach();
+      continue;
+    }
     if (packet->header.kind() == v1::KIND_ERROR) {
       // ZeroMQ has made the connection anew by itself: the server does not know us.
       if (!packet->payload.starts_with("attach to a stream before"))
