@@ -32,16 +32,12 @@ class KilledClients : public testing::Test {
     remote.attach(server_.data(), stream, 64 << 10);
     remote.signal(SIGKILL);
   }
-  int streams() {
-    v1::Request request;
-    request.mutable_list_streams();
-    return client_.call(request).list_streams().streams_size();
-  }
   // Whether nothing is left of the streams of a round.
   bool clean() {
     const Usage now = server_.usage();
     const bool memory = kSanitized || now.resident_bytes < before_.resident_bytes + kMaxGrowthBytes;
-    return memory && now.threads <= before_.threads && now.fds <= before_.fds && streams() == 0;
+    return memory && now.threads <= before_.threads && now.fds <= before_.fds &&
+           client_.streams().streams_size() == 0;
   }
 
   std::deque<RemoteSubscriber> remotes_ = std::deque<RemoteSubscriber>(kRounds * kClients);
@@ -52,7 +48,7 @@ class KilledClients : public testing::Test {
 
 TEST_F(KilledClients, LeaveNothingBehind) {
   client_.close(client_.open(tinyRequest()));  // the scene is loaded
-  ASSERT_TRUE(waitUntil([&] { return streams() == 0; }, kForgotten));
+  ASSERT_TRUE(waitUntil([&] { return client_.streams().streams_size() == 0; }, kForgotten));
   before_ = server_.usage();
   for (int round = 0; round < kRounds; ++round) {
     for (int i = 0; i < kClients; ++i) openAndKill(remotes_[round * kClients + i]);

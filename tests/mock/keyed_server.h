@@ -28,11 +28,9 @@ class KeyedServer : public testing::Test {
     for (const auto& client : clients) list << client.public_key << "\n";
   }
   std::vector<std::string> seen(MockClient& client) const {
-    v1::Request request;
-    request.mutable_list_streams();
     std::vector<std::string> ids;
-    const v1::Reply reply = client.call(request);
-    for (const auto& stream : reply.list_streams().streams()) ids.push_back(stream.stream_id());
+    const v1::StreamList list = client.streams();
+    for (const auto& stream : list.streams()) ids.push_back(stream.stream_id());
     return ids;
   }
 

@@ -55,11 +55,15 @@ v1::Status MockClient::close(const v1::StreamOpened& stream) {
   return call(request).status();
 }
 
-v1::StreamInfo MockClient::info(const std::string& stream_id) {
+v1::StreamList MockClient::streams() {
   v1::Request request;
   request.mutable_list_streams();
-  const v1::Reply reply = call(request);
-  for (const auto& info : reply.list_streams().streams()) {
+  return call(request).list_streams();
+}
+
+v1::StreamInfo MockClient::info(const std::string& stream_id) {
+  const v1::StreamList list = streams();
+  for (const auto& info : list.streams()) {
     if (info.stream_id() == stream_id) return info;
   }
   return {};

@@ -21,6 +21,7 @@ class MockClient {
   v1::StreamOpened open(const v1::OpenStream& r);  // throws std::runtime_error where refused
   v1::Status tryOpen(const v1::OpenStream& request);
   v1::Status close(const v1::StreamOpened& stream);
+  v1::StreamList streams();                           // those of this client
   v1::StreamInfo info(const std::string& stream_id);  // empty where it is not listed
   v1::ServerDescription server();
   void setPatience(std::chrono::milliseconds patience);  // for one reply; kPatience at first

@@ -69,12 +69,11 @@ TEST(Pace, TheServerMeasuresAndSaysWhatFits) {
   const double fits_speed = numberAfter(status.message(), "speed of ");
   ASSERT_GT(fits_hz, 0) << status.message();
   EXPECT_EQ(server.client().tryOpen(pacedRequest(fits_hz / 8, 1)).code(), v1::CODE_OK);
-  EXPECT_EQ(server.client().tryOpen(pacedRequest(1e4, 10 * fits_speed / 8)).code(), v1::CODE_OK);
+  EXPECT_EQ(server.client().tryOpen(pacedRequest(1e3, 100 * fits_speed / 8)).code(), v1::CODE_OK);
 }
 
 // Its feed is rendered in any case, but not for as many sensors as one likes. Here one sensor takes a
-// twentieth of the time of its feed, and 64 take three times that; a busy machine may err by far about
-// either.
+// twentieth of the time of its feed (with ThreadSanitizer: half of it), give or take a busy machine.
 TEST(Pace, WhoJoinsAFeedIsAskedForItsSensorsOnly) {
   TestServer server(withAdmission());
   const auto request = [](double frame_rate_hz, int sensors) {
@@ -87,13 +86,13 @@ TEST(Pace, WhoJoinsAFeedIsAskedForItsSensorsOnly) {
   };
   const double fits_hz = numberAfter(server.client().tryOpen(request(1e5, 1)).message(), "rate of ");
   ASSERT_GT(fits_hz, 0);
-  constexpr int kFeedsThatFit = 8;
-  const double rate_hz = fits_hz / kFeedsThatFit;
-  for (int i = 0; i < 2 * kFeedsThatFit; ++i)
-    ASSERT_EQ(server.client().tryOpen(request(rate_hz, 1)).code(), v1::CODE_OK) << i;
-
+  const double rate_hz = fits_hz / 8;
+  for (int i = 0; i < 4; ++i) {
+    const v1::Status status = server.client().tryOpen(request(rate_hz, 1));
+    ASSERT_EQ(status.code(), v1::CODE_OK) << status.message();
+  }
   v1::Status status;
-  for (int i = 0; i < kFeedsThatFit && status.limit().empty(); ++i)
+  for (int i = 0; i < 7 && status.limit().empty(); ++i)  // no more sensors are allowed one client
     status = server.client().tryOpen(request(rate_hz, 64));
   EXPECT_EQ(status.limit(), "cpu") << status.message();
   EXPECT_GT(numberAfter(status.message(), "in each frame its sensors take "), 0) << status.message();
