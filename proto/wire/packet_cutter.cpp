@@ -69,32 +69,38 @@ void PacketCutter::fill(std::span<const Event> events, std::int64_t t1_ns, std::
   events_.insert(events_.end(), events.begin(), events.end());
   t1_ns_ = t1_ns;
   open_ = true;
-  while (events_.size() > kMaxPacketEvents) {
-    const Piece piece = firstPiece(events_, t0_ns_);
-    full.push_back(take(piece.count, piece.t1_ns));
+  std::span<const Event> rest = events_;
+  const auto takeFirst = [&](std::size_t count, std::int64_t end_ns) {
+    full.push_back(take(rest.first(count), end_ns));
+    rest = rest.subspan(count);
     frame_ = frame;
+  };
+  while (rest.size() > kMaxPacketEvents) {
+    const Piece piece = firstPiece(rest, t0_ns_);
+    takeFirst(piece.count, piece.t1_ns);
   }
-  if (t1_ns % kPacketTimeNs != 0 && events_.size() < kEnoughEvents) return;
-  full.push_back(take(events_.size(), t1_ns));
-  frame_ = frame;
-  open_ = false;
+  if (t1_ns % kPacketTimeNs == 0 || rest.size() >= kEnoughEvents) {
+    takeFirst(rest.size(), t1_ns);
+    open_ = false;
+  }
+  events_.erase(events_.begin(), events_.end() - static_cast<std::ptrdiff_t>(rest.size()));
 }
 
-// The packet up to t1_ns, with the first `count` events.
-Packet PacketCutter::take(std::size_t count, std::int64_t t1_ns) {
+// The packet up to t1_ns, with its events.
+Packet PacketCutter::take(std::span<const Event> events, std::int64_t t1_ns) {
   v1::PacketHeader header = nextHeader(v1::KIND_EVENTS, t0_ns_, t1_ns, frame_);
-  header.set_count(static_cast<std::uint32_t>(count));
+  header.set_count(static_cast<std::uint32_t>(events.size()));
   header.set_suppressed(std::exchange(suppressed_, 0));
-  header_.set_first_event_index(header_.first_event_index() + count);
-  std::string columns = encodeColumns(std::span(events_).first(count), t0_ns_, kTimeUnitNs);
-  events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(count));
+  header_.set_first_event_index(header_.first_event_index() + events.size());
+  std::string columns = encodeColumns(events, t0_ns_, kTimeUnitNs);
   t0_ns_ = t1_ns;
   return sealPacket(std::move(header), codec_.encode(std::move(columns)));
 }
 
 std::vector<Packet> PacketCutter::flush() {
   std::vector<Packet> left;
-  if (std::exchange(open_, false)) left.push_back(take(events_.size(), t1_ns_));
+  if (std::exchange(open_, false)) left.push_back(take(events_, t1_ns_));
+  events_.clear();
   return left;
 }
 

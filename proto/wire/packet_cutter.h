@@ -53,7 +53,7 @@ class PacketCutter {
  private:
   void fill(std::span<const Event> events, std::int64_t t1_ns, std::uint64_t frame,
             std::vector<Packet>& full);
-  Packet take(std::size_t count, std::int64_t t1_ns);
+  Packet take(std::span<const Event> events, std::int64_t t1_ns);
   v1::PacketHeader nextHeader(v1::Kind kind, std::int64_t t0_ns, std::int64_t t1_ns, std::uint64_t frame);
 
   const CodecInfo& codec_;
