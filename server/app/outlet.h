@@ -1,15 +1,13 @@
-// Where a stream leaves its feed: its sensors, the packets they fill, its session.
+// Where a stream leaves its feed: its sensors, and the session that takes their packets.
 #pragma once
 
 #include <atomic>
 #include <memory>
 #include <vector>
 
-#include "app/resolve.h"
+#include "app/eye.h"
 #include "base/tile_pool.h"
-#include "events/sensor.h"
 #include "stream/session.h"
-#include "wire/packet_cutter.h"
 
 namespace saccade {
 
@@ -22,22 +20,14 @@ class Outlet {
   std::uint64_t events() const { return events_; }  // from any thread
 
   // The feed's thread only. publish() takes every interval from the stream's first on, in order, and returns
-  // the CPU time of the sensors. A stream that joins a running feed begins with a snapshot of its pixels.
+  // the CPU time of its eyes. A stream that joins a running feed begins with a snapshot of its pixels.
   // `frame` is the index of the frame at t.
   std::chrono::nanoseconds publish(const IntensityChange& change, TilePool& pool);
   void end(TimeNs t, FrameIndex frame);
   void fail(const std::string& message);
 
  private:
-  struct Eye {
-    Sensor sensor;
-    PacketCutter cutter;
-    std::uint64_t from_event;  // what ends before it is not sent
-    SensorOutput output;
-    std::uint64_t events = 0;  // made
-  };
-  void join(const IntensityChange& first);
-  void push(const Eye& eye, std::vector<Packet> packets);
+  void push(std::vector<Packet> packets);
 
   const std::shared_ptr<Session> session_;
   std::vector<Eye> eyes_;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/eye.h"
 #include "app/refusal.h"
-#include "events/sensor.h"
 #include "frame/image.h"
 #include "stream/credit_queue.h"
 
@@ -62,21 +62,21 @@ void checkAlone(const v1::OpenStream& request, const Limits& limits) {
 CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
                      const ResolvedStream& stream, TilePool& pool) {
   Feed feed(std::move(scene), path, stream.feed, pool);
-  std::vector<Sensor> sensors;
-  for (const SensorConfig& config : stream.sensors)
-    sensors.emplace_back(config, stream.feed.width, stream.feed.height);
-  std::vector<SensorOutput> outputs(sensors.size());
+  std::vector<Eye> eyes = makeEyes(stream, {}, 0);
+  const auto each = [&](const auto& f) {
+    return seconds(pool.run(static_cast<int>(eyes.size()), [&](int i) { f(eyes[i]); }));
+  };
   CpuCost spent, first;
   int frames = 0;
   while (frames < kMeasuredFrames && spent.feed + spent.sensors < kEnoughSeconds) {
     const IntensityChange& change = feed.step();
     spent.feed += seconds(feed.lastTimes().total());
-    spent.sensors += seconds(
-        pool.run(static_cast<int>(sensors.size()), [&](int i) { sensors[i].generate(change, outputs[i]); }));
+    spent.sensors += each([&](Eye& eye) { eye.look(change); });
     if (++frames == 1) first = spent;
   }
-  if (frames == 1) return first;
-  return {(spent.feed - first.feed) / (frames - 1), (spent.sensors - first.sensors) / (frames - 1)};
+  const double left_s = each([](Eye& eye) { eye.flush(); }) / frames;  // where frames are short, most of it
+  if (frames == 1) return {first.feed, first.sensors + left_s};
+  return {(spent.feed - first.feed) / (frames - 1), (spent.sensors - first.sensors) / (frames - 1) + left_s};
 }
 
 void checkPace(const v1::Timing& timing, const CpuCost& frame, double taken, double threads,

@@ -19,7 +19,7 @@ void checkAlone(const v1::OpenStream& request, const Limits& limits);
 // CPU seconds, of a frame or of a second, over all threads.
 struct CpuCost {
   double feed = 0;     // until the change of every pixel is known
-  double sensors = 0;  // until that has become events
+  double sensors = 0;  // until that has become packets
 };
 
 // Of a frame. Renders a few of a feed that is then thrown away: that of the stream is not touched.

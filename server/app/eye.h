@@ -1,0 +1,45 @@
+// A sensor of a stream, and the packets that its events fill.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/resolve.h"
+#include "events/sensor.h"
+#include "wire/packet_cutter.h"
+
+namespace saccade {
+
+class Eye {
+ public:
+  // What ends before the event of the index `from_event` is made, but kept from the client.
+  Eye(const SensorConfig& config, const PacketCutter::Source& source, std::uint64_t from_event);
+
+  // Takes every interval, in order; on any thread.
+  void look(const IntensityChange& change);
+
+  std::uint64_t events() const { return events_; }                        // that look() has made so far
+  bool catchingUp() const { return events_ < from_event_; }               // none is for the client yet
+  std::vector<Packet> takePackets() { return std::exchange(full_, {}); }  // full ones, for the client
+
+  // The pixels before the first interval. To be called first, if at all.
+  Packet snapshot(const IntensityChange& first);
+  // What is in no full packet yet, and with end() the last packet of all.
+  std::vector<Packet> flush() { return forClient(cutter_.flush()); }
+  std::vector<Packet> end(TimeNs t, FrameIndex frame, v1::EndReason reason);
+
+ private:
+  std::vector<Packet> forClient(std::vector<Packet> packets) const;
+
+  Sensor sensor_;
+  PacketCutter cutter_;
+  std::uint64_t from_event_, events_ = 0;
+  SensorOutput output_;
+  std::vector<Packet> full_;
+};
+
+// One for each sensor of the stream.
+std::vector<Eye> makeEyes(const ResolvedStream& stream, const std::string& stream_id, std::uint64_t epoch);
+
+}  // namespace saccade
