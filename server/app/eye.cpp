@@ -1,5 +1,8 @@
 #include "app/eye.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace saccade {
 
 Eye::Eye(const SensorConfig& config, const PacketCutter::Source& source, std::uint64_t from_event)
@@ -8,9 +11,11 @@ Eye::Eye(const SensorConfig& config, const PacketCutter::Source& source, std::ui
       from_event_(from_event) {}
 
 void Eye::look(const IntensityChange& change) {
+  full_.clear();
+  if (!std::exchange(joined_, true) && change.frame > 1) full_.push_back(snapshot(change));
   sensor_.generate(change, output_);
   const PacketInterval interval{change.t0.count(), change.t1.count(), change.frame - 1, output_.suppressed};
-  full_ = forClient(cutter_.cut(output_.events, interval));
+  std::ranges::move(forClient(cutter_.cut(output_.events, interval)), std::back_inserter(full_));
   events_ += output_.events.size();
 }
 

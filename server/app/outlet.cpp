@@ -9,9 +9,6 @@ Outlet::Outlet(std::shared_ptr<Session> session, const ResolvedStream& stream, s
     : session_(std::move(session)), eyes_(makeEyes(stream, session_->id(), epoch)) {}
 
 std::chrono::nanoseconds Outlet::publish(const IntensityChange& change, TilePool& pool) {
-  if (!std::exchange(joined_, true) && change.frame > 1) {
-    for (Eye& eye : eyes_) session_->push(eye.snapshot(change));
-  }
   const auto used = pool.run(static_cast<int>(eyes_.size()), [&](int i) { eyes_[i].look(change); });
   std::uint64_t events = 0;
   for (Eye& eye : eyes_) {

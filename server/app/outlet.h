@@ -20,8 +20,7 @@ class Outlet {
   std::uint64_t events() const { return events_; }  // from any thread
 
   // The feed's thread only. publish() takes every interval from the stream's first on, in order, and returns
-  // the CPU time of its eyes. A stream that joins a running feed begins with a snapshot of its pixels.
-  // `frame` is the index of the frame at t.
+  // the CPU time of its eyes. `frame` is the index of the frame at t.
   std::chrono::nanoseconds publish(const IntensityChange& change, TilePool& pool);
   void end(TimeNs t, FrameIndex frame);
   void fail(const std::string& message);
@@ -31,7 +30,6 @@ class Outlet {
 
   const std::shared_ptr<Session> session_;
   std::vector<Eye> eyes_;
-  bool joined_ = false;
   std::atomic<std::uint64_t> events_ = 0;
 };
 
