@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace saccade {
@@ -48,9 +49,13 @@ void MockSubscriber::sendRaw(const std::string& bytes) {
 }
 
 std::optional<Received> MockSubscriber::receive(std::chrono::milliseconds timeout) {
-  auto packet = receiveAny(timeout);
-  while (packet && packet->header.kind() == v1::KIND_HEARTBEAT) packet = receiveAny(timeout);
-  return packet;
+  using std::chrono::steady_clock, std::chrono::milliseconds;
+  const auto end = steady_clock::now() + timeout;
+  while (true) {
+    const auto left = std::chrono::ceil<milliseconds>(end - steady_clock::now());
+    auto packet = receiveAny(std::max(left, milliseconds(0)));
+    if (!packet || packet->header.kind() != v1::KIND_HEARTBEAT) return packet;
+  }
 }
 
 std::optional<Received> MockSubscriber::receiveAny(std::chrono::milliseconds timeout) {
