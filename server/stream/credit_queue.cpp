@@ -9,7 +9,11 @@
 namespace saccade {
 
 CreditQueue::CreditQueue(Overflow overflow, std::uint64_t capacity_bytes, std::uint32_t sensors)
-    : overflow_(overflow), capacity_bytes_(capacity_bytes), untold_drops_(sensors), first_held_(sensors) {}
+    : overflow_(overflow),
+      capacity_bytes_(capacity_bytes),
+      untold_drops_(sensors),
+      first_held_(sensors),
+      first_unsent_(sensors) {}
 
 bool CreditQueue::hasRoom() const {
   std::lock_guard lock(mutex_);
@@ -63,6 +67,7 @@ bool CreditQueue::sendOldest(const Send& send) {
   Entry& entry = waiting_.entries.front();
   const v1::PacketHeader& header = entry.packet.header;
   if (!send({header.sensor(), header.SerializeAsString(), entry.packet.payload})) return false;
+  first_unsent_[header.sensor()] = std::max(first_unsent_[header.sensor()], header.seq() + 1);
   waiting_.bytes -= entry.bytes;
   sent_.bytes += entry.bytes;
   sent_.entries.push_back(std::move(entry));
@@ -97,6 +102,10 @@ std::string CreditQueue::resume(const std::vector<std::uint64_t>& from_seqs) {
     if (from_seqs[i] < first_held_[i]) {
       return "packets of sensor " + std::to_string(i) + " before seq " + std::to_string(first_held_[i]) +
              " are no longer held";
+    }
+    if (from_seqs[i] > first_unsent_[i]) {
+      return "of sensor " + std::to_string(i) + " nothing has been sent from seq " +
+             std::to_string(first_unsent_[i]) + " on";
     }
   }
   Entries all = std::move(sent_);

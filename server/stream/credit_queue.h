@@ -48,7 +48,8 @@ class CreditQueue {
   // could not be sent and stays the oldest.
   bool sendOldest(const Send& send);
   void acknowledge(std::uint32_t sensor, std::uint64_t seq);  // forgets what was sent up to `seq`
-  // What comes next of each sensor is what has this seq. Returns why that cannot be done, or an empty text.
+  // What comes next of each sensor is what has this seq, of those that have been sent or the one after them.
+  // Returns why that cannot be done, or an empty text.
   std::string resume(const std::vector<std::uint64_t>& from_seqs);
 
   bool empty() const;  // nothing waits to be sent
@@ -73,7 +74,9 @@ class CreditQueue {
   Entries waiting_, sent_;
   std::vector<std::uint64_t> untold_drops_;  // by sensor: for the next packet to be pushed
   std::uint64_t dropped_packets_ = 0;
-  std::vector<std::uint64_t> first_held_;  // by sensor: what was sent and is forgotten has a smaller seq
+  // By sensor. What was sent and is forgotten has a seq below the first; what was ever sent, below the
+  // second.
+  std::vector<std::uint64_t> first_held_, first_unsent_;
 };
 
 }  // namespace saccade

@@ -151,5 +151,19 @@ TEST(CreditQueue, KeepsNoMoreOfWhatWasSentThanItsBound) {
   EXPECT_EQ(popHeader(queue).seq(), 8u);
 }
 
+// Else it would be a way to have more and more of it made and kept.
+TEST(CreditQueue, WhatWasNeverSentCannotBePassedOver) {
+  CreditQueue queue(CreditQueue::Overflow::kHold, 1 << 20, 2);
+  for (std::uint64_t seq = 0; seq < 3; ++seq) {
+    for (std::uint32_t sensor : {0u, 1u}) queue.push(makePacket(sensor, seq, 100));
+  }
+  popHeader(queue);
+  EXPECT_NE(queue.resume({1, 1}).find("sensor 1 nothing"), std::string::npos);
+  EXPECT_NE(queue.resume({2, 0}).find("seq 1 on"), std::string::npos);
+  EXPECT_EQ(queue.resume({0, 0}), "");
+  EXPECT_EQ(queue.resume({1, 0}), "");  // though it would have been sent again
+  EXPECT_EQ(popHeader(queue).sensor(), 1u);
+}
+
 }  // namespace
 }  // namespace saccade
