@@ -114,8 +114,9 @@ bool App::stop() {
   manager_.tell("STOPPING=1");
   const auto deadline =
       Signal::Clock::now() + std::chrono::duration_cast<Signal::Clock::duration>(drain_time_);
-  const bool all_open = opener_.stop(deadline);
+  opener_.stop();
   const bool all_taken = streams_.stopAll(deadline);
+  const bool all_open = opener_.wait(deadline);
   sweeper_ = {};
   control_.stop();
   data_.stop();

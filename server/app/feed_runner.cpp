@@ -24,10 +24,10 @@ void logTimes(FrameIndex frame, const StageTimes& times) {
 }  // namespace
 
 FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, int width, int height, const FeedPace& pace,
-                       TilePool& pool, Totals& totals)
-    : feed_(std::move(feed)),
+                       std::shared_ptr<TilePool> pool, Totals& totals)
+    : pool_(std::move(pool)),
+      feed_(std::move(feed)),
       pace_(pace),
-      pool_(pool),
       totals_(totals),
       luminance_p01_(feed_->firstFrameLuminance(0.01)),
       luminance_p50_(feed_->firstFrameLuminance(0.5)),
@@ -77,8 +77,7 @@ bool FeedRunner::gather() {
     });
     if (outlets_.empty() && close()) return false;
     if (ready()) return true;
-    const auto started = [](const auto& outlet) { return outlet->session().started(); };
-    running_ = running_ && std::any_of(outlets_.begin(), outlets_.end(), started);
+    running_ = false;  // whoever holds the feed holds its clock
     signal_->wait([&] { return ready() || needsCare(); });
   }
 }
@@ -117,6 +116,7 @@ void FeedRunner::step() {
   if (frame_ == 0) began_ = Signal::Clock::now();
   if (!running_ && pace_.speed > 0) wall_zero_ = Signal::Clock::now() - wallTime(now(), pace_.speed);
   running_ = std::none_of(outlets_.begin(), outlets_.end(), [](const auto& o) { return o->catchingUp(); });
+  pool_->setUrgent(running_ && pace_.speed > 0);
   const IntensityChange& change = feed_->step();
   frame_ = change.frame;
   const double lag_s = running_ ? waitUntilDue(change.t1) : 0;
@@ -124,7 +124,7 @@ void FeedRunner::step() {
   for (auto& outlet : outlets_) {
     if (!outlet->session().started()) continue;
     const std::uint64_t events_before = outlet->events();
-    times[Stage::kEvents] += outlet->publish(change, pool_);
+    times[Stage::kEvents] += outlet->publish(change, *pool_);
     totals_.events += outlet->events() - events_before;
   }
   snapshot_.take(change);
@@ -151,6 +151,7 @@ void FeedRunner::record(const StageTimes& times, double lag_s) {
   progress_.frames = frame_;
   progress_.lag_s = lag_s;
   progress_.cpu += times;
+  progress_.recent_s.add(seconds(times.total() - times[Stage::kEvents]));
 }
 
 void FeedRunner::finish(Outlet& outlet) {

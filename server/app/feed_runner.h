@@ -15,6 +15,7 @@
 #include "app/outlet.h"
 #include "app/pixel_speed.h"
 #include "app/totals.h"
+#include "base/recent_mean.h"
 #include "stream/signal.h"
 
 namespace saccade {
@@ -29,13 +30,15 @@ struct FeedProgress {
   FrameIndex frames = 0;  // intervals done
   double lag_s = 0;       // how far the last one came after it was due; 0 without a pace
   StageTimes cpu;         // of all intervals together
+  RecentMean recent_s;    // CPU time for an interval, but for events
 };
 
 class FeedRunner {
  public:
-  // Keeps references to `pool` and to `totals`, which it adds to.
-  FeedRunner(std::unique_ptr<Feed> feed, int width, int height, const FeedPace& pace, TilePool& pool,
-             Totals& totals);
+  // `pool`: that of `feed`, and of no other: it is urgent while the feed is at its pace. Keeps a reference to
+  // `totals`, which it adds to.
+  FeedRunner(std::unique_ptr<Feed> feed, int width, int height, const FeedPace& pace,
+             std::shared_ptr<TilePool> pool, Totals& totals);
   ~FeedRunner();  // its streams must be stopped, or the feed must have an end
   FeedRunner(const FeedRunner&) = delete;
   FeedRunner& operator=(const FeedRunner&) = delete;
@@ -64,9 +67,9 @@ class FeedRunner {
   void finish(Outlet& outlet);
   TimeNs now() const { return frameTime(frame_, pace_.frame_rate_hz); }
 
+  const std::shared_ptr<TilePool> pool_;
   const std::unique_ptr<Feed> feed_;
   const FeedPace pace_;
-  TilePool& pool_;
   Totals& totals_;
   const std::shared_ptr<Signal> signal_ = std::make_shared<Signal>();
   const float luminance_p01_, luminance_p50_;

@@ -16,6 +16,8 @@ std::chrono::nanoseconds Outlet::publish(const IntensityChange& change, TilePool
     events += eye.events();
   }
   events_ = events;
+  cost_s_.add(seconds(used));
+  recent_s_ = cost_s_.value();
   session_->setProgress(change.frame, change.t1.count());
   return used;
 }

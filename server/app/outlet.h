@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/eye.h"
+#include "base/recent_mean.h"
 #include "base/tile_pool.h"
 #include "stream/session.h"
 
@@ -17,7 +18,9 @@ class Outlet {
 
   const Session& session() const { return *session_; }
   bool catchingUp() const;  // nothing has come yet of what its client wants; on the feed's thread
-  std::uint64_t events() const { return events_; }  // from any thread
+  // From any thread.
+  std::uint64_t events() const { return events_; }
+  double recentSeconds() const { return recent_s_; }  // of CPU time for an interval
 
   // The feed's thread only. publish() takes every interval from the stream's first on, in order, and returns
   // the CPU time of its eyes. `frame` is the index of the frame at t.
@@ -31,6 +34,8 @@ class Outlet {
   const std::shared_ptr<Session> session_;
   std::vector<Eye> eyes_;
   std::atomic<std::uint64_t> events_ = 0;
+  RecentMean cost_s_;
+  std::atomic<double> recent_s_ = 0;  // its value
 };
 
 }  // namespace saccade

@@ -48,7 +48,6 @@ StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, Til
     : scenes_(scenes),
       tables_(tables),
       pool_(pool),
-      paced_pool_(pool.urgent()),
       budget_(budget),
       streams_(streams),
       transports_(transports),
@@ -74,11 +73,12 @@ void StreamOpener::open(const v1::OpenStream& request, const std::string& user,
   }));
 }
 
-bool StreamOpener::stop(Signal::Clock::time_point deadline) {
-  {
-    std::lock_guard lock(mutex_);
-    stopped_ = true;  // and so nobody else uses `opening_` any more
-  }
+void StreamOpener::stop() {
+  std::lock_guard lock(mutex_);
+  stopped_ = true;  // and so nobody else uses `opening_` any more
+}
+
+bool StreamOpener::wait(Signal::Clock::time_point deadline) {
   return std::all_of(opening_.begin(), opening_.end(),
                      [&](auto& one) { return one.wait_until(deadline) == std::future_status::ready; });
 }
@@ -93,41 +93,42 @@ v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request, const std:
   const auto scene = scenes_.get(resolved.request.scene(), resolved.without);
   stream.user = user;
   stream.request = resolved.request;
-  {
-    std::unique_lock pacing(pacing_, std::defer_lock);
-    if (isPaced(resolved.request)) pacing.lock();
-    openFeed(resolved, *whole, scene, stream);
-    streams_.add(stream);
-  }
+  openFeed(resolved, *whole, scene, stream);
   log_.info(user, "stream " + stream.session->id() +
                       " opened: " + resolved.request.ShortDebugString().substr(0, 500));
   return describe(resolved, stream, epoch_, resolved.feed.monochrome ? 1 : scene->channels());
 }
 
+// What takes time is done before anybody has to wait for this one: a measurement, the first frame of a feed.
 void StreamOpener::openFeed(const ResolvedStream& resolved, const RenderScene& whole,
                             const std::shared_ptr<const RenderScene>& scene, Stream& stream) {
   Trajectory path = resolveTrajectory(resolved, whole, scenes_.library());
+  const CpuCost frame = isMeasured(resolved) ? measureFrame(scene, path, resolved, pool_) : CpuCost{};
+  const CpuCost sensors{0, frame.sensors};  // of who joins a feed that runs
+  const bool joins = findFeed(resolved) != nullptr;
+  admit(resolved, joins ? sensors : frame);
+  const auto own = joins ? nullptr : makeFeed(resolved, path, scene);
+  std::lock_guard admitting(admitting_);
   stream.feed = findFeed(resolved);
   if (stream.feed) {
-    stream.frame_cost = admit(resolved, path, scene, true);
-    if (connect(resolved, stream)) return;
+    admit(resolved, stream.frame_cost = sensors);
+    if (connect(resolved, stream)) return streams_.add(stream);
   }
-  stream.frame_cost = admit(resolved, path, scene, false);
-  stream.feed = makeFeed(resolved, std::move(path), scene);
+  admit(resolved, stream.frame_cost = frame);
+  stream.feed = own ? own : makeFeed(resolved, std::move(path), scene);
   connect(resolved, stream);
   share(resolved, stream.feed);  // only now: it cannot have ended before its own stream joined
+  streams_.add(stream);
 }
 
-// Returns what a frame takes, 0 where nobody asks.
-CpuCost StreamOpener::admit(const ResolvedStream& resolved, const Trajectory& path,
-                            const std::shared_ptr<const RenderScene>& scene, bool joins) {
-  const Limits& limits = budget_.limits();
-  if (!isPaced(resolved.request) || limits[Limit::kCpu] == 0) return {};
-  CpuCost frame = measureFrame(scene, path, resolved, pool_);
-  if (joins) frame.feed = 0;
+bool StreamOpener::isMeasured(const ResolvedStream& resolved) const {
+  return isPaced(resolved.request) && budget_.limits()[Limit::kCpu] > 0;
+}
+
+void StreamOpener::admit(const ResolvedStream& resolved, const CpuCost& frame) const {
+  if (!isMeasured(resolved)) return;
   const double threads = std::min(pool_.threads(), hardwareThreads());
-  checkPace(resolved.request.timing(), frame, streams_.load(), threads, limits);
-  return frame;
+  checkPace(resolved.request.timing(), frame, streams_.load(), threads, budget_.limits());
 }
 
 std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolved) {
@@ -140,12 +141,12 @@ std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolve
 
 std::shared_ptr<FeedRunner> StreamOpener::makeFeed(const ResolvedStream& resolved, Trajectory path,
                                                    std::shared_ptr<const RenderScene> scene) {
-  TilePool& pool = isPaced(resolved.request) ? paced_pool_ : pool_;
-  auto feed = std::make_unique<Feed>(std::move(scene), std::move(path), resolved.feed, pool);
+  auto pool = std::make_shared<TilePool>(pool_);
+  auto feed = std::make_unique<Feed>(std::move(scene), std::move(path), resolved.feed, *pool);
   const v1::Timing& timing = resolved.request.timing();
   const FeedPace pace{resolved.frames, timing.frame_rate_hz(), timing.speed()};
-  return std::make_shared<FeedRunner>(std::move(feed), resolved.feed.width, resolved.feed.height, pace, pool,
-                                      totals_);
+  return std::make_shared<FeedRunner>(std::move(feed), resolved.feed.width, resolved.feed.height, pace,
+                                      std::move(pool), totals_);
 }
 
 void StreamOpener::share(const ResolvedStream& resolved, const std::shared_ptr<FeedRunner>& feed) {

@@ -31,17 +31,18 @@ class StreamOpener {
 
   // `answer` is called once, from another thread. How many wait is the caller's to bound. Throws Refusal.
   void open(const v1::OpenStream& request, const std::string& user, std::function<void(v1::Reply)> answer);
-  // From now on every request is refused. Returns whether those being opened are open before `deadline`; the
-  // destructor waits for the others.
-  bool stop(Signal::Clock::time_point deadline);
+  void stop();  // from now on every request is refused
+  // After stop(): whether none is being opened any more, before `deadline`. The destructor waits for the
+  // rest.
+  bool wait(Signal::Clock::time_point deadline);
 
  private:
   v1::StreamOpened openNow(const v1::OpenStream& request, const std::string& user);
   // Throws LimitReached, where the threads do not suffice for the pace.
   void openFeed(const ResolvedStream& resolved, const RenderScene& whole,
                 const std::shared_ptr<const RenderScene>& scene, Stream& stream);
-  CpuCost admit(const ResolvedStream& resolved, const Trajectory& path,
-                const std::shared_ptr<const RenderScene>& scene, bool joins);
+  bool isMeasured(const ResolvedStream& resolved) const;
+  void admit(const ResolvedStream& resolved, const CpuCost& frame) const;
   std::shared_ptr<FeedRunner> findFeed(const ResolvedStream& resolved);
   std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved, Trajectory path,
                                        std::shared_ptr<const RenderScene> scene);
@@ -52,14 +53,13 @@ class StreamOpener {
   SceneCache& scenes_;
   const MeasuredTables& tables_;
   TilePool& pool_;
-  TilePool paced_pool_;
   Budget& budget_;
   StreamRegistry& streams_;
   const Transports transports_;
   Totals& totals_;
   ClientLog& log_;
   const std::uint64_t epoch_;
-  std::mutex pacing_;  // PACED streams are admitted one after another
+  std::mutex admitting_;  // held from a look at what streams take until one more is among them
   std::mutex mutex_;
   std::map<std::string, std::weak_ptr<FeedRunner>> shared_;  // by ResolvedStream::feedKey()
   std::vector<std::future<void>> opening_;

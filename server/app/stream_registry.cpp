@@ -41,15 +41,13 @@ v1::StreamInfo Stream::info() const {
 }
 
 CpuCost Stream::load() const {
-  constexpr FrameIndex kSureFrames = 10;  // the mean of so many is better than a measurement before
+  constexpr FrameIndex kSureFrames = 10;  // so many say more than a measurement before
   const v1::Timing& timing = request.timing();
   if (timing.clock() != v1::CLOCK_PACED || session->finished()) return {};
   const FeedProgress done = feed->progress();
-  const double mean_s = seconds(done.cpu.total() - done.cpu[Stage::kEvents]) /
-                        static_cast<double>(std::max<FrameIndex>(1, done.frames));
   const double frames_per_s = timing.frame_rate_hz() * timing.speed();
-  return {(done.frames < kSureFrames ? frame_cost.feed : mean_s) * frames_per_s,
-          frame_cost.sensors * frames_per_s};
+  return {(done.frames < kSureFrames ? frame_cost.feed : done.recent_s.value()) * frames_per_s,
+          std::max(frame_cost.sensors, outlet->recentSeconds()) * frames_per_s};
 }
 
 StreamRegistry::~StreamRegistry() {
@@ -58,6 +56,10 @@ StreamRegistry::~StreamRegistry() {
 
 void StreamRegistry::add(Stream stream) {
   std::lock_guard lock(mutex_);
+  if (stopped_) {
+    stream.session->stop(v1::END_REASON_DRAINING);
+    throw Refusal(v1::CODE_UNAVAILABLE, {}, "the server is stopping");
+  }
   sessions_.add(stream.session);
   const std::string id = stream.session->id();
   streams_.emplace(id, std::move(stream));
@@ -137,6 +139,7 @@ bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
   std::map<std::string, Stream> streams;
   {
     std::lock_guard lock(mutex_);
+    stopped_ = true;
     streams = streams_;
   }
   for (const auto& [id, stream] : streams) stream.session->stop(v1::END_REASON_DRAINING);

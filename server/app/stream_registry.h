@@ -45,7 +45,7 @@ class StreamRegistry {
       : sessions_(sessions), log_(log), lease_(lease) {}
   ~StreamRegistry();  // stops what is left
 
-  void add(Stream stream);
+  void add(Stream stream);  // throws Refusal after stopAll()
   // A copy of the entry. Throws Refusal: there is none, or `token` is not its token.
   Stream find(const std::string& id, const std::string& token) const;
   std::vector<v1::StreamInfo> list(const std::string& user) const;  // what this one has opened
@@ -57,7 +57,8 @@ class StreamRegistry {
   // Ends streams without a receiver and forgets those that are over; returns how many. To be called about
   // once a second.
   std::size_t sweep(Signal::Clock::time_point now);
-  // Ends all streams. Returns whether, before `deadline`, all packets were taken that had a receiver.
+  // Ends all streams, for good. Returns whether, before `deadline`, all packets were taken that had a
+  // receiver.
   bool stopAll(Signal::Clock::time_point deadline);
 
  private:
@@ -69,6 +70,7 @@ class StreamRegistry {
   const Lease lease_;
   mutable std::mutex mutex_;
   std::map<std::string, Stream> streams_;  // by id
+  bool stopped_ = false;
 };
 
 }  // namespace saccade

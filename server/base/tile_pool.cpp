@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <xmmintrin.h>
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <ctime>
 #include <mutex>
@@ -45,15 +46,27 @@ struct TilePool::Workers {
     std::vector<Job*> jobs;
     std::size_t turn = 0;  // whose it is
   };
+  // What a thread is at.
+  struct Running {
+    Workers* workers = nullptr;
+    bool urgent = false;
+    std::chrono::nanoseconds let_first{0};  // CPU time of the pieces that went before this one
+  };
+  static thread_local Running here;
   bool idle() const { return urgent.jobs.empty() && others.jobs.empty(); }
-  Job& takePiece(int& piece);
+  void submit(Job& job);
+  void runPiece(Open& open, std::unique_lock<std::mutex>& lock);
+  void runUrgent();
 
   std::mutex mutex;
   std::condition_variable wanted;
   Open urgent, others;
+  std::atomic<int> urgent_jobs = 0;  // with pieces left
   bool stop = false;
   std::vector<std::thread> threads;
 };
+
+thread_local TilePool::Workers::Running TilePool::Workers::here;
 
 TilePool::Workers::Workers(int count) {
   for (Open* open : {&urgent, &others}) open->jobs.reserve(64);
@@ -70,19 +83,47 @@ TilePool::Workers::~Workers() {
   for (auto& thread : threads) thread.join();
 }
 
-// There is one.
-TilePool::Job& TilePool::Workers::takePiece(int& piece) {
-  auto& [jobs, turn] = urgent.jobs.empty() ? others : urgent;
+void TilePool::Workers::submit(Job& job) {
+  (job.urgent ? urgent : others).jobs.push_back(&job);
+  if (job.urgent) ++urgent_jobs;
+  wanted.notify_all();
+}
+
+// Takes the next piece of `open`, which has one. Its CPU time is without that of the pieces it let go first.
+void TilePool::Workers::runPiece(Open& open, std::unique_lock<std::mutex>& lock) {
+  auto& [jobs, turn] = open;
   if (turn >= jobs.size()) turn = 0;  // behind the last one comes the first
   Job& job = *jobs[turn];
-  piece = job.next++;
+  const int piece = job.next++;
   if (job.next == job.count) {
     jobs.erase(jobs.begin() + static_cast<std::ptrdiff_t>(turn));  // the next one takes its place
+    if (job.urgent) --urgent_jobs;
   } else {
     ++turn;
   }
   ++job.running;
-  return job;
+  lock.unlock();
+  const Running outer = std::exchange(here, {this, job.urgent});
+  const auto start = threadCpuTime();
+  std::exception_ptr fault;
+  try {
+    job.piece(job.context, piece);
+  } catch (...) {
+    fault = std::current_exception();
+  }
+  const auto used = threadCpuTime() - start, own = used - here.let_first;
+  here = outer;
+  here.let_first += used;
+  lock.lock();
+  job.cpu += own;
+  if (fault) job.fault = fault;
+  // With the lock: without it the caller might be gone already, and the job with it.
+  if (--job.running == 0 && job.next == job.count) job.done.notify_one();
+}
+
+void TilePool::Workers::runUrgent() {
+  std::unique_lock lock(mutex);
+  while (!urgent.jobs.empty()) runPiece(urgent, lock);
 }
 
 void TilePool::Workers::work() {
@@ -93,23 +134,13 @@ void TilePool::Workers::work() {
   while (true) {
     wanted.wait(lock, [&] { return stop || !idle(); });
     if (stop) return;
-    int piece = 0;
-    Job& job = takePiece(piece);
-    lock.unlock();
-    const auto start = threadCpuTime();
-    std::exception_ptr fault;
-    try {
-      job.piece(job.context, piece);
-    } catch (...) {
-      fault = std::current_exception();
-    }
-    const auto used = threadCpuTime() - start;
-    lock.lock();
-    job.cpu += used;
-    if (fault) job.fault = fault;
-    // With the lock: without it the caller might be gone already, and the job with it.
-    if (--job.running == 0 && job.next == job.count) job.done.notify_one();
+    runPiece(urgent.jobs.empty() ? others : urgent, lock);
   }
+}
+
+void TilePool::letUrgentGoFirst() {
+  const auto& here = Workers::here;
+  if (here.workers && !here.urgent && here.workers->urgent_jobs > 0) here.workers->runUrgent();
 }
 
 TilePool::TilePool(int threads) : workers_(std::make_shared<Workers>(threads)) {
@@ -123,8 +154,7 @@ int TilePool::threads() const {
 std::chrono::nanoseconds TilePool::runJob(Job& job) {
   if (job.count == 0) return {};
   std::unique_lock lock(workers_->mutex);
-  (urgent_ ? workers_->urgent : workers_->others).jobs.push_back(&job);
-  workers_->wanted.notify_all();
+  workers_->submit(job);
   job.done.wait(lock, [&] { return job.next == job.count && job.running == 0; });
   if (job.fault) std::rethrow_exception(job.fault);
   return job.cpu;

@@ -1,9 +1,10 @@
 // A pool of threads that works through numbered pieces of a picture: tiles, or bands of rows.
 //
 // Any number of callers may submit at once; each waits for its own job. Workers take pieces from the open
-// jobs in turn, so two feeds share the cores fairly; those of urgent() before all others. What a piece writes
-// must not depend on who runs it: results are then the same for any number of threads. All workers flush
-// denormals to zero (the filter is twice as slow without).
+// jobs in turn, so two feeds share the cores fairly; those of urgent jobs before all others, and between the
+// steps of a long piece that says letUrgentGoFirst(). What a piece writes must not depend on who runs it:
+// results are then the same for any number of threads. All workers flush denormals to zero (the filter is
+// twice as slow without).
 #pragma once
 
 #include <algorithm>
@@ -29,16 +30,21 @@ inline constexpr int kBandRows = 8;
 class TilePool {
  public:
   explicit TilePool(int threads);  // >= 1
-  // The same workers, who take pieces of its jobs first: for who has to be done by a certain time.
-  TilePool urgent() const { return TilePool(workers_, true); }
+  // A copy has the same workers. They take pieces of urgent jobs first: for who has to be done by a certain
+  // time. At first none is.
+  void setUrgent(bool urgent) { urgent_ = urgent; }
 
   int threads() const;
+
+  // For a piece that may take longer than a few milliseconds, between its steps, where it holds no lock:
+  // unless it is urgent itself, the worker works through the urgent pieces there are before it goes on.
+  static void letUrgentGoFirst();
 
   // Calls f(i) for i in [0, count), in any order, on the workers. Returns the CPU time that took. Throws what
   // a call threw, after all others.
   template <class F>
   std::chrono::nanoseconds run(int count, const F& f) {
-    Job job{count, &f, [](const void* context, int i) { (*static_cast<const F*>(context))(i); }};
+    Job job{count, urgent_, &f, [](const void* context, int i) { (*static_cast<const F*>(context))(i); }};
     return runJob(job);
   }
 
@@ -63,6 +69,7 @@ class TilePool {
  private:
   struct Job {
     int count;
+    bool urgent;
     const void* context;
     void (*piece)(const void*, int);
     int next = 0;     // first piece not yet taken
@@ -73,7 +80,6 @@ class TilePool {
   };
   struct Workers;
 
-  TilePool(std::shared_ptr<Workers> workers, bool urgent) : workers_(std::move(workers)), urgent_(urgent) {}
   std::chrono::nanoseconds runJob(Job& job);
 
   std::shared_ptr<Workers> workers_;

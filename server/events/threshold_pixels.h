@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/tile_pool.h"
 #include "events/event_model.h"
 
 namespace saccade {
@@ -76,6 +77,7 @@ template <class F>
 void forEachChange(const ImageF& dL, F&& f) {
   constexpr int kBlock = 16;
   for (int y = 0; y < dL.height(); ++y) {
+    TilePool::letUrgentGoFirst();
     const float* row = dL.row(y);
     // The last block may reach into the border, which is 0.
     for (int x0 = 0; x0 < dL.width(); x0 += kBlock) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/tile_pool.h"
 #include "render/gbuffer_pass.h"
 #include "render/seed_plan.h"
 #include "render/sub_pixel.h"
@@ -19,6 +20,7 @@ Rgb meanReflected(const RenderScene& scene, const EmitterStrengths& strengths, c
                   std::uint64_t seed, std::uint32_t pixel, int spp, int bounces) {
   Vec3d sum;
   for (int i = 0; i < spp; ++i) {
+    TilePool::letUrgentGoFirst();
     const Rgb path =
         traceReflected<S, Channels>(scene, strengths, start, PathSampler(seed, pixel, i), bounces).rgb();
     if (std::isfinite(luminance(path))) sum = sum + toDouble(path);

@@ -69,7 +69,8 @@ TEST(TilePool, OpenJobsShareTheWorkers) {
 
 // While others keep the only worker busy: pieces taken in turn would stand between the urgent ones.
 TEST(TilePool, UrgentJobsGoFirst) {
-  TilePool pool(1), urgent = pool.urgent();
+  TilePool pool(1), urgent = pool;
+  urgent.setUrgent(true);
   EXPECT_EQ(urgent.threads(), 1);
   std::latch begun(1);
   std::atomic<bool> done = false;
@@ -88,6 +89,38 @@ TEST(TilePool, UrgentJobsGoFirst) {
   done = true;
   one.join(), other.join();
   EXPECT_NE(order.find("uuuuu"), std::string::npos);
+}
+
+// The only worker is at a piece that ends once the urgent ones are done.
+TEST(TilePool, UrgentJobsGoBetweenTheStepsOfALongPiece) {
+  TilePool pool(1), urgent = pool;
+  urgent.setUrgent(true);
+  std::atomic<int> done = 0;
+  std::latch begun(1);
+  const auto work = [] {
+    volatile double sum = 0;
+    for (int i = 0; i < 200'000; ++i) sum = sum + i;
+  };
+  std::chrono::nanoseconds long_piece, urgent_pieces;
+  std::thread other([&] {
+    long_piece = pool.run(1, [&](int) {
+      begun.count_down();
+      while (done < 30) {
+        std::this_thread::sleep_for(std::chrono::microseconds(100));  // it takes hardly any time itself
+        TilePool::letUrgentGoFirst();
+      }
+    });
+  });
+  begun.wait();
+  EXPECT_THROW(urgent.run(1, [](int) { throw std::runtime_error("one"); }), std::runtime_error);
+  urgent_pieces = urgent.run(30, [&](int) {
+    TilePool::letUrgentGoFirst();  // is one: nothing goes before it
+    work();
+    ++done;
+  });
+  other.join();
+  EXPECT_GT(urgent_pieces.count(), 0);
+  EXPECT_LT(long_piece, urgent_pieces);  // each is charged its own time
 }
 
 TEST(TilePool, ManyCallersEachGetTheirOwnResult) {

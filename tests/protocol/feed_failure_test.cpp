@@ -33,7 +33,7 @@ class FeedFailure : public testing::Test {
   std::unique_ptr<FeedRunner> runner(FrameIndex fails_at) {
     const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
     auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config,
-                                       std::make_unique<FailingMethod>(fails_at), pool_);
+                                       std::make_unique<FailingMethod>(fails_at), *pool_);
     return std::make_unique<FeedRunner>(std::move(feed), 8, 8, FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 
@@ -68,7 +68,7 @@ class FeedFailure : public testing::Test {
   }
 
   Totals totals_;
-  TilePool pool_{2};
+  const std::shared_ptr<TilePool> pool_ = std::make_shared<TilePool>(2);
   WakeFd transport_;
   std::string last_payload_;
   std::shared_ptr<const RenderScene> scene_ = std::make_shared<RenderScene>(test::furnace(0.5f, 1));

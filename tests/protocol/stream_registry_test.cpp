@@ -110,7 +110,7 @@ TEST_F(StreamRegistryTest, ForgetsAtOnceWhatNobodyHasReceivedWhenItIsClosed) {
 
 // Two streams at one feed, and one at another. Each has its own sensors.
 TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
-  TilePool pool(1);
+  const auto pool = std::make_shared<TilePool>(1);
   Totals totals;
   const auto feed = [&] {
     FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
@@ -118,7 +118,7 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
     EXPECT_EQ(resolveParams(*findMethod(config.method), {}, config.params, none), "");
     return std::make_shared<FeedRunner>(
         std::make_unique<Feed>(std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
-                               Trajectory({{TimeNs(0), Pose{}}}), config, pool),
+                               Trajectory({{TimeNs(0), Pose{}}}), config, *pool),
         8, 8, FeedPace{5, 100, 2}, pool, totals);
   };
   Stream stream;
@@ -132,6 +132,7 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
     stream.feed = looked_at;
     stream.session =
         std::make_shared<Session>(id, v1::DELIVERY_LIVE, 1, transport_, std::make_shared<Signal>(), traffic_);
+    stream.outlet = std::make_shared<Outlet>(stream.session, ResolvedStream{}, 0);
     sessions.push_back(stream.session);
     streams_.add(stream);
   }
