@@ -80,5 +80,32 @@ TEST(Drain, DoesNotWaitForEver) {
   EXPECT_EQ(server.process().finish(), 0);
 }
 
+// A stream that would take minutes to open is not waited for before the others have their END.
+TEST(Drain, EndsStreamsWhileAnotherIsBeingOpened) {
+  ServerProcess server({"--drain-time", "2"});
+  MockClient client(server.control()), other(server.control());
+  v1::OpenStream request = tinyRequest();
+  request.mutable_timing()->set_duration_s(0);
+  request.mutable_timing()->set_clock(v1::CLOCK_PACED);
+  request.mutable_timing()->set_speed(0.02);
+  const auto stream = client.open(request);
+  MockSubscriber subscriber(server.data());
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 20);
+  request.mutable_timing()->set_clock(v1::CLOCK_FAST);
+  request.mutable_timing()->set_speed(0);
+  request.mutable_view()->set_width(640);
+  request.mutable_view()->set_height(480);
+  request.mutable_method()->set_name("pt");
+  request.mutable_method()->set_spp(1 << 16);
+  other.setPatience(std::chrono::milliseconds(100));
+  EXPECT_THROW(other.tryOpen(request), std::runtime_error);  // it takes longer
+  ASSERT_TRUE(subscriber.receive());
+  server.process().signal(SIGTERM);
+  const Packets packets = subscriber.receiveAll(1)[0];
+  EXPECT_EQ(packets.back().header.end_reason(), v1::END_REASON_DRAINING);
+  EXPECT_EQ(server.process().finish(), 0);
+}
+
 }  // namespace
 }  // namespace saccade
