@@ -42,13 +42,14 @@ HttpServer::HttpServer(const std::string& endpoint, Pages pages) : impl_(std::ma
     throw std::runtime_error(endpoint + " is no address such as http://127.0.0.1:5773");
   }
   const std::string address = endpoint.substr(kScheme.size());
-  // A few threads; a client that says nothing has its thread for two seconds at most.
+  // A client that says nothing has its thread for half a second at most: dozens of them do not make who asks
+  // for our health wait until it takes us for dead.
   const char* options[] = {"listening_ports",
                            address.c_str(),
                            "num_threads",
-                           "4",
+                           "16",
                            "request_timeout_ms",
-                           "2000",
+                           "500",
                            "enable_keep_alive",
                            "no",
                            "tcp_nodelay",  // an answer is several writes

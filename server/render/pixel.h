@@ -11,6 +11,7 @@
 
 namespace saccade {
 
+inline constexpr int kPathsAtOnce = 16;       // then urgent work has its turn
 inline constexpr float kLeastAlbedo = 1e-3f;  // of the pixel's average, at a place that shows illumination
 
 // Mean reflected radiance of `spp` paths, finite: a path whose estimate is not (a light sample on the very
@@ -20,7 +21,7 @@ Rgb meanReflected(const RenderScene& scene, const EmitterStrengths& strengths, c
                   std::uint64_t seed, std::uint32_t pixel, int spp, int bounces) {
   Vec3d sum;
   for (int i = 0; i < spp; ++i) {
-    TilePool::letUrgentGoFirst();
+    if (i % kPathsAtOnce == kPathsAtOnce - 1) TilePool::letUrgentGoFirst();
     const Rgb path =
         traceReflected<S, Channels>(scene, strengths, start, PathSampler(seed, pixel, i), bounces).rgb();
     if (std::isfinite(luminance(path))) sum = sum + toDouble(path);

@@ -12,6 +12,7 @@ void renderTile(const View& view, const SeedPlan& seeds, const RenderSettings& s
                 Frame& out) {
   const auto pixel = settings.jitter ? renderJitteredPixel<S, Channels> : renderPixel<S, Channels>;
   for (int y = tile.y0; y < tile.y1; ++y) {
+    TilePool::letUrgentGoFirst();
     for (int x = tile.x0; x < tile.x1; ++x) pixel(view, seeds, settings.bounces, x, y, out);
   }
 }

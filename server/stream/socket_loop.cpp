@@ -12,6 +12,7 @@ namespace saccade {
 namespace {
 
 constexpr std::size_t kMaxParts = 3;
+constexpr int kReceiveQueue = 16;     // messages of a peer that wait here; more wait at the peer
 constexpr int kMessagesPerTurn = 64;  // then packets get their turn, too
 
 void configure(zmq::socket_t& socket, const SocketOptions& options) {
@@ -23,6 +24,7 @@ void configure(zmq::socket_t& socket, const SocketOptions& options) {
   socket.set(zmq::sockopt::handshake_ivl, 5000);
   socket.set(zmq::sockopt::maxmsgsize, options.max_part_bytes);
   socket.set(zmq::sockopt::sndhwm, options.send_queue);
+  socket.set(zmq::sockopt::rcvhwm, kReceiveQueue);
   if (options.kind == SocketOptions::Kind::kRouter) {
     socket.set(zmq::sockopt::router_mandatory, true);
   } else {

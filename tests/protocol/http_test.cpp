@@ -1,10 +1,12 @@
 // The pages that machines watch.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <thread>
 
+#include "mock/loopback.h"
 #include "mock/mock_http.h"
 #include "mock/test_server.h"
 #include "ops/http_server.h"
@@ -67,6 +69,16 @@ TEST_F(Http, CountsWhatWasDropped) {
   const double dropped = static_cast<double>(server_.client().info(stream.stream_id()).dropped_packets());
   EXPECT_GT(dropped, 0);
   EXPECT_EQ(metric("saccade_dropped_packets_total"), dropped);
+}
+
+// Who asks whether we are well gives up after some seconds, and then kills us.
+TEST_F(Http, AnswersThoughDozensOfClientsSayNothing) {
+  std::vector<int> mute;
+  for (int i = 0; i < 60; ++i) mute.push_back(connectLoopback(portOf(server_.app().httpEndpoint())));
+  const auto began = std::chrono::steady_clock::now();
+  EXPECT_EQ(get("/healthz").status, 200);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(10));
+  for (const int fd : mute) close(fd);
 }
 
 TEST_F(Http, CountsStreamsByDelivery) {
