@@ -5,16 +5,17 @@
 
 namespace saccade {
 
-// Of the first values as usual; from the 16th on, older ones fade by a sixteenth with each that comes.
+// Of the first kSpan values as usual; then older ones fade by 1 / kSpan with each that comes.
 class RecentMean {
  public:
   void add(double value) {
-    weight_ = std::min(weight_ + 1, 16);
+    weight_ = std::min(weight_ + 1, kSpan);
     mean_ += (value - mean_) / weight_;
   }
   double value() const { return mean_; }  // 0 before the first
 
  private:
+  static constexpr int kSpan = 16;
   int weight_ = 0;
   double mean_ = 0;
 };
