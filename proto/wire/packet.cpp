@@ -63,9 +63,10 @@ Packet sealPacket(v1::PacketHeader header, std::string payload) {
   return {std::move(header), std::make_shared<const std::string>(std::move(payload))};
 }
 
-Packet makeErrorPacket(const std::string& stream_id, const std::string& message) {
+Packet makeErrorPacket(const std::string& stream_id, const std::string& message, std::uint64_t epoch) {
   v1::PacketHeader header;
   header.set_stream_id(stream_id);
+  header.set_epoch(epoch);
   header.set_kind(v1::KIND_ERROR);
   return sealPacket(std::move(header), message);
 }

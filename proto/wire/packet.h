@@ -29,7 +29,7 @@ std::uint32_t crc32Of(std::string_view bytes);
 Packet sealPacket(v1::PacketHeader header, std::string payload);
 
 // KIND_ERROR: the stream as a whole cannot go on. Takes no seq; `message` is UTF-8, for people.
-Packet makeErrorPacket(const std::string& stream_id, const std::string& message);
+Packet makeErrorPacket(const std::string& stream_id, const std::string& message, std::uint64_t epoch = 0);
 
 // For receivers; header and payload may hold anything. Returns why the packet must not be used, or an empty
 // text: unknown kind, layout or codec, more than kMaxPacketEvents events or kMaxSnapshotPixels, a payload

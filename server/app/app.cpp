@@ -13,15 +13,16 @@ namespace saccade {
 App::App(const Config& config)
     : epoch_(std::stoull(randomHex(8), nullptr, 16)),
       drain_time_(config.drain_s),
-      keys_(openKeys(config)),
+      access_(openAccess(config)),
       tables_{openAccuracySource(config.accuracy), openNeedsSource(config.needs)},
       budget_(config.limits),
       pool_(config.threads),
       scenes_(config.scenes, config.limits),
+      sessions_(epoch_),
       control_(config.control, static_cast<std::int64_t>(config.limits.bytes(Limit::kMessage)),
-               totals_.requests, keys_),
-      data_(config.data, sessions_, static_cast<std::int64_t>(config.limits.bytes(Limit::kCredit)), keys_),
-      broadcast_(config.broadcast, sessions_, keys_),
+               totals_.requests, access_),
+      data_(config.data, sessions_, static_cast<std::int64_t>(config.limits.bytes(Limit::kCredit)), access_),
+      broadcast_(config.broadcast, sessions_, access_),
       streams_(sessions_, client_log_, StreamRegistry::Lease(config.lease_s)),
       opener_(scenes_, tables_, pool_, budget_, streams_, {data_.wake(), broadcast_.wake()}, totals_,
               client_log_, epoch_),
@@ -44,10 +45,10 @@ App::~App() {
 }
 
 void App::reloadKeys() {
-  if (!keys_) return;
+  if (!access_.keys) return;
   try {
-    keys_->clients->reload();
-    spdlog::info("{} clients may connect", keys_->clients->size());
+    access_.keys->clients->reload();
+    spdlog::info("{} clients may connect", access_.keys->clients->size());
   } catch (const std::runtime_error& fault) {
     spdlog::error("the keys stay as they were: {}", fault.what());
   }

@@ -48,7 +48,7 @@ class App {
 
   const std::uint64_t epoch_;
   const std::chrono::duration<double> drain_time_;
-  const std::optional<ServerKeys> keys_;
+  const Access access_;
   const MeasuredTables tables_;
   Budget budget_;
   Totals totals_;

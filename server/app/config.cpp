@@ -66,7 +66,7 @@ void addErrands(CLI::App& app, Errand& errand) {
 void run(const Errand& errand, const Config& config, const ConfigSources& sources) {
   if (errand.print) std::fputs(sources.describe().c_str(), stdout);
   if (errand.check) {
-    openKeys(config);
+    openAccess(config);
     std::fprintf(stderr, "the configuration is valid\n");
   }
   if (errand.print || errand.check) std::exit(0);

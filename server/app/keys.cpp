@@ -17,8 +17,6 @@ void requireLoopback(const std::string& option, const std::string& endpoint) {
       "whoever reaches it may use it");
 }
 
-}  // namespace
-
 std::optional<ServerKeys> openKeys(const Config& config) {
   if (config.secret_key.empty() != config.client_keys.empty()) {
     throw std::runtime_error("--secret-key and --client-keys belong together");
@@ -35,6 +33,16 @@ std::optional<ServerKeys> openKeys(const Config& config) {
     requireLoopback("--broadcast", config.broadcast);
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+Access openAccess(const Config& config) {
+  const auto whole = [&](Limit limit) { return static_cast<int>(config.limits[limit]); };
+  return {.keys = openKeys(config),
+          .connections = whole(Limit::kConnections),
+          .client_connections = whole(Limit::kClientConnections),
+          .inbound_mib = whole(Limit::kInbound)};
 }
 
 }  // namespace saccade

@@ -9,14 +9,18 @@ namespace saccade {
 
 constexpr double kMiB = 1 << 20;
 
-const std::array<LimitRow, 18>& limitTable() {
-  static const std::array<LimitRow, 18> rows{{
+const std::array<LimitRow, kLimits>& limitTable() {
+  static const std::array<LimitRow, kLimits> rows{{
       {Limit::kStreams, "streams", 64, 1, "", "open streams"},
       {Limit::kClientStreams, "client-streams", 32, 1, "", "those of one client"},
       {Limit::kSensors, "sensors", 1024, 1, "", "sensors of all streams"},
       {Limit::kClientSensors, "client-sensors", 512, 1, "", "those of one client"},
       {Limit::kPixels, "pixels", 64 << 20, 1, "", "pixels of the views of all streams"},
       {Limit::kClientPixels, "client-pixels", 32 << 20, 1, "", "those of one client"},
+      {Limit::kConnections, "connections", 1024, 1, "", "connections to one socket"},
+      {Limit::kClientConnections, "client-connections", 512, 1, "",
+       "those of one key, or of one address where there are no keys"},
+      {Limit::kInbound, "inbound", 256, 16, "MiB", "messages on their way in, of all connections"},
       {Limit::kRequests, "requests", 64, 1, "", "requests under way, mostly streams being opened"},
       {Limit::kClientRequests, "client-requests", 32, 1, "", "those of one client"},
       {Limit::kMemory, "memory", 4096, 1, "MiB", "feeds and sensors of all streams, as estimated"},

@@ -18,6 +18,9 @@ enum class Limit {
   kClientSensors,
   kPixels,
   kClientPixels,
+  kConnections,
+  kClientConnections,
+  kInbound,
   kRequests,
   kClientRequests,
   kMemory,
@@ -31,6 +34,7 @@ enum class Limit {
   kReducedScenes,
   kCpu,
 };
+inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kCpu) + 1;
 
 struct LimitRow {
   Limit limit;
@@ -40,7 +44,7 @@ struct LimitRow {
   const char* what;
 };
 
-const std::array<LimitRow, 18>& limitTable();  // in the order of Limit
+const std::array<LimitRow, kLimits>& limitTable();  // in the order of Limit
 inline const LimitRow& rowOf(Limit limit) {
   return limitTable()[static_cast<std::size_t>(limit)];
 }
@@ -58,7 +62,7 @@ class Limits {
   friend bool operator==(const Limits&, const Limits&) = default;
 
  private:
-  std::array<double, 18> values_;
+  std::array<double, kLimits> values_;
 };
 
 // A number with the unit of the limit, for people.

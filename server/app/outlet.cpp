@@ -38,7 +38,7 @@ void Outlet::end(TimeNs t, FrameIndex frame) {
 void Outlet::fail(const std::string& message) {
   for (std::uint32_t i = 0; i < session_->sensors(); ++i) {
     push(eyes_[i].flush());
-    Packet packet = makeErrorPacket(session_->id(), message);
+    Packet packet = makeErrorPacket(session_->id(), message, session_->epoch());
     packet.header.set_sensor(i);
     session_->push(std::move(packet));
   }

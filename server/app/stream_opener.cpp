@@ -160,7 +160,7 @@ bool StreamOpener::connect(const ResolvedStream& resolved, Stream& stream) {
   WakeFd& transport = delivery == v1::DELIVERY_BROADCAST ? transports_.broadcast : transports_.data;
   stream.session = std::make_shared<Session>(
       randomHex(kIdBytes), delivery, static_cast<std::uint32_t>(resolved.sensors.size()), transport,
-      stream.feed->signal(), totals_.traffic, budget_.limits().bytes(Limit::kQueue));
+      stream.feed->signal(), totals_.traffic, budget_.limits().bytes(Limit::kQueue), epoch_);
   stream.outlet = std::make_shared<Outlet>(stream.session, resolved, epoch_);
   return stream.feed->add(stream.outlet);
 }

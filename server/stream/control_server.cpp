@@ -23,8 +23,7 @@ v1::Status makeStatus(v1::Code code, const std::string& message, const std::stri
 }
 
 v1::Status readRequest(const std::vector<std::string>& parts, v1::Request& request) {
-  if (!hasServersName(parts[0])) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNamedItself);
-  if (parts.size() != 2 || !request.ParseFromString(parts[1])) {
+  if (parts.size() != 1 || !request.ParseFromString(parts[0])) {
     return makeStatus(v1::CODE_INVALID_ARGUMENT, "a request is one part: a serialized saccade.v1.Request");
   }
   if (request.protocol_version() != kProtocolVersion) {
@@ -51,13 +50,13 @@ struct ControlServer::Outbox {
 };
 
 ControlServer::ControlServer(const std::string& endpoint, std::int64_t max_bytes, RequestCounts& counts,
-                             const std::optional<ServerKeys>& keys)
+                             const Access& access)
     : counts_(counts),
       loop_(std::make_shared<SocketLoop>(
           SocketOptions{.endpoint = endpoint,
                         .max_part_bytes = max_bytes,
                         .send_queue = 1024,  // replies, mostly short, to who asks much at once
-                        .keys = keys})),
+                        .access = access})),
       outbox_(std::make_shared<Outbox>()) {}
 
 ControlServer::~ControlServer() {
@@ -66,11 +65,12 @@ ControlServer::~ControlServer() {
 
 void ControlServer::start(Handler handler) {
   handler_ = std::move(handler);
-  loop_->start([this](const SocketLoop::Message& message) { receive(message); },
+  loop_->start([this](SocketLoop::Message&& message) { receive(message); },
                [this] {
                  sendReplies();
                  return SocketLoop::kUntilWoken;
-               });
+               },
+               [](const std::string&) {});
 }
 
 void ControlServer::stop() {
@@ -80,7 +80,7 @@ void ControlServer::stop() {
 void ControlServer::receive(const SocketLoop::Message& message) {
   v1::Request request;
   v1::Status status = readRequest(message.parts, request);
-  Answer answer = [outbox = outbox_, loop = loop_, identity = message.parts[0], id = request.request_id(),
+  Answer answer = [outbox = outbox_, loop = loop_, identity = message.peer, id = request.request_id(),
                    call = request.call_case(), &counts = counts_](v1::Reply reply) {
     counts.add({call, reply.status().code()});
     reply.set_request_id(id);
@@ -100,7 +100,7 @@ void ControlServer::sendReplies() {
     replies.swap(outbox_->replies);
   }
   // One that is not sent had a receiver who is gone, or who asks without ever reading.
-  for (const auto& [identity, bytes] : replies) loop_->send({identity, bytes});
+  for (const auto& [identity, bytes] : replies) loop_->send(identity, {bytes});
 }
 
 }  // namespace saccade

@@ -17,8 +17,7 @@ namespace saccade {
 v1::Status okStatus();
 v1::Status makeStatus(v1::Code code, const std::string& message, const std::string& field = {});
 
-// Reads `request` from the parts of a message: the peer's identity and the bytes. Returns why it cannot be
-// handed on, or OK.
+// Reads `request` from the parts of a message. Returns why it cannot be handed on, or OK.
 v1::Status readRequest(const std::vector<std::string>& parts, v1::Request& request);
 
 class ControlServer {
@@ -32,7 +31,7 @@ class ControlServer {
   // Binds; throws std::runtime_error. Adds every answer to `counts`, which outlives the answers. A peer that
   // sends more than `max_bytes` at once is disconnected.
   ControlServer(const std::string& endpoint, std::int64_t max_bytes, RequestCounts& counts,
-                const std::optional<ServerKeys>& keys = std::nullopt);
+                const Access& access = {});
   // Answers may still be called after the server is gone; they then go nowhere.
   ~ControlServer();
 

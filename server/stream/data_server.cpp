@@ -2,49 +2,62 @@
 
 #include <algorithm>
 
+#include "base/text_cut.h"
+
 namespace saccade {
 namespace {
 
+constexpr std::size_t kMaxEcho = 64;                // bytes of a text that came from the peer
 constexpr std::chrono::milliseconds kFullPause{2};  // until a peer whose queue is full is tried again
+constexpr std::uint64_t kBytesPerTurn = 1 << 20;    // of a connection; then the others have theirs
 
 }  // namespace
 
 DataServer::DataServer(const std::string& endpoint, const SessionDirectory& sessions, std::int64_t max_credit,
-                       const std::optional<ServerKeys>& keys)
-    : loop_({.endpoint = endpoint, .keys = keys}), sessions_(sessions), max_credit_(max_credit) {}
+                       const Access& access)
+    : loop_({.endpoint = endpoint, .send_queue_bytes = kBytesPerTurn, .access = access}),
+      sessions_(sessions),
+      max_credit_(max_credit) {}
 
 void DataServer::start() {
-  loop_.start([this](const SocketLoop::Message& message) { receive(message); },
-              [this] { return sendPackets(); });
+  loop_.start([this](SocketLoop::Message&& message) { receive(message); }, [this] { return sendPackets(); },
+              [this](const std::string& peer) { forget(peer); });
 }
 
 void DataServer::receive(const SocketLoop::Message& message) {
-  const std::vector<std::string>& parts = message.parts;
   v1::DataRequest request;
-  if (!hasServersName(parts[0])) return refuse(parts[0], {}, kNamedItself);
-  const bool parsed = parts.size() == 2 && request.ParseFromString(parts[1]);
+  const bool parsed = message.parts.size() == 1 && request.ParseFromString(message.parts[0]);
   const std::string fault =
       parsed ? handle(message, request) : "a request is one part: a serialized saccade.v1.DataRequest";
   if (!parsed) request.Clear();  // what was read before the fault may hold a text that is no UTF-8
-  if (!fault.empty()) refuse(parts[0], request.attach().stream_id(), fault);
+  if (!fault.empty()) refuse(message.peer, cutText(request.attach().stream_id(), kMaxEcho), fault);
 }
 
 std::string DataServer::handle(const SocketLoop::Message& message, const v1::DataRequest& request) {
-  const std::string& identity = message.parts[0];
-  switch (request.request_case()) {
-    case v1::DataRequest::kAttach:
-      return attach(message, request.attach());
-    case v1::DataRequest::kCredit:
-      return addCredit(identity, request.credit().bytes());
-    case v1::DataRequest::kAck:
-      return acknowledge(identity, request.ack());
-    default:
-      return "the request holds nothing that this server knows";
+  if (request.has_attach()) return attach(message, request.attach());
+  if (request.request_case() == v1::DataRequest::REQUEST_NOT_SET) {
+    return "the request holds nothing that this server knows";
   }
+  Connection* connection = find(message);
+  if (!connection) return "attach to a stream before giving credit or acknowledging packets";
+  return request.has_credit() ? addCredit(*connection, request.credit().bytes())
+                              : acknowledge(*connection, request.ack());
+}
+
+// Whose key it is counts, too.
+DataServer::Connection* DataServer::find(const SocketLoop::Message& message) {
+  const auto found = connections_.find(message.peer);
+  return found == connections_.end() || found->second.user != message.user ? nullptr : &found->second;
+}
+
+void DataServer::forget(const std::string& peer) {
+  const auto found = connections_.find(peer);
+  if (found == connections_.end()) return;
+  found->second.session->leave();
+  connections_.erase(found);
 }
 
 std::string DataServer::attach(const SocketLoop::Message& message, const v1::Attach& request) {
-  const std::string& identity = message.parts[0];
   const auto session = sessions_.find(request.stream_id());
   // One message for both, so that nobody learns which streams exist.
   if (!session || session->broadcast() || !session->hasToken(request.token())) {
@@ -56,8 +69,8 @@ std::string DataServer::attach(const SocketLoop::Message& message, const v1::Att
     return "from_seqs has one seq for each of the " + std::to_string(session->sensors()) + " sensors";
   }
   if (std::string fault = session->queue().resume(from); !fault.empty()) return fault;
-  takeOver(*session, identity);
-  Connection& connection = connections_[identity];
+  takeOver(*session, message.peer);
+  Connection& connection = connections_[message.peer];
   if (connection.session && connection.session != session) connection.session->leave();
   connection.session = session;
   connection.user = message.user;
@@ -66,19 +79,17 @@ std::string DataServer::attach(const SocketLoop::Message& message, const v1::Att
 }
 
 // Only who knows the token comes here: most likely the same client, on a new connection.
-void DataServer::takeOver(const Session& session, const std::string& identity) {
+void DataServer::takeOver(const Session& session, const std::string& peer) {
   const auto former = std::find_if(connections_.begin(), connections_.end(), [&](const auto& entry) {
-    return entry.second.session.get() == &session && entry.first != identity;
+    return entry.second.session.get() == &session && entry.first != peer;
   });
   if (former == connections_.end()) return;
   refuse(former->first, session.id(), "another connection has attached to the stream");
   connections_.erase(former);
 }
 
-std::string DataServer::addCredit(const std::string& identity, std::uint64_t bytes) {
-  const auto found = connections_.find(identity);
-  if (found == connections_.end()) return "attach to a stream before giving credit";
-  std::int64_t& credit = found->second.credit_bytes;
+std::string DataServer::addCredit(Connection& connection, std::uint64_t bytes) {
+  std::int64_t& credit = connection.credit_bytes;
   if (bytes > static_cast<std::uint64_t>(max_credit_ - std::max<std::int64_t>(0, credit))) {
     return "limit credit: a connection has at most " + std::to_string(max_credit_) + " bytes";
   }
@@ -86,19 +97,16 @@ std::string DataServer::addCredit(const std::string& identity, std::uint64_t byt
   return {};
 }
 
-std::string DataServer::acknowledge(const std::string& identity, const v1::Ack& ack) {
-  const auto found = connections_.find(identity);
-  if (found == connections_.end()) return "attach to a stream before acknowledging packets";
-  Session& session = *found->second.session;
+std::string DataServer::acknowledge(Connection& connection, const v1::Ack& ack) {
+  Session& session = *connection.session;
   if (ack.sensor() >= session.sensors()) return "the stream has no sensor " + std::to_string(ack.sensor());
   session.queue().acknowledge(ack.sensor(), ack.seq());
   return {};
 }
 
-void DataServer::refuse(const std::string& identity, const std::string& stream_id,
-                        const std::string& message) {
-  const Packet packet = makeErrorPacket(stream_id, message);
-  loop_.send({identity, packet.header.SerializeAsString(), *packet.payload});
+void DataServer::refuse(const std::string& peer, const std::string& stream_id, const std::string& message) {
+  const Packet packet = makeErrorPacket(stream_id, message, sessions_.epoch());
+  loop_.send(peer, {packet.header.SerializeAsString(), *packet.payload});
 }
 
 std::chrono::milliseconds DataServer::sendPackets() {
@@ -114,11 +122,15 @@ std::chrono::milliseconds DataServer::sendPackets() {
   return pause;
 }
 
-SocketLoop::Sent DataServer::sendPacketsOf(const std::string& identity, Connection& connection) {
+// kFull also where the connection has had its turn.
+SocketLoop::Sent DataServer::sendPacketsOf(const std::string& peer, Connection& connection) {
   auto sent = SocketLoop::Sent::kYes;
+  std::uint64_t bytes = 0;
   const auto send = [&](const WirePacket& packet) {
-    sent = loop_.send({identity, packet.header, *packet.payload});
+    sent =
+        bytes < kBytesPerTurn ? loop_.send(peer, {packet.header, packet.payload}) : SocketLoop::Sent::kFull;
     if (sent != SocketLoop::Sent::kYes) return false;
+    bytes += packet.bytes();
     connection.credit_bytes -= static_cast<std::int64_t>(packet.bytes());
     connection.last_sent = Signal::Clock::now();
     return true;
@@ -128,13 +140,13 @@ SocketLoop::Sent DataServer::sendPacketsOf(const std::string& identity, Connecti
   }
   if (sent != SocketLoop::Sent::kYes) return sent;
   const bool quiet = Signal::Clock::now() - connection.last_sent >= kHeartbeatPause;
-  return quiet ? sendHeartbeat(identity, connection) : SocketLoop::Sent::kYes;
+  return quiet ? sendHeartbeat(peer, connection) : SocketLoop::Sent::kYes;
 }
 
-SocketLoop::Sent DataServer::sendHeartbeat(const std::string& identity, Connection& connection) {
+SocketLoop::Sent DataServer::sendHeartbeat(const std::string& peer, Connection& connection) {
   const Packet packet = connection.session->heartbeat();
   connection.last_sent = Signal::Clock::now();
-  return loop_.send({identity, packet.header.SerializeAsString(), *packet.payload});
+  return loop_.send(peer, {packet.header.SerializeAsString(), *packet.payload});
 }
 
 }  // namespace saccade

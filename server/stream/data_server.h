@@ -18,7 +18,7 @@ class DataServer {
 
   // Binds; throws std::runtime_error. Keeps a reference. `max_credit`: bytes that a connection may have.
   DataServer(const std::string& endpoint, const SessionDirectory& sessions, std::int64_t max_credit,
-             const std::optional<ServerKeys>& keys = std::nullopt);
+             const Access& access = {});
   ~DataServer() { stop(); }
 
   std::string endpoint() const { return loop_.endpoint(); }
@@ -38,18 +38,20 @@ class DataServer {
   // Each returns what is wrong, or an empty text.
   std::string handle(const SocketLoop::Message& message, const v1::DataRequest& request);
   std::string attach(const SocketLoop::Message& message, const v1::Attach& request);
-  std::string addCredit(const std::string& identity, std::uint64_t bytes);
-  std::string acknowledge(const std::string& identity, const v1::Ack& ack);
-  void takeOver(const Session& session, const std::string& identity);
-  void refuse(const std::string& identity, const std::string& stream_id, const std::string& message);
+  std::string addCredit(Connection& connection, std::uint64_t bytes);
+  std::string acknowledge(Connection& connection, const v1::Ack& ack);
+  Connection* find(const SocketLoop::Message& message);
+  void forget(const std::string& peer);
+  void takeOver(const Session& session, const std::string& peer);
+  void refuse(const std::string& peer, const std::string& stream_id, const std::string& message);
   std::chrono::milliseconds sendPackets();
-  SocketLoop::Sent sendPacketsOf(const std::string& identity, Connection& connection);
-  SocketLoop::Sent sendHeartbeat(const std::string& identity, Connection& connection);
+  SocketLoop::Sent sendPacketsOf(const std::string& peer, Connection& connection);
+  SocketLoop::Sent sendHeartbeat(const std::string& peer, Connection& connection);
 
   SocketLoop loop_;
   const SessionDirectory& sessions_;
   const std::int64_t max_credit_;
-  std::map<std::string, Connection> connections_;  // attached ones, by identity; at most one for a stream
+  std::map<std::string, Connection> connections_;  // attached ones, by peer; at most one for a stream
 };
 
 }  // namespace saccade

@@ -22,11 +22,13 @@ std::string randomHex(int count) {
 }
 
 Session::Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
-                 std::shared_ptr<Signal> producer, Traffic& traffic, std::uint64_t queue_bytes)
+                 std::shared_ptr<Signal> producer, Traffic& traffic, std::uint64_t queue_bytes,
+                 std::uint64_t epoch)
     : id_(std::move(id)),
       token_(randomHex(16)),
       delivery_(delivery),
       sensors_(sensors),
+      epoch_(epoch),
       transport_(transport),
       producer_(std::move(producer)),
       traffic_(traffic),
@@ -44,7 +46,7 @@ bool Session::hasToken(const std::string& token) const {
 }
 
 std::string Session::topic(std::uint32_t sensor) const {
-  return "s/" + id_ + "/" + std::to_string(sensor) + "/";
+  return std::string(kTopicPrefix) + id_ + "/" + std::to_string(sensor) + "/";
 }
 
 void Session::start() {
@@ -83,8 +85,11 @@ Packet Session::heartbeat(std::uint32_t sensor) const {
   header.set_stream_id(id_);
   header.set_sensor(sensor);
   header.set_kind(v1::KIND_HEARTBEAT);
-  header.set_frame(frame_);
-  header.set_t0_ns(t_ns_);
+  header.set_epoch(epoch_);
+  std::unique_lock lock(progress_mutex_);
+  header.set_frame(progress_.frame);
+  header.set_t0_ns(progress_.t_ns);
+  lock.unlock();
   header.set_t1_ns(header.t0_ns());
   return sealPacket(std::move(header), {});
 }
@@ -97,8 +102,8 @@ void Session::push(Packet packet) {
 }
 
 void Session::setProgress(std::uint64_t frame, std::int64_t t_ns) {
-  frame_ = frame;
-  t_ns_ = t_ns;
+  std::lock_guard lock(progress_mutex_);
+  progress_ = {frame, t_ns};
 }
 
 void Session::finish() {

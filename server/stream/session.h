@@ -4,8 +4,10 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "saccade/v1/control.pb.h"
 #include "stream/credit_queue.h"
@@ -18,20 +20,24 @@ namespace saccade {
 // Packets that wait for one stream's client; those it has not acknowledged besides, see CreditQueue.
 inline constexpr std::uint64_t kQueueBytes = 4 << 20;
 
+inline constexpr std::string_view kTopicPrefix = "s/";  // of every topic; the stream's id follows
+
 // All members may be called from any thread.
 class Session {
  public:
   // `transport` is woken when there is something to send, `producer` is raised when started(), stopping(),
   // hasRoom() or settled() may have changed. `transport` and `traffic`, which is added to, outlive the
-  // session.
+  // session. `epoch`: of the server.
   Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
-          std::shared_ptr<Signal> producer, Traffic& traffic, std::uint64_t queue_bytes = kQueueBytes);
+          std::shared_ptr<Signal> producer, Traffic& traffic, std::uint64_t queue_bytes = kQueueBytes,
+          std::uint64_t epoch = 0);
 
   const std::string& id() const { return id_; }
   const std::string& token() const { return token_; }  // 128 random bits as hex digits
   bool hasToken(const std::string& token) const;       // takes as long for any wrong one
   bool broadcast() const { return delivery_ == v1::DELIVERY_BROADCAST; }
   std::uint32_t sensors() const { return sensors_; }
+  std::uint64_t epoch() const { return epoch_; }
   std::string topic(std::uint32_t sensor) const;  // BROADCAST
 
   // Transports. start(): a receiver is there, the producer may begin. leave(): it has gone.
@@ -64,14 +70,19 @@ class Session {
   const std::string id_, token_;
   const v1::Delivery delivery_;
   const std::uint32_t sensors_;
+  const std::uint64_t epoch_;
   WakeFd& transport_;
   const std::shared_ptr<Signal> producer_;
   Traffic& traffic_;
   CreditQueue queue_;
   std::atomic<bool> started_ = false, has_receiver_ = false, stopping_ = false, finished_ = false;
   std::atomic<v1::EndReason> end_reason_ = v1::END_REASON_FINISHED;
-  std::atomic<std::uint64_t> frame_ = 0;
-  std::atomic<std::int64_t> t_ns_ = 0;
+  struct Progress {
+    std::uint64_t frame = 0;
+    std::int64_t t_ns = 0;
+  };
+  mutable std::mutex progress_mutex_;
+  Progress progress_;
   std::atomic<Signal::Clock::time_point> last_activity_;
 };
 

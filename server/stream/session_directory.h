@@ -13,6 +13,9 @@ namespace saccade {
 
 class SessionDirectory {
  public:
+  explicit SessionDirectory(std::uint64_t epoch = 0) : epoch_(epoch) {}
+
+  std::uint64_t epoch() const { return epoch_; }  // of the server
   void add(std::shared_ptr<Session> session);
   void remove(const std::string& id);
 
@@ -20,6 +23,7 @@ class SessionDirectory {
   std::vector<std::shared_ptr<Session>> all() const;
 
  private:
+  const std::uint64_t epoch_;
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<Session>> sessions_;
 };

@@ -1,6 +1,9 @@
 #include "stream/socket_loop.h"
 
+#include <spdlog/spdlog.h>
+
 #include <atomic>
+#include <map>
 #include <stdexcept>
 #include <thread>
 #include <zmq.hpp>
@@ -11,9 +14,19 @@
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMaxParts = 3;
-constexpr int kReceiveQueue = 16;     // messages of a peer that wait here; more wait at the peer
-constexpr int kMessagesPerTurn = 64;  // then packets get their turn, too
+constexpr int kReceiveQueue = 16;               // messages of a peer that wait here; more wait at the peer
+constexpr int kMessagesPerTurn = 64;            // then packets get their turn, too
+constexpr std::size_t kBytesPerTurn = 4 << 20;  // likewise
+constexpr std::chrono::milliseconds kFaultPause{100};
+constexpr std::size_t kLeastShared = 1024;                // copying less costs less than sharing it
+constexpr int kRouterNotify = 97, kNotifyDisconnect = 2;  // ZMQ_..., which zmq.h hides as drafts
+constexpr const char* kCapability = "strict-peers";
+
+using Waiting = std::atomic<std::size_t>;  // bytes that libzmq has for one peer
+
+void setOption(zmq::socket_t& socket, int option, int value) {
+  if (zmq_setsockopt(socket.handle(), option, &value, sizeof value) != 0) throw zmq::error_t();
+}
 
 void configure(zmq::socket_t& socket, const SocketOptions& options) {
   // A socket with IPv6 states IPv4 addresses in a form that few clients understand.
@@ -25,52 +38,70 @@ void configure(zmq::socket_t& socket, const SocketOptions& options) {
   socket.set(zmq::sockopt::maxmsgsize, options.max_part_bytes);
   socket.set(zmq::sockopt::sndhwm, options.send_queue);
   socket.set(zmq::sockopt::rcvhwm, kReceiveQueue);
-  if (options.kind == SocketOptions::Kind::kRouter) {
-    socket.set(zmq::sockopt::router_mandatory, true);
-  } else {
-    socket.set(zmq::sockopt::xpub_verbose, true);  // every subscription is seen, not only a topic's first
-    socket.set(zmq::sockopt::xpub_manual, true);   // and takes effect only where we say so
-  }
+  socket.set(zmq::sockopt::router_mandatory, true);
+  setOption(socket, kRouterNotify, kNotifyDisconnect);
+  setOption(socket, ZMQ_MAX_PARTS, SocketLoop::kMaxParts);
+  setOption(socket, ZMQ_MAX_PEERS, options.access.connections);
+  setOption(socket, ZMQ_MAX_PEERS_OF_CLIENT, options.access.client_connections);
+  setOption(socket, ZMQ_SERVE_AS_XPUB, options.for_subscribers);
 }
 
-SocketLoop::Message receive(zmq::socket_t& socket) {
-  SocketLoop::Message message;
-  zmq::message_t part;
-  do {
-    if (!socket.recv(part, zmq::recv_flags::dontwait)) break;
-    const char* user = zmq_msg_gets(part.handle(), "User-Id");
-    if (user) message.user = user;
-    if (message.parts.size() < kMaxParts) message.parts.push_back(part.to_string());
-  } while (part.more());
-  return message;
+// What owns a part while libzmq has it.
+struct Loan {
+  std::shared_ptr<const std::string> owner;
+  std::shared_ptr<Waiting> waiting;
+};
+
+void giveBack(void*, void* loan) {
+  const std::unique_ptr<Loan> own(static_cast<Loan*>(loan));
+  *own->waiting -= own->owner->size();
+}
+
+zmq::message_t messageOf(const SocketLoop::Part& part, const std::shared_ptr<Waiting>& waiting) {
+  if (!part.owner || part.bytes.size() < kLeastShared) {
+    return zmq::message_t(part.bytes.data(), part.bytes.size());
+  }
+  auto loan = std::make_unique<Loan>(Loan{part.owner, waiting});
+  *waiting += part.bytes.size();
+  void* bytes = const_cast<char*>(part.bytes.data());  // libzmq does not write to it
+  return zmq::message_t(bytes, part.bytes.size(), giveBack, loan.release());
 }
 
 }  // namespace
-
-// What ZeroMQ makes up begins with 0, and a peer cannot guess that of another [zmq_setsockopt,
-// ZMQ_ROUTING_ID].
-bool hasServersName(const std::string& identity) {
-  return identity.starts_with('\0');
-}
 
 struct SocketLoop::Impl {
   zmq::context_t context;
   std::shared_ptr<const ClientKeys> clients;
   std::optional<ZapHandler> zap;
   zmq::socket_t socket;
+  std::size_t send_queue_bytes = 0;
+  std::map<std::string, std::shared_ptr<Waiting>> waiting;  // by peer that was sent anything
   std::atomic<bool> stop = false;
   std::atomic<std::chrono::steady_clock::time_point> last_turn = std::chrono::steady_clock::now();
   std::thread thread;
+
+  std::optional<Message> receive();
 };
 
+int refusedConnections() {
+  zmq::context_t any;  // the count is of the process
+  return zmq_ctx_get(any.handle(), ZMQ_REFUSED_PEERS);
+}
+
 SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Impl>()) {
-  const bool router = options.kind == SocketOptions::Kind::kRouter;
-  impl_->socket = {impl_->context, router ? zmq::socket_type::router : zmq::socket_type::xpub};
+  if (!zmq_has(kCapability)) {
+    throw std::runtime_error(
+        "this libzmq has no bounds for what peers send: use the one that deploy/libzmq/build makes");
+  }
+  zmq_ctx_set(impl_->context.handle(), ZMQ_MAX_INBOUND_MIB, options.access.inbound_mib);
+  impl_->send_queue_bytes = options.send_queue_bytes;
+  impl_->socket = {impl_->context, zmq::socket_type::router};
   configure(impl_->socket, options);
-  if (options.keys) {
-    impl_->clients = options.keys->clients;
-    impl_->zap.emplace(impl_->context, options.keys->clients);
-    secureServer(impl_->socket, options.keys->secret);
+  const auto& keys = options.access.keys;
+  if (keys) {
+    impl_->clients = keys->clients;
+    impl_->zap.emplace(impl_->context, keys->clients);
+    secureServer(impl_->socket, keys->secret);
   }
   try {
     impl_->socket.bind(options.endpoint);
@@ -78,17 +109,18 @@ SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Im
   } catch (const zmq::error_t& fault) {
     throw std::runtime_error("cannot listen on " + options.endpoint + ": " + fault.what());
   }
-  if (!options.keys) return;
-  probeRefusal(router ? zmq::socket_type::dealer : zmq::socket_type::sub, endpoint_, options.keys->secret);
+  if (!keys) return;
+  probeRefusal(options.for_subscribers ? zmq::socket_type::sub : zmq::socket_type::dealer, endpoint_,
+               keys->secret);
 }
 
 SocketLoop::~SocketLoop() {
   stop();
 }
 
-void SocketLoop::start(OnMessage on_message, OnTurn on_turn) {
-  impl_->thread = std::thread(
-      [this, on_message = std::move(on_message), on_turn = std::move(on_turn)] { run(on_message, on_turn); });
+void SocketLoop::start(OnMessage on_message, OnTurn on_turn, OnGone on_gone) {
+  impl_->thread = std::thread([this, on_message = std::move(on_message), on_turn = std::move(on_turn),
+                               on_gone = std::move(on_gone)] { run(on_message, on_turn, on_gone); });
 }
 
 void SocketLoop::stop() {
@@ -101,20 +133,55 @@ void SocketLoop::stop() {
   impl_->context.close();
 }
 
-void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn) {
+void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn, const OnGone& on_gone) {
   auto pause = on_turn();
   while (!impl_->stop) {
     zmq::pollitem_t items[] = {{impl_->socket, 0, ZMQ_POLLIN, 0}, {nullptr, wake_.fd(), ZMQ_POLLIN, 0}};
     zmq::poll(items, 2, pause);
     if (items[1].revents) wake_.clear();
-    for (int i = 0; i < kMessagesPerTurn; ++i) {
-      const Message message = receive(impl_->socket);
-      if (message.parts.empty()) break;
-      if (allows(message.user)) on_message(message);
+    try {
+      receiveSome(on_message, on_gone);
+      pause = on_turn();
+    } catch (const std::exception& fault) {
+      spdlog::error("{}: {}", endpoint_, fault.what());
+      pause = kFaultPause;
     }
-    pause = on_turn();
     impl_->last_turn = std::chrono::steady_clock::now();
   }
+}
+
+void SocketLoop::receiveSome(const OnMessage& on_message, const OnGone& on_gone) {
+  std::size_t bytes = 0;
+  for (int i = 0; i < kMessagesPerTurn && bytes < kBytesPerTurn; ++i) {
+    std::optional<Message> message = impl_->receive();
+    if (!message) break;
+    for (const auto& part : message->parts) bytes += part.size();
+    deliver(std::move(*message), on_message, on_gone);
+  }
+}
+
+// libzmq tells of the end of a connection by an empty message.
+void SocketLoop::deliver(Message&& message, const OnMessage& on_message, const OnGone& on_gone) {
+  if (message.parts.size() == 1 && message.parts[0].empty()) {
+    impl_->waiting.erase(message.peer);
+    on_gone(message.peer);
+  } else if (allows(message.user)) {
+    on_message(std::move(message));
+  }
+}
+
+std::optional<SocketLoop::Message> SocketLoop::Impl::receive() {
+  zmq::message_t part;
+  if (!socket.recv(part, zmq::recv_flags::dontwait)) return {};
+  Message message;
+  message.peer = part.to_string();
+  while (part.more() && socket.recv(part, zmq::recv_flags::dontwait)) {
+    // Without keys the property is what the peer says of itself.
+    const char* user = clients ? zmq_msg_gets(part.handle(), "User-Id") : nullptr;
+    if (user) message.user = user;
+    message.parts.push_back(part.to_string());
+  }
+  return message;
 }
 
 std::chrono::steady_clock::time_point SocketLoop::lastTurn() const {
@@ -125,27 +192,26 @@ bool SocketLoop::allows(const std::string& user) const {
   return !impl_->clients || impl_->clients->allow(user);
 }
 
-SocketLoop::Sent SocketLoop::send(std::initializer_list<std::string_view> parts) {
-  std::size_t left = parts.size();
-  for (std::string_view part : parts) {
-    const auto more = --left > 0 ? zmq::send_flags::sndmore : zmq::send_flags::none;
-    try {
-      // Only the first part can be refused.
-      if (!impl_->socket.send(zmq::buffer(part), more | zmq::send_flags::dontwait)) return Sent::kFull;
-    } catch (const zmq::error_t& fault) {
-      if (fault.num() == EHOSTUNREACH) return Sent::kGone;
-      throw;
+SocketLoop::Sent SocketLoop::send(const std::string& peer, std::initializer_list<Part> parts) {
+  auto& waiting = impl_->waiting[peer];
+  if (!waiting) waiting = std::make_shared<Waiting>(0);
+  if (*waiting >= impl_->send_queue_bytes) return Sent::kFull;
+  try {
+    // Only the first part can be refused.
+    zmq::message_t name(peer.data(), peer.size());
+    if (!impl_->socket.send(name, zmq::send_flags::sndmore | zmq::send_flags::dontwait)) return Sent::kFull;
+    std::size_t left = parts.size();
+    for (const Part& part : parts) {
+      const auto more = --left > 0 ? zmq::send_flags::sndmore : zmq::send_flags::none;
+      zmq::message_t message = messageOf(part, waiting);
+      impl_->socket.send(message, more | zmq::send_flags::dontwait);
     }
+  } catch (const zmq::error_t& fault) {
+    if (fault.num() != EHOSTUNREACH) throw;
+    impl_->waiting.erase(peer);
+    return Sent::kGone;
   }
   return Sent::kYes;
-}
-
-void SocketLoop::setSubscription(const std::string& topic, bool wanted) {
-  if (wanted) {
-    impl_->socket.set(zmq::sockopt::subscribe, topic);
-  } else {
-    impl_->socket.set(zmq::sockopt::unsubscribe, topic);
-  }
 }
 
 }  // namespace saccade

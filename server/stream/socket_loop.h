@@ -1,4 +1,7 @@
 // One ZeroMQ socket and the thread that owns it. The only place where ZeroMQ is used.
+//
+// Peers are strangers: what one may send, and what waits for it, is bounded here and in the libzmq that
+// deploy/libzmq builds. deploy/THREAT_MODEL.md says against whom.
 #pragma once
 
 #include <chrono>
@@ -15,39 +18,46 @@
 
 namespace saccade {
 
-// Only who has a key on the list may connect, over CURVE.
+// Only clients with a key on the list may connect, over CURVE.
 struct ServerKeys {
   std::string secret;  // the server's own
   std::shared_ptr<ClientKeys> clients;
 };
 
-struct SocketOptions {
-  enum class Kind { kRouter, kXPub };
-  Kind kind = Kind::kRouter;
-  std::string endpoint;                    // port 0 or * takes a free one; IPv6 where the host is in brackets
-  std::int64_t max_part_bytes = 64 << 10;  // a peer that sends a larger part is disconnected
-  int send_queue = 64;                     // messages per peer
-  std::optional<ServerKeys> keys;          // none: everybody may connect
+// Who may connect to a socket, and how often.
+struct Access {
+  std::optional<ServerKeys> keys;  // none: everybody may connect
+  int connections = 1024;          // at once
+  int client_connections = 512;    // of one key, or of one address where there are no keys
+  int inbound_mib = 256;           // messages on their way in, of all sockets of the process
 };
 
-// Whether ZeroMQ itself has named this peer of a router. A peer that names itself has no name of its own:
-// whoever connects under it next, when the first one is gone, has its replies and its packets.
-bool hasServersName(const std::string& identity);
-inline constexpr const char* kNamedItself = "leave the socket's routing id (identity) unset";
+struct SocketOptions {
+  std::string endpoint;                    // port 0 or * takes a free one; IPv6 where the host is in brackets
+  bool for_subscribers = false;            // SUB sockets connect; else DEALERs
+  std::int64_t max_part_bytes = 64 << 10;  // a peer that sends a larger part is disconnected
+  int send_queue = 64;                     // messages that wait for one peer
+  std::size_t send_queue_bytes = 16 << 20;  // and their bytes, but for the last message
+  Access access;
+};
 
 class SocketLoop {
  public:
   struct Message {
-    // A router's begin with the peer's identity. Those beyond the third are thrown away.
-    std::vector<std::string> parts;
-    std::string user;  // the peer's public key; empty without keys
+    std::string peer;                // the connection it came by
+    std::string user;                // the peer's public key; empty without keys
+    std::vector<std::string> parts;  // at most kMaxParts: a peer that sends more is disconnected
   };
-  using OnMessage = std::function<void(const Message&)>;
+  static constexpr int kMaxParts = 2;
+
+  using OnMessage = std::function<void(Message&&)>;
   // Called after messages and wake-ups. Returns the longest time to sleep before the next call.
   using OnTurn = std::function<std::chrono::milliseconds()>;
+  using OnGone = std::function<void(const std::string& peer)>;  // the connection has ended
   static constexpr std::chrono::milliseconds kUntilWoken{-1};
 
-  // Binds; throws std::runtime_error naming the endpoint, also where there are keys and a stranger is let in.
+  // Binds; throws std::runtime_error naming the endpoint, also where there are keys and a stranger is let in,
+  // and where libzmq has no bounds for peers.
   explicit SocketLoop(const SocketOptions& options);
   ~SocketLoop();
   SocketLoop(const SocketLoop&) = delete;
@@ -57,24 +67,37 @@ class SocketLoop {
   // When the thread last went around; a wake-up makes it do so. From any thread.
   std::chrono::steady_clock::time_point lastTurn() const;
   WakeFd& wake() { return wake_; }
-  void start(OnMessage on_message, OnTurn on_turn);
+  // What a call throws is logged, and costs no more than its message.
+  void start(OnMessage on_message, OnTurn on_turn, OnGone on_gone);
   // Ends the thread, sends what was accepted for at most a second, and closes the socket.
   void stop();
 
+  // A part that is copied, or one that is shared until it has been sent.
+  struct Part {
+    Part(std::string_view bytes) : bytes(bytes) {}
+    Part(const std::string& bytes) : bytes(bytes) {}
+    Part(std::shared_ptr<const std::string> text) : bytes(*text), owner(std::move(text)) {}
+    std::string_view bytes;
+    std::shared_ptr<const std::string> owner;
+  };
   // From the loop's own thread. kFull: the peer does not read; kGone: there is no such peer any more.
   enum class Sent { kYes, kFull, kGone };
-  Sent send(std::initializer_list<std::string_view> parts);
+  Sent send(const std::string& peer, std::initializer_list<Part> parts);
   // A key may have been taken off the list since its owner connected.
   bool allows(const std::string& user) const;
-  void setSubscription(const std::string& topic, bool wanted);  // of the peer that sent the last message
 
  private:
   struct Impl;  // keeps zmq.hpp out of the header
-  void run(const OnMessage& on_message, const OnTurn& on_turn);
+  void run(const OnMessage& on_message, const OnTurn& on_turn, const OnGone& on_gone);
+  void receiveSome(const OnMessage& on_message, const OnGone& on_gone);
+  void deliver(Message&& message, const OnMessage& on_message, const OnGone& on_gone);
 
   WakeFd wake_;
   std::unique_ptr<Impl> impl_;
   std::string endpoint_;
 };
+
+// Connections that were refused, or cut for what they sent, since the process started.
+int refusedConnections();
 
 }  // namespace saccade
