@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "mock/loopback.h"
@@ -20,6 +21,13 @@ RawPeer::~RawPeer() {
 
 void RawPeer::say(const std::string& bytes) {
   send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+}
+
+std::string RawPeer::hear(std::size_t count) {
+  std::string bytes(count, '\0');
+  const auto heard = recv(fd_, bytes.data(), count, MSG_WAITALL);
+  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(0, heard)));
+  return bytes;
 }
 
 bool RawPeer::closed(std::chrono::milliseconds limit) {

@@ -15,6 +15,7 @@ class RawPeer {
 
   bool connected() const { return fd_ >= 0; }
   void say(const std::string& bytes);
+  std::string hear(std::size_t count);  // fewer bytes where the other side closes
   // Whether the other side has closed the connection, or does so within `limit`. What it says is thrown away.
   bool closed(std::chrono::milliseconds limit);
 

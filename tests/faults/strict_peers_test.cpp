@@ -1,0 +1,220 @@
+// Peers that speak ZMTP by hand and break its rules, against the loop that all sockets have.
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <set>
+
+#include "mock/mock_client.h"
+#include "mock/wait_until.h"
+#include "mock/zmtp_peer.h"
+#include "stream/socket_loop.h"
+
+namespace saccade {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr seconds kBeforeHeartbeats{4};  // miss the answers of these peers, which give none
+
+// A router that notes who speaks and who goes, and answers each message with the same.
+class Router {
+ public:
+  explicit Router(const Access& access = {}, std::int64_t max_part_bytes = 64 << 10)
+      : loop_({.endpoint = "tcp://127.0.0.1:*", .max_part_bytes = max_part_bytes, .access = access}) {
+    loop_.start([this](SocketLoop::Message&& m) { take(m); }, [] { return SocketLoop::kUntilWoken; },
+                [this](const std::string& peer) { note(gone_, peer); });
+  }
+  ~Router() { loop_.stop(); }
+
+  const std::string& endpoint() const { return loop_.endpoint(); }
+  bool heard(std::size_t peers) { return waitFor(heard_, peers); }
+  bool gone(std::size_t peers) { return waitFor(gone_, peers); }
+  std::set<std::string> names() {
+    std::lock_guard lock(mutex_);
+    return heard_;
+  }
+
+ private:
+  void take(const SocketLoop::Message& message) {
+    note(heard_, message.peer);
+    loop_.send(message.peer, {message.parts[0]});
+  }
+  void note(std::set<std::string>& peers, const std::string& peer) {
+    std::lock_guard lock(mutex_);
+    peers.insert(peer);
+    changed_.notify_all();
+  }
+  bool waitFor(const std::set<std::string>& peers, std::size_t count) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, kPatience, [&] { return peers.size() >= count; });
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::set<std::string> heard_, gone_;
+  SocketLoop loop_;
+};
+
+// The name that libzmq gives to the peer after so many more.
+std::string nameAfter(std::string name, std::uint32_t steps) {
+  std::uint32_t number = 0;
+  for (int i = 1; i < 5; ++i) number = number << 8 | static_cast<unsigned char>(name[i]);
+  number += steps;
+  for (int i = 4; i > 0; --i, number >>= 8) name[i] = static_cast<char>(number);
+  return name;
+}
+
+// A name that ZeroMQ was about to give to another ended the process; and whoever came next under the name of
+// one who has gone had its packets.
+TEST(StrictPeers, NoPeerHasANameOfItsOwn) {
+  Router router;
+  ZmtpPeer first(router.endpoint());
+  first.say(zmtpPart("hello"));
+  ASSERT_TRUE(router.heard(1));
+  const std::string name = *router.names().begin();
+  std::vector<ZmtpPeer> thieves;
+  for (std::uint32_t i = 0; i < 40; ++i)
+    thieves.emplace_back(router.endpoint(), "DEALER", nameAfter(name, i));
+  for (auto& thief : thieves) thief.say(zmtpPart("hello"));
+  ASSERT_TRUE(router.heard(41));
+  std::vector<ZmtpPeer> honest;
+  for (int i = 0; i < 40; ++i) honest.emplace_back(router.endpoint());
+  for (auto& peer : honest) peer.say(zmtpPart("hello"));
+  EXPECT_TRUE(router.heard(81)) << "two peers have one name";
+}
+
+TEST(StrictPeers, TheEndOfAConnectionIsTold) {
+  Router router;
+  {
+    ZmtpPeer peer(router.endpoint());
+    peer.say(zmtpPart("hello"));
+    ASSERT_TRUE(router.heard(1));
+  }
+  EXPECT_TRUE(router.gone(1));
+}
+
+// More messages than the queue holds, and the end of the connection right behind them.
+TEST(StrictPeers, TheEndOfAConnectionIsToldBehindAFullQueue) {
+  Router router;
+  {
+    ZmtpPeer peer(router.endpoint());
+    std::string many;
+    for (int i = 0; i < 5000; ++i) many += zmtpPart("hello");
+    peer.say(many);
+    ASSERT_TRUE(router.heard(1));
+  }
+  EXPECT_TRUE(router.gone(1));
+}
+
+struct Rule {
+  const char* name;
+  std::string greeting, rest;
+};
+void PrintTo(const Rule& rule, std::ostream* out) {
+  *out << rule.name;
+}
+
+class BreakARule : public testing::TestWithParam<Rule> {};
+
+TEST_P(BreakARule, EndsTheConnectionAndNoOther) {
+  Router router;
+  ZmtpPeer honest(router.endpoint());
+  honest.say(zmtpPart("hello"));
+  ASSERT_TRUE(router.heard(1));
+  const int refused = refusedConnections();
+  RawPeer peer(router.endpoint());
+  peer.say(GetParam().greeting);
+  peer.hear(1);
+  peer.say(GetParam().rest);
+  EXPECT_TRUE(peer.closed(kBeforeHeartbeats));
+  EXPECT_GE(refusedConnections(), refused + 1);
+  honest.say(zmtpPart("hello"));
+  EXPECT_FALSE(honest.closed(milliseconds(100)));
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(StrictPeers, BreakARule,
+                         testing::Values(Rule{"LongHandshake", zmtpGreeting(),
+                                              zmtpCommand("READY", repeated(zmtpProperty("X", "y"), 2000))},
+                                         Rule{"LongHandshakeAsAMessage", zmtpGreeting(),
+                                              zmtpPart("\5READY" + repeated(zmtpProperty("X", "y"), 2000))},
+                                         Rule{"OlderProtocol", zmtpGreeting(1), repeated(zmtpPart("x"), 10)},
+                                         Rule{"Unversioned", std::string("\1\0", 2),
+                                              repeated(zmtpPart("x"), 10)}),
+                         [](const auto& rule) { return rule.param.name; });
+
+TEST(StrictPeers, AMessageWithoutEndEndsItsConnection) {
+  Router router;
+  ZmtpPeer peer(router.endpoint());
+  peer.say(repeated(zmtpPart("x", true), 100));
+  EXPECT_TRUE(peer.closed(kBeforeHeartbeats));
+  EXPECT_TRUE(router.names().empty());
+}
+
+// The PONG to a PING without the fields it must have held what lies behind it in memory.
+TEST(StrictPeers, AShortPingIsNotAnswered) {
+  Router router;
+  ZmtpPeer peer(router.endpoint());
+  peer.say(zmtpCommand("PING", {}));
+  peer.say(zmtpPart("hello"));
+  EXPECT_EQ(peer.hear(zmtpPart("hello").size()), zmtpPart("hello"));
+}
+
+TEST(StrictPeers, ConnectionsAreBounded) {
+  Router router({.keys = {}, .connections = 4});
+  std::vector<ZmtpPeer> peers;
+  for (int i = 0; i < 4; ++i) peers.emplace_back(router.endpoint()).say(zmtpPart("hello"));
+  ASSERT_TRUE(router.heard(4));
+  EXPECT_TRUE(ZmtpPeer(router.endpoint()).closed(kBeforeHeartbeats));
+  peers.pop_back();
+  ASSERT_TRUE(router.gone(1));
+  ZmtpPeer late(router.endpoint());
+  late.say(zmtpPart("hello"));
+  EXPECT_TRUE(router.heard(5));
+}
+
+TEST(StrictPeers, ConnectionsOfOneAddressAreBounded) {
+  Router router({.keys = {}, .client_connections = 2});
+  std::vector<ZmtpPeer> peers;
+  for (int i = 0; i < 2; ++i) peers.emplace_back(router.endpoint()).say(zmtpPart("hello"));
+  ASSERT_TRUE(router.heard(2));
+  ZmtpPeer third(router.endpoint());
+  third.say(zmtpPart("hello"));
+  EXPECT_TRUE(third.closed(kBeforeHeartbeats));
+  peers.clear();
+  ASSERT_TRUE(router.gone(2));
+  ZmtpPeer late(router.endpoint());
+  late.say(zmtpPart("hello"));
+  EXPECT_TRUE(router.heard(3));
+}
+
+// Large messages that never end: the bound of all of them together cuts those beyond it off.
+TEST(StrictPeers, WhatIsOnItsWayInIsBounded) {
+  constexpr int kMiB = 1 << 20;
+  Router router({.keys = {}, .inbound_mib = 16}, 8 * kMiB);
+  const std::string begun = zmtpPart(std::string(8 * kMiB - 1, 'x')).substr(0, 4096);
+  std::vector<ZmtpPeer> peers;
+  for (int i = 0; i < 2; ++i) peers.emplace_back(router.endpoint()).say(begun);
+  for (auto& peer : peers) EXPECT_FALSE(peer.closed(milliseconds(300)));
+  ZmtpPeer third(router.endpoint());
+  third.say(begun);
+  EXPECT_TRUE(third.closed(kBeforeHeartbeats));
+  peers.clear();
+  EXPECT_TRUE(waitUntil(
+      [&] {
+        ZmtpPeer late(router.endpoint());
+        late.say(begun);
+        return !late.closed(milliseconds(200));
+      },
+      kPatience));
+}
+
+}  // namespace
+}  // namespace saccade
