@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mock/mock_subscriber.h"
+#include "mock/zmtp_peer.h"
 
 namespace saccade {
 namespace {
@@ -24,6 +25,17 @@ class Broadcast : public testing::Test {
     for (std::uint32_t sensor : {0u, 1u}) stream.add_topics(session_->topic(sensor));
     return {server_.endpoint(), stream};
   }
+  // What a peer that has asked for nothing that there is hears while the others hear heartbeats.
+  std::string spyHears(ZmtpPeer& spy) {
+    MockSubscriber other = subscribe();
+    for (int i = 0; i < 4; ++i) EXPECT_TRUE(other.receiveAny());
+    spy.say(zmtpCommand("PING", std::string(2, '\0')));
+    const std::string pong = zmtpCommand("PONG", {});
+    std::string heard = spy.hear(pong.size());
+    const auto ping = zmtpCommand("PING", std::string(2, '\0'));  // the server asks, too
+    return heard == pong || heard == ping.substr(0, pong.size()) ? "" : heard;
+  }
+
   SessionDirectory sessions_;
   Traffic traffic_;
   BroadcastServer server_{"tcp://127.0.0.1:*", sessions_};
@@ -60,6 +72,56 @@ TEST_F(Broadcast, SubscribersComeAndGo) {
   MockSubscriber third = subscribe();
   ASSERT_TRUE(third.receiveAny());
   ASSERT_TRUE(second.receiveAny());
+}
+
+std::string subscription(const std::string& topic, bool wanted = true) {
+  return zmtpPart((wanted ? "\1" : std::string(1, '\0')) + topic);
+}
+
+// What other sockets than SUB may send does not move anybody's subscription to another.
+TEST_F(Broadcast, MessagesOfSubscribersChangeNothing) {
+  ZmtpPeer flooder(server_.endpoint(), "XSUB");
+  std::string junk;
+  for (int i = 0; i < 1000; ++i) junk += zmtpPart("\2");
+  flooder.say(junk);
+  MockSubscriber subscriber = subscribe();
+  flooder.say(junk);
+  ASSERT_TRUE(subscriber.receiveAny());
+  ZmtpPeer spy(server_.endpoint(), "SUB");
+  EXPECT_EQ(spyHears(spy), "");
+}
+
+// Nor does a part of a topic, or that of another stream.
+TEST_F(Broadcast, OnlyWholeTopicsAreServed) {
+  MockSubscriber subscriber = subscribe();
+  ZmtpPeer spy(server_.endpoint(), "SUB");
+  for (const char* topic : {"", "s", "s/", "s/b", "s/b/", "s/b/0", "s/b/2/", "s//0/", "s/b/0/x"})
+    spy.say(subscription(topic));
+  ASSERT_TRUE(subscriber.receiveAny());
+  EXPECT_EQ(spyHears(spy), "");
+}
+
+TEST_F(Broadcast, NobodyUnsubscribesAnother) {
+  MockSubscriber subscriber = subscribe();
+  ASSERT_TRUE(subscriber.receiveAny());
+  ZmtpPeer stranger(server_.endpoint(), "SUB");
+  for (int i = 0; i < 3; ++i)
+    stranger.say(subscription(session_->topic(0), false) + subscription(session_->topic(1), false));
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(subscriber.receiveAny());  // two heartbeats of each topic
+  EXPECT_FALSE(session_->unattended());
+}
+
+// A peer that subscribes twice is gone when it goes.
+TEST_F(Broadcast, TheEndOfAConnectionEndsAllOfItsSubscriptions) {
+  {
+    ZmtpPeer twice(server_.endpoint(), "SUB");
+    for (int i = 0; i < 2; ++i)
+      twice.say(subscription(session_->topic(0)) + subscription(session_->topic(1)));
+    ASSERT_TRUE(signal_->waitUntil(Signal::Clock::now() + kPatience, [&] { return session_->started(); }));
+    ASSERT_FALSE(session_->unattended());
+  }
+  EXPECT_TRUE(signal_->waitUntil(Signal::Clock::now() + kPatience,
+                                 [&] { return session_->unattended().has_value(); }));
 }
 
 }  // namespace
