@@ -40,7 +40,7 @@ TEST(TilePool, TilesCoverThePictureOnce) {
   TilePool pool(2);
   for (const auto& [width, height] : {std::pair(1, 1), {32, 32}, {33, 64}, {100, 31}}) {
     std::vector<std::atomic<int>> hits(width * height);
-    pool.forEachTile(width, height, [&hits, width = width](Tile t) {
+    pool.forEachTile(width, height, 32, [&hits, width = width](Tile t) {
       for (int y = t.y0; y < t.y1; ++y) {
         for (int x = t.x0; x < t.x1; ++x) ++hits[y * width + x];
       }
