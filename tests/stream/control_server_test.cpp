@@ -9,15 +9,15 @@
 namespace saccade {
 namespace {
 
-constexpr std::int64_t kMaxBytes = 1 << 20;
+const ControlServer::Options kOptions{.endpoint = "tcp://127.0.0.1:*", .request_bytes = 1 << 20};
 
 // An answer that takes its time, as a scene that is being loaded does, keeps nobody else waiting.
 TEST(ControlServer, ASlowAnswerDelaysNoOther) {
   RequestCounts counts;
-  ControlServer server("tcp://127.0.0.1:*", kMaxBytes, counts);
+  ControlServer server(kOptions, counts);
   std::promise<ControlServer::Answer> slow;
-  server.start([&](const v1::Request& request, const std::string&, ControlServer::Answer answer) {
-    if (request.has_open_stream()) return slow.set_value(std::move(answer));
+  server.start([&](const RawRequest& request, const Peer&, ControlServer::Answer answer) {
+    if (request.call == v1::Request::kOpenStream) return slow.set_value(std::move(answer));
     v1::Reply reply;
     reply.mutable_server_info()->set_version("quick");
     answer(std::move(reply));
@@ -41,10 +41,10 @@ TEST(ControlServer, AStatusCanBeReadWhateverItsMessageCites) {
 
 TEST(ControlServer, AnEndpointInUseIsNamed) {
   RequestCounts counts;
-  ControlServer first("tcp://127.0.0.1:*", kMaxBytes, counts);
+  ControlServer first(kOptions, counts);
   const std::string endpoint = first.endpoint();
   try {
-    ControlServer second(endpoint, kMaxBytes, counts);
+    ControlServer second({.endpoint = endpoint, .request_bytes = 1 << 20}, counts);
     FAIL();
   } catch (const std::runtime_error& fault) {
     EXPECT_NE(std::string(fault.what()).find(endpoint), std::string::npos);
