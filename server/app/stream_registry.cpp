@@ -29,10 +29,10 @@ bool StreamRegistry::abandoned(const Stream& stream, Signal::Clock::time_point n
 }
 
 bool StreamRegistry::over(const Stream& stream, Signal::Clock::time_point now) const {
+  if (stream.closed && !stream.session->started()) return true;  // nobody waits for its END
   if (!stream.session->finished()) return false;
   if (abandoned(stream, now)) return true;
-  const bool taken = stream.session->drained() || !stream.session->started();
-  return stream.closed && (taken || now - *stream.closed > lease_);
+  return stream.closed && (stream.session->drained() || now - *stream.closed > lease_);
 }
 
 v1::StreamInfo Stream::info() const {
