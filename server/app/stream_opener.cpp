@@ -33,6 +33,14 @@ v1::OpenStream withoutLongPath(v1::OpenStream& request) {
   return rest;
 }
 
+// MiB, about, measured on 100000 keys and 190000 lines: of the path, and of the text that tells feeds apart.
+double pathMemory(const v1::Trajectory& path) {
+  constexpr double kPointBytes = 250;
+  const auto lines = std::count(path.csv().begin(), path.csv().end(), '\n');
+  const double points = static_cast<double>(lines + path.keyframes().keys_size());
+  return (points * kPointBytes + 2 * static_cast<double>(path.ByteSizeLong())) / (1 << 20);
+}
+
 v1::StreamOpened describe(ResolvedStream resolved, const Stream& stream, std::uint64_t epoch, int channels) {
   v1::StreamOpened opened;
   opened.set_stream_id(stream.session->id());
@@ -116,7 +124,9 @@ v1::StreamOpened StreamOpener::openStream(v1::OpenStream request, Opening& openi
   checkAlone(resolved.request, budget_.limits());
   Stream stream;
   streams_.sweep(Signal::Clock::now());  // what is over has its places no longer
-  stream.reserved = budget_.take(opening.peer.user, sharesOf(resolved, budget_.limits()));
+  std::vector<Share> shares = sharesOf(resolved, budget_.limits());
+  shares.push_back({Limit::kMemory, pathMemory(resolved.request.trajectory()), "trajectory"});
+  stream.reserved = budget_.take(opening.peer.user, shares);
   openings_.begin(opening, "loading the scene");
   const auto whole = scenes_.get(resolved.request.scene());
   fitTo(whole->description(), resolved);

@@ -1,5 +1,7 @@
 #include "base/worker.h"
 
+#include <exception>
+
 #include "base/lower_priority.h"
 
 namespace saccade {
@@ -32,7 +34,10 @@ void Worker::run() {
     auto task = std::move(tasks_.front());
     tasks_.pop();
     lock.unlock();
-    task();
+    try {
+      task();
+    } catch (const std::exception&) {
+    }
     task = nullptr;
     lock.lock();
   }

@@ -14,8 +14,8 @@ class Worker {
   Worker();
   ~Worker();  // ends what it is at; what still waits is not done
 
-  // From any thread. `task` must not throw; it is destroyed on the worker's thread once it is done. How many
-  // wait is the caller's to bound.
+  // From any thread. `task` is destroyed on the worker's thread once it is done. What it throws is not told:
+  // that is the task's to do. How many wait is the caller's to bound.
   void post(std::function<void()> task);
 
  private:

@@ -22,7 +22,7 @@ struct ControlServer::Outbox {
   std::vector<Letter> letters;
 
   // Returns the code of what is sent: without memory for the reply, a shorter one.
-  v1::Code put(const std::string& connection, v1::Reply reply, std::shared_ptr<UnreadReply> unread) {
+  v1::Code put(const std::string& connection, v1::Reply reply, const std::shared_ptr<UnreadReply>& unread) {
     std::string bytes;
     try {
       bytes = reply.SerializeAsString();
@@ -31,9 +31,9 @@ struct ControlServer::Outbox {
       reply.clear_result();
       bytes = reply.SerializeAsString();
     }
-    unread->setBytes(bytes.size());
     std::lock_guard lock(mutex);
-    letters.push_back({connection, std::move(bytes), std::move(unread)});
+    letters.push_back({connection, std::move(bytes), unread});
+    unread->setBytes(letters.back().bytes.size());
     return reply.status().code();
   }
 };
@@ -56,8 +56,8 @@ void ControlServer::start(Handler handler, OnGone on_gone) {
   const auto receive_safely = [this](const SocketLoop::Message& message) {
     try {
       receive(message);
-    } catch (const std::exception&) {  // not even the reply that says so can be made
-      counts_.drop();
+    } catch (const std::exception&) {
+      // Not even the reply that says so can be made. The request is counted.
     }
   };
   loop_->start(
@@ -100,7 +100,7 @@ v1::Status ControlServer::admit(const Unread& unread) const {
 
 ControlServer::Answer ControlServer::answerTo(const std::string& connection, const RawRequest& request,
                                               std::shared_ptr<Unread> peer) {
-  auto unread = std::make_shared<UnreadReply>(std::move(peer));
+  auto unread = std::make_shared<UnreadReply>(std::move(peer), counts_);
   return [outbox = outbox_, loop = loop_, connection, unread = std::move(unread), id = request.id,
           call = request.call, &counts = counts_](v1::Reply reply) mutable {
     reply.set_request_id(id);

@@ -6,6 +6,8 @@
 #include <memory>
 #include <utility>
 
+#include "stream/request_counts.h"
+
 namespace saccade {
 
 struct Unread {
@@ -13,24 +15,28 @@ struct Unread {
   std::atomic<std::int64_t> bytes = 0;
 };
 
-// One reply of these.
+// One reply of these. Where it is never made, that is counted.
 class UnreadReply {
  public:
-  explicit UnreadReply(std::shared_ptr<Unread> peer) : peer_(std::move(peer)) { ++peer_->replies; }
+  UnreadReply(std::shared_ptr<Unread> peer, RequestCounts& counts) : peer_(std::move(peer)), counts_(counts) {
+    ++peer_->replies;
+  }
   ~UnreadReply() {
+    if (bytes_ == 0) counts_.drop();
     --peer_->replies;
     peer_->bytes -= bytes_;
   }
   UnreadReply(const UnreadReply&) = delete;
   UnreadReply& operator=(const UnreadReply&) = delete;
 
-  void setBytes(std::size_t bytes) {  // when the reply is made; not from two threads
-    const auto before = std::exchange(bytes_, static_cast<std::int64_t>(bytes));
-    peer_->bytes += bytes_ - before;
+  void setBytes(std::size_t bytes) {  // > 0; once, when the reply is made
+    bytes_ = static_cast<std::int64_t>(bytes);
+    peer_->bytes += bytes_;
   }
 
  private:
   const std::shared_ptr<Unread> peer_;
+  RequestCounts& counts_;
   std::int64_t bytes_ = 0;
 };
 
