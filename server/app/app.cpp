@@ -19,8 +19,11 @@ App::App(const Config& config)
       pool_(config.threads),
       scenes_(config.scenes, config.limits),
       sessions_(epoch_),
-      control_(config.control, static_cast<std::int64_t>(config.limits.bytes(Limit::kMessage)),
-               totals_.requests, access_),
+      control_({.endpoint = config.control,
+                .request_bytes = static_cast<std::int64_t>(config.limits.bytes(Limit::kMessage)),
+                .unread_bytes = static_cast<std::int64_t>(config.limits.bytes(Limit::kReplies)),
+                .access = access_},
+               totals_.requests),
       data_(config.data, sessions_, static_cast<std::int64_t>(config.limits.bytes(Limit::kCredit)), access_),
       broadcast_(config.broadcast, sessions_, access_),
       streams_(sessions_, client_log_, StreamRegistry::Lease(config.lease_s)),
@@ -29,9 +32,11 @@ App::App(const Config& config)
       service_(scenes_, budget_, streams_, opener_, client_log_, describe(config)) {
   data_.start();
   broadcast_.start();
-  control_.start([this](const v1::Request& request, const std::string& user, ControlServer::Answer answer) {
-    service_.handle(request, user, std::move(answer));
-  });
+  control_.start(
+      [this](RawRequest request, const Peer& peer, ControlServer::Answer answer) {
+        service_.handle(std::move(request), peer, std::move(answer));
+      },
+      [this](const std::string& connection) { opener_.openings().cancelAllOf(connection); });
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
   if (config.http != "off") http_.emplace(config.http, pages());
   manager_.tell("READY=1");
@@ -99,10 +104,12 @@ void App::sweep(std::stop_token stopped) {
   std::condition_variable_any tick;
   std::unique_lock lock(mutex);
   auto woken = Signal::Clock::now();
+  std::uint64_t forgotten = 0;
   while (!stopped.stop_requested()) {
     tick.wait_for(lock, stopped, std::chrono::seconds(1), [] { return false; });
+    streams_.sweep(Signal::Clock::now());
     // The heap would keep for ever what many streams at once have taken.
-    if (streams_.sweep(Signal::Clock::now()) > 0) malloc_trim(0);
+    if (std::exchange(forgotten, streams_.forgotten()) != forgotten) malloc_trim(0);
     // All have gone around since: else the manager is told nothing, and restarts us when its own time is up.
     if (oldestTurn() >= woken) manager_.tell("WATCHDOG=1");
     woken = Signal::Clock::now();

@@ -8,7 +8,8 @@ std::shared_ptr<void> Budget::take(const std::string& client, const std::vector<
   std::lock_guard lock(mutex_);
   for (const Share& share : shares) {
     const auto own = ofOneClient(share.limit);
-    if (own && !client.empty()) check(taken_by_[client], *own, share);
+    const auto taken = taken_by_.find(client);
+    if (own && !client.empty()) check(taken == taken_by_.end() ? Taken{} : taken->second, *own, share);
     check(taken_, share.limit, share);
   }
   add(client, shares, 1);

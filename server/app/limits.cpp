@@ -21,9 +21,10 @@ const std::array<LimitRow, kLimits>& limitTable() {
       {Limit::kClientConnections, "client-connections", 512, 1, "",
        "those of one key, or of one address where there are no keys"},
       {Limit::kInbound, "inbound", 256, 16, "MiB", "messages on their way in, of all connections"},
-      {Limit::kRequests, "requests", 64, 1, "", "requests under way, mostly streams being opened"},
+      {Limit::kRequests, "requests", 64, 1, "", "streams being opened"},
       {Limit::kClientRequests, "client-requests", 32, 1, "", "those of one client"},
-      {Limit::kMemory, "memory", 4096, 1, "MiB", "feeds and sensors of all streams, as estimated"},
+      {Limit::kMemory, "memory", 4096, 1, "MiB",
+       "feeds, sensors and paths of all streams, and requests being opened, as estimated"},
       {Limit::kQueues, "queues", 1024, 1, "MiB", "packets kept for the clients of all streams"},
       {Limit::kQueue, "queue", kQueueBytes / kMiB, 0.0625, "MiB",
        "packets that wait for the client of one stream"},
@@ -36,6 +37,10 @@ const std::array<LimitRow, kLimits>& limitTable() {
       {Limit::kReducedScenes, "reduced-scenes", 16, 0, "", "scenes in memory that lack parts of theirs"},
       {Limit::kCpu, "cpu", 85, 0, "%",
        "of the threads for PACED streams; 0: they are not measured, and may lag"},
+      {Limit::kReplies, "replies", 16, 0.0625, "MiB",
+       "replies of one connection that wait for it; with more its requests are refused"},
+      {Limit::kRays, "rays", 2e9, 1, "", "of one frame: pixels times spp times (bounces + 2)"},
+      {Limit::kPixelRays, "pixel-rays", 1e5, 1, "", "of one pixel: spp times (bounces + 2)"},
   }};
   return rows;
 }

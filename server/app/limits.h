@@ -33,8 +33,11 @@ enum class Limit {
   kTrajectoryPoints,
   kReducedScenes,
   kCpu,
+  kReplies,
+  kRays,
+  kPixelRays,
 };
-inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kCpu) + 1;
+inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kPixelRays) + 1;
 
 struct LimitRow {
   Limit limit;

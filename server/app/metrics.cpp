@@ -61,6 +61,9 @@ void addRequests(Families& all, const RequestCounts& requests) {
     all.value(static_cast<double>(count), {{"call", call ? call->name() : "none"},
                                            {"code", nameWithout("CODE_", v1::Code_Name(kind.second))}});
   }
+  all.counter("saccade_dropped_requests_total",
+              "Requests not answered, since their client takes no replies or memory ran out.");
+  all.value(static_cast<double>(requests.dropped()));
 }
 
 void addStreams(Families& all, const StreamRegistry& streams) {

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <new>
 
 #include "base/range.h"
 #include "scene/scene_error.h"
-#include "stream/control_server.h"
+#include "stream/status.h"
 
 namespace saccade {
 
@@ -26,6 +27,8 @@ v1::Status statusOfException() {
     return status;
   } catch (const SceneError& fault) {  // trajectories have become Refusals: this is the scene's own file
     return makeStatus(v1::CODE_UNAVAILABLE, fault.what(), "scene");
+  } catch (const std::bad_alloc&) {
+    return noMemoryStatus();
   } catch (const std::exception& fault) {
     return makeStatus(v1::CODE_INTERNAL, fault.what());
   }

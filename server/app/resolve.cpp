@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/refusal.h"
+#include "base/text_cut.h"
 #include "scene/text.h"
 
 namespace saccade {
@@ -62,7 +63,7 @@ void resolveMethod(v1::Method& method, FeedConfig& feed) {
   const ParamValues given(method.params().begin(), method.params().end());
   std::string bad_name;
   if (std::string fault = resolveParams(*info, given, feed.params, bad_name); !fault.empty()) {
-    refuse("method.params[\"" + bad_name + "\"]", fault);
+    refuse("method.params[\"" + cutText(bad_name, kMaxEcho) + "\"]", fault);
   }
   method.mutable_params()->insert(feed.params.begin(), feed.params.end());
 
@@ -104,10 +105,10 @@ void checkFromEvents(const v1::OpenStream& request) {
 
 }  // namespace
 
-ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes,
+ResolvedStream resolve(v1::OpenStream request, const std::vector<SceneEntry>& scenes,
                        const MeasuredTables& tables) {
   ResolvedStream stream{
-      .request = request, .feed = {}, .sensors = {}, .without = {}, .expected = {}, .simpler = {}};
+      .request = std::move(request), .feed = {}, .sensors = {}, .without = {}, .expected = {}, .simpler = {}};
   v1::OpenStream& r = stream.request;
   checkTrajectory(*r.mutable_trajectory(), findScene(r, scenes));
   resolveView(*r.mutable_view(), stream.feed);

@@ -35,7 +35,7 @@ struct ResolvedStream {
 
 // Checks `request` against the scenes there are. The field of view may still be open, and parts of the model
 // be named that the scene lacks: that is the scene's to say, see fitTo(). Throws Refusal.
-ResolvedStream resolve(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes,
+ResolvedStream resolve(v1::OpenStream request, const std::vector<SceneEntry>& scenes,
                        const MeasuredTables& tables);
 
 // Fills in method and bounces where the request has a budget instead, and returns what to expect of them.

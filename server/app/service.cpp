@@ -1,92 +1,106 @@
 #include "app/service.h"
 
 #include "app/refusal.h"
-#include "stream/control_server.h"
+#include "app/request_bounds.h"
 
 namespace saccade {
+namespace {
+
+constexpr double kOpeningMemory = 12;  // bytes for each byte of an open_stream, while it is under way
+
+}  // namespace
 
 Service::Service(const SceneCache& scenes, Budget& budget, StreamRegistry& streams, StreamOpener& opener,
                  ClientLog& log, v1::ServerDescription description)
-    : scenes_(scenes),
-      budget_(budget),
+    : budget_(budget),
       streams_(streams),
       opener_(opener),
       log_(log),
-      description_(std::move(description)) {}
+      description_(std::move(description)),
+      scenes_(scenes) {}
 
-void Service::handle(const v1::Request& request, const std::string& user,
-                     std::function<void(v1::Reply)> answer) {
-  const auto tell = [&log = log_, user, answer = std::move(answer)](v1::Reply reply) {
+void Service::handle(RawRequest request, const Peer& peer, Answer answer) {
+  const auto tell = [&log = log_, user = peer.user, answer = std::move(answer)](v1::Reply reply) {
     const v1::Status& status = reply.status();
     if (status.code() != v1::CODE_OK) log.info(user, "refused: " + status.field() + " " + status.message());
     answer(std::move(reply));
   };
-  v1::Reply reply;
   try {
-    auto slot = budget_.take(user, {{Limit::kRequests, 1}});
-    if (request.has_open_stream()) {
-      return opener_.open(request.open_stream(), user, [tell, slot](v1::Reply late) mutable {
-        slot.reset();  // before its client, who may ask the next at once, hears of it
-        tell(std::move(late));
-      });
-    }
-    fill(request, user, reply);
-    *reply.mutable_status() = okStatus();
+    hand(std::move(request), peer, tell);
   } catch (...) {
-    *reply.mutable_status() = statusOfException();
+    v1::Reply refusal;
+    *refusal.mutable_status() = statusOfException();
+    tell(std::move(refusal));
   }
-  tell(std::move(reply));
 }
 
-void Service::fill(const v1::Request& request, const std::string& user, v1::Reply& reply) {
+// To who answers. Throws what is to be answered instead.
+void Service::hand(RawRequest raw, const Peer& peer, const Answer& answer) {
+  if (raw.call == v1::Request::kOpenStream) return open(std::move(raw), peer, answer);
+  const v1::Request request = parseRequest(raw.bytes);
+  if (request.has_list_scenes()) return scenes_.ask(answer);
+  if (request.has_get_frame()) return getFrame(request.get_frame(), answer);
+  v1::Reply reply;
+  fill(request, peer, reply);
+  *reply.mutable_status() = okStatus();
+  answer(std::move(reply));
+}
+
+void Service::open(RawRequest request, const Peer& peer, Answer answer) {
+  const double memory = kOpeningMemory * static_cast<double>(request.bytes.size()) / (1 << 20);
+  auto slot = budget_.take(peer.user, {{Limit::kRequests, 1}, {Limit::kMemory, memory}});
+  opener_.open(std::move(request), peer, [answer = std::move(answer), slot](v1::Reply reply) mutable {
+    slot.reset();  // before its client, who may ask the next at once, hears of it
+    answer(std::move(reply));
+  });
+}
+
+// What is packed may be large, and the last who holds a stream may be the one who ends its feed.
+void Service::getFrame(const v1::GetFrame& call, Answer answer) {
+  Stream stream = streams_.find(call.stream_id(), call.token());
+  const v1::View& view = stream.request.view();
+  budget_.use(Limit::kPictures, 2.0 * sizeof(float) * view.width() * view.height() / (1 << 20));
+  packer_.post([stream = std::move(stream), answer = std::move(answer)] {
+    v1::Reply reply;
+    try {
+      auto picture = stream.feed->snapshot().picture(stream.request.sensors(0).bias());
+      if (!picture) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the stream has no frame yet");
+      *reply.mutable_get_frame() = std::move(*picture);
+      *reply.mutable_status() = okStatus();
+    } catch (...) {
+      *reply.mutable_status() = statusOfException();
+    }
+    answer(std::move(reply));
+  });
+}
+
+void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& reply) {
   switch (request.call_case()) {
-    case v1::Request::kListScenes:
-      *reply.mutable_list_scenes() = listScenes();
-      break;
     case v1::Request::kCloseStream:
       streams_.close(request.close_stream().stream_id(), request.close_stream().token());
       reply.mutable_close_stream();
       break;
     case v1::Request::kListStreams:
-      *reply.mutable_list_streams() = listStreams(user);
+      *reply.mutable_list_streams() = listStreams(peer.user);
       break;
     case v1::Request::kServerInfo:
       *reply.mutable_server_info() = description_;
       break;
-    case v1::Request::kGetFrame:
-      *reply.mutable_get_frame() = getFrame(request.get_frame());
+    case v1::Request::kCancelOpen:
+      if (!opener_.openings().cancel(peer, request.cancel_open().request_id()))
+        throw Refusal(v1::CODE_NOT_FOUND, "request_id", "no stream is being opened by that request");
+      reply.mutable_cancel_open();
       break;
     default:
       throw Refusal(v1::CODE_UNIMPLEMENTED, "call", "this server does not know the call");
   }
 }
 
-v1::SceneList Service::listScenes() const {
-  v1::SceneList list;
-  for (const SceneEntry& entry : scenes_.library().list()) {
-    v1::SceneInfo& scene = *list.add_scenes();
-    scene.set_name(entry.name);
-    scene.set_description(entry.description);
-    for (const auto& name : entry.trajectories) scene.add_trajectories(name);
-    scene.set_unavailable(entry.unavailable);
-    scene.set_needs(scenes_.needs(entry.name));
-  }
-  return list;
-}
-
 v1::StreamList Service::listStreams(const std::string& user) const {
   v1::StreamList list;
   for (auto& info : streams_.list(user)) *list.add_streams() = std::move(info);
+  for (auto& info : opener_.openings().list(user)) *list.add_opening() = std::move(info);
   return list;
-}
-
-v1::FramePicture Service::getFrame(const v1::GetFrame& call) const {
-  const Stream stream = streams_.find(call.stream_id(), call.token());
-  const v1::View& view = stream.request.view();
-  budget_.use(Limit::kPictures, 2.0 * sizeof(float) * view.width() * view.height() / (1 << 20));
-  auto picture = stream.feed->snapshot().picture(stream.request.sensors(0).bias());
-  if (!picture) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the stream has no frame yet");
-  return std::move(*picture);
 }
 
 void describeMethods(v1::ServerDescription& description) {

@@ -4,34 +4,40 @@
 #include <functional>
 #include <string>
 
-#include "app/scene_cache.h"
+#include "app/scene_lister.h"
 #include "app/stream_opener.h"
 #include "app/stream_registry.h"
+#include "base/worker.h"
+#include "stream/control_server.h"
 
 namespace saccade {
 
 class Service {
  public:
+  using Answer = std::function<void(v1::Reply)>;
+
   // Keeps references. `description` is what ServerInfo answers.
   Service(const SceneCache& scenes, Budget& budget, StreamRegistry& streams, StreamOpener& opener,
           ClientLog& log, v1::ServerDescription description);
 
-  // Does not block; `answer` is called once, perhaps later and from another thread. `user` is who asks:
+  // Does not block; `answer` is called once, perhaps later and from another thread. `peer` is who asks:
   // streams are listed to those who opened them.
-  void handle(const v1::Request& request, const std::string& user, std::function<void(v1::Reply)> answer);
+  void handle(RawRequest request, const Peer& peer, Answer answer);
 
  private:
-  void fill(const v1::Request& request, const std::string& user, v1::Reply& reply);
-  v1::SceneList listScenes() const;
+  void hand(RawRequest request, const Peer& peer, const Answer& answer);
+  void open(RawRequest request, const Peer& peer, Answer answer);
+  void getFrame(const v1::GetFrame& call, Answer answer);
+  void fill(const v1::Request& request, const Peer& peer, v1::Reply& reply);
   v1::StreamList listStreams(const std::string& user) const;
-  v1::FramePicture getFrame(const v1::GetFrame& call) const;
 
-  const SceneCache& scenes_;
   Budget& budget_;
   StreamRegistry& streams_;
   StreamOpener& opener_;
   ClientLog& log_;
   const v1::ServerDescription description_;
+  SceneLister scenes_;
+  Worker packer_;  // of pictures
 };
 
 // The methods there are, as ServerInfo lists them.

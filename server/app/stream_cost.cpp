@@ -57,6 +57,9 @@ void checkAlone(const v1::OpenStream& request, const Limits& limits) {
             static_cast<double>(std::count(csv.begin(), csv.end(), '\n')), limits);
   checkMost(Limit::kTrajectoryPoints, "trajectory.keyframes.keys",
             request.trajectory().keyframes().keys_size(), limits);
+  const double pixel_rays = request.method().spp() * (request.quality().bounces() + 2.0);
+  checkMost(Limit::kPixelRays, "method.spp", pixel_rays, limits);
+  checkMost(Limit::kRays, "view", pixel_rays * request.view().width() * request.view().height(), limits);
 }
 
 CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,

@@ -3,13 +3,17 @@
 #include <algorithm>
 
 #include "app/refusal.h"
+#include "app/request_bounds.h"
 #include "app/stream_cost.h"
-#include "stream/control_server.h"
+#include "base/lower_priority.h"
+#include "base/text_cut.h"
 
 namespace saccade {
 namespace {
 
-constexpr int kIdBytes = 8;  // random: who is not told of a stream cannot subscribe to its topics
+constexpr const char* kStopping = "the server is stopping";
+constexpr std::size_t kMaxLogged = 500;  // bytes of a request
+constexpr int kIdBytes = 8;              // random: who is not told of a stream cannot subscribe to its topics
 
 bool isPaced(const v1::OpenStream& request) {
   return request.timing().clock() == v1::CLOCK_PACED;
@@ -20,13 +24,29 @@ bool mayShare(const v1::OpenStream& request) {
   return isPaced(request) && request.delivery() != v1::DELIVERY_LOSSLESS;
 }
 
-v1::StreamOpened describe(const ResolvedStream& resolved, const Stream& stream, std::uint64_t epoch,
-                          int channels) {
+// What is kept of a request while its stream lives: all but a path that may be long.
+v1::OpenStream withoutLongPath(v1::OpenStream& request) {
+  v1::Trajectory* path = request.release_trajectory();
+  v1::OpenStream rest = request;
+  request.set_allocated_trajectory(path);
+  if (!path->has_keyframes() && !path->has_csv()) *rest.mutable_trajectory() = *path;
+  return rest;
+}
+
+// MiB, about, measured on 100000 keys and 190000 lines: of the path, and of the text that tells feeds apart.
+double pathMemory(const v1::Trajectory& path) {
+  constexpr double kPointBytes = 250;
+  const auto lines = std::count(path.csv().begin(), path.csv().end(), '\n');
+  const double points = static_cast<double>(lines + path.keyframes().keys_size());
+  return (points * kPointBytes + 2 * static_cast<double>(path.ByteSizeLong())) / (1 << 20);
+}
+
+v1::StreamOpened describe(ResolvedStream resolved, const Stream& stream, std::uint64_t epoch, int channels) {
   v1::StreamOpened opened;
   opened.set_stream_id(stream.session->id());
   opened.set_token(stream.session->token());
   opened.set_epoch(epoch);
-  *opened.mutable_resolved() = resolved.request;
+  *opened.mutable_resolved() = std::move(resolved.request);
   opened.set_frames(resolved.frames);
   opened.set_luminance_p01(stream.feed->luminanceP01());
   opened.set_luminance_p50(stream.feed->luminanceP50());
@@ -55,20 +75,19 @@ StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, Til
       log_(log),
       epoch_(epoch) {}
 
-void StreamOpener::open(const v1::OpenStream& request, const std::string& user,
-                        std::function<void(v1::Reply)> answer) {
+void StreamOpener::open(RawRequest request, const Peer& peer, std::function<void(v1::Reply)> answer) {
   std::lock_guard lock(mutex_);
-  if (stopped_) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the server is stopping");
+  if (stopped_) throw Refusal(v1::CODE_UNAVAILABLE, {}, kStopping);
   std::erase_if(opening_,
                 [](auto& one) { return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
-  opening_.push_back(std::async(std::launch::async, [this, request, user, answer = std::move(answer)] {
+  auto opening = openings_.add(peer, request.id);
+  opening_.push_back(std::async(std::launch::async, [this, request = std::move(request), answer,
+                                                     opening = std::move(opening)]() mutable {
+    lowerPriority();
     v1::Reply reply;
-    try {
-      *reply.mutable_open_stream() = openNow(request, user);
-      *reply.mutable_status() = okStatus();
-    } catch (...) {
-      *reply.mutable_status() = statusOfException();
-    }
+    *reply.mutable_status() = openNow(std::move(request), *opening, *reply.mutable_open_stream());
+    if (reply.status().code() != v1::CODE_OK) reply.clear_open_stream();
+    opening.reset();
     answer(std::move(reply));
   }));
 }
@@ -76,6 +95,7 @@ void StreamOpener::open(const v1::OpenStream& request, const std::string& user,
 void StreamOpener::stop() {
   std::lock_guard lock(mutex_);
   stopped_ = true;  // and so nobody else uses `opening_` any more
+  openings_.cancelAll();
 }
 
 bool StreamOpener::wait(Signal::Clock::time_point deadline) {
@@ -83,42 +103,88 @@ bool StreamOpener::wait(Signal::Clock::time_point deadline) {
                      [&](auto& one) { return one.wait_until(deadline) == std::future_status::ready; });
 }
 
-v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request, const std::string& user) {
-  ResolvedStream resolved = resolve(request, scenes_.library().list(), tables_);
+v1::Status StreamOpener::openNow(RawRequest raw, Opening& opening, v1::StreamOpened& opened) {
+  try {
+    v1::Request request = parseRequest(raw.bytes);
+    raw.bytes = {};
+    opened = openStream(std::move(*request.mutable_open_stream()), opening);
+    return okStatus();
+  } catch (const Cancelled&) {
+    return stopped_ ? makeStatus(v1::CODE_UNAVAILABLE, kStopping)
+                    : makeStatus(v1::CODE_CANCELLED, "the request was cancelled");
+  } catch (...) {
+    return statusOfException();
+  }
+}
+
+v1::StreamOpened StreamOpener::openStream(v1::OpenStream request, Opening& opening) {
+  openings_.setScene(opening, request.scene());
+  openings_.begin(opening, "checking the request");
+  ResolvedStream resolved = resolve(std::move(request), scenes_.library().list(), tables_);
   checkAlone(resolved.request, budget_.limits());
   Stream stream;
-  stream.reserved = budget_.take(user, sharesOf(resolved, budget_.limits()));
+  streams_.sweep(Signal::Clock::now());  // what is over has its places no longer
+  std::vector<Share> shares = sharesOf(resolved, budget_.limits());
+  shares.push_back({Limit::kMemory, pathMemory(resolved.request.trajectory()), "trajectory"});
+  stream.reserved = budget_.take(opening.peer.user, shares);
+  openings_.begin(opening, "loading the scene");
   const auto whole = scenes_.get(resolved.request.scene());
   fitTo(whole->description(), resolved);
   const auto scene = scenes_.get(resolved.request.scene(), resolved.without);
-  stream.user = user;
-  stream.request = resolved.request;
-  openFeed(resolved, *whole, scene, stream);
-  log_.info(user, "stream " + stream.session->id() +
-                      " opened: " + resolved.request.ShortDebugString().substr(0, 500));
-  return describe(resolved, stream, epoch_, resolved.feed.monochrome ? 1 : scene->channels());
+  stream.user = opening.peer.user;
+  stream.request = withoutLongPath(resolved.request);
+  openFeed(resolved, *whole, scene, opening, stream);
+  log_.info(stream.user, "stream " + stream.session->id() +
+                             " opened: " + cutText(stream.request.ShortDebugString(), kMaxLogged));
+  const int channels = resolved.feed.monochrome ? 1 : scene->channels();
+  return describe(std::move(resolved), stream, epoch_, channels);
 }
 
 // What takes time is done before anybody has to wait for this one: a measurement, the first frame of a feed.
 void StreamOpener::openFeed(const ResolvedStream& resolved, const RenderScene& whole,
-                            const std::shared_ptr<const RenderScene>& scene, Stream& stream) {
-  Trajectory path = resolveTrajectory(resolved, whole, scenes_.library());
-  const CpuCost frame = isMeasured(resolved) ? measureFrame(scene, path, resolved, pool_) : CpuCost{};
-  const CpuCost sensors{0, frame.sensors};  // of who joins a feed that runs
+                            const std::shared_ptr<const RenderScene>& scene, Opening& opening,
+                            Stream& stream) {
+  const Trajectory path = resolveTrajectory(resolved, whole, scenes_.library());
+  openings_.begin(opening, "measuring the first frames");
+  const CpuCost frame = isMeasured(resolved) ? measure(resolved, path, scene, opening) : CpuCost{};
   const bool joins = findFeed(resolved) != nullptr;
-  admit(resolved, joins ? sensors : frame);
-  const auto own = joins ? nullptr : makeFeed(resolved, path, scene);
+  admit(resolved, joins ? CpuCost{0, frame.sensors} : frame);
+  openings_.begin(opening, "rendering frame 0");
+  auto own = joins ? nullptr : makeFeed(resolved, path, scene, opening);
+  openings_.begin(opening, "joining the feed");
+  while (!enter(resolved, frame, own, stream)) own = makeFeed(resolved, path, scene, opening);
+}
+
+bool StreamOpener::enter(const ResolvedStream& resolved, const CpuCost& frame,
+                         const std::shared_ptr<FeedRunner>& own, Stream& stream) {
   std::lock_guard admitting(admitting_);
   stream.feed = findFeed(resolved);
+  bool joined = false;
   if (stream.feed) {
-    admit(resolved, stream.frame_cost = sensors);
-    if (connect(resolved, stream)) return streams_.add(stream);
+    admit(resolved, stream.frame_cost = {0, frame.sensors});
+    joined = connect(resolved, stream);
   }
-  admit(resolved, stream.frame_cost = frame);
-  stream.feed = own ? own : makeFeed(resolved, std::move(path), scene);
-  connect(resolved, stream);
-  share(resolved, stream.feed);  // only now: it cannot have ended before its own stream joined
-  streams_.add(stream);
+  if (!joined && !own) return false;  // it has ended meanwhile
+  if (!joined) {
+    admit(resolved, stream.frame_cost = frame);
+    stream.feed = own;
+    connect(resolved, stream);
+  }
+  try {
+    share(resolved, stream.feed);  // only now: it cannot have ended before its own stream joined
+    streams_.add(stream);
+  } catch (...) {
+    stream.session->stop(v1::END_REASON_CLOSED);  // else its feed would wait for ever
+    throw;
+  }
+  return true;
+}
+
+CpuCost StreamOpener::measure(const ResolvedStream& resolved, const Trajectory& path,
+                              std::shared_ptr<const RenderScene> scene, const Opening& opening) const {
+  TilePool pool = pool_;
+  pool.setStop(opening.stop.get_token());
+  return measureFrame(std::move(scene), path, resolved, pool);
 }
 
 bool StreamOpener::isMeasured(const ResolvedStream& resolved) const {
@@ -140,9 +206,12 @@ std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolve
 }
 
 std::shared_ptr<FeedRunner> StreamOpener::makeFeed(const ResolvedStream& resolved, Trajectory path,
-                                                   std::shared_ptr<const RenderScene> scene) {
+                                                   std::shared_ptr<const RenderScene> scene,
+                                                   const Opening& opening) const {
   auto pool = std::make_shared<TilePool>(pool_);
+  pool->setStop(opening.stop.get_token());
   auto feed = std::make_unique<Feed>(std::move(scene), std::move(path), resolved.feed, *pool);
+  pool->setStop({});  // from here on the stream ends by being closed
   const v1::Timing& timing = resolved.request.timing();
   const FeedPace pace{resolved.frames, timing.frame_rate_hz(), timing.speed()};
   return std::make_shared<FeedRunner>(std::move(feed), resolved.feed.width, resolved.feed.height, pace,

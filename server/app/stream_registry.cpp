@@ -3,8 +3,25 @@
 #include <algorithm>
 
 #include "app/refusal.h"
+#include "base/text_cut.h"
 
 namespace saccade {
+namespace {
+
+// Throws Refusal.
+template <class Streams>
+auto& streamOf(Streams& streams, const std::string& id, const std::string& token) {
+  const auto found = streams.find(id);
+  if (found == streams.end()) {
+    throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "there is no stream '" + cutText(id, kMaxEcho) + "'");
+  }
+  if (!found->second.session->hasToken(token)) {
+    throw Refusal(v1::CODE_PERMISSION_DENIED, "token", "this is not the stream's token");
+  }
+  return found->second;
+}
+
+}  // namespace
 
 bool StreamRegistry::abandoned(const Stream& stream, Signal::Clock::time_point now) const {
   const auto since = stream.session->unattended();
@@ -12,10 +29,10 @@ bool StreamRegistry::abandoned(const Stream& stream, Signal::Clock::time_point n
 }
 
 bool StreamRegistry::over(const Stream& stream, Signal::Clock::time_point now) const {
+  if (stream.closed && !stream.session->started()) return true;  // nobody waits for its END
   if (!stream.session->finished()) return false;
   if (abandoned(stream, now)) return true;
-  const bool taken = stream.session->drained() || !stream.session->started();
-  return stream.closed && (taken || now - *stream.closed > lease_);
+  return stream.closed && (stream.session->drained() || now - *stream.closed > lease_);
 }
 
 v1::StreamInfo Stream::info() const {
@@ -67,14 +84,7 @@ void StreamRegistry::add(Stream stream) {
 
 Stream StreamRegistry::find(const std::string& id, const std::string& token) const {
   std::lock_guard lock(mutex_);
-  const auto found = streams_.find(id);
-  if (found == streams_.end()) {
-    throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "there is no stream '" + id + "'");
-  }
-  if (!found->second.session->hasToken(token)) {
-    throw Refusal(v1::CODE_PERMISSION_DENIED, "token", "this is not the stream's token");
-  }
-  return found->second;
+  return streamOf(streams_, id, token);
 }
 
 std::vector<v1::StreamInfo> StreamRegistry::list(const std::string& user) const {
@@ -112,15 +122,14 @@ double StreamRegistry::load() const {
 }
 
 void StreamRegistry::close(const std::string& id, const std::string& token) {
-  const Stream stream = find(id, token);
-  stream.session->stop(v1::END_REASON_CLOSED);
   std::lock_guard lock(mutex_);
-  const auto found = streams_.find(id);
-  if (found != streams_.end() && !found->second.closed) found->second.closed = Signal::Clock::now();
+  Stream& stream = streamOf(streams_, id, token);
+  stream.session->stop(v1::END_REASON_CLOSED);
+  if (!stream.closed) stream.closed = Signal::Clock::now();
   log_.info(stream.user, "closed stream " + id);
 }
 
-std::size_t StreamRegistry::sweep(Signal::Clock::time_point now) {
+void StreamRegistry::sweep(Signal::Clock::time_point now) {
   std::vector<Stream> gone;  // their threads are joined once the lock is open again
   std::lock_guard lock(mutex_);
   std::erase_if(streams_, [&](auto& entry) {
@@ -132,7 +141,7 @@ std::size_t StreamRegistry::sweep(Signal::Clock::time_point now) {
     gone.push_back(std::move(stream));
     return true;
   });
-  return gone.size();
+  forgotten_ += gone.size();
 }
 
 bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {

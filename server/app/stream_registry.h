@@ -1,6 +1,7 @@
 // The streams of this server, from the reply that opens one until it is closed or forgotten.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -18,7 +19,7 @@ namespace saccade {
 
 struct Stream {
   std::string user;                // who opened it: a public key; empty without keys
-  v1::OpenStream request;          // resolved
+  v1::OpenStream request;          // resolved; without the keys or the text of its trajectory
   std::shared_ptr<void> reserved;  // its part of the budget
   CpuCost frame_cost;              // PACED: as measured before it was opened; no feed's where it joined one
   std::shared_ptr<FeedRunner> feed;
@@ -54,9 +55,10 @@ class StreamRegistry {
 
   // Ends the stream at its next frame, if it has not ended; what it has made is still sent. Throws as find().
   void close(const std::string& id, const std::string& token);
-  // Ends streams without a receiver and forgets those that are over; returns how many. To be called about
-  // once a second.
-  std::size_t sweep(Signal::Clock::time_point now);
+  // Ends streams without a receiver and forgets those that are over. To be called about once a second, and
+  // where their places are wanted.
+  void sweep(Signal::Clock::time_point now);
+  std::uint64_t forgotten() const { return forgotten_; }  // since the server started
   // Ends all streams, for good. Returns whether, before `deadline`, all packets were taken that had a
   // receiver.
   bool stopAll(Signal::Clock::time_point deadline);
@@ -71,6 +73,7 @@ class StreamRegistry {
   mutable std::mutex mutex_;
   std::map<std::string, Stream> streams_;  // by id
   bool stopped_ = false;
+  std::atomic<std::uint64_t> forgotten_ = 0;
 };
 
 }  // namespace saccade

@@ -1,7 +1,6 @@
 #include "base/tile_pool.h"
 
 #include <pmmintrin.h>
-#include <sys/resource.h>
 #include <xmmintrin.h>
 #include <algorithm>
 #include <atomic>
@@ -12,12 +11,10 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/lower_priority.h"
 
 namespace saccade {
 namespace {
-
-// Who answers clients or sends packets has little to do, and shall not wait for a turn of who renders.
-constexpr int kNiceness = 5;
 
 std::chrono::nanoseconds threadCpuTime() {
   timespec t;
@@ -94,6 +91,7 @@ void TilePool::Workers::runPiece(Open& open, std::unique_lock<std::mutex>& lock)
   auto& [jobs, turn] = open;
   if (turn >= jobs.size()) turn = 0;  // behind the last one comes the first
   Job& job = *jobs[turn];
+  if (job.stop.stop_requested()) job.count = job.next + 1;  // this one is the last
   const int piece = job.next++;
   if (job.next == job.count) {
     jobs.erase(jobs.begin() + static_cast<std::ptrdiff_t>(turn));  // the next one takes its place
@@ -128,8 +126,7 @@ void TilePool::Workers::runUrgent() {
 
 void TilePool::Workers::work() {
   flushDenormalsToZero();
-  // Of this thread alone.
-  setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kNiceness);
+  lowerPriority();
   std::unique_lock lock(mutex);
   while (true) {
     wanted.wait(lock, [&] { return stop || !idle(); });
@@ -156,6 +153,7 @@ std::chrono::nanoseconds TilePool::runJob(Job& job) {
   std::unique_lock lock(workers_->mutex);
   workers_->submit(job);
   job.done.wait(lock, [&] { return job.next == job.count && job.running == 0; });
+  if (job.stop.stop_requested()) throw Cancelled();
   if (job.fault) std::rethrow_exception(job.fault);
   return job.cpu;
 }

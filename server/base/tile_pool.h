@@ -12,9 +12,15 @@
 #include <condition_variable>
 #include <exception>
 #include <memory>
+#include <stop_token>
 #include <utility>
 
 namespace saccade {
+
+// A job was stopped before its end.
+struct Cancelled : std::exception {
+  const char* what() const noexcept override { return "cancelled"; }
+};
 
 // Denormals are zero, in and out, for the calling thread.
 void flushDenormalsToZero();
@@ -24,7 +30,6 @@ int hardwareThreads();  // that this machine runs at once, 1 if it does not say
 struct Tile {
   int x0, y0, x1, y1;  // [x0, x1) x [y0, y1)
 };
-inline constexpr int kTileEdge = 32;
 inline constexpr int kBandRows = 8;
 
 class TilePool {
@@ -33,6 +38,9 @@ class TilePool {
   // A copy has the same workers. They take pieces of urgent jobs first: for who has to be done by a certain
   // time. At first none is.
   void setUrgent(bool urgent) { urgent_ = urgent; }
+
+  // run() of this handle drops the pieces that are left and throws Cancelled, once `stop` says so.
+  void setStop(std::stop_token stop) { stop_ = std::move(stop); }
 
   int threads() const;
 
@@ -44,17 +52,18 @@ class TilePool {
   // a call threw, after all others.
   template <class F>
   std::chrono::nanoseconds run(int count, const F& f) {
-    Job job{count, urgent_, &f, [](const void* context, int i) { (*static_cast<const F*>(context))(i); }};
+    Job job{count, urgent_, stop_, &f,
+            [](const void* context, int i) { (*static_cast<const F*>(context))(i); }};
     return runJob(job);
   }
 
   // Calls f(Tile) for every tile of a width x height picture.
   template <class F>
-  std::chrono::nanoseconds forEachTile(int width, int height, const F& f) {
-    const int across = (width + kTileEdge - 1) / kTileEdge, down = (height + kTileEdge - 1) / kTileEdge;
+  std::chrono::nanoseconds forEachTile(int width, int height, int edge, const F& f) {
+    const int across = (width + edge - 1) / edge, down = (height + edge - 1) / edge;
     return run(across * down, [&](int i) {
-      const int x = i % across * kTileEdge, y = i / across * kTileEdge;
-      f(Tile{x, y, std::min(x + kTileEdge, width), std::min(y + kTileEdge, height)});
+      const int x = i % across * edge, y = i / across * edge;
+      f(Tile{x, y, std::min(x + edge, width), std::min(y + edge, height)});
     });
   }
 
@@ -70,6 +79,7 @@ class TilePool {
   struct Job {
     int count;
     bool urgent;
+    const std::stop_token& stop;
     const void* context;
     void (*piece)(const void*, int);
     int next = 0;     // first piece not yet taken
@@ -84,6 +94,7 @@ class TilePool {
 
   std::shared_ptr<Workers> workers_;
   bool urgent_ = false;
+  std::stop_token stop_;
 };
 
 }  // namespace saccade

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/range.h"
+#include "base/text_cut.h"
 #include "methods/event_svgf.h"
 #include "methods/path_traced.h"
 #include "methods/svgf.h"
@@ -41,7 +42,8 @@ std::string resolveParams(const MethodInfo& method, const ParamValues& given, Pa
   for (const auto& [name, value] : given) {
     bad_name = name;
     if (!resolved.contains(name)) {
-      return method.name + " has no parameter \"" + name + "\"; it has: " + (names.empty() ? "none" : names);
+      return method.name + " has no parameter \"" + cutText(name, 64) +
+             "\"; it has: " + (names.empty() ? "none" : names);
     }
     resolved[name] = value;
   }

@@ -1,5 +1,7 @@
 #include "render/renderer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "render/pixel.h"
@@ -33,6 +35,14 @@ void renderStillRow(const View& view, std::uint64_t seed, int spp, int bounces, 
   }
 }
 
+constexpr int kMaxTileEdge = 32;
+constexpr double kPieceRays = 20480;  // some ten milliseconds: then another job has its turn
+
+int tileEdge(const SeedPlan& seeds, int bounces) {
+  const double pixel_rays = std::max(1.0, (seeds.spp1 + seeds.spp2) * (bounces + 2.0));
+  return std::clamp(static_cast<int>(std::sqrt(kPieceRays / pixel_rays)), 1, kMaxTileEdge);
+}
+
 // call.operator()<S>() with the least shading that holds the scene.
 template <class Call>
 auto withShading(const RenderScene& scene, Call call) {
@@ -57,7 +67,8 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
   const View view{*scene_, strengths_, camera, prev};
   const auto tile = withShading(
       *scene_, [this]<Shading S>() { return settings_.channels == 1 ? renderTile<S, 1> : renderTile<S, 3>; });
-  return pool_.forEachTile(out.width(), out.height(), [&](Tile t) { tile(view, seeds, settings_, t, out); });
+  return pool_.forEachTile(out.width(), out.height(), tileEdge(seeds, settings_.bounces),
+                           [&](Tile t) { tile(view, seeds, settings_, t, out); });
 }
 
 void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]) {

@@ -1,76 +1,72 @@
 #include "stream/control_server.h"
 
-#include "base/text_cut.h"
-#include "wire/protocol.h"
+#include <mutex>
+#include <new>
 
 namespace saccade {
-namespace {
 
-constexpr std::size_t kMaxStatusBytes = 4096;  // scene files and their names may hold any bytes
-
-}  // namespace
-
-v1::Status okStatus() {
-  return makeStatus(v1::CODE_OK, {});
-}
-
-v1::Status makeStatus(v1::Code code, const std::string& message, const std::string& field) {
-  v1::Status status;
-  status.set_code(code);
-  status.set_message(cutText(message, kMaxStatusBytes));
-  status.set_field(field);
-  return status;
-}
-
-v1::Status readRequest(const std::vector<std::string>& parts, v1::Request& request) {
-  if (parts.size() != 1 || !request.ParseFromString(parts[0])) {
-    return makeStatus(v1::CODE_INVALID_ARGUMENT, "a request is one part: a serialized saccade.v1.Request");
-  }
-  if (request.protocol_version() != kProtocolVersion) {
-    return makeStatus(v1::CODE_UNIMPLEMENTED,
-                      "protocol_version is " + std::to_string(request.protocol_version()) +
-                          "; this server knows " + std::to_string(kProtocolVersion),
-                      "protocol_version");
-  }
-  if (request.call_case() == v1::Request::CALL_NOT_SET) {
-    return makeStatus(v1::CODE_UNIMPLEMENTED, "the request holds no call that this server knows", "call");
-  }
-  return okStatus();
+v1::Status readRequest(const std::vector<std::string>& parts, RawRequest& request) {
+  if (!hasServersName(parts[0])) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNamedItself);
+  if (parts.size() != 2) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNoRequest);
+  request.bytes = parts[1];
+  return readHead(request);
 }
 
 // Replies on their way from the threads that answer to the one that sends.
 struct ControlServer::Outbox {
+  struct Letter {
+    std::string connection, bytes;
+    std::shared_ptr<UnreadReply> unread;
+  };
   std::mutex mutex;
-  std::vector<std::pair<std::string, std::string>> replies;  // identity, bytes
+  std::vector<Letter> letters;
 
-  void put(const std::string& identity, const v1::Reply& reply) {
+  // Returns the code of what is sent: without memory for the reply, a shorter one.
+  v1::Code put(const std::string& connection, v1::Reply reply, const std::shared_ptr<UnreadReply>& unread) {
+    std::string bytes;
+    try {
+      bytes = reply.SerializeAsString();
+    } catch (const std::bad_alloc&) {
+      *reply.mutable_status() = noMemoryStatus();
+      reply.clear_result();
+      bytes = reply.SerializeAsString();
+    }
     std::lock_guard lock(mutex);
-    replies.emplace_back(identity, reply.SerializeAsString());
+    letters.push_back({connection, std::move(bytes), unread});
+    unread->setBytes(letters.back().bytes.size());
+    return reply.status().code();
   }
 };
 
-ControlServer::ControlServer(const std::string& endpoint, std::int64_t max_bytes, RequestCounts& counts,
-                             const Access& access)
-    : counts_(counts),
-      loop_(std::make_shared<SocketLoop>(
-          SocketOptions{.endpoint = endpoint,
-                        .max_part_bytes = max_bytes,
-                        .send_queue = 1024,  // replies, mostly short, to who asks much at once
-                        .access = access})),
+ControlServer::ControlServer(const Options& options, RequestCounts& counts)
+    : unread_bytes_(options.unread_bytes),
+      counts_(counts),
+      loop_(std::make_shared<SocketLoop>(SocketOptions{.endpoint = options.endpoint,
+                                                       .max_part_bytes = options.request_bytes,
+                                                       .send_queue = kMaxRefused + 1,  // is never full
+                                                       .keys = options.keys})),
       outbox_(std::make_shared<Outbox>()) {}
 
 ControlServer::~ControlServer() {
   stop();
 }
 
-void ControlServer::start(Handler handler) {
+void ControlServer::start(Handler handler, OnGone on_gone) {
   handler_ = std::move(handler);
-  loop_->start([this](SocketLoop::Message&& message) { receive(message); },
-               [this] {
-                 sendReplies();
-                 return SocketLoop::kUntilWoken;
-               },
-               [](const std::string&) {});
+  const auto receive_safely = [this](const SocketLoop::Message& message) {
+    try {
+      receive(message);
+    } catch (const std::exception&) {
+      // Not even the reply that says so can be made. The request is counted.
+    }
+  };
+  loop_->start(
+      receive_safely,
+      [this] {
+        sendReplies();
+        return SocketLoop::kUntilWoken;
+      },
+      std::move(on_gone));
 }
 
 void ControlServer::stop() {
@@ -78,29 +74,53 @@ void ControlServer::stop() {
 }
 
 void ControlServer::receive(const SocketLoop::Message& message) {
-  v1::Request request;
+  const std::string& connection = message.parts[0];
+  auto& unread = unread_[connection];
+  if (!unread) unread = std::make_shared<Unread>();
+  if (unread->replies >= kMaxRefused) return counts_.drop();
+  RawRequest request;
   v1::Status status = readRequest(message.parts, request);
-  Answer answer = [outbox = outbox_, loop = loop_, identity = message.peer, id = request.request_id(),
-                   call = request.call_case(), &counts = counts_](v1::Reply reply) {
-    counts.add({call, reply.status().code()});
-    reply.set_request_id(id);
-    outbox->put(identity, reply);
-    loop->wake().wake();
-  };
-  if (status.code() == v1::CODE_OK) return handler_(request, message.user, std::move(answer));
+  if (status.code() == v1::CODE_OK) status = admit(*unread);
+  Answer answer = answerTo(connection, request, unread);
+  if (status.code() == v1::CODE_OK) {
+    return handler_(std::move(request), {connection, message.user}, std::move(answer));
+  }
   v1::Reply refusal;
   *refusal.mutable_status() = std::move(status);
   answer(std::move(refusal));
 }
 
+v1::Status ControlServer::admit(const Unread& unread) const {
+  if (unread.replies < kMaxUnread && unread.bytes <= unread_bytes_) return okStatus();
+  v1::Status status = makeStatus(v1::CODE_RESOURCE_EXHAUSTED,
+                                 "limit replies: read the replies that wait on this connection first");
+  status.set_limit("replies");
+  return status;
+}
+
+ControlServer::Answer ControlServer::answerTo(const std::string& connection, const RawRequest& request,
+                                              std::shared_ptr<Unread> peer) {
+  auto unread = std::make_shared<UnreadReply>(std::move(peer), counts_);
+  return [outbox = outbox_, loop = loop_, connection, unread = std::move(unread), id = request.id,
+          call = request.call, &counts = counts_](v1::Reply reply) mutable {
+    reply.set_request_id(id);
+    const v1::Code code = outbox->put(connection, std::move(reply), unread);
+    unread.reset();  // who keeps this function keeps nothing of the reply
+    counts.add({call, code});
+    loop->wake().wake();
+  };
+}
+
 void ControlServer::sendReplies() {
-  std::vector<std::pair<std::string, std::string>> replies;
+  std::vector<Outbox::Letter> letters;
   {
     std::lock_guard lock(outbox_->mutex);
-    replies.swap(outbox_->replies);
+    letters.swap(outbox_->letters);
   }
-  // One that is not sent had a receiver who is gone, or who asks without ever reading.
-  for (const auto& [identity, bytes] : replies) loop_->send(identity, {bytes});
+  // One that is not sent had a receiver who is gone.
+  for (auto& [connection, bytes, unread] : letters)
+    loop_->send(connection, std::move(bytes), std::move(unread));
+  std::erase_if(unread_, [](const auto& entry) { return entry.second->replies == 0; });
 }
 
 }  // namespace saccade

@@ -2,53 +2,71 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "saccade/v1/control.pb.h"
+#include "stream/raw_request.h"
 #include "stream/request_counts.h"
 #include "stream/socket_loop.h"
+#include "stream/status.h"
+#include "stream/unread.h"
 
 namespace saccade {
 
-v1::Status okStatus();
-v1::Status makeStatus(v1::Code code, const std::string& message, const std::string& field = {});
+// Who asks.
+struct Peer {
+  std::string connection;  // its name on the control socket
+  std::string user;        // its public key; empty without keys
+};
 
-// Reads `request` from the parts of a message. Returns why it cannot be handed on, or OK.
-v1::Status readRequest(const std::vector<std::string>& parts, v1::Request& request);
+// Reads the head of a request from the parts of a message: the peer's identity and the bytes. Returns why it
+// cannot be handed on, or OK.
+v1::Status readRequest(const std::vector<std::string>& parts, RawRequest& request);
 
 class ControlServer {
  public:
+  struct Options {
+    std::string endpoint;
+    std::int64_t request_bytes;            // who sends more at once is disconnected
+    std::int64_t unread_bytes = 16 << 20;  // of replies: who has more waiting is refused
+    std::optional<ServerKeys> keys = {};
+  };
+  // A peer with so many requests whose replies it has not taken is refused, and then no longer answered.
+  static constexpr int kMaxUnread = 512, kMaxRefused = 1000;
+
   // To be called once, from any thread, soon or late; the reply's request_id is filled in.
   using Answer = std::function<void(v1::Reply)>;
-  // Called on the control thread with a request that has a call and the right version, and with the public
-  // key of who asks, empty without keys; must not block.
-  using Handler = std::function<void(const v1::Request&, const std::string& user, Answer)>;
+  // Called on the control thread with a request that has a call and the right version; must not block.
+  using Handler = std::function<void(RawRequest request, const Peer& peer, Answer)>;
+  using OnGone = SocketLoop::OnGone;
 
-  // Binds; throws std::runtime_error. Adds every answer to `counts`, which outlives the answers. A peer that
-  // sends more than `max_bytes` at once is disconnected.
-  ControlServer(const std::string& endpoint, std::int64_t max_bytes, RequestCounts& counts,
-                const Access& access = {});
+  // Binds; throws std::runtime_error. Adds every answer to `counts`, which outlives the answers.
+  ControlServer(const Options& options, RequestCounts& counts);
   // Answers may still be called after the server is gone; they then go nowhere.
   ~ControlServer();
 
   std::string endpoint() const { return loop_->endpoint(); }
   WakeFd& wake() { return loop_->wake(); }
   auto lastTurn() const { return loop_->lastTurn(); }
-  void start(Handler handler);
+  // `on_gone` is called on the control thread with the connection of a peer that has gone.
+  void start(Handler handler, OnGone on_gone = {});
   void stop();
 
  private:
   struct Outbox;
   void receive(const SocketLoop::Message& message);
+  Answer answerTo(const std::string& connection, const RawRequest& request, std::shared_ptr<Unread> unread);
+  v1::Status admit(const Unread& unread) const;
   void sendReplies();
 
+  const std::int64_t unread_bytes_;
   RequestCounts& counts_;
   std::shared_ptr<SocketLoop> loop_;
   std::shared_ptr<Outbox> outbox_;
+  std::map<std::string, std::shared_ptr<Unread>> unread_;  // by connection; of those who have some
   Handler handler_;
 };
 

@@ -1,6 +1,7 @@
-// Requests that were answered since the server started, by call and code.
+// Requests since the server started: those answered, by call and code, and those that were not.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -19,6 +20,8 @@ class RequestCounts {
     std::lock_guard lock(mutex_);
     ++counts_[kind];
   }
+  void drop() { ++dropped_; }
+  std::uint64_t dropped() const { return dropped_; }
   std::map<Kind, std::uint64_t> all() const {
     std::lock_guard lock(mutex_);
     return counts_;
@@ -27,6 +30,7 @@ class RequestCounts {
  private:
   mutable std::mutex mutex_;
   std::map<Kind, std::uint64_t> counts_;
+  std::atomic<std::uint64_t> dropped_ = 0;
 };
 
 }  // namespace saccade

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <latch>
 #include <limits>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -40,7 +41,7 @@ TEST(TilePool, TilesCoverThePictureOnce) {
   TilePool pool(2);
   for (const auto& [width, height] : {std::pair(1, 1), {32, 32}, {33, 64}, {100, 31}}) {
     std::vector<std::atomic<int>> hits(width * height);
-    pool.forEachTile(width, height, [&hits, width = width](Tile t) {
+    pool.forEachTile(width, height, 32, [&hits, width = width](Tile t) {
       for (int y = t.y0; y < t.y1; ++y) {
         for (int x = t.x0; x < t.x1; ++x) ++hits[y * width + x];
       }
@@ -121,6 +122,25 @@ TEST(TilePool, UrgentJobsGoBetweenTheStepsOfALongPiece) {
   other.join();
   EXPECT_GT(urgent_pieces.count(), 0);
   EXPECT_LT(long_piece, urgent_pieces);  // each is charged its own time
+}
+
+TEST(TilePool, AStoppedJobDropsThePiecesThatAreLeft) {
+  TilePool pool(2), stoppable = pool;
+  std::stop_source stop;
+  stoppable.setStop(stop.get_token());
+  std::atomic<int> pieces = 0;
+  const auto stop_at_once = [&](int) {
+    ++pieces;
+    stop.request_stop();
+  };
+  EXPECT_THROW(stoppable.run(1000, stop_at_once), Cancelled);
+  EXPECT_LE(pieces, 3);  // two that were in work, and the one that found out
+  EXPECT_THROW(stoppable.run(1000, [&](int) { ++pieces; }), Cancelled);
+  EXPECT_LE(pieces, 4);
+  pool.run(10, [&](int) { pieces += 10; });
+  stoppable.setStop({});
+  stoppable.run(10, [&](int) { pieces += 10; });
+  EXPECT_GE(pieces, 200);
 }
 
 TEST(TilePool, ManyCallersEachGetTheirOwnResult) {

@@ -82,7 +82,8 @@ TEST(Drain, DoesNotWaitForEver) {
 
 // A stream that would take minutes to open is not waited for before the others have their END.
 TEST(Drain, EndsStreamsWhileAnotherIsBeingOpened) {
-  ServerProcess server({"--drain-time", std::to_string(kDrainSeconds)});
+  ServerProcess server(
+      {"--drain-time", std::to_string(kDrainSeconds), "--limit-rays", "1e12", "--limit-pixel-rays", "1e6"});
   MockClient client(server.control()), other(server.control());
   v1::OpenStream request = tinyRequest();
   request.mutable_timing()->set_duration_s(0);

@@ -1,5 +1,8 @@
 // A request, as far as it goes before anything is rendered.
+#include <future>
+
 #include "app/refusal.h"
+#include "app/request_bounds.h"
 #include "app/service.h"
 #include "app/stream_cost.h"
 #include "fuzz/fuzz_target.h"
@@ -66,16 +69,24 @@ v1::Status open(const v1::OpenStream& request, const World& world) {
   }
 }
 
-v1::Status answer(const v1::Request& request, World& world) {
-  if (request.has_open_stream()) return open(request.open_stream(), world);
-  v1::Status status;
-  world.service.handle(request, "", [&](const v1::Reply& reply) { status = reply.status(); });
-  return status;
+v1::Status parseAndOpen(const std::string& bytes, const World& world) {
+  try {
+    return open(parseRequest(bytes).open_stream(), world);
+  } catch (...) {
+    return statusOfException();
+  }
+}
+
+v1::Status answer(const RawRequest& request, World& world) {
+  if (request.call == v1::Request::kOpenStream) return parseAndOpen(request.bytes, world);
+  std::promise<v1::Status> status;
+  world.service.handle(request, {}, [&](const v1::Reply& reply) { status.set_value(reply.status()); });
+  return status.get_future().get();
 }
 
 bool read(std::string_view bytes) {
   static World world;
-  v1::Request request;
+  RawRequest request;
   v1::Status status = readRequest({std::string(5, 0), std::string(bytes)}, request);
   if (status.code() == v1::CODE_OK) status = answer(request, world);
   SACCADE_CHECK(status.code() != v1::CODE_UNSPECIFIED && status.code() != v1::CODE_INTERNAL);

@@ -2,22 +2,25 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <future>
 
 #include "mock/mock_client.h"
+#include "mock/wait_until.h"
+#include "wire/protocol.h"
 
 namespace saccade {
 namespace {
 
-constexpr std::int64_t kMaxBytes = 1 << 20;
+const ControlServer::Options kOptions{.endpoint = "tcp://127.0.0.1:*", .request_bytes = 1 << 20};
 
 // An answer that takes its time, as a scene that is being loaded does, keeps nobody else waiting.
 TEST(ControlServer, ASlowAnswerDelaysNoOther) {
   RequestCounts counts;
-  ControlServer server("tcp://127.0.0.1:*", kMaxBytes, counts);
+  ControlServer server(kOptions, counts);
   std::promise<ControlServer::Answer> slow;
-  server.start([&](const v1::Request& request, const std::string&, ControlServer::Answer answer) {
-    if (request.has_open_stream()) return slow.set_value(std::move(answer));
+  server.start([&](const RawRequest& request, const Peer&, ControlServer::Answer answer) {
+    if (request.call == v1::Request::kOpenStream) return slow.set_value(std::move(answer));
     v1::Reply reply;
     reply.mutable_server_info()->set_version("quick");
     answer(std::move(reply));
@@ -32,19 +35,113 @@ TEST(ControlServer, ASlowAnswerDelaysNoOther) {
   EXPECT_EQ(opened.get().message(), "late");
 }
 
-// The message cites scene files and their names.
-TEST(ControlServer, AStatusCanBeReadWhateverItsMessageCites) {
-  const v1::Status status = makeStatus(v1::CODE_UNAVAILABLE, "x\xFF" + std::string(1 << 20, '\xC3'));
-  EXPECT_TRUE(v1::Status().ParseFromString(status.SerializeAsString()));
-  EXPECT_LT(status.ByteSizeLong(), 5000u);
+v1::Reply replyOf(std::size_t bytes) {
+  v1::Reply reply;
+  *reply.mutable_status() = okStatus();
+  reply.mutable_server_info()->set_version(std::string(bytes, 'x'));
+  return reply;
+}
+
+// A DEALER that takes one reply, and lets the others wait.
+class LazyPeer {
+ public:
+  explicit LazyPeer(const std::string& endpoint) : socket_(context_, zmq::socket_type::dealer) {
+    socket_.set(zmq::sockopt::linger, 0);
+    socket_.set(zmq::sockopt::rcvhwm, 1);
+    socket_.set(zmq::sockopt::rcvtimeo, static_cast<int>(kPatience.count()));
+    socket_.connect(endpoint);
+  }
+  void ask() {
+    v1::Request request;
+    request.set_protocol_version(kProtocolVersion);
+    request.mutable_server_info();
+    socket_.send(zmq::buffer(request.SerializeAsString()));
+  }
+  v1::Status read() {
+    zmq::message_t part;
+    v1::Reply reply;
+    if (!socket_.recv(part) || !reply.ParseFromArray(part.data(), static_cast<int>(part.size())))
+      throw std::runtime_error("no reply");
+    return reply.status();
+  }
+
+ private:
+  zmq::context_t context_;
+  zmq::socket_t socket_;
+};
+
+// What fits into the buffers between the two is not counted: the replies are larger than these.
+TEST(ControlServer, RefusesWhoDoesNotReadItsReplies) {
+  constexpr int kRequests = 200;
+  constexpr std::size_t kReplyBytes = 1 << 20;
+  RequestCounts counts;
+  ControlServer server(kOptions, counts);
+  std::atomic<int> handled = 0;
+  server.start([&](const RawRequest&, const Peer&, ControlServer::Answer answer) {
+    ++handled;
+    answer(replyOf(kReplyBytes));
+  });
+  LazyPeer lazy(server.endpoint());
+  MockClient other(server.endpoint());
+  for (int i = 0; i < kRequests; ++i) lazy.ask();
+  ASSERT_TRUE(waitUntil(
+      [&] {
+        std::uint64_t answered = 0;
+        for (const auto& [kind, count] : counts.all()) answered += count;
+        return answered == kRequests;
+      },
+      kPatience));
+  EXPECT_LT(handled, kRequests / 2);
+  EXPECT_EQ(other.server().version().size(), kReplyBytes);
+  int refused = 0;
+  for (int i = 0; i < kRequests; ++i) {
+    const v1::Status status = lazy.read();
+    if (status.code() == v1::CODE_OK) continue;
+    ++refused;
+    EXPECT_EQ(status.code(), v1::CODE_RESOURCE_EXHAUSTED);
+    EXPECT_EQ(status.limit(), "replies");
+  }
+  EXPECT_EQ(refused, kRequests + 1 - handled);
+  lazy.ask();
+  EXPECT_EQ(lazy.read().code(), v1::CODE_OK);
+}
+
+// Requests whose answers are yet to come count, too. The first ones too many are refused, the rest counted.
+TEST(ControlServer, DropsAndCountsWhatIsAskedWithoutEnd) {
+  RequestCounts counts;
+  ControlServer server(kOptions, counts);
+  std::vector<ControlServer::Answer> late;  // the control thread's until it is stopped
+  server.start([&](const RawRequest&, const Peer&, ControlServer::Answer answer) {
+    late.push_back(std::move(answer));
+  });
+  LazyPeer lazy(server.endpoint());
+  for (int i = 0; i < 500'000 && counts.dropped() < 10; ++i) lazy.ask();  // until all buffers are full
+  server.stop();
+  EXPECT_GE(counts.dropped(), 10u);
+  EXPECT_EQ(late.size(), std::size_t{ControlServer::kMaxUnread});
+}
+
+TEST(ControlServer, AFaultOfTheHandlerCostsTheRequestOnly) {
+  RequestCounts counts;
+  ControlServer server(kOptions, counts);
+  int calls = 0;
+  server.start([&](const RawRequest&, const Peer&, const ControlServer::Answer& answer) {
+    if (++calls == 1) throw std::bad_alloc();
+    answer(replyOf(1));
+  });
+  LazyPeer peer(server.endpoint());
+  peer.ask();
+  peer.ask();
+  EXPECT_EQ(peer.read().code(), v1::CODE_OK);
+  EXPECT_EQ(counts.dropped(), 1u);
 }
 
 TEST(ControlServer, AnEndpointInUseIsNamed) {
   RequestCounts counts;
-  ControlServer first("tcp://127.0.0.1:*", kMaxBytes, counts);
+  ControlServer first(kOptions, counts);
   const std::string endpoint = first.endpoint();
   try {
-    ControlServer second(endpoint, kMaxBytes, counts);
+    ControlServer second({.endpoint = endpoint, .request_bytes = 1 << 20}, counts);
     FAIL();
   } catch (const std::runtime_error& fault) {
     EXPECT_NE(std::string(fault.what()).find(endpoint), std::string::npos);

@@ -1,0 +1,66 @@
+#include "stream/raw_request.h"
+
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/wire_format_lite.h>
+
+#include "stream/status.h"
+#include "wire/protocol.h"
+
+namespace saccade {
+namespace {
+
+using google::protobuf::internal::WireFormatLite;
+
+constexpr int kMaxFields = 16;  // of the request itself; an id, a version and a call are three
+
+// False: the bytes are no message, or one of too many fields.
+bool readFields(google::protobuf::io::CodedInputStream& in, RawRequest& raw) {
+  for (int i = 0; i <= kMaxFields; ++i) {
+    const std::uint32_t tag = in.ReadTag();
+    if (tag == 0) return in.ConsumedEntireMessage();
+    std::uint64_t number = 0;
+    const int field = WireFormatLite::GetTagFieldNumber(tag);
+    switch (WireFormatLite::GetTagWireType(tag)) {
+      case WireFormatLite::WIRETYPE_VARINT:
+        if (!in.ReadVarint64(&number)) return false;
+        if (field == v1::Request::kRequestIdFieldNumber) raw.id = number;
+        if (field == v1::Request::kProtocolVersionFieldNumber)
+          raw.version = static_cast<std::uint32_t>(number);
+        break;
+      case WireFormatLite::WIRETYPE_LENGTH_DELIMITED: {
+        const auto* known = v1::Request::descriptor()->FindFieldByNumber(field);
+        if (known && known->containing_oneof()) raw.call = static_cast<v1::Request::CallCase>(field);
+        if (!WireFormatLite::SkipField(&in, tag)) return false;
+        break;
+      }
+      default:
+        return false;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+v1::Status readHead(RawRequest& raw) {
+  google::protobuf::io::CodedInputStream in(reinterpret_cast<const std::uint8_t*>(raw.bytes.data()),
+                                            static_cast<int>(raw.bytes.size()));
+  if (!readFields(in, raw)) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNoRequest);
+  if (raw.version != kProtocolVersion) {
+    return makeStatus(v1::CODE_UNIMPLEMENTED,
+                      "protocol_version is " + std::to_string(raw.version) + "; this server knows " +
+                          std::to_string(kProtocolVersion),
+                      "protocol_version");
+  }
+  if (raw.call == v1::Request::CALL_NOT_SET) {
+    return makeStatus(v1::CODE_UNIMPLEMENTED, "the request holds no call that this server knows", "call");
+  }
+  if (raw.call != v1::Request::kOpenStream && raw.bytes.size() > kMaxShortRequest) {
+    return makeStatus(v1::CODE_INVALID_ARGUMENT,
+                      "only open_stream may take more than " + std::to_string(kMaxShortRequest) + " bytes",
+                      "call");
+  }
+  return okStatus();
+}
+
+}  // namespace saccade

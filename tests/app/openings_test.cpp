@@ -1,0 +1,53 @@
+// Who may see and end what is being opened.
+#include "app/openings.h"
+
+#include <gtest/gtest.h>
+
+#include "base/tile_pool.h"
+
+namespace saccade {
+namespace {
+
+const Peer kAlice{"1", "alice"}, kAliceToo{"2", "alice"}, kBob{"3", "bob"}, kNobody{"4", ""}, kOther{"5", ""};
+
+TEST(Openings, AreListedToTheirOwnerUntilTheyGo) {
+  Openings all;
+  auto one = all.add(kAlice, 7);
+  all.setScene(*one, std::string(100, 'x'));
+  all.begin(*one, "waiting");
+  ASSERT_EQ(all.list("alice").size(), 1u);
+  EXPECT_EQ(all.list("alice")[0].request_id(), 7u);
+  EXPECT_EQ(all.list("alice")[0].scene(), std::string(64, 'x') + "...");
+  EXPECT_EQ(all.list("alice")[0].doing(), "waiting");
+  EXPECT_TRUE(all.list("bob").empty());
+  one.reset();
+  EXPECT_TRUE(all.list("alice").empty());
+}
+
+TEST(Openings, AreCancelledByTheirConnectionOrKey) {
+  Openings all;
+  const auto one = all.add(kAlice, 7), other = all.add(kNobody, 7);
+  EXPECT_FALSE(all.cancel(kBob, 7));
+  EXPECT_FALSE(all.cancel(kOther, 7));  // without keys nobody is the same client
+  EXPECT_FALSE(all.cancel(kAlice, 8));
+  EXPECT_NO_THROW(all.begin(*one, "going on"));
+  EXPECT_TRUE(all.cancel(kAliceToo, 7));
+  EXPECT_THROW(all.begin(*one, "going on"), Cancelled);
+  EXPECT_FALSE(all.cancel(kAlice, 7));  // it is already
+  EXPECT_NO_THROW(all.begin(*other, "going on"));
+  EXPECT_TRUE(all.cancel(kNobody, 7));
+  EXPECT_TRUE(other->stop.stop_requested());
+}
+
+TEST(Openings, EndWithTheirConnection) {
+  Openings all;
+  const auto gone = all.add(kAlice, 7), also = all.add(kAlice, 8), stays = all.add(kAliceToo, 7);
+  all.cancelAllOf(kAlice.connection);
+  EXPECT_TRUE(gone->stop.stop_requested() && also->stop.stop_requested());
+  EXPECT_FALSE(stays->stop.stop_requested());
+  all.cancelAll();
+  EXPECT_TRUE(stays->stop.stop_requested());
+}
+
+}  // namespace
+}  // namespace saccade
