@@ -62,7 +62,7 @@ void addRequests(Families& all, const RequestCounts& requests) {
                                            {"code", nameWithout("CODE_", v1::Code_Name(kind.second))}});
   }
   all.counter("saccade_dropped_requests_total",
-              "Requests not answered, since their client takes no replies or memory ran out.");
+              "Requests without a reply, since their client takes none or memory ran out.");
   all.value(static_cast<double>(requests.dropped()));
 }
 

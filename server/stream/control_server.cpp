@@ -1,14 +1,14 @@
 #include "stream/control_server.h"
 
+#include <limits>
 #include <mutex>
 #include <new>
 
 namespace saccade {
 
-v1::Status readRequest(const std::vector<std::string>& parts, RawRequest& request) {
-  if (!hasServersName(parts[0])) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNamedItself);
-  if (parts.size() != 2) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNoRequest);
-  request.bytes = parts[1];
+v1::Status readRequest(std::vector<std::string>&& parts, RawRequest& request) {
+  if (parts.size() != 1) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNoRequest);
+  request.bytes = std::move(parts[0]);
   return readHead(request);
 }
 
@@ -19,7 +19,7 @@ struct ControlServer::Outbox {
     std::shared_ptr<UnreadReply> unread;
   };
   std::mutex mutex;
-  std::vector<Letter> letters;
+  std::vector<std::shared_ptr<Letter>> letters;
 
   // Returns the code of what is sent: without memory for the reply, a shorter one.
   v1::Code put(const std::string& connection, v1::Reply reply, const std::shared_ptr<UnreadReply>& unread) {
@@ -31,9 +31,10 @@ struct ControlServer::Outbox {
       reply.clear_result();
       bytes = reply.SerializeAsString();
     }
+    auto letter = std::make_shared<Letter>(Letter{connection, std::move(bytes), unread});
     std::lock_guard lock(mutex);
-    letters.push_back({connection, std::move(bytes), unread});
-    unread->setBytes(letters.back().bytes.size());
+    letters.push_back(letter);
+    unread->make(letter->bytes.size());
     return reply.status().code();
   }
 };
@@ -41,10 +42,12 @@ struct ControlServer::Outbox {
 ControlServer::ControlServer(const Options& options, RequestCounts& counts)
     : unread_bytes_(options.unread_bytes),
       counts_(counts),
-      loop_(std::make_shared<SocketLoop>(SocketOptions{.endpoint = options.endpoint,
-                                                       .max_part_bytes = options.request_bytes,
-                                                       .send_queue = kMaxRefused + 1,  // is never full
-                                                       .keys = options.keys})),
+      loop_(std::make_shared<SocketLoop>(
+          SocketOptions{.endpoint = options.endpoint,
+                        .max_part_bytes = options.request_bytes,
+                        .send_queue = 2 * kMaxUnread,  // the other half for refusals
+                        .send_queue_bytes = std::numeric_limits<std::size_t>::max(),  // see unread_bytes
+                        .access = options.access})),
       outbox_(std::make_shared<Outbox>()) {}
 
 ControlServer::~ControlServer() {
@@ -53,33 +56,24 @@ ControlServer::~ControlServer() {
 
 void ControlServer::start(Handler handler, OnGone on_gone) {
   handler_ = std::move(handler);
-  const auto receive_safely = [this](const SocketLoop::Message& message) {
-    try {
-      receive(message);
-    } catch (const std::exception&) {
-      // Not even the reply that says so can be made. The request is counted.
-    }
-  };
-  loop_->start(
-      receive_safely,
-      [this] {
-        sendReplies();
-        return SocketLoop::kUntilWoken;
-      },
-      std::move(on_gone));
+  loop_->start([this](SocketLoop::Message&& message) { receive(std::move(message)); },
+               [this] {
+                 sendReplies();
+                 return SocketLoop::kUntilWoken;
+               },
+               std::move(on_gone));
 }
 
 void ControlServer::stop() {
   loop_->stop();
 }
 
-void ControlServer::receive(const SocketLoop::Message& message) {
-  const std::string& connection = message.parts[0];
+void ControlServer::receive(SocketLoop::Message&& message) {
+  const std::string& connection = message.peer;
   auto& unread = unread_[connection];
   if (!unread) unread = std::make_shared<Unread>();
-  if (unread->replies >= kMaxRefused) return counts_.drop();
   RawRequest request;
-  v1::Status status = readRequest(message.parts, request);
+  v1::Status status = readRequest(std::move(message.parts), request);
   if (status.code() == v1::CODE_OK) status = admit(*unread);
   Answer answer = answerTo(connection, request, unread);
   if (status.code() == v1::CODE_OK) {
@@ -100,7 +94,7 @@ v1::Status ControlServer::admit(const Unread& unread) const {
 
 ControlServer::Answer ControlServer::answerTo(const std::string& connection, const RawRequest& request,
                                               std::shared_ptr<Unread> peer) {
-  auto unread = std::make_shared<UnreadReply>(std::move(peer), counts_);
+  auto unread = std::make_shared<UnreadReply>(std::move(peer), request.bytes.size(), counts_);
   return [outbox = outbox_, loop = loop_, connection, unread = std::move(unread), id = request.id,
           call = request.call, &counts = counts_](v1::Reply reply) mutable {
     reply.set_request_id(id);
@@ -112,14 +106,15 @@ ControlServer::Answer ControlServer::answerTo(const std::string& connection, con
 }
 
 void ControlServer::sendReplies() {
-  std::vector<Outbox::Letter> letters;
+  std::vector<std::shared_ptr<Outbox::Letter>> letters;
   {
     std::lock_guard lock(outbox_->mutex);
     letters.swap(outbox_->letters);
   }
-  // One that is not sent had a receiver who is gone.
-  for (auto& [connection, bytes, unread] : letters)
-    loop_->send(connection, std::move(bytes), std::move(unread));
+  for (const auto& letter : letters) {
+    const std::shared_ptr<const std::string> bytes(letter, &letter->bytes);
+    if (loop_->send(letter->connection, {bytes}) == SocketLoop::Sent::kFull) counts_.drop();
+  }
   std::erase_if(unread_, [](const auto& entry) { return entry.second->replies == 0; });
 }
 

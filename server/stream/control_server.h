@@ -22,9 +22,8 @@ struct Peer {
   std::string user;        // its public key; empty without keys
 };
 
-// Reads the head of a request from the parts of a message: the peer's identity and the bytes. Returns why it
-// cannot be handed on, or OK.
-v1::Status readRequest(const std::vector<std::string>& parts, RawRequest& request);
+// Reads the head of a request from the parts of a message. Returns why it cannot be handed on, or OK.
+v1::Status readRequest(std::vector<std::string>&& parts, RawRequest& request);
 
 class ControlServer {
  public:
@@ -32,10 +31,11 @@ class ControlServer {
     std::string endpoint;
     std::int64_t request_bytes;            // who sends more at once is disconnected
     std::int64_t unread_bytes = 16 << 20;  // of replies: who has more waiting is refused
-    std::optional<ServerKeys> keys = {};
+    Access access = {};
   };
-  // A peer with so many requests whose replies it has not taken is refused, and then no longer answered.
-  static constexpr int kMaxUnread = 512, kMaxRefused = 1000;
+  // A peer with so many replies to come, or to be taken, is refused. Where it does not take even refusals,
+  // they are dropped and counted.
+  static constexpr int kMaxUnread = 512;
 
   // To be called once, from any thread, soon or late; the reply's request_id is filled in.
   using Answer = std::function<void(v1::Reply)>;
@@ -52,12 +52,13 @@ class ControlServer {
   WakeFd& wake() { return loop_->wake(); }
   auto lastTurn() const { return loop_->lastTurn(); }
   // `on_gone` is called on the control thread with the connection of a peer that has gone.
-  void start(Handler handler, OnGone on_gone = {});
+  void start(
+      Handler handler, OnGone on_gone = [](const std::string&) {});
   void stop();
 
  private:
   struct Outbox;
-  void receive(const SocketLoop::Message& message);
+  void receive(SocketLoop::Message&& message);
   Answer answerTo(const std::string& connection, const RawRequest& request, std::shared_ptr<Unread> unread);
   v1::Status admit(const Unread& unread) const;
   void sendReplies();

@@ -18,25 +18,34 @@ struct Unread {
 // One reply of these. Where it is never made, that is counted.
 class UnreadReply {
  public:
-  UnreadReply(std::shared_ptr<Unread> peer, RequestCounts& counts) : peer_(std::move(peer)), counts_(counts) {
+  // `expected`: its bytes until it is made.
+  UnreadReply(std::shared_ptr<Unread> peer, std::size_t expected, RequestCounts& counts)
+      : peer_(std::move(peer)), counts_(counts) {
     ++peer_->replies;
+    count(expected);
   }
   ~UnreadReply() {
-    if (bytes_ == 0) counts_.drop();
+    if (!made_) counts_.drop();
+    count(0);
     --peer_->replies;
-    peer_->bytes -= bytes_;
   }
   UnreadReply(const UnreadReply&) = delete;
   UnreadReply& operator=(const UnreadReply&) = delete;
 
-  void setBytes(std::size_t bytes) {  // > 0; once, when the reply is made
-    bytes_ = static_cast<std::int64_t>(bytes);
-    peer_->bytes += bytes_;
+  void make(std::size_t bytes) {  // once
+    made_ = true;
+    count(bytes);
   }
 
  private:
+  void count(std::size_t bytes) {
+    const auto before = std::exchange(bytes_, static_cast<std::int64_t>(bytes));
+    peer_->bytes += bytes_ - before;
+  }
+
   const std::shared_ptr<Unread> peer_;
   RequestCounts& counts_;
+  bool made_ = false;
   std::int64_t bytes_ = 0;
 };
 

@@ -69,7 +69,7 @@ class HeavyOpenTest : public testing::Test {
 
   ServerProcess server_{{"--limit-requests", "2"}};
   MockClient client_{server_.control()};
-  HeavyOpen heavy_{server_.control()};
+  std::optional<HeavyOpen> heavy_{server_.control()};
 };
 
 TEST_F(HeavyOpenTest, IsSeenAndCancelled) {
@@ -81,14 +81,19 @@ TEST_F(HeavyOpenTest, IsSeenAndCancelled) {
   cancel.mutable_cancel_open()->set_request_id(kId);
   EXPECT_EQ(client_.call(cancel).status().code(), v1::CODE_NOT_FOUND);  // it is another connection's
   const auto began = std::chrono::steady_clock::now();
-  heavy_.send(kId + 1, cancel);
-  const v1::Reply first = heavy_.receive(), second = heavy_.receive();
+  heavy_->send(kId + 1, cancel);
+  const v1::Reply first = heavy_->receive(), second = heavy_->receive();
   EXPECT_LT(std::chrono::steady_clock::now() - began, kSoon);
   EXPECT_EQ(first.request_id(), kId + 1);
   EXPECT_EQ(first.status().code(), v1::CODE_OK);
   EXPECT_EQ(second.request_id(), kId);
   EXPECT_EQ(second.status().code(), v1::CODE_CANCELLED);
   EXPECT_EQ(list(client_).opening_size(), 0);
+}
+
+TEST_F(HeavyOpenTest, EndsWithItsConnection) {
+  heavy_.reset();
+  EXPECT_TRUE(waitUntil([&] { return list(client_).opening_size() == 0; }, kSoon));
 }
 
 // The only thread that renders works on both in turn.
@@ -112,7 +117,7 @@ TEST_F(HeavyOpenTest, TakesNoPlaceOfOtherCalls) {
 TEST_F(HeavyOpenTest, DoesNotDelayTheEndOfTheServer) {
   const auto began = std::chrono::steady_clock::now();
   server_.process().signal(SIGTERM);
-  EXPECT_EQ(heavy_.receive().status().code(), v1::CODE_UNAVAILABLE);
+  EXPECT_EQ(heavy_->receive().status().code(), v1::CODE_UNAVAILABLE);
   EXPECT_EQ(server_.process().finish(), 0);
   EXPECT_LT(std::chrono::steady_clock::now() - began, kSoon);
 }

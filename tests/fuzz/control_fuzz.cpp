@@ -87,7 +87,7 @@ v1::Status answer(const RawRequest& request, World& world) {
 bool read(std::string_view bytes) {
   static World world;
   RawRequest request;
-  v1::Status status = readRequest({std::string(5, 0), std::string(bytes)}, request);
+  v1::Status status = readRequest({std::string(bytes)}, request);
   if (status.code() == v1::CODE_OK) status = answer(request, world);
   SACCADE_CHECK(status.code() != v1::CODE_UNSPECIFIED && status.code() != v1::CODE_INTERNAL);
   SACCADE_CHECK(status.code() == v1::CODE_OK || !status.message().empty());
