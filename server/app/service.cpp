@@ -2,14 +2,9 @@
 
 #include "app/refusal.h"
 #include "app/request_bounds.h"
+#include "app/request_memory.h"
 
 namespace saccade {
-namespace {
-
-constexpr double kOpeningMemory = 12;  // bytes for each byte of an open_stream, while it is under way
-
-}  // namespace
-
 Service::Service(const SceneCache& scenes, Budget& budget, StreamRegistry& streams, StreamOpener& opener,
                  ClientLog& log, v1::ServerDescription description)
     : budget_(budget),
@@ -47,8 +42,8 @@ void Service::hand(RawRequest raw, const Peer& peer, const Answer& answer) {
 }
 
 void Service::open(RawRequest request, const Peer& peer, Answer answer) {
-  const double memory = kOpeningMemory * static_cast<double>(request.bytes.size()) / (1 << 20);
-  auto slot = budget_.take(peer.user, {{Limit::kRequests, 1}, {Limit::kMemory, memory}});
+  auto slot =
+      budget_.take(peer.user, {{Limit::kRequests, 1}, {Limit::kMemory, openingMemory(request.bytes.size())}});
   opener_.open(std::move(request), peer, [answer = std::move(answer), slot](v1::Reply reply) mutable {
     slot.reset();  // before its client, who may ask the next at once, hears of it
     answer(std::move(reply));

@@ -4,7 +4,9 @@
 
 #include "app/refusal.h"
 #include "app/request_bounds.h"
+#include "app/request_memory.h"
 #include "app/stream_cost.h"
+#include "app/stream_opened.h"
 #include "base/lower_priority.h"
 #include "base/text_cut.h"
 
@@ -22,42 +24,6 @@ bool isPaced(const v1::OpenStream& request) {
 // Who paces itself by the clock never waits for its client: such streams cannot hold each other up.
 bool mayShare(const v1::OpenStream& request) {
   return isPaced(request) && request.delivery() != v1::DELIVERY_LOSSLESS;
-}
-
-// What is kept of a request while its stream lives: all but a path that may be long.
-v1::OpenStream withoutLongPath(v1::OpenStream& request) {
-  v1::Trajectory* path = request.release_trajectory();
-  v1::OpenStream rest = request;
-  request.set_allocated_trajectory(path);
-  if (!path->has_keyframes() && !path->has_csv()) *rest.mutable_trajectory() = *path;
-  return rest;
-}
-
-// MiB, about, measured on 100000 keys and 190000 lines: of the path, and of the text that tells feeds apart.
-double pathMemory(const v1::Trajectory& path) {
-  constexpr double kPointBytes = 250;
-  const auto lines = std::count(path.csv().begin(), path.csv().end(), '\n');
-  const double points = static_cast<double>(lines + path.keyframes().keys_size());
-  return (points * kPointBytes + 2 * static_cast<double>(path.ByteSizeLong())) / (1 << 20);
-}
-
-v1::StreamOpened describe(ResolvedStream resolved, const Stream& stream, std::uint64_t epoch, int channels) {
-  v1::StreamOpened opened;
-  opened.set_stream_id(stream.session->id());
-  opened.set_token(stream.session->token());
-  opened.set_epoch(epoch);
-  *opened.mutable_resolved() = std::move(resolved.request);
-  opened.set_frames(resolved.frames);
-  opened.set_luminance_p01(stream.feed->luminanceP01());
-  opened.set_luminance_p50(stream.feed->luminanceP50());
-  opened.set_px_per_frame_p50(stream.feed->pixelSpeed().p50);
-  opened.set_px_per_frame_p99(stream.feed->pixelSpeed().p99);
-  opened.set_channels(static_cast<std::uint32_t>(channels));
-  if (resolved.expected) *opened.mutable_expected() = *resolved.expected;
-  if (resolved.simpler) *opened.mutable_simpler() = *resolved.simpler;
-  if (!stream.session->broadcast()) return opened;
-  for (std::uint32_t i = 0; i < stream.session->sensors(); ++i) opened.add_topics(stream.session->topic(i));
-  return opened;
 }
 
 }  // namespace
@@ -137,7 +103,7 @@ v1::StreamOpened StreamOpener::openStream(v1::OpenStream request, Opening& openi
   log_.info(stream.user, "stream " + stream.session->id() +
                              " opened: " + cutText(stream.request.ShortDebugString(), kMaxLogged));
   const int channels = resolved.feed.monochrome ? 1 : scene->channels();
-  return describe(std::move(resolved), stream, epoch_, channels);
+  return describeOpened(std::move(resolved), stream, epoch_, channels);
 }
 
 // What takes time is done before anybody has to wait for this one: a measurement, the first frame of a feed.

@@ -106,7 +106,7 @@ TEST_F(HeavyOpenTest, LeavesOthersTheirTurns) {
   checkPackets(subscriber.receiveAll(1)[0]);
 }
 
-// Two are all that may be under way: the second waits for the scene of the first.
+// Two are all that may be under way.
 TEST_F(HeavyOpenTest, TakesNoPlaceOfOtherCalls) {
   HeavyOpen second(server_.control());
   ASSERT_TRUE(waitUntil([&] { return list(client_).opening_size() == 2; }, kPatience));
