@@ -71,10 +71,10 @@ void ControlServer::stop() {
 void ControlServer::receive(SocketLoop::Message&& message) {
   const std::string& connection = message.peer;
   auto& unread = unread_[connection];
-  if (!unread) unread = std::make_shared<Unread>();
+  if (!unread) unread.reset(new Unread{message.user});
   RawRequest request;
   v1::Status status = readRequest(std::move(message.parts), request);
-  if (status.code() == v1::CODE_OK) status = admit(*unread);
+  if (status.code() == v1::CODE_OK) status = admit(*unread, request.call);
   Answer answer = answerTo(connection, request, unread);
   if (status.code() == v1::CODE_OK) {
     return handler_(std::move(request), {connection, message.user}, std::move(answer));
@@ -84,8 +84,20 @@ void ControlServer::receive(SocketLoop::Message&& message) {
   answer(std::move(refusal));
 }
 
-v1::Status ControlServer::admit(const Unread& unread) const {
-  if (unread.replies < kMaxUnread && unread.bytes <= unread_bytes_) return okStatus();
+bool ControlServer::othersLeaveRoom(const Unread& unread) const {
+  std::int64_t all = 0, client = 0;
+  for (const auto& [connection, one] : unread_) {
+    all += one->bytes;
+    if (!one->user.empty() && one->user == unread.user) client += one->bytes;
+  }
+  const std::int64_t most = kUnreadShares * unread_bytes_;
+  return all <= most && client <= most / 2;
+}
+
+v1::Status ControlServer::admit(const Unread& unread, v1::Request::CallCase call) const {
+  const bool large = call == v1::Request::kOpenStream || call == v1::Request::kGetFrame;
+  const bool own_room = unread.replies < kMaxUnread && unread.bytes <= unread_bytes_;
+  if (own_room && ((!large && unread.bytes == 0) || othersLeaveRoom(unread))) return okStatus();
   v1::Status status = makeStatus(v1::CODE_RESOURCE_EXHAUSTED,
                                  "limit replies: read the replies that wait on this connection first");
   status.set_limit("replies");

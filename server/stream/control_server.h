@@ -36,6 +36,9 @@ class ControlServer {
   // A peer with so many replies to come, or to be taken, is refused. Where it does not take even refusals,
   // they are dropped and counted.
   static constexpr int kMaxUnread = 512;
+  // All connections together have room for so many times `unread_bytes`, those of one key for half of it.
+  // Beyond that only calls with short replies are answered, to connections that have taken theirs.
+  static constexpr int kUnreadShares = 16;
 
   // To be called once, from any thread, soon or late; the reply's request_id is filled in.
   using Answer = std::function<void(v1::Reply)>;
@@ -60,7 +63,8 @@ class ControlServer {
   struct Outbox;
   void receive(SocketLoop::Message&& message);
   Answer answerTo(const std::string& connection, const RawRequest& request, std::shared_ptr<Unread> unread);
-  v1::Status admit(const Unread& unread) const;
+  v1::Status admit(const Unread& unread, v1::Request::CallCase call) const;
+  bool othersLeaveRoom(const Unread& unread) const;
   void sendReplies();
 
   const std::int64_t unread_bytes_;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "stream/request_counts.h"
@@ -11,6 +12,7 @@
 namespace saccade {
 
 struct Unread {
+  const std::string user = {};   // of the peer
   std::atomic<int> replies = 0;  // from the request until the kernel has the reply
   std::atomic<std::int64_t> bytes = 0;
 };
