@@ -30,6 +30,7 @@ enum class Limit {
   kTrajectoryPoints,
   kReducedScenes,
   kCpu,
+  kEvents,
 };
 
 struct LimitRow {
@@ -40,7 +41,7 @@ struct LimitRow {
   const char* what;
 };
 
-const std::array<LimitRow, 18>& limitTable();  // in the order of Limit
+const std::array<LimitRow, 19>& limitTable();  // in the order of Limit
 inline const LimitRow& rowOf(Limit limit) {
   return limitTable()[static_cast<std::size_t>(limit)];
 }
@@ -58,7 +59,7 @@ class Limits {
   friend bool operator==(const Limits&, const Limits&) = default;
 
  private:
-  std::array<double, 18> values_;
+  std::array<double, 19> values_;
 };
 
 // A number with the unit of the limit, for people.

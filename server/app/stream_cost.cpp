@@ -34,10 +34,35 @@ std::string atMost(double value) {
 }  // namespace
 
 // Measured on streams of 1 and 17 sensors; a sensor with all its options on takes three times the plainest.
-double streamMemory(int width, int height, int sensors) {
+double streamMemory(const ResolvedStream& stream) {
   constexpr double kFeedBytes = 260, kSensorBytes = 24;  // for a pixel
-  const double pixels = (width + 2.0 * ImageF::kBorder) * (height + 2.0 * ImageF::kBorder);
-  return pixels * (kFeedBytes + kSensorBytes * sensors) / (1 << 20);
+  constexpr double kEventBytes = 57;                     // until the events of a frame have become packets
+  constexpr double kPacketBytes = 640;                   // of the packets of a frame, but for their events
+  const FeedConfig& feed = stream.feed;
+  const double pixels = (feed.width + 2.0 * ImageF::kBorder) * (feed.height + 2.0 * ImageF::kBorder);
+  const double packets = 1 + 1e9 / kPacketTimeNs / feed.frame_rate_hz;
+  double bytes = pixels * kFeedBytes;
+  for (const SensorConfig& sensor : stream.sensors) {
+    const double events = 1.0 * feed.width * feed.height * sensor.max_events_per_pixel_frame;
+    bytes += pixels * kSensorBytes + packets * kPacketBytes +
+             kEventBytes * std::min(events, static_cast<double>(sensor.max_events_per_frame));
+  }
+  return bytes / (1 << 20);
+}
+
+void boundEvents(ResolvedStream& stream, const Limits& limits) {
+  const double sensors = static_cast<double>(stream.sensors.size());
+  const auto share = static_cast<std::uint64_t>(limits[Limit::kEvents] / sensors);
+  for (std::size_t i = 0; i < stream.sensors.size(); ++i) {
+    v1::Sensor& sensor = *stream.request.mutable_sensors(static_cast<int>(i));
+    if (sensor.max_events_per_frame() == 0) sensor.set_max_events_per_frame(share);
+    if (sensor.max_events_per_frame() > share) {
+      throw LimitReached(Limit::kEvents, "sensors[" + std::to_string(i) + "].max_events_per_frame",
+                         number(static_cast<double>(sensor.max_events_per_frame())) + " exceed " +
+                             std::to_string(share) + " for each of the sensors");
+    }
+    stream.sensors[i].max_events_per_frame = sensor.max_events_per_frame();
+  }
 }
 
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) {
@@ -46,7 +71,7 @@ std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) 
   return {{Limit::kStreams, 1},
           {Limit::kSensors, static_cast<double>(sensors), "sensors"},
           {Limit::kPixels, static_cast<double>(width) * height, "view"},
-          {Limit::kMemory, streamMemory(width, height, sensors), "view"},
+          {Limit::kMemory, streamMemory(stream), "view"},
           {Limit::kQueues, limits[Limit::kQueue] * (1 + CreditQueue::kKeptBounds)}};
 }
 

@@ -8,8 +8,12 @@
 
 namespace saccade {
 
-// MiB, about: the memory of a stream that looks through a view of its own.
-double streamMemory(int width, int height, int sensors);
+// Gives each sensor its share of the events that a frame may have, unless it asks for less. Throws
+// LimitReached where it asks for more: it would not get the events it had elsewhere.
+void boundEvents(ResolvedStream& stream, const Limits& limits);
+
+// MiB, about: the most memory of a stream that looks through a view of its own, but for its queue.
+double streamMemory(const ResolvedStream& stream);
 
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits);
 

@@ -86,6 +86,7 @@ bool StreamOpener::wait(Signal::Clock::time_point deadline) {
 v1::StreamOpened StreamOpener::openNow(const v1::OpenStream& request, const std::string& user) {
   ResolvedStream resolved = resolve(request, scenes_.library().list(), tables_);
   checkAlone(resolved.request, budget_.limits());
+  boundEvents(resolved, budget_.limits());
   Stream stream;
   stream.reserved = budget_.take(user, sharesOf(resolved, budget_.limits()));
   const auto whole = scenes_.get(resolved.request.scene());
