@@ -105,17 +105,17 @@ void StreamOpener::openFeed(const ResolvedStream& resolved, const RenderScene& w
                             const std::shared_ptr<const RenderScene>& scene, Stream& stream) {
   Trajectory path = resolveTrajectory(resolved, whole, scenes_.library());
   const CpuCost frame = isMeasured(resolved) ? measureFrame(scene, path, resolved, pool_) : CpuCost{};
-  const CpuCost sensors{0, frame.sensors};  // of who joins a feed that runs
-  const bool joins = findFeed(resolved) != nullptr;
-  admit(resolved, joins ? sensors : frame);
-  const auto own = joins ? nullptr : makeFeed(resolved, path, scene);
+  const CpuCost sensors{0, frame.sensors, 0, frame.longest};  // of who joins a feed that runs
+  const auto running = findFeed(resolved);
+  admit(resolved, running ? sensors : frame, running.get());
+  const auto own = running ? nullptr : makeFeed(resolved, path, scene);
   std::lock_guard admitting(admitting_);
   stream.feed = findFeed(resolved);
   if (stream.feed) {
-    admit(resolved, stream.frame_cost = sensors);
+    admit(resolved, stream.frame_cost = sensors, stream.feed.get());
     if (connect(resolved, stream)) return streams_.add(stream);
   }
-  admit(resolved, stream.frame_cost = frame);
+  admit(resolved, stream.frame_cost = frame, nullptr);
   stream.feed = own ? own : makeFeed(resolved, std::move(path), scene);
   connect(resolved, stream);
   share(resolved, stream.feed);  // only now: it cannot have ended before its own stream joined
@@ -126,10 +126,10 @@ bool StreamOpener::isMeasured(const ResolvedStream& resolved) const {
   return isPaced(resolved.request) && budget_.limits()[Limit::kCpu] > 0;
 }
 
-void StreamOpener::admit(const ResolvedStream& resolved, const CpuCost& frame) const {
+void StreamOpener::admit(const ResolvedStream& resolved, const CpuCost& frame,
+                         const FeedRunner* joined) const {
   if (!isMeasured(resolved)) return;
-  const double threads = std::min(pool_.threads(), hardwareThreads());
-  checkPace(resolved.request.timing(), frame, streams_.load(), threads, budget_.limits());
+  checkPace(resolved.request.timing(), frame, streams_.load(joined), cpuSupply(pool_), budget_.limits());
 }
 
 std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolved) {

@@ -42,7 +42,7 @@ class StreamOpener {
   void openFeed(const ResolvedStream& resolved, const RenderScene& whole,
                 const std::shared_ptr<const RenderScene>& scene, Stream& stream);
   bool isMeasured(const ResolvedStream& resolved) const;
-  void admit(const ResolvedStream& resolved, const CpuCost& frame) const;
+  void admit(const ResolvedStream& resolved, const CpuCost& frame, const FeedRunner* joined) const;
   std::shared_ptr<FeedRunner> findFeed(const ResolvedStream& resolved);
   std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved, Trajectory path,
                                        std::shared_ptr<const RenderScene> scene);

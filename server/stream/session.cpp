@@ -86,6 +86,7 @@ Packet Session::heartbeat(std::uint32_t sensor) const {
   header.set_frame(frame_);
   header.set_t0_ns(t_ns_);
   header.set_t1_ns(header.t0_ns());
+  header.set_lag_ms(static_cast<std::uint64_t>(lag_ms_));
   return sealPacket(std::move(header), {});
 }
 

@@ -47,7 +47,8 @@ class Session {
   bool hasRoom() const { return queue_.hasRoom(); }
   void push(Packet packet);
   void setProgress(std::uint64_t frame, std::int64_t t_ns);  // the newest frame; told by heartbeats
-  v1::EndReason endReason() const { return end_reason_; }    // END_REASON_FINISHED unless stopping()
+  void setLag(std::chrono::milliseconds lag) { lag_ms_ = lag.count(); }  // told by heartbeats, too
+  v1::EndReason endReason() const { return end_reason_; }  // END_REASON_FINISHED unless stopping()
   void finish();  // END or ERROR has been pushed for every sensor; no packet follows
 
   // Owner. stop(): the producer is to end the stream at the next frame; the first reason stands.
@@ -71,7 +72,7 @@ class Session {
   std::atomic<bool> started_ = false, has_receiver_ = false, stopping_ = false, finished_ = false;
   std::atomic<v1::EndReason> end_reason_ = v1::END_REASON_FINISHED;
   std::atomic<std::uint64_t> frame_ = 0;
-  std::atomic<std::int64_t> t_ns_ = 0;
+  std::atomic<std::int64_t> t_ns_ = 0, lag_ms_ = 0;
   std::atomic<Signal::Clock::time_point> last_activity_;
 };
 
