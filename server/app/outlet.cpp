@@ -59,7 +59,7 @@ bool Outlet::catchingUp() const {
 void Outlet::push(std::vector<Packet> packets) {
   for (Packet& packet : packets) {
     packet.header.set_lag_ms(static_cast<std::uint64_t>(lag_.count()));
-    session_->push(std::move(packet));
+    session_->push(packet);
   }
 }
 
@@ -79,7 +79,7 @@ void Outlet::fail(const char* message) noexcept {
 void Outlet::pushError(std::uint32_t sensor, const std::string& message) {
   Packet packet = makeErrorPacket(session_->id(), message);
   packet.header.set_sensor(sensor);
-  session_->push(std::move(packet));
+  session_->push(packet);
 }
 
 }  // namespace saccade

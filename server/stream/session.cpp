@@ -90,9 +90,9 @@ Packet Session::heartbeat(std::uint32_t sensor) const {
   return sealPacket(std::move(header), {});
 }
 
-void Session::push(Packet packet) {
+void Session::push(const Packet& packet) {
   const std::uint64_t dropped_before = queue_.droppedPackets();
-  queue_.push(std::move(packet));
+  queue_.push(packet);
   traffic_.dropped_packets += queue_.droppedPackets() - dropped_before;
   transport_.wake();
 }

@@ -45,7 +45,7 @@ class Session {
   bool started() const { return started_; }
   bool stopping() const { return stopping_; }
   bool hasRoom() const { return queue_.hasRoom(); }
-  void push(Packet packet);
+  void push(const Packet& packet);
   void setProgress(std::uint64_t frame, std::int64_t t_ns);  // the newest frame; told by heartbeats
   void setLag(std::chrono::milliseconds lag) { lag_ms_ = lag.count(); }  // told by heartbeats, too
   v1::EndReason endReason() const { return end_reason_; }  // END_REASON_FINISHED unless stopping()
