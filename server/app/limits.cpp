@@ -9,8 +9,8 @@ namespace saccade {
 
 constexpr double kMiB = 1 << 20;
 
-const std::array<LimitRow, 19>& limitTable() {
-  static const std::array<LimitRow, 19> rows{{
+const std::array<LimitRow, 20>& limitTable() {
+  static const std::array<LimitRow, 20> rows{{
       {Limit::kStreams, "streams", 64, 1, "", "open streams"},
       {Limit::kClientStreams, "client-streams", 32, 1, "", "those of one client"},
       {Limit::kSensors, "sensors", 1024, 1, "", "sensors of all streams"},
@@ -34,6 +34,8 @@ const std::array<LimitRow, 19>& limitTable() {
        "of the threads for PACED streams; 0: they are not measured, and may lag"},
       {Limit::kEvents, "events", 4 << 20, 64, "",
        "events of one stream in one frame; each sensor has an equal share"},
+      {Limit::kScenes, "scenes", 4096, 1.0 / 16, "MiB",
+       "scenes in memory; those not in use make room for others"},
   }};
   return rows;
 }

@@ -31,6 +31,7 @@ enum class Limit {
   kReducedScenes,
   kCpu,
   kEvents,
+  kScenes,
 };
 
 struct LimitRow {
@@ -41,7 +42,7 @@ struct LimitRow {
   const char* what;
 };
 
-const std::array<LimitRow, 19>& limitTable();  // in the order of Limit
+const std::array<LimitRow, 20>& limitTable();  // in the order of Limit
 inline const LimitRow& rowOf(Limit limit) {
   return limitTable()[static_cast<std::size_t>(limit)];
 }
@@ -59,7 +60,7 @@ class Limits {
   friend bool operator==(const Limits&, const Limits&) = default;
 
  private:
-  std::array<double, 19> values_;
+  std::array<double, 20> values_;
 };
 
 // A number with the unit of the limit, for people.
