@@ -5,47 +5,19 @@
 #include <iterator>
 
 #include "app/limits.h"
+#include "faults/event_bomb.h"
 #include "mock/server_process.h"
 #include "mock/test_server.h"
 
 namespace saccade {
 namespace {
 
-constexpr int kSide = 24, kPixelEvents = 65536;
-
-// The camera turns from black to the box between two frames, at the lowest threshold and bias.
-v1::OpenStream bomb() {
-  v1::OpenStream request = tinyRequest();
-  request.mutable_view()->set_width(kSide);
-  request.mutable_view()->set_height(kSide);
-  request.mutable_view()->set_fov_x_deg(20);
-  request.mutable_timing()->set_frame_rate_hz(100);
-  request.mutable_timing()->set_duration_s(0.03);
-  v1::Keyframes& path = *request.mutable_trajectory()->mutable_keyframes();
-  for (const double time_s : {0.0, 0.015, 0.015000001}) {
-    v1::Keyframe& key = *path.add_keys();
-    key.set_time_s(time_s);
-    key.mutable_position()->set_x(2.78);
-    key.mutable_position()->set_y(2.73);
-    key.mutable_position()->set_z(-7.5);
-    const bool away = time_s <= 0.015;
-    key.mutable_rotation()->set_y(away);
-    key.mutable_rotation()->set_w(!away);
-  }
-  v1::Sensor& sensor = *request.mutable_sensors(0);
-  sensor.set_threshold(1e-3);
-  sensor.set_bias(1e-12);
-  sensor.set_max_events_per_pixel_frame(kPixelEvents);
-  sensor.set_reconstruction(v1::RECONSTRUCTION_DIRECT);
-  return request;
-}
-
 TEST(EventBomb, TakesNoMoreThanItsLimitAndTellsWhatIsMissing) {
   ServerProcess server;
   MockClient client(server.control());
   client.close(client.open(tinyRequest()));
   const Usage before = server.usage();
-  const auto stream = client.open(bomb());
+  const auto stream = client.open(eventBomb(24, 65536));
   MockSubscriber subscriber(server.data());
   subscriber.attach(stream);
   subscriber.giveCredit(1);
