@@ -1,6 +1,7 @@
 // One event of an event camera. Shared by server and client.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,5 +16,11 @@ struct Event {
 };
 
 using Events = std::vector<Event>;  // in time order
+
+// Gives back memory of a buffer that has been much fuller than it is. A small one stays as it is.
+inline void giveBackSlack(Events& buffer) {
+  constexpr std::size_t kSmall = 1 << 16, kMuch = 8;
+  if (buffer.capacity() > kSmall && buffer.capacity() / kMuch > buffer.size()) buffer.shrink_to_fit();
+}
 
 }  // namespace saccade

@@ -60,6 +60,7 @@ std::uint32_t crc32Of(std::string_view bytes) {
 
 Packet sealPacket(v1::PacketHeader header, std::string payload) {
   header.set_crc32(crc32Of(payload));
+  payload.shrink_to_fit();  // it may wait for long
   return {std::move(header), std::make_shared<const std::string>(std::move(payload))};
 }
 

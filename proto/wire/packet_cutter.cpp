@@ -84,6 +84,7 @@ void PacketCutter::fill(std::span<const Event> events, std::int64_t t1_ns, std::
     open_ = false;
   }
   events_.erase(events_.begin(), events_.end() - static_cast<std::ptrdiff_t>(rest.size()));
+  giveBackSlack(events_);
 }
 
 // The packet up to t1_ns, with its events.

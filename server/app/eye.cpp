@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/thread_time.h"
+
 namespace saccade {
 
 Eye::Eye(const SensorConfig& config, const PacketCutter::Source& source, std::uint64_t from_event)
@@ -11,12 +13,14 @@ Eye::Eye(const SensorConfig& config, const PacketCutter::Source& source, std::ui
       from_event_(from_event) {}
 
 void Eye::look(const IntensityChange& change) {
+  const auto began = threadCpuTime();
   full_.clear();
   if (!std::exchange(joined_, true) && change.frame > 1) full_.push_back(snapshot(change));
   sensor_.generate(change, output_);
   const PacketInterval interval{change.t0.count(), change.t1.count(), change.frame - 1, output_.suppressed};
   std::ranges::move(forClient(cutter_.cut(output_.events, interval)), std::back_inserter(full_));
   events_ += output_.events.size();
+  cost_ = threadCpuTime() - began;
 }
 
 Packet Eye::snapshot(const IntensityChange& first) {

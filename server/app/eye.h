@@ -1,6 +1,7 @@
 // A sensor of a stream, and the packets that its events fill.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@ class Eye {
   // its packets begin with a snapshot of the pixels.
   void look(const IntensityChange& change);
 
+  std::chrono::nanoseconds cost() const { return cost_; }                 // CPU time of the last look()
   std::uint64_t events() const { return events_; }                        // that look() has made so far
   bool catchingUp() const { return events_ < from_event_; }               // none is for the client yet
   std::vector<Packet> takePackets() { return std::exchange(full_, {}); }  // full ones, for the client
@@ -36,6 +38,7 @@ class Eye {
   PacketCutter cutter_;
   std::uint64_t from_event_, events_ = 0;
   bool joined_ = false;
+  std::chrono::nanoseconds cost_{0};
   SensorOutput output_;
   std::vector<Packet> full_;
 };

@@ -1,6 +1,7 @@
 #include "app/feed.h"
 
 #include "base/quantile.h"
+#include "base/thread_time.h"
 
 namespace saccade {
 namespace {
@@ -44,6 +45,7 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
 }
 
 const IntensityChange& Feed::step() {
+  const auto began = threadCpuTime() + TilePool::chainTime();
   times_ = {};
   frames_.swap();
   render();
@@ -52,6 +54,7 @@ const IntensityChange& Feed::step() {
   change_.t1 = frames.cur.time;
   change_.frame = frames.cur.index;
   method_->estimate(frames, pool_, change_, times_);
+  chain_ = threadCpuTime() + TilePool::chainTime() - began;
   return change_;
 }
 

@@ -45,6 +45,8 @@ class Feed {
   // Luminance of frame 0 at a fraction of its pixels in ascending order, 0 <= fraction <= 1. Before any step.
   float firstFrameLuminance(double fraction) const;
   const StageTimes& lastTimes() const { return times_; }  // of the last step
+  // How long the last step takes with all threads to itself: those passes one after the other.
+  std::chrono::nanoseconds lastChain() const { return chain_; }
   const IntensityChange& change() const { return change_; }
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
 
@@ -60,6 +62,7 @@ class Feed {
   FrameRing frames_;
   IntensityChange change_;
   StageTimes times_;
+  std::chrono::nanoseconds chain_{0};
   FrameIndex next_ = 0;
 };
 

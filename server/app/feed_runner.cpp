@@ -3,6 +3,10 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "app/pace.h"
+#include "base/thread_time.h"
 
 namespace saccade {
 namespace {
@@ -60,9 +64,25 @@ void FeedRunner::run() {
     while (!close()) admit();
     for (auto& outlet : outlets_) finish(*outlet);
   } catch (const std::exception& fault) {
-    spdlog::error("a feed failed at frame {}: {}", frame_, fault.what());
-    while (!close()) admit();
-    for (auto& outlet : outlets_) outlet->fail(fault.what());
+    giveUp(fault.what());
+  } catch (...) {
+    giveUp("unknown fault");
+  }
+}
+
+// Takes no memory of its own: that may be what is missing.
+void FeedRunner::giveUp(const char* message) noexcept {
+  spdlog::error("a feed failed at frame {}: {}", frame_, message);
+  std::vector<std::shared_ptr<Outlet>> late;
+  {
+    std::lock_guard lock(mutex_);
+    ended_ = true;
+    late.swap(newcomers_);
+  }
+  for (auto* outlets : {&outlets_, &late}) {
+    for (auto& outlet : *outlets) {
+      if (!outlet->session().finished()) outlet->fail(message);
+    }
   }
 }
 
@@ -70,16 +90,27 @@ void FeedRunner::run() {
 bool FeedRunner::gather() {
   while (true) {
     admit();
-    std::erase_if(outlets_, [&](const auto& outlet) {
-      const bool stopping = outlet->session().stopping();
-      if (stopping) finish(*outlet);
-      return stopping;
-    });
+    endStopped();
     if (outlets_.empty() && close()) return false;
     if (ready()) return true;
-    running_ = false;  // whoever holds the feed holds its clock
+    hold();
     signal_->wait([&] { return ready() || needsCare(); });
   }
+}
+
+void FeedRunner::endStopped() {
+  for (auto& outlet : outlets_) {
+    if (outlet->session().stopping()) finish(*outlet);
+  }
+  std::erase_if(outlets_, [](const auto& outlet) { return outlet->session().finished(); });
+}
+
+// Whoever holds the feed holds its clock.
+void FeedRunner::hold() {
+  running_ = false;
+  for (auto& outlet : outlets_) outlet->hold();
+  std::lock_guard lock(mutex_);
+  progress_.lag_s = 0;
 }
 
 void FeedRunner::admit() {
@@ -121,14 +152,32 @@ void FeedRunner::step() {
   frame_ = change.frame;
   const double lag_s = running_ ? waitUntilDue(change.t1) : 0;
   StageTimes times = feed_->lastTimes();
+  const auto before = threadCpuTime();
+  times[Stage::kEvents] += look(change, lag_s);
+  snapshot_.take(change);
+  record(times, feed_->lastChain() + (threadCpuTime() - before), lag_s);
+}
+
+// All streams look at the interval, and get their packets. Returns the CPU time of their sensors.
+std::chrono::nanoseconds FeedRunner::look(const IntensityChange& change, double lag_s) {
+  std::vector<Outlet*> lookers;
+  std::vector<std::pair<Outlet*, std::size_t>> eyes;
   for (auto& outlet : outlets_) {
     if (!outlet->session().started()) continue;
+    lookers.push_back(outlet.get());
+    for (std::size_t i = 0; i < outlet->eyes(); ++i) eyes.emplace_back(outlet.get(), i);
+  }
+  const auto used = pool_->run(static_cast<int>(eyes.size()), [&](int i) {
+    const auto [outlet, eye] = eyes[static_cast<std::size_t>(i)];
+    outlet->look(eye, change);
+  });
+  const std::chrono::milliseconds lag(lag_s > kMostLagSeconds ? std::llround(lag_s * 1e3) : 0);
+  for (Outlet* outlet : lookers) {
     const std::uint64_t events_before = outlet->events();
-    times[Stage::kEvents] += outlet->publish(change, *pool_);
+    outlet->publish(change, lag);
     totals_.events += outlet->events() - events_before;
   }
-  snapshot_.take(change);
-  record(times, lag_s);
+  return used;
 }
 
 // Returns how late it is already.
@@ -143,7 +192,7 @@ double FeedRunner::waitUntilDue(TimeNs t) {
   return std::max(0.0, std::chrono::duration<double>(Signal::Clock::now() - due).count());
 }
 
-void FeedRunner::record(const StageTimes& times, double lag_s) {
+void FeedRunner::record(const StageTimes& times, std::chrono::nanoseconds chain, double lag_s) {
   logTimes(frame_, times);
   totals_.frames += 1;
   totals_.add(times);
@@ -152,6 +201,7 @@ void FeedRunner::record(const StageTimes& times, double lag_s) {
   progress_.lag_s = lag_s;
   progress_.cpu += times;
   progress_.recent_s.add(seconds(times.total() - times[Stage::kEvents]));
+  progress_.chain_s.add(seconds(chain));
 }
 
 void FeedRunner::finish(Outlet& outlet) {

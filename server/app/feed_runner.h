@@ -2,7 +2,8 @@
 //
 // A stream takes part from the first frame after its receiver has come until it is stopped, and then gets its
 // END. Frames are rendered while at least one stream has a receiver, and none is without room; at their pace,
-// but for those that a stream is not to get.
+// but for those that a stream is not to get. The sensors of all streams look at a frame in one run of the
+// pool.
 #pragma once
 
 #include <memory>
@@ -31,6 +32,7 @@ struct FeedProgress {
   double lag_s = 0;       // how far the last one came after it was due; 0 without a pace
   StageTimes cpu;         // of all intervals together
   RecentMean recent_s;    // CPU time for an interval, but for events
+  RecentMean chain_s;     // the part of an interval that does not become shorter by more threads
 };
 
 class FeedRunner {
@@ -56,14 +58,18 @@ class FeedRunner {
 
  private:
   void run();
+  void giveUp(const char* message) noexcept;
   bool gather();
   void admit();
   bool close();
   bool ready() const;
   bool needsCare() const;
   void step();
+  std::chrono::nanoseconds look(const IntensityChange& change, double lag_s);
+  void hold();
+  void endStopped();
   double waitUntilDue(TimeNs t);
-  void record(const StageTimes& times, double lag_s);
+  void record(const StageTimes& times, std::chrono::nanoseconds chain, double lag_s);
   void finish(Outlet& outlet);
   TimeNs now() const { return frameTime(frame_, pace_.frame_rate_hz); }
 

@@ -25,9 +25,9 @@ const std::array<LimitRow, kLimits>& limitTable() {
       {Limit::kClientRequests, "client-requests", 32, 1, "", "those of one client"},
       {Limit::kMemory, "memory", 4096, 1, "MiB",
        "feeds, sensors and paths of all streams, and requests being opened, as estimated"},
-      {Limit::kQueues, "queues", 1024, 1, "MiB", "packets kept for the clients of all streams"},
+      {Limit::kQueues, "queues", 1024, 1, "MiB", "memory of packets kept for the clients of all streams"},
       {Limit::kQueue, "queue", kQueueBytes / kMiB, 0.0625, "MiB",
-       "packets that wait for the client of one stream"},
+       "memory of packets that wait for the client of one stream"},
       {Limit::kCredit, "credit", 4096, 1, "MiB", "credit of one connection"},
       {Limit::kMessage, "message", 9, 0.0625, "MiB", "one request; a longer one ends its connection"},
       {Limit::kPictures, "pictures", 64, 1, "MiB a second", "pictures that get_frame gives to all clients"},
@@ -41,6 +41,10 @@ const std::array<LimitRow, kLimits>& limitTable() {
        "replies of one connection that wait for it; with more its requests are refused"},
       {Limit::kRays, "rays", 2e9, 1, "", "of one frame: pixels times spp times (bounces + 2)"},
       {Limit::kPixelRays, "pixel-rays", 1e5, 1, "", "of one pixel: spp times (bounces + 2)"},
+      {Limit::kEvents, "events", 4 << 20, 64, "",
+       "events of one stream in one frame; each sensor has an equal share"},
+      {Limit::kScenes, "scenes", 4096, 1.0 / 16, "MiB",
+       "scenes in memory; those not in use make room for others"},
   }};
   return rows;
 }

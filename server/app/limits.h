@@ -36,8 +36,10 @@ enum class Limit {
   kReplies,
   kRays,
   kPixelRays,
+  kEvents,
+  kScenes,
 };
-inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kPixelRays) + 1;
+inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kScenes) + 1;
 
 struct LimitRow {
   Limit limit;

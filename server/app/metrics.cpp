@@ -74,7 +74,12 @@ void addStreams(Families& all, const StreamRegistry& streams) {
   all.value(census.lag_s);
 }
 
-void addScenes(Families& all, const SceneLoads& loads) {
+void addScenes(Families& all, const SceneCache& scenes) {
+  const SceneLoads& loads = scenes.loads();
+  all.gauge("saccade_scene_memory_bytes", "Memory of the scenes, as estimated.");
+  all.value(static_cast<double>(scenes.bytes()));
+  all.counter("saccade_scene_evictions_total", "Scenes that made room for others.");
+  all.value(static_cast<double>(loads.evicted));
   all.counter("saccade_scene_loads_total", "Scenes read from their files, by result.");
   all.value(static_cast<double>(loads.done), {{"result", "ok"}});
   all.value(static_cast<double>(loads.failed), {{"result", "failed"}});
@@ -109,7 +114,7 @@ std::string metricsText(const Totals& totals, const StreamRegistry& streams, con
   addTraffic(all, totals.traffic);
   addRequests(all, totals.requests);
   addStreams(all, streams);
-  addScenes(all, scenes.loads());
+  addScenes(all, scenes);
   addProcess(all);
   return all.text();
 }

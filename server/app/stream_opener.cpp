@@ -26,6 +26,11 @@ bool mayShare(const v1::OpenStream& request) {
   return isPaced(request) && request.delivery() != v1::DELIVERY_LOSSLESS;
 }
 
+// Of who joins a feed that runs: its own sensors.
+CpuCost costOfJoining(const CpuCost& frame) {
+  return {0, frame.sensors, 0, frame.longest};
+}
+
 }  // namespace
 
 StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool, Budget& budget,
@@ -88,6 +93,7 @@ v1::StreamOpened StreamOpener::openStream(v1::OpenStream request, Opening& openi
   openings_.begin(opening, "checking the request");
   ResolvedStream resolved = resolve(std::move(request), scenes_.library().list(), tables_);
   checkAlone(resolved.request, budget_.limits());
+  boundEvents(resolved, budget_.limits());
   Stream stream;
   streams_.sweep(Signal::Clock::now());  // what is over has its places no longer
   std::vector<Share> shares = sharesOf(resolved, budget_.limits());
@@ -113,10 +119,10 @@ void StreamOpener::openFeed(const ResolvedStream& resolved, const RenderScene& w
   const Trajectory path = resolveTrajectory(resolved, whole, scenes_.library());
   openings_.begin(opening, "measuring the first frames");
   const CpuCost frame = isMeasured(resolved) ? measure(resolved, path, scene, opening) : CpuCost{};
-  const bool joins = findFeed(resolved) != nullptr;
-  admit(resolved, joins ? CpuCost{0, frame.sensors} : frame);
+  const auto running = findFeed(resolved);
+  admit(resolved, running ? costOfJoining(frame) : frame, running.get());
   openings_.begin(opening, "rendering frame 0");
-  auto own = joins ? nullptr : makeFeed(resolved, path, scene, opening);
+  auto own = running ? nullptr : makeFeed(resolved, path, scene, opening);
   openings_.begin(opening, "joining the feed");
   while (!enter(resolved, frame, own, stream)) own = makeFeed(resolved, path, scene, opening);
 }
@@ -127,12 +133,12 @@ bool StreamOpener::enter(const ResolvedStream& resolved, const CpuCost& frame,
   stream.feed = findFeed(resolved);
   bool joined = false;
   if (stream.feed) {
-    admit(resolved, stream.frame_cost = {0, frame.sensors});
+    admit(resolved, stream.frame_cost = costOfJoining(frame), stream.feed.get());
     joined = connect(resolved, stream);
   }
   if (!joined && !own) return false;  // it has ended meanwhile
   if (!joined) {
-    admit(resolved, stream.frame_cost = frame);
+    admit(resolved, stream.frame_cost = frame, nullptr);
     stream.feed = own;
     connect(resolved, stream);
   }
@@ -157,10 +163,10 @@ bool StreamOpener::isMeasured(const ResolvedStream& resolved) const {
   return isPaced(resolved.request) && budget_.limits()[Limit::kCpu] > 0;
 }
 
-void StreamOpener::admit(const ResolvedStream& resolved, const CpuCost& frame) const {
+void StreamOpener::admit(const ResolvedStream& resolved, const CpuCost& frame,
+                         const FeedRunner* joined) const {
   if (!isMeasured(resolved)) return;
-  const double threads = std::min(pool_.threads(), hardwareThreads());
-  checkPace(resolved.request.timing(), frame, streams_.load(), threads, budget_.limits());
+  checkPace(resolved.request.timing(), frame, streams_.load(joined), cpuSupply(pool_), budget_.limits());
 }
 
 std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolved) {

@@ -51,7 +51,7 @@ class StreamOpener {
   CpuCost measure(const ResolvedStream& resolved, const Trajectory& path,
                   std::shared_ptr<const RenderScene> scene, const Opening& opening) const;
   bool isMeasured(const ResolvedStream& resolved) const;
-  void admit(const ResolvedStream& resolved, const CpuCost& frame) const;
+  void admit(const ResolvedStream& resolved, const CpuCost& frame, const FeedRunner* joined) const;
   std::shared_ptr<FeedRunner> findFeed(const ResolvedStream& resolved);
   std::shared_ptr<FeedRunner> makeFeed(const ResolvedStream& resolved, Trajectory path,
                                        std::shared_ptr<const RenderScene> scene,

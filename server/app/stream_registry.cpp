@@ -63,8 +63,11 @@ CpuCost Stream::load() const {
   if (timing.clock() != v1::CLOCK_PACED || session->finished()) return {};
   const FeedProgress done = feed->progress();
   const double frames_per_s = timing.frame_rate_hz() * timing.speed();
-  return {(done.frames < kSureFrames ? frame_cost.feed : done.recent_s.value()) * frames_per_s,
-          std::max(frame_cost.sensors, outlet->recentSeconds()) * frames_per_s};
+  const bool sure = done.frames >= kSureFrames;
+  return {(sure ? done.recent_s.value() : frame_cost.feed) * frames_per_s,
+          std::max(frame_cost.sensors, outlet->recentSeconds()) * frames_per_s,
+          (sure ? done.chain_s.value() : frame_cost.chain) * frames_per_s,
+          std::max(frame_cost.longest, outlet->recentLongestSeconds()) * frames_per_s};
 }
 
 StreamRegistry::~StreamRegistry() {
@@ -107,18 +110,18 @@ StreamCensus StreamRegistry::census() const {
   return census;
 }
 
-double StreamRegistry::load() const {
+PaceLoad StreamRegistry::load(const FeedRunner* feed) const {
   std::lock_guard lock(mutex_);
-  std::map<const FeedRunner*, double> feeds;
-  double sum = 0;
+  std::map<const FeedRunner*, CpuCost> feeds;
+  PaceLoad load;
   for (const auto& [id, stream] : streams_) {
-    const CpuCost load = stream.load();
-    double& feed = feeds[stream.feed.get()];
-    feed = std::max(feed, load.feed);
-    sum += load.sensors;
+    CpuCost& shared = feeds[stream.feed.get()];
+    shared = together(shared, stream.load());
+    if (!stream.session->finished()) load.lag_s = std::max(load.lag_s, stream.feed->progress().lag_s);
   }
-  for (const auto& [feed, load] : feeds) sum += load;
-  return sum;
+  for (const auto& [runner, cost] : feeds) load.total += cost.feed + cost.sensors;
+  if (feed) load.feed = feeds[feed];
+  return load;
 }
 
 void StreamRegistry::close(const std::string& id, const std::string& token) {

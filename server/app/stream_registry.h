@@ -11,7 +11,7 @@
 
 #include "app/feed_runner.h"
 #include "app/outlet.h"
-#include "app/stream_cost.h"
+#include "app/pace.h"
 #include "ops/client_log.h"
 #include "stream/session_directory.h"
 
@@ -51,7 +51,7 @@ class StreamRegistry {
   Stream find(const std::string& id, const std::string& token) const;
   std::vector<v1::StreamInfo> list(const std::string& user) const;  // what this one has opened
   StreamCensus census() const;
-  double load() const;  // CPU seconds of a second, to keep the pace of all streams; a shared feed counts once
+  PaceLoad load(const FeedRunner* feed) const;  // of all streams, and of those of `feed`
 
   // Ends the stream at its next frame, if it has not ended; what it has made is still sent. Throws as find().
   void close(const std::string& id, const std::string& token);

@@ -4,23 +4,23 @@
 #include <xmmintrin.h>
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
-#include <ctime>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #include "base/check.h"
 #include "base/lower_priority.h"
+#include "base/received_share.h"
+#include "base/thread_time.h"
+#include "base/usable_cpus.h"
 
 namespace saccade {
 namespace {
 
-std::chrono::nanoseconds threadCpuTime() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return std::chrono::seconds(t.tv_sec) + std::chrono::nanoseconds(t.tv_nsec);
-}
+// Of the jobs that this thread has run.
+thread_local std::chrono::nanoseconds chain_time{0};
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void flushDenormalsToZero() {
 }
 
 int hardwareThreads() {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return static_cast<int>(std::ceil(usableCpus()));
 }
 
 struct TilePool::Workers {
@@ -60,6 +60,7 @@ struct TilePool::Workers {
   Open urgent, others;
   std::atomic<int> urgent_jobs = 0;  // with pieces left
   bool stop = false;
+  ReceivedShare share;  // of the time in which the threads had a piece
   std::vector<std::thread> threads;
 };
 
@@ -114,6 +115,7 @@ void TilePool::Workers::runPiece(Open& open, std::unique_lock<std::mutex>& lock)
   here.let_first += used;
   lock.lock();
   job.cpu += own;
+  job.longest = std::max(job.longest, own);
   if (fault) job.fault = fault;
   // With the lock: without it the caller might be gone already, and the job with it.
   if (--job.running == 0 && job.next == job.count) job.done.notify_one();
@@ -131,7 +133,11 @@ void TilePool::Workers::work() {
   while (true) {
     wanted.wait(lock, [&] { return stop || !idle(); });
     if (stop) return;
+    const auto cpu = threadCpuTime();
+    const auto began = ReceivedShare::Clock::now();
     runPiece(urgent.jobs.empty() ? others : urgent, lock);
+    const auto now = ReceivedShare::Clock::now();
+    share.add(threadCpuTime() - cpu, now - began, now);
   }
 }
 
@@ -148,11 +154,21 @@ int TilePool::threads() const {
   return static_cast<int>(workers_->threads.size());
 }
 
+double TilePool::receivedShare() const {
+  std::lock_guard lock(workers_->mutex);
+  return workers_->share.value();
+}
+
+std::chrono::nanoseconds TilePool::chainTime() {
+  return chain_time;
+}
+
 std::chrono::nanoseconds TilePool::runJob(Job& job) {
   if (job.count == 0) return {};
   std::unique_lock lock(workers_->mutex);
   workers_->submit(job);
   job.done.wait(lock, [&] { return job.next == job.count && job.running == 0; });
+  chain_time += std::max(job.cpu / threads(), job.longest);
   if (job.stop.stop_requested()) throw Cancelled();
   if (job.fault) std::rethrow_exception(job.fault);
   return job.cpu;

@@ -25,7 +25,7 @@ struct Cancelled : std::exception {
 // Denormals are zero, in and out, for the calling thread.
 void flushDenormalsToZero();
 
-int hardwareThreads();  // that this machine runs at once, 1 if it does not say
+int hardwareThreads();  // that this process may run at once
 
 struct Tile {
   int x0, y0, x1, y1;  // [x0, x1) x [y0, y1)
@@ -43,6 +43,11 @@ class TilePool {
   void setStop(std::stop_token stop) { stop_ = std::move(stop); }
 
   int threads() const;
+  // Which share of the time of a CPU a worker gets that has a piece, of late: (0, 1], 1 on an idle machine.
+  double receivedShare() const;
+  // What the jobs of the calling thread would have taken so far, each with all workers to itself: no less
+  // than its longest piece.
+  static std::chrono::nanoseconds chainTime();
 
   // For a piece that may take longer than a few milliseconds, between its steps, where it holds no lock:
   // unless it is urgent itself, the worker works through the urgent pieces there are before it goes on.
@@ -82,9 +87,9 @@ class TilePool {
     const std::stop_token& stop;
     const void* context;
     void (*piece)(const void*, int);
-    int next = 0;     // first piece not yet taken
-    int running = 0;  // pieces taken and not finished
-    std::chrono::nanoseconds cpu{0};
+    int next = 0;                                 // first piece not yet taken
+    int running = 0;                              // pieces taken and not finished
+    std::chrono::nanoseconds cpu{0}, longest{0};  // of all pieces, of one
     std::exception_ptr fault{};
     std::condition_variable done{};  // its own: what one caller waits for wakes no other
   };

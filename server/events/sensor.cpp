@@ -33,6 +33,7 @@ void Sensor::generate(const IntensityChange& change, SensorOutput& out) {
   out.events.clear();
   out.suppressed = model_->generate(dL_, interval, out.events);
   order_.sort(out.events, interval);
+  giveBackSlack(out.events);
 }
 
 }  // namespace saccade

@@ -17,6 +17,7 @@ std::optional<SensorFault> findFault(const SensorConfig& config) {
       {"cutoff_hz", config.reconstruction_cutoff_hz, 1e-4, 1e4},
       {"refractory_s", seconds(config.refractory), 0, 10},
       {"max_events_per_pixel_frame", static_cast<double>(config.max_events_per_pixel_frame), 1, 65536},
+      {"max_events_per_frame", static_cast<double>(config.max_events_per_frame), 1, 0x1p64},
   };
   for (const auto& [field, value, min, max] : ranges) {
     if (std::string fault = rangeFault(value, min, max); !fault.empty()) return SensorFault{field, fault};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -21,7 +22,10 @@ struct SensorConfig {
   double reconstruction_cutoff_hz = 0.5;
   TimeNs refractory{0};  // [0, 10 s]; blind so long after an event, then starts from the level it sees
   int max_events_per_pixel_frame = 32;  // [1, 65536]; what exceeds it is suppressed and counted
-  std::uint64_t seed = 0;               // start phase of every pixel; random numbers of the model
+  // Of all pixels together, >= 1. Beyond it the pixels that come later, row by row, are suppressed and
+  // counted.
+  std::uint64_t max_events_per_frame = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t seed = 0;  // start phase of every pixel; random numbers of the model
 };
 
 // What is wrong with a configuration: the first offending field, named as in the schema, and what is valid.

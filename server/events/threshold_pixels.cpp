@@ -27,6 +27,8 @@ ThresholdPixels::ThresholdPixels(const SensorConfig& config, int width, int heig
       high_(below(on_)),
       refractory_(config.refractory),
       max_events_(config.max_events_per_pixel_frame),
+      max_all_(config.max_events_per_frame),
+      room_(max_all_),
       width_(width) {
   if (refractory_ > TimeNs(0)) blindness_.resize(static_cast<std::size_t>(width) * height);
 }
@@ -40,6 +42,7 @@ void ThresholdPixels::begin(const Interval& interval) {
   interval_ = interval;
   length_ns_ = static_cast<double>((interval.t1 - interval.t0).count());
   suppressed_ = 0;
+  room_ = max_all_;
 }
 
 // Whether a blind pixel wakes in this interval (or has woken before, where brightness stood still since), and
@@ -88,10 +91,12 @@ float ThresholdPixels::advanceInFull(int x, int y, double v, double change, Even
   return 0;
 }
 
-// Appends the first crossings of `count` as events like `event`, as far as the bound allows.
+// Appends the first crossings of `count` as events like `event`, as far as the bounds allow.
 void ThresholdPixels::send(const Crossings& crossings, std::int64_t count, Event event, Events& events) {
-  const std::int64_t sent = std::min(count, max_events_);
+  const std::int64_t wanted = std::min(count, max_events_);
+  const auto sent = static_cast<std::int64_t>(std::min(static_cast<std::uint64_t>(wanted), room_));
   suppressed_ += static_cast<std::uint64_t>(count - sent);
+  room_ -= static_cast<std::uint64_t>(sent);
   const std::int64_t ticks = (interval_.t1 - interval_.t0) / kEventTimeUnit;
   for (std::int64_t k = 0; k < sent; ++k) {
     const auto tick = static_cast<std::int64_t>(crossings.fraction(k) * static_cast<double>(ticks));

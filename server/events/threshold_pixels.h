@@ -15,8 +15,8 @@ namespace saccade {
 // reference: ON where v reaches C+, OFF where it reaches -C-; the reference then moves there, so that v is 0.
 // Log brightness is linear inside the interval. After an event the pixel is blind for the refractory period
 // and then takes the level it sees as its reference (v = 0); thresholds passed meanwhile count as suppressed,
-// whole ones of the net change. Events beyond the bound are counted as suppressed, and the pixel behaves as
-// if they had been sent.
+// whole ones of the net change. Events beyond the bound of a pixel, or of all pixels together in the order in
+// which they are moved, are counted as suppressed, and the pixel behaves as if they had been sent.
 class ThresholdPixels {
  public:
   ThresholdPixels(const SensorConfig& config, int width, int height);
@@ -64,7 +64,8 @@ class ThresholdPixels {
   double on_, off_;   // C+, C-
   float low_, high_;  // the smallest and largest level between the thresholds
   TimeNs refractory_;
-  std::int64_t max_events_;
+  std::int64_t max_events_;       // of a pixel
+  std::uint64_t max_all_, room_;  // of all pixels; how many more of them this interval
   int width_;
   std::vector<Blindness> blindness_;  // by pixel; empty without refractory period
   Interval interval_{};

@@ -29,6 +29,7 @@ void TimeOrder::sort(Events& events, const Interval& interval) {
     for (const Event& e : events) scratch_[begin[digit(e)]++] = e;
     events.swap(scratch_);
   }
+  giveBackSlack(scratch_);
 }
 
 }  // namespace saccade

@@ -29,6 +29,12 @@ RTCGeometry makeSphere(RTCDevice device, const Sphere& sphere) {
   return geometry;
 }
 
+// Called with what is taken, or with less than 0 for what is given back.
+bool countMemory(void* counter, ssize_t bytes, bool) {
+  *static_cast<std::atomic<std::size_t>*>(counter) += static_cast<std::size_t>(bytes);
+  return true;
+}
+
 RTCRay toEmbree(const Ray& ray) {
   RTCRay r;
   r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z, r.tnear = 0;
@@ -44,6 +50,7 @@ EmbreeScene::EmbreeScene(const Scene& scene) {
   device_ = rtcNewDevice("threads=1,set_affinity=0");
   if (!device_)
     throw std::runtime_error("Embree cannot start: error " + std::to_string(rtcGetDeviceError(nullptr)));
+  rtcSetDeviceMemoryMonitorFunction(device_, countMemory, &bytes_);
   scene_ = rtcNewScene(device_);
   unsigned id = 0;
   const auto attach = [&](RTCGeometry geometry) {

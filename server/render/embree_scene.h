@@ -1,6 +1,8 @@
 // Ray queries on a scene. embree_scene.cpp is the only file that includes Embree.
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 
 #include "scene/scene.h"
@@ -35,8 +37,10 @@ class EmbreeScene {
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray) const;          // anything in (0, tfar)
   float diagonal() const { return diagonal_; }  // of the bounding box
+  std::size_t bytes() const { return bytes_; }  // that Embree has taken, besides the meshes
 
  private:
+  std::atomic<std::size_t> bytes_ = 0;
   RTCDeviceTy* device_;
   RTCSceneTy* scene_;
   float diagonal_;

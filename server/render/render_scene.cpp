@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/scene_needs.h"
+
 namespace saccade {
 namespace {
 
@@ -36,6 +38,11 @@ RenderScene::RenderScene(Scene scene)
       epsilon_(kRelativeEpsilon * geometry_.diagonal()) {
   if (shading_ == Shading::kAll)
     for (const Material& m : scene_.materials) tables_.emplace_back(m.model);
+}
+
+std::size_t RenderScene::bytes() const {
+  const SceneNeeds needs = needsOf(scene_);
+  return needs.geometry_bytes + geometry_.bytes() + needs.texture_bytes;
 }
 
 }  // namespace saccade

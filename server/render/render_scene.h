@@ -20,6 +20,7 @@ class RenderScene {
   const Lights& lights() const { return lights_; }
   Shading shading() const { return shading_; }  // the least that holds the scene
   int channels() const { return channels_; }
+  std::size_t bytes() const;  // of geometry, Embree's tree over it, and textures: nearly all of its memory
 
   bool hasPassages() const { return has_passages_; }  // whether a shadow ray may pass through something
 

@@ -7,92 +7,136 @@
 #include "base/check.h"
 
 namespace saccade {
+namespace {
 
-CreditQueue::CreditQueue(Overflow overflow, std::uint64_t capacity_bytes, std::uint32_t sensors)
+constexpr std::size_t kSmallPayload = 64;  // bytes
+
+// What the heap takes for a block: its own word, in steps of 16.
+std::uint64_t blockOf(std::uint64_t bytes) {
+  return std::max<std::uint64_t>(32, (bytes + 8 + 15) / 16 * 16);
+}
+
+}  // namespace
+
+CreditQueue::Entry::Entry(const Packet& packet)
+    : bytes(packet.header.SerializeAsString()),
+      seq(packet.header.seq()),
+      header_size(static_cast<std::uint32_t>(bytes.size())),
+      sensor(packet.header.sensor()),
+      may_drop(packet.header.kind() == v1::KIND_EVENTS) {
+  if (packet.payload->size() > kSmallPayload) {
+    payload = packet.payload;
+  } else {
+    bytes += *packet.payload;
+    bytes.shrink_to_fit();
+  }
+}
+
+std::uint64_t CreditQueue::Entry::memory() const {
+  constexpr std::uint64_t kSlot = sizeof(Entry) + 8;               // with its part of the deque's own blocks
+  constexpr std::uint64_t kCounted = sizeof(std::string) + 2 * 8;  // with the counters of a shared_ptr
+  const std::uint64_t own = kSlot + blockOf(bytes.capacity() + 1);
+  return payload ? own + blockOf(kCounted) + blockOf(payload->capacity() + 1) : own;
+}
+
+WirePacket CreditQueue::Entry::wirePacket() const {
+  WirePacket packet{sensor, bytes.substr(0, header_size), payload};
+  if (!payload) packet.payload = std::make_shared<const std::string>(bytes.substr(header_size));
+  if (dropped_before == 0) return packet;
+  v1::PacketHeader header;
+  SACCADE_CHECK(header.ParseFromString(packet.header));
+  header.set_dropped_before(dropped_before);
+  packet.header = header.SerializeAsString();
+  return packet;
+}
+
+CreditQueue::CreditQueue(Overflow overflow, std::uint64_t capacity, std::uint32_t sensors)
     : overflow_(overflow),
-      capacity_bytes_(capacity_bytes),
+      capacity_(capacity),
+      sent_(sensors),
       untold_drops_(sensors),
       first_held_(sensors),
       first_unsent_(sensors) {}
 
 bool CreditQueue::hasRoom() const {
   std::lock_guard lock(mutex_);
-  return overflow_ == Overflow::kDropOldest || waiting_.bytes < capacity_bytes_;
+  return overflow_ == Overflow::kDropOldest || waiting_memory_ < capacity_;
 }
 
-void CreditQueue::push(Packet packet) {
+void CreditQueue::push(const Packet& packet) {
   SACCADE_CHECK(packet.header.sensor() < untold_drops_.size());
+  Entry entry(packet);
   std::lock_guard lock(mutex_);
-  if (auto& untold = untold_drops_[packet.header.sensor()]) {
-    packet.header.set_dropped_before(std::exchange(untold, 0));
-  }
-  const std::uint64_t bytes = packet.header.ByteSizeLong() + packet.payload->size();
-  waiting_.entries.push_back({std::move(packet), bytes});
-  waiting_.bytes += bytes;
-  if (overflow_ == Overflow::kDropOldest && waiting_.bytes > capacity_bytes_) dropOldest();
+  entry.dropped_before = std::exchange(untold_drops_[entry.sensor], 0);
+  wait(std::move(entry));
+  if (overflow_ == Overflow::kDropOldest && waiting_memory_ > capacity_) dropOldest();
 }
 
 // The newest packet stays, however large, and so does what is not events.
 void CreditQueue::dropOldest() {
-  auto& entries = waiting_.entries;
-  for (auto it = entries.begin(); waiting_.bytes > capacity_bytes_ && it + 1 != entries.end();) {
-    if (it->packet.header.kind() != v1::KIND_EVENTS) {
+  for (auto it = waiting_.begin(); waiting_memory_ > capacity_ && it + 1 != waiting_.end();) {
+    if (!it->may_drop) {
       ++it;
       continue;
     }
     tellLoss(it);
     ++dropped_packets_;
-    waiting_.bytes -= it->bytes;
-    it = entries.erase(it);
+    waiting_memory_ -= it->memory();
+    it = waiting_.erase(it);
   }
 }
 
 // The loss goes with the packets, not with the sending: a client that resumes is told the same again.
-void CreditQueue::tellLoss(std::deque<Entry>::iterator lost) {
-  const v1::PacketHeader& header = lost->packet.header;
-  const std::uint64_t drops = 1 + header.dropped_before();
-  const auto next = std::find_if(lost + 1, waiting_.entries.end(), [&](const Entry& entry) {
-    return entry.packet.header.sensor() == header.sensor();
-  });
-  if (next == waiting_.entries.end()) {
-    untold_drops_[header.sensor()] += drops;
-  } else {
-    next->packet.header.set_dropped_before(next->packet.header.dropped_before() + drops);
-  }
+void CreditQueue::tellLoss(Entries::iterator lost) {
+  const std::uint64_t drops = 1 + lost->dropped_before;
+  const auto next = std::find_if(lost + 1, waiting_.end(),
+                                 [&](const Entry& entry) { return entry.sensor == lost->sensor; });
+  (next == waiting_.end() ? untold_drops_[lost->sensor] : next->dropped_before) += drops;
 }
 
 bool CreditQueue::sendOldest(const Send& send) {
   std::lock_guard lock(mutex_);
-  if (waiting_.entries.empty()) return false;
-  Entry& entry = waiting_.entries.front();
-  const v1::PacketHeader& header = entry.packet.header;
-  if (!send({header.sensor(), header.SerializeAsString(), entry.packet.payload})) return false;
-  first_unsent_[header.sensor()] = std::max(first_unsent_[header.sensor()], header.seq() + 1);
-  waiting_.bytes -= entry.bytes;
-  sent_.bytes += entry.bytes;
-  sent_.entries.push_back(std::move(entry));
-  waiting_.entries.pop_front();
-  while (sent_.bytes > kKeptBounds * capacity_bytes_ && sent_.entries.size() > 1) forgetFirstSent();
+  if (waiting_.empty() || !send(waiting_.front().wirePacket())) return false;
+  Entry entry = std::move(waiting_.front());
+  waiting_.pop_front();
+  waiting_memory_ -= entry.memory();
+  first_unsent_[entry.sensor] = std::max(first_unsent_[entry.sensor], entry.seq + 1);
+  keep(std::move(entry));
+  // The newest stays, however large.
+  while (sent_memory_ > kKeptBounds * capacity_ && oldestSent().front().place + 1 < next_place_)
+    forgetFirst(oldestSent());
   return true;
 }
 
-void CreditQueue::forgetFirstSent() {
-  const Entry& first = sent_.entries.front();
-  first_held_[first.packet.header.sensor()] = first.packet.header.seq() + 1;
-  sent_.bytes -= first.bytes;
-  sent_.entries.pop_front();
+void CreditQueue::wait(Entry entry) {
+  waiting_memory_ += entry.memory();
+  waiting_.push_back(std::move(entry));
+}
+
+void CreditQueue::keep(Entry entry) {
+  sent_memory_ += entry.memory();
+  entry.place = next_place_++;
+  sent_[entry.sensor].push_back(std::move(entry));
+}
+
+// There is one.
+CreditQueue::Entries& CreditQueue::oldestSent() {
+  return *std::ranges::min_element(
+      sent_, {}, [](const Entries& entries) { return entries.empty() ? UINT64_MAX : entries.front().place; });
 }
 
 // What is not held any more cannot be asked for again.
+void CreditQueue::forgetFirst(Entries& sent) {
+  const Entry& first = sent.front();
+  first_held_[first.sensor] = std::max(first_held_[first.sensor], first.seq + 1);
+  sent_memory_ -= first.memory();
+  sent.pop_front();
+}
+
 void CreditQueue::acknowledge(std::uint32_t sensor, std::uint64_t seq) {
   std::lock_guard lock(mutex_);
-  std::erase_if(sent_.entries, [&](const Entry& entry) {
-    const v1::PacketHeader& header = entry.packet.header;
-    if (header.sensor() != sensor || header.seq() > seq) return false;
-    first_held_[sensor] = std::max(first_held_[sensor], header.seq() + 1);
-    sent_.bytes -= entry.bytes;
-    return true;
-  });
+  Entries& sent = sent_[sensor];
+  while (!sent.empty() && sent.front().seq <= seq) forgetFirst(sent);
 }
 
 std::string CreditQueue::resume(const std::vector<std::uint64_t>& from_seqs) {
@@ -108,21 +152,24 @@ std::string CreditQueue::resume(const std::vector<std::uint64_t>& from_seqs) {
              std::to_string(first_unsent_[i]) + " on";
     }
   }
-  Entries all = std::move(sent_);
-  std::move(waiting_.entries.begin(), waiting_.entries.end(), std::back_inserter(all.entries));
-  sent_ = {}, waiting_ = {};
-  for (Entry& entry : all.entries) {
-    const v1::PacketHeader& header = entry.packet.header;
-    Entries& to = header.seq() < from_seqs[header.sensor()] ? sent_ : waiting_;
-    to.bytes += entry.bytes;
-    to.entries.push_back(std::move(entry));
+  std::vector<Entry> all;
+  for (Entries& sent : sent_) std::ranges::move(std::exchange(sent, {}), std::back_inserter(all));
+  std::ranges::sort(all, {}, &Entry::place);
+  std::ranges::move(std::exchange(waiting_, {}), std::back_inserter(all));
+  waiting_memory_ = sent_memory_ = 0;
+  for (Entry& entry : all) {
+    if (entry.seq < from_seqs[entry.sensor]) {
+      keep(std::move(entry));
+    } else {
+      wait(std::move(entry));
+    }
   }
   return {};
 }
 
 bool CreditQueue::empty() const {
   std::lock_guard lock(mutex_);
-  return waiting_.entries.empty();
+  return waiting_.empty();
 }
 
 std::uint64_t CreditQueue::droppedPackets() const {

@@ -91,12 +91,13 @@ Packet Session::heartbeat(std::uint32_t sensor) const {
   header.set_t0_ns(progress_.t_ns);
   lock.unlock();
   header.set_t1_ns(header.t0_ns());
+  header.set_lag_ms(static_cast<std::uint64_t>(lag_ms_));
   return sealPacket(std::move(header), {});
 }
 
-void Session::push(Packet packet) {
+void Session::push(const Packet& packet) {
   const std::uint64_t dropped_before = queue_.droppedPackets();
-  queue_.push(std::move(packet));
+  queue_.push(packet);
   traffic_.dropped_packets += queue_.droppedPackets() - dropped_before;
   transport_.wake();
 }

@@ -51,9 +51,10 @@ class Session {
   bool started() const { return started_; }
   bool stopping() const { return stopping_; }
   bool hasRoom() const { return queue_.hasRoom(); }
-  void push(Packet packet);
+  void push(const Packet& packet);
   void setProgress(std::uint64_t frame, std::int64_t t_ns);  // the newest frame; told by heartbeats
-  v1::EndReason endReason() const { return end_reason_; }    // END_REASON_FINISHED unless stopping()
+  void setLag(std::chrono::milliseconds lag) { lag_ms_ = lag.count(); }  // told by heartbeats, too
+  v1::EndReason endReason() const { return end_reason_; }  // END_REASON_FINISHED unless stopping()
   void finish();  // END or ERROR has been pushed for every sensor; no packet follows
 
   // Owner. stop(): the producer is to end the stream at the next frame; the first reason stands.
@@ -83,6 +84,7 @@ class Session {
   };
   mutable std::mutex progress_mutex_;
   Progress progress_;
+  std::atomic<std::int64_t> lag_ms_ = 0;
   std::atomic<Signal::Clock::time_point> last_activity_;
 };
 

@@ -7,14 +7,19 @@
 namespace {
 
 std::atomic<int> count{0};
+thread_local bool failing = false;
 
 void* counted(void* p) {
-  if (!p) throw std::bad_alloc();
+  if (!p || failing) throw std::bad_alloc();
   ++count;
   return p;
 }
 
 }  // namespace
+
+void saccade::test::failAllAllocations() {
+  failing = true;
+}
 
 int saccade::test::allocations() {
   return count;

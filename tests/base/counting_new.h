@@ -3,6 +3,7 @@
 
 namespace saccade::test {
 
-int allocations();  // calls of operator new so far, on all threads
+int allocations();          // calls of operator new so far, on all threads
+void failAllAllocations();  // from now on, of the calling thread
 
 }  // namespace saccade::test

@@ -19,7 +19,8 @@ constexpr std::chrono::milliseconds kPause{100};  // between looks at how far th
 constexpr double kFramesPerSecond = 20;           // of wall-clock time
 constexpr double kMostLagS = 1;
 
-// Streams that take most of their time in the feed, in the sensors, in packets.
+// Streams that take most of their time in the feed, in the sensors, in packets, in viewers of one sensor
+// each.
 std::vector<v1::OpenStream> kinds() {
   v1::OpenStream feed = tinyRequest();
   feed.mutable_view()->set_width(96);
@@ -33,7 +34,12 @@ std::vector<v1::OpenStream> kinds() {
   while (sensors.sensors_size() < 16) *sensors.add_sensors() = sensors.sensors(0);
   v1::OpenStream packets = sensors;
   packets.set_codec(v1::CODEC_ZSTD);
-  return {feed, sensors, packets};
+  v1::OpenStream viewers = feed;
+  viewers.mutable_timing()->set_speed(5 * kFramesPerSecond / feed.timing().frame_rate_hz());
+  viewers.set_delivery(v1::DELIVERY_LIVE);
+  viewers.mutable_method()->set_name("pt");
+  viewers.mutable_quality()->set_bounces(0);
+  return {feed, sensors, packets, viewers};
 }
 
 // Opens streams until the server has no time for another. LOSSLESS ones have a feed each.
@@ -66,7 +72,8 @@ class KeptPace : public testing::TestWithParam<int> {};
 
 TEST_P(KeptPace, ByAllThatWereAccepted) {
   if (!std::getenv("SACCADE_FULL")) GTEST_SKIP() << "wants SACCADE_FULL=1 and a quiet machine";
-  ServerProcess server({"--threads", std::to_string(hardwareThreads()), "--limit-cpu", "85"});
+  ServerProcess server({"--threads", std::to_string(hardwareThreads()), "--limit-cpu", "85",
+                        "--limit-streams", "1000", "--limit-queues", "100000"});
   MockClient client(server.control());
   const auto streams = fill(client, kinds()[GetParam()]);
   ASSERT_FALSE(streams.empty());
@@ -103,9 +110,9 @@ TEST_P(KeptPace, ByAllThatWereAccepted) {
 }
 
 std::string kindName(const testing::TestParamInfo<int>& kind) {
-  return std::array{"OfManyFeeds", "OfManySensors", "OfManyPackets"}[kind.param];
+  return std::array{"OfManyFeeds", "OfManySensors", "OfManyPackets", "OfManyViewers"}[kind.param];
 }
-INSTANTIATE_TEST_SUITE_P(Streams, KeptPace, testing::Range(0, 3), kindName);
+INSTANTIATE_TEST_SUITE_P(Streams, KeptPace, testing::Range(0, 4), kindName);
 
 }  // namespace
 }  // namespace saccade

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -101,6 +102,48 @@ TEST_P(SensorOfModel, DegenerateInputGivesBoundedEvents) {
   EXPECT_EQ(out.events.size(), 32u * (kWidth / 4) * 2);
 }
 
+// The bound changes no event that it lets pass, and the pixels behave as if all had been sent.
+TEST_P(SensorOfModel, BeyondItsBoundAFrameWithholdsTheLastPixels) {
+  SensorConfig bounded = config();
+  bounded.max_events_per_frame = 100;
+  Sensor sensor(bounded, kWidth, kHeight), free(config(), kWidth, kHeight);
+  IntensityChange change(kWidth, kHeight);
+  SensorOutput out, all;
+  for (int i = 1; i <= 10; ++i) {
+    fillRandom(change, i, i % 2 ? 0.9f : 0.2f);
+    sensor.generate(change, out);
+    free.generate(change, all);
+    EXPECT_EQ(out.events.size() + out.suppressed, all.events.size() + all.suppressed);
+    const auto inOrder = [](const Event& a, const Event& b) {
+      return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+    };
+    for (Events* events : {&out.events, &all.events}) std::ranges::stable_sort(*events, inOrder);
+    all.events.resize(std::min<std::size_t>(100, all.events.size()));
+    EXPECT_EQ(out.events, all.events);
+  }
+}
+
+// A cut makes many at once, and then none.
+TEST_P(SensorOfModel, GivesBackTheMemoryOfManyEvents) {
+  constexpr int kSide = 256;
+  SensorConfig low = config();
+  low.threshold = low.threshold_off = 0.01;
+  low.max_events_per_frame = 500'000;
+  Sensor sensor(low, kSide, kSide);
+  IntensityChange change(kSide, kSide);
+  change.I_prev.fill(1);
+  SensorOutput out;
+  std::size_t largest = 0;
+  for (int i = 1; i <= 4; ++i) {
+    change.frame = i, change.t0 = frameTime(i - 1, 500), change.t1 = frameTime(i, 500);
+    change.dI.fill(i == 1 ? 1.f : 0.f);
+    sensor.generate(change, out);
+    largest = std::max(largest, out.events.capacity());
+  }
+  EXPECT_LE(largest, 1'000'000u);
+  EXPECT_LT(out.events.capacity(), 1u << 16);
+}
+
 TEST_P(SensorOfModel, NothingAllocatesAfterTwoFrames) {
   for (const ReconstructionInfo& reconstruction : reconstructionTable()) {
     SensorConfig with_refractory = config();
@@ -158,6 +201,7 @@ TEST(SensorConfig, FaultsNameTheFieldAndWhatIsValid) {
   EXPECT_EQ(fieldOf({.bias = 0}), "bias");
   EXPECT_EQ(fieldOf({.refractory = TimeNs(-1)}), "refractory_s");
   EXPECT_EQ(fieldOf({.max_events_per_pixel_frame = 0}), "max_events_per_pixel_frame");
+  EXPECT_EQ(fieldOf({.max_events_per_frame = 0}), "max_events_per_frame");
   EXPECT_EQ(fieldOf({.reconstruction_cutoff_hz = 0}), "cutoff_hz");
   EXPECT_EQ(findFault({.reconstruction = "poisson"})->message,
             "no reconstruction 'poisson'; there are: direct, complementary, kalman");

@@ -57,6 +57,7 @@ std::string comparableBytes(const Packets& packets) {
     v1::PacketHeader header = packet.header;
     header.clear_stream_id();
     header.clear_epoch();
+    header.clear_lag_ms();
     bytes += header.SerializeAsString() + packet.payload;
   }
   return bytes;

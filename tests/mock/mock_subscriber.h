@@ -57,7 +57,7 @@ struct Summary {
 // begins where it joined.
 Summary checkPackets(const Packets& packets, bool lossy = false, std::int64_t begin_ns = 0);
 
-// The packets as sent, but for what names the stream and the run of the server.
+// The packets as sent, but for what names the stream and the run of the server, and its lag.
 std::string comparableBytes(const Packets& packets);
 
 }  // namespace saccade

@@ -47,8 +47,8 @@ TEST(Limits, OneMoreThanAllMayHaveIsRefused) {
   } all[]{{Limit::kStreams, 1, ""},
           {Limit::kSensors, 1, "sensors"},
           {Limit::kPixels, 32 * 24 * 1.5, "view"},
-          {Limit::kMemory, 3.5, "view"},  // of 2.3 each
-          {Limit::kQueues, 20, ""}};      // of 12 each
+          {Limit::kMemory, 5.5, "view"},  // of 3.7 each
+          {Limit::kQueues, 20, ""}};      // of 16 each
   for (const auto& [limit, value, field] : all) {
     TestServer server(withLimit(limit, value));
     server.client().open(tinyRequest());

@@ -1,8 +1,8 @@
 // Which PACED streams a server takes: those whose pace its threads suffice for.
 #include <gtest/gtest.h>
 
+#include "app/pace.h"
 #include "app/refusal.h"
-#include "app/stream_cost.h"
 #include "mock/test_server.h"
 
 namespace saccade {
@@ -36,10 +36,10 @@ TEST(Pace, AStreamFitsBesideTheOthersOrNot) {
   v1::Timing timing;
   timing.set_frame_rate_hz(500);
   timing.set_speed(1);
-  EXPECT_NO_THROW(checkPace(timing, {0.003, 0.001}, 0.99, 4, limits));
+  EXPECT_NO_THROW(checkPace(timing, {0.003, 0.001}, {0.99, {}, 0}, {4, 1}, limits));
   for (const auto& [taken, retry_s] : {std::pair(1.01, kRetrySeconds), {9.0, kRetrySeconds}}) {
     try {
-      checkPace(timing, {0.003, 0.001}, taken, 4, limits);
+      checkPace(timing, {0.003, 0.001}, {taken, {}, 0}, {4, 1}, limits);
       FAIL() << taken;
     } catch (const LimitReached& reached) {
       EXPECT_EQ(reached.limit, "cpu");
@@ -48,7 +48,7 @@ TEST(Pace, AStreamFitsBesideTheOthersOrNot) {
   }
   timing.set_speed(2);
   try {
-    checkPace(timing, {0.003, 0.001}, 0, 4, limits);
+    checkPace(timing, {0.003, 0.001}, {}, {4, 1}, limits);
     FAIL();
   } catch (const LimitReached& reached) {
     EXPECT_EQ(reached.retry_after_s, 0);  // not even on an idle server
@@ -56,6 +56,68 @@ TEST(Pace, AStreamFitsBesideTheOthersOrNot) {
     EXPECT_EQ(numberAfter(reached.what(), "rate of "), 370);  // 375, rounded down
     EXPECT_EQ(numberAfter(reached.what(), "speed of "), 1.5);
   }
+}
+
+std::string refusalOf(double frame_rate_hz, const CpuCost& frame, const PaceLoad& taken, CpuSupply supply) {
+  Limits limits;
+  limits[Limit::kCpu] = 80;
+  v1::Timing timing;
+  timing.set_frame_rate_hz(frame_rate_hz);
+  timing.set_speed(1);
+  try {
+    checkPace(timing, frame, taken, supply, limits);
+    return {};
+  } catch (const LimitReached& reached) {
+    return reached.what();
+  }
+}
+
+// However many threads there are, a frame comes after the one before it.
+TEST(Pace, AFrameAndItsSensorsFitIntoItsPeriod) {
+  const CpuSupply many{64, 1};
+  const CpuCost frame{0.02, 0.004, 0.003, 0.004};  // 3 ms by all threads together, then 4 ms of one sensor
+  EXPECT_EQ(refusalOf(100, frame, {}, many), "");
+  EXPECT_EQ(numberAfter(refusalOf(120, frame, {}, many), "rate of "), 110);  // 114, rounded down
+  EXPECT_NE(refusalOf(100, frame, {}, {64, 0.8}), "");                       // as fast as it is let
+  // Another viewer of a feed of 2 ms whose viewers take as long as 6 ms by all threads together.
+  const CpuCost viewer{0, 0.0002, 0, 0.0002};
+  const PaceLoad taken{20, {2, 38.2, 0.2, 0.02}, 0};
+  EXPECT_EQ(refusalOf(100, viewer, taken, many), "");
+  EXPECT_NE(refusalOf(100, viewer, {20, {2, 38.4, 0.2, 0.02}, 0}, many), "");
+  EXPECT_NE(refusalOf(100, viewer, {20, {2, 38.2, 0.25, 0.02}, 0}, many), "");
+  EXPECT_EQ(refusalOf(100, viewer, {20, {}, 0}, many), "");  // that they are others' does not matter
+}
+
+TEST(Pace, NoneIsTakenWhileOneLags) {
+  const CpuCost frame{0.001, 0.001, 0.001, 0.001};
+  EXPECT_EQ(refusalOf(10, frame, {0, {}, 0.9}, {4, 1}), "");
+  EXPECT_NE(refusalOf(10, frame, {0, {}, 1.1}, {4, 1}).find("behind its clock"), std::string::npos);
+}
+
+// Everything fits into a share of a million percent.
+TEST(Pace, AStreamThatLagsSaysSoAndKeepsOthersOut) {
+  Config config = testConfig();
+  config.limits[Limit::kCpu] = 1e9;
+  TestServer server(config);
+  v1::OpenStream request = pacedRequest(1e5, 1);
+  request.mutable_timing()->set_duration_s(0);
+  request.set_delivery(v1::DELIVERY_LIVE);
+  const auto stream = server.client().open(request);
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 30);
+  std::uint64_t lag_ms = 0;
+  while (lag_ms == 0) lag_ms = subscriber.receive().value().header.lag_ms();
+  EXPECT_GT(lag_ms, 1000u);
+  const v1::Status status = server.client().tryOpen(pacedRequest(10, 1));
+  EXPECT_EQ(status.limit(), "cpu") << status.message();
+  EXPECT_GT(status.retry_after_s(), 0);
+  server.client().close(stream);
+  const auto deadline = Signal::Clock::now() + kPatience;
+  auto code = v1::CODE_UNSPECIFIED;
+  while (code != v1::CODE_OK && Signal::Clock::now() < deadline)
+    code = server.client().tryOpen(pacedRequest(10, 1)).code();
+  EXPECT_EQ(code, v1::CODE_OK);
 }
 
 TEST(Pace, TheServerMeasuresAndSaysWhatFits) {
@@ -113,6 +175,7 @@ TEST(Pace, MeasuringChangesNoEvent) {
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].payload, other[i].payload);
     events += one[i].header.count();
+    EXPECT_EQ(one[i].header.lag_ms(), 0u);
   }
   EXPECT_GT(events, 0u);
 }

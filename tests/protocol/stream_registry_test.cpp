@@ -121,7 +121,7 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
   stream.request.mutable_timing()->set_clock(v1::CLOCK_PACED);
   stream.request.mutable_timing()->set_frame_rate_hz(100);
   stream.request.mutable_timing()->set_speed(2);
-  stream.frame_cost = {1e-3, 1e-4};
+  stream.frame_cost = {1e-3, 1e-4, 5e-4, 1e-4};
   const auto shared = feed(), own = feed();
   std::vector<std::shared_ptr<Session>> sessions;
   for (const auto& [id, looked_at] : {std::pair("1", shared), {"2", shared}, {"3", own}}) {
@@ -132,11 +132,17 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
     sessions.push_back(stream.session);
     streams_.add(stream);
   }
-  EXPECT_DOUBLE_EQ(streams_.load(), 2 * 0.2 + 3 * 0.02);
+  EXPECT_DOUBLE_EQ(streams_.load(nullptr).total, 2 * 0.2 + 3 * 0.02);
+  EXPECT_EQ(streams_.load(nullptr).feed.sensors, 0);
+  const CpuCost both = streams_.load(shared.get()).feed;
+  EXPECT_DOUBLE_EQ(both.feed, 0.2);
+  EXPECT_DOUBLE_EQ(both.sensors, 2 * 0.02);
+  EXPECT_DOUBLE_EQ(both.chain, 0.1);
+  EXPECT_DOUBLE_EQ(both.longest, 0.02);
   sessions[0]->finish();
-  EXPECT_DOUBLE_EQ(streams_.load(), 2 * 0.2 + 2 * 0.02);
+  EXPECT_DOUBLE_EQ(streams_.load(nullptr).total, 2 * 0.2 + 2 * 0.02);
   sessions[1]->finish();
-  EXPECT_DOUBLE_EQ(streams_.load(), 0.2 + 0.02);
+  EXPECT_DOUBLE_EQ(streams_.load(nullptr).total, 0.2 + 0.02);
 }
 
 }  // namespace

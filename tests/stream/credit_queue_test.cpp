@@ -1,6 +1,10 @@
 #include "stream/credit_queue.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
+
+#include "mock/server_process.h"
+#include "wire/packet_cutter.h"
 
 namespace saccade {
 namespace {
@@ -52,7 +56,7 @@ TEST(CreditQueue, KeepsWhatCannotBeSentAndLetsNothingInForIt) {
 }
 
 TEST(CreditQueue, DropsTheOldestAndTellsTheNextOfThatSensor) {
-  CreditQueue queue(CreditQueue::Overflow::kDropOldest, 3500, 2);
+  CreditQueue queue(CreditQueue::Overflow::kDropOldest, 4000, 2);
   for (std::uint64_t seq = 0; seq < 5; ++seq) {
     queue.push(makePacket(0, seq, 1000));
     queue.push(makePacket(1, seq, 1000));
@@ -70,7 +74,7 @@ TEST(CreditQueue, DropsTheOldestAndTellsTheNextOfThatSensor) {
 }
 
 TEST(CreditQueue, NeverDropsEnd) {
-  CreditQueue queue(CreditQueue::Overflow::kDropOldest, 2500, 2);
+  CreditQueue queue(CreditQueue::Overflow::kDropOldest, 2900, 2);
   queue.push(makePacket(0, 0, 0, v1::KIND_END));
   for (std::uint64_t seq = 0; seq < 10; ++seq) queue.push(makePacket(1, seq, 1000));
   EXPECT_EQ(popHeader(queue).kind(), v1::KIND_END);
@@ -141,7 +145,7 @@ TEST(CreditQueue, WhatIsAcknowledgedCannotBeHadAgain) {
 }
 
 TEST(CreditQueue, KeepsNoMoreOfWhatWasSentThanItsBound) {
-  CreditQueue queue(CreditQueue::Overflow::kHold, 1250, 1);
+  CreditQueue queue(CreditQueue::Overflow::kHold, 1000, 1);
   for (std::uint64_t seq = 0; seq < 10; ++seq) {
     queue.push(makePacket(0, seq, 1000));
     popHeader(queue);
@@ -149,6 +153,74 @@ TEST(CreditQueue, KeepsNoMoreOfWhatWasSentThanItsBound) {
   EXPECT_NE(queue.resume({7}).find("8"), std::string::npos);  // names the first that is held
   EXPECT_EQ(queue.resume({8}), "");
   EXPECT_EQ(popHeader(queue).seq(), 8u);
+}
+
+// Of a sensor in a scene where next to nothing happens: a packet of `events` events every 5 ms.
+class TinyPackets {
+ public:
+  explicit TinyPackets(std::size_t events) : events_(events) {}
+  Packet next() {
+    const std::int64_t t1_ns = t_ns_ + kPacketTimeNs;
+    const Events events(events_, {t_ns_, 0, 0, 1});
+    Packet packet = cutter_.cut(events, {t_ns_, t1_ns, frame_++, 0}).front();
+    t_ns_ = t1_ns;
+    return packet;
+  }
+
+ private:
+  const std::size_t events_;
+  PacketCutter cutter_{{.stream_id = "0123456789abcdef", .epoch = 1, .width = 1, .height = 1}};
+  std::int64_t t_ns_ = 0;
+  std::uint64_t frame_ = 0;
+};
+
+// PROTOCOL.md promises it to whoever gives no more credit than one bound, and acknowledges.
+TEST(CreditQueue, KeepsOneBoundOfBytesThoughPacketsAreTiny) {
+  constexpr std::uint64_t kBound = 1 << 20;
+  for (const std::size_t events : {0, 1, 2, 3, 100}) {
+    CreditQueue queue(CreditQueue::Overflow::kHold, kBound, 1);
+    TinyPackets packets(events);
+    for (std::uint64_t sent = 0; sent < kBound;) {
+      queue.push(packets.next());
+      queue.sendOldest([&](const WirePacket& packet) { return sent += packet.bytes(); });
+    }
+    EXPECT_EQ(queue.resume({0}), "") << events << " events";
+  }
+}
+
+TEST(CreditQueue, CountsTheMemoryThatPacketsTake) {
+  if (kSanitized) GTEST_SKIP() << "the sanitizer's heap is another";
+  constexpr std::uint64_t kBound = 1 << 20, kMiB = 1 << 20;
+  for (const std::size_t events : {0, 1, 2, 100, 2000}) {
+    TinyPackets packets(events);
+    malloc_trim(0);
+    const std::size_t before = mallinfo2().uordblks;
+    CreditQueue queue(CreditQueue::Overflow::kHold, kBound, 1);
+    while (queue.hasRoom()) queue.push(packets.next());
+    const double full = static_cast<double>(mallinfo2().uordblks - before) / kMiB;
+    EXPECT_NEAR(full, 1, 0.1) << events << " events wait";
+    for (int i = 0; i < 4; ++i) {
+      while (queue.hasRoom()) queue.push(packets.next());
+      while (queue.sendOldest([](const WirePacket&) { return true; })) {
+      }
+    }
+    const double kept = static_cast<double>(mallinfo2().uordblks - before) / kMiB;
+    EXPECT_NEAR(kept, CreditQueue::kKeptBounds, 0.2) << events << " events are kept";
+  }
+}
+
+// Each acknowledges nothing new. To look through all that is kept would take minutes.
+TEST(CreditQueue, AFloodOfAcknowledgementsTakesNoTime) {
+  CreditQueue queue(CreditQueue::Overflow::kHold, 16 << 20, 64);
+  for (std::uint64_t seq = 0; seq < 1000; ++seq) {
+    for (std::uint32_t sensor = 0; sensor < 64; ++sensor) queue.push(makePacket(sensor, seq, 0));
+  }
+  while (queue.sendOldest([](const WirePacket&) { return true; })) {
+  }
+  const auto began = std::chrono::steady_clock::now();
+  for (int i = 0; i < 200'000; ++i) queue.acknowledge(0, 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(2));
+  EXPECT_EQ(queue.resume(std::vector<std::uint64_t>(64, 1)), "");
 }
 
 // Else it would be a way to have more and more of it made and kept.

@@ -1,0 +1,34 @@
+// Which share of the time of a CPU a busy thread gets: less than 1 where others compete for the machine.
+#pragma once
+
+#include <chrono>
+#include <cmath>
+
+namespace saccade {
+
+// What is older fades: by 1/e every kSpan of wall-clock time, used or not.
+class ReceivedShare {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+
+  // A thread has been busy for `wall` until `now`, and has had `cpu` of it.
+  void add(Seconds cpu, Seconds wall, Clock::time_point now) {
+    const double kept = std::exp(-(Seconds(now - last_) / kSpan));
+    cpu_ = cpu_ * kept + cpu;
+    wall_ = wall_ * kept + wall;
+    last_ = now;
+  }
+
+  // In (0, 1]; 1 before anything is known.
+  double value() const { return std::fmin(1, (cpu_ + kUnknown) / (wall_ + kUnknown)); }
+
+ private:
+  static constexpr Seconds kSpan{2};
+  static constexpr Seconds kUnknown{0.02};  // taken for received whole: a short delay says little
+
+  Seconds cpu_{0}, wall_{0};
+  Clock::time_point last_{};
+};
+
+}  // namespace saccade

@@ -1,0 +1,47 @@
+// A feed without memory ends its streams, though it cannot even tell them why.
+#include <gtest/gtest.h>
+#include <spdlog/spdlog.h>
+
+#include "app/feed_runner.h"
+#include "base/counting_new.h"
+#include "mock/mock_client.h"
+#include "render/test_scenes.h"
+
+namespace saccade {
+namespace {
+
+// From the third frame on the feed's thread gets no memory.
+class Greedy : public Method {
+ public:
+  SeedReuse seedReuse() const override { return SeedReuse::kIndependent; }
+  void start(const Frame&, TilePool&) override {}
+  void estimate(const FramePair& frames, TilePool&, IntensityChange&, StageTimes&) override {
+    if (frames.cur.index == 3) test::failAllAllocations();
+  }
+};
+
+TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
+  spdlog::set_level(spdlog::level::off);
+  Totals totals;
+  WakeFd transport;
+  const auto pool = std::make_shared<TilePool>(1);
+  const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
+  const auto scene = std::make_shared<RenderScene>(test::furnace(0.5f, 1));
+  FeedRunner runner(std::make_unique<Feed>(scene, Trajectory({{TimeNs(0), Pose{}}}), config,
+                                           std::make_unique<Greedy>(), *pool),
+                    8, 8, FeedPace{5, 100, 0}, pool, totals);
+  const auto session =
+      std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport, runner.signal(), totals.traffic);
+  ResolvedStream stream{
+      .request = {}, .feed = config, .sensors = {{}}, .without = {}, .expected = {}, .simpler = {}};
+  stream.request.set_codec(v1::CODEC_NONE);
+  stream.request.add_sensors();
+  runner.add(std::make_shared<Outlet>(session, stream, 0));
+  session->start();
+  EXPECT_TRUE(
+      runner.signal()->waitUntil(Signal::Clock::now() + kPatience, [&] { return session->finished(); }));
+  EXPECT_EQ(runner.progress().frames, 2u);
+}
+
+}  // namespace
+}  // namespace saccade
