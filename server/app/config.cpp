@@ -104,7 +104,7 @@ void addOptions(CLI::App& app, Config& config) {
       ->capture_default_str();
   app.add_flag("--insecure", config.insecure, "let other machines connect without keys")
       ->check(CLI::IsMember({"true", "false"}));  // CLI11 by itself takes 10 for true
-  app.add_option("--threads", config.threads, "threads that render; 0: one per core")
+  app.add_option("--threads", config.threads, "threads that render; 0: one per CPU that this process may use")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_option("--scenes", config.scenes, "folder of the scenes")

@@ -76,8 +76,8 @@ CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory&
 }
 
 CpuSupply cpuSupply(const TilePool& pool) {
-  const double cpus = usableCpus(), share = pool.receivedShare();
-  return {std::min(cpus, pool.threads() * share), std::min(cpus, share)};
+  const double cpus = usableCpus(), threads = pool.threads(), share = pool.receivedShare();
+  return {std::min(cpus, threads * share), std::min(cpus, share), std::min(cpus, threads)};
 }
 
 void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& taken, const CpuSupply& supply,
@@ -105,7 +105,9 @@ void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& t
     message += ": what fits is a frame rate of " + atMost(timing.frame_rate_hz() * fits) +
                " Hz, or a speed of " + atMost(timing.speed() * fits);
   }
-  const bool later = need > free ? need <= most : joins;  // what others take, they give back
+  // What others take of the machine, they may give back.
+  const CpuSupply idle{supply.most, std::min(1.0, supply.most), supply.most};
+  const bool later = need <= idle.threads * share && periodsOf(own, idle) <= share;
   throw LimitReached(Limit::kCpu, "timing", message, later ? kRetrySeconds : 0);
 }
 

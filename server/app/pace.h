@@ -28,6 +28,7 @@ CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory&
 struct CpuSupply {
   double threads = 1;  // CPU seconds per second, all together
   double speed = 1;    // those of one thread
+  double most = 1;     // `threads` where no other program wants any
 };
 CpuSupply cpuSupply(const TilePool& pool);  // by the CPUs there are, and what the pool got of them of late
 

@@ -36,10 +36,10 @@ TEST(Pace, AStreamFitsBesideTheOthersOrNot) {
   v1::Timing timing;
   timing.set_frame_rate_hz(500);
   timing.set_speed(1);
-  EXPECT_NO_THROW(checkPace(timing, {0.003, 0.001}, {0.99, {}, 0}, {4, 1}, limits));
+  EXPECT_NO_THROW(checkPace(timing, {0.003, 0.001}, {0.99, {}, 0}, {4, 1, 4}, limits));
   for (const auto& [taken, retry_s] : {std::pair(1.01, kRetrySeconds), {9.0, kRetrySeconds}}) {
     try {
-      checkPace(timing, {0.003, 0.001}, {taken, {}, 0}, {4, 1}, limits);
+      checkPace(timing, {0.003, 0.001}, {taken, {}, 0}, {4, 1, 4}, limits);
       FAIL() << taken;
     } catch (const LimitReached& reached) {
       EXPECT_EQ(reached.limit, "cpu");
@@ -48,7 +48,7 @@ TEST(Pace, AStreamFitsBesideTheOthersOrNot) {
   }
   timing.set_speed(2);
   try {
-    checkPace(timing, {0.003, 0.001}, {}, {4, 1}, limits);
+    checkPace(timing, {0.003, 0.001}, {}, {4, 1, 4}, limits);
     FAIL();
   } catch (const LimitReached& reached) {
     EXPECT_EQ(reached.retry_after_s, 0);  // not even on an idle server
@@ -74,11 +74,11 @@ std::string refusalOf(double frame_rate_hz, const CpuCost& frame, const PaceLoad
 
 // However many threads there are, a frame comes after the one before it.
 TEST(Pace, AFrameAndItsSensorsFitIntoItsPeriod) {
-  const CpuSupply many{64, 1};
+  const CpuSupply many{64, 1, 64};
   const CpuCost frame{0.02, 0.004, 0.003, 0.004};  // 3 ms by all threads together, then 4 ms of one sensor
   EXPECT_EQ(refusalOf(100, frame, {}, many), "");
   EXPECT_EQ(numberAfter(refusalOf(120, frame, {}, many), "rate of "), 110);  // 114, rounded down
-  EXPECT_NE(refusalOf(100, frame, {}, {64, 0.8}), "");                       // as fast as it is let
+  EXPECT_NE(refusalOf(100, frame, {}, {64, 0.8, 64}), "");                   // as fast as it is let
   // Another viewer of a feed of 2 ms whose viewers take as long as 6 ms by all threads together.
   const CpuCost viewer{0, 0.0002, 0, 0.0002};
   const PaceLoad taken{20, {2, 38.2, 0.2, 0.02}, 0};
@@ -90,8 +90,8 @@ TEST(Pace, AFrameAndItsSensorsFitIntoItsPeriod) {
 
 TEST(Pace, NoneIsTakenWhileOneLags) {
   const CpuCost frame{0.001, 0.001, 0.001, 0.001};
-  EXPECT_EQ(refusalOf(10, frame, {0, {}, 0.9}, {4, 1}), "");
-  EXPECT_NE(refusalOf(10, frame, {0, {}, 1.1}, {4, 1}).find("behind its clock"), std::string::npos);
+  EXPECT_EQ(refusalOf(10, frame, {0, {}, 0.9}, {4, 1, 4}), "");
+  EXPECT_NE(refusalOf(10, frame, {0, {}, 1.1}, {4, 1, 4}).find("behind its clock"), std::string::npos);
 }
 
 // Everything fits into a share of a million percent.
