@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* kStopping = "the server is stopping";
 constexpr std::size_t kMaxLogged = 500;  // bytes of a request
-constexpr int kIdBytes = 8;              // random: who is not told of a stream cannot subscribe to its topics
+constexpr std::chrono::milliseconds kEndOfClosed{200};
+constexpr int kIdBytes = 8;  // random: who is not told of a stream cannot subscribe to its topics
 
 bool isPaced(const v1::OpenStream& request) {
   return request.timing().clock() == v1::CLOCK_PACED;
@@ -95,10 +96,7 @@ v1::StreamOpened StreamOpener::openStream(v1::OpenStream request, Opening& openi
   checkAlone(resolved.request, budget_.limits());
   boundEvents(resolved, budget_.limits());
   Stream stream;
-  streams_.sweep(Signal::Clock::now());  // what is over has its places no longer
-  std::vector<Share> shares = sharesOf(resolved, budget_.limits());
-  shares.push_back({Limit::kMemory, pathMemory(resolved.request.trajectory()), "trajectory"});
-  stream.reserved = budget_.take(opening.peer.user, shares);
+  stream.reserved = reserve(opening.peer.user, resolved);
   openings_.begin(opening, "loading the scene");
   const auto whole = scenes_.get(resolved.request.scene());
   fitTo(whole->description(), resolved);
@@ -110,6 +108,20 @@ v1::StreamOpened StreamOpener::openStream(v1::OpenStream request, Opening& openi
                              " opened: " + cutText(stream.request.ShortDebugString(), kMaxLogged));
   const int channels = resolved.feed.monochrome ? 1 : scene->channels();
   return describeOpened(std::move(resolved), stream, epoch_, channels);
+}
+
+// Streams that are over have no places any more, and closed ones are about to end.
+std::shared_ptr<void> StreamOpener::reserve(const std::string& user, const ResolvedStream& resolved) {
+  std::vector<Share> shares = sharesOf(resolved, budget_.limits());
+  shares.push_back({Limit::kMemory, pathMemory(resolved.request.trajectory()), "trajectory"});
+  streams_.sweep(Signal::Clock::now());
+  try {
+    return budget_.take(user, shares);
+  } catch (const LimitReached&) {
+    streams_.awaitClosed(Signal::Clock::now() + kEndOfClosed);
+    streams_.sweep(Signal::Clock::now());
+    return budget_.take(user, shares);
+  }
 }
 
 // What takes time is done before anybody has to wait for this one: a measurement, the first frame of a feed.

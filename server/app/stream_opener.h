@@ -42,6 +42,7 @@ class StreamOpener {
  private:
   v1::Status openNow(RawRequest request, Opening& opening, v1::StreamOpened& opened);
   v1::StreamOpened openStream(v1::OpenStream request, Opening& opening);
+  std::shared_ptr<void> reserve(const std::string& user, const ResolvedStream& resolved);
   // Throws LimitReached, where the threads do not suffice for the pace.
   void openFeed(const ResolvedStream& resolved, const RenderScene& whole,
                 const std::shared_ptr<const RenderScene>& scene, Opening& opening, Stream& stream);

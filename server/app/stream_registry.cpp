@@ -147,6 +147,17 @@ void StreamRegistry::sweep(Signal::Clock::time_point now) {
   forgotten_ += gone.size();
 }
 
+void StreamRegistry::awaitClosed(Signal::Clock::time_point deadline) const {
+  std::vector<std::pair<std::shared_ptr<Session>, std::shared_ptr<Signal>>> closed;
+  {
+    std::lock_guard lock(mutex_);
+    for (const auto& [id, stream] : streams_) {
+      if (stream.closed) closed.emplace_back(stream.session, stream.feed->signal());
+    }
+  }
+  for (const auto& [session, ended] : closed) ended->waitUntil(deadline, [&] { return session->finished(); });
+}
+
 bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
   std::map<std::string, Stream> streams;
   {

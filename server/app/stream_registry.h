@@ -58,6 +58,8 @@ class StreamRegistry {
   // Ends streams without a receiver and forgets those that are over. To be called about once a second, and
   // where their places are wanted.
   void sweep(Signal::Clock::time_point now);
+  // Waits until all closed streams have ended, but no longer than to `deadline`.
+  void awaitClosed(Signal::Clock::time_point deadline) const;
   std::uint64_t forgotten() const { return forgotten_; }  // since the server started
   // Ends all streams, for good. Returns whether, before `deadline`, all packets were taken that had a
   // receiver.
