@@ -8,22 +8,10 @@
 #include <cstdio>
 #include <ctime>
 
+#include "base/text_cut.h"
+
 namespace saccade {
 namespace {
-
-// Bytes of the character that `text` begins with; 0 where it is no UTF-8 [RFC 3629].
-std::size_t utf8Length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const unsigned first = byte(0), second = byte(1);
-  const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool surrogate = first == 0xED && second >= 0xA0;
-  const bool beyond = first > 0xF4 || (first == 0xF4 && second >= 0x90);
-  return overlong || surrogate || beyond ? 0 : length;
-}
 
 std::string quoteAscii(char c) {
   if (c == '"' || c == '\\') return {'\\', c};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/text_cut.h"
 #include "scene/scene_error.h"
 #include "scene/text.h"
 
@@ -30,7 +31,7 @@ double PlyValues::readNumber(PlyType type) {
   const auto word = takeWord(rest_);
   if (word.empty()) fail("the file ends within its data");
   const auto number = parseNumber(word);
-  if (!number) fail("'" + std::string(word.substr(0, 40)) + "' is not a finite number");
+  if (!number) fail("'" + cutText(word, 40) + "' is not a finite number");
   return *number;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/text_cut.h"
 #include "scene/scene_error.h"
 #include "scene/text.h"
 #include "scene/trajectory.h"
@@ -97,7 +98,7 @@ CsvReader::Fields CsvReader::split(std::string_view line) const {
 
 double CsvReader::number(std::string_view field) const {
   const auto value = parseNumber(field);
-  if (!value) fail("'" + std::string(field.substr(0, 40)) + "' is not a finite number");
+  if (!value) fail("'" + cutText(field, 40) + "' is not a finite number");
   return *value;
 }
 
@@ -105,7 +106,7 @@ TimeNs CsvReader::readTime(std::string_view field) {
   if (esim_) {
     const auto t = parseInteger(field);
     if (!t || std::abs(static_cast<double>(*t)) > 1e9 * kMaxSeconds / 2)
-      fail("'" + std::string(field.substr(0, 40)) + "' is not a time in whole nanoseconds");
+      fail("'" + cutText(field, 40) + "' is not a time in whole nanoseconds");
     if (keys_.empty()) first_nanoseconds_ = *t;
     return TimeNs{*t - first_nanoseconds_};
   }

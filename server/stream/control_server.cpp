@@ -1,8 +1,14 @@
 #include "stream/control_server.h"
 
+#include "base/text_cut.h"
 #include "wire/protocol.h"
 
 namespace saccade {
+namespace {
+
+constexpr std::size_t kMaxStatusBytes = 4096;  // scene files and their names may hold any bytes
+
+}  // namespace
 
 v1::Status okStatus() {
   return makeStatus(v1::CODE_OK, {});
@@ -11,7 +17,7 @@ v1::Status okStatus() {
 v1::Status makeStatus(v1::Code code, const std::string& message, const std::string& field) {
   v1::Status status;
   status.set_code(code);
-  status.set_message(message);
+  status.set_message(cutText(message, kMaxStatusBytes));
   status.set_field(field);
   return status;
 }

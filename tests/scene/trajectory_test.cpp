@@ -1,5 +1,6 @@
 #include "scene/trajectory.h"
 
+#include "base/text_cut.h"
 #include "scene/scratch.h"
 
 namespace saccade {
@@ -52,6 +53,13 @@ TEST(ParseTrajectory, ReadsEsimInNanoseconds) {
   EXPECT_EQ(path.at(0ns).position, (Vec3d{1, 2, 3}));
   EXPECT_EQ(path.at(2ns).position, (Vec3d{4, 5, 6}));
   EXPECT_EQ(path.at(1ns).position, (Vec3d{2.5, 3.5, 4.5}));
+}
+
+TEST(ParseTrajectory, CitesWholeCharacters) {
+  std::string word = "x";
+  for (int i = 0; i < 50; ++i) word += "é";
+  EXPECT_TRUE(isUtf8(errorIn("0 0 0 0 0 0 0 1\n" + word + " 0 0 0 0 0 0 1\n")));
+  EXPECT_TRUE(isUtf8(errorIn("0,0,0,0,0,0,0,1\n" + word + ",0,0,0,0,0,0,1\n")));
 }
 
 TEST(ParseTrajectory, ARotationOfEitherSignIsTheSameBits) {

@@ -32,6 +32,13 @@ TEST(ControlServer, ASlowAnswerDelaysNoOther) {
   EXPECT_EQ(opened.get().message(), "late");
 }
 
+// The message cites scene files and their names.
+TEST(ControlServer, AStatusCanBeReadWhateverItsMessageCites) {
+  const v1::Status status = makeStatus(v1::CODE_UNAVAILABLE, "x\xFF" + std::string(1 << 20, '\xC3'));
+  EXPECT_TRUE(v1::Status().ParseFromString(status.SerializeAsString()));
+  EXPECT_LT(status.ByteSizeLong(), 5000u);
+}
+
 TEST(ControlServer, AnEndpointInUseIsNamed) {
   RequestCounts counts;
   ControlServer first("tcp://127.0.0.1:*", kMaxBytes, counts);
