@@ -6,6 +6,7 @@
 #include "scene/mesh_io.h"
 #include "scene/ply_header.h"
 #include "scene/ply_values.h"
+#include "scene/plain_file.h"
 #include "scene/scene_error.h"
 #include "scene/text.h"
 
