@@ -15,13 +15,14 @@ namespace saccade {
 
 class Process {
  public:
-  explicit Process(const std::vector<std::string>& command) {
+  // `pipe_bytes`: of output that it may leave unread. A program whose output nobody reads would stand still.
+  explicit Process(const std::vector<std::string>& command, int pipe_bytes = 1 << 20) {
     std::vector<char*> argv;
     for (const auto& word : command) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
     int pipe_ends[2];
     if (pipe(pipe_ends) != 0) std::abort();
-    fcntl(pipe_ends[0], F_SETPIPE_SZ, 1 << 20);  // a program whose output nobody reads would stand still
+    fcntl(pipe_ends[0], F_SETPIPE_SZ, pipe_bytes);
     pid_ = fork();
     if (pid_ == 0) {
       dup2(pipe_ends[1], STDOUT_FILENO);
@@ -55,6 +56,10 @@ class Process {
   }
   pid_t pid() const { return pid_; }
   void signal(int number) { kill(pid_, number); }
+  bool running() const {
+    siginfo_t end{};
+    return waitid(P_PID, static_cast<id_t>(pid_), &end, WEXITED | WNOHANG | WNOWAIT) == 0 && end.si_pid == 0;
+  }
   int finish() {  // exit status; -1 if a signal ended it
     if (pid_ > 0) waitpid(pid_, &status_, 0);
     pid_ = 0;
