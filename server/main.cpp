@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   const saccade::Config config = saccade::parseConfig(argc, argv);
+  std::signal(SIGPIPE, SIG_IGN);  // who reads the log may go
   saccade::setUpLog(config.log_level, config.log_format);
   const int status = serve(config);
   if (!saccade::finishLog()) std::_Exit(status);  // its thread waits for a reader

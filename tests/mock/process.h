@@ -21,10 +21,11 @@ class Process {
     for (const auto& word : command) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
     int pipe_ends[2];
-    if (pipe(pipe_ends) != 0) std::abort();
+    if (pipe2(pipe_ends, O_CLOEXEC) != 0) std::abort();
     fcntl(pipe_ends[0], F_SETPIPE_SZ, pipe_bytes);
     pid_ = fork();
     if (pid_ == 0) {
+      std::signal(SIGPIPE, SIG_DFL);  // whatever the test was started by has set
       dup2(pipe_ends[1], STDOUT_FILENO);
       dup2(pipe_ends[1], STDERR_FILENO);
       execv(argv[0], argv.data());
@@ -36,7 +37,11 @@ class Process {
   ~Process() {
     if (pid_ > 0) kill(pid_, SIGKILL);
     finish();
+    if (output_) fclose(output_);
+  }
+  void closeOutput() {
     fclose(output_);
+    output_ = nullptr;
   }
 
   // The next line of output with `word` in it; empty at the end of the output.

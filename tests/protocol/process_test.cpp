@@ -92,6 +92,15 @@ TEST(Process, EndsInTimeThoughNobodyReadsItsLog) {
   EXPECT_EQ(server.finish(), 0);
 }
 
+TEST(Process, GoesOnWhenTheReaderOfItsLogHasGone) {
+  Process server(kServer);
+  MockClient client(controlEndpoint(server.lineWith("ready")));
+  server.closeOutput();
+  for (int i = 0; i < 3; ++i) client.close(client.open(tinyRequest()));  // each writes lines
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.finish(), 0);
+}
+
 TEST(Process, GoesOnWhenAClientIsKilledOrStandsStill) {
   RemoteSubscriber killed, stopped;
   Process server(kServer);
