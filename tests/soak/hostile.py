@@ -147,9 +147,12 @@ def garbage(link, draw):
     """Greetings and handshakes with some bytes changed."""
     for _ in range(200):
         end = raw.connect(draw.choice((link.control, link.data, link.broadcast)))
-        bytes_ = bytearray(raw.GREETING + raw.ready())
-        for _ in range(draw.randrange(1, 9)): bytes_[draw.randrange(len(bytes_))] = draw.randrange(256)
-        end.sendall(bytes_)
+        says = bytearray(raw.GREETING + raw.ready())
+        for _ in range(draw.randrange(1, 9)): says[draw.randrange(len(says))] = draw.randrange(256)
+        end.sendall(says[:64])
+        end.settimeout(0.01)
+        with contextlib.suppress(TimeoutError): end.recv(64)
+        end.sendall(says[64:])
         end.close()
 
 
@@ -166,8 +169,7 @@ def endless_subscription(link, draw):
 
 def much_metadata(link, draw):
     properties = b"".join(raw.property_(draw.randbytes(3).hex().encode(), b"") for _ in range(100_000))
-    end = raw.connect(link.control)
-    end.sendall(raw.GREETING + raw.ready(properties))
+    raw.shake_hands(link.control, properties=properties)
     time.sleep(1)
 
 

@@ -25,8 +25,9 @@ def ready(properties=b"", kind=b"DEALER"):
     return frame(4, b"\x05READY" + property_(b"Socket-Type", kind) + properties)
 
 
-def shake_hands(endpoint, kind=b"DEALER"):
+def shake_hands(endpoint, kind=b"DEALER", properties=b""):
     end = connect(endpoint)
-    end.sendall(GREETING + ready(kind=kind))
-    end.recv(64, socket.MSG_WAITALL)
+    end.sendall(GREETING)
+    end.recv(64, socket.MSG_WAITALL)  # libzmq refuses who says more before it has said as much
+    end.sendall(ready(properties, kind))
     return end
