@@ -56,14 +56,23 @@ void checkBytes(const std::string& path, const OIIO::ImageSpec& spec, std::size_
                    " bytes");
 }
 
+std::unique_ptr<OIIO::ImageInput> openChecked(const std::string& path) {
+  const std::size_t bytes = plainFileSize(path);
+  auto input = openPicture(path);
+  checkSize(path, input->spec());
+  checkBytes(path, input->spec(), bytes);
+  return input;
+}
+
 }  // namespace
 
+std::size_t countPixels(const std::string& path) {
+  return openChecked(path)->spec().image_pixels();
+}
+
 Picture loadPicture(const std::string& path, PixelUse use) {
-  const std::size_t bytes = plainFileSize(path);
-  const auto input = openPicture(path);
+  const auto input = openChecked(path);
   const OIIO::ImageSpec& spec = input->spec();
-  checkSize(path, spec);
-  checkBytes(path, spec, bytes);
   const bool grey = spec.nchannels < 3;
   Picture picture{spec.width, spec.height, std::vector<Rgb>(spec.image_pixels())};
   if (!input->read_image(0, 0, 0, grey ? 1 : 3, OIIO::TypeDesc::FLOAT, picture.pixels.data(), sizeof(Rgb)))
