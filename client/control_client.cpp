@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kGlance{200};   // between two calls of Waiting
 constexpr std::chrono::milliseconds kParting{200};  // for a last message to a server that may be gone
+constexpr std::uint64_t kUnreadRequest = 0;         // ours count from 1
 
 std::string describe(const v1::Status& status) {
   std::string text = status.field().empty() ? status.message() : status.field() + ": " + status.message();
@@ -48,7 +49,9 @@ void ControlClient::tell(v1::Request request) {
 void ControlClient::send(v1::Request request) {
   request.set_request_id(++request_id_);
   request.set_protocol_version(kProtocolVersion);
-  socket_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::none);
+  const std::string bytes = request.SerializeAsString();
+  if (!v1::Request().ParseFromString(bytes)) throw std::invalid_argument("a text of the request is no UTF-8");
+  socket_.send(zmq::buffer(bytes), zmq::send_flags::none);
 }
 
 v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::milliseconds deadline,
@@ -62,10 +65,9 @@ v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::millisecon
     if (!waitReadable(socket_, std::min(left, kGlance)) || !socket_.recv(message, zmq::recv_flags::dontwait))
       continue;
     v1::Reply reply;
-    if (reply.ParseFromArray(message.data(), static_cast<int>(message.size())) &&
-        reply.request_id() == request_id) {
-      return reply;
-    }
+    if (!reply.ParseFromArray(message.data(), static_cast<int>(message.size())))
+      throw std::runtime_error("the server at " + endpoint_ + " sent a reply that cannot be read");
+    if (reply.request_id() == request_id || reply.request_id() == kUnreadRequest) return reply;
   }
   throw NoAnswer("no saccaded answers at " + endpoint_ + ": start it with `saccaded --control " + endpoint_ +
                  "`; a server with keys answers only those on its list");

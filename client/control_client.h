@@ -34,7 +34,9 @@ class ControlClient {
   ControlClient(zmq::context_t& context, const std::string& endpoint, const CurveKeys& keys = {});
 
   // Sends and waits for the reply to this very request; late replies to earlier ones are passed over. A
-  // request made before the server is up reaches it when it comes up. Throws NoAnswer or Refused.
+  // request made before the server is up reaches it when it comes up. Throws NoAnswer, Refused,
+  // std::invalid_argument where a text of the request is no UTF-8, and std::runtime_error where a reply
+  // cannot be read.
   v1::Reply call(v1::Request request, std::chrono::milliseconds deadline = kDeadline,
                  const Waiting& waiting = {});
 

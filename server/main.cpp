@@ -34,17 +34,8 @@ sigset_t blockSignals() {
   return signals;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (!cpuSuffices()) {
-    std::fputs("saccaded was built for " SACCADE_ARCH
-               ", which this CPU is not; build it with -DSACCADE_ARCH=native on this machine\n",
-               stderr);
-    return 1;
-  }
-  const saccade::Config config = saccade::parseConfig(argc, argv);
-  saccade::setUpLog(config.log_level, config.log_format);
+// Until a signal ends it. Returns the status to exit with.
+int serve(const saccade::Config& config) {
   const sigset_t signals = blockSignals();  // for all threads to come
   try {
     saccade::App app(config);
@@ -62,4 +53,21 @@ int main(int argc, char** argv) {
     return 1;
   }
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (!cpuSuffices()) {
+    std::fputs("saccaded was built for " SACCADE_ARCH
+               ", which this CPU is not; build it with -DSACCADE_ARCH=native on this machine\n",
+               stderr);
+    return 1;
+  }
+  const saccade::Config config = saccade::parseConfig(argc, argv);
+  std::signal(SIGPIPE, SIG_IGN);  // who reads the log may go
+  saccade::setUpLog(config.log_level, config.log_format);
+  const int status = serve(config);
+  if (!saccade::finishLog()) std::_Exit(status);  // its thread waits for a reader
+  return status;
 }

@@ -1,15 +1,27 @@
 #include "client/writers/text_writer.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <charconv>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace saccade {
 
 TextWriter::TextWriter(const std::string& path, const std::string& first_line, AppendLine append_line)
-    : path_(path), text_(first_line), append_line_(append_line), file_(std::fopen(path.c_str(), "wb")) {
-  if (!file_) fail();
+    : path_(path),
+      text_(first_line),
+      append_line_(append_line),
+      file_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+  if (file_ < 0) fail();
   writeText();
+}
+
+TextWriter::~TextWriter() {
+  if (file_ >= 0) close(file_);
 }
 
 void TextWriter::write(const Events& events) {
@@ -18,12 +30,24 @@ void TextWriter::write(const Events& events) {
 }
 
 void TextWriter::finish() {
-  if (std::fclose(file_.release()) != 0) fail();
+  if (close(std::exchange(file_, -1)) != 0) fail();
 }
 
 void TextWriter::writeText() {
-  if (std::fwrite(text_.data(), 1, text_.size(), file_.get()) != text_.size()) fail();
+  for (std::string_view rest = text_; !rest.empty();) {
+    const ssize_t written = ::write(file_, rest.data(), rest.size());
+    if (written < 0 && errno != EINTR) takeBack();
+    if (written > 0) rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  size_ += text_.size();
   text_.clear();
+}
+
+// A file that ends within a batch, or a line, would not hold what its reader is told.
+void TextWriter::takeBack() {
+  const int fault = errno;
+  if (ftruncate(file_, static_cast<off_t>(size_)) == 0) errno = fault;
+  fail();
 }
 
 void TextWriter::fail() const {

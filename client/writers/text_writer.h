@@ -1,8 +1,7 @@
 // What the text formats share: a first line, then one line per event.
 #pragma once
 
-#include <cstdio>
-#include <memory>
+#include <cstddef>
 #include <string>
 
 #include "client/writers/writer.h"
@@ -14,19 +13,23 @@ class TextWriter : public Writer {
   using AppendLine = void (*)(std::string& text, const Event& event);
 
   TextWriter(const std::string& path, const std::string& first_line, AppendLine append_line);
+  ~TextWriter() override;
+  TextWriter(const TextWriter&) = delete;
+  TextWriter& operator=(const TextWriter&) = delete;
+
   void write(const Events& events) override;
   void finish() override;
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   void writeText();
+  void takeBack();
   [[noreturn]] void fail() const;
 
-  std::string path_, text_;
-  AppendLine append_line_;
-  std::unique_ptr<std::FILE, Close> file_;
+  const std::string path_;
+  std::string text_;
+  const AppendLine append_line_;
+  int file_;
+  std::size_t size_ = 0;  // of the whole batches in it
 };
 
 // Appends a number, padded with zeros in front to `digits`.

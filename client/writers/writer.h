@@ -13,8 +13,10 @@ namespace saccade {
 class Writer {
  public:
   virtual ~Writer() = default;
-  virtual void write(const Events& events) = 0;  // batch after batch, in time order
-  virtual void finish() = 0;                     // the last call: the file is complete and closed
+  // Batch after batch, in time order. Where it throws, the file holds the batches before, and no part of
+  // this.
+  virtual void write(const Events& events) = 0;
+  virtual void finish() = 0;  // the last call: the file is complete and closed
 };
 
 struct WriterInfo {

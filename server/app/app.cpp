@@ -84,7 +84,7 @@ bool App::alive() const {
   return Signal::Clock::now() - oldestTurn() < kStall;
 }
 
-HttpServer::Pages App::pages() const {
+HttpPages App::pages() const {
   const auto say = [](bool yes, const char* text) {
     return HttpAnswer{.status = yes ? 200 : 503, .body = text};
   };

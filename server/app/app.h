@@ -42,7 +42,7 @@ class App {
 
  private:
   v1::ServerDescription describe(const Config& config) const;
-  HttpServer::Pages pages() const;
+  HttpPages pages() const;
   void sweep(std::stop_token stopped);
   Signal::Clock::time_point oldestTurn() const;  // of the sockets' threads
 

@@ -1,80 +1,76 @@
 #include "ops/http_server.h"
 
-#include <civetweb.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
-#include <stdexcept>
-#include <string_view>
+#include <cerrno>
+#include <chrono>
+#include <utility>
+#include <vector>
+
+#include "ops/http_listener.h"
 
 namespace saccade {
 namespace {
 
-constexpr std::string_view kScheme = "http://";
+constexpr std::size_t kMaxClients = 128;
+constexpr int kWelcomesPerTurn = 64;
+constexpr std::chrono::seconds kMaxTime{5};       // of a connection
+constexpr int kGlanceMs = 1000;                   // at those whose time is up
+constexpr std::chrono::milliseconds kPause{100};  // where the process may open no more files
 
-// GET and HEAD have answers.
-int answer(mg_connection* connection, void* page) {
-  const std::string_view method = mg_get_request_info(connection)->request_method;
-  const bool known = method == "GET" || method == "HEAD";
-  const HttpAnswer answer =
-      known ? (*static_cast<HttpServer::Page*>(page))() : HttpAnswer{.status = 405, .body = "GET or HEAD\n"};
-  mg_printf(connection,
-            "HTTP/1.1 %d %s\r\nContent-Type: %s\r\nContent-Length: %zu\r\nCache-Control: no-store\r\n"
-            "Connection: close\r\n\r\n",
-            answer.status, mg_get_response_code_text(connection, answer.status), answer.type.c_str(),
-            answer.body.size());
-  if (method != "HEAD") mg_write(connection, answer.body.data(), answer.body.size());
-  return answer.status;
-}
-
-// What clients do wrong does not fill our log.
-int passOver(const mg_connection*, const char*) {
-  return 1;
+bool noFileLeft() {
+  return errno == EMFILE || errno == ENFILE;
 }
 
 }  // namespace
 
-struct HttpServer::Impl {
-  Pages pages;
-  mg_context* context = nullptr;
-};
-
-HttpServer::HttpServer(const std::string& endpoint, Pages pages) : impl_(std::make_unique<Impl>()) {
-  if (!endpoint.starts_with(kScheme)) {
-    throw std::runtime_error(endpoint + " is no address such as http://127.0.0.1:5773");
-  }
-  const std::string address = endpoint.substr(kScheme.size());
-  // A client that says nothing has its thread for half a second at most: dozens of them do not make who asks
-  // for our health wait until it takes us for dead.
-  const char* options[] = {"listening_ports",
-                           address.c_str(),
-                           "num_threads",
-                           "16",
-                           "request_timeout_ms",
-                           "500",
-                           "enable_keep_alive",
-                           "no",
-                           "tcp_nodelay",  // an answer is several writes
-                           "1",
-                           nullptr};
-  mg_callbacks callbacks{};
-  callbacks.log_message = passOver;
-  mg_init_data init{&callbacks, nullptr, options};
-  char reason[256] = "";
-  mg_error_data fault{};
-  fault.text = reason;
-  fault.text_buffer_size = sizeof reason;
-  impl_->pages = std::move(pages);
-  impl_->context = mg_start2(&init, &fault);
-  if (!impl_->context) throw std::runtime_error("cannot listen on " + endpoint + ": " + reason);
-  for (auto& [path, page] : impl_->pages) {
-    mg_set_request_handler(impl_->context, (path + "$").c_str(), answer, &page);
-  }
-  mg_server_port port{};
-  mg_get_server_ports(impl_->context, 1, &port);
-  endpoint_ = endpoint.substr(0, endpoint.rfind(':') + 1) + std::to_string(port.port);
-}
+HttpServer::HttpServer(const std::string& endpoint, HttpPages pages)
+    : pages_(std::move(pages)),
+      listener_(listenForHttp(endpoint)),
+      stop_(eventfd(0, EFD_CLOEXEC)),
+      endpoint_(withPortOf(listener_, endpoint)),
+      thread_([this] { run(); }) {}
 
 HttpServer::~HttpServer() {
-  mg_stop(impl_->context);
+  eventfd_write(stop_, 1);
+  thread_.join();
+  close(stop_);
+  close(listener_);
+}
+
+void HttpServer::run() {
+  while (wait()) {
+    std::erase_if(clients_, [this](HttpConnection& client) { return !client.goOn(pages_); });
+    for (int i = 0; i < kWelcomesPerTurn && welcome(); ++i) {
+    }
+  }
+}
+
+// For something to do; false: to stop.
+bool HttpServer::wait() const {
+  std::vector<pollfd> awaited{{stop_, POLLIN, 0}, {listener_, POLLIN, 0}};
+  for (const HttpConnection& client : clients_) awaited.push_back({client.socket(), client.awaits(), 0});
+  poll(awaited.data(), awaited.size(), clients_.empty() ? -1 : kGlanceMs);
+  return awaited[0].revents == 0;
+}
+
+// Answers one that waits to be let in, for its request has mostly come with it; false: nobody is.
+bool HttpServer::welcome() {
+  const int socket = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+  if (socket < 0) return noFileLeft() && makeRoom();
+  clients_.emplace_back(socket, HttpConnection::Clock::now() + kMaxTime);
+  if (!clients_.back().goOn(pages_)) clients_.pop_back();
+  if (clients_.size() > kMaxClients) clients_.pop_front();
+  return true;
+}
+
+bool HttpServer::makeRoom() {
+  if (clients_.empty()) std::this_thread::sleep_for(kPause);
+  if (!clients_.empty()) clients_.pop_front();
+  return !clients_.empty();
 }
 
 }  // namespace saccade

@@ -2,25 +2,34 @@
 
 #include <spdlog/async.h>
 #include <spdlog/formatter.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <cstdio>
 #include <ctime>
+#include <future>
+#include <thread>
 
-#include "base/text_cut.h"
+#include "ops/escape.h"
 
 namespace saccade {
 namespace {
 
-std::string quoteAscii(char c) {
-  if (c == '"' || c == '\\') return {'\\', c};
-  if (c == '\n') return "\\n";
-  if (c >= ' ' && c != 0x7F) return {c};
-  char escape[8];
-  std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
-  return escape;
-}
+class TextFormatter : public spdlog::formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& line) override {
+    const std::string text = escapeControls({message.payload.data(), message.payload.size()});
+    spdlog::details::log_msg escaped = message;
+    escaped.payload = text;
+    pattern_.format(escaped, line);
+    message.color_range_start = escaped.color_range_start;
+    message.color_range_end = escaped.color_range_end;
+  }
+  std::unique_ptr<formatter> clone() const override { return std::make_unique<TextFormatter>(); }
+
+ private:
+  spdlog::pattern_formatter pattern_{"[%Y-%m-%d %H:%M:%S.%e] [%^%l%$] %v"};
+};
 
 class JsonFormatter : public spdlog::formatter {
  public:
@@ -43,30 +52,30 @@ class JsonFormatter : public spdlog::formatter {
 
 }  // namespace
 
-std::string quoteJson(std::string_view text) {
-  std::string quoted = "\"";
-  while (!text.empty()) {
-    const std::size_t length = utf8Length(text);
-    if (length == 0) {
-      quoted += "\uFFFD";
-    } else {
-      quoted += length == 1 ? quoteAscii(text[0]) : std::string(text.substr(0, length));
-    }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return quoted + '"';
-}
-
 void setUpLog(const std::string& level, const std::string& format) {
   spdlog::init_thread_pool(kLogQueue, 1);
-  spdlog::set_default_logger(spdlog::create_async_nb<spdlog::sinks::stdout_color_sink_mt>("saccaded"));
-  spdlog::set_pattern("[%Y-%m-%d %H:%M:%S.%e] [%^%l%$] %v");
+  const auto sink = std::make_shared<spdlog::sinks::stdout_color_sink_mt>();
+  const auto logger = std::make_shared<spdlog::async_logger>("saccaded", sink, spdlog::thread_pool(),
+                                                             spdlog::async_overflow_policy::overrun_oldest);
+  logger->set_error_handler([](const std::string&) {});
+  spdlog::set_default_logger(logger);
   spdlog::set_level(spdlog::level::from_str(level));
-  if (format == "json") spdlog::set_formatter(std::make_unique<JsonFormatter>());
+  if (format == "json") {
+    spdlog::set_formatter(std::make_unique<JsonFormatter>());
+  } else {
+    spdlog::set_formatter(std::make_unique<TextFormatter>());
+  }
 }
 
-void finishLog() {
-  spdlog::shutdown();
+bool finishLog() {
+  std::promise<void> finished;
+  const std::future<void> result = finished.get_future();
+  std::thread([pool = spdlog::thread_pool(), finished = std::move(finished)]() mutable {
+    spdlog::details::registry::instance().set_tp(nullptr);
+    pool.reset();  // the last one: writes what waits, and ends its thread
+    finished.set_value();
+  }).detach();
+  return result.wait_for(kLogPatience) == std::future_status::ready;
 }
 
 std::size_t droppedLogLines() {

@@ -3,22 +3,23 @@
 // and counted.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 namespace saccade {
 
 // `level` as spdlog names it; `format` "text" or "json":
 // {"time":"2026-11-20T20:14:17.123Z","level":"info","message":"..."}
+// A message is one line in both, whatever it holds.
 void setUpLog(const std::string& level, const std::string& format);
-// Writes what waits. Nothing may be logged afterwards.
-void finishLog();
+
+inline constexpr std::chrono::seconds kLogPatience{1};
+// Writes what waits, for as long as kLogPatience; false where nobody has read it by then. What is logged
+// afterwards is lost. A thread that writes may be left behind: then end the program by std::_Exit().
+bool finishLog();
 
 inline constexpr std::size_t kLogQueue = 8192;
 std::size_t droppedLogLines();
-
-// In quotes, with escapes. What is no UTF-8 becomes U+FFFD.
-std::string quoteJson(std::string_view text);
 
 }  // namespace saccade

@@ -7,7 +7,7 @@
 namespace saccade {
 
 // Whether `file`, with its links and dots followed, is one of `places` or lies below one of them. Without any
-// place every file is free.
+// place every file is free. Throws SceneError where links cannot be followed.
 bool mayRead(const std::filesystem::path& file, const std::vector<std::filesystem::path>& places);
 
 }  // namespace saccade

@@ -7,6 +7,8 @@
 #include <mutex>
 #include <thread>
 
+#include "scene/limits.h"
+
 namespace saccade {
 namespace {
 
@@ -17,6 +19,12 @@ int threadsFor(const LoadOptions& options, int loads) {
 }
 
 }  // namespace
+
+void FileLoads::takePixels(std::size_t count) {
+  if ((pixels_ += count) > kMaxScenePixels)
+    throw SceneError("the scene's pictures have more than " + std::to_string(kMaxScenePixels) +
+                     " pixels together");
+}
 
 void FileLoads::run(const XmlFile& file, const LoadOptions& options) const {
   const int total = static_cast<int>(loads_.size());

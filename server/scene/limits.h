@@ -16,6 +16,11 @@ inline constexpr std::size_t kMaxTriangles = 100'000'000;           // of a mesh
 
 inline constexpr int kMaxPictureEdge = 16384;                           // pixels
 inline constexpr std::size_t kMaxPicturePixels = std::size_t{1} << 27;  // of a picture: 1.5 GiB as floats
+inline constexpr std::size_t kMaxScenePixels = 2 * kMaxPicturePixels;   // of all pictures of a scene together
+
+inline constexpr int kMaxPicturePixelsPerByte = 10'000;  // of its file, as compression goes
+
+inline constexpr std::size_t kMaxTrajectoryBytes = std::size_t{256} << 20;
 
 inline constexpr float kMaxRadiance = 1e18f;  // of any light: its products and the power of lamps stay finite
 

@@ -37,7 +37,10 @@ void readEnvmap(const XmlFile& file, pugi::xml_node emitter, Properties& propert
   const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
   const std::string path = file.locate(emitter, properties.text("filename"));
   addEnvironment(file, emitter, scene, {{scale, scale, scale}, {}, orthonormal(file, emitter, to_world)});
-  loads.add(emitter, [&scene, path] { scene.environment->picture = loadPicture(path, PixelUse::kRadiance); });
+  loads.add(emitter, [&loads, &scene, path] {
+    loads.takePixels(countPixels(path));
+    scene.environment->picture = loadPicture(path, PixelUse::kRadiance);
+  });
 }
 
 void readPoint(const XmlFile& file, pugi::xml_node emitter, Properties& properties, Scene& scene) {

@@ -1,6 +1,7 @@
 #include "scene/mitsuba_texture.h"
 
 #include "scene/mitsuba_transform.h"
+#include "scene/picture.h"
 
 namespace saccade {
 namespace {
@@ -79,7 +80,10 @@ int TextureReader::addPicture(pugi::xml_node at, const std::string& path, bool r
   const auto [found, added] = pictures_.try_emplace({path, raw}, static_cast<int>(next));
   if (!added) return found->second;
   scene_.textures.push_back(Texture(1, 1, {Rgb{}}));
-  loads_.add(at, [&textures = scene_.textures, next, path, raw] { textures[next] = loadTexture(path, raw); });
+  loads_.add(at, [&loads = loads_, &textures = scene_.textures, next, path, raw] {
+    loads.takePixels(countPixels(path));
+    textures[next] = loadTexture(path, raw);
+  });
   return found->second;
 }
 

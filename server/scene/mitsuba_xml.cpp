@@ -9,7 +9,7 @@
 #include "scene/mitsuba_material.h"
 #include "scene/mitsuba_sensor.h"
 #include "scene/mitsuba_shape.h"
-#include "scene/text.h"
+#include "scene/plain_file.h"
 
 namespace saccade {
 namespace {

@@ -7,6 +7,7 @@
 #include "base/hash_rng.h"
 #include "scene/limits.h"
 #include "scene/mesh_io.h"
+#include "scene/plain_file.h"
 #include "scene/scene_error.h"
 #include "scene/text.h"
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "scene/limits.h"
+#include "scene/plain_file.h"
 #include "scene/scene_error.h"
 
 namespace saccade {
@@ -47,12 +48,31 @@ void checkSize(const std::string& path, const OIIO::ImageSpec& spec) {
                    " and at most " + std::to_string(kMaxPicturePixels) + " pixels are supported");
 }
 
+// Before memory is taken for pixels of which the file holds next to nothing.
+void checkBytes(const std::string& path, const OIIO::ImageSpec& spec, std::size_t bytes) {
+  if (spec.image_pixels() / kMaxPicturePixelsPerByte <= bytes) return;
+  throw SceneError(path + ": a picture of " + std::to_string(spec.width) + " x " +
+                   std::to_string(spec.height) + " cannot be in a file of " + std::to_string(bytes) +
+                   " bytes");
+}
+
+std::unique_ptr<OIIO::ImageInput> openChecked(const std::string& path) {
+  const std::size_t bytes = plainFileSize(path);
+  auto input = openPicture(path);
+  checkSize(path, input->spec());
+  checkBytes(path, input->spec(), bytes);
+  return input;
+}
+
 }  // namespace
 
+std::size_t countPixels(const std::string& path) {
+  return openChecked(path)->spec().image_pixels();
+}
+
 Picture loadPicture(const std::string& path, PixelUse use) {
-  const auto input = openPicture(path);
+  const auto input = openChecked(path);
   const OIIO::ImageSpec& spec = input->spec();
-  checkSize(path, spec);
   const bool grey = spec.nchannels < 3;
   Picture picture{spec.width, spec.height, std::vector<Rgb>(spec.image_pixels())};
   if (!input->read_image(0, 0, 0, grey ? 1 : 3, OIIO::TypeDesc::FLOAT, picture.pixels.data(), sizeof(Rgb)))

@@ -1,6 +1,7 @@
 // Pictures as files hold them, made linear.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,7 @@ enum class PixelUse {
 // Reads a picture with OpenImageIO: its first three channels, or its first as grey; alpha is left out. What
 // is no number becomes 0. Throws SceneError if it cannot be read or is larger than limits.h allows.
 Picture loadPicture(const std::string& path, PixelUse use);
+// As its header says. Throws as loadPicture(), which takes the memory for them.
+std::size_t countPixels(const std::string& path);
 
 }  // namespace saccade

@@ -4,6 +4,7 @@
 
 #include "scene/limits.h"
 #include "scene/mesh_io.h"
+#include "scene/plain_file.h"
 #include "scene/ply_header.h"
 #include "scene/ply_values.h"
 #include "scene/scene_error.h"

@@ -8,16 +8,10 @@
 
 #include "scene/load_options.h"
 #include "scene/scene.h"
+#include "scene/scene_folder.h"
 #include "scene/trajectory.h"
 
 namespace saccade {
-
-struct SceneEntry {
-  std::string name;
-  std::string description;                // the first line of text in README.md
-  std::vector<std::string> trajectories;  // names of its CSV files, then motionNames()
-  std::string unavailable;                // empty, or why the scene cannot be opened on this machine
-};
 
 class SceneLibrary {
  public:
@@ -26,7 +20,8 @@ class SceneLibrary {
   // (SACCADE_REAL_SCENES defaults to ../shared/scenes beside the project folder.)
   explicit SceneLibrary(std::filesystem::path folder);
 
-  std::vector<SceneEntry> list() const;  // sorted by name
+  // Sorted by name. A scene that cannot be read is among them, with the reason.
+  std::vector<SceneEntry> list() const;
   // Throws SceneError: an unknown name (the message lists the valid ones), an unavailable scene, a faulty
   // file.
   Scene load(const std::string& name, const LoadProgress& progress = {}) const;

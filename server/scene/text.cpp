@@ -3,11 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
-#include "scene/scene_error.h"
 
 namespace saccade {
 namespace {
@@ -26,17 +21,6 @@ std::optional<T> parseAs(std::string_view word) {
 }
 
 }  // namespace
-
-std::string readFile(const std::string& path, std::size_t max_bytes) {
-  std::error_code fault;  // also for what is no plain file
-  const auto size = std::filesystem::file_size(path, fault);
-  if (!fault && size > max_bytes)
-    throw SceneError(path + ": has more than " + std::to_string(max_bytes) + " bytes");
-  std::string bytes(fault ? 0 : size, '\0');
-  std::ifstream in(path, std::ios::binary);
-  if (fault || !in.read(bytes.data(), std::ssize(bytes))) throw SceneError(path + ": cannot be read");
-  return bytes;
-}
 
 std::string_view takeLine(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());

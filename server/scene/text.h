@@ -1,18 +1,12 @@
-// Text: files read piece by piece (lines, words, numbers), and lists of names for messages.
+// Text read piece by piece (lines, words, numbers), and lists of names for messages.
 #pragma once
 
-#include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace saccade {
-
-// The bytes of a plain file. Throws SceneError if it cannot be read or has more than `max_bytes`.
-std::string readFile(const std::string& path,
-                     std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
 
 // Takes the first line off `text`, without its end (LF or CRLF).
 std::string_view takeLine(std::string_view& text);

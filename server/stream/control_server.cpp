@@ -5,7 +5,6 @@
 #include <new>
 
 namespace saccade {
-
 v1::Status readRequest(std::vector<std::string>&& parts, RawRequest& request) {
   if (parts.size() != 1) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNoRequest);
   request.bytes = std::move(parts[0]);

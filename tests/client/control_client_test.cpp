@@ -95,6 +95,41 @@ TEST(ControlClient, SilenceEndsAtTheDeadlineAndSaysWhatToDo) {
   }
 }
 
+// As of a server that cut its text within a character.
+TEST(ControlClient, AReplyThatCannotBeReadEndsTheWait) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient client(context, server.endpoint());
+  auto request = answer(server, 0, statusOf(v1::CODE_INVALID_ARGUMENT, "'\xC3"));
+  try {
+    client.call(infoRequest(), std::chrono::seconds(10));
+    FAIL() << "a reply";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), "the server at " + server.endpoint() + " sent a reply that cannot be read");
+  }
+}
+
+TEST(ControlClient, ARequestThatTheServerCannotReadIsRefused) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient client(context, server.endpoint());
+  const auto refusal = std::async(std::launch::async, [&server] {
+    server.receive<v1::Request>();
+    v1::Reply reply;  // without an id: the server knows of none
+    *reply.mutable_status() = statusOf(v1::CODE_INVALID_ARGUMENT, "a request is one part");
+    server.send(reply);
+  });
+  EXPECT_THROW(client.call(infoRequest(), std::chrono::seconds(10)), Refused);
+}
+
+TEST(ControlClient, ATextThatIsNoUtf8IsNotSent) {
+  zmq::context_t context;
+  ControlClient client(context, "tcp://127.0.0.1:1");
+  v1::Request request = infoRequest();
+  request.mutable_open_stream()->set_scene("\xFF");
+  EXPECT_THROW(client.call(request, std::chrono::seconds(10)), std::invalid_argument);
+}
+
 TEST(ControlClient, NonsenseIsNoEndpoint) {
   zmq::context_t context;
   EXPECT_THROW(ControlClient(context, "nonsense"), std::invalid_argument);

@@ -1,7 +1,10 @@
 #include "client/recorder.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -144,6 +147,37 @@ TEST_F(RecorderTest, AFolderThatIsNotThereIsNamed) {
   } catch (const std::system_error& error) {
     EXPECT_NE(std::string(error.what()).find("none/a.csv"), std::string::npos);
   }
+}
+
+// As on a full disk, no file gets longer than this while it lives.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, signal_before_);
+  }
+
+ private:
+  rlimit before_;
+  void (*signal_before_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+};
+
+TEST_F(RecorderTest, AFullDiskLeavesWholeLinesAndAsManyAsAreTold) {
+  Recorder recorder(at("a.csv"), 1);
+  const Batch batch = batchOf(0, v1::KIND_EVENTS, kEvents);
+  {
+    const FileSizeLimit limit(100'001);
+    EXPECT_THROW(while (true) recorder.add(batch), std::system_error);
+  }
+  const std::string text = textOf("a.csv.partial");
+  EXPECT_GT(recorder.events(), 1000u);
+  EXPECT_EQ(text.back(), '\n');
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), std::ptrdiff_t(1 + recorder.events()));
 }
 
 }  // namespace

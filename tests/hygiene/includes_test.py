@@ -23,7 +23,6 @@ ROOMS = {
 OUTSIDE = {
     "embree3/": ["server/render/embree_scene.cpp"],
     "zmq": ["server/stream/", "client/", "tests/"],
-    "civetweb": ["server/ops/http_server.cpp"],
     "prometheus/": ["server/app/metrics.cpp"],
     "toml++/": ["server/app/config_file.cpp"],
 }

@@ -23,11 +23,16 @@ void RawPeer::say(const std::string& bytes) {
   send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
 }
 
-std::string RawPeer::hear(std::size_t count) {
-  std::string bytes(count, '\0');
-  const auto heard = recv(fd_, bytes.data(), count, MSG_WAITALL);
-  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(0, heard)));
-  return bytes;
+std::string RawPeer::hear(std::size_t bytes, std::chrono::milliseconds patience) {
+  std::string heard(bytes, '\0');
+  std::size_t size = 0;
+  for (pollfd wait{fd_, POLLIN, 0}; size < bytes && poll(&wait, 1, static_cast<int>(patience.count())) > 0;) {
+    const ssize_t got = recv(fd_, heard.data() + size, bytes - size, 0);
+    if (got <= 0) break;
+    size += static_cast<std::size_t>(got);
+  }
+  heard.resize(size);
+  return heard;
 }
 
 bool RawPeer::closed(std::chrono::milliseconds limit) {

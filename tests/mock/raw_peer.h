@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 namespace saccade {
@@ -15,7 +16,8 @@ class RawPeer {
 
   bool connected() const { return fd_ >= 0; }
   void say(const std::string& bytes);
-  std::string hear(std::size_t count);  // fewer bytes where the other side closes
+  // The next bytes, at most so many; fewer where nothing comes for `patience`.
+  std::string hear(std::size_t bytes, std::chrono::milliseconds patience);
   // Whether the other side has closed the connection, or does so within `limit`. What it says is thrown away.
   bool closed(std::chrono::milliseconds limit);
 

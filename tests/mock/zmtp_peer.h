@@ -4,14 +4,9 @@
 #include <string>
 
 #include "mock/raw_peer.h"
+#include "mock/zmtp.h"
 
 namespace saccade {
-
-// Bytes on the wire [ZMTP 3.1, https://rfc.zeromq.org/spec/37/].
-std::string zmtpGreeting(int major = 3);
-std::string zmtpCommand(const std::string& name, const std::string& body);
-std::string zmtpPart(const std::string& bytes, bool more = false);
-std::string zmtpProperty(const std::string& name, const std::string& value);
 
 class ZmtpPeer {
  public:
@@ -21,7 +16,7 @@ class ZmtpPeer {
                     const std::string& identity = {});
 
   void say(const std::string& bytes) { peer_.say(bytes); }
-  std::string hear(std::size_t count) { return peer_.hear(count); }
+  std::string hear(std::size_t count);  // fewer bytes where the server closes, or says nothing for long
   // Whether the server has closed the connection, or does so within `limit`.
   bool closed(std::chrono::milliseconds limit) { return peer_.closed(limit); }
 

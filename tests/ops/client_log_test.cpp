@@ -49,5 +49,24 @@ TEST(LogLimit, AccountsOfQuietClientsAreForgottenAndNoOthers) {
   EXPECT_EQ(written(limit, "loud", 10, later), 0);
 }
 
+// Names are free where there are no keys.
+TEST(LogLimit, NewNamesWithoutEndShareAnAccount) {
+  LogLimit limit;
+  const Clock::time_point start{};
+  int written = 0;
+  for (int i = 0; i < 10000; ++i) written += limit.ask("name " + std::to_string(i), start).has_value();
+  EXPECT_LE(written, static_cast<int>(LogLimit::kMaxAccounts) + LogLimit::kBurst);
+}
+
+TEST(LogLimit, WhatWasHeldOfWhomItForgetsIsTold) {
+  LogLimit limit;
+  const Clock::time_point start{};
+  written(limit, "loud", LogLimit::kBurst + 7, start);
+  for (std::size_t i = 0; i < LogLimit::kMaxAccounts; ++i)
+    limit.ask("name " + std::to_string(i), start + std::chrono::minutes(1));
+  EXPECT_EQ(limit.takeForgotten(), 7u);
+  EXPECT_EQ(limit.takeForgotten(), 0u);
+}
+
 }  // namespace
 }  // namespace saccade

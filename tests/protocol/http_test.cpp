@@ -71,16 +71,6 @@ TEST_F(Http, CountsWhatWasDropped) {
   EXPECT_EQ(metric("saccade_dropped_packets_total"), dropped);
 }
 
-// Who asks whether we are well gives up after some seconds, and then kills us.
-TEST_F(Http, AnswersThoughDozensOfClientsSayNothing) {
-  std::vector<int> mute;
-  for (int i = 0; i < 60; ++i) mute.push_back(connectLoopback(portOf(server_.app().httpEndpoint())));
-  const auto began = std::chrono::steady_clock::now();
-  EXPECT_EQ(get("/healthz").status, 200);
-  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(10));
-  for (const int fd : mute) close(fd);
-}
-
 TEST_F(Http, CountsStreamsByDelivery) {
   v1::OpenStream request = tinyRequest();
   request.set_delivery(v1::DELIVERY_BROADCAST);

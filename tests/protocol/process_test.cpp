@@ -10,6 +10,8 @@
 #include "mock/process.h"
 #include "mock/remote_subscriber.h"
 #include "mock/test_server.h"
+#include "mock/wait_until.h"
+#include "ops/log.h"
 
 namespace saccade {
 namespace {
@@ -69,6 +71,33 @@ TEST(Process, GoesOnWhenNobodyReadsItsLog) {
   client.close(stream);
   server.signal(SIGTERM);
   EXPECT_NE(server.lineWith("frame 1999"), "");
+  EXPECT_EQ(server.finish(), 0);
+}
+
+TEST(Process, EndsInTimeThoughNobodyReadsItsLog) {
+  std::vector<std::string> command = kServer;
+  command.insert(command.end(), {"--log-level", "debug"});
+  Process server(command, 4096);
+  MockClient client(controlEndpoint(server.lineWith("ready")));
+  v1::OpenStream request = tinyRequest();
+  request.mutable_timing()->set_duration_s(0.4);  // 200 frames, a line each
+  const auto stream = client.open(request);
+  MockSubscriber subscriber(client.server().data_endpoint());
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 20);
+  subscriber.receiveAll(1);
+  client.close(stream);
+  server.signal(SIGTERM);
+  ASSERT_TRUE(waitUntil([&] { return !server.running(); }, kLogPatience + std::chrono::seconds(4)));
+  EXPECT_EQ(server.finish(), 0);
+}
+
+TEST(Process, GoesOnWhenTheReaderOfItsLogHasGone) {
+  Process server(kServer);
+  MockClient client(controlEndpoint(server.lineWith("ready")));
+  server.closeOutput();
+  for (int i = 0; i < 3; ++i) client.close(client.open(tinyRequest()));  // each writes lines
+  server.signal(SIGTERM);
   EXPECT_EQ(server.finish(), 0);
 }
 

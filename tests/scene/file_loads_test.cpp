@@ -1,5 +1,6 @@
 #include "scene/file_loads.h"
 
+#include "scene/limits.h"
 #include "scene/mitsuba_scratch.h"
 
 namespace saccade {
@@ -50,6 +51,13 @@ TEST(FileLoads, TheFirstFaultInTheFileIsTheOneThatIsTold) {
     expectContains(error, "scene.xml:10: ");
     expectContains(error, "m7.obj:1: ");
   }
+}
+
+TEST(FileLoads, PicturesOfASceneAreBoundedTogether) {
+  FileLoads loads;
+  loads.takePixels(kMaxPicturePixels);
+  EXPECT_NO_THROW(loads.takePixels(kMaxScenePixels - kMaxPicturePixels));
+  expectContains(errorOf([&] { loads.takePixels(1); }), "more than 268435456 pixels together");
 }
 
 }  // namespace

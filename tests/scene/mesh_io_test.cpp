@@ -1,5 +1,7 @@
 #include "scene/mesh_io.h"
 
+#include <sys/stat.h>
+
 #include <bit>
 #include <cstdint>
 
@@ -186,6 +188,12 @@ TEST(MeshFiles, AreNoLargerThanTheirLimit) {
   expectContains(errorOf([&] { loadObj(path); }), "large.obj: has more than 4294967296 bytes");
   expectContains(errorOf([&] { loadPly(path); }), "large.obj: has more than 4294967296 bytes");
   expectContains(errorOf([&] { loadObj(files.path("")); }), "cannot be read");  // a folder
+}
+
+TEST(MeshFiles, AFifoIsNotWaitedFor) {
+  const Scratch files;
+  ASSERT_EQ(mkfifo(files.path("a.obj").c_str(), 0600), 0);
+  expectContains(errorOf([&] { loadObj(files.path("a.obj")); }), "a.obj: cannot be read: is no plain file");
 }
 
 }  // namespace

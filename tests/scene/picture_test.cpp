@@ -1,5 +1,7 @@
 #include "scene/picture.h"
 
+#include <sys/stat.h>
+
 #include <cmath>
 
 #include "scene/limits.h"
@@ -39,6 +41,21 @@ TEST(Picture, WhatIsTooLargeIsAnErrorThatNamesTheLimit) {
   expectContains(error("16385 1"), "large.ppm: a picture of 16385 x 1; sides of 1 to 16384");
   expectContains(error("16384 16384"), "at most 134217728 pixels");
   expectContains(error("16384 8192"), "large.ppm: ");  // within the limits, but without its pixels
+}
+
+TEST(Picture, AFifoIsNotWaitedFor) {
+  const Scratch files;
+  ASSERT_EQ(mkfifo(files.path("a.png").c_str(), 0600), 0);
+  expectContains(errorOf([&] { loadPicture(files.path("a.png"), PixelUse::kReflectance); }),
+                 "a.png: cannot be read: is no plain file");
+}
+
+// The 1.5 GiB that its pixels would take are not asked for.
+TEST(Picture, AHeaderWithoutPixelsIsToldBeforeMemoryIsTaken) {
+  const Scratch files;
+  const std::string path = files.write("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8192 +X 16384\n");
+  expectContains(errorOf([&] { loadPicture(path, PixelUse::kRadiance); }),
+                 "a.hdr: a picture of 16384 x 8192 cannot be in a file of ");
 }
 
 }  // namespace

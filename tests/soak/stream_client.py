@@ -11,19 +11,22 @@ class Refused(Exception):
 
 
 class Link:
-    """Endpoints of a server, and the keys to it."""
+    """Endpoints of a server, and the keys to it; none where it works without."""
 
-    def __init__(self, control, secret, server_key):
-        self.control, self.secret, self.server_key = control, secret, server_key
+    def __init__(self, control, http, secret=b"", server_key=b""):
+        self.control, self.http, self.secret, self.server_key = control, http, secret, server_key
+        self.known_topics = []  # of a stream that others may listen to
         info = self.call(zmq.Context.instance(), server_info=c.ServerInfo()).server_info
         self.data, self.broadcast = info.data_endpoint, info.broadcast_endpoint
 
-    def connect(self, context, kind, endpoint, topics=()):
+    def connect(self, context, kind, endpoint, topics=(), name=b""):
         socket = context.socket(kind)
         socket.linger, socket.rcvtimeo, socket.heartbeat_ivl = 0, 20_000, 2000
         socket.rcvhwm = 0  # see proto/PROTOCOL.md, Credit
-        socket.curve_secretkey, socket.curve_publickey = self.secret, zmq.curve_public(self.secret)
-        socket.curve_serverkey = self.server_key
+        if name: socket.routing_id = name
+        if self.secret:
+            socket.curve_secretkey, socket.curve_publickey = self.secret, zmq.curve_public(self.secret)
+            socket.curve_serverkey = self.server_key
         for topic in topics: socket.subscribe(topic)
         socket.connect(endpoint)
         return socket

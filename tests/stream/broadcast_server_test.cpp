@@ -29,10 +29,10 @@ class Broadcast : public testing::Test {
   std::string spyHears(ZmtpPeer& spy) {
     MockSubscriber other = subscribe();
     for (int i = 0; i < 4; ++i) EXPECT_TRUE(other.receiveAny());
-    spy.say(zmtpCommand("PING", std::string(2, '\0')));
-    const std::string pong = zmtpCommand("PONG", {});
+    spy.say(zmtp::command("PING", std::string(2, '\0')));
+    const std::string pong = zmtp::command("PONG", {});
     std::string heard = spy.hear(pong.size());
-    const auto ping = zmtpCommand("PING", std::string(2, '\0'));  // the server asks, too
+    const auto ping = zmtp::command("PING", std::string(2, '\0'));  // the server asks, too
     return heard == pong || heard == ping.substr(0, pong.size()) ? "" : heard;
   }
 
@@ -75,7 +75,7 @@ TEST_F(Broadcast, SubscribersComeAndGo) {
 }
 
 std::string subscription(const std::string& topic, bool wanted = true) {
-  return zmtpPart((wanted ? "\1" : std::string(1, '\0')) + topic);
+  return zmtp::part((wanted ? "\1" : std::string(1, '\0')) + topic);
 }
 
 // A subscription that waited behind messages of others was applied to the peer that subscribed after it.
@@ -84,12 +84,12 @@ TEST_F(Broadcast, MessagesOfOthersMoveNoSubscription) {
   for (int i = 0; i < 40; ++i) flooders.emplace_back(server_.endpoint(), "XSUB");
   ZmtpPeer victim(server_.endpoint(), "SUB"), spy(server_.endpoint(), "SUB");
   std::string junk, other;
-  for (int i = 0; i < 1000; ++i) junk += zmtpPart("\2");
+  for (int i = 0; i < 1000; ++i) junk += zmtp::part("\2");
   for (int i = 0; i < 1000; ++i) other += subscription("g" + std::to_string(i));
   for (auto& flooder : flooders) flooder.say(junk);
   victim.say(subscription(session_->topic(0)));
   spy.say(other);
-  const std::string topic = zmtpPart(session_->topic(0), true);
+  const std::string topic = zmtp::part(session_->topic(0), true);
   EXPECT_EQ(victim.hear(topic.size()), topic);
   EXPECT_EQ(spyHears(spy), "");
 }
