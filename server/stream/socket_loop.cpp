@@ -160,9 +160,8 @@ void SocketLoop::receiveSome(const OnMessage& on_message, const OnGone& on_gone)
   }
 }
 
-// libzmq tells of the end of a connection by an empty message.
 void SocketLoop::deliver(Message&& message, const OnMessage& on_message, const OnGone& on_gone) {
-  if (message.parts.size() == 1 && message.parts[0].empty()) {
+  if (message.parts.empty()) {
     impl_->waiting.erase(message.peer);
     on_gone(message.peer);
   } else if (allows(message.user)) {
@@ -170,12 +169,14 @@ void SocketLoop::deliver(Message&& message, const OnMessage& on_message, const O
   }
 }
 
+// libzmq tells of the end of a connection by an empty message, which no peer has sent: without parts here.
 std::optional<SocketLoop::Message> SocketLoop::Impl::receive() {
   zmq::message_t part;
   if (!socket.recv(part, zmq::recv_flags::dontwait)) return {};
   Message message;
   message.peer = part.to_string();
   while (part.more() && socket.recv(part, zmq::recv_flags::dontwait)) {
+    if (!zmq_msg_gets(part.handle(), "Socket-Type")) break;
     // Without keys the property is what the peer says of itself.
     const char* user = clients ? zmq_msg_gets(part.handle(), "User-Id") : nullptr;
     if (user) message.user = user;

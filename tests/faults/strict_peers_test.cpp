@@ -95,6 +95,15 @@ TEST(StrictPeers, TheEndOfAConnectionIsTold) {
   EXPECT_TRUE(router.gone(1));
 }
 
+TEST(StrictPeers, AnEmptyMessageIsNotTheEnd) {
+  Router router;
+  ZmtpPeer peer(router.endpoint());
+  peer.say(zmtp::part(""));
+  ASSERT_TRUE(router.heard(1));
+  peer.say(zmtp::part("hello"));
+  EXPECT_EQ(peer.hear(9), zmtp::part("") + zmtp::part("hello"));
+}
+
 // More messages than the queue holds, and the end of the connection right behind them.
 TEST(StrictPeers, TheEndOfAConnectionIsToldBehindAFullQueue) {
   Router router;
