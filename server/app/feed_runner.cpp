@@ -57,11 +57,25 @@ FeedProgress FeedRunner::progress() const {
   return progress_;
 }
 
+void FeedRunner::interrupt() {
+  std::lock_guard lock(mutex_);
+  if (!newcomers_.empty() || !allStopping()) return;
+  ended_ = true;  // nobody may join what ends
+  stop_.request_stop();
+}
+
+bool FeedRunner::allStopping() const {
+  return std::all_of(outlets_.begin(), outlets_.end(),
+                     [](const auto& outlet) { return outlet->session().stopping(); });
+}
+
 void FeedRunner::run() {
   flushDenormalsToZero();
   try {
     while ((pace_.frames == 0 || frame_ < pace_.frames) && gather()) step();
     while (!close()) admit();
+    for (auto& outlet : outlets_) finish(*outlet);
+  } catch (const Cancelled&) {
     for (auto& outlet : outlets_) finish(*outlet);
   } catch (const std::exception& fault) {
     giveUp(fault.what());
@@ -102,6 +116,7 @@ void FeedRunner::endStopped() {
   for (auto& outlet : outlets_) {
     if (outlet->session().stopping()) finish(*outlet);
   }
+  std::lock_guard lock(mutex_);
   std::erase_if(outlets_, [](const auto& outlet) { return outlet->session().finished(); });
 }
 
@@ -148,7 +163,9 @@ void FeedRunner::step() {
   if (!running_ && pace_.speed > 0) wall_zero_ = Signal::Clock::now() - wallTime(now(), pace_.speed);
   running_ = std::none_of(outlets_.begin(), outlets_.end(), [](const auto& o) { return o->catchingUp(); });
   pool_->setUrgent(running_ && pace_.speed > 0);
+  pool_->setStop(stop_.get_token());  // of rendering, not of what has been rendered
   const IntensityChange& change = feed_->step();
+  pool_->setStop({});
   frame_ = change.frame;
   const double lag_s = running_ ? waitUntilDue(change.t1) : 0;
   StageTimes times = feed_->lastTimes();
@@ -184,11 +201,7 @@ std::chrono::nanoseconds FeedRunner::look(const IntensityChange& change, double 
 double FeedRunner::waitUntilDue(TimeNs t) {
   if (pace_.speed == 0) return 0;
   const auto due = wall_zero_ + wallTime(t, pace_.speed);
-  const auto all_stopping = [&] {
-    return std::all_of(outlets_.begin(), outlets_.end(),
-                       [](const auto& outlet) { return outlet->session().stopping(); });
-  };
-  signal_->waitUntil(due, all_stopping);
+  signal_->waitUntil(due, [&] { return allStopping(); });
   return std::max(0.0, std::chrono::duration<double>(Signal::Clock::now() - due).count());
 }
 

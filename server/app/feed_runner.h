@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -49,6 +50,8 @@ class FeedRunner {
   const std::shared_ptr<Signal>& signal() const { return signal_; }
   // False: the feed has ended. The first outlet starts the thread.
   bool add(std::shared_ptr<Outlet> outlet);
+  // Where all streams are to stop, ends the feed amid its frame, which may take long. From any thread.
+  void interrupt();
 
   FeedProgress progress() const;
   const FrameSnapshot& snapshot() const { return snapshot_; }
@@ -64,6 +67,7 @@ class FeedRunner {
   bool close();
   bool ready() const;
   bool needsCare() const;
+  bool allStopping() const;
   void step();
   std::chrono::nanoseconds look(const IntensityChange& change, double lag_s);
   void hold();
@@ -83,13 +87,14 @@ class FeedRunner {
   FrameSnapshot snapshot_;
 
   // The feed's thread.
-  std::vector<std::shared_ptr<Outlet>> outlets_;
+  std::vector<std::shared_ptr<Outlet>> outlets_;            // changed under the mutex
   FrameIndex frame_ = 0;                                    // the newest one
   bool running_ = false;                                    // at its pace, since there was a reason not to
   Signal::Clock::time_point began_ = Signal::Clock::now();  // the first frame
   Signal::Clock::time_point wall_zero_;                     // when stream time 0 was due, by the pace
 
   mutable std::mutex mutex_;
+  std::stop_source stop_;
   std::vector<std::shared_ptr<Outlet>> newcomers_;
   FeedProgress progress_;
   bool ended_ = false;

@@ -35,6 +35,11 @@ bool StreamRegistry::over(const Stream& stream, Signal::Clock::time_point now) c
   return stream.closed && (stream.session->drained() || now - *stream.closed > lease_);
 }
 
+void Stream::stop(v1::EndReason reason) const {
+  session->stop(reason);
+  if (feed) feed->interrupt();
+}
+
 v1::StreamInfo Stream::info() const {
   v1::StreamInfo info;
   const FeedProgress progress = feed->progress();
@@ -127,7 +132,7 @@ PaceLoad StreamRegistry::load(const FeedRunner* feed) const {
 void StreamRegistry::close(const std::string& id, const std::string& token) {
   std::lock_guard lock(mutex_);
   Stream& stream = streamOf(streams_, id, token);
-  stream.session->stop(v1::END_REASON_CLOSED);
+  stream.stop(v1::END_REASON_CLOSED);
   if (!stream.closed) stream.closed = Signal::Clock::now();
   log_.info(stream.user, "closed stream " + id);
 }
@@ -137,7 +142,7 @@ void StreamRegistry::sweep(Signal::Clock::time_point now) {
   std::lock_guard lock(mutex_);
   std::erase_if(streams_, [&](auto& entry) {
     auto& [id, stream] = entry;
-    if (abandoned(stream, now)) stream.session->stop(v1::END_REASON_ABANDONED);
+    if (abandoned(stream, now)) stream.stop(v1::END_REASON_ABANDONED);
     if (!over(stream, now)) return false;
     log_.info(stream.user, "stream " + id + " forgotten");
     sessions_.remove(id);
@@ -165,7 +170,7 @@ bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
     stopped_ = true;
     streams = streams_;
   }
-  for (const auto& [id, stream] : streams) stream.session->stop(v1::END_REASON_DRAINING);
+  for (const auto& [id, stream] : streams) stream.stop(v1::END_REASON_DRAINING);
   bool all = true;
   for (const auto& [id, stream] : streams) {
     const Session& session = *stream.session;

@@ -27,6 +27,7 @@ struct Stream {
   std::shared_ptr<Session> session;
   std::optional<Signal::Clock::time_point> closed;  // by its client
 
+  void stop(v1::EndReason reason) const;  // at once, where its feed serves no other stream
   v1::StreamInfo info() const;
   CpuCost load() const;  // of a second, to keep the pace; 0: it has none, or has ended
 };

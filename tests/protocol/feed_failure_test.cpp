@@ -1,9 +1,12 @@
-// A feed that fails is the matter of its own streams.
+// A feed that fails, or that nobody wants any more amid a frame, is the matter of its own streams.
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
+#include <atomic>
+
 #include "app/feed_runner.h"
 #include "mock/mock_client.h"
+#include "mock/wait_until.h"
 #include "render/test_scenes.h"
 
 namespace saccade {
@@ -24,6 +27,22 @@ class FailingMethod : public Method {
   const FrameIndex fails_at_;
 };
 
+// Has a second frame that takes for ever.
+class EndlessMethod : public Method {
+ public:
+  explicit EndlessMethod(std::atomic<bool>& reached) : reached_(reached) {}
+  SeedReuse seedReuse() const override { return SeedReuse::kIndependent; }
+  void start(const Frame&, TilePool&) override {}
+  void estimate(const FramePair& frames, TilePool& pool, IntensityChange&, StageTimes&) override {
+    if (frames.cur.index < 2) return;
+    reached_ = true;
+    while (true) pool.run(1, [](int) {});
+  }
+
+ private:
+  std::atomic<bool>& reached_;
+};
+
 class FeedFailure : public testing::Test {
  protected:
   static constexpr FrameIndex kFrames = 5;
@@ -31,9 +50,12 @@ class FeedFailure : public testing::Test {
   FeedFailure() { spdlog::set_level(spdlog::level::off); }
 
   std::unique_ptr<FeedRunner> runner(FrameIndex fails_at) {
+    return runner(std::make_unique<FailingMethod>(fails_at));
+  }
+  std::unique_ptr<FeedRunner> runner(std::unique_ptr<Method> method) {
     const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
-    auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config,
-                                       std::make_unique<FailingMethod>(fails_at), *pool_);
+    auto feed =
+        std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method), *pool_);
     return std::make_unique<FeedRunner>(std::move(feed), 8, 8, FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 
@@ -88,6 +110,37 @@ TEST_F(FeedFailure, EndsItsStreamsWithErrorAndNoOthers) {
   const auto whole = packetsOf(*healthy);
   ASSERT_EQ(whole.size(), 2u * kPacketsPerFrame * kFrames + 2);
   EXPECT_EQ(whole.back().kind(), v1::KIND_END);
+}
+
+// The END comes where the last whole frame ended.
+TEST_F(FeedFailure, AFrameThatNobodyWantsIsNotFinished) {
+  std::atomic<bool> reached = false;
+  const auto endless = runner(std::make_unique<EndlessMethod>(reached));
+  std::vector<std::shared_ptr<Session>> sessions;
+  for (const char* id : {"1", "2"}) {
+    sessions.push_back(std::make_shared<Session>(id, v1::DELIVERY_LOSSLESS, 1, transport_, endless->signal(),
+                                                 totals_.traffic));
+    endless->add(makeOutlet(sessions.back()));
+  }
+  for (const auto& session : sessions) session->start();
+  ASSERT_TRUE(waitUntil([&] { return reached.load(); }, kPatience));
+  sessions[0]->stop(v1::END_REASON_CLOSED);
+  endless->interrupt();
+  EXPECT_FALSE(endless->signal()->waitUntil(Signal::Clock::now() + std::chrono::milliseconds(100), [&] {
+    return sessions[0]->finished();
+  })) << "the other stream still wants the frame";
+  sessions[1]->stop(v1::END_REASON_CLOSED);
+  endless->interrupt();
+  for (const auto& session : sessions) {
+    EXPECT_TRUE(
+        endless->signal()->waitUntil(Signal::Clock::now() + kPatience, [&] { return session->finished(); }));
+    v1::PacketHeader last;
+    while (
+        session->sendOldest([&](const WirePacket& packet) { return last.ParseFromString(packet.header); })) {
+    }
+    EXPECT_EQ(last.kind(), v1::KIND_END);
+    EXPECT_EQ(last.t1_ns(), 10'000'000);
+  }
 }
 
 TEST_F(FeedFailure, LetsNobodyJoinAfterwards) {
