@@ -153,14 +153,18 @@ void StreamRegistry::sweep(Signal::Clock::time_point now) {
 }
 
 void StreamRegistry::awaitClosed(Signal::Clock::time_point deadline) const {
-  std::vector<std::pair<std::shared_ptr<Session>, std::shared_ptr<Signal>>> closed;
+  struct Ending {
+    std::shared_ptr<Session> session;
+    std::shared_ptr<Signal> ended;
+  };
+  std::vector<Ending> closed;
   {
     std::lock_guard lock(mutex_);
     for (const auto& [id, stream] : streams_) {
-      if (stream.closed) closed.emplace_back(stream.session, stream.feed->signal());
+      if (stream.closed) closed.push_back({stream.session, stream.feed->signal()});
     }
   }
-  for (const auto& [session, ended] : closed) ended->waitUntil(deadline, [&] { return session->finished(); });
+  for (const Ending& one : closed) one.ended->waitUntil(deadline, [&] { return one.session->finished(); });
 }
 
 bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
