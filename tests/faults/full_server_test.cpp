@@ -8,12 +8,14 @@
 
 #include "faults/event_bomb.h"
 #include "mock/server_process.h"
+#include "mock/zmtp_peer.h"
 
 namespace saccade {
 namespace {
 
-constexpr double kMemoryMiB = 48, kQueuesMiB = 36, kScenesMiB = 16;
-constexpr double kOtherMiB = 16;  // threads, connections, what the heap does not give back
+constexpr double kMemoryMiB = 48, kQueuesMiB = 36, kScenesMiB = 16, kInboundMiB = 16, kReplyMiB = 0.5;
+constexpr double kRepliesMiB = 16 * kReplyMiB;  // of all connections
+constexpr double kOtherMiB = 16;                // threads, connections, what the heap does not give back
 constexpr double kMiB = 1 << 20;
 
 std::string text(double value) {
@@ -51,11 +53,31 @@ void takeSome(MockSubscriber& subscriber, const v1::StreamOpened& stream) {
   }
 }
 
+// Connections that send most of a large request each, more than `inbound` has room for.
+std::vector<ZmtpPeer> sendWithoutEnd(const std::string& control) {
+  const std::string request = zmtp::part(std::string(static_cast<std::size_t>(7 * kMiB), 'x'));
+  std::vector<ZmtpPeer> peers;
+  for (int i = 0; i < 4; ++i) peers.emplace_back(control).say(request.substr(0, request.size() - 1));
+  return peers;
+}
+
+// Connections that ask, and read nothing, until `replies` is full.
+std::vector<ZmtpPeer> readNothing(const std::string& control) {
+  v1::Request request;
+  request.set_protocol_version(1);
+  request.mutable_server_info();
+  std::string many;
+  for (int i = 0; i < 500; ++i) many += zmtp::part(request.SerializeAsString());
+  std::vector<ZmtpPeer> peers;
+  for (int i = 0; i < 40; ++i) peers.emplace_back(control).say(many);
+  return peers;
+}
+
 TEST(FullServer, GrowsByNoMoreThanItsLimits) {
   if (kSanitized) GTEST_SKIP() << "sanitizers keep what is freed";
   ServerProcess server({"--limit-memory", text(kMemoryMiB), "--limit-queues", text(kQueuesMiB),
-                        "--limit-queue", "0.5", "--limit-scenes", text(kScenesMiB), "--limit-events",
-                        "32768"});
+                        "--limit-queue", "0.5", "--limit-scenes", text(kScenesMiB), "--limit-events", "32768",
+                        "--limit-inbound", text(kInboundMiB), "--limit-replies", text(kReplyMiB)});
   MockClient client(server.control());
   const Usage before = server.usage();
   for (const char* scene : {"cornell-bunny", "textured-cornell-box", "cornell-box"}) {
@@ -76,6 +98,7 @@ TEST(FullServer, GrowsByNoMoreThanItsLimits) {
     subscribers.push_back(std::make_unique<MockSubscriber>(server.data()));
     threads.emplace_back([&, i = subscribers.size() - 1] { takeSome(*subscribers[i], stream); });
   }
+  const auto senders = sendWithoutEnd(server.control()), askers = readNothing(server.control());
   double top = 0;
   const auto look = [&] {
     const std::int64_t grown = server.usage().resident_bytes - before.resident_bytes;
@@ -86,9 +109,11 @@ TEST(FullServer, GrowsByNoMoreThanItsLimits) {
     thread.join();
   }
   look();
-  std::printf("%zu streams, full by %s: +%.1f MiB; memory %.0f + queues %.0f + scenes %.0f\n", streams.size(),
-              limit.c_str(), top, kMemoryMiB, kQueuesMiB, kScenesMiB);
-  EXPECT_LT(top, kMemoryMiB + kQueuesMiB + kScenesMiB + kOtherMiB);
+  EXPECT_EQ(client.server().threads(), 1u);
+  std::printf(
+      "%zu streams, full by %s: +%.1f MiB; memory %.0f + queues %.0f + scenes %.0f + inbound %.0f + %.0f\n",
+      streams.size(), limit.c_str(), top, kMemoryMiB, kQueuesMiB, kScenesMiB, kInboundMiB, kRepliesMiB);
+  EXPECT_LT(top, kMemoryMiB + kQueuesMiB + kScenesMiB + kInboundMiB + kRepliesMiB + kOtherMiB);
 }
 
 }  // namespace
