@@ -1,4 +1,5 @@
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 
 #include <csignal>
 #include <cstdio>
@@ -22,6 +23,14 @@ bool cpuSuffices() {
   return v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
          __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
          __builtin_cpu_supports("avx512vl");
+}
+
+// Each connection takes a file.
+void openAsManyFilesAsAllowed() {
+  rlimit files{};
+  if (getrlimit(RLIMIT_NOFILE, &files) != 0) return;
+  files.rlim_cur = files.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &files);
 }
 
 sigset_t blockSignals() {
@@ -66,6 +75,7 @@ int main(int argc, char** argv) {
   }
   const saccade::Config config = saccade::parseConfig(argc, argv);
   std::signal(SIGPIPE, SIG_IGN);  // who reads the log may go
+  openAsManyFilesAsAllowed();
   saccade::setUpLog(config.log_level, config.log_format);
   const int status = serve(config);
   if (!saccade::finishLog()) std::_Exit(status);  // its thread waits for a reader

@@ -9,42 +9,18 @@
 #include <zmq.hpp>
 
 #include "stream/curve_probe.h"
+#include "stream/strict_router.h"
 #include "stream/zap_handler.h"
 
 namespace saccade {
 namespace {
 
-constexpr int kReceiveQueue = 16;               // messages of a peer that wait here; more wait at the peer
 constexpr int kMessagesPerTurn = 64;            // then packets get their turn, too
 constexpr std::size_t kBytesPerTurn = 4 << 20;  // likewise
 constexpr std::chrono::milliseconds kFaultPause{100};
-constexpr std::size_t kLeastShared = 1024;                // copying less costs less than sharing it
-constexpr int kRouterNotify = 97, kNotifyDisconnect = 2;  // ZMQ_..., which zmq.h hides as drafts
-constexpr const char* kCapability = "strict-peers";
+constexpr std::size_t kLeastShared = 1024;  // copying less costs less than sharing it
 
 using Waiting = std::atomic<std::size_t>;  // bytes that libzmq has for one peer
-
-void setOption(zmq::socket_t& socket, int option, int value) {
-  if (zmq_setsockopt(socket.handle(), option, &value, sizeof value) != 0) throw zmq::error_t();
-}
-
-void configure(zmq::socket_t& socket, const SocketOptions& options) {
-  // A socket with IPv6 states IPv4 addresses in a form that few clients understand.
-  socket.set(zmq::sockopt::ipv6, options.endpoint.find('[') != std::string::npos);
-  socket.set(zmq::sockopt::linger, 1000);
-  socket.set(zmq::sockopt::heartbeat_ivl, 2000);
-  socket.set(zmq::sockopt::heartbeat_timeout, 6000);
-  socket.set(zmq::sockopt::handshake_ivl, 5000);
-  socket.set(zmq::sockopt::maxmsgsize, options.max_part_bytes);
-  socket.set(zmq::sockopt::sndhwm, options.send_queue);
-  socket.set(zmq::sockopt::rcvhwm, kReceiveQueue);
-  socket.set(zmq::sockopt::router_mandatory, true);
-  setOption(socket, kRouterNotify, kNotifyDisconnect);
-  setOption(socket, ZMQ_MAX_PARTS, SocketLoop::kMaxParts);
-  setOption(socket, ZMQ_MAX_PEERS, options.access.connections);
-  setOption(socket, ZMQ_MAX_PEERS_OF_CLIENT, options.access.client_connections);
-  setOption(socket, ZMQ_SERVE_AS_XPUB, options.for_subscribers);
-}
 
 // What owns a part while libzmq has it.
 struct Loan {
@@ -83,20 +59,9 @@ struct SocketLoop::Impl {
   std::optional<Message> receive();
 };
 
-int refusedConnections() {
-  zmq::context_t any;  // the count is of the process
-  return zmq_ctx_get(any.handle(), ZMQ_REFUSED_PEERS);
-}
-
 SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Impl>()) {
-  if (!zmq_has(kCapability)) {
-    throw std::runtime_error(
-        "this libzmq has no bounds for what peers send: use the one that deploy/libzmq/build makes");
-  }
-  zmq_ctx_set(impl_->context.handle(), ZMQ_MAX_INBOUND_MIB, options.access.inbound_mib);
   impl_->send_queue_bytes = options.send_queue_bytes;
-  impl_->socket = {impl_->context, zmq::socket_type::router};
-  configure(impl_->socket, options);
+  impl_->socket = makeRouter(impl_->context, options);
   const auto& keys = options.access.keys;
   if (keys) {
     impl_->clients = keys->clients;

@@ -13,42 +13,18 @@
 #include <string_view>
 #include <vector>
 
-#include "stream/client_keys.h"
+#include "stream/socket_options.h"
 #include "stream/wake_fd.h"
 
 namespace saccade {
-
-// Only clients with a key on the list may connect, over CURVE.
-struct ServerKeys {
-  std::string secret;  // the server's own
-  std::shared_ptr<ClientKeys> clients;
-};
-
-// Who may connect to a socket, and how often.
-struct Access {
-  std::optional<ServerKeys> keys;  // none: everybody may connect
-  int connections = 1024;          // at once
-  int client_connections = 512;    // of one key, or of one address where there are no keys
-  int inbound_mib = 256;           // messages on their way in, of all sockets of the process
-};
-
-struct SocketOptions {
-  std::string endpoint;                    // port 0 or * takes a free one; IPv6 where the host is in brackets
-  bool for_subscribers = false;            // SUB sockets connect; else DEALERs
-  std::int64_t max_part_bytes = 64 << 10;  // a peer that sends a larger part is disconnected
-  int send_queue = 64;                     // messages that wait for one peer
-  std::size_t send_queue_bytes = 16 << 20;  // and their bytes, but for the last message
-  Access access;
-};
 
 class SocketLoop {
  public:
   struct Message {
     std::string peer;                // the connection it came by
     std::string user;                // the peer's public key; empty without keys
-    std::vector<std::string> parts;  // at most kMaxParts: a peer that sends more is disconnected
+    std::vector<std::string> parts;  // at most kMaxParts of strict_router.h
   };
-  static constexpr int kMaxParts = 2;
 
   using OnMessage = std::function<void(Message&&)>;
   // Called after messages and wake-ups. Returns the longest time to sleep before the next call.
@@ -96,8 +72,5 @@ class SocketLoop {
   std::unique_ptr<Impl> impl_;
   std::string endpoint_;
 };
-
-// Connections that were refused, or cut for what they sent, since the process started.
-int refusedConnections();
 
 }  // namespace saccade

@@ -8,6 +8,7 @@
 #include "mock/mock_client.h"
 #include "mock/wait_until.h"
 #include "mock/zmtp_peer.h"
+#include "stream/refused_connections.h"
 #include "stream/socket_loop.h"
 
 namespace saccade {

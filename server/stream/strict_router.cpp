@@ -1,0 +1,54 @@
+#include "stream/strict_router.h"
+
+#include <stdexcept>
+
+#include "stream/refused_connections.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kReceiveQueue = 16;  // messages of a peer that wait here; more wait at the peer
+constexpr int kRouterNotify = 97, kNotifyDisconnect = 2;  // ZMQ_..., which zmq.h hides as drafts
+constexpr const char* kCapability = "strict-peers";
+
+void setOption(zmq::socket_t& socket, int option, int value) {
+  if (zmq_setsockopt(socket.handle(), option, &value, sizeof value) != 0) throw zmq::error_t();
+}
+
+void configure(zmq::socket_t& socket, const SocketOptions& options) {
+  // A socket with IPv6 states IPv4 addresses in a form that few clients understand.
+  socket.set(zmq::sockopt::ipv6, options.endpoint.find('[') != std::string::npos);
+  socket.set(zmq::sockopt::linger, 1000);
+  socket.set(zmq::sockopt::heartbeat_ivl, 2000);
+  socket.set(zmq::sockopt::heartbeat_timeout, 6000);
+  socket.set(zmq::sockopt::handshake_ivl, 5000);
+  socket.set(zmq::sockopt::maxmsgsize, options.max_part_bytes);
+  socket.set(zmq::sockopt::sndhwm, options.send_queue);
+  socket.set(zmq::sockopt::rcvhwm, kReceiveQueue);
+  socket.set(zmq::sockopt::router_mandatory, true);
+  setOption(socket, kRouterNotify, kNotifyDisconnect);
+  setOption(socket, ZMQ_MAX_PARTS, kMaxParts);
+  setOption(socket, ZMQ_MAX_PEERS, options.access.connections);
+  setOption(socket, ZMQ_MAX_PEERS_OF_CLIENT, options.access.client_connections);
+  setOption(socket, ZMQ_SERVE_AS_XPUB, options.for_subscribers);
+}
+
+}  // namespace
+
+zmq::socket_t makeRouter(zmq::context_t& context, const SocketOptions& options) {
+  if (!zmq_has(kCapability)) {
+    throw std::runtime_error(
+        "this libzmq has no bounds for what peers send: use the one that deploy/libzmq/build makes");
+  }
+  zmq_ctx_set(context.handle(), ZMQ_MAX_INBOUND_MIB, options.access.inbound_mib);
+  zmq::socket_t socket(context, zmq::socket_type::router);
+  configure(socket, options);
+  return socket;
+}
+
+int refusedConnections() {
+  zmq::context_t any;  // the count is of the process
+  return zmq_ctx_get(any.handle(), ZMQ_REFUSED_PEERS);
+}
+
+}  // namespace saccade
