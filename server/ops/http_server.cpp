@@ -1,76 +1,116 @@
 #include "ops/http_server.h"
 
-#include <poll.h>
-#include <sys/eventfd.h>
+#include <microhttpd.h>
+#include <netdb.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <chrono>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
 #include <utility>
-#include <vector>
-
-#include "ops/http_listener.h"
 
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMaxClients = 128;
-constexpr int kWelcomesPerTurn = 64;
-constexpr std::chrono::seconds kMaxTime{5};       // of a connection
-constexpr int kGlanceMs = 1000;                   // at those whose time is up
-constexpr std::chrono::milliseconds kPause{100};  // where the process may open no more files
+constexpr std::string_view kScheme = "http://";
+constexpr rlim_t kMaxClients = 1024;
+constexpr rlim_t kFilesPerClient = 4;  // clients take a quarter of the files that the process may open
+constexpr unsigned kMaxConnections = 2 * kMaxClients;  // with those that are being cut off
+constexpr unsigned kMaxSilenceS = 2;
+constexpr std::size_t kMemoryBytes = 8192;  // of a connection: the longest head of a request
 
-bool noFileLeft() {
-  return errno == EMFILE || errno == ENFILE;
+using Addresses = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
+
+Addresses resolve(const std::string& endpoint) {
+  const std::size_t colon = endpoint.rfind(':');
+  if (!endpoint.starts_with(kScheme) || colon < kScheme.size())
+    throw std::runtime_error(endpoint + " is no address such as http://127.0.0.1:5773");
+  std::string host = endpoint.substr(kScheme.size(), colon - kScheme.size());
+  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+  addrinfo wish{};
+  wish.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
+  wish.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  const int fault = getaddrinfo(host.c_str(), endpoint.c_str() + colon + 1, &wish, &found);
+  if (fault != 0) throw std::runtime_error("cannot listen on " + endpoint + ": " + gai_strerror(fault));
+  return {found, freeaddrinfo};
+}
+
+std::string withPortOf(MHD_Daemon* daemon, const std::string& endpoint) {
+  const auto port = MHD_get_daemon_info(daemon, MHD_DAEMON_INFO_BIND_PORT)->port;
+  return endpoint.substr(0, endpoint.rfind(':') + 1) + std::to_string(port);
+}
+
+HttpAnswer answerTo(const char* path, std::string_view method, const HttpPages& pages) {
+  if (method != "GET" && method != "HEAD") return {.status = 405, .body = "GET or HEAD\n"};
+  const auto page = pages.find(path);
+  if (page == pages.end()) return {.status = 404, .body = "Not Found\n"};
+  try {
+    return page->second();
+  } catch (const std::exception&) {
+    return {.status = 500, .body = "Internal Server Error\n"};
+  }
+}
+
+// Answers as soon as the head of a request is there: its body is not read, and the connection closes.
+MHD_Result respond(void* pages, MHD_Connection* client, const char* path, const char* method, const char*,
+                   const char*, std::size_t*, void**) {
+  HttpAnswer answer = answerTo(path, method, *static_cast<const HttpPages*>(pages));
+  const std::unique_ptr<MHD_Response, decltype(&MHD_destroy_response)> response(
+      MHD_create_response_from_buffer(answer.body.size(), answer.body.data(), MHD_RESPMEM_MUST_COPY),
+      MHD_destroy_response);
+  if (!response) return MHD_NO;
+  MHD_add_response_header(response.get(), "Content-Type", answer.type.c_str());
+  MHD_add_response_header(response.get(), "Cache-Control", "no-store");
+  MHD_add_response_header(response.get(), "Connection", "close");
+  if (answer.status == 405) MHD_add_response_header(response.get(), "Allow", "GET, HEAD");
+  return MHD_queue_response(client, answer.status, response.get());
+}
+
+rlim_t maxClients() {
+  rlimit files{};
+  getrlimit(RLIMIT_NOFILE, &files);
+  return std::min(kMaxClients, files.rlim_cur / kFilesPerClient);
+}
+
+// A client that sends a byte now and then is never silent: where there are too many, the oldest is cut off.
+void count(void* sockets, MHD_Connection* client, void**, MHD_ConnectionNotificationCode code) {
+  auto& clients = *static_cast<std::vector<int>*>(sockets);
+  const int socket = MHD_get_connection_info(client, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
+  if (code == MHD_CONNECTION_NOTIFY_CLOSED) {
+    std::erase(clients, socket);
+    return;
+  }
+  clients.push_back(socket);
+  if (clients.size() <= maxClients()) return;
+  shutdown(clients.front(), SHUT_RDWR);
+  clients.erase(clients.begin());
 }
 
 }  // namespace
 
 HttpServer::HttpServer(const std::string& endpoint, HttpPages pages)
-    : pages_(std::move(pages)),
-      listener_(listenForHttp(endpoint)),
-      stop_(eventfd(0, EFD_CLOEXEC)),
-      endpoint_(withPortOf(listener_, endpoint)),
-      thread_([this] { run(); }) {}
+    : pages_(std::move(pages)), daemon_(start(endpoint)), endpoint_(withPortOf(daemon_.get(), endpoint)) {}
 
-HttpServer::~HttpServer() {
-  eventfd_write(stop_, 1);
-  thread_.join();
-  close(stop_);
-  close(listener_);
-}
-
-void HttpServer::run() {
-  while (wait()) {
-    std::erase_if(clients_, [this](HttpConnection& client) { return !client.goOn(pages_); });
-    for (int i = 0; i < kWelcomesPerTurn && welcome(); ++i) {
-    }
-  }
-}
-
-// For something to do; false: to stop.
-bool HttpServer::wait() const {
-  std::vector<pollfd> awaited{{stop_, POLLIN, 0}, {listener_, POLLIN, 0}};
-  for (const HttpConnection& client : clients_) awaited.push_back({client.socket(), client.awaits(), 0});
-  poll(awaited.data(), awaited.size(), clients_.empty() ? -1 : kGlanceMs);
-  return awaited[0].revents == 0;
-}
-
-// Answers one that waits to be let in, for its request has mostly come with it; false: nobody is.
-bool HttpServer::welcome() {
-  const int socket = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-  if (socket < 0) return noFileLeft() && makeRoom();
-  clients_.emplace_back(socket, HttpConnection::Clock::now() + kMaxTime);
-  if (!clients_.back().goOn(pages_)) clients_.pop_back();
-  if (clients_.size() > kMaxClients) clients_.pop_front();
-  return true;
-}
-
-bool HttpServer::makeRoom() {
-  if (clients_.empty()) std::this_thread::sleep_for(kPause);
-  if (!clients_.empty()) clients_.pop_front();
-  return !clients_.empty();
+// By poll(): with epoll libmicrohttpd 0.9.75 overlooks an end that comes with the last bytes.
+HttpServer::Daemon HttpServer::start(const std::string& endpoint) {
+  const Addresses address = resolve(endpoint);
+  const unsigned family = address->ai_family == AF_INET6 ? MHD_USE_IPv6 : MHD_NO_FLAG;
+  // clang-format off
+  Daemon daemon(MHD_start_daemon(MHD_USE_POLL_INTERNAL_THREAD | family, 0, nullptr, nullptr, respond, &pages_,
+                                 MHD_OPTION_SOCK_ADDR, address->ai_addr,
+                                 MHD_OPTION_CONNECTION_LIMIT, kMaxConnections,
+                                 MHD_OPTION_CONNECTION_MEMORY_LIMIT, kMemoryBytes,
+                                 MHD_OPTION_CONNECTION_TIMEOUT, kMaxSilenceS,
+                                 MHD_OPTION_NOTIFY_CONNECTION, count, &clients_,
+                                 MHD_OPTION_END),
+                MHD_stop_daemon);
+  // clang-format on
+  if (!daemon) throw std::runtime_error("cannot listen on " + endpoint + ": " + std::strerror(errno));
+  return daemon;
 }
 
 }  // namespace saccade

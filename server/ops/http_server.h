@@ -1,37 +1,41 @@
 // A few pages over HTTP, for machines that watch: metrics and health. One thread, which waits for no client:
-// of many connections the oldest is cut off, and no connection lasts for more than seconds.
+// a silent one is cut off, and so is the oldest of too many.
 #pragma once
 
-#include <list>
+#include <functional>
+#include <map>
+#include <memory>
 #include <string>
-#include <thread>
+#include <vector>
 
-#include "ops/http_connection.h"
+struct MHD_Daemon;
 
 namespace saccade {
 
+struct HttpAnswer {
+  int status = 200;
+  std::string type = "text/plain; charset=utf-8", body;
+};
+
+using HttpPage = std::function<HttpAnswer()>;       // what it throws is a 500
+using HttpPages = std::map<std::string, HttpPage>;  // by path, such as "/healthz"
+
 class HttpServer {
  public:
-  // Listens on `endpoint`, such as http://127.0.0.1:5773; port 0 takes a free one. Throws std::runtime_error.
-  // The pages are called from a thread of the server's.
+  // Listens on `endpoint`, such as http://127.0.0.1:5773 or http://[::1]:5773; port 0 takes a free one.
+  // Throws std::runtime_error. The pages are called from a thread of the server's.
   HttpServer(const std::string& endpoint, HttpPages pages);
-  ~HttpServer();
-  HttpServer(const HttpServer&) = delete;
-  HttpServer& operator=(const HttpServer&) = delete;
 
   const std::string& endpoint() const { return endpoint_; }  // with the real port
 
  private:
-  void run();
-  bool wait() const;
-  bool welcome();
-  bool makeRoom();
+  using Daemon = std::unique_ptr<MHD_Daemon, void (*)(MHD_Daemon*)>;
+  Daemon start(const std::string& endpoint);
 
-  const HttpPages pages_;
-  const int listener_, stop_;  // sockets; an event
+  HttpPages pages_;
+  std::vector<int> clients_;  // their sockets, the oldest first; the daemon's thread alone uses them
+  const Daemon daemon_;
   const std::string endpoint_;
-  std::list<HttpConnection> clients_;  // the oldest first
-  std::thread thread_;
 };
 
 }  // namespace saccade

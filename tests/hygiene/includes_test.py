@@ -24,6 +24,7 @@ OUTSIDE = {
     "embree3/": ["server/render/embree_scene.cpp"],
     "zmq": ["server/stream/", "client/", "tests/"],
     "prometheus/": ["server/app/metrics.cpp"],
+    "microhttpd": ["server/ops/http_server.cpp"],
     "toml++/": ["server/app/config_file.cpp"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)

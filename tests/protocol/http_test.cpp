@@ -1,7 +1,10 @@
 // The pages that machines watch.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <thread>
@@ -122,17 +125,53 @@ TEST_F(Http, AnswersWhatItKnows) {
   EXPECT_EQ(get("/").status, 404);
   EXPECT_EQ(get("/metrics/more").status, 404);
   const std::string endpoint = server_.app().httpEndpoint();
-  EXPECT_EQ(httpSend(endpoint, "POST /metrics HTTP/1.1\r\nContent-Length: 0\r\n\r\n").status, 405);
+  const auto post = httpSend(endpoint, "POST /metrics HTTP/1.1\r\nContent-Length: 9\r\n\r\n");  // and no body
+  EXPECT_EQ(post.status, 405);
+  EXPECT_NE(post.head.find("\r\nAllow: GET, HEAD\r\n"), std::string::npos) << post.head;
   const auto head = httpSend(endpoint, "HEAD /healthz HTTP/1.1\r\n\r\n");
   EXPECT_EQ(head.status, 200);
+  EXPECT_NE((head.head + "\r\n").find("\r\nContent-Length: 6\r\n"), std::string::npos) << head.head;
   EXPECT_EQ(head.body, "");
   EXPECT_EQ(httpSend(endpoint, "\x16\x03\x01 garbage\r\n\r\n").status / 100 % 4, 0);  // 400, or none
   EXPECT_EQ(get("/healthz").status, 200);
 }
 
 TEST_F(Http, AnAddressInUseIsAnError) {
-  EXPECT_THROW(HttpServer(server_.app().httpEndpoint(), {}), std::runtime_error);
+  const std::string endpoint = server_.app().httpEndpoint();
+  try {
+    HttpServer again(endpoint, {});
+    ADD_FAILURE() << "two servers have one address";
+  } catch (const std::runtime_error& fault) {
+    EXPECT_EQ(fault.what(), "cannot listen on " + endpoint + ": Address already in use");
+  }
   EXPECT_THROW(HttpServer("127.0.0.1:0", {}), std::runtime_error);
+}
+
+TEST(HttpServer, APageThatThrowsIsAnError) {
+  const HttpServer server("http://127.0.0.1:0",
+                          {{"/page", []() -> HttpAnswer { throw std::runtime_error("no memory"); }}});
+  EXPECT_EQ(httpGet(server.endpoint(), "/page").status, 500);
+}
+
+// At once, and not when the oldest has been silent for too long: it may send a byte now and then.
+TEST(HttpServer, CutsOffTheOldestOfTooMany) {
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  const rlimit few{64, before.rlim_max};
+  setrlimit(RLIMIT_NOFILE, &few);  // a quarter: 16 clients
+  {
+    const HttpServer server("http://127.0.0.1:0", {{"/page", [] { return HttpAnswer{}; }}});
+    const auto began = std::chrono::steady_clock::now();
+    std::vector<int> clients;
+    for (int i = 0; i < 17; ++i) clients.push_back(connectLoopback(portOf(server.endpoint())));
+    char byte;
+    EXPECT_EQ(recv(clients.front(), &byte, 1, 0), 0);
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(1));
+    EXPECT_EQ(recv(clients.back(), &byte, 1, MSG_DONTWAIT), -1);
+    EXPECT_EQ(httpGet(server.endpoint(), "/page").status, 200);
+    for (const int client : clients) close(client);
+  }
+  setrlimit(RLIMIT_NOFILE, &before);
 }
 
 }  // namespace
