@@ -11,9 +11,6 @@
 
 namespace saccade {
 
-// Bytes of a text that came from a client, where a reply or the log repeats it.
-inline constexpr std::size_t kMaxEcho = 64;
-
 struct Refusal : std::runtime_error {
   Refusal(v1::Code code, std::string field, const std::string& message)
       : std::runtime_error(message), code(code), field(std::move(field)) {}

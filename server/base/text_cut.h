@@ -15,4 +15,7 @@ bool isUtf8(std::string_view text);
 // UTF-8 becomes U+FFFD.
 std::string cutText(std::string_view text, std::size_t max_bytes);
 
+// Bytes of a text that came from a client, where a reply or the log repeats it.
+inline constexpr std::size_t kMaxEcho = 64;
+
 }  // namespace saccade

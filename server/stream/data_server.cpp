@@ -7,7 +7,6 @@
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMaxEcho = 64;                // bytes of a text that came from the peer
 constexpr std::chrono::milliseconds kFullPause{2};  // until a peer whose queue is full is tried again
 constexpr std::uint64_t kBytesPerTurn = 1 << 20;    // of a connection; then the others have theirs
 
