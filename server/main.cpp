@@ -1,3 +1,4 @@
+#include <malloc.h>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
 
@@ -31,6 +32,13 @@ void openAsManyFilesAsAllowed() {
   if (getrlimit(RLIMIT_NOFILE, &files) != 0) return;
   files.rlim_cur = files.rlim_max;
   setrlimit(RLIMIT_NOFILE, &files);
+}
+
+// glibc keeps up to eight heaps per CPU, and what one has freed the others cannot use: memory then grows for
+// hours while the same streams come and go. Nothing that runs per frame allocates, so one heap is fast
+// enough.
+void useOneHeap() {
+  mallopt(M_ARENA_MAX, 1);
 }
 
 sigset_t blockSignals() {
@@ -67,6 +75,7 @@ int serve(const saccade::Config& config) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  useOneHeap();
   if (!cpuSuffices()) {
     std::fputs("saccaded was built for " SACCADE_ARCH
                ", which this CPU is not; build it with -DSACCADE_ARCH=native on this machine\n",
