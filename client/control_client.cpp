@@ -6,7 +6,7 @@
 
 #include "wire/protocol.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 constexpr std::chrono::milliseconds kGlance{200};   // between two calls of Waiting
@@ -73,4 +73,4 @@ v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::millisecon
                  "`; a server with keys answers only those on its list");
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -10,7 +10,7 @@
 #include "client/socket.h"
 #include "saccade/v1/control.pb.h"
 
-namespace saccade {
+namespace saccade::client {
 
 // No reply came before the deadline.
 struct NoAnswer : std::runtime_error {
@@ -56,4 +56,4 @@ class ControlClient {
   std::uint64_t request_id_ = 0;
 };
 
-}  // namespace saccade
+}  // namespace saccade::client

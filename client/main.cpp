@@ -7,7 +7,7 @@
 #include "client/commands/commands.h"
 #include "client/control_client.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 int fail(const std::exception& error, int code) {
@@ -46,8 +46,8 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client
 
 int main(int argc, char** argv) {
-  return saccade::run(argc, argv);
+  return saccade::client::run(argc, argv);
 }

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 std::string fileOf(const std::string& path, int sensor, int sensors) {
@@ -68,4 +68,4 @@ std::vector<std::string> Recorder::files() const {
   return names;
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -10,7 +10,7 @@
 #include "client/subscriber.h"
 #include "client/writers/writer.h"
 
-namespace saccade {
+namespace saccade::client {
 
 class Recorder {
  public:
@@ -41,4 +41,4 @@ class Recorder {
   std::uint64_t events_ = 0, suppressed_ = 0;
 };
 
-}  // namespace saccade
+}  // namespace saccade::client

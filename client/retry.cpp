@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 using std::chrono::milliseconds;
@@ -39,4 +39,4 @@ void retry(const std::function<void(milliseconds)>& attempt, std::chrono::steady
   }
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -6,7 +6,7 @@
 
 #include "client/control_client.h"
 
-namespace saccade {
+namespace saccade::client {
 
 // Calls `attempt` until it returns. It may take `deadline`, which doubles from one attempt to the next, as
 // the pause between them. Throws what it throws: NoAnswer, or Refused for want of resources, once `until` has
@@ -14,4 +14,4 @@ namespace saccade {
 void retry(const std::function<void(std::chrono::milliseconds deadline)>& attempt,
            std::chrono::steady_clock::time_point until, const Waiting& waiting);
 
-}  // namespace saccade
+}  // namespace saccade::client

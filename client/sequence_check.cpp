@@ -5,7 +5,7 @@
 
 #include "client/stream_fault.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 bool takesSeq(v1::Kind kind) {
@@ -83,4 +83,4 @@ std::vector<std::uint64_t> SequenceCheck::events() const {
   return events;
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -9,7 +9,7 @@
 #include "saccade/v1/control.pb.h"
 #include "saccade/v1/events.pb.h"
 
-namespace saccade {
+namespace saccade::client {
 
 struct Losses {
   std::uint64_t gaps = 0;     // places where packets are missing
@@ -57,4 +57,4 @@ class SequenceCheck {
   Losses losses_;
 };
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -5,7 +5,7 @@
 
 #include "wire/curve_key.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 constexpr int kMostWaiting = 20'000;  // packets
@@ -62,4 +62,4 @@ std::string reachableEndpoint(const std::string& announced, const std::string& c
   return std::string(kScheme) + host(control_endpoint) + announced.substr(announced.rfind(':'));
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

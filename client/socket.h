@@ -5,7 +5,7 @@
 #include <string>
 #include <zmq.hpp>
 
-namespace saccade {
+namespace saccade::client {
 
 // Of CURVE. Empty texts: the server works without keys.
 struct CurveKeys {
@@ -25,4 +25,4 @@ bool waitReadable(zmq::socket_t& socket, std::chrono::milliseconds timeout);
 // `control_endpoint`.
 std::string reachableEndpoint(const std::string& announced, const std::string& control_endpoint);
 
-}  // namespace saccade
+}  // namespace saccade::client

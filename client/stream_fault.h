@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace saccade {
+namespace saccade::client {
 
 // The stream cannot go on, or what arrives cannot be trusted.
 struct StreamFault : std::runtime_error {
@@ -18,4 +18,4 @@ struct StreamRefused : StreamFault {
   bool connection_only;  // credit or an acknowledgement came from a connection that has not attached
 };
 
-}  // namespace saccade
+}  // namespace saccade::client

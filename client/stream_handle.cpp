@@ -1,6 +1,6 @@
 #include "client/stream_handle.h"
 
-namespace saccade {
+namespace saccade::client {
 
 StreamHandle::StreamHandle(ControlClient& control, const v1::OpenStream& wish) : control_(control) {
   open(wish, kOpenDeadline, {});
@@ -79,4 +79,4 @@ v1::FramePicture StreamHandle::picture() {
   return control_.call(std::move(request)).get_frame();
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

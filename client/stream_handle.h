@@ -9,7 +9,7 @@
 #include "client/control_client.h"
 #include "client/subscriber.h"
 
-namespace saccade {
+namespace saccade::client {
 
 class StreamHandle {
  public:
@@ -51,4 +51,4 @@ class StreamHandle {
   bool closed_ = false;
 };
 
-}  // namespace saccade
+}  // namespace saccade::client

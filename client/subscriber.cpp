@@ -4,7 +4,7 @@
 #include <utility>
 #include <zmq_addon.hpp>
 
-namespace saccade {
+namespace saccade::client {
 
 Subscriber::Subscriber(zmq::context_t& context, const Attachment& attachment)
     : socket_(connectSocket(context, zmq::socket_type::dealer, attachment.endpoint, attachment.keys)),
@@ -72,4 +72,4 @@ void Subscriber::giveBack() {
   giveCredit(std::exchange(used_, 0));
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -13,7 +13,7 @@
 #include "saccade/v1/events.pb.h"
 #include "wire/packet.h"
 
-namespace saccade {
+namespace saccade::client {
 
 struct Batch : PacketContent {
   v1::PacketHeader header;
@@ -53,4 +53,4 @@ class Subscriber {
   std::map<std::uint32_t, std::uint64_t> safe_;
 };
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -5,7 +5,7 @@
 
 #include "client/retry.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 using std::chrono::milliseconds;
@@ -136,4 +136,4 @@ Subscription::Clock::time_point Subscription::patienceEnds() {
   return *lost_since_ + patience_.retry_time;
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

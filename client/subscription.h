@@ -14,7 +14,7 @@
 #include "client/sequence_check.h"
 #include "client/stream_handle.h"
 
-namespace saccade {
+namespace saccade::client {
 
 class Subscription {
  public:
@@ -61,4 +61,4 @@ class Subscription {
   std::string failure_;                          // why the stream was opened again, until news comes
 };
 
-}  // namespace saccade
+}  // namespace saccade::client

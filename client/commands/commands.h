@@ -6,7 +6,7 @@
 
 #include "client/control_client.h"
 
-namespace saccade {
+namespace saccade::client {
 
 void addListCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
@@ -22,4 +22,4 @@ void addServerOptions(CLI::App& command, ServerOptions& options);
 // Throws std::invalid_argument naming what is wrong.
 ControlClient connectTo(zmq::context_t& context, const ServerOptions& options);
 
-}  // namespace saccade
+}  // namespace saccade::client

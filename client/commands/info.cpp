@@ -6,7 +6,7 @@
 #include "client/commands/commands.h"
 #include "client/control_client.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 void printMethod(const v1::MethodInfo& method) {
@@ -72,4 +72,4 @@ void addInfoCommand(CLI::App& app) {
   command->callback([options] { runInfo(*options); });
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

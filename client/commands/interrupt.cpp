@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 volatile std::sig_atomic_t noted = 0;  // when, in seconds since the machine started, plus 1
@@ -31,4 +31,4 @@ bool interrupted() {
   return noted != 0;
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

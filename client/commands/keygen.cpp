@@ -12,7 +12,7 @@
 
 #include "client/commands/commands.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 [[noreturn]] void failWith(const std::string& path) {
@@ -47,4 +47,4 @@ void addKeygenCommand(CLI::App& app) {
   });
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -3,10 +3,10 @@
 
 #include <string>
 
-namespace saccade {
+namespace saccade::client {
 
 // Writes NAME.key, the secret one, which only its owner may read, and NAME.pub. Throws std::runtime_error
 // naming the file, also where it exists: what is in use is never overwritten.
 void writeKeyPair(const std::string& name);
 
-}  // namespace saccade
+}  // namespace saccade::client

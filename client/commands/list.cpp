@@ -5,7 +5,7 @@
 #include "client/commands/commands.h"
 #include "client/control_client.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 void printScene(const v1::SceneInfo& scene) {
@@ -36,4 +36,4 @@ void addListCommand(CLI::App& app) {
   command->callback([options] { runList(*options); });
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -4,7 +4,7 @@
 #include "client/commands/record_options.h"
 #include "client/commands/request_text.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 v1::View makeView(const RecordOptions& options) {
@@ -99,4 +99,4 @@ v1::OpenStream makeOpenStream(const RecordOptions& options) {
   return open;
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -8,7 +8,7 @@
 
 #include "client/commands/preview_picture.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 constexpr std::int64_t kShownNs = 10'000'000;  // so few that edges stand apart
@@ -75,4 +75,4 @@ void Preview::write() const {
   writePng(path_, drawPreview(frame_, between(tail_, frame_.t1_ns() - window_ns_, frame_.t1_ns())));
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

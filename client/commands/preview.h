@@ -7,7 +7,7 @@
 
 #include "client/stream_handle.h"
 
-namespace saccade {
+namespace saccade::client {
 
 class Preview {
  public:
@@ -33,4 +33,4 @@ class Preview {
   Events tail_;  // the latest events of sensor 0
 };
 
-}  // namespace saccade
+}  // namespace saccade::client

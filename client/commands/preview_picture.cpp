@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 using Colour = std::array<float, 3>;  // [0, 1]
@@ -88,4 +88,4 @@ RgbPicture drawPreview(const v1::FramePicture& frame, std::span<const Event> eve
   return canvas.take();
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

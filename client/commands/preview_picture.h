@@ -8,7 +8,7 @@
 #include "saccade/v1/control.pb.h"
 #include "wire/event.h"
 
-namespace saccade {
+namespace saccade::client {
 
 struct RgbPicture {
   int width = 0, height = 0;
@@ -22,4 +22,4 @@ inline constexpr int kPanelGap = 4;  // white columns between the panels
 // the latest of a pixel on top. Throws std::runtime_error where the planes do not fit the frame's size.
 RgbPicture drawPreview(const v1::FramePicture& frame, std::span<const Event> events);
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 constexpr std::chrono::milliseconds kRedraw{200};
@@ -61,4 +61,4 @@ double Progress::elapsed_s() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

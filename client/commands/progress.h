@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace saccade {
+namespace saccade::client {
 
 class Progress {
  public:
@@ -30,4 +30,4 @@ class Progress {
   bool open_line_ = false;
 };
 
-}  // namespace saccade
+}  // namespace saccade::client

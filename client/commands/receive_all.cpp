@@ -6,7 +6,7 @@
 
 #include "client/commands/interrupt.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 constexpr double kNsPerSecond = 1e9;
@@ -61,4 +61,4 @@ void showWaiting(Progress& progress) {
   progress.note("waiting for the server");
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

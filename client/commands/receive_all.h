@@ -8,7 +8,7 @@
 #include "client/recorder.h"
 #include "client/subscription.h"
 
-namespace saccade {
+namespace saccade::client {
 
 // Returns when every sensor has ended, as the stream or Ctrl-C on an endless one ends it. Throws StreamFault
 // where the end is not the one that was asked for, and as Subscription and Recorder do.
@@ -18,4 +18,4 @@ void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& reco
 // What receiveAll() does while a server that is away is waited for: to be Subscription::Patience::waiting.
 void showWaiting(Progress& progress);
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -11,7 +11,7 @@
 #include "client/commands/record_options.h"
 #include "client/commands/summary.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 constexpr double kNsPerSecond = 1e9;
@@ -90,4 +90,4 @@ void addRecordCommand(CLI::App& app) {
   command->callback([options] { runRecord(*options); });
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

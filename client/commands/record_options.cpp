@@ -4,7 +4,7 @@
 #include "client/writers/writer.h"
 #include "wire/codec_table.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 std::vector<std::string> codecNames() {
@@ -125,4 +125,4 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       "saccade record cornell-bunny --trajectory right --size 240x180 -o events.csv --preview events.png");
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

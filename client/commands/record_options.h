@@ -10,7 +10,7 @@
 #include "client/commands/commands.h"
 #include "saccade/v1/control.pb.h"
 
-namespace saccade {
+namespace saccade::client {
 
 // What is not given is left to the server's defaults.
 struct RecordOptions {
@@ -44,4 +44,4 @@ void addRecordOptions(CLI::App& command, RecordOptions& options);
 v1::Trajectory makeTrajectory(const RecordOptions& options);
 v1::OpenStream makeOpenStream(const RecordOptions& options);
 
-}  // namespace saccade
+}  // namespace saccade::client

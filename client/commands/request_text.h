@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-namespace saccade {
+namespace saccade::client {
 
 // The value of a schema's enum that `name` stands for: "lossless" is DELIVERY_LOSSLESS. Throws
 // std::invalid_argument naming `option` and what is valid.
@@ -44,4 +44,4 @@ inline std::pair<std::string, std::string> splitAt(const std::string& text, char
   return {text.substr(0, at), text.substr(std::min(at + 1, text.size()))};
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

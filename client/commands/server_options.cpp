@@ -3,7 +3,7 @@
 #include "client/commands/commands.h"
 #include "wire/curve_key.h"
 
-namespace saccade {
+namespace saccade::client {
 
 void addServerOptions(CLI::App& command, ServerOptions& options) {
   command.add_option("--control", options.control, "control endpoint of saccaded")
@@ -27,4 +27,4 @@ ControlClient connectTo(zmq::context_t& context, const ServerOptions& options) {
   return ControlClient(context, options.control, keys);
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <map>
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 using Count = unsigned long long;  // as printf names it
@@ -65,4 +65,4 @@ void printStages(const v1::StreamInfo& info) {
   std::printf(info.stage_cpu_ms().empty() ? "\n" : ")\n");
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -8,7 +8,7 @@
 #include "client/sequence_check.h"
 #include "saccade/v1/control.pb.h"
 
-namespace saccade {
+namespace saccade::client {
 
 // What the server chose for a budget, and promises; nothing where none was asked.
 void printChoice(const v1::StreamOpened& opened);
@@ -20,4 +20,4 @@ void printRates(const Recorder& recorder, double wall_s);
 void printLosses(const Losses& losses);  // nothing where nothing was lost
 void printStages(const v1::StreamInfo& info);
 
-}  // namespace saccade
+}  // namespace saccade::client

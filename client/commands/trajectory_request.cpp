@@ -5,7 +5,7 @@
 #include "client/commands/record_options.h"
 #include "client/commands/request_text.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 std::string readFile(const std::string& path) {
@@ -55,4 +55,4 @@ v1::Trajectory makeTrajectory(const RecordOptions& options) {
   return trajectory;
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -1,7 +1,7 @@
 // `t_us,x,y,p`: whole microseconds, a heading line.
 #include "client/writers/text_writer.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 void appendLine(std::string& text, const Event& event) {
@@ -21,4 +21,4 @@ std::unique_ptr<Writer> make(const std::string& path) {
 
 const WriterInfo kCsvWriter{".csv", "t_us,x,y,p with a heading", make};
 
-}  // namespace saccade
+}  // namespace saccade::client

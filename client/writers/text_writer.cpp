@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-namespace saccade {
+namespace saccade::client {
 
 TextWriter::TextWriter(const std::string& path, const std::string& first_line, AppendLine append_line)
     : path_(path),
@@ -61,4 +61,4 @@ void appendNumber(std::string& text, std::int64_t value, int digits) {
   text.append(buffer, length);
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -6,7 +6,7 @@
 
 #include "client/writers/writer.h"
 
-namespace saccade {
+namespace saccade::client {
 
 class TextWriter : public Writer {
  public:
@@ -35,4 +35,4 @@ class TextWriter : public Writer {
 // Appends a number, padded with zeros in front to `digits`.
 void appendNumber(std::string& text, std::int64_t value, int digits = 1);
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -1,7 +1,7 @@
 // `t x y p` as the event-camera data sets of rpg have it: seconds with nine decimals, no heading.
 #include "client/writers/text_writer.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
@@ -25,4 +25,4 @@ std::unique_ptr<Writer> make(const std::string& path) {
 
 const WriterInfo kTxtWriter{".txt", "t[s] x y p, as rpg's data sets", make};
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -7,7 +7,7 @@
 
 #include "wire/event.h"
 
-namespace saccade {
+namespace saccade::client {
 
 // Every call throws std::system_error, naming the file, when it cannot be written.
 class Writer {
@@ -34,4 +34,4 @@ std::string writerNames();  // ".csv (what it is), ..." for messages
 // By the extension of `path`. Throws std::invalid_argument naming the known ones.
 const WriterInfo& writerFor(const std::string& path);
 
-}  // namespace saccade
+}  // namespace saccade::client

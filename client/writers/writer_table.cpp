@@ -3,7 +3,7 @@
 
 #include "client/writers/writer.h"
 
-namespace saccade {
+namespace saccade::client {
 
 const std::vector<const WriterInfo*>& writerTable() {
   static const std::vector<const WriterInfo*> table{&kCsvWriter, &kTxtWriter};
@@ -26,4 +26,4 @@ const WriterInfo& writerFor(const std::string& path) {
   throw std::invalid_argument("'" + path + "' names no known format; known are " + writerNames());
 }
 
-}  // namespace saccade
+}  // namespace saccade::client

@@ -7,9 +7,9 @@
 #include <string>
 #include <thread>
 
-#include "app/config.h"
-#include "app/keys.h"
-#include "app/measured_source.h"
+#include "app/config/config.h"
+#include "app/config/keys.h"
+#include "app/request/measured_source.h"
 #include "app/service.h"
 #include "ops/client_log.h"
 #include "ops/http_server.h"

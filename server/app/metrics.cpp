@@ -4,7 +4,7 @@
 #include <prometheus/text_serializer.h>
 
 #include "app/process_usage.h"
-#include "app/refusal.h"
+#include "app/request/enum_names.h"
 #include "ops/log.h"
 #include "stream/refused_connections.h"
 

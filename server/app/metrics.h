@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "app/scene_cache.h"
-#include "app/stream_registry.h"
-#include "app/totals.h"
+#include "app/streams/scene_cache.h"
+#include "app/streams/stream_registry.h"
+#include "app/streams/totals.h"
 
 namespace saccade {
 

@@ -1,8 +1,8 @@
 #include "app/service.h"
 
-#include "app/refusal.h"
-#include "app/request_bounds.h"
-#include "app/request_memory.h"
+#include "app/request/refusal.h"
+#include "app/request/request_bounds.h"
+#include "app/request/request_memory.h"
 
 namespace saccade {
 Service::Service(const SceneCache& scenes, Budget& budget, StreamRegistry& streams, StreamOpener& opener,

@@ -4,9 +4,9 @@
 #include <functional>
 #include <string>
 
-#include "app/scene_lister.h"
-#include "app/stream_opener.h"
-#include "app/stream_registry.h"
+#include "app/streams/scene_lister.h"
+#include "app/streams/stream_opener.h"
+#include "app/streams/stream_registry.h"
 #include "base/worker.h"
 #include "stream/control_server.h"
 

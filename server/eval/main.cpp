@@ -1,18 +1,18 @@
 // saccade-eval: pictures, dumps and figures from the same rooms that the server runs.
 #include <cstdio>
 
-#include "eval/commands.h"
+#include "eval/commands/commands.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Evaluate Saccade: stills, frames of a method, references, comparisons."};
   app.require_subcommand(1);
-  saccade::addStillCommand(app);
-  saccade::addFramesCommand(app);
-  saccade::addCompareCommand(app);
-  saccade::addCompareStillsCommand(app);
-  saccade::addChartCommand(app);
-  saccade::addFigureCommand(app);
-  saccade::addNeedsCommand(app);
+  saccade::eval::addStillCommand(app);
+  saccade::eval::addFramesCommand(app);
+  saccade::eval::addCompareCommand(app);
+  saccade::eval::addCompareStillsCommand(app);
+  saccade::eval::addChartCommand(app);
+  saccade::eval::addFigureCommand(app);
+  saccade::eval::addNeedsCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/pose.h"
+#include "scene/camera/pose.h"
 
 namespace saccade {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "render/parts/parts.h"
-#include "scene/text.h"
+#include "scene/files/text.h"
 
 namespace saccade {
 namespace {

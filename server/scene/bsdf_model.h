@@ -15,6 +15,25 @@ enum class BsdfKind {
   kThinDielectric,  // a pane: both its surfaces at once, nothing is bent
 };
 
+// One row per kind, in the order of BsdfKind.
+struct BsdfTraits {
+  BsdfKind kind;
+  const char* name;  // the type of its <bsdf> in Mitsuba's XML
+};
+inline constexpr BsdfTraits kBsdfTraits[] = {
+    {BsdfKind::kDiffuse, "diffuse"},
+    {BsdfKind::kPlastic, "plastic"},
+    {BsdfKind::kRoughPlastic, "roughplastic"},
+    {BsdfKind::kConductor, "conductor"},
+    {BsdfKind::kRoughConductor, "roughconductor"},
+    {BsdfKind::kDielectric, "dielectric"},
+    {BsdfKind::kThinDielectric, "thindielectric"},
+};
+
+constexpr const BsdfTraits& traitsOf(BsdfKind kind) {
+  return kBsdfTraits[static_cast<int>(kind)];
+}
+
 // How the slopes of a rough surface are spread.
 enum class MicrofacetKind { kBeckmann, kGgx };
 

@@ -3,7 +3,7 @@
 
 #include "base/vec.h"
 #include "scene/affine.h"
-#include "scene/picture.h"
+#include "scene/files/picture.h"
 
 namespace saccade {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/camera/pose.h"
 #include "scene/light.h"
 #include "scene/material.h"
-#include "scene/pose.h"
 #include "scene/strength.h"
 #include "scene/texture.h"
 

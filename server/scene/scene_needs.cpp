@@ -3,8 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/mitsuba_bsdf.h"
-#include "scene/text.h"
+#include "scene/files/text.h"
 
 namespace saccade {
 namespace {
@@ -69,7 +68,8 @@ std::string SceneNeeds::text() const {
   addCount(parts, triangles, "triangle");
   addCount(parts, meshes, "mesh", "meshes");
   addCount(parts, spheres, "sphere");
-  for (const auto& [kind, count] : materials) parts.push_back(std::to_string(count) + " " + bsdfTypeOf(kind));
+  for (const auto& [kind, count] : materials)
+    parts.push_back(std::to_string(count) + " " + traitsOf(kind).name);
   addCount(parts, static_cast<std::size_t>(masks), "mask");
   addCount(parts, static_cast<std::size_t>(bump_maps), "bump map");
   addCount(parts, static_cast<std::size_t>(area_lights), "area light");

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "scene/picture.h"
+#include "scene/files/picture.h"
 
 namespace saccade {
 namespace {

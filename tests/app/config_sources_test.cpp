@@ -1,4 +1,4 @@
-#include "app/config_sources.h"
+#include "app/config/config_sources.h"
 
 #include <gtest/gtest.h>
 

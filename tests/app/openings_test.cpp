@@ -1,5 +1,5 @@
 // Who may see and end what is being opened.
-#include "app/openings.h"
+#include "app/streams/openings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // What a request would make is counted before it is made.
-#include "app/request_bounds.h"
+#include "app/request/request_bounds.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "app/refusal.h"
-#include "app/resolve.h"
+#include "app/request/refusal.h"
+#include "app/request/resolve.h"
 #include "stream/raw_request.h"
 #include "wire/protocol.h"
 

@@ -1,9 +1,9 @@
-#include "app/scene_cache.h"
+#include "app/streams/scene_cache.h"
 
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
-#include "app/refusal.h"
+#include "app/admission/limits.h"
 
 namespace saccade {
 namespace {

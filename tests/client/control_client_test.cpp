@@ -6,7 +6,7 @@
 
 #include "fake_server.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 // Answers one request: `early` other replies first, then one with `status`.
@@ -145,4 +145,4 @@ TEST(ReachableEndpoint, WildcardsBecomeTheHostOfTheControlSocket) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

@@ -9,7 +9,7 @@
 #include "scratch_folder.h"
 #include "wire/curve_key.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 TEST(Keygen, WritesAPairOfWhichOneIsSecret) {
@@ -35,4 +35,4 @@ TEST(Keygen, OverwritesNothing) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

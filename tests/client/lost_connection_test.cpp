@@ -8,7 +8,7 @@
 #include "mock/fault_proxy.h"
 #include "mock/test_server.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 using std::chrono::milliseconds;
@@ -72,4 +72,4 @@ TEST_F(LostConnection, WhatALiveStreamHasMissedIsCounted) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

@@ -10,7 +10,7 @@
 #include "mock/server_process.h"
 #include "mock/wait_until.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,4 +73,4 @@ TEST_F(LostServer, DrainedTheRecordingIsWhatItWouldHaveBeen) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 using Rgb8 = std::array<int, 3>;
@@ -96,4 +96,4 @@ TEST(PreviewPicture, PlanesThatDoNotFitAreRefused) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

@@ -8,7 +8,7 @@
 #include "scratch_folder.h"
 #include "wire/codec_table.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 RecordOptions parse(const std::string& line) {
@@ -199,4 +199,4 @@ TEST(RecordOptions, FaultsNameTheOption) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

@@ -11,7 +11,7 @@
 
 #include "scratch_folder.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 namespace fs = std::filesystem;
@@ -181,4 +181,4 @@ TEST_F(RecorderTest, AFullDiskLeavesWholeLinesAndAsManyAsAreTold) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

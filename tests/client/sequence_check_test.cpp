@@ -4,7 +4,7 @@
 
 #include "client/stream_fault.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 v1::PacketHeader headerOf(std::uint32_t sensor, std::uint64_t seq, std::uint64_t first, std::uint32_t count,
@@ -146,4 +146,4 @@ TEST(SequenceCheck, AStreamThatIsOpenedAgainGoesOnInTimeToo) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

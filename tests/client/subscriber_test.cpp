@@ -7,7 +7,7 @@
 
 #include "fake_server.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 using std::chrono::seconds;
@@ -171,4 +171,4 @@ TEST_F(SubscriberTest, ListensToTopics) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

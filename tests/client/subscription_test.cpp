@@ -8,7 +8,7 @@
 
 #include "fake_server.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 using std::chrono::milliseconds;
@@ -261,4 +261,4 @@ TEST_F(LiveSubscription, IsNotOpenedAgain) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

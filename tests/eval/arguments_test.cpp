@@ -1,8 +1,8 @@
-#include "eval/arguments.h"
+#include "eval/bench/arguments.h"
 
 #include "scene/scratch.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 // What is said of an argument that is not valid.
@@ -72,4 +72,4 @@ TEST(ParseTolerance, IsAPercentage) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

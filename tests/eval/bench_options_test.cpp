@@ -1,11 +1,11 @@
-#include "eval/bench_options.h"
+#include "eval/bench/bench_options.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <set>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 BenchOptions resolved(const std::string& size, const std::string& frames, bool quick = false) {
@@ -78,4 +78,4 @@ TEST(BenchOptions, TheirTextSaysAllThatChangesAResult) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

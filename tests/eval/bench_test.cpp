@@ -1,11 +1,11 @@
-#include "eval/bench.h"
+#include "eval/bench/bench.h"
 
+#include "eval/bench/open_scene.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/metrics/plane_error.h"
-#include "eval/open_scene.h"
 #include "scene/scratch.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 namespace fs = std::filesystem;
@@ -114,4 +114,4 @@ TEST_F(BenchTest, TakesItsReferencesFromTheCacheTheSecondTime) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

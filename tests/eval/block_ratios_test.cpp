@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "eval/ratio_picture.h"
+#include "eval/pictures/ratio_picture.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 // value(x, y) is the grey of a pixel.
@@ -100,4 +100,4 @@ TEST(RatioPicture, ShowsBothAndWhereTheyDiffer) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -8,7 +8,7 @@
 #include "client/scratch_folder.h"
 #include "eval/planes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using test::plane;
@@ -57,4 +57,4 @@ TEST(WriteBrightness, MakesAColumnForEachCurve) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -1,10 +1,10 @@
-#include "eval/chart_axis.h"
+#include "eval/pictures/chart_axis.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using Values = std::vector<double>;
@@ -60,4 +60,4 @@ TEST(LogAxis, HasWholeDecadesWhereThereAreMany) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -7,7 +7,7 @@
 
 #include "eval/planes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using test::plane;
@@ -88,4 +88,4 @@ TEST(ErrorParts, AreFreeOfTheNoiseOfTheReference) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -8,7 +8,7 @@
 #include "base/hash_rng.h"
 #include "eval/planes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using test::plane;
@@ -112,4 +112,4 @@ TEST(SampledRates, CountEveryThreshold) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

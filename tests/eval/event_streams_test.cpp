@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
@@ -78,4 +78,4 @@ TEST(NearestTimeError, OfNoEventIsUnknown) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -6,7 +6,7 @@
 
 #include "eval/changes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 constexpr double kBias = 1e-3, kC = 0.5;
@@ -86,4 +86,4 @@ TEST(FalseAndMissed, TellLargeChangesFromSmallOnes) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

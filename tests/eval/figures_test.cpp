@@ -9,7 +9,7 @@
 
 #include "client/scratch_folder.h"
 
-namespace saccade {
+namespace saccade::client {
 namespace {
 
 std::string textOf(const std::string& path) {
@@ -83,4 +83,4 @@ TEST(Figure7, RefusesAPixelOutsideThePicture) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::client

@@ -6,7 +6,7 @@
 
 #include "eval/planes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using test::plane;
@@ -43,4 +43,4 @@ TEST(FrameErrors, TakeEachChangeWithItsOwnBrightness) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

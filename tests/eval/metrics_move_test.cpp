@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "base/hash_rng.h"
+#include "eval/bench/score.h"
 #include "eval/metrics/for_each_pixel.h"
-#include "eval/score.h"
 #include "scene/scratch.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 constexpr double kBias = 1e-2, kC = 0.2;
@@ -217,4 +217,4 @@ TEST(MetricsMoveCases, MoveEveryColumn) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

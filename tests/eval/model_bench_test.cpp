@@ -1,10 +1,10 @@
-#include "eval/model_bench.h"
+#include "eval/bench/model_bench.h"
 
 #include <gtest/gtest.h>
 
 #include "scene/scratch.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 struct ModelBenchTest : ::testing::Test {
@@ -54,4 +54,4 @@ TEST_F(ModelBenchTest, AStandingCameraHasNoEventsToChange) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -1,8 +1,8 @@
-#include "eval/model_search.h"
+#include "eval/bench/model_search.h"
 
 #include <gtest/gtest.h>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 const SceneModel kWhole{2, {}};
@@ -65,4 +65,4 @@ TEST(ModelSearch, EndsWhereMoreThanAllEventsChange) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

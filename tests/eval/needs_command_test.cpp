@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/needs_table.h"
 #include "scene/scratch.h"
+#include "tables/needs_table.h"
 
 namespace saccade {
 namespace {

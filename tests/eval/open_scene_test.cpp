@@ -1,10 +1,10 @@
-#include "eval/open_scene.h"
+#include "eval/bench/open_scene.h"
 
 #include <gtest/gtest.h>
 
-#include "scene/scene_error.h"
+#include "scene/files/scene_error.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using namespace std::chrono_literals;
@@ -28,4 +28,4 @@ TEST(OpenTrajectory, RefusesWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -1,11 +1,11 @@
-#include "eval/picture_grid.h"
+#include "eval/pictures/picture_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <pugixml.hpp>
 #include <set>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 // A picture of this width, and one row.
@@ -98,4 +98,4 @@ TEST(PictureGrid, HasRoomForAllOfItsPictures) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -7,7 +7,7 @@
 
 #include "eval/planes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using test::plane;
@@ -41,4 +41,4 @@ TEST(PlaneErrors, AreIndependentOfTheUnit) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

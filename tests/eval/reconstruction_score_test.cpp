@@ -7,7 +7,7 @@
 
 #include "eval/changes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 constexpr double kBias = 1e-3, kC = 0.2;
@@ -72,4 +72,4 @@ TEST(ReconstructionScore, MeasuresWhatTheConfigurationAsksFor) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

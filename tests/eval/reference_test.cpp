@@ -1,15 +1,15 @@
-#include "eval/reference.h"
+#include "eval/bench/reference.h"
 
 #include <filesystem>
 #include <fstream>
 #include <functional>
 
-#include "eval/exr.h"
 #include "eval/metrics/for_each_pixel.h"
+#include "eval/pictures/exr.h"
 #include "render/test_scenes.h"
 #include "scene/scratch.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using namespace std::chrono_literals;
@@ -146,4 +146,4 @@ TEST_F(Fixture, AFileThatIsNoSuchFrameIsRenderedAnew) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -7,7 +7,7 @@
 
 #include "eval/planes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using test::plane;
@@ -137,4 +137,4 @@ TEST(Median, IsOverTheRegionsAskedFor) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

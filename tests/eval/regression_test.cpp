@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 TEST(ThroughOrigin, FindsTheSlopeOfLeastSquares) {
@@ -37,4 +37,4 @@ TEST(Regression, OfNothingIsUnknown) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -6,7 +6,7 @@
 
 #include "eval/planes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using test::plane;
@@ -37,4 +37,4 @@ TEST(Repeats, NeedTwoForASpread) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -1,4 +1,4 @@
-#include "eval/results.h"
+#include "eval/bench/results.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 struct Fixture : ::testing::Test {
@@ -89,4 +89,4 @@ TEST_F(Fixture, WhatStandsIsNotMeasuredAgain) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

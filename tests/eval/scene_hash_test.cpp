@@ -1,11 +1,11 @@
-#include "eval/scene_hash.h"
+#include "eval/bench/scene_hash.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <set>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 Scene shinyScene() {
@@ -73,4 +73,4 @@ TEST(SceneHash, TellsATextureFromItselfWithoutMips) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

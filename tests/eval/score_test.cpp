@@ -1,4 +1,4 @@
-#include "eval/score.h"
+#include "eval/bench/score.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "eval/planes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using test::plane;
@@ -175,4 +175,4 @@ TEST(ScoreColumns, AreFoundAndNamed) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

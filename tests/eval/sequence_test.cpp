@@ -1,4 +1,4 @@
-#include "eval/sequence.h"
+#include "eval/bench/sequence.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "eval/changes.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 constexpr double kBias = 0.5;
@@ -52,4 +52,4 @@ TEST(EventsOf, AreThoseOfAllFrames) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 constexpr double kRate = 200;  // Hz
@@ -60,4 +60,4 @@ TEST(PowerSpectrum, OfAConstantIsNothing) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

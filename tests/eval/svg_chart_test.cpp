@@ -1,8 +1,8 @@
-#include "eval/svg_chart.h"
+#include "eval/pictures/svg_chart.h"
 
 #include <gtest/gtest.h>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 TEST(ParetoFront, KeepsWhatNothingBeats) {
@@ -89,4 +89,4 @@ TEST(DrawCharts, LivesWithASinglePoint) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -1,8 +1,8 @@
-#include "eval/within.h"
+#include "eval/bench/within.h"
 
 #include <gtest/gtest.h>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 AccuracyTable table() {
@@ -48,4 +48,4 @@ TEST(Within, AnswersForEachScene) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/limits.h"
+#include "app/admission/limits.h"
 #include "faults/event_bomb.h"
 #include "mock/server_process.h"
 #include "mock/test_server.h"

@@ -4,11 +4,11 @@
 #include <cstdlib>
 #include <optional>
 
-#include "app/config.h"
-#include "app/config_sources.h"
+#include "app/config/config.h"
+#include "app/config/config_sources.h"
 #include "fuzz/fuzz_target.h"
+#include "scene/files/text.h"
 #include "scene/scratch.h"
-#include "scene/text.h"
 
 namespace saccade {
 namespace {

@@ -1,10 +1,10 @@
 // A request, as far as it goes before anything is rendered.
 #include <future>
 
-#include "app/refusal.h"
-#include "app/request_bounds.h"
+#include "app/admission/stream_cost.h"
+#include "app/request/refusal.h"
+#include "app/request/request_bounds.h"
 #include "app/service.h"
-#include "app/stream_cost.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/message_mutator.h"
 #include "fuzz/path_check.h"

@@ -1,5 +1,5 @@
 #include "fuzz/fuzz_target.h"
-#include "scene/mitsuba_xml.h"
+#include "scene/mitsuba/mitsuba_xml.h"
 #include "scene/scratch.h"
 
 namespace saccade {

@@ -32,8 +32,8 @@ v1::OpenStream resolved() {
   return request;
 }
 
-bool follows(SequenceCheck& sequence, const v1::PacketHeader& header, const Events& events) {
-  return accepts<StreamFault>([&] {
+bool follows(client::SequenceCheck& sequence, const v1::PacketHeader& header, const Events& events) {
+  return accepts<client::StreamFault>([&] {
     const auto news = sequence.add(header);
     SACCADE_CHECK(!news || news->known_events <= events.size());
   });
@@ -42,7 +42,7 @@ bool follows(SequenceCheck& sequence, const v1::PacketHeader& header, const Even
 bool read(std::string_view bytes) {
   fuzz::PacketTrain train;
   if (!train.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
-  SequenceCheck sequence(resolved());
+  client::SequenceCheck sequence(resolved());
   for (fuzz::Packet& packet : *train.mutable_packets()) {
     v1::PacketHeader& header = *packet.mutable_header();
     if (header.crc32() == 0) header.set_crc32(crc32Of(packet.payload()));

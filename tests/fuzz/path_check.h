@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "scene/trajectory.h"
+#include "scene/camera/trajectory.h"
 
 namespace saccade {
 

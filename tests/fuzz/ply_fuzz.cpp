@@ -3,9 +3,9 @@
 #include <iterator>
 
 #include "fuzz/fuzz_target.h"
-#include "scene/mesh.h"
-#include "scene/mesh_io.h"
-#include "scene/scene_error.h"
+#include "scene/files/scene_error.h"
+#include "scene/mesh/mesh.h"
+#include "scene/mesh/mesh_io.h"
 
 namespace saccade {
 namespace {

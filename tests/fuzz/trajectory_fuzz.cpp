@@ -1,6 +1,6 @@
 #include "fuzz/fuzz_target.h"
 #include "fuzz/path_check.h"
-#include "scene/scene_error.h"
+#include "scene/files/scene_error.h"
 
 namespace saccade {
 

@@ -1,4 +1,4 @@
-"""Who may include whom: the rooms of the house stand in the order in which data flows."""
+"""Who may include whom: rooms, and folders within a room, stand in the order in which data flows."""
 import re
 import unittest
 
@@ -15,9 +15,31 @@ ROOMS = {
     "events": "frame wire base",
     "stream": "wire base",
     "ops": "base",
-    "app": "base frame scene wire render filter methods events stream ops",
-    "eval": "base frame scene wire render filter methods events app",
+    "feed": "base frame scene render filter methods",
+    "tables": "base scene render methods",
+    "app": "base frame scene wire render filter methods feed tables events stream ops",
+    "eval": "base frame scene wire render filter methods feed tables events",
     "client": "wire",
+}
+# Within a room: each folder with those of the same room that it may include.
+FOLDERS = {
+    "scene/files": "",
+    "scene/camera": "scene/files",
+    "scene": "scene/files scene/camera",
+    "scene/mesh": "scene scene/files",
+    "scene/mitsuba": "scene scene/files scene/camera scene/mesh",
+    "scene/library": "scene scene/files scene/camera scene/mitsuba",
+    "app/request": "",
+    "app/admission": "app/request",
+    "app/config": "app/admission",
+    "app/streams": "app/request app/admission",
+    "app": "app/request app/admission app/config app/streams",
+    "eval/metrics": "",
+    "eval/pictures": "eval/metrics",
+    "eval/bench": "eval/metrics eval/pictures",
+    "eval/figures": "eval/metrics eval/pictures eval/bench",
+    "eval/commands": "eval/metrics eval/pictures eval/bench eval/figures",
+    "eval": "eval/commands",
 }
 # What only these places may include: the rest of the house is not to know it.
 OUTSIDE = {
@@ -25,7 +47,7 @@ OUTSIDE = {
     "zmq": ["server/stream/", "client/", "tests/"],
     "prometheus/": ["server/app/metrics.cpp"],
     "microhttpd": ["server/ops/http_server.cpp"],
-    "toml++/": ["server/app/config_file.cpp"],
+    "toml++/": ["server/app/config/config_file.cpp"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
@@ -46,6 +68,10 @@ def fault(path, included):
     room, other = room_of(path), included.split("/")[0]
     if room and other in ROOMS and other != room and other not in ROOMS[room].split():
         return f"{path} includes {included}: {room} may include {ROOMS[room] or 'no other room'}"
+    own, folder = path.removeprefix("server/").rpartition("/")[0], included.rpartition("/")[0]
+    if own in FOLDERS and own != folder and folder in FOLDERS and other == room:
+        if folder not in FOLDERS[own].split():
+            return f"{path} includes {included}: {own} may include {FOLDERS[own] or 'no other folder of its room'}"
     return None
 
 
@@ -55,6 +81,9 @@ class Includes(unittest.TestCase):
         self.assertIsNone(fault("server/main.cpp", "app/app.h"))
         self.assertIsNone(fault("tests/stream/a_test.cpp", "zmq.hpp"))
         self.assertIn("filter may include", fault("server/filter/atrous.cpp", "render/renderer.h"))
+        self.assertIn("eval may include", fault("server/eval/bench/bench.cpp", "app/streams/outlet.h"))
+        self.assertIn("scene may include", fault("server/scene/scene.cpp", "scene/mitsuba/mitsuba_bsdf.h"))
+        self.assertIsNone(fault("server/scene/mitsuba/mitsuba_bsdf.cpp", "scene/scene.h"))
         self.assertIn("only server/render/embree_scene.cpp", fault("server/render/lights.cpp", "embree3/rtcore.h"))
         self.assertIn("which only", fault("server/app/app.cpp", "zmq.hpp"))
         self.assertIn("client may include wire", fault("client/main.cpp", "base/units.h"))
@@ -68,6 +97,11 @@ class Includes(unittest.TestCase):
     def test_every_folder_of_the_server_is_a_room(self):
         rooms = {p.name for p in (house.ROOT / "server").iterdir() if p.is_dir()}
         self.assertEqual(rooms - set(ROOMS), set())
+
+    def test_every_folder_of_a_room_with_folders_is_named(self):
+        for room in {name.split("/")[0] for name in FOLDERS}:
+            folders = {f"{room}/{p.name}" for p in (house.ROOT / "server" / room).iterdir() if p.is_dir()}
+            self.assertEqual(folders - set(FOLDERS), set())
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "app/resolve.h"
+#include "app/request/resolve.h"
 #include "mock/accuracy_file.h"
 #include "mock/bad_request.h"
 

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-#include "app/feed_runner.h"
+#include "app/streams/feed_runner.h"
 #include "mock/mock_client.h"
 #include "mock/wait_until.h"
 #include "render/test_scenes.h"

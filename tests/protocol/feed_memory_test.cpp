@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
-#include "app/feed_runner.h"
+#include "app/streams/feed_runner.h"
 #include "base/counting_new.h"
 #include "mock/mock_client.h"
 #include "render/test_scenes.h"

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <map>
 
-#include "app/refusal.h"
+#include "app/admission/limits.h"
 #include "mock/keyed_server.h"
 #include "wire/protocol.h"
 

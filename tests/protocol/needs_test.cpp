@@ -4,8 +4,8 @@
 #include <fstream>
 #include <limits>
 
-#include "app/refusal.h"
-#include "app/resolve.h"
+#include "app/admission/limits.h"
+#include "app/request/resolve.h"
 #include "base/cpu_name.h"
 #include "mock/bad_request.h"
 #include "scene/scratch.h"

@@ -1,8 +1,8 @@
 // Which PACED streams a server takes: those whose pace its threads suffice for.
 #include <gtest/gtest.h>
 
-#include "app/pace.h"
-#include "app/refusal.h"
+#include "app/admission/limits.h"
+#include "app/streams/pace.h"
 #include "mock/test_server.h"
 
 namespace saccade {

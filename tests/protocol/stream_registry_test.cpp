@@ -1,10 +1,10 @@
 // What becomes of streams that nobody looks after, with a clock that the test moves.
-#include "app/stream_registry.h"
+#include "app/streams/stream_registry.h"
 
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
-#include "app/refusal.h"
+#include "app/request/refusal.h"
 #include "render/test_scenes.h"
 
 namespace saccade {

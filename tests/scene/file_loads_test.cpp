@@ -1,6 +1,6 @@
-#include "scene/file_loads.h"
+#include "scene/mitsuba/file_loads.h"
 
-#include "scene/limits.h"
+#include "scene/files/limits.h"
 #include "scene/mitsuba_scratch.h"
 
 namespace saccade {

@@ -1,11 +1,11 @@
-#include "scene/mesh_io.h"
+#include "scene/mesh/mesh_io.h"
 
 #include <sys/stat.h>
 
 #include <bit>
 #include <cstdint>
 
-#include "scene/limits.h"
+#include "scene/files/limits.h"
 #include "scene/scratch.h"
 
 namespace saccade {

@@ -1,5 +1,5 @@
-#include "scene/limits.h"
-#include "scene/mitsuba_xml.h"
+#include "scene/files/limits.h"
+#include "scene/mitsuba/mitsuba_xml.h"
 #include "scene/scratch.h"
 
 namespace saccade {

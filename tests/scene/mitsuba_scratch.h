@@ -1,7 +1,7 @@
 // Small Mitsuba files for the tests of their reader.
 #pragma once
 
-#include "scene/mitsuba_xml.h"
+#include "scene/mitsuba/mitsuba_xml.h"
 #include "scene/scratch.h"
 
 namespace saccade {

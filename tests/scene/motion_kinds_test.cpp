@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/motion.h"
+#include "scene/camera/motion.h"
 #include "scene/scratch.h"
 
 namespace saccade {

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "base/hash_rng.h"
-#include "scene/motion.h"
+#include "scene/camera/motion.h"
 #include "scene/scratch.h"
 
 namespace saccade {

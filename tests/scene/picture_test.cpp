@@ -1,10 +1,10 @@
-#include "scene/picture.h"
+#include "scene/files/picture.h"
 
 #include <sys/stat.h>
 
 #include <cmath>
 
-#include "scene/limits.h"
+#include "scene/files/limits.h"
 #include "scene/scratch.h"
 
 namespace saccade {

@@ -1,4 +1,4 @@
-#include "scene/pose_spline.h"
+#include "scene/camera/pose_spline.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "scene/pose.h"
+#include "scene/camera/pose.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,8 +1,8 @@
 // Scenes of other people, which stand beside the project: see statistical/outside_files.h.
 #include <algorithm>
 
-#include "scene/mesh_io.h"
-#include "scene/mitsuba_xml.h"
+#include "scene/mesh/mesh_io.h"
+#include "scene/mitsuba/mitsuba_xml.h"
 #include "scene/scratch.h"
 #include "statistical/outside_files.h"
 

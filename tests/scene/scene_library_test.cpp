@@ -1,4 +1,4 @@
-#include "scene/scene_library.h"
+#include "scene/library/scene_library.h"
 
 #include <sys/stat.h>
 
@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "base/text_cut.h"
-#include "scene/mitsuba_xml.h"
-#include "scene/motion.h"
+#include "scene/camera/motion.h"
+#include "scene/mitsuba/mitsuba_xml.h"
 #include "scene/scratch.h"
 
 namespace saccade {

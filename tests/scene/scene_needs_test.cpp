@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/mesh.h"
+#include "scene/mesh/mesh.h"
 
 namespace saccade {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/vec.h"
-#include "scene/scene_error.h"
+#include "scene/files/scene_error.h"
 
 namespace saccade {
 

@@ -1,4 +1,4 @@
-#include "scene/slow_load.h"
+#include "scene/files/slow_load.h"
 
 #include <gtest/gtest.h>
 

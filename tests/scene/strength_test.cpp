@@ -1,7 +1,7 @@
 #include "scene/strength.h"
 
 #include "scene/emitter_strengths.h"
-#include "scene/mitsuba_xml.h"
+#include "scene/mitsuba/mitsuba_xml.h"
 #include "scene/scratch.h"
 
 namespace saccade {

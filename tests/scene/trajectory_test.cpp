@@ -1,4 +1,4 @@
-#include "scene/trajectory.h"
+#include "scene/camera/trajectory.h"
 
 #include "base/text_cut.h"
 #include "scene/scratch.h"

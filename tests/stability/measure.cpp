@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "eval/bench/score.h"
 #include "eval/metrics/brightness_change.h"
 #include "eval/metrics/for_each_pixel.h"
-#include "eval/score.h"
 #include "events/sensor.h"
 
 namespace saccade::test {
+
+using namespace eval;
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();

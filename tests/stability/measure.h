@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "eval/bench.h"
+#include "eval/bench/bench.h"
 #include "stability/cases.h"
 
 namespace saccade::test {
@@ -27,8 +27,8 @@ class StabilityBench {
 
   const StabilityCase& case_;
   int repeats_;
-  Bench bench_;
-  std::optional<Bench> start_;  // its truth is that of frame 0, for the drift
+  eval::Bench bench_;
+  std::optional<eval::Bench> start_;  // its truth is that of frame 0, for the drift
 };
 
 }  // namespace saccade::test

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "render/renderer.h"
-#include "scene/mitsuba_xml.h"
+#include "scene/mitsuba/mitsuba_xml.h"
 #include "statistical/npy.h"
 #include "statistical/outside_files.h"
 

@@ -7,11 +7,11 @@
 
 #include <fstream>
 
-#include "eval/bench.h"
+#include "eval/bench/bench.h"
 #include "eval/metrics/plane_error.h"
 #include "statistical/outside_files.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 constexpr int kFrame = 21;
@@ -99,4 +99,4 @@ TEST(DifferenceQuality, DemodulationKeepsTexture) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

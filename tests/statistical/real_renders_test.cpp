@@ -6,12 +6,12 @@
 // both side by side, with a map of their ratio.
 #include <gtest/gtest.h>
 
-#include "eval/ratio_picture.h"
+#include "eval/pictures/ratio_picture.h"
 #include "render/renderer.h"
-#include "scene/mitsuba_xml.h"
+#include "scene/mitsuba/mitsuba_xml.h"
 #include "statistical/outside_files.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 const bool kFull = std::getenv("SACCADE_FULL") != nullptr;
@@ -83,4 +83,4 @@ TEST(RealRenders, Kitchen) {
 }
 
 }  // namespace
-}  // namespace saccade
+}  // namespace saccade::eval

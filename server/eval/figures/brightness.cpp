@@ -4,10 +4,10 @@
 
 #include "eval/figures/brightness_curves.h"
 #include "eval/figures/reconstruction_score.h"
-#include "eval/write_text.h"
+#include "eval/pictures/write_text.h"
 #include "methods/method_spec.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 // The reconstructions of the table. The curves show those of one word, which are the defaults.
@@ -108,4 +108,4 @@ void runBrightness(const FigureOptions& o, TilePool& pool) {
   std::printf("wrote %s\n", o.path(".csv").c_str());
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

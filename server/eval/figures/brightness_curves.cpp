@@ -6,9 +6,9 @@
 
 #include "eval/figures/spectrum.h"
 #include "eval/metrics/for_each_pixel.h"
-#include "eval/write_text.h"
+#include "eval/pictures/write_text.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 bool alwaysSmooth(const std::vector<Truth>& truth, int x, int y) {
@@ -95,4 +95,4 @@ void writeBrightness(const FigureOptions& o, const std::string& scene,
   writePicture(o, "_" + scene + ".svg", drawCharts({time, spectrum}, 2));
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "eval/bench/sequence.h"
 #include "eval/figures/figure.h"
-#include "eval/sequence.h"
-#include "eval/svg_chart.h"
+#include "eval/pictures/svg_chart.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 struct BrightnessCurve {
   std::string name;
@@ -32,4 +32,4 @@ void writeBrightness(const FigureOptions& o, const std::string& scene,
                      const std::vector<BrightnessCurve>& curves, Pixel pixel, double rate_hz);
 inline constexpr int kSpectrumReach = 4;
 
-}  // namespace saccade
+}  // namespace saccade::eval

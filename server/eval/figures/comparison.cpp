@@ -1,8 +1,8 @@
-#include "eval/change_pictures.h"
+#include "eval/bench/results.h"
+#include "eval/figures/change_pictures.h"
 #include "eval/figures/figure.h"
-#include "eval/results.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 void compareOn(const std::string& scene, const FigureOptions& o, TilePool& pool, ResultTable& table) {
@@ -33,4 +33,4 @@ void runComparison(const FigureOptions& o, TilePool& pool) {
   printTable(table);
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <sstream>
 
-namespace saccade {
+namespace saccade::eval {
 
 std::string csvOf(const std::vector<FalseEventRow>& rows) {
   std::ostringstream csv;
@@ -38,4 +38,4 @@ void printRows(const std::vector<FalseEventRow>& rows) {
   }
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

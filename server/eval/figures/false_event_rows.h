@@ -6,7 +6,7 @@
 
 #include "eval/figures/false_events.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 struct FalseEventRow {
   std::string scene, method;
@@ -19,4 +19,4 @@ std::string csvOf(
     const std::vector<FalseEventRow>& rows);             // for machines, header first; noise in units of dL
 void printRows(const std::vector<FalseEventRow>& rows);  // for people, on stdout; noise in units of C
 
-}  // namespace saccade
+}  // namespace saccade::eval

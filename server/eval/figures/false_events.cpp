@@ -6,7 +6,7 @@
 #include "eval/metrics/for_each_pixel.h"
 #include "events/sensor.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 // Mean and standard deviation of the values that `within` lets through.
@@ -108,4 +108,4 @@ FalseEvents countFalseEvents(const ChangeSequence& run, const ChangeSequence& tr
   return counted;
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

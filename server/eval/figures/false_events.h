@@ -10,9 +10,9 @@
 // cross at the two ends of the cell, never both: false + missed = (|d| + |r|) / C. Either is |noise| / C.
 #pragma once
 
-#include "eval/sequence.h"
+#include "eval/bench/sequence.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 // Of noise over pixel-frames.
 struct NoiseSize {
@@ -46,4 +46,4 @@ inline constexpr double kQuiet = 0.01;
 // `bias` is I_eps; thresholds C. Both sequences are of the same frames.
 FalseEvents countFalseEvents(const ChangeSequence& run, const ChangeSequence& truth, double bias, double C);
 
-}  // namespace saccade
+}  // namespace saccade::eval

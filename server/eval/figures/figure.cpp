@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "eval/write_text.h"
+#include "eval/pictures/write_text.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 std::string FigureOptions::path(const std::string& rest) const {
   std::string name = "figure" + std::to_string(number) + rest;
@@ -19,4 +19,4 @@ void writePicture(const FigureOptions& o, const std::string& rest, const std::st
   std::printf("wrote %s\n", o.path(rest).c_str());
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "eval/bench_options.h"
+#include "eval/bench/bench_options.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 struct FigureOptions {
   int number = 0;
@@ -49,4 +49,4 @@ void runBrightness(const FigureOptions& o, TilePool& pool);
 // Writes "<output>/figure<number><rest>" and says so. Throws std::runtime_error.
 void writePicture(const FigureOptions& o, const std::string& rest, const std::string& svg);
 
-}  // namespace saccade
+}  // namespace saccade::eval

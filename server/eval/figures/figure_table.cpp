@@ -1,6 +1,6 @@
 #include "eval/figures/figure.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 const std::vector<std::string> kMethods{"pt", "pt-correlated", "svgf", "svgf:as_falcor=1", "event_svgf"};
@@ -75,4 +75,4 @@ const std::vector<Figure>& figureTable() {
   return table;
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -7,11 +7,11 @@
 #include "eval/figures/false_event_rows.h"
 #include "eval/figures/figure.h"
 #include "eval/figures/regression.h"
-#include "eval/svg_chart.h"
-#include "eval/write_text.h"
+#include "eval/pictures/svg_chart.h"
+#include "eval/pictures/write_text.h"
 #include "methods/method_spec.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 using Row = FalseEventRow;
@@ -110,4 +110,4 @@ void runNoiseLaw(const FigureOptions& o, TilePool& pool) {
   writePicture(o, ".svg", drawCharts(panels, 3));
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -8,7 +8,7 @@
 #include "eval/metrics/event_streams.h"
 #include "eval/metrics/for_each_pixel.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 // Events of each frame at the phases they share.
@@ -59,4 +59,4 @@ ReconstructionScore scoreReconstruction(const ChangeSequence& run, const ChangeS
   return score;
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -2,9 +2,9 @@
 // product, then its drift and its noise.
 #pragma once
 
-#include "eval/sequence.h"
+#include "eval/bench/sequence.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 struct ReconstructionScore {
   double false_events = 0, missed_events = 0;  // per pixel-frame, integrated over the phase; event_rates.h
@@ -19,4 +19,4 @@ struct ReconstructionScore {
 ReconstructionScore scoreReconstruction(const ChangeSequence& run, const ChangeSequence& truth,
                                         const SensorConfig& config);
 
-}  // namespace saccade
+}  // namespace saccade::eval

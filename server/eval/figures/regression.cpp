@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 Sample meanOf(const std::vector<Sample>& samples) {
@@ -50,4 +50,4 @@ Regression powerLaw(const std::vector<Sample>& samples) {
   return {slope, r2Of(logs, mean.y - slope * mean.x, slope)};
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

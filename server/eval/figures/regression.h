@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace saccade {
+namespace saccade::eval {
 
 struct Sample {
   double x, y;
@@ -22,4 +22,4 @@ Regression throughOrigin(const std::vector<Sample>& samples);
 // different x.
 Regression powerLaw(const std::vector<Sample>& samples);
 
-}  // namespace saccade
+}  // namespace saccade::eval

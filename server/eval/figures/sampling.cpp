@@ -1,8 +1,8 @@
-#include "eval/change_pictures.h"
+#include "eval/bench/results.h"
+#include "eval/figures/change_pictures.h"
 #include "eval/figures/figure.h"
-#include "eval/results.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 struct Sampling {
@@ -46,4 +46,4 @@ void runSampling(const FigureOptions& o, TilePool& pool) {
   printTable(table);
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -6,7 +6,7 @@
 
 #include "base/check.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 // exp(-2 pi i n / N), n = 0 to N - 1.
@@ -59,4 +59,4 @@ void operator+=(Spectrum& sum, const Spectrum& x) {
   for (std::size_t k = 0; k < x.density.size(); ++k) sum.density[k] += x.density[k];
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace saccade {
+namespace saccade::eval {
 
 // One-sided density: what lies between two frequencies is the sum of density * step_hz over them.
 struct Spectrum {
@@ -22,4 +22,4 @@ Spectrum powerSpectrum(const std::vector<double>& x, double rate_hz);
 // Adds `x`, of a series of the same length and rate; an empty sum takes its place.
 void operator+=(Spectrum& sum, const Spectrum& x);
 
-}  // namespace saccade
+}  // namespace saccade::eval

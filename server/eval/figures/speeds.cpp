@@ -1,14 +1,14 @@
 #include <cmath>
 
-#include "eval/difference_picture.h"
+#include "eval/bench/results.h"
 #include "eval/figures/figure.h"
-#include "eval/format.h"
 #include "eval/metrics/brightness_change.h"
-#include "eval/picture_grid.h"
-#include "eval/results.h"
-#include "eval/svg_chart.h"
+#include "eval/pictures/difference_picture.h"
+#include "eval/pictures/format.h"
+#include "eval/pictures/picture_grid.h"
+#include "eval/pictures/svg_chart.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 constexpr const char* kMotions[] = {"right", "forward"};
@@ -81,4 +81,4 @@ void runSpeeds(const FigureOptions& o, TilePool& pool) {
   printTable(table);
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -8,7 +8,7 @@
 
 #include "base/quantile.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 // Mean of each block of edge x edge pixels, row by row.
@@ -104,4 +104,4 @@ BlockRatios blockRatios(const RgbPlanes& picture, const RgbPlanes& reference, co
   return out;
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "eval/rgb_planes.h"
+#include "eval/metrics/rgb_planes.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 struct PixelRect {
   int x = 0, y = 0, width = 0, height = 0;
@@ -40,4 +40,4 @@ struct BlockRatios {
 // factor that a block of whole pixels remains, and if there is nothing to compare.
 BlockRatios blockRatios(const RgbPlanes& picture, const RgbPlanes& reference, const BlockSettings& settings);
 
-}  // namespace saccade
+}  // namespace saccade::eval

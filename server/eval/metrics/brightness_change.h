@@ -3,7 +3,7 @@
 
 #include "events/log_response.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 // dL [E (21)] under the bias I_eps, as a sensor sees it.
 inline ImageF brightnessChange(const IntensityChange& change, float bias) {
@@ -20,4 +20,4 @@ inline ImageF brightnessChange(const ImageF& dI, const ImageF& I_prev, float bia
   return brightnessChange(change, bias);
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -4,7 +4,7 @@
 
 #include "eval/metrics/for_each_pixel.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 double signedRoot(double square) {
@@ -59,4 +59,4 @@ double rmsError(const ImageF& x, const ImageF& a, const ImageF& b, const RegionM
   return signedRoot(sum / pixels);
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -6,7 +6,7 @@
 #include "eval/metrics/regions.h"
 #include "eval/metrics/repeats.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 // Root mean squares over pixels, in the unit of the plane. A mean square may come out below zero where the
 // error is lost in the noise; its root is then given as negative. NaN if no pixel is in the regions.
@@ -25,4 +25,4 @@ ErrorParts errorParts(const Repeats& x, const ImageF& a, const ImageF& b, const 
 double rmsError(const ImageF& x, const ImageF& a, const ImageF& b, const RegionMap& regions,
                 std::uint32_t which);
 
-}  // namespace saccade
+}  // namespace saccade::eval

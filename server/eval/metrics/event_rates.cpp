@@ -6,7 +6,7 @@
 #include "base/hash_rng.h"
 #include "eval/metrics/for_each_pixel.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 // Means of what count(x, y, d, ref) says of each pixel, method against reference and the other way round.
@@ -61,4 +61,4 @@ EventRates sampledRates(const ImageF& dL, const ImageF& dL_ref, double C, std::u
   });
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

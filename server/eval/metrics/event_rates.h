@@ -8,7 +8,7 @@
 
 #include "frame/image.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 // Means over the pixels of the frame.
 struct EventRates {
@@ -26,4 +26,4 @@ EventRates sampledRates(const ImageF& dL, const ImageF& dL_ref, double C, std::u
 // With ref = 0 it is |d| / C [E (31)]. Swap d and ref for the missed ones.
 double expectedFalseEvents(double d, double ref, double C);
 
-}  // namespace saccade
+}  // namespace saccade::eval

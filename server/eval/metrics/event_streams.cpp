@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 // A cell of a sparse histogram, and what is added to it.
@@ -88,4 +88,4 @@ TimeError nearestTimeError(const Events& x, const Events& ref, std::int64_t cap_
   return {sum / static_cast<double>(x.size()), capped};
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -6,7 +6,7 @@
 
 #include "wire/event.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 // Counts per pixel: mean |n - n_ref| / mean n_ref over the pixels, ON and OFF events counted apart.
 // 0 if both streams are empty, infinite if only ref is; so is the next one.
@@ -25,4 +25,4 @@ struct TimeError {
 // at most. Events that x lacks do not show: swap the streams to see them.
 TimeError nearestTimeError(const Events& x, const Events& ref, std::int64_t cap_ns = 5'000'000);
 
-}  // namespace saccade
+}  // namespace saccade::eval

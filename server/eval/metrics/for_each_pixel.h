@@ -4,7 +4,7 @@
 #include "base/check.h"
 #include "frame/image.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 template <class A, class B>
 void checkSameSize(const Image<A>& a, const Image<B>& b) {
@@ -19,4 +19,4 @@ void forEachPixel(const Image<T>& image, Visit visit) {
   }
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

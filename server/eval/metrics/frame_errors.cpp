@@ -3,7 +3,7 @@
 #include "eval/metrics/brightness_change.h"
 #include "eval/metrics/plane_error.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 FrameErrors frameErrors(const IntensityChange& x, const IntensityChange& ref, float bias, double threshold) {
   const ImageF dL = brightnessChange(x, bias), dL_ref = brightnessChange(ref, bias);
@@ -11,4 +11,4 @@ FrameErrors frameErrors(const IntensityChange& x, const IntensityChange& ref, fl
           integratedRates(dL, dL_ref, threshold)};
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

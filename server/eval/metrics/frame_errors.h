@@ -5,7 +5,7 @@
 #include "eval/metrics/event_rates.h"
 #include "frame/intensity_change.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 struct FrameErrors {
   double dI_l1, dI_mape;  // relative L1 and MAPE of dI
@@ -17,4 +17,4 @@ struct FrameErrors {
 // in a sensor; it shows in the errors of dI.
 FrameErrors frameErrors(const IntensityChange& x, const IntensityChange& ref, float bias, double threshold);
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -5,7 +5,7 @@
 
 #include "eval/metrics/for_each_pixel.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 double size(const ImageF& ref) {
@@ -43,4 +43,4 @@ double mape(const ImageF& x, const ImageF& ref) {
   return sum / pixels;
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -3,7 +3,7 @@
 
 #include "frame/image.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 // sum |x - ref| / sum |ref|; 0 if both are 0 everywhere, infinite if only ref is. The headline.
 double relativeL1(const ImageF& x, const ImageF& ref);
@@ -12,4 +12,4 @@ double relativeL1(const ImageF& x, const ImageF& ref);
 double mape(const ImageF& x, const ImageF& ref);
 inline constexpr double kMapeFloor = 0.01;  // where ref is 0, an error of 1 % of its mean counts as 1
 
-}  // namespace saccade
+}  // namespace saccade::eval

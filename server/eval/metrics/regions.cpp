@@ -9,7 +9,7 @@
 #include "base/vec.h"
 #include "eval/metrics/for_each_pixel.h"
 
-namespace saccade {
+namespace saccade::eval {
 namespace {
 
 Vec3 normalAt(const GBuffer& g, int x, int y) {
@@ -79,4 +79,4 @@ double median(const ImageF& plane, const RegionMap& regions, std::uint32_t which
   return (static_cast<double>(*middle) + *std::max_element(values.begin(), middle)) / 2;
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -5,7 +5,7 @@
 
 #include "frame/frame.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 // Bits, so that several regions can be asked for at once. Every pixel is in exactly one of the first three.
 namespace region {
@@ -33,4 +33,4 @@ inline constexpr float kSameNormalDeg = 25, kCurvedDeg = 1;
 // number is even; NaN if there are none, or one is NaN.
 double median(const ImageF& plane, const RegionMap& regions, std::uint32_t which);
 
-}  // namespace saccade
+}  // namespace saccade::eval

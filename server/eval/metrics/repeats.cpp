@@ -4,7 +4,7 @@
 
 #include "eval/metrics/for_each_pixel.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 // Welford's update: nothing cancels, however small the noise is beside the mean.
 void Repeats::add(const ImageF& x) {
@@ -28,4 +28,4 @@ ImageF Repeats::sigma() const {
   return sigma;
 }
 
-}  // namespace saccade
+}  // namespace saccade::eval

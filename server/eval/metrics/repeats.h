@@ -3,7 +3,7 @@
 
 #include "frame/image.h"
 
-namespace saccade {
+namespace saccade::eval {
 
 class Repeats {
  public:
@@ -27,4 +27,4 @@ class Repeats {
   Image<double> mean_, squares_;  // squares: sum of (x - mean)^2
 };
 
-}  // namespace saccade
+}  // namespace saccade::eval

@@ -1,0 +1,54 @@
+#include "app/admission/budget.h"
+
+#include "app/admission/limits.h"
+
+namespace saccade {
+
+std::shared_ptr<void> Budget::take(const std::string& client, const std::vector<Share>& shares) {
+  std::lock_guard lock(mutex_);
+  for (const Share& share : shares) {
+    const auto own = ofOneClient(share.limit);
+    const auto taken = taken_by_.find(client);
+    if (own && !client.empty()) check(taken == taken_by_.end() ? Taken{} : taken->second, *own, share);
+    check(taken_, share.limit, share);
+  }
+  add(client, shares, 1);
+  return {this, [client, shares](Budget* budget) {
+            std::lock_guard lock(budget->mutex_);
+            budget->add(client, shares, -1);
+          }};
+}
+
+void Budget::use(Limit rate, double amount) {
+  std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  const std::chrono::duration<double> left = paid_off_[rate] - now, added(amount / limits_[rate]);
+  if (left.count() > 0) {
+    throw LimitReached(rate, {}, "more than " + amountText(rate, limits_[rate]) + " are asked for",
+                       left.count());
+  }
+  paid_off_[rate] = now + std::chrono::duration_cast<Clock::duration>(added);
+}
+
+void Budget::check(const Taken& taken, Limit limit, const Share& share) const {
+  const auto found = taken.find(share.limit);
+  const double before = found == taken.end() ? 0 : found->second, most = limits_[limit];
+  if (before + share.amount <= most) return;
+  const bool others = limit == share.limit && share.amount <= most;
+  throw LimitReached(limit, share.field,
+                     amountText(limit, share.amount) + " more would exceed " + amountText(limit, most) +
+                         ", " + amountText(limit, before) + " are taken",
+                     others ? kRetrySeconds : 0);
+}
+
+void Budget::add(const std::string& client, const std::vector<Share>& shares, int sign) {
+  for (const Share& share : shares) taken_[share.limit] += sign * share.amount;
+  if (client.empty()) return;
+  Taken& own = taken_by_[client];
+  bool none = true;
+  for (const Share& share : shares) own[share.limit] += sign * share.amount;
+  for (const auto& [limit, amount] : own) none &= amount == 0;
+  if (none) taken_by_.erase(client);
+}
+
+}  // namespace saccade

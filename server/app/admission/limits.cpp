@@ -1,0 +1,99 @@
+#include "app/admission/limits.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "stream/session.h"
+
+namespace saccade {
+
+constexpr double kMiB = 1 << 20;
+
+const std::array<LimitRow, kLimits>& limitTable() {
+  static const std::array<LimitRow, kLimits> rows{{
+      {Limit::kStreams, "streams", 64, 1, "", "open streams"},
+      {Limit::kClientStreams, "client-streams", 32, 1, "", "those of one client"},
+      {Limit::kSensors, "sensors", 1024, 1, "", "sensors of all streams"},
+      {Limit::kClientSensors, "client-sensors", 512, 1, "", "those of one client"},
+      {Limit::kPixels, "pixels", 64 << 20, 1, "", "pixels of the views of all streams"},
+      {Limit::kClientPixels, "client-pixels", 32 << 20, 1, "", "those of one client"},
+      {Limit::kConnections, "connections", 1024, 1, "", "connections to one socket"},
+      {Limit::kClientConnections, "client-connections", 512, 1, "",
+       "those of one key, or of one address where there are no keys"},
+      {Limit::kInbound, "inbound", 256, 16, "MiB", "messages on their way in, of all connections"},
+      {Limit::kRequests, "requests", 64, 1, "", "streams being opened"},
+      {Limit::kClientRequests, "client-requests", 32, 1, "", "those of one client"},
+      {Limit::kMemory, "memory", 4096, 1, "MiB",
+       "feeds, sensors and paths of all streams, and requests being opened, as estimated"},
+      {Limit::kQueues, "queues", 1024, 1, "MiB", "memory of packets kept for the clients of all streams"},
+      {Limit::kQueue, "queue", kQueueBytes / kMiB, 0.0625, "MiB",
+       "memory of packets that wait for the client of one stream"},
+      {Limit::kCredit, "credit", 4096, 1, "MiB", "credit of one connection"},
+      {Limit::kMessage, "message", 9, 0.0625, "MiB", "one request; a longer one ends its connection"},
+      {Limit::kPictures, "pictures", 64, 1, "MiB a second", "pictures that get_frame gives to all clients"},
+      {Limit::kFrameRate, "frame-rate", 1e5, 0.1, "Hz", "frame rate of one stream"},
+      {Limit::kTrajectoryPoints, "trajectory-points", 2e5, 1, "",
+       "keyframes, or lines of CSV, of one stream"},
+      {Limit::kReducedScenes, "reduced-scenes", 16, 0, "", "scenes in memory that lack parts of theirs"},
+      {Limit::kCpu, "cpu", 85, 0, "%",
+       "of the threads for PACED streams; 0: they are not measured, and may lag"},
+      {Limit::kReplies, "replies", 16, 0.0625, "MiB",
+       "replies of one connection that wait for it; with more its requests are refused"},
+      {Limit::kRays, "rays", 2e9, 1, "", "of one frame: pixels times spp times (bounces + 2)"},
+      {Limit::kPixelRays, "pixel-rays", 1e5, 1, "", "of one pixel: spp times (bounces + 2)"},
+      {Limit::kEvents, "events", 4 << 20, 64, "",
+       "events of one stream in one frame; each sensor has an equal share"},
+      {Limit::kScenes, "scenes", 4096, 1.0 / 16, "MiB",
+       "scenes in memory; those not in use make room for others"},
+  }};
+  return rows;
+}
+
+std::optional<Limit> ofOneClient(Limit limit) {
+  switch (limit) {
+    case Limit::kStreams:
+      return Limit::kClientStreams;
+    case Limit::kSensors:
+      return Limit::kClientSensors;
+    case Limit::kPixels:
+      return Limit::kClientPixels;
+    case Limit::kRequests:
+      return Limit::kClientRequests;
+    default:
+      return std::nullopt;
+  }
+}
+
+Limits::Limits() {
+  for (const LimitRow& row : limitTable()) (*this)[row.limit] = row.fallback;
+}
+
+std::uint64_t Limits::bytes(Limit limit) const {
+  return static_cast<std::uint64_t>((*this)[limit] * kMiB);
+}
+
+std::string amountText(Limit limit, double amount) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.15g", amount >= 1 ? std::ceil(amount) : amount);
+  const std::string unit = rowOf(limit).unit;
+  return unit.empty() ? text : text + (" " + unit);
+}
+
+LimitReached::LimitReached(Limit reached, std::string field, const std::string& message, double retry_s)
+    : Refusal(v1::CODE_RESOURCE_EXHAUSTED, std::move(field),
+              std::string("limit ") + rowOf(reached).name + ": " + message) {
+  limit = rowOf(reached).name;
+  retry_after_s = retry_s;
+}
+
+void describeLimits(const Limits& limits, v1::ServerDescription& description) {
+  for (const LimitRow& row : limitTable()) {
+    v1::LimitInfo& info = *description.add_limits();
+    info.set_name(row.name);
+    info.set_value(limits[row.limit]);
+    info.set_unit(row.unit);
+    info.set_description(row.what);
+  }
+}
+
+}  // namespace saccade

@@ -1,0 +1,74 @@
+#include "app/admission/stream_cost.h"
+
+#include <algorithm>
+
+#include "app/admission/limits.h"
+#include "frame/image.h"
+#include "stream/credit_queue.h"
+#include "wire/packet_cutter.h"
+
+namespace saccade {
+namespace {
+
+void checkMost(Limit limit, const std::string& field, double value, const Limits& limits) {
+  if (value <= limits[limit]) return;
+  throw LimitReached(limit, field, amountText(limit, value) + " exceed " + amountText(limit, limits[limit]));
+}
+
+}  // namespace
+
+// Measured on streams of 1 and 17 sensors; a sensor with all its options on takes three times the plainest.
+double streamMemory(const ResolvedStream& stream) {
+  constexpr double kFeedBytes = 260, kSensorBytes = 24;  // for a pixel
+  constexpr double kEventBytes = 57;                     // until the events of a frame have become packets
+  constexpr double kPacketBytes = 640;                   // of the packets of a frame, but for their events
+  const FeedConfig& feed = stream.feed;
+  const double pixels = (feed.width + 2.0 * ImageF::kBorder) * (feed.height + 2.0 * ImageF::kBorder);
+  const double packets = 1 + 1e9 / kPacketTimeNs / feed.frame_rate_hz;
+  double bytes = pixels * kFeedBytes;
+  for (const SensorConfig& sensor : stream.sensors) {
+    const double events = 1.0 * feed.width * feed.height * sensor.max_events_per_pixel_frame;
+    bytes += pixels * kSensorBytes + packets * kPacketBytes +
+             kEventBytes * std::min(events, static_cast<double>(sensor.max_events_per_frame));
+  }
+  return bytes / (1 << 20);
+}
+
+void boundEvents(ResolvedStream& stream, const Limits& limits) {
+  const double sensors = static_cast<double>(stream.sensors.size());
+  const auto share = static_cast<std::uint64_t>(limits[Limit::kEvents] / sensors);
+  for (std::size_t i = 0; i < stream.sensors.size(); ++i) {
+    v1::Sensor& sensor = *stream.request.mutable_sensors(static_cast<int>(i));
+    if (sensor.max_events_per_frame() == 0) sensor.set_max_events_per_frame(share);
+    if (sensor.max_events_per_frame() > share) {
+      throw LimitReached(Limit::kEvents, "sensors[" + std::to_string(i) + "].max_events_per_frame",
+                         std::to_string(sensor.max_events_per_frame()) + " exceed " + std::to_string(share) +
+                             " for each of the sensors");
+    }
+    stream.sensors[i].max_events_per_frame = sensor.max_events_per_frame();
+  }
+}
+
+std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) {
+  const int width = stream.feed.width, height = stream.feed.height;
+  const int sensors = static_cast<int>(stream.sensors.size());
+  return {{Limit::kStreams, 1},
+          {Limit::kSensors, static_cast<double>(sensors), "sensors"},
+          {Limit::kPixels, static_cast<double>(width) * height, "view"},
+          {Limit::kMemory, streamMemory(stream), "view"},
+          {Limit::kQueues, limits[Limit::kQueue] * (1 + CreditQueue::kKeptBounds)}};
+}
+
+void checkAlone(const v1::OpenStream& request, const Limits& limits) {
+  checkMost(Limit::kFrameRate, "timing.frame_rate_hz", request.timing().frame_rate_hz(), limits);
+  const std::string& csv = request.trajectory().csv();
+  checkMost(Limit::kTrajectoryPoints, "trajectory.csv",
+            static_cast<double>(std::count(csv.begin(), csv.end(), '\n')), limits);
+  checkMost(Limit::kTrajectoryPoints, "trajectory.keyframes.keys",
+            request.trajectory().keyframes().keys_size(), limits);
+  const double pixel_rays = request.method().spp() * (request.quality().bounces() + 2.0);
+  checkMost(Limit::kPixelRays, "method.spp", pixel_rays, limits);
+  checkMost(Limit::kRays, "view", pixel_rays * request.view().width() * request.view().height(), limits);
+}
+
+}  // namespace saccade

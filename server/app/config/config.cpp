@@ -1,0 +1,161 @@
+#include "app/config/config.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+
+#include "app/config/config_sources.h"
+#include "app/config/keys.h"
+#include "base/range.h"
+#include "base/tile_pool.h"
+#include "tables/accuracy_table.h"
+#include "tables/needs_table.h"
+
+namespace saccade {
+namespace {
+
+// `path`, or empty.
+std::string ifThere(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::exists(path, none) ? path : "";
+}
+
+constexpr int kUsage = 2;            // exit status
+constexpr double kUnlimited = 1e12;  // more than any machine has
+
+void addLimits(CLI::App& app, Limits& limits) {
+  for (const LimitRow& row : limitTable()) {
+    char fallback[32];
+    std::snprintf(fallback, sizeof fallback, "%.15g", limits[row.limit]);
+    const auto fault = [&row](const std::string& text) {
+      double value = std::nan("");
+      CLI::detail::lexical_cast(text, value);
+      return rangeFault(value, row.min, kUnlimited);
+    };
+    const std::string unit = row.unit;
+    app.add_option(std::string("--limit-") + row.name, limits[row.limit],
+                   (unit.empty() ? "" : unit + ": ") + row.what)
+        ->group("Limits, of all clients and of one")
+        ->check(fault)
+        ->default_str(fallback);
+  }
+}
+
+// What is asked for besides serving.
+struct Errand {
+  std::string file;
+  bool print = false, check = false;
+};
+
+void addErrands(CLI::App& app, Errand& errand) {
+  app.add_option("--config", errand.file, "TOML file of these options; SACCADE_CONFIG in the environment")
+      ->configurable(false);
+  app.add_flag("--print-config", errand.print, "print every option with its value and origin, as such a file")
+      ->configurable(false);
+  app.add_flag("--check-config", errand.check, "say whether the server could start so")->configurable(false);
+  app.set_version_flag("--version", SACCADE_VERSION)->configurable(false);
+  app.get_help_ptr()->configurable(false);
+  app.footer(
+      "What no flag sets is taken from the environment (--log-level from SACCADE_LOG_LEVEL), then from "
+      "the file of --config (log-level = \"debug\").");
+}
+
+void run(const Errand& errand, const Config& config, const ConfigSources& sources) {
+  if (errand.print) std::fputs(sources.describe().c_str(), stdout);
+  if (errand.check) {
+    openAccess(config);
+    std::fprintf(stderr, "the configuration is valid\n");
+  }
+  if (errand.print || errand.check) std::exit(0);
+}
+
+Config defaultConfig() {
+  Config config;
+  config.http = "http://127.0.0.1:5773";
+  config.scenes = findScenes();
+  config.accuracy = ifThere(defaultAccuracyTable());
+  config.needs = ifThere(defaultNeedsTable());
+  return config;
+}
+
+}  // namespace
+
+void addOptions(CLI::App& app, Config& config) {
+  app.add_option("--control", config.control, "endpoint for requests")->capture_default_str();
+  app.add_option("--data", config.data, "endpoint for streams with credit")->capture_default_str();
+  app.add_option("--broadcast", config.broadcast, "endpoint for broadcast streams")->capture_default_str();
+  app.add_option("--http", config.http, "address of /metrics, /healthz and /readyz; off: none")
+      ->capture_default_str();
+  app.add_option("--drain-time", config.drain_s,
+                 "seconds that receivers have to take what is left, on SIGTERM")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
+  app.add_option("--lease", config.lease_s,
+                 "seconds that a stream without a receiver lives on, and can be resumed")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
+  app.add_option("--secret-key", config.secret_key, "file of the server's secret key, from `saccade keygen`")
+      ->capture_default_str();
+  app.add_option("--client-keys", config.client_keys,
+                 "file of the public keys that may connect, one in each line; SIGHUP reads it again")
+      ->capture_default_str();
+  app.add_flag("--insecure", config.insecure, "let other machines connect without keys")
+      ->check(CLI::IsMember({"true", "false"}));  // CLI11 by itself takes 10 for true
+  app.add_option("--threads", config.threads, "threads that render; 0: one per CPU that this process may use")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--scenes", config.scenes, "folder of the scenes")
+      ->check(CLI::ExistingDirectory)
+      ->capture_default_str();
+  app.add_option(
+         "--accuracy", config.accuracy,
+         "results.csv of `saccade-eval chart`, which budgets of streams are answered from; default: " +
+             defaultAccuracyTable() + ", if it is there")
+      ->check(CLI::ExistingFile)
+      ->default_str(config.accuracy);
+  app.add_option("--needs", config.needs,
+                 "table of `saccade-eval needs`, which Quality.needs is answered from; default: " +
+                     defaultNeedsTable() + ", if it is there")
+      ->check(CLI::ExistingFile)
+      ->default_str(config.needs);
+  app.add_option("--log-level", config.log_level)
+      ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}))
+      ->capture_default_str();
+  app.add_option("--log-format", config.log_format, "lines for people, or for machines")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  addLimits(app, config.limits);
+}
+
+Config parseConfig(int argc, const char* const* argv) {
+  Config config = defaultConfig();
+  Errand errand;
+  CLI::App app("saccaded: renders scenes, and streams what an event camera would see of them");
+  addOptions(app, config);
+  addErrands(app, errand);
+  try {
+    app.parse(argc, argv);
+    const char* file = std::getenv("SACCADE_CONFIG");
+    if (errand.file.empty() && file) errand.file = file;
+    run(errand, config, ConfigSources(app, errand.file));
+  } catch (const CLI::ParseError& fault) {
+    std::exit(app.exit(fault) == 0 ? 0 : kUsage);
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "saccaded: %s\n", fault.what());
+    std::exit(kUsage);
+  }
+  if (config.threads == 0) config.threads = hardwareThreads();
+  return config;
+}
+
+std::string findScenes() {
+  std::error_code none;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
+  const auto installed = program.parent_path().parent_path() / "share/saccade/scenes";
+  return std::filesystem::is_directory(installed, none) ? installed.string() : SACCADE_SCENES;
+}
+
+}  // namespace saccade

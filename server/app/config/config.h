@@ -1,0 +1,45 @@
+// What the server is told: see ConfigSources.
+#pragma once
+
+#include <string>
+
+#include "app/admission/limits.h"
+
+namespace CLI {
+class App;
+}
+
+namespace saccade {
+
+struct Config {
+  // Where to listen. Port 0 or * takes a free one; the `ready` line of the log states the real ones.
+  std::string control = "tcp://127.0.0.1:5770";
+  std::string data = "tcp://127.0.0.1:5771";
+  std::string broadcast = "tcp://127.0.0.1:5772";
+  std::string http = "off";  // address of metrics and health, such as http://127.0.0.1:5773; "off": none
+  double drain_s = 5;        // [0, 3600] how long stop() waits for receivers
+  double lease_s = 30;       // [0.1, 86400] how long a stream lives without a receiver
+  std::string secret_key;    // file of the server's own key; empty: no keys
+  std::string client_keys;   // file of the clients' keys, see ClientKeys; given where secret_key is
+  bool insecure = false;     // whether other machines may connect without keys
+  int threads = 0;           // [1, 1024]; 0: one per core
+  std::string scenes;        // folder with a folder for each scene; empty: findScenes()
+  std::string accuracy;      // file of saccade-eval chart, see AccuracySource; empty: none
+  std::string needs;         // file of saccade-eval needs, see NeedsSource; empty: none
+  Limits limits;
+  std::string log_level = "info";   // trace, debug, info, warning, error, critical, off
+  std::string log_format = "text";  // text, json
+  friend bool operator==(const Config&, const Config&) = default;
+};
+
+// The options that may be configured; they set `config`, whose values now are their defaults.
+void addOptions(CLI::App& app, Config& config);
+
+// From the command line, the environment and the file named there. --help, --print-config, --check-config and
+// faults print and end the program; faults with exit status 2.
+Config parseConfig(int argc, const char* const* argv);
+
+// The scenes of the installation this program belongs to, else of the source tree it was built from.
+std::string findScenes();
+
+}  // namespace saccade

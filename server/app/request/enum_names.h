@@ -1,0 +1,38 @@
+// The names of the schema's enumerations.
+#pragma once
+
+#include <cctype>
+#include <string>
+
+#include "app/request/refusal.h"
+#include "base/check.h"
+
+namespace saccade {
+
+// Throws unless `value` is one that the schema names. `value` 0 becomes `fallback`.
+template <class Enum>
+Enum resolveEnum(const std::string& field, Enum value, Enum fallback) {
+  const auto* names = google::protobuf::GetEnumDescriptor<Enum>();
+  if (value == 0) return fallback;
+  if (names->FindValueByNumber(value)) return value;
+  std::string valid;
+  for (int i = 1; i < names->value_count(); ++i) valid += (i > 1 ? ", " : "") + names->value(i)->name();
+  throw Refusal(v1::CODE_INVALID_ARGUMENT, field,
+                std::to_string(value) + " is no " + names->name() + "; valid: " + valid);
+}
+
+// What the code calls a value of the schema: RECONSTRUCTION_KALMAN without the prefix "RECONSTRUCTION_" is
+// "kalman".
+std::string nameWithout(const std::string& prefix, const std::string& value);
+
+// The reverse. The schema has a value of that name.
+template <class Enum>
+Enum valueNamed(const std::string& prefix, const std::string& name) {
+  std::string full = prefix;
+  for (const unsigned char c : name) full += static_cast<char>(std::toupper(c));
+  const auto* value = google::protobuf::GetEnumDescriptor<Enum>()->FindValueByName(full);
+  SACCADE_CHECK(value);
+  return static_cast<Enum>(value->number());
+}
+
+}  // namespace saccade

@@ -1,0 +1,28 @@
+// Why a request is refused. Thrown where it is found out, made a Status in one place.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "saccade/v1/control.pb.h"
+
+namespace saccade {
+
+struct Refusal : std::runtime_error {
+  Refusal(v1::Code code, std::string field, const std::string& message)
+      : std::runtime_error(message), code(code), field(std::move(field)) {}
+  v1::Code code;
+  std::string field;  // path of the offending field; empty if none is at fault
+  std::string limit;  // the one that is reached; empty unless CODE_RESOURCE_EXHAUSTED
+  double retry_after_s = 0;
+};
+
+// The Status of the exception being handled.
+v1::Status statusOfException();
+
+[[noreturn]] void refuse(const std::string& field, const std::string& message);  // CODE_INVALID_ARGUMENT
+
+// Throws unless min <= value <= max; NaN throws.
+void checkRange(const std::string& field, double value, double min, double max);
+
+}  // namespace saccade

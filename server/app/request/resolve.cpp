@@ -1,0 +1,153 @@
+#include "app/request/resolve.h"
+
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+
+#include <algorithm>
+
+#include "app/request/enum_names.h"
+#include "app/request/refusal.h"
+#include "base/text_cut.h"
+#include "scene/files/text.h"
+
+namespace saccade {
+namespace {
+
+const SceneEntry& findScene(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes) {
+  std::vector<std::string> names;
+  for (const auto& scene : scenes) names.push_back(scene.name);
+  const auto scene = std::find(names.begin(), names.end(), request.scene());
+  if (scene == names.end()) {
+    throw Refusal(v1::CODE_NOT_FOUND, "scene", "there is no such scene; there are: " + joinNames(names));
+  }
+  const SceneEntry& entry = scenes[static_cast<std::size_t>(scene - names.begin())];
+  if (!entry.unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, "scene", entry.unavailable);
+  return entry;
+}
+
+void resolveView(const v1::View& view, FeedConfig& feed) {
+  checkRange("view.width", view.width(), 1, kMaxViewSide);
+  checkRange("view.height", view.height(), 1, kMaxViewSide);
+  feed.width = static_cast<int>(view.width());
+  feed.height = static_cast<int>(view.height());
+  if (feed.width * feed.height > kMaxViewPixels) {
+    refuse("view", "a view has at most " + std::to_string(kMaxViewPixels) + " pixels");
+  }
+  if (view.has_fov_x_deg()) checkRange("view.fov_x_deg", view.fov_x_deg(), kMinFovDeg, kMaxFovDeg);
+}
+
+void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
+  checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), 0.1, 1e5);
+  checkRange("timing.duration_s", timing.duration_s(), 0, 1e7);
+  if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), 1e-3, 1e3);
+  timing.set_clock(resolveEnum("timing.clock", timing.clock(), v1::CLOCK_FAST));
+  // Speed means nothing to FAST: leaving it in would tell equal feeds apart.
+  const double speed = timing.speed() == 0 ? 1 : timing.speed();
+  timing.set_speed(timing.clock() == v1::CLOCK_PACED ? speed : 0);
+  stream.feed.frame_rate_hz = timing.frame_rate_hz();
+  if (timing.duration_s() == 0) return;
+  // A duration that is a whole number of frames but for rounding counts as one.
+  stream.frames = static_cast<FrameIndex>(timing.duration_s() * timing.frame_rate_hz() + 1e-6);
+  if (stream.frames == 0)
+    checkRange("timing.duration_s", timing.duration_s(), 1 / timing.frame_rate_hz(), 1e7);
+}
+
+void checkMethodName(const v1::Method& method) {
+  if (method.name().empty() || findMethod(method.name())) return;
+  refuse("method.name", "there is no such method; there are: " + methodNames());
+}
+
+// Its name is checked.
+void resolveMethod(v1::Method& method, FeedConfig& feed) {
+  if (method.name().empty()) method.set_name(methodTable().front().name);
+  const MethodInfo* info = findMethod(method.name());
+  const ParamValues given(method.params().begin(), method.params().end());
+  std::string bad_name;
+  if (std::string fault = resolveParams(*info, given, feed.params, bad_name); !fault.empty()) {
+    refuse("method.params[\"" + cutText(bad_name, kMaxEcho) + "\"]", fault);
+  }
+  method.mutable_params()->insert(feed.params.begin(), feed.params.end());
+
+  if (method.spp() == 0) method.set_spp(2);
+  checkRange("method.spp", method.spp(), 1, 65536);
+  if (!takesSpp(*info, feed.params, static_cast<int>(method.spp()))) {
+    refuse("method.spp", method.name() + " traces two passes of spp / 2 paths: spp must be even");
+  }
+  feed.method = method.name();
+  feed.spp = static_cast<int>(method.spp());
+}
+
+void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
+  if (!quality.has_bounces()) quality.set_bounces(3);
+  checkRange("quality.bounces", quality.bounces(), 0, 64);
+  stream.feed.bounces = static_cast<int>(quality.bounces());
+  stream.feed.monochrome = quality.monochrome();
+  stream.without = resolveParts(quality);
+  stream.feed.jitter = quality.jitter();
+}
+
+void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors) {
+  if (request.sensors_size() < 1 || request.sensors_size() > kMaxSensors) {
+    refuse("sensors", "a stream has 1 to " + std::to_string(kMaxSensors) + " sensors");
+  }
+  for (int i = 0; i < request.sensors_size(); ++i) {
+    sensors.push_back(resolveSensor(*request.mutable_sensors(i), i, request.seed()));
+  }
+}
+
+// Only who owns its feed can have it begin where nothing is known yet.
+void checkFromEvents(const v1::OpenStream& request) {
+  if (request.delivery() == v1::DELIVERY_LOSSLESS) return;
+  for (int i = 0; i < request.sensors_size(); ++i) {
+    if (request.sensors(i).from_event() == 0) continue;
+    refuse("sensors[" + std::to_string(i) + "].from_event", "only a LOSSLESS stream goes on from an event");
+  }
+}
+
+}  // namespace
+
+ResolvedStream resolve(v1::OpenStream request, const std::vector<SceneEntry>& scenes,
+                       const MeasuredTables& tables) {
+  ResolvedStream stream{
+      .request = std::move(request), .feed = {}, .sensors = {}, .without = {}, .expected = {}, .simpler = {}};
+  v1::OpenStream& r = stream.request;
+  checkTrajectory(*r.mutable_trajectory(), findScene(r, scenes));
+  resolveView(*r.mutable_view(), stream.feed);
+  resolveTiming(*r.mutable_timing(), stream);
+  resolveSensors(r, stream.sensors);
+  checkMethodName(r.method());
+  stream.simpler = resolveNeeds(r, tables.needs);
+  stream.expected = resolveBudget(r, stream.sensors, tables.accuracy);
+  resolveMethod(*r.mutable_method(), stream.feed);
+  resolveQuality(*r.mutable_quality(), stream);
+  r.set_delivery(resolveEnum("delivery", r.delivery(), v1::DELIVERY_LOSSLESS));
+  checkFromEvents(r);
+  r.set_codec(resolveEnum("codec", r.codec(), v1::CODEC_NONE));
+  stream.feed.seed = r.seed();
+  return stream;
+}
+
+void fitTo(const Scene& scene, ResolvedStream& stream) {
+  v1::View& view = *stream.request.mutable_view();
+  if (!view.has_fov_x_deg()) view.set_fov_x_deg(scene.fov_x_deg);
+  stream.feed.fov_x_deg = view.fov_x_deg();
+  const Parts parts = partsOf(scene);
+  std::erase_if(stream.without, [&](Part part) { return parts.count(part) == 0; });
+  setParts(stream.without, *stream.request.mutable_quality());
+}
+
+std::string ResolvedStream::feedKey() const {
+  v1::OpenStream feed_part = request;
+  feed_part.clear_sensors();
+  feed_part.clear_delivery();
+  feed_part.clear_codec();
+  std::string key;
+  google::protobuf::io::StringOutputStream text(&key);
+  google::protobuf::io::CodedOutputStream out(&text);
+  out.SetSerializationDeterministic(true);  // maps in order
+  feed_part.SerializeToCodedStream(&out);
+  out.Trim();
+  return key;
+}
+
+}  // namespace saccade

@@ -1,0 +1,43 @@
+#include <cmath>
+
+#include "app/request/refusal.h"
+#include "app/request/resolve.h"
+
+namespace saccade {
+namespace {
+
+constexpr double kMaxKeySeconds = 1e9;
+
+Vec3d readPosition(const v1::Vector3& p, const std::string& field) {
+  checkRange(field + ".x", p.x(), -kMaxDistance, kMaxDistance);
+  checkRange(field + ".y", p.y(), -kMaxDistance, kMaxDistance);
+  checkRange(field + ".z", p.z(), -kMaxDistance, kMaxDistance);
+  return {p.x(), p.y(), p.z()};
+}
+
+TimedPose readKey(const v1::Keyframe& key, const std::string& field) {
+  checkRange(field + ".time_s", key.time_s(), -kMaxKeySeconds, kMaxKeySeconds);
+  const Quaternion q{key.rotation().x(), key.rotation().y(), key.rotation().z(), key.rotation().w()};
+  if (!isRotation(q))
+    refuse(field + ".rotation", "a quaternion x y z w whose length is near 0 or far from 1");
+  return {TimeNs{std::llround(key.time_s() * 1e9)}, {readPosition(key.position(), field + ".position"), q}};
+}
+
+}  // namespace
+
+Trajectory resolveKeyframes(const v1::Keyframes& keyframes) {
+  std::vector<TimedPose> keys;
+  for (const v1::Keyframe& given : keyframes.keys()) {
+    const std::string field = "trajectory.keyframes.keys[" + std::to_string(keys.size()) + "]";
+    TimedPose key = readKey(given, field);
+    if (!keys.empty() && key.time <= keys.back().time)
+      refuse(field + ".time_s", "is not later than the time of the key before");
+    key.pose.rotation =
+        unitNear(key.pose.rotation, keys.empty() ? key.pose.rotation : keys.back().pose.rotation);
+    keys.push_back(key);
+  }
+  const bool cubic = keyframes.interpolation() == v1::INTERPOLATION_CUBIC;
+  return Trajectory(std::move(keys), cubic ? Interpolation::kCubic : Interpolation::kLinear);
+}
+
+}  // namespace saccade

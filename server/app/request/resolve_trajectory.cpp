@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/request/enum_names.h"
+#include "app/request/refusal.h"
+#include "app/request/resolve.h"
+#include "scene/camera/motion.h"
+#include "scene/files/scene_error.h"
+#include "scene/files/text.h"
+
+namespace saccade {
+namespace {
+
+std::string kindOf(const v1::Motion& motion) {
+  return nameWithout("MOTION_KIND_", v1::MotionKind_Name(motion.kind()));
+}
+
+void checkMotion(v1::Motion& motion) {
+  const std::string field = "trajectory.motion";
+  if (motion.kind() == v1::MOTION_KIND_UNSPECIFIED)
+    refuse(field + ".kind", "give one of: " + joinNames(motionKinds()));
+  resolveEnum(field + ".kind", motion.kind(), v1::MOTION_KIND_UNSPECIFIED);
+  if (motion.rate_case() == v1::Motion::RATE_NOT_SET) refuse(field, "give a speed or px_per_frame");
+  const std::string rate = motion.has_speed() ? ".speed" : ".px_per_frame";
+  const std::string fault =
+      speedFault(kindOf(motion), motion.has_speed() ? motion.speed() : motion.px_per_frame());
+  if (!fault.empty()) refuse(field + rate, fault);
+  if (motion.turn_s() != 0) checkRange(field + ".turn_s", motion.turn_s(), kMinTurnSeconds, kMaxTurnSeconds);
+  // What means nothing to a kind would tell equal feeds apart.
+  if (motion.kind() == v1::MOTION_KIND_SHAKE) motion.clear_turn_s();
+  if (motion.kind() != v1::MOTION_KIND_SHAKE) motion.clear_seed();
+}
+
+void checkKeyframes(v1::Keyframes& keyframes) {
+  const std::string field = "trajectory.keyframes";
+  keyframes.set_interpolation(
+      resolveEnum(field + ".interpolation", keyframes.interpolation(), v1::INTERPOLATION_LINEAR));
+  if (keyframes.keys_size() < 1 || keyframes.keys_size() > kMaxKeyframes)
+    refuse(field + ".keys", "give 1 to " + std::to_string(kMaxKeyframes) + " keys");
+}
+
+Motion motionOf(const v1::Motion& wish, const FeedConfig& feed) {
+  Motion motion{.kind = kindOf(wish), .speed = wish.speed(), .seed = wish.seed()};
+  if (wish.has_turn_s()) motion.turn_s = wish.turn_s();
+  if (wish.has_px_per_frame()) {
+    const double focal_px = feed.width / 2.0 / std::tan(feed.fov_x_deg * std::numbers::pi / 360);
+    motion.speed = wish.px_per_frame() * feed.frame_rate_hz / focal_px;
+    motion.image_speed = true;
+  }
+  return motion;
+}
+
+Trajectory fromCamera(const Motion& motion, const RenderScene& scene, double fov_x_deg) {
+  const Pose& start = scene.description().T_world_camera;
+  return makeMotion(motion, start, probePoints(scene, start, fov_x_deg));
+}
+
+Trajectory byName(const ResolvedStream& stream, const RenderScene& scene, const SceneLibrary& library) {
+  const std::string& name = stream.request.trajectory().name();
+  const double fov = stream.feed.fov_x_deg;
+  if (isMotionName(name)) return fromCamera(namedMotion(name, fov), scene, fov);
+  return library.loadTrajectory(stream.request.scene(), name);
+}
+
+}  // namespace
+
+void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene) {
+  const std::string names = joinNames(scene.trajectories);
+  if (trajectory.path_case() == v1::Trajectory::PATH_NOT_SET)
+    refuse("trajectory", "give a motion, keyframes, a csv text or a name, one of: " + names);
+  if (trajectory.has_motion()) checkMotion(*trajectory.mutable_motion());
+  if (trajectory.has_keyframes()) checkKeyframes(*trajectory.mutable_keyframes());
+  if (trajectory.has_name() &&
+      std::count(scene.trajectories.begin(), scene.trajectories.end(), trajectory.name()) == 0)
+    throw Refusal(v1::CODE_NOT_FOUND, "trajectory.name",
+                  "the scene has no such trajectory; it has: " + names);
+  if (trajectory.csv().size() > kMaxCsvBytes)
+    refuse("trajectory.csv", "the text is longer than " + std::to_string(kMaxCsvBytes) + " bytes");
+}
+
+Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
+                             const SceneLibrary& library) {
+  const v1::Trajectory& path = stream.request.trajectory();
+  try {
+    if (path.has_motion())
+      return fromCamera(motionOf(path.motion(), stream.feed), scene, stream.feed.fov_x_deg);
+    if (path.has_keyframes()) return resolveKeyframes(path.keyframes());
+    if (path.has_csv()) return parseTrajectory(path.csv(), "trajectory.csv");
+    return byName(stream, scene, library);
+  } catch (const SceneError& fault) {
+    refuse(path.has_csv() ? "trajectory.csv" : "trajectory.name", fault.what());
+  }
+}
+
+}  // namespace saccade

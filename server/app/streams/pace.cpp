@@ -1,0 +1,114 @@
+#include "app/streams/pace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/admission/limits.h"
+#include "app/streams/eye.h"
+#include "base/usable_cpus.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kMeasuredFrames = 4;       // the first of them also allocates, and is left out
+constexpr double kEnoughSeconds = 0.25;  // of CPU time: slow frames need no repetition
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+// With two digits, and not above it.
+std::string atMost(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return number(std::floor(value / unit) * unit);
+}
+
+CpuCost operator-(const CpuCost& a, const CpuCost& b) {
+  return {a.feed - b.feed, a.sensors - b.sensors, a.chain - b.chain, a.longest - b.longest};
+}
+
+CpuCost operator*(const CpuCost& cost, double factor) {
+  return {cost.feed * factor, cost.sensors * factor, cost.chain * factor, cost.longest * factor};
+}
+
+double longestOf(const std::vector<Eye>& eyes) {
+  std::chrono::nanoseconds longest{0};
+  for (const Eye& eye : eyes) longest = std::max(longest, eye.cost());
+  return seconds(longest);
+}
+
+// Time from the beginning of a frame to its packets, in periods. `feed`: in a second.
+double periodsOf(const CpuCost& feed, const CpuSupply& supply) {
+  return feed.chain / supply.speed + std::max(feed.longest / supply.speed, feed.sensors / supply.threads);
+}
+
+}  // namespace
+
+CpuCost together(const CpuCost& a, const CpuCost& b) {
+  return {std::max(a.feed, b.feed), a.sensors + b.sensors, std::max(a.chain, b.chain),
+          std::max(a.longest, b.longest)};
+}
+
+CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
+                     const ResolvedStream& stream, TilePool& pool) {
+  Feed feed(std::move(scene), path, stream.feed, pool);
+  std::vector<Eye> eyes = makeEyes(stream, {}, 0);
+  const auto each = [&](const auto& f) {
+    return seconds(pool.run(static_cast<int>(eyes.size()), [&](int i) { f(eyes[i]); }));
+  };
+  CpuCost spent, first;
+  int frames = 0;
+  while (frames < kMeasuredFrames && spent.feed + spent.sensors < kEnoughSeconds) {
+    const IntensityChange& change = feed.step();
+    spent.feed += seconds(feed.lastTimes().total());
+    spent.chain += seconds(feed.lastChain());
+    spent.sensors += each([&](Eye& eye) { eye.look(change); });
+    spent.longest += longestOf(eyes);
+    if (++frames == 1) first = spent;
+  }
+  const double left_s = each([](Eye& eye) { eye.flush(); }) / frames;  // where frames are short, most of it
+  CpuCost frame = frames == 1 ? first : (spent - first) * (1.0 / (frames - 1));
+  frame.sensors += left_s;
+  frame.longest += left_s / static_cast<double>(eyes.size());
+  return frame;
+}
+
+CpuSupply cpuSupply(const TilePool& pool) {
+  const double cpus = usableCpus(), threads = pool.threads(), share = pool.receivedShare();
+  return {std::min(cpus, threads * share), std::min(cpus, share), std::min(cpus, threads)};
+}
+
+void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& taken, const CpuSupply& supply,
+               const Limits& limits) {
+  if (taken.lag_s > kMostLagSeconds) {
+    throw LimitReached(Limit::kCpu, "timing",
+                       "a PACED stream is " + number(taken.lag_s) +
+                           " s behind its clock; none is taken until it has caught up",
+                       kRetrySeconds);
+  }
+  const double share = limits[Limit::kCpu] / 100;
+  const CpuCost own = frame * (timing.frame_rate_hz() * timing.speed());
+  const double most = supply.threads * share, free = std::max(0.0, most - taken.total);
+  const double need = own.feed + own.sensors, periods = periodsOf(together(taken.feed, own), supply);
+  if (need <= free && periods <= share) return;
+  const bool joins = frame.feed == 0;
+  std::string message = (joins ? "in each frame its sensors take " : "a frame takes ") +
+                        number((frame.feed + frame.sensors) * 1e3) + " ms of CPU, so ";
+  message += need > free ? "this stream takes " + number(need) + " threads; " + number(free) + " of " +
+                               number(most) + " are free"
+                         : "with this stream the time from a frame of its feed to the packets is " +
+                               number(periods) + " of its period; " + number(share) + " are allowed";
+  const double fits = std::min(free / need, share / periods);
+  if (fits > 0 && !joins) {
+    message += ": what fits is a frame rate of " + atMost(timing.frame_rate_hz() * fits) +
+               " Hz, or a speed of " + atMost(timing.speed() * fits);
+  }
+  // What others take of the machine, they may give back.
+  const CpuSupply idle{supply.most, std::min(1.0, supply.most), supply.most};
+  const bool later = need <= idle.threads * share && periodsOf(own, idle) <= share;
+  throw LimitReached(Limit::kCpu, "timing", message, later ? kRetrySeconds : 0);
+}
+
+}  // namespace saccade

@@ -1,0 +1,51 @@
+// Whether PACED streams can keep their pace: what they take of the CPU, and what there is of it.
+#pragma once
+
+#include <memory>
+
+#include "app/admission/limits.h"
+#include "app/request/resolve.h"
+#include "base/tile_pool.h"
+
+namespace saccade {
+
+// CPU seconds, of a frame or of a second.
+struct CpuCost {
+  double feed = 0;     // until the change of every pixel is known, over all threads
+  double sensors = 0;  // until that has become packets, over all threads
+  double chain = 0;    // the part of `feed` that does not become shorter by more threads
+  double longest = 0;  // the sensor that takes longest
+};
+
+// Of two streams that look at the same feed.
+CpuCost together(const CpuCost& a, const CpuCost& b);
+
+// Of a frame. Renders a few of a feed that is then thrown away: that of the stream is not touched.
+CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
+                     const ResolvedStream& stream, TilePool& pool);
+
+// What there is of CPU time, for pieces of work.
+struct CpuSupply {
+  double threads = 1;  // CPU seconds per second, all together
+  double speed = 1;    // those of one thread
+  double most = 1;     // `threads` where no other program wants any
+};
+CpuSupply cpuSupply(const TilePool& pool);  // by the CPUs there are, and what the pool got of them of late
+
+// What PACED streams take, in a second.
+struct PaceLoad {
+  double total = 0;  // CPU time of all of them
+  CpuCost feed;      // that of the streams of one feed together
+  double lag_s = 0;  // of the one that is furthest behind its clock
+};
+
+// A PACED stream that is further behind its clock says so in its packets, and no other is taken meanwhile.
+inline constexpr double kMostLagSeconds = 1;
+
+// Throws LimitReached unless a PACED stream of such frames fits beside what others take: the CPU time of all
+// into the threads, and one frame after the other of its feed into its period. `taken.feed`: of the feed that
+// the stream joins, and then `frame.feed` is 0.
+void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& taken, const CpuSupply& supply,
+               const Limits& limits);
+
+}  // namespace saccade

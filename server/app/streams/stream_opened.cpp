@@ -1,0 +1,33 @@
+#include "app/streams/stream_opened.h"
+
+namespace saccade {
+
+v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, std::uint64_t epoch,
+                                int channels) {
+  v1::StreamOpened opened;
+  opened.set_stream_id(stream.session->id());
+  opened.set_token(stream.session->token());
+  opened.set_epoch(epoch);
+  *opened.mutable_resolved() = std::move(resolved.request);
+  opened.set_frames(resolved.frames);
+  opened.set_luminance_p01(stream.feed->luminanceP01());
+  opened.set_luminance_p50(stream.feed->luminanceP50());
+  opened.set_px_per_frame_p50(stream.feed->pixelSpeed().p50);
+  opened.set_px_per_frame_p99(stream.feed->pixelSpeed().p99);
+  opened.set_channels(static_cast<std::uint32_t>(channels));
+  if (resolved.expected) *opened.mutable_expected() = *resolved.expected;
+  if (resolved.simpler) *opened.mutable_simpler() = *resolved.simpler;
+  if (!stream.session->broadcast()) return opened;
+  for (std::uint32_t i = 0; i < stream.session->sensors(); ++i) opened.add_topics(stream.session->topic(i));
+  return opened;
+}
+
+v1::OpenStream withoutLongPath(v1::OpenStream& request) {
+  v1::Trajectory* path = request.release_trajectory();
+  v1::OpenStream rest = request;
+  request.set_allocated_trajectory(path);
+  if (!path->has_keyframes() && !path->has_csv()) *rest.mutable_trajectory() = *path;
+  return rest;
+}
+
+}  // namespace saccade

@@ -1,0 +1,187 @@
+#include "app/streams/stream_registry.h"
+
+#include <algorithm>
+
+#include "app/request/enum_names.h"
+#include "app/request/refusal.h"
+#include "base/text_cut.h"
+
+namespace saccade {
+namespace {
+
+// Throws Refusal.
+template <class Streams>
+auto& streamOf(Streams& streams, const std::string& id, const std::string& token) {
+  const auto found = streams.find(id);
+  if (found == streams.end()) {
+    throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "there is no stream '" + cutText(id, kMaxEcho) + "'");
+  }
+  if (!found->second.session->hasToken(token)) {
+    throw Refusal(v1::CODE_PERMISSION_DENIED, "token", "this is not the stream's token");
+  }
+  return found->second;
+}
+
+}  // namespace
+
+bool StreamRegistry::abandoned(const Stream& stream, Signal::Clock::time_point now) const {
+  const auto since = stream.session->unattended();
+  return since && now - *since > lease_;
+}
+
+bool StreamRegistry::over(const Stream& stream, Signal::Clock::time_point now) const {
+  if (stream.closed && !stream.session->started()) return true;  // nobody waits for its END
+  if (!stream.session->finished()) return false;
+  if (abandoned(stream, now)) return true;
+  return stream.closed && (stream.session->drained() || now - *stream.closed > lease_);
+}
+
+void Stream::stop(v1::EndReason reason) const {
+  session->stop(reason);
+  if (feed) feed->interrupt();
+}
+
+v1::StreamInfo Stream::info() const {
+  v1::StreamInfo info;
+  const FeedProgress progress = feed->progress();
+  const double frames = static_cast<double>(std::max<FrameIndex>(1, progress.frames));
+  info.set_stream_id(session->id());
+  info.set_scene(request.scene());
+  info.set_delivery(request.delivery());
+  info.set_sensors(session->sensors());
+  info.set_frames_done(progress.frames);
+  info.set_events(outlet->events());
+  info.set_dropped_packets(session->queue().droppedPackets());
+  info.set_lag_s(progress.lag_s);
+  double total_ms = 0;
+  for (std::size_t i = 0; i < kStageNames.size(); ++i) {
+    const double ms = seconds(progress.cpu.cpu[i]) * 1e3 / frames;
+    (*info.mutable_stage_cpu_ms())[kStageNames[i]] = ms;
+    total_ms += ms;
+  }
+  info.set_frame_cpu_ms(total_ms);
+  return info;
+}
+
+CpuCost Stream::load() const {
+  constexpr FrameIndex kSureFrames = 10;  // so many say more than a measurement before
+  const v1::Timing& timing = request.timing();
+  if (timing.clock() != v1::CLOCK_PACED || session->finished()) return {};
+  const FeedProgress done = feed->progress();
+  const double frames_per_s = timing.frame_rate_hz() * timing.speed();
+  const bool sure = done.frames >= kSureFrames;
+  return {(sure ? done.recent_s.value() : frame_cost.feed) * frames_per_s,
+          std::max(frame_cost.sensors, outlet->recentSeconds()) * frames_per_s,
+          (sure ? done.chain_s.value() : frame_cost.chain) * frames_per_s,
+          std::max(frame_cost.longest, outlet->recentLongestSeconds()) * frames_per_s};
+}
+
+StreamRegistry::~StreamRegistry() {
+  stopAll(Signal::Clock::now());
+}
+
+void StreamRegistry::add(Stream stream) {
+  std::lock_guard lock(mutex_);
+  if (stopped_) {
+    stream.session->stop(v1::END_REASON_DRAINING);
+    throw Refusal(v1::CODE_UNAVAILABLE, {}, "the server is stopping");
+  }
+  sessions_.add(stream.session);
+  const std::string id = stream.session->id();
+  streams_.emplace(id, std::move(stream));
+}
+
+Stream StreamRegistry::find(const std::string& id, const std::string& token) const {
+  std::lock_guard lock(mutex_);
+  return streamOf(streams_, id, token);
+}
+
+std::vector<v1::StreamInfo> StreamRegistry::list(const std::string& user) const {
+  std::lock_guard lock(mutex_);
+  std::vector<v1::StreamInfo> infos;
+  for (const auto& [id, stream] : streams_) {
+    if (stream.user == user) infos.push_back(stream.info());
+  }
+  return infos;
+}
+
+StreamCensus StreamRegistry::census() const {
+  StreamCensus census{{{"lossless", 0}, {"live", 0}, {"broadcast", 0}}, 0};
+  std::lock_guard lock(mutex_);
+  for (const auto& [id, stream] : streams_) {
+    if (stream.session->finished()) continue;
+    census.running[nameWithout("DELIVERY_", v1::Delivery_Name(stream.request.delivery()))] += 1;
+    census.lag_s = std::max(census.lag_s, stream.feed->progress().lag_s);
+  }
+  return census;
+}
+
+PaceLoad StreamRegistry::load(const FeedRunner* feed) const {
+  std::lock_guard lock(mutex_);
+  std::map<const FeedRunner*, CpuCost> feeds;
+  PaceLoad load;
+  for (const auto& [id, stream] : streams_) {
+    CpuCost& shared = feeds[stream.feed.get()];
+    shared = together(shared, stream.load());
+    if (!stream.session->finished()) load.lag_s = std::max(load.lag_s, stream.feed->progress().lag_s);
+  }
+  for (const auto& [runner, cost] : feeds) load.total += cost.feed + cost.sensors;
+  if (feed) load.feed = feeds[feed];
+  return load;
+}
+
+void StreamRegistry::close(const std::string& id, const std::string& token) {
+  std::lock_guard lock(mutex_);
+  Stream& stream = streamOf(streams_, id, token);
+  stream.stop(v1::END_REASON_CLOSED);
+  if (!stream.closed) stream.closed = Signal::Clock::now();
+  log_.info(stream.user, "closed stream " + id);
+}
+
+void StreamRegistry::sweep(Signal::Clock::time_point now) {
+  std::vector<Stream> gone;  // their threads are joined once the lock is open again
+  std::lock_guard lock(mutex_);
+  std::erase_if(streams_, [&](auto& entry) {
+    auto& [id, stream] = entry;
+    if (abandoned(stream, now)) stream.stop(v1::END_REASON_ABANDONED);
+    if (!over(stream, now)) return false;
+    log_.info(stream.user, "stream " + id + " forgotten");
+    sessions_.remove(id);
+    gone.push_back(std::move(stream));
+    return true;
+  });
+  forgotten_ += gone.size();
+}
+
+void StreamRegistry::awaitClosed(Signal::Clock::time_point deadline) const {
+  struct Ending {
+    std::shared_ptr<Session> session;
+    std::shared_ptr<Signal> ended;
+  };
+  std::vector<Ending> closed;
+  {
+    std::lock_guard lock(mutex_);
+    for (const auto& [id, stream] : streams_) {
+      if (stream.closed) closed.push_back({stream.session, stream.feed->signal()});
+    }
+  }
+  for (const Ending& one : closed) one.ended->waitUntil(deadline, [&] { return one.session->finished(); });
+}
+
+bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
+  std::map<std::string, Stream> streams;
+  {
+    std::lock_guard lock(mutex_);
+    stopped_ = true;
+    streams = streams_;
+  }
+  for (const auto& [id, stream] : streams) stream.stop(v1::END_REASON_DRAINING);
+  bool all = true;
+  for (const auto& [id, stream] : streams) {
+    const Session& session = *stream.session;
+    all &= stream.feed->signal()->waitUntil(deadline, [&] { return session.settled(); });
+  }
+  return all;
+}
+
+}  // namespace saccade

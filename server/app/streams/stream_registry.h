@@ -1,0 +1,82 @@
+// The streams of this server, from the reply that opens one until it is closed or forgotten.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/streams/feed_runner.h"
+#include "app/streams/outlet.h"
+#include "app/streams/pace.h"
+#include "ops/client_log.h"
+#include "stream/session_directory.h"
+
+namespace saccade {
+
+struct Stream {
+  std::string user;                // who opened it: a public key; empty without keys
+  v1::OpenStream request;          // resolved; without the keys or the text of its trajectory
+  std::shared_ptr<void> reserved;  // its part of the budget
+  CpuCost frame_cost;              // PACED: as measured before it was opened; no feed's where it joined one
+  std::shared_ptr<FeedRunner> feed;
+  std::shared_ptr<Outlet> outlet;
+  std::shared_ptr<Session> session;
+  std::optional<Signal::Clock::time_point> closed;  // by its client
+
+  void stop(v1::EndReason reason) const;  // at once, where its feed serves no other stream
+  v1::StreamInfo info() const;
+  CpuCost load() const;  // of a second, to keep the pace; 0: it has none, or has ended
+};
+
+struct StreamCensus {
+  std::map<std::string, int> running;  // streams that have not ended, by the name of their delivery
+  double lag_s = 0;                    // of the one that is latest
+};
+
+class StreamRegistry {
+ public:
+  using Lease = std::chrono::duration<double>;
+
+  // Streams are entered into, and taken from, `sessions`. A stream whose receiver is gone for `lease`, or has
+  // not come yet, is ended; one that has ended can be resumed and is listed for so long.
+  StreamRegistry(SessionDirectory& sessions, ClientLog& log, Lease lease)
+      : sessions_(sessions), log_(log), lease_(lease) {}
+  ~StreamRegistry();  // stops what is left
+
+  void add(Stream stream);  // throws Refusal after stopAll()
+  // A copy of the entry. Throws Refusal: there is none, or `token` is not its token.
+  Stream find(const std::string& id, const std::string& token) const;
+  std::vector<v1::StreamInfo> list(const std::string& user) const;  // what this one has opened
+  StreamCensus census() const;
+  PaceLoad load(const FeedRunner* feed) const;  // of all streams, and of those of `feed`
+
+  // Ends the stream at its next frame, if it has not ended; what it has made is still sent. Throws as find().
+  void close(const std::string& id, const std::string& token);
+  // Ends streams without a receiver and forgets those that are over. To be called about once a second, and
+  // where their places are wanted.
+  void sweep(Signal::Clock::time_point now);
+  // Waits until all closed streams have ended, but no longer than to `deadline`.
+  void awaitClosed(Signal::Clock::time_point deadline) const;
+  std::uint64_t forgotten() const { return forgotten_; }  // since the server started
+  // Ends all streams, for good. Returns whether, before `deadline`, all packets were taken that had a
+  // receiver.
+  bool stopAll(Signal::Clock::time_point deadline);
+
+ private:
+  bool abandoned(const Stream& stream, Signal::Clock::time_point now) const;
+  bool over(const Stream& stream, Signal::Clock::time_point now) const;
+
+  SessionDirectory& sessions_;
+  ClientLog& log_;
+  const Lease lease_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Stream> streams_;  // by id
+  bool stopped_ = false;
+  std::atomic<std::uint64_t> forgotten_ = 0;
+};
+
+}  // namespace saccade

@@ -1,0 +1,61 @@
+#include "eval/bench/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+namespace saccade::eval {
+namespace {
+
+// The whole of `text` as a number from 1 to `max`.
+std::optional<int> number(std::string_view text, int max) {
+  int value = 0;  // as it stays if there is no number, or too large a one
+  const char* end = text.data() + text.size();
+  const bool whole = std::from_chars(text.data(), end, value).ptr == end;
+  return whole && value >= 1 && value <= max ? std::optional(value) : std::nullopt;
+}
+
+// The numbers before and after `separator`.
+std::optional<std::pair<int, int>> numbers(std::string_view text, char separator, int max) {
+  const std::size_t at = text.find(separator);
+  if (at == text.npos) return std::nullopt;
+  const auto first = number(text.substr(0, at), max), second = number(text.substr(at + 1), max);
+  return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
+}
+
+}  // namespace
+
+Size parseSize(const std::string& text) {
+  const auto size = numbers(text, 'x', 16384);
+  if (size) return {size->first, size->second};
+  throw CLI::ValidationError("--size", "must be WxH, each from 1 to 16384, not " + text);
+}
+
+FrameRange parseFrameRange(const std::string& text) {
+  const bool one = text.find(':') == text.npos;
+  const auto range = numbers(one ? text + ':' + text : text, ':', 1'000'000);
+  if (range && range->first <= range->second) return {range->first, range->second};
+  throw CLI::ValidationError("--frames",
+                             "must be A:B with 1 <= A <= B <= 1000000 (the change of frame 1 is since frame "
+                             "0), or one frame, not " +
+                                 text);
+}
+
+double parseTolerance(const std::string& text) {
+  double percent = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, percent);
+  const bool whole = error == std::errc() && std::string_view(rest, end) == "%";
+  if (whole && percent > 0 && percent <= 100) return percent / 100;
+  throw CLI::ValidationError("--tolerance",
+                             "must be a share of the events, over 0% and up to 100%, not " + text);
+}
+
+void checkSpp(const MethodSpec& method, int spp) {
+  if (method.takes(spp)) return;
+  throw CLI::ValidationError("--spp", "must be even for " + method.text +
+                                          ", half of the paths for each pass, not " + std::to_string(spp));
+}
+
+}  // namespace saccade::eval

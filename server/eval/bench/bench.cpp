@@ -1,0 +1,132 @@
+#include "eval/bench/bench.h"
+
+#include <cmath>
+
+#include "base/quantile.h"
+#include "eval/bench/interrupt.h"
+#include "eval/bench/open_scene.h"
+#include "eval/metrics/for_each_pixel.h"
+#include "render/simplify.h"
+
+namespace saccade::eval {
+namespace {
+
+// Goes on with the velocity that `motion` has at its start, whose pose it passes at time `at`.
+Trajectory straightThrough(const Trajectory& motion, TimeNs at) {
+  constexpr TimeNs kStep{1'000'000};
+  Pose early = motion.at(TimeNs{0}), late = early;
+  const Vec3d way = (motion.at(kStep).position - early.position) * (seconds(at) / seconds(kStep));
+  early.position = early.position - way;
+  late.position = late.position + way;
+  return Trajectory({{TimeNs{0}, early}, {2 * at, late}});
+}
+
+double medianMotion(const GBuffer& g) {
+  std::vector<double> lengths;
+  forEachPixel(g.z, [&](int x, int y) {
+    if (g.z.at(x, y) < kMissDepth) lengths.push_back(std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y)));
+  });
+  return lengths.empty() ? 0 : quantile(lengths, 0.5);
+}
+
+std::shared_ptr<const RenderScene> openSceneOf(const BenchSetup& setup) {
+  auto scene = openScene(setup.scene);
+  if (setup.mips) return scene;
+  return std::make_shared<RenderScene>(simplified(scene->description(), {Part::kMipFiltering}));
+}
+
+}  // namespace
+
+Bench::Bench(const BenchSetup& setup, TilePool& pool)
+    : setup_(setup),
+      pool_(pool),
+      scene_(openSceneOf(setup)),
+      path_(openTrajectory(setup.scene, setup.trajectory, *scene_)) {
+  SACCADE_CHECK(setup.first >= 1 && setup.first <= setup.last);
+  if (setup.px_per_frame > 0) {
+    setup_.frame_rate_hz =
+        kMotionRateHz * kMotionPxPerFrame / setup.px_per_frame * (setup.width / kMotionWidth);
+    path_ = straightThrough(path_, frameTime(static_cast<FrameIndex>(setup.last), setup_.frame_rate_hz));
+  }
+  if (setup_.reference_spp > 0) renderTruth();
+}
+
+Bench::Bench(const Bench& other, std::shared_ptr<const RenderScene> scene, int bounces)
+    : setup_(other.setup_), pool_(other.pool_), scene_(std::move(scene)), path_(other.path_) {
+  setup_.bounces = bounces;
+  if (setup_.reference_spp > 0) renderTruth();
+}
+
+Bench::Bench(const Bench& other, bool jitter)
+    : setup_(other.setup_), pool_(other.pool_), scene_(other.scene_), path_(other.path_) {
+  setup_.jitter = jitter;
+  if (setup_.reference_spp > 0) renderTruth();
+}
+
+void Bench::renderTruth() {
+  const int w = setup_.width, h = setup_.height;
+  const double fov = scene_->description().fov_x_deg;
+  ReferenceRenderer reference(scene_, {setup_.bounces, scene_->channels(), setup_.jitter}, w, h, fov,
+                              setup_.cache, pool_);
+  Progress progress("reference of " + setup_.scene,
+                    static_cast<double>(setup_.last - setup_.first + 2) * setup_.reference_spp);
+  // The features, from a feed of a single path: its frames know where surfaces were.
+  FeedConfig config = feedConfig();
+  config.method = "pt", config.spp = 1, config.bounces = 0;
+  Feed features(scene_, path_, config, pool_);
+  for (int t = 1; t < setup_.first; ++t) features.step();
+  const auto frame = [&](int t) {
+    const TimeNs time = frameTime(static_cast<FrameIndex>(t), setup_.frame_rate_hz);
+    return reference.frame(path_.at(time), time, setup_.reference_spp, progress);
+  };
+  ReferenceFrame prev = frame(setup_.first - 1);
+  for (int t = setup_.first; t <= setup_.last; ++t) {
+    ReferenceFrame cur = frame(t);
+    const IntensityChange& at = features.step();
+    truth_.push_back({{prev, cur}, findRegions(features.frames().cur.g, features.frames().prev.g)});
+    IntensityChange& change = truth_.back().change;
+    change.t0 = at.t0, change.t1 = at.t1, change.frame = at.frame;
+    prev = std::move(cur);
+  }
+  median_px_ = medianMotion(features.frames().cur.g);
+}
+
+double Bench::referenceError() const {
+  double sum = 0;
+  for (const Truth& t : truth_) sum += t.error();
+  return sum / static_cast<double>(truth_.size());
+}
+
+FeedConfig Bench::feedConfig() const {
+  FeedConfig config;
+  config.width = setup_.width, config.height = setup_.height;
+  config.fov_x_deg = scene_->description().fov_x_deg;
+  config.frame_rate_hz = setup_.frame_rate_hz;
+  config.bounces = setup_.bounces;
+  config.jitter = setup_.jitter;
+  return config;
+}
+
+BenchRun Bench::run(const MethodSpec& method, int spp, std::uint64_t seed,
+                    const std::function<void(const IntensityChange&)>& each) const {
+  FeedConfig config = feedConfig();
+  config.method = method.name, config.params = method.params, config.spp = spp, config.seed = seed;
+  Feed feed(scene_, path_, config, pool_);
+  StageTimes total;
+  BenchRun run;
+  for (int t = 1; t <= setup_.last; ++t) {
+    const IntensityChange& change = feed.step();
+    total += feed.lastTimes();
+    if (each) each(change);
+    if (t >= setup_.first) run.changes.emplace_back(setup_.width, setup_.height).copyFrom(change);
+    if (interrupted()) throw Interrupted{};
+  }
+  const auto ms = [&](std::chrono::nanoseconds t) {
+    return std::chrono::duration<double, std::milli>(t).count() / setup_.last;
+  };
+  for (const auto stage : total.cpu) run.cpu_ms += ms(stage);
+  run.trace_ms = ms(total[Stage::kTrace]);
+  return run;
+}
+
+}  // namespace saccade::eval

@@ -1,0 +1,75 @@
+#include "eval/bench/bench_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <sstream>
+
+#include "base/cpu_name.h"
+#include "base/default_cache.h"
+#include "eval/bench/arguments.h"
+
+namespace saccade::eval {
+
+std::string BenchOptions::text() const {
+  std::ostringstream text;
+  text << "cpu=\"" << cpuName() << "\" trajectory=\"" << setup.trajectory << "\" size=" << setup.width << 'x'
+       << setup.height;
+  if (setup.px_per_frame > 0)
+    text << " px_per_frame=" << setup.px_per_frame;
+  else
+    text << " rate_hz=" << setup.frame_rate_hz;
+  text << " frames=" << setup.first << ':' << setup.last << " bounces=" << setup.bounces;
+  if (setup.jitter) text << " jitter=1";
+  if (threshold > 0) text << " threshold=" << threshold;
+  text << " bias=" << bias << " reference_spp=" << setup.reference_spp;
+  if (repeats > 0) text << " repeats=" << repeats;
+  return text.str();
+}
+
+void addBenchOptions(CLI::App& app, BenchOptions& o) {
+  o.setup.cache = defaultCache();
+  app.add_option("--trajectory", o.setup.trajectory,
+                 "a motion (right, dolly:0.2), one of the scene's own, or a .csv file")
+      ->capture_default_str();
+  app.add_option("--size", o.size, "WxH")->capture_default_str();
+  app.add_option("--rate", o.setup.frame_rate_hz, "frames per second")
+      ->check(CLI::Range(0.1, 1e5))
+      ->capture_default_str();
+  app.add_option("--frames", o.frames, "A:B, the frames that are scored; a run starts at 0")
+      ->capture_default_str();
+  app.add_flag("--jitter", o.setup.jitter,
+               "paths start all over the pixel, not at its centre; the reference is its mean");
+  app.add_option("--bounces", o.setup.bounces, "indirect bounces")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  app.add_option("--reference", o.setup.reference_spp, "paths per pixel of the reference")
+      ->check(CLI::Range(64, 1 << 20))
+      ->capture_default_str();
+  if (o.repeats > 0) {
+    app.add_option("--repeats", o.repeats, "runs with other seeds")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+  }
+  if (o.threshold > 0) {
+    app.add_option("--threshold", o.threshold, "C of the events")
+        ->check(CLI::Range(1e-3, 10.0))
+        ->capture_default_str();
+  }
+  app.add_option("--bias", o.bias, "I_eps")->check(CLI::Range(1e-12, 1e6))->capture_default_str();
+  app.add_option("--cache", o.setup.cache, "folder that keeps reference frames")->capture_default_str();
+  app.add_flag("--quick", o.quick, "half the size, fewer frames, a reference of a quarter of the paths");
+}
+
+void resolve(BenchOptions& o) {
+  const Size size = parseSize(o.size);
+  const FrameRange range = parseFrameRange(o.frames);
+  o.setup.width = size.width, o.setup.height = size.height;
+  o.setup.first = range.first, o.setup.last = range.last;
+  if (!o.quick) return;
+  o.setup.width = std::max(1, size.width / 2), o.setup.height = std::max(1, size.height / 2);
+  o.setup.frame_rate_hz /= 2;
+  o.setup.last = range.first + (range.last - range.first) / 2;
+  o.setup.reference_spp = std::max(64, o.setup.reference_spp / 4);
+}
+
+}  // namespace saccade::eval

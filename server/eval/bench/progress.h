@@ -1,0 +1,25 @@
+// A line on stderr that says how far a long command is: rewritten on a terminal, a line every ten seconds in
+// a log.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace saccade::eval {
+
+class Progress {
+ public:
+  Progress(std::string what, double total);
+  ~Progress();
+  void add(double done);
+
+ private:
+  void print();
+
+  std::string what_;
+  double total_, done_ = 0;
+  bool terminal_;
+  std::chrono::steady_clock::time_point start_, printed_;
+};
+
+}  // namespace saccade::eval

@@ -1,0 +1,113 @@
+#include "eval/bench/results.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace saccade::eval {
+namespace {
+
+std::string header() {
+  std::string names = "scene,method,spp,cpu_ms,trace_ms,px_per_frame,reference_error";
+  for (const ScoreColumn& column : kScoreColumns) names += std::string(",") + column.name;
+  return names;
+}
+
+// The numbers of a row, in the order of the header.
+std::vector<double*> numbers(Result& r) {
+  std::vector<double*> values{&r.cpu_ms, &r.trace_ms, &r.px_per_frame, &r.reference_error};
+  for (const ScoreColumn& column : kScoreColumns) values.push_back(&(r.score.*column.value));
+  return values;
+}
+
+}  // namespace
+
+ResultTable::ResultTable(std::string path, std::string settings)
+    : path_(std::move(path)), settings_("# " + std::move(settings)) {
+  std::filesystem::create_directories(std::filesystem::path(path_).parent_path());
+  if (std::filesystem::exists(path_)) {
+    read();
+    return;
+  }
+  std::ofstream(path_) << settings_ << '\n' << header() << '\n';
+}
+
+void ResultTable::read() {
+  std::ifstream file(path_);
+  std::string line;
+  if (!std::getline(file, line) || line != settings_) {
+    throw std::runtime_error(
+        path_ + " was made with other settings:\n  " + line + "\nnot with\n  " + settings_ +
+        "\nGive the flags of that table, name another folder with -o, or remove the file to measure anew");
+  }
+  if (!std::getline(file, line) || line != header()) {
+    throw std::runtime_error(path_ + " has other columns than this program writes; remove it");
+  }
+  while (std::getline(file, line)) {
+    std::istringstream fields(line);
+    Result r;
+    std::string number;
+    std::getline(fields, r.scene, ',');
+    std::getline(fields, r.method, ',');
+    std::getline(fields, number, ',');
+    r.spp = std::atoi(number.c_str());
+    for (double* value : numbers(r)) {
+      std::getline(fields, number, ',');
+      char* end = nullptr;
+      *value = std::strtod(number.c_str(), &end);  // reads inf and nan, as a stream does not
+      if (end == number.c_str()) fields.setstate(std::ios::failbit);
+    }
+    if (!fields) throw std::runtime_error(path_ + ": cannot read the row \"" + line + "\"; remove it");
+    rows_.push_back(r);
+  }
+}
+
+const Result* ResultTable::find(const std::string& scene, const std::string& method, int spp) const {
+  for (const Result& r : rows_) {
+    if (r.scene == scene && r.method == method && r.spp == spp) return &r;
+  }
+  return nullptr;
+}
+
+void ResultTable::add(const Result& result) {
+  rows_.push_back(result);
+  Result& r = rows_.back();
+  std::ostringstream line;
+  line << r.scene << ',' << r.method << ',' << r.spp;
+  for (const double* value : numbers(r)) line << ',' << *value;
+  std::ofstream file(path_, std::ios::app);
+  file << line.str() << '\n';
+  if (!file.flush()) throw std::runtime_error("cannot write " + path_);
+}
+
+void printTable(const ResultTable& table) {
+  std::printf("%-36s %-40s %4s %8s %7s %7s %7s %7s %9s %9s %8s\n", "scene", "method", "spp", "CPU ms",
+              "ref.err", "dI L1", "dI MAPE", "dL L1", "false", "missed", "sigma dL");
+  for (const Result& r : table.rows()) {
+    const Score& s = r.score;
+    std::printf("%-36s %-40s %4d %8.2f %7.3f %7.3f %7.2f %7.3f %9.5f %9.5f %8.5f\n", r.scene.c_str(),
+                r.method.c_str(), r.spp, r.cpu_ms, r.reference_error, s.dI_l1, s.dI_mape, s.dL_l1,
+                s.false_events, s.missed_events, s.sigma_dL);
+  }
+}
+
+const Result& measure(const Bench& truth, const Bench& bench, const std::string& name,
+                      const MethodSpec& method, int spp, const BenchOptions& o, ResultTable& table) {
+  if (const Result* stands = table.find(name, method.text, spp)) return *stands;
+  Result r;
+  r.scene = name, r.method = method.text, r.spp = spp;
+  r.px_per_frame = truth.medianPxPerFrame(), r.reference_error = truth.referenceError();
+  std::vector<BenchRun> runs;
+  for (int seed = 1; seed <= o.repeats; ++seed) {
+    runs.push_back(bench.run(method, spp, static_cast<std::uint64_t>(seed)));
+    r.cpu_ms += runs.back().cpu_ms / o.repeats, r.trace_ms += runs.back().trace_ms / o.repeats;
+  }
+  r.score = scoreOf(truth.truth(), runs, o.bias, o.threshold);
+  table.add(r);
+  return table.rows().back();
+}
+
+}  // namespace saccade::eval

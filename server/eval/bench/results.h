@@ -1,0 +1,53 @@
+// The table behind a chart or a figure: one row for each scene, method and budget. A row that stands is not
+// run again.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "eval/bench/bench_options.h"
+#include "eval/bench/score.h"
+
+namespace saccade::eval {
+
+struct Result {
+  std::string scene, method;  // method with its settings: "svgf:as_falcor=1"
+  int spp = 0;
+  double cpu_ms = 0, trace_ms = 0;  // per frame
+  double px_per_frame = 0;          // median motion
+  double reference_error = 0;       // of the truth's dI, relative L1
+  Score score{};
+};
+
+class ResultTable {
+ public:
+  // `settings` says what all rows share; a file written under other settings is refused. Throws
+  // std::runtime_error.
+  ResultTable(std::string path, std::string settings);
+
+  const std::string& path() const { return path_; }
+  const std::vector<Result>& rows() const { return rows_; }
+  const Result* find(const std::string& scene, const std::string& method, int spp) const;  // nullptr: none
+  void add(const Result& result);  // appended to the file at once
+
+ private:
+  void read();
+
+  std::string path_, settings_;
+  std::vector<Result> rows_;
+};
+
+// The rows for people, in a few figures, on stdout.
+void printTable(const ResultTable& table);
+
+// The row of `name`, method and budget: as it stands in `table`, or of the method run on `bench` with the
+// seeds 1 to o.repeats and held against the truth of `truth`, and added. Valid until the next is added.
+const Result& measure(const Bench& truth, const Bench& bench, const std::string& name,
+                      const MethodSpec& method, int spp, const BenchOptions& o, ResultTable& table);
+// Against its own truth.
+inline const Result& measure(const Bench& bench, const std::string& name, const MethodSpec& method, int spp,
+                             const BenchOptions& o, ResultTable& table) {
+  return measure(bench, bench, name, method, spp, o, table);
+}
+
+}  // namespace saccade::eval

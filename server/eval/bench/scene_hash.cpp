@@ -1,0 +1,57 @@
+#include "eval/bench/scene_hash.h"
+
+#include "eval/bench/content_hash.h"
+
+namespace saccade::eval {
+namespace {
+
+void add(ContentHash& h, const SurfaceColor& c) {
+  h.add(static_cast<int>(c.kind)), h.add(c.color0), h.add(c.color1), h.add(c.texture), h.add(c.uv_scale),
+      h.add(c.uv_offset);
+}
+
+void add(ContentHash& h, const BsdfModel& m) {
+  h.add(static_cast<int>(m.kind)), h.add(static_cast<int>(m.microfacets)), h.add(m.alpha), h.add(m.ior);
+  h.add(m.eta), h.add(m.k), h.add(static_cast<int>(m.nonlinear));
+}
+
+// A plainly diffuse material has no more than its reflectance: what was kept for one is found again.
+void add(ContentHash& h, const Material& m) {
+  add(h, m.reflectance);
+  h.add(static_cast<int>(m.twosided));
+  if (m.model.kind == BsdfKind::kDiffuse && isOpaque(m) && !isBumpy(m)) return;
+  add(h, m.model);
+  for (const SurfaceColor* c : {&m.specular, &m.transmittance, &m.opacity, &m.height}) add(h, *c);
+  h.add(m.height_scale);
+}
+
+// The picture through its own look-up. One without its mips looks otherwise from afar.
+void add(ContentHash& h, const Texture& t) {
+  if (!t.mipMapped()) h.add(1);
+  for (int i = 0; i < 4096; ++i)
+    h.add(t.sample({static_cast<float>(i % 64) / 64, static_cast<float>(i / 64) / 64}, 0));
+}
+
+void add(ContentHash& h, const Environment& e) {
+  h.add(e.radiance), h.add(e.to_world), h.add(e.picture.width), h.add(e.picture.height),
+      h.add(e.picture.pixels);
+}
+
+}  // namespace
+
+std::uint64_t hashScene(const Scene& scene) {
+  ContentHash h;
+  for (const Mesh& m : scene.meshes)
+    h.add(m.positions), h.add(m.normals), h.add(m.uvs), h.add(m.triangles), h.add(m.material),
+        h.add(m.radiance);
+  for (const Sphere& s : scene.spheres)
+    h.add(s.center), h.add(s.radius), h.add(s.material), h.add(s.radiance);
+  for (const Material& m : scene.materials) add(h, m);
+  for (const Texture& t : scene.textures) add(h, t);
+  if (scene.environment) add(h, *scene.environment);
+  for (const PointLight& l : scene.point_lights) h.add(l.position), h.add(l.intensity);
+  for (const DirectionalLight& l : scene.directional_lights) h.add(l.direction), h.add(l.irradiance);
+  return h.value;
+}
+
+}  // namespace saccade::eval

@@ -1,0 +1,161 @@
+#include "eval/bench/score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "eval/bench/sequence.h"
+#include "eval/metrics/brightness_change.h"
+#include "eval/metrics/error_parts.h"
+#include "eval/metrics/event_rates.h"
+#include "eval/metrics/event_streams.h"
+#include "eval/metrics/for_each_pixel.h"
+#include "eval/metrics/plane_error.h"
+
+namespace saccade::eval {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// One frame: the truth, and what each repeat made of it.
+struct ScoredFrame {
+  ScoredFrame(const Truth& truth, float bias)
+      : regions(truth.regions),
+        dI(truth.change.dI),
+        dL(brightnessChange(truth.change, bias)),
+        half_a(brightnessChange(truth.half_a, truth.change.I_prev, bias)),
+        half_b(brightnessChange(truth.half_b, truth.change.I_prev, bias)) {}
+  const RegionMap& regions;
+  const ImageF& dI;
+  ImageF dL, half_a, half_b;  // halves: of dL; they share the denominator, whose noise is small
+  struct Repeat {
+    const ImageF& dI;
+    ImageF dL;
+  };
+  std::vector<Repeat> repeats;
+};
+
+// A mean whose sum is still growing.
+struct Mean {
+  double sum = 0, count = 0;
+  void add(double value) { sum += value, ++count; }
+  double value() const { return count > 0 ? sum / count : kNaN; }
+};
+
+// Of mean squares over frames; error_parts.h gives the root of a negative one as negative, and NaN where a
+// frame has no such pixel.
+struct MeanSquare {
+  Mean mean;
+  void add(double root) {
+    if (!std::isnan(root)) mean.add(root * std::abs(root));
+  }
+  double root() const { return std::copysign(std::sqrt(std::abs(mean.value())), mean.value()); }
+};
+
+struct Region {
+  std::uint32_t bits;
+  double Score::*false_events, Score::*missed_events, Score::*rms;
+};
+constexpr Region kRegions[] = {
+    {region::kAnywhere, &Score::false_events, &Score::missed_events, &Score::rms_dL},
+    {region::kSmooth, &Score::false_smooth, &Score::missed_smooth, &Score::rms_smooth},
+    {region::kCurved, &Score::false_curved, &Score::missed_curved, &Score::rms_curved},
+    {region::kChanged, &Score::false_changed, &Score::missed_changed, &Score::rms_changed},
+};
+
+void scoreRegion(const Region& r, const std::vector<ScoredFrame>& frames, double C, Score& score) {
+  Mean false_events, missed_events;
+  MeanSquare rms;
+  for (const ScoredFrame& f : frames) {
+    for (const auto& repeat : f.repeats) {
+      rms.add(rmsError(repeat.dL, f.half_a, f.half_b, f.regions, r.bits));
+      forEachPixel(f.regions, [&](int x, int y) {
+        if (!(f.regions.at(x, y) & r.bits)) return;
+        const double d = repeat.dL.at(x, y), ref = f.dL.at(x, y);
+        false_events.add(expectedFalseEvents(d, ref, C));
+        missed_events.add(expectedFalseEvents(ref, d, C));
+      });
+    }
+  }
+  score.*r.false_events = false_events.value();
+  score.*r.missed_events = missed_events.value();
+  score.*r.rms = rms.root();
+}
+
+void scorePlanes(const std::vector<ScoredFrame>& frames, Score& score) {
+  Mean dI_l1, dI_mape, dL_l1, dL_mape;
+  for (const ScoredFrame& f : frames) {
+    for (const auto& repeat : f.repeats) {
+      dI_l1.add(relativeL1(repeat.dI, f.dI)), dI_mape.add(mape(repeat.dI, f.dI));
+      dL_l1.add(relativeL1(repeat.dL, f.dL)), dL_mape.add(mape(repeat.dL, f.dL));
+    }
+  }
+  score.dI_l1 = dI_l1.value(), score.dI_mape = dI_mape.value();
+  score.dL_l1 = dL_l1.value(), score.dL_mape = dL_mape.value();
+}
+
+// Needs two repeats.
+void scoreNoise(const std::vector<ScoredFrame>& frames, Score& score) {
+  Mean sigma;
+  MeanSquare bias, noise;
+  for (const ScoredFrame& f : frames) {
+    Repeats dL(f.dL.width(), f.dL.height());
+    for (const auto& repeat : f.repeats) dL.add(repeat.dL);
+    const ErrorParts parts = errorParts(dL, f.half_a, f.half_b, f.regions, region::kAnywhere);
+    bias.add(parts.bias), noise.add(parts.noise);
+    const double unchanged = median(dL.sigma(), f.regions, region::kUnchanged);
+    if (!std::isnan(unchanged)) sigma.add(unchanged);
+  }
+  score.sigma_dL = sigma.value(), score.bias_dL = bias.root(), score.noise_dL = noise.root();
+}
+
+void scoreEvents(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, double bias, double C,
+                 Score& score) {
+  const SensorConfig sensor{.threshold = C, .threshold_off = C, .bias = bias, .reconstruction = "direct"};
+  const Events ref = eventsOf(sequenceOf(truth), sensor);
+  Mean count, voxel, time;
+  for (const BenchRun& run : repeats) {
+    const Events events = eventsOf(sequenceOf(run), sensor);
+    count.add(countError(events, ref));
+    voxel.add(voxelError(events, ref));
+    if (!events.empty()) time.add(nearestTimeError(events, ref).mean_ns / 1e6);
+  }
+  score.count_error = count.value(), score.voxel_error = voxel.value(), score.time_error_ms = time.value();
+}
+
+}  // namespace
+
+const ScoreColumn& columnOf(double Score::*value) {
+  const auto column = std::find_if(kScoreColumns.begin(), kScoreColumns.end(),
+                                   [&](const ScoreColumn& c) { return c.value == value; });
+  SACCADE_CHECK(column != kScoreColumns.end());
+  return *column;
+}
+
+std::string scoreNames() {
+  std::string names;
+  for (const ScoreColumn& column : kScoreColumns)
+    names += (names.empty() ? "" : ", ") + std::string(column.name);
+  return names;
+}
+
+Score scoreOf(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, double bias,
+              double threshold) {
+  SACCADE_CHECK(!truth.empty() && !repeats.empty());
+  const auto I_eps = static_cast<float>(bias);
+  std::vector<ScoredFrame> frames;
+  for (std::size_t f = 0; f < truth.size(); ++f) {
+    frames.emplace_back(truth[f], I_eps);
+    for (const BenchRun& run : repeats)
+      frames.back().repeats.push_back({run.changes[f].dI, brightnessChange(run.changes[f], I_eps)});
+  }
+  Score score;
+  score.sigma_dL = score.bias_dL = score.noise_dL = kNaN;
+  scorePlanes(frames, score);
+  for (const Region& r : kRegions) scoreRegion(r, frames, threshold, score);
+  if (repeats.size() > 1) scoreNoise(frames, score);
+  scoreEvents(truth, repeats, bias, threshold, score);
+  return score;
+}
+
+}  // namespace saccade::eval

@@ -1,0 +1,30 @@
+// Frames of a run, one after the other, as one sensor sees them.
+#pragma once
+
+#include <vector>
+
+#include "eval/bench/bench.h"
+#include "events/sensor_config.h"
+#include "wire/event.h"
+
+namespace saccade::eval {
+
+// Consecutive frames, at least one, in order; they must live as long as it is used.
+using ChangeSequence = std::vector<const IntensityChange*>;
+ChangeSequence sequenceOf(const BenchRun& run);
+ChangeSequence sequenceOf(const std::vector<Truth>& truth);
+
+// The brightness that a sensor's reconstruction gives each pixel [E (22)].
+struct BrightnessSequence {
+  ImageF L_start;          // log(I_eps + I_prev) of the first frame
+  std::vector<ImageF> dL;  // of each frame
+
+  // L_0, L_1, ... of a pixel: one value more than there are frames.
+  std::vector<double> at(int x, int y) const;
+};
+BrightnessSequence brightnessOf(const ChangeSequence& changes, const SensorConfig& config);
+
+// In time order.
+Events eventsOf(const ChangeSequence& changes, const SensorConfig& config);
+
+}  // namespace saccade::eval

@@ -1,0 +1,24 @@
+// Which setting of the methods keeps a limit: `saccade-eval chart --within 20ms --within 2%`.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tables/accuracy_table.h"
+
+namespace saccade::eval {
+
+// One of both.
+struct Within {
+  std::optional<double> budget_ms;       // CPU milliseconds per frame, over all threads
+  std::optional<double> max_false_rate;  // false events per pixel-frame
+};
+
+// "20ms", "2%". Throws std::runtime_error naming both forms.
+Within parseWithin(const std::string& text);
+
+// For each scene a line: the most accurate setting within the time, or the fastest within the rate, at the
+// size and C of the table, and what it costs and gives; or what comes nearest.
+std::string answerWithin(const AccuracyTable& table, const Within& within);
+
+}  // namespace saccade::eval

@@ -1,0 +1,74 @@
+// `saccade-eval compare-stills`: a picture against another program's, block by block.
+#include <cstdio>
+#include <memory>
+
+#include "eval/commands/commands.h"
+#include "eval/pictures/ratio_picture.h"
+
+namespace saccade::eval {
+namespace {
+
+struct CompareStillsOptions {
+  std::string picture, reference, output;
+  std::vector<std::string> left_out;
+  BlockSettings blocks;
+};
+
+PixelRect parseRect(const std::string& text) {
+  PixelRect r;
+  int end = 0;
+  if (std::sscanf(text.c_str(), "%d,%d,%dx%d%n", &r.x, &r.y, &r.width, &r.height, &end) == 4 &&
+      static_cast<std::size_t>(end) == text.size())
+    return r;
+  throw CLI::ValidationError("--leave-out", "must be X,Y,WxH in pixels of the reference, not " + text);
+}
+
+void runCompareStills(const CompareStillsOptions& o) {
+  BlockSettings settings = o.blocks;
+  for (const std::string& text : o.left_out) settings.left_out.push_back(parseRect(text));
+  const RgbPlanes picture = readRgb(o.picture), reference = readRgb(o.reference);
+  const BlockRatios ratios = blockRatios(picture, reference, settings);
+  const auto [r, g, b] = ratios.meanRatio();
+  std::printf("%d of %zu blocks compared\n", ratios.compared(), ratios.blocks.size());
+  std::printf("mean ratio: R %.4f  G %.4f  B %.4f\n", r, g, b);
+  for (const double within : {0.05, 0.1, 0.25})
+    std::printf("blocks within %2.0f %%: %.2f %%\n", 100 * within, 100 * ratios.shareWithin(within));
+  if (!o.output.empty())
+    writePng(o.output, 3 * reference[0].width(), reference[0].height(),
+             ratioPicture(picture, reference, ratios));
+}
+
+}  // namespace
+
+void addCompareStillsCommand(CLI::App& app) {
+  auto o = std::make_shared<CompareStillsOptions>();
+  auto* command =
+      app.add_subcommand("compare-stills",
+                         "two pictures of one view, in the means over square blocks: ratio of all, how many "
+                         "blocks agree, and a picture");
+  command
+      ->add_option("picture", o->picture,
+                   "OpenEXR with R, G, B, as still --rgb writes it; may be smaller by a "
+                   "whole factor")
+      ->required()
+      ->check(CLI::ExistingFile);
+  command->add_option("reference", o->reference, "OpenEXR with R, G, B, linear")
+      ->required()
+      ->check(CLI::ExistingFile);
+  command->add_option("--blocks", o->blocks.edge, "edge of a block in pixels of the reference")
+      ->check(CLI::Range(1, 16384))
+      ->capture_default_str();
+  command
+      ->add_option("--least-light", o->blocks.least_light,
+                   "blocks darker than this part of the median one are not compared")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_option("--leave-out", o->left_out,
+                      "X,Y,WxH: pixels of the reference whose blocks are not compared; any number of them");
+  command->add_option("-o,--output", o->output,
+                      "PNG: picture, reference, and where blocks are too dark (blue) or "
+                      "too bright (red); full colour: 25 %");
+  command->callback([o] { runCompareStills(*o); });
+}
+
+}  // namespace saccade::eval

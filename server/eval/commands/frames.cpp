@@ -1,0 +1,150 @@
+// `saccade-eval frames`: what a method estimates, frame by frame, or the reference for it.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include "base/default_cache.h"
+#include "eval/bench/arguments.h"
+#include "eval/bench/interrupt.h"
+#include "eval/bench/open_scene.h"
+#include "eval/bench/reference.h"
+#include "eval/commands/commands.h"
+#include "eval/pictures/exr.h"
+#include "eval/pictures/format.h"
+#include "feed/feed.h"
+#include "methods/method_spec.h"
+
+namespace saccade::eval {
+namespace {
+
+struct FramesOptions {
+  std::string scene, trajectory = "right", size = "256x256", frames = "1:21", dump, cache;
+  FeedConfig feed;
+  std::vector<std::string> set;
+  int reference = 0;
+  int threads = hardwareThreads();
+  int first = 0, last = 0;
+};
+
+std::string dumpPath(const FramesOptions& o, const char* what, int frame) {
+  return (std::filesystem::path(o.dump) / format("%s_%05d.exr", what, frame)).string();
+}
+
+void writeDump(const FramesOptions& o, int frame, const IntensityChange& change) {
+  if (o.dump.empty()) return;
+  writeExr(dumpPath(o, "dI", frame), {{"Y", &change.dI}});
+  writeExr(dumpPath(o, "Iprev", frame), {{"Y", &change.I_prev}});
+  writeExr(dumpPath(o, "variance", frame), {{"I", &change.var_I_prev}, {"dI", &change.var_dI}});
+}
+
+void resolveMethod(FramesOptions& o) {
+  const MethodSpec method = parseMethod(o.feed.method, o.set);
+  o.feed.params = method.params;
+  checkSpp(method, o.feed.spp);
+}
+
+void printTimes(const StageTimes& total, double frames) {
+  std::printf("CPU ms per frame:");
+  double sum = 0, filter = 0;
+  for (std::size_t i = 0; i < kStageNames.size(); ++i) {
+    const double ms = std::chrono::duration<double, std::milli>(total.cpu[i]).count() / frames;
+    std::printf(" %s %.2f", kStageNames[i], ms);
+    sum += ms;
+    if (i != 0) filter += ms;
+  }
+  std::printf("  all %.2f; filter / trace %.3f\n", sum, filter / (sum - filter));
+}
+
+void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene, const Trajectory& path,
+               TilePool& pool) {
+  Feed feed(scene, path, o.feed, pool);
+  StageTimes total;
+  Progress progress(o.feed.method, static_cast<double>(o.last));
+  for (int t = 1; t <= o.last; ++t) {
+    const IntensityChange& change = feed.step();
+    total += feed.lastTimes();
+    if (t >= o.first) writeDump(o, t, change);
+    progress.add(1);
+    if (interrupted()) throw Interrupted{};
+  }
+  printTimes(total, static_cast<double>(o.last));
+}
+
+void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> scene, const Trajectory& path,
+                  TilePool& pool) {
+  const int w = o.feed.width, h = o.feed.height;
+  const int spp =
+      (o.reference + ReferenceRenderer::kChunk - 1) / ReferenceRenderer::kChunk * ReferenceRenderer::kChunk;
+  ReferenceRenderer renderer(scene, {o.feed.bounces, scene->channels(), o.feed.jitter}, w, h,
+                             o.feed.fov_x_deg, o.cache, pool);
+  Progress progress("reference", static_cast<double>(spp) * static_cast<double>(o.last - o.first + 2));
+  const auto render = [&](int t) {
+    const TimeNs time = frameTime(static_cast<FrameIndex>(t), o.feed.frame_rate_hz);
+    return renderer.frame(path.at(time), time, spp, progress);
+  };
+  ReferenceFrame prev = render(o.first - 1);
+  for (int t = o.first; t <= o.last; ++t) {
+    ReferenceFrame cur = render(t);
+    const ReferenceChange truth(prev, cur);
+    writeDump(o, t, truth.change);
+    std::printf("frame %d: %d spp; own error of dI (half of half against half): %.4f relative L1\n", t, spp,
+                truth.error());
+    prev = std::move(cur);
+  }
+}
+
+void runFrames(FramesOptions& o) {
+  const FrameRange range = parseFrameRange(o.frames);
+  o.first = range.first, o.last = range.last;
+  resolveMethod(o);
+  const Size size = parseSize(o.size);
+  o.feed.width = size.width, o.feed.height = size.height;
+  const auto scene = openScene(o.scene);
+  o.feed.fov_x_deg = scene->description().fov_x_deg;
+  const Trajectory path = openTrajectory(o.scene, o.trajectory, *scene);
+  TilePool pool(o.threads);
+  watchInterrupt();
+  try {
+    o.reference > 0 ? runReference(o, scene, path, pool) : runMethod(o, scene, path, pool);
+  } catch (const Interrupted&) {
+    throw std::runtime_error(
+        o.reference > 0 ? "interrupted; the same command goes on with what is in " + o.cache : "interrupted");
+  }
+}
+
+}  // namespace
+
+void addFramesCommand(CLI::App& app) {
+  auto o = std::make_shared<FramesOptions>();
+  o->cache = defaultCache();
+  auto* c = app.add_subcommand("frames", "run a method, or the reference, and write what it estimates");
+  c->add_option("scene", o->scene, "a scene by name, or a Mitsuba scene.xml by path")->required();
+  c->add_option("--trajectory", o->trajectory,
+                "a motion (right, dolly:0.2), one of the scene's own, or a .csv file")
+      ->capture_default_str();
+  c->add_option("--method", o->feed.method, "one of: " + methodNames())->capture_default_str();
+  c->add_option("--spp", o->feed.spp, "paths per pixel and frame, over both passes")
+      ->check(CLI::Range(1, 65536))
+      ->capture_default_str();
+  c->add_option("--frames", o->frames, "A:B, the frames to write; the feed always starts at 0")
+      ->capture_default_str();
+  c->add_option("--size", o->size, "WxH")->capture_default_str();
+  c->add_option("--rate", o->feed.frame_rate_hz, "frames per second")
+      ->check(CLI::Range(0.1, 1e5))
+      ->capture_default_str();
+  c->add_flag("--jitter", o->feed.jitter, "paths start all over the pixel, not at its centre");
+  c->add_option("--bounces", o->feed.bounces, "indirect bounces")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  c->add_option("--seed", o->feed.seed)->capture_default_str();
+  c->add_option("--set", o->set, "name=value, a parameter of the method");
+  c->add_option("--threads", o->threads)->check(CLI::Range(1, 1024))->capture_default_str();
+  c->add_option("--dump", o->dump, "folder for dI_, Iprev_ and variance_%05d.exr");
+  c->add_option("--reference", o->reference,
+                "paths per pixel of the correlated reference, instead of a method");
+  c->add_option("--cache", o->cache, "folder that keeps reference frames")->capture_default_str();
+  c->callback([o] { runFrames(*o); });
+}
+
+}  // namespace saccade::eval

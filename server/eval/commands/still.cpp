@@ -1,0 +1,92 @@
+// `saccade-eval still`: one picture.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "eval/bench/arguments.h"
+#include "eval/bench/open_scene.h"
+#include "eval/bench/progress.h"
+#include "eval/commands/commands.h"
+#include "eval/pictures/exr.h"
+#include "render/renderer.h"
+
+namespace saccade::eval {
+namespace {
+
+struct StillOptions {
+  std::string scene, size, output;
+  std::vector<double> offset{0, 0, 0};
+  int spp = 64, bounces = 3;
+  std::uint64_t seed = 0;
+  bool rgb = false;
+};
+
+// right, up, forward in scene units, along the camera's axes.
+Pose moved(const Pose& pose, const std::vector<double>& o) {
+  return pose * Pose{{o[0], -o[1], o[2]}, {}};
+}
+
+void runStill(const StillOptions& o) {
+  const auto scene = openScene(o.scene);
+  const Scene& s = scene->description();
+  const Size size = o.size.empty() ? Size{s.width, s.height} : parseSize(o.size);
+  TilePool pool(hardwareThreads());
+  const Camera camera(moved(s.T_world_camera, o.offset), s.fov_x_deg, size.width, size.height);
+  Renderer renderer(scene, {o.bounces, 3}, pool);
+
+  ImageF sum[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
+  ImageF part[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
+  Frame frame(size.width, size.height);
+  Progress progress(o.scene, o.spp);
+  constexpr int kChunk = 16;
+  for (int done = 0; done < o.spp;) {
+    const int n = std::min(kChunk, o.spp - done);
+    renderer.renderStill(camera, hashKey(o.seed, static_cast<std::uint64_t>(done)), n, frame, part);
+    done += n;
+    for (int c = 0; c < 3; ++c) {
+      for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+          sum[c].at(x, y) +=
+              (part[c].at(x, y) - sum[c].at(x, y)) * static_cast<float>(n) / static_cast<float>(done);
+        }
+      }
+    }
+    progress.add(n);
+  }
+  if (o.rgb) {
+    writeExr(o.output, {{"R", &sum[0]}, {"G", &sum[1]}, {"B", &sum[2]}});
+  } else {
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        part[0].at(x, y) = luminance({sum[0].at(x, y), sum[1].at(x, y), sum[2].at(x, y)});
+      }
+    }
+    writeExr(o.output, {{"Y", &part[0]}});
+  }
+  std::printf("%s: %dx%d, %d spp, %d indirect bounces\n", o.output.c_str(), size.width, size.height, o.spp,
+              o.bounces);
+}
+
+}  // namespace
+
+void addStillCommand(CLI::App& app) {
+  auto o = std::make_shared<StillOptions>();
+  auto* command = app.add_subcommand("still", "render one picture, linear, 32-bit float OpenEXR");
+  command->add_option("scene", o->scene, "a scene by name, or a Mitsuba scene.xml by path")->required();
+  command->add_option("--size", o->size, "WxH; default: the scene's own");
+  command->add_option("--spp", o->spp, "paths per pixel")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  command->add_option("--bounces", o->bounces, "indirect bounces")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  command->add_option("--offset", o->offset, "move the camera: right,up,forward in scene units")
+      ->delimiter(',')
+      ->expected(3);
+  command->add_option("--seed", o->seed)->capture_default_str();
+  command->add_flag("--rgb", o->rgb, "three channels R, G, B instead of the luminance Y");
+  command->add_option("-o,--output", o->output, "OpenEXR file")->required();
+  command->callback([o] { runStill(*o); });
+}
+
+}  // namespace saccade::eval

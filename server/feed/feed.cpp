@@ -1,0 +1,89 @@
+#include "feed/feed.h"
+
+#include "base/quantile.h"
+#include "base/thread_time.h"
+
+namespace saccade {
+namespace {
+
+SeedPlan makeSeedPlan(SeedReuse reuse, std::uint64_t seed, FrameIndex t, int spp) {
+  switch (reuse) {
+    case SeedReuse::kIndependent:
+      return SeedPlan::independent(seed, t, spp);
+    case SeedReuse::kIndependentPairs:
+      return SeedPlan::independentPairs(seed, t, spp);
+    case SeedReuse::kCorrelated:
+      return SeedPlan::correlated(seed, t, spp);
+  }
+  return {};
+}
+
+std::unique_ptr<Method> makeMethod(const FeedConfig& config) {
+  const MethodInfo* info = findMethod(config.method);
+  SACCADE_CHECK(info != nullptr);
+  return info->make(config.params, config.width, config.height);
+}
+
+}  // namespace
+
+Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
+           TilePool& pool)
+    : Feed(std::move(scene), std::move(path), config, makeMethod(config), pool) {}
+
+Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
+           std::unique_ptr<Method> method, TilePool& pool)
+    : config_(config),
+      scene_(std::move(scene)),
+      path_(std::move(path)),
+      pool_(pool),
+      renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}, pool),
+      method_(std::move(method)),
+      frames_(config.width, config.height),
+      change_(config.width, config.height) {
+  render();
+  method_->start(frames_.current(), pool_);
+}
+
+const IntensityChange& Feed::step() {
+  const auto began = threadCpuTime() + TilePool::chainTime();
+  times_ = {};
+  frames_.swap();
+  render();
+  const FramePair frames = frames_.pair();
+  change_.t0 = frames.prev.time;
+  change_.t1 = frames.cur.time;
+  change_.frame = frames.cur.index;
+  method_->estimate(frames, pool_, change_, times_);
+  chain_ = threadCpuTime() + TilePool::chainTime() - began;
+  return change_;
+}
+
+void Feed::render() {
+  Frame& frame = frames_.current();
+  frame.index = next_++;
+  frame.time = frameTime(frame.index, config_.frame_rate_hz);
+  const TimeNs time_prev = frame.index == 0 ? frame.time : frameTime(frame.index - 1, config_.frame_rate_hz);
+  const Camera camera(path_.at(frame.time), config_.fov_x_deg, config_.width, config_.height);
+  const Camera prev(path_.at(time_prev), config_.fov_x_deg, config_.width, config_.height);
+  const SeedPlan seeds = makeSeedPlan(method_->seedReuse(), config_.seed, frame.index, config_.spp);
+  times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, frame);
+}
+
+PixelSpeed Feed::pixelSpeed(FrameIndex frames) const {
+  return measurePixelSpeed(*scene_, path_, config_, frames);
+}
+
+float Feed::firstFrameLuminance(double fraction) const {
+  const Frame& frame = frames_.pair().cur;
+  SACCADE_CHECK(frame.index == 0);
+  std::vector<float> values;
+  for (int y = 0; y < frame.height(); ++y) {
+    for (int x = 0; x < frame.width(); ++x) {
+      const FrameSamples& s = frame.samples;
+      values.push_back(s.spp1 > 0 ? 0.5f * (s.I1.at(x, y) + s.I2.at(x, y)) : s.I2.at(x, y));
+    }
+  }
+  return quantile(values, fraction);
+}
+
+}  // namespace saccade

@@ -1,0 +1,69 @@
+// A feed: scene + trajectory + view + timing + method + seed -> one IntensityChange per frame.
+// Everything before the sensors, and the same for all of them (render once, serve many sensors).
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/tile_pool.h"
+#include "feed/pixel_speed.h"
+#include "frame/frame.h"
+#include "frame/intensity_change.h"
+#include "methods/method.h"
+#include "render/renderer.h"
+#include "scene/camera/trajectory.h"
+
+namespace saccade {
+
+struct FeedConfig {
+  int width = 256, height = 256;
+  double fov_x_deg = 45;
+  double frame_rate_hz = 500;
+  std::string method = "event_svgf";  // a name of methodTable()
+  ParamValues params;                 // resolved by resolveParams()
+  int spp = 2;                        // paths per pixel and frame over both passes
+  int bounces = 3;                    // indirect bounces
+  bool jitter = false;                // RenderSettings::jitter
+  bool monochrome = false;
+  std::uint64_t seed = 0;
+};
+
+class Feed {
+ public:
+  // Keeps a reference to `pool`; shares `scene`. Renders frame 0.
+  Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config, TilePool& pool);
+
+  // With a method of the caller's instead of `config.method`.
+  Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
+       std::unique_ptr<Method> method, TilePool& pool);
+
+  // Renders the next frame and estimates the change since the one before it.
+  const IntensityChange& step();
+
+  // Of the first `frames` intervals; 0: of as many as there may be.
+  PixelSpeed pixelSpeed(FrameIndex frames) const;
+  // Luminance of frame 0 at a fraction of its pixels in ascending order, 0 <= fraction <= 1. Before any step.
+  float firstFrameLuminance(double fraction) const;
+  const StageTimes& lastTimes() const { return times_; }  // of the last step
+  // How long the last step takes with all threads to itself: those passes one after the other.
+  std::chrono::nanoseconds lastChain() const { return chain_; }
+  const IntensityChange& change() const { return change_; }
+  FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
+
+ private:
+  void render();
+
+  FeedConfig config_;
+  std::shared_ptr<const RenderScene> scene_;
+  Trajectory path_;
+  TilePool& pool_;
+  Renderer renderer_;
+  std::unique_ptr<Method> method_;
+  FrameRing frames_;
+  IntensityChange change_;
+  StageTimes times_;
+  std::chrono::nanoseconds chain_{0};
+  FrameIndex next_ = 0;
+};
+
+}  // namespace saccade

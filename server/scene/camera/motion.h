@@ -1,0 +1,61 @@
+// Camera motions that exist for any scene. They begin at the pose they are given.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/camera/trajectory.h"
+
+namespace saccade {
+
+// A motion at constant speed, in the axes that the camera has at its start. Kinds, where a positive speed
+// goes, and its unit per second:
+//   dolly     along the viewing axis        scene units
+//   truck     to the right                  scene units
+//   pedestal  up                            scene units
+//   pan       turns to the right            degrees
+//   tilt      turns up                      degrees
+//   roll      turns clockwise               degrees
+//   orbit     to the right around the point looked at, and keeps looking at it: degrees
+//   shake     hand-held, a sum of seeded sines in all six axes: degrees that the images move, median over the
+//             view and the period; a focal length counts as a radian
+struct Motion {
+  std::string kind;          // one of motionKinds()
+  double speed = 0;          // as above
+  bool image_speed = false;  // the speed is the median of the images at the start, focal lengths per second
+  // When to turn back, and again at the start, and so on: at least 1e-3. 0: never. Unset: after kTurnTime, a
+  // dolly sooner, when it has gone a quarter of the way to the nearest surface, and an orbit when it has
+  // turned by kMaxOrbitRad, so that both stay in the scene. Of no use to shake, which is periodic.
+  std::optional<double> turn_s = {};
+  std::uint64_t seed = 0;  // of shake
+};
+
+inline constexpr TimeNs kTurnTime{200'000'000}, kShakePeriod{2'000'000'000};
+inline constexpr double kMaxOrbitRad = 0.25;
+// However fast and long: a rotation turns back after so many turns, and any other motion after kMaxDistance;
+// there it stays if it is never to turn back.
+inline constexpr double kMaxTurns = 1000, kMaxTurnsPerSecond = 100;
+
+const std::vector<std::string>& motionKinds();
+// Empty, or why this kind cannot have this speed: its magnitude is 1e-6 to 1e6, and that of shake is
+// positive.
+std::string speedFault(const std::string& kind, double speed);
+
+// `probes` are world-space points on the surfaces in view. Those behind the camera do not count; without any,
+// one is assumed on the viewing axis at distance 1. An image_speed of what would move no image stands still.
+// Shake has a largest swing: beyond about 250 degrees per second it is slower than asked.
+Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3>& probes);
+
+// Reads KIND:SPEED, such as "dolly:0.2" or "pan:-15"; none where there is no colon. Throws SceneError.
+std::optional<Motion> parseMotion(const std::string& text);
+
+// Motions with names: right (truck), forward (dolly), orbit, shake and still. The median speed of the images
+// is kMotionPxPerFrame in a picture kMotionWidth pixels wide at kMotionRateHz.
+inline constexpr double kMotionPxPerFrame = 0.67, kMotionWidth = 256, kMotionRateHz = 500;
+const std::vector<std::string>& motionNames();
+bool isMotionName(const std::string& name);
+Motion namedMotion(const std::string& name, double fov_x_deg);
+
+}  // namespace saccade

@@ -1,0 +1,103 @@
+#include "scene/library/scene_folder.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/text_cut.h"
+#include "scene/camera/motion.h"
+#include "scene/files/confinement.h"
+#include "scene/files/limits.h"
+#include "scene/files/plain_file.h"
+#include "scene/files/scene_error.h"
+#include "scene/files/text.h"
+
+namespace saccade {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxReadmeBytes = 64 << 10, kMaxEntryBytes = 1000;
+
+// The first line that is neither blank nor a title.
+std::string describe(const fs::path& readme, const fs::path& scenes) {
+  if (isAbsent(readme)) return {};
+  requireWithin(readme, scenes);
+  const std::string bytes = readBeginning(readme.string(), kMaxReadmeBytes);
+  for (std::string_view text = bytes; !text.empty();) {
+    const auto line = takeLine(text);
+    if (!line.empty() && line[0] != '#') return std::string(line);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::map<std::string, OutsideMesh> outsideMeshes(const fs::path& scenes) {
+  const char* real = std::getenv("SACCADE_REAL_SCENES");
+  const fs::path project = fs::weakly_canonical(scenes).parent_path();
+  const fs::path real_scenes = real ? fs::path(real) : project.parent_path() / "shared" / "scenes";
+  return {{"bunny", {"/usr/share/glmark2/models/bunny.obj", "install the Debian package glmark2-data"}},
+          {"dragon",
+           {real_scenes / "meshes" / "dragon.obj",
+            "set SACCADE_REAL_SCENES to a folder with meshes/dragon.obj"}}};
+}
+
+std::vector<fs::path> entriesOf(const fs::path& folder) {
+  std::error_code fault;
+  std::vector<fs::path> paths;
+  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault))
+    paths.push_back(entry->path());
+  if (fault) throw SceneError(folder.string() + ": is not a folder that can be read: " + fault.message());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+bool isAbsent(const fs::path& path) {
+  std::error_code other;
+  return fs::symlink_status(path, other).type() == fs::file_type::not_found;
+}
+
+SceneEntry describeScene(const fs::path& scene, const fs::path& scenes) {
+  SceneEntry entry;
+  entry.name = cutText(scene.filename().string(), kMaxEntryBytes);
+  try {
+    entry.description = cutText(describe(scene / "README.md", scenes), kMaxEntryBytes);
+  } catch (const SceneError& fault) {
+    entry.description = "no description: " + cutText(fault.what(), kMaxEntryBytes);
+  }
+  try {
+    requireAvailable(scene, scenes);
+    entry.trajectories = csvNames(scene / "trajectories");
+  } catch (const SceneError& fault) {
+    entry.unavailable = cutText(fault.what(), kMaxEntryBytes);
+  }
+  entry.trajectories.insert(entry.trajectories.end(), motionNames().begin(), motionNames().end());
+  return entry;
+}
+
+void requireAvailable(const fs::path& scene, const fs::path& scenes) {
+  if (!isUtf8(scene.filename().string()))
+    throw SceneError("the name of the folder is no UTF-8: no request can hold it");
+  requireWithin(scene / "scene.xml", scenes);
+  const std::string text = readFile((scene / "scene.xml").string(), kMaxXmlBytes);
+  std::error_code other;
+  for (const auto& [name, mesh] : outsideMeshes(scenes))
+    if (text.find("$" + name) != text.npos && !fs::exists(mesh.path, other))
+      throw SceneError("the mesh " + mesh.path.string() + " is absent: " + mesh.origin);
+  csvNames(scene / "trajectories");
+}
+
+std::vector<std::string> csvNames(const fs::path& folder) {
+  std::vector<std::string> names;
+  if (isAbsent(folder)) return names;
+  for (const fs::path& path : entriesOf(folder))
+    if (path.extension() == ".csv" && isUtf8(path.stem().string())) names.push_back(path.stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void requireWithin(const fs::path& file, const fs::path& scenes) {
+  if (!mayRead(file, {scenes})) throw SceneError(file.string() + " leads out of the folder of the scenes");
+}
+
+}  // namespace saccade

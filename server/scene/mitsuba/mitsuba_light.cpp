@@ -1,0 +1,79 @@
+#include "scene/mitsuba/mitsuba_light.h"
+
+#include <cmath>
+
+#include "scene/files/limits.h"
+#include "scene/mitsuba/mitsuba_transform.h"
+#include "scene/mitsuba/xml_properties.h"
+
+namespace saccade {
+namespace {
+
+Rgb requiredColor(const XmlFile& file, pugi::xml_node emitter, Properties& properties, const char* name) {
+  const auto color = properties.color(name, kMaxRadiance);
+  if (!color)
+    throw file.error(emitter,
+                     "the emitter needs <rgb>, <spectrum> or <float name=\"" + std::string(name) + "\">");
+  return *color;
+}
+
+// Of a map that turns or mirrors: without its scale and translation.
+Affine orthonormal(const XmlFile& file, pugi::xml_node emitter, const Affine& map) {
+  const Affine unit{normalize(map.x), normalize(map.y), normalize(map.z), {}};
+  if (std::abs(std::abs(determinant(unit)) - 1) > 1e-4)
+    throw file.error(emitter, "the emitter's to_world may rotate, mirror and scale, not shear");
+  return unit;
+}
+
+void addEnvironment(const XmlFile& file, pugi::xml_node emitter, Scene& scene, Environment environment) {
+  if (scene.environment) throw file.error(emitter, "a second emitter around the scene; one is supported");
+  scene.environment = std::move(environment);
+}
+
+void readEnvmap(const XmlFile& file, pugi::xml_node emitter, Properties& properties, FileLoads& loads,
+                Scene& scene) {
+  const float scale = static_cast<float>(properties.number("scale", 1));
+  if (!(scale >= 0 && scale <= kMaxRadiance)) throw file.error(emitter, "the scale must be within [0, 1e18]");
+  const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
+  const std::string path = file.locate(emitter, properties.text("filename"));
+  addEnvironment(file, emitter, scene, {{scale, scale, scale}, {}, orthonormal(file, emitter, to_world)});
+  loads.add(emitter, [&loads, &scene, path] {
+    loads.takePixels(countPixels(path));
+    scene.environment->picture = loadPicture(path, PixelUse::kRadiance);
+  });
+}
+
+void readPoint(const XmlFile& file, pugi::xml_node emitter, Properties& properties, Scene& scene) {
+  const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
+  const Vec3d position = properties.vector("position").value_or(to_world.translation);
+  scene.point_lights.push_back({toFloat(position), requiredColor(file, emitter, properties, "intensity")});
+}
+
+void readDirectional(const XmlFile& file, pugi::xml_node emitter, Properties& properties, Scene& scene) {
+  const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
+  const Vec3d direction = properties.vector("direction").value_or(to_world.z);
+  if (!(length(direction) > 0 && std::isfinite(length(direction))))
+    throw file.error(emitter, "the direction must not be 0, and finite");
+  scene.directional_lights.push_back(
+      {toFloat(normalize(direction)), requiredColor(file, emitter, properties, "irradiance")});
+}
+
+}  // namespace
+
+void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Scene& scene) {
+  const std::string type = supportedType(file, emitter, {"envmap", "constant", "point", "directional"});
+  Properties properties(file, emitter);
+  properties.readPast("float", {"sampling_weight"});
+  if (type == "envmap") {
+    readEnvmap(file, emitter, properties, loads, scene);
+  } else if (type == "constant") {
+    addEnvironment(file, emitter, scene, {requiredColor(file, emitter, properties, "radiance"), {}, {}});
+  } else if (type == "point") {
+    readPoint(file, emitter, properties, scene);
+  } else {
+    readDirectional(file, emitter, properties, scene);
+  }
+  properties.finish();
+}
+
+}  // namespace saccade

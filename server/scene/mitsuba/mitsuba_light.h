@@ -1,0 +1,13 @@
+// The emitters of a Mitsuba scene file that belong to no shape.
+#pragma once
+
+#include "scene/mitsuba/file_loads.h"
+#include "scene/scene.h"
+
+namespace saccade {
+
+// Adds an envmap, constant, point or directional <emitter> to `scene`; `loads` will read its picture. Throws
+// SceneError.
+void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Scene& scene);
+
+}  // namespace saccade

@@ -1,0 +1,30 @@
+// The materials of a Mitsuba scene file.
+#pragma once
+
+#include <map>
+
+#include "scene/mitsuba/mitsuba_texture.h"
+
+namespace saccade {
+
+class MaterialReader {
+ public:
+  // Adds what it reads to the materials of `scene`.
+  MaterialReader(const XmlFile& file, TextureReader& textures, Scene& scene)
+      : file_(file), textures_(textures), scene_(scene) {}
+
+  // Index of the material a <bsdf> describes; of a grey 0.5 if it is null. Each is read once. Throws
+  // SceneError.
+  int read(pugi::xml_node bsdf);
+
+ private:
+  Material parse(pugi::xml_node bsdf);
+  pugi::xml_node readWrapper(const std::string& type, pugi::xml_node bsdf, Material& material);
+
+  const XmlFile& file_;
+  TextureReader& textures_;
+  Scene& scene_;
+  std::map<pugi::xml_node, int> materials_;
+};
+
+}  // namespace saccade

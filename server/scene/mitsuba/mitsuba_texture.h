@@ -1,0 +1,34 @@
+// The colours and textures of a Mitsuba scene file.
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "scene/mitsuba/file_loads.h"
+#include "scene/mitsuba/xml_properties.h"
+#include "scene/scene.h"
+
+namespace saccade {
+
+// All throw SceneError.
+class TextureReader {
+ public:
+  // Adds pictures to the textures of `scene`, one for each file, which `loads` will read.
+  TextureReader(const XmlFile& file, FileLoads& loads, Scene& scene)
+      : file_(file), loads_(loads), scene_(scene) {}
+
+  // The property called `name`: a number, a colour or a texture.
+  SurfaceColor readColor(Properties& properties, const std::string& name, Rgb fallback);
+  SurfaceColor readTexture(pugi::xml_node texture);
+
+ private:
+  SurfaceColor readBitmap(pugi::xml_node bitmap, Properties& properties);
+  int addPicture(pugi::xml_node at, const std::string& path, bool raw);
+
+  const XmlFile& file_;
+  FileLoads& loads_;
+  Scene& scene_;
+  std::map<std::pair<std::string, bool>, int> pictures_;  // by path and `raw`
+};
+
+}  // namespace saccade

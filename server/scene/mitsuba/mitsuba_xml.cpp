@@ -1,0 +1,56 @@
+#include "scene/mitsuba/mitsuba_xml.h"
+
+#include <filesystem>
+
+#include "scene/files/confinement.h"
+#include "scene/files/limits.h"
+#include "scene/files/plain_file.h"
+#include "scene/mitsuba/file_loads.h"
+#include "scene/mitsuba/mitsuba_light.h"
+#include "scene/mitsuba/mitsuba_material.h"
+#include "scene/mitsuba/mitsuba_sensor.h"
+#include "scene/mitsuba/mitsuba_shape.h"
+
+namespace saccade {
+namespace {
+
+void checkTriangles(const XmlFile& file, const Scene& scene) {
+  std::size_t triangles = 0;
+  for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
+  if (triangles > kMaxTriangles)
+    throw file.error(file.root(), "the scene has " + std::to_string(triangles) + " triangles; at most " +
+                                      std::to_string(kMaxTriangles) + " are supported");
+}
+
+}  // namespace
+
+Scene loadMitsubaXml(const std::string& path, const LoadOptions& options) {
+  if (!mayRead(path, options.confined_to)) throw SceneError(path + ": leads out of the folder of the scenes");
+  return parseMitsubaXml(readFile(path, kMaxXmlBytes), path, options);
+}
+
+Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options) {
+  const XmlFile file(std::move(text), path, options);
+  Properties properties(file, file.root());
+  Scene scene;
+  scene.name = std::filesystem::path(path).parent_path().filename().string();
+  const pugi::xml_node sensor = properties.object("sensor");
+  if (!sensor) throw file.error(file.root(), "the scene has no <sensor type=\"perspective\">");
+  readSensor(file, sensor, scene);
+
+  // Shapes name the materials they use; the others are not read.
+  FileLoads loads;
+  TextureReader textures(file, loads, scene);
+  MaterialReader materials(file, textures, scene);
+  for (const pugi::xml_node shape : properties.objects("shape"))
+    readShape(file, shape, materials, loads, scene);
+  for (const pugi::xml_node emitter : properties.objects("emitter")) readLight(file, emitter, loads, scene);
+  for (const char* tag : {"default", "bsdf", "texture", "integrator", "sampler", "film", "rfilter"})
+    properties.readPast(tag);
+  properties.finish();
+  loads.run(file, options);
+  checkTriangles(file, scene);
+  return scene;
+}
+
+}  // namespace saccade

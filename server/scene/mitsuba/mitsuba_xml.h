@@ -1,0 +1,38 @@
+// Reads a Mitsuba scene file of either dialect: 0.4 to 0.6 (toWorld, intIOR) or 3 (to_world, int_ior). Names
+// of both are read in all files; where defaults differ, the scene's version decides.
+//
+// Supported:
+//   sensor    perspective: fov along x, or fov_axis y|x|smaller|larger
+//   shape     obj, ply (face_normals, flip_tex_coords), rectangle, cube, disk, sphere
+//   bsdf      diffuse, plastic, roughplastic, conductor, roughconductor, dielectric, thindielectric;
+//             around one, in any order, twosided, mask, bumpmap
+//   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
+//   emitter   area, of a shape; envmap, constant, point, directional
+//   transform of matrix, translate, rotate, scale, lookat in order
+//   <default> and $names; ids and refs to what stands before
+// Colours are rgb, float, or spectrum of one number. A bsdf at the top without an id goes by that of the bsdf
+// within it. Integrator, sampler and the like are read past; the film's width and height are kept. Anything
+// else, and what is beyond limits.h, is a SceneError naming file, line and what is supported.
+//
+// Our extension: an area emitter may change over stream time, by a factor (dimensionless, at least 0) on its
+// radiance.
+//   <string name="strength" value="0:1, 0.05:1, 0.05:0.2"/>   keys, seconds:factor, times never decreasing
+//   <float name="strength_period" value="0.1"/>               seconds; with it, the keys repeat for ever
+// It is linear between keys and held before the first and after the last; two keys at one time switch, and at
+// that time the later one holds. Every frame shows the factor at its time, not a mean over the time since the
+// frame before.
+#pragma once
+
+#include <string>
+
+#include "scene/files/load_options.h"
+#include "scene/scene.h"
+
+namespace saccade {
+
+// Relative file names are looked up in the folder of the scene file. Throws SceneError.
+Scene loadMitsubaXml(const std::string& path, const LoadOptions& options = {});
+// The same of what the file at `path` holds.
+Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options = {});
+
+}  // namespace saccade

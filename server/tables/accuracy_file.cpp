@@ -1,0 +1,52 @@
+// # cpu="AMD EPYC" size=128x128 bounces=3 threshold=0.2 ...    what all rows share; other keys are only told
+// scene,method,spp,cpu_ms,false_events,missed_events,...       the columns, in any order and among others
+// cornell-box,svgf:as_falcor=1,4,12.5,0.013,0.021,...
+#include <algorithm>
+#include <cstdio>
+
+#include "tables/accuracy_table.h"
+#include "tables/table_file.h"
+
+namespace saccade {
+namespace {
+
+void readSettings(const TableFile& file, AccuracyTable& table) {
+  table.settings = file.settings();
+  table.cpu = file.field("cpu");
+  char rest = 0;
+  if (std::sscanf(file.field("size").c_str(), "%dx%d%c", &table.width, &table.height, &rest) != 2 ||
+      std::min(table.width, table.height) < 1) {
+    file.fail("size is \"" + file.field("size") + "\", not WxH");
+  }
+  table.bounces = file.integer("bounces", 0, 64);
+  table.threshold = file.number("threshold", 1e-3, 10);
+}
+
+MeasuredSetting readRow(const TableFile& file) {
+  MeasuredSetting row;
+  row.scene = file.field("scene");
+  try {
+    row.method = parseMethod(file.field("method"));
+  } catch (const std::runtime_error& fault) {
+    file.fail(fault.what());
+  }
+  row.spp = file.integer("spp", 1, 65536);
+  if (!row.method.takes(row.spp)) file.fail(row.method.name + " cannot run at " + file.field("spp") + " spp");
+  row.cpu_ms = file.number("cpu_ms", 0, 1e9);
+  row.false_events = file.number("false_events", 0, 1e9);
+  row.missed_events = file.number("missed_events", 0, 1e9);
+  return row;
+}
+
+}  // namespace
+
+AccuracyTable readAccuracyTable(const std::string& path) {
+  TableFile file(path, "chart's results; they begin with # cpu=\"...\" size=WxH bounces=N threshold=C");
+  AccuracyTable table;
+  readSettings(file, table);
+  file.readColumns({"scene", "method", "spp", "cpu_ms", "false_events", "missed_events"});
+  while (file.nextRow()) table.rows.push_back(readRow(file));
+  return table;
+}
+
+}  // namespace saccade

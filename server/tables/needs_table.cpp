@@ -1,0 +1,40 @@
+#include "tables/needs_table.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/default_cache.h"
+#include "scene/files/text.h"
+
+namespace saccade {
+
+std::string SceneModel::text() const {
+  const std::string text = std::to_string(bounces) + (bounces == 1 ? " bounce" : " bounces");
+  return without.empty() ? text : text + ", without " + joinNames(namesOf(without));
+}
+
+std::vector<std::string> NeedsTable::scenes() const {
+  std::set<std::string> names;
+  for (const MeasuredModel& row : rows) names.insert(row.scene);
+  return {names.begin(), names.end()};
+}
+
+std::vector<MeasuredModel> NeedsTable::modelsOf(const std::string& scene) const {
+  std::vector<MeasuredModel> models;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(models),
+               [&](const MeasuredModel& row) { return row.scene == scene; });
+  return models;
+}
+
+std::string defaultNeedsTable() {
+  return defaultCache() + "/needs/needs.csv";
+}
+
+const MeasuredModel& cheapest(const std::vector<MeasuredModel>& models, double tolerance) {
+  const MeasuredModel* best = &models.front();
+  for (const MeasuredModel& m : models)
+    if (m.changed <= tolerance && m.noise <= tolerance && m.cpu_ms < best->cpu_ms) best = &m;
+  return *best;
+}
+
+}  // namespace saccade
