@@ -9,9 +9,9 @@
 namespace saccade::client {
 namespace {
 
-constexpr std::chrono::milliseconds kGlance{200};   // between two calls of Waiting
-constexpr std::chrono::milliseconds kParting{200};  // for a last message to a server that may be gone
-constexpr std::uint64_t kUnreadRequest = 0;         // ours count from 1
+constexpr std::chrono::milliseconds kPollInterval{200};  // between two calls of Waiting
+constexpr std::chrono::milliseconds kParting{200};       // for a last message to a server that may be gone
+constexpr std::uint64_t kUnreadRequest = 0;              // ours count from 1
 
 std::string describe(const v1::Status& status) {
   std::string text = status.field().empty() ? status.message() : status.field() + ": " + status.message();
@@ -62,7 +62,8 @@ v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::millisecon
        left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now())) {
     if (waiting) waiting();
     zmq::message_t message;
-    if (!waitReadable(socket_, std::min(left, kGlance)) || !socket_.recv(message, zmq::recv_flags::dontwait))
+    if (!waitReadable(socket_, std::min(left, kPollInterval)) ||
+        !socket_.recv(message, zmq::recv_flags::dontwait))
       continue;
     v1::Reply reply;
     if (!reply.ParseFromArray(message.data(), static_cast<int>(message.size())))

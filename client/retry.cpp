@@ -8,7 +8,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kGlance{200};  // between two calls of Waiting
+constexpr milliseconds kPollInterval{200};  // between two calls of Waiting
 constexpr milliseconds kLongestPause{4000};
 
 bool mayPass(v1::Code code) {
@@ -16,9 +16,9 @@ bool mayPass(v1::Code code) {
 }
 
 void pause(milliseconds time, const Waiting& waiting) {
-  for (; time.count() > 0; time -= kGlance) {
+  for (; time.count() > 0; time -= kPollInterval) {
     if (waiting) waiting();
-    std::this_thread::sleep_for(std::min(time, kGlance));
+    std::this_thread::sleep_for(std::min(time, kPollInterval));
   }
 }
 

@@ -21,24 +21,24 @@ SequenceCheck::SequenceCheck(const v1::OpenStream& resolved) : due_(resolved.sen
   }
 }
 
-std::optional<SequenceCheck::News> SequenceCheck::add(const v1::PacketHeader& header) {
+std::optional<SequenceCheck::FreshRange> SequenceCheck::add(const v1::PacketHeader& header) {
   if (header.sensor() >= due_.size()) throw StreamFault("a packet is of a sensor nobody asked for");
   Point& due = due_[header.sensor()];
   if (!takesSeq(header.kind()) || due.ended) return std::nullopt;
-  const auto news = due.joined ? follow(due, header) : join(due, header);
+  const auto fresh = due.joined ? follow(due, header) : join(due, header);
   due.seq = std::max(due.seq, header.seq() + 1);
-  if (!news) return std::nullopt;
+  if (!fresh) return std::nullopt;
   due.event = header.first_event_index() + header.count();
   due.t_ns = header.t1_ns();
   due.suppressed = header.suppressed();
   due.joined = true;
   due.ended = header.kind() == v1::KIND_END;
-  return news;
+  return fresh;
 }
 
 // A stream that was drained has cut its last packet short: the same events come again with those after them.
-std::optional<SequenceCheck::News> SequenceCheck::join(const Point& due,
-                                                       const v1::PacketHeader& header) const {
+std::optional<SequenceCheck::FreshRange> SequenceCheck::join(const Point& due,
+                                                             const v1::PacketHeader& header) const {
   const std::uint64_t begin = header.first_event_index(), end = begin + header.count();
   const bool is_end = header.kind() == v1::KIND_END;
   if (begin > due.event || (is_end && begin < due.event)) {
@@ -49,10 +49,11 @@ std::optional<SequenceCheck::News> SequenceCheck::join(const Point& due,
   const bool nothing_new = begin < due.event || (due.t_ns && header.t1_ns() <= t_ns);
   if (!is_end && end <= due.event && nothing_new) return std::nullopt;
   const bool again = header.t0_ns() < t_ns;
-  return News{due.event - begin, std::max(t_ns, header.t0_ns()), again ? due.suppressed : 0};
+  return FreshRange{due.event - begin, std::max(t_ns, header.t0_ns()), again ? due.suppressed : 0};
 }
 
-std::optional<SequenceCheck::News> SequenceCheck::follow(const Point& due, const v1::PacketHeader& header) {
+std::optional<SequenceCheck::FreshRange> SequenceCheck::follow(const Point& due,
+                                                               const v1::PacketHeader& header) {
   if (header.seq() < due.seq) return std::nullopt;
   const bool gap = header.seq() > due.seq;
   if (header.first_event_index() < due.event) throw StreamFault("events run backwards");
@@ -64,7 +65,7 @@ std::optional<SequenceCheck::News> SequenceCheck::follow(const Point& due, const
     losses_.packets += header.seq() - due.seq;
     losses_.events += header.first_event_index() - due.event;
   }
-  return News{0, header.t0_ns()};
+  return FreshRange{0, header.t0_ns()};
 }
 
 void SequenceCheck::restart() {

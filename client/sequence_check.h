@@ -24,14 +24,14 @@ class SequenceCheck {
   explicit SequenceCheck(const v1::OpenStream& resolved);
 
   // What is new in a packet: all but its first events, and what was suppressed among them, from a time on.
-  struct News {
+  struct FreshRange {
     std::uint64_t known_events;
     std::int64_t t0_ns;
     std::uint64_t known_suppressed = 0;
   };
   // Nothing where all of the packet came before, or where it takes no seq. Counts what is missing before it.
   // Throws StreamFault where the packet does not go on where the one before it ended.
-  std::optional<News> add(const v1::PacketHeader& header);
+  std::optional<FreshRange> add(const v1::PacketHeader& header);
 
   // The same request has been opened again, at events().
   void restart();
@@ -50,8 +50,8 @@ class SequenceCheck {
     bool joined = true;  // false: the stream is to begin at `event`, whatever its seq
     bool ended = false;
   };
-  std::optional<News> join(const Point& due, const v1::PacketHeader& header) const;
-  std::optional<News> follow(const Point& due, const v1::PacketHeader& header);
+  std::optional<FreshRange> join(const Point& due, const v1::PacketHeader& header) const;
+  std::optional<FreshRange> follow(const Point& due, const v1::PacketHeader& header);
 
   std::vector<Point> due_;  // by sensor
   Losses losses_;

@@ -11,26 +11,26 @@ namespace {
 using std::chrono::milliseconds;
 
 // The packet without what came before.
-void cutOff(const SequenceCheck::News& news, Batch& batch) {
+void cutOff(const SequenceCheck::FreshRange& fresh, Batch& batch) {
   batch.events.erase(batch.events.begin(),
-                     batch.events.begin() + static_cast<std::ptrdiff_t>(news.known_events));
+                     batch.events.begin() + static_cast<std::ptrdiff_t>(fresh.known_events));
   v1::PacketHeader& header = batch.header;
-  const bool earlier = !batch.events.empty() && batch.events.front().t_ns < news.t0_ns;
-  if (earlier || header.suppressed() < news.known_suppressed) {
+  const bool earlier = !batch.events.empty() && batch.events.front().t_ns < fresh.t0_ns;
+  if (earlier || header.suppressed() < fresh.known_suppressed) {
     throw StreamFault("the stream does not come out as it did before it was lost");
   }
-  header.set_first_event_index(header.first_event_index() + news.known_events);
+  header.set_first_event_index(header.first_event_index() + fresh.known_events);
   header.set_count(static_cast<std::uint32_t>(batch.events.size()));
-  header.set_t0_ns(news.t0_ns);
-  header.set_suppressed(header.suppressed() - news.known_suppressed);
+  header.set_t0_ns(fresh.t0_ns);
+  header.set_suppressed(header.suppressed() - fresh.known_suppressed);
 }
 
 }  // namespace
 
-Subscription::Subscription(zmq::context_t& context, StreamHandle& stream, Patience patience)
+Subscription::Subscription(zmq::context_t& context, StreamHandle& stream, RetryPolicy retry_policy)
     : context_(context),
       stream_(stream),
-      patience_(std::move(patience)),
+      retry_policy_(std::move(retry_policy)),
       sequence_(stream.opened().resolved()) {
   connect();
 }
@@ -47,11 +47,11 @@ void Subscription::connect() {
 std::optional<Batch> Subscription::receive(milliseconds timeout) {
   const auto until = Clock::now() + timeout;
   while (true) {
-    const auto left = std::min(until, last_heard_ + patience_.silence) - Clock::now();
+    const auto left = std::min(until, last_heard_ + retry_policy_.silence) - Clock::now();
     auto batch = receiveFromConnection(std::max(milliseconds(0), std::chrono::ceil<milliseconds>(left)));
     if (batch && take(*batch)) return batch;
     if (batch) continue;
-    if (Clock::now() - last_heard_ >= patience_.silence) mend();
+    if (Clock::now() - last_heard_ >= retry_policy_.silence) reconnect();
     return std::nullopt;
   }
 }
@@ -79,12 +79,12 @@ bool Subscription::take(Batch& batch) {
     startAgain("the server ended the stream at frame " + std::to_string(batch.header.frame()));
     return false;
   }
-  const auto news = sequence_.add(batch.header);
-  if (!news) return false;
+  const auto fresh = sequence_.add(batch.header);
+  if (!fresh) return false;
   if (stream_.delivery() == v1::DELIVERY_LOSSLESS && losses().gaps > 0) {
     throw StreamFault("packets of a LOSSLESS stream are missing");
   }
-  cutOff(*news, batch);
+  cutOff(*fresh, batch);
   failure_.clear();
   return true;
 }
@@ -99,12 +99,12 @@ bool Subscription::endsEarly(const v1::PacketHeader& header) const {
 }
 
 // Nothing has come for a while: on another connection, or does the server still have the stream?
-void Subscription::mend() {
+void Subscription::reconnect() {
   const auto until = patienceEnds();
   if (Clock::now() >= until) throw StreamFault("the connection to the server is lost");
   if (heard_ && !broadcast()) return connect();
   std::optional<v1::StreamInfo> info;
-  retry([&](milliseconds) { info = stream_.info(patience_.waiting); }, until, patience_.waiting);
+  retry([&](milliseconds) { info = stream_.info(retry_policy_.waiting); }, until, retry_policy_.waiting);
   if (!info) return startAgain("the server no longer knows the stream");
   const std::uint64_t frames = stream_.opened().frames();
   if (broadcast() && frames > 0 && info->frames_done() >= frames) {
@@ -117,9 +117,9 @@ void Subscription::startAgain(const std::string& failure) {
   const bool again = failure == failure_;  // and nothing has come since
   if (!mayStartAgain() || again) throw StreamFault(failure);
   const auto attempt = [&](milliseconds deadline) {
-    stream_.reopen(sequence_.events(), deadline, patience_.waiting);
+    stream_.reopen(sequence_.events(), deadline, retry_policy_.waiting);
   };
-  retry(attempt, patienceEnds(), patience_.waiting);
+  retry(attempt, patienceEnds(), retry_policy_.waiting);
   failure_ = failure;
   lost_since_.reset();
   sequence_.restart();
@@ -128,12 +128,12 @@ void Subscription::startAgain(const std::string& failure) {
 
 bool Subscription::mayStartAgain() const {
   const bool lossless = stream_.delivery() == v1::DELIVERY_LOSSLESS;
-  return lossless && !stream_.closed() && patience_.retry_time.count() > 0;
+  return lossless && !stream_.closed() && retry_policy_.retry_time.count() > 0;
 }
 
 Subscription::Clock::time_point Subscription::patienceEnds() {
   if (!lost_since_) lost_since_ = Clock::now();
-  return *lost_since_ + patience_.retry_time;
+  return *lost_since_ + retry_policy_.retry_time;
 }
 
 }  // namespace saccade::client

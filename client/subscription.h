@@ -18,14 +18,14 @@ namespace saccade::client {
 
 class Subscription {
  public:
-  struct Patience {
+  struct RetryPolicy {
     std::chrono::milliseconds retry_time{
         60'000};                              // about how long a server may be away; 0: no break is mended
     std::chrono::milliseconds silence{3000};  // after which a connection is taken for lost
     Waiting waiting = {};                     // while the server is asked for
   };
   // Connects. `stream` must outlive the subscription.
-  Subscription(zmq::context_t& context, StreamHandle& stream, Patience patience);
+  Subscription(zmq::context_t& context, StreamHandle& stream, RetryPolicy retry_policy);
 
   // The next batch of any sensor, or a heartbeat; nothing when `timeout` has passed, a signal came first, or
   // a break was mended, which takes up to the retry time. The call says that the batch before is safe: it
@@ -45,20 +45,20 @@ class Subscription {
   std::optional<Batch> receiveFromConnection(std::chrono::milliseconds timeout);
   bool take(Batch& batch);
   bool endsEarly(const v1::PacketHeader& header) const;
-  void mend();
+  void reconnect();
   void startAgain(const std::string& failure);
   bool mayStartAgain() const;
   Clock::time_point patienceEnds();
 
   zmq::context_t& context_;
   StreamHandle& stream_;
-  const Patience patience_;
+  const RetryPolicy retry_policy_;
   SequenceCheck sequence_;
   std::optional<Subscriber> connection_;
   bool heard_ = false;                           // anything on this connection
   Clock::time_point last_heard_;                 // or when it was made
   std::optional<Clock::time_point> lost_since_;  // while nothing is heard
-  std::string failure_;                          // why the stream was opened again, until news comes
+  std::string failure_;                          // why the stream was opened again, until fresh comes
 };
 
 }  // namespace saccade::client

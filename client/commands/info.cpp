@@ -32,9 +32,9 @@ void printServer(const v1::ServerDescription& server) {
               server.threads());
   std::printf("data %s, broadcast %s\n", server.data_endpoint().c_str(), server.broadcast_endpoint().c_str());
   printBudgets("budgets", "--budget-ms, --max-false-rate", server.budgets());
-  printBudgets("needs", "--needs", server.needs());
-  std::printf("\nparts of a scene's model (record --without), and what takes their place:\n");
-  for (const v1::PartInfo& part : server.parts())
+  printBudgets("simplification", "--max-event-change", server.simplification());
+  std::printf("\nparts of a scene's model (record --disable), and what takes their place:\n");
+  for (const v1::SceneFeatureInfo& part : server.scene_features())
     std::printf("  %-20s %s\n", part.name().c_str(), part.description().c_str());
   std::printf("\nlimits (of saccaded: --limit-NAME):\n");
   for (const v1::LimitInfo& limit : server.limits()) {

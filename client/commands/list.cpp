@@ -11,7 +11,7 @@ namespace {
 void printScene(const v1::SceneInfo& scene) {
   std::printf("%s  %s\n", scene.name().c_str(), scene.description().c_str());
   if (!scene.unavailable().empty()) std::printf("  cannot be opened here: %s\n", scene.unavailable().c_str());
-  if (!scene.needs().empty()) std::printf("  %s\n", scene.needs().c_str());
+  if (!scene.stats().empty()) std::printf("  %s\n", scene.stats().c_str());
   if (scene.trajectories().empty()) return;
   std::printf("  trajectories:");
   for (const std::string& name : scene.trajectories()) std::printf(" %s", name.c_str());

@@ -47,8 +47,9 @@ v1::Quality makeQuality(const RecordOptions& options) {
   quality.set_jitter(options.jitter);
   if (options.budget_ms) quality.set_budget_ms(*options.budget_ms);
   if (options.max_false_rate) quality.set_max_false_rate(*options.max_false_rate);
-  if (!options.needs.empty()) quality.set_needs(parseShare("--needs", options.needs));
-  for (const std::string& part : options.without) quality.add_without(part);
+  if (!options.max_event_change.empty())
+    quality.set_max_event_change(parseShare("--max-event-change", options.max_event_change));
+  for (const std::string& part : options.disabled_features) quality.add_disabled_features(part);
   return quality;
 }
 

@@ -10,7 +10,7 @@ namespace saccade::client {
 namespace {
 
 constexpr double kNsPerSecond = 1e9;
-constexpr std::chrono::milliseconds kGlance{500};  // between two looks at Ctrl-C and the progress
+constexpr std::chrono::milliseconds kPollInterval{500};  // between two looks at Ctrl-C and the progress
 
 // Ctrl-C is the end that was meant where the stream has no other.
 void heedInterrupt(StreamHandle& stream) {
@@ -44,7 +44,7 @@ void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& reco
   std::uint64_t epoch = stream.opened().epoch();
   while (!recorder.complete()) {
     if (interrupted()) heedInterrupt(stream);
-    const auto batch = subscription.receive(kGlance);
+    const auto batch = subscription.receive(kPollInterval);
     if (std::exchange(epoch, stream.opened().epoch()) != stream.opened().epoch()) {
       progress.tell("saccade: the server has started anew; it renders up to what is recorded, then on");
     }

@@ -15,7 +15,7 @@ namespace saccade::client {
 void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& recorder,
                 std::optional<Preview>& preview, Progress& progress);
 
-// What receiveAll() does while a server that is away is waited for: to be Subscription::Patience::waiting.
+// What receiveAll() does while a server that is away is waited for: to be Subscription::RetryPolicy::waiting.
 void showWaiting(Progress& progress);
 
 }  // namespace saccade::client

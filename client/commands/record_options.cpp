@@ -79,9 +79,9 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
   command.add_option("--method", o.method, "see `saccade info`");
   CLI::Option* spp = command.add_option("--spp", o.spp, "paths per pixel and frame");
   CLI::Option* bounces = command.add_option("--bounces", o.bounces, "indirect bounces");
-  CLI::Option* without =
+  CLI::Option* disable =
       command
-          .add_option("--without", o.without,
+          .add_option("--disable", o.disabled_features,
                       "part of the scene's model to do without, see `saccade info`; may be given again")
           ->allow_extra_args(false)
           ->delimiter(',');
@@ -89,25 +89,25 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
   CLI::Option* set =
       command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")
           ->allow_extra_args(false);
-  CLI::Option* needs =
+  CLI::Option* max_event_change =
       command
-          .add_option("--needs", o.needs,
+          .add_option("--max-event-change", o.max_event_change,
                       "let the server do without what changes at most so many of the events, such as 2%")
           ->excludes(bounces)
-          ->excludes(without);
+          ->excludes(disable);
   CLI::Option* budget =
       command
           .add_option("--budget-ms", o.budget_ms,
                       "let the server choose the most accurate setting within these CPU ms per frame")
           ->excludes(spp)
           ->excludes(set)
-          ->excludes(needs);
+          ->excludes(max_event_change);
   command
       .add_option("--max-false-rate", o.max_false_rate,
                   "let it choose the fastest with at most so many false events per pixel-frame")
       ->excludes(spp)
       ->excludes(set)
-      ->excludes(needs)
+      ->excludes(max_event_change)
       ->excludes(budget);
   command.add_option("--seed", o.seed, "of all random numbers")->capture_default_str();
   command

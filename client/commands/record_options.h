@@ -31,9 +31,9 @@ struct RecordOptions {
   std::optional<std::uint32_t> spp, bounces;
   bool jitter = false;
   std::optional<double> budget_ms, max_false_rate;
-  std::string needs;                 // "2%"
-  std::vector<std::string> without;  // parts of the scene's model
-  std::vector<std::string> params;   // name=value
+  std::string max_event_change;                // "2%"
+  std::vector<std::string> disabled_features;  // parts of the scene's model
+  std::vector<std::string> params;             // name=value
   std::uint64_t seed = 0;
 };
 

@@ -11,8 +11,8 @@ using Count = unsigned long long;  // as printf names it
 }  // namespace
 
 void printModel(const v1::StreamOpened& opened) {
-  if (!opened.has_simpler()) return;
-  const v1::ExpectedChange& simpler = opened.simpler();
+  if (!opened.has_simplification()) return;
+  const v1::ExpectedChange& simpler = opened.simplification();
   std::printf("chosen: %s\n", simpler.model().c_str());
   std::printf("expected: %.3g %% of the time of the whole model, %.3g %% of its events change\n",
               100 * simpler.time(), 100 * simpler.changed());

@@ -15,8 +15,8 @@ App::App(const Config& config)
     : epoch_(std::stoull(randomHex(8), nullptr, 16)),
       drain_time_(config.drain_s),
       access_(openAccess(config)),
-      tables_{openAccuracySource(config.accuracy), openNeedsSource(config.needs)},
-      budget_(config.limits),
+      tables_{openAccuracySource(config.accuracy), openSimplificationSource(config.simplification)},
+      quota_(config.limits),
       pool_(config.threads),
       scenes_(config.scenes, config.limits),
       sessions_(epoch_),
@@ -28,9 +28,9 @@ App::App(const Config& config)
       data_(config.data, sessions_, static_cast<std::int64_t>(config.limits.bytes(Limit::kCredit)), access_),
       broadcast_(config.broadcast, sessions_, access_),
       streams_(sessions_, client_log_, StreamRegistry::Lease(config.lease_s)),
-      opener_(scenes_, tables_, pool_, budget_, streams_, {data_.wake(), broadcast_.wake()}, totals_,
+      opener_(scenes_, tables_, pool_, quota_, streams_, {data_.wake(), broadcast_.wake()}, totals_,
               client_log_, epoch_),
-      service_(scenes_, budget_, streams_, opener_, client_log_, describe(config)) {
+      service_(scenes_, quota_, streams_, opener_, client_log_, describe(config)) {
   data_.start();
   broadcast_.start();
   control_.start(
@@ -72,16 +72,16 @@ v1::ServerDescription App::describe(const Config& config) const {
   describeParts(description);
   describeLimits(config.limits, description);
   *description.mutable_budgets() = tables_.accuracy.info();
-  *description.mutable_needs() = tables_.needs.info();
+  *description.mutable_simplification() = tables_.simplification.info();
   return description;
 }
 
-Signal::Clock::time_point App::oldestTurn() const {
+ChangeNotifier::Clock::time_point App::oldestTurn() const {
   return std::min({control_.lastTurn(), data_.lastTurn(), broadcast_.lastTurn()});
 }
 
 bool App::alive() const {
-  return Signal::Clock::now() - oldestTurn() < kStall;
+  return ChangeNotifier::Clock::now() - oldestTurn() < kStall;
 }
 
 HttpPages App::pages() const {
@@ -104,16 +104,16 @@ void App::sweep(std::stop_token stopped) {
   std::mutex mutex;
   std::condition_variable_any tick;
   std::unique_lock lock(mutex);
-  auto woken = Signal::Clock::now();
+  auto woken = ChangeNotifier::Clock::now();
   std::uint64_t forgotten = 0;
   while (!stopped.stop_requested()) {
     tick.wait_for(lock, stopped, std::chrono::seconds(1), [] { return false; });
-    streams_.sweep(Signal::Clock::now());
+    streams_.sweep(ChangeNotifier::Clock::now());
     // The heap would keep for ever what many streams at once have taken.
     if (std::exchange(forgotten, streams_.forgotten()) != forgotten) malloc_trim(0);
     // All have gone around since: else the manager is told nothing, and restarts us when its own time is up.
     if (oldestTurn() >= woken) manager_.tell("WATCHDOG=1");
-    woken = Signal::Clock::now();
+    woken = ChangeNotifier::Clock::now();
     for (WakeFd* loop : {&control_.wake(), &data_.wake(), &broadcast_.wake()}) loop->wake();
   }
 }
@@ -122,7 +122,7 @@ bool App::stop() {
   if (stopping_.exchange(true)) return true;
   manager_.tell("STOPPING=1");
   const auto deadline =
-      Signal::Clock::now() + std::chrono::duration_cast<Signal::Clock::duration>(drain_time_);
+      ChangeNotifier::Clock::now() + std::chrono::duration_cast<ChangeNotifier::Clock::duration>(drain_time_);
   opener_.stop();
   const bool all_taken = streams_.stopAll(deadline);
   const bool all_open = opener_.wait(deadline);

@@ -44,13 +44,13 @@ class App {
   v1::ServerDescription describe(const Config& config) const;
   HttpPages pages() const;
   void sweep(std::stop_token stopped);
-  Signal::Clock::time_point oldestTurn() const;  // of the sockets' threads
+  ChangeNotifier::Clock::time_point oldestTurn() const;  // of the sockets' threads
 
   const std::uint64_t epoch_;
   const std::chrono::duration<double> drain_time_;
   const Access access_;
   const MeasuredTables tables_;
-  Budget budget_;
+  ResourceQuota quota_;
   Totals totals_;
   ClientLog client_log_;
   TilePool pool_;

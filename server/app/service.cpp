@@ -5,9 +5,9 @@
 #include "app/request/request_memory.h"
 
 namespace saccade {
-Service::Service(const SceneCache& scenes, Budget& budget, StreamRegistry& streams, StreamOpener& opener,
-                 ClientLog& log, v1::ServerDescription description)
-    : budget_(budget),
+Service::Service(const SceneCache& scenes, ResourceQuota& quota, StreamRegistry& streams,
+                 StreamOpener& opener, ClientLog& log, v1::ServerDescription description)
+    : quota_(quota),
       streams_(streams),
       opener_(opener),
       log_(log),
@@ -43,7 +43,7 @@ void Service::hand(RawRequest raw, const Peer& peer, const Answer& answer) {
 
 void Service::open(RawRequest request, const Peer& peer, Answer answer) {
   auto slot =
-      budget_.take(peer.user, {{Limit::kRequests, 1}, {Limit::kMemory, openingMemory(request.bytes.size())}});
+      quota_.take(peer.user, {{Limit::kRequests, 1}, {Limit::kMemory, openingMemory(request.bytes.size())}});
   opener_.open(std::move(request), peer, [answer = std::move(answer), slot](v1::Reply reply) mutable {
     slot.reset();  // before its client, who may ask the next at once, hears of it
     answer(std::move(reply));
@@ -54,7 +54,7 @@ void Service::open(RawRequest request, const Peer& peer, Answer answer) {
 void Service::getFrame(const v1::GetFrame& call, Answer answer) {
   Stream stream = streams_.find(call.stream_id(), call.token());
   const v1::View& view = stream.request.view();
-  budget_.use(Limit::kPictures, 2.0 * sizeof(float) * view.width() * view.height() / (1 << 20));
+  quota_.use(Limit::kPictures, 2.0 * sizeof(float) * view.width() * view.height() / (1 << 20));
   packer_.post([stream = std::move(stream), answer = std::move(answer)] {
     v1::Reply reply;
     try {
@@ -115,8 +115,8 @@ void describeMethods(v1::ServerDescription& description) {
 }
 
 void describeParts(v1::ServerDescription& description) {
-  for (const PartInfo& info : partTable()) {
-    v1::PartInfo& part = *description.add_parts();
+  for (const SceneFeatureInfo& info : featureTable()) {
+    v1::SceneFeatureInfo& part = *description.add_scene_features();
     part.set_name(info.name);
     part.set_description(info.description);
   }

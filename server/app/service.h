@@ -17,7 +17,7 @@ class Service {
   using Answer = std::function<void(v1::Reply)>;
 
   // Keeps references. `description` is what ServerInfo answers.
-  Service(const SceneCache& scenes, Budget& budget, StreamRegistry& streams, StreamOpener& opener,
+  Service(const SceneCache& scenes, ResourceQuota& quota, StreamRegistry& streams, StreamOpener& opener,
           ClientLog& log, v1::ServerDescription description);
 
   // Does not block; `answer` is called once, perhaps later and from another thread. `peer` is who asks:
@@ -31,7 +31,7 @@ class Service {
   void fill(const v1::Request& request, const Peer& peer, v1::Reply& reply);
   v1::StreamList listStreams(const std::string& user) const;
 
-  Budget& budget_;
+  ResourceQuota& quota_;
   StreamRegistry& streams_;
   StreamOpener& opener_;
   ClientLog& log_;

@@ -141,7 +141,7 @@ void TilePool::Workers::work() {
   }
 }
 
-void TilePool::letUrgentGoFirst() {
+void TilePool::yieldToHighPriority() {
   const auto& here = Workers::here;
   if (here.workers && !here.urgent && here.workers->urgent_jobs > 0) here.workers->runUrgent();
 }

@@ -2,7 +2,7 @@
 //
 // Any number of callers may submit at once; each waits for its own job. Workers take pieces from the open
 // jobs in turn, so two feeds share the cores fairly; those of urgent jobs before all others, and between the
-// steps of a long piece that says letUrgentGoFirst(). What a piece writes must not depend on who runs it:
+// steps of a long piece that says yieldToHighPriority(). What a piece writes must not depend on who runs it:
 // results are then the same for any number of threads. All workers flush denormals to zero (the filter is
 // twice as slow without).
 #pragma once
@@ -51,7 +51,7 @@ class TilePool {
 
   // For a piece that may take longer than a few milliseconds, between its steps, where it holds no lock:
   // unless it is urgent itself, the worker works through the urgent pieces there are before it goes on.
-  static void letUrgentGoFirst();
+  static void yieldToHighPriority();
 
   // Calls f(i) for i in [0, count), in any order, on the workers. Returns the CPU time that took. Throws what
   // a call threw, after all others.

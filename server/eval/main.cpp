@@ -6,13 +6,13 @@
 int main(int argc, char** argv) {
   CLI::App app{"Evaluate Saccade: stills, frames of a method, references, comparisons."};
   app.require_subcommand(1);
-  saccade::eval::addStillCommand(app);
+  saccade::eval::addRenderCommand(app);
   saccade::eval::addFramesCommand(app);
   saccade::eval::addCompareCommand(app);
-  saccade::eval::addCompareStillsCommand(app);
+  saccade::eval::addCompareRendersCommand(app);
   saccade::eval::addChartCommand(app);
   saccade::eval::addFigureCommand(app);
-  saccade::eval::addNeedsCommand(app);
+  saccade::eval::addSimplificationCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -78,7 +78,7 @@ template <class F>
 void forEachChange(const ImageF& dL, F&& f) {
   constexpr int kBlock = 16;
   for (int y = 0; y < dL.height(); ++y) {
-    TilePool::letUrgentGoFirst();
+    TilePool::yieldToHighPriority();
     const float* row = dL.row(y);
     // The last block may reach into the border, which is 0.
     for (int x0 = 0; x0 < dL.width(); x0 += kBlock) {

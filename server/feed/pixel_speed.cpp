@@ -16,8 +16,8 @@ constexpr FrameIndex kInstants = 16;
 constexpr TimeNs kLongest{60'000'000'000};
 
 // What is in view, in the axes of the camera.
-View gridView(const RenderScene& scene, const Camera& camera, const FeedConfig& config) {
-  View view;
+VisiblePoints gridView(const RenderScene& scene, const Camera& camera, const FeedConfig& config) {
+  VisiblePoints view;
   for (int row = 0; row < kRows; ++row) {
     for (int column = 0; column < kColumns; ++column) {
       const float x =

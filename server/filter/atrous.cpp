@@ -97,7 +97,7 @@ void filterChunk(const Features& cur, const Features& prev, int n, std::ptrdiff_
 }  // namespace
 
 std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousParams& params, int step,
-                                         const Signals& in, TilePool& pool, Signals& out) {
+                                         const FilterPlanes& in, TilePool& pool, FilterPlanes& out) {
   static_assert(2 * kMaxAtrousStep <= ImageF::kBorder);
   SACCADE_CHECK(step <= kMaxAtrousStep);
   const int width = in.i.width();

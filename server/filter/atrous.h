@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/tile_pool.h"
-#include "filter/signals.h"
+#include "filter/filter_planes.h"
 #include "frame/frame.h"
 
 namespace saccade {
@@ -23,6 +23,6 @@ struct AtrousParams {
 inline constexpr int kMaxAtrousStep = 16;  // 2 * step must stay within Image::kBorder
 
 std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousParams& params, int step,
-                                         const Signals& in, TilePool& pool, Signals& out);
+                                         const FilterPlanes& in, TilePool& pool, FilterPlanes& out);
 
 }  // namespace saccade

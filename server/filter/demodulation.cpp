@@ -34,8 +34,8 @@ std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, Ti
 }
 
 std::chrono::nanoseconds modulate(const FramePair& frames, Demodulation by, float variance_scale,
-                                  const Signals& filtered, const ImageF& i_prev, const ImageF& var_i_prev,
-                                  TilePool& pool, IntensityChange& out) {
+                                  const FilterPlanes& filtered, const ImageF& i_prev,
+                                  const ImageF& var_i_prev, TilePool& pool, IntensityChange& out) {
   return pool.forEachRow(out.dI.height(), [&](int y) {
     const float *A = frames.cur.g.albedo.row(y), *A_prev = frames.prev.g.albedo.row(y);
     const float *E = frames.cur.g.emission.row(y), *E_prev = frames.prev.g.emission.row(y);

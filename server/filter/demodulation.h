@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/tile_pool.h"
-#include "filter/signals.h"
+#include "filter/filter_planes.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
 
@@ -40,7 +40,7 @@ std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, Ti
 // `i_prev`, `var_i_prev`: the filtered primal of the previous frame. Variances are scaled by
 // `variance_scale`.
 std::chrono::nanoseconds modulate(const FramePair& frames, Demodulation by, float variance_scale,
-                                  const Signals& filtered, const ImageF& i_prev, const ImageF& var_i_prev,
-                                  TilePool& pool, IntensityChange& out);
+                                  const FilterPlanes& filtered, const ImageF& i_prev,
+                                  const ImageF& var_i_prev, TilePool& pool, IntensityChange& out);
 
 }  // namespace saccade

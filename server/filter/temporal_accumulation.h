@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/tile_pool.h"
-#include "filter/signals.h"
+#include "filter/filter_planes.h"
 #include "frame/frame.h"
 
 namespace saccade {

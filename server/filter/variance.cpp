@@ -83,7 +83,7 @@ void temporalVariance(int width, const float* first, const float* second, float*
 }  // namespace
 
 std::chrono::nanoseconds estimateVariance(const FramePair& frames, const History& history,
-                                          const VarianceParams& params, TilePool& pool, Signals& out) {
+                                          const VarianceParams& params, TilePool& pool, FilterPlanes& out) {
   const int width = history.I.width();
   const float least = params.as_falcor ? std::numeric_limits<float>::lowest() : 0;
   return pool.forEachRow(history.I.height(), [&](int y) {

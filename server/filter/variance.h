@@ -8,7 +8,7 @@
 #pragma once
 
 #include "base/tile_pool.h"
-#include "filter/signals.h"
+#include "filter/filter_planes.h"
 #include "frame/frame.h"
 
 namespace saccade {
@@ -24,6 +24,6 @@ struct VarianceParams {
 };
 
 std::chrono::nanoseconds estimateVariance(const FramePair& frames, const History& history,
-                                          const VarianceParams& params, TilePool& pool, Signals& out);
+                                          const VarianceParams& params, TilePool& pool, FilterPlanes& out);
 
 }  // namespace saccade

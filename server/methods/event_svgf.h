@@ -1,7 +1,7 @@
 // EventSVGF: the temporal difference itself, accumulated and filtered (paper, 4.3 - 4.5, Figure 4).
 #pragma once
 
-#include "filter/signals.h"
+#include "filter/filter_planes.h"
 #include "filter/temporal_accumulation.h"
 #include "methods/method.h"
 #include "methods/svgf_common.h"
@@ -39,7 +39,7 @@ class EventSvgf final : public Method {
   IlluminationSamples samples_;
   History history_, history_prev_;  // of this frame and the one before
   ImageF I_prev2_;                  // I' of two frames ago
-  Signals filtered_, scratch_;
+  FilterPlanes filtered_, scratch_;
   ImageF i_prev_, var_i_prev_;  // D[i_{t-1}] and its variance
 };
 

@@ -1,7 +1,7 @@
 // SVGF, the primal-domain rival: each frame is filtered by itself, D[I_t] - D[I_{t-1}] [E (7)].
 #pragma once
 
-#include "filter/signals.h"
+#include "filter/filter_planes.h"
 #include "filter/temporal_accumulation.h"
 #include "methods/method.h"
 #include "methods/svgf_common.h"
@@ -34,7 +34,7 @@ class Svgf final : public Method {
   AtrousParams atrous_;
   IlluminationSamples samples_;
   History history_, history_prev_;
-  Signals filtered_, scratch_;
+  FilterPlanes filtered_, scratch_;
   ImageF I_prev_, var_I_prev_;  // D[I_{t-1}] and its variance
 };
 

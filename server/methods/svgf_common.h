@@ -2,7 +2,7 @@
 #pragma once
 
 #include "filter/atrous.h"
-#include "filter/signals.h"
+#include "filter/filter_planes.h"
 #include "filter/variance.h"
 #include "methods/param_fields.h"
 
@@ -48,7 +48,7 @@ std::vector<ParamField<P>> withCommonFields(const std::vector<ParamField<P>>& mo
 // Variance, then iterations each twice as wide. The one at the feedback tap becomes the history. The result
 // is in `filtered`.
 void filterOverSpace(const FramePair& frames, const SvgfCommonParams& params, const VarianceParams& variance,
-                     const AtrousParams& atrous, TilePool& pool, History& history, Signals& filtered,
-                     Signals& scratch, StageTimes& times);
+                     const AtrousParams& atrous, TilePool& pool, History& history, FilterPlanes& filtered,
+                     FilterPlanes& scratch, StageTimes& times);
 
 }  // namespace saccade

@@ -15,14 +15,14 @@ inline Lane balance(Lane pdf, Lane other) {
 }
 
 // What panes and masks let through along a shadow ray.
-inline Passage passageAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
+inline Transmittance passageAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
   constexpr int kMaxPassages = 16;
-  Passage all;
+  Transmittance all;
   for (int i = 0; i < kMaxPassages; ++i) {
     const Hit hit = scene.geometry().intersect(ray);
     if (!hit.valid) return all;
     const Surface s = surfaceAt<Shading::kAll>(scene, ray, hit, RayCone::kDiffuseSpread * hit.t);
-    const Passage one = Scatter<Shading::kAll>(s, direction).passage();
+    const Transmittance one = Scatter<Shading::kAll>(s, direction).passage();
     all = {all.fraction * one.fraction, all.probability * one.probability};
     if (luminance(all.fraction) <= 0) break;
     ray.origin = scene.leave(s, true);
@@ -46,7 +46,7 @@ template <Shading S, int Channels>
   if (f.pdf <= 0) return {};
   const Ray shadow{origin, light.segment, light.reach};
   if (S == Shading::kAll && scene.hasPassages()) {
-    const Passage passage = passageAlong(scene, shadow, light.direction);
+    const Transmittance passage = passageAlong(scene, shadow, light.direction);
     if (passage.probability <= 0) return {};
     f = {f.value * passage.fraction, f.pdf * passage.probability};
   } else if (scene.geometry().occluded(shadow)) {

@@ -49,7 +49,7 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
                                            sampler.u(dimension + kBounce + 1));
     throughput = throughput * Color<Channels>(next.weight);
     if (next.pdf <= 0 || throughput.luminance() <= 0) return radiance;
-    const bool straight = S == Shading::kAll && scatter.isStraight(next);
+    const bool straight = S == Shading::kAll && scatter.isPassThrough(next);
     if (spent && !straight) return radiance;
     if (straight)
       choice.pdf *= scatter.passage().probability;

@@ -21,7 +21,7 @@ Rgb meanReflected(const RenderScene& scene, const EmitterStrengths& strengths, c
                   std::uint64_t seed, std::uint32_t pixel, int spp, int bounces) {
   Vec3d sum;
   for (int i = 0; i < spp; ++i) {
-    if (i % kPathsAtOnce == kPathsAtOnce - 1) TilePool::letUrgentGoFirst();
+    if (i % kPathsAtOnce == kPathsAtOnce - 1) TilePool::yieldToHighPriority();
     const Rgb path =
         traceReflected<S, Channels>(scene, strengths, start, PathSampler(seed, pixel, i), bounces).rgb();
     if (std::isfinite(luminance(path))) sum = sum + toDouble(path);
@@ -29,7 +29,7 @@ Rgb meanReflected(const RenderScene& scene, const EmitterStrengths& strengths, c
   return spp > 0 ? toFloat(sum / static_cast<double>(spp)) : Rgb{};
 }
 
-struct View {
+struct PixelContext {
   const RenderScene& scene;
   const EmitterStrengths& strengths;
   const Camera &camera, &prev;
@@ -37,7 +37,7 @@ struct View {
 
 // Both samples of a pixel from its centre.
 template <Shading S, int Channels>
-void renderPixel(const View& view, const SeedPlan& seeds, int bounces, int x, int y, Frame& out) {
+void renderPixel(const PixelContext& view, const SeedPlan& seeds, int bounces, int x, int y, Frame& out) {
   const PrimaryHit primary =
       tracePrimary<S>(view.scene, view.strengths, view.camera, static_cast<float>(x), static_cast<float>(y));
   writeFeatures(primary, view.camera, view.prev, x, y, out.g);
@@ -56,7 +56,8 @@ void renderPixel(const View& view, const SeedPlan& seeds, int bounces, int x, in
 // Both samples of a pixel, each from its own place in it, as if they came off the pixel's average albedo: the
 // filter smooths illumination, and the average is without noise [paper, 5.5]. Guides are of the centre.
 template <Shading S, int Channels>
-void renderJitteredPixel(const View& view, const SeedPlan& seeds, int bounces, int x, int y, Frame& out) {
+void renderJitteredPixel(const PixelContext& view, const SeedPlan& seeds, int bounces, int x, int y,
+                         Frame& out) {
   const auto hitAt = [&](Vec2 offset) {
     return tracePrimary<S>(view.scene, view.strengths, view.camera, static_cast<float>(x) + offset.x,
                            static_cast<float>(y) + offset.y);

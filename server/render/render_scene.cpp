@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/scene_needs.h"
+#include "scene/scene_stats.h"
 
 namespace saccade {
 namespace {
@@ -41,8 +41,8 @@ RenderScene::RenderScene(Scene scene)
 }
 
 std::size_t RenderScene::bytes() const {
-  const SceneNeeds needs = needsOf(scene_);
-  return needs.geometry_bytes + geometry_.bytes() + needs.texture_bytes;
+  const SceneStats stats = statsOf(scene_);
+  return stats.geometry_bytes + geometry_.bytes() + stats.texture_bytes;
 }
 
 }  // namespace saccade

@@ -10,17 +10,17 @@ namespace saccade {
 namespace {
 
 template <Shading S, int Channels>
-void renderTile(const View& view, const SeedPlan& seeds, const RenderSettings& settings, Tile tile,
+void renderTile(const PixelContext& view, const SeedPlan& seeds, const RenderSettings& settings, Tile tile,
                 Frame& out) {
   const auto pixel = settings.jitter ? renderJitteredPixel<S, Channels> : renderPixel<S, Channels>;
   for (int y = tile.y0; y < tile.y1; ++y) {
-    TilePool::letUrgentGoFirst();
+    TilePool::yieldToHighPriority();
     for (int x = tile.x0; x < tile.x1; ++x) pixel(view, seeds, settings.bounces, x, y, out);
   }
 }
 
 template <Shading S>
-void renderStillRow(const View& view, std::uint64_t seed, int spp, int bounces, int y, Frame& out,
+void renderStillRow(const PixelContext& view, std::uint64_t seed, int spp, int bounces, int y, Frame& out,
                     ImageF (&rgb)[3]) {
   for (int x = 0; x < out.width(); ++x) {
     const PrimaryHit primary = tracePrimary<S>(view.scene, view.strengths, view.camera, static_cast<float>(x),
@@ -64,7 +64,7 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
   strengths_.setTime(out.time);
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
-  const View view{*scene_, strengths_, camera, prev};
+  const PixelContext view{*scene_, strengths_, camera, prev};
   const auto tile = withShading(
       *scene_, [this]<Shading S>() { return settings_.channels == 1 ? renderTile<S, 1> : renderTile<S, 3>; });
   return pool_.forEachTile(out.width(), out.height(), tileEdge(seeds, settings_.bounces),
@@ -73,7 +73,7 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
 
 void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]) {
   strengths_.setTime(out.time);
-  const View view{*scene_, strengths_, camera, camera};
+  const PixelContext view{*scene_, strengths_, camera, camera};
   const auto row = withShading(*scene_, []<Shading S>() { return renderStillRow<S>; });
   pool_.forEachRow(out.height(), [&](int y) { row(view, seed, spp, settings_.bounces, y, out, rgb); });
 }

@@ -50,14 +50,14 @@ class Scatter {
   }
 
   // Panes and masks do not bend light, so that shadow rays pass them.
-  Passage passage() const {
-    if (!isPane()) return {Rgb{1, 1, 1} * (1 - s_.opacity), 1 - s_.opacity};
-    const Passage pane = ThinDielectric::passage(s_.bsdf, wo_.z);
+  Transmittance passage() const {
+    if (!isThinDielectric()) return {Rgb{1, 1, 1} * (1 - s_.opacity), 1 - s_.opacity};
+    const Transmittance pane = ThinDielectric::passage(s_.bsdf, wo_.z);
     return {Rgb{1, 1, 1} * (1 - s_.opacity) + pane.fraction * s_.opacity,
             1 - s_.opacity + pane.probability * s_.opacity};
   }
   // Whether a sample is of that.
-  bool isStraight(const BsdfSample& next) const {
+  bool isPassThrough(const BsdfSample& next) const {
     return next.transmitted && s_.bsdf.tables->model.kind != BsdfKind::kDielectric;
   }
 
@@ -77,7 +77,7 @@ class Scatter {
   static constexpr bool kAny = S == Shading::kAll;
   static constexpr BsdfKinds kKinds = kAny ? kAllBsdfKinds : only(BsdfKind::kDiffuse);
   static constexpr Lane kGrazing = 1e-3f;
-  bool isPane() const { return s_.bsdf.tables->model.kind == BsdfKind::kThinDielectric; }
+  bool isThinDielectric() const { return s_.bsdf.tables->model.kind == BsdfKind::kThinDielectric; }
 
   const Surface& s_;
   Vec3 arriving_;

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "render/parts/parts.h"
+#include "render/features/features.h"
 #include "scene/files/text.h"
 
 namespace saccade {
@@ -27,52 +27,55 @@ void eraseUnusedTextures(Scene& scene) {
 
 }  // namespace
 
-const std::vector<PartInfo>& partTable() {
-  static const std::vector<PartInfo> table{
-      {Part::kTextures, "textures", "colours are the mean of their picture", hasTextures, leaveOutTextures},
-      {Part::kSpecular, "specular",
+const std::vector<SceneFeatureInfo>& featureTable() {
+  static const std::vector<SceneFeatureInfo> table{
+      {SceneFeature::kTextures, "textures", "colours are the mean of their picture", hasTextures,
+       leaveOutTextures},
+      {SceneFeature::kSpecular, "specular",
        "plastics and metals are diffuse, of their albedo at a right angle; no glass", hasSpecular,
        leaveOutSpecular},
-      {Part::kBumpMaps, "bump_maps", "surfaces are as smooth as their meshes", hasBumpMaps, leaveOutBumpMaps},
-      {Part::kMasks, "masks", "what is masked is opaque, or gone where less than half of it is", hasMasks,
-       leaveOutMasks},
-      {Part::kEnvironment, "environment", "all directions are as bright as their mean", hasEnvironmentPicture,
-       leaveOutEnvironmentPicture},
+      {SceneFeature::kBumpMaps, "bump_maps", "surfaces are as smooth as their meshes", hasBumpMaps,
+       leaveOutBumpMaps},
+      {SceneFeature::kMasks, "masks", "what is masked is opaque, or gone where less than half of it is",
+       hasMasks, leaveOutMasks},
+      {SceneFeature::kEnvironment, "environment", "all directions are as bright as their mean",
+       hasEnvironmentPicture, leaveOutEnvironmentPicture},
       // Last: what makes textures makes mips for them.
-      {Part::kMipFiltering, "mip_filtering", "pictures are looked up at one point", hasMips, leaveOutMips},
+      {SceneFeature::kMipFiltering, "mip_filtering", "pictures are looked up at one point", hasMips,
+       leaveOutMips},
   };
   return table;
 }
 
-const PartInfo* findPart(const std::string& name) {
-  for (const PartInfo& info : partTable())
+const SceneFeatureInfo* findFeature(const std::string& name) {
+  for (const SceneFeatureInfo& info : featureTable())
     if (info.name == name) return &info;
   return nullptr;
 }
 
-std::string partNames() {
+std::string featureNames() {
   std::vector<std::string> names;
-  for (const PartInfo& info : partTable()) names.push_back(info.name);
+  for (const SceneFeatureInfo& info : featureTable()) names.push_back(info.name);
   return joinNames(names);
 }
 
-Parts partsOf(const Scene& scene) {
-  Parts parts;
-  for (const PartInfo& info : partTable())
-    if (info.isIn(scene)) parts.insert(info.part);
+SceneFeatures featuresOf(const Scene& scene) {
+  SceneFeatures parts;
+  for (const SceneFeatureInfo& info : featureTable())
+    if (info.isIn(scene)) parts.insert(info.feature);
   return parts;
 }
 
-std::vector<std::string> namesOf(const Parts& parts) {
+std::vector<std::string> namesOf(const SceneFeatures& parts) {
   std::vector<std::string> names;
-  for (const PartInfo& info : partTable())
-    if (parts.count(info.part)) names.push_back(info.name);
+  for (const SceneFeatureInfo& info : featureTable())
+    if (parts.count(info.feature)) names.push_back(info.name);
   return names;
 }
 
-Scene simplified(Scene scene, const Parts& without) {
-  for (const PartInfo& info : partTable())
-    if (without.count(info.part)) info.leaveOut(scene);
+Scene simplified(Scene scene, const SceneFeatures& disabled) {
+  for (const SceneFeatureInfo& info : featureTable())
+    if (disabled.count(info.feature)) info.leaveOut(scene);
   eraseUnusedTextures(scene);
   return scene;
 }

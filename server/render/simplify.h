@@ -10,11 +10,11 @@
 
 namespace saccade {
 
-enum class Part { kTextures, kSpecular, kBumpMaps, kMasks, kEnvironment, kMipFiltering };
-using Parts = std::set<Part>;
+enum class SceneFeature { kTextures, kSpecular, kBumpMaps, kMasks, kEnvironment, kMipFiltering };
+using SceneFeatures = std::set<SceneFeature>;
 
-struct PartInfo {
-  Part part;
+struct SceneFeatureInfo {
+  SceneFeature feature;
   std::string name;         // "textures"
   std::string description;  // what takes its place
   bool (*isIn)(const Scene& scene);
@@ -22,15 +22,15 @@ struct PartInfo {
 };
 
 // THE list, in the order in which parts are left out.
-const std::vector<PartInfo>& partTable();
-const PartInfo* findPart(const std::string& name);  // nullptr if there is none
-std::string partNames();                            // "textures, specular, ...", for messages
+const std::vector<SceneFeatureInfo>& featureTable();
+const SceneFeatureInfo* findFeature(const std::string& name);  // nullptr if there is none
+std::string featureNames();                                    // "textures, specular, ...", for messages
 
-Parts partsOf(const Scene& scene);
-std::vector<std::string> namesOf(const Parts& parts);  // in the order of the table
+SceneFeatures featuresOf(const Scene& scene);
+std::vector<std::string> namesOf(const SceneFeatures& parts);  // in the order of the table
 
 // `scene` without these parts, and without the bitmaps that nothing shows any more. What it lacks anyway
 // changes nothing.
-Scene simplified(Scene scene, const Parts& without);
+Scene simplified(Scene scene, const SceneFeatures& disabled);
 
 }  // namespace saccade

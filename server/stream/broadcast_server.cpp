@@ -72,7 +72,7 @@ void BroadcastServer::subscribe(const SocketLoop::Message& message, const std::s
   subscriber.user = message.user;
   if (subscriber.topics.size() >= kMaxTopics || !subscriber.topics.insert(topic).second) return;
   Audience& audience = audiences_[session->id()];
-  if (audience.peers.empty()) audience.first = Signal::Clock::now();
+  if (audience.peers.empty()) audience.first = ChangeNotifier::Clock::now();
   audience.peers[topic].insert(message.peer);
 }
 
@@ -124,7 +124,7 @@ void BroadcastServer::forgetRevoked() {
 void BroadcastServer::serve(Session& session, Audience& audience) {
   if (!audience.told && complete(session, audience)) {
     audience.told = true;
-    audience.last_sent = Signal::Clock::now();
+    audience.last_sent = ChangeNotifier::Clock::now();
     session.start();
   }
   sendPacketsOf(session, audience);
@@ -132,11 +132,12 @@ void BroadcastServer::serve(Session& session, Audience& audience) {
 
 bool BroadcastServer::complete(const Session& session, const Audience& audience) const {
   if (audience.peers.empty()) return false;
-  return audience.peers.size() == session.sensors() || Signal::Clock::now() - audience.first >= kJoinTime;
+  return audience.peers.size() == session.sensors() ||
+         ChangeNotifier::Clock::now() - audience.first >= kJoinTime;
 }
 
 void BroadcastServer::sendPacketsOf(Session& session, Audience& audience) {
-  const auto now = Signal::Clock::now();
+  const auto now = ChangeNotifier::Clock::now();
   while (session.sendOldest([&](const WirePacket& packet) {
     sendTo(audience, session.topic(packet.sensor), packet.header, packet.payload);
     return true;  // a subscriber that is too slow for it has lost it

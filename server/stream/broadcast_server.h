@@ -39,8 +39,8 @@ class BroadcastServer {
     std::set<std::string> topics;  // of streams that there are, or were
   };
   struct Audience {
-    Signal::Clock::time_point first;  // since when it is not empty
-    Signal::Clock::time_point last_sent;
+    ChangeNotifier::Clock::time_point first;  // since when it is not empty
+    ChangeNotifier::Clock::time_point last_sent;
     std::map<std::string, std::set<std::string>> peers;  // by topic, but for topics without
     bool told = false;                                   // the session, that it has a receiver
   };

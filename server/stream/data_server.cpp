@@ -131,20 +131,20 @@ SocketLoop::Sent DataServer::sendPacketsOf(const std::string& peer, Connection& 
     if (sent != SocketLoop::Sent::kYes) return false;
     bytes += packet.bytes();
     connection.credit_bytes -= static_cast<std::int64_t>(packet.bytes());
-    connection.last_sent = Signal::Clock::now();
+    connection.last_sent = ChangeNotifier::Clock::now();
     return true;
   };
   // The last packet may overdraw the credit: less than a packet's worth shall not stall a stream in silence.
   while (connection.credit_bytes > 0 && connection.session->sendOldest(send)) {
   }
   if (sent != SocketLoop::Sent::kYes) return sent;
-  const bool quiet = Signal::Clock::now() - connection.last_sent >= kHeartbeatPause;
+  const bool quiet = ChangeNotifier::Clock::now() - connection.last_sent >= kHeartbeatPause;
   return quiet ? sendHeartbeat(peer, connection) : SocketLoop::Sent::kYes;
 }
 
 SocketLoop::Sent DataServer::sendHeartbeat(const std::string& peer, Connection& connection) {
   const Packet packet = connection.session->heartbeat();
-  connection.last_sent = Signal::Clock::now();
+  connection.last_sent = ChangeNotifier::Clock::now();
   return loop_.send(peer, {packet.header.SerializeAsString(), *packet.payload});
 }
 

@@ -32,7 +32,7 @@ class DataServer {
     std::shared_ptr<Session> session;
     std::string user;               // whose it is, see SocketLoop::Message
     std::int64_t credit_bytes = 0;  // below 0: overdrawn by its last packet
-    Signal::Clock::time_point last_sent = Signal::Clock::now();
+    ChangeNotifier::Clock::time_point last_sent = ChangeNotifier::Clock::now();
   };
   void receive(const SocketLoop::Message& message);
   // Each returns what is wrong, or an empty text.

@@ -22,7 +22,7 @@ std::string randomHex(int count) {
 }
 
 Session::Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
-                 std::shared_ptr<Signal> producer, Traffic& traffic, std::uint64_t queue_bytes,
+                 std::shared_ptr<ChangeNotifier> producer, Traffic& traffic, std::uint64_t queue_bytes,
                  std::uint64_t epoch)
     : id_(std::move(id)),
       token_(randomHex(16)),
@@ -75,7 +75,7 @@ bool Session::sendOldest(const CreditQueue::Send& send) {
   return true;
 }
 
-std::optional<Signal::Clock::time_point> Session::unattended() const {
+std::optional<ChangeNotifier::Clock::time_point> Session::unattended() const {
   if (has_receiver_ && !drained()) return std::nullopt;
   return last_activity_;
 }

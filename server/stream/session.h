@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "saccade/v1/control.pb.h"
+#include "stream/change_notifier.h"
 #include "stream/credit_queue.h"
-#include "stream/signal.h"
 #include "stream/traffic.h"
 #include "stream/wake_fd.h"
 
@@ -29,7 +29,7 @@ class Session {
   // hasRoom() or settled() may have changed. `transport` and `traffic`, which is added to, outlive the
   // session. `epoch`: of the server.
   Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
-          std::shared_ptr<Signal> producer, Traffic& traffic, std::uint64_t queue_bytes = kQueueBytes,
+          std::shared_ptr<ChangeNotifier> producer, Traffic& traffic, std::uint64_t queue_bytes = kQueueBytes,
           std::uint64_t epoch = 0);
 
   const std::string& id() const { return id_; }
@@ -63,17 +63,17 @@ class Session {
   bool drained() const { return finished_ && queue_.empty(); }
   bool settled() const { return drained() || (finished_ && !has_receiver_); }  // nothing can be sent any more
   // Since when nobody has been there for what it has, or will have; nothing while somebody is.
-  std::optional<Signal::Clock::time_point> unattended() const;
+  std::optional<ChangeNotifier::Clock::time_point> unattended() const;
 
  private:
-  void touch() { last_activity_ = Signal::Clock::now(); }
+  void touch() { last_activity_ = ChangeNotifier::Clock::now(); }
 
   const std::string id_, token_;
   const v1::Delivery delivery_;
   const std::uint32_t sensors_;
   const std::uint64_t epoch_;
   WakeFd& transport_;
-  const std::shared_ptr<Signal> producer_;
+  const std::shared_ptr<ChangeNotifier> producer_;
   Traffic& traffic_;
   CreditQueue queue_;
   std::atomic<bool> started_ = false, has_receiver_ = false, stopping_ = false, finished_ = false;
@@ -85,7 +85,7 @@ class Session {
   mutable std::mutex progress_mutex_;
   Progress progress_;
   std::atomic<std::int64_t> lag_ms_ = 0;
-  std::atomic<Signal::Clock::time_point> last_activity_;
+  std::atomic<ChangeNotifier::Clock::time_point> last_activity_;
 };
 
 // `count` bytes of the kernel's random numbers as hex digits.

@@ -50,7 +50,7 @@ std::string defaultAccuracyTable() {
   return defaultCache() + "/chart/results.csv";
 }
 
-std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const Rendering& rendering) {
+std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const SettingsQuery& rendering) {
   const double time = rendering.pixels / (static_cast<double>(table.width) * table.height);
   const double rate = table.threshold / rendering.threshold;  // [E (34)]
   std::set<std::string> methods;                              // of the scene

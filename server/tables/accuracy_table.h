@@ -38,7 +38,7 @@ AccuracyTable readAccuracyTable(const std::string& path);
 std::string defaultAccuracyTable();
 
 // What is to be rendered.
-struct Rendering {
+struct SettingsQuery {
   std::string scene;
   double pixels = 0;     // of a frame
   double threshold = 0;  // C, natural log units
@@ -57,7 +57,7 @@ struct NothingFits : std::runtime_error {
 
 // What the settings cost and give there: time grows with the pixels, event rates with 1 / C [E (34)]. Never
 // empty. Throws NotMeasured.
-std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const Rendering& rendering);
+std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const SettingsQuery& rendering);
 
 // The least false and missed events in at most `budget_ms` of CPU time a frame. Throws NothingFits.
 MeasuredSetting mostAccurate(const std::vector<MeasuredSetting>& settings, double budget_ms);

@@ -59,7 +59,7 @@ TEST(RequestBounds, NameTheFieldThatHasTooMuch) {
       {opening(keys(kMaxKeyframes) + keys(1)), "trajectory.keyframes.keys"},
       {opening(field(5, times(65, field(3, "")))), "method.params"},
       {opening(field(5, field(3, field(1, std::string(300, 'x'))))), "method.params.key"},
-      {opening(field(6, times(kMany, field(5, "")))), "quality.without"},
+      {opening(field(6, times(kMany, field(5, "")))), "quality.disabled_features"},
       {opening(field(1, std::string(257, 'x'))), "scene"},
       {opening(field(3, field(4, std::string((8 << 20) + 1, ' ')))), "trajectory.csv"},
       {opening(times(kMany, field(99, ""))), ""},
@@ -84,7 +84,7 @@ TEST(RequestBounds, LetThroughAsMuchAsMayBe) {
   for (int i = 0; i < kMaxSensors; ++i) open.add_sensors()->set_threshold(0.1);
   for (int i = 0; i < kMaxKeyframes; ++i)
     open.mutable_trajectory()->mutable_keyframes()->add_keys()->set_time_s(i);
-  for (int i = 0; i < 64; ++i) open.mutable_quality()->add_without("textures");
+  for (int i = 0; i < 64; ++i) open.mutable_quality()->add_disabled_features("textures");
   for (int i = 0; i < 64; ++i) (*open.mutable_method()->mutable_params())[std::to_string(i)] = i;
   const std::string newer = field(99, std::string(4000, 'x'));
   EXPECT_NO_THROW(checkBounds(request.SerializeAsString() + opening(newer)));

@@ -58,7 +58,7 @@ TEST_F(SceneMemory, WhatIsInUseStays) {
 
 TEST_F(SceneMemory, CountsASceneWithoutPartsToo) {
   SceneCache scenes(kFolder, bounded(static_cast<double>(bytesOf({kThird}) * 3 / 2)));
-  EXPECT_THROW(scenes.get(kThird, {Part::kMipFiltering}), LimitReached);
+  EXPECT_THROW(scenes.get(kThird, {SceneFeature::kMipFiltering}), LimitReached);
 }
 
 // And no other scene is evicted for it.

@@ -108,14 +108,14 @@ TEST(TilePool, UrgentJobsGoBetweenTheStepsOfALongPiece) {
       begun.count_down();
       while (done < 30) {
         std::this_thread::sleep_for(std::chrono::microseconds(100));  // it takes hardly any time itself
-        TilePool::letUrgentGoFirst();
+        TilePool::yieldToHighPriority();
       }
     });
   });
   begun.wait();
   EXPECT_THROW(urgent.run(1, [](int) { throw std::runtime_error("one"); }), std::runtime_error);
   urgent_pieces = urgent.run(30, [&](int) {
-    TilePool::letUrgentGoFirst();  // is one: nothing goes before it
+    TilePool::yieldToHighPriority();  // is one: nothing goes before it
     work();
     ++done;
   });

@@ -203,8 +203,8 @@ class Interrupted : public CommandAndServer {
     Child child(SACCADE_COMMAND
                 " record cornell-box --trajectory right --size 32x24 --retry-time 0 --duration " +
                 duration + " -o " + file_ + server_.option());
-    const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    while (!begun() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
+    const auto retry_policy = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (!begun() && std::chrono::steady_clock::now() < retry_policy) std::this_thread::yield();
     return child;
   }
   const std::string file_ = folder_.at("a.csv"), partial_ = folder_.at("a.csv.partial");

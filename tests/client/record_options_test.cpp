@@ -109,15 +109,17 @@ TEST(RecordOptions, ABudgetTakesThePlaceOfASetting) {
 }
 
 TEST(RecordOptions, AModelIsNamedOrLeftToWhatTheEventsNeed) {
-  const auto named = openStream("--without textures --without masks,specular").quality();
-  EXPECT_EQ(std::vector<std::string>(named.without().begin(), named.without().end()),
+  const auto named = openStream("--disable textures --disable masks,specular").quality();
+  EXPECT_EQ(std::vector<std::string>(named.disabled_features().begin(), named.disabled_features().end()),
             (std::vector<std::string>{"textures", "masks", "specular"}));
-  EXPECT_FALSE(named.has_needs());
-  EXPECT_DOUBLE_EQ(openStream("--needs 2.5%").quality().needs(), 0.025);
+  EXPECT_FALSE(named.has_max_event_change());
+  EXPECT_DOUBLE_EQ(openStream("--max-event-change 2.5%").quality().max_event_change(), 0.025);
   for (const std::string text : {"2", "%", "x%", "2%%", "2% "})
-    EXPECT_NE(faultOf("--needs '" + text + "'").find("--needs"), std::string::npos) << text;
-  for (const std::string other : {"--bounces 2", "--without masks", "--budget-ms 20", "--max-false-rate 1"})
-    EXPECT_NE(faultOf("--needs 2% " + other).find("--needs"), std::string::npos) << other;
+    EXPECT_NE(faultOf("--max-event-change '" + text + "'").find("--max-event-change"), std::string::npos)
+        << text;
+  for (const std::string other : {"--bounces 2", "--disable masks", "--budget-ms 20", "--max-false-rate 1"})
+    EXPECT_NE(faultOf("--max-event-change 2% " + other).find("--max-event-change"), std::string::npos)
+        << other;
 }
 
 TEST(RecordOptions, CodecsAreThoseOfTheTable) {

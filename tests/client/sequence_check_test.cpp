@@ -28,10 +28,10 @@ v1::OpenStream requestFrom(const std::vector<std::uint64_t>& events) {
 
 // A packet is new as a whole from its t0 on.
 void expectNext(SequenceCheck& check, const v1::PacketHeader& header) {
-  const auto news = check.add(header);
-  ASSERT_TRUE(news);
-  EXPECT_EQ(news->known_events, 0u);
-  EXPECT_EQ(news->t0_ns, header.t0_ns());
+  const auto fresh = check.add(header);
+  ASSERT_TRUE(fresh);
+  EXPECT_EQ(fresh->known_events, 0u);
+  EXPECT_EQ(fresh->t0_ns, header.t0_ns());
 }
 
 TEST(SequenceCheck, SensorsAreFollowedApart) {
@@ -102,11 +102,11 @@ TEST(SequenceCheck, WhatDoesNotFollowIsAFault) {
 TEST(SequenceCheck, AStreamBeginsWithTheEventThatWasAskedFor) {
   const auto first = [](const v1::PacketHeader& header) {
     SequenceCheck check(requestFrom({100}));
-    const auto news = check.add(header);
-    if (news)
+    const auto fresh = check.add(header);
+    if (fresh)
       expectNext(check, headerOf(0, header.seq() + 1, header.first_event_index() + header.count(), 1,
                                  header.t1_ns(), header.t1_ns() + 1000));
-    return news;
+    return fresh;
   };
   EXPECT_EQ(first(headerOf(0, 9, 90, 20, 8000, 9000)).value().known_events, 10u);
   EXPECT_EQ(first(headerOf(0, 9, 100, 20, 8000, 9000)).value().known_events, 0u);
@@ -129,9 +129,9 @@ TEST(SequenceCheck, AStreamThatIsOpenedAgainGoesOnInTimeToo) {
     check.restart();
     EXPECT_EQ(check.seqs(), (std::vector<std::uint64_t>{0}));
     EXPECT_EQ(check.events(), (std::vector<std::uint64_t>{10}));
-    const auto news = check.add(header);
+    const auto fresh = check.add(header);
     EXPECT_EQ(check.seqs(), (std::vector<std::uint64_t>{header.seq() + 1}));  // where a connection goes on
-    return news;
+    return fresh;
   };
   const auto rest = again(headerOf(0, 1, 5, 9, 5000, 10000));  // that packet had been cut short
   EXPECT_EQ(rest.value().known_events, 5u);

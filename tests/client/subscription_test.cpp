@@ -69,12 +69,12 @@ class SubscriptionTest : public testing::Test {
 
   // The client's part: its batches until END, while the server does `script`.
   void record(const std::function<void()>& script,
-              Subscription::Patience patience = {.retry_time = milliseconds(5000)}) {
+              Subscription::RetryPolicy retry_policy = {.retry_time = milliseconds(5000)}) {
     auto server = std::async(std::launch::async, script);
-    patience.silence = milliseconds(500);
+    retry_policy.silence = milliseconds(500);
     ControlClient control(context_, control_.endpoint());
-    StreamHandle stream(control, wish_);
-    Subscription subscription(context_, stream, patience);
+    StreamHandle stream(control, request_);
+    Subscription subscription(context_, stream, retry_policy);
     for (bool ended = false; !ended;) {
       const auto batch = subscription.receive(milliseconds(1000));
       if (!batch) continue;
@@ -93,9 +93,9 @@ class SubscriptionTest : public testing::Test {
     losses_ = subscription.losses();
   }
   std::string faultOf(const std::function<void()>& script,
-                      const Subscription::Patience& patience = {.retry_time = milliseconds(5000)}) {
+                      const Subscription::RetryPolicy& retry_policy = {.retry_time = milliseconds(5000)}) {
     try {
-      record(script, patience);
+      record(script, retry_policy);
     } catch (const std::runtime_error& fault) {
       return fault.what();
     }
@@ -104,7 +104,7 @@ class SubscriptionTest : public testing::Test {
 
   zmq::context_t context_;
   FakeServer control_{context_}, data_{context_};
-  v1::OpenStream wish_ = [] {
+  v1::OpenStream request_ = [] {
     v1::OpenStream wish;
     wish.set_delivery(v1::DELIVERY_LOSSLESS);
     wish.add_sensors()->set_threshold(0.25);
@@ -232,7 +232,7 @@ TEST_F(SubscriptionTest, MissingPacketsOfALosslessStreamAreAFault) {
 
 class LiveSubscription : public SubscriptionTest {
  protected:
-  LiveSubscription() { wish_.set_delivery(v1::DELIVERY_LIVE); }
+  LiveSubscription() { request_.set_delivery(v1::DELIVERY_LIVE); }
 };
 
 TEST_F(LiveSubscription, GoesOnWithWhatIsLeftAndCountsTheGap) {

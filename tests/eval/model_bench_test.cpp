@@ -40,7 +40,7 @@ TEST_F(ModelBenchTest, TheWholeModelChangesNothing) {
 // So does a part that is not there.
 TEST_F(ModelBenchTest, WithEqualSeedsOnlyWhatDiffersChanges) {
   const ModelBench b = bench("cornell-box");
-  const auto models = b.measure({{2, {Part::kTextures}}, {1, {}}, {0, {}}});
+  const auto models = b.measure({{2, {SceneFeature::kTextures}}, {1, {}}, {0, {}}});
   EXPECT_EQ(models[0].changed, 0);
   EXPECT_GT(models[2].changed, models[1].changed);
   EXPECT_LT(models[1].noise, b.noise());

@@ -9,7 +9,7 @@ const SceneModel kWhole{2, {}};
 
 // A world in which every part and bounce costs and changes so much, and changes add up.
 struct World {
-  std::map<Part, std::pair<double, double>> parts;  // cpu_ms, changed
+  std::map<SceneFeature, std::pair<double, double>> parts;  // cpu_ms, changed
   double bounce_ms = 1, bounce_changed = 0.1;
   std::vector<SceneModel> asked = {};
 
@@ -18,12 +18,13 @@ struct World {
     MeasuredModel m{.scene = "box", .model = model, .cpu_ms = 20};
     m.cpu_ms -= bounce_ms * (kWhole.bounces - model.bounces);
     m.changed += bounce_changed * (kWhole.bounces - model.bounces);
-    for (const Part part : model.without) m.cpu_ms -= parts[part].first, m.changed += parts[part].second;
+    for (const SceneFeature part : model.disabled_features)
+      m.cpu_ms -= parts[part].first, m.changed += parts[part].second;
     return m;
   }
   // What was measured beyond the whole and each simplification alone.
   std::vector<SceneModel> combinations() {
-    Parts there;
+    SceneFeatures there;
     for (const auto& [part, effect] : parts) there.insert(part);
     const MeasuredModel whole = measure(kWhole);
     std::vector<MeasuredModel> simpler;
@@ -37,16 +38,19 @@ struct World {
 };
 
 TEST(ModelSearch, LeavesOutEachPartAloneAndBounceAfterBounce) {
-  EXPECT_EQ(simplerByOne(kWhole, {Part::kMasks, Part::kTextures}),
-            (std::vector<SceneModel>{{1, {}}, {0, {}}, {2, {Part::kTextures}}, {2, {Part::kMasks}}}));
+  EXPECT_EQ(simplerByOne(kWhole, {SceneFeature::kMasks, SceneFeature::kTextures}),
+            (std::vector<SceneModel>{
+                {1, {}}, {0, {}}, {2, {SceneFeature::kTextures}}, {2, {SceneFeature::kMasks}}}));
   EXPECT_TRUE(simplerByOne({0, {}}, {}).empty());
 }
 
 TEST(ModelSearch, AddsWhatChangesLeastFirst) {
-  World world{{{Part::kTextures, {1, 0.3}}, {Part::kMasks, {1, 0.05}}}};  // one bounce 0.1, both 0.2
-  const Parts masks{Part::kMasks};
+  World world{
+      {{SceneFeature::kTextures, {1, 0.3}}, {SceneFeature::kMasks, {1, 0.05}}}};  // one bounce 0.1, both 0.2
+  const SceneFeatures masks{SceneFeature::kMasks};
   EXPECT_EQ(world.combinations(),
-            (std::vector<SceneModel>{{1, masks}, {0, masks}, {0, {Part::kTextures, Part::kMasks}}}));
+            (std::vector<SceneModel>{
+                {1, masks}, {0, masks}, {0, {SceneFeature::kTextures, SceneFeature::kMasks}}}));
 }
 
 TEST(ModelSearch, FewerBouncesAloneAreKnownAlready) {
@@ -54,14 +58,17 @@ TEST(ModelSearch, FewerBouncesAloneAreKnownAlready) {
 }
 
 TEST(ModelSearch, WhatSavesNoTimeStays) {
-  World world{{{Part::kMipFiltering, {-1, 0.01}}, {Part::kMasks, {0, 0.02}}}};
+  World world{{{SceneFeature::kMipFiltering, {-1, 0.01}}, {SceneFeature::kMasks, {0, 0.02}}}};
   EXPECT_TRUE(world.combinations().empty());
 }
 
 TEST(ModelSearch, EndsWhereMoreThanAllEventsChange) {
-  World world{{{Part::kTextures, {1, 0.6}}, {Part::kMasks, {1, 0.7}}, {Part::kSpecular, {1, 0.9}}}};
+  World world{{{SceneFeature::kTextures, {1, 0.6}},
+               {SceneFeature::kMasks, {1, 0.7}},
+               {SceneFeature::kSpecular, {1, 0.9}}}};
   EXPECT_EQ(world.combinations(),
-            (std::vector<SceneModel>{{0, {Part::kTextures}}, {0, {Part::kTextures, Part::kMasks}}}));
+            (std::vector<SceneModel>{{0, {SceneFeature::kTextures}},
+                                     {0, {SceneFeature::kTextures, SceneFeature::kMasks}}}));
 }
 
 }  // namespace

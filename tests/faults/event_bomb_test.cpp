@@ -23,8 +23,8 @@ TEST(EventBomb, TakesNoMoreThanItsLimitAndTellsWhatIsMissing) {
   subscriber.giveCredit(1);
   Packets packets{subscriber.receive().value()};  // all that the client takes until the bomb is in memory
   const auto made = [&] { return client.streams().streams(0).events(); };
-  const auto deadline = Signal::Clock::now() + kPatience;
-  while (made() == 0 && Signal::Clock::now() < deadline) {
+  const auto deadline = ChangeNotifier::Clock::now() + kPatience;
+  while (made() == 0 && ChangeNotifier::Clock::now() < deadline) {
   }
   const double grown = static_cast<double>(server.usage().resident_bytes - before.resident_bytes);
   RecordProperty("grown_mib", std::to_string(grown / (1 << 20)));

@@ -85,8 +85,8 @@ TEST(FullServer, GrowsByNoMoreThanItsLimits) {
     request.set_scene(scene);
     client.close(client.open(request));
   }
-  const auto deadline = Signal::Clock::now() + kPatience;
-  while (client.streams().streams_size() > 0 && Signal::Clock::now() < deadline) {
+  const auto deadline = ChangeNotifier::Clock::now() + kPatience;
+  while (client.streams().streams_size() > 0 && ChangeNotifier::Clock::now() < deadline) {
   }
   std::vector<v1::StreamOpened> streams;
   const std::string limit = fill(client, streams);

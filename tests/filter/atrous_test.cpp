@@ -38,7 +38,7 @@ struct Fixture : ::testing::Test {
   }
   TilePool pool{2};
   Frame cur{kW, kH}, prev{kW, kH};
-  Signals in{kW, kH}, out{kW, kH};
+  FilterPlanes in{kW, kH}, out{kW, kH};
 };
 
 bool inside(int x, int y) {
@@ -124,7 +124,7 @@ TEST_F(Fixture, LeavesAConstantPictureAlone) {
 
 TEST_F(Fixture, ThePrimalIsTheSameWithAndWithoutTheDifference) {
   atrousIteration({cur, prev}, {}, 2, in, pool, out);
-  Signals alone(kW, kH);
+  FilterPlanes alone(kW, kH);
   atrousIteration({cur, prev}, {.difference = false}, 2, in, pool, alone);
   for (int y = 0; y < kH; ++y) {
     for (int x = 0; x < kW; ++x) {

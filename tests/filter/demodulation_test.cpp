@@ -26,7 +26,7 @@ struct Fixture : ::testing::Test {
   TilePool pool{1};
   Frame cur{kW, kH}, prev{kW, kH};
   IlluminationSamples samples{kW, kH}, samples_prev{kW, kH};
-  Signals filtered{kW, kH};
+  FilterPlanes filtered{kW, kH};
   ImageF zero{kW, kH};
   IntensityChange change{kW, kH};
 };

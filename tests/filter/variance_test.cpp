@@ -18,7 +18,7 @@ struct Fixture : ::testing::Test {
   TilePool pool{1};
   Frame cur{kW, kH}, prev{kW, kH};
   History history{kW, kH};
-  Signals out{kW, kH};
+  FilterPlanes out{kW, kH};
 };
 
 TEST_F(Fixture, LongHistoryGivesTheVarianceOfItsMoments) {

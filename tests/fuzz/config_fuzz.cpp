@@ -105,7 +105,7 @@ const FuzzTarget& fuzzTarget() {
                                   "SACCADE_DRAIN_TIME=",
                                   "accuracy",
                                   "log-level",
-                                  "needs",
+                                  "simplification",
                                   "[a]",
                                   "{}",
                                   "nan",

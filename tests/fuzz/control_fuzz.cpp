@@ -23,8 +23,9 @@ MeasuredTables measuredTables() {
                            3,
                            0.2,
                            {{"cornell-box", svgf, 2, 10, 0.1, 0.2}, {"cornell-box", ours, 4, 20, 0.05, 0.1}}};
-  tables.needs.table.rows = {{"cornell-box", {3, {}}, 20, 0, 0, 0, 0},
-                             {"cornell-box", {1, {Part::kTextures}}, 10, 0.1, 0.1, 0.05, 0.01}};
+  tables.simplification.table.rows = {
+      {"cornell-box", {3, {}}, 20, 0, 0, 0, 0},
+      {"cornell-box", {1, {SceneFeature::kTextures}}, 10, 0.1, 0.1, 0.05, 0.01}};
   return tables;
 }
 
@@ -40,7 +41,7 @@ struct World {
   ClientLog log;
   SessionDirectory sessions;
   StreamRegistry streams{sessions, log, std::chrono::seconds(30)};
-  Budget budget{Limits()};
+  ResourceQuota budget{Limits()};
   StreamOpener opener{scenes, tables, pool, budget, streams, {data, broadcast}, totals, log, 1};
   Service service{scenes, budget, streams, opener, log, {}};
 };
@@ -123,12 +124,12 @@ const FuzzTarget& fuzzTarget() {
       {bytesOf<v1::Request>("protocol_version: 1 list_scenes {}"),
        bytesOf<v1::Request>(kOpen +
                             "trajectory { name: 'right' } method { name: 'svgf' spp: 4 params { key: 'alpha' "
-                            "value: 0.2 } } quality { bounces: 1 without: 'textures' } seed: 7 }"),
+                            "value: 0.2 } } quality { bounces: 1 disabled_features: 'textures' } seed: 7 }"),
        bytesOf<v1::Request>(kOpen + "trajectory { motion { kind: MOTION_KIND_PAN speed: 5 turn_s: 0.1 } } "
                                     "quality { budget_ms: 30 } delivery: DELIVERY_LIVE }"),
        bytesOf<v1::Request>(kOpen +
                             "trajectory { keyframes { keys { rotation { w: 1 } } keys { time_s: 1 position "
-                            "{ x: 1 } rotation { x: 1 } } } } quality { needs: 0.1 } }"),
+                            "{ x: 1 } rotation { x: 1 } } } } quality { max_event_change: 0.1 } }"),
        bytesOf<v1::Request>(kOpen + "trajectory { csv: '0 0 0 0 0 0 0 1\\n1 1 0 0 0 0 0 1\\n' } "
                                     "sensors { model: EVENT_MODEL_PROBABILISTIC refractory_s: 1e-3 "
                                     "reconstruction: RECONSTRUCTION_COMPLEMENTARY cutoff_hz: 2 } }")},

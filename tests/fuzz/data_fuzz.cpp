@@ -72,7 +72,7 @@ struct World {
   SessionDirectory sessions;
   Traffic traffic;
   DataServer server{"tcp://127.0.0.1:*", sessions, std::int64_t{1} << 32};
-  std::shared_ptr<Signal> signal = std::make_shared<Signal>();
+  std::shared_ptr<ChangeNotifier> notifier = std::make_shared<ChangeNotifier>();
   zmq::context_t context;  // of all clients
   std::uint64_t inputs = 0;
 };
@@ -83,7 +83,7 @@ class Served {
   Served(World& world, const std::string& name, v1::Delivery delivery)
       : world_(world),
         session_(std::make_shared<Session>(name + std::to_string(world.inputs), delivery, kSensors,
-                                           world.server.wake(), world.signal, world.traffic, kQueue)) {
+                                           world.server.wake(), world.notifier, world.traffic, kQueue)) {
     for (std::uint64_t i = 0; i < 3 * kSensors; ++i) push(i % kSensors, i / kSensors);
     session_->finish();
     world.sessions.add(session_);

@@ -34,8 +34,8 @@ v1::OpenStream resolved() {
 
 bool follows(client::SequenceCheck& sequence, const v1::PacketHeader& header, const Events& events) {
   return accepts<client::StreamFault>([&] {
-    const auto news = sequence.add(header);
-    SACCADE_CHECK(!news || news->known_events <= events.size());
+    const auto fresh = sequence.add(header);
+    SACCADE_CHECK(!fresh || fresh->known_events <= events.size());
   });
 }
 

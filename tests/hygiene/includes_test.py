@@ -81,7 +81,7 @@ class Includes(unittest.TestCase):
         self.assertIsNone(fault("server/main.cpp", "app/app.h"))
         self.assertIsNone(fault("tests/stream/a_test.cpp", "zmq.hpp"))
         self.assertIn("filter may include", fault("server/filter/atrous.cpp", "render/renderer.h"))
-        self.assertIn("eval may include", fault("server/eval/bench/bench.cpp", "app/streams/outlet.h"))
+        self.assertIn("eval may include", fault("server/eval/bench/bench.cpp", "app/streams/stream_sink.h"))
         self.assertIn("scene may include", fault("server/scene/scene.cpp", "scene/mitsuba/mitsuba_bsdf.h"))
         self.assertIsNone(fault("server/scene/mitsuba/mitsuba_bsdf.cpp", "scene/scene.h"))
         self.assertIn("only server/render/embree_scene.cpp", fault("server/render/lights.cpp", "embree3/rtcore.h"))

@@ -6,12 +6,12 @@ namespace saccade {
 namespace {
 
 Config configFor(int threads, const std::string& scenes, const std::string& accuracy,
-                 const std::string& needs) {
+                 const std::string& simplification) {
   Config config = testConfig();
   config.threads = threads;
   if (!scenes.empty()) config.scenes = scenes;
   config.accuracy = accuracy;
-  config.needs = needs;
+  config.simplification = simplification;
   return config;
 }
 
@@ -28,8 +28,8 @@ Config testConfig() {
 }
 
 TestServer::TestServer(int threads, const std::string& scenes, const std::string& accuracy,
-                       const std::string& needs)
-    : TestServer(configFor(threads, scenes, accuracy, needs)) {}
+                       const std::string& simplification)
+    : TestServer(configFor(threads, scenes, accuracy, simplification)) {}
 
 TestServer::TestServer(const Config& config, const MockKeys& keys)
     : app_(config), client_(app_.controlEndpoint(), keys), info_(client_.server()) {}

@@ -9,9 +9,9 @@ namespace saccade {
 
 class TestServer {
  public:
-  // `scenes`: a folder; empty: the project's own. `accuracy`, `needs`: files of tables; empty: none.
+  // `scenes`: a folder; empty: the project's own. `accuracy`, `simplification`: files of tables; empty: none.
   explicit TestServer(int threads = 1, const std::string& scenes = {}, const std::string& accuracy = {},
-                      const std::string& needs = {});
+                      const std::string& simplification = {});
   explicit TestServer(const Config& config, const MockKeys& keys = {});
 
   MockClient& client() { return client_; }

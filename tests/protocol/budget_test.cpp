@@ -121,7 +121,7 @@ TEST_F(Budgets, GiveTheEventsOfTheSettingThatWasChosen) {
 
 TEST_F(Budgets, AreNoPartOfAFeed) {
   const auto scenes = SceneLibrary(SACCADE_SOURCE_DIR "/scenes").list();
-  const MeasuredTables tables{openAccuracySource(file_.path()), openNeedsSource({})};
+  const MeasuredTables tables{openAccuracySource(file_.path()), openSimplificationSource({})};
   const auto key = [&](const v1::OpenStream& r) { return resolve(r, scenes, tables).feedKey(); };
   v1::OpenStream same = tinyRequest();
   same.mutable_quality()->set_bounces(2);

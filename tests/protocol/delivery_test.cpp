@@ -215,9 +215,9 @@ TEST(Delivery, BroadcastLivesAsLongAsAnybodySubscribes) {
   }
   EXPECT_EQ(server.client().info(stream.stream_id()).stream_id(), stream.stream_id());
   second.reset();
-  const auto deadline = Signal::Clock::now() + kPatience;
+  const auto deadline = ChangeNotifier::Clock::now() + kPatience;
   while (server.client().info(stream.stream_id()).stream_id() == stream.stream_id()) {
-    ASSERT_LT(Signal::Clock::now(), deadline);
+    ASSERT_LT(ChangeNotifier::Clock::now(), deadline);
   }
 }
 

@@ -59,27 +59,27 @@ class FeedFailure : public testing::Test {
     return std::make_unique<FeedRunner>(std::move(feed), 8, 8, FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 
-  static std::shared_ptr<Outlet> makeOutlet(const std::shared_ptr<Session>& session) {
+  static std::shared_ptr<StreamSink> makeOutlet(const std::shared_ptr<Session>& session) {
     ResolvedStream stream{.request = {},
                           .feed = {.width = 8, .height = 8, .params = {}},
                           .sensors = {},
-                          .without = {},
+                          .disabled_features = {},
                           .expected = {},
-                          .simpler = {}};
+                          .simplification = {}};
     stream.request.set_codec(v1::CODEC_NONE);
     for (std::uint32_t i = 0; i < session->sensors(); ++i) stream.request.add_sensors();
     stream.sensors.resize(session->sensors());
-    return std::make_shared<Outlet>(session, stream, 0);
+    return std::make_shared<StreamSink>(session, stream, 0);
   }
 
   // Of a stream with two sensors, from its start to its end.
   std::vector<v1::PacketHeader> packetsOf(FeedRunner& runner) {
-    const auto session = std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 2, transport_, runner.signal(),
-                                                   totals_.traffic);
+    const auto session = std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 2, transport_,
+                                                   runner.notifier(), totals_.traffic);
     runner.add(makeOutlet(session));
     session->start();
-    EXPECT_TRUE(
-        runner.signal()->waitUntil(Signal::Clock::now() + kPatience, [&] { return session->finished(); }));
+    EXPECT_TRUE(runner.notifier()->waitUntil(ChangeNotifier::Clock::now() + kPatience,
+                                             [&] { return session->finished(); }));
     std::vector<v1::PacketHeader> headers;
     while (session->sendOldest([&](const WirePacket& packet) {
       last_payload_ = *packet.payload;
@@ -118,22 +118,22 @@ TEST_F(FeedFailure, AFrameThatNobodyWantsIsNotFinished) {
   const auto endless = runner(std::make_unique<EndlessMethod>(reached));
   std::vector<std::shared_ptr<Session>> sessions;
   for (const char* id : {"1", "2"}) {
-    sessions.push_back(std::make_shared<Session>(id, v1::DELIVERY_LOSSLESS, 1, transport_, endless->signal(),
-                                                 totals_.traffic));
+    sessions.push_back(std::make_shared<Session>(id, v1::DELIVERY_LOSSLESS, 1, transport_,
+                                                 endless->notifier(), totals_.traffic));
     endless->add(makeOutlet(sessions.back()));
   }
   for (const auto& session : sessions) session->start();
   ASSERT_TRUE(waitUntil([&] { return reached.load(); }, kPatience));
   sessions[0]->stop(v1::END_REASON_CLOSED);
   endless->interrupt();
-  EXPECT_FALSE(endless->signal()->waitUntil(Signal::Clock::now() + std::chrono::milliseconds(100), [&] {
-    return sessions[0]->finished();
-  })) << "the other stream still wants the frame";
+  EXPECT_FALSE(endless->notifier()->waitUntil(ChangeNotifier::Clock::now() + std::chrono::milliseconds(100),
+                                              [&] { return sessions[0]->finished(); }))
+      << "the other stream still wants the frame";
   sessions[1]->stop(v1::END_REASON_CLOSED);
   endless->interrupt();
   for (const auto& session : sessions) {
-    EXPECT_TRUE(
-        endless->signal()->waitUntil(Signal::Clock::now() + kPatience, [&] { return session->finished(); }));
+    EXPECT_TRUE(endless->notifier()->waitUntil(ChangeNotifier::Clock::now() + kPatience,
+                                               [&] { return session->finished(); }));
     v1::PacketHeader last;
     while (
         session->sendOldest([&](const WirePacket& packet) { return last.ParseFromString(packet.header); })) {
@@ -147,7 +147,7 @@ TEST_F(FeedFailure, LetsNobodyJoinAfterwards) {
   const auto failing = runner(1);
   packetsOf(*failing);
   const auto late =
-      std::make_shared<Session>("2", v1::DELIVERY_LIVE, 1, transport_, failing->signal(), totals_.traffic);
+      std::make_shared<Session>("2", v1::DELIVERY_LIVE, 1, transport_, failing->notifier(), totals_.traffic);
   EXPECT_FALSE(failing->add(makeOutlet(late)));
 }
 

@@ -31,15 +31,19 @@ TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
                                            std::make_unique<Greedy>(), *pool),
                     8, 8, FeedPace{5, 100, 0}, pool, totals);
   const auto session =
-      std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport, runner.signal(), totals.traffic);
-  ResolvedStream stream{
-      .request = {}, .feed = config, .sensors = {{}}, .without = {}, .expected = {}, .simpler = {}};
+      std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport, runner.notifier(), totals.traffic);
+  ResolvedStream stream{.request = {},
+                        .feed = config,
+                        .sensors = {{}},
+                        .disabled_features = {},
+                        .expected = {},
+                        .simplification = {}};
   stream.request.set_codec(v1::CODEC_NONE);
   stream.request.add_sensors();
-  runner.add(std::make_shared<Outlet>(session, stream, 0));
+  runner.add(std::make_shared<StreamSink>(session, stream, 0));
   session->start();
-  EXPECT_TRUE(
-      runner.signal()->waitUntil(Signal::Clock::now() + kPatience, [&] { return session->finished(); }));
+  EXPECT_TRUE(runner.notifier()->waitUntil(ChangeNotifier::Clock::now() + kPatience,
+                                           [&] { return session->finished(); }));
   EXPECT_EQ(runner.progress().frames, 2u);
 }
 

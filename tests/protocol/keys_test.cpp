@@ -97,8 +97,9 @@ TEST_F(KeyedServer, AKeyThatIsTakenOffTheListGetsNoPacketMore) {
   ASSERT_TRUE(subscriber.receive());
   allow({alice_});
   server.app().reloadKeys();
-  const auto deadline = Signal::Clock::now() + kPatience;
-  while (subscriber.receive(std::chrono::milliseconds(500))) ASSERT_LT(Signal::Clock::now(), deadline);
+  const auto deadline = ChangeNotifier::Clock::now() + kPatience;
+  while (subscriber.receive(std::chrono::milliseconds(500)))
+    ASSERT_LT(ChangeNotifier::Clock::now(), deadline);
 }
 
 TEST_F(KeyedServer, AnOpenAddressWantsKeysOrAWord) {

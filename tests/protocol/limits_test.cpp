@@ -91,9 +91,9 @@ TEST(Limits, APlaceIsFreeAgainOnceItsStreamIsOver) {
   subscriber.receiveAll(1);
   expectReached(server.client().tryOpen(tinyRequest()), Limit::kStreams, "");
   server.client().close(stream);
-  const auto deadline = Signal::Clock::now() + kPatience;
+  const auto deadline = ChangeNotifier::Clock::now() + kPatience;
   auto code = v1::CODE_UNSPECIFIED;
-  while (code != v1::CODE_OK && Signal::Clock::now() < deadline)
+  while (code != v1::CODE_OK && ChangeNotifier::Clock::now() < deadline)
     code = server.client().tryOpen(tinyRequest()).code();
   EXPECT_EQ(code, v1::CODE_OK);
 }
@@ -187,17 +187,17 @@ TEST(Limits, PicturesComeAtTheirRate) {
   v1::Request look;
   look.mutable_get_frame()->set_stream_id(stream.stream_id());
   look.mutable_get_frame()->set_token(stream.token());
-  const auto began = Signal::Clock::now();
+  const auto began = ChangeNotifier::Clock::now();
   EXPECT_EQ(server.client().call(look).status().code(), v1::CODE_OK);
   v1::Status status = server.client().call(look).status();
   expectReached(status, Limit::kPictures, "");
   EXPECT_GT(status.retry_after_s(), 0);
   EXPECT_LE(status.retry_after_s(), 0.25);
   while (status.code() != v1::CODE_OK) {
-    ASSERT_LT(Signal::Clock::now() - began, kPatience);
+    ASSERT_LT(ChangeNotifier::Clock::now() - began, kPatience);
     status = server.client().call(look).status();
   }
-  EXPECT_GE(Signal::Clock::now() - began, std::chrono::milliseconds(250));
+  EXPECT_GE(ChangeNotifier::Clock::now() - began, std::chrono::milliseconds(250));
 }
 
 TEST(Limits, ARequestThatIsTooLongEndsItsConnectionOnly) {

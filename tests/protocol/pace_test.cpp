@@ -113,9 +113,9 @@ TEST(Pace, AStreamThatLagsSaysSoAndKeepsOthersOut) {
   EXPECT_EQ(status.limit(), "cpu") << status.message();
   EXPECT_GT(status.retry_after_s(), 0);
   server.client().close(stream);
-  const auto deadline = Signal::Clock::now() + kPatience;
+  const auto deadline = ChangeNotifier::Clock::now() + kPatience;
   auto code = v1::CODE_UNSPECIFIED;
-  while (code != v1::CODE_OK && Signal::Clock::now() < deadline)
+  while (code != v1::CODE_OK && ChangeNotifier::Clock::now() < deadline)
     code = server.client().tryOpen(pacedRequest(10, 1)).code();
   EXPECT_EQ(code, v1::CODE_OK);
 }

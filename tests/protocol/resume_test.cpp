@@ -57,9 +57,9 @@ TEST_F(Resume, DoesNotKeepThePaceUntilItHasCaughtUp) {
   for (const int sensor : {0, 1}) {
     request.mutable_sensors(sensor)->set_from_event(whole_[sensor].back().header.first_event_index());
   }
-  const auto began = Signal::Clock::now();
+  const auto began = ChangeNotifier::Clock::now();
   auto rest = again_.run(request);
-  EXPECT_LT(Signal::Clock::now() - began, std::chrono::seconds(20));
+  EXPECT_LT(ChangeNotifier::Clock::now() - began, std::chrono::seconds(20));
   EXPECT_EQ(comparableBytes(rest[0]),
             comparableBytes(restOf(whole_[0], whole_[0].back().header.first_event_index())));
 }

@@ -110,10 +110,11 @@ TEST(Service, APacedStreamTakesItsTime) {
   v1::OpenStream request = tinyRequest();
   request.mutable_timing()->set_clock(v1::CLOCK_PACED);
   request.mutable_timing()->set_speed(0.2);
-  const auto begin = Signal::Clock::now();
+  const auto begin = ChangeNotifier::Clock::now();
   const Summary summary = checkPackets(server.run(request)[0]);
   EXPECT_EQ(summary.end_ns, kTinyEndNs);
-  EXPECT_GE(Signal::Clock::now() - begin, std::chrono::milliseconds(200));  // 40 ms at a fifth of the speed
+  EXPECT_GE(ChangeNotifier::Clock::now() - begin,
+            std::chrono::milliseconds(200));  // 40 ms at a fifth of the speed
 }
 
 // Both look at one feed, so that the second begins in the middle of it.

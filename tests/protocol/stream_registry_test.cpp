@@ -17,12 +17,12 @@ class StreamRegistryTest : public testing::Test {
   std::shared_ptr<Session> add(const std::string& id, v1::Delivery delivery) {
     Stream stream;
     stream.session =
-        std::make_shared<Session>(id, delivery, 1, transport_, std::make_shared<Signal>(), traffic_);
+        std::make_shared<Session>(id, delivery, 1, transport_, std::make_shared<ChangeNotifier>(), traffic_);
     streams_.add(stream);
     return stream.session;
   }
-  Signal::Clock::time_point later(int seconds) const {
-    return Signal::Clock::now() + std::chrono::seconds(seconds);
+  ChangeNotifier::Clock::time_point later(int seconds) const {
+    return ChangeNotifier::Clock::now() + std::chrono::seconds(seconds);
   }
 
   WakeFd transport_;
@@ -126,9 +126,9 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
   std::vector<std::shared_ptr<Session>> sessions;
   for (const auto& [id, looked_at] : {std::pair("1", shared), {"2", shared}, {"3", own}}) {
     stream.feed = looked_at;
-    stream.session =
-        std::make_shared<Session>(id, v1::DELIVERY_LIVE, 1, transport_, std::make_shared<Signal>(), traffic_);
-    stream.outlet = std::make_shared<Outlet>(stream.session, ResolvedStream{}, 0);
+    stream.session = std::make_shared<Session>(id, v1::DELIVERY_LIVE, 1, transport_,
+                                               std::make_shared<ChangeNotifier>(), traffic_);
+    stream.sink = std::make_shared<StreamSink>(stream.session, ResolvedStream{}, 0);
     sessions.push_back(stream.session);
     streams_.add(stream);
   }

@@ -59,7 +59,7 @@ void expectDiffuse(const Scene& scene, Rgb albedo, double tolerance = 1e-6) {
 }
 
 TEST(Simplify, APartIsThereWhereAMaterialHasIt) {
-  EXPECT_EQ(partsOf(square(BsdfModel{})), Parts{});
+  EXPECT_EQ(featuresOf(square(BsdfModel{})), SceneFeatures{});
   Material m;
   m.specular = checkerboard(grey(0), grey(1));
   m.model.kind = BsdfKind::kPlastic;
@@ -68,10 +68,11 @@ TEST(Simplify, APartIsThereWhereAMaterialHasIt) {
   Scene scene = square(m);
   scene.textures = {picture({grey(0), grey(1)})};
   scene.environment = Environment{grey(1), {1, 1, {grey(1)}}, {}};
-  EXPECT_EQ(partsOf(scene), (Parts{Part::kTextures, Part::kSpecular, Part::kBumpMaps, Part::kMasks,
-                                   Part::kEnvironment, Part::kMipFiltering}));
-  for (const PartInfo& info : partTable())
-    EXPECT_EQ(partsOf(simplified(scene, {info.part})).count(info.part), 0u) << info.name;
+  EXPECT_EQ(featuresOf(scene),
+            (SceneFeatures{SceneFeature::kTextures, SceneFeature::kSpecular, SceneFeature::kBumpMaps,
+                           SceneFeature::kMasks, SceneFeature::kEnvironment, SceneFeature::kMipFiltering}));
+  for (const SceneFeatureInfo& info : featureTable())
+    EXPECT_EQ(featuresOf(simplified(scene, {info.feature})).count(info.feature), 0u) << info.name;
 }
 
 TEST(Simplify, NothingLeftOutLeavesAllAsItIs) {
@@ -80,7 +81,7 @@ TEST(Simplify, NothingLeftOutLeavesAllAsItIs) {
   Scene scene = square(m);
   scene.textures = {picture({grey(0), grey(1)})};
   const Scene same = simplified(scene, {});
-  EXPECT_EQ(partsOf(same), partsOf(scene));
+  EXPECT_EQ(featuresOf(same), featuresOf(scene));
   EXPECT_EQ(same.textures.size(), 1u);
   EXPECT_EQ(same.meshes.size(), 1u);
 }
@@ -92,7 +93,7 @@ TEST(Simplify, TexturesBecomeTheirMeanAndAreGone) {
   m.opacity = bitmap(2);  // is no part of the colours
   Scene scene = square(m);
   scene.textures = {picture({grey(1)}), picture({{0.25f, 0, 1}, {0.75f, 0.5f, 1}}), picture({grey(0.5f)})};
-  const Scene plain = simplified(scene, {Part::kTextures});
+  const Scene plain = simplified(scene, {SceneFeature::kTextures});
   expectColor(first(plain).reflectance, {0.5f, 0.25f, 1});
   expectColor(first(plain).specular, {0.5f, 0.25f, 0});
   ASSERT_EQ(plain.textures.size(), 1u);
@@ -107,7 +108,8 @@ TEST(Simplify, PlasticKeepsItsAlbedoAtARightAngle) {
     return static_cast<float>(specular * f + base * (1 - f));
   };
   const Scene scene = square({.kind = BsdfKind::kPlastic, .ior = 1.5f}, {0.8f, 0.2f, 0}, {0.5f, 1, 1});
-  expectDiffuse(simplified(scene, {Part::kSpecular}), {expected(0.8, 0.5), expected(0.2, 1), expected(0, 1)});
+  expectDiffuse(simplified(scene, {SceneFeature::kSpecular}),
+                {expected(0.8, 0.5), expected(0.2, 1), expected(0, 1)});
 }
 
 TEST(Simplify, APictureOnPlasticChangesPixelByPixel) {
@@ -117,7 +119,7 @@ TEST(Simplify, APictureOnPlasticChangesPixelByPixel) {
   m.reflectance.uv_scale = {3, 2};
   Scene scene = square(m);
   scene.textures = {picture({grey(0), grey(1)})};
-  const Scene matt = simplified(scene, {Part::kSpecular});
+  const Scene matt = simplified(scene, {SceneFeature::kSpecular});
   EXPECT_EQ(first(matt).reflectance.uv_scale.x, 3);
   ASSERT_EQ(matt.textures.size(), 1u);
   EXPECT_NEAR(matt.textures[0].pixels()[0].x, 0.04, 1e-6);
@@ -133,9 +135,10 @@ TEST(Simplify, MetalsKeepTheirReflectance) {
   };
   const Rgb reflectance{f(eta.x, k.x), f(eta.y, k.y), f(eta.z, k.z)};
   const BsdfModel mirror{.kind = BsdfKind::kConductor, .eta = eta, .k = k};
-  expectDiffuse(simplified(square(mirror, {}, grey(0.5f)), {Part::kSpecular}), reflectance * 0.5f, 1e-5);
+  expectDiffuse(simplified(square(mirror, {}, grey(0.5f)), {SceneFeature::kSpecular}), reflectance * 0.5f,
+                1e-5);
   const BsdfModel rough{.kind = BsdfKind::kRoughConductor, .alpha = 0.05f, .eta = eta, .k = k};
-  expectDiffuse(simplified(square(rough), {Part::kSpecular}), reflectance, 5e-3);
+  expectDiffuse(simplified(square(rough), {SceneFeature::kSpecular}), reflectance, 5e-3);
 }
 
 TEST(Simplify, GlassIsGoneButForLamps) {
@@ -144,7 +147,7 @@ TEST(Simplify, GlassIsGoneButForLamps) {
     scene.meshes.push_back(makeCube());
     scene.meshes[1].radiance = grey(1);
     scene.spheres.resize(1);
-    const Scene open = simplified(scene, {Part::kSpecular});
+    const Scene open = simplified(scene, {SceneFeature::kSpecular});
     EXPECT_TRUE(open.spheres.empty());
     ASSERT_EQ(open.meshes.size(), 1u);
     EXPECT_EQ(open.meshes[0].radiance, grey(1));
@@ -155,7 +158,7 @@ TEST(Simplify, GlassIsGoneButForLamps) {
 TEST(Simplify, BumpMapsAreFlat) {
   Material m;
   m.height = checkerboard(grey(0), grey(1)), m.height_scale = 3;
-  EXPECT_FALSE(isBumpy(first(simplified(square(m), {Part::kBumpMaps}))));
+  EXPECT_FALSE(isBumpy(first(simplified(square(m), {SceneFeature::kBumpMaps}))));
 }
 
 TEST(Simplify, MasksAreOpaqueFromAHalfOn) {
@@ -164,7 +167,7 @@ TEST(Simplify, MasksAreOpaqueFromAHalfOn) {
     m.opacity = opacity;
     Scene scene = square(m);
     scene.textures = {picture({grey(1), grey(0.1f)})};
-    return simplified(scene, {Part::kMasks});
+    return simplified(scene, {SceneFeature::kMasks});
   };
   EXPECT_TRUE(masked(constantColor(grey(0.49f))).meshes.empty());
   EXPECT_TRUE(masked(checkerboard(grey(0), grey(0.9f))).meshes.empty());
@@ -180,7 +183,7 @@ TEST(Simplify, AnEnvironmentBecomesItsMeanOverTheSphere) {
   Scene scene = square(BsdfModel{});
   scene.environment = Environment{{2, 2, 4}, {2, 3, std::vector<Rgb>(6)}, {}};
   scene.environment->picture.pixels[0] = scene.environment->picture.pixels[1] = grey(1);
-  const Scene plain = simplified(scene, {Part::kEnvironment});
+  const Scene plain = simplified(scene, {SceneFeature::kEnvironment});
   expectNear(plain.environment->radiance, Rgb{0.5f, 0.5f, 1}, 1e-6);
   EXPECT_TRUE(plain.environment->picture.pixels.empty());
 }
@@ -190,7 +193,7 @@ TEST(Simplify, WithoutMipFilteringAPictureIsLookedUpAtAPoint) {
   m.reflectance = bitmap(0);
   Scene scene = square(m);
   scene.textures = {picture({grey(0), grey(1)})};
-  const Texture sharp = simplified(scene, {Part::kMipFiltering}).textures[0];
+  const Texture sharp = simplified(scene, {SceneFeature::kMipFiltering}).textures[0];
   for (const float footprint : {0.f, 0.7f, 1.f, 100.f})
     EXPECT_EQ(sharp.sample({0.75f, 0.5f}, footprint).x, 1);
   EXPECT_EQ(scene.textures[0].sample({0.75f, 0.5f}, 1).x, 0.5f);
@@ -203,17 +206,19 @@ TEST(Simplify, PartsGoTogether) {
   m.reflectance = bitmap(0);
   Scene scene = square(m);
   scene.textures = {picture({grey(0), grey(1)})};
-  EXPECT_EQ(partsOf(simplified(scene, {Part::kMipFiltering, Part::kSpecular})), Parts{Part::kTextures});
-  EXPECT_EQ(partsOf(simplified(scene, {Part::kTextures, Part::kSpecular})), Parts{});
+  EXPECT_EQ(featuresOf(simplified(scene, {SceneFeature::kMipFiltering, SceneFeature::kSpecular})),
+            SceneFeatures{SceneFeature::kTextures});
+  EXPECT_EQ(featuresOf(simplified(scene, {SceneFeature::kTextures, SceneFeature::kSpecular})),
+            SceneFeatures{});
 }
 
 TEST(Simplify, NamesOfPartsLeadToThem) {
-  for (const PartInfo& info : partTable()) {
-    ASSERT_NE(findPart(info.name), nullptr);
-    EXPECT_EQ(findPart(info.name)->part, info.part);
-    EXPECT_EQ(namesOf({info.part}), std::vector{info.name});
+  for (const SceneFeatureInfo& info : featureTable()) {
+    ASSERT_NE(findFeature(info.name), nullptr);
+    EXPECT_EQ(findFeature(info.name)->feature, info.feature);
+    EXPECT_EQ(namesOf({info.feature}), std::vector{info.name});
   }
-  EXPECT_EQ(findPart("wings"), nullptr);
+  EXPECT_EQ(findFeature("wings"), nullptr);
 }
 
 }  // namespace

@@ -39,9 +39,9 @@ class Broadcast : public testing::Test {
   SessionDirectory sessions_;
   Traffic traffic_;
   BroadcastServer server_{"tcp://127.0.0.1:*", sessions_};
-  std::shared_ptr<Signal> signal_ = std::make_shared<Signal>();
+  std::shared_ptr<ChangeNotifier> notifier_ = std::make_shared<ChangeNotifier>();
   std::shared_ptr<Session> session_ =
-      std::make_shared<Session>("b", v1::DELIVERY_BROADCAST, 2, server_.wake(), signal_, traffic_);
+      std::make_shared<Session>("b", v1::DELIVERY_BROADCAST, 2, server_.wake(), notifier_, traffic_);
 };
 
 TEST_F(Broadcast, TellsHowFarItIsWhenThereIsNothingToSend) {
@@ -119,11 +119,12 @@ TEST_F(Broadcast, TheEndOfAConnectionEndsAllOfItsSubscriptions) {
     ZmtpPeer twice(server_.endpoint(), "SUB");
     for (int i = 0; i < 2; ++i)
       twice.say(subscription(session_->topic(0)) + subscription(session_->topic(1)));
-    ASSERT_TRUE(signal_->waitUntil(Signal::Clock::now() + kPatience, [&] { return session_->started(); }));
+    ASSERT_TRUE(
+        notifier_->waitUntil(ChangeNotifier::Clock::now() + kPatience, [&] { return session_->started(); }));
     ASSERT_FALSE(session_->unattended());
   }
-  EXPECT_TRUE(signal_->waitUntil(Signal::Clock::now() + kPatience,
-                                 [&] { return session_->unattended().has_value(); }));
+  EXPECT_TRUE(notifier_->waitUntil(ChangeNotifier::Clock::now() + kPatience,
+                                   [&] { return session_->unattended().has_value(); }));
 }
 
 }  // namespace

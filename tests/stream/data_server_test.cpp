@@ -19,7 +19,8 @@ class LostReceiver : public testing::TestWithParam<int> {
   ~LostReceiver() override { server_.stop(); }
 
   std::shared_ptr<Session> add(const std::string& id) {
-    auto session = std::make_shared<Session>(id, v1::DELIVERY_LOSSLESS, 1, server_.wake(), signal_, traffic_);
+    auto session =
+        std::make_shared<Session>(id, v1::DELIVERY_LOSSLESS, 1, server_.wake(), notifier_, traffic_);
     sessions_.add(session);
     return session;
   }
@@ -41,7 +42,7 @@ class LostReceiver : public testing::TestWithParam<int> {
   SessionDirectory sessions_;
   Traffic traffic_;
   DataServer server_{"tcp://127.0.0.1:*", sessions_, kMaxCredit};
-  std::shared_ptr<Signal> signal_ = std::make_shared<Signal>();
+  std::shared_ptr<ChangeNotifier> notifier_ = std::make_shared<ChangeNotifier>();
 };
 
 // One that stands still keeps its connection open: only heartbeats tell.
@@ -62,7 +63,8 @@ TEST_P(LostReceiver, IsNoticedAndDisturbsNoOther) {
     ASSERT_TRUE(packet);
     EXPECT_EQ(packet->header.seq(), seq);
   }
-  EXPECT_TRUE(signal_->waitUntil(Signal::Clock::now() + kPatience, [&] { return lost->settled(); }));
+  EXPECT_TRUE(
+      notifier_->waitUntil(ChangeNotifier::Clock::now() + kPatience, [&] { return lost->settled(); }));
   EXPECT_FALSE(lost->drained());
 }
 
@@ -87,7 +89,7 @@ class QuietStream : public testing::Test {
   Traffic traffic_;
   DataServer server_{"tcp://127.0.0.1:*", sessions_, kMaxCredit};
   std::shared_ptr<Session> session_ = std::make_shared<Session>("a", v1::DELIVERY_LOSSLESS, 1, server_.wake(),
-                                                                std::make_shared<Signal>(), traffic_);
+                                                                std::make_shared<ChangeNotifier>(), traffic_);
   MockSubscriber subscriber_{server_.endpoint()};
 };
 

@@ -44,7 +44,7 @@ class AccuracyTableTest : public testing::Test {
 };
 
 // At the table's own size and C.
-Rendering box(const std::string& method = {}) {
+SettingsQuery box(const std::string& method = {}) {
   return {"box", 100 * 50, 0.2, method};
 }
 

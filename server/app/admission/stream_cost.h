@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/admission/budget.h"
+#include "app/admission/resource_quota.h"
 #include "app/request/resolve.h"
 
 namespace saccade {

@@ -12,7 +12,7 @@
 #include "base/range.h"
 #include "base/tile_pool.h"
 #include "tables/accuracy_table.h"
-#include "tables/needs_table.h"
+#include "tables/simplification_table.h"
 
 namespace saccade {
 namespace {
@@ -45,12 +45,12 @@ void addLimits(CLI::App& app, Limits& limits) {
 }
 
 // What is asked for besides serving.
-struct Errand {
+struct CliAction {
   std::string file;
   bool print = false, check = false;
 };
 
-void addErrands(CLI::App& app, Errand& errand) {
+void addErrands(CLI::App& app, CliAction& errand) {
   app.add_option("--config", errand.file, "TOML file of these options; SACCADE_CONFIG in the environment")
       ->configurable(false);
   app.add_flag("--print-config", errand.print, "print every option with its value and origin, as such a file")
@@ -63,7 +63,7 @@ void addErrands(CLI::App& app, Errand& errand) {
       "the file of --config (log-level = \"debug\").");
 }
 
-void run(const Errand& errand, const Config& config, const ConfigSources& sources) {
+void run(const CliAction& errand, const Config& config, const ConfigSources& sources) {
   if (errand.print) std::fputs(sources.describe().c_str(), stdout);
   if (errand.check) {
     openAccess(config);
@@ -77,7 +77,7 @@ Config defaultConfig() {
   config.http = "http://127.0.0.1:5773";
   config.scenes = findScenes();
   config.accuracy = ifThere(defaultAccuracyTable());
-  config.needs = ifThere(defaultNeedsTable());
+  config.simplification = ifThere(defaultSimplificationTable());
   return config;
 }
 
@@ -116,11 +116,12 @@ void addOptions(CLI::App& app, Config& config) {
              defaultAccuracyTable() + ", if it is there")
       ->check(CLI::ExistingFile)
       ->default_str(config.accuracy);
-  app.add_option("--needs", config.needs,
-                 "table of `saccade-eval needs`, which Quality.needs is answered from; default: " +
-                     defaultNeedsTable() + ", if it is there")
+  app.add_option("--simplification", config.simplification,
+                 "table of `saccade-eval simplification`, which Quality.max_event_change is answered from; "
+                 "default: " +
+                     defaultSimplificationTable() + ", if it is there")
       ->check(CLI::ExistingFile)
-      ->default_str(config.needs);
+      ->default_str(config.simplification);
   app.add_option("--log-level", config.log_level)
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}))
       ->capture_default_str();
@@ -132,7 +133,7 @@ void addOptions(CLI::App& app, Config& config) {
 
 Config parseConfig(int argc, const char* const* argv) {
   Config config = defaultConfig();
-  Errand errand;
+  CliAction errand;
   CLI::App app("saccaded: renders scenes, and streams what an event camera would see of them");
   addOptions(app, config);
   addErrands(app, errand);

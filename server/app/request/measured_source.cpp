@@ -55,7 +55,7 @@ v1::BudgetInfo MeasuredSource<Table>::info() const {
   return info;
 }
 template struct MeasuredSource<AccuracyTable>;
-template struct MeasuredSource<NeedsTable>;
+template struct MeasuredSource<SimplificationTable>;
 
 AccuracySource openAccuracySource(const std::string& path) {
   return openSource<AccuracyTable>({"table of accuracy", "budgets", "saccade-eval chart --quick",
@@ -63,9 +63,11 @@ AccuracySource openAccuracySource(const std::string& path) {
                                    path);
 }
 
-NeedsSource openNeedsSource(const std::string& path) {
-  return openSource<NeedsTable>(
-      {"table of needs", "needs", "saccade-eval needs", defaultNeedsTable(), readNeedsTable}, path);
+SimplificationSource openSimplificationSource(const std::string& path) {
+  return openSource<SimplificationTable>(
+      {"simplification table", "simplification", "saccade-eval simplification", defaultSimplificationTable(),
+       readSimplificationTable},
+      path);
 }
 
 }  // namespace saccade

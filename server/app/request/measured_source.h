@@ -5,7 +5,7 @@
 
 #include "saccade/v1/control.pb.h"
 #include "tables/accuracy_table.h"
-#include "tables/needs_table.h"
+#include "tables/simplification_table.h"
 
 namespace saccade {
 
@@ -16,18 +16,18 @@ struct MeasuredSource {
 
   v1::BudgetInfo info() const;
 };
-using AccuracySource = MeasuredSource<AccuracyTable>;  // budgets are answered from it
-using NeedsSource = MeasuredSource<NeedsTable>;        // and Quality.needs
+using AccuracySource = MeasuredSource<AccuracyTable>;              // budgets are answered from it
+using SimplificationSource = MeasuredSource<SimplificationTable>;  // and Quality.max_event_change
 
 struct MeasuredTables {
   AccuracySource accuracy;
-  NeedsSource needs;
+  SimplificationSource simplification;
 };
 
 // Read `path`, which may be empty: no table. One that was measured on another processor is not used. They say
 // in the log what they found. They throw std::runtime_error where the file is faulty, unless it is the
 // default one, which nobody has asked for.
 AccuracySource openAccuracySource(const std::string& path);
-NeedsSource openNeedsSource(const std::string& path);
+SimplificationSource openSimplificationSource(const std::string& path);
 
 }  // namespace saccade

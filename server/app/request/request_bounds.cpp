@@ -27,7 +27,7 @@ struct Bound {
 constexpr Bound kElements[] = {{"saccade.v1.OpenStream.sensors", kMaxSensors},
                                {"saccade.v1.Keyframes.keys", kMaxKeyframes},
                                {"saccade.v1.Method.params", 64},
-                               {"saccade.v1.Quality.without", 64}};
+                               {"saccade.v1.Quality.disabled_features", 64}};
 // Bytes of a text that may be longer than a name.
 constexpr Bound kTexts[] = {{"saccade.v1.Trajectory.csv", kMaxCsvBytes}};
 constexpr std::int64_t kMaxNameBytes = 256;

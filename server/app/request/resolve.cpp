@@ -82,7 +82,7 @@ void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
   checkRange("quality.bounces", quality.bounces(), 0, 64);
   stream.feed.bounces = static_cast<int>(quality.bounces());
   stream.feed.monochrome = quality.monochrome();
-  stream.without = resolveParts(quality);
+  stream.disabled_features = resolveDisabledFeatures(quality);
   stream.feed.jitter = quality.jitter();
 }
 
@@ -108,15 +108,19 @@ void checkFromEvents(const v1::OpenStream& request) {
 
 ResolvedStream resolve(v1::OpenStream request, const std::vector<SceneEntry>& scenes,
                        const MeasuredTables& tables) {
-  ResolvedStream stream{
-      .request = std::move(request), .feed = {}, .sensors = {}, .without = {}, .expected = {}, .simpler = {}};
+  ResolvedStream stream{.request = std::move(request),
+                        .feed = {},
+                        .sensors = {},
+                        .disabled_features = {},
+                        .expected = {},
+                        .simplification = {}};
   v1::OpenStream& r = stream.request;
   checkTrajectory(*r.mutable_trajectory(), findScene(r, scenes));
   resolveView(*r.mutable_view(), stream.feed);
   resolveTiming(*r.mutable_timing(), stream);
   resolveSensors(r, stream.sensors);
   checkMethodName(r.method());
-  stream.simpler = resolveNeeds(r, tables.needs);
+  stream.simplification = resolveSimplification(r, tables.simplification);
   stream.expected = resolveBudget(r, stream.sensors, tables.accuracy);
   resolveMethod(*r.mutable_method(), stream.feed);
   resolveQuality(*r.mutable_quality(), stream);
@@ -131,9 +135,9 @@ void fitTo(const Scene& scene, ResolvedStream& stream) {
   v1::View& view = *stream.request.mutable_view();
   if (!view.has_fov_x_deg()) view.set_fov_x_deg(scene.fov_x_deg);
   stream.feed.fov_x_deg = view.fov_x_deg();
-  const Parts parts = partsOf(scene);
-  std::erase_if(stream.without, [&](Part part) { return parts.count(part) == 0; });
-  setParts(stream.without, *stream.request.mutable_quality());
+  const SceneFeatures parts = featuresOf(scene);
+  std::erase_if(stream.disabled_features, [&](SceneFeature part) { return parts.count(part) == 0; });
+  setDisabledFeatures(stream.disabled_features, *stream.request.mutable_quality());
 }
 
 std::string ResolvedStream::feedKey() const {

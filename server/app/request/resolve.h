@@ -13,7 +13,7 @@
 namespace saccade {
 
 inline constexpr int kMaxViewSide = 4096, kMaxViewPixels = 4 << 20;  // pixels
-inline constexpr double kLeastNeeds = 1e-6;                          // share of the events
+inline constexpr double kLeastEventChange = 1e-6;                    // share of the events
 inline constexpr double kMinFovDeg = 1, kMaxFovDeg = 170;            // horizontal
 inline constexpr int kMaxSensors = 64;
 inline constexpr std::size_t kMaxCsvBytes = 8 << 20;
@@ -24,10 +24,10 @@ struct ResolvedStream {
   v1::OpenStream request;  // as StreamOpened.resolved tells it
   FeedConfig feed;
   std::vector<SensorConfig> sensors;
-  FrameIndex frames = 0;                        // intervals to render; 0: until closed
-  Parts without;                                // of the scene's model
-  std::optional<v1::ExpectedQuality> expected;  // where a budget was asked
-  std::optional<v1::ExpectedChange> simpler;    // where needs were
+  FrameIndex frames = 0;                             // intervals to render; 0: until closed
+  SceneFeatures disabled_features;                   // of the scene's model
+  std::optional<v1::ExpectedQuality> expected;       // where a budget was asked
+  std::optional<v1::ExpectedChange> simplification;  // where needs were
 
   // Streams with equal keys look at the same feed.
   std::string feedKey() const;
@@ -46,11 +46,12 @@ std::optional<v1::ExpectedQuality> resolveBudget(v1::OpenStream& request,
 
 // Fills in bounces and parts to do without where the request has needs instead, and returns what to expect of
 // them. Throws Refusal.
-std::optional<v1::ExpectedChange> resolveNeeds(v1::OpenStream& request, const NeedsSource& source);
+std::optional<v1::ExpectedChange> resolveSimplification(v1::OpenStream& request,
+                                                        const SimplificationSource& source);
 
 // The parts to do without, which it puts in order. Throws Refusal.
-Parts resolveParts(v1::Quality& quality);
-void setParts(const Parts& parts, v1::Quality& quality);
+SceneFeatures resolveDisabledFeatures(v1::Quality& quality);
+void setDisabledFeatures(const SceneFeatures& parts, v1::Quality& quality);
 
 // Fills in the field of view from the scene where the request leaves it open, and takes from `without` what
 // the scene has not: it would tell equal feeds apart.

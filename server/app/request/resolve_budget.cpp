@@ -26,7 +26,7 @@ void checkLeftOpen(const v1::Method& method) {
   if (!method.params().empty()) refuse("method.params", why);
 }
 
-Rendering renderingOf(const v1::OpenStream& request, const std::vector<SensorConfig>& sensors) {
+SettingsQuery renderingOf(const v1::OpenStream& request, const std::vector<SensorConfig>& sensors) {
   double threshold = std::numeric_limits<double>::infinity();
   for (const SensorConfig& s : sensors) threshold = std::min({threshold, s.threshold, s.threshold_off});
   const double pixels = static_cast<double>(request.view().width()) * request.view().height();

@@ -11,8 +11,8 @@
 namespace saccade {
 namespace {
 
-Signal::Clock::duration wallTime(TimeNs t, double speed) {
-  return std::chrono::duration_cast<Signal::Clock::duration>(
+ChangeNotifier::Clock::duration wallTime(TimeNs t, double speed) {
+  return std::chrono::duration_cast<ChangeNotifier::Clock::duration>(
       std::chrono::duration<double>(seconds(t) / speed));
 }
 
@@ -36,19 +36,19 @@ FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, int width, int height, const 
       luminance_p01_(feed_->firstFrameLuminance(0.01)),
       luminance_p50_(feed_->firstFrameLuminance(0.5)),
       pixel_speed_(feed_->pixelSpeed(pace.frames)),
-      snapshot_(width, height) {}
+      picture_(width, height) {}
 
 FeedRunner::~FeedRunner() {
   if (thread_.joinable()) thread_.join();
 }
 
-bool FeedRunner::add(std::shared_ptr<Outlet> outlet) {
+bool FeedRunner::add(std::shared_ptr<StreamSink> sink) {
   std::unique_lock lock(mutex_);
   if (ended_) return false;
-  newcomers_.push_back(std::move(outlet));
+  newcomers_.push_back(std::move(sink));
   if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
   lock.unlock();
-  signal_->raise();
+  notifier_->raise();
   return true;
 }
 
@@ -65,8 +65,8 @@ void FeedRunner::interrupt() {
 }
 
 bool FeedRunner::allStopping() const {
-  return std::all_of(outlets_.begin(), outlets_.end(),
-                     [](const auto& outlet) { return outlet->session().stopping(); });
+  return std::all_of(sinks_.begin(), sinks_.end(),
+                     [](const auto& sink) { return sink->session().stopping(); });
 }
 
 void FeedRunner::run() {
@@ -74,9 +74,9 @@ void FeedRunner::run() {
   try {
     while ((pace_.frames == 0 || frame_ < pace_.frames) && gather()) step();
     while (!close()) admit();
-    for (auto& outlet : outlets_) finish(*outlet);
+    for (auto& sink : sinks_) finish(*sink);
   } catch (const Cancelled&) {
-    for (auto& outlet : outlets_) finish(*outlet);
+    for (auto& sink : sinks_) finish(*sink);
   } catch (const std::exception& fault) {
     giveUp(fault.what());
   } catch (...) {
@@ -87,15 +87,15 @@ void FeedRunner::run() {
 // Takes no memory of its own: that may be what is missing.
 void FeedRunner::giveUp(const char* message) noexcept {
   spdlog::error("a feed failed at frame {}: {}", frame_, message);
-  std::vector<std::shared_ptr<Outlet>> late;
+  std::vector<std::shared_ptr<StreamSink>> late;
   {
     std::lock_guard lock(mutex_);
     ended_ = true;
     late.swap(newcomers_);
   }
-  for (auto* outlets : {&outlets_, &late}) {
-    for (auto& outlet : *outlets) {
-      if (!outlet->session().finished()) outlet->fail(message);
+  for (auto* sinks : {&sinks_, &late}) {
+    for (auto& sink : *sinks) {
+      if (!sink->session().finished()) sink->fail(message);
     }
   }
 }
@@ -105,36 +105,36 @@ bool FeedRunner::gather() {
   while (true) {
     admit();
     endStopped();
-    if (outlets_.empty() && close()) return false;
+    if (sinks_.empty() && close()) return false;
     if (ready()) return true;
     hold();
-    signal_->wait([&] { return ready() || needsCare(); });
+    notifier_->wait([&] { return ready() || needsCare(); });
   }
 }
 
 void FeedRunner::endStopped() {
-  for (auto& outlet : outlets_) {
-    if (outlet->session().stopping()) finish(*outlet);
+  for (auto& sink : sinks_) {
+    if (sink->session().stopping()) finish(*sink);
   }
   std::lock_guard lock(mutex_);
-  std::erase_if(outlets_, [](const auto& outlet) { return outlet->session().finished(); });
+  std::erase_if(sinks_, [](const auto& sink) { return sink->session().finished(); });
 }
 
 // Whoever holds the feed holds its clock.
 void FeedRunner::hold() {
   running_ = false;
-  for (auto& outlet : outlets_) outlet->hold();
+  for (auto& sink : sinks_) sink->hold();
   std::lock_guard lock(mutex_);
   progress_.lag_s = 0;
 }
 
 void FeedRunner::admit() {
   std::lock_guard lock(mutex_);
-  outlets_.insert(outlets_.end(), newcomers_.begin(), newcomers_.end());
+  sinks_.insert(sinks_.end(), newcomers_.begin(), newcomers_.end());
   newcomers_.clear();
 }
 
-// From here on nobody can join. False: somebody just has, and is now among the outlets.
+// From here on nobody can join. False: somebody just has, and is now among the sinks.
 bool FeedRunner::close() {
   std::lock_guard lock(mutex_);
   ended_ = newcomers_.empty();
@@ -144,9 +144,9 @@ bool FeedRunner::close() {
 // A receiver has come, and nobody who has one is without room.
 bool FeedRunner::ready() const {
   bool any = false;
-  for (const auto& outlet : outlets_) {
-    if (!outlet->session().started()) continue;
-    if (!outlet->session().hasRoom()) return false;
+  for (const auto& sink : sinks_) {
+    if (!sink->session().started()) continue;
+    if (!sink->session().hasRoom()) return false;
     any = true;
   }
   return any;
@@ -154,14 +154,14 @@ bool FeedRunner::ready() const {
 
 bool FeedRunner::needsCare() const {
   std::lock_guard lock(mutex_);
-  return !newcomers_.empty() || std::any_of(outlets_.begin(), outlets_.end(),
-                                            [](const auto& outlet) { return outlet->session().stopping(); });
+  return !newcomers_.empty() || std::any_of(sinks_.begin(), sinks_.end(),
+                                            [](const auto& sink) { return sink->session().stopping(); });
 }
 
 void FeedRunner::step() {
-  if (frame_ == 0) began_ = Signal::Clock::now();
-  if (!running_ && pace_.speed > 0) wall_zero_ = Signal::Clock::now() - wallTime(now(), pace_.speed);
-  running_ = std::none_of(outlets_.begin(), outlets_.end(), [](const auto& o) { return o->catchingUp(); });
+  if (frame_ == 0) began_ = ChangeNotifier::Clock::now();
+  if (!running_ && pace_.speed > 0) wall_zero_ = ChangeNotifier::Clock::now() - wallTime(now(), pace_.speed);
+  running_ = std::none_of(sinks_.begin(), sinks_.end(), [](const auto& o) { return o->catchingUp(); });
   pool_->setUrgent(running_ && pace_.speed > 0);
   pool_->setStop(stop_.get_token());  // of rendering, not of what has been rendered
   const IntensityChange& change = feed_->step();
@@ -171,28 +171,28 @@ void FeedRunner::step() {
   StageTimes times = feed_->lastTimes();
   const auto before = threadCpuTime();
   times[Stage::kEvents] += look(change, lag_s);
-  snapshot_.take(change);
+  picture_.take(change);
   record(times, feed_->lastChain() + (threadCpuTime() - before), lag_s);
 }
 
 // All streams look at the interval, and get their packets. Returns the CPU time of their sensors.
 std::chrono::nanoseconds FeedRunner::look(const IntensityChange& change, double lag_s) {
-  std::vector<Outlet*> lookers;
-  std::vector<std::pair<Outlet*, std::size_t>> eyes;
-  for (auto& outlet : outlets_) {
-    if (!outlet->session().started()) continue;
-    lookers.push_back(outlet.get());
-    for (std::size_t i = 0; i < outlet->eyes(); ++i) eyes.emplace_back(outlet.get(), i);
+  std::vector<StreamSink*> lookers;
+  std::vector<std::pair<StreamSink*, std::size_t>> channels;
+  for (auto& sink : sinks_) {
+    if (!sink->session().started()) continue;
+    lookers.push_back(sink.get());
+    for (std::size_t i = 0; i < sink->channels(); ++i) channels.emplace_back(sink.get(), i);
   }
-  const auto used = pool_->run(static_cast<int>(eyes.size()), [&](int i) {
-    const auto [outlet, eye] = eyes[static_cast<std::size_t>(i)];
-    outlet->look(eye, change);
+  const auto used = pool_->run(static_cast<int>(channels.size()), [&](int i) {
+    const auto [sink, channel] = channels[static_cast<std::size_t>(i)];
+    sink->look(channel, change);
   });
   const std::chrono::milliseconds lag(lag_s > kMostLagSeconds ? std::llround(lag_s * 1e3) : 0);
-  for (Outlet* outlet : lookers) {
-    const std::uint64_t events_before = outlet->events();
-    outlet->publish(change, lag);
-    totals_.events += outlet->events() - events_before;
+  for (StreamSink* sink : lookers) {
+    const std::uint64_t events_before = sink->events();
+    sink->publish(change, lag);
+    totals_.events += sink->events() - events_before;
   }
   return used;
 }
@@ -201,8 +201,8 @@ std::chrono::nanoseconds FeedRunner::look(const IntensityChange& change, double 
 double FeedRunner::waitUntilDue(TimeNs t) {
   if (pace_.speed == 0) return 0;
   const auto due = wall_zero_ + wallTime(t, pace_.speed);
-  signal_->waitUntil(due, [&] { return allStopping(); });
-  return std::max(0.0, std::chrono::duration<double>(Signal::Clock::now() - due).count());
+  notifier_->waitUntil(due, [&] { return allStopping(); });
+  return std::max(0.0, std::chrono::duration<double>(ChangeNotifier::Clock::now() - due).count());
 }
 
 void FeedRunner::record(const StageTimes& times, std::chrono::nanoseconds chain, double lag_s) {
@@ -217,11 +217,11 @@ void FeedRunner::record(const StageTimes& times, std::chrono::nanoseconds chain,
   progress_.chain_s.add(seconds(chain));
 }
 
-void FeedRunner::finish(Outlet& outlet) {
-  outlet.end(now(), frame_);
-  const std::chrono::duration<double> wall = Signal::Clock::now() - began_;
-  spdlog::info("stream {} ended after {} frames: {} events, {:.3g} of real time", outlet.session().id(),
-               frame_, outlet.events(), seconds(now()) / wall.count());
+void FeedRunner::finish(StreamSink& sink) {
+  sink.end(now(), frame_);
+  const std::chrono::duration<double> wall = ChangeNotifier::Clock::now() - began_;
+  spdlog::info("stream {} ended after {} frames: {} events, {:.3g} of real time", sink.session().id(), frame_,
+               sink.events(), seconds(now()) / wall.count());
 }
 
 }  // namespace saccade

@@ -12,13 +12,13 @@
 #include <thread>
 #include <vector>
 
-#include "app/streams/frame_snapshot.h"
-#include "app/streams/outlet.h"
+#include "app/streams/frame_picture.h"
+#include "app/streams/stream_sink.h"
 #include "app/streams/totals.h"
 #include "base/recent_mean.h"
 #include "feed/feed.h"
 #include "feed/pixel_speed.h"
-#include "stream/signal.h"
+#include "stream/change_notifier.h"
 
 namespace saccade {
 
@@ -47,14 +47,14 @@ class FeedRunner {
   FeedRunner& operator=(const FeedRunner&) = delete;
 
   // What sessions raise for this feed.
-  const std::shared_ptr<Signal>& signal() const { return signal_; }
-  // False: the feed has ended. The first outlet starts the thread.
-  bool add(std::shared_ptr<Outlet> outlet);
+  const std::shared_ptr<ChangeNotifier>& notifier() const { return notifier_; }
+  // False: the feed has ended. The first sink starts the thread.
+  bool add(std::shared_ptr<StreamSink> sink);
   // Where all streams are to stop, ends the feed amid its frame, which may take long. From any thread.
   void interrupt();
 
   FeedProgress progress() const;
-  const FrameSnapshot& snapshot() const { return snapshot_; }
+  const FramePicture& snapshot() const { return picture_; }
   float luminanceP01() const { return luminance_p01_; }  // of frame 0
   float luminanceP50() const { return luminance_p50_; }
   const PixelSpeed& pixelSpeed() const { return pixel_speed_; }
@@ -74,28 +74,28 @@ class FeedRunner {
   void endStopped();
   double waitUntilDue(TimeNs t);
   void record(const StageTimes& times, std::chrono::nanoseconds chain, double lag_s);
-  void finish(Outlet& outlet);
+  void finish(StreamSink& sink);
   TimeNs now() const { return frameTime(frame_, pace_.frame_rate_hz); }
 
   const std::shared_ptr<TilePool> pool_;
   const std::unique_ptr<Feed> feed_;
   const FeedPace pace_;
   Totals& totals_;
-  const std::shared_ptr<Signal> signal_ = std::make_shared<Signal>();
+  const std::shared_ptr<ChangeNotifier> notifier_ = std::make_shared<ChangeNotifier>();
   const float luminance_p01_, luminance_p50_;
   const PixelSpeed pixel_speed_;
-  FrameSnapshot snapshot_;
+  FramePicture picture_;
 
   // The feed's thread.
-  std::vector<std::shared_ptr<Outlet>> outlets_;            // changed under the mutex
-  FrameIndex frame_ = 0;                                    // the newest one
-  bool running_ = false;                                    // at its pace, since there was a reason not to
-  Signal::Clock::time_point began_ = Signal::Clock::now();  // the first frame
-  Signal::Clock::time_point wall_zero_;                     // when stream time 0 was due, by the pace
+  std::vector<std::shared_ptr<StreamSink>> sinks_;  // changed under the mutex
+  FrameIndex frame_ = 0;                            // the newest one
+  bool running_ = false;                            // at its pace, since there was a reason not to
+  ChangeNotifier::Clock::time_point began_ = ChangeNotifier::Clock::now();  // the first frame
+  ChangeNotifier::Clock::time_point wall_zero_;  // when stream time 0 was due, by the pace
 
   mutable std::mutex mutex_;
   std::stop_source stop_;
-  std::vector<std::shared_ptr<Outlet>> newcomers_;
+  std::vector<std::shared_ptr<StreamSink>> newcomers_;
   FeedProgress progress_;
   bool ended_ = false;
   std::thread thread_;

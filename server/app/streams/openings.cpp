@@ -30,7 +30,7 @@ void Openings::begin(Opening& opening, const char* doing) {
 
 std::vector<v1::OpeningInfo> Openings::list(const std::string& user) const {
   std::vector<v1::OpeningInfo> infos;
-  const auto now = Signal::Clock::now();
+  const auto now = ChangeNotifier::Clock::now();
   std::lock_guard lock(mutex_);
   for (const Opening* opening : all_) {
     if (opening->peer.user != user) continue;

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "stream/change_notifier.h"
 #include "stream/control_server.h"
-#include "stream/signal.h"
 
 namespace saccade {
 
 struct Opening {
   const Peer peer;
   const std::uint64_t request_id;
-  const Signal::Clock::time_point began = Signal::Clock::now();
+  const ChangeNotifier::Clock::time_point began = ChangeNotifier::Clock::now();
   std::stop_source stop{};
   std::string scene{};                        // empty until the request is read
   const char* doing = "reading the request";  // for people

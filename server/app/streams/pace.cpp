@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/admission/limits.h"
-#include "app/streams/eye.h"
+#include "app/streams/sensor_channel.h"
 #include "base/usable_cpus.h"
 
 namespace saccade {
@@ -33,9 +33,9 @@ CpuCost operator*(const CpuCost& cost, double factor) {
   return {cost.feed * factor, cost.sensors * factor, cost.chain * factor, cost.longest * factor};
 }
 
-double longestOf(const std::vector<Eye>& eyes) {
+double longestOf(const std::vector<SensorChannel>& channels) {
   std::chrono::nanoseconds longest{0};
-  for (const Eye& eye : eyes) longest = std::max(longest, eye.cost());
+  for (const SensorChannel& channel : channels) longest = std::max(longest, channel.cost());
   return seconds(longest);
 }
 
@@ -54,9 +54,9 @@ CpuCost together(const CpuCost& a, const CpuCost& b) {
 CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
                      const ResolvedStream& stream, TilePool& pool) {
   Feed feed(std::move(scene), path, stream.feed, pool);
-  std::vector<Eye> eyes = makeEyes(stream, {}, 0);
+  std::vector<SensorChannel> channels = makeSensorChannels(stream, {}, 0);
   const auto each = [&](const auto& f) {
-    return seconds(pool.run(static_cast<int>(eyes.size()), [&](int i) { f(eyes[i]); }));
+    return seconds(pool.run(static_cast<int>(channels.size()), [&](int i) { f(channels[i]); }));
   };
   CpuCost spent, first;
   int frames = 0;
@@ -64,14 +64,15 @@ CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory&
     const IntensityChange& change = feed.step();
     spent.feed += seconds(feed.lastTimes().total());
     spent.chain += seconds(feed.lastChain());
-    spent.sensors += each([&](Eye& eye) { eye.look(change); });
-    spent.longest += longestOf(eyes);
+    spent.sensors += each([&](SensorChannel& channel) { channel.look(change); });
+    spent.longest += longestOf(channels);
     if (++frames == 1) first = spent;
   }
-  const double left_s = each([](Eye& eye) { eye.flush(); }) / frames;  // where frames are short, most of it
+  const double left_s =
+      each([](SensorChannel& channel) { channel.flush(); }) / frames;  // where frames are short, most of it
   CpuCost frame = frames == 1 ? first : (spent - first) * (1.0 / (frames - 1));
   frame.sensors += left_s;
-  frame.longest += left_s / static_cast<double>(eyes.size());
+  frame.longest += left_s / static_cast<double>(channels.size());
   return frame;
 }
 

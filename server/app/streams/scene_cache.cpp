@@ -6,7 +6,7 @@
 
 #include "app/admission/limits.h"
 #include "scene/files/slow_load.h"
-#include "scene/scene_needs.h"
+#include "scene/scene_stats.h"
 
 namespace saccade {
 namespace {
@@ -31,10 +31,10 @@ SceneCache::Loaded SceneCache::load(const std::string& name) {
     const auto scene = add(name, library_.load(name, tellSlowLoad(name, log)));
     loads_.ns += (std::chrono::steady_clock::now() - began) / std::chrono::nanoseconds(1);
     ++loads_.done;
-    const std::string needs = needsOf(scene->description()).text();
-    spdlog::info("loaded {}: {}", name, needs);
+    const std::string stats = statsOf(scene->description()).text();
+    spdlog::info("loaded {}: {}", name, stats);
     std::lock_guard lock(mutex_);
-    needs_[name] = needs;
+    stats_[name] = stats;
     return scene;
   } catch (...) {
     ++loads_.failed;
@@ -113,28 +113,28 @@ std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name) {
   }
 }
 
-std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name, const Parts& without) {
+std::shared_ptr<const RenderScene> SceneCache::get(const std::string& name, const SceneFeatures& disabled) {
   const auto whole = get(name);
-  if (without.empty()) return whole;
+  if (disabled.empty()) return whole;
   std::lock_guard lock(simplifying_);
   std::erase_if(simplified_, [](const auto& entry) { return entry.second.scene.expired(); });
-  const auto found = simplified_.find({name, without});
+  const auto found = simplified_.find({name, disabled});
   if (found != simplified_.end() && found->second.whole.lock() == whole)
     if (auto scene = found->second.scene.lock()) return scene;
   if (simplified_.size() >= most_reduced_) {
-    throw LimitReached(Limit::kReducedScenes, "quality.without",
+    throw LimitReached(Limit::kReducedScenes, "quality.disabled_features",
                        std::to_string(most_reduced_) + " other scenes without parts of theirs are in use",
                        kRetrySeconds);
   }
-  auto scene = add(name, simplified(whole->description(), without));
-  simplified_[{name, without}] = {whole, scene};
+  auto scene = add(name, simplified(whole->description(), disabled));
+  simplified_[{name, disabled}] = {whole, scene};
   return scene;
 }
 
-std::string SceneCache::needs(const std::string& name) const {
+std::string SceneCache::stats(const std::string& name) const {
   std::lock_guard lock(mutex_);
-  const auto found = needs_.find(name);
-  return found == needs_.end() ? "" : found->second;
+  const auto found = stats_.find(name);
+  return found == stats_.end() ? "" : found->second;
 }
 
 }  // namespace saccade

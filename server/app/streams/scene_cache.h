@@ -40,10 +40,10 @@ class SceneCache {
   std::shared_ptr<const RenderScene> get(const std::string& name);
   // The same without parts of its model; shared while anyone has it. Throws SceneError, and LimitReached
   // where too many others are in use, or there is no room.
-  std::shared_ptr<const RenderScene> get(const std::string& name, const Parts& without);
+  std::shared_ptr<const RenderScene> get(const std::string& name, const SceneFeatures& disabled);
 
-  // What a scene needs, for people; empty until it was loaded.
-  std::string needs(const std::string& name) const;
+  // What a scene stats, for people; empty until it was loaded.
+  std::string stats(const std::string& name) const;
 
  private:
   using Loaded = std::shared_ptr<const RenderScene>;
@@ -74,9 +74,9 @@ class SceneCache {
   std::map<std::string, Entry> scenes_;
   std::uint64_t uses_ = 0;
   std::vector<Counted> counted_;              // those in memory, and some that were
-  std::map<std::string, std::string> needs_;  // of those that are loaded
+  std::map<std::string, std::string> stats_;  // of those that are loaded
   std::mutex simplifying_;
-  std::map<std::pair<std::string, Parts>, Simplified> simplified_;
+  std::map<std::pair<std::string, SceneFeatures>, Simplified> simplified_;
 };
 
 }  // namespace saccade

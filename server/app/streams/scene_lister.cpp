@@ -31,7 +31,7 @@ v1::Reply SceneLister::list() const {
       scene.set_description(entry.description);
       for (const auto& name : entry.trajectories) scene.add_trajectories(name);
       scene.set_unavailable(entry.unavailable);
-      scene.set_needs(scenes_.needs(entry.name));
+      scene.set_stats(scenes_.stats(entry.name));
     }
     *reply.mutable_status() = okStatus();
   } catch (...) {

@@ -16,7 +16,7 @@ v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, s
   opened.set_px_per_frame_p99(stream.feed->pixelSpeed().p99);
   opened.set_channels(static_cast<std::uint32_t>(channels));
   if (resolved.expected) *opened.mutable_expected() = *resolved.expected;
-  if (resolved.simpler) *opened.mutable_simpler() = *resolved.simpler;
+  if (resolved.simplification) *opened.mutable_simplification() = *resolved.simplification;
   if (!stream.session->broadcast()) return opened;
   for (std::uint32_t i = 0; i < stream.session->sensors(); ++i) opened.add_topics(stream.session->topic(i));
   return opened;

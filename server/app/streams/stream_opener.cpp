@@ -35,13 +35,13 @@ CpuCost costOfJoining(const CpuCost& frame) {
 
 }  // namespace
 
-StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool, Budget& budget,
-                           StreamRegistry& streams, Transports transports, Totals& totals, ClientLog& log,
-                           std::uint64_t epoch)
+StreamOpener::StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool,
+                           ResourceQuota& quota, StreamRegistry& streams, Transports transports,
+                           Totals& totals, ClientLog& log, std::uint64_t epoch)
     : scenes_(scenes),
       tables_(tables),
       pool_(pool),
-      budget_(budget),
+      quota_(quota),
       streams_(streams),
       transports_(transports),
       totals_(totals),
@@ -71,7 +71,7 @@ void StreamOpener::stop() {
   openings_.cancelAll();
 }
 
-bool StreamOpener::wait(Signal::Clock::time_point deadline) {
+bool StreamOpener::wait(ChangeNotifier::Clock::time_point deadline) {
   return std::all_of(opening_.begin(), opening_.end(),
                      [&](auto& one) { return one.wait_until(deadline) == std::future_status::ready; });
 }
@@ -94,14 +94,14 @@ v1::StreamOpened StreamOpener::openStream(v1::OpenStream request, Opening& openi
   openings_.setScene(opening, request.scene());
   openings_.begin(opening, "checking the request");
   ResolvedStream resolved = resolve(std::move(request), scenes_.library().list(), tables_);
-  checkAlone(resolved.request, budget_.limits());
-  boundEvents(resolved, budget_.limits());
+  checkAlone(resolved.request, quota_.limits());
+  boundEvents(resolved, quota_.limits());
   Stream stream;
   stream.reserved = reserve(opening.peer.user, resolved);
   openings_.begin(opening, "loading the scene");
   const auto whole = scenes_.get(resolved.request.scene());
   fitTo(whole->description(), resolved);
-  const auto scene = scenes_.get(resolved.request.scene(), resolved.without);
+  const auto scene = scenes_.get(resolved.request.scene(), resolved.disabled_features);
   stream.user = opening.peer.user;
   stream.request = withoutLongPath(resolved.request);
   openFeed(resolved, *whole, scene, opening, stream);
@@ -113,15 +113,15 @@ v1::StreamOpened StreamOpener::openStream(v1::OpenStream request, Opening& openi
 
 // Streams that are over have no places any more, and closed ones are about to end.
 std::shared_ptr<void> StreamOpener::reserve(const std::string& user, const ResolvedStream& resolved) {
-  std::vector<Share> shares = sharesOf(resolved, budget_.limits());
+  std::vector<Share> shares = sharesOf(resolved, quota_.limits());
   shares.push_back({Limit::kMemory, pathMemory(resolved.request.trajectory()), "trajectory"});
-  streams_.sweep(Signal::Clock::now());
+  streams_.sweep(ChangeNotifier::Clock::now());
   try {
-    return budget_.take(user, shares);
+    return quota_.take(user, shares);
   } catch (const LimitReached&) {
-    streams_.awaitClosed(Signal::Clock::now() + kEndOfClosed);
-    streams_.sweep(Signal::Clock::now());
-    return budget_.take(user, shares);
+    streams_.awaitClosed(ChangeNotifier::Clock::now() + kEndOfClosed);
+    streams_.sweep(ChangeNotifier::Clock::now());
+    return quota_.take(user, shares);
   }
 }
 
@@ -173,13 +173,13 @@ CpuCost StreamOpener::measure(const ResolvedStream& resolved, const Trajectory& 
 }
 
 bool StreamOpener::isMeasured(const ResolvedStream& resolved) const {
-  return isPaced(resolved.request) && budget_.limits()[Limit::kCpu] > 0;
+  return isPaced(resolved.request) && quota_.limits()[Limit::kCpu] > 0;
 }
 
 void StreamOpener::admit(const ResolvedStream& resolved, const CpuCost& frame,
                          const FeedRunner* joined) const {
   if (!isMeasured(resolved)) return;
-  checkPace(resolved.request.timing(), frame, streams_.load(joined), cpuSupply(pool_), budget_.limits());
+  checkPace(resolved.request.timing(), frame, streams_.load(joined), cpuSupply(pool_), quota_.limits());
 }
 
 std::shared_ptr<FeedRunner> StreamOpener::findFeed(const ResolvedStream& resolved) {
@@ -214,9 +214,9 @@ bool StreamOpener::connect(const ResolvedStream& resolved, Stream& stream) {
   WakeFd& transport = delivery == v1::DELIVERY_BROADCAST ? transports_.broadcast : transports_.data;
   stream.session = std::make_shared<Session>(
       randomHex(kIdBytes), delivery, static_cast<std::uint32_t>(resolved.sensors.size()), transport,
-      stream.feed->signal(), totals_.traffic, budget_.limits().bytes(Limit::kQueue), epoch_);
-  stream.outlet = std::make_shared<Outlet>(stream.session, resolved, epoch_);
-  return stream.feed->add(stream.outlet);
+      stream.feed->notifier(), totals_.traffic, quota_.limits().bytes(Limit::kQueue), epoch_);
+  stream.sink = std::make_shared<StreamSink>(stream.session, resolved, epoch_);
+  return stream.feed->add(stream.sink);
 }
 
 }  // namespace saccade

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/admission/budget.h"
+#include "app/admission/resource_quota.h"
 #include "app/request/resolve.h"
 #include "app/streams/openings.h"
 #include "app/streams/scene_cache.h"
@@ -27,7 +27,7 @@ class StreamOpener {
   };
 
   // Keeps references.
-  StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool, Budget& budget,
+  StreamOpener(SceneCache& scenes, const MeasuredTables& tables, TilePool& pool, ResourceQuota& quota,
                StreamRegistry& streams, Transports transports, Totals& totals, ClientLog& log,
                std::uint64_t epoch);
 
@@ -37,7 +37,7 @@ class StreamOpener {
   void stop();  // from now on every request is refused, and those under way end soon
   // After stop(): whether none is being opened any more, before `deadline`. The destructor waits for the
   // rest.
-  bool wait(Signal::Clock::time_point deadline);
+  bool wait(ChangeNotifier::Clock::time_point deadline);
 
  private:
   v1::Status openNow(RawRequest request, Opening& opening, v1::StreamOpened& opened);
@@ -58,13 +58,13 @@ class StreamOpener {
                                        std::shared_ptr<const RenderScene> scene,
                                        const Opening& opening) const;
   void share(const ResolvedStream& resolved, const std::shared_ptr<FeedRunner>& feed);
-  // Makes the stream's session and outlet. False: the feed has ended.
+  // Makes the stream's session and sink. False: the feed has ended.
   bool connect(const ResolvedStream& resolved, Stream& stream);
 
   SceneCache& scenes_;
   const MeasuredTables& tables_;
   TilePool& pool_;
-  Budget& budget_;
+  ResourceQuota& quota_;
   StreamRegistry& streams_;
   const Transports transports_;
   Totals& totals_;

@@ -24,12 +24,12 @@ auto& streamOf(Streams& streams, const std::string& id, const std::string& token
 
 }  // namespace
 
-bool StreamRegistry::abandoned(const Stream& stream, Signal::Clock::time_point now) const {
+bool StreamRegistry::abandoned(const Stream& stream, ChangeNotifier::Clock::time_point now) const {
   const auto since = stream.session->unattended();
   return since && now - *since > lease_;
 }
 
-bool StreamRegistry::over(const Stream& stream, Signal::Clock::time_point now) const {
+bool StreamRegistry::over(const Stream& stream, ChangeNotifier::Clock::time_point now) const {
   if (stream.closed && !stream.session->started()) return true;  // nobody waits for its END
   if (!stream.session->finished()) return false;
   if (abandoned(stream, now)) return true;
@@ -50,7 +50,7 @@ v1::StreamInfo Stream::info() const {
   info.set_delivery(request.delivery());
   info.set_sensors(session->sensors());
   info.set_frames_done(progress.frames);
-  info.set_events(outlet->events());
+  info.set_events(sink->events());
   info.set_dropped_packets(session->queue().droppedPackets());
   info.set_lag_s(progress.lag_s);
   double total_ms = 0;
@@ -71,13 +71,13 @@ CpuCost Stream::load() const {
   const double frames_per_s = timing.frame_rate_hz() * timing.speed();
   const bool sure = done.frames >= kSureFrames;
   return {(sure ? done.recent_s.value() : frame_cost.feed) * frames_per_s,
-          std::max(frame_cost.sensors, outlet->recentSeconds()) * frames_per_s,
+          std::max(frame_cost.sensors, sink->recentSeconds()) * frames_per_s,
           (sure ? done.chain_s.value() : frame_cost.chain) * frames_per_s,
-          std::max(frame_cost.longest, outlet->recentLongestSeconds()) * frames_per_s};
+          std::max(frame_cost.longest, sink->recentLongestSeconds()) * frames_per_s};
 }
 
 StreamRegistry::~StreamRegistry() {
-  stopAll(Signal::Clock::now());
+  stopAll(ChangeNotifier::Clock::now());
 }
 
 void StreamRegistry::add(Stream stream) {
@@ -134,11 +134,11 @@ void StreamRegistry::close(const std::string& id, const std::string& token) {
   std::lock_guard lock(mutex_);
   Stream& stream = streamOf(streams_, id, token);
   stream.stop(v1::END_REASON_CLOSED);
-  if (!stream.closed) stream.closed = Signal::Clock::now();
+  if (!stream.closed) stream.closed = ChangeNotifier::Clock::now();
   log_.info(stream.user, "closed stream " + id);
 }
 
-void StreamRegistry::sweep(Signal::Clock::time_point now) {
+void StreamRegistry::sweep(ChangeNotifier::Clock::time_point now) {
   std::vector<Stream> gone;  // their threads are joined once the lock is open again
   std::lock_guard lock(mutex_);
   std::erase_if(streams_, [&](auto& entry) {
@@ -153,22 +153,22 @@ void StreamRegistry::sweep(Signal::Clock::time_point now) {
   forgotten_ += gone.size();
 }
 
-void StreamRegistry::awaitClosed(Signal::Clock::time_point deadline) const {
+void StreamRegistry::awaitClosed(ChangeNotifier::Clock::time_point deadline) const {
   struct Ending {
     std::shared_ptr<Session> session;
-    std::shared_ptr<Signal> ended;
+    std::shared_ptr<ChangeNotifier> ended;
   };
   std::vector<Ending> closed;
   {
     std::lock_guard lock(mutex_);
     for (const auto& [id, stream] : streams_) {
-      if (stream.closed) closed.push_back({stream.session, stream.feed->signal()});
+      if (stream.closed) closed.push_back({stream.session, stream.feed->notifier()});
     }
   }
   for (const Ending& one : closed) one.ended->waitUntil(deadline, [&] { return one.session->finished(); });
 }
 
-bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
+bool StreamRegistry::stopAll(ChangeNotifier::Clock::time_point deadline) {
   std::map<std::string, Stream> streams;
   {
     std::lock_guard lock(mutex_);
@@ -179,7 +179,7 @@ bool StreamRegistry::stopAll(Signal::Clock::time_point deadline) {
   bool all = true;
   for (const auto& [id, stream] : streams) {
     const Session& session = *stream.session;
-    all &= stream.feed->signal()->waitUntil(deadline, [&] { return session.settled(); });
+    all &= stream.feed->notifier()->waitUntil(deadline, [&] { return session.settled(); });
   }
   return all;
 }

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/streams/feed_runner.h"
-#include "app/streams/outlet.h"
 #include "app/streams/pace.h"
+#include "app/streams/stream_sink.h"
 #include "ops/client_log.h"
 #include "stream/session_directory.h"
 
@@ -23,9 +23,9 @@ struct Stream {
   std::shared_ptr<void> reserved;  // its part of the budget
   CpuCost frame_cost;              // PACED: as measured before it was opened; no feed's where it joined one
   std::shared_ptr<FeedRunner> feed;
-  std::shared_ptr<Outlet> outlet;
+  std::shared_ptr<StreamSink> sink;
   std::shared_ptr<Session> session;
-  std::optional<Signal::Clock::time_point> closed;  // by its client
+  std::optional<ChangeNotifier::Clock::time_point> closed;  // by its client
 
   void stop(v1::EndReason reason) const;  // at once, where its feed serves no other stream
   v1::StreamInfo info() const;
@@ -58,17 +58,17 @@ class StreamRegistry {
   void close(const std::string& id, const std::string& token);
   // Ends streams without a receiver and forgets those that are over. To be called about once a second, and
   // where their places are wanted.
-  void sweep(Signal::Clock::time_point now);
+  void sweep(ChangeNotifier::Clock::time_point now);
   // Waits until all closed streams have ended, but no longer than to `deadline`.
-  void awaitClosed(Signal::Clock::time_point deadline) const;
+  void awaitClosed(ChangeNotifier::Clock::time_point deadline) const;
   std::uint64_t forgotten() const { return forgotten_; }  // since the server started
   // Ends all streams, for good. Returns whether, before `deadline`, all packets were taken that had a
   // receiver.
-  bool stopAll(Signal::Clock::time_point deadline);
+  bool stopAll(ChangeNotifier::Clock::time_point deadline);
 
  private:
-  bool abandoned(const Stream& stream, Signal::Clock::time_point now) const;
-  bool over(const Stream& stream, Signal::Clock::time_point now) const;
+  bool abandoned(const Stream& stream, ChangeNotifier::Clock::time_point now) const;
+  bool over(const Stream& stream, ChangeNotifier::Clock::time_point now) const;
 
   SessionDirectory& sessions_;
   ClientLog& log_;

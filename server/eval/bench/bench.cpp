@@ -32,7 +32,7 @@ double medianMotion(const GBuffer& g) {
 std::shared_ptr<const RenderScene> openSceneOf(const BenchSetup& setup) {
   auto scene = openScene(setup.scene);
   if (setup.mips) return scene;
-  return std::make_shared<RenderScene>(simplified(scene->description(), {Part::kMipFiltering}));
+  return std::make_shared<RenderScene>(simplified(scene->description(), {SceneFeature::kMipFiltering}));
 }
 
 }  // namespace

@@ -89,11 +89,11 @@ MeasuredModel ModelBench::jittered() const {
 }
 
 std::vector<MeasuredModel> ModelBench::measure(const std::vector<SceneModel>& models) const {
-  std::map<Parts, std::shared_ptr<const RenderScene>> scenes{{{}, whole_.scene()}};
+  std::map<SceneFeatures, std::shared_ptr<const RenderScene>> scenes{{{}, whole_.scene()}};
   std::vector<Bench> benches;
   for (const SceneModel& model : models) {
-    auto& scene = scenes[model.without];
-    if (!scene) scene = std::make_shared<RenderScene>(simplified(description(), model.without));
+    auto& scene = scenes[model.disabled_features];
+    if (!scene) scene = std::make_shared<RenderScene>(simplified(description(), model.disabled_features));
     benches.emplace_back(whole_, scene, model.bounces);
   }
   const std::vector<double> times = relativeTimes(benches);

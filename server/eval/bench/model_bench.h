@@ -5,7 +5,7 @@
 
 #include "eval/bench/bench_options.h"
 #include "eval/metrics/event_rates.h"
-#include "tables/needs_table.h"
+#include "tables/simplification_table.h"
 
 namespace saccade::eval {
 

@@ -7,7 +7,7 @@ namespace {
 
 SceneModel joined(SceneModel a, const SceneModel& b) {
   a.bounces = std::min(a.bounces, b.bounces);
-  a.without.insert(b.without.begin(), b.without.end());
+  a.disabled_features.insert(b.disabled_features.begin(), b.disabled_features.end());
   return a;
 }
 
@@ -21,10 +21,11 @@ std::vector<MeasuredModel> worthwhile(const MeasuredModel& whole, std::vector<Me
 
 }  // namespace
 
-std::vector<SceneModel> simplerByOne(const SceneModel& whole, const Parts& parts) {
+std::vector<SceneModel> simplerByOne(const SceneModel& whole, const SceneFeatures& parts) {
   std::vector<SceneModel> models;
-  for (int bounces = whole.bounces - 1; bounces >= 0; --bounces) models.push_back({bounces, whole.without});
-  for (const Part part : parts) models.push_back({whole.bounces, {part}});
+  for (int bounces = whole.bounces - 1; bounces >= 0; --bounces)
+    models.push_back({bounces, whole.disabled_features});
+  for (const SceneFeature part : parts) models.push_back({whole.bounces, {part}});
   return models;
 }
 

@@ -4,12 +4,12 @@
 #include <functional>
 #include <vector>
 
-#include "tables/needs_table.h"
+#include "tables/simplification_table.h"
 
 namespace saccade::eval {
 
 // The whole model without one part, for each of `parts`, and with fewer bounces, down to 0.
-std::vector<SceneModel> simplerByOne(const SceneModel& whole, const Parts& parts);
+std::vector<SceneModel> simplerByOne(const SceneModel& whole, const SceneFeatures& parts);
 
 using MeasureModel = std::function<MeasuredModel(const SceneModel&)>;
 

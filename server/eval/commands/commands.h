@@ -5,12 +5,12 @@
 
 namespace saccade::eval {
 
-void addStillCommand(CLI::App& app);
+void addRenderCommand(CLI::App& app);
 void addFramesCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
-void addCompareStillsCommand(CLI::App& app);
+void addCompareRendersCommand(CLI::App& app);
 void addChartCommand(CLI::App& app);
 void addFigureCommand(CLI::App& app);
-void addNeedsCommand(CLI::App& app);
+void addSimplificationCommand(CLI::App& app);
 
 }  // namespace saccade::eval

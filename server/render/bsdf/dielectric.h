@@ -8,7 +8,7 @@
 namespace saccade {
 
 // Light in a straight line, from what is behind.
-struct Passage {
+struct Transmittance {
   LaneRgb fraction{1, 1, 1};
   Lane probability = 1;
 };
@@ -70,7 +70,7 @@ struct ThinDielectric {
     return reflectanceAndTransmittance(b, cos_o, reflectance(b, cos_o));
   }
   // What of light from behind goes straight through, and the probability that sample() finds it.
-  static Passage passage(const Bsdf& b, Lane cos_o) {
+  static Transmittance passage(const Bsdf& b, Lane cos_o) {
     const Lane f = reflectance(b, cos_o);
     return {b.transmittance * (1 - f), 1 - reflectionProbability(b, f)};
   }

@@ -20,9 +20,9 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-View viewOf(const Pose& camera, const std::vector<Vec3>& points) {
+VisiblePoints viewOf(const Pose& camera, const std::vector<Vec3>& points) {
   const Pose to_camera = inverse(camera);
-  View view;
+  VisiblePoints view;
   for (const Vec3 point : points) {
     const Vec3d p = mapPoint(to_camera, toDouble(point));
     if (p.z > kNear) view.push_back(p);
@@ -31,13 +31,13 @@ View viewOf(const Pose& camera, const std::vector<Vec3>& points) {
   return view;
 }
 
-double medianDepth(const View& view) {
+double medianDepth(const VisiblePoints& view) {
   std::vector<double> depths;
   for (const Vec3d p : view) depths.push_back(p.z);
   return median(std::move(depths));
 }
 
-double medianImageSpeed(const View& view, const Twist& camera) {
+double medianImageSpeed(const VisiblePoints& view, const Twist& camera) {
   std::vector<double> speeds;
   for (const Vec3d p : view) {
     const Vec3d v = -camera.linear - cross(camera.angular, p);
@@ -46,7 +46,8 @@ double medianImageSpeed(const View& view, const Twist& camera) {
   return median(std::move(speeds));
 }
 
-void appendImageSteps(const View& view, const Pose& from, const Pose& to, std::vector<double>& lengths) {
+void appendImageSteps(const VisiblePoints& view, const Pose& from, const Pose& to,
+                      std::vector<double>& lengths) {
   const Pose before = inverse(from), after = inverse(to);
   for (const Vec3d p : view) {
     const Vec3d a = mapPoint(before, p), b = mapPoint(after, p);
@@ -55,7 +56,7 @@ void appendImageSteps(const View& view, const Pose& from, const Pose& to, std::v
   }
 }
 
-double medianImageSpeed(const View& view, const std::vector<Pose>& path, double step_s) {
+double medianImageSpeed(const VisiblePoints& view, const std::vector<Pose>& path, double step_s) {
   constexpr std::size_t kStride = 10;  // enough to know the median
   std::vector<double> lengths{0};
   for (std::size_t i = 0; i + 1 < path.size(); i += kStride)

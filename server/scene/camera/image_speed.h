@@ -8,13 +8,13 @@
 namespace saccade {
 
 // What the camera sees, in its own axes: points in front of it.
-using View = std::vector<Vec3d>;
+using VisiblePoints = std::vector<Vec3d>;
 
 // Those of the world-space `points` that lie in front; without any, one point on the viewing axis at
 // distance 1.
-View viewOf(const Pose& camera, const std::vector<Vec3>& points);
+VisiblePoints viewOf(const Pose& camera, const std::vector<Vec3>& points);
 
-double medianDepth(const View& view);
+double medianDepth(const VisiblePoints& view);
 
 // Velocity of the camera in its own axes, per second: linear in scene units, angular in radians.
 struct Twist {
@@ -22,14 +22,15 @@ struct Twist {
 };
 
 // Median over the view, in focal lengths per second.
-double medianImageSpeed(const View& view, const Twist& camera);
+double medianImageSpeed(const VisiblePoints& view, const Twist& camera);
 
 // The same for a camera that goes along `path`, poses relative to the one of the view, `step_s` seconds
 // apart: median over the view and the path.
-double medianImageSpeed(const View& view, const std::vector<Pose>& path, double step_s);
+double medianImageSpeed(const VisiblePoints& view, const std::vector<Pose>& path, double step_s);
 
 // Appends how far the image of each point moves when the camera goes from one pose to another, both relative
 // to that of the view: focal lengths. Points that are behind at either are left out.
-void appendImageSteps(const View& view, const Pose& from, const Pose& to, std::vector<double>& lengths);
+void appendImageSteps(const VisiblePoints& view, const Pose& from, const Pose& to,
+                      std::vector<double>& lengths);
 
 }  // namespace saccade

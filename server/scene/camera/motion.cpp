@@ -30,7 +30,7 @@ const std::vector<Kind>& kindTable() {
   return table;
 }
 
-Screw makeScrew(const Kind& kind, const View& view) {
+Screw makeScrew(const Kind& kind, const VisiblePoints& view) {
   const auto nearer = [](Vec3d a, Vec3d b) { return a.z < b.z; };
   const auto off_axis = [](Vec3d p) { return std::hypot(p.x, p.y) / p.z; };
   const auto more_central = [&](Vec3d a, Vec3d b) { return off_axis(a) < off_axis(b); };
@@ -42,7 +42,7 @@ Screw makeScrew(const Kind& kind, const View& view) {
 }
 
 // Scene units or radians per second.
-double rateOf(const Motion& motion, const Screw& screw, const View& view) {
+double rateOf(const Motion& motion, const Screw& screw, const VisiblePoints& view) {
   double rate = motion.speed * (screw.rotates() ? kPi / 180 : 1);
   if (motion.image_speed) {
     const double found = medianImageSpeed(view, screw.twist());
@@ -73,7 +73,7 @@ Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector
   const auto kind = std::find_if(kindTable().begin(), kindTable().end(),
                                  [&](const Kind& k) { return k.name == motion.kind; });
   SACCADE_CHECK(kind != kindTable().end());
-  const View view = viewOf(start, probes);
+  const VisiblePoints view = viewOf(start, probes);
   if (kind->name == kShake)
     return makeShake(start, view, motion.image_speed ? motion.speed : motion.speed * kPi / 180, motion.seed);
   const Screw screw = makeScrew(*kind, view);

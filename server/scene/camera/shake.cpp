@@ -37,7 +37,7 @@ std::vector<Pose> shakePoses(double depth, double scale, std::uint64_t seed) {
 
 }  // namespace
 
-Trajectory makeShake(const Pose& start, const View& view, double speed, std::uint64_t seed) {
+Trajectory makeShake(const Pose& start, const VisiblePoints& view, double speed, std::uint64_t seed) {
   const double depth = medianDepth(view);
   // Speed is nearly proportional to the scale, so that a few corrections find it.
   double scale = 0.01;

@@ -52,7 +52,7 @@ Mesh PlyReader::read(std::string_view bytes) {
       readFaces(element, values);
     } else {
       for (long long i = 0; i < element.count; ++i)
-        for (const auto& p : element.properties) values.readPast(p);
+        for (const auto& p : element.properties) values.ignore(p);
     }
   }
   if (mesh_.triangles.empty()) fail("the file has no faces");
@@ -71,7 +71,7 @@ void PlyReader::readVertices(const PlyElement& element, PlyValues& values) {
     for (const auto& p : element.properties) {
       const int slot = p.is_list ? -1 : slotOf(p.name);
       if (slot < 0) {
-        values.readPast(p);
+        values.ignore(p);
         continue;
       }
       v[slot] = static_cast<float>(values.readNumber(p.type));
@@ -89,7 +89,7 @@ void PlyReader::readFaces(const PlyElement& element, PlyValues& values) {
       if (isFaceList(p)) {
         readFace(i, p, values);
       } else {
-        values.readPast(p);
+        values.ignore(p);
       }
     }
   }

@@ -15,7 +15,7 @@ void PlyValues::fail(const std::string& what) const {
   throw SceneError(path_ + ": " + what);
 }
 
-void PlyValues::readPast(const PlyProperty& property) {
+void PlyValues::ignore(const PlyProperty& property) {
   const long long values = property.is_list ? readCount(property.count_type) : 1;
   for (long long i = 0; i < values; ++i) readNumber(property.type);
 }

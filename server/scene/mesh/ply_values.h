@@ -16,7 +16,7 @@ class PlyValues {
 
   double readNumber(PlyType type);    // ascii: finite
   long long readCount(PlyType type);  // the length of a list
-  void readPast(const PlyProperty& property);
+  void ignore(const PlyProperty& property);
 
  private:
   double readBinary(PlyType type);

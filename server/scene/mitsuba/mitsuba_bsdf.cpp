@@ -100,7 +100,7 @@ void BsdfReader::readRoughness() {
     throw file_.error(bsdf_,
                       "the distribution '" + distribution + "' is not supported; supported: beckmann, ggx");
   material_.model.microfacets = distribution == "ggx" ? MicrofacetKind::kGgx : MicrofacetKind::kBeckmann;
-  properties_.readPast("boolean", {"sample_visible"});
+  properties_.ignore("boolean", {"sample_visible"});
 }
 
 void BsdfReader::readIor(double interior_default) {

@@ -62,7 +62,7 @@ Strength parseStrength(const XmlFile& file, pugi::xml_node emitter, Properties& 
 Emission parseEmitter(const XmlFile& file, pugi::xml_node emitter) {
   supportedType(file, emitter, {"area"});
   Properties properties(file, emitter);
-  properties.readPast("float", {"sampling_weight"});
+  properties.ignore("float", {"sampling_weight"});
   const auto radiance = properties.color("radiance", kMaxRadiance);
   const Strength strength = parseStrength(file, emitter, properties);
   properties.finish();

@@ -63,7 +63,7 @@ void readDirectional(const XmlFile& file, pugi::xml_node emitter, Properties& pr
 void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Scene& scene) {
   const std::string type = supportedType(file, emitter, {"envmap", "constant", "point", "directional"});
   Properties properties(file, emitter);
-  properties.readPast("float", {"sampling_weight"});
+  properties.ignore("float", {"sampling_weight"});
   if (type == "envmap") {
     readEnvmap(file, emitter, properties, loads, scene);
   } else if (type == "constant") {

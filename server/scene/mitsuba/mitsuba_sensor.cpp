@@ -46,10 +46,10 @@ void readFilm(const XmlFile& file, pugi::xml_node film, Scene& scene) {
   Properties properties(file, film);
   scene.width = parseFilmEdge(file, film, properties, "width", scene.width);
   scene.height = parseFilmEdge(file, film, properties, "height", scene.height);
-  properties.readPast("rfilter");
-  properties.readPast("string", {"file_format", "pixel_format", "component_format", "tonemap_method"});
-  properties.readPast("boolean", {"banner", "attach_log", "high_quality_edges", "sample_border"});
-  properties.readPast("float", {"gamma", "exposure", "key", "burn"});
+  properties.ignore("rfilter");
+  properties.ignore("string", {"file_format", "pixel_format", "component_format", "tonemap_method"});
+  properties.ignore("boolean", {"banner", "attach_log", "high_quality_edges", "sample_border"});
+  properties.ignore("float", {"gamma", "exposure", "key", "burn"});
   properties.finish();
 }
 
@@ -62,8 +62,8 @@ void readSensor(const XmlFile& file, pugi::xml_node sensor, Scene& scene) {
   const std::string axis = properties.text("fov_axis");
   const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
   const pugi::xml_node film = properties.object("film");
-  properties.readPast("float", {"near_clip", "far_clip", "focus_distance", "shutter_open", "shutter_close"});
-  properties.readPast("sampler");
+  properties.ignore("float", {"near_clip", "far_clip", "focus_distance", "shutter_open", "shutter_close"});
+  properties.ignore("sampler");
   properties.finish();
   if (film) readFilm(file, film, scene);
   scene.fov_x_deg = horizontalFov(file, sensor, fov, axis, static_cast<double>(scene.width) / scene.height);

@@ -68,9 +68,9 @@ SurfaceColor TextureReader::readBitmap(pugi::xml_node bitmap, Properties& proper
   c.uv_offset.y = 1 - c.uv_offset.y;
   const bool raw = readRaw(file_, bitmap, properties);
   requireRepeat(file_, bitmap, properties);
-  properties.readPast("string", {"filter_type"});  // ours is always trilinear
-  properties.readPast("float", {"max_anisotropy"});
-  properties.readPast("boolean", {"cache"});
+  properties.ignore("string", {"filter_type"});  // ours is always trilinear
+  properties.ignore("float", {"max_anisotropy"});
+  properties.ignore("boolean", {"cache"});
   c.texture = addPicture(bitmap, file_.locate(bitmap, properties.text("filename")), raw);
   return c;
 }

@@ -46,7 +46,7 @@ Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptio
     readShape(file, shape, materials, loads, scene);
   for (const pugi::xml_node emitter : properties.objects("emitter")) readLight(file, emitter, loads, scene);
   for (const char* tag : {"default", "bsdf", "texture", "integrator", "sampler", "film", "rfilter"})
-    properties.readPast(tag);
+    properties.ignore(tag);
   properties.finish();
   loads.run(file, options);
   checkTriangles(file, scene);

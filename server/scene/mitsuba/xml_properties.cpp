@@ -122,7 +122,7 @@ pugi::xml_node Properties::object(const std::string& tag, const std::string& nam
   return child ? child->seen : pugi::xml_node{};
 }
 
-void Properties::readPast(const std::string& tag, const std::vector<std::string>& names) {
+void Properties::ignore(const std::string& tag, const std::vector<std::string>& names) {
   for (const std::string& name : names) takeAll(tag, name);
 }
 

@@ -31,7 +31,7 @@ class Properties {
   // At most one of them; null if absent.
   pugi::xml_node object(const std::string& tag, const std::string& name = {});
   // Takes, unread, what has nothing to say here.
-  void readPast(const std::string& tag, const std::vector<std::string>& names = {{}});
+  void ignore(const std::string& tag, const std::vector<std::string>& names = {{}});
 
   void finish();
 

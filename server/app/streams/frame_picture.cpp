@@ -1,4 +1,4 @@
-#include "app/streams/frame_snapshot.h"
+#include "app/streams/frame_picture.h"
 
 #include <string>
 
@@ -19,7 +19,7 @@ std::string packRows(const ImageF& image) {
 
 }  // namespace
 
-void FrameSnapshot::take(const IntensityChange& change) {
+void FramePicture::take(const IntensityChange& change) {
   std::lock_guard lock(mutex_);
   newest_.t0 = change.t0;
   newest_.t1 = change.t1;
@@ -30,7 +30,7 @@ void FrameSnapshot::take(const IntensityChange& change) {
   taken_ = true;
 }
 
-std::optional<v1::FramePicture> FrameSnapshot::picture(double bias) const {
+std::optional<v1::FramePicture> FramePicture::picture(double bias) const {
   std::lock_guard lock(mutex_);
   if (!taken_) return {};
   ImageF dL(newest_.dI.width(), newest_.dI.height());

@@ -1,10 +1,10 @@
-#include "app/admission/budget.h"
+#include "app/admission/resource_quota.h"
 
 #include "app/admission/limits.h"
 
 namespace saccade {
 
-std::shared_ptr<void> Budget::take(const std::string& client, const std::vector<Share>& shares) {
+std::shared_ptr<void> ResourceQuota::take(const std::string& client, const std::vector<Share>& shares) {
   std::lock_guard lock(mutex_);
   for (const Share& share : shares) {
     const auto own = ofOneClient(share.limit);
@@ -13,13 +13,13 @@ std::shared_ptr<void> Budget::take(const std::string& client, const std::vector<
     check(taken_, share.limit, share);
   }
   add(client, shares, 1);
-  return {this, [client, shares](Budget* budget) {
-            std::lock_guard lock(budget->mutex_);
-            budget->add(client, shares, -1);
+  return {this, [client, shares](ResourceQuota* quota) {
+            std::lock_guard lock(quota->mutex_);
+            quota->add(client, shares, -1);
           }};
 }
 
-void Budget::use(Limit rate, double amount) {
+void ResourceQuota::use(Limit rate, double amount) {
   std::lock_guard lock(mutex_);
   const auto now = Clock::now();
   const std::chrono::duration<double> left = paid_off_[rate] - now, added(amount / limits_[rate]);
@@ -30,7 +30,7 @@ void Budget::use(Limit rate, double amount) {
   paid_off_[rate] = now + std::chrono::duration_cast<Clock::duration>(added);
 }
 
-void Budget::check(const Taken& taken, Limit limit, const Share& share) const {
+void ResourceQuota::check(const Taken& taken, Limit limit, const Share& share) const {
   const auto found = taken.find(share.limit);
   const double before = found == taken.end() ? 0 : found->second, most = limits_[limit];
   if (before + share.amount <= most) return;
@@ -41,7 +41,7 @@ void Budget::check(const Taken& taken, Limit limit, const Share& share) const {
                      others ? kRetrySeconds : 0);
 }
 
-void Budget::add(const std::string& client, const std::vector<Share>& shares, int sign) {
+void ResourceQuota::add(const std::string& client, const std::vector<Share>& shares, int sign) {
   for (const Share& share : shares) taken_[share.limit] += sign * share.amount;
   if (client.empty()) return;
   Taken& own = taken_by_[client];

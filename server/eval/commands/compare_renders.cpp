@@ -1,4 +1,4 @@
-// `saccade-eval compare-stills`: a picture against another program's, block by block.
+// `saccade-eval compare-renders`: a picture against another program's, block by block.
 #include <cstdio>
 #include <memory>
 
@@ -8,7 +8,7 @@
 namespace saccade::eval {
 namespace {
 
-struct CompareStillsOptions {
+struct CompareRendersOptions {
   std::string picture, reference, output;
   std::vector<std::string> left_out;
   BlockSettings blocks;
@@ -23,7 +23,7 @@ PixelRect parseRect(const std::string& text) {
   throw CLI::ValidationError("--leave-out", "must be X,Y,WxH in pixels of the reference, not " + text);
 }
 
-void runCompareStills(const CompareStillsOptions& o) {
+void runCompareRenders(const CompareRendersOptions& o) {
   BlockSettings settings = o.blocks;
   for (const std::string& text : o.left_out) settings.left_out.push_back(parseRect(text));
   const RgbPlanes picture = readRgb(o.picture), reference = readRgb(o.reference);
@@ -40,10 +40,10 @@ void runCompareStills(const CompareStillsOptions& o) {
 
 }  // namespace
 
-void addCompareStillsCommand(CLI::App& app) {
-  auto o = std::make_shared<CompareStillsOptions>();
+void addCompareRendersCommand(CLI::App& app) {
+  auto o = std::make_shared<CompareRendersOptions>();
   auto* command =
-      app.add_subcommand("compare-stills",
+      app.add_subcommand("compare-renders",
                          "two pictures of one view, in the means over square blocks: ratio of all, how many "
                          "blocks agree, and a picture");
   command
@@ -68,7 +68,7 @@ void addCompareStillsCommand(CLI::App& app) {
   command->add_option("-o,--output", o->output,
                       "PNG: picture, reference, and where blocks are too dark (blue) or "
                       "too bright (red); full colour: 25 %");
-  command->callback([o] { runCompareStills(*o); });
+  command->callback([o] { runCompareRenders(*o); });
 }
 
 }  // namespace saccade::eval

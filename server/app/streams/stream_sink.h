@@ -5,15 +5,15 @@
 #include <memory>
 #include <vector>
 
-#include "app/streams/eye.h"
+#include "app/streams/sensor_channel.h"
 #include "base/recent_mean.h"
 #include "stream/session.h"
 
 namespace saccade {
 
-class Outlet {
+class StreamSink {
  public:
-  Outlet(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch);
+  StreamSink(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch);
 
   const Session& session() const { return *session_; }
   bool catchingUp() const;  // nothing has come yet of what its client wants; on the feed's thread
@@ -22,11 +22,11 @@ class Outlet {
   double recentSeconds() const { return recent_s_; }          // of CPU time for an interval
   double recentLongestSeconds() const { return longest_s_; }  // of the sensor that takes longest
 
-  // An interval: each eye looks at it, on any threads; then the feed's thread publishes what they saw. Every
-  // interval from the stream's first on, in order. `lag`: how far a PACED stream is behind its clock, where
-  // that is worth telling.
-  std::size_t eyes() const { return eyes_.size(); }
-  void look(std::size_t eye, const IntensityChange& change) { eyes_[eye].look(change); }
+  // An interval: each channel looks at it, on any threads; then the feed's thread publishes what they saw.
+  // Every interval from the stream's first on, in order. `lag`: how far a PACED stream is behind its clock,
+  // where that is worth telling.
+  std::size_t channels() const { return channels_.size(); }
+  void look(std::size_t channel, const IntensityChange& change) { channels_[channel].look(change); }
   void publish(const IntensityChange& change, std::chrono::milliseconds lag);
 
   // The feed's thread only. `frame` is the index of the frame at t.
@@ -40,7 +40,7 @@ class Outlet {
   void countCost();
 
   const std::shared_ptr<Session> session_;
-  std::vector<Eye> eyes_;
+  std::vector<SensorChannel> channels_;
   std::chrono::milliseconds lag_{0};
   std::atomic<std::uint64_t> events_ = 0;
   RecentMean cost_mean_, longest_mean_;

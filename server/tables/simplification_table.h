@@ -1,5 +1,5 @@
-// What every part of a scene's model costs and changes, as `saccade-eval needs` measured it on one machine;
-// and which of it to leave out.
+// What every part of a scene's model costs and changes, as `saccade-eval simplification` measured it on one
+// machine; and which of it to leave out.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace saccade {
 
 struct SceneModel {
   int bounces = 3;  // indirect
-  Parts without;
+  SceneFeatures disabled_features;
 
   std::string text() const;  // "2 bounces, without textures, masks"
   friend bool operator==(const SceneModel&, const SceneModel&) = default;
@@ -27,7 +27,7 @@ struct MeasuredModel {
   double noise = 0;    // what the noise of both pictures alone would change, over the same
 };
 
-struct NeedsTable {
+struct SimplificationTable {
   std::string settings;  // all that the rows share, as the file says it: "cpu=... trajectory=... size=..."
   std::string cpu;       // as cpuName() says it
   std::vector<MeasuredModel> rows;  // the first of a scene is its whole model, which changes nothing
@@ -38,11 +38,11 @@ struct NeedsTable {
 };
 
 // Both throw std::runtime_error, of a faulty file with its line.
-NeedsTable readNeedsTable(const std::string& path);
-void writeNeedsTable(const std::string& path, const NeedsTable& table);  // makes the folder
+SimplificationTable readSimplificationTable(const std::string& path);
+void writeSimplificationTable(const std::string& path, const SimplificationTable& table);  // makes the folder
 
 // Where it stands unless it is said otherwise.
-std::string defaultNeedsTable();
+std::string defaultSimplificationTable();
 
 // The least CPU time among those that change at most `tolerance` of the events, where noise alone would not
 // change more. `models`: the whole one first.

@@ -14,8 +14,8 @@ struct IlluminationSamples {
 };
 
 // What the spatial filter reads and writes: primal and difference, each with its variance.
-struct Signals {
-  Signals(int w, int h) : i(w, h), var_i(w, h), d(w, h), var_d(w, h) {}
+struct FilterPlanes {
+  FilterPlanes(int w, int h) : i(w, h), var_i(w, h), d(w, h), var_d(w, h) {}
   ImageF i, var_i;
   ImageF d, var_d;
 };

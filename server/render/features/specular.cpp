@@ -1,7 +1,7 @@
 #include <utility>
 
 #include "render/bsdf/bsdf.h"
-#include "render/parts/parts.h"
+#include "render/features/features.h"
 
 namespace saccade {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/streams/eye.h"
+#include "app/streams/sensor_channel.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,12 +7,13 @@
 
 namespace saccade {
 
-Eye::Eye(const SensorConfig& config, const PacketCutter::Source& source, std::uint64_t from_event)
+SensorChannel::SensorChannel(const SensorConfig& config, const PacketCutter::Source& source,
+                             std::uint64_t from_event)
     : sensor_(config, static_cast<int>(source.width), static_cast<int>(source.height)),
       cutter_(source),
       from_event_(from_event) {}
 
-void Eye::look(const IntensityChange& change) {
+void SensorChannel::look(const IntensityChange& change) {
   const auto began = threadCpuTime();
   full_.clear();
   if (!std::exchange(joined_, true) && change.frame > 1) full_.push_back(snapshot(change));
@@ -23,16 +24,16 @@ void Eye::look(const IntensityChange& change) {
   cost_ = threadCpuTime() - began;
 }
 
-Packet Eye::snapshot(const IntensityChange& first) {
+Packet SensorChannel::snapshot(const IntensityChange& first) {
   std::string planes = encodePlanes(sensor_.pixelsAtStart(first.I_prev));
   return cutter_.snapshot(first.t0.count(), first.frame - 1, std::move(planes));
 }
 
-std::vector<Packet> Eye::end(TimeNs t, FrameIndex frame, v1::EndReason reason) {
+std::vector<Packet> SensorChannel::end(TimeNs t, FrameIndex frame, v1::EndReason reason) {
   return forClient(cutter_.end(t.count(), frame, reason));
 }
 
-std::vector<Packet> Eye::forClient(std::vector<Packet> packets) const {
+std::vector<Packet> SensorChannel::forClient(std::vector<Packet> packets) const {
   std::erase_if(packets, [&](const Packet& packet) {
     const v1::PacketHeader& header = packet.header;
     const std::uint64_t begin = header.first_event_index(), end = begin + header.count();
@@ -41,19 +42,20 @@ std::vector<Packet> Eye::forClient(std::vector<Packet> packets) const {
   return packets;
 }
 
-std::vector<Eye> makeEyes(const ResolvedStream& stream, const std::string& stream_id, std::uint64_t epoch) {
+std::vector<SensorChannel> makeSensorChannels(const ResolvedStream& stream, const std::string& stream_id,
+                                              std::uint64_t epoch) {
   PacketCutter::Source source{.stream_id = stream_id,
                               .epoch = epoch,
                               .width = static_cast<std::uint32_t>(stream.feed.width),
                               .height = static_cast<std::uint32_t>(stream.feed.height),
                               .codec = findCodec(stream.request.codec())};
-  std::vector<Eye> eyes;
+  std::vector<SensorChannel> channels;
   for (const SensorConfig& config : stream.sensors) {
     const auto& wish = stream.request.sensors(static_cast<int>(source.sensor));
-    eyes.emplace_back(config, source, wish.from_event());
+    channels.emplace_back(config, source, wish.from_event());
     ++source.sensor;
   }
-  return eyes;
+  return channels;
 }
 
 }  // namespace saccade

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/parts/parts.h"
+#include "render/features/features.h"
 
 namespace saccade {
 namespace {

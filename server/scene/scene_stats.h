@@ -1,4 +1,4 @@
-// What a scene needs of a renderer and of memory.
+// What a scene stats of a renderer and of memory.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace saccade {
 
-struct SceneNeeds {
+struct SceneStats {
   std::size_t triangles = 0, meshes = 0, spheres = 0;
   std::map<BsdfKind, int> materials;  // how many of each kind
   int masks = 0, bump_maps = 0;       // materials that have one
@@ -25,6 +25,6 @@ struct SceneNeeds {
   std::string text() const;
 };
 
-SceneNeeds needsOf(const Scene& scene);
+SceneStats statsOf(const Scene& scene);
 
 }  // namespace saccade

@@ -1,4 +1,4 @@
-#include "render/parts/parts.h"
+#include "render/features/features.h"
 
 namespace saccade {
 

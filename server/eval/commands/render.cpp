@@ -1,4 +1,4 @@
-// `saccade-eval still`: one picture.
+// `saccade-eval render`: one picture.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -13,7 +13,7 @@
 namespace saccade::eval {
 namespace {
 
-struct StillOptions {
+struct RenderOptions {
   std::string scene, size, output;
   std::vector<double> offset{0, 0, 0};
   int spp = 64, bounces = 3;
@@ -26,7 +26,7 @@ Pose moved(const Pose& pose, const std::vector<double>& o) {
   return pose * Pose{{o[0], -o[1], o[2]}, {}};
 }
 
-void runStill(const StillOptions& o) {
+void runRender(const RenderOptions& o) {
   const auto scene = openScene(o.scene);
   const Scene& s = scene->description();
   const Size size = o.size.empty() ? Size{s.width, s.height} : parseSize(o.size);
@@ -69,9 +69,9 @@ void runStill(const StillOptions& o) {
 
 }  // namespace
 
-void addStillCommand(CLI::App& app) {
-  auto o = std::make_shared<StillOptions>();
-  auto* command = app.add_subcommand("still", "render one picture, linear, 32-bit float OpenEXR");
+void addRenderCommand(CLI::App& app) {
+  auto o = std::make_shared<RenderOptions>();
+  auto* command = app.add_subcommand("render", "render one picture, linear, 32-bit float OpenEXR");
   command->add_option("scene", o->scene, "a scene by name, or a Mitsuba scene.xml by path")->required();
   command->add_option("--size", o->size, "WxH; default: the scene's own");
   command->add_option("--spp", o->spp, "paths per pixel")
@@ -86,7 +86,7 @@ void addStillCommand(CLI::App& app) {
   command->add_option("--seed", o->seed)->capture_default_str();
   command->add_flag("--rgb", o->rgb, "three channels R, G, B instead of the luminance Y");
   command->add_option("-o,--output", o->output, "OpenEXR file")->required();
-  command->callback([o] { runStill(*o); });
+  command->callback([o] { runRender(*o); });
 }
 
 }  // namespace saccade::eval

@@ -7,7 +7,7 @@
 
 namespace saccade {
 
-class Signal {
+class ChangeNotifier {
  public:
   using Clock = std::chrono::steady_clock;
 
@@ -17,7 +17,7 @@ class Signal {
     changed_.notify_all();
   }
 
-  // Sleeps until `ready()`. It is asked under the signal's lock, and must not raise this signal.
+  // Sleeps until `ready()`. It is asked under the notifier's lock, and must not raise this one.
   template <class Ready>
   void wait(Ready ready) {
     std::unique_lock lock(mutex_);

@@ -9,9 +9,9 @@
 
 namespace saccade {
 
-class FrameSnapshot {
+class FramePicture {
  public:
-  FrameSnapshot(int width, int height) : newest_(width, height) {}
+  FramePicture(int width, int height) : newest_(width, height) {}
 
   void take(const IntensityChange& change);
   // The picture as a sensor with this bias sees it; nothing before the first take().

@@ -1,4 +1,4 @@
-#include "tables/needs_table.h"
+#include "tables/simplification_table.h"
 
 #include <algorithm>
 #include <set>
@@ -10,24 +10,24 @@ namespace saccade {
 
 std::string SceneModel::text() const {
   const std::string text = std::to_string(bounces) + (bounces == 1 ? " bounce" : " bounces");
-  return without.empty() ? text : text + ", without " + joinNames(namesOf(without));
+  return disabled_features.empty() ? text : text + ", without " + joinNames(namesOf(disabled_features));
 }
 
-std::vector<std::string> NeedsTable::scenes() const {
+std::vector<std::string> SimplificationTable::scenes() const {
   std::set<std::string> names;
   for (const MeasuredModel& row : rows) names.insert(row.scene);
   return {names.begin(), names.end()};
 }
 
-std::vector<MeasuredModel> NeedsTable::modelsOf(const std::string& scene) const {
+std::vector<MeasuredModel> SimplificationTable::modelsOf(const std::string& scene) const {
   std::vector<MeasuredModel> models;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(models),
                [&](const MeasuredModel& row) { return row.scene == scene; });
   return models;
 }
 
-std::string defaultNeedsTable() {
-  return defaultCache() + "/needs/needs.csv";
+std::string defaultSimplificationTable() {
+  return defaultCache() + "/simplification/simplification.csv";
 }
 
 const MeasuredModel& cheapest(const std::vector<MeasuredModel>& models, double tolerance) {

@@ -1,4 +1,4 @@
-#include "scene/scene_needs.h"
+#include "scene/scene_stats.h"
 
 #include <cmath>
 #include <vector>
@@ -13,17 +13,17 @@ std::size_t bytesOf(const std::vector<T>& values) {
   return values.size() * sizeof(T);
 }
 
-void addMesh(const Mesh& mesh, SceneNeeds& needs) {
-  needs.triangles += mesh.triangles.size();
-  needs.geometry_bytes +=
+void addMesh(const Mesh& mesh, SceneStats& stats) {
+  stats.triangles += mesh.triangles.size();
+  stats.geometry_bytes +=
       bytesOf(mesh.positions) + bytesOf(mesh.normals) + bytesOf(mesh.uvs) + bytesOf(mesh.triangles);
-  if (mesh.radiance != Rgb{}) ++needs.area_lights;
+  if (mesh.radiance != Rgb{}) ++stats.area_lights;
 }
 
-void addMaterial(const Material& material, SceneNeeds& needs) {
-  ++needs.materials[material.model.kind];
-  if (!isOpaque(material)) ++needs.masks;
-  if (isBumpy(material)) ++needs.bump_maps;
+void addMaterial(const Material& material, SceneStats& stats) {
+  ++stats.materials[material.model.kind];
+  if (!isOpaque(material)) ++stats.masks;
+  if (isBumpy(material)) ++stats.bump_maps;
 }
 
 // "3 spheres", or nothing of none.
@@ -42,28 +42,28 @@ std::string mebibytes(std::size_t bytes) {
 
 }  // namespace
 
-SceneNeeds needsOf(const Scene& scene) {
-  SceneNeeds needs;
-  needs.meshes = scene.meshes.size(), needs.spheres = scene.spheres.size();
-  needs.geometry_bytes = bytesOf(scene.spheres);
-  for (const Mesh& mesh : scene.meshes) addMesh(mesh, needs);
-  for (const Sphere& sphere : scene.spheres) needs.area_lights += sphere.radiance != Rgb{};
-  for (const Material& material : scene.materials) addMaterial(material, needs);
-  needs.environments = scene.environment.has_value();
-  needs.point_lights = static_cast<int>(scene.point_lights.size());
-  needs.directional_lights = static_cast<int>(scene.directional_lights.size());
-  needs.textures = scene.textures.size();
-  for (const Texture& texture : scene.textures) needs.texture_bytes += texture.bytes();
-  if (scene.environment) needs.texture_bytes += bytesOf(scene.environment->picture.pixels);
-  needs.channels = colorChannels(scene);
-  return needs;
+SceneStats statsOf(const Scene& scene) {
+  SceneStats stats;
+  stats.meshes = scene.meshes.size(), stats.spheres = scene.spheres.size();
+  stats.geometry_bytes = bytesOf(scene.spheres);
+  for (const Mesh& mesh : scene.meshes) addMesh(mesh, stats);
+  for (const Sphere& sphere : scene.spheres) stats.area_lights += sphere.radiance != Rgb{};
+  for (const Material& material : scene.materials) addMaterial(material, stats);
+  stats.environments = scene.environment.has_value();
+  stats.point_lights = static_cast<int>(scene.point_lights.size());
+  stats.directional_lights = static_cast<int>(scene.directional_lights.size());
+  stats.textures = scene.textures.size();
+  for (const Texture& texture : scene.textures) stats.texture_bytes += texture.bytes();
+  if (scene.environment) stats.texture_bytes += bytesOf(scene.environment->picture.pixels);
+  stats.channels = colorChannels(scene);
+  return stats;
 }
 
-double SceneNeeds::bytesPerTriangle() const {
+double SceneStats::bytesPerTriangle() const {
   return triangles == 0 ? 0 : static_cast<double>(geometry_bytes) / static_cast<double>(triangles);
 }
 
-std::string SceneNeeds::text() const {
+std::string SceneStats::text() const {
   std::vector<std::string> parts;
   addCount(parts, triangles, "triangle");
   addCount(parts, meshes, "mesh", "meshes");

@@ -1,5 +1,5 @@
-// `saccade-eval needs`: what each part of a scene's model adds to the frame time and to the events, and what
-// can do without.
+// `saccade-eval simplification`: what each part of a scene's model adds to the frame time and to the events,
+// and what can do without.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -12,24 +12,25 @@
 #include "eval/bench/open_scene.h"
 #include "eval/commands/commands.h"
 #include "eval/pictures/format.h"
-#include "scene/scene_needs.h"
+#include "scene/scene_stats.h"
 
 namespace saccade::eval {
 namespace {
 
-struct NeedsOptions {
+struct SimplificationOptions {
   BenchOptions bench;
   std::vector<std::string> scenes;
   std::string method = "event_svgf", tolerance = "2%";
   int spp = 2;
-  std::string output = defaultNeedsTable();
+  std::string output = defaultSimplificationTable();
 };
 
 // "without textures", "2 bounces".
 std::string difference(const SceneModel& model, const SceneModel& whole) {
-  if (model.without.empty()) return model.text();
+  if (model.disabled_features.empty()) return model.text();
   std::string text;
-  for (const std::string& name : namesOf(model.without)) text += (text.empty() ? "without " : ", ") + name;
+  for (const std::string& name : namesOf(model.disabled_features))
+    text += (text.empty() ? "without " : ", ") + name;
   return model.bounces == whole.bounces ? text : SceneModel{model.bounces, {}}.text() + ", " + text;
 }
 
@@ -62,14 +63,15 @@ void printCheapest(const std::vector<MeasuredModel>& models, const std::string& 
   std::printf("\n");
 }
 
-std::vector<MeasuredModel> measureScene(const NeedsOptions& o, const std::string& scene, TilePool& pool) {
+std::vector<MeasuredModel> measureScene(const SimplificationOptions& o, const std::string& scene,
+                                        TilePool& pool) {
   BenchOptions bench_options = o.bench;
   bench_options.setup.scene = scene;
   const MethodSpec method = parseMethod(o.method);
   ModelBench bench(bench_options, method, o.spp, pool);
-  std::printf("%s: %s\n", scene.c_str(), needsOf(bench.description()).text().c_str());
+  std::printf("%s: %s\n", scene.c_str(), statsOf(bench.description()).text().c_str());
   const SceneModel whole{o.bench.setup.bounces, {}};
-  std::vector<MeasuredModel> simpler = bench.measure(simplerByOne(whole, partsOf(bench.description())));
+  std::vector<MeasuredModel> simpler = bench.measure(simplerByOne(whole, featuresOf(bench.description())));
   const auto models = withCombinations(bench.whole(), simpler,
                                        [&](const SceneModel& m) { return bench.measure({m}).front(); });
   std::printf("  %s: %.3g CPU ms per frame of %s at %d spp, %.4g events per pixel-frame at C = %g\n",
@@ -83,20 +85,20 @@ std::vector<MeasuredModel> measureScene(const NeedsOptions& o, const std::string
 }
 
 // What other scenes have in the file stays there.
-NeedsTable openTable(const NeedsOptions& o) {
+SimplificationTable openTable(const SimplificationOptions& o) {
   const std::string settings = o.bench.text() + " method=" + o.method + " spp=" + std::to_string(o.spp);
   if (!std::filesystem::exists(o.output)) return {settings, {}, {}};
-  NeedsTable table = readNeedsTable(o.output);
+  SimplificationTable table = readSimplificationTable(o.output);
   if (table.settings == settings) return table;
   throw std::runtime_error(o.output + " was made with other settings (" + table.settings +
                            "); choose another file or remove it");
 }
 
-void runNeeds(NeedsOptions& o) {
+void runSimplification(SimplificationOptions& o) {
   resolve(o.bench);
   checkSpp(parseMethod(o.method), o.spp);
   parseTolerance(o.tolerance);
-  NeedsTable table = openTable(o);
+  SimplificationTable table = openTable(o);
   if (o.scenes.empty()) o.scenes = availableScenes();
   TilePool pool(hardwareThreads());
   watchInterrupt();
@@ -105,7 +107,7 @@ void runNeeds(NeedsOptions& o) {
       const auto models = measureScene(o, scene, pool);
       std::erase_if(table.rows, [&](const MeasuredModel& row) { return row.scene == scene; });
       table.rows.insert(table.rows.end(), models.begin(), models.end());
-      writeNeedsTable(o.output, table);
+      writeSimplificationTable(o.output, table);
     }
   } catch (const Interrupted&) {
     throw std::runtime_error("interrupted; reference frames that are done are kept");
@@ -115,13 +117,13 @@ void runNeeds(NeedsOptions& o) {
 
 }  // namespace
 
-void addNeedsCommand(CLI::App& app) {
-  auto o = std::make_shared<NeedsOptions>();
+void addSimplificationCommand(CLI::App& app) {
+  auto o = std::make_shared<SimplificationOptions>();
   o->bench.setup.reference_spp = 256;
   o->bench.frames = "20:21";
   o->bench.repeats = 0;
-  auto* c =
-      app.add_subcommand("needs", "what each part of a scene's model costs, and how many events it changes");
+  auto* c = app.add_subcommand("simplification",
+                               "what each part of a scene's model costs, and how many events it changes");
   c->add_option("scenes", o->scenes,
                 "scenes by name or scene.xml by path; default: all that can be opened here");
   addBenchOptions(*c, o->bench);
@@ -132,9 +134,9 @@ void addNeedsCommand(CLI::App& app) {
                 "names the cheapest model that changes at most so many of the events")
       ->capture_default_str();
   c->add_option("-o,--output", o->output,
-                "CSV for `saccaded --needs`; scenes in it that are not named here stay")
+                "CSV for `saccaded --simplification`; scenes in it that are not named here stay")
       ->capture_default_str();
-  c->callback([o] { runNeeds(*o); });
+  c->callback([o] { runSimplification(*o); });
 }
 
 }  // namespace saccade::eval

@@ -1,4 +1,4 @@
-// `saccade-eval needs` as a user runs it, on very small pictures.
+// `saccade-eval simplification` as a user runs it, on very small pictures.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -7,19 +7,19 @@
 #include <sstream>
 
 #include "scene/scratch.h"
-#include "tables/needs_table.h"
+#include "tables/simplification_table.h"
 
 namespace saccade {
 namespace {
 
-struct NeedsCommand : testing::Test {
+struct SimplificationCommand : testing::Test {
   Scratch files;
-  const std::string table = files.path("needs.csv");
+  const std::string table = files.path("simplification.csv");
 
   // Exit code; its output goes to `log`.
-  int needs(const std::string& arguments) {
+  int simplification(const std::string& arguments) {
     const std::string command =
-        std::string(SACCADE_EVAL) + " needs " + arguments +
+        std::string(SACCADE_EVAL) + " simplification " + arguments +
         " --size 16x12 --frames 1 --bounces 1 --method pt --spp 1 --reference 64 --cache " +
         files.path("cache") + " -o " + table + " > " + files.path("log") + " 2>&1";
     return WEXITSTATUS(std::system(command.c_str()));
@@ -31,24 +31,24 @@ struct NeedsCommand : testing::Test {
   }
 };
 
-TEST_F(NeedsCommand, SaysWhatEachPartIsWorthAndKeepsIt) {
-  ASSERT_EQ(needs("textured-cornell-box --tolerance 100%"), 0) << log();
+TEST_F(SimplificationCommand, SaysWhatEachPartIsWorthAndKeepsIt) {
+  ASSERT_EQ(simplification("textured-cornell-box --tolerance 100%"), 0) << log();
   expectContains(log(), "textured-cornell-box: 32 triangles");
   expectContains(log(), "\n  0 bounces ");
   expectContains(log(), "\n  without textures ");
   expectContains(log(), "\n  without mip_filtering ");
   expectContains(log(), "\n  within 100%: ");
-  ASSERT_EQ(needs("cornell-box"), 0) << log();
-  const NeedsTable kept = readNeedsTable(table);
+  ASSERT_EQ(simplification("cornell-box"), 0) << log();
+  const SimplificationTable kept = readSimplificationTable(table);
   EXPECT_EQ(kept.scenes(), (std::vector<std::string>{"cornell-box", "textured-cornell-box"}));
   EXPECT_EQ(kept.modelsOf("cornell-box").size(), 2u);
   EXPECT_GE(kept.modelsOf("textured-cornell-box").size(), 4u);
 }
 
-TEST_F(NeedsCommand, RefusesATableOfOtherSettings) {
-  ASSERT_EQ(needs("cornell-box"), 0) << log();
-  EXPECT_EQ(needs("cornell-box --threshold 0.3"), 1);
-  expectContains(log(), "needs.csv was made with other settings");
+TEST_F(SimplificationCommand, RefusesATableOfOtherSettings) {
+  ASSERT_EQ(simplification("cornell-box"), 0) << log();
+  EXPECT_EQ(simplification("cornell-box --threshold 0.3"), 1);
+  expectContains(log(), "simplification.csv was made with other settings");
 }
 
 }  // namespace

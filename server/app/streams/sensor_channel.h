@@ -12,10 +12,10 @@
 
 namespace saccade {
 
-class Eye {
+class SensorChannel {
  public:
   // What ends before the event of the index `from_event` is made, but kept from the client.
-  Eye(const SensorConfig& config, const PacketCutter::Source& source, std::uint64_t from_event);
+  SensorChannel(const SensorConfig& config, const PacketCutter::Source& source, std::uint64_t from_event);
 
   // Takes every interval from its first on, in order; on any thread. Where something came before the first,
   // its packets begin with a snapshot of the pixels.
@@ -44,6 +44,7 @@ class Eye {
 };
 
 // One for each sensor of the stream.
-std::vector<Eye> makeEyes(const ResolvedStream& stream, const std::string& stream_id, std::uint64_t epoch);
+std::vector<SensorChannel> makeSensorChannels(const ResolvedStream& stream, const std::string& stream_id,
+                                              std::uint64_t epoch);
 
 }  // namespace saccade

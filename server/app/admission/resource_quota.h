@@ -19,9 +19,9 @@ struct Share {
   std::string field = {};
 };
 
-class Budget {
+class ResourceQuota {
  public:
-  explicit Budget(const Limits& limits) : limits_(limits) {}
+  explicit ResourceQuota(const Limits& limits) : limits_(limits) {}
   const Limits& limits() const { return limits_; }
 
   // All of the shares, or none; given back when the last copy goes. The budget must outlive it. `client`: its
