@@ -1,0 +1,50 @@
+"""The pages name what is there: their links resolve, and the build's libraries are listed."""
+import re
+import unittest
+
+import house
+import prose
+
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+
+
+def anchors(page):
+    """The anchors of a page's headings, as GitHub makes them."""
+    titles = re.findall(r"^#+ +(.+)$", prose.without_code(house.text(page)), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def fault(page, target):
+    """What is wrong with a link on this page, or None."""
+    path, _, anchor = target.partition("#")
+    file = (house.ROOT / page).parent / path if path else house.ROOT / page
+    if not file.exists():
+        return f"{page}: {target} leads nowhere"
+    if anchor and anchor not in anchors(file.relative_to(house.ROOT) if not path else file):
+        return f"{page}: {target} names no heading"
+    return None
+
+
+class Pages(unittest.TestCase):
+    def test_the_rule_itself(self):
+        self.assertIsNone(fault("README.md", "proto/PROTOCOL.md#limits"))
+        self.assertIsNotNone(fault("README.md", "proto/PROTOCOL.md#no-such-heading"))
+        self.assertIsNotNone(fault("README.md", "no/such/file.md"))
+
+    def test_links_lead_somewhere(self):
+        links = [(page, target) for page in prose.pages() for target in LINK.findall(house.text(page))]
+        faults = [fault(page, target) for page, target in links if "://" not in target]
+        self.assertTrue(faults)
+        self.assertEqual([f for f in faults if f], [])
+
+    def test_the_first_page_fits_on_two_screens(self):
+        self.assertLessEqual(len(house.text("README.md").splitlines()), 110)
+
+    def test_the_contributors_page_names_every_library_the_build_looks_for(self):
+        for library in re.findall(r"find_package\((\w+)", house.text("CMakeLists.txt")):
+            if library != "Threads":
+                self.assertIn(library.lower(), house.text("server/README.md").lower())
+
+
+if __name__ == "__main__":
+    unittest.main()
