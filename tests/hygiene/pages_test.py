@@ -3,6 +3,7 @@ import re
 import unittest
 
 import house
+import includes_test
 import prose
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
@@ -39,6 +40,13 @@ class Pages(unittest.TestCase):
 
     def test_the_first_page_fits_on_two_screens(self):
         self.assertLessEqual(len(house.text("README.md").splitlines()), 110)
+
+    def test_the_contributors_page_shows_the_rooms_as_they_are_checked(self):
+        rows = re.findall(r"^\| \[([\w/]+)\]\([^)]*\) \|.*\| ?([^|]*?) \|$", house.text("server/README.md"), re.MULTILINE)
+        told = {room.strip("/"): set(includes.split(", ")) for room, includes in rows}
+        for room, includes in includes_test.ROOMS.items():
+            if room not in {"wire", "app", "eval"}:  # told in words
+                self.assertEqual(told[room], set(includes.split() or [""]), room)
 
     def test_the_contributors_page_names_every_library_the_build_looks_for(self):
         for library in re.findall(r"find_package\((\w+)", house.text("CMakeLists.txt")):
