@@ -1,4 +1,4 @@
-"""The pages name what is there: their links resolve, and the build's libraries are listed."""
+"""The pages name what is there: links, flags, rooms and libraries."""
 import re
 import unittest
 
@@ -7,6 +7,8 @@ import includes_test
 import prose
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
+FLAG = re.compile(r"(?<![\w-])--[a-z][a-z-]+[a-z]")
+FLAGS_OF_OTHERS = {"--build", "--preset", "--python"}  # cmake, protoc
 
 
 def anchors(page):
@@ -37,6 +39,14 @@ class Pages(unittest.TestCase):
         faults = [fault(page, target) for page, target in links if "://" not in target]
         self.assertTrue(faults)
         self.assertEqual([f for f in faults if f], [])
+
+    def test_flags_exist(self):
+        sources = "\n".join(house.text(p) for p in house.files({".cpp", ".h"}) if p.parts[0] in {"server", "client"})
+        limits = house.text("server/app/admission/limits.cpp")
+        known = FLAGS_OF_OTHERS | set(FLAG.findall(sources)) | {"--limit-" + name for name in re.findall(r'"([a-z-]+)"', limits)}
+        told = {flag for page in prose.pages() for flag in FLAG.findall(house.text(page))}
+        self.assertGreater(len(told), 30)
+        self.assertEqual(told - known, set())
 
     def test_the_first_page_fits_on_two_screens(self):
         self.assertLessEqual(len(house.text("README.md").splitlines()), 110)
