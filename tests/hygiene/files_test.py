@@ -1,4 +1,4 @@
-"""Every test is built, every source is formatted, and no file knows whose machine it was written on."""
+"""Every test is built, every source is formatted, and no file names a path of a developer's machine."""
 import re
 import shutil
 import subprocess

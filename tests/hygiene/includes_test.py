@@ -1,4 +1,4 @@
-"""Who may include whom: rooms, and folders within a room, stand in the order in which data flows."""
+"""Rooms, and folders within a room, include only those before them in the flow of data."""
 import re
 import unittest
 
@@ -21,7 +21,7 @@ ROOMS = {
     "eval": "base frame scene wire render filter methods feed tables events",
     "client": "wire",
 }
-# Within a room: each folder with those of the same room that it may include.
+# Each folder of a room, with those of the same room that it may include.
 FOLDERS = {
     "scene/files": "",
     "scene/camera": "scene/files",
@@ -41,7 +41,7 @@ FOLDERS = {
     "eval/commands": "eval/metrics eval/pictures eval/bench eval/figures",
     "eval": "eval/commands",
 }
-# What only these places may include: the rest of the house is not to know it.
+# Headers of libraries, with the only places that may include them.
 OUTSIDE = {
     "embree3/": ["server/render/embree_scene.cpp"],
     "zmq": ["server/stream/", "client/", "tests/"],
