@@ -5,6 +5,7 @@
 #include <string>
 
 #include "saccade/v1/control.pb.h"
+#include "wire/ranges.h"
 
 namespace saccade {
 
@@ -24,5 +25,9 @@ v1::Status statusOfException();
 
 // Throws unless min <= value <= max; NaN throws.
 void checkRange(const std::string& field, double value, double min, double max);
+template <class T>
+void checkRange(const std::string& field, double value, const Range<T>& range) {
+  checkRange(field, value, range.min, range.max);
+}
 
 }  // namespace saccade

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
 #include "stream/status.h"
+#include "wire/ranges.h"
 
 namespace saccade {
 namespace {
@@ -24,12 +24,12 @@ struct Bound {
 };
 
 // Elements of a repeated field, in the whole request.
-constexpr Bound kElements[] = {{"saccade.v1.OpenStream.sensors", kMaxSensors},
-                               {"saccade.v1.Keyframes.keys", kMaxKeyframes},
+constexpr Bound kElements[] = {{"saccade.v1.OpenStream.sensors", ranges::kSensors.max},
+                               {"saccade.v1.Keyframes.keys", ranges::kKeyframes.max},
                                {"saccade.v1.Method.params", 64},
                                {"saccade.v1.Quality.disabled_features", 64}};
 // Bytes of a text that may be longer than a name.
-constexpr Bound kTexts[] = {{"saccade.v1.Trajectory.csv", kMaxCsvBytes}};
+constexpr Bound kTexts[] = {{"saccade.v1.Trajectory.csv", ranges::kMaxCsvBytes}};
 constexpr std::int64_t kMaxNameBytes = 256;
 constexpr int kMaxUnknownBytes = 4 << 10;  // of fields that a newer client may know
 

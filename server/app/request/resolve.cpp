@@ -26,20 +26,20 @@ const SceneEntry& findScene(const v1::OpenStream& request, const std::vector<Sce
 }
 
 void resolveView(const v1::View& view, FeedConfig& feed) {
-  checkRange("view.width", view.width(), 1, kMaxViewSide);
-  checkRange("view.height", view.height(), 1, kMaxViewSide);
+  checkRange("view.width", view.width(), ranges::kViewSide);
+  checkRange("view.height", view.height(), ranges::kViewSide);
   feed.width = static_cast<int>(view.width());
   feed.height = static_cast<int>(view.height());
-  if (feed.width * feed.height > kMaxViewPixels) {
-    refuse("view", "a view has at most " + std::to_string(kMaxViewPixels) + " pixels");
+  if (feed.width * feed.height > ranges::kMaxViewPixels) {
+    refuse("view", "a view has at most " + std::to_string(ranges::kMaxViewPixels) + " pixels");
   }
-  if (view.has_fov_x_deg()) checkRange("view.fov_x_deg", view.fov_x_deg(), kMinFovDeg, kMaxFovDeg);
+  if (view.has_fov_x_deg()) checkRange("view.fov_x_deg", view.fov_x_deg(), ranges::kFovX);
 }
 
 void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
-  checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), 0.1, 1e5);
-  checkRange("timing.duration_s", timing.duration_s(), 0, 1e7);
-  if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), 1e-3, 1e3);
+  checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), ranges::kFrameRate);
+  checkRange("timing.duration_s", timing.duration_s(), ranges::kDuration);
+  if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), ranges::kSpeed);
   timing.set_clock(resolveEnum("timing.clock", timing.clock(), v1::CLOCK_FAST));
   // Speed means nothing to FAST: leaving it in would tell equal feeds apart.
   const double speed = timing.speed() == 0 ? 1 : timing.speed();
@@ -49,7 +49,7 @@ void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
   // A duration that is a whole number of frames but for rounding counts as one.
   stream.frames = static_cast<FrameIndex>(timing.duration_s() * timing.frame_rate_hz() + 1e-6);
   if (stream.frames == 0)
-    checkRange("timing.duration_s", timing.duration_s(), 1 / timing.frame_rate_hz(), 1e7);
+    checkRange("timing.duration_s", timing.duration_s(), 1 / timing.frame_rate_hz(), ranges::kDuration.max);
 }
 
 void checkMethodName(const v1::Method& method) {
@@ -69,7 +69,7 @@ void resolveMethod(v1::Method& method, FeedConfig& feed) {
   method.mutable_params()->insert(feed.params.begin(), feed.params.end());
 
   if (method.spp() == 0) method.set_spp(2);
-  checkRange("method.spp", method.spp(), 1, 65536);
+  checkRange("method.spp", method.spp(), ranges::kSpp);
   if (!takesSpp(*info, feed.params, static_cast<int>(method.spp()))) {
     refuse("method.spp", method.name() + " traces two passes of spp / 2 paths: spp must be even");
   }
@@ -79,7 +79,7 @@ void resolveMethod(v1::Method& method, FeedConfig& feed) {
 
 void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
   if (!quality.has_bounces()) quality.set_bounces(3);
-  checkRange("quality.bounces", quality.bounces(), 0, 64);
+  checkRange("quality.bounces", quality.bounces(), ranges::kBounces);
   stream.feed.bounces = static_cast<int>(quality.bounces());
   stream.feed.monochrome = quality.monochrome();
   stream.disabled_features = resolveDisabledFeatures(quality);
@@ -87,8 +87,8 @@ void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
 }
 
 void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors) {
-  if (request.sensors_size() < 1 || request.sensors_size() > kMaxSensors) {
-    refuse("sensors", "a stream has 1 to " + std::to_string(kMaxSensors) + " sensors");
+  if (request.sensors_size() < 1 || request.sensors_size() > ranges::kSensors.max) {
+    refuse("sensors", "a stream has 1 to " + std::to_string(ranges::kSensors.max) + " sensors");
   }
   for (int i = 0; i < request.sensors_size(); ++i) {
     sensors.push_back(resolveSensor(*request.mutable_sensors(i), i, request.seed()));

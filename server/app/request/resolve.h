@@ -12,14 +12,6 @@
 
 namespace saccade {
 
-inline constexpr int kMaxViewSide = 4096, kMaxViewPixels = 4 << 20;  // pixels
-inline constexpr double kLeastEventChange = 1e-6;                    // share of the events
-inline constexpr double kMinFovDeg = 1, kMaxFovDeg = 170;            // horizontal
-inline constexpr int kMaxSensors = 64;
-inline constexpr std::size_t kMaxCsvBytes = 8 << 20;
-inline constexpr int kMaxKeyframes = 100'000;
-inline constexpr double kMinTurnSeconds = 1e-3, kMaxTurnSeconds = 1e3;
-
 struct ResolvedStream {
   v1::OpenStream request;  // as StreamOpened.resolved tells it
   FeedConfig feed;

@@ -13,10 +13,10 @@ std::string checkBudget(const v1::Quality& quality) {
     refuse("quality.max_false_rate", "give budget_ms or max_false_rate, not both");
   }
   if (quality.has_budget_ms()) {
-    checkRange("quality.budget_ms", quality.budget_ms(), 1e-3, 1e6);
+    checkRange("quality.budget_ms", quality.budget_ms(), ranges::kBudget);
     return "quality.budget_ms";
   }
-  checkRange("quality.max_false_rate", quality.max_false_rate(), 0, 1e3);
+  checkRange("quality.max_false_rate", quality.max_false_rate(), ranges::kMaxFalseRate);
   return "quality.max_false_rate";
 }
 

@@ -34,7 +34,7 @@ std::optional<v1::ExpectedChange> resolveSimplification(v1::OpenStream& request,
   v1::Quality& quality = *request.mutable_quality();
   if (!quality.has_max_event_change()) return std::nullopt;
   const std::string field = "quality.max_event_change";
-  checkRange(field, quality.max_event_change(), kLeastEventChange, 1);
+  checkRange(field, quality.max_event_change(), ranges::kMaxEventChange);
   checkLeftOpen(quality);
   if (!source.unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, field, source.unavailable);
   const std::vector<MeasuredModel> models = source.table.modelsOf(request.scene());
