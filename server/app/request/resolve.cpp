@@ -7,8 +7,8 @@
 
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
+#include "base/names.h"
 #include "base/text_cut.h"
-#include "scene/files/text.h"
 
 namespace saccade {
 namespace {
@@ -41,12 +41,12 @@ void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
   checkRange("timing.duration_s", timing.duration_s(), ranges::kDuration);
   if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), ranges::kSpeed);
   timing.set_clock(resolveEnum("timing.clock", timing.clock(), v1::CLOCK_FAST));
-  // Speed means nothing to FAST: leaving it in would tell equal feeds apart.
+  // FAST ignores the speed: cleared, so that equal feeds have equal keys.
   const double speed = timing.speed() == 0 ? 1 : timing.speed();
   timing.set_speed(timing.clock() == v1::CLOCK_PACED ? speed : 0);
   stream.feed.frame_rate_hz = timing.frame_rate_hz();
   if (timing.duration_s() == 0) return;
-  // A duration that is a whole number of frames but for rounding counts as one.
+  // A duration within rounding of a whole number of frames counts as that number.
   stream.frames = static_cast<FrameIndex>(timing.duration_s() * timing.frame_rate_hz() + 1e-6);
   if (stream.frames == 0)
     checkRange("timing.duration_s", timing.duration_s(), 1 / timing.frame_rate_hz(), ranges::kDuration.max);
@@ -57,7 +57,7 @@ void checkMethodName(const v1::Method& method) {
   refuse("method.name", "there is no such method; there are: " + methodNames());
 }
 
-// Its name is checked.
+// checkMethodName() comes first.
 void resolveMethod(v1::Method& method, FeedConfig& feed) {
   if (method.name().empty()) method.set_name(methodTable().front().name);
   const MethodInfo* info = findMethod(method.name());
@@ -95,7 +95,7 @@ void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors)
   }
 }
 
-// Only who owns its feed can have it begin where nothing is known yet.
+// A feed that LIVE or BROADCAST streams share cannot begin in the middle.
 void checkFromEvents(const v1::OpenStream& request) {
   if (request.delivery() == v1::DELIVERY_LOSSLESS) return;
   for (int i = 0; i < request.sensors_size(); ++i) {
@@ -135,8 +135,8 @@ void fitTo(const Scene& scene, ResolvedStream& stream) {
   v1::View& view = *stream.request.mutable_view();
   if (!view.has_fov_x_deg()) view.set_fov_x_deg(scene.fov_x_deg);
   stream.feed.fov_x_deg = view.fov_x_deg();
-  const SceneFeatures parts = featuresOf(scene);
-  std::erase_if(stream.disabled_features, [&](SceneFeature part) { return parts.count(part) == 0; });
+  const SceneFeatures present = featuresOf(scene);
+  std::erase_if(stream.disabled_features, [&](SceneFeature feature) { return !present.contains(feature); });
   setDisabledFeatures(stream.disabled_features, *stream.request.mutable_quality());
 }
 

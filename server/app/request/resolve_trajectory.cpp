@@ -5,9 +5,9 @@
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
+#include "base/names.h"
 #include "scene/camera/motion.h"
 #include "scene/files/scene_error.h"
-#include "scene/files/text.h"
 
 namespace saccade {
 namespace {
