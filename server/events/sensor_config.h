@@ -1,4 +1,4 @@
-// What a client chooses about its sensor.
+// The settings of a sensor, and their check.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +28,10 @@ struct SensorConfig {
   std::uint64_t seed = 0;  // start phase of every pixel; random numbers of the model
 };
 
-// What is wrong with a configuration: the first offending field, named as in the schema, and what is valid.
 struct SensorFault {
-  std::string field, message;
+  std::string field, message;  // the field as the schema names it
 };
+// The first fault of a configuration, or nothing.
 std::optional<SensorFault> findFault(const SensorConfig& config);
 
 }  // namespace saccade

@@ -1,4 +1,4 @@
-// Why a request is refused. Thrown where it is found out, made a Status in one place.
+// The exception that refuses a request, and its Status.
 #pragma once
 
 #include <stdexcept>
@@ -13,8 +13,8 @@ struct Refusal : std::runtime_error {
   Refusal(v1::Code code, std::string field, const std::string& message)
       : std::runtime_error(message), code(code), field(std::move(field)) {}
   v1::Code code;
-  std::string field;  // path of the offending field; empty if none is at fault
-  std::string limit;  // the one that is reached; empty unless CODE_RESOURCE_EXHAUSTED
+  std::string field;  // path of the field at fault; empty if there is none
+  std::string limit;  // name of the limit that is reached; empty unless CODE_RESOURCE_EXHAUSTED
   double retry_after_s = 0;
 };
 
