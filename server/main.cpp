@@ -13,11 +13,11 @@
 
 namespace {
 
-// Before anything else: on a lesser CPU even the parsing of flags may meet an instruction that is not there.
+// Call it before anything else: on an older CPU even the parsing of flags may use a missing instruction.
 bool cpuSuffices() {
   const std::string_view arch = SACCADE_ARCH;
   __builtin_cpu_init();
-  // Feature by feature: Clang 14 does not know the levels by name.
+  // One feature at a time: Clang 14 does not know the levels by name.
   const bool v3 =
       __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
   if (arch != "x86-64-v4") return v3;
@@ -26,7 +26,7 @@ bool cpuSuffices() {
          __builtin_cpu_supports("avx512vl");
 }
 
-// Each connection takes a file.
+// Each connection takes a file descriptor.
 void openAsManyFilesAsAllowed() {
   rlimit files{};
   if (getrlimit(RLIMIT_NOFILE, &files) != 0) return;
@@ -34,9 +34,9 @@ void openAsManyFilesAsAllowed() {
   setrlimit(RLIMIT_NOFILE, &files);
 }
 
-// glibc keeps up to eight heaps per CPU, and what one has freed the others cannot use: memory then grows for
-// hours while the same streams come and go. Nothing that runs per frame allocates, so one heap is fast
-// enough.
+// glibc keeps up to eight heaps per CPU, and one cannot use the memory that another has freed. Memory then
+// grows for hours while the same streams come and go. One heap is fast enough: nothing that runs per frame
+// allocates.
 void useOneHeap() {
   mallopt(M_ARENA_MAX, 1);
 }
@@ -51,9 +51,9 @@ sigset_t blockSignals() {
   return signals;
 }
 
-// Until a signal ends it. Returns the status to exit with.
+// Serves until a signal comes. Returns the exit status.
 int serve(const saccade::Config& config) {
-  const sigset_t signals = blockSignals();  // for all threads to come
+  const sigset_t signals = blockSignals();  // before the threads that inherit it
   try {
     saccade::App app(config);
     int signal = 0;
@@ -78,12 +78,12 @@ int main(int argc, char** argv) {
   useOneHeap();
   if (!cpuSuffices()) {
     std::fputs("saccaded was built for " SACCADE_ARCH
-               ", which this CPU is not; build it with -DSACCADE_ARCH=native on this machine\n",
+               ", and this CPU lacks its instructions; build it with -DSACCADE_ARCH=native on this machine\n",
                stderr);
     return 1;
   }
   const saccade::Config config = saccade::parseConfig(argc, argv);
-  std::signal(SIGPIPE, SIG_IGN);  // who reads the log may go
+  std::signal(SIGPIPE, SIG_IGN);  // the reader of the log may end
   openAsManyFilesAsAllowed();
   saccade::setUpLog(config.log_level, config.log_format);
   const int status = serve(config);

@@ -57,7 +57,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       ->check(CLI::IsMember({"direct", "complementary", "kalman"}));
   command.add_option("--cutoff", o.cutoff_hz, "Hz below which complementary believes the primal picture");
   command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  command.add_option("--fov", o.fov_x_deg, "horizontal field of view, 1 to 170 degrees");
+  command.add_option("--fov", o.fov_x_deg, "horizontal field of view, degrees");
   command.add_option("--rate", o.rate_hz, "frames per second of stream time")->capture_default_str();
   command.add_option("--duration", o.duration_s, "seconds of stream time; 0: until Ctrl-C")
       ->capture_default_str();
@@ -114,6 +114,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       .add_option("--preview", o.preview,
                   "PNG of brightness, its change and the latest events, a third of the way through")
       ->check(CLI::Validator(checkPng, "FILE.png"));
+  sayRanges(command);
   command.footer(
       "Motions: dolly:0.2 (forward), truck (right), pedestal (up), in scene units per second;\n"
       "pan:-15 (right), tilt (up), roll (clockwise), orbit (right), shake (hand-held), in degrees\n"

@@ -39,6 +39,9 @@ struct RecordOptions {
 
 void addRecordOptions(CLI::App& command, RecordOptions& options);
 
+// Adds the valid range to the help of each number of the request.
+void sayRanges(CLI::App& record);
+
 // Reads the trajectory's file where one is named. Both throw std::invalid_argument naming the option at
 // fault.
 v1::Trajectory makeTrajectory(const RecordOptions& options);

@@ -1,4 +1,4 @@
-// How payload bytes are compressed: one row and one file in codecs/ each.
+// The codecs, which compress payloads: each has a row here and a file in codecs/.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ struct CodecInfo {
   v1::Codec id;
   const char* name;
   std::string (*encode)(std::string raw);
-  // Nothing where `coded` does not stand for exactly `raw_size` bytes.
+  // Nothing where `coded` does not decode to exactly `raw_size` bytes.
   std::optional<std::string> (*decode)(std::string coded, std::size_t raw_size);
 };
 

@@ -14,13 +14,15 @@ namespace saccade {
 
 inline constexpr std::size_t kColumnsBytesPerEvent = 9;
 
-// Times are floored to dt_unit_ns. Throws std::out_of_range where an event lies before t0_ns or 2^32 units or
-// more behind it.
+// Encodes `events`, their times floored to dt_unit_ns. Throws std::out_of_range where an event lies before
+// t0_ns, or 2^32 units or more after it.
 std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns, std::uint32_t dt_unit_ns);
 
-// The events of a payload, as its header describes them; `payload` may hold anything. Returns what is wrong,
-// or an empty text: the size is not that of `count` events, a pixel lies outside width x height, p is neither
-// 0 nor 1, times decrease or leave [t0_ns, t1_ns) (t0_ns alone where t0_ns = t1_ns). `out` is overwritten.
+// Decodes a payload of any content into `out`, as its header describes it. Returns an empty text, or what is
+// wrong:
+// - the size is not that of `count` events;
+// - a pixel lies outside width x height, or p is neither 0 nor 1;
+// - times decrease, or leave [t0_ns, t1_ns), or differ from t0_ns where t0_ns = t1_ns.
 std::string decodeColumns(const v1::PacketHeader& header, std::string_view payload, Events& out);
 
 }  // namespace saccade

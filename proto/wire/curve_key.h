@@ -8,7 +8,7 @@ namespace saccade {
 
 bool isCurveKey(std::string_view text);
 
-// The key that a file consists of, but for blanks around it. Throws std::invalid_argument naming the file.
+// The key in a file that holds nothing else but blanks. Throws std::invalid_argument naming the file.
 std::string readCurveKey(const std::string& path);
 
 }  // namespace saccade

@@ -17,7 +17,7 @@ struct Event {
 
 using Events = std::vector<Event>;  // in time order
 
-// Gives back memory of a buffer that has been much fuller than it is. A small one stays as it is.
+// Frees memory of a large buffer that is mostly empty.
 inline void giveBackSlack(Events& buffer) {
   constexpr std::size_t kSmall = 1 << 16, kMuch = 8;
   if (buffer.capacity() > kSmall && buffer.capacity() / kMuch > buffer.size()) buffer.shrink_to_fit();

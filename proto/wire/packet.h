@@ -1,5 +1,4 @@
-// Packets: what the data and broadcast sockets carry. A header and a payload, made once and shared by all who
-// send them.
+// Packets, which the data and broadcast sockets carry: a header and a payload that all senders share.
 #pragma once
 
 #include <cstdint>
@@ -25,25 +24,27 @@ struct Packet {
 // zlib's crc32.
 std::uint32_t crc32Of(std::string_view bytes);
 
-// Fills in what the payload decides: crc32.
+// Makes a packet: fills in the payload's crc32.
 Packet sealPacket(v1::PacketHeader header, std::string payload);
 
-// KIND_ERROR: the stream as a whole cannot go on. Takes no seq; `message` is UTF-8, for people.
+// A packet of KIND_ERROR: the whole stream cannot go on. It has no seq. `message`: UTF-8, for people.
 Packet makeErrorPacket(const std::string& stream_id, const std::string& message, std::uint64_t epoch = 0);
 
-// For receivers; header and payload may hold anything. Returns why the packet must not be used, or an empty
-// text: unknown kind, layout or codec, more than kMaxPacketEvents events or kMaxSnapshotPixels, a payload
-// that its crc32 does not match or whose size does not fit its kind.
+// For receivers; header and payload may hold anything. Returns an empty text, or why the packet must not be
+// used:
+// - its kind, layout or codec is unknown;
+// - it has more than kMaxPacketEvents events or kMaxSnapshotPixels;
+// - its crc32 or size does not fit the payload.
 std::string checkPacket(const v1::PacketHeader& header, std::string_view payload);
 
-// What a packet of KIND_EVENTS or KIND_SNAPSHOT carries.
+// The content of a packet of KIND_EVENTS or KIND_SNAPSHOT.
 struct PacketContent {
   Events events;
   PixelState pixels;
 };
 
-// checkPacket() and then the content, of which what the kind does not carry is empty. Returns what is wrong,
-// or an empty text.
+// checkPacket(), then decodes the content into `out`; what the kind does not carry stays empty. Returns an
+// empty text, or what is wrong.
 std::string decodePacket(const v1::PacketHeader& header, std::string payload, PacketContent& out);
 
 }  // namespace saccade

@@ -1,8 +1,8 @@
 // Cuts the events of one sensor into packets and numbers them.
 //
-// A packet ends at the next multiple of kPacketTime; before that where it would hold more than
+// A packet ends at the next multiple of kPacketTimeNs. It ends earlier where it would hold more than
 // kMaxPacketEvents, and at the end of an interval once it holds kEnoughEvents. So small frames share a
-// packet, long ones fill several, and nothing waits for longer than kPacketTime of stream time.
+// packet, long ones fill several, and no event waits longer than kPacketTimeNs of stream time.
 #pragma once
 
 #include <span>
@@ -21,7 +21,7 @@ inline constexpr std::size_t kEnoughEvents = 4096;
 struct PacketInterval {
   std::int64_t t0_ns = 0, t1_ns = 0;
   std::uint64_t frame = 0;       // index of the frame at t0_ns
-  std::uint64_t suppressed = 0;  // events the sensor withheld; told in the packet that holds t0_ns
+  std::uint64_t suppressed = 0;  // events the sensor withheld; counted in the packet that holds t0_ns
 };
 
 class PacketCutter {
@@ -35,16 +35,16 @@ class PacketCutter {
   };
   explicit PacketCutter(const Source& source);
 
-  // The state of the pixels at `t_ns`, where the first interval will begin. `planes` is a LAYOUT_PLANES. To
-  // be called first, if at all.
+  // The state of the pixels at `t_ns`, where the first interval will begin. `planes`: as encodePlanes() makes
+  // them. Call it first or never.
   Packet snapshot(std::int64_t t_ns, std::uint64_t frame, std::string planes);
 
-  // The packets that are full by the end of the interval; all of them tile time without holes. `events` are
-  // in time order and lie in the interval, which must follow the one before it. A cut falls between two
-  // times; only where more events than the maximum share one time do packets with t0 = t1 carry them.
+  // Returns the packets that are full by the end of the interval; all packets tile time without holes.
+  // `events`: in time order, within the interval, which must follow the one before. Events of one time stay
+  // in one packet; where they are more than the maximum, packets with t0 = t1 carry them.
   std::vector<Packet> cut(std::span<const Event> events, const PacketInterval& interval);
 
-  // The packet that is not full, if there is one.
+  // Returns the packet that is not full yet, if there is one.
   std::vector<Packet> flush();
 
   // flush() and the last packet of this sensor, at the end of the stream.
@@ -57,10 +57,10 @@ class PacketCutter {
   v1::PacketHeader nextHeader(v1::Kind kind, std::int64_t t0_ns, std::int64_t t1_ns, std::uint64_t frame);
 
   const CodecInfo& codec_;
-  v1::PacketHeader header_;  // what all packets of this sensor share, and the counters of the next one
+  v1::PacketHeader header_;  // the fields that all packets share, and the counters of the next one
   // The packet that is being filled.
   Events events_;
-  bool open_ = false;  // covers any time yet
+  bool open_ = false;  // whether it covers any time yet
   std::int64_t t0_ns_ = 0, t1_ns_ = 0;
   std::uint64_t frame_ = 0, suppressed_ = 0;
 };

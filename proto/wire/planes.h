@@ -12,8 +12,8 @@ namespace saccade {
 inline constexpr std::size_t kPlanesBytesPerPixel = 8;
 
 // The pixels of a sensor between two intervals. Natural log units: L = log(I_eps + I); the next ON event
-// comes where L reaches reference + C+, the next OFF event at reference - C-. What has no memory of its last
-// event refers to L itself.
+// comes where L reaches reference + C+, the next OFF event at reference - C-. The reference of a model
+// without memory is L itself.
 struct PixelState {
   std::vector<float> brightness, reference;
   bool operator==(const PixelState&) const = default;

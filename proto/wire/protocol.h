@@ -1,4 +1,4 @@
-// What both ends agree on before the first byte.
+// The version of the protocol.
 #pragma once
 
 #include <cstdint>

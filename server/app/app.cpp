@@ -89,8 +89,7 @@ HttpPages App::pages() const {
     return HttpAnswer{.status = yes ? 200 : 503, .body = text};
   };
   return {
-      {"/healthz",
-       [=, this] { return alive() ? say(true, "alive\n") : say(false, "a thread stands still\n"); }},
+      {"/healthz", [=, this] { return alive() ? say(true, "alive\n") : say(false, "a thread is stuck\n"); }},
       {"/readyz", [=, this] { return ready() ? say(true, "ready\n") : say(false, "stopping\n"); }},
       {"/metrics",
        [this] {
@@ -109,9 +108,9 @@ void App::sweep(std::stop_token stopped) {
   while (!stopped.stop_requested()) {
     tick.wait_for(lock, stopped, std::chrono::seconds(1), [] { return false; });
     streams_.sweep(ChangeNotifier::Clock::now());
-    // The heap would keep for ever what many streams at once have taken.
+    // Without it the heap keeps the memory that many streams at once have taken.
     if (std::exchange(forgotten, streams_.forgotten()) != forgotten) malloc_trim(0);
-    // All have gone around since: else the manager is told nothing, and restarts us when its own time is up.
+    // Pets the watchdog only if every socket thread has completed a loop since the last tick.
     if (oldestTurn() >= woken) manager_.tell("WATCHDOG=1");
     woken = ChangeNotifier::Clock::now();
     for (WakeFd* loop : {&control_.wake(), &data_.wake(), &broadcast_.wake()}) loop->wake();

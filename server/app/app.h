@@ -1,4 +1,4 @@
-// The server: everything it is made of, wired together.
+// The server: makes all its components and connects them.
 #pragma once
 
 #include <atomic>
@@ -22,29 +22,31 @@ namespace saccade {
 
 class App {
  public:
-  static constexpr std::chrono::seconds kStall{10};  // a thread that has stood still so long has failed
+  static constexpr std::chrono::seconds kStall{10};  // a socket thread without a loop for so long has failed
 
-  // Listens and serves. Throws std::runtime_error where that cannot be. `config.threads` >= 1.
+  // Listens and serves. Throws std::runtime_error where it cannot. `config.threads` >= 1.
   explicit App(const Config& config);
   ~App();  // stop()
 
   std::string controlEndpoint() const { return control_.endpoint(); }
   std::string httpEndpoint() const { return http_ ? http_->endpoint() : "off"; }
 
-  void reloadKeys();  // the clients' ones; where that fails the log says so and they stay as they were
+  void reloadKeys();  // reads the clients' keys again; on a fault it logs it and keeps the old ones
 
-  bool alive() const;                        // every socket's thread has gone around within kStall
+  bool alive() const;                        // every socket thread has completed a loop within kStall
   bool ready() const { return !stopping_; }  // streams may be opened
 
-  // Ends all streams and sends what is left, for at most `config.drain_s`. False: a receiver did not take it
-  // all, or a scene was not loaded or a frame not done in time; the destructor would wait for these.
+  // Ends all streams and sends the packets that are left, for at most `config.drain_s`. False: a receiver has
+  // not taken all of them, or a frame or a scene being loaded was not done in time. The destructor waits for
+  // frames and scenes.
   bool stop();
 
  private:
   v1::ServerDescription describe(const Config& config) const;
   HttpPages pages() const;
   void sweep(std::stop_token stopped);
-  ChangeNotifier::Clock::time_point oldestTurn() const;  // of the sockets' threads
+  // When the socket thread that is furthest behind completed its last loop.
+  ChangeNotifier::Clock::time_point oldestTurn() const;
 
   const std::uint64_t epoch_;
   const std::chrono::duration<double> drain_time_;

@@ -49,7 +49,7 @@ void addWork(Families& all, const Totals& totals) {
 void addTraffic(Families& all, const Traffic& traffic) {
   all.counter("saccade_sent_packets_total", "Packets sent on the data and broadcast sockets.");
   all.value(static_cast<double>(traffic.packets));
-  all.counter("saccade_sent_bytes_total", "Their headers and payloads.");
+  all.counter("saccade_sent_bytes_total", "Bytes of their headers and payloads.");
   all.value(static_cast<double>(traffic.bytes));
   all.counter("saccade_dropped_packets_total", "Packets that live streams without credit have dropped.");
   all.value(static_cast<double>(traffic.dropped_packets));
@@ -66,7 +66,7 @@ void addRequests(Families& all, const RequestCounts& requests) {
                                            {"code", nameWithout("CODE_", v1::Code_Name(kind.second))}});
   }
   all.counter("saccade_dropped_requests_total",
-              "Requests without a reply, since their client takes none or memory ran out.");
+              "Requests without a reply: the client takes none, or memory ran out.");
   all.value(static_cast<double>(requests.dropped()));
 }
 
@@ -74,7 +74,7 @@ void addStreams(Families& all, const StreamRegistry& streams) {
   const StreamCensus census = streams.census();
   all.gauge("saccade_streams", "Streams that have not ended, by delivery.");
   for (const auto& [delivery, count] : census.running) all.value(count, {{"delivery", delivery}});
-  all.gauge("saccade_lag_seconds", "How far the paced stream that is latest is behind its clock.");
+  all.gauge("saccade_lag_seconds", "Lag of the paced stream that is furthest behind its clock.");
   all.value(census.lag_s);
 }
 
@@ -87,12 +87,12 @@ void addScenes(Families& all, const SceneCache& scenes) {
   all.counter("saccade_scene_loads_total", "Scenes read from their files, by result.");
   all.value(static_cast<double>(loads.done), {{"result", "ok"}});
   all.value(static_cast<double>(loads.failed), {{"result", "failed"}});
-  all.counter("saccade_scene_load_seconds_total", "Time that took, of those that are ok.");
+  all.counter("saccade_scene_load_seconds_total", "Time that loads with result ok took.");
   all.value(static_cast<double>(loads.ns) * 1e-9);
 }
 
 void addProcess(Families& all) {
-  all.counter("saccade_dropped_log_lines_total", "Log lines that nobody read in time.");
+  all.counter("saccade_dropped_log_lines_total", "Log lines dropped since nobody read them in time.");
   all.value(static_cast<double>(droppedLogLines()));
   const ProcessUsage usage = processUsage();
   all.counter("process_cpu_seconds_total", "User and system CPU time.");
@@ -110,7 +110,7 @@ void addProcess(Families& all) {
 std::string metricsText(const Totals& totals, const StreamRegistry& streams, const SceneCache& scenes,
                         bool ready) {
   Families all;
-  all.gauge("saccade_info", "1; which version serves.");
+  all.gauge("saccade_info", "1, labelled with the version of the server.");
   all.value(1, {{"version", SACCADE_VERSION}});
   all.gauge("saccade_ready", "1 while streams may be opened.");
   all.value(ready ? 1 : 0);

@@ -1,4 +1,4 @@
-// The page /metrics: what Prometheus reads.
+// The page /metrics for Prometheus.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace saccade {
 
-// In the text format 0.0.4, base units, and no label that grows with the number of clients.
+// All metrics in the text format 0.0.4, in base units. No label grows with the number of clients.
 std::string metricsText(const Totals& totals, const StreamRegistry& streams, const SceneCache& scenes,
                         bool ready);
 

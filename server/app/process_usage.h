@@ -1,4 +1,4 @@
-// What this process takes from the machine.
+// Resources that this process uses.
 #pragma once
 
 namespace saccade {
@@ -9,7 +9,7 @@ struct ProcessUsage {
   double open_fds, max_fds;
 };
 
-// 0 where the machine does not tell.
+// A value is 0 where the system does not tell it.
 ProcessUsage processUsage();
 
 }  // namespace saccade

@@ -1,4 +1,4 @@
-// The processor that times are measured on.
+// The name of this machine's processor.
 #pragma once
 
 #include <string>

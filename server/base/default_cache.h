@@ -1,11 +1,11 @@
-// What is kept between runs of the programs.
+// The folder for files that the programs keep between runs.
 #pragma once
 
 #include <string>
 
 namespace saccade {
 
-// $XDG_CACHE_HOME/saccade, else ~/.cache/saccade, else out/cache. It may not be there yet.
+// $XDG_CACHE_HOME/saccade, else ~/.cache/saccade, else out/cache. It may not exist yet.
 std::string defaultCache();
 
 }  // namespace saccade

@@ -1,9 +1,9 @@
-// Who works long leaves the processor to who answers clients or sends packets.
+// Lowers the priority of threads that compute, so that threads that serve clients run first.
 #pragma once
 
 namespace saccade {
 
-// Of the calling thread alone, for good.
+// Lowers that of the calling thread, for good.
 void lowerPriority();
 
 }  // namespace saccade

@@ -1,4 +1,4 @@
-// What a misspelt name was most likely meant to be.
+// Suggestions for misspelt names.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace saccade {
 
-// The name of `valid`, which is not empty, that takes the fewest changes of a letter (edit distance
-// [Levenshtein]); of equals the first.
+// The name of `valid` with the least edit distance [Levenshtein]; the first of equals. `valid` must not be
+// empty.
 std::string nearestName(const std::string& name, const std::vector<std::string>& valid);
 
 }  // namespace saccade

@@ -1,4 +1,4 @@
-// The middle of many numbers, or any other rank.
+// Quantiles of a set of numbers.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace saccade {
 
-// The value at `fraction` of `values` in ascending order, 0: the least, 1: the greatest, rounded down to a
-// rank. Not empty, no NaN; puts them in another order.
+// The value at `fraction` of the ascending order of `values`: 0 gives the least, 0.5 the median, 1 the
+// greatest. Between two ranks it takes the lower one. `values` must hold a number and no NaN; reorders them.
 template <class T>
 T quantile(std::vector<T>& values, double fraction) {
   SACCADE_CHECK(!values.empty() && fraction >= 0 && fraction <= 1);

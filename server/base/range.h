@@ -1,11 +1,11 @@
-// Numbers that people choose.
+// Error messages for numbers outside their range.
 #pragma once
 
 #include <string>
 
 namespace saccade {
 
-// Why `value` is not in [min, max], for people; empty if it is. NaN is in no range.
+// "5 is outside [0, 1]" where `value` is not in [min, max]; empty where it is. NaN is in no range.
 std::string rangeFault(double value, double min, double max);
 
 }  // namespace saccade

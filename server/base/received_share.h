@@ -1,4 +1,4 @@
-// Which share of the time of a CPU a busy thread gets: less than 1 where others compete for the machine.
+// The share of a CPU that busy threads get: below 1 where other programs compete for the machine.
 #pragma once
 
 #include <chrono>
@@ -6,13 +6,13 @@
 
 namespace saccade {
 
-// What is older fades: by 1/e every kSpan of wall-clock time, used or not.
+// Older measurements fade, by a factor e each kSpan of wall-clock time.
 class ReceivedShare {
  public:
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
 
-  // A thread has been busy for `wall` until `now`, and has had `cpu` of it.
+  // Adds that a thread was busy for `wall` until `now`, and got `cpu` of CPU time.
   void add(Seconds cpu, Seconds wall, Clock::time_point now) {
     const double kept = std::exp(-(Seconds(now - last_) / kSpan));
     cpu_ = cpu_ * kept + cpu;
@@ -25,7 +25,7 @@ class ReceivedShare {
 
  private:
   static constexpr Seconds kSpan{2};
-  static constexpr Seconds kUnknown{0.02};  // taken for received whole: a short delay says little
+  static constexpr Seconds kUnknown{0.02};  // counts as received whole: a short delay says little
 
   Seconds cpu_{0}, wall_{0};
   Clock::time_point last_{};

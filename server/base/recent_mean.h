@@ -1,11 +1,11 @@
-// The mean of what came last.
+// A running mean that follows recent values.
 #pragma once
 
 #include <algorithm>
 
 namespace saccade {
 
-// Of the first kSpan values as usual; then older ones fade by 1 / kSpan with each that comes.
+// The plain mean of the first kSpan values; then an exponential moving average with weight 1 / kSpan.
 class RecentMean {
  public:
   void add(double value) {

@@ -1,4 +1,4 @@
-// Text of unknown origin, made fit for messages: valid UTF-8 of bounded length.
+// Makes text of unknown origin fit for messages: valid UTF-8 of bounded length.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +7,15 @@
 
 namespace saccade {
 
-// Bytes of the character that `text` begins with; 0 where it is no UTF-8 [RFC 3629].
+// Bytes of the first character of `text`; 0 where it is not UTF-8 [RFC 3629].
 std::size_t utf8Length(std::string_view text);
 bool isUtf8(std::string_view text);
 
-// The characters of `text` that fit into `max_bytes`, and "..." where there are more. Each byte that is no
-// UTF-8 becomes U+FFFD.
+// The first characters of `text` that fit into `max_bytes`, then "..." if there are more. Each byte that is
+// not UTF-8 becomes U+FFFD.
 std::string cutText(std::string_view text, std::size_t max_bytes);
 
-// Bytes of a text that came from a client, where a reply or the log repeats it.
+// A reply or the log repeats at most this many bytes of a client's text.
 inline constexpr std::size_t kMaxEcho = 64;
 
 }  // namespace saccade

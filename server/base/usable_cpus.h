@@ -1,16 +1,16 @@
-// How many CPUs this process may use.
+// The number of CPUs that this process may use.
 #pragma once
 
 #include <string>
 
 namespace saccade {
 
-// The least of the CPUs that it may run on and of the quotas of its control groups, of version 2 or 1, and
-// their parents. May be a fraction; > 0.
+// The minimum of two numbers: the CPUs that it may run on, and the CPU quota of its control groups (version 2
+// or 1) and their parents. > 0, may be a fraction.
 double usableCpus();
 
-// The least quota of the groups that `memberships`, a text as of /proc/self/cgroup, names below `root`;
-// infinite where there is none.
+// The least CPU quota of some control groups; infinite where there is none. `memberships`: their names, as in
+// /proc/self/cgroup. `root`: the folder where they are mounted.
 double cgroupQuota(const std::string& memberships, const std::string& root);
 
 }  // namespace saccade

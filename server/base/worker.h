@@ -1,4 +1,4 @@
-// A thread that does one thing after the other, for a thread that must not wait.
+// A thread that runs tasks one after the other, for callers that must not block.
 #pragma once
 
 #include <condition_variable>
@@ -12,10 +12,10 @@ namespace saccade {
 class Worker {
  public:
   Worker();
-  ~Worker();  // ends what it is at; what still waits is not done
+  ~Worker();  // finishes the task that runs, and drops those that wait
 
-  // From any thread. `task` is destroyed on the worker's thread once it is done. What it throws is not told:
-  // that is the task's to do. How many wait is the caller's to bound.
+  // From any thread. `task` is destroyed on the worker's thread when it is done. Exceptions of a task are
+  // ignored: it must report its own. The caller bounds how many tasks wait.
   void post(std::function<void()> task);
 
  private:

@@ -1,5 +1,4 @@
-// An event model turns the brightness change of one interval into events. Its memory of the pixels lives in
-// it.
+// An event model turns the brightness change of each interval into events. It holds the state of the pixels.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +22,9 @@ struct Interval {
 class EventModel {
  public:
   virtual ~EventModel() = default;
-  // `dL` is the change of log brightness over the interval, finite, with a border of 0. Appends the events
-  // row by row, pixel by pixel, those of a pixel in time order (OFF first where times are equal), every time
-  // in [t0, t1). Returns how many events were withheld.
+  // Appends the events of an interval, all times in [t0, t1). Order: row by row, pixel by pixel, then by
+  // time; OFF first where times are equal. `dL`: change of log brightness over the interval, finite, with a
+  // border of 0. Returns how many events were withheld.
   virtual std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) = 0;
   // Log brightness of pixel (x, y) minus the reference of its next event; 0 for a model without a reference.
   virtual float level(int x, int y) const = 0;

@@ -1,6 +1,6 @@
+#include "base/names.h"
 #include "events/event_model.h"
 #include "events/models/models.h"
-#include "events/named_rows.h"
 
 namespace saccade {
 

@@ -8,7 +8,7 @@ namespace saccade {
 
 inline constexpr float kMaxLuminance = 1e18f;
 
-// `v` within [lo, hi]; a NaN stays.
+// `v` clamped to [lo, hi]; NaN stays NaN.
 inline float clampTo(float v, float lo, float hi) {
   return v < lo ? lo : v > hi ? hi : v;
 }
@@ -16,8 +16,7 @@ inline float clampTo(float v, float lo, float hi) {
 // log(b / a) for a, b > 0 and change = b - a, relative error below 1e-6; exactly 0 where nothing changes.
 //
 // log(b / a) = k log 2 + 2 atanh(s), s = (b - a 2^k) / (b + a 2^k), where b / (a 2^k) lies in [sqrt(1/2),
-// sqrt 2]. For the small changes that are the rule, k is 0 and the numerator b - a the change itself: nothing
-// cancels.
+// sqrt 2]. For small changes k is 0 and the numerator b - a is the change itself: nothing cancels.
 inline float logRatio(float a, float b, float change) {
   constexpr float kLog2 = 0x1.62e430p-1f;
   constexpr std::uint32_t kOne = 0x3f800000, kSqrtHalf = 0x3f3504f3;  // 1 and sqrt(1/2) as bits
@@ -31,7 +30,7 @@ inline float logRatio(float a, float b, float change) {
   return static_cast<float>(static_cast<std::int32_t>(exponent) >> 23) * kLog2 + series;
 }
 
-// log(I_eps + I) [E (1)]; I is clamped to [0, kMaxLuminance]. A NaN stays.
+// log(I_eps + I) [E (1)], with I clamped to [0, kMaxLuminance]; NaN stays NaN.
 inline float logBrightness(float I, float I_eps) {
   const float response = I_eps + clampTo(I, 0, kMaxLuminance);
   return logRatio(1, response, response - 1);

@@ -1,4 +1,5 @@
-// Brightness reconstruction (paper, 4.6 and Fig. 7): which change of brightness a sensor believes.
+// Brightness reconstruction (paper, 4.6 and Fig. 7): estimates the change of brightness from difference and
+// primal.
 #pragma once
 
 #include <memory>
@@ -10,36 +11,36 @@
 
 namespace saccade {
 
-// The sum of dL is right from frame to frame, but small errors add up to a drift. The primal picture does not
+// dL is precise from frame to frame, but its small errors add up to a drift. The primal picture does not
 // drift, but is noisy. A reconstruction weighs the two:
 //
-//   direct         L^_t = L^_{t-1} + dL_t [E (22)]. Drifts without bound. A standing scene, whose dL is 0,
-//                  gives exactly no change.
+//   direct         L^_t = L^_{t-1} + dL_t [E (22)]. Drifts without bound. A static scene, whose dL is 0,
+//   gives
+//                  exactly no change.
 //   complementary  L^_t = L- + k (L^prim_t - L-), L- = L^_{t-1} + dL_t, k = 1 - exp(-2 pi cutoff dt).
 //                  An error b per frame in dL adds up to b (1 - k) / k and no further.
 //   kalman         the same with k of each pixel from the variances of dL and L^prim (see kalman.cpp). The
-//                  default: EventSVGF under it has 10 to 33 % fewer false events than under direct, 0 to 11 %
-//                  more missed ones, and half the drift or less (saccade-eval figure 7).
+//                  default. Compared with direct, EventSVGF has 10 to 33 % fewer false events, 0 to 11 % more
+//                  missed ones, and at most half the drift (saccade-eval figure 7).
 //
-// Where a method knows no variance of the primal (var_I_prev is 0, as of pt and pt-correlated) kalman has
-// nothing to weigh, and is direct, but that L^ stays within the brightness that a pixel can have.
+// Some methods know no variance of the primal: var_I_prev is 0 for pt and pt-correlated. kalman then equals
+// direct, but keeps L^ within the brightness that a pixel can have.
 //
-// L^prim = log(I_eps + I_now); L^_0 is that of the first I_prev, and its error is drawn out like a drift.
+// L^prim = log(I_eps + I_now). L^_0 is that of the first I_prev; its error decays like a drift.
 //
-// A standing scene under complementary does change: its primal is noisy, and the noise comes through
-// low-passed. Primal noise of variance s^2 and correlation rho^n between frames n apart leaves in L^ the
-// variance
+// A static scene under complementary does change: it passes the noise of the primal through a low-pass.
+// Primal noise of variance s^2 and correlation rho^n between frames n apart leaves in L^ the variance
 //
 //   s^2 k / (2 - k) (1 + (1 - k) rho) / (1 - (1 - k) rho),
 //
-// 0.24^2 s^2 at 500 frames per second and the defaults (rho = 0.9): a pixel fires now and then where 0.24 s
-// comes near C. Under kalman a standing scene gives exactly no change where the method gives it no
-// variance of dL; where motion ends, that variance and with it k die away as fast as the method forgets.
+// which is 0.24^2 s^2 at 500 frames per second and the defaults (rho = 0.9). A pixel then fires now and then
+// where 0.24 s is close to C. Under kalman a static scene gives exactly no change if the variance of dL is 0.
+// Where motion ends, that variance and k decay as fast as the method forgets.
 class Reconstruction {
  public:
   virtual ~Reconstruction() = default;
-  // Takes in `dL` the response of `change`, finite; leaves there L^_t - L^_{t-1}, finite. Must be given every
-  // interval, in order. Does not touch the border, and does not allocate.
+  // Replaces `dL`, the finite response of `change`, by L^_t - L^_{t-1}, finite. Call it for every interval,
+  // in order. Does not touch the border, and does not allocate.
   virtual void reconstruct(const IntensityChange& change, ImageF& dL) = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "events/named_rows.h"
+#include "base/names.h"
 #include "events/reconstruction.h"
 #include "events/reconstruction/reconstructions.h"
 

@@ -24,10 +24,11 @@ class Sensor {
   // `config` has no fault; 1 <= width, height <= 65535.
   Sensor(const SensorConfig& config, int width, int height);
 
-  // The pixels before the first interval, row by row; I_prev is that of its change.
+  // The state of the pixels before the first interval, row by row. `I_prev`: of the first change.
   PixelState pixelsAtStart(const ImageF& I_prev) const;
 
-  // Must be given every interval, in order. `out` is overwritten; its storage is reused.
+  // Makes the events of an interval. Call it for every interval, in order. Overwrites `out`, reusing its
+  // storage.
   void generate(const IntensityChange& change, SensorOutput& out);
 
  private:

@@ -3,25 +3,32 @@
 #include "base/range.h"
 #include "events/event_model.h"
 #include "events/reconstruction.h"
+#include "wire/ranges.h"
 
 namespace saccade {
+namespace {
+
+// What is wrong with the numbers, or nothing.
+std::optional<SensorFault> findRangeFault(const SensorConfig& config) {
+  std::optional<SensorFault> fault;
+  const auto check = [&](const char* field, double value, auto range) {
+    std::string message = rangeFault(value, range.min, range.max);
+    if (!fault && !message.empty()) fault = {field, std::move(message)};
+  };
+  check("threshold", config.threshold, ranges::kThreshold);
+  check("threshold_off", config.threshold_off, ranges::kThreshold);
+  check("bias", config.bias, ranges::kBias);
+  check("cutoff_hz", config.reconstruction_cutoff_hz, ranges::kCutoff);
+  check("refractory_s", seconds(config.refractory), ranges::kRefractory);
+  check("max_events_per_pixel_frame", config.max_events_per_pixel_frame, ranges::kMaxPixelEvents);
+  check("max_events_per_frame", static_cast<double>(config.max_events_per_frame), Range<double>{1, 0x1p64});
+  return fault;
+}
+
+}  // namespace
 
 std::optional<SensorFault> findFault(const SensorConfig& config) {
-  const struct {
-    const char* field;
-    double value, min, max;
-  } ranges[] = {
-      {"threshold", config.threshold, 1e-3, 10},
-      {"threshold_off", config.threshold_off, 1e-3, 10},
-      {"bias", config.bias, 1e-12, 1e6},
-      {"cutoff_hz", config.reconstruction_cutoff_hz, 1e-4, 1e4},
-      {"refractory_s", seconds(config.refractory), 0, 10},
-      {"max_events_per_pixel_frame", static_cast<double>(config.max_events_per_pixel_frame), 1, 65536},
-      {"max_events_per_frame", static_cast<double>(config.max_events_per_frame), 1, 0x1p64},
-  };
-  for (const auto& [field, value, min, max] : ranges) {
-    if (std::string fault = rangeFault(value, min, max); !fault.empty()) return SensorFault{field, fault};
-  }
+  if (auto fault = findRangeFault(config)) return fault;
   if (!findEventModel(config.model)) {
     return SensorFault{"model", "no event model '" + config.model + "'; there are: " + eventModelNames()};
   }

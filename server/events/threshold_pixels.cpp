@@ -45,8 +45,8 @@ void ThresholdPixels::begin(const Interval& interval) {
   room_ = max_all_;
 }
 
-// Whether a blind pixel wakes in this interval (or has woken before, where brightness stood still since), and
-// at which fraction of it.
+// Whether a blind pixel wakes in this interval, or woke before while its brightness did not change. `start`:
+// the fraction of the interval at which it wakes.
 bool ThresholdPixels::wakes(Blindness& blindness, double change, double& start) {
   start = std::max(0.0, static_cast<double>((blindness.until - interval_.t0).count()) / length_ns_);
   if (start >= 1) {
@@ -60,7 +60,7 @@ bool ThresholdPixels::wakes(Blindness& blindness, double change, double& start) 
 }
 
 float ThresholdPixels::advanceInFull(int x, int y, double v, double change, Events& events) {
-  // A blind pixel joins when it wakes.
+  // A blind pixel takes part from when it wakes.
   double start = 0;
   Blindness* blindness = blindness_.empty() ? nullptr : &blindness_[static_cast<std::size_t>(y) * width_ + x];
   if (blindness && blindness->until != kAwake) {
@@ -74,14 +74,14 @@ float ThresholdPixels::advanceInFull(int x, int y, double v, double change, Even
   const double first = C - sign * v, rest = speed * (1 - start);
   if (rest < first) return inside(v + sign * rest);
 
-  // From one event to the next it is C, and what passes while blind.
+  // From one event to the next brightness moves by C, and by what passes while the pixel is blind.
   const double unseen = speed * static_cast<double>(refractory_.count()) / length_ns_;
   const Crossings crossings{start, first, C + unseen, speed};
   const auto count = static_cast<std::int64_t>((rest - first) / crossings.period) + 1;
   send(crossings, count, {0, static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), change > 0},
        events);
 
-  // After the last event the pixel is blind still, or awake again.
+  // At t1 the pixel is still blind after its last event, or awake again.
   const double left = std::max(0.0, rest - crossings.distance(count - 1));
   const bool blind = blindness && left < unseen;
   suppressed_ += static_cast<std::uint64_t>(count - blind) * wholeThresholds(unseen, C);

@@ -1,4 +1,4 @@
-// Pixels with two thresholds, a refractory period and a bound: what all event models share.
+// Pixels with two thresholds, a refractory period and a bound of events: the common part of all event models.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,17 @@
 
 namespace saccade {
 
-// Follows pixels through one interval after the other. A pixel's level v is its log brightness minus the
-// reference: ON where v reaches C+, OFF where it reaches -C-; the reference then moves there, so that v is 0.
-// Log brightness is linear inside the interval. After an event the pixel is blind for the refractory period
-// and then takes the level it sees as its reference (v = 0); thresholds passed meanwhile count as suppressed,
-// whole ones of the net change. Events beyond the bound of a pixel, or of all pixels together in the order in
-// which they are moved, are counted as suppressed, and the pixel behaves as if they had been sent.
+// Moves pixels through one interval after the other.
+//
+// A pixel's level v is its log brightness minus its reference. An ON event comes where v reaches C+, an OFF
+// event where it reaches -C-; the reference then moves there, so that v is 0. Log brightness is linear inside
+// the interval.
+//
+// After an event the pixel is blind for the refractory period, and then takes the level it sees as its
+// reference (v = 0). Thresholds passed meanwhile count as suppressed: the whole ones of the net change.
+//
+// Events beyond the bound of a pixel, or of all pixels in the order in which they are moved, count as
+// suppressed. The pixel behaves as if they had been sent.
 class ThresholdPixels {
  public:
   ThresholdPixels(const SensorConfig& config, int width, int height);
@@ -26,12 +31,12 @@ class ThresholdPixels {
 
   void begin(const Interval& interval);
 
-  // Moves pixel (x, y) from level `v` in (-C-, C+) by `change` != 0 over the interval, appending its events.
-  // Returns the level at t1, in (-C-, C+). A blind pixel ignores v and returns it; what it returns is void
-  // while it is blind.
+  // Moves pixel (x, y) from level `v` in (-C-, C+) by `change` != 0 over the interval, and appends its
+  // events. Returns the level at t1, in (-C-, C+). A blind pixel ignores v; while it is blind the result
+  // means nothing.
   float advance(int x, int y, double v, double change, Events& events) {
     const double moved = v + change;
-    const bool quiet = moved > -off_ && moved < on_ && blindness_.empty();  // the rule, and to be cheap
+    const bool quiet = moved > -off_ && moved < on_ && blindness_.empty();  // the most frequent case
     return quiet ? inside(moved) : advanceInFull(x, y, v, change, events);
   }
 
@@ -73,7 +78,7 @@ class ThresholdPixels {
   std::uint64_t suppressed_ = 0;
 };
 
-// Calls f(x, y, dL) where dL is not 0, row by row. A row that stands still costs next to nothing.
+// Calls f(x, y, dL) where dL is not 0, row by row. Blocks without a change are skipped fast.
 template <class F>
 void forEachChange(const ImageF& dL, F&& f) {
   constexpr int kBlock = 16;

@@ -1,12 +1,12 @@
-// Puts the events of an interval in time order.
+// Sorts the events of an interval by time.
 #pragma once
 
 #include "events/event_model.h"
 
 namespace saccade {
 
-// A stable radix sort by time: ties keep the order in which the model appended them. Frames are short (2000
-// us at 500 Hz), so that one pass over 11 bits is the rule.
+// A stable radix sort: ties keep the order in which the model appended them. A frame of 500 Hz lasts 2000 us,
+// so that one pass over 11 bits suffices.
 class TimeOrder {
  public:
   void sort(Events& events, const Interval& interval);

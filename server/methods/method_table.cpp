@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "base/names.h"
 #include "base/range.h"
 #include "base/text_cut.h"
 #include "methods/event_svgf.h"
@@ -19,31 +20,22 @@ const std::vector<MethodInfo>& methodTable() {
 }
 
 const MethodInfo* findMethod(const std::string& name) {
-  for (const MethodInfo& method : methodTable()) {
-    if (method.name == name) return &method;
-  }
-  return nullptr;
+  return findRow(methodTable(), name);
 }
 
 std::string methodNames() {
-  std::string names;
-  for (const MethodInfo& method : methodTable()) names += (names.empty() ? "" : ", ") + method.name;
-  return names;
+  return joinRowNames(methodTable());
 }
 
 std::string resolveParams(const MethodInfo& method, const ParamValues& given, ParamValues& resolved,
                           std::string& bad_name) {
   resolved.clear();
-  std::string names;
-  for (const ParamSpec& spec : method.params) {
-    resolved[spec.name] = spec.fallback;
-    names += (names.empty() ? "" : ", ") + spec.name;
-  }
+  for (const ParamSpec& spec : method.params) resolved[spec.name] = spec.fallback;
   for (const auto& [name, value] : given) {
     bad_name = name;
     if (!resolved.contains(name)) {
       return method.name + " has no parameter \"" + cutText(name, 64) +
-             "\"; it has: " + (names.empty() ? "none" : names);
+             "\"; it has: " + joinRowNames(method.params);
     }
     resolved[name] = value;
   }

@@ -1,4 +1,4 @@
-// Lines of the log that clients cause: no client fills it.
+// Log lines that clients cause, limited so that no client can fill the log.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 
 namespace saccade {
 
-// Each client may cause kBurst lines at once, and then one in each kPause.
+// Lets each client cause kBurst lines at once, and then one in each kPause.
 class LogLimit {
  public:
   using Clock = std::chrono::steady_clock;
@@ -20,9 +20,10 @@ class LogLimit {
 
   static constexpr std::size_t kMaxAccounts = 4096;  // beyond these, clients share one
 
-  // Whether a line may be written now: nothing, or how many were not since the last one.
+  // Asks to write a line now. Returns how many lines of this client were held back since its last one, or
+  // nothing if this one must be held back too.
   std::optional<std::uint64_t> ask(const std::string& client, Clock::time_point now);
-  // How many lines were not written of clients that have been forgotten since the last call.
+  // How many lines were held back of clients that have been forgotten since the last call.
   std::uint64_t takeForgotten() { return std::exchange(forgotten_, 0); }
 
  private:
@@ -39,8 +40,8 @@ class LogLimit {
 
 class ClientLog {
  public:
-  // `client` is a public key; empty where there are no keys: then all clients together are one. From any
-  // thread. A long line is cut.
+  // Logs a line, cut if it is long. `client`: a public key; empty without keys, where all clients share one
+  // account. From any thread.
   void info(const std::string& client, const std::string& line);
 
  private:

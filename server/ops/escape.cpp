@@ -8,7 +8,7 @@
 namespace saccade {
 namespace {
 
-// Its number where `character` is one: ASCII's, DEL, and those of two bytes that follow DEL; else 0.
+// The code of a control character: those of ASCII, DEL and U+0080 to U+009F. 0 for any other character.
 unsigned controlOf(std::string_view character) {
   const unsigned first = static_cast<unsigned char>(character[0]);
   if (character.size() == 2 && first == 0xC2) {
@@ -25,7 +25,7 @@ std::string escapeOf(unsigned control) {
   return text;
 }
 
-// `marked`: characters that a backslash is put before.
+// Puts a backslash before each character of `marked`.
 std::string escape(std::string_view text, std::string_view marked) {
   std::string escaped;
   while (!text.empty()) {

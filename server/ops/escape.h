@@ -1,5 +1,7 @@
-// Text of unknown origin as part of one line: control characters, which could begin another line or command
-// the terminal, become escapes such as \n and \u001b. What is no UTF-8 becomes U+FFFD.
+// Escapes text of unknown origin for one line of the log.
+//
+// Control characters could begin another line or command the terminal: they become escapes such as \n and
+// \u001b. Bytes that are not UTF-8 become U+FFFD.
 #pragma once
 
 #include <string>
@@ -8,7 +10,7 @@
 namespace saccade {
 
 std::string escapeControls(std::string_view text);
-// The same in quotes, as JSON has it.
+// The same as a JSON string, in quotes.
 std::string quoteJson(std::string_view text);
 
 }  // namespace saccade

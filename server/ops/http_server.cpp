@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::string_view kScheme = "http://";
 constexpr rlim_t kMaxClients = 1024;
-constexpr rlim_t kFilesPerClient = 4;  // clients take a quarter of the files that the process may open
-constexpr unsigned kMaxConnections = 2 * kMaxClients;  // with those that are being cut off
+constexpr rlim_t kFilesPerClient = 4;  // clients get a quarter of the files that the process may open
+constexpr unsigned kMaxConnections = 2 * kMaxClients;  // includes those being cut off
 constexpr unsigned kMaxSilenceS = 2;
 constexpr std::size_t kMemoryBytes = 8192;  // of a connection: the longest head of a request
 
@@ -30,11 +30,11 @@ Addresses resolve(const std::string& endpoint) {
     throw std::runtime_error(endpoint + " is no address such as http://127.0.0.1:5773");
   std::string host = endpoint.substr(kScheme.size(), colon - kScheme.size());
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
-  addrinfo wish{};
-  wish.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-  wish.ai_socktype = SOCK_STREAM;
+  addrinfo hints{};
+  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
+  hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  const int fault = getaddrinfo(host.c_str(), endpoint.c_str() + colon + 1, &wish, &found);
+  const int fault = getaddrinfo(host.c_str(), endpoint.c_str() + colon + 1, &hints, &found);
   if (fault != 0) throw std::runtime_error("cannot listen on " + endpoint + ": " + gai_strerror(fault));
   return {found, freeaddrinfo};
 }
@@ -55,7 +55,7 @@ HttpAnswer answerTo(const char* path, std::string_view method, const HttpPages& 
   }
 }
 
-// Answers as soon as the head of a request is there: its body is not read, and the connection closes.
+// Answers when the head of a request has come, without reading its body. The connection then closes.
 MHD_Result respond(void* pages, MHD_Connection* client, const char* path, const char* method, const char*,
                    const char*, std::size_t*, void**) {
   HttpAnswer answer = answerTo(path, method, *static_cast<const HttpPages*>(pages));
@@ -76,7 +76,8 @@ rlim_t maxClients() {
   return std::min(kMaxClients, files.rlim_cur / kFilesPerClient);
 }
 
-// A client that sends a byte now and then is never silent: where there are too many, the oldest is cut off.
+// Counts the clients, and cuts off the oldest of too many: one that sends a byte now and then is never
+// silent.
 void count(void* sockets, MHD_Connection* client, void**, MHD_ConnectionNotificationCode code) {
   auto& clients = *static_cast<std::vector<int>*>(sockets);
   const int socket = MHD_get_connection_info(client, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
@@ -95,7 +96,7 @@ void count(void* sockets, MHD_Connection* client, void**, MHD_ConnectionNotifica
 HttpServer::HttpServer(const std::string& endpoint, HttpPages pages)
     : pages_(std::move(pages)), daemon_(start(endpoint)), endpoint_(withPortOf(daemon_.get(), endpoint)) {}
 
-// By poll(): with epoll libmicrohttpd 0.9.75 overlooks an end that comes with the last bytes.
+// Uses poll(): with epoll libmicrohttpd 0.9.75 misses a connection's end that comes with its last bytes.
 HttpServer::Daemon HttpServer::start(const std::string& endpoint) {
   const Addresses address = resolve(endpoint);
   const unsigned family = address->ai_family == AF_INET6 ? MHD_USE_IPv6 : MHD_NO_FLAG;

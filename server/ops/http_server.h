@@ -1,5 +1,6 @@
-// A few pages over HTTP, for machines that watch: metrics and health. One thread, which waits for no client:
-// a silent one is cut off, and so is the oldest of too many.
+// Serves a few pages over HTTP for monitoring: metrics and health.
+//
+// One thread serves all clients and waits for none. It cuts off silent clients, and the oldest of too many.
 #pragma once
 
 #include <functional>
@@ -17,13 +18,13 @@ struct HttpAnswer {
   std::string type = "text/plain; charset=utf-8", body;
 };
 
-using HttpPage = std::function<HttpAnswer()>;       // what it throws is a 500
+using HttpPage = std::function<HttpAnswer()>;       // an exception becomes a 500
 using HttpPages = std::map<std::string, HttpPage>;  // by path, such as "/healthz"
 
 class HttpServer {
  public:
   // Listens on `endpoint`, such as http://127.0.0.1:5773 or http://[::1]:5773; port 0 takes a free one.
-  // Throws std::runtime_error. The pages are called from a thread of the server's.
+  // Throws std::runtime_error. A thread of the server calls the pages.
   HttpServer(const std::string& endpoint, HttpPages pages);
 
   const std::string& endpoint() const { return endpoint_; }  // with the real port

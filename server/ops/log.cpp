@@ -75,7 +75,7 @@ bool finishLog() {
     pool.reset();  // the last one: writes what waits, and ends its thread
     finished.set_value();
   }).detach();
-  return result.wait_for(kLogPatience) == std::future_status::ready;
+  return result.wait_for(kLogTimeout) == std::future_status::ready;
 }
 
 std::size_t droppedLogLines() {

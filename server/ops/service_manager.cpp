@@ -11,7 +11,7 @@
 namespace saccade {
 namespace {
 
-// A path, or an abstract name behind '@'.
+// Connects to a path, or to an abstract name after '@'. -1 where that fails.
 int connectTo(const std::string& name) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;

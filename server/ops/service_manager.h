@@ -1,4 +1,4 @@
-// What systemd is told of a service of Type=notify [sd_notify(3)]; nothing where it does not ask.
+// Tells systemd the state of a service of Type=notify [sd_notify(3)]. Does nothing without systemd.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ class ServiceManager {
   ServiceManager(const ServiceManager&) = delete;
   ServiceManager& operator=(const ServiceManager&) = delete;
 
-  // "READY=1", "STOPPING=1", "WATCHDOG=1". From any thread; what cannot be sent is lost.
+  // Sends "READY=1", "STOPPING=1" or "WATCHDOG=1"; a failure is ignored. From any thread.
   void tell(const std::string& state) const;
 
  private:
-  int socket_ = -1;  // connected; -1: nobody asks
+  int socket_ = -1;  // connected; -1: no systemd
 };
 
 }  // namespace saccade

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "base/names.h"
 #include "render/features/features.h"
-#include "scene/files/text.h"
 
 namespace saccade {
 namespace {
@@ -48,15 +48,11 @@ const std::vector<SceneFeatureInfo>& featureTable() {
 }
 
 const SceneFeatureInfo* findFeature(const std::string& name) {
-  for (const SceneFeatureInfo& info : featureTable())
-    if (info.name == name) return &info;
-  return nullptr;
+  return findRow(featureTable(), name);
 }
 
 std::string featureNames() {
-  std::vector<std::string> names;
-  for (const SceneFeatureInfo& info : featureTable()) names.push_back(info.name);
-  return joinNames(names);
+  return joinRowNames(featureTable());
 }
 
 SceneFeatures featuresOf(const Scene& scene) {

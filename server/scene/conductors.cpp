@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "base/names.h"
+
 namespace saccade {
 namespace {
 
@@ -35,16 +37,11 @@ const std::vector<ComplexIndex>& conductorTable() {
 }  // namespace
 
 const ComplexIndex* findConductor(const std::string& name) {
-  for (const ComplexIndex& row : conductorTable()) {
-    if (row.name == name) return &row;
-  }
-  return nullptr;
+  return findRow(conductorTable(), name);
 }
 
 std::string conductorNames() {
-  std::string names;
-  for (const ComplexIndex& row : conductorTable()) names += (names.empty() ? "" : ", ") + row.name;
-  return names;
+  return joinRowNames(conductorTable());
 }
 
 }  // namespace saccade

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/files/text.h"
+#include "base/names.h"
 
 namespace saccade {
 namespace {

@@ -39,7 +39,7 @@ std::optional<Wish> readWish(const std::vector<std::string>& parts) {
 
 }  // namespace
 
-// Topics are short. What a subscriber is too slow for is dropped at its own queue; a gap of seq shows it.
+// Topics are short. A slow subscriber loses packets at its own queue; a gap of seq shows it.
 BroadcastServer::BroadcastServer(const std::string& endpoint, const SessionDirectory& sessions,
                                  const Access& access)
     : loop_({.endpoint = endpoint,
@@ -87,7 +87,7 @@ void BroadcastServer::unsubscribe(const std::string& peer, const std::string& to
   found->second.erase(peer);
   if (found->second.empty()) audience.peers.erase(found);
   if (!audience.peers.empty()) return;
-  audience.told = false;
+  audience.announced = false;
   session->leave();
 }
 
@@ -108,7 +108,7 @@ std::chrono::milliseconds BroadcastServer::turn() {
   }
   for (const std::string& peer : std::exchange(gone_, {})) forget(peer);
   const bool waiting = std::any_of(audiences_.begin(), audiences_.end(), [](const auto& entry) {
-    return !entry.second.told && !entry.second.peers.empty();
+    return !entry.second.announced && !entry.second.peers.empty();
   });
   return waiting ? kJoinTime : audiences_.empty() ? SocketLoop::kUntilWoken : kHeartbeatPause;
 }
@@ -122,8 +122,8 @@ void BroadcastServer::forgetRevoked() {
 }
 
 void BroadcastServer::serve(Session& session, Audience& audience) {
-  if (!audience.told && complete(session, audience)) {
-    audience.told = true;
+  if (!audience.announced && complete(session, audience)) {
+    audience.announced = true;
     audience.last_sent = ChangeNotifier::Clock::now();
     session.start();
   }
@@ -144,7 +144,7 @@ void BroadcastServer::sendPacketsOf(Session& session, Audience& audience) {
   })) {
     audience.last_sent = now;
   }
-  if (!audience.told || now - audience.last_sent < kHeartbeatPause) return;
+  if (!audience.announced || now - audience.last_sent < kHeartbeatPause) return;
   for (std::uint32_t i = 0; i < session.sensors(); ++i) {
     sendTo(audience, session.topic(i), session.heartbeat(i).header.SerializeAsString(), std::string_view());
   }

@@ -1,10 +1,10 @@
-// The broadcast socket: packets for any number of subscribers, each with its topic before it.
+// The broadcast socket: sends packets to any number of subscribers, each behind its topic.
 //
-// To a SUB socket it is an XPUB; here it is a ROUTER, so that each subscriber has its own subscriptions,
-// its own queue and its own end. A stream starts once all its topics have been subscribed, or kJoinTime after
-// the first: a subscriber of several sensors shall not miss the beginning of the others. It has a receiver as
-// long as anybody subscribes to any of its topics. A subscriber that is too slow loses packets, and holds
-// nobody up. A stream with nothing to send for kHeartbeatPause sends a heartbeat on each topic.
+// SUB sockets take it for an XPUB. It is a ROUTER, so that each subscriber has its own subscriptions and
+// queue. A stream starts once all its topics are subscribed, or kJoinTime after the first: a subscriber of
+// several sensors must not miss the beginning of one. A stream has a receiver while anybody subscribes to any
+// of its topics. A slow subscriber loses packets and delays nobody. A stream with nothing to send for
+// kHeartbeatPause sends a heartbeat on each topic.
 #pragma once
 
 #include <map>
@@ -21,7 +21,7 @@ class BroadcastServer {
  public:
   static constexpr std::chrono::milliseconds kJoinTime{250};
   static constexpr std::chrono::milliseconds kHeartbeatPause{1000};
-  static constexpr std::size_t kMaxTopics = 1024;  // of one subscriber; more are passed over
+  static constexpr std::size_t kMaxTopics = 1024;  // of one subscriber; more are ignored
 
   // Binds; throws std::runtime_error. Keeps a reference.
   BroadcastServer(const std::string& endpoint, const SessionDirectory& sessions, const Access& access = {});
@@ -36,13 +36,13 @@ class BroadcastServer {
  private:
   struct Subscriber {
     std::string user;              // see SocketLoop::Message
-    std::set<std::string> topics;  // of streams that there are, or were
+    std::set<std::string> topics;  // of present or past streams
   };
   struct Audience {
-    ChangeNotifier::Clock::time_point first;  // since when it is not empty
+    ChangeNotifier::Clock::time_point first;  // when the first subscriber came
     ChangeNotifier::Clock::time_point last_sent;
-    std::map<std::string, std::set<std::string>> peers;  // by topic, but for topics without
-    bool told = false;                                   // the session, that it has a receiver
+    std::map<std::string, std::set<std::string>> peers;  // by topic; topics without subscribers are absent
+    bool announced = false;                              // whether the session knows of its receiver
   };
   void receive(const SocketLoop::Message& message);
   void subscribe(const SocketLoop::Message& message, const std::string& topic);
@@ -51,7 +51,7 @@ class BroadcastServer {
   std::chrono::milliseconds turn();
   void forgetRevoked();
   void serve(Session& session, Audience& audience);
-  bool complete(const Session& session, const Audience& audience) const;  // as far as is worth waiting for
+  bool complete(const Session& session, const Audience& audience) const;  // or kJoinTime is over
   void sendPacketsOf(Session& session, Audience& audience);
   void sendTo(const Audience& audience, const std::string& topic, const SocketLoop::Part& header,
               const SocketLoop::Part& payload);
@@ -59,8 +59,8 @@ class BroadcastServer {
   SocketLoop loop_;
   const SessionDirectory& sessions_;
   std::map<std::string, Subscriber> subscribers_;  // by peer
-  std::map<std::string, Audience> audiences_;      // of streams that have ever been subscribed, by id
-  std::set<std::string> gone_;                     // peers, noticed while packets were sent
+  std::map<std::string, Audience> audiences_;      // by id of a stream; absent before the first subscription
+  std::set<std::string> gone_;                     // peers whose end was noticed while sending
 };
 
 }  // namespace saccade

@@ -1,4 +1,4 @@
-// How other threads tell a producer that something it may be waiting for has changed.
+// A condition variable whose condition lies outside: raise() wakes threads that wait for it.
 #pragma once
 
 #include <chrono>
@@ -17,14 +17,14 @@ class ChangeNotifier {
     changed_.notify_all();
   }
 
-  // Sleeps until `ready()`. It is asked under the notifier's lock, and must not raise this one.
+  // Sleeps until `ready()`, which is called under the notifier's lock and must not raise this notifier.
   template <class Ready>
   void wait(Ready ready) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, ready);
   }
 
-  // The same, but no longer than to `deadline`. Returns the last answer of `ready()`.
+  // The same, at most until `deadline`. Returns the last answer of `ready()`.
   template <class Ready>
   bool waitUntil(Clock::time_point deadline, Ready ready) {
     std::unique_lock lock(mutex_);

@@ -1,4 +1,4 @@
-// Who may connect: the list of clients' public keys.
+// The list of public keys of clients that may connect.
 #pragma once
 
 #include <mutex>
@@ -7,13 +7,13 @@
 
 namespace saccade {
 
-// A file with one key in each line, and then perhaps a name for people. Empty lines, and those whose first
-// word is "#", say nothing.
+// Read from a file with one key in each line, optionally followed by a name. Empty lines, and lines whose
+// first word is "#", are ignored.
 class ClientKeys {
  public:
   explicit ClientKeys(const std::string& path);  // throws std::runtime_error naming file and line
 
-  // Reads the file again. Where that throws, as the constructor does, the list stays what it was.
+  // Reads the file again. Throws as the constructor does, and then keeps the old list.
   void reload();
   bool allow(const std::string& key) const;  // from any thread
   std::size_t size() const;

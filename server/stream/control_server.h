@@ -16,31 +16,31 @@
 
 namespace saccade {
 
-// Who asks.
+// The sender of a request.
 struct Peer {
   std::string connection;  // its name on the control socket
   std::string user;        // its public key; empty without keys
 };
 
-// Reads the head of a request from the parts of a message. Returns why it cannot be handed on, or OK.
+// Reads the head of a request from the parts of a message. Returns OK, or why it must be refused.
 v1::Status readRequest(std::vector<std::string>&& parts, RawRequest& request);
 
 class ControlServer {
  public:
   struct Options {
     std::string endpoint;
-    std::int64_t request_bytes;            // who sends more at once is disconnected
-    std::int64_t unread_bytes = 16 << 20;  // of replies: who has more waiting is refused
+    std::int64_t request_bytes;            // a peer that sends a longer request is disconnected
+    std::int64_t unread_bytes = 16 << 20;  // a peer with more bytes of replies waiting is refused
     Access access = {};
   };
-  // A peer with so many replies to come, or to be taken, is refused. Where it does not take even refusals,
-  // they are dropped and counted.
+  // A peer with so many replies to come, or to be taken, is refused. Refusals that it does not take either
+  // are dropped and counted.
   static constexpr int kMaxUnread = 512;
-  // All connections together have room for so many times `unread_bytes`, those of one key for half of it.
-  // Beyond that only calls with short replies are answered, to connections that have taken theirs.
+  // All connections together have room for so many times `unread_bytes`, and those of one key for half of
+  // that. Beyond it only short calls of connections without waiting replies are answered.
   static constexpr int kUnreadShares = 16;
 
-  // To be called once, from any thread, soon or late; the reply's request_id is filled in.
+  // Sends the reply, whose request_id it fills in. Call it once, at any time, from any thread.
   using Answer = std::function<void(v1::Reply)>;
   // Called on the control thread with a request that has a call and the right version; must not block.
   using Handler = std::function<void(RawRequest request, const Peer& peer, Answer)>;
@@ -48,7 +48,7 @@ class ControlServer {
 
   // Binds; throws std::runtime_error. Adds every answer to `counts`, which outlives the answers.
   ControlServer(const Options& options, RequestCounts& counts);
-  // Answers may still be called after the server is gone; they then go nowhere.
+  // An Answer may be called after the server is gone; its reply is then lost.
   ~ControlServer();
 
   std::string endpoint() const { return loop_->endpoint(); }

@@ -63,13 +63,16 @@ bool CreditQueue::hasRoom() const {
   return overflow_ == Overflow::kDropOldest || waiting_memory_ < capacity_;
 }
 
-void CreditQueue::push(const Packet& packet) {
+std::uint64_t CreditQueue::push(const Packet& packet) {
   SACCADE_CHECK(packet.header.sensor() < untold_drops_.size());
   Entry entry(packet);
   std::lock_guard lock(mutex_);
   entry.dropped_before = std::exchange(untold_drops_[entry.sensor], 0);
   wait(std::move(entry));
-  if (overflow_ == Overflow::kDropOldest && waiting_memory_ > capacity_) dropOldest();
+  if (overflow_ == Overflow::kHold) return 0;
+  const std::uint64_t dropped_before = dropped_packets_;
+  dropOldest();
+  return dropped_packets_ - dropped_before;
 }
 
 // The newest packet stays, however large, and so does what is not events.

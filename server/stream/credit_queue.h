@@ -1,13 +1,15 @@
-// The packets of one stream between the thread that makes them and the one that sends them, bounded by the
-// memory they take.
+// The queue of one stream's packets, from the thread that makes them to the one that sends them. It bounds
+// the memory that they take.
 //
-// When it is full, a stream either holds its producer (who asks hasRoom() before each frame; the packets of
-// one frame may overshoot) or loses its oldest packets. What is lost is counted and told in dropped_before of
-// the next packet of that sensor; what is not events is never lost. What has been sent stays, bounded by
-// kKeptBounds times as much, until it is acknowledged, so that a client may resume on another connection: one
-// that acknowledges what it gives credit for, and gives no more than one bound, loses nothing, for the
-// smallest packets take less than kKeptBounds times their bytes. So a stream without credit keeps at most the
-// bound and one frame, or one packet where it drops; and kKeptBounds times the bound.
+// When it is full, it either holds its producer, who asks hasRoom() before each frame, or drops its oldest
+// events. dropped_before of the sensor's next packet tells how many. Other packets are never dropped.
+//
+// Sent packets stay until they are acknowledged, in kKeptBounds times the bound, so that a client may resume
+// on another connection. A client loses nothing if it gives at most one bound of credit and acknowledges when
+// it gives more: the smallest packets take less than kKeptBounds times their bytes.
+//
+// A full queue thus takes the bound and the packets of one frame (where it drops: of one packet), and
+// kKeptBounds times the bound for sent packets.
 #pragma once
 
 #include <cstdint>
@@ -41,16 +43,17 @@ class CreditQueue {
   CreditQueue(Overflow overflow, std::uint64_t capacity, std::uint32_t sensors);
 
   // Producer.
-  bool hasRoom() const;             // always true when the oldest are dropped
-  void push(const Packet& packet);  // never waits for a receiver
+  bool hasRoom() const;                      // always true when the oldest are dropped
+  std::uint64_t push(const Packet& packet);  // never waits for a receiver; returns how many were dropped
 
   // Consumer.
-  // Hands the oldest packet to `send`, which must not block nor use the queue. False: there is none, or it
-  // could not be sent and stays the oldest.
+  // Hands the oldest packet to `send`. False: there is none, or it could not be sent and stays the oldest.
+  // `send` runs under the queue's lock, so that the packet cannot be dropped meanwhile; it must not block nor
+  // use the queue.
   bool sendOldest(const Send& send);
   void acknowledge(std::uint32_t sensor, std::uint64_t seq);  // forgets what was sent up to `seq`
-  // What comes next of each sensor is what has this seq, of those that have been sent or the one after them.
-  // Returns why that cannot be done, or an empty text.
+  // Goes back: the next packet of each sensor is the one with this seq, which was sent before or is next
+  // anyway. Returns an empty text, or why that cannot be done.
   std::string resume(const std::vector<std::uint64_t>& from_seqs);
 
   bool empty() const;  // nothing waits to be sent
@@ -65,7 +68,7 @@ class CreditQueue {
     std::string bytes;  // the serialized header without dropped_before; behind it a small payload
     std::shared_ptr<const std::string> payload;  // a large one
     std::uint64_t seq, dropped_before = 0;
-    std::uint64_t place = 0;  // of what was sent: counts up
+    std::uint64_t place = 0;  // of a sent packet: its place in the order of sending
     std::uint32_t header_size, sensor;
     bool may_drop;
   };
@@ -87,8 +90,7 @@ class CreditQueue {
   std::uint64_t next_place_ = 0;
   std::vector<std::uint64_t> untold_drops_;  // by sensor: for the next packet to be pushed
   std::uint64_t dropped_packets_ = 0;
-  // By sensor. What was sent and is forgotten has a seq below the first; what was ever sent, below the
-  // second.
+  // By sensor: the seq after the last forgotten packet, and after the last sent one.
   std::vector<std::uint64_t> first_held_, first_unsent_;
 };
 

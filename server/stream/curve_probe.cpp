@@ -22,7 +22,7 @@ void connectStranger(zmq::socket_t& socket, const std::string& endpoint, const s
   socket.connect(endpoint);
 }
 
-// What became of the first handshake: an event of zmq_socket_monitor and its value; 0 and 0: nothing in time.
+// How the first handshake ended: an event of zmq_socket_monitor and its value; zeros where none came in time.
 struct Outcome {
   std::uint16_t event = 0;
   std::uint32_t value = 0;
@@ -51,7 +51,7 @@ void probeRefusal(zmq::socket_type type, const std::string& endpoint, const std:
   const Outcome outcome = awaitHandshake(monitor);
   zmq_socket_monitor(stranger.handle(), nullptr, 0);
   if (outcome.event == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH && outcome.value == 400) return;
-  throw std::runtime_error("a stranger's key is not refused at " + endpoint + " (event " +
+  throw std::runtime_error("an unknown key is not refused at " + endpoint + " (event " +
                            std::to_string(outcome.event) + ", " + std::to_string(outcome.value) +
                            "): not serving");
 }

@@ -1,4 +1,4 @@
-// The proof that a door is shut.
+// A start-up check that a socket with keys refuses unknown clients.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace saccade {
 
-// Connects, with a socket of a `type` that suits it, to the socket of this process that is bound to
-// `endpoint`, with a key that was made for this and that nobody has allowed. Throws std::runtime_error unless
-// a ZAP handler refuses it.
+// Connects to the socket that this process has bound to `endpoint`, with a fresh key that is on no list.
+// Throws std::runtime_error unless a ZAP handler refuses the connection. `type`: of the connecting socket,
+// one that suits the bound one.
 void probeRefusal(zmq::socket_type type, const std::string& endpoint, const std::string& server_secret_key);
 
 }  // namespace saccade

@@ -28,7 +28,7 @@ void DataServer::receive(const SocketLoop::Message& message) {
   const bool parsed = message.parts.size() == 1 && request.ParseFromString(message.parts[0]);
   const std::string fault =
       parsed ? handle(message, request) : "a request is one part: a serialized saccade.v1.DataRequest";
-  if (!parsed) request.Clear();  // what was read before the fault may hold a text that is no UTF-8
+  if (!parsed) request.Clear();  // a half-parsed request may hold a text that is not UTF-8
   if (!fault.empty()) refuse(message.peer, cutText(request.attach().stream_id(), kMaxEcho), fault);
 }
 
@@ -43,7 +43,7 @@ std::string DataServer::handle(const SocketLoop::Message& message, const v1::Dat
                               : acknowledge(*connection, request.ack());
 }
 
-// Whose key it is counts, too.
+// A connection is its peer's only with the same key.
 DataServer::Connection* DataServer::find(const SocketLoop::Message& message) {
   const auto found = connections_.find(message.peer);
   return found == connections_.end() || found->second.user != message.user ? nullptr : &found->second;
@@ -67,7 +67,7 @@ std::string DataServer::attach(const SocketLoop::Message& message, const v1::Att
   if (from.size() != session->sensors()) {
     return "from_seqs has one seq for each of the " + std::to_string(session->sensors()) + " sensors";
   }
-  if (std::string fault = session->queue().resume(from); !fault.empty()) return fault;
+  if (std::string fault = session->resume(from); !fault.empty()) return fault;
   takeOver(*session, message.peer);
   Connection& connection = connections_[message.peer];
   if (connection.session && connection.session != session) connection.session->leave();
@@ -77,7 +77,7 @@ std::string DataServer::attach(const SocketLoop::Message& message, const v1::Att
   return {};
 }
 
-// Only who knows the token comes here: most likely the same client, on a new connection.
+// The peer knows the token: most likely it is the same client, on a new connection.
 void DataServer::takeOver(const Session& session, const std::string& peer) {
   const auto former = std::find_if(connections_.begin(), connections_.end(), [&](const auto& entry) {
     return entry.second.session.get() == &session && entry.first != peer;
@@ -99,7 +99,7 @@ std::string DataServer::addCredit(Connection& connection, std::uint64_t bytes) {
 std::string DataServer::acknowledge(Connection& connection, const v1::Ack& ack) {
   Session& session = *connection.session;
   if (ack.sensor() >= session.sensors()) return "the stream has no sensor " + std::to_string(ack.sensor());
-  session.queue().acknowledge(ack.sensor(), ack.seq());
+  session.acknowledge(ack.sensor(), ack.seq());
   return {};
 }
 
@@ -121,7 +121,7 @@ std::chrono::milliseconds DataServer::sendPackets() {
   return pause;
 }
 
-// kFull also where the connection has had its turn.
+// Returns kFull also at the end of the connection's turn.
 SocketLoop::Sent DataServer::sendPacketsOf(const std::string& peer, Connection& connection) {
   auto sent = SocketLoop::Sent::kYes;
   std::uint64_t bytes = 0;
@@ -134,7 +134,7 @@ SocketLoop::Sent DataServer::sendPacketsOf(const std::string& peer, Connection& 
     connection.last_sent = ChangeNotifier::Clock::now();
     return true;
   };
-  // The last packet may overdraw the credit: less than a packet's worth shall not stall a stream in silence.
+  // The last packet may overdraw the credit: a rest of less than a packet must not stall the stream.
   while (connection.credit_bytes > 0 && connection.session->sendOldest(send)) {
   }
   if (sent != SocketLoop::Sent::kYes) return sent;

@@ -1,6 +1,7 @@
-// The data socket: hands each stream's packets to the connection that has attached to it, while its credit
-// lasts. A connection that gets none for kHeartbeatPause is sent a heartbeat, which is free of credit: it
-// tells how far the stream is, and both ends learn that the other one is gone.
+// The data socket: sends each stream's packets to the connection attached to it, while its credit lasts.
+//
+// A connection that gets no packet for kHeartbeatPause gets a heartbeat, which costs no credit. It tells how
+// far the stream is, and lets both ends notice that the other one is gone.
 #pragma once
 
 #include <map>
@@ -16,7 +17,7 @@ class DataServer {
  public:
   static constexpr std::chrono::milliseconds kHeartbeatPause{1000};
 
-  // Binds; throws std::runtime_error. Keeps a reference. `max_credit`: bytes that a connection may have.
+  // Binds; throws std::runtime_error. Keeps a reference to `sessions`. `max_credit`: bytes of one connection.
   DataServer(const std::string& endpoint, const SessionDirectory& sessions, std::int64_t max_credit,
              const Access& access = {});
   ~DataServer() { stop(); }
@@ -30,7 +31,7 @@ class DataServer {
  private:
   struct Connection {
     std::shared_ptr<Session> session;
-    std::string user;               // whose it is, see SocketLoop::Message
+    std::string user;               // its owner, see SocketLoop::Message
     std::int64_t credit_bytes = 0;  // below 0: overdrawn by its last packet
     ChangeNotifier::Clock::time_point last_sent = ChangeNotifier::Clock::now();
   };

@@ -5,11 +5,10 @@
 
 namespace saccade {
 
-// Whether only this machine can connect: IP literals of loopback, the interface lo, and whatever has no
-// network.
+// Whether only this machine can connect: IP literals of loopback, the interface lo, ipc and inproc.
 bool isLoopback(const std::string& endpoint);
 
-// Where this machine reaches a socket that is bound to `endpoint`: loopback instead of a wildcard.
+// The address at which this machine reaches a socket bound to `endpoint`: a wildcard becomes loopback.
 std::string reachableHere(const std::string& endpoint);
 
 }  // namespace saccade

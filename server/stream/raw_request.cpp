@@ -11,9 +11,9 @@ namespace {
 
 using google::protobuf::internal::WireFormatLite;
 
-constexpr int kMaxFields = 16;  // of the request itself; an id, a version and a call are three
+constexpr int kMaxFields = 16;  // of the request itself; a good one has three: id, version and call
 
-// False: the bytes are no message, or one of too many fields.
+// False where the bytes are no message, or one of too many fields.
 bool readFields(google::protobuf::io::CodedInputStream& in, RawRequest& raw) {
   for (int i = 0; i <= kMaxFields; ++i) {
     const std::uint32_t tag = in.ReadTag();

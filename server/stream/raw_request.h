@@ -1,4 +1,4 @@
-// A request as it came. Only its head is known: what parsing the rest would make is not bounded yet.
+// A request of which only the head is read: nothing bounds yet what parsing the rest would allocate.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ struct RawRequest {
   std::string bytes;
 };
 
-// Bytes of a request that opens no stream: such a request is parsed on the control thread.
+// Most bytes of any request but open_stream: the control thread parses these.
 inline constexpr std::size_t kMaxShortRequest = 4 << 10;
 
 // Reads the head of `raw.bytes` into the other members, in a time that does not depend on their size. Returns
-// why the request cannot be handed on, or OK.
+// OK, or why the request must be refused.
 v1::Status readHead(RawRequest& raw);
 
 }  // namespace saccade

@@ -1,9 +1,9 @@
-// What the bounds of the sockets have kept out.
+// A count of refused connections.
 #pragma once
 
 namespace saccade {
 
-// Connections that were refused, or cut for what they sent, since the process started.
+// Connections that a limit refused, or that were cut for what they sent, since the process started.
 int refusedConnections();
 
 }  // namespace saccade

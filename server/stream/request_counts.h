@@ -1,4 +1,4 @@
-// Requests since the server started: those answered, by call and code, and those that were not.
+// Counts the requests since the server started: answered ones by call and code, and dropped ones.
 #pragma once
 
 #include <atomic>

@@ -96,9 +96,7 @@ Packet Session::heartbeat(std::uint32_t sensor) const {
 }
 
 void Session::push(const Packet& packet) {
-  const std::uint64_t dropped_before = queue_.droppedPackets();
-  queue_.push(packet);
-  traffic_.dropped_packets += queue_.droppedPackets() - dropped_before;
+  traffic_.dropped_packets += queue_.push(packet);
   transport_.wake();
 }
 

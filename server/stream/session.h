@@ -1,4 +1,4 @@
-// One stream as the transports see it: who may have it, its packets, and what its producer is to do.
+// One stream between its producer and the transports: its token, its packets and its state.
 #pragma once
 
 #include <atomic>
@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "saccade/v1/control.pb.h"
 #include "stream/change_notifier.h"
@@ -17,7 +18,7 @@
 
 namespace saccade {
 
-// Packets that wait for one stream's client; those it has not acknowledged besides, see CreditQueue.
+// Memory of the packets that wait for one stream's client. CreditQueue bounds the unacknowledged ones.
 inline constexpr std::uint64_t kQueueBytes = 4 << 20;
 
 inline constexpr std::string_view kTopicPrefix = "s/";  // of every topic; the stream's id follows
@@ -25,8 +26,8 @@ inline constexpr std::string_view kTopicPrefix = "s/";  // of every topic; the s
 // All members may be called from any thread.
 class Session {
  public:
-  // `transport` is woken when there is something to send, `producer` is raised when started(), stopping(),
-  // hasRoom() or settled() may have changed. `transport` and `traffic`, which is added to, outlive the
+  // `transport` is woken when there is something to send. `producer` is raised when started(), stopping(),
+  // hasRoom() or settled() may have changed. Adds to `traffic`. `transport` and `traffic` must outlive the
   // session. `epoch`: of the server.
   Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
           std::shared_ptr<ChangeNotifier> producer, Traffic& traffic, std::uint64_t queue_bytes = kQueueBytes,
@@ -40,11 +41,13 @@ class Session {
   std::uint64_t epoch() const { return epoch_; }
   std::string topic(std::uint32_t sensor) const;  // BROADCAST
 
-  // Transports. start(): a receiver is there, the producer may begin. leave(): it has gone.
+  // Transports. start(): a receiver is there, the producer may begin. leave(): it has gone. The others are
+  // those of CreditQueue.
   void start();
   void leave();
-  bool sendOldest(const CreditQueue::Send& send);  // as the queue's
-  CreditQueue& queue() { return queue_; }
+  bool sendOldest(const CreditQueue::Send& send);
+  void acknowledge(std::uint32_t sensor, std::uint64_t seq) { queue_.acknowledge(sensor, seq); }
+  std::string resume(const std::vector<std::uint64_t>& from_seqs) { return queue_.resume(from_seqs); }
   Packet heartbeat(std::uint32_t sensor = 0) const;
 
   // Producer.
@@ -52,17 +55,20 @@ class Session {
   bool stopping() const { return stopping_; }
   bool hasRoom() const { return queue_.hasRoom(); }
   void push(const Packet& packet);
-  void setProgress(std::uint64_t frame, std::int64_t t_ns);  // the newest frame; told by heartbeats
-  void setLag(std::chrono::milliseconds lag) { lag_ms_ = lag.count(); }  // told by heartbeats, too
+  // For heartbeats: the newest frame, and how far the stream is behind its clock.
+  void setProgress(std::uint64_t frame, std::int64_t t_ns);
+  void setLag(std::chrono::milliseconds lag) { lag_ms_ = lag.count(); }
   v1::EndReason endReason() const { return end_reason_; }  // END_REASON_FINISHED unless stopping()
   void finish();  // END or ERROR has been pushed for every sensor; no packet follows
 
-  // Owner. stop(): the producer is to end the stream at the next frame; the first reason stands.
+  // Owner. stop(): the producer ends the stream at the next frame. The first reason stands.
   void stop(v1::EndReason reason);
   bool finished() const { return finished_; }
   bool drained() const { return finished_ && queue_.empty(); }
-  bool settled() const { return drained() || (finished_ && !has_receiver_); }  // nothing can be sent any more
-  // Since when nobody has been there for what it has, or will have; nothing while somebody is.
+  bool settled() const { return drained() || (finished_ && !has_receiver_); }  // nothing more can be sent
+  std::uint64_t droppedPackets() const { return queue_.droppedPackets(); }
+  // Time since which the stream has had no receiver; nullopt while it has one, or one could still get
+  // packets.
   std::optional<ChangeNotifier::Clock::time_point> unattended() const;
 
  private:

@@ -1,4 +1,4 @@
-// The streams that transports may serve.
+// The streams that transports may serve, by id. All members may be called from any thread.
 #pragma once
 
 #include <map>

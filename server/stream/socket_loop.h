@@ -1,7 +1,7 @@
 // One ZeroMQ socket and the thread that owns it. The only place where ZeroMQ is used.
 //
-// Peers are strangers: what one may send, and what waits for it, is bounded here and in the libzmq that
-// deploy/libzmq builds. deploy/THREAT_MODEL.md says against whom.
+// Peers are untrusted: this class and the libzmq that deploy/libzmq builds bound what one may send, and what
+// waits for it. deploy/THREAT_MODEL.md names the attackers.
 #pragma once
 
 #include <chrono>
@@ -21,7 +21,7 @@ namespace saccade {
 class SocketLoop {
  public:
   struct Message {
-    std::string peer;                // the connection it came by
+    std::string peer;                // name of its connection
     std::string user;                // the peer's public key; empty without keys
     std::vector<std::string> parts;  // at most kMaxParts of strict_router.h
   };
@@ -32,18 +32,18 @@ class SocketLoop {
   using OnGone = std::function<void(const std::string& peer)>;  // the connection has ended
   static constexpr std::chrono::milliseconds kUntilWoken{-1};
 
-  // Binds; throws std::runtime_error naming the endpoint, also where there are keys and a stranger is let in,
-  // and where libzmq has no bounds for peers.
+  // Binds. Throws std::runtime_error naming the endpoint where that fails, where a socket with keys lets an
+  // unknown client in, and where libzmq has no bounds for peers.
   explicit SocketLoop(const SocketOptions& options);
   ~SocketLoop();
   SocketLoop(const SocketLoop&) = delete;
   SocketLoop& operator=(const SocketLoop&) = delete;
 
   const std::string& endpoint() const { return endpoint_; }  // with the real port
-  // When the thread last went around; a wake-up makes it do so. From any thread.
+  // When the thread last completed a loop; a wake-up makes it do one. From any thread.
   std::chrono::steady_clock::time_point lastTurn() const;
   WakeFd& wake() { return wake_; }
-  // What a call throws is logged, and costs no more than its message.
+  // Starts the thread, which makes these calls. An exception of a call is logged, and loses only its message.
   void start(OnMessage on_message, OnTurn on_turn, OnGone on_gone);
   // Ends the thread, sends what was accepted for at most a second, and closes the socket.
   void stop();
@@ -56,10 +56,10 @@ class SocketLoop {
     std::string_view bytes;
     std::shared_ptr<const std::string> owner;
   };
-  // From the loop's own thread. kFull: the peer does not read; kGone: there is no such peer any more.
+  // From the loop's own thread, without blocking. kFull: the peer does not read; kGone: it has disconnected.
   enum class Sent { kYes, kFull, kGone };
   Sent send(const std::string& peer, std::initializer_list<Part> parts);
-  // A key may have been taken off the list since its owner connected.
+  // Whether the key is on the list now: it may have been removed since its owner connected.
   bool allows(const std::string& user) const;
 
  private:

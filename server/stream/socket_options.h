@@ -1,4 +1,4 @@
-// What a socket of the server is: its address, who may connect, and the bounds of what waits.
+// Settings of a server socket: its address, its access rules, and the bounds of its queues.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace saccade {
 
-// Only clients with a key on the list may connect, over CURVE.
+// CURVE keys: only clients with a key on the list may connect.
 struct ServerKeys {
   std::string secret;  // the server's own
   std::shared_ptr<ClientKeys> clients;
 };
 
-// Who may connect to a socket, and how often.
+// The access rules of a socket.
 struct Access {
   std::optional<ServerKeys> keys;  // none: everybody may connect
   int connections = 1024;          // at once
@@ -27,10 +27,10 @@ struct Access {
 
 struct SocketOptions {
   std::string endpoint;                    // port 0 or * takes a free one; IPv6 where the host is in brackets
-  bool for_subscribers = false;            // SUB sockets connect; else DEALERs
+  bool for_subscribers = false;            // true: SUB sockets connect; false: DEALERs
   std::int64_t max_part_bytes = 64 << 10;  // a peer that sends a larger part is disconnected
   int send_queue = 64;                     // messages that wait for one peer
-  std::size_t send_queue_bytes = 16 << 20;  // and their bytes, but for the last message
+  std::size_t send_queue_bytes = 16 << 20;  // their bytes; the last message may exceed it
   Access access;
 };
 

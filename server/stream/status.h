@@ -1,4 +1,4 @@
-// How a request went, as its reply says it.
+// Makes the Status of a reply.
 #pragma once
 
 #include <string>

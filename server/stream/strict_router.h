@@ -1,5 +1,4 @@
-// A ROUTER that expects harm of its peers: what one may send is bounded in the libzmq that deploy/libzmq
-// builds.
+// A ROUTER socket for untrusted peers. The libzmq that deploy/libzmq builds bounds what one may send.
 #pragma once
 
 #include <zmq.hpp>
@@ -10,7 +9,7 @@ namespace saccade {
 
 inline constexpr int kMaxParts = 2;  // of one message: a peer that sends more is disconnected
 
-// Not bound yet. Throws std::runtime_error where libzmq has no bounds for peers.
+// A socket that is yet to be bound. Throws std::runtime_error where libzmq has no bounds for peers.
 zmq::socket_t makeRouter(zmq::context_t& context, const SocketOptions& options);
 
 }  // namespace saccade

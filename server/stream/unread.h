@@ -1,4 +1,4 @@
-// What one peer has asked for and not taken yet.
+// Counts the replies that one peer has asked for and not taken yet.
 #pragma once
 
 #include <atomic>
@@ -13,14 +13,14 @@ namespace saccade {
 
 struct Unread {
   const std::string user = {};   // of the peer
-  std::atomic<int> replies = 0;  // from the request until the kernel has the reply
+  std::atomic<int> replies = 0;  // each from its request until the kernel has it
   std::atomic<std::int64_t> bytes = 0;
 };
 
-// One reply of these. Where it is never made, that is counted.
+// One such reply, counted for as long as this object lives. One that is never made counts as dropped.
 class UnreadReply {
  public:
-  // `expected`: its bytes until it is made.
+  // `expected`: the bytes to count until it is made.
   UnreadReply(std::shared_ptr<Unread> peer, std::size_t expected, RequestCounts& counts)
       : peer_(std::move(peer)), counts_(counts) {
     ++peer_->replies;

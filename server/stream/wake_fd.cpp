@@ -16,7 +16,7 @@ WakeFd::~WakeFd() {
   close(fd_);
 }
 
-// The counter cannot overflow in practice, and EAGAIN means that it is readable already.
+// EAGAIN means that the counter is readable already.
 void WakeFd::wake() {
   eventfd_write(fd_, 1);
 }

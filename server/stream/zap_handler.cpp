@@ -7,7 +7,7 @@ namespace saccade {
 namespace {
 
 constexpr std::size_t kKeyBytes = 32;
-// ZMQ_ZAP_ENFORCE_DOMAIN, which Debian's header hides: without a handler CURVE would let any key in.
+// ZMQ_ZAP_ENFORCE_DOMAIN, which Debian's header hides. Without it, CURVE without a handler accepts any key.
 constexpr int kZapEnforceDomain = 93;
 
 std::string keyText(const std::string& bytes) {

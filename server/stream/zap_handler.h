@@ -1,4 +1,4 @@
-// Answers libzmq's question whether a client may connect [ZeroMQ RFC 27, ZAP], on a thread of its own.
+// Tells libzmq which clients may connect [ZeroMQ RFC 27, ZAP], on a thread of its own.
 #pragma once
 
 #include <memory>
@@ -12,11 +12,11 @@
 
 namespace saccade {
 
-// The answer to one request, both in the parts of the RFC: 200 to a client of mechanism CURVE whose key is
-// allowed, with the key as its User-Id, and 400 to everything else.
+// The answer to one request, both in the parts of the RFC. A CURVE client whose key is allowed gets 200, with
+// the key as its User-Id; anything else gets 400.
 std::vector<std::string> answerZap(const std::vector<std::string>& request, const ClientKeys& clients);
 
-// For all sockets of `context` that secureServer() has been called on. To be made before they are bound.
+// Serves all sockets of `context` on which secureServer() was called. Make it before they are bound.
 class ZapHandler {
  public:
   ZapHandler(zmq::context_t& context, std::shared_ptr<const ClientKeys> clients);
@@ -31,8 +31,8 @@ class ZapHandler {
   std::thread thread_;
 };
 
-// Lets only clients through that know the server's public key, and that the handler allows. Without a handler
-// nobody comes in.
+// Lets a socket accept only clients that know the server's public key and that the handler allows. Without a
+// handler it accepts none.
 void secureServer(zmq::socket_t& socket, const std::string& secret_key);
 
 }  // namespace saccade

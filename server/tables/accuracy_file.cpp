@@ -6,6 +6,7 @@
 
 #include "tables/accuracy_table.h"
 #include "tables/table_file.h"
+#include "wire/ranges.h"
 
 namespace saccade {
 namespace {
@@ -18,8 +19,8 @@ void readSettings(const TableFile& file, AccuracyTable& table) {
       std::min(table.width, table.height) < 1) {
     file.fail("size is \"" + file.field("size") + "\", not WxH");
   }
-  table.bounces = file.integer("bounces", 0, 64);
-  table.threshold = file.number("threshold", 1e-3, 10);
+  table.bounces = file.integer("bounces", ranges::kBounces.min, ranges::kBounces.max);
+  table.threshold = file.number("threshold", ranges::kThreshold.min, ranges::kThreshold.max);
 }
 
 MeasuredSetting readRow(const TableFile& file) {
@@ -30,7 +31,7 @@ MeasuredSetting readRow(const TableFile& file) {
   } catch (const std::runtime_error& fault) {
     file.fail(fault.what());
   }
-  row.spp = file.integer("spp", 1, 65536);
+  row.spp = file.integer("spp", ranges::kSpp.min, ranges::kSpp.max);
   if (!row.method.takes(row.spp)) file.fail(row.method.name + " cannot run at " + file.field("spp") + " spp");
   row.cpu_ms = file.number("cpu_ms", 0, 1e9);
   row.false_events = file.number("false_events", 0, 1e9);

@@ -6,15 +6,10 @@
 #include <utility>
 
 #include "base/default_cache.h"
+#include "base/names.h"
 
 namespace saccade {
 namespace {
-
-std::string join(const std::set<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "nothing" : text;
-}
 
 double errors(const MeasuredSetting& s) {
   return s.false_events + s.missed_events;
@@ -66,11 +61,10 @@ std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const Setti
   if (!settings.empty()) return settings;
   if (!methods.empty()) {
     throw NotMeasured(rendering.method + " is not measured on " + rendering.scene +
-                      "; measured are: " + join(methods));
+                      "; measured are: " + joinNames(methods));
   }
-  const auto scenes = table.scenes();
   throw NotMeasured("the scene " + rendering.scene +
-                    " is not measured; measured are: " + join({scenes.begin(), scenes.end()}));
+                    " is not measured; measured are: " + joinNames(table.scenes()));
 }
 
 MeasuredSetting mostAccurate(const std::vector<MeasuredSetting>& settings, double budget_ms) {

@@ -7,6 +7,7 @@
 
 #include "tables/simplification_table.h"
 #include "tables/table_file.h"
+#include "wire/ranges.h"
 
 namespace saccade {
 namespace {
@@ -31,7 +32,7 @@ std::string joined(const SceneFeatures& features) {
 
 MeasuredModel readRow(const TableFile& file) {
   return {.scene = file.field("scene"),
-          .model = {file.integer("bounces", 0, 64), readFeatures(file)},
+          .model = {file.integer("bounces", ranges::kBounces.min, ranges::kBounces.max), readFeatures(file)},
           .cpu_ms = file.number("cpu_ms", 0, 1e9),
           .false_events = file.number("false_events", 0, 1e9),
           .missed_events = file.number("missed_events", 0, 1e9),

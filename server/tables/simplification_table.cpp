@@ -4,7 +4,7 @@
 #include <set>
 
 #include "base/default_cache.h"
-#include "scene/files/text.h"
+#include "base/names.h"
 
 namespace saccade {
 

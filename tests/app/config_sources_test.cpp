@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -99,10 +100,32 @@ TEST_F(Sources, AnUnknownKeyIsAnErrorThatNamesTheNearest) {
 TEST_F(Sources, AFaultNamesItsPlace) {
   EXPECT_EQ(fault("\nthreads = 9\n").find(file_ + ":2: --threads: "), 0);
   EXPECT_EQ(fault("data = \"b\"\nthreads = \n").find(file_ + ":2: "), 0);
-  EXPECT_EQ(fault("data = [1]\n").find(file_ + ":1: 'data' is to be"), 0);
+  EXPECT_EQ(fault("data = [1]\n").find(file_ + ":1: 'data' must be"), 0);
   EXPECT_EQ(fault("data = \"b\"\ndata = \"c\"\n").find(file_ + ":2: "), 0);
   setenv("SACCADE_LOG_LEVEL", "loud", 1);
   EXPECT_EQ(fault("").find("SACCADE_LOG_LEVEL: --log-level: "), 0) << fault("");
+}
+
+TEST_F(Sources, ATextWithoutQuotesIsToldToWantThem) {
+  for (const char* value : {"tcp://127.0.0.1:1", "debug", "info", "/usr/share", "127.0.0.1:1"}) {
+    EXPECT_NE(fault(std::string("data = ") + value + "\n").find("a text wants quotes"), std::string::npos)
+        << value;
+  }
+  for (const char* line : {"data = \"a", "data = ", "data = \"b\"\ndata = \"c\""}) {
+    EXPECT_EQ(fault(std::string(line) + "\n").find("a text wants quotes"), std::string::npos) << line;
+  }
+}
+
+TEST_F(Sources, AMisspeltVariableIsWarnedAbout) {
+  setenv("SACCADE_THREAD", "2", 1);
+  setenv("SACCADE_CLIENT_KEY", "of the client", 1);
+  const auto warnings = apply().warnings();
+  unsetenv("SACCADE_THREAD");
+  unsetenv("SACCADE_CLIENT_KEY");
+  const std::string warning = "no option is set by SACCADE_THREAD; did you mean SACCADE_THREADS?";
+  EXPECT_EQ(std::count(warnings.begin(), warnings.end(), warning), 1);
+  for (const std::string& other : warnings)
+    EXPECT_EQ(other.find("by SACCADE_CLIENT_KEY;"), std::string::npos) << other;
 }
 
 TEST_F(Sources, AFileThatIsNotThereIsAnError) {

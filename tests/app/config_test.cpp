@@ -46,7 +46,24 @@ TEST(Config, AFaultEndsItNamingThePlace) {
   EXPECT_EQ(said.text.find("saccaded: SACCADE_THREADS: "), 0) << said.text;
 }
 
-// Whoever opens a server to all must have said so.
+TEST(Config, APortAloneIsNoEndpoint) {
+  const Said said = ask({"--check-config", "--control", "6140"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.text.find("--control: '6140' is no endpoint such as tcp://127.0.0.1:5770"),
+            std::string::npos)
+      << said.text;
+  EXPECT_EQ(ask({"--check-config", "--control", "ipc:///tmp/config_test.sock"}).status, 0);
+}
+
+TEST(Config, AMisspeltVariableIsWarnedAbout) {
+  setenv("SACCADE_THREAD", "2", 1);
+  const Said said = ask({"--check-config"});
+  unsetenv("SACCADE_THREAD");
+  EXPECT_EQ(said.status, 0);
+  EXPECT_NE(said.text.find("SACCADE_THREAD; did you mean SACCADE_THREADS?"), std::string::npos) << said.text;
+}
+
+// --insecure opens a server to all: a slip of the hand must not set it.
 TEST(Config, WhatIsNeitherTrueNorFalseIsNoFlag) {
   for (const char* value : {"10", "1", "yes", "tru"}) {
     const Said said = ask({"--check-config", std::string("--insecure=") + value});

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
 #include "stream/raw_request.h"
 #include "wire/protocol.h"
+#include "wire/ranges.h"
 
 namespace saccade {
 namespace {
@@ -55,8 +55,8 @@ TEST(RequestBounds, NameTheFieldThatHasTooMuch) {
   constexpr std::size_t kMany = 1'000'000;
   const std::vector<Case> cases{
       {opening(times(kMany, field(7, ""))), "sensors"},
-      {opening(keys(kMaxKeyframes + 1)), "trajectory.keyframes.keys"},
-      {opening(keys(kMaxKeyframes) + keys(1)), "trajectory.keyframes.keys"},
+      {opening(keys(ranges::kKeyframes.max + 1)), "trajectory.keyframes.keys"},
+      {opening(keys(ranges::kKeyframes.max) + keys(1)), "trajectory.keyframes.keys"},
       {opening(field(5, times(65, field(3, "")))), "method.params"},
       {opening(field(5, field(3, field(1, std::string(300, 'x'))))), "method.params.key"},
       {opening(field(6, times(kMany, field(5, "")))), "quality.disabled_features"},
@@ -81,15 +81,15 @@ TEST(RequestBounds, LetThroughAsMuchAsMayBe) {
   v1::Request request;
   v1::OpenStream& open = *request.mutable_open_stream();
   open.set_scene(std::string(256, 'x'));
-  for (int i = 0; i < kMaxSensors; ++i) open.add_sensors()->set_threshold(0.1);
-  for (int i = 0; i < kMaxKeyframes; ++i)
+  for (int i = 0; i < ranges::kSensors.max; ++i) open.add_sensors()->set_threshold(0.1);
+  for (int i = 0; i < ranges::kKeyframes.max; ++i)
     open.mutable_trajectory()->mutable_keyframes()->add_keys()->set_time_s(i);
   for (int i = 0; i < 64; ++i) open.mutable_quality()->add_disabled_features("textures");
   for (int i = 0; i < 64; ++i) (*open.mutable_method()->mutable_params())[std::to_string(i)] = i;
   const std::string newer = field(99, std::string(4000, 'x'));
   EXPECT_NO_THROW(checkBounds(request.SerializeAsString() + opening(newer)));
   v1::Request long_text;
-  long_text.mutable_open_stream()->mutable_trajectory()->set_csv(std::string(kMaxCsvBytes, ' '));
+  long_text.mutable_open_stream()->mutable_trajectory()->set_csv(std::string(ranges::kMaxCsvBytes, ' '));
   EXPECT_NO_THROW(checkBounds(long_text.SerializeAsString()));
 }
 

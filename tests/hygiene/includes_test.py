@@ -16,7 +16,7 @@ ROOMS = {
     "stream": "wire base",
     "ops": "base",
     "feed": "base frame scene render filter methods",
-    "tables": "base scene render methods",
+    "tables": "base scene wire render methods",
     "app": "base frame scene wire render filter methods feed tables events stream ops",
     "eval": "base frame scene wire render filter methods feed tables events",
     "client": "wire",

@@ -88,7 +88,7 @@ TEST(Process, EndsInTimeThoughNobodyReadsItsLog) {
   subscriber.receiveAll(1);
   client.close(stream);
   server.signal(SIGTERM);
-  ASSERT_TRUE(waitUntil([&] { return !server.running(); }, kLogPatience + std::chrono::seconds(4)));
+  ASSERT_TRUE(waitUntil([&] { return !server.running(); }, kLogTimeout + std::chrono::seconds(4)));
   EXPECT_EQ(server.finish(), 0);
 }
 

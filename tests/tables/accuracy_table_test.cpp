@@ -161,7 +161,7 @@ TEST_F(AccuracyTableTest, WhatIsNotMeasuredIsSaid) {
             "pt-correlated is not measured on box; measured are: event_svgf, pt, svgf");
   const AccuracyTable empty = read("# " + kSettings + "\n" + kColumns + "\n");
   EXPECT_EQ(told<NotMeasured>([&] { settingsFor(empty, box()); }),
-            "the scene box is not measured; measured are: nothing");
+            "the scene box is not measured; measured are: none");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The bytes as they are: clients read the columns in place.
+// No compression: clients read the columns in place.
 #include "wire/codec_table.h"
 
 namespace saccade {

@@ -1,7 +1,7 @@
-// What the server bounds, for all and for each client: the one table of it.
+// The table of the server's limits, some for all clients together and some for each client.
 //
-// A client is its public key. Without keys nobody can tell clients apart: then those of one client bind
-// nothing.
+// A client is a public key. Without keys clients cannot be told apart, and the limits of one client bind
+// nobody.
 #pragma once
 
 #include <array>
@@ -46,8 +46,8 @@ struct LimitRow {
   Limit limit;
   const char* name;  // on the wire; the option is --limit-<name>
   double fallback, min;
-  const char* unit;  // empty: a number of things
-  const char* what;
+  const char* unit;  // empty: a count
+  const char* what;  // for people
 };
 
 const std::array<LimitRow, kLimits>& limitTable();  // in the order of Limit
@@ -55,30 +55,30 @@ inline const LimitRow& rowOf(Limit limit) {
   return limitTable()[static_cast<std::size_t>(limit)];
 }
 
-// That of one client beside one for all; most have none.
+// The limit of one client that belongs to a limit of all; most have none.
 std::optional<Limit> ofOneClient(Limit limit);
 
-// A value for each.
+// The value of each limit.
 class Limits {
  public:
   Limits();  // the defaults
   double& operator[](Limit limit) { return values_[static_cast<std::size_t>(limit)]; }
   double operator[](Limit limit) const { return values_[static_cast<std::size_t>(limit)]; }
-  std::uint64_t bytes(Limit limit) const;  // of one in MiB
+  std::uint64_t bytes(Limit limit) const;  // of a limit in MiB
   friend bool operator==(const Limits&, const Limits&) = default;
 
  private:
   std::array<double, kLimits> values_;
 };
 
-// A number with the unit of the limit, for people.
+// An amount with the unit of the limit, for people; above 1 it is rounded up.
 std::string amountText(Limit limit, double amount);
 
-// Others who hold what is wanted end when they like.
+// Suggested retry delay when other clients hold the limit: nobody knows when they end.
 inline constexpr double kRetrySeconds = 2;
 
+// CODE_RESOURCE_EXHAUSTED: "limit NAME: message". `retry_after_s` as in Status.
 struct LimitReached : Refusal {
-  // `retry_after_s` as in Status.
   LimitReached(Limit limit, std::string field, const std::string& message, double retry_after_s = 0);
 };
 

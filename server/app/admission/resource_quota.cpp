@@ -1,6 +1,6 @@
 #include "app/admission/resource_quota.h"
 
-#include "app/admission/limits.h"
+#include <algorithm>
 
 namespace saccade {
 
@@ -45,9 +45,8 @@ void ResourceQuota::add(const std::string& client, const std::vector<Share>& sha
   for (const Share& share : shares) taken_[share.limit] += sign * share.amount;
   if (client.empty()) return;
   Taken& own = taken_by_[client];
-  bool none = true;
   for (const Share& share : shares) own[share.limit] += sign * share.amount;
-  for (const auto& [limit, amount] : own) none &= amount == 0;
+  const bool none = std::all_of(own.begin(), own.end(), [](const auto& entry) { return entry.second == 0; });
   if (none) taken_by_.erase(client);
 }
 

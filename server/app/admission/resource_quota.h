@@ -1,4 +1,4 @@
-// What all streams together, and those of each client, may take of the machine.
+// The ledger of limited resources: what all streams, and those of each client, hold of them.
 #pragma once
 
 #include <chrono>
@@ -12,11 +12,10 @@
 
 namespace saccade {
 
-// So much of a limit, for the sake of a field.
 struct Share {
   Limit limit;
-  double amount;
-  std::string field = {};
+  double amount;           // in the limit's unit
+  std::string field = {};  // of the request that asks for it, for the refusal
 };
 
 class ResourceQuota {
@@ -24,12 +23,13 @@ class ResourceQuota {
   explicit ResourceQuota(const Limits& limits) : limits_(limits) {}
   const Limits& limits() const { return limits_; }
 
-  // All of the shares, or none; given back when the last copy goes. The budget must outlive it. `client`: its
-  // public key, empty without keys. Throws Refusal naming the first limit that is too low.
+  // Takes all of the shares or none. They are given back when the last copy of the result goes, which the
+  // quota must outlive. `client`: its public key, empty without keys. Throws LimitReached naming the first
+  // limit that is too low.
   std::shared_ptr<void> take(const std::string& client, const std::vector<Share>& shares);
 
-  // So much of a limit that is a rate. Throws LimitReached until what was used before is paid off: one amount
-  // may exceed the limit.
+  // Takes an amount of a limit that is a rate. Throws LimitReached until the time that earlier amounts take
+  // at this rate is over. A single amount may exceed the limit.
   void use(Limit rate, double amount);
 
  private:
@@ -42,7 +42,7 @@ class ResourceQuota {
   std::mutex mutex_;
   Taken taken_;
   std::map<std::string, Taken> taken_by_;        // by client
-  std::map<Limit, Clock::time_point> paid_off_;  // of rates
+  std::map<Limit, Clock::time_point> paid_off_;  // by rate: when the amounts so far are paid off
 };
 
 }  // namespace saccade

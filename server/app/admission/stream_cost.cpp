@@ -17,11 +17,12 @@ void checkMost(Limit limit, const std::string& field, double value, const Limits
 
 }  // namespace
 
-// Measured on streams of 1 and 17 sensors; a sensor with all its options on takes three times the plainest.
+// Measured on streams of 1 and 17 sensors. A sensor with all options takes three times as much as the
+// plainest.
 double streamMemory(const ResolvedStream& stream) {
-  constexpr double kFeedBytes = 260, kSensorBytes = 24;  // for a pixel
-  constexpr double kEventBytes = 57;                     // until the events of a frame have become packets
-  constexpr double kPacketBytes = 640;                   // of the packets of a frame, but for their events
+  constexpr double kFeedBytes = 260, kSensorBytes = 24;  // per pixel
+  constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
+  constexpr double kPacketBytes = 640;                   // per packet, without its events
   const FeedConfig& feed = stream.feed;
   const double pixels = (feed.width + 2.0 * ImageF::kBorder) * (feed.height + 2.0 * ImageF::kBorder);
   const double packets = 1 + 1e9 / kPacketTimeNs / feed.frame_rate_hz;

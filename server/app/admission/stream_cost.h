@@ -1,4 +1,4 @@
-// What one stream takes of the limits.
+// The amounts that one stream takes of the limits.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace saccade {
 
-// Gives each sensor its share of the events that a frame may have, unless it asks for less. Throws
-// LimitReached where it asks for more: it would not get the events it had elsewhere.
+// Gives each sensor its share of the limit `events`, unless it asks for less. Throws LimitReached where it
+// asks for more: it would get other events than on a server that allows them.
 void boundEvents(ResolvedStream& stream, const Limits& limits);
 
-// MiB, about: the most memory of a stream that looks through a view of its own, but for its queue.
+// MiB: an estimate of the most memory of a stream with a feed of its own, without its queue.
 double streamMemory(const ResolvedStream& stream);
 
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits);
 
-// Throws LimitReached: the request exceeds a limit that each stream has for itself.
+// Throws LimitReached where the request exceeds a limit of single streams.
 void checkAlone(const v1::OpenStream& request, const Limits& limits);
 
 }  // namespace saccade

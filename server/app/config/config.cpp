@@ -17,7 +17,7 @@
 namespace saccade {
 namespace {
 
-// `path`, or empty.
+// `path` where the file exists, else empty.
 std::string ifThere(const std::string& path) {
   std::error_code none;
   return std::filesystem::exists(path, none) ? path : "";
@@ -25,6 +25,12 @@ std::string ifThere(const std::string& path) {
 
 constexpr int kUsage = 2;            // exit status
 constexpr double kUnlimited = 1e12;  // more than any machine has
+
+// Why `text` is no endpoint; empty if it looks like one.
+std::string endpointFault(const std::string& text) {
+  if (text.find("://") != std::string::npos) return {};
+  return "'" + text + "' is no endpoint such as tcp://127.0.0.1:5770";
+}
 
 void addLimits(CLI::App& app, Limits& limits) {
   for (const LimitRow& row : limitTable()) {
@@ -44,32 +50,38 @@ void addLimits(CLI::App& app, Limits& limits) {
   }
 }
 
-// What is asked for besides serving.
+// What the command line asks for instead of serving.
 struct CliAction {
   std::string file;
   bool print = false, check = false;
 };
 
-void addErrands(CLI::App& app, CliAction& errand) {
-  app.add_option("--config", errand.file, "TOML file of these options; SACCADE_CONFIG in the environment")
+void addActions(CLI::App& app, CliAction& action) {
+  app.add_option("--config", action.file,
+                 "TOML file of these options; default: SACCADE_CONFIG of the environment")
       ->configurable(false);
-  app.add_flag("--print-config", errand.print, "print every option with its value and origin, as such a file")
+  app.add_flag("--print-config", action.print,
+               "print every option with its value and origin as such a file, and end")
       ->configurable(false);
-  app.add_flag("--check-config", errand.check, "say whether the server could start so")->configurable(false);
+  app.add_flag("--check-config", action.check, "check the configuration, and end")->configurable(false);
   app.set_version_flag("--version", SACCADE_VERSION)->configurable(false);
   app.get_help_ptr()->configurable(false);
   app.footer(
-      "What no flag sets is taken from the environment (--log-level from SACCADE_LOG_LEVEL), then from "
-      "the file of --config (log-level = \"debug\").");
+      "An ENDPOINT is tcp://ADDRESS:PORT, or ipc://FILE for clients on this machine. Port 0 takes a free "
+      "port; the line `ready` of the log names it.\n\n"
+      "A flag beats the environment (SACCADE_LOG_LEVEL for --log-level), which beats the file of --config "
+      "(log-level = \"debug\").");
 }
 
-void run(const CliAction& errand, const Config& config, const ConfigSources& sources) {
-  if (errand.print) std::fputs(sources.describe().c_str(), stdout);
-  if (errand.check) {
+void run(const CliAction& action, const Config& config, const ConfigSources& sources) {
+  for (const std::string& warning : sources.warnings())
+    std::fprintf(stderr, "saccaded: %s\n", warning.c_str());
+  if (action.print) std::fputs(sources.describe().c_str(), stdout);
+  if (action.check) {
     openAccess(config);
     std::fprintf(stderr, "the configuration is valid\n");
   }
-  if (errand.print || errand.check) std::exit(0);
+  if (action.print || action.check) std::exit(0);
 }
 
 Config defaultConfig() {
@@ -84,17 +96,22 @@ Config defaultConfig() {
 }  // namespace
 
 void addOptions(CLI::App& app, Config& config) {
-  app.add_option("--control", config.control, "endpoint for requests")->capture_default_str();
-  app.add_option("--data", config.data, "endpoint for streams with credit")->capture_default_str();
-  app.add_option("--broadcast", config.broadcast, "endpoint for broadcast streams")->capture_default_str();
+  const CLI::Validator endpoint(endpointFault, "ENDPOINT");
+  app.add_option("--control", config.control, "socket for requests")->check(endpoint)->capture_default_str();
+  app.add_option("--data", config.data, "socket for lossless and live streams")
+      ->check(endpoint)
+      ->capture_default_str();
+  app.add_option("--broadcast", config.broadcast, "socket for broadcast streams")
+      ->check(endpoint)
+      ->capture_default_str();
   app.add_option("--http", config.http, "address of /metrics, /healthz and /readyz; off: none")
       ->capture_default_str();
   app.add_option("--drain-time", config.drain_s,
-                 "seconds that receivers have to take what is left, on SIGTERM")
+                 "seconds that receivers have on SIGTERM to take the packets that are left")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
   app.add_option("--lease", config.lease_s,
-                 "seconds that a stream without a receiver lives on, and can be resumed")
+                 "seconds that a stream without a receiver lives on and can be resumed")
       ->check(CLI::Range(0.1, 86400.0))
       ->capture_default_str();
   app.add_option("--secret-key", config.secret_key, "file of the server's secret key, from `saccade keygen`")
@@ -110,15 +127,13 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--scenes", config.scenes, "folder of the scenes")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
-  app.add_option(
-         "--accuracy", config.accuracy,
-         "results.csv of `saccade-eval chart`, which budgets of streams are answered from; default: " +
-             defaultAccuracyTable() + ", if it is there")
+  app.add_option("--accuracy", config.accuracy,
+                 "table for streams with a budget: results.csv of `saccade-eval chart`; default: " +
+                     defaultAccuracyTable() + ", if it is there")
       ->check(CLI::ExistingFile)
       ->default_str(config.accuracy);
   app.add_option("--simplification", config.simplification,
-                 "table of `saccade-eval simplification`, which Quality.max_event_change is answered from; "
-                 "default: " +
+                 "table for streams with a max_event_change, of `saccade-eval simplification`; default: " +
                      defaultSimplificationTable() + ", if it is there")
       ->check(CLI::ExistingFile)
       ->default_str(config.simplification);
@@ -133,15 +148,15 @@ void addOptions(CLI::App& app, Config& config) {
 
 Config parseConfig(int argc, const char* const* argv) {
   Config config = defaultConfig();
-  CliAction errand;
+  CliAction action;
   CLI::App app("saccaded: renders scenes, and streams what an event camera would see of them");
   addOptions(app, config);
-  addErrands(app, errand);
+  addActions(app, action);
   try {
     app.parse(argc, argv);
     const char* file = std::getenv("SACCADE_CONFIG");
-    if (errand.file.empty() && file) errand.file = file;
-    run(errand, config, ConfigSources(app, errand.file));
+    if (action.file.empty() && file) action.file = file;
+    run(action, config, ConfigSources(app, action.file));
   } catch (const CLI::ParseError& fault) {
     std::exit(app.exit(fault) == 0 ? 0 : kUsage);
   } catch (const std::exception& fault) {

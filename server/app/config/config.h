@@ -1,4 +1,4 @@
-// What the server is told: see ConfigSources.
+// The server's configuration. ConfigSources says where its values come from.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ class App;
 namespace saccade {
 
 struct Config {
-  // Where to listen. Port 0 or * takes a free one; the `ready` line of the log states the real ones.
+  // Where to listen: tcp:// or ipc://. Port 0 or * takes a free one; the log's line `ready` names it.
   std::string control = "tcp://127.0.0.1:5770";
   std::string data = "tcp://127.0.0.1:5771";
   std::string broadcast = "tcp://127.0.0.1:5772";
@@ -32,14 +32,14 @@ struct Config {
   friend bool operator==(const Config&, const Config&) = default;
 };
 
-// The options that may be configured; they set `config`, whose values now are their defaults.
+// Adds the options that may be configured. They set `config`, whose values at the call are the defaults.
 void addOptions(CLI::App& app, Config& config);
 
-// From the command line, the environment and the file named there. --help, --print-config, --check-config and
-// faults print and end the program; faults with exit status 2.
+// Reads the command line, the environment and the file that one of them names. --help, --print-config and
+// --check-config print and end the program. So does a fault, with exit status 2.
 Config parseConfig(int argc, const char* const* argv);
 
-// The scenes of the installation this program belongs to, else of the source tree it was built from.
+// The folder of scenes of this program's installation, else of the source tree that it was built from.
 std::string findScenes();
 
 }  // namespace saccade

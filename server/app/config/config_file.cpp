@@ -7,7 +7,7 @@
 namespace saccade {
 namespace {
 
-// A file that cannot be read has no line.
+// "file:line"; the file alone where it cannot be read.
 std::string originOf(const std::string& path, const toml::source_region& source) {
   return source.begin.line > 0 ? path + ":" + std::to_string(source.begin.line) : path;
 }
@@ -16,11 +16,19 @@ std::string valueText(const Setting& setting, const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return *text;
   if (!node.is_number() && !node.is_boolean()) {
     throw std::runtime_error(setting.origin + ": '" + setting.key +
-                             "' is to be a text, a number, true or false");
+                             "' must be a text in quotes, a number, true or false");
   }
   std::ostringstream text;
   node.visit([&](const auto& value) { text << toml::node_view<const toml::node>(value); });
   return text.str();
+}
+
+// What toml++ says of a value that it cannot read, which most often is a text without quotes.
+std::string faultText(const toml::parse_error& fault) {
+  const std::string text(fault.description());
+  const auto says = [&](const char* words) { return text.find(words) != std::string::npos; };
+  if (!says("parsing") || says("parsing string") || says("parsing key")) return text;
+  return text + "; a text wants quotes, such as log-level = \"debug\"";
 }
 
 }  // namespace
@@ -34,15 +42,14 @@ std::vector<Setting> readConfigFile(const std::string& path) {
       settings.push_back(std::move(setting));
     }
   } catch (const toml::parse_error& fault) {
-    throw std::runtime_error(originOf(path, fault.source()) + ": " + std::string(fault.description()));
+    throw std::runtime_error(originOf(path, fault.source()) + ": " + faultText(fault));
   }
   return settings;
 }
 
 std::string quoteToml(const std::string& text) {
   using Flags = toml::format_flags;
-  // In the literal form there are no escapes, and one of many lines would lose a line end that it begins
-  // with.
+  // The literal form has no escapes, and the form of many lines loses a line end at the beginning.
   constexpr auto kFlags =
       toml::toml_formatter::default_flags & ~Flags::allow_literal_strings & ~Flags::allow_multi_line_strings;
   const toml::value<std::string> value(text);

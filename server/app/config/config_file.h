@@ -14,8 +14,8 @@ struct Setting {
 // The settings of a file in its order of keys. Throws std::runtime_error naming file and line.
 std::vector<Setting> readConfigFile(const std::string& path);
 
-// A text as TOML writes it: on one line, in quotes, with escapes. Bytes that are no UTF-8 have no form in
-// TOML, and become the characters of Latin-1.
+// A text as TOML writes it: on one line, in quotes, with escapes. TOML has no form for bytes that are not
+// UTF-8: they become the characters of Latin-1.
 std::string quoteToml(const std::string& text);
 
 }  // namespace saccade

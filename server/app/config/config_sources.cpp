@@ -1,5 +1,7 @@
 #include "app/config/config_sources.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -10,6 +12,11 @@
 
 namespace saccade {
 namespace {
+
+constexpr const char* kPrefix = "SACCADE_";
+// What saccade reads, or saccaded besides its options.
+constexpr const char* kOtherVariables[] = {"SACCADE_SERVER", "SACCADE_CLIENT_KEY", "SACCADE_SERVER_KEY",
+                                           "SACCADE_CONFIG", "SACCADE_REAL_SCENES"};
 
 bool isNumber(const CLI::Option& option) {
   const std::string type = option.get_type_name();
@@ -29,7 +36,7 @@ std::string valueOf(const CLI::Option& option) {
 }  // namespace
 
 std::string variableName(const std::string& key) {
-  std::string name = "SACCADE_";
+  std::string name = kPrefix;
   for (const char c : key) {
     name += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
@@ -48,6 +55,23 @@ std::vector<CLI::Option*> ConfigSources::options() const {
   return app_.get_options([](const CLI::Option* option) { return option->get_configurable(); });
 }
 
+std::vector<std::string> ConfigSources::keys() const {
+  std::vector<std::string> keys;
+  for (const CLI::Option* option : options()) keys.push_back(option->get_single_name());
+  return keys;
+}
+
+std::vector<std::string> ConfigSources::warnings() const {
+  std::vector<std::string> valid(std::begin(kOtherVariables), std::end(kOtherVariables)), warnings;
+  for (const std::string& key : keys()) valid.push_back(variableName(key));
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string text = *entry, name = text.substr(0, text.find('='));
+    if (!name.starts_with(kPrefix) || std::find(valid.begin(), valid.end(), name) != valid.end()) continue;
+    warnings.push_back("no option is set by " + name + "; did you mean " + nearestName(name, valid) + "?");
+  }
+  return warnings;
+}
+
 void ConfigSources::applyEnvironment() {
   for (CLI::Option* option : options()) {
     const std::string variable = variableName(option->get_single_name());
@@ -57,12 +81,11 @@ void ConfigSources::applyEnvironment() {
 }
 
 void ConfigSources::applyFile(const std::string& file) {
-  std::vector<std::string> keys;
-  for (const CLI::Option* option : options()) keys.push_back(option->get_single_name());
+  const std::vector<std::string> valid = keys();
   for (const Setting& setting : readConfigFile(file)) {
-    if (std::find(keys.begin(), keys.end(), setting.key) == keys.end()) {
+    if (std::find(valid.begin(), valid.end(), setting.key) == valid.end()) {
       throw std::runtime_error(setting.origin + ": there is no '" + setting.key + "'; did you mean '" +
-                               nearestName(setting.key, keys) + "'?");
+                               nearestName(setting.key, valid) + "'?");
     }
     set(*app_.get_option("--" + setting.key), setting.value, setting.origin);
   }

@@ -9,12 +9,11 @@ namespace saccade {
 namespace {
 
 void requireLoopback(const std::string& option, const std::string& endpoint) {
-  const bool address = endpoint.find("://") != std::string::npos;  // else the socket says what is wrong
-  if (!address || isLoopback(endpoint)) return;
+  if (isLoopback(endpoint)) return;
   throw std::runtime_error(
       option + ": " + endpoint +
-      " is open to other machines: give --secret-key and --client-keys, or --insecure where "
-      "whoever reaches it may use it");
+      " is open to other machines: give --secret-key and --client-keys, or --insecure to let every machine "
+      "that reaches it in");
 }
 
 std::optional<ServerKeys> openKeys(const Config& config) {
@@ -22,7 +21,7 @@ std::optional<ServerKeys> openKeys(const Config& config) {
     throw std::runtime_error("--secret-key and --client-keys belong together");
   }
   if (!config.secret_key.empty() && config.insecure) {
-    throw std::runtime_error("--insecure: there are keys, which it would make useless");
+    throw std::runtime_error("--insecure contradicts --secret-key and --client-keys: give one or the other");
   }
   if (!config.secret_key.empty()) {
     return ServerKeys{readCurveKey(config.secret_key), std::make_shared<ClientKeys>(config.client_keys)};

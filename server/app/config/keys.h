@@ -1,4 +1,4 @@
-// Who may connect, by the configuration.
+// Access rules of the sockets, from the configuration.
 #pragma once
 
 #include "app/config/config.h"
@@ -6,9 +6,9 @@
 
 namespace saccade {
 
-// Of all sockets. Throws std::runtime_error or std::invalid_argument naming the option: keys are given by
-// halves or cannot be read, or there are none, and an address is open to other machines, and `insecure` does
-// not say that this is meant.
+// The keys and connection limits of all sockets. Throws std::runtime_error or std::invalid_argument naming
+// the option: only one of the two key files is given, a key file cannot be read, or an address is open to
+// other machines without keys and without `insecure`.
 Access openAccess(const Config& config);
 
 }  // namespace saccade

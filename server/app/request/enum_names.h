@@ -3,29 +3,31 @@
 
 #include <cctype>
 #include <string>
+#include <vector>
 
 #include "app/request/refusal.h"
 #include "base/check.h"
+#include "base/names.h"
 
 namespace saccade {
 
-// Throws unless `value` is one that the schema names. `value` 0 becomes `fallback`.
+// `value`, or `fallback` where it is 0. Throws Refusal unless the schema names the value.
 template <class Enum>
 Enum resolveEnum(const std::string& field, Enum value, Enum fallback) {
   const auto* names = google::protobuf::GetEnumDescriptor<Enum>();
   if (value == 0) return fallback;
   if (names->FindValueByNumber(value)) return value;
-  std::string valid;
-  for (int i = 1; i < names->value_count(); ++i) valid += (i > 1 ? ", " : "") + names->value(i)->name();
+  std::vector<std::string> valid;
+  for (int i = 1; i < names->value_count(); ++i) valid.push_back(names->value(i)->name());
   throw Refusal(v1::CODE_INVALID_ARGUMENT, field,
-                std::to_string(value) + " is no " + names->name() + "; valid: " + valid);
+                std::to_string(value) + " is no " + names->name() + "; valid: " + joinNames(valid));
 }
 
-// What the code calls a value of the schema: RECONSTRUCTION_KALMAN without the prefix "RECONSTRUCTION_" is
-// "kalman".
+// A value's name in lower case and without its prefix: "kalman" of RECONSTRUCTION_KALMAN without
+// "RECONSTRUCTION_".
 std::string nameWithout(const std::string& prefix, const std::string& value);
 
-// The reverse. The schema has a value of that name.
+// The reverse. The schema must have a value of that name.
 template <class Enum>
 Enum valueNamed(const std::string& prefix, const std::string& name) {
   std::string full = prefix;

@@ -10,7 +10,7 @@ namespace {
 // A kind of table.
 template <class Table>
 struct Kind {
-  std::string name, answers, command;  // for people; `command` makes it
+  std::string name, answers, command;  // for people: what it is, what it is for, what makes it
   std::string default_path;
   Table (*read)(const std::string& path);
 };

@@ -1,4 +1,4 @@
-// The tables that were measured on this machine, as they were found when the server started.
+// The measured tables that the server found when it started.
 #pragma once
 
 #include <string>
@@ -16,17 +16,17 @@ struct MeasuredSource {
 
   v1::BudgetInfo info() const;
 };
-using AccuracySource = MeasuredSource<AccuracyTable>;              // budgets are answered from it
-using SimplificationSource = MeasuredSource<SimplificationTable>;  // and Quality.max_event_change
+using AccuracySource = MeasuredSource<AccuracyTable>;              // for Quality.budget_ms, max_false_rate
+using SimplificationSource = MeasuredSource<SimplificationTable>;  // for Quality.max_event_change
 
 struct MeasuredTables {
   AccuracySource accuracy;
   SimplificationSource simplification;
 };
 
-// Read `path`, which may be empty: no table. One that was measured on another processor is not used. They say
-// in the log what they found. They throw std::runtime_error where the file is faulty, unless it is the
-// default one, which nobody has asked for.
+// Read `path`; empty: no table. They do not use one that was measured on another processor, and log what they
+// found. They throw std::runtime_error where the file is faulty, but only log it for the default file, which
+// nobody asked for.
 AccuracySource openAccuracySource(const std::string& path);
 SimplificationSource openSimplificationSource(const std::string& path);
 

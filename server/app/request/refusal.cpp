@@ -16,7 +16,7 @@ v1::Status statusOfException() {
     status.set_limit(refusal.limit);
     status.set_retry_after_s(refusal.retry_after_s);
     return status;
-  } catch (const SceneError& fault) {  // trajectories have become Refusals: this is the scene's own file
+  } catch (const SceneError& fault) {  // of the scene's file: those of trajectories have become Refusals
     return makeStatus(v1::CODE_UNAVAILABLE, fault.what(), "scene");
   } catch (const std::bad_alloc&) {
     return noMemoryStatus();

@@ -1,10 +1,11 @@
-// Why a request is refused. Thrown where it is found out, made a Status in one place.
+// The exception that refuses a request, and its Status.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 
 #include "saccade/v1/control.pb.h"
+#include "wire/ranges.h"
 
 namespace saccade {
 
@@ -12,8 +13,8 @@ struct Refusal : std::runtime_error {
   Refusal(v1::Code code, std::string field, const std::string& message)
       : std::runtime_error(message), code(code), field(std::move(field)) {}
   v1::Code code;
-  std::string field;  // path of the offending field; empty if none is at fault
-  std::string limit;  // the one that is reached; empty unless CODE_RESOURCE_EXHAUSTED
+  std::string field;  // path of the field at fault; empty if there is none
+  std::string limit;  // name of the limit that is reached; empty unless CODE_RESOURCE_EXHAUSTED
   double retry_after_s = 0;
 };
 
@@ -24,5 +25,9 @@ v1::Status statusOfException();
 
 // Throws unless min <= value <= max; NaN throws.
 void checkRange(const std::string& field, double value, double min, double max);
+template <class T>
+void checkRange(const std::string& field, double value, const Range<T>& range) {
+  checkRange(field, value, range.min, range.max);
+}
 
 }  // namespace saccade

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
 #include "stream/status.h"
+#include "wire/ranges.h"
 
 namespace saccade {
 namespace {
@@ -23,15 +23,15 @@ struct Bound {
   std::int64_t most;
 };
 
-// Elements of a repeated field, in the whole request.
-constexpr Bound kElements[] = {{"saccade.v1.OpenStream.sensors", kMaxSensors},
-                               {"saccade.v1.Keyframes.keys", kMaxKeyframes},
+// The most elements of a repeated field, in the whole request.
+constexpr Bound kElements[] = {{"saccade.v1.OpenStream.sensors", ranges::kSensors.max},
+                               {"saccade.v1.Keyframes.keys", ranges::kKeyframes.max},
                                {"saccade.v1.Method.params", 64},
                                {"saccade.v1.Quality.disabled_features", 64}};
-// Bytes of a text that may be longer than a name.
-constexpr Bound kTexts[] = {{"saccade.v1.Trajectory.csv", kMaxCsvBytes}};
+// The most bytes of a text that may be longer than a name.
+constexpr Bound kTexts[] = {{"saccade.v1.Trajectory.csv", ranges::kMaxCsvBytes}};
 constexpr std::int64_t kMaxNameBytes = 256;
-constexpr int kMaxUnknownBytes = 4 << 10;  // of fields that a newer client may know
+constexpr int kMaxUnknownBytes = 4 << 10;  // of fields of a newer schema
 
 template <std::size_t N>
 std::int64_t mostOf(const Bound (&bounds)[N], const FieldDescriptor& field, std::int64_t otherwise) {
@@ -81,7 +81,7 @@ class Scan {
     path_.pop_back();
   }
 
-  // More than the bytes that are left is a fault of the message.
+  // A length beyond the bytes that are left is a fault of the message.
   int readLength() {
     int length = 0;
     if (!in_.ReadVarintSizeAsInt(&length) || length > in_.BytesUntilLimit()) fail();
@@ -102,7 +102,7 @@ class Scan {
       refuse(path(), "more than " + std::to_string(kMaxUnknownBytes) + " bytes of unknown fields");
   }
 
-  // As refusals name it: without the call.
+  // The path for refusals, without the call.
   std::string path() const {
     std::string text;
     for (std::size_t i = 1; i < path_.size(); ++i) text += (i > 1 ? "." : "") + path_[i]->name();

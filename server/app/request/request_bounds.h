@@ -1,5 +1,4 @@
-// Counts on the wire what parsing a request would make, before any of it is made: elements, texts, and fields
-// that nobody knows.
+// Bounds what parsing a request allocates, by a scan of its bytes before parsing.
 #pragma once
 
 #include <string_view>
@@ -8,11 +7,11 @@
 
 namespace saccade {
 
-// Throws Refusal naming the first field that has too much, or where the bytes cannot be parsed. Takes time in
-// proportion to the bytes.
+// Counts the elements of repeated fields, the bytes of texts and those of unknown fields. Throws Refusal
+// naming the first field that has too many, or where the bytes cannot be parsed. Linear in the bytes.
 void checkBounds(std::string_view request);
 
-// What checkBounds() lets through, parsed. Throws Refusal.
+// checkBounds(), then parses. Throws Refusal.
 v1::Request parseRequest(std::string_view bytes);
 
 }  // namespace saccade

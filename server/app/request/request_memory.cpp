@@ -5,7 +5,7 @@
 namespace saccade {
 namespace {
 
-// Measured on 100000 keys and on 190000 lines.
+// Measured on 100000 keyframes and on 190000 lines of CSV.
 constexpr double kPointBytes = 250, kOpeningBytes = 12;
 constexpr double kMiB = 1 << 20;
 

@@ -1,4 +1,4 @@
-// Memory that what a client sends takes, about: MiB.
+// Estimates of the memory that requests take, in MiB.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,10 @@
 
 namespace saccade {
 
-// An open_stream of so many bytes, while it is under way.
+// Of an open_stream of so many bytes, until it is answered.
 double openingMemory(std::size_t bytes);
 
-// The path of a stream, as long as it lives, and the text that tells its feed apart.
+// Of the path of a stream and of its feed's key, while the stream lives.
 double pathMemory(const v1::Trajectory& path);
 
 }  // namespace saccade

@@ -7,8 +7,8 @@
 
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
+#include "base/names.h"
 #include "base/text_cut.h"
-#include "scene/files/text.h"
 
 namespace saccade {
 namespace {
@@ -26,30 +26,30 @@ const SceneEntry& findScene(const v1::OpenStream& request, const std::vector<Sce
 }
 
 void resolveView(const v1::View& view, FeedConfig& feed) {
-  checkRange("view.width", view.width(), 1, kMaxViewSide);
-  checkRange("view.height", view.height(), 1, kMaxViewSide);
+  checkRange("view.width", view.width(), ranges::kViewSide);
+  checkRange("view.height", view.height(), ranges::kViewSide);
   feed.width = static_cast<int>(view.width());
   feed.height = static_cast<int>(view.height());
-  if (feed.width * feed.height > kMaxViewPixels) {
-    refuse("view", "a view has at most " + std::to_string(kMaxViewPixels) + " pixels");
+  if (feed.width * feed.height > ranges::kMaxViewPixels) {
+    refuse("view", "a view has at most " + std::to_string(ranges::kMaxViewPixels) + " pixels");
   }
-  if (view.has_fov_x_deg()) checkRange("view.fov_x_deg", view.fov_x_deg(), kMinFovDeg, kMaxFovDeg);
+  if (view.has_fov_x_deg()) checkRange("view.fov_x_deg", view.fov_x_deg(), ranges::kFovX);
 }
 
 void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
-  checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), 0.1, 1e5);
-  checkRange("timing.duration_s", timing.duration_s(), 0, 1e7);
-  if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), 1e-3, 1e3);
+  checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), ranges::kFrameRate);
+  checkRange("timing.duration_s", timing.duration_s(), ranges::kDuration);
+  if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), ranges::kSpeed);
   timing.set_clock(resolveEnum("timing.clock", timing.clock(), v1::CLOCK_FAST));
-  // Speed means nothing to FAST: leaving it in would tell equal feeds apart.
+  // FAST ignores the speed: cleared, so that equal feeds have equal keys.
   const double speed = timing.speed() == 0 ? 1 : timing.speed();
   timing.set_speed(timing.clock() == v1::CLOCK_PACED ? speed : 0);
   stream.feed.frame_rate_hz = timing.frame_rate_hz();
   if (timing.duration_s() == 0) return;
-  // A duration that is a whole number of frames but for rounding counts as one.
+  // A duration within rounding of a whole number of frames counts as that number.
   stream.frames = static_cast<FrameIndex>(timing.duration_s() * timing.frame_rate_hz() + 1e-6);
   if (stream.frames == 0)
-    checkRange("timing.duration_s", timing.duration_s(), 1 / timing.frame_rate_hz(), 1e7);
+    checkRange("timing.duration_s", timing.duration_s(), 1 / timing.frame_rate_hz(), ranges::kDuration.max);
 }
 
 void checkMethodName(const v1::Method& method) {
@@ -57,7 +57,7 @@ void checkMethodName(const v1::Method& method) {
   refuse("method.name", "there is no such method; there are: " + methodNames());
 }
 
-// Its name is checked.
+// checkMethodName() comes first.
 void resolveMethod(v1::Method& method, FeedConfig& feed) {
   if (method.name().empty()) method.set_name(methodTable().front().name);
   const MethodInfo* info = findMethod(method.name());
@@ -69,7 +69,7 @@ void resolveMethod(v1::Method& method, FeedConfig& feed) {
   method.mutable_params()->insert(feed.params.begin(), feed.params.end());
 
   if (method.spp() == 0) method.set_spp(2);
-  checkRange("method.spp", method.spp(), 1, 65536);
+  checkRange("method.spp", method.spp(), ranges::kSpp);
   if (!takesSpp(*info, feed.params, static_cast<int>(method.spp()))) {
     refuse("method.spp", method.name() + " traces two passes of spp / 2 paths: spp must be even");
   }
@@ -79,7 +79,7 @@ void resolveMethod(v1::Method& method, FeedConfig& feed) {
 
 void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
   if (!quality.has_bounces()) quality.set_bounces(3);
-  checkRange("quality.bounces", quality.bounces(), 0, 64);
+  checkRange("quality.bounces", quality.bounces(), ranges::kBounces);
   stream.feed.bounces = static_cast<int>(quality.bounces());
   stream.feed.monochrome = quality.monochrome();
   stream.disabled_features = resolveDisabledFeatures(quality);
@@ -87,15 +87,15 @@ void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
 }
 
 void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors) {
-  if (request.sensors_size() < 1 || request.sensors_size() > kMaxSensors) {
-    refuse("sensors", "a stream has 1 to " + std::to_string(kMaxSensors) + " sensors");
+  if (request.sensors_size() < 1 || request.sensors_size() > ranges::kSensors.max) {
+    refuse("sensors", "a stream has 1 to " + std::to_string(ranges::kSensors.max) + " sensors");
   }
   for (int i = 0; i < request.sensors_size(); ++i) {
     sensors.push_back(resolveSensor(*request.mutable_sensors(i), i, request.seed()));
   }
 }
 
-// Only who owns its feed can have it begin where nothing is known yet.
+// A feed that LIVE or BROADCAST streams share cannot begin in the middle.
 void checkFromEvents(const v1::OpenStream& request) {
   if (request.delivery() == v1::DELIVERY_LOSSLESS) return;
   for (int i = 0; i < request.sensors_size(); ++i) {
@@ -135,8 +135,8 @@ void fitTo(const Scene& scene, ResolvedStream& stream) {
   v1::View& view = *stream.request.mutable_view();
   if (!view.has_fov_x_deg()) view.set_fov_x_deg(scene.fov_x_deg);
   stream.feed.fov_x_deg = view.fov_x_deg();
-  const SceneFeatures parts = featuresOf(scene);
-  std::erase_if(stream.disabled_features, [&](SceneFeature part) { return parts.count(part) == 0; });
+  const SceneFeatures present = featuresOf(scene);
+  std::erase_if(stream.disabled_features, [&](SceneFeature feature) { return !present.contains(feature); });
   setDisabledFeatures(stream.disabled_features, *stream.request.mutable_quality());
 }
 

@@ -1,4 +1,4 @@
-// From a client's request to one that leaves nothing open: every default filled in, every value checked.
+// Resolves a client's request: checks every value and fills in every default.
 #pragma once
 
 #include <optional>
@@ -12,52 +12,43 @@
 
 namespace saccade {
 
-inline constexpr int kMaxViewSide = 4096, kMaxViewPixels = 4 << 20;  // pixels
-inline constexpr double kLeastEventChange = 1e-6;                    // share of the events
-inline constexpr double kMinFovDeg = 1, kMaxFovDeg = 170;            // horizontal
-inline constexpr int kMaxSensors = 64;
-inline constexpr std::size_t kMaxCsvBytes = 8 << 20;
-inline constexpr int kMaxKeyframes = 100'000;
-inline constexpr double kMinTurnSeconds = 1e-3, kMaxTurnSeconds = 1e3;
-
 struct ResolvedStream {
-  v1::OpenStream request;  // as StreamOpened.resolved tells it
+  v1::OpenStream request;  // as StreamOpened.resolved
   FeedConfig feed;
   std::vector<SensorConfig> sensors;
-  FrameIndex frames = 0;                             // intervals to render; 0: until closed
-  SceneFeatures disabled_features;                   // of the scene's model
-  std::optional<v1::ExpectedQuality> expected;       // where a budget was asked
-  std::optional<v1::ExpectedChange> simplification;  // where needs were
+  FrameIndex frames = 0;  // intervals to render; 0: until closed
+  SceneFeatures disabled_features;
+  std::optional<v1::ExpectedQuality> expected;       // of a request with a budget
+  std::optional<v1::ExpectedChange> simplification;  // of a request with a max_event_change
 
-  // Streams with equal keys look at the same feed.
+  // Streams with equal keys share a feed.
   std::string feedKey() const;
 };
 
-// Checks `request` against the scenes there are. The field of view may still be open, and parts of the model
-// be named that the scene lacks: that is the scene's to say, see fitTo(). Throws Refusal.
+// Checks `request` and fills in what needs no loaded scene; fitTo() does the rest. Throws Refusal.
 ResolvedStream resolve(v1::OpenStream request, const std::vector<SceneEntry>& scenes,
                        const MeasuredTables& tables);
 
-// Fills in method and bounces where the request has a budget instead, and returns what to expect of them.
+// Replaces a budget by method, spp and bounces, and returns the quality to expect; nothing without a budget.
 // `sensors`: those of the request, resolved. Throws Refusal.
 std::optional<v1::ExpectedQuality> resolveBudget(v1::OpenStream& request,
                                                  const std::vector<SensorConfig>& sensors,
                                                  const AccuracySource& accuracy);
 
-// Fills in bounces and parts to do without where the request has needs instead, and returns what to expect of
-// them. Throws Refusal.
+// Replaces max_event_change by bounces and disabled features, and returns the change to expect; nothing where
+// it is not set. Throws Refusal.
 std::optional<v1::ExpectedChange> resolveSimplification(v1::OpenStream& request,
                                                         const SimplificationSource& source);
 
-// The parts to do without, which it puts in order. Throws Refusal.
+// The disabled features, which it sorts and makes unique in `quality`. Throws Refusal.
 SceneFeatures resolveDisabledFeatures(v1::Quality& quality);
-void setDisabledFeatures(const SceneFeatures& parts, v1::Quality& quality);
+void setDisabledFeatures(const SceneFeatures& features, v1::Quality& quality);
 
-// Fills in the field of view from the scene where the request leaves it open, and takes from `without` what
-// the scene has not: it would tell equal feeds apart.
+// Fills in the scene's field of view where the request leaves it open. Removes disabled features that the
+// scene lacks, so that equal feeds have equal keys.
 void fitTo(const Scene& scene, ResolvedStream& stream);
 
-// Checks what needs no scene to be loaded, and fills in the defaults. Throws Refusal.
+// Checks what needs no loaded scene, and fills in the defaults. Throws Refusal.
 void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene);
 
 // Throws Refusal naming the key.

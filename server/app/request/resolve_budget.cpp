@@ -7,16 +7,16 @@
 namespace saccade {
 namespace {
 
-// The one that is set.
+// Returns the field of the budget that is set.
 std::string checkBudget(const v1::Quality& quality) {
   if (quality.has_budget_ms() && quality.has_max_false_rate()) {
     refuse("quality.max_false_rate", "give budget_ms or max_false_rate, not both");
   }
   if (quality.has_budget_ms()) {
-    checkRange("quality.budget_ms", quality.budget_ms(), 1e-3, 1e6);
+    checkRange("quality.budget_ms", quality.budget_ms(), ranges::kBudget);
     return "quality.budget_ms";
   }
-  checkRange("quality.max_false_rate", quality.max_false_rate(), 0, 1e3);
+  checkRange("quality.max_false_rate", quality.max_false_rate(), ranges::kMaxFalseRate);
   return "quality.max_false_rate";
 }
 
@@ -26,7 +26,7 @@ void checkLeftOpen(const v1::Method& method) {
   if (!method.params().empty()) refuse("method.params", why);
 }
 
-SettingsQuery renderingOf(const v1::OpenStream& request, const std::vector<SensorConfig>& sensors) {
+SettingsQuery queryOf(const v1::OpenStream& request, const std::vector<SensorConfig>& sensors) {
   double threshold = std::numeric_limits<double>::infinity();
   for (const SensorConfig& s : sensors) threshold = std::min({threshold, s.threshold, s.threshold_off});
   const double pixels = static_cast<double>(request.view().width()) * request.view().height();
@@ -38,7 +38,7 @@ MeasuredSetting choose(const v1::Quality& quality, const std::vector<MeasuredSet
                                  : fastest(settings, quality.max_false_rate());
 }
 
-// Fills in what was left open, in the place of the budget: sent again, the request asks for the same.
+// Replaces the budget by the setting it chose: the request, sent again, asks for the same.
 v1::ExpectedQuality take(const MeasuredSetting& setting, const AccuracyTable& table,
                          v1::OpenStream& request) {
   v1::Quality& quality = *request.mutable_quality();
@@ -73,7 +73,7 @@ std::optional<v1::ExpectedQuality> resolveBudget(v1::OpenStream& request,
            "budgets are answered for " + std::to_string(table.bounces) + " bounces; leave it out");
   }
   try {
-    return take(choose(quality, settingsFor(table, renderingOf(request, sensors))), table, request);
+    return take(choose(quality, settingsFor(table, queryOf(request, sensors))), table, request);
   } catch (const NotMeasured& fault) {
     throw Refusal(v1::CODE_UNAVAILABLE, field,
                   std::string(fault.what()) + "; `saccade-eval chart` measures more");

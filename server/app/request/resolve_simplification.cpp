@@ -1,19 +1,19 @@
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
-#include "scene/files/text.h"
+#include "base/names.h"
 
 namespace saccade {
 namespace {
 
 void checkLeftOpen(const v1::Quality& quality) {
   if (quality.has_budget_ms() || quality.has_max_false_rate())
-    refuse("quality.max_event_change", "give a budget or needs, not both");
-  const std::string why = "needs chooses it; leave it out";
+    refuse("quality.max_event_change", "give a budget or max_event_change, not both");
+  const std::string why = "max_event_change chooses it; leave it out";
   if (quality.has_bounces()) refuse("quality.bounces", why);
   if (quality.disabled_features_size() > 0) refuse("quality.disabled_features", why);
 }
 
-// Fills in the model in the place of the needs: sent again, the request asks for the same.
+// Replaces max_event_change by the model it chose: the request, sent again, asks for the same.
 v1::ExpectedChange take(const MeasuredModel& chosen, const MeasuredModel& whole,
                         const SimplificationTable& table, v1::Quality& quality) {
   quality.clear_max_event_change();
@@ -34,7 +34,7 @@ std::optional<v1::ExpectedChange> resolveSimplification(v1::OpenStream& request,
   v1::Quality& quality = *request.mutable_quality();
   if (!quality.has_max_event_change()) return std::nullopt;
   const std::string field = "quality.max_event_change";
-  checkRange(field, quality.max_event_change(), kLeastEventChange, 1);
+  checkRange(field, quality.max_event_change(), ranges::kMaxEventChange);
   checkLeftOpen(quality);
   if (!source.unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, field, source.unavailable);
   const std::vector<MeasuredModel> models = source.table.modelsOf(request.scene());
@@ -47,21 +47,21 @@ std::optional<v1::ExpectedChange> resolveSimplification(v1::OpenStream& request,
 }
 
 SceneFeatures resolveDisabledFeatures(v1::Quality& quality) {
-  SceneFeatures parts;
+  SceneFeatures features;
   for (int i = 0; i < quality.disabled_features_size(); ++i) {
     const SceneFeatureInfo* info = findFeature(quality.disabled_features(i));
     if (!info)
       refuse("quality.disabled_features[" + std::to_string(i) + "]",
-             "there is no such part; there are: " + featureNames());
-    parts.insert(info->feature);
+             "there is no such feature; there are: " + featureNames());
+    features.insert(info->feature);
   }
-  setDisabledFeatures(parts, quality);
-  return parts;
+  setDisabledFeatures(features, quality);
+  return features;
 }
 
-void setDisabledFeatures(const SceneFeatures& parts, v1::Quality& quality) {
+void setDisabledFeatures(const SceneFeatures& features, v1::Quality& quality) {
   quality.clear_disabled_features();
-  for (const std::string& name : namesOf(parts)) quality.add_disabled_features(name);
+  for (const std::string& name : namesOf(features)) quality.add_disabled_features(name);
 }
 
 }  // namespace saccade

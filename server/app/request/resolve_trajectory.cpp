@@ -5,9 +5,9 @@
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
+#include "base/names.h"
 #include "scene/camera/motion.h"
 #include "scene/files/scene_error.h"
-#include "scene/files/text.h"
 
 namespace saccade {
 namespace {
@@ -26,7 +26,7 @@ void checkMotion(v1::Motion& motion) {
   const std::string fault =
       speedFault(kindOf(motion), motion.has_speed() ? motion.speed() : motion.px_per_frame());
   if (!fault.empty()) refuse(field + rate, fault);
-  if (motion.turn_s() != 0) checkRange(field + ".turn_s", motion.turn_s(), kMinTurnSeconds, kMaxTurnSeconds);
+  if (motion.turn_s() != 0) checkRange(field + ".turn_s", motion.turn_s(), ranges::kTurn);
   // What means nothing to a kind would tell equal feeds apart.
   if (motion.kind() == v1::MOTION_KIND_SHAKE) motion.clear_turn_s();
   if (motion.kind() != v1::MOTION_KIND_SHAKE) motion.clear_seed();
@@ -36,8 +36,8 @@ void checkKeyframes(v1::Keyframes& keyframes) {
   const std::string field = "trajectory.keyframes";
   keyframes.set_interpolation(
       resolveEnum(field + ".interpolation", keyframes.interpolation(), v1::INTERPOLATION_LINEAR));
-  if (keyframes.keys_size() < 1 || keyframes.keys_size() > kMaxKeyframes)
-    refuse(field + ".keys", "give 1 to " + std::to_string(kMaxKeyframes) + " keys");
+  if (keyframes.keys_size() < 1 || keyframes.keys_size() > ranges::kKeyframes.max)
+    refuse(field + ".keys", "give 1 to " + std::to_string(ranges::kKeyframes.max) + " keys");
 }
 
 Motion motionOf(const v1::Motion& wish, const FeedConfig& feed) {
@@ -75,8 +75,8 @@ void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene) {
       std::count(scene.trajectories.begin(), scene.trajectories.end(), trajectory.name()) == 0)
     throw Refusal(v1::CODE_NOT_FOUND, "trajectory.name",
                   "the scene has no such trajectory; it has: " + names);
-  if (trajectory.csv().size() > kMaxCsvBytes)
-    refuse("trajectory.csv", "the text is longer than " + std::to_string(kMaxCsvBytes) + " bytes");
+  if (trajectory.csv().size() > ranges::kMaxCsvBytes)
+    refuse("trajectory.csv", "the text is longer than " + std::to_string(ranges::kMaxCsvBytes) + " bytes");
 }
 
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,

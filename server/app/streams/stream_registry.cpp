@@ -51,7 +51,7 @@ v1::StreamInfo Stream::info() const {
   info.set_sensors(session->sensors());
   info.set_frames_done(progress.frames);
   info.set_events(sink->events());
-  info.set_dropped_packets(session->queue().droppedPackets());
+  info.set_dropped_packets(session->droppedPackets());
   info.set_lag_s(progress.lag_s);
   double total_ms = 0;
   for (std::size_t i = 0; i < kStageNames.size(); ++i) {

@@ -7,6 +7,7 @@
 #include "base/cpu_name.h"
 #include "base/default_cache.h"
 #include "eval/bench/arguments.h"
+#include "wire/ranges.h"
 
 namespace saccade::eval {
 
@@ -33,14 +34,14 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
       ->capture_default_str();
   app.add_option("--size", o.size, "WxH")->capture_default_str();
   app.add_option("--rate", o.setup.frame_rate_hz, "frames per second")
-      ->check(CLI::Range(0.1, 1e5))
+      ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
       ->capture_default_str();
   app.add_option("--frames", o.frames, "A:B, the frames that are scored; a run starts at 0")
       ->capture_default_str();
   app.add_flag("--jitter", o.setup.jitter,
                "paths start all over the pixel, not at its centre; the reference is its mean");
   app.add_option("--bounces", o.setup.bounces, "indirect bounces")
-      ->check(CLI::Range(0, 64))
+      ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
   app.add_option("--reference", o.setup.reference_spp, "paths per pixel of the reference")
       ->check(CLI::Range(64, 1 << 20))
@@ -52,10 +53,12 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
   }
   if (o.threshold > 0) {
     app.add_option("--threshold", o.threshold, "C of the events")
-        ->check(CLI::Range(1e-3, 10.0))
+        ->check(CLI::Range(ranges::kThreshold.min, ranges::kThreshold.max))
         ->capture_default_str();
   }
-  app.add_option("--bias", o.bias, "I_eps")->check(CLI::Range(1e-12, 1e6))->capture_default_str();
+  app.add_option("--bias", o.bias, "I_eps")
+      ->check(CLI::Range(ranges::kBias.min, ranges::kBias.max))
+      ->capture_default_str();
   app.add_option("--cache", o.setup.cache, "folder that keeps reference frames")->capture_default_str();
   app.add_flag("--quick", o.quick, "half the size, fewer frames, a reference of a quarter of the paths");
 }

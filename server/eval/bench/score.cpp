@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/names.h"
 #include "eval/bench/sequence.h"
 #include "eval/metrics/brightness_change.h"
 #include "eval/metrics/error_parts.h"
@@ -133,10 +134,7 @@ const ScoreColumn& columnOf(double Score::*value) {
 }
 
 std::string scoreNames() {
-  std::string names;
-  for (const ScoreColumn& column : kScoreColumns)
-    names += (names.empty() ? "" : ", ") + std::string(column.name);
-  return names;
+  return joinRowNames(kScoreColumns);
 }
 
 Score scoreOf(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, double bias,

@@ -17,6 +17,7 @@
 #include "eval/pictures/page.h"
 #include "eval/pictures/svg_chart.h"
 #include "eval/pictures/write_text.h"
+#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
@@ -150,7 +151,7 @@ void addChartCommand(CLI::App& app) {
       ->capture_default_str();
   c->add_option("--spp", o->spp, "budgets, paths per pixel and frame")
       ->delimiter(',')
-      ->check(CLI::Range(1, 65536))
+      ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
       ->capture_default_str();
   c->add_option("--metrics", o->metrics, "columns of results.csv to draw")
       ->delimiter(',')

@@ -8,6 +8,7 @@
 #include "eval/commands/commands.h"
 #include "eval/metrics/frame_errors.h"
 #include "eval/pictures/difference_picture.h"
+#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
@@ -111,10 +112,10 @@ void addCompareCommand(CLI::App& app) {
       ->required()
       ->check(CLI::ExistingDirectory);
   command->add_option("--bias", o->bias, "I_eps, scene luminance")
-      ->check(CLI::Range(1e-12, 1e6))
+      ->check(CLI::Range(ranges::kBias.min, ranges::kBias.max))
       ->capture_default_str();
   command->add_option("--threshold", o->threshold, "C of both polarities, natural log units")
-      ->check(CLI::Range(1e-3, 10.0))
+      ->check(CLI::Range(ranges::kThreshold.min, ranges::kThreshold.max))
       ->capture_default_str();
   command->add_option("-o,--output", o->picture,
                       "PNG of the last frame's dI: dump, reference, their difference");

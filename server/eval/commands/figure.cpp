@@ -7,6 +7,7 @@
 #include "eval/bench/open_scene.h"
 #include "eval/commands/commands.h"
 #include "eval/figures/figure.h"
+#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
@@ -38,7 +39,7 @@ void addFigure(CLI::App& parent, const Figure& figure) {
       ->capture_default_str();
   c->add_option("--spp", o->spp, "budgets, paths per pixel and frame")
       ->delimiter(',')
-      ->check(CLI::Range(1, 65536))
+      ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
       ->capture_default_str();
   if (!o->speeds.empty()) {
     c->add_option("--speeds", o->speeds, "pixels per frame")
@@ -49,7 +50,7 @@ void addFigure(CLI::App& parent, const Figure& figure) {
   if (!o->thresholds.empty()) {
     c->add_option("--thresholds", o->thresholds, "C of the events")
         ->delimiter(',')
-        ->check(CLI::Range(1e-3, 10.0))
+        ->check(CLI::Range(ranges::kThreshold.min, ranges::kThreshold.max))
         ->capture_default_str();
   }
   if (o->pixel) {

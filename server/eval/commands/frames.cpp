@@ -14,6 +14,7 @@
 #include "eval/pictures/format.h"
 #include "feed/feed.h"
 #include "methods/method_spec.h"
+#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
@@ -125,17 +126,17 @@ void addFramesCommand(CLI::App& app) {
       ->capture_default_str();
   c->add_option("--method", o->feed.method, "one of: " + methodNames())->capture_default_str();
   c->add_option("--spp", o->feed.spp, "paths per pixel and frame, over both passes")
-      ->check(CLI::Range(1, 65536))
+      ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
       ->capture_default_str();
   c->add_option("--frames", o->frames, "A:B, the frames to write; the feed always starts at 0")
       ->capture_default_str();
   c->add_option("--size", o->size, "WxH")->capture_default_str();
   c->add_option("--rate", o->feed.frame_rate_hz, "frames per second")
-      ->check(CLI::Range(0.1, 1e5))
+      ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
       ->capture_default_str();
   c->add_flag("--jitter", o->feed.jitter, "paths start all over the pixel, not at its centre");
   c->add_option("--bounces", o->feed.bounces, "indirect bounces")
-      ->check(CLI::Range(0, 64))
+      ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
   c->add_option("--seed", o->feed.seed)->capture_default_str();
   c->add_option("--set", o->set, "name=value, a parameter of the method");

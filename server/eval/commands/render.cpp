@@ -9,6 +9,7 @@
 #include "eval/commands/commands.h"
 #include "eval/pictures/exr.h"
 #include "render/renderer.h"
+#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
@@ -78,7 +79,7 @@ void addRenderCommand(CLI::App& app) {
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   command->add_option("--bounces", o->bounces, "indirect bounces")
-      ->check(CLI::Range(0, 64))
+      ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
   command->add_option("--offset", o->offset, "move the camera: right,up,forward in scene units")
       ->delimiter(',')

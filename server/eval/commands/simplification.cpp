@@ -13,6 +13,7 @@
 #include "eval/commands/commands.h"
 #include "eval/pictures/format.h"
 #include "scene/scene_stats.h"
+#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
@@ -129,7 +130,9 @@ void addSimplificationCommand(CLI::App& app) {
   addBenchOptions(*c, o->bench);
   c->add_option("--method", o->method, "whose frame times are taken; events are compared on references")
       ->capture_default_str();
-  c->add_option("--spp", o->spp, "of the frame times")->check(CLI::Range(1, 65536))->capture_default_str();
+  c->add_option("--spp", o->spp, "of the frame times")
+      ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
+      ->capture_default_str();
   c->add_option("--tolerance", o->tolerance,
                 "names the cheapest model that changes at most so many of the events")
       ->capture_default_str();

@@ -5,6 +5,7 @@
 #include "eval/metrics/event_rates.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "events/sensor.h"
+#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
@@ -95,7 +96,7 @@ NoiseSize noiseSize(const std::vector<float>& noise) {
 FalseEvents countFalseEvents(const ChangeSequence& run, const ChangeSequence& truth, double bias, double C) {
   SACCADE_CHECK(run.size() == truth.size());
   SensorConfig sensor{.threshold = C, .threshold_off = C, .bias = bias, .reconstruction = "direct"};
-  sensor.max_events_per_pixel_frame = 65536;  // the law knows no bound
+  sensor.max_events_per_pixel_frame = ranges::kMaxPixelEvents.max;  // the law knows no bound
   const BrightnessSequence dL = brightnessOf(run, sensor), ref = brightnessOf(truth, sensor);
   const PixelFrames quiet(dL, ref, [&](float, float r) { return std::abs(r) <= kQuiet * C; });
   const PixelFrames all(dL, ref, [](float, float) { return true; });

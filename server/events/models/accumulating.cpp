@@ -10,7 +10,7 @@ class Accumulating final : public EventModel {
  public:
   Accumulating(const SensorConfig& config, int width, int height)
       : pixels_(config, width, height), v_(width, height) {
-    // L_0 is unknown, so that every pixel starts anywhere between its thresholds.
+    // L_0 is unknown: every pixel starts at a random level between its thresholds.
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         const std::uint64_t pixel = static_cast<std::uint64_t>(y) * width + x;

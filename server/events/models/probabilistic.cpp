@@ -1,5 +1,5 @@
 // Stochastic generation (paper, 4.6): a threshold phase uniform in [0, C), fresh for every pixel and frame,
-// so that E[K] = |dL| / C [E (31)]. Nothing is kept between frames but blindness.
+// so that E[K] = |dL| / C [E (31)]. Between frames it keeps only which pixels are blind.
 #include "base/hash_rng.h"
 #include "events/models/models.h"
 #include "events/threshold_pixels.h"
@@ -17,7 +17,7 @@ class Probabilistic final : public EventModel {
     const std::uint64_t key = hashKey(config_.seed, interval.frame);
     forEachChange(dL, [&](int x, int y, float change) {
       const std::uint64_t pixel = static_cast<std::uint64_t>(y) * width_ + x;
-      // 53 bits: the steps of a float would be seen in E[K] for a small change.
+      // 53 bits: with the steps of a float E[K] of a small change would be wrong.
       const double u = static_cast<double>(hashKey(key, pixel) >> 11) * 0x1p-53;
       const double phase = change > 0 ? u * config_.threshold : -u * config_.threshold_off;
       pixels_.advance(x, y, phase, change, events);

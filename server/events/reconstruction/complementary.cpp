@@ -1,4 +1,4 @@
-// Complementary filter [SBM18] in frame form: the high frequencies of dL, the low ones of the primal.
+// Complementary filter [SBM18] in frame form: takes high frequencies from dL and low ones from the primal.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -3,11 +3,10 @@
 //   k = P / (P + R),  P = (Q + sqrt(Q^2 + 4 Q R)) / 2
 //   Q = var_dI / (I_eps + I_prev)^2,  R = (2 - alpha) / alpha var_I_prev / (I_eps + I_prev)^2
 //
-// P is the variance of the prediction where Q and R stay as they are: the fixed point of P = (1 - k) P + Q
-// [ours, for the P of WNSM21 that follows them frame by frame]. Without a change there is thus nothing to
-// correct, at once and not by and by as the memory of a P fades: a camera that stops falls silent. Both
-// variances are relative, those of a logarithm to first order; var_I_prev stands in for that of I_now, whose
-// relative noise is much the same.
+// P is the variance of the prediction for constant Q and R: the fixed point of P = (1 - k) P + Q. [Ours; the
+// P of WNSM21 follows them frame by frame.] Without a change there is thus nothing to correct, at once: a
+// camera that stops makes no more events. Both variances are relative, which to first order makes them those
+// of a logarithm. var_I_prev replaces that of I_now, whose relative noise is much the same.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -19,18 +18,20 @@
 namespace saccade {
 namespace {
 
-// The filter takes the errors of successive primals for independent, but an accumulated primal remembers: its
-// noise n frames apart has the correlation (1 - alpha)^n, so that a mean over many frames has
-// 1 + 2 sum (1 - alpha)^n = (2 - alpha) / alpha times the variance of independent ones. A sensor does not
-// know the method's alpha; this is the default of all that accumulate. With half of it R is too small by 2,
+// The filter assumes that the errors of successive primals are independent, but those of an accumulated
+// primal have the correlation (1 - alpha)^n between frames n apart. A mean over many frames then has 1 + 2
+// sum (1 - alpha)^n = (2 - alpha) / alpha times the variance of independent ones. A sensor does not know the
+// method's alpha; this is the default of all methods that accumulate. With half of it R is too small by 2,
 // and k too large by sqrt 2.
 //
-// An accumulated dI remembers, too. To inflate Q as well, which is to inflate neither, would give the L^ of
-// least error; with R alone the change of L^ has least noise, and it is the change that fires.
+// The errors of an accumulated dI are correlated, too. Inflating Q as well, which equals inflating neither,
+// would give L^ the least error. Inflating R alone gives the change of L^ the least noise, and the change
+// makes events.
 constexpr float kPrimalAlpha = 0.1f;
 constexpr float kInflation = (2 - kPrimalAlpha) / kPrimalAlpha;
 
-constexpr float kMaxVariance = 1e12f;  // brightness spans less than 100: larger variances say no less
+constexpr float kMaxVariance =
+    1e12f;  // log brightness spans less than 100: any larger variance acts the same
 
 float clampVariance(float v) {
   return v > 0 ? std::min(v, kMaxVariance) : 0;  // NaN is 0

@@ -25,7 +25,7 @@ void PredictCorrect::advanceRow(int y, const float* I_now, const float* k, float
     const float predicted = clampTo(L[x] + dL[x], low_, high_);
     const float correction = k[x] * (logBrightness(I_now[x], I_eps_) - predicted);
     const float corrected = predicted + (I_now[x] - I_now[x] == 0 ? correction : 0);
-    // The difference of what is stored: rounding of the sum must not become a drift of its own.
+    // The difference of the stored values: rounding of the sum must not become a drift.
     dL[x] = corrected - L[x];
     L[x] = corrected;
   }

@@ -1,4 +1,5 @@
-// What complementary and Kalman filter share: brightness predicted by dL and corrected by the primal.
+// The common part of the complementary and the Kalman filter: predicts brightness by dL, corrects it by the
+// primal.
 #pragma once
 
 #include "frame/intensity_change.h"

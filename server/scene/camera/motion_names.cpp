@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "base/check.h"
+#include "base/names.h"
 #include "scene/camera/motion.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/text.h"
@@ -40,9 +41,8 @@ bool isMotionName(const std::string& name) {
 }
 
 Motion namedMotion(const std::string& name, double fov_x_deg) {
-  const auto found = std::find_if(nameTable().begin(), nameTable().end(),
-                                  [&](const NamedMotion& m) { return m.name == name; });
-  SACCADE_CHECK(found != nameTable().end());
+  const NamedMotion* found = findRow(nameTable(), name);
+  SACCADE_CHECK(found);
   const double focal_px = kMotionWidth / 2 / std::tan(fov_x_deg * std::numbers::pi / 360);
   const double speed = kMotionPxPerFrame * kMotionRateHz / focal_px;
   return {.kind = found->kind, .speed = found->moves ? speed : 0, .image_speed = true};

@@ -49,10 +49,4 @@ std::optional<long long> parseInteger(std::string_view word) {
   return parseAs<long long>(word);
 }
 
-std::string joinNames(const std::vector<std::string>& names) {
-  std::string joined;
-  for (const std::string& name : names) joined += (joined.empty() ? "" : ", ") + name;
-  return joined.empty() ? "none" : joined;
-}
-
 }  // namespace saccade

@@ -1,10 +1,8 @@
-// Text read piece by piece (lines, words, numbers), and lists of names for messages.
+// Text read piece by piece: lines, words, numbers.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace saccade {
 
@@ -18,8 +16,5 @@ std::string_view takeWord(std::string_view& text, std::string_view also = {});
 // The finite number that `word` is as a whole, or none.
 std::optional<double> parseNumber(std::string_view word);
 std::optional<long long> parseInteger(std::string_view word);
-
-// "a, b, c", or "none", for messages that list what is valid.
-std::string joinNames(const std::vector<std::string>& names);
 
 }  // namespace saccade

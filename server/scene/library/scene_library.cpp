@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "base/names.h"
 #include "scene/files/limits.h"
 #include "scene/files/plain_file.h"
 #include "scene/files/scene_error.h"
-#include "scene/files/text.h"
 #include "scene/mitsuba/mitsuba_xml.h"
 
 namespace saccade {

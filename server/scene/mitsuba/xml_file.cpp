@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/names.h"
 #include "scene/files/confinement.h"
 #include "scene/files/limits.h"
-#include "scene/files/text.h"
 
 namespace saccade {
 namespace {

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "base/names.h"
 #include "scene/files/text.h"
 
 namespace saccade {

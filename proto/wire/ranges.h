@@ -1,0 +1,40 @@
+// The range of each number that a request chooses, for the server's checks, saccade-eval's options and help.
+//
+// Both ends are valid; NaN never is. A limit of the server may be narrower. Fields that are unset, and those
+// whose 0 means "unset", are checked after their default is filled in. The comment names the fields of
+// control.proto; the hygiene test `ranges` compares control.proto and PROTOCOL.md with this table.
+#pragma once
+
+namespace saccade {
+
+template <class T>
+struct Range {
+  T min, max;
+};
+
+namespace ranges {
+
+inline constexpr Range<int> kViewSide{1, 4096};           // View.width, View.height: pixels
+inline constexpr Range<double> kFovX{1, 170};             // View.fov_x_deg: degrees
+inline constexpr Range<double> kTurn{1e-3, 1e3};          // Motion.turn_s: seconds
+inline constexpr Range<int> kKeyframes{1, 100000};        // Keyframes.keys: how many
+inline constexpr Range<double> kFrameRate{0.1, 1e5};      // Timing.frame_rate_hz: Hz
+inline constexpr Range<double> kDuration{0, 1e7};         // Timing.duration_s: seconds, at least one frame
+inline constexpr Range<double> kSpeed{1e-3, 1e3};         // Timing.speed: stream time over wall-clock time
+inline constexpr Range<int> kSpp{1, 65536};               // Method.spp: paths per pixel and frame
+inline constexpr Range<int> kBounces{0, 64};              // Quality.bounces: indirect ones
+inline constexpr Range<double> kBudget{1e-3, 1e6};        // Quality.budget_ms: CPU ms per frame
+inline constexpr Range<double> kMaxFalseRate{0, 1e3};     // Quality.max_false_rate: per pixel-frame
+inline constexpr Range<double> kMaxEventChange{1e-6, 1};  // Quality.max_event_change: share of the events
+inline constexpr Range<int> kSensors{1, 64};              // OpenStream.sensors: how many
+inline constexpr Range<double> kThreshold{1e-3, 10};      // Sensor.threshold, Sensor.threshold_off: log units
+inline constexpr Range<double> kBias{1e-12, 1e6};         // Sensor.bias: scene luminance
+inline constexpr Range<double> kRefractory{0, 10};        // Sensor.refractory_s: seconds
+inline constexpr Range<double> kCutoff{1e-4, 1e4};        // Sensor.cutoff_hz: Hz
+inline constexpr Range<int> kMaxPixelEvents{1, 65536};    // Sensor.max_events_per_pixel_frame: events
+
+inline constexpr int kMaxViewPixels = 4 << 20;  // width times height
+inline constexpr int kMaxCsvBytes = 8 << 20;    // Trajectory.csv
+
+}  // namespace ranges
+}  // namespace saccade
