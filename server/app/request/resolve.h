@@ -33,10 +33,9 @@ struct ResolvedStream {
   std::string feedKey() const;
 };
 
-// Checks `request` against the scenes there are. The field of view may still be open, and parts of the model
+// Checks `request` against its scene. The field of view may still be open, and parts of the model
 // be named that the scene lacks: that is the scene's to say, see fitTo(). Throws Refusal.
-ResolvedStream resolve(v1::OpenStream request, const std::vector<SceneEntry>& scenes,
-                       const MeasuredTables& tables);
+ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const MeasuredTables& tables);
 
 // Fills in method and bounces where the request has a budget instead, and returns what to expect of them.
 // `sensors`: those of the request, resolved. Throws Refusal.
