@@ -1,49 +1,66 @@
-#include "app/streams/frame_picture.h"
+#include "app/streams/newest_interval.h"
 
-#include <string>
+#include <spdlog/spdlog.h>
 
-#include "events/log_response.h"
+#include <new>
+#include <utility>
 
 namespace saccade {
 namespace {
 
-// Planes go out as they lie in memory: little-endian here, as on all machines we build for.
-std::string packRows(const ImageF& image) {
-  std::string bytes;
-  bytes.reserve(sizeof(float) * image.width() * image.height());
-  for (int y = 0; y < image.height(); ++y) {
-    bytes.append(reinterpret_cast<const char*>(image.row(y)), sizeof(float) * image.width());
+NewestInterval::Copy copyOf(const IntensityChange* change) noexcept {
+  if (!change) return nullptr;
+  try {
+    auto copy = std::make_shared<IntensityChange>(change->dI.width(), change->dI.height());
+    copy->copyFrom(*change);
+    return copy;
+  } catch (const std::bad_alloc&) {
+    return nullptr;
   }
-  return bytes;
 }
 
 }  // namespace
 
-void FramePicture::take(const IntensityChange& change) {
-  std::lock_guard lock(mutex_);
-  newest_.t0 = change.t0;
-  newest_.t1 = change.t1;
-  newest_.frame = change.frame;
-  newest_.dI.copyFrom(change.dI);
-  newest_.I_prev.copyFrom(change.I_prev);
-  newest_.I_now.copyFrom(change.I_now);
-  taken_ = true;
+void NewestInterval::ask(const Answer& answer) {
+  Copy copy;
+  {
+    std::lock_guard lock(mutex_);
+    if (rendering_) return waiting_.push_back(answer);
+    copy = copyOf(newest_);
+  }
+  answer(copy);
 }
 
-std::optional<v1::FramePicture> FramePicture::picture(double bias) const {
+void NewestInterval::beginFrame() {
   std::lock_guard lock(mutex_);
-  if (!taken_) return {};
-  ImageF dL(newest_.dI.width(), newest_.dI.height());
-  logResponse(newest_, static_cast<float>(bias), dL);
-  v1::FramePicture picture;
-  picture.set_width(static_cast<std::uint32_t>(dL.width()));
-  picture.set_height(static_cast<std::uint32_t>(dL.height()));
-  picture.set_frame(newest_.frame);
-  picture.set_t0_ns(newest_.t0.count());
-  picture.set_t1_ns(newest_.t1.count());
-  picture.set_intensity(packRows(newest_.I_now));
-  picture.set_brightness_change(packRows(dL));
-  return picture;
+  rendering_ = true;
+}
+
+void NewestInterval::endFrame(const IntensityChange& change) {
+  std::unique_lock lock(mutex_);
+  rendering_ = false;
+  newest_ = &change;
+  answerAll(std::move(lock));
+}
+
+void NewestInterval::endFeed() noexcept {
+  std::unique_lock lock(mutex_);
+  if (std::exchange(rendering_, false)) newest_ = nullptr;  // it may be half overwritten
+  answerAll(std::move(lock));
+}
+
+// A picture for people must not end the feed, so no fault leaves this.
+void NewestInterval::answerAll(std::unique_lock<std::mutex> lock) noexcept {
+  const auto waiting = std::exchange(waiting_, {});
+  const Copy copy = waiting.empty() ? nullptr : copyOf(newest_);
+  lock.unlock();
+  for (const Answer& answer : waiting) {
+    try {
+      answer(copy);
+    } catch (const std::exception& fault) {
+      spdlog::error("a get_frame cannot be answered: {}", fault.what());
+    }
+  }
 }
 
 }  // namespace saccade
