@@ -18,7 +18,7 @@ App::App(const Config& config)
       tables_{openAccuracySource(config.accuracy), openSimplificationSource(config.simplification)},
       quota_(config.limits),
       pool_(config.threads),
-      scenes_(config.scenes, config.limits),
+      scenes_(config.scenes, config.limits, config.meshes),
       sessions_(epoch_),
       control_({.endpoint = config.control,
                 .request_bytes = static_cast<std::int64_t>(config.limits.bytes(Limit::kMessage)),
@@ -28,8 +28,8 @@ App::App(const Config& config)
       data_(config.data, sessions_, static_cast<std::int64_t>(config.limits.bytes(Limit::kCredit)), access_),
       broadcast_(config.broadcast, sessions_, access_),
       streams_(sessions_, client_log_, StreamRegistry::Lease(config.lease_s)),
-      opener_(scenes_, tables_, pool_, quota_, streams_, {data_.wake(), broadcast_.wake()}, totals_,
-              client_log_, epoch_),
+      opener_({scenes_, tables_, pool_, quota_, streams_, data_.wake(), broadcast_.wake(), totals_,
+               client_log_, epoch_}),
       service_(scenes_, quota_, streams_, opener_, client_log_, describe(config)) {
   data_.start();
   broadcast_.start();
@@ -69,7 +69,7 @@ v1::ServerDescription App::describe(const Config& config) const {
   description.set_data_endpoint(data_.endpoint());
   description.set_broadcast_endpoint(broadcast_.endpoint());
   describeMethods(description);
-  describeParts(description);
+  describeFeatures(description);
   describeLimits(config.limits, description);
   *description.mutable_budgets() = tables_.accuracy.info();
   *description.mutable_simplification() = tables_.simplification.info();

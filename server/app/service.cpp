@@ -3,8 +3,26 @@
 #include "app/request/refusal.h"
 #include "app/request/request_bounds.h"
 #include "app/request/request_memory.h"
+#include "app/streams/frame_picture.h"
 
 namespace saccade {
+namespace {
+
+v1::Reply pictureReply(const NewestInterval::Copy& newest, double bias) {
+  v1::Reply reply;
+  try {
+    if (!newest) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the stream has no frame yet");
+    *reply.mutable_get_frame() = drawPicture(*newest, bias);
+    *reply.mutable_status() = okStatus();
+  } catch (...) {
+    reply.Clear();
+    *reply.mutable_status() = statusOfException();
+  }
+  return reply;
+}
+
+}  // namespace
+
 Service::Service(const SceneCache& scenes, ResourceQuota& quota, StreamRegistry& streams,
                  StreamOpener& opener, ClientLog& log, v1::ServerDescription description)
     : quota_(quota),
@@ -21,7 +39,7 @@ void Service::handle(RawRequest request, const Peer& peer, Answer answer) {
     answer(std::move(reply));
   };
   try {
-    hand(std::move(request), peer, tell);
+    dispatch(std::move(request), peer, tell);
   } catch (...) {
     v1::Reply refusal;
     *refusal.mutable_status() = statusOfException();
@@ -29,8 +47,8 @@ void Service::handle(RawRequest request, const Peer& peer, Answer answer) {
   }
 }
 
-// To who answers. Throws what is to be answered instead.
-void Service::hand(RawRequest raw, const Peer& peer, const Answer& answer) {
+// Hands the request to the part that answers it. Throws what is to be answered instead.
+void Service::dispatch(RawRequest raw, const Peer& peer, const Answer& answer) {
   if (raw.call == v1::Request::kOpenStream) return open(std::move(raw), peer, answer);
   const v1::Request request = parseRequest(raw.bytes);
   if (request.has_list_scenes()) return scenes_.ask(answer);
@@ -45,28 +63,22 @@ void Service::open(RawRequest request, const Peer& peer, Answer answer) {
   auto slot =
       quota_.take(peer.user, {{Limit::kRequests, 1}, {Limit::kMemory, openingMemory(request.bytes.size())}});
   opener_.open(std::move(request), peer, [answer = std::move(answer), slot](v1::Reply reply) mutable {
-    slot.reset();  // before its client, who may ask the next at once, hears of it
+    slot.reset();  // before the answer: its client may send the next request at once
     answer(std::move(reply));
   });
 }
 
-// What is packed may be large, and the last who holds a stream may be the one who ends its feed.
-void Service::getFrame(const v1::GetFrame& call, Answer answer) {
+// Copying and drawing are left to another thread, because pictures may be large. The last holder of a stream
+// ends its feed and waits for it, so the feed's own thread must never hold it.
+void Service::getFrame(const v1::GetFrame& call, const Answer& answer) {
   Stream stream = streams_.find(call.stream_id(), call.token());
   const v1::View& view = stream.request.view();
   quota_.use(Limit::kPictures, 2.0 * sizeof(float) * view.width() * view.height() / (1 << 20));
-  packer_.post([stream = std::move(stream), answer = std::move(answer)] {
-    v1::Reply reply;
-    try {
-      auto picture = stream.feed->snapshot().picture(stream.request.sensors(0).bias());
-      if (!picture) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the stream has no frame yet");
-      *reply.mutable_get_frame() = std::move(*picture);
-      *reply.mutable_status() = okStatus();
-    } catch (...) {
-      *reply.mutable_status() = statusOfException();
-    }
-    answer(std::move(reply));
-  });
+  const double bias = stream.request.sensors(0).bias();
+  auto draw = [bias, answer, pictures = std::weak_ptr(pictures_)](const NewestInterval::Copy& newest) {
+    if (const auto worker = pictures.lock()) worker->post([=] { answer(pictureReply(newest, bias)); });
+  };
+  pictures_->post([stream = std::move(stream), draw = std::move(draw)] { stream.feed->newest().ask(draw); });
 }
 
 void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& reply) {
@@ -114,11 +126,11 @@ void describeMethods(v1::ServerDescription& description) {
   }
 }
 
-void describeParts(v1::ServerDescription& description) {
+void describeFeatures(v1::ServerDescription& description) {
   for (const SceneFeatureInfo& info : featureTable()) {
-    v1::SceneFeatureInfo& part = *description.add_scene_features();
-    part.set_name(info.name);
-    part.set_description(info.description);
+    v1::SceneFeatureInfo& feature = *description.add_scene_features();
+    feature.set_name(info.name);
+    feature.set_description(info.description);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "app/streams/scene_lister.h"
@@ -16,18 +17,18 @@ class Service {
  public:
   using Answer = std::function<void(v1::Reply)>;
 
-  // Keeps references. `description` is what ServerInfo answers.
+  // Keeps references. `description` is the answer to ServerInfo.
   Service(const SceneCache& scenes, ResourceQuota& quota, StreamRegistry& streams, StreamOpener& opener,
           ClientLog& log, v1::ServerDescription description);
 
-  // Does not block; `answer` is called once, perhaps later and from another thread. `peer` is who asks:
-  // streams are listed to those who opened them.
+  // Does not block. `answer` is called once, now or later, on any thread. `peer` is the client; it sees only
+  // the streams that it has opened.
   void handle(RawRequest request, const Peer& peer, Answer answer);
 
  private:
-  void hand(RawRequest request, const Peer& peer, const Answer& answer);
+  void dispatch(RawRequest request, const Peer& peer, const Answer& answer);
   void open(RawRequest request, const Peer& peer, Answer answer);
-  void getFrame(const v1::GetFrame& call, Answer answer);
+  void getFrame(const v1::GetFrame& call, const Answer& answer);
   void fill(const v1::Request& request, const Peer& peer, v1::Reply& reply);
   v1::StreamList listStreams(const std::string& user) const;
 
@@ -37,12 +38,12 @@ class Service {
   ClientLog& log_;
   const v1::ServerDescription description_;
   SceneLister scenes_;
-  Worker packer_;  // of pictures
+  const std::shared_ptr<Worker> pictures_ = std::make_shared<Worker>();  // copies and draws for get_frame
 };
 
-// The methods there are, as ServerInfo lists them.
+// Adds all methods.
 void describeMethods(v1::ServerDescription& description);
-// The parts of a scene's model that a stream can do without.
-void describeParts(v1::ServerDescription& description);
+// Adds all features of a scene that a stream can disable.
+void describeFeatures(v1::ServerDescription& description);
 
 }  // namespace saccade

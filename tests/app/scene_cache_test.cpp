@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
+#include <filesystem>
+#include <thread>
+
 #include "app/admission/limits.h"
+#include "scene/scratch.h"
 
 namespace saccade {
 namespace {
@@ -58,7 +62,8 @@ TEST_F(SceneMemory, WhatIsInUseStays) {
 
 TEST_F(SceneMemory, CountsASceneWithoutPartsToo) {
   SceneCache scenes(kFolder, bounded(static_cast<double>(bytesOf({kThird}) * 3 / 2)));
-  EXPECT_THROW(scenes.get(kThird, {SceneFeature::kMipFiltering}), LimitReached);
+  const auto whole = scenes.get(kThird);
+  EXPECT_THROW(scenes.simplify(kThird, whole, {SceneFeature::kMipFiltering}), LimitReached);
 }
 
 // And no other scene is evicted for it.
@@ -72,6 +77,92 @@ TEST_F(SceneMemory, WhatNeverFitsIsRefusedForGood) {
     EXPECT_EQ(reached.retry_after_s, 0);
   }
   EXPECT_EQ(scenes.loads().evicted, 0u);
+}
+
+TEST_F(SceneMemory, ASimplifiedSceneIsBuiltOnceForEachVersionOfTheWhole) {
+  SceneCache scenes(kFolder);
+  auto whole = scenes.get(kThird);
+  EXPECT_EQ(scenes.simplify(kThird, whole, {}), whole);
+  const SceneFeatures disabled{SceneFeature::kTextures};
+  const auto simplified = scenes.simplify(kThird, whole, disabled);
+  EXPECT_NE(simplified, whole);
+  EXPECT_TRUE(simplified->description().textures.empty());
+  EXPECT_EQ(scenes.simplify(kThird, whole, disabled), simplified);
+  SceneCache other(kFolder);
+  EXPECT_NE(scenes.simplify(kThird, other.get(kThird), disabled), simplified);  // of another version
+}
+
+TEST_F(SceneMemory, SimplifiedScenesThatAreInUseAreBounded) {
+  Limits limits;
+  limits[Limit::kReducedScenes] = 1;
+  SceneCache scenes(kFolder, limits);
+  const auto whole = scenes.get(kThird);
+  auto used = scenes.simplify(kThird, whole, {SceneFeature::kTextures});
+  EXPECT_THROW(scenes.simplify(kThird, whole, {SceneFeature::kMipFiltering}), LimitReached);
+  used.reset();
+  EXPECT_NE(scenes.simplify(kThird, whole, {SceneFeature::kMipFiltering}), nullptr);
+  EXPECT_EQ(scenes.loads().evicted, 1u);
+}
+
+TEST_F(SceneMemory, WholeScenesAreNoSimplifiedOnes) {
+  Limits limits;
+  limits[Limit::kReducedScenes] = 0;
+  SceneCache scenes(kFolder, limits);
+  EXPECT_NE(scenes.get(kFirst), nullptr);
+  EXPECT_THROW(scenes.simplify(kFirst, scenes.get(kFirst), {SceneFeature::kTextures}), LimitReached);
+}
+
+TEST_F(SceneMemory, ThreadsThatAskAtOnceShareOneLoad) {
+  SceneCache scenes(kFolder);
+  std::vector<SceneCache::ScenePtr> got(4);
+  {
+    std::vector<std::jthread> threads;
+    for (auto& one : got) threads.emplace_back([&] { one = scenes.get(kFirst); });
+  }
+  EXPECT_EQ(scenes.loads().done, 1u);
+  for (const auto& one : got) EXPECT_EQ(one, got[0]);
+}
+
+// A folder with one scene of one mesh.
+class SceneNotes : public testing::Test {
+ protected:
+  SceneNotes() { spdlog::set_level(spdlog::level::warn); }
+
+  void writeMesh(const std::string& text) { files_.write("mine/a.obj", text); }
+  const Scratch files_;
+  const std::string file_ =
+      files_.write("mine/scene.xml",
+                   "<scene><sensor type='perspective'><float name='fov' value='40'/></sensor>"
+                   "<shape type='obj'><string name='filename' value='a.obj'/></shape></scene>");
+  SceneCache scenes_{files_.path("")};
+};
+
+TEST_F(SceneNotes, KeepTheReasonOfAFailureUntilTheSceneLoads) {
+  EXPECT_EQ(scenes_.note("mine").failure, "");
+  writeMesh("v 0 0\n");
+  for (int attempt = 0; attempt < 2; ++attempt) EXPECT_THROW(scenes_.get("mine"), SceneError);
+  EXPECT_NE(scenes_.note("mine").failure.find("a.obj:1: "), std::string::npos)
+      << scenes_.note("mine").failure;
+  EXPECT_EQ(scenes_.loads().failed, 2u);
+  writeMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_NE(scenes_.get("mine"), nullptr);
+  EXPECT_EQ(scenes_.note("mine").failure, "");
+  EXPECT_NE(scenes_.note("mine").stats, "");
+}
+
+TEST_F(SceneNotes, AreOfTheFileAsItIsNow) {
+  writeMesh("v 0 0\n");
+  EXPECT_THROW(scenes_.get("mine"), SceneError);
+  std::filesystem::last_write_time(file_, std::filesystem::last_write_time(file_) + std::chrono::seconds(1));
+  EXPECT_EQ(scenes_.note("mine").failure, "");
+}
+
+TEST_F(SceneNotes, AChangedFileIsAnotherScene) {
+  writeMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto before = scenes_.get("mine");
+  EXPECT_EQ(scenes_.get("mine"), before);
+  std::filesystem::last_write_time(file_, std::filesystem::last_write_time(file_) + std::chrono::seconds(1));
+  EXPECT_NE(scenes_.get("mine"), before);
 }
 
 }  // namespace

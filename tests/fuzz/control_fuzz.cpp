@@ -33,7 +33,7 @@ MeasuredTables measuredTables() {
 struct World {
   MeasuredTables tables = measuredTables();
   SceneCache scenes{SACCADE_SOURCE_DIR "/scenes"};
-  std::vector<SceneEntry> list = scenes.library().list();
+  SceneEntry entry = scenes.library().find("cornell-box").value();
   std::shared_ptr<const RenderScene> scene = scenes.get("cornell-box");
   TilePool pool{1};
   WakeFd data, broadcast;
@@ -42,23 +42,23 @@ struct World {
   SessionDirectory sessions;
   StreamRegistry streams{sessions, log, std::chrono::seconds(30)};
   ResourceQuota budget{Limits()};
-  StreamOpener opener{scenes, tables, pool, budget, streams, {data, broadcast}, totals, log, 1};
+  StreamOpener opener{{scenes, tables, pool, budget, streams, data, broadcast, totals, log, 1}};
   Service service{scenes, budget, streams, opener, log, {}};
 };
 
 // Whoever asks for what was resolved gets it.
 void checkResolved(const ResolvedStream& stream, const World& world) {
-  ResolvedStream again = resolve(stream.request, world.list, world.tables);
+  ResolvedStream again = resolve(stream.request, world.entry, world.tables);
   fitTo(world.scene->description(), again);
   SACCADE_CHECK(again.request.SerializeAsString().size() == stream.request.SerializeAsString().size());
   SACCADE_CHECK(again.feedKey() == stream.feedKey());
   SACCADE_CHECK(again.frames == stream.frames && again.sensors.size() == stream.sensors.size());
 }
 
-// As StreamOpener does it; every scene is the same one, that none has to be loaded.
+// As StreamMaker does it; every scene is the same one, that none has to be loaded.
 v1::Status open(const v1::OpenStream& request, const World& world) {
   try {
-    ResolvedStream stream = resolve(request, world.list, world.tables);
+    ResolvedStream stream = resolve(request, world.entry, world.tables);
     checkAlone(stream.request, world.budget.limits());
     fitTo(world.scene->description(), stream);
     checkResolved(stream, world);

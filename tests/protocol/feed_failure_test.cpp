@@ -56,7 +56,7 @@ class FeedFailure : public testing::Test {
     const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
     auto feed =
         std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method), *pool_);
-    return std::make_unique<FeedRunner>(std::move(feed), 8, 8, FeedPace{kFrames, 100, 0}, pool_, totals_);
+    return std::make_unique<FeedRunner>(std::move(feed), FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 
   static std::shared_ptr<StreamSink> makeOutlet(const std::shared_ptr<Session>& session) {

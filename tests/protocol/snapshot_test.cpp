@@ -1,4 +1,4 @@
-// Who joins a running feed is told the state of its pixels, and can follow them from there.
+// A stream that joins a running feed first gets the state of its pixels, and can follow them from there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kC = 0.3, kBias = 1e-3;
 
-// Path tracing without a filter: the change of each frame is exactly the difference of its pictures, and
-// without reconstruction a sensor's brightness is that of the picture.
+// Path tracing without a filter and without reconstruction: the change of each frame is exactly the
+// difference of its pictures, and the brightness of a sensor is that of the picture.
 v1::OpenStream sharedRequest(v1::EventModel model) {
   v1::OpenStream request = tinyRequest();
   request.set_delivery(v1::DELIVERY_LIVE);
@@ -67,11 +67,11 @@ TEST_P(Snapshot, IsTheFirstPacketOfALateJoinerWhoCanGoOnFromThere) {
   auto packet = late_.receive();
   EXPECT_EQ(packet->header.seq(), 1u);
   EXPECT_EQ(packet->header.t0_ns(), first->header.t0_ns());
-  if (!remembers) return;  // its events say nothing of single pixels
-  v1::Request look;
-  look.mutable_get_frame()->set_stream_id(late_stream_.stream_id());
-  look.mutable_get_frame()->set_token(late_stream_.token());
-  const v1::FramePicture frame = server_.client().call(look).get_frame();
+  if (!remembers) return;  // the events of this model say nothing about the level of a pixel
+  v1::Request ask;
+  ask.mutable_get_frame()->set_stream_id(late_stream_.stream_id());
+  ask.mutable_get_frame()->set_token(late_stream_.token());
+  const v1::FramePicture frame = server_.client().call(ask).get_frame();
 
   std::vector<float>& level = content.pixels.reference;
   for (; packet->header.t0_ns() < frame.t1_ns(); packet = late_.receive()) {

@@ -115,7 +115,7 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
     return std::make_shared<FeedRunner>(
         std::make_unique<Feed>(std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
                                Trajectory({{TimeNs(0), Pose{}}}), config, *pool),
-        8, 8, FeedPace{5, 100, 2}, pool, totals);
+        FeedPace{5, 100, 2}, pool, totals);
   };
   Stream stream;
   stream.request.mutable_timing()->set_clock(v1::CLOCK_PACED);

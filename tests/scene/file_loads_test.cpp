@@ -1,4 +1,4 @@
-#include "scene/mitsuba/file_loads.h"
+#include "scene/files/file_loads.h"
 
 #include "scene/files/limits.h"
 #include "scene/mitsuba_scratch.h"

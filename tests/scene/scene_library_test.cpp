@@ -18,9 +18,13 @@ using namespace std::chrono_literals;
 
 const fs::path kScenes = fs::path(SACCADE_SOURCE_DIR) / "scenes";
 
-fs::path realScenes() {
+// Meshes that our scenes name: the folder of the Debian package glmark2-data, and one of the tests' own
+// files.
+std::string meshFolders() {
   const char* given = std::getenv("SACCADE_REAL_SCENES");
-  return given ? fs::path(given) : fs::path(SACCADE_SOURCE_DIR).parent_path() / "shared" / "scenes";
+  const fs::path real =
+      given ? fs::path(given) : fs::path(SACCADE_SOURCE_DIR).parent_path() / "shared/scenes";
+  return std::string(kDefaultMeshes) + ":" + (real / "meshes").string();
 }
 
 TEST(SceneLibrary, ListsOurFourScenes) {
@@ -75,7 +79,7 @@ TEST(SceneLibrary, TexturedBoxHasOneTextureAndACheckerboard) {
 // The mesh must stand on the floor of the box, within its walls.
 void expectStandsInTheBox(const std::string& scene_name, const std::string& mesh_name,
                           std::size_t triangles) {
-  const Scene scene = SceneLibrary(kScenes).load(scene_name);
+  const Scene scene = SceneLibrary(kScenes, meshFolders()).load(scene_name);
   const auto mesh = std::find_if(scene.meshes.begin(), scene.meshes.end(),
                                  [&](const Mesh& m) { return m.name == mesh_name; });
   ASSERT_NE(mesh, scene.meshes.end());
@@ -89,50 +93,128 @@ void expectStandsInTheBox(const std::string& scene_name, const std::string& mesh
   EXPECT_NEAR(lowest, 0, 1e-3);
 }
 
+bool canOpen(const std::string& name) {
+  for (const SceneEntry& entry : SceneLibrary(kScenes, meshFolders()).list())
+    if (entry.name == name) return entry.unavailable.empty();
+  return false;
+}
+
 TEST(SceneLibrary, BunnyStandsInTheBox) {
-  if (!fs::exists("/usr/share/glmark2/models/bunny.obj")) GTEST_SKIP() << "glmark2-data is not installed";
+  if (!canOpen("cornell-bunny")) GTEST_SKIP() << "glmark2-data is not installed";
   expectStandsInTheBox("cornell-bunny", "bunny", 69666);
 }
 
 TEST(SceneLibrary, DragonStandsInTheBox) {
-  if (!fs::exists(realScenes() / "meshes" / "dragon.obj"))
-    GTEST_SKIP() << (realScenes() / "meshes" / "dragon.obj").string() << " is absent";
+  if (!canOpen("cornell-dragon")) GTEST_SKIP() << "dragon.obj is in none of " << meshFolders();
   expectStandsInTheBox("cornell-dragon", "dragon", 100000);
 }
 
 TEST(SceneLibrary, UnknownNamesListTheValidOnes) {
   const SceneLibrary library(kScenes);
   const std::string scene_error = errorOf([&] { library.load("../scenes/cornell-box"); });
-  expectContains(scene_error, "no scene is named '../scenes/cornell-box'");
+  expectContains(scene_error, "../scenes/cornell-box");
   expectContains(scene_error, "cornell-box, cornell-bunny");
   expectContains(errorOf([&] { library.loadTrajectory("cornell-box", "../arc"); }), "there are: arc, slide");
   expectContains(errorOf([] { SceneLibrary("/no/such/folder").list(); }), "not a folder");
 }
 
+TEST(SceneLibrary, NoNameLeadsOutOfTheFolder) {
+  const SceneLibrary library(kScenes / "cornell-box");
+  for (const std::string name : {"..", ".", "", "../cornell-box", "/", "a/../../cornell-box"})
+    EXPECT_FALSE(library.find(name)) << name;
+}
+
+TEST(SceneLibrary, AFileInPlaceOfANameIsToldAsThat) {
+  const SceneLibrary library(kScenes);
+  expectContains(library.unknown("my.gltf"), "my.gltf is no Mitsuba scene; only .xml is read; there are: ");
+  expectContains(library.unknown("mine/scene.xml"), "mine/scene.xml is a file; give the name of a scene");
+  expectContains(library.unknown("mine"), "no scene is named 'mine'; there are: ");
+}
+
+constexpr const char* kSensor = "<scene><sensor type='perspective'><float name='fov' value='40'/></sensor>";
+constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+std::string withMesh(const std::string& filename) {
+  return kSensor + ("\n<shape type='obj'><string name='filename' value='" + filename + "'/></shape></scene>");
+}
+
 TEST(SceneLibrary, ASceneWhoseMeshIsAbsentSaysSo) {
   const Scratch files;
-  files.write("scenes/lonely/scene.xml", "<scene>$dragon</scene>");
-  files.write("scenes/lonely/README.md", "# lonely\n\nA scene without its dragon.\n");
-  const char* given = std::getenv("SACCADE_REAL_SCENES");
-  const std::string before = given ? given : "";
-  setenv("SACCADE_REAL_SCENES", files.path("nowhere").c_str(), 1);
-  const SceneLibrary library(files.path("scenes"));
+  files.write("scenes/lonely/scene.xml", withMesh("bunny.obj"));
+  files.write("scenes/lonely/README.md", "# lonely\n\nA scene without its bunny.\n");
+  files.write("meshes/bunny2.obj", kTriangle);
+  const SceneLibrary library(files.path("scenes"), files.path("meshes"));
   const auto entries = library.list();
-  const std::string load_error = errorOf([&] { library.load("lonely"); });
-  given ? setenv("SACCADE_REAL_SCENES", before.c_str(), 1) : unsetenv("SACCADE_REAL_SCENES");
   ASSERT_EQ(entries.size(), 1u);
-  EXPECT_EQ(entries[0].description, "A scene without its dragon.");
-  expectContains(entries[0].unavailable, "dragon.obj is absent");
-  expectContains(load_error, "dragon.obj is absent");
+  EXPECT_EQ(entries[0].description, "A scene without its bunny.");
+  for (const std::string& why : {entries[0].unavailable, errorOf([&] { library.load("lonely"); })}) {
+    expectContains(why, "scene.xml:2: ");
+    expectContains(why, "bunny.obj is absent, and no folder of --meshes holds it: " + files.path("meshes"));
+  }
+}
+
+TEST(SceneLibrary, TheDefaultFolderOfMeshesIsToldWithItsPackage) {
+  const Scratch files;
+  files.write("scenes/lonely/scene.xml", withMesh("no such mesh.obj"));
+  expectContains(errorOf([&] { SceneLibrary(files.path("scenes")).load("lonely"); }),
+                 "/usr/share/glmark2/models (install the Debian package glmark2-data)");
+}
+
+TEST(SceneLibrary, AMeshComesFromBesideTheSceneOrTheFirstFolderThatHoldsIt) {
+  const Scratch files;
+  const auto triangles = [&](int count) {
+    std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (int i = 0; i < count; ++i) obj += "f 1 2 3\n";
+    return obj;
+  };
+  files.write("scenes/mine/scene.xml", withMesh("a.obj"));
+  files.write("second/a.obj", triangles(3));
+  const SceneLibrary library(files.path("scenes"), files.path("first") + ":" + files.path("second"));
+  const auto loaded = [&] { return library.load("mine").meshes.at(0).triangles.size(); };
+  EXPECT_EQ(loaded(), 3u);
+  files.write("first/a.obj", triangles(2));
+  EXPECT_EQ(loaded(), 2u);
+  files.write("scenes/mine/a.obj", triangles(1));
+  EXPECT_EQ(loaded(), 1u);
+}
+
+TEST(SceneLibrary, TheIndexFollowsChangesOfAScene) {
+  const Scratch files;
+  files.write("scenes/mine/scene.xml", withMesh("a.obj"));
+  const SceneLibrary library(files.path("scenes"), files.path("meshes"));
+  expectContains(library.list().at(0).unavailable, "a.obj is absent");
+  files.write("meshes/a.obj", kTriangle);  // no file of the scene has changed
+  EXPECT_EQ(library.list().at(0).unavailable, "");
+  files.write("scenes/mine/README.md", "A triangle.\n");
+  EXPECT_EQ(library.list().at(0).description, "A triangle.");
+  files.write("scenes/mine/trajectories/path.csv", "0 0 0 0 0 0 0 1");
+  EXPECT_EQ(library.list().at(0).trajectories.at(0), "path");
+  EXPECT_EQ(library.find("mine")->trajectories.at(0), "path");
+  const std::string file = files.write("scenes/mine/scene.xml", "<scene>");
+  fs::last_write_time(file, fs::last_write_time(file) + 1s);
+  expectContains(library.list().at(0).unavailable, "faulty XML");
+  fs::remove_all(files.path("scenes/mine"));
+  EXPECT_TRUE(library.list().empty());
+}
+
+// What has not changed is not read again: a file whose time stays as it was keeps its entry.
+TEST(SceneLibrary, TheIndexReadsOnlyWhatHasChanged) {
+  const Scratch files;
+  files.write("scenes/mine/scene.xml", std::string(kSensor) + "</scene>");
+  const std::string readme = files.write("scenes/mine/README.md", "Before.\n");
+  const SceneLibrary library(files.path("scenes"));
+  EXPECT_EQ(library.list().at(0).description, "Before.");
+  const auto time = fs::last_write_time(readme);
+  files.write("scenes/mine/README.md", "After.\n");
+  fs::last_write_time(readme, time);
+  EXPECT_EQ(library.list().at(0).description, "Before.");
 }
 
 // A scene of `body` beside a folder `secret` that is not the library's.
 std::string errorOfOutsider(const Scratch& files, const std::string& body) {
-  files.write("secret/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  files.write("scenes/meshes/b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  files.write(
-      "scenes/mine/scene.xml",
-      "<scene><sensor type='perspective'><float name='fov' value='40'/></sensor>\n" + body + "</scene>");
+  files.write("secret/a.obj", kTriangle);
+  files.write("scenes/meshes/b.obj", kTriangle);
+  files.write("scenes/mine/scene.xml", kSensor + ("\n" + body) + "</scene>");
   return errorOf([&] { SceneLibrary(files.path("scenes")).load("mine"); });
 }
 
@@ -149,7 +231,7 @@ TEST(SceneLibrary, AScenesFilesStayWithinTheFolderOfTheScenes) {
   }
   fs::create_directory_symlink(files.path("secret"), files.path("scenes/mine/models"));
   expectContains(errorOfOutsider(files, mesh("models/a.obj")), "leads out of the folder");
-  EXPECT_NO_THROW(loadMitsubaXml(files.path("scenes/mine/scene.xml")));  // who opens it by hand may
+  EXPECT_NO_THROW(loadMitsubaXml(files.path("scenes/mine/scene.xml")));  // nothing confines it by hand
   expectContains(errorOfOutsider(files,
                                  "<shape type='cube'><bsdf type='diffuse'><texture type='bitmap' "
                                  "name='reflectance'><string name='filename' value='../../secret/a.png'/>"
@@ -183,7 +265,9 @@ TEST(SceneLibrary, LinksToOtherPeoplesTextAreNotRead) {
 // Folders that hold odd things, beside one that is as it should be.
 class OddFolders : public testing::Test {
  protected:
-  OddFolders() { files_.write("good/scene.xml", "<scene/>"); }
+  OddFolders() { files_.write("good/scene.xml", kGood); }
+
+  const std::string kGood = std::string(kSensor) + "</scene>";
 
   std::string at(const std::string& name) { return files_.path(name); }
   void makeFifo(const std::string& name) { ASSERT_EQ(mkfifo(at(name).c_str(), 0600), 0) << name; }
@@ -230,9 +314,9 @@ TEST_F(OddFolders, LinksInCirclesAreToldBySceneAndHurtNoOther) {
   fs::create_symlink("scene.xml", at("scene/scene.xml"));
   expectUnavailable("scene", "scene/scene.xml: Too many levels of symbolic links");
   fs::remove(at("scene/scene.xml"));
-  files_.write("scene/scene.xml", "<scene/>");
+  files_.write("scene/scene.xml", kGood);
   fs::create_symlink("trajectories", at("scene/trajectories"));
-  expectUnavailable("scene", "scene/trajectories: is not a folder that can be read");
+  expectContains(entry("scene").unavailable, "scene/trajectories: is not a folder that can be read");
 }
 
 TEST_F(OddFolders, ALinkThatLeadsNowhereIsTold) {
@@ -264,7 +348,7 @@ TEST_F(OddFolders, HugeFilesAreNotReadToTheirEnds) {
 
 TEST_F(OddFolders, ANameThatIsNoUtf8IsShownButCannotBeAsked) {
   files_.write("x\xFF/scene.xml", "<scene/>");
-  expectContains(entry("x\uFFFD").unavailable, "is no UTF-8");
+  expectContains(entry("x\uFFFD").unavailable, "is not UTF-8");
   files_.write("good/trajectories/\xFF.csv", "0 0 0 0 0 0 0 1");
   files_.write("good/trajectories/path.csv", "0 0 0 0 0 0 0 1");
   fs::remove_all(at("x\xFF"));

@@ -127,6 +127,9 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--scenes", config.scenes, "folder of the scenes")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
+  app.add_option("--meshes", config.meshes,
+                 "folders, separated by ':', of meshes that scenes name and do not hold themselves")
+      ->capture_default_str();
   app.add_option("--accuracy", config.accuracy,
                  "table for streams with a budget: results.csv of `saccade-eval chart`; default: " +
                      defaultAccuracyTable() + ", if it is there")

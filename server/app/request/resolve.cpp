@@ -3,8 +3,6 @@
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 
-#include <algorithm>
-
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
 #include "base/names.h"
@@ -12,18 +10,6 @@
 
 namespace saccade {
 namespace {
-
-const SceneEntry& findScene(const v1::OpenStream& request, const std::vector<SceneEntry>& scenes) {
-  std::vector<std::string> names;
-  for (const auto& scene : scenes) names.push_back(scene.name);
-  const auto scene = std::find(names.begin(), names.end(), request.scene());
-  if (scene == names.end()) {
-    throw Refusal(v1::CODE_NOT_FOUND, "scene", "there is no such scene; there are: " + joinNames(names));
-  }
-  const SceneEntry& entry = scenes[static_cast<std::size_t>(scene - names.begin())];
-  if (!entry.unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, "scene", entry.unavailable);
-  return entry;
-}
 
 void resolveView(const v1::View& view, FeedConfig& feed) {
   checkRange("view.width", view.width(), ranges::kViewSide);
@@ -106,8 +92,7 @@ void checkFromEvents(const v1::OpenStream& request) {
 
 }  // namespace
 
-ResolvedStream resolve(v1::OpenStream request, const std::vector<SceneEntry>& scenes,
-                       const MeasuredTables& tables) {
+ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const MeasuredTables& tables) {
   ResolvedStream stream{.request = std::move(request),
                         .feed = {},
                         .sensors = {},
@@ -115,7 +100,7 @@ ResolvedStream resolve(v1::OpenStream request, const std::vector<SceneEntry>& sc
                         .expected = {},
                         .simplification = {}};
   v1::OpenStream& r = stream.request;
-  checkTrajectory(*r.mutable_trajectory(), findScene(r, scenes));
+  checkTrajectory(*r.mutable_trajectory(), scene);
   resolveView(*r.mutable_view(), stream.feed);
   resolveTiming(*r.mutable_timing(), stream);
   resolveSensors(r, stream.sensors);

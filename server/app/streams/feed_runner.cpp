@@ -27,16 +27,15 @@ void logTimes(FrameIndex frame, const StageTimes& times) {
 
 }  // namespace
 
-FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, int width, int height, const FeedPace& pace,
-                       std::shared_ptr<TilePool> pool, Totals& totals)
+FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, std::shared_ptr<TilePool> pool,
+                       Totals& totals)
     : pool_(std::move(pool)),
       feed_(std::move(feed)),
       pace_(pace),
       totals_(totals),
       luminance_p01_(feed_->firstFrameLuminance(0.01)),
       luminance_p50_(feed_->firstFrameLuminance(0.5)),
-      pixel_speed_(feed_->pixelSpeed(pace.frames)),
-      picture_(width, height) {}
+      pixel_speed_(feed_->pixelSpeed(pace.frames)) {}
 
 FeedRunner::~FeedRunner() {
   if (thread_.joinable()) thread_.join();
@@ -82,9 +81,10 @@ void FeedRunner::run() {
   } catch (...) {
     giveUp("unknown fault");
   }
+  newest_.endFeed();
 }
 
-// Takes no memory of its own: that may be what is missing.
+// Allocates nothing, because the fault may be a lack of memory.
 void FeedRunner::giveUp(const char* message) noexcept {
   spdlog::error("a feed failed at frame {}: {}", frame_, message);
   std::vector<std::shared_ptr<StreamSink>> late;
@@ -107,7 +107,7 @@ bool FeedRunner::gather() {
     endStopped();
     if (sinks_.empty() && close()) return false;
     if (ready()) return true;
-    hold();
+    holdClock();
     notifier_->wait([&] { return ready() || needsCare(); });
   }
 }
@@ -120,10 +120,10 @@ void FeedRunner::endStopped() {
   std::erase_if(sinks_, [](const auto& sink) { return sink->session().finished(); });
 }
 
-// Whoever holds the feed holds its clock.
-void FeedRunner::hold() {
+// The clock of a feed stands still while a stream holds the feed up.
+void FeedRunner::holdClock() {
   running_ = false;
-  for (auto& sink : sinks_) sink->hold();
+  for (auto& sink : sinks_) sink->clearLag();
   std::lock_guard lock(mutex_);
   progress_.lag_s = 0;
 }
@@ -134,14 +134,14 @@ void FeedRunner::admit() {
   newcomers_.clear();
 }
 
-// From here on nobody can join. False: somebody just has, and is now among the sinks.
+// Lets nobody join any more. Returns false where somebody has just joined.
 bool FeedRunner::close() {
   std::lock_guard lock(mutex_);
   ended_ = newcomers_.empty();
   return ended_;
 }
 
-// A receiver has come, and nobody who has one is without room.
+// Some stream has a receiver, and every stream with a receiver has room.
 bool FeedRunner::ready() const {
   bool any = false;
   for (const auto& sink : sinks_) {
@@ -163,33 +163,40 @@ void FeedRunner::step() {
   if (!running_ && pace_.speed > 0) wall_zero_ = ChangeNotifier::Clock::now() - wallTime(now(), pace_.speed);
   running_ = std::none_of(sinks_.begin(), sinks_.end(), [](const auto& o) { return o->catchingUp(); });
   pool_->setUrgent(running_ && pace_.speed > 0);
-  pool_->setStop(stop_.get_token());  // of rendering, not of what has been rendered
-  const IntensityChange& change = feed_->step();
-  pool_->setStop({});
-  frame_ = change.frame;
+  const IntensityChange& change = render();
   const double lag_s = running_ ? waitUntilDue(change.t1) : 0;
   StageTimes times = feed_->lastTimes();
   const auto before = threadCpuTime();
-  times[Stage::kEvents] += look(change, lag_s);
-  picture_.take(change);
+  times[Stage::kEvents] += publish(change, lag_s);
   record(times, feed_->lastChain() + (threadCpuTime() - before), lag_s);
 }
 
-// All streams look at the interval, and get their packets. Returns the CPU time of their sensors.
-std::chrono::nanoseconds FeedRunner::look(const IntensityChange& change, double lag_s) {
-  std::vector<StreamSink*> lookers;
+// Only this can be interrupted: an interval that is rendered reaches all streams.
+const IntensityChange& FeedRunner::render() {
+  newest_.beginFrame();
+  pool_->setStop(stop_.get_token());
+  const IntensityChange& change = feed_->step();
+  pool_->setStop({});
+  newest_.endFrame(change);
+  frame_ = change.frame;
+  return change;
+}
+
+// Makes the events of all streams, and gives them their packets. Returns the CPU time of the sensors.
+std::chrono::nanoseconds FeedRunner::publish(const IntensityChange& change, double lag_s) {
+  std::vector<StreamSink*> started;
   std::vector<std::pair<StreamSink*, std::size_t>> channels;
   for (auto& sink : sinks_) {
     if (!sink->session().started()) continue;
-    lookers.push_back(sink.get());
+    started.push_back(sink.get());
     for (std::size_t i = 0; i < sink->channels(); ++i) channels.emplace_back(sink.get(), i);
   }
   const auto used = pool_->run(static_cast<int>(channels.size()), [&](int i) {
     const auto [sink, channel] = channels[static_cast<std::size_t>(i)];
-    sink->look(channel, change);
+    sink->process(channel, change);
   });
   const std::chrono::milliseconds lag(lag_s > kMostLagSeconds ? std::llround(lag_s * 1e3) : 0);
-  for (StreamSink* sink : lookers) {
+  for (StreamSink* sink : started) {
     const std::uint64_t events_before = sink->events();
     sink->publish(change, lag);
     totals_.events += sink->events() - events_before;
@@ -197,7 +204,7 @@ std::chrono::nanoseconds FeedRunner::look(const IntensityChange& change, double 
   return used;
 }
 
-// Returns how late it is already.
+// Returns by how many seconds `t` is over already.
 double FeedRunner::waitUntilDue(TimeNs t) {
   if (pace_.speed == 0) return 0;
   const auto due = wall_zero_ + wallTime(t, pace_.speed);

@@ -1,9 +1,9 @@
-// Runs a feed on a thread of its own and hands each interval to the streams that look at it.
+// Runs a feed on a thread of its own and hands each interval to the streams that share it.
 //
-// A stream takes part from the first frame after its receiver has come until it is stopped, and then gets its
-// END. Frames are rendered while at least one stream has a receiver, and none is without room; at their pace,
-// but for those that a stream is not to get. The sensors of all streams look at a frame in one run of the
-// pool.
+// A stream takes part from the first frame after its receiver has attached until it is stopped; then it gets
+// its END. A frame is rendered when some stream has a receiver, and every stream with a receiver has room.
+// Frames keep the pace, except those that a resumed stream skips. One run of the pool serves the sensors of
+// all streams.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/streams/frame_picture.h"
+#include "app/streams/newest_interval.h"
 #include "app/streams/stream_sink.h"
 #include "app/streams/totals.h"
 #include "base/recent_mean.h"
@@ -23,38 +23,38 @@
 namespace saccade {
 
 struct FeedPace {
-  FrameIndex frames = 0;     // intervals to render; 0: while anyone looks
+  FrameIndex frames = 0;     // intervals to render; 0: until the last stream ends
   double frame_rate_hz = 0;  // > 0
   double speed = 0;          // stream seconds per second; 0: as fast as possible
 };
 
 struct FeedProgress {
   FrameIndex frames = 0;  // intervals done
-  double lag_s = 0;       // how far the last one came after it was due; 0 without a pace
+  double lag_s = 0;       // by how much the last one missed its time; 0 without a pace
   StageTimes cpu;         // of all intervals together
-  RecentMean recent_s;    // CPU time for an interval, but for events
-  RecentMean chain_s;     // the part of an interval that does not become shorter by more threads
+  RecentMean recent_s;    // CPU time for an interval, without its events
+  RecentMean chain_s;     // the part of that time that more threads do not shorten
 };
 
 class FeedRunner {
  public:
-  // `pool`: that of `feed`, and of no other: it is urgent while the feed is at its pace. Keeps a reference to
-  // `totals`, which it adds to.
-  FeedRunner(std::unique_ptr<Feed> feed, int width, int height, const FeedPace& pace,
-             std::shared_ptr<TilePool> pool, Totals& totals);
-  ~FeedRunner();  // its streams must be stopped, or the feed must have an end
+  // `pool` must be the one of `feed`, and of no other feed: it has priority while the feed keeps its pace.
+  // Adds to `totals`, which must outlive this.
+  FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, std::shared_ptr<TilePool> pool,
+             Totals& totals);
+  ~FeedRunner();  // waits for the thread: all streams must be stopped, or the feed must have an end
   FeedRunner(const FeedRunner&) = delete;
   FeedRunner& operator=(const FeedRunner&) = delete;
 
-  // What sessions raise for this feed.
+  // Sessions raise this to wake the feed.
   const std::shared_ptr<ChangeNotifier>& notifier() const { return notifier_; }
-  // False: the feed has ended. The first sink starts the thread.
+  // Adds a stream; the first one starts the thread. Returns false where the feed has ended.
   bool add(std::shared_ptr<StreamSink> sink);
-  // Where all streams are to stop, ends the feed amid its frame, which may take long. From any thread.
+  // Ends the feed in the middle of its frame, if all its streams are to stop. From any thread.
   void interrupt();
 
   FeedProgress progress() const;
-  const FramePicture& snapshot() const { return picture_; }
+  NewestInterval& newest() { return newest_; }
   float luminanceP01() const { return luminance_p01_; }  // of frame 0
   float luminanceP50() const { return luminance_p50_; }
   const PixelSpeed& pixelSpeed() const { return pixel_speed_; }
@@ -69,8 +69,9 @@ class FeedRunner {
   bool needsCare() const;
   bool allStopping() const;
   void step();
-  std::chrono::nanoseconds look(const IntensityChange& change, double lag_s);
-  void hold();
+  std::chrono::nanoseconds publish(const IntensityChange& change, double lag_s);
+  const IntensityChange& render();
+  void holdClock();
   void endStopped();
   double waitUntilDue(TimeNs t);
   void record(const StageTimes& times, std::chrono::nanoseconds chain, double lag_s);
@@ -84,13 +85,13 @@ class FeedRunner {
   const std::shared_ptr<ChangeNotifier> notifier_ = std::make_shared<ChangeNotifier>();
   const float luminance_p01_, luminance_p50_;
   const PixelSpeed pixel_speed_;
-  FramePicture picture_;
+  NewestInterval newest_;
 
   // The feed's thread.
-  std::vector<std::shared_ptr<StreamSink>> sinks_;  // changed under the mutex
-  FrameIndex frame_ = 0;                            // the newest one
-  bool running_ = false;                            // at its pace, since there was a reason not to
-  ChangeNotifier::Clock::time_point began_ = ChangeNotifier::Clock::now();  // the first frame
+  std::vector<std::shared_ptr<StreamSink>> sinks_;                          // changed under the mutex
+  FrameIndex frame_ = 0;                                                    // the newest one
+  bool running_ = false;                                                    // whether the feed keeps its pace
+  ChangeNotifier::Clock::time_point began_ = ChangeNotifier::Clock::now();  // when frame 1 was begun
   ChangeNotifier::Clock::time_point wall_zero_;  // when stream time 0 was due, by the pace
 
   mutable std::mutex mutex_;

@@ -19,7 +19,7 @@ std::string number(double value) {
   return text;
 }
 
-// With two digits, and not above it.
+// The value rounded down to two digits.
 std::string atMost(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return number(std::floor(value / unit) * unit);
@@ -39,7 +39,7 @@ double longestOf(const std::vector<SensorChannel>& channels) {
   return seconds(longest);
 }
 
-// Time from the beginning of a frame to its packets, in periods. `feed`: in a second.
+// How many frame periods pass from the start of a frame to its packets. `feed` is the cost of a second.
 double periodsOf(const CpuCost& feed, const CpuSupply& supply) {
   return feed.chain / supply.speed + std::max(feed.longest / supply.speed, feed.sensors / supply.threads);
 }
@@ -64,12 +64,12 @@ CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory&
     const IntensityChange& change = feed.step();
     spent.feed += seconds(feed.lastTimes().total());
     spent.chain += seconds(feed.lastChain());
-    spent.sensors += each([&](SensorChannel& channel) { channel.look(change); });
+    spent.sensors += each([&](SensorChannel& channel) { channel.process(change); });
     spent.longest += longestOf(channels);
     if (++frames == 1) first = spent;
   }
   const double left_s =
-      each([](SensorChannel& channel) { channel.flush(); }) / frames;  // where frames are short, most of it
+      each([](SensorChannel& channel) { channel.flush(); }) / frames;  // most of the cost of short frames
   CpuCost frame = frames == 1 ? first : (spent - first) * (1.0 / (frames - 1));
   frame.sensors += left_s;
   frame.longest += left_s / static_cast<double>(channels.size());
@@ -106,7 +106,7 @@ void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& t
     message += ": what fits is a frame rate of " + atMost(timing.frame_rate_hz() * fits) +
                " Hz, or a speed of " + atMost(timing.speed() * fits);
   }
-  // What others take of the machine, they may give back.
+  // Other programs may give back the CPU time that they take now.
   const CpuSupply idle{supply.most, std::min(1.0, supply.most), supply.most};
   const bool later = need <= idle.threads * share && periodsOf(own, idle) <= share;
   throw LimitReached(Limit::kCpu, "timing", message, later ? kRetrySeconds : 0);

@@ -1,15 +1,17 @@
-// The scenes in memory: each is loaded once, and shared; and once more when its scene.xml has changed. Who
-// has a scene keeps it as it was. Scenes that nobody has make room for others, the least recently used first.
+// The scenes in memory, whole and simplified. Each version of a scene is built once and shared. A scene that
+// nobody uses makes room for others; the least recently used goes first.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/admission/limits.h"
@@ -19,64 +21,83 @@
 
 namespace saccade {
 
-// Since the server started.
+// Counted since the server started.
 struct SceneLoads {
   std::atomic<std::uint64_t> done = 0, failed = 0, evicted = 0;
-  std::atomic<std::int64_t> ns = 0;  // time that took
+  std::atomic<std::int64_t> ns = 0;  // wall time of those that are done
 };
 
+// What is known of a scene since its file last changed. Both are empty until it was loaded.
+struct SceneNote {
+  std::string stats;    // triangles, materials, lights, memory, for people
+  std::string failure;  // why the last attempt to load it failed
+};
+
+// All members may be called from any thread. No lock is held while a scene is made ready for tracing.
 class SceneCache {
  public:
-  explicit SceneCache(const std::string& folder, const Limits& limits = {})
-      : library_(folder),
-        most_reduced_(static_cast<std::size_t>(limits[Limit::kReducedScenes])),
+  using ScenePtr = std::shared_ptr<const RenderScene>;
+
+  explicit SceneCache(const std::string& folder, const Limits& limits = {},
+                      const std::string& meshes = kDefaultMeshes)
+      : library_(folder, meshes),
+        most_simplified_(static_cast<std::size_t>(limits[Limit::kReducedScenes])),
         most_bytes_(limits.bytes(Limit::kScenes)) {}
 
   const SceneLibrary& library() const { return library_; }
   const SceneLoads& loads() const { return loads_; }
   std::uint64_t bytes() const;  // of all scenes in memory
-  // Loads the scene, or waits for another thread that does. Throws SceneError, and LimitReached where there
-  // is no room; a later call tries again.
-  std::shared_ptr<const RenderScene> get(const std::string& name);
-  // The same without parts of its model; shared while anyone has it. Throws SceneError, and LimitReached
-  // where too many others are in use, or there is no room.
-  std::shared_ptr<const RenderScene> get(const std::string& name, const SceneFeatures& disabled);
+  SceneNote note(const std::string& name) const;
 
-  // What a scene stats, for people; empty until it was loaded.
-  std::string stats(const std::string& name) const;
+  // The scene as its file now describes it. Loads it, or waits for another thread that does. Throws
+  // SceneError, and LimitReached where there is no room; the next call tries again.
+  ScenePtr get(const std::string& name);
+  // `whole`, which get() returned, without some features. Throws LimitReached where too many simplified
+  // scenes are in use, or there is no room.
+  ScenePtr simplify(const std::string& name, const ScenePtr& whole, const SceneFeatures& disabled);
 
  private:
-  using Loaded = std::shared_ptr<const RenderScene>;
-  struct Entry {
-    std::filesystem::file_time_type changed;
-    std::shared_future<Loaded> scene;
-    std::uint64_t used = 0;  // when last: counts up
+  using FileTime = std::filesystem::file_time_type;
+  using Key = std::pair<std::string, SceneFeatures>;  // name, and what is disabled
+  // What an entry was built from: the scene's file as of a time, or a whole scene.
+  struct Version {
+    FileTime changed = {};
+    std::weak_ptr<const RenderScene> whole = {};
+    bool operator==(const Version& other) const;
   };
-  struct Simplified {
-    std::weak_ptr<const RenderScene> whole, scene;
+  struct Entry {
+    Version version;
+    std::shared_future<ScenePtr> scene;
+    std::uint64_t used = 0;  // the value of uses_ at the last use
   };
   struct Counted {
-    std::weak_ptr<const RenderScene> scene;
+    std::weak_ptr<const void> scene;
     std::uint64_t bytes;
   };
-  Loaded load(const std::string& name);
-  Loaded add(const std::string& name, Scene scene);
+  struct Noted {
+    FileTime changed;
+    SceneNote note;
+  };
+  ScenePtr getOrBuild(const Key& key, const Version& version, const std::function<ScenePtr()>& build);
+  Entry& enter(const Key& key);
+  ScenePtr load(const std::string& name, FileTime changed);
+  ScenePtr prepare(const std::string& name, Scene scene);
+  void count(const std::string& name, std::weak_ptr<const void> scene, std::uint64_t bytes);
   void makeRoom(const std::string& name, std::uint64_t bytes);
   std::uint64_t countBytes() const;
-  bool evictOne();
+  bool evictOne(bool simplified_only);
+  void remember(const std::string& name, FileTime changed, SceneNote note);
 
-  SceneLibrary library_;
-  const std::size_t most_reduced_;
+  const SceneLibrary library_;
+  const std::size_t most_simplified_;
   const std::uint64_t most_bytes_;
   SceneLoads loads_;
-  std::mutex loading_;  // one at a time: what a scene takes is known once it is there
+  std::mutex reading_;  // the size of a scene is known once it is read, so one is read at a time
   mutable std::mutex mutex_;
-  std::map<std::string, Entry> scenes_;
+  std::map<Key, Entry> entries_;
   std::uint64_t uses_ = 0;
-  std::vector<Counted> counted_;              // those in memory, and some that were
-  std::map<std::string, std::string> stats_;  // of those that are loaded
-  std::mutex simplifying_;
-  std::map<std::pair<std::string, SceneFeatures>, Simplified> simplified_;
+  std::vector<Counted> counted_;  // the scenes in memory, and some that are gone
+  std::map<std::string, Noted> notes_;
 };
 
 }  // namespace saccade

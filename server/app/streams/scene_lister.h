@@ -1,4 +1,4 @@
-// Answers list_scenes, away from the control thread: the folder may take long to read.
+// Answers list_scenes on a thread of its own, because the folder of the scenes may be slow to read.
 #pragma once
 
 #include <functional>
@@ -14,14 +14,18 @@ namespace saccade {
 class SceneLister {
  public:
   using Answer = std::function<void(v1::Reply)>;
-  explicit SceneLister(const SceneCache& scenes) : scenes_(scenes) {}  // keeps a reference
 
-  // `answer` is called once, from another thread. The folder is read once for all who wait.
+  // Keeps the reference. Begins to index the scenes, and warns in the log where there are none.
+  explicit SceneLister(const SceneCache& scenes);
+
+  // Does not block. `answer` is called once, on another thread; all who wait share one look at the folder.
   void ask(Answer answer);
 
  private:
+  void index() const;
   void answerAll();
   v1::Reply list() const;
+  v1::SceneInfo describe(const SceneEntry& entry) const;
 
   const SceneCache& scenes_;
   std::mutex mutex_;

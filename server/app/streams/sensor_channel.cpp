@@ -13,7 +13,7 @@ SensorChannel::SensorChannel(const SensorConfig& config, const PacketCutter::Sou
       cutter_(source),
       from_event_(from_event) {}
 
-void SensorChannel::look(const IntensityChange& change) {
+void SensorChannel::process(const IntensityChange& change) {
   const auto began = threadCpuTime();
   full_.clear();
   if (!std::exchange(joined_, true) && change.frame > 1) full_.push_back(snapshot(change));
@@ -51,8 +51,8 @@ std::vector<SensorChannel> makeSensorChannels(const ResolvedStream& stream, cons
                               .codec = findCodec(stream.request.codec())};
   std::vector<SensorChannel> channels;
   for (const SensorConfig& config : stream.sensors) {
-    const auto& wish = stream.request.sensors(static_cast<int>(source.sensor));
-    channels.emplace_back(config, source, wish.from_event());
+    const v1::Sensor& request = stream.request.sensors(static_cast<int>(source.sensor));
+    channels.emplace_back(config, source, request.from_event());
     ++source.sensor;
   }
   return channels;

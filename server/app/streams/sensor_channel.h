@@ -1,4 +1,4 @@
-// A sensor of a stream, and the packets that its events fill.
+// One sensor of a stream, and the packets of its events.
 #pragma once
 
 #include <chrono>
@@ -14,19 +14,22 @@ namespace saccade {
 
 class SensorChannel {
  public:
-  // What ends before the event of the index `from_event` is made, but kept from the client.
+  // Packets that end before the event with the index `from_event` are made, but not given to the client.
   SensorChannel(const SensorConfig& config, const PacketCutter::Source& source, std::uint64_t from_event);
 
-  // Takes every interval from its first on, in order; on any thread. Where something came before the first,
-  // its packets begin with a snapshot of the pixels.
-  void look(const IntensityChange& change);
+  // Makes the events of an interval. Takes every interval of the feed from some interval on, in order, on any
+  // thread. Where the feed is already past its first interval, the packets begin with a snapshot of the
+  // pixels.
+  void process(const IntensityChange& change);
 
-  std::chrono::nanoseconds cost() const { return cost_; }                 // CPU time of the last look()
-  std::uint64_t events() const { return events_; }                        // that look() has made so far
-  bool catchingUp() const { return events_ < from_event_; }               // none is for the client yet
-  std::vector<Packet> takePackets() { return std::exchange(full_, {}); }  // full ones, for the client
+  // Of the last process():
+  std::chrono::nanoseconds cost() const { return cost_; }                 // CPU time
+  std::vector<Packet> takePackets() { return std::exchange(full_, {}); }  // those that are full
+  // Of all so far:
+  std::uint64_t events() const { return events_; }
+  bool catchingUp() const { return events_ < from_event_; }  // no event is for the client yet
 
-  // What is in no full packet yet, and with end() the last packet of all.
+  // The events that are in no full packet yet; with end() also the END packet.
   std::vector<Packet> flush() { return forClient(cutter_.flush()); }
   std::vector<Packet> end(TimeNs t, FrameIndex frame, v1::EndReason reason);
 

@@ -8,7 +8,7 @@
 namespace saccade {
 namespace {
 
-// Where memory is out, the next step may still find some.
+// A step that fails for want of memory does not keep the next one from being tried.
 template <class F>
 void attempt(const F& step) noexcept {
   try {
@@ -48,7 +48,7 @@ void StreamSink::countCost() {
   longest_s_ = longest_mean_.value();
 }
 
-void StreamSink::hold() {
+void StreamSink::clearLag() {
   session_->setLag(lag_ = {});
 }
 

@@ -1,4 +1,4 @@
-// Where a stream leaves its feed: its sensors, and the session that takes their packets.
+// The output of a stream: its sensors, and the session that takes their packets.
 #pragma once
 
 #include <atomic>
@@ -15,24 +15,23 @@ class StreamSink {
  public:
   StreamSink(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch);
 
-  const Session& session() const { return *session_; }
-  bool catchingUp() const;  // nothing has come yet of what its client wants; on the feed's thread
   // From any thread.
+  const Session& session() const { return *session_; }
   std::uint64_t events() const { return events_; }
-  double recentSeconds() const { return recent_s_; }          // of CPU time for an interval
+  double recentSeconds() const { return recent_s_; }          // CPU time per interval, recent mean
   double recentLongestSeconds() const { return longest_s_; }  // of the sensor that takes longest
 
-  // An interval: each channel looks at it, on any threads; then the feed's thread publishes what they saw.
-  // Every interval from the stream's first on, in order. `lag`: how far a PACED stream is behind its clock,
-  // where that is worth telling.
+  // For each interval, in order: process() of each channel, on any threads, then publish() on the feed's
+  // thread. `lag` is how far a PACED stream is behind its clock; 0 where that is too little to tell.
   std::size_t channels() const { return channels_.size(); }
-  void look(std::size_t channel, const IntensityChange& change) { channels_[channel].look(change); }
+  void process(std::size_t channel, const IntensityChange& change) { channels_[channel].process(change); }
   void publish(const IntensityChange& change, std::chrono::milliseconds lag);
 
-  // The feed's thread only. `frame` is the index of the frame at t.
-  void hold();  // until the next interval the clock stands still
+  // On the feed's thread. `frame` is the index of the frame at t.
+  bool catchingUp() const;  // no event is for the client yet
+  void clearLag();          // until the next publish()
   void end(TimeNs t, FrameIndex frame);
-  void fail(const char* message) noexcept;  // tells what can be told
+  void fail(const char* message) noexcept;  // sends what is left, and an ERROR, as far as that is possible
 
  private:
   void push(std::vector<Packet> packets);
@@ -44,7 +43,7 @@ class StreamSink {
   std::chrono::milliseconds lag_{0};
   std::atomic<std::uint64_t> events_ = 0;
   RecentMean cost_mean_, longest_mean_;
-  std::atomic<double> recent_s_ = 0, longest_s_ = 0;  // their values
+  std::atomic<double> recent_s_ = 0, longest_s_ = 0;  // for other threads
 };
 
 }  // namespace saccade

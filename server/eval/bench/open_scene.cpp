@@ -8,8 +8,8 @@
 #include "render/renderer.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/slow_load.h"
+#include "scene/library/scene_format.h"
 #include "scene/library/scene_library.h"
-#include "scene/mitsuba/mitsuba_xml.h"
 
 namespace saccade::eval {
 
@@ -18,9 +18,14 @@ std::string sceneFolder() {
   return folder ? folder : SACCADE_SOURCE_SCENES;
 }
 
+std::string meshFolders() {
+  const char* folders = std::getenv("SACCADE_MESHES");
+  return folders ? folders : kDefaultMeshes;
+}
+
 std::vector<std::string> availableScenes() {
   std::vector<std::string> names;
-  for (const SceneEntry& scene : SceneLibrary(sceneFolder()).list()) {
+  for (const SceneEntry& scene : SceneLibrary(sceneFolder(), meshFolders()).list()) {
     if (scene.unavailable.empty())
       names.push_back(scene.name);
     else
@@ -32,9 +37,12 @@ std::vector<std::string> availableScenes() {
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {
   const LoadProgress progress = tellSlowLoad(
       name_or_path, [](const std::string& text) { std::fprintf(stderr, "loading %s\n", text.c_str()); });
-  if (name_or_path.ends_with(".xml"))
-    return std::make_shared<RenderScene>(loadMitsubaXml(name_or_path, {.progress = progress}));
-  return std::make_shared<RenderScene>(SceneLibrary(sceneFolder()).load(name_or_path, progress));
+  const SceneLibrary library(sceneFolder(), meshFolders());
+  if (library.find(name_or_path) || !looksLikeFile(name_or_path))
+    return std::make_shared<RenderScene>(library.load(name_or_path, progress));
+  return std::make_shared<RenderScene>(
+      formatOf(name_or_path)
+          .load(name_or_path, {.search_folders = splitFolders(meshFolders()), .progress = progress}));
 }
 
 Trajectory openTrajectory(const std::string& scene, const std::string& name_or_path,
@@ -51,7 +59,7 @@ Trajectory openTrajectory(const std::string& scene, const std::string& name_or_p
       isMotionName(name_or_path) ? namedMotion(name_or_path, s.fov_x_deg) : parseMotion(name_or_path);
   if (motion)
     return makeMotion(*motion, s.T_world_camera, probePoints(opened, s.T_world_camera, s.fov_x_deg));
-  return SceneLibrary(sceneFolder()).loadTrajectory(scene, name_or_path);
+  return SceneLibrary(sceneFolder(), meshFolders()).loadTrajectory(scene, name_or_path);
 }
 
 }  // namespace saccade::eval

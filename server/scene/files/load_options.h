@@ -1,23 +1,23 @@
-// How a scene file is opened.
+// How a scene file is read.
 #pragma once
 
 #include <filesystem>
 #include <functional>
-#include <map>
-#include <string>
 #include <vector>
 
 namespace saccade {
 
-// Called after each mesh or picture with how many are read, of how many; from any thread, one call at a time.
+// Called after each mesh or picture with the number of files read so far, and of all. It may be called from
+// any thread, but never twice at once.
 using LoadProgress = std::function<void(int done, int total)>;
 
 struct LoadOptions {
-  std::map<std::string, std::string> definitions = {};  // override the file's <default> values ($name)
-  // Folders, or single files, that hold all the scene may read, links followed; empty: any file. A server
-  // sets them, as its scenes may be other people's; who opens a file by hand may read what he may read.
+  // Where meshes and pictures are looked up that do not stand beside the scene; in this order.
+  std::vector<std::filesystem::path> search_folders = {};
+  // Folders or single files that hold all the scene may read, with links followed. Empty: any file may be
+  // read. A server sets them, because its scenes may be other people's.
   std::vector<std::filesystem::path> confined_to = {};
-  int threads = 0;  // that read files, at least 1; 0: the machine's, at most kMaxLoadThreads
+  int threads = 0;  // that read files; 0: one for each core, at most kMaxLoadThreads
   LoadProgress progress = {};
 };
 

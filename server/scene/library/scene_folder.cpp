@@ -1,22 +1,21 @@
 #include "scene/library/scene_folder.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "base/text_cut.h"
 #include "scene/camera/motion.h"
 #include "scene/files/confinement.h"
-#include "scene/files/limits.h"
 #include "scene/files/plain_file.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/text.h"
+#include "scene/library/scene_format.h"
 
 namespace saccade {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxReadmeBytes = 64 << 10, kMaxEntryBytes = 1000;
+constexpr std::size_t kMaxReadmeBytes = 64 << 10;
 
 // The first line that is neither blank nor a title.
 std::string describe(const fs::path& readme, const fs::path& scenes) {
@@ -31,16 +30,6 @@ std::string describe(const fs::path& readme, const fs::path& scenes) {
 }
 
 }  // namespace
-
-std::map<std::string, OutsideMesh> outsideMeshes(const fs::path& scenes) {
-  const char* real = std::getenv("SACCADE_REAL_SCENES");
-  const fs::path project = fs::weakly_canonical(scenes).parent_path();
-  const fs::path real_scenes = real ? fs::path(real) : project.parent_path() / "shared" / "scenes";
-  return {{"bunny", {"/usr/share/glmark2/models/bunny.obj", "install the Debian package glmark2-data"}},
-          {"dragon",
-           {real_scenes / "meshes" / "dragon.obj",
-            "set SACCADE_REAL_SCENES to a folder with meshes/dragon.obj"}}};
-}
 
 std::vector<fs::path> entriesOf(const fs::path& folder) {
   std::error_code fault;
@@ -57,16 +46,13 @@ bool isAbsent(const fs::path& path) {
   return fs::symlink_status(path, other).type() == fs::file_type::not_found;
 }
 
-SceneEntry describeScene(const fs::path& scene, const fs::path& scenes) {
+SceneEntry outlineScene(const fs::path& scene, const fs::path& scenes) {
   SceneEntry entry;
   entry.name = cutText(scene.filename().string(), kMaxEntryBytes);
   try {
-    entry.description = cutText(describe(scene / "README.md", scenes), kMaxEntryBytes);
-  } catch (const SceneError& fault) {
-    entry.description = "no description: " + cutText(fault.what(), kMaxEntryBytes);
-  }
-  try {
-    requireAvailable(scene, scenes);
+    if (!isUtf8(scene.filename().string()))
+      throw SceneError("the name of the folder is not UTF-8, so that no request can hold it");
+    requireWithin(sceneFileIn(scene), scenes);
     entry.trajectories = csvNames(scene / "trajectories");
   } catch (const SceneError& fault) {
     entry.unavailable = cutText(fault.what(), kMaxEntryBytes);
@@ -75,16 +61,21 @@ SceneEntry describeScene(const fs::path& scene, const fs::path& scenes) {
   return entry;
 }
 
-void requireAvailable(const fs::path& scene, const fs::path& scenes) {
-  if (!isUtf8(scene.filename().string()))
-    throw SceneError("the name of the folder is no UTF-8: no request can hold it");
-  requireWithin(scene / "scene.xml", scenes);
-  const std::string text = readFile((scene / "scene.xml").string(), kMaxXmlBytes);
-  std::error_code other;
-  for (const auto& [name, mesh] : outsideMeshes(scenes))
-    if (text.find("$" + name) != text.npos && !fs::exists(mesh.path, other))
-      throw SceneError("the mesh " + mesh.path.string() + " is absent: " + mesh.origin);
-  csvNames(scene / "trajectories");
+SceneEntry describeScene(const fs::path& scene, const fs::path& scenes, const LoadOptions& options) {
+  SceneEntry entry = outlineScene(scene, scenes);
+  try {
+    entry.description = cutText(describe(scene / "README.md", scenes), kMaxEntryBytes);
+  } catch (const SceneError& fault) {
+    entry.description = "no description: " + cutText(fault.what(), kMaxEntryBytes);
+  }
+  if (!entry.unavailable.empty()) return entry;
+  try {
+    const fs::path file = sceneFileIn(scene);
+    formatOf(file).check(file.string(), options);
+  } catch (const SceneError& fault) {
+    entry.unavailable = cutText(fault.what(), kMaxEntryBytes);
+  }
+  return entry;
 }
 
 std::vector<std::string> csvNames(const fs::path& folder) {

@@ -1,39 +1,40 @@
-// The folder of one scene, which may hold anything: links in circles, FIFOs, bytes that are no text. Nothing
-// of it is waited for. All throw SceneError.
+// The folder of one scene. It may hold anything: links in circles, FIFOs, names that are no text. No function
+// here waits for a FIFO or follows links out of the folder of all scenes.
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "scene/files/load_options.h"
+
 namespace saccade {
 
+inline constexpr std::size_t kMaxEntryBytes = 1000;  // of each text of a SceneEntry
+
+// What a scene offers. All texts are UTF-8.
 struct SceneEntry {
   std::string name;
   std::string description;                // the first line of text in README.md, or why it cannot be read
-  std::vector<std::string> trajectories;  // names of its CSV files, then motionNames()
-  std::string unavailable;                // empty, or why the scene cannot be opened on this machine
+  std::vector<std::string> trajectories;  // the names of its CSV files, then motionNames()
+  std::string unavailable;                // why the scene cannot be opened on this machine; empty: it can
 };
 
-// A mesh that scenes use by $name and that is not ours to give.
-struct OutsideMesh {
-  std::filesystem::path path;
-  std::string origin;  // for people: where to get it
-};
-std::map<std::string, OutsideMesh> outsideMeshes(const std::filesystem::path& scenes);
+// Name and trajectories of the scene in the folder `scene`, one of `scenes`. Reads no file. `unavailable`
+// says why the trajectories cannot be listed, or that the scene lies elsewhere. Does not throw.
+SceneEntry outlineScene(const std::filesystem::path& scene, const std::filesystem::path& scenes);
+// The whole entry. Reads the README and checks the scene's file. Does not throw.
+SceneEntry describeScene(const std::filesystem::path& scene, const std::filesystem::path& scenes,
+                         const LoadOptions& options);
 
-// Of a folder; sorted.
+// The entries of a folder, sorted. Throws SceneError.
 std::vector<std::filesystem::path> entriesOf(const std::filesystem::path& folder);
-bool isAbsent(const std::filesystem::path& path);  // a link that leads nowhere is not
-
-// What `scene` is, a folder in that of all scenes. All its texts are UTF-8. Does not throw.
-SceneEntry describeScene(const std::filesystem::path& scene, const std::filesystem::path& scenes);
-// Returns where the scene and its trajectories can be read on this machine.
-void requireAvailable(const std::filesystem::path& scene, const std::filesystem::path& scenes);
-// Of the CSV files. Those that are no UTF-8 are left out: no request can hold them.
+// Whether nothing has this path. A link that leads nowhere counts as something.
+bool isAbsent(const std::filesystem::path& path);
+// The names of the CSV files in a folder, sorted. A name that is not UTF-8 is left out, because no request
+// can hold it. Throws SceneError.
 std::vector<std::string> csvNames(const std::filesystem::path& folder);
-// Returns where `file`, with its links followed, lies in the folder of the scenes.
+// Throws SceneError where `file`, with its links followed, lies outside of the folder of the scenes.
 void requireWithin(const std::filesystem::path& file, const std::filesystem::path& scenes);
 
 }  // namespace saccade

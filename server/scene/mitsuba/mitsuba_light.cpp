@@ -37,7 +37,7 @@ void readEnvmap(const XmlFile& file, pugi::xml_node emitter, Properties& propert
   const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
   const std::string path = file.locate(emitter, properties.text("filename"));
   addEnvironment(file, emitter, scene, {{scale, scale, scale}, {}, orthonormal(file, emitter, to_world)});
-  loads.add(emitter, [&loads, &scene, path] {
+  loads.add(file.errorsAt(emitter), [&loads, &scene, path] {
     loads.takePixels(countPixels(path));
     scene.environment->picture = loadPicture(path, PixelUse::kRadiance);
   });

@@ -1,7 +1,8 @@
 // The emitters of a Mitsuba scene file that belong to no shape.
 #pragma once
 
-#include "scene/mitsuba/file_loads.h"
+#include "scene/files/file_loads.h"
+#include "scene/mitsuba/xml_file.h"
 #include "scene/scene.h"
 
 namespace saccade {

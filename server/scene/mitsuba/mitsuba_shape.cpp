@@ -53,7 +53,7 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   properties.finish();
   const std::size_t index = scene.meshes.size();
   scene.meshes.emplace_back();
-  loads.add(shape, [=, &meshes = scene.meshes] {
+  loads.add(file.errorsAt(shape), [=, &meshes = scene.meshes] {
     Mesh mesh = loadMesh(type, path, flip_v);
     placeMesh(mesh, common.to_world, face_normals);
     if (!isFinite(mesh)) throw SceneError("a vertex of the shape is too far away for float numbers");

@@ -80,7 +80,7 @@ int TextureReader::addPicture(pugi::xml_node at, const std::string& path, bool r
   const auto [found, added] = pictures_.try_emplace({path, raw}, static_cast<int>(next));
   if (!added) return found->second;
   scene_.textures.push_back(Texture(1, 1, {Rgb{}}));
-  loads_.add(at, [&loads = loads_, &textures = scene_.textures, next, path, raw] {
+  loads_.add(file_.errorsAt(at), [&loads = loads_, &textures = scene_.textures, next, path, raw] {
     loads.takePixels(countPixels(path));
     textures[next] = loadTexture(path, raw);
   });

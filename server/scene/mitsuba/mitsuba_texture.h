@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "scene/mitsuba/file_loads.h"
+#include "scene/files/file_loads.h"
 #include "scene/mitsuba/xml_properties.h"
 #include "scene/scene.h"
 

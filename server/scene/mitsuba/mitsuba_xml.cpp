@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "scene/files/confinement.h"
+#include "scene/files/file_loads.h"
 #include "scene/files/limits.h"
 #include "scene/files/plain_file.h"
-#include "scene/mitsuba/file_loads.h"
 #include "scene/mitsuba/mitsuba_light.h"
 #include "scene/mitsuba/mitsuba_material.h"
 #include "scene/mitsuba/mitsuba_sensor.h"
@@ -22,24 +22,19 @@ void checkTriangles(const XmlFile& file, const Scene& scene) {
                                       std::to_string(kMaxTriangles) + " are supported");
 }
 
-}  // namespace
-
-Scene loadMitsubaXml(const std::string& path, const LoadOptions& options) {
+std::string readConfined(const std::string& path, const LoadOptions& options) {
   if (!mayRead(path, options.confined_to)) throw SceneError(path + ": leads out of the folder of the scenes");
-  return parseMitsubaXml(readFile(path, kMaxXmlBytes), path, options);
+  return readFile(path, kMaxXmlBytes);
 }
 
-Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options) {
-  const XmlFile file(std::move(text), path, options);
+// All but the meshes and pictures, which `loads` will fill in. `scene` must stay where it is until then.
+void readScene(const XmlFile& file, FileLoads& loads, Scene& scene) {
   Properties properties(file, file.root());
-  Scene scene;
-  scene.name = std::filesystem::path(path).parent_path().filename().string();
   const pugi::xml_node sensor = properties.object("sensor");
   if (!sensor) throw file.error(file.root(), "the scene has no <sensor type=\"perspective\">");
   readSensor(file, sensor, scene);
 
-  // Shapes name the materials they use; the others are not read.
-  FileLoads loads;
+  // Only the materials that shapes use are read.
   TextureReader textures(file, loads, scene);
   MaterialReader materials(file, textures, scene);
   for (const pugi::xml_node shape : properties.objects("shape"))
@@ -48,9 +43,30 @@ Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptio
   for (const char* tag : {"default", "bsdf", "texture", "integrator", "sampler", "film", "rfilter"})
     properties.ignore(tag);
   properties.finish();
-  loads.run(file, options);
+}
+
+}  // namespace
+
+Scene loadMitsubaXml(const std::string& path, const LoadOptions& options) {
+  return parseMitsubaXml(readConfined(path, options), path, options);
+}
+
+Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options) {
+  const XmlFile file(std::move(text), path, options);
+  FileLoads loads;
+  Scene scene;
+  scene.name = std::filesystem::path(path).parent_path().filename().string();
+  readScene(file, loads, scene);
+  loads.run(options);
   checkTriangles(file, scene);
   return scene;
+}
+
+void checkMitsubaXml(const std::string& path, const LoadOptions& options) {
+  const XmlFile file(readConfined(path, options), path, options);
+  FileLoads not_run;
+  Scene scene;
+  readScene(file, not_run, scene);
 }
 
 }  // namespace saccade

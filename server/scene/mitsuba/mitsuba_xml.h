@@ -30,9 +30,11 @@
 
 namespace saccade {
 
-// Relative file names are looked up in the folder of the scene file. Throws SceneError.
+// Files are looked up as findFile() says. Throws SceneError.
 Scene loadMitsubaXml(const std::string& path, const LoadOptions& options = {});
-// The same of what the file at `path` holds.
+// Throws SceneError where loadMitsubaXml() would, without reading any mesh or picture.
+void checkMitsubaXml(const std::string& path, const LoadOptions& options);
+// The same of a text, as if it stood in a file at `path`.
 Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options = {});
 
 }  // namespace saccade

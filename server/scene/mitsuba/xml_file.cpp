@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/names.h"
-#include "scene/files/confinement.h"
+#include "scene/files/find_file.h"
 #include "scene/files/limits.h"
 
 namespace saccade {
@@ -38,8 +38,8 @@ int depthOf(pugi::xml_node node) {
   return depth;
 }
 
-// Of a bsdf with an id within others without: the outermost of these if it stands at the top of the scene,
-// where nothing else could refer to it. So do files name a bsdf under a bump map.
+// The bsdf that the id of `node` stands for. Some files put the id on a bsdf within wrappers that have none,
+// such as a bump map. The id then stands for the outermost wrapper, if that is at the top of the scene.
 pugi::xml_node wholeBsdf(pugi::xml_node node) {
   const auto isBsdf = [](pugi::xml_node n) { return std::string(n.name()) == "bsdf"; };
   pugi::xml_node outer = node;
@@ -50,12 +50,12 @@ pugi::xml_node wholeBsdf(pugi::xml_node node) {
 }  // namespace
 
 XmlFile::XmlFile(std::string text, const std::string& path, const LoadOptions& options)
-    : text_(std::move(text)), path_(path), confined_to_(options.confined_to) {
+    : text_(std::move(text)), path_(path), options_(options) {
   const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size());
   if (!result)
     throw SceneError(path_, lineAt(result.offset), std::string("faulty XML: ") + result.description());
   if (std::string(root().name()) != "scene") throw error(root(), "the root element is not <scene>");
-  substituteNames(options.definitions);
+  substituteNames();
   indexIds();
 }
 
@@ -82,7 +82,8 @@ long XmlFile::lineAt(std::ptrdiff_t offset) const {
   return 1 + std::count(text_.begin(), end, '\n');
 }
 
-void XmlFile::substituteNames(std::map<std::string, std::string> definitions) {
+void XmlFile::substituteNames() {
+  std::map<std::string, std::string> definitions;
   forEachElement(document_, [&](pugi::xml_node node) {
     for (pugi::xml_attribute a : node.attributes()) {
       const std::string value = a.value();
@@ -134,10 +135,11 @@ pugi::xml_node XmlFile::resolve(pugi::xml_node node) const {
 std::string XmlFile::locate(pugi::xml_node at, const std::string& filename) const {
   if (filename.empty())
     throw error(at, "the " + std::string(at.name()) + " needs <string name=\"filename\">");
-  const std::string path = (std::filesystem::path(path_).parent_path() / filename).string();
-  if (!mayRead(path, confined_to_))
-    throw error(at, "the file " + path + " leads out of the folder of the scenes");
-  return path;
+  try {
+    return findFile(filename, std::filesystem::path(path_).parent_path(), options_);
+  } catch (const SceneError& fault) {
+    throw error(at, fault.what());
+  }
 }
 
 }  // namespace saccade

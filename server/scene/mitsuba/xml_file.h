@@ -1,12 +1,11 @@
-// An XML scene file with its $names filled in, its ids known, and faults that name their line.
+// An XML scene file whose $names and ids are resolved. Its errors name the line.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <pugixml.hpp>
 #include <string>
-#include <vector>
 
+#include "scene/files/file_loads.h"
 #include "scene/files/load_options.h"
 #include "scene/files/scene_error.h"
 
@@ -14,31 +13,33 @@ namespace saccade {
 
 class XmlFile {
  public:
-  // `text` is what the file at `path` holds. Throws SceneError: faulty XML, a root that is not <scene>, a
-  // $name that is not defined, what is beyond limits.h.
+  // `text` is the content of the file at `path`. Throws SceneError on faulty XML, a root other than <scene>,
+  // an undefined $name, and anything beyond limits.h. `options` must outlive this.
   XmlFile(std::string text, const std::string& path, const LoadOptions& options);
 
   pugi::xml_node root() const { return document_.document_element(); }
   bool isMitsuba0() const;  // written for 0.4 to 0.6, whose defaults differ here and there
   SceneError error(pugi::xml_node at, const std::string& what) const;
+  FileLoads::Locate errorsAt(pugi::xml_node at) const {
+    return [this, at](const std::string& what) { return error(at, what); };
+  }
 
-  // The object that a <ref> names; other nodes are what they are. An object must stand before its <ref>, so
-  // that references cannot go in circles.
+  // The object that a <ref> names; any other node is returned as it is. An object must stand before its
+  // <ref>, so that references cannot go in circles.
   pugi::xml_node resolve(pugi::xml_node node) const;
 
-  // The path of a file that the object `at` names, relative to the folder of the scene file. Throws
-  // SceneError: no name, or a file that the scene may not read.
+  // The path of a file that the object `at` names; see findFile(). Throws SceneError.
   std::string locate(pugi::xml_node at, const std::string& filename) const;
 
  private:
   long lineAt(std::ptrdiff_t offset) const;
-  void substituteNames(std::map<std::string, std::string> definitions);
+  void substituteNames();
   std::string substituted(pugi::xml_node node, const std::string& text,
                           const std::map<std::string, std::string>& definitions);
   void indexIds();
 
   std::string text_, path_;
-  std::vector<std::filesystem::path> confined_to_;
+  const LoadOptions& options_;
   std::size_t substituted_bytes_ = 0;
   pugi::xml_document document_;
   std::map<std::string, pugi::xml_node> ids_;

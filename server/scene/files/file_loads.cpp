@@ -1,4 +1,4 @@
-#include "scene/mitsuba/file_loads.h"
+#include "scene/files/file_loads.h"
 
 #include <algorithm>
 #include <atomic>
@@ -26,11 +26,11 @@ void FileLoads::takePixels(std::size_t count) {
                      " pixels together");
 }
 
-void FileLoads::run(const XmlFile& file, const LoadOptions& options) const {
+void FileLoads::run(const LoadOptions& options) const {
   const int total = static_cast<int>(loads_.size());
   std::atomic<int> next = 0;
   std::mutex mutex;
-  std::map<int, std::exception_ptr> faults;  // by place in the order
+  std::map<int, std::exception_ptr> faults;  // by the index of the load
   int done = 0;
   const auto work = [&] {
     for (int i = next++; i < total; i = next++) {
@@ -55,7 +55,7 @@ void FileLoads::run(const XmlFile& file, const LoadOptions& options) const {
   try {
     std::rethrow_exception(fault);
   } catch (const SceneError& e) {
-    throw file.error(loads_[static_cast<std::size_t>(first)].at, e.what());
+    throw loads_[static_cast<std::size_t>(first)].located(e.what());
   }
 }
 

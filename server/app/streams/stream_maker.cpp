@@ -1,0 +1,157 @@
+#include "app/streams/stream_maker.h"
+
+#include "app/admission/stream_cost.h"
+#include "app/request/refusal.h"
+#include "app/request/request_memory.h"
+#include "app/streams/pace.h"
+#include "app/streams/stream_opened.h"
+#include "base/text_cut.h"
+
+namespace saccade {
+namespace {
+
+constexpr std::size_t kMaxLogged = 500;  // bytes of a request
+constexpr std::chrono::milliseconds kEndOfClosed{200};
+constexpr int kIdBytes = 8;  // random, so that nobody can guess the topics of another client's stream
+
+// A stream that joins a feed costs only its own sensors.
+CpuCost costOfJoining(const CpuCost& frame) {
+  return {0, frame.sensors, 0, frame.longest};
+}
+
+}  // namespace
+
+v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
+  openings_.setScene(opening, request.scene());
+  openings_.begin(opening, "checking the request");
+  const SceneEntry entry = findScene(request.scene());
+  Plan plan{resolve(std::move(request), entry, resources_.tables)};
+  ResolvedStream& resolved = plan.resolved;
+  checkAlone(resolved.request, resources_.quota.limits());
+  boundEvents(resolved, resources_.quota.limits());
+  Stream stream;
+  stream.reserved = reserve(opening.peer.user, resolved);
+  loadScenes(plan, opening);
+  stream.user = opening.peer.user;
+  stream.request = withoutLongPath(resolved.request);
+  openFeed(plan, opening, stream);
+  resources_.log.info(stream.user, "stream " + stream.session->id() +
+                                       " opened: " + cutText(stream.request.ShortDebugString(), kMaxLogged));
+  const int channels = resolved.feed.monochrome ? 1 : plan.scene->channels();
+  return describeOpened(std::move(resolved), stream, resources_.epoch, channels);
+}
+
+SceneEntry StreamMaker::findScene(const std::string& name) const {
+  const SceneLibrary& library = resources_.scenes.library();
+  const std::optional<SceneEntry> entry = library.find(name);
+  if (!entry) throw Refusal(v1::CODE_NOT_FOUND, "scene", library.unknown(name));
+  if (!entry->unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, "scene", entry->unavailable);
+  return *entry;
+}
+
+// Streams that are over give their share back first, and so do closed ones that are about to end.
+std::shared_ptr<void> StreamMaker::reserve(const std::string& user, const ResolvedStream& resolved) {
+  StreamRegistry& streams = resources_.streams;
+  std::vector<Share> shares = sharesOf(resolved, resources_.quota.limits());
+  shares.push_back({Limit::kMemory, pathMemory(resolved.request.trajectory()), "trajectory"});
+  streams.sweep(ChangeNotifier::Clock::now());
+  try {
+    return resources_.quota.take(user, shares);
+  } catch (const LimitReached&) {
+    streams.awaitClosed(ChangeNotifier::Clock::now() + kEndOfClosed);
+    streams.sweep(ChangeNotifier::Clock::now());
+    return resources_.quota.take(user, shares);
+  }
+}
+
+void StreamMaker::loadScenes(Plan& plan, Opening& opening) {
+  openings_.begin(opening, "loading the scene");
+  const std::string& name = plan.resolved.request.scene();
+  plan.whole = resources_.scenes.get(name);
+  fitTo(plan.whole->description(), plan.resolved);
+  plan.scene = resources_.scenes.simplify(name, plan.whole, plan.resolved.disabled_features);
+}
+
+// The slow steps, a measurement and the first frame of a feed, come before the lock that others wait for.
+void StreamMaker::openFeed(Plan& plan, Opening& opening, Stream& stream) {
+  const ResolvedStream& resolved = plan.resolved;
+  const Trajectory path = resolveTrajectory(resolved, *plan.whole, resources_.scenes.library());
+  openings_.begin(opening, "measuring the first frames");
+  if (keepsPace(resolved)) plan.frame = measure(plan, path, opening);
+  const auto running = shared_.find(resolved);
+  admit(resolved, running ? costOfJoining(plan.frame) : plan.frame, running.get());
+  openings_.begin(opening, "rendering frame 0");
+  auto own = running ? nullptr : makeFeed(plan, path, opening);
+  openings_.begin(opening, "joining the feed");
+  while (!enter(plan, own, stream)) own = makeFeed(plan, path, opening);
+}
+
+// Enters the stream into the registry, with a feed that runs or else with `own`. Returns false where there is
+// neither.
+bool StreamMaker::enter(const Plan& plan, const std::shared_ptr<FeedRunner>& own, Stream& stream) {
+  const ResolvedStream& resolved = plan.resolved;
+  std::lock_guard admitting(admitting_);
+  stream.feed = shared_.find(resolved);
+  bool joined = false;
+  if (stream.feed) {
+    admit(resolved, stream.frame_cost = costOfJoining(plan.frame), stream.feed.get());
+    joined = connect(resolved, stream);
+  }
+  if (!joined && !own) return false;  // the feed has ended meanwhile
+  if (!joined) {
+    admit(resolved, stream.frame_cost = plan.frame, nullptr);
+    stream.feed = own;
+    connect(resolved, stream);
+  }
+  try {
+    shared_.add(resolved, stream.feed);  // only now: its own stream keeps it from ending
+    resources_.streams.add(stream);
+  } catch (...) {
+    stream.session->stop(v1::END_REASON_CLOSED);  // otherwise the feed would wait for it for ever
+    throw;
+  }
+  return true;
+}
+
+CpuCost StreamMaker::measure(const Plan& plan, const Trajectory& path, const Opening& opening) const {
+  TilePool pool = resources_.pool;
+  pool.setStop(opening.stop.get_token());
+  return measureFrame(plan.scene, path, plan.resolved, pool);
+}
+
+bool StreamMaker::keepsPace(const ResolvedStream& resolved) const {
+  return isPaced(resolved.request) && resources_.quota.limits()[Limit::kCpu] > 0;
+}
+
+// Throws LimitReached where the threads do not suffice for the pace.
+void StreamMaker::admit(const ResolvedStream& resolved, const CpuCost& frame,
+                        const FeedRunner* joined) const {
+  if (!keepsPace(resolved)) return;
+  checkPace(resolved.request.timing(), frame, resources_.streams.load(joined), cpuSupply(resources_.pool),
+            resources_.quota.limits());
+}
+
+std::shared_ptr<FeedRunner> StreamMaker::makeFeed(const Plan& plan, Trajectory path,
+                                                  const Opening& opening) const {
+  auto pool = std::make_shared<TilePool>(resources_.pool);
+  pool->setStop(opening.stop.get_token());
+  auto feed = std::make_unique<Feed>(plan.scene, std::move(path), plan.resolved.feed, *pool);
+  pool->setStop({});  // from here on the stream ends by being closed
+  const v1::Timing& timing = plan.resolved.request.timing();
+  const FeedPace pace{plan.resolved.frames, timing.frame_rate_hz(), timing.speed()};
+  return std::make_shared<FeedRunner>(std::move(feed), pace, std::move(pool), resources_.totals);
+}
+
+// Makes the stream's session and sink. Returns false where the feed has ended.
+bool StreamMaker::connect(const ResolvedStream& resolved, Stream& stream) const {
+  const v1::Delivery delivery = resolved.request.delivery();
+  WakeFd& transport = delivery == v1::DELIVERY_BROADCAST ? resources_.broadcast : resources_.data;
+  stream.session = std::make_shared<Session>(
+      randomHex(kIdBytes), delivery, static_cast<std::uint32_t>(resolved.sensors.size()), transport,
+      stream.feed->notifier(), resources_.totals.traffic, resources_.quota.limits().bytes(Limit::kQueue),
+      resources_.epoch);
+  stream.sink = std::make_shared<StreamSink>(stream.session, resolved, resources_.epoch);
+  return stream.feed->add(stream.sink);
+}
+
+}  // namespace saccade

@@ -1,0 +1,48 @@
+// Makes a stream from a request: checks it, loads the scene, and joins a running feed or makes one.
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include "app/request/resolve.h"
+#include "app/streams/openings.h"
+#include "app/streams/shared_feeds.h"
+#include "app/streams/stream_resources.h"
+
+namespace saccade {
+
+class StreamMaker {
+ public:
+  // `openings` is told what is being done; it must outlive this.
+  StreamMaker(const StreamResources& resources, Openings& openings)
+      : resources_(resources), openings_(openings) {}
+
+  // Makes the stream and enters it into the registry. May take seconds. From any thread. Throws Refusal,
+  // SceneError, and Cancelled.
+  v1::StreamOpened make(v1::OpenStream request, Opening& opening);
+
+ private:
+  // A checked request with its scenes.
+  struct Plan {
+    ResolvedStream resolved;
+    SceneCache::ScenePtr whole = {}, scene = {};  // `scene` lacks what the stream disables
+    CpuCost frame = {};                           // of a frame, where the stream keeps a pace
+  };
+  SceneEntry findScene(const std::string& name) const;
+  std::shared_ptr<void> reserve(const std::string& user, const ResolvedStream& resolved);
+  void loadScenes(Plan& plan, Opening& opening);
+  void openFeed(Plan& plan, Opening& opening, Stream& stream);
+  bool enter(const Plan& plan, const std::shared_ptr<FeedRunner>& own, Stream& stream);
+  CpuCost measure(const Plan& plan, const Trajectory& path, const Opening& opening) const;
+  bool keepsPace(const ResolvedStream& resolved) const;
+  void admit(const ResolvedStream& resolved, const CpuCost& frame, const FeedRunner* joined) const;
+  std::shared_ptr<FeedRunner> makeFeed(const Plan& plan, Trajectory path, const Opening& opening) const;
+  bool connect(const ResolvedStream& resolved, Stream& stream) const;
+
+  const StreamResources resources_;
+  Openings& openings_;
+  SharedFeeds shared_;
+  std::mutex admitting_;  // held from a check of the load until the new stream is part of it
+};
+
+}  // namespace saccade

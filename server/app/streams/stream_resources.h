@@ -1,0 +1,31 @@
+// What all streams of a server share.
+#pragma once
+
+#include <cstdint>
+
+#include "app/admission/resource_quota.h"
+#include "app/request/measured_source.h"
+#include "app/streams/scene_cache.h"
+#include "app/streams/stream_registry.h"
+#include "app/streams/totals.h"
+#include "base/tile_pool.h"
+#include "ops/client_log.h"
+#include "stream/wake_fd.h"
+
+namespace saccade {
+
+// References to what must outlive the streams.
+struct StreamResources {
+  SceneCache& scenes;
+  const MeasuredTables& tables;
+  TilePool& pool;
+  ResourceQuota& quota;
+  StreamRegistry& streams;
+  WakeFd& data;       // wakes the transport of streams with credit
+  WakeFd& broadcast;  // and that of broadcast streams
+  Totals& totals;
+  ClientLog& log;
+  std::uint64_t epoch;  // of the server
+};
+
+}  // namespace saccade

@@ -1,0 +1,25 @@
+#include "scene/files/search_folders.h"
+
+#include <sstream>
+
+#include "scene/files/text.h"
+
+namespace saccade {
+
+std::vector<std::filesystem::path> splitFolders(const std::string& list) {
+  std::vector<std::filesystem::path> folders;
+  std::istringstream rest(list);
+  for (std::string folder; std::getline(rest, folder, ':');)
+    if (!folder.empty()) folders.emplace_back(folder);
+  return folders;
+}
+
+std::string describeFolders(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::string> names;
+  for (const auto& folder : folders)
+    names.push_back(folder.string() +
+                    (folder == kDefaultMeshes ? " (install the Debian package glmark2-data)" : ""));
+  return joinNames(names);
+}
+
+}  // namespace saccade

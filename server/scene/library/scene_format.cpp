@@ -1,0 +1,57 @@
+#include "scene/library/scene_format.h"
+
+#include <algorithm>
+
+#include "scene/files/scene_error.h"
+#include "scene/files/text.h"
+#include "scene/library/scene_folder.h"
+#include "scene/mitsuba/mitsuba_xml.h"
+
+namespace saccade {
+namespace {
+
+namespace fs = std::filesystem;
+
+const SceneFormat* findFormat(const fs::path& path) {
+  for (const SceneFormat& format : sceneFormats())
+    if (path.extension() == format.extension) return &format;
+  return nullptr;
+}
+
+std::string join(std::string SceneFormat::*text) {
+  std::vector<std::string> all;
+  for (const SceneFormat& format : sceneFormats()) all.push_back(format.*text);
+  return joinNames(all);
+}
+
+}  // namespace
+
+const std::vector<SceneFormat>& sceneFormats() {
+  static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, checkMitsubaXml}};
+  return formats;
+}
+
+const SceneFormat& formatOf(const fs::path& path) {
+  if (const SceneFormat* format = findFormat(path)) return *format;
+  throw SceneError(formatFault(path));
+}
+
+std::string formatFault(const fs::path& path) {
+  if (findFormat(path)) return {};
+  return path.string() + " is no " + join(&SceneFormat::name) + " scene; only " +
+         join(&SceneFormat::extension) + " is read";
+}
+
+fs::path sceneFileIn(const fs::path& folder) {
+  const auto at = [&](const SceneFormat& format) { return folder / ("scene" + format.extension); };
+  const auto& formats = sceneFormats();
+  const auto found =
+      std::find_if(formats.begin(), formats.end(), [&](const auto& format) { return !isAbsent(at(format)); });
+  return at(found == formats.end() ? formats.front() : *found);
+}
+
+bool looksLikeFile(const std::string& text) {
+  return text.find('/') != text.npos || fs::path(text).has_extension();
+}
+
+}  // namespace saccade

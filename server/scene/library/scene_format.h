@@ -1,0 +1,36 @@
+// THE list of the scene formats that are read. A new format needs a row there and a folder of its own beside
+// scene/mitsuba.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/files/load_options.h"
+#include "scene/scene.h"
+
+namespace saccade {
+
+struct SceneFormat {
+  std::string name;       // "Mitsuba", for messages
+  std::string extension;  // ".xml"
+  // Both throw SceneError. check() throws where load() would, but reads no mesh and no picture.
+  Scene (*load)(const std::string& path, const LoadOptions& options);
+  void (*check)(const std::string& path, const LoadOptions& options);
+};
+
+const std::vector<SceneFormat>& sceneFormats();
+
+// The format of a file, by its extension. Throws SceneError with formatFault().
+const SceneFormat& formatOf(const std::filesystem::path& path);
+// "a.gltf is no Mitsuba scene; only .xml is read"; empty where the format is known.
+std::string formatFault(const std::filesystem::path& path);
+
+// The file of the scene in `folder`: "scene" with the extension of the first format that has a file there, or
+// of the first format at all.
+std::filesystem::path sceneFileIn(const std::filesystem::path& folder);
+
+// Whether someone who gives `text` for a scene means a file rather than a name.
+bool looksLikeFile(const std::string& text);
+
+}  // namespace saccade
