@@ -10,8 +10,8 @@ namespace saccade::client {
 namespace {
 
 constexpr std::chrono::milliseconds kPollInterval{200};  // between two calls of Waiting
-constexpr std::chrono::milliseconds kParting{200};       // for a last message to a server that may be gone
-constexpr std::uint64_t kUnreadRequest = 0;              // ours count from 1
+constexpr std::chrono::milliseconds kParting{200};       // to deliver a last message when the socket closes
+constexpr std::uint64_t kUnreadRequest = 0;  // of a reply to an unreadable request; ours count from 1
 
 std::string describe(const v1::Status& status) {
   std::string text = status.field().empty() ? status.message() : status.field() + ": " + status.message();
@@ -25,7 +25,14 @@ std::string describe(const v1::Status& status) {
 
 }  // namespace
 
-Refused::Refused(const v1::Status& status) : runtime_error(describe(status)), code(status.code()) {}
+NoAnswer::NoAnswer(const std::string& endpoint, bool has_keys)
+    : runtime_error("no saccaded answers at " + endpoint), endpoint(endpoint), has_keys(has_keys) {}
+
+Refused::Refused(const v1::Status& status)
+    : runtime_error(describe(status)),
+      code(status.code()),
+      field(status.field()),
+      message(status.message()) {}
 
 ControlClient::ControlClient(zmq::context_t& context, const std::string& endpoint, const CurveKeys& keys)
     : endpoint_(endpoint),
@@ -41,7 +48,7 @@ v1::Reply ControlClient::call(v1::Request request, std::chrono::milliseconds dea
 }
 
 void ControlClient::tell(v1::Request request) {
-  // Closing the socket at once would throw the message away.
+  // Without this, closing the socket would drop the message.
   socket_.set(zmq::sockopt::linger, static_cast<int>(kParting.count()));
   send(std::move(request));
 }
@@ -50,7 +57,8 @@ void ControlClient::send(v1::Request request) {
   request.set_request_id(++request_id_);
   request.set_protocol_version(kProtocolVersion);
   const std::string bytes = request.SerializeAsString();
-  if (!v1::Request().ParseFromString(bytes)) throw std::invalid_argument("a text of the request is no UTF-8");
+  if (!v1::Request().ParseFromString(bytes))
+    throw std::invalid_argument("a text of the request is not UTF-8");
   socket_.send(zmq::buffer(bytes), zmq::send_flags::none);
 }
 
@@ -70,8 +78,7 @@ v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::millisecon
       throw std::runtime_error("the server at " + endpoint_ + " sent a reply that cannot be read");
     if (reply.request_id() == request_id || reply.request_id() == kUnreadRequest) return reply;
   }
-  throw NoAnswer("no saccaded answers at " + endpoint_ + ": start it with `saccaded --control " + endpoint_ +
-                 "`; a server with keys answers only those on its list");
+  throw NoAnswer(endpoint_, !keys_.secret.empty());
 }
 
 }  // namespace saccade::client

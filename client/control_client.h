@@ -1,4 +1,4 @@
-// The control plane as a client sees it: a request, then its reply or an exception.
+// Sends requests to the control socket of a server; each returns its reply or throws.
 #pragma once
 
 #include <chrono>
@@ -12,35 +12,37 @@
 
 namespace saccade::client {
 
-// No reply came before the deadline.
+// No reply came before the deadline. explainSilence() finds out why.
 struct NoAnswer : std::runtime_error {
-  using runtime_error::runtime_error;
+  NoAnswer(const std::string& endpoint, bool has_keys);
+  std::string endpoint;
+  bool has_keys;  // of the client
 };
 
-// The server said no; what() is its message, with the field in front where it named one.
+// The server refused the request. what() is the field at fault, if any, and the message.
 struct Refused : std::runtime_error {
   explicit Refused(const v1::Status& status);
   v1::Code code;
+  std::string field, message;
 };
 
-// Called several times a second while something is waited for; what it throws ends the wait.
+// Called several times a second during a wait; an exception from it ends the wait.
 using Waiting = std::function<void()>;
 
 class ControlClient {
  public:
-  static constexpr std::chrono::seconds kDeadline{3};  // for what the server answers at once
+  static constexpr std::chrono::seconds kDeadline{3};  // for calls that need no rendering or loading
 
-  // Does not wait for the server. Throws std::invalid_argument where `endpoint` or a key is not one.
+  // Does not wait for the server. Throws std::invalid_argument for a malformed endpoint or key.
   ControlClient(zmq::context_t& context, const std::string& endpoint, const CurveKeys& keys = {});
 
-  // Sends and waits for the reply to this very request; late replies to earlier ones are passed over. A
-  // request made before the server is up reaches it when it comes up. Throws NoAnswer, Refused,
-  // std::invalid_argument where a text of the request is no UTF-8, and std::runtime_error where a reply
-  // cannot be read.
+  // Sends a request and waits for its reply; late replies to earlier requests are ignored. A request made
+  // before the server is up reaches it when it comes up. Throws NoAnswer, Refused, std::invalid_argument for
+  // a text that is not UTF-8, and std::runtime_error for an unreadable reply.
   v1::Reply call(v1::Request request, std::chrono::milliseconds deadline = kDeadline,
                  const Waiting& waiting = {});
 
-  // Sends and does not wait: what the reply says is of no interest, or nobody may be there to give one.
+  // Sends a request without waiting for its reply.
   void tell(v1::Request request);
 
   const std::string& endpoint() const { return endpoint_; }

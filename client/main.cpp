@@ -1,17 +1,19 @@
-// The `saccade` command. Exit codes: 0 done, 1 the stream or the server failed, 2 wrong usage.
+// The `saccade` command. Exit codes: 0 success, 1 the stream or the server failed, 2 wrong usage.
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
 #include <string>
 
 #include "client/commands/commands.h"
+#include "client/commands/usage_check.h"
 #include "client/control_client.h"
+#include "client/server_probe.h"
 
 namespace saccade::client {
 namespace {
 
-int fail(const std::exception& error, int code) {
-  std::fprintf(stderr, "saccade: %s\n", error.what());
+int fail(const std::string& message, int code) {
+  std::fprintf(stderr, "saccade: %s\n", message.c_str());
   return code;
 }
 
@@ -19,29 +21,33 @@ bool isUsage(v1::Code code) {
   return code == v1::CODE_INVALID_ARGUMENT || code == v1::CODE_NOT_FOUND;
 }
 
-std::string usageFault(const CLI::App*, const CLI::Error& error) {
+std::string parseFault(const CLI::App*, const CLI::Error& error) {
   return std::string("saccade: ") + error.what() + "; see --help\n";
 }
 
 int run(int argc, char** argv) {
   CLI::App app("Client of saccaded, the event-camera daemon");
   app.require_subcommand(1);
-  app.failure_message(usageFault);
+  app.failure_message(parseFault);
   addListCommand(app);
   addInfoCommand(app);
   addRecordCommand(app);
   addKeygenCommand(app);
+  const std::string fault = usageFault(app, {argv + 1, argv + argc});
+  if (!fault.empty()) return fail(fault + "; see --help", 2);
   try {
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::invalid_argument& error) {
-    return fail(error, 2);
+    return fail(error.what(), 2);
   } catch (const Refused& error) {
-    return fail(error, isUsage(error.code) ? 2 : 1);
+    return fail(error.what(), isUsage(error.code) ? 2 : 1);
+  } catch (const NoAnswer& silence) {
+    return fail(explainSilence(silence), 1);
   } catch (const std::exception& error) {
-    return fail(error, 1);
+    return fail(error.what(), 1);
   }
 }
 

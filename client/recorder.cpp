@@ -1,36 +1,33 @@
 #include "client/recorder.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
-#include <system_error>
 
 namespace saccade::client {
-namespace {
 
-std::string fileOf(const std::string& path, int sensor, int sensors) {
-  if (sensors == 1) return path;
-  std::filesystem::path file(path);
-  const std::string extension = file.extension();
-  file.replace_extension();
-  return file.string() + "-" + std::to_string(sensor) + extension;
+std::vector<std::string> outputFiles(const std::string& path, int sensors) {
+  if (sensors == 1) return {path};
+  std::filesystem::path stem(path);
+  const std::string extension = stem.extension();
+  stem.replace_extension();
+  std::vector<std::string> files;
+  for (int i = 0; i < sensors; ++i) files.push_back(stem.string() + "-" + std::to_string(i) + extension);
+  return files;
 }
 
-}  // namespace
-
-Recorder::Recorder(const std::string& path, int sensors) {
+Recorder::Recorder(const std::string& path, const v1::StreamOpened& stream) {
   const WriterInfo& format = writerFor(path);
-  for (int i = 0; i < sensors; ++i) {
-    const std::string file = fileOf(path, i, sensors);
-    if (std::filesystem::is_directory(file)) throw std::system_error(EISDIR, std::generic_category(), file);
-    const std::string partial = file + ".partial";
-    outputs_.push_back({file, partial, format.make(partial)});
+  for (const std::string& file : outputFiles(path, stream.resolved().sensors_size())) {
+    const std::string now = file == kStandardOutput ? file : file + ".partial";
+    outputs_.push_back({file, now, format.make(now, stream, static_cast<int>(outputs_.size()))});
   }
 }
 
 void Recorder::add(const Batch& batch) {
-  if (batch.header.sensor() >= outputs_.size()) throw StreamFault("a packet is of a sensor nobody asked for");
-  if (batch.header.kind() == v1::KIND_HEARTBEAT) return;  // tells what was rendered, not what came
+  if (batch.header.sensor() >= outputs_.size())
+    throw StreamFault("a packet is of a sensor that the stream does not have");
+  if (batch.header.kind() == v1::KIND_HEARTBEAT)
+    return;  // its time is that of rendering, not of what has arrived
   if (!begin_ns_) begin_ns_ = batch.header.t0_ns();
   Output& output = outputs_[batch.header.sensor()];
   output.writer->write(batch.events);
@@ -47,6 +44,7 @@ bool Recorder::complete() const {
 void Recorder::commit() {
   for (Output& output : outputs_) {
     output.writer->finish();
+    if (output.now == output.file) continue;
     std::filesystem::rename(output.now, output.file);
     output.now = output.file;
   }

@@ -1,4 +1,4 @@
-// Puts the batches of a stream into files, one per sensor, which get their names only once complete.
+// Writes the batches of a stream to files, one per sensor. A file gets its name only when it is complete.
 #pragma once
 
 #include <cstdint>
@@ -9,29 +9,36 @@
 
 #include "client/subscriber.h"
 #include "client/writers/writer.h"
+#include "saccade/v1/control.pb.h"
 
 namespace saccade::client {
 
+// The file of each sensor: `path` itself for one sensor. For several, the sensor's index stands before the
+// extension (events-0.csv).
+std::vector<std::string> outputFiles(const std::string& path, int sensors);
+
 class Recorder {
  public:
-  // Starts FILE.partial for each sensor; with several, FILE is `path` with the sensor's index before the
-  // extension (events-0.csv). Throws as writerFor() and Writer do, also where FILE is a folder.
-  Recorder(const std::string& path, int sensors);
+  // Starts FILE.partial for each of outputFiles(); `path` may be kStandardOutput. Throws as writerFor() and
+  // Writer do.
+  Recorder(const std::string& path, const v1::StreamOpened& stream);
 
-  // Throws StreamFault where the batch is of a sensor the stream does not have.
+  // Throws StreamFault if the stream has no such sensor.
   void add(const Batch& batch);
   bool complete() const;  // every sensor has ended
-  void commit();          // call when complete: FILE.partial becomes FILE
+  // Renames FILE.partial to FILE. Call it when complete() is true. Throws std::system_error at the first file
+  // that cannot be finished: that file and the later ones keep the name FILE.partial.
+  void commit();
 
   std::uint64_t events() const { return events_; }
   std::uint64_t suppressed() const { return suppressed_; }
-  std::int64_t time_ns() const;            // stream time up to which all sensors are known
-  std::int64_t duration_ns() const;        // from the first packet up to there
-  std::vector<std::string> files() const;  // as they are named now
+  std::int64_t time_ns() const;            // stream time up to which all sensors are complete
+  std::int64_t duration_ns() const;        // from the first packet to time_ns()
+  std::vector<std::string> files() const;  // their present names
 
  private:
   struct Output {
-    std::string file, now;  // the name it is to get, and the one it has
+    std::string file, now;  // the final name and the present one
     std::unique_ptr<Writer> writer;
     std::int64_t time_ns = 0;
     bool ended = false;

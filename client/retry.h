@@ -1,4 +1,4 @@
-// Asks a server again that does not answer, or that cannot yet do what it is asked.
+// Repeats a call to a server that does not answer or is short of resources.
 #pragma once
 
 #include <chrono>
@@ -8,9 +8,9 @@
 
 namespace saccade::client {
 
-// Calls `attempt` until it returns. It may take `deadline`, which doubles from one attempt to the next, as
-// the pause between them. Throws what it throws: NoAnswer, or Refused for want of resources, once `until` has
-// passed; anything else at once.
+// Calls `attempt` until it returns. `deadline` is the time that an attempt may take; it doubles from one
+// attempt to the next, as does the pause between them. After `until`, passes on NoAnswer and Refused of
+// CODE_UNAVAILABLE or CODE_RESOURCE_EXHAUSTED; passes on any other exception at once.
 void retry(const std::function<void(std::chrono::milliseconds deadline)>& attempt,
            std::chrono::steady_clock::time_point until, const Waiting& waiting);
 

@@ -22,7 +22,8 @@ SequenceCheck::SequenceCheck(const v1::OpenStream& resolved) : due_(resolved.sen
 }
 
 std::optional<SequenceCheck::FreshRange> SequenceCheck::add(const v1::PacketHeader& header) {
-  if (header.sensor() >= due_.size()) throw StreamFault("a packet is of a sensor nobody asked for");
+  if (header.sensor() >= due_.size())
+    throw StreamFault("a packet is of a sensor that the stream does not have");
   Point& due = due_[header.sensor()];
   if (!takesSeq(header.kind()) || due.ended) return std::nullopt;
   const auto fresh = due.joined ? follow(due, header) : join(due, header);

@@ -10,7 +10,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// The packet without what came before.
+constexpr const char* kConnectionLost = "the connection to the server is lost";
+
+// Removes from a packet what arrived before.
 void cutOff(const SequenceCheck::FreshRange& fresh, Batch& batch) {
   batch.events.erase(batch.events.begin(),
                      batch.events.begin() + static_cast<std::ptrdiff_t>(fresh.known_events));
@@ -36,7 +38,7 @@ Subscription::Subscription(zmq::context_t& context, StreamHandle& stream, RetryP
 }
 
 void Subscription::connect() {
-  // A subscriber's socket comes back by itself, and misses less than a new one.
+  // A SUB socket reconnects by itself and misses less than a new one.
   if (!connection_ || !broadcast()) {
     connection_.emplace(stream_.subscribe(context_, sequence_.seqs()));
   }
@@ -69,14 +71,14 @@ std::optional<Batch> Subscription::receiveFromConnection(milliseconds timeout) {
   }
 }
 
-// Whether there is anything in it for the caller.
+// Whether the batch has something new for the caller.
 bool Subscription::take(Batch& batch) {
   heard_ = true;
   last_heard_ = Clock::now();
   lost_since_.reset();
   if (batch.header.kind() == v1::KIND_HEARTBEAT) return true;
   if (endsEarly(batch.header)) {
-    startAgain("the server ended the stream at frame " + std::to_string(batch.header.frame()));
+    startAgain(endText(batch.header));
     return false;
   }
   const auto fresh = sequence_.add(batch.header);
@@ -89,7 +91,7 @@ bool Subscription::take(Batch& batch) {
   return true;
 }
 
-// By the server's own will, and it is worth going on.
+// Whether the server ended the stream before its last frame, and it can be opened again.
 bool Subscription::endsEarly(const v1::PacketHeader& header) const {
   const bool left =
       header.end_reason() == v1::END_REASON_DRAINING || header.end_reason() == v1::END_REASON_ABANDONED;
@@ -98,13 +100,12 @@ bool Subscription::endsEarly(const v1::PacketHeader& header) const {
   return left && !last_frame && mayStartAgain();
 }
 
-// Nothing has come for a while: on another connection, or does the server still have the stream?
+// Called after silence. Tries a new connection first; if that is silent too, asks the server for the stream.
 void Subscription::reconnect() {
-  const auto until = patienceEnds();
-  if (Clock::now() >= until) throw StreamFault("the connection to the server is lost");
+  if (Clock::now() >= giveUpAt(kConnectionLost)) throw StreamFault(kConnectionLost);
   if (heard_ && !broadcast()) return connect();
   std::optional<v1::StreamInfo> info;
-  retry([&](milliseconds) { info = stream_.info(retry_policy_.waiting); }, until, retry_policy_.waiting);
+  retryAfter(kConnectionLost, [&](milliseconds) { info = stream_.info(retry_policy_.waiting); });
   if (!info) return startAgain("the server no longer knows the stream");
   const std::uint64_t frames = stream_.opened().frames();
   if (broadcast() && frames > 0 && info->frames_done() >= frames) {
@@ -114,12 +115,11 @@ void Subscription::reconnect() {
 }
 
 void Subscription::startAgain(const std::string& failure) {
-  const bool again = failure == failure_;  // and nothing has come since
-  if (!mayStartAgain() || again) throw StreamFault(failure);
-  const auto attempt = [&](milliseconds deadline) {
+  const bool repeated = failure == failure_;  // nothing new has arrived since the last one
+  if (!mayStartAgain() || repeated) throw StreamFault(failure);
+  retryAfter(failure, [&](milliseconds deadline) {
     stream_.reopen(sequence_.events(), deadline, retry_policy_.waiting);
-  };
-  retry(attempt, patienceEnds(), retry_policy_.waiting);
+  });
   failure_ = failure;
   lost_since_.reset();
   sequence_.restart();
@@ -131,8 +131,20 @@ bool Subscription::mayStartAgain() const {
   return lossless && !stream_.closed() && retry_policy_.retry_time.count() > 0;
 }
 
-Subscription::Clock::time_point Subscription::patienceEnds() {
-  if (!lost_since_) lost_since_ = Clock::now();
+void Subscription::retryAfter(const std::string& loss, const std::function<void(milliseconds)>& attempt) {
+  try {
+    retry(attempt, giveUpAt(loss), retry_policy_.waiting);
+  } catch (const NoAnswer& silence) {
+    throw StreamFault(loss + ", and " + silence.what());
+  }
+}
+
+// When the retry time ends that began with the first sign of this loss.
+Subscription::Clock::time_point Subscription::giveUpAt(const std::string& loss) {
+  if (!lost_since_) {
+    lost_since_ = Clock::now();
+    if (retry_policy_.lost && retry_policy_.retry_time.count() > 0) retry_policy_.lost(loss);
+  }
   return *lost_since_ + retry_policy_.retry_time;
 }
 

@@ -1,13 +1,14 @@
-// The batches of a stream, whatever becomes of the connection and of the server.
+// Receives the batches of a stream, and reconnects when the connection or the server is lost.
 //
-// After silence, for heartbeats come every second, another connection goes on where the last one was. A
-// LOSSLESS stream that the server has lost, or has ended before its last frame, is opened again and goes on
-// where it was, once the server has rendered up to there: without a gap, and nothing comes twice. What a
-// LIVE or BROADCAST stream has missed is counted.
+// Heartbeats come every second; after silence a new connection resumes where the old one stopped. If the
+// server has lost a LOSSLESS stream, or ended it early, the stream is opened again. The server then renders
+// up to the last batch again; no event is missing and none comes twice. Of a LIVE or BROADCAST stream, lost
+// packets are counted.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -19,22 +20,25 @@ namespace saccade::client {
 class Subscription {
  public:
   struct RetryPolicy {
-    std::chrono::milliseconds retry_time{
-        60'000};                              // about how long a server may be away; 0: no break is mended
-    std::chrono::milliseconds silence{3000};  // after which a connection is taken for lost
-    Waiting waiting = {};                     // while the server is asked for
+    // How long to try to reconnect, from the first sign of a loss; 0: not at all.
+    std::chrono::milliseconds retry_time{60'000};
+    std::chrono::milliseconds silence{3000};  // after this much silence a connection counts as lost
+    Waiting waiting = {};                     // called while a lost server is awaited
+    std::function<void(const std::string& loss)> lost =
+        {};  // called once at each loss, before the first retry
   };
   // Connects. `stream` must outlive the subscription.
   Subscription(zmq::context_t& context, StreamHandle& stream, RetryPolicy retry_policy);
 
-  // The next batch of any sensor, or a heartbeat; nothing when `timeout` has passed, a signal came first, or
-  // a break was mended, which takes up to the retry time. The call says that the batch before is safe: it
-  // cannot be had again. The header of a batch that goes on after a break tells of what is new in it, under
-  // the stream_id, epoch and seq of the new stream. Throws StreamFault, NoAnswer or Refused where the stream
-  // cannot go on, and what `waiting` throws.
+  // Returns the next batch of any sensor, or a heartbeat. Returns nothing after `timeout`, after a signal, or
+  // after reconnecting, which may take up to the retry time. Each call acknowledges the batch before, which
+  // the server may then forget. After a reconnection, a header describes the new part of its batch, with the
+  // stream_id, epoch and seq of the new stream. Throws StreamFault or Refused if the stream cannot go on, and
+  // whatever `waiting` throws.
   std::optional<Batch> receive(std::chrono::milliseconds timeout);
 
-  // The stream was opened again, and has not yet come to where it was. Heartbeats tell how far it is.
+  // True while a stream that was opened again is rendering what has already arrived. Heartbeats tell its
+  // frame.
   bool catchingUp() const { return !failure_.empty(); }
   const Losses& losses() const { return sequence_.losses(); }
 
@@ -48,17 +52,18 @@ class Subscription {
   void reconnect();
   void startAgain(const std::string& failure);
   bool mayStartAgain() const;
-  Clock::time_point patienceEnds();
+  void retryAfter(const std::string& loss, const std::function<void(std::chrono::milliseconds)>& attempt);
+  Clock::time_point giveUpAt(const std::string& loss);
 
   zmq::context_t& context_;
   StreamHandle& stream_;
   const RetryPolicy retry_policy_;
   SequenceCheck sequence_;
   std::optional<Subscriber> connection_;
-  bool heard_ = false;                           // anything on this connection
-  Clock::time_point last_heard_;                 // or when it was made
-  std::optional<Clock::time_point> lost_since_;  // while nothing is heard
-  std::string failure_;                          // why the stream was opened again, until fresh comes
+  bool heard_ = false;                           // whether this connection has delivered anything
+  Clock::time_point last_heard_;                 // at first: when the connection was made
+  std::optional<Clock::time_point> lost_since_;  // set while the connection is lost
+  std::string failure_;  // why the stream was opened again; empty once new data arrives
 };
 
 }  // namespace saccade::client

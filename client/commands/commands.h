@@ -1,4 +1,4 @@
-// The subcommands of `saccade`. Each adds itself to the command line and runs when it is named there.
+// The subcommands of `saccade`. Each add...() adds one to the command line; parsing runs it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,13 +13,13 @@ void addInfoCommand(CLI::App& app);
 void addRecordCommand(CLI::App& app);
 void addKeygenCommand(CLI::App& app);
 
-// Where the server is, and the keys it wants. All commands but keygen have it.
+// The options of all commands but keygen.
 struct ServerOptions {
   std::string control = "tcp://127.0.0.1:5770";
   std::string secret_key, server_key;  // files
 };
 void addServerOptions(CLI::App& command, ServerOptions& options);
-// Throws std::invalid_argument naming what is wrong.
+// Resolves the host; does not wait for the server. Throws std::invalid_argument with the option at fault.
 ControlClient connectTo(zmq::context_t& context, const ServerOptions& options);
 
 }  // namespace saccade::client

@@ -1,4 +1,4 @@
-// saccade info: what a server is and can do.
+// saccade info: prints the version, limits, features and methods of a server.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -33,15 +33,15 @@ void printServer(const v1::ServerDescription& server) {
   std::printf("data %s, broadcast %s\n", server.data_endpoint().c_str(), server.broadcast_endpoint().c_str());
   printBudgets("budgets", "--budget-ms, --max-false-rate", server.budgets());
   printBudgets("simplification", "--max-event-change", server.simplification());
-  std::printf("\nparts of a scene's model (record --disable), and what takes their place:\n");
-  for (const v1::SceneFeatureInfo& part : server.scene_features())
-    std::printf("  %-20s %s\n", part.name().c_str(), part.description().c_str());
-  std::printf("\nlimits (of saccaded: --limit-NAME):\n");
+  std::printf("\nfeatures of scenes (record --disable), and what replaces them:\n");
+  for (const v1::SceneFeatureInfo& feature : server.scene_features())
+    std::printf("  %-20s %s\n", feature.name().c_str(), feature.description().c_str());
+  std::printf("\nlimits (set by saccaded --limit-NAME):\n");
   for (const v1::LimitInfo& limit : server.limits()) {
     std::printf("  %-20s %9.15g %-3s  %s\n", limit.name().c_str(), limit.value(), limit.unit().c_str(),
                 limit.description().c_str());
   }
-  std::printf("\nmethods, their parameters with default and range:\n");
+  std::printf("\nmethods, and their parameters with default and range:\n");
   for (const v1::MethodInfo& method : server.methods()) printMethod(method);
 }
 
@@ -63,7 +63,7 @@ void runInfo(const InfoOptions& options) {
 }  // namespace
 
 void addInfoCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("info", "print the server's version, threads and methods");
+  CLI::App* command = app.add_subcommand("info", "print the server's version, limits, features and methods");
   const auto options = std::make_shared<InfoOptions>();
   addServerOptions(*command, options->server);
   command->add_option("--wait", options->wait_s, "seconds to wait for a server that is not up yet")

@@ -8,9 +8,10 @@
 namespace saccade::client {
 namespace {
 
-volatile std::sig_atomic_t noted = 0;  // when, in seconds since the machine started, plus 1
+volatile std::sig_atomic_t noted =
+    0;  // time of the first signal on the monotonic clock, in seconds, plus 1; 0: none
 
-// Some programs hand one Ctrl-C on twice: only a later one means that the user is tired of waiting.
+// Some programs pass one Ctrl-C on twice, so a second signal counts only after a second.
 void note(int) {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);

@@ -1,9 +1,9 @@
-// Ctrl-C, asked for instead of handled.
+// Ctrl-C as a question that a loop can ask.
 #pragma once
 
 namespace saccade::client {
 
-// From now on Ctrl-C is only noted; another one, a second or more later, ends the program.
+// Makes SIGINT and SIGTERM set interrupted(). A second one, at least a second later, ends the program.
 void watchInterrupt();
 bool interrupted();
 

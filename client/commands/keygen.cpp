@@ -36,14 +36,13 @@ void writeKeyPair(const std::string& name) {
 }
 
 void addKeygenCommand(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("keygen", "make a pair of keys: NAME.key to keep, NAME.pub to give away");
+  CLI::App* command = app.add_subcommand(
+      "keygen", "write a pair of keys: NAME.key to keep secret, NAME.pub to give to the other side");
   const auto name = std::make_shared<std::string>();
-  command->add_option("name", *name, "where to write them")->required()->type_name("NAME");
+  command->add_option("name", *name, "first part of the two file names")->required()->type_name("NAME");
   command->callback([name] {
     writeKeyPair(*name);
-    std::printf("%s.key is secret; the text of %s.pub goes to the other side\n", name->c_str(),
-                name->c_str());
+    std::printf("keep %s.key secret; give %s.pub to the other side\n", name->c_str(), name->c_str());
   });
 }
 

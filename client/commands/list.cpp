@@ -1,4 +1,4 @@
-// saccade list: the scenes of a server.
+// saccade list: prints the scenes of a server.
 #include <cstdio>
 #include <memory>
 

@@ -49,7 +49,7 @@ v1::Quality makeQuality(const RecordOptions& options) {
   if (options.max_false_rate) quality.set_max_false_rate(*options.max_false_rate);
   if (!options.max_event_change.empty())
     quality.set_max_event_change(parseShare("--max-event-change", options.max_event_change));
-  for (const std::string& part : options.disabled_features) quality.add_disabled_features(part);
+  for (const std::string& feature : options.disabled_features) quality.add_disabled_features(feature);
   return quality;
 }
 
@@ -62,11 +62,10 @@ v1::Sensor makeSensor(const RecordOptions& options, std::size_t index) {
   if (options.refractory_s) sensor.set_refractory_s(*options.refractory_s);
   if (options.cutoff_hz) sensor.set_cutoff_hz(*options.cutoff_hz);
   if (!options.model.empty()) {
-    sensor.set_model(enumValue<v1::EventModel>("--model", "EVENT_MODEL_", options.model));
+    sensor.set_model(enumValue<v1::EventModel>("--model", options.model));
   }
   if (!options.reconstruction.empty()) {
-    sensor.set_reconstruction(
-        enumValue<v1::Reconstruction>("--reconstruction", "RECONSTRUCTION_", options.reconstruction));
+    sensor.set_reconstruction(enumValue<v1::Reconstruction>("--reconstruction", options.reconstruction));
   }
   return sensor;
 }
@@ -75,7 +74,7 @@ v1::Timing makeTiming(const RecordOptions& options) {
   v1::Timing timing;
   timing.set_frame_rate_hz(options.rate_hz);
   timing.set_duration_s(options.duration_s);
-  timing.set_clock(enumValue<v1::Clock>("--clock", "CLOCK_", options.clock));
+  timing.set_clock(enumValue<v1::Clock>("--clock", options.clock));
   return timing;
 }
 
@@ -84,7 +83,7 @@ v1::Timing makeTiming(const RecordOptions& options) {
 v1::OpenStream makeOpenStream(const RecordOptions& options) {
   const std::size_t sensors = std::max<std::size_t>(options.thresholds.size(), 1);
   if (options.thresholds_off.size() > 1 && options.thresholds_off.size() != sensors) {
-    throw std::invalid_argument("--threshold-off: give one value, or as many as of --threshold");
+    throw std::invalid_argument("--threshold-off: give one value, or one for each --threshold");
   }
   v1::OpenStream open;
   open.set_scene(options.scene);
@@ -94,8 +93,8 @@ v1::OpenStream makeOpenStream(const RecordOptions& options) {
   *open.mutable_method() = makeMethod(options);
   *open.mutable_quality() = makeQuality(options);
   for (std::size_t i = 0; i < sensors; ++i) *open.add_sensors() = makeSensor(options, i);
-  open.set_delivery(enumValue<v1::Delivery>("--delivery", "DELIVERY_", options.delivery));
-  if (!options.codec.empty()) open.set_codec(enumValue<v1::Codec>("--codec", "CODEC_", options.codec));
+  open.set_delivery(enumValue<v1::Delivery>("--delivery", options.delivery));
+  if (!options.codec.empty()) open.set_codec(enumValue<v1::Codec>("--codec", options.codec));
   open.set_seed(options.seed);
   return open;
 }

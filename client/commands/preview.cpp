@@ -11,8 +11,8 @@
 namespace saccade::client {
 namespace {
 
-constexpr std::int64_t kShownNs = 10'000'000;  // so few that edges stand apart
-constexpr std::int64_t kSpareNs = 7'000'000;   // the picture may be a little older than the newest events
+constexpr std::int64_t kShownNs = 10'000'000;  // window of the events: short, so that edges stand apart
+constexpr std::int64_t kSpareNs = 7'000'000;   // the picture may be older than the newest events by this much
 
 void writePng(const std::string& path, const RgbPicture& picture) {
   const auto file = OIIO::ImageOutput::create(path);
@@ -46,7 +46,7 @@ void Preview::see(const Batch& batch, StreamHandle& stream) {
   }
 }
 
-// Until the picture is there, old events go; from then on all are kept until its time has come.
+// Drops old events until the picture has been taken, and then keeps all until they reach its time.
 void Preview::keepTail(const Batch& batch) {
   if (state_ == State::kWaiting) {
     const std::int64_t oldest = batch.header.t1_ns() - window_ns_ - kSpareNs;
@@ -61,7 +61,7 @@ void Preview::advance(std::int64_t time_ns, StreamHandle& stream) {
       frame_ = stream.picture();
     } catch (const Refused& refused) {
       if (refused.code != v1::CODE_RESOURCE_EXHAUSTED) throw;
-      return;  // too many ask at once; with the next batch there is another chance
+      return;  // too many requests at once; the next batch tries again
     }
     state_ = State::kAsked;
   }
@@ -72,7 +72,8 @@ void Preview::advance(std::int64_t time_ns, StreamHandle& stream) {
 }
 
 void Preview::write() const {
-  writePng(path_, drawPreview(frame_, between(tail_, frame_.t1_ns() - window_ns_, frame_.t1_ns())));
+  writePng(path_,
+           drawPreview(frame_, between(tail_, frame_.t1_ns() - window_ns_, frame_.t1_ns()), window_ns_));
 }
 
 }  // namespace saccade::client

@@ -1,4 +1,4 @@
-// Takes one picture of a stream that is being recorded, and writes it as PNG.
+// Takes one picture of a stream during its recording, and writes it as PNG.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ class Preview {
   // Asks for the picture once stream time has reached at_ns. `frame_ns` is the time between frames.
   Preview(const std::string& path, std::int64_t at_ns, std::int64_t frame_ns);
 
-  // Every batch of the stream, in order. A picture that cannot be had or written is told on stderr: the
-  // recording goes on.
+  // Call it with every batch of the stream, in order. A failure is reported on stderr and does not end the
+  // recording.
   void see(const Batch& batch, StreamHandle& stream);
 
   bool written() const { return state_ == State::kWritten; }
@@ -30,7 +30,7 @@ class Preview {
   std::int64_t at_ns_, window_ns_;
   State state_ = State::kWaiting;
   v1::FramePicture frame_;
-  Events tail_;  // the latest events of sensor 0
+  Events tail_;  // recent events of sensor 0
 };
 
 }  // namespace saccade::client

@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <stdexcept>
 #include <string>
+
+#include "client/commands/pixel_font.h"
 
 namespace saccade::client {
 namespace {
 
 using Colour = std::array<float, 3>;  // [0, 1]
-constexpr Colour kWhite{1, 1, 1}, kRed{0.8f, 0.05f, 0.1f}, kBlue{0.1f, 0.2f, 0.8f};
+constexpr Colour kWhite{1, 1, 1}, kBlack{0, 0, 0}, kRed{0.8f, 0.05f, 0.1f}, kBlue{0.1f, 0.2f, 0.8f};
 
 std::vector<float> planeOf(const std::string& bytes, std::size_t count) {
   if (bytes.size() != count * sizeof(float))
@@ -22,7 +25,7 @@ std::vector<float> planeOf(const std::string& bytes, std::size_t count) {
   return plane;
 }
 
-// Of the absolute values; at least a tiny number, so that it may divide.
+// Of the absolute values; at least 1e-12, to divide by.
 float percentile(std::vector<float> values, double fraction) {
   for (float& value : values) value = std::abs(value);
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(fraction * (values.size() - 1));
@@ -37,22 +40,47 @@ Colour mix(Colour from, Colour to, float weight) {
 
 class Canvas {
  public:
-  Canvas(int panel_width, int height) : panel_width_(panel_width) {
-    picture_.width = 3 * panel_width + 2 * kPanelGap;
-    picture_.height = height;
-    picture_.pixels.assign(std::size_t{3} * picture_.width * height, 255);
+  Canvas(int frame_width, int frame_height) : layout_(frame_width) {
+    picture_.width = layout_.left(2) + layout_.panel_width;
+    picture_.height = PreviewLayout::kCaptionHeight + frame_height * layout_.zoom;
+    picture_.pixels.assign(std::size_t{3} * picture_.width * picture_.height, 255);
   }
+
+  // One pixel of the frame.
   void set(int panel, int x, int y, Colour colour) {
-    const std::size_t at = std::size_t(y) * picture_.width + panel * (panel_width_ + kPanelGap) + x;
+    for (int v = 0; v < layout_.zoom; ++v) {
+      for (int u = 0; u < layout_.zoom; ++u) {
+        put(layout_.left(panel) + x * layout_.zoom + u, PreviewLayout::kCaptionHeight + y * layout_.zoom + v,
+            colour);
+      }
+    }
+  }
+
+  // In the caption of a panel, from `column` letters on. Returns the column after the text.
+  int write(int panel, int line, int column, const std::string& text, Colour colour) {
+    for (const char character : text) {
+      const int left = layout_.left(panel) + 2 + column++ * kLetterWidth, top = 2 + line * kLineHeight;
+      for (int y = 0; y < kGlyphHeight; ++y)
+        for (int x = 0; x < kGlyphWidth; ++x)
+          if (isInk(character, x, y)) put(left + x, top + y, colour);
+    }
+    return column;
+  }
+  RgbPicture take() { return std::move(picture_); }
+
+ private:
+  static constexpr int kLetterWidth = kGlyphWidth + 1, kLineHeight = kGlyphHeight + 4;
+
+  void put(int x, int y, Colour colour) {
+    if (x >= picture_.width) return;
+    const std::size_t at = std::size_t(y) * picture_.width + x;
     for (int i = 0; i < 3; ++i) {
       picture_.pixels[3 * at + i] =
           static_cast<std::uint8_t>(std::lround(std::clamp(colour[i], 0.0f, 1.0f) * 255));
     }
   }
-  RgbPicture take() { return std::move(picture_); }
 
- private:
-  int panel_width_;
+  PreviewLayout layout_;
   RgbPicture picture_;
 };
 
@@ -65,9 +93,31 @@ Colour changeColour(float relative) {
   return mix(kWhite, relative > 0 ? kRed : kBlue, std::min(std::abs(relative), 1.0f));
 }
 
+std::string format(const char* form, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, form, value);
+  return text;
+}
+
+void writeCaptions(Canvas& canvas, const v1::FramePicture& frame, float white, float full, std::size_t events,
+                   std::int64_t window_ns) {
+  canvas.write(0, 0, 0, format("intensity at %.6g s", frame.t1_ns() / 1e9), kBlack);
+  canvas.write(0, 1, 0, format("white = luminance %.3g", white), kBlack);
+  canvas.write(1, 0, 0, format("change of log brightness in %.4g ms", (frame.t1_ns() - frame.t0_ns()) / 1e6),
+               kBlack);
+  const int middle = canvas.write(1, 1, 0, format("blue = -%.3g  ", full), kBlue);
+  canvas.write(1, 1, middle, format("red = +%.3g", full), kRed);
+  canvas.write(2, 0, 0, std::to_string(events) + format(" events of the last %.4g ms", window_ns / 1e6),
+               kBlack);
+  canvas.write(2, 1, canvas.write(2, 1, 0, "red = ON  ", kRed), "blue = OFF", kBlue);
+}
+
 }  // namespace
 
-RgbPicture drawPreview(const v1::FramePicture& frame, std::span<const Event> events) {
+PreviewLayout::PreviewLayout(int frame_width)
+    : zoom((kMinPanelWidth + frame_width - 1) / frame_width), panel_width(zoom * frame_width) {}
+
+RgbPicture drawPreview(const v1::FramePicture& frame, std::span<const Event> events, std::int64_t window_ns) {
   const int width = static_cast<int>(frame.width()), height = static_cast<int>(frame.height());
   if (width <= 0 || height <= 0) throw std::runtime_error("the server's picture is empty");
   const std::size_t count = std::size_t(width) * height;
@@ -85,6 +135,7 @@ RgbPicture drawPreview(const v1::FramePicture& frame, std::span<const Event> eve
   for (const Event& e : events) {
     if (e.x < width && e.y < height) canvas.set(2, e.x, e.y, e.p ? kRed : kBlue);
   }
+  writeCaptions(canvas, frame, exposure, range, events.size(), window_ns);
   return canvas.take();
 }
 

@@ -1,4 +1,4 @@
-// Draws one moment of a stream: brightness, its change, and the events that led there.
+// Draws one moment of a stream: brightness, its change, and the latest events.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,21 @@ struct RgbPicture {
   std::vector<std::uint8_t> pixels;  // 3 bytes each, row by row from the top
 };
 
-inline constexpr int kPanelGap = 4;  // white columns between the panels
+// Where the three panels stand, in pixels of the picture.
+struct PreviewLayout {
+  static constexpr int kGap = 8;              // white columns between panels
+  static constexpr int kCaptionHeight = 24;   // two lines of words above each panel
+  static constexpr int kMinPanelWidth = 240;  // so that the words fit
+  explicit PreviewLayout(int frame_width);
+  int left(int panel) const { return panel * (panel_width + kGap); }
+  int zoom;         // pixels of the picture per pixel of the frame, along each axis
+  int panel_width;  // at least kMinPanelWidth
+};
 
-// Three panels of the frame's size side by side: intensity, exposed to its 99th percentile, with gamma; the
-// change of log brightness, blue below and red above 0, white at 0; `events`, ON red and OFF blue on white,
-// the latest of a pixel on top. Throws std::runtime_error where the planes do not fit the frame's size.
-RgbPicture drawPreview(const v1::FramePicture& frame, std::span<const Event> events);
+// Three panels side by side, each with its caption: intensity, exposed to its 99th percentile, with
+// gamma 2.2; the change of log brightness, from blue (negative) over white (0) to red; `events`, of the
+// window_ns before the frame, ON red and OFF blue on white. The latest event of a pixel is on top. Throws
+// std::runtime_error if the planes do not have the frame's size.
+RgbPicture drawPreview(const v1::FramePicture& frame, std::span<const Event> events, std::int64_t window_ns);
 
 }  // namespace saccade::client

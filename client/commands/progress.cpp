@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -20,15 +21,36 @@ std::string barOf(double fraction) {
 
 }  // namespace
 
+std::string timeText(double seconds) {
+  const auto whole = static_cast<long long>(std::ceil(seconds));
+  if (whole < 60) return std::to_string(whole) + " s";
+  if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+  return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
+}
+
 Progress::Progress(double duration_s) : duration_s_(duration_s), terminal_(isatty(STDERR_FILENO) != 0) {}
 
-void Progress::update(double stream_s, std::uint64_t events) {
+// "34 %, 0.68 of 2 s, 21 s left"
+std::string Progress::share(double stream_s) const {
+  char text[96];
+  if (duration_s_ <= 0) {
+    std::snprintf(text, sizeof(text), "%.3f s", stream_s);
+    return text;
+  }
+  const double done = std::clamp(stream_s / duration_s_, 0.0, 1.0);
+  std::snprintf(text, sizeof(text), "%3.0f %%, %.3f of %g s", 100 * done, stream_s, duration_s_);
+  std::string shown = (terminal_ ? barOf(done) : "") + text;
+  if (done > 0) shown += ", " + timeText(elapsed_s() * (1 - done) / done) + " left";
+  return shown;
+}
+
+void Progress::update(double stream_s, double recorded_s, std::uint64_t events) {
   if (!due()) return;
-  const double wall = elapsed_s();
-  char numbers[128];
-  std::snprintf(numbers, sizeof(numbers), "%.3f s, %llu events, %.3g events/s, %.3gx real time", stream_s,
-                static_cast<unsigned long long>(events), events / wall, stream_s / wall);
-  show((terminal_ && duration_s_ > 0 ? barOf(stream_s / duration_s_) : "") + numbers);
+  char rates[128];
+  std::snprintf(rates, sizeof(rates), ", %llu events (%.3g per second of the stream), %.3gx real time",
+                static_cast<unsigned long long>(events), recorded_s > 0 ? events / recorded_s : 0.0,
+                recorded_s / elapsed_s());
+  show(share(stream_s) + rates);
 }
 
 void Progress::note(const std::string& text) {

@@ -1,4 +1,5 @@
-// How far a recording is, on stderr: one line that is rewritten on a terminal, a line now and then elsewhere.
+// Shows on stderr how far a recording is: on a terminal one line that is rewritten, elsewhere a line every 5
+// s.
 #pragma once
 
 #include <chrono>
@@ -7,21 +8,26 @@
 
 namespace saccade::client {
 
+// "2 min 10 s"
+std::string timeText(double seconds);
+
 class Progress {
  public:
-  explicit Progress(double duration_s);  // of the stream; 0: unknown
+  explicit Progress(double duration_s);  // seconds of the stream; 0: unknown
 
-  void update(double stream_s, std::uint64_t events);
-  void note(const std::string& text);  // in the place of update(), where nothing comes
-  void tell(const std::string& text);  // a line of its own, at once
-  void finish();                       // leaves the line as it is
+  // `stream_s`: stream time reached, seconds. `events` came in the last `recorded_s` of it.
+  void update(double stream_s, double recorded_s, std::uint64_t events);
+  void note(const std::string& text);  // shown instead of update() while no events come
+  void tell(const std::string& text);  // prints a line of its own, at once
+  void finish();                       // ends the line
 
-  double elapsed_s() const;  // wall-clock time since the start
+  double elapsed_s() const;  // wall-clock seconds since construction
 
  private:
   using Clock = std::chrono::steady_clock;
   bool due();
   void show(const std::string& text);
+  std::string share(double stream_s) const;
 
   const double duration_s_;
   const bool terminal_;

@@ -10,9 +10,9 @@ namespace saccade::client {
 namespace {
 
 constexpr double kNsPerSecond = 1e9;
-constexpr std::chrono::milliseconds kPollInterval{500};  // between two looks at Ctrl-C and the progress
+constexpr std::chrono::milliseconds kPollInterval{500};  // for Ctrl-C and the progress
 
-// Ctrl-C is the end that was meant where the stream has no other.
+// Ctrl-C is the normal end of an endless stream, and a fault of any other.
 void heedInterrupt(StreamHandle& stream) {
   if (stream.opened().frames() > 0) throw StreamFault("interrupted");
   stream.close();
@@ -25,16 +25,15 @@ void showProgress(const Subscription& subscription, const StreamHandle& stream, 
     progress.note("rendering again: frame " + std::to_string(batch.header.frame()) +
                   (frames > 0 ? " of " + std::to_string(frames) : ""));
   } else {
-    progress.update(recorder.duration_ns() / kNsPerSecond, recorder.events());
+    progress.update(recorder.time_ns() / kNsPerSecond, recorder.duration_ns() / kNsPerSecond,
+                    recorder.events());
   }
 }
 
-// A server that stops ends its streams early.
-void checkWhole(const v1::StreamOpened& opened, double stream_s) {
+// `end`: the header of the END packet of the last sensor.
+void checkWhole(const v1::StreamOpened& opened, double stream_s, const v1::PacketHeader& end) {
   const double frames = stream_s * opened.resolved().timing().frame_rate_hz();
-  if (opened.frames() > 0 && frames < opened.frames() - 0.5) {
-    throw StreamFault("the server ended the stream after " + std::to_string(stream_s) + " s");
-  }
+  if (opened.frames() > 0 && frames < opened.frames() - 0.5) throw StreamFault(endText(end));
 }
 
 }  // namespace
@@ -42,23 +41,29 @@ void checkWhole(const v1::StreamOpened& opened, double stream_s) {
 void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& recorder,
                 std::optional<Preview>& preview, Progress& progress) {
   std::uint64_t epoch = stream.opened().epoch();
+  v1::PacketHeader end;
   while (!recorder.complete()) {
     if (interrupted()) heedInterrupt(stream);
     const auto batch = subscription.receive(kPollInterval);
     if (std::exchange(epoch, stream.opened().epoch()) != stream.opened().epoch()) {
-      progress.tell("saccade: the server has started anew; it renders up to what is recorded, then on");
+      progress.tell("saccade: the server has restarted; it renders again up to the recorded frame");
     }
     if (!batch) continue;
     recorder.add(*batch);
     if (preview && batch->header.kind() == v1::KIND_EVENTS) preview->see(*batch, stream);
+    if (batch->header.kind() == v1::KIND_END) end = batch->header;
     showProgress(subscription, stream, *batch, recorder, progress);
   }
-  checkWhole(stream.opened(), recorder.time_ns() / kNsPerSecond);
+  checkWhole(stream.opened(), recorder.time_ns() / kNsPerSecond, end);
 }
 
 void showWaiting(Progress& progress) {
   if (interrupted()) throw StreamFault("interrupted");
   progress.note("waiting for the server");
+}
+
+void tellLoss(Progress& progress, const std::string& loss, double retry_s) {
+  progress.tell("saccade: " + loss + "; trying again for " + timeText(retry_s));
 }
 
 }  // namespace saccade::client

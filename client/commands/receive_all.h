@@ -1,7 +1,8 @@
-// The packets of a stream, from the first to the last, to those who want them.
+// Hands every batch of a stream to the recorder, the preview and the progress line.
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "client/commands/preview.h"
 #include "client/commands/progress.h"
@@ -10,12 +11,14 @@
 
 namespace saccade::client {
 
-// Returns when every sensor has ended, as the stream or Ctrl-C on an endless one ends it. Throws StreamFault
-// where the end is not the one that was asked for, and as Subscription and Recorder do.
+// Returns when every sensor has ended: at the last frame, or after Ctrl-C on an endless stream. Throws
+// StreamFault if the stream ends early, and as Subscription and Recorder do.
 void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& recorder,
                 std::optional<Preview>& preview, Progress& progress);
 
-// What receiveAll() does while a server that is away is waited for: to be Subscription::RetryPolicy::waiting.
+// For Subscription::RetryPolicy::waiting: shows that it waits. Throws StreamFault after Ctrl-C.
 void showWaiting(Progress& progress);
+// For Subscription::RetryPolicy::lost.
+void tellLoss(Progress& progress, const std::string& loss, double retry_s);
 
 }  // namespace saccade::client

@@ -1,98 +1,114 @@
 #include "client/commands/record_options.h"
 
+#include <limits>
+
 #include "client/commands/commands.h"
+#include "client/commands/request_text.h"
 #include "client/writers/writer.h"
-#include "wire/codec_table.h"
 
 namespace saccade::client {
 namespace {
 
-std::vector<std::string> codecNames() {
-  std::vector<std::string> names;
-  for (const CodecInfo* codec : codecTable()) names.emplace_back(codec->name);
-  return names;
-}
-
 std::string checkPng(const std::string& path) {
-  return path.ends_with(".png") ? "" : "'" + path + "' is no .png file";
+  return path.ends_with(".png") ? "" : "'" + path + "' is not a .png file";
 }
 
-}  // namespace
+// CLI11 reads -1 as the largest number.
+template <class T>
+std::string checkWhole(const std::string& text) {
+  if (parseNumber<T>(text)) return "";
+  return "'" + text + "' is not a whole number from 0 to " + std::to_string(std::numeric_limits<T>::max());
+}
 
-void addRecordOptions(CLI::App& command, RecordOptions& o) {
-  addServerOptions(command, o.server);
-  command.add_option("scene", o.scene, "name of a scene, see `saccade list`")->required();
+void addPathOptions(CLI::App& command, RecordOptions& o) {
   CLI::Option* trajectory = command.add_option(
       "--trajectory", o.trajectory,
-      "a trajectory of the scene, or a TUM or ESIM file (*.csv, or any file that is there)");
+      "name of a trajectory of the scene, or a file of poses in TUM format (seconds, blanks) or "
+      "ESIM format (nanoseconds, commas)");
   CLI::Option* motion =
       command
-          .add_option(
-              "--motion", o.motion,
-              "KIND:SPEED from the scene's own camera, or KIND:SPEEDpx in pixels per frame, see below")
+          .add_option("--motion", o.motion,
+                      "KIND:SPEED per second, or KIND:SPEEDpx in pixels per frame, from the "
+                      "scene's own camera; KIND is " +
+                          enumWords<v1::MotionKind>())
           ->excludes(trajectory);
   command.add_option("--turn", o.turn_s, "seconds after which the motion turns back, 0: never")
       ->needs(motion);
-  command.add_option("--motion-seed", o.motion_seed, "of shake")->needs(motion);
-  command.add_option("-o,--output", o.output, "file to write, by its extension: " + writerNames())
-      ->required();
+  command.add_option("--motion-seed", o.motion_seed, "seed of the motion shake")
+      ->check(checkWhole<std::uint64_t>)
+      ->needs(motion);
+}
+
+void addSensorOptions(CLI::App& command, RecordOptions& o) {
   command
       .add_option("--threshold", o.thresholds,
-                  "contrast threshold C, in natural log units; give it again for another sensor")
+                  "contrast threshold C, in natural log units; each further value is another sensor")
       ->allow_extra_args(false)
       ->delimiter(',');
   command
-      .add_option("--threshold-off", o.thresholds_off, "C of OFF events: one for all sensors, or one each")
+      .add_option("--threshold-off", o.thresholds_off,
+                  "threshold of OFF events: one value for all sensors, or one each")
       ->allow_extra_args(false)
       ->delimiter(',');
-  command.add_option("--bias", o.bias, "I_eps, in scene luminance");
-  command.add_option("--refractory", o.refractory_s, "seconds a pixel is blind after an event");
-  command.add_option("--model", o.model, "event model")
-      ->check(CLI::IsMember({"accumulating", "probabilistic"}));
-  command
-      .add_option(
-          "--reconstruction", o.reconstruction,
-          "which change of brightness the sensors believe: direct the difference alone, the others draw it "
-          "towards the picture; default: kalman")
-      ->check(CLI::IsMember({"direct", "complementary", "kalman"}));
-  command.add_option("--cutoff", o.cutoff_hz, "Hz below which complementary believes the primal picture");
+  command.add_option("--bias", o.bias, "I_eps, the luminance added to each pixel before the logarithm");
+  command.add_option("--refractory", o.refractory_s, "seconds for which a pixel is blind after an event");
+  command.add_option("--model", o.model, "event model: " + enumWords<v1::EventModel>());
+  command.add_option("--reconstruction", o.reconstruction,
+                     "how a sensor finds its brightness: " + enumWords<v1::Reconstruction>() +
+                         "; direct sums the changes and drifts, the others also use the picture");
+  command.add_option("--cutoff", o.cutoff_hz,
+                     "Hz below which the reconstruction complementary follows the picture");
+}
+
+void addStreamOptions(CLI::App& command, RecordOptions& o) {
   command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   command.add_option("--fov", o.fov_x_deg, "horizontal field of view, degrees");
-  command.add_option("--rate", o.rate_hz, "frames per second of stream time")->capture_default_str();
-  command.add_option("--duration", o.duration_s, "seconds of stream time; 0: until Ctrl-C")
+  command.add_option("--rate", o.rate_hz, "frames per second of the stream")->capture_default_str();
+  command.add_option("--duration", o.duration_s, "seconds of the stream; 0: until Ctrl-C")
       ->capture_default_str();
   command
       .add_option("--delivery", o.delivery,
-                  "when this client is slow: wait for it, drop the oldest, drop any")
-      ->check(CLI::IsMember({"lossless", "live", "broadcast"}))
+                  "what happens when this client is slow: " + enumWords<v1::Delivery>() +
+                      "; lossless waits, live drops the oldest packets, broadcast drops any")
       ->capture_default_str();
-  command.add_option("--clock", o.clock, "as fast as can be, or in step with the wall clock")
-      ->check(CLI::IsMember({"fast", "paced"}))
+  command
+      .add_option(
+          "--clock", o.clock,
+          enumWords<v1::Clock>() + "; fast renders as fast as possible, paced in step with the wall clock")
       ->capture_default_str();
-  command.add_option("--codec", o.codec, "how events are compressed on the way; default: none")
-      ->check(CLI::IsMember(codecNames()));
+  command.add_option("--codec", o.codec, "compression of the packets: " + enumWords<v1::Codec>());
   command
       .add_option("--retry-time", o.retry_time_s,
-                  "seconds to try again where the connection or the server is lost; 0: never")
+                  "seconds to try to reconnect to a lost server; 0: not at all")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
+  command.add_option("--seed", o.seed, "seed of all random numbers")
+      ->check(checkWhole<std::uint64_t>)
+      ->capture_default_str();
+}
+
+void addQualityOptions(CLI::App& command, RecordOptions& o) {
   command.add_option("--method", o.method, "see `saccade info`");
-  CLI::Option* spp = command.add_option("--spp", o.spp, "paths per pixel and frame");
-  CLI::Option* bounces = command.add_option("--bounces", o.bounces, "indirect bounces");
+  CLI::Option* spp =
+      command.add_option("--spp", o.spp, "paths per pixel and frame")->check(checkWhole<std::uint32_t>);
+  CLI::Option* bounces =
+      command.add_option("--bounces", o.bounces, "indirect bounces")->check(checkWhole<std::uint32_t>);
   CLI::Option* disable =
       command
           .add_option("--disable", o.disabled_features,
-                      "part of the scene's model to do without, see `saccade info`; may be given again")
+                      "feature of the scene to leave out, see `saccade info`; may be given again")
           ->allow_extra_args(false)
           ->delimiter(',');
-  command.add_flag("--jitter", o.jitter, "paths start all over the pixel: fine texture and edges alias less");
+  command.add_flag("--jitter", o.jitter,
+                   "start paths anywhere in the pixel, not at its centre: less aliasing, more time");
   CLI::Option* set =
       command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")
           ->allow_extra_args(false);
   CLI::Option* max_event_change =
       command
-          .add_option("--max-event-change", o.max_event_change,
-                      "let the server do without what changes at most so many of the events, such as 2%")
+          .add_option(
+              "--max-event-change", o.max_event_change,
+              "let the server simplify the scene, changing at most this share of the events, such as 2%")
           ->excludes(bounces)
           ->excludes(disable);
   CLI::Option* budget =
@@ -103,27 +119,46 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
           ->excludes(set)
           ->excludes(max_event_change);
   command
-      .add_option("--max-false-rate", o.max_false_rate,
-                  "let it choose the fastest with at most so many false events per pixel-frame")
+      .add_option(
+          "--max-false-rate", o.max_false_rate,
+          "let the server choose the fastest setting with at most this many false events per pixel and frame")
       ->excludes(spp)
       ->excludes(set)
       ->excludes(max_event_change)
       ->excludes(budget);
-  command.add_option("--seed", o.seed, "of all random numbers")->capture_default_str();
+}
+
+}  // namespace
+
+void addRecordOptions(CLI::App& command, RecordOptions& o) {
+  command.add_option("scene", o.scene, "name of a scene, see `saccade list`")->required();
+  command
+      .add_option("-o,--output", o.output,
+                  "file to write, in the format of its extension: " + writerNames() +
+                      "; - writes CSV to standard output")
+      ->required();
+  command.add_flag("--force", o.force, "replace files that exist");
   command
       .add_option("--preview", o.preview,
                   "PNG of brightness, its change and the latest events, a third of the way through")
       ->check(CLI::Validator(checkPng, "FILE.png"));
+  addPathOptions(command, o);
+  addSensorOptions(command, o);
+  addStreamOptions(command, o);
+  addQualityOptions(command, o);
+  addServerOptions(command, o.server);
   sayRanges(command);
   command.footer(
-      "Motions: dolly:0.2 (forward), truck (right), pedestal (up), in scene units per second;\n"
-      "pan:-15 (right), tilt (up), roll (clockwise), orbit (right), shake (hand-held), in degrees\n"
-      "per second. A negative speed goes the other way.\n\n"
-      "What has no default here is left to the server. A lossless recording outlives its server: it goes on\n"
-      "where it was with one that comes within the time to retry. Exit codes: 0 recorded, 1 the stream or "
-      "the\n"
-      "server failed, 2 wrong usage. Until it is complete, the file is called FILE.partial.\n\n"
-      "saccade record cornell-bunny --trajectory right --size 240x180 -o events.csv --preview events.png");
+      "Motions: dolly (forward), truck (right), pedestal (up) in scene units per second; pan (right), tilt "
+      "(up),\n"
+      "roll (clockwise), orbit (right), shake (hand-held) in degrees per second. A negative speed goes the "
+      "other\n"
+      "way. Keep the picture below half a pixel per frame: `record` warns, and says which --rate does.\n\n"
+      "Options without a default here have the server's default. FILE is called FILE.partial until it is "
+      "complete.\n"
+      "`record` reconnects to a lost server and resumes; a lossless recording misses nothing.\n"
+      "Exit codes: 0 recorded, 1 the stream or the server failed, 2 wrong usage.\n\n"
+      "Example: saccade record cornell-box --trajectory right -o events.csv --preview events.png");
 }
 
 }  // namespace saccade::client

@@ -1,35 +1,36 @@
-// Words of the command line as values of a request.
+// Reads words and numbers of the command line.
 #pragma once
 
 #include <google/protobuf/generated_enum_reflection.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
 namespace saccade::client {
 
-// The value of a schema's enum that `name` stands for: "lossless" is DELIVERY_LOSSLESS. Throws
-// std::invalid_argument naming `option` and what is valid.
+// The words for an enum of the schema, ", " between them: "lossless, live, broadcast" for Delivery.
+std::string enumWords(const google::protobuf::EnumDescriptor& names);
+
+// The number for a word: "lossless" gives DELIVERY_LOSSLESS. Throws std::invalid_argument with `option` and
+// the valid words.
+int enumNumber(const google::protobuf::EnumDescriptor& names, const std::string& option,
+               const std::string& word);
+
 template <class Enum>
-Enum enumValue(const std::string& option, const std::string& prefix, const std::string& name) {
-  const auto* names = google::protobuf::GetEnumDescriptor<Enum>();
-  std::string valid;
-  for (int i = 1; i < names->value_count(); ++i) {  // 0 is _UNSPECIFIED
-    std::string word = names->value(i)->name().substr(prefix.size());
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (word == name) return static_cast<Enum>(names->value(i)->number());
-    valid += (i > 1 ? ", " : "") + word;
-  }
-  throw std::invalid_argument(option + ": '" + name + "' is none of " + valid);
+std::string enumWords() {
+  return enumWords(*google::protobuf::GetEnumDescriptor<Enum>());
 }
 
-// All of `text`, or nothing.
+template <class Enum>
+Enum enumValue(const std::string& option, const std::string& word) {
+  return static_cast<Enum>(enumNumber(*google::protobuf::GetEnumDescriptor<Enum>(), option, word));
+}
+
+// The number that `text` is as a whole; nothing if it is none of type T.
 template <class T>
 std::optional<T> parseNumber(std::string_view text) {
   T value;
@@ -38,7 +39,7 @@ std::optional<T> parseNumber(std::string_view text) {
   return value;
 }
 
-// What stands before and behind `separator`; nothing behind where there is none.
+// The parts before and after the first `separator`; without one, the second is empty.
 inline std::pair<std::string, std::string> splitAt(const std::string& text, char separator) {
   const std::size_t at = std::min(text.find(separator), text.size());
   return {text.substr(0, at), text.substr(std::min(at + 1, text.size()))};

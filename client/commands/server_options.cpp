@@ -1,25 +1,39 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
+#include "client/server_probe.h"
 #include "wire/curve_key.h"
 
 namespace saccade::client {
+namespace {
+
+void checkControl(const std::string& endpoint) {
+  try {
+    checkEndpoint(endpoint);
+  } catch (const std::invalid_argument& fault) {
+    throw std::invalid_argument(std::string("--control: ") + fault.what());
+  }
+}
+
+}  // namespace
 
 void addServerOptions(CLI::App& command, ServerOptions& options) {
-  command.add_option("--control", options.control, "control endpoint of saccaded")
+  command.add_option("--control", options.control, "control endpoint of the server")
       ->envname("SACCADE_SERVER")
       ->capture_default_str();
-  command
-      .add_option("--secret-key", options.secret_key, "file of your secret key, where the server wants one")
+  command.add_option("--secret-key", options.secret_key, "file of your secret key, for a server with keys")
       ->envname("SACCADE_CLIENT_KEY");
-  command.add_option("--server-key", options.server_key, "file of the server's public key, likewise")
+  command
+      .add_option("--server-key", options.server_key,
+                  "file of the server's public key, for a server with keys")
       ->envname("SACCADE_SERVER_KEY");
 }
 
 ControlClient connectTo(zmq::context_t& context, const ServerOptions& options) {
   if (options.secret_key.empty() != options.server_key.empty()) {
-    throw std::invalid_argument("--secret-key and --server-key belong together");
+    throw std::invalid_argument("give both --secret-key and --server-key, or neither");
   }
+  checkControl(options.control);
   CurveKeys keys;
   if (!options.secret_key.empty()) {
     keys = {readCurveKey(options.secret_key), readCurveKey(options.server_key)};

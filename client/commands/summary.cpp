@@ -1,68 +1,101 @@
 #include "client/commands/summary.h"
 
+#include <cmath>
 #include <cstdio>
 #include <map>
+
+#include "client/commands/progress.h"
 
 namespace saccade::client {
 namespace {
 
 using Count = unsigned long long;  // as printf names it
 
+constexpr double kAdvisedPixels = 0.5, kMaxRateHz = 1e5;
+
+// The rate that keeps the picture to half a pixel per frame, rounded up to two digits.
+double advisedRate(double rate_hz, double px_per_frame) {
+  const double rate = rate_hz * px_per_frame / kAdvisedPixels;
+  const double digit = std::pow(10, std::floor(std::log10(rate)) - 1);
+  return std::ceil(rate / digit) * digit;
+}
+
 }  // namespace
 
-void printModel(const v1::StreamOpened& opened) {
+void printModel(std::FILE* out, const v1::StreamOpened& opened) {
   if (!opened.has_simplification()) return;
   const v1::ExpectedChange& simpler = opened.simplification();
-  std::printf("chosen: %s\n", simpler.model().c_str());
-  std::printf("expected: %.3g %% of the time of the whole model, %.3g %% of its events change\n",
-              100 * simpler.time(), 100 * simpler.changed());
-  std::printf("  as measured with %s\n", simpler.measured_on().c_str());
+  std::fprintf(out, "chosen: %s\n", simpler.model().c_str());
+  std::fprintf(out, "expected: %.3g %% of the time of the whole scene, %.3g %% of its events change\n",
+               100 * simpler.time(), 100 * simpler.changed());
+  std::fprintf(out, "  as measured with %s\n", simpler.measured_on().c_str());
 }
 
-void printChoice(const v1::StreamOpened& opened) {
+void printChoice(std::FILE* out, const v1::StreamOpened& opened) {
   if (!opened.has_expected()) return;
   const v1::ExpectedQuality& expected = opened.expected();
-  std::printf("chosen: %s at %u spp\n", expected.setting().c_str(), opened.resolved().method().spp());
-  std::printf("expected: %.3g CPU ms per frame, %.3g false and %.3g missed events per pixel-frame\n",
-              expected.cpu_ms(), expected.false_rate(), expected.missed_rate());
-  std::printf("  as measured with %s\n", expected.measured_on().c_str());
+  std::fprintf(out, "chosen: %s at %u spp\n", expected.setting().c_str(), opened.resolved().method().spp());
+  std::fprintf(out, "expected: %.3g CPU ms per frame, %.3g false and %.3g missed events per pixel-frame\n",
+               expected.cpu_ms(), expected.false_rate(), expected.missed_rate());
+  std::fprintf(out, "  as measured with %s\n", expected.measured_on().c_str());
 }
 
-void printPixelSpeed(const v1::StreamOpened& opened) {
-  std::printf("the picture moves by %.3g pixels per frame (median; 99th percentile %.3g)\n",
-              opened.px_per_frame_p50(), opened.px_per_frame_p99());
+void printPixelSpeed(std::FILE* out, const v1::StreamOpened& opened) {
+  std::fprintf(out, "the picture moves by %.3g pixels per frame (median; 99th percentile %.3g)\n",
+               opened.px_per_frame_p50(), opened.px_per_frame_p99());
 }
 
-void printFiles(std::vector<std::string> files, const std::string& preview) {
+void warnOfFastPicture(const v1::StreamOpened& opened) {
+  const double px = opened.px_per_frame_p50();
+  if (px <= kAdvisedPixels) return;
+  std::fprintf(stderr, "saccade: warning: above half a pixel per frame events are less accurate; ");
+  const v1::OpenStream& request = opened.resolved();
+  const double rate = advisedRate(request.timing().frame_rate_hz(), px);
+  if (request.trajectory().motion().has_px_per_frame()) {
+    std::fprintf(stderr, "ask for at most %gpx\n", kAdvisedPixels);
+  } else if (rate <= kMaxRateHz) {
+    std::fprintf(stderr, "--rate %g would keep to it\n", rate);
+  } else {
+    std::fprintf(stderr, "the motion is too fast for any frame rate\n");
+  }
+}
+
+void printFiles(std::FILE* out, std::vector<std::string> files, const std::string& preview) {
   if (!preview.empty()) files.push_back(preview);
-  for (const std::string& file : files) std::printf("wrote %s\n", file.c_str());
+  for (const std::string& file : files) {
+    std::fprintf(out, "wrote %s\n", file == kStandardOutput ? "to standard output" : file.c_str());
+  }
 }
 
-void printRates(const Recorder& recorder, double wall_s) {
+void printRates(std::FILE* out, const Recorder& recorder, double wall_s) {
   const double stream_s = recorder.duration_ns() / 1e9;
-  std::printf("%llu events, %.6g per second of the stream; %.6g s in %.3g s, %.3gx real time\n",
-              Count{recorder.events()}, stream_s > 0 ? recorder.events() / stream_s : 0.0, stream_s, wall_s,
-              stream_s / wall_s);
+  std::fprintf(out,
+               "%llu events (%.3g per second of the stream); %.6g s of the stream in %s, %.3gx real time\n",
+               Count{recorder.events()}, stream_s > 0 ? recorder.events() / stream_s : 0.0, stream_s,
+               timeText(wall_s).c_str(), stream_s / wall_s);
   if (recorder.suppressed() == 0) return;
-  std::printf("%llu events withheld by the sensors' limits\n", Count{recorder.suppressed()});
+  std::fprintf(
+      out,
+      "%llu events withheld: a sensor sends at most 32 events per pixel and frame, and so many per frame\n",
+      Count{recorder.suppressed()});
 }
 
-void printLosses(const Losses& losses) {
+void printLosses(std::FILE* out, const Losses& losses) {
   if (losses.gaps == 0) return;
-  std::printf("lost on the way: %llu packets with %llu events, in %llu places\n", Count{losses.packets},
-              Count{losses.events}, Count{losses.gaps});
+  std::fprintf(out, "lost on the way: %llu packets with %llu events, in %llu gaps\n", Count{losses.packets},
+               Count{losses.events}, Count{losses.gaps});
 }
 
-void printStages(const v1::StreamInfo& info) {
-  std::printf("CPU ms per frame: %.3g", info.frame_cpu_ms());
+void printStages(std::FILE* out, const v1::StreamInfo& info) {
+  std::fprintf(out, "CPU ms per frame: %.3g", info.frame_cpu_ms());
   const char* separator = " (";
-  // In one order, which protobuf's own map does not have.
+  // Sorted by name; the map of protobuf has no order.
   for (const auto& [stage, ms] :
        std::map<std::string, double>(info.stage_cpu_ms().begin(), info.stage_cpu_ms().end())) {
-    std::printf("%s%s %.3g", separator, stage.c_str(), ms);
+    std::fprintf(out, "%s%s %.3g", separator, stage.c_str(), ms);
     separator = ", ";
   }
-  std::printf(info.stage_cpu_ms().empty() ? "\n" : ")\n");
+  std::fprintf(out, info.stage_cpu_ms().empty() ? "\n" : ")\n");
 }
 
 }  // namespace saccade::client

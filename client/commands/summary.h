@@ -1,6 +1,7 @@
-// What `saccade record` says on stdout.
+// Prints what `saccade record` reports, to `out`.
 #pragma once
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,17 @@
 
 namespace saccade::client {
 
-// What the server chose for a budget, and promises; nothing where none was asked.
-void printChoice(const v1::StreamOpened& opened);
-// The same of needs.
-void printModel(const v1::StreamOpened& opened);
-void printPixelSpeed(const v1::StreamOpened& opened);
-void printFiles(std::vector<std::string> files, const std::string& preview);  // preview: empty for none
-void printRates(const Recorder& recorder, double wall_s);
-void printLosses(const Losses& losses);  // nothing where nothing was lost
-void printStages(const v1::StreamInfo& info);
+// The setting that the server chose for a budget, and its accuracy; nothing without a budget.
+void printChoice(std::FILE* out, const v1::StreamOpened& opened);
+// The simplification that the server chose for --max-event-change; nothing without it.
+void printModel(std::FILE* out, const v1::StreamOpened& opened);
+void printPixelSpeed(std::FILE* out, const v1::StreamOpened& opened);
+// On stderr: the picture moves by more than half a pixel per frame, and the rate that would keep to it.
+void warnOfFastPicture(const v1::StreamOpened& opened);
+void printFiles(std::FILE* out, std::vector<std::string> files,
+                const std::string& preview);                               // preview: "" for none
+void printRates(std::FILE* out, const Recorder& recorder, double wall_s);  // wall_s: seconds it took
+void printLosses(std::FILE* out, const Losses& losses);                    // nothing without losses
+void printStages(std::FILE* out, const v1::StreamInfo& info);
 
 }  // namespace saccade::client

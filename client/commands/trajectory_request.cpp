@@ -1,6 +1,6 @@
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include "client/commands/record_options.h"
 #include "client/commands/request_text.h"
@@ -8,16 +8,29 @@
 namespace saccade::client {
 namespace {
 
+// As protobuf requires it of a string.
+bool isUtf8(const std::string& text) {
+  v1::Trajectory trajectory;
+  trajectory.set_csv(text);
+  return v1::Trajectory().ParseFromString(trajectory.SerializeAsString());
+}
+
 std::string readFile(const std::string& path) {
+  const auto fail = [&](const std::string& what) {
+    throw std::invalid_argument("--trajectory: '" + path + "' " + what);
+  };
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!(text << file.rdbuf())) throw std::invalid_argument("--trajectory: cannot read '" + path + "'");
-  return text.str();
+  if (!file) fail("cannot be read");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) fail("cannot be read");
+  if (text.empty()) fail("is empty");
+  if (text.find('\0') != text.npos || !isUtf8(text)) fail("is not a text file");
+  return text;
 }
 
 v1::Trajectory readTrajectory(const std::string& name_or_file) {
   v1::Trajectory trajectory;
-  if (name_or_file.ends_with(".csv") || std::filesystem::is_regular_file(name_or_file)) {
+  if (isTrajectoryFile(name_or_file)) {
     trajectory.set_csv(readFile(name_or_file));
   } else {
     trajectory.set_name(name_or_file);
@@ -33,7 +46,7 @@ v1::Motion makeMotion(const RecordOptions& options) {
   if (!value)
     throw std::invalid_argument("--motion: '" + options.motion + "' is not KIND:SPEED, such as dolly:0.2");
   v1::Motion motion;
-  motion.set_kind(enumValue<v1::MotionKind>("--motion", "MOTION_KIND_", name));
+  motion.set_kind(enumValue<v1::MotionKind>("--motion", name));
   if (in_pixels) {
     motion.set_px_per_frame(*value);
   } else {
@@ -46,9 +59,13 @@ v1::Motion makeMotion(const RecordOptions& options) {
 
 }  // namespace
 
+bool isTrajectoryFile(const std::string& trajectory) {
+  return trajectory.ends_with(".csv") || std::filesystem::is_regular_file(trajectory);
+}
+
 v1::Trajectory makeTrajectory(const RecordOptions& options) {
   if (options.motion.empty() == options.trajectory.empty())
-    throw std::invalid_argument("give one of --trajectory and --motion");
+    throw std::invalid_argument("give either --trajectory or --motion");
   if (options.motion.empty()) return readTrajectory(options.trajectory);
   v1::Trajectory trajectory;
   *trajectory.mutable_motion() = makeMotion(options);

@@ -1,4 +1,4 @@
-// `t_us,x,y,p`: whole microseconds, a heading line.
+// CSV: the heading `t_us,x,y,p`, then one line per event; times in whole microseconds, p is 1 ON, 0 OFF.
 #include "client/writers/text_writer.h"
 
 namespace saccade::client {
@@ -13,7 +13,7 @@ void appendLine(std::string& text, const Event& event) {
   text += '\n';
 }
 
-std::unique_ptr<Writer> make(const std::string& path) {
+std::unique_ptr<Writer> make(const std::string& path, const v1::StreamOpened&, int) {
   return std::make_unique<TextWriter>(path, "t_us,x,y,p\n", appendLine);
 }
 

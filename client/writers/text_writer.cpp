@@ -10,12 +10,20 @@
 #include <utility>
 
 namespace saccade::client {
+namespace {
+
+int openFile(const std::string& path) {
+  if (path == kStandardOutput) return dup(STDOUT_FILENO);
+  return open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+}
+
+}  // namespace
 
 TextWriter::TextWriter(const std::string& path, const std::string& first_line, AppendLine append_line)
-    : path_(path),
+    : name_(path == kStandardOutput ? "standard output" : path),
       text_(first_line),
       append_line_(append_line),
-      file_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+      file_(openFile(path)) {
   if (file_ < 0) fail();
   writeText();
 }
@@ -43,15 +51,16 @@ void TextWriter::writeText() {
   text_.clear();
 }
 
-// A file that ends within a batch, or a line, would not hold what its reader is told.
+// Removes the part of the batch that was written, so that the file ends with a whole line.
 void TextWriter::takeBack() {
   const int fault = errno;
-  if (ftruncate(file_, static_cast<off_t>(size_)) == 0) errno = fault;
+  const bool is_file = lseek(file_, 0, SEEK_CUR) >= 0;
+  if (!is_file || ftruncate(file_, static_cast<off_t>(size_)) == 0) errno = fault;
   fail();
 }
 
 void TextWriter::fail() const {
-  throw std::system_error(errno, std::generic_category(), path_);
+  throw std::system_error(errno, std::generic_category(), name_);
 }
 
 void appendNumber(std::string& text, std::int64_t value, int digits) {

@@ -1,4 +1,4 @@
-// What the text formats share: a first line, then one line per event.
+// Writes a text format: a first line, then one line per event.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,7 @@ class TextWriter : public Writer {
  public:
   using AppendLine = void (*)(std::string& text, const Event& event);
 
+  // `path` as WriterInfo::make(). `first_line` ends with a line feed, or is empty.
   TextWriter(const std::string& path, const std::string& first_line, AppendLine append_line);
   ~TextWriter() override;
   TextWriter(const TextWriter&) = delete;
@@ -25,14 +26,14 @@ class TextWriter : public Writer {
   void takeBack();
   [[noreturn]] void fail() const;
 
-  const std::string path_;
+  const std::string name_;  // for errors
   std::string text_;
   const AppendLine append_line_;
   int file_;
-  std::size_t size_ = 0;  // of the whole batches in it
+  std::size_t size_ = 0;  // bytes of the batches written so far
 };
 
-// Appends a number, padded with zeros in front to `digits`.
+// Appends a number of at least `digits` digits, with zeros in front.
 void appendNumber(std::string& text, std::int64_t value, int digits = 1);
 
 }  // namespace saccade::client

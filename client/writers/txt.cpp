@@ -1,4 +1,6 @@
-// `t x y p` as the event-camera data sets of rpg have it: seconds with nine decimals, no heading.
+// The text format that rpg_e2vid reads: a line `width height`, then one line `t x y p` per event; t in
+// seconds with nine decimals, p is 1 ON, 0 OFF. (`events.txt` of the rpg data sets is the same without the
+// first line.)
 #include "client/writers/text_writer.h"
 
 namespace saccade::client {
@@ -17,12 +19,14 @@ void appendLine(std::string& text, const Event& event) {
   text += '\n';
 }
 
-std::unique_ptr<Writer> make(const std::string& path) {
-  return std::make_unique<TextWriter>(path, "", appendLine);
+std::unique_ptr<Writer> make(const std::string& path, const v1::StreamOpened& stream, int) {
+  const v1::View& view = stream.resolved().view();
+  const std::string size = std::to_string(view.width()) + " " + std::to_string(view.height()) + "\n";
+  return std::make_unique<TextWriter>(path, size, appendLine);
 }
 
 }  // namespace
 
-const WriterInfo kTxtWriter{".txt", "t[s] x y p, as rpg's data sets", make};
+const WriterInfo kTxtWriter{".txt", "a line \"width height\", then t[s] x y p, as rpg_e2vid reads it", make};
 
 }  // namespace saccade::client

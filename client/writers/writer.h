@@ -5,16 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "saccade/v1/control.pb.h"
 #include "wire/event.h"
 
 namespace saccade::client {
 
-// Every call throws std::system_error, naming the file, when it cannot be written.
+// As a path: standard output.
+inline constexpr const char* kStandardOutput = "-";
+
+// Every call throws std::system_error with the file's name when the file cannot be written.
 class Writer {
  public:
   virtual ~Writer() = default;
-  // Batch after batch, in time order. Where it throws, the file holds the batches before, and no part of
-  // this.
+  // Adds a batch; batches come in time order. If this throws, the file holds the earlier batches and no part
+  // of this one.
   virtual void write(const Events& events) = 0;
   virtual void finish() = 0;  // the last call: the file is complete and closed
 };
@@ -22,16 +26,20 @@ class Writer {
 struct WriterInfo {
   const char* extension;  // ".csv"
   const char* description;
-  std::unique_ptr<Writer> (*make)(const std::string& path);  // starts the file, whatever the path ends with
+  // Starts a file at `path`, which may have any extension, or at kStandardOutput. `stream` is the server's
+  // reply to open_stream: a header can have the size of the view, the epoch and the settings of `sensor`, an
+  // index of the resolved sensors.
+  std::unique_ptr<Writer> (*make)(const std::string& path, const v1::StreamOpened& stream, int sensor);
 };
 
 extern const WriterInfo kCsvWriter, kTxtWriter;
 
-// THE list of file formats.
+// All file formats.
 const std::vector<const WriterInfo*>& writerTable();
 std::string writerNames();  // ".csv (what it is), ..." for messages
 
-// By the extension of `path`. Throws std::invalid_argument naming the known ones.
+// The format for the extension of `path`; CSV for kStandardOutput. Throws std::invalid_argument with the
+// known extensions.
 const WriterInfo& writerFor(const std::string& path);
 
 }  // namespace saccade::client

@@ -19,11 +19,12 @@ std::string writerNames() {
 }
 
 const WriterInfo& writerFor(const std::string& path) {
+  if (path == kStandardOutput) return kCsvWriter;
   const std::string extension = std::filesystem::path(path).extension();
   for (const WriterInfo* writer : writerTable()) {
     if (extension == writer->extension) return *writer;
   }
-  throw std::invalid_argument("'" + path + "' names no known format; known are " + writerNames());
+  throw std::invalid_argument("'" + path + "' has no known extension; known are " + writerNames());
 }
 
 }  // namespace saccade::client

@@ -38,26 +38,34 @@ Batch batchOf(std::uint32_t sensor, v1::Kind kind, Events events) {
   return batch;
 }
 
+v1::StreamOpened streamOf(int sensors) {
+  v1::StreamOpened opened;
+  opened.mutable_resolved()->mutable_view()->set_width(346);
+  opened.mutable_resolved()->mutable_view()->set_height(260);
+  for (int i = 0; i < sensors; ++i) opened.mutable_resolved()->add_sensors();
+  return opened;
+}
+
 const Events kEvents{{0, 1, 2, 1}, {1'234'567'000, 345, 259, 0}, {2'000'000'000, 0, 0, 1}};
 
 TEST_F(RecorderTest, WritesCsv) {
-  Recorder recorder(at("a.csv"), 1);
+  Recorder recorder(at("a.csv"), streamOf(1));
   recorder.add(batchOf(0, v1::KIND_EVENTS, kEvents));
   recorder.add(batchOf(0, v1::KIND_END, {}));
   recorder.commit();
   EXPECT_EQ(textOf("a.csv"), "t_us,x,y,p\n0,1,2,1\n1234567,345,259,0\n2000000,0,0,1\n");
 }
 
-TEST_F(RecorderTest, WritesTxt) {
-  Recorder recorder(at("a.txt"), 1);
+TEST_F(RecorderTest, WritesTxtWithTheSizeFirst) {
+  Recorder recorder(at("a.txt"), streamOf(1));
   recorder.add(batchOf(0, v1::KIND_EVENTS, kEvents));
   recorder.add(batchOf(0, v1::KIND_END, {}));
   recorder.commit();
-  EXPECT_EQ(textOf("a.txt"), "0.000000000 1 2 1\n1.234567000 345 259 0\n2.000000000 0 0 1\n");
+  EXPECT_EQ(textOf("a.txt"), "346 260\n0.000000000 1 2 1\n1.234567000 345 259 0\n2.000000000 0 0 1\n");
 }
 
 TEST_F(RecorderTest, FileGetsItsNameAtACompleteEnd) {
-  Recorder recorder(at("a.csv"), 1);
+  Recorder recorder(at("a.csv"), streamOf(1));
   recorder.add(batchOf(0, v1::KIND_EVENTS, kEvents));
   EXPECT_FALSE(recorder.complete());
   EXPECT_FALSE(fs::exists(at("a.csv")));
@@ -71,14 +79,14 @@ TEST_F(RecorderTest, FileGetsItsNameAtACompleteEnd) {
 
 TEST_F(RecorderTest, WhatCameBeforeAFaultIsKept) {
   {
-    Recorder recorder(at("a.csv"), 1);
+    Recorder recorder(at("a.csv"), streamOf(1));
     recorder.add(batchOf(0, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
   }
   EXPECT_EQ(textOf("a.csv.partial"), "t_us,x,y,p\n5,1,2,0\n");
 }
 
 TEST_F(RecorderTest, SeveralSensorsHaveAFileEach) {
-  Recorder recorder(at("a.b.csv"), 2);
+  Recorder recorder(at("a.b.csv"), streamOf(2));
   recorder.add(batchOf(1, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
   recorder.add(batchOf(1, v1::KIND_END, {}));
   EXPECT_FALSE(recorder.complete());
@@ -92,13 +100,13 @@ TEST_F(RecorderTest, SeveralSensorsHaveAFileEach) {
 }
 
 TEST_F(RecorderTest, ASensorNobodyAskedForIsAFault) {
-  Recorder recorder(at("a.csv"), 1);
+  Recorder recorder(at("a.csv"), streamOf(1));
   EXPECT_THROW(recorder.add(batchOf(1, v1::KIND_EVENTS, {})), StreamFault);
 }
 
 TEST_F(RecorderTest, UnknownFormatNamesTheKnown) {
   try {
-    Recorder recorder(at("a.xyz"), 1);
+    Recorder recorder(at("a.xyz"), streamOf(1));
     FAIL() << "a writer for .xyz";
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
@@ -107,7 +115,7 @@ TEST_F(RecorderTest, UnknownFormatNamesTheKnown) {
 }
 
 TEST_F(RecorderTest, ARecordingMayBeginInTheMiddleOfAFeed) {
-  Recorder recorder(at("a.csv"), 2);
+  Recorder recorder(at("a.csv"), streamOf(2));
   EXPECT_EQ(recorder.duration_ns(), 0);
   Batch batch = batchOf(0, v1::KIND_EVENTS, {});
   batch.header.set_t0_ns(2'900'000'000);
@@ -120,7 +128,7 @@ TEST_F(RecorderTest, ARecordingMayBeginInTheMiddleOfAFeed) {
 }
 
 TEST_F(RecorderTest, SnapshotsAndHeartbeatsLeaveNoTrace) {
-  Recorder recorder(at("a.csv"), 1);
+  Recorder recorder(at("a.csv"), streamOf(1));
   Batch snapshot = batchOf(0, v1::KIND_SNAPSHOT, {});
   snapshot.header.set_t0_ns(3'000'000'000);
   snapshot.pixels = {{0.5f}, {0.25f}};
@@ -135,15 +143,36 @@ TEST_F(RecorderTest, SnapshotsAndHeartbeatsLeaveNoTrace) {
   EXPECT_EQ(textOf("a.csv"), "t_us,x,y,p\n");
 }
 
-TEST_F(RecorderTest, AFolderIsNoFile) {
-  fs::create_directory(at("a.csv"));
-  EXPECT_THROW(Recorder(at("a.csv"), 1), std::system_error);
+// A folder of the final name makes the renaming of that sensor's file fail.
+TEST_F(RecorderTest, AFileThatCannotGetItsNameStaysPartialAsDoTheLaterOnes) {
+  Recorder recorder(at("a.csv"), streamOf(3));
+  for (std::uint32_t sensor : {0, 1, 2}) {
+    recorder.add(batchOf(sensor, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
+    recorder.add(batchOf(sensor, v1::KIND_END, {}));
+  }
+  fs::create_directory(at("a-1.csv"));
+  EXPECT_THROW(recorder.commit(), std::system_error);
+  EXPECT_EQ(recorder.files(), (std::vector{at("a-0.csv"), at("a-1.csv.partial"), at("a-2.csv.partial")}));
+  for (const std::string& file : recorder.files()) {
+    EXPECT_TRUE(fs::is_regular_file(file)) << file;
+    EXPECT_EQ(textOf(fs::path(file).filename()), "t_us,x,y,p\n5,1,2,0\n");
+  }
+}
+
+TEST_F(RecorderTest, StandardOutputGetsCsvAndKeepsItsName) {
+  testing::internal::CaptureStdout();
+  Recorder recorder(kStandardOutput, streamOf(1));
+  recorder.add(batchOf(0, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
+  recorder.add(batchOf(0, v1::KIND_END, {}));
+  recorder.commit();
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "t_us,x,y,p\n5,1,2,0\n");
+  EXPECT_EQ(recorder.files(), std::vector<std::string>{"-"});
 }
 
 TEST_F(RecorderTest, AFolderThatIsNotThereIsNamed) {
   try {
-    Recorder recorder(at("none/a.csv"), 1);
-    FAIL() << "a file in no folder";
+    Recorder recorder(at("none/a.csv"), streamOf(1));
+    FAIL() << "there is no folder";
   } catch (const std::system_error& error) {
     EXPECT_NE(std::string(error.what()).find("none/a.csv"), std::string::npos);
   }
@@ -168,7 +197,7 @@ class FileSizeLimit {
 };
 
 TEST_F(RecorderTest, AFullDiskLeavesWholeLinesAndAsManyAsAreTold) {
-  Recorder recorder(at("a.csv"), 1);
+  Recorder recorder(at("a.csv"), streamOf(1));
   const Batch batch = batchOf(0, v1::KIND_EVENTS, kEvents);
   {
     const FileSizeLimit limit(100'001);

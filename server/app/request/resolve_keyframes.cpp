@@ -19,7 +19,7 @@ TimedPose readKey(const v1::Keyframe& key, const std::string& field) {
   checkRange(field + ".time_s", key.time_s(), -kMaxKeySeconds, kMaxKeySeconds);
   const Quaternion q{key.rotation().x(), key.rotation().y(), key.rotation().z(), key.rotation().w()};
   if (!isRotation(q))
-    refuse(field + ".rotation", "a quaternion x y z w whose length is near 0 or far from 1");
+    refuse(field + ".rotation", "the length of the quaternion x y z w is near 0 or far from 1");
   return {TimeNs{std::llround(key.time_s() * 1e9)}, {readPosition(key.position(), field + ".position"), q}};
 }
 

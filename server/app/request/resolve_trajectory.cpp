@@ -27,7 +27,7 @@ void checkMotion(v1::Motion& motion) {
       speedFault(kindOf(motion), motion.has_speed() ? motion.speed() : motion.px_per_frame());
   if (!fault.empty()) refuse(field + rate, fault);
   if (motion.turn_s() != 0) checkRange(field + ".turn_s", motion.turn_s(), ranges::kTurn);
-  // What means nothing to a kind would tell equal feeds apart.
+  // Fields that the kind ignores must not make equal feeds different.
   if (motion.kind() == v1::MOTION_KIND_SHAKE) motion.clear_turn_s();
   if (motion.kind() != v1::MOTION_KIND_SHAKE) motion.clear_seed();
 }
@@ -40,12 +40,12 @@ void checkKeyframes(v1::Keyframes& keyframes) {
     refuse(field + ".keys", "give 1 to " + std::to_string(ranges::kKeyframes.max) + " keys");
 }
 
-Motion motionOf(const v1::Motion& wish, const FeedConfig& feed) {
-  Motion motion{.kind = kindOf(wish), .speed = wish.speed(), .seed = wish.seed()};
-  if (wish.has_turn_s()) motion.turn_s = wish.turn_s();
-  if (wish.has_px_per_frame()) {
+Motion motionOf(const v1::Motion& request, const FeedConfig& feed) {
+  Motion motion{.kind = kindOf(request), .speed = request.speed(), .seed = request.seed()};
+  if (request.has_turn_s()) motion.turn_s = request.turn_s();
+  if (request.has_px_per_frame()) {
     const double focal_px = feed.width / 2.0 / std::tan(feed.fov_x_deg * std::numbers::pi / 360);
-    motion.speed = wish.px_per_frame() * feed.frame_rate_hz / focal_px;
+    motion.speed = request.px_per_frame() * feed.frame_rate_hz / focal_px;
     motion.image_speed = true;
   }
   return motion;
@@ -86,7 +86,7 @@ Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& sc
     if (path.has_motion())
       return fromCamera(motionOf(path.motion(), stream.feed), scene, stream.feed.fov_x_deg);
     if (path.has_keyframes()) return resolveKeyframes(path.keyframes());
-    if (path.has_csv()) return parseTrajectory(path.csv(), "trajectory.csv");
+    if (path.has_csv()) return parseTrajectory(path.csv(), "");
     return byName(stream, scene, library);
   } catch (const SceneError& fault) {
     refuse(path.has_csv() ? "trajectory.csv" : "trajectory.name", fault.what());

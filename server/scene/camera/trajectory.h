@@ -17,21 +17,21 @@ struct TimedPose {
 
 enum class Interpolation {
   kLinear,  // along the screw motion of SE(3) from key to key: the velocity jumps at the keys
-  kCubic,   // the velocity jumps nowhere between the first key and the last, see pose_spline.h
+  kCubic,   // with a continuous velocity between the first key and the last, see pose_spline.h
 };
 
-inline constexpr double kMaxDistance = 1e9;  // of a position read from outside, scene units along each axis
+inline constexpr double kMaxDistance = 1e9;  // limit of a position along each axis, scene units
 
-// Timed poses and what is between them. Before the first and after the last it holds them.
+// A camera path through timed poses. It stands still before the first and after the last.
 class Trajectory {
  public:
-  // At least one key; times strictly increasing.
+  // `keys`: at least one, with strictly increasing times.
   explicit Trajectory(std::vector<TimedPose> keys, Interpolation interpolation = Interpolation::kLinear);
-  // Repeats for ever; `period` is the time of the last key, whose pose equals the first.
+  // Repeats for ever with the time of the last key as period. The first key is at 0; the last has its pose.
   static Trajectory periodic(std::vector<TimedPose> keys);
 
   Pose at(TimeNs t) const;
-  TimeNs lastTime() const { return keys_.back().time; }  // of the last key; of a periodic one the period
+  TimeNs lastTime() const { return keys_.back().time; }  // for a periodic path: the period
 
  private:
   std::vector<TimedPose> keys_;
@@ -39,12 +39,13 @@ class Trajectory {
   bool periodic_ = false;
 };
 
-// CSV text, one pose a line, `#` comments and one header line allowed:
+// Reads text with one pose a line; `#` comments and one heading line are allowed:
 //   TUM   `t x y z qx qy qz qw`   seconds, blanks
 //   ESIM  `t,x,y,z,qx,qy,qz,qw`   whole nanoseconds, commas
-// Times are made relative to the first. `name` is for error messages. Throws SceneError naming the line:
-// wrong number of fields, not a finite number, a position beyond 1e9, times that do not increase, a
-// quaternion of length 0 (others are made unit length), no pose at all, more than 1,000,000 poses.
+// Times become relative to the first; quaternions become unit length. `name` is the file's, for errors;
+// empty: errors name the line alone. Throws SceneError at a wrong number of fields, a number that is not
+// finite, a position beyond 1e9, times that do not increase, a quaternion of length 0, and unless there are 1
+// to 1,000,000 poses.
 Trajectory parseTrajectory(std::string_view csv, const std::string& name);
 
 }  // namespace saccade

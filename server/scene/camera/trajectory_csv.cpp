@@ -27,12 +27,15 @@ class CsvReader {
   double number(std::string_view field) const;
   TimeNs readTime(std::string_view field);
   Pose readPose(const Fields& fields) const;
-  [[noreturn]] void fail(const std::string& what) const { throw SceneError(name_, line_, what); }
+  [[noreturn]] void fail(const std::string& what) const {
+    if (name_.empty()) throw SceneError("line " + std::to_string(line_) + ": " + what);
+    throw SceneError(name_, line_, what);
+  }
 
   const std::string& name_;
   long line_ = 0;
   bool header_seen_ = false;
-  bool esim_ = false;                // the form of the first pose is that of all
+  bool esim_ = false;                // as the first pose; else TUM
   double first_seconds_ = 0;         // TUM
   long long first_nanoseconds_ = 0;  // ESIM
   std::vector<TimedPose> keys_;
@@ -43,7 +46,7 @@ std::vector<TimedPose> CsvReader::read(std::string_view csv) {
     ++line_;
     readLine(takeLine(csv));
   }
-  if (keys_.empty()) fail("no pose in the whole text; expected lines of t x y z qx qy qz qw");
+  if (keys_.empty()) fail("the text has no pose; expected lines of t x y z qx qy qz qw");
   return std::move(keys_);
 }
 
@@ -52,7 +55,7 @@ std::string_view trimmed(std::string_view cell) {
   return first == cell.npos ? std::string_view{} : cell.substr(first, last + 1 - first);
 }
 
-// A header is a line without a number.
+// A heading is a line without a number.
 bool isHeader(std::string_view line) {
   for (auto word = takeWord(line, ","); !word.empty(); word = takeWord(line, ","))
     if (parseNumber(word)) return false;
@@ -106,14 +109,16 @@ TimeNs CsvReader::readTime(std::string_view field) {
   if (esim_) {
     const auto t = parseInteger(field);
     if (!t || std::abs(static_cast<double>(*t)) > 1e9 * kMaxSeconds / 2)
-      fail("'" + cutText(field, 40) + "' is not a time in whole nanoseconds");
+      fail("'" + cutText(field, 40) +
+           "' is not a time in whole nanoseconds, as lines with commas have it; with blanks, times are "
+           "seconds");
     if (keys_.empty()) first_nanoseconds_ = *t;
     return TimeNs{*t - first_nanoseconds_};
   }
   const double t = number(field);
   if (keys_.empty()) first_seconds_ = t;
   const double since_first = t - first_seconds_;
-  if (std::abs(since_first) > kMaxSeconds) fail("a time too far from the first");
+  if (std::abs(since_first) > kMaxSeconds) fail("the time is more than 9e9 seconds from the first");
   return TimeNs{std::llround(since_first * 1e9)};
 }
 
@@ -121,7 +126,7 @@ Pose CsvReader::readPose(const Fields& fields) const {
   std::array<double, kFields> v{};
   for (std::size_t i = 1; i < kFields; ++i) v[i] = number(fields[i]);
   if (std::max({std::abs(v[1]), std::abs(v[2]), std::abs(v[3])}) > kMaxDistance)
-    fail("a position beyond 1e9");
+    fail("a coordinate of the position is beyond 1e9");
   const Quaternion q{v[4], v[5], v[6], v[7]};
   if (!isRotation(q)) fail("a quaternion whose length is near 0 or far from 1");
   return {{v[1], v[2], v[3]}, unitNear(q, keys_.empty() ? q : keys_.back().pose.rotation)};

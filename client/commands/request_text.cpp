@@ -1,0 +1,41 @@
+#include "client/commands/request_text.h"
+
+#include <google/protobuf/descriptor.h>
+
+#include <cctype>
+#include <stdexcept>
+#include <vector>
+
+namespace saccade::client {
+namespace {
+
+// By number from 1 on; 0 is PREFIX_UNSPECIFIED, and PREFIX_ begins every name.
+std::vector<std::string> wordsOf(const google::protobuf::EnumDescriptor& names) {
+  const std::size_t prefix = names.value(0)->name().size() - std::string_view("UNSPECIFIED").size();
+  std::vector<std::string> words;
+  for (int i = 1; i < names.value_count(); ++i) {
+    std::string word = names.value(i)->name().substr(prefix);
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    words.push_back(word);
+  }
+  return words;
+}
+
+}  // namespace
+
+std::string enumWords(const google::protobuf::EnumDescriptor& names) {
+  std::string text;
+  for (const std::string& word : wordsOf(names)) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+int enumNumber(const google::protobuf::EnumDescriptor& names, const std::string& option,
+               const std::string& word) {
+  const std::vector<std::string> words = wordsOf(names);
+  const auto at = std::find(words.begin(), words.end(), word);
+  if (at == words.end())
+    throw std::invalid_argument(option + ": '" + word + "' is none of " + enumWords(names));
+  return names.value(1 + static_cast<int>(at - words.begin()))->number();
+}
+
+}  // namespace saccade::client

@@ -1,0 +1,85 @@
+#include "client/commands/usage_check.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+#include <set>
+
+namespace saccade::client {
+namespace {
+
+// The number of letters to insert, delete or replace [Levenshtein].
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& names) {
+  const auto similar = similarName(word, names);
+  return "unknown " + kind + " '" + word + "'" + (similar ? "; did you mean " + *similar + "?" : "");
+}
+
+std::vector<std::string> commandNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> optionNames(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+// A word such as -1 is a value.
+bool isOption(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' &&
+         (word[1] == '-' || std::isalpha(static_cast<unsigned char>(word[1])));
+}
+
+std::string optionFault(const CLI::App& command, const std::vector<std::string>& words) {
+  std::set<const CLI::Option*> given;
+  for (const std::string& word : words) {
+    if (!isOption(word)) continue;
+    const std::string name = word.substr(0, word.find('='));
+    const CLI::Option* option = command.get_option_no_throw(name);
+    if (!option && name.starts_with("--")) return unknown("option", name, optionNames(command));
+    if (option && !given.insert(option).second && option->get_expected_max() <= 1)
+      return name + " is given twice";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string usageFault(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty()) return "";
+  if (words[0].starts_with('-')) return optionFault(app, words);
+  const auto commands =
+      app.get_subcommands([&](const CLI::App* command) { return command->get_name() == words[0]; });
+  if (commands.empty()) return unknown("command", words[0], commandNames(app));
+  return optionFault(*commands[0], {words.begin() + 1, words.end()});
+}
+
+std::optional<std::string> similarName(const std::string& word, const std::vector<std::string>& names) {
+  std::optional<std::string> best;
+  std::size_t least = (word.size() + 1) / 2;
+  for (const std::string& name : names) {
+    const std::size_t distance = editDistance(word, name);
+    if (distance < least) least = distance, best = name;
+  }
+  return best;
+}
+
+}  // namespace saccade::client

@@ -1,0 +1,72 @@
+#include "client/commands/output_check.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "scratch_folder.h"
+
+namespace saccade::client {
+namespace {
+
+class OutputCheck : public testing::Test {
+ protected:
+  std::string faultOf(const std::string& output, int sensors = 1, bool force = false) const {
+    RecordOptions options;
+    options.output = output;
+    options.force = force;
+    try {
+      checkOutputs(options, sensors);
+    } catch (const std::invalid_argument& fault) {
+      return fault.what();
+    }
+    return {};
+  }
+  std::string touch(const std::string& name) const {
+    std::ofstream(folder_.at(name)) << "kept\n";
+    return folder_.at(name);
+  }
+  const ScratchFolder folder_;
+};
+
+TEST_F(OutputCheck, ANewFileIsRight) {
+  EXPECT_EQ(faultOf(folder_.at("a.csv")), "");
+  EXPECT_EQ(faultOf("-"), "");
+}
+
+TEST_F(OutputCheck, AFileThatExistsIsReplacedOnlyByForce) {
+  const std::string file = touch("a.csv"), second = touch("b-1.csv");
+  EXPECT_EQ(faultOf(file), "--output: '" + file + "' exists; --force replaces it");
+  EXPECT_EQ(faultOf(file, 1, true), "");
+  EXPECT_EQ(faultOf(folder_.at("b.csv"), 2), "--output: '" + second + "' exists; --force replaces it");
+  EXPECT_EQ(faultOf(folder_.at("b.csv"), 1), "");
+}
+
+TEST_F(OutputCheck, OnlyARegularFileIsReplaced) {
+  const std::string folder = folder_.at("a.csv"), pipe = folder_.at("b.csv");
+  std::filesystem::create_directory(folder);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(faultOf(folder, 1, true), "--output: '" + folder + "' is a folder");
+  EXPECT_NE(faultOf(pipe, 1, true).find("is not a regular file; -o - writes to a pipe"), std::string::npos);
+}
+
+TEST_F(OutputCheck, TheFolderMustBeThere) {
+  EXPECT_NE(faultOf(folder_.at("none/a.csv")).find("there is no folder"), std::string::npos);
+}
+
+TEST_F(OutputCheck, StandardOutputHasOneSensor) {
+  EXPECT_NE(faultOf("-", 2).find("one sensor"), std::string::npos);
+}
+
+TEST_F(OutputCheck, ThePreviewIsCheckedToo) {
+  RecordOptions options;
+  options.output = folder_.at("a.csv");
+  options.preview = touch("a.png");
+  EXPECT_THROW(checkOutputs(options, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace saccade::client
