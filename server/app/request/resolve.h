@@ -25,7 +25,8 @@ struct ResolvedStream {
   std::string feedKey() const;
 };
 
-// Checks `request` against its scene and fills in what needs no loaded scene; fitTo() does the rest. Throws Refusal.
+// Checks `request` against its scene and fills in what needs no loaded scene; fitTo() does the rest. Throws
+// Refusal.
 ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const MeasuredTables& tables);
 
 // Replaces a budget by method, spp and bounces, and returns the quality to expect; nothing without a budget.
