@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "scene/files/text.h"
+#include "base/names.h"
 
 namespace saccade {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/names.h"
 #include "scene/files/scene_error.h"
-#include "scene/files/text.h"
 #include "scene/library/scene_folder.h"
 #include "scene/mitsuba/mitsuba_xml.h"
 
