@@ -40,8 +40,8 @@ TEST(RecordOptions, WhatIsNotGivenIsLeftToTheServer) {
   const auto open = openStream("");
   EXPECT_EQ(open.scene(), "cornell-box");
   EXPECT_EQ(open.trajectory().name(), "right");
-  EXPECT_EQ(open.view().width(), 346u);
-  EXPECT_EQ(open.view().height(), 260u);
+  EXPECT_EQ(open.view().width(), 240u);
+  EXPECT_EQ(open.view().height(), 180u);
   EXPECT_EQ(open.delivery(), v1::DELIVERY_LOSSLESS);
   EXPECT_EQ(open.timing().clock(), v1::CLOCK_FAST);
   ASSERT_EQ(open.sensors_size(), 1);
@@ -142,6 +142,10 @@ TEST(RecordOptions, AFileOfPosesIsSentAsText) {
   std::ofstream(path) << "0 0 0 0 0 0 0 1\n";
   const auto options = parse("cornell-box -o a.csv --trajectory " + path);
   EXPECT_EQ(makeOpenStream(options).trajectory().csv(), "0 0 0 0 0 0 0 1\n");
+  std::ofstream(path, std::ios::trunc).close();
+  EXPECT_THROW(makeOpenStream(options), std::invalid_argument);  // empty
+  std::ofstream(path) << "\xFF\x00 1";
+  EXPECT_THROW(makeOpenStream(options), std::invalid_argument);  // no text
   std::filesystem::remove(path);
   EXPECT_THROW(makeOpenStream(options), std::invalid_argument);
 }
@@ -195,6 +199,8 @@ TEST(RecordOptions, FaultsNameTheOption) {
   }
   EXPECT_NE(faultOf("--threshold 0.2 --threshold-off 0.1 --threshold-off 0.1").find("--threshold-off"),
             std::string::npos);
+  for (const std::string number : {"--seed -1", "--seed 18446744073709551616", "--spp 1.5", "--bounces -1"})
+    EXPECT_NE(faultOf(number).find("is not a whole number from 0 to"), std::string::npos) << number;
   EXPECT_NE(faultOf("--delivery pigeon").find("lossless"), std::string::npos);
   EXPECT_NE(faultOf("--reconstruction magic").find("kalman"), std::string::npos);
   EXPECT_NE(faultOf("--preview a.jpg").find("--preview"), std::string::npos);
