@@ -75,11 +75,14 @@ void printRates(std::FILE* out, const Recorder& recorder, double wall_s) {
                "%llu events (%.3g per second of the stream); %.6g s of the stream in %s, %.3gx real time\n",
                Count{recorder.events()}, stream_s > 0 ? recorder.events() / stream_s : 0.0, stream_s,
                timeText(wall_s).c_str(), stream_s / wall_s);
+}
+
+void printSuppressed(std::FILE* out, const Recorder& recorder, const v1::OpenStream& resolved) {
   if (recorder.suppressed() == 0) return;
-  std::fprintf(
-      out,
-      "%llu events withheld: a sensor sends at most 32 events per pixel and frame, and so many per frame\n",
-      Count{recorder.suppressed()});
+  const v1::Sensor& sensor = resolved.sensors(0);
+  std::fprintf(out, "%llu events withheld: limits are %u per pixel and frame, %llu per frame\n",
+               Count{recorder.suppressed()}, sensor.max_events_per_pixel_frame(),
+               Count{sensor.max_events_per_frame()});
 }
 
 void printLosses(std::FILE* out, const Losses& losses) {

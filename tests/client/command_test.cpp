@@ -186,7 +186,7 @@ TEST(CommandAndBudget, TellsWhatWasChosenAndWhatToExpect) {
   EXPECT_TRUE(holds(chosen, "chosen: svgf:as_falcor=1 at 1 spp\n")) << chosen.output;
   EXPECT_TRUE(holds(chosen, "3 CPU ms per frame, 0.1 false and 0.12 missed events")) << chosen.output;
   EXPECT_TRUE(holds(chosen, table.settings())) << chosen.output;
-  const Result refused = run(record + "--max-false-rate 0.001");
+  const Result refused = run(record + "--max-false-rate 0.001 --force");
   EXPECT_EQ(refused.code, 2);
   EXPECT_TRUE(holds(refused, "quality.max_false_rate: the lowest rate here")) << refused.output;
 }
