@@ -165,7 +165,9 @@ TEST(CommandAndKeys, RecordsFromAServerThatWantsThem) {
   const Server daemon("--secret-key " + server + ".key --client-keys " + folder.at("clients"));
   const std::string keys = " --secret-key " + alice + ".key --server-key " + server + ".pub ";
   const std::string record = "record cornell-box --trajectory right --size 32x24 --duration 0.01 -o " + file;
-  EXPECT_EQ(run("info --wait 0.2 " + daemon.option()).code, 1);
+  const Result without = run("info --wait 0.2 " + daemon.option());
+  EXPECT_EQ(without.code, 1);
+  EXPECT_TRUE(holds(without, "it wants keys: give --secret-key and --server-key")) << without.output;
   EXPECT_EQ(run("info --secret-key " + alice + ".key" + daemon.option()).code, 2);
   EXPECT_EQ(run(record + keys + daemon.option()).code, 0);
   EXPECT_TRUE(fs::exists(file));

@@ -144,8 +144,12 @@ TEST(RecordOptions, AFileOfPosesIsSentAsText) {
   EXPECT_EQ(makeOpenStream(options).trajectory().csv(), "0 0 0 0 0 0 0 1\n");
   std::ofstream(path, std::ios::trunc).close();
   EXPECT_THROW(makeOpenStream(options), std::invalid_argument);  // empty
-  std::ofstream(path) << "\xFF\x00 1";
-  EXPECT_THROW(makeOpenStream(options), std::invalid_argument);  // no text
+  for (const std::string bytes : {"\xFF", "\x80", "\xC3", "\xC3x", "\xC0\x80"}) {
+    std::ofstream(path, std::ios::trunc) << bytes;
+    EXPECT_THROW(makeOpenStream(options), std::invalid_argument);  // not text
+  }
+  std::ofstream(path, std::ios::trunc) << "# \xC3\xBC \xE2\x82\xAC \xF0\x9F\x98\x80\n";
+  EXPECT_EQ(makeOpenStream(options).trajectory().csv().size(), 14u);
   std::filesystem::remove(path);
   EXPECT_THROW(makeOpenStream(options), std::invalid_argument);
 }
