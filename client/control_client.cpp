@@ -73,6 +73,8 @@ v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::millisecon
     if (!waitReadable(socket_, std::min(left, kPollInterval)) ||
         !socket_.recv(message, zmq::recv_flags::dontwait))
       continue;
+    if (message.more())
+      throw std::runtime_error(endpoint_ + " is not a control socket; is it the data port?");
     v1::Reply reply;
     if (!reply.ParseFromArray(message.data(), static_cast<int>(message.size())))
       throw std::runtime_error("the server at " + endpoint_ + " sent a reply that cannot be read");

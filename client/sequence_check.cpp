@@ -37,13 +37,13 @@ std::optional<SequenceCheck::FreshRange> SequenceCheck::add(const v1::PacketHead
   return fresh;
 }
 
-// A stream that was drained has cut its last packet short: the same events come again with those after them.
+// The last packet of a drained stream was cut short. Its events come again, with the events after them.
 std::optional<SequenceCheck::FreshRange> SequenceCheck::join(const Point& due,
                                                              const v1::PacketHeader& header) const {
   const std::uint64_t begin = header.first_event_index(), end = begin + header.count();
   const bool is_end = header.kind() == v1::KIND_END;
   if (begin > due.event || (is_end && begin < due.event)) {
-    throw StreamFault("the stream was to go on at event " + std::to_string(due.event) + ", not at " +
+    throw StreamFault("the stream was to resume at event " + std::to_string(due.event) + ", not at " +
                       std::to_string(begin));
   }
   const std::int64_t t_ns = due.t_ns.value_or(header.t0_ns());
@@ -60,7 +60,7 @@ std::optional<SequenceCheck::FreshRange> SequenceCheck::follow(const Point& due,
   if (header.first_event_index() < due.event) throw StreamFault("events run backwards");
   const bool goes_on =
       header.t0_ns() == due.t_ns.value_or(header.t0_ns()) && header.first_event_index() == due.event;
-  if (!gap && !goes_on) throw StreamFault("a packet does not go on where the one before it ended");
+  if (!gap && !goes_on) throw StreamFault("a packet does not continue the one before it");
   if (gap) {
     ++losses_.gaps;
     losses_.packets += header.seq() - due.seq;

@@ -1,5 +1,5 @@
-// Whether the packets of a stream come whole and in order, told from their headers, and where each sensor
-// goes on after a break.
+// Checks from the headers that the packets of a stream are complete and in order, and finds where each sensor
+// resumes after a reconnection.
 #pragma once
 
 #include <cstdint>
@@ -12,31 +12,31 @@
 namespace saccade::client {
 
 struct Losses {
-  std::uint64_t gaps = 0;     // places where packets are missing
-  std::uint64_t packets = 0;  // packets that are missing
-  std::uint64_t events = 0;   // events that were in them
+  std::uint64_t gaps = 0;     // runs of missing packets
+  std::uint64_t packets = 0;  // missing packets
+  std::uint64_t events = 0;   // their events
 };
 
 class SequenceCheck {
  public:
-  // Each sensor starts at seq 0, at any time: who joins a shared feed late comes into its middle. With
-  // `from_event` it starts at any seq, with the packet that holds or begins at this event.
+  // Each sensor starts at seq 0, at any stream time, because a shared feed may have begun earlier. With
+  // `from_event` it starts at any seq, at the packet with that event.
   explicit SequenceCheck(const v1::OpenStream& resolved);
 
-  // What is new in a packet: all but its first events, and what was suppressed among them, from a time on.
+  // The new part of a packet: it begins after known_events events, at t0_ns, and leaves out known_suppressed.
   struct FreshRange {
     std::uint64_t known_events;
     std::int64_t t0_ns;
     std::uint64_t known_suppressed = 0;
   };
-  // Nothing where all of the packet came before, or where it takes no seq. Counts what is missing before it.
-  // Throws StreamFault where the packet does not go on where the one before it ended.
+  // Returns nothing if the whole packet came before, or if its kind has no seq. Counts the losses before it.
+  // Throws StreamFault if it does not continue the packet before it.
   std::optional<FreshRange> add(const v1::PacketHeader& header);
 
-  // The same request has been opened again, at events().
+  // Call it when the request has been opened again, from events() on.
   void restart();
 
-  // By sensor: what is due.
+  // The next seq and the next event that each sensor expects.
   std::vector<std::uint64_t> seqs() const;
   std::vector<std::uint64_t> events() const;
 
@@ -45,9 +45,9 @@ class SequenceCheck {
  private:
   struct Point {
     std::uint64_t seq = 0, event = 0;
-    std::uint64_t suppressed = 0;  // in the newest packet
+    std::uint64_t suppressed = 0;  // of the newest packet
     std::optional<std::int64_t> t_ns;
-    bool joined = true;  // false: the stream is to begin at `event`, whatever its seq
+    bool joined = true;  // false: the next packet may have any seq, but has `event`
     bool ended = false;
   };
   std::optional<FreshRange> join(const Point& due, const v1::PacketHeader& header) const;

@@ -43,31 +43,23 @@ AddressList lookUp(const Address& address) {
   return {found, freeaddrinfo};
 }
 
-// The opening of ZMTP 3.0, the protocol of ZeroMQ: signature, version, mechanism, role and filler, 64 bytes.
-constexpr std::size_t kMechanismAt = 12, kMechanismBytes = 20;
-using Greeting = std::array<char, 64>;
-
-Greeting nullGreeting() {
-  Greeting greeting{};
-  greeting[0] = '\xFF';
-  greeting[9] = '\x7F';
-  greeting[10] = 3;
-  std::string_view("NULL").copy(&greeting[kMechanismAt], kMechanismBytes);
-  return greeting;
-}
+// The opening of ZMTP 3.0, the protocol of ZeroMQ, has 64 bytes: signature, version, mechanism, and more. The
+// peer sends the whole of its own once it knows our version.
+constexpr std::array<char, 12> kOurVersion{'\xFF', 0, 0, 0, 0, 0, 0, 0, 0, '\x7F', 3, 0};
+constexpr std::size_t kGreetingBytes = 64, kMechanismAt = 12;
 
 enum class Peer { kNobody, kNotZeroMq, kWithoutKeys, kWithKeys };
 
 Peer readGreeting(int peer) {
   const timeval timeout{1, 0};
   setsockopt(peer, SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof timeout);
-  Greeting greeting = nullGreeting();
-  if (send(peer, greeting.data(), greeting.size(), MSG_NOSIGNAL) < 0) return Peer::kNotZeroMq;
-  if (recv(peer, greeting.data(), greeting.size(), MSG_WAITALL) != static_cast<ssize_t>(greeting.size()))
+  std::array<char, kGreetingBytes> greeting{};
+  if (send(peer, kOurVersion.data(), kOurVersion.size(), MSG_NOSIGNAL) < 0) return Peer::kNotZeroMq;
+  const ssize_t size = recv(peer, greeting.data(), greeting.size(), MSG_WAITALL);
+  if (size != ssize_t{kGreetingBytes} || greeting[0] != '\xFF' || greeting[9] != '\x7F')
     return Peer::kNotZeroMq;
-  if (greeting[0] != '\xFF' || greeting[9] != '\x7F') return Peer::kNotZeroMq;
-  return std::string_view(&greeting[kMechanismAt]).starts_with("CURVE") ? Peer::kWithKeys
-                                                                        : Peer::kWithoutKeys;
+  const std::string_view mechanism(&greeting[kMechanismAt], kGreetingBytes - kMechanismAt);
+  return mechanism.starts_with("CURVE") ? Peer::kWithKeys : Peer::kWithoutKeys;
 }
 
 Peer probe(const Address& address) {

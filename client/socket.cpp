@@ -27,8 +27,8 @@ zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, cons
                             const CurveKeys& keys) {
   zmq::socket_t socket(context, type);
   socket.set(zmq::sockopt::linger, 0);
-  // Credit bounds what waits on a DEALER. A SUB that is full is cut off by heartbeats, and libzmq 4.3 may
-  // then end the whole program (its issue 3937): so there is room for most of a minute.
+  // Credit bounds the queue of a DEALER. Heartbeats cut off a SUB with a full queue, and libzmq 4.3 may then
+  // end the program (its issue 3937). So the queue of a SUB holds most of a minute.
   socket.set(zmq::sockopt::rcvhwm, type == zmq::socket_type::dealer ? 0 : kMostWaiting);
   socket.set(zmq::sockopt::heartbeat_ivl, 2000);
   socket.set(zmq::sockopt::heartbeat_timeout, 6000);

@@ -1,4 +1,4 @@
-// What the sockets of the client have in common.
+// Makes the sockets of the client and waits for them.
 #pragma once
 
 #include <chrono>
@@ -7,22 +7,22 @@
 
 namespace saccade::client {
 
-// Of CURVE. Empty texts: the server works without keys.
+// CURVE keys, 40 characters each; empty for a server without keys.
 struct CurveKeys {
   std::string secret;         // the client's own
   std::string server_public;  // the server's
 };
 
-// A socket that leaves nothing behind when it closes and notices a peer that is gone. Throws
-// std::invalid_argument where `endpoint` or a key is not one.
+// Connects a socket that drops unsent messages when it closes, and that sends heartbeats to detect a lost
+// peer. Throws std::invalid_argument for a malformed endpoint or key.
 zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, const std::string& endpoint,
                             const CurveKeys& keys = {});
 
-// Whether a message waits; false when `timeout` has passed or a signal came first.
+// Waits for a message. Returns false after `timeout` or a signal.
 bool waitReadable(zmq::socket_t& socket, std::chrono::milliseconds timeout);
 
-// An endpoint the server announced, as seen from here: a wildcard host becomes the host of
-// `control_endpoint`.
+// The endpoint at which this client reaches one that the server announced: the host of `control_endpoint`
+// replaces a wildcard host.
 std::string reachableEndpoint(const std::string& announced, const std::string& control_endpoint);
 
 }  // namespace saccade::client

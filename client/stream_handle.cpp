@@ -2,8 +2,8 @@
 
 namespace saccade::client {
 
-StreamHandle::StreamHandle(ControlClient& control, const v1::OpenStream& wish) : control_(control) {
-  open(wish, kOpenDeadline, {});
+StreamHandle::StreamHandle(ControlClient& control, const v1::OpenStream& request) : control_(control) {
+  open(request, kOpenDeadline, {});
 }
 
 StreamHandle::~StreamHandle() {
@@ -12,22 +12,21 @@ StreamHandle::~StreamHandle() {
 
 void StreamHandle::reopen(const std::vector<std::uint64_t>& from_events, std::chrono::milliseconds deadline,
                           const Waiting& waiting) {
-  v1::OpenStream wish = opened_.resolved();
+  v1::OpenStream request = opened_.resolved();
   for (std::size_t i = 0; i < from_events.size(); ++i) {
-    wish.mutable_sensors(static_cast<int>(i))->set_from_event(from_events[i]);
+    request.mutable_sensors(static_cast<int>(i))->set_from_event(from_events[i]);
   }
-  open(wish, deadline, waiting);
+  open(request, deadline, waiting);
 }
 
-// The server is asked first whether it is there, so that a request with a long deadline does not wait for one
-// that is not.
-void StreamHandle::open(const v1::OpenStream& wish, std::chrono::milliseconds deadline,
+// Asks for server_info first, with a short deadline: the long one is for a server that is there.
+void StreamHandle::open(const v1::OpenStream& stream, std::chrono::milliseconds deadline,
                         const Waiting& waiting) {
-  v1::Request who, request;
-  who.mutable_server_info();
-  server_ = control_.call(std::move(who), ControlClient::kDeadline, waiting).server_info();
+  v1::Request info, request;
+  info.mutable_server_info();
+  server_ = control_.call(std::move(info), ControlClient::kDeadline, waiting).server_info();
   if (!opened_.stream_id().empty()) tellClose();
-  *request.mutable_open_stream() = wish;
+  *request.mutable_open_stream() = stream;
   opened_ = control_.call(std::move(request), deadline, waiting).open_stream();
 }
 
@@ -43,7 +42,7 @@ void StreamHandle::tellClose() {
   try {
     control_.tell(std::move(request));
   } catch (const zmq::error_t&) {
-    // A signal came first: the server forgets by itself what nobody receives.
+    // A signal interrupted it. The server forgets streams without a receiver by itself.
   }
 }
 

@@ -1,4 +1,4 @@
-// A stream this client has opened. Closed when the handle goes.
+// A stream that this client has opened; the destructor closes it.
 #pragma once
 
 #include <chrono>
@@ -13,36 +13,36 @@ namespace saccade::client {
 
 class StreamHandle {
  public:
-  static constexpr std::chrono::minutes kOpenDeadline{10};  // a large scene takes its time to load
+  static constexpr std::chrono::minutes kOpenDeadline{10};  // a large scene takes long to load
 
   // Throws NoAnswer or Refused. `control` must outlive the handle.
-  StreamHandle(ControlClient& control, const v1::OpenStream& wish);
+  StreamHandle(ControlClient& control, const v1::OpenStream& request);
   ~StreamHandle();
   StreamHandle(const StreamHandle&) = delete;
   StreamHandle& operator=(const StreamHandle&) = delete;
 
-  // LOSSLESS: closes the stream and opens the same request again, from these events on, by sensor; most
-  // likely on another run of the server. Throws as the constructor, and then the stream is what it was.
+  // LOSSLESS only: closes the stream and opens the same request again, on the same server or a restarted one.
+  // `from_events` is the first event to send, by sensor. Throws as the constructor, and then changes nothing.
   void reopen(const std::vector<std::uint64_t>& from_events, std::chrono::milliseconds deadline,
               const Waiting& waiting = {});
 
   const v1::StreamOpened& opened() const { return opened_; }
   v1::Delivery delivery() const { return opened_.resolved().delivery(); }
 
-  // A connection to it, by its delivery; `from_seqs` as Subscriber's.
+  // Connects to the stream as its delivery demands; `from_seqs` as in Subscriber::Attachment.
   Subscriber subscribe(zmq::context_t& context, const std::vector<std::uint64_t>& from_seqs = {}) const;
 
-  // Nothing where the server no longer knows the stream.
+  // Returns nothing if the server no longer has the stream.
   std::optional<v1::StreamInfo> info(const Waiting& waiting = {});
   v1::FramePicture picture();  // the newest frame
 
-  // The server ends the stream at its next frame; what it has made still comes, and then END. Neither waits
-  // for an answer, since the server may be gone, nor throws.
+  // Ends the stream at its next frame: the packets up to there still come, and then END. Neither waits for
+  // the server nor throws.
   void close();
   bool closed() const { return closed_; }
 
  private:
-  void open(const v1::OpenStream& wish, std::chrono::milliseconds deadline, const Waiting& waiting);
+  void open(const v1::OpenStream& stream, std::chrono::milliseconds deadline, const Waiting& waiting);
   void tellClose();
 
   ControlClient& control_;

@@ -32,7 +32,7 @@ std::optional<Batch> Subscriber::receive(std::chrono::milliseconds timeout) {
   if (!zmq::recv_multipart(socket_, std::back_inserter(parts), zmq::recv_flags::dontwait))
     return std::nullopt;
   const std::size_t first = has_topic_ ? 1 : 0;
-  if (parts.size() != first + 2) throw StreamFault("the server sent a message that is no packet");
+  if (parts.size() != first + 2) throw StreamFault("the server sent a message that is not a packet");
   const zmq::message_t &head = parts[first], &payload = parts[first + 1];
   Batch batch;
   if (!batch.header.ParseFromArray(head.data(), static_cast<int>(head.size()))) {
@@ -60,7 +60,7 @@ void Subscriber::giveCredit(std::uint64_t bytes) {
   send(request);
 }
 
-// Half is given back at once, so that the server never waits for the way there and back.
+// Tops credit up at half, so that the server does not wait for a round trip.
 void Subscriber::giveBack() {
   if (credit_ == 0 || used_ < credit_ / 2) return;
   for (const auto& [sensor, seq] : std::exchange(safe_, {})) {

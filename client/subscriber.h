@@ -1,4 +1,4 @@
-// One connection to a stream: batches of events, decoded.
+// One connection to a stream; decodes its packets into batches of events.
 #pragma once
 
 #include <chrono>
@@ -21,23 +21,23 @@ struct Batch : PacketContent {
 
 class Subscriber {
  public:
-  static constexpr std::uint64_t kCredit = 4 << 20;  // bytes that may be under way
+  static constexpr std::uint64_t kCredit = 4 << 20;  // bytes that the server may send ahead
 
   struct Attachment {
     std::string endpoint, stream_id, token;
-    std::vector<std::uint64_t> from_seqs = {};  // by sensor; empty: from the beginning
-    std::uint64_t credit = kCredit;             // given at once, and topped up whenever half of it is used
+    std::vector<std::uint64_t> from_seqs = {};  // the first seq wanted, by sensor; empty: from the beginning
+    std::uint64_t credit = kCredit;             // bytes; given at once, and topped up when half is used
     CurveKeys keys = {};
   };
-  // LOSSLESS and LIVE, on the data socket.
+  // For LOSSLESS and LIVE: connects to the data socket.
   Subscriber(zmq::context_t& context, const Attachment& attachment);
-  // BROADCAST: the topics of StreamOpened.
+  // For BROADCAST: connects to the broadcast socket with the topics of StreamOpened.
   Subscriber(zmq::context_t& context, const std::string& endpoint, const std::vector<std::string>& topics,
              const CurveKeys& keys = {});
 
-  // The next batch of any sensor, heartbeats too; nothing when `timeout` has passed or a signal came first.
-  // The call says that the batch before is safe: the server may be told that it need not keep it. Throws
-  // StreamRefused at a packet of KIND_ERROR, StreamFault at one that fails its checks.
+  // Returns the next batch of any sensor, or a heartbeat; nothing after `timeout` or a signal. Each call
+  // acknowledges the batch before, which the server may then forget. Throws StreamRefused for a packet of
+  // KIND_ERROR, and StreamFault for one that fails its checks.
   std::optional<Batch> receive(std::chrono::milliseconds timeout);
 
  private:
@@ -46,9 +46,9 @@ class Subscriber {
   void giveBack();
 
   zmq::socket_t socket_;
-  bool has_topic_;            // broadcast: a part in front of the header
-  std::uint64_t credit_ = 0;  // 0: this socket works without
-  // Since credit was last given: the bytes that came, and by sensor the newest packet.
+  bool has_topic_;            // broadcast: a message part before the header
+  std::uint64_t credit_ = 0;  // bytes; 0: broadcast, which has no credit
+  // Received since credit was last given: bytes, and the newest seq of each sensor.
   std::uint64_t used_ = 0;
   std::map<std::uint32_t, std::uint64_t> safe_;
 };

@@ -24,6 +24,7 @@ void runList(const ServerOptions& options) {
   v1::Request request;
   request.mutable_list_scenes();
   const v1::Reply reply = control.call(std::move(request));
+  if (reply.list_scenes().scenes().empty()) std::printf("the server has no scenes\n");
   for (const v1::SceneInfo& scene : reply.list_scenes().scenes()) printScene(scene);
 }
 

@@ -1,20 +1,16 @@
 #include "client/commands/preview_picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 
-#include "client/commands/pixel_font.h"
+#include "client/commands/preview_canvas.h"
 
 namespace saccade::client {
 namespace {
-
-using Colour = std::array<float, 3>;  // [0, 1]
-constexpr Colour kWhite{1, 1, 1}, kBlack{0, 0, 0}, kRed{0.8f, 0.05f, 0.1f}, kBlue{0.1f, 0.2f, 0.8f};
 
 std::vector<float> planeOf(const std::string& bytes, std::size_t count) {
   if (bytes.size() != count * sizeof(float))
@@ -38,52 +34,6 @@ Colour mix(Colour from, Colour to, float weight) {
   return from;
 }
 
-class Canvas {
- public:
-  Canvas(int frame_width, int frame_height) : layout_(frame_width) {
-    picture_.width = layout_.left(2) + layout_.panel_width;
-    picture_.height = PreviewLayout::kCaptionHeight + frame_height * layout_.zoom;
-    picture_.pixels.assign(std::size_t{3} * picture_.width * picture_.height, 255);
-  }
-
-  // One pixel of the frame.
-  void set(int panel, int x, int y, Colour colour) {
-    for (int v = 0; v < layout_.zoom; ++v) {
-      for (int u = 0; u < layout_.zoom; ++u) {
-        put(layout_.left(panel) + x * layout_.zoom + u, PreviewLayout::kCaptionHeight + y * layout_.zoom + v,
-            colour);
-      }
-    }
-  }
-
-  // In the caption of a panel, from `column` letters on. Returns the column after the text.
-  int write(int panel, int line, int column, const std::string& text, Colour colour) {
-    for (const char character : text) {
-      const int left = layout_.left(panel) + 2 + column++ * kLetterWidth, top = 2 + line * kLineHeight;
-      for (int y = 0; y < kGlyphHeight; ++y)
-        for (int x = 0; x < kGlyphWidth; ++x)
-          if (isInk(character, x, y)) put(left + x, top + y, colour);
-    }
-    return column;
-  }
-  RgbPicture take() { return std::move(picture_); }
-
- private:
-  static constexpr int kLetterWidth = kGlyphWidth + 1, kLineHeight = kGlyphHeight + 4;
-
-  void put(int x, int y, Colour colour) {
-    if (x >= picture_.width) return;
-    const std::size_t at = std::size_t(y) * picture_.width + x;
-    for (int i = 0; i < 3; ++i) {
-      picture_.pixels[3 * at + i] =
-          static_cast<std::uint8_t>(std::lround(std::clamp(colour[i], 0.0f, 1.0f) * 255));
-    }
-  }
-
-  PreviewLayout layout_;
-  RgbPicture picture_;
-};
-
 Colour intensityColour(float relative) {
   const float grey = std::pow(std::clamp(relative, 0.0f, 1.0f), 1 / 2.2f);
   return {grey, grey, grey};
@@ -99,8 +49,8 @@ std::string format(const char* form, double value) {
   return text;
 }
 
-void writeCaptions(Canvas& canvas, const v1::FramePicture& frame, float white, float full, std::size_t events,
-                   std::int64_t window_ns) {
+void writeCaptions(PreviewCanvas& canvas, const v1::FramePicture& frame, float white, float full,
+                   std::size_t events, std::int64_t window_ns) {
   canvas.write(0, 0, 0, format("intensity at %.6g s", frame.t1_ns() / 1e9), kBlack);
   canvas.write(0, 1, 0, format("white = luminance %.3g", white), kBlack);
   canvas.write(1, 0, 0, format("change of log brightness in %.4g ms", (frame.t1_ns() - frame.t0_ns()) / 1e6),
@@ -114,9 +64,6 @@ void writeCaptions(Canvas& canvas, const v1::FramePicture& frame, float white, f
 
 }  // namespace
 
-PreviewLayout::PreviewLayout(int frame_width)
-    : zoom((kMinPanelWidth + frame_width - 1) / frame_width), panel_width(zoom * frame_width) {}
-
 RgbPicture drawPreview(const v1::FramePicture& frame, std::span<const Event> events, std::int64_t window_ns) {
   const int width = static_cast<int>(frame.width()), height = static_cast<int>(frame.height());
   if (width <= 0 || height <= 0) throw std::runtime_error("the server's picture is empty");
@@ -124,7 +71,7 @@ RgbPicture drawPreview(const v1::FramePicture& frame, std::span<const Event> eve
   const auto intensity = planeOf(frame.intensity(), count),
              change = planeOf(frame.brightness_change(), count);
   const float exposure = percentile(intensity, 0.99), range = percentile(change, 0.99);
-  Canvas canvas(width, height);
+  PreviewCanvas canvas(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const std::size_t i = std::size_t(y) * width + x;

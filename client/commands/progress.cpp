@@ -22,8 +22,10 @@ std::string barOf(double fraction) {
 }  // namespace
 
 std::string timeText(double seconds) {
-  const auto whole = static_cast<long long>(std::ceil(seconds));
-  if (whole < 60) return std::to_string(whole) + " s";
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2g s", seconds);
+  if (seconds < 99.5) return text;
+  const auto whole = std::llround(seconds);
   if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }

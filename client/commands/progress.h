@@ -8,7 +8,7 @@
 
 namespace saccade::client {
 
-// "2 min 10 s"
+// To two digits below 100 s, then as "2 min 10 s".
 std::string timeText(double seconds);
 
 class Progress {

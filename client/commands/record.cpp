@@ -112,6 +112,7 @@ void runRecord(const RecordOptions& options) {
   recorder.commit();
   printFiles(out, recorder.files(), preview && preview->written() ? options.preview : "");
   printRates(out, recorder, wall_s);
+  printSuppressed(out, recorder, opened.resolved());
   printLosses(out, subscription.losses());
   printStagesOf(out, stream);
 }

@@ -21,6 +21,7 @@ std::string checkWhole(const std::string& text) {
 }
 
 void addPathOptions(CLI::App& command, RecordOptions& o) {
+  command.option_defaults()->group("Camera path");
   CLI::Option* trajectory = command.add_option(
       "--trajectory", o.trajectory,
       "name of a trajectory of the scene, or a file of poses in TUM format (seconds, blanks) or "
@@ -40,6 +41,7 @@ void addPathOptions(CLI::App& command, RecordOptions& o) {
 }
 
 void addSensorOptions(CLI::App& command, RecordOptions& o) {
+  command.option_defaults()->group("Sensors");
   command
       .add_option("--threshold", o.thresholds,
                   "contrast threshold C, in natural log units; each further value is another sensor")
@@ -61,6 +63,7 @@ void addSensorOptions(CLI::App& command, RecordOptions& o) {
 }
 
 void addStreamOptions(CLI::App& command, RecordOptions& o) {
+  command.option_defaults()->group("Stream");
   command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   command.add_option("--fov", o.fov_x_deg, "horizontal field of view, degrees");
   command.add_option("--rate", o.rate_hz, "frames per second of the stream")->capture_default_str();
@@ -88,6 +91,7 @@ void addStreamOptions(CLI::App& command, RecordOptions& o) {
 }
 
 void addQualityOptions(CLI::App& command, RecordOptions& o) {
+  command.option_defaults()->group("Rendering");
   command.add_option("--method", o.method, "see `saccade info`");
   CLI::Option* spp =
       command.add_option("--spp", o.spp, "paths per pixel and frame")->check(checkWhole<std::uint32_t>);
@@ -146,6 +150,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
   addSensorOptions(command, o);
   addStreamOptions(command, o);
   addQualityOptions(command, o);
+  command.option_defaults()->group("Server");
   addServerOptions(command, o.server);
   sayRanges(command);
   command.footer(

@@ -16,8 +16,8 @@ constexpr double kAdvisedPixels = 0.5, kMaxRateHz = 1e5;
 // The rate that keeps the picture to half a pixel per frame, rounded up to two digits.
 double advisedRate(double rate_hz, double px_per_frame) {
   const double rate = rate_hz * px_per_frame / kAdvisedPixels;
-  const double digit = std::pow(10, std::floor(std::log10(rate)) - 1);
-  return std::ceil(rate / digit) * digit;
+  const double step = std::pow(10, std::floor(std::log10(rate)) - 1);
+  return std::ceil(rate / step) * step;
 }
 
 }  // namespace
@@ -43,21 +43,23 @@ void printChoice(std::FILE* out, const v1::StreamOpened& opened) {
 void printPixelSpeed(std::FILE* out, const v1::StreamOpened& opened) {
   std::fprintf(out, "the picture moves by %.3g pixels per frame (median; 99th percentile %.3g)\n",
                opened.px_per_frame_p50(), opened.px_per_frame_p99());
+  std::fflush(out);  // a warning on stderr may follow
 }
 
 void warnOfFastPicture(const v1::StreamOpened& opened) {
-  const double px = opened.px_per_frame_p50();
-  if (px <= kAdvisedPixels) return;
-  std::fprintf(stderr, "saccade: warning: above half a pixel per frame events are less accurate; ");
   const v1::OpenStream& request = opened.resolved();
+  const v1::Motion& motion = request.trajectory().motion();
+  const double px = motion.has_px_per_frame() ? std::abs(motion.px_per_frame()) : opened.px_per_frame_p50();
+  if (px <= kAdvisedPixels) return;
   const double rate = advisedRate(request.timing().frame_rate_hz(), px);
-  if (request.trajectory().motion().has_px_per_frame()) {
-    std::fprintf(stderr, "ask for at most %gpx\n", kAdvisedPixels);
+  std::string advice = "the motion is too fast for any frame rate";
+  if (motion.has_px_per_frame()) {
+    advice = "ask for at most 0.5px";
   } else if (rate <= kMaxRateHz) {
-    std::fprintf(stderr, "--rate %g would keep to it\n", rate);
-  } else {
-    std::fprintf(stderr, "the motion is too fast for any frame rate\n");
+    advice = "--rate " + std::to_string(std::llround(rate)) + " would keep to it";
   }
+  std::fprintf(stderr, "saccade: warning: above half a pixel per frame events are less accurate; %s\n",
+               advice.c_str());
 }
 
 void printFiles(std::FILE* out, std::vector<std::string> files, const std::string& preview) {
@@ -73,11 +75,14 @@ void printRates(std::FILE* out, const Recorder& recorder, double wall_s) {
                "%llu events (%.3g per second of the stream); %.6g s of the stream in %s, %.3gx real time\n",
                Count{recorder.events()}, stream_s > 0 ? recorder.events() / stream_s : 0.0, stream_s,
                timeText(wall_s).c_str(), stream_s / wall_s);
+}
+
+void printSuppressed(std::FILE* out, const Recorder& recorder, const v1::OpenStream& resolved) {
   if (recorder.suppressed() == 0) return;
-  std::fprintf(
-      out,
-      "%llu events withheld: a sensor sends at most 32 events per pixel and frame, and so many per frame\n",
-      Count{recorder.suppressed()});
+  const v1::Sensor& sensor = resolved.sensors(0);
+  std::fprintf(out, "%llu events withheld: limits are %u per pixel and frame, %llu per frame\n",
+               Count{recorder.suppressed()}, sensor.max_events_per_pixel_frame(),
+               Count{sensor.max_events_per_frame()});
 }
 
 void printLosses(std::FILE* out, const Losses& losses) {

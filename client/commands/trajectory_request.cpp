@@ -8,11 +8,24 @@
 namespace saccade::client {
 namespace {
 
-// As protobuf requires it of a string.
-bool isUtf8(const std::string& text) {
-  v1::Trajectory trajectory;
-  trajectory.set_csv(text);
-  return v1::Trajectory().ParseFromString(trajectory.SerializeAsString());
+// How many bytes follow the first byte of a UTF-8 character; -1: no character begins so.
+int followers(unsigned char first) {
+  if (first < 0x80) return 0;
+  if (first >= 0xC2 && first < 0xE0) return 1;
+  if (first >= 0xE0 && first < 0xF0) return 2;
+  return first >= 0xF0 && first < 0xF5 ? 3 : -1;
+}
+
+// The schema wants UTF-8; protobuf reports anything else in its own words.
+bool isText(const std::string& bytes) {
+  int due = 0;  // bytes of the present character
+  for (const unsigned char byte : bytes) {
+    const bool follows = byte >= 0x80 && byte < 0xC0;
+    if (byte == 0 || follows != (due > 0)) return false;
+    due = follows ? due - 1 : followers(byte);
+    if (due < 0) return false;
+  }
+  return due == 0;
 }
 
 std::string readFile(const std::string& path) {
@@ -24,7 +37,7 @@ std::string readFile(const std::string& path) {
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (file.bad()) fail("cannot be read");
   if (text.empty()) fail("is empty");
-  if (text.find('\0') != text.npos || !isUtf8(text)) fail("is not a text file");
+  if (!isText(text)) fail("is not a text file");
   return text;
 }
 

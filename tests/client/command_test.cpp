@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -86,6 +88,12 @@ class Server {
   std::string control_;
 };
 
+std::string textOf(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
 bool holds(const Result& result, const std::string& text) {
   return result.output.find(text) != std::string::npos;
 }
@@ -101,9 +109,10 @@ TEST(Command, WrongUsageIsCode2) {
 }
 
 TEST(Command, WrongUsageIsToldInOneLine) {
-  for (const char* line : {"", "record", "record cornell-box --trajectory right -o a.csv --frob",
-                           "record cornell-box --trajectory right -o a.csv --delivery pigeon",
-                           "record cornell-box --trajectory none.csv -o a.csv"}) {
+  for (const char* line :
+       {"", "record", "recrod cornell-box", "record cornell-box --trajectory right -o a.csv --frob",
+        "record cornell-box --trajectory right -o a.csv --delivery pigeon",
+        "record cornell-box --trajectory none.csv -o a.csv"}) {
     const Result result = run(line);
     EXPECT_EQ(result.output.find("saccade: "), 0u) << result.output;
     EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
@@ -156,7 +165,9 @@ TEST(CommandAndKeys, RecordsFromAServerThatWantsThem) {
   const Server daemon("--secret-key " + server + ".key --client-keys " + folder.at("clients"));
   const std::string keys = " --secret-key " + alice + ".key --server-key " + server + ".pub ";
   const std::string record = "record cornell-box --trajectory right --size 32x24 --duration 0.01 -o " + file;
-  EXPECT_EQ(run("info --wait 0.2 " + daemon.option()).code, 1);
+  const Result without = run("info --wait 0.2 " + daemon.option());
+  EXPECT_EQ(without.code, 1);
+  EXPECT_TRUE(holds(without, "it wants keys: give --secret-key and --server-key")) << without.output;
   EXPECT_EQ(run("info --secret-key " + alice + ".key" + daemon.option()).code, 2);
   EXPECT_EQ(run(record + keys + daemon.option()).code, 0);
   EXPECT_TRUE(fs::exists(file));
@@ -177,7 +188,7 @@ TEST(CommandAndBudget, TellsWhatWasChosenAndWhatToExpect) {
   EXPECT_TRUE(holds(chosen, "chosen: svgf:as_falcor=1 at 1 spp\n")) << chosen.output;
   EXPECT_TRUE(holds(chosen, "3 CPU ms per frame, 0.1 false and 0.12 missed events")) << chosen.output;
   EXPECT_TRUE(holds(chosen, table.settings())) << chosen.output;
-  const Result refused = run(record + "--max-false-rate 0.001");
+  const Result refused = run(record + "--max-false-rate 0.001 --force");
   EXPECT_EQ(refused.code, 2);
   EXPECT_TRUE(holds(refused, "quality.max_false_rate: the lowest rate here")) << refused.output;
 }
@@ -196,6 +207,49 @@ TEST_F(CommandAndServer, RefusalsNameWhatIsValid) {
   EXPECT_TRUE(holds(output, "--output: ") && holds(output, "none/a.csv")) << output.output;
 }
 
+TEST_F(CommandAndServer, AnExistingFileIsKeptUnlessForced) {
+  const std::string record = "record cornell-box --trajectory right --size 32x24 --duration 0.01 -o " +
+                             folder_.at("a.csv") + server_.option();
+  ASSERT_EQ(run(record).code, 0);
+  const Result again = run(record);
+  EXPECT_EQ(again.code, 2);
+  EXPECT_TRUE(holds(again, "exists; --force replaces it")) << again.output;
+  EXPECT_EQ(run(record + "--force").code, 0);
+}
+
+TEST_F(CommandAndServer, StandardOutputHoldsTheEventsAlone) {
+  const std::string record = "record cornell-box --trajectory right --size 32x24 --duration 0.02 -o ";
+  const std::string file = folder_.at("a.csv"), piped = folder_.at("b.csv");
+  ASSERT_EQ(run(record + file + server_.option()).code, 0);
+  Child child("sh -c \"" SACCADE_COMMAND " " + record + "- " + server_.option() + " >" + piped + "\"");
+  const Result result = finish(child);
+  EXPECT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(holds(result, "wrote to standard output")) << result.output;
+  EXPECT_EQ(textOf(piped), textOf(file));
+}
+
+TEST_F(CommandAndServer, AFastPictureGetsTheRateThatWouldDo) {
+  const Result fast = run("record cornell-box --trajectory right --size 64x48 --rate 50 --duration 0.04 -o " +
+                          folder_.at("a.csv") + server_.option());
+  EXPECT_EQ(fast.code, 0);
+  const std::string mark = "above half a pixel per frame events are less accurate; --rate ";
+  ASSERT_TRUE(holds(fast, mark)) << fast.output;
+  const std::string rate = fast.output.substr(fast.output.find(mark) + mark.size(), 4);
+  const Result slow = run("record cornell-box --trajectory right --size 64x48 --duration 0.04 --rate " +
+                          rate.substr(0, rate.find(' ')) + " -o " + folder_.at("b.csv") + server_.option());
+  EXPECT_EQ(slow.code, 0);
+  EXPECT_FALSE(holds(slow, "above half a pixel")) << slow.output;
+}
+
+TEST_F(CommandAndServer, AFaultyTrajectoryIsNamedOnceByItsFile) {
+  const std::string file = folder_.at("nan.csv");
+  std::ofstream(file) << "0 0 0 0 0 0 0 1\n1 0 0 nan 0 0 0 1\n";
+  const Result result =
+      run("record cornell-box --trajectory " + file + " -o " + folder_.at("a.csv") + server_.option());
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.output, "saccade: " + file + ": line 2: 'nan' is not a finite number\n");
+}
+
 // A recording that events have come to: before that a server that stops would not know of its receiver.
 class Interrupted : public CommandAndServer {
  protected:
@@ -203,8 +257,8 @@ class Interrupted : public CommandAndServer {
     Child child(SACCADE_COMMAND
                 " record cornell-box --trajectory right --size 32x24 --retry-time 0 --duration " +
                 duration + " -o " + file_ + server_.option());
-    const auto retry_policy = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    while (!begun() && std::chrono::steady_clock::now() < retry_policy) std::this_thread::yield();
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (!begun() && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
     return child;
   }
   const std::string file_ = folder_.at("a.csv"), partial_ = folder_.at("a.csv.partial");
@@ -235,7 +289,7 @@ TEST_F(Interrupted, AServerThatStopsLeavesNoWholeFile) {
   server_.stop();
   const Result result = finish(record);
   EXPECT_EQ(result.code, 1);
-  EXPECT_TRUE(holds(result, "the server ended the stream after")) << result.output;
+  EXPECT_TRUE(holds(result, "the server has stopped and ended the stream at frame")) << result.output;
   EXPECT_TRUE(fs::exists(partial_) && !fs::exists(file_));
 }
 

@@ -95,6 +95,23 @@ TEST(ControlClient, SilenceEndsAtTheDeadlineAndSaysWhatToDo) {
   }
 }
 
+// As the data socket does.
+TEST(ControlClient, AnAnswerOfTwoPartsIsNotOfAControlSocket) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient client(context, server.endpoint());
+  const auto packet = std::async(std::launch::async, [&server] {
+    server.receive<v1::Request>();
+    server.send(makeErrorPacket("", "attach first"));
+  });
+  try {
+    client.call(infoRequest(), std::chrono::seconds(10));
+    FAIL() << "a reply";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), server.endpoint() + " is not a control socket; is it the data port?");
+  }
+}
+
 // As of a server that cut its text within a character.
 TEST(ControlClient, AReplyThatCannotBeReadEndsTheWait) {
   zmq::context_t context;

@@ -40,8 +40,8 @@ TEST(RecordOptions, WhatIsNotGivenIsLeftToTheServer) {
   const auto open = openStream("");
   EXPECT_EQ(open.scene(), "cornell-box");
   EXPECT_EQ(open.trajectory().name(), "right");
-  EXPECT_EQ(open.view().width(), 346u);
-  EXPECT_EQ(open.view().height(), 260u);
+  EXPECT_EQ(open.view().width(), 240u);
+  EXPECT_EQ(open.view().height(), 180u);
   EXPECT_EQ(open.delivery(), v1::DELIVERY_LOSSLESS);
   EXPECT_EQ(open.timing().clock(), v1::CLOCK_FAST);
   ASSERT_EQ(open.sensors_size(), 1);
@@ -142,6 +142,14 @@ TEST(RecordOptions, AFileOfPosesIsSentAsText) {
   std::ofstream(path) << "0 0 0 0 0 0 0 1\n";
   const auto options = parse("cornell-box -o a.csv --trajectory " + path);
   EXPECT_EQ(makeOpenStream(options).trajectory().csv(), "0 0 0 0 0 0 0 1\n");
+  std::ofstream(path, std::ios::trunc).close();
+  EXPECT_THROW(makeOpenStream(options), std::invalid_argument);  // empty
+  for (const std::string bytes : {"\xFF", "\x80", "\xC3", "\xC3x", "\xC0\x80"}) {
+    std::ofstream(path, std::ios::trunc) << bytes;
+    EXPECT_THROW(makeOpenStream(options), std::invalid_argument);  // not text
+  }
+  std::ofstream(path, std::ios::trunc) << "# \xC3\xBC \xE2\x82\xAC \xF0\x9F\x98\x80\n";
+  EXPECT_EQ(makeOpenStream(options).trajectory().csv().size(), 14u);
   std::filesystem::remove(path);
   EXPECT_THROW(makeOpenStream(options), std::invalid_argument);
 }
@@ -195,6 +203,8 @@ TEST(RecordOptions, FaultsNameTheOption) {
   }
   EXPECT_NE(faultOf("--threshold 0.2 --threshold-off 0.1 --threshold-off 0.1").find("--threshold-off"),
             std::string::npos);
+  for (const std::string number : {"--seed -1", "--seed 18446744073709551616", "--spp 1.5", "--bounces -1"})
+    EXPECT_NE(faultOf(number).find("is not a whole number from 0 to"), std::string::npos) << number;
   EXPECT_NE(faultOf("--delivery pigeon").find("lossless"), std::string::npos);
   EXPECT_NE(faultOf("--reconstruction magic").find("kalman"), std::string::npos);
   EXPECT_NE(faultOf("--preview a.jpg").find("--preview"), std::string::npos);

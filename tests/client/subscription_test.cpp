@@ -224,6 +224,19 @@ TEST_F(SubscriptionTest, AServerThatIsAwayIsWaitedForAsLongAsTheCallerLikes) {
   EXPECT_EQ(faultOf([&] { open("s1"), attached(); }, {.waiting = waiting}), "enough");
 }
 
+TEST_F(SubscriptionTest, ALossIsAnnouncedOnce) {
+  std::vector<std::string> losses;
+  const auto packets = packetsOf("s1");
+  record(
+      [&] {
+        open("s1"), attached(), send(packets, 0, 1);
+        attached();
+        send(packets, 2, 4);
+      },
+      {.lost = [&losses](const std::string& loss) { losses.push_back(loss); }});
+  EXPECT_EQ(losses, std::vector<std::string>{"the connection to the server is lost"});
+}
+
 TEST_F(SubscriptionTest, MissingPacketsOfALosslessStreamAreAFault) {
   const auto packets = packetsOf("s1");
   const auto script = [&] { open("s1"), attached(), send(packets, 0, 0), send(packets, 2, 4); };

@@ -55,7 +55,7 @@ const std::vector<BadWish> kBadWishes{
     {"trajectory.name", [](auto& r) { r.mutable_trajectory()->set_name("../x"); }, v1::CODE_NOT_FOUND, "right"},
     {"trajectory.csv", [](auto& r) { r.mutable_trajectory()->set_csv(""); }},
     {"trajectory.csv", [](auto& r) { r.mutable_trajectory()->set_csv("0 0 0 0 0 0 0 1\n1 2 3\n"); },
-     v1::CODE_INVALID_ARGUMENT, ":2:"},
+     v1::CODE_INVALID_ARGUMENT, "line 2: a line of 3"},
     {"trajectory.csv", [](auto& r) { r.mutable_trajectory()->set_csv(std::string((8 << 20) + 1, '#')); }},
     {"trajectory.motion.kind", [](auto& r) { pan(r).clear_kind(); }, v1::CODE_INVALID_ARGUMENT, "pedestal"},
     {"trajectory.motion.kind", [](auto& r) { pan(r).set_kind(v1::MotionKind(99)); }, v1::CODE_INVALID_ARGUMENT,

@@ -46,7 +46,7 @@ std::vector<TimedPose> CsvReader::read(std::string_view csv) {
     ++line_;
     readLine(takeLine(csv));
   }
-  if (keys_.empty()) fail("the text has no pose; expected lines of t x y z qx qy qz qw");
+  if (keys_.empty()) fail("no pose in the text; expected lines of t x y z qx qy qz qw");
   return std::move(keys_);
 }
 
@@ -118,7 +118,7 @@ TimeNs CsvReader::readTime(std::string_view field) {
   const double t = number(field);
   if (keys_.empty()) first_seconds_ = t;
   const double since_first = t - first_seconds_;
-  if (std::abs(since_first) > kMaxSeconds) fail("the time is more than 9e9 seconds from the first");
+  if (std::abs(since_first) > kMaxSeconds) fail("a time too far from the first, by more than 9e9 s");
   return TimeNs{std::llround(since_first * 1e9)};
 }
 
@@ -126,7 +126,7 @@ Pose CsvReader::readPose(const Fields& fields) const {
   std::array<double, kFields> v{};
   for (std::size_t i = 1; i < kFields; ++i) v[i] = number(fields[i]);
   if (std::max({std::abs(v[1]), std::abs(v[2]), std::abs(v[3])}) > kMaxDistance)
-    fail("a coordinate of the position is beyond 1e9");
+    fail("a position beyond 1e9 along an axis");
   const Quaternion q{v[4], v[5], v[6], v[7]};
   if (!isRotation(q)) fail("a quaternion whose length is near 0 or far from 1");
   return {{v[1], v[2], v[3]}, unitNear(q, keys_.empty() ? q : keys_.back().pose.rotation)};

@@ -1,0 +1,48 @@
+// Three panels side by side, with a caption of two lines above each.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace saccade::client {
+
+struct RgbPicture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> pixels;  // 3 bytes each, row by row from the top
+};
+
+// Where the three panels stand, in pixels of the picture.
+struct PreviewLayout {
+  static constexpr int kGap = 8;              // white columns between panels
+  static constexpr int kCaptionHeight = 24;   // two lines of words above each panel
+  static constexpr int kMinPanelWidth = 240;  // so that the words fit
+  explicit PreviewLayout(int frame_width);
+  int left(int panel) const { return panel * (panel_width + kGap); }
+  int zoom;         // pixels of the picture per pixel of the frame, along each axis
+  int panel_width;  // at least kMinPanelWidth
+};
+
+using Colour = std::array<float, 3>;  // red, green, blue, in [0, 1]
+inline constexpr Colour kWhite{1, 1, 1}, kBlack{0, 0, 0}, kRed{0.8f, 0.05f, 0.1f}, kBlue{0.1f, 0.2f, 0.8f};
+
+class PreviewCanvas {
+ public:
+  PreviewCanvas(int frame_width, int frame_height);  // white
+
+  // Colours the pixel x, y of the frame in a panel (0 to 2 from the left).
+  void set(int panel, int x, int y, Colour colour);
+  // Writes into line 0 or 1 of a panel's caption, from `column` letters on. Returns the column after the
+  // text.
+  int write(int panel, int line, int column, const std::string& text, Colour colour);
+  RgbPicture take() { return std::move(picture_); }
+
+ private:
+  void put(int x, int y, Colour colour);
+
+  PreviewLayout layout_;
+  RgbPicture picture_;
+};
+
+}  // namespace saccade::client
