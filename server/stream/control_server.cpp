@@ -20,7 +20,7 @@ struct ControlServer::Outbox {
   std::mutex mutex;
   std::vector<std::shared_ptr<Letter>> letters;
 
-  // Returns the code of what is sent: without memory for the reply, a shorter one.
+  // Returns the code of the reply that it puts in. Without memory for `reply` it puts in a shorter one.
   v1::Code put(const std::string& connection, v1::Reply reply, const std::shared_ptr<UnreadReply>& unread) {
     std::string bytes;
     try {
@@ -110,7 +110,7 @@ ControlServer::Answer ControlServer::answerTo(const std::string& connection, con
           call = request.call, &counts = counts_](v1::Reply reply) mutable {
     reply.set_request_id(id);
     const v1::Code code = outbox->put(connection, std::move(reply), unread);
-    unread.reset();  // who keeps this function keeps nothing of the reply
+    unread.reset();  // a kept copy of this function must not keep the reply counted
     counts.add({call, code});
     loop->wake().wake();
   };

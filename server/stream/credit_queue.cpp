@@ -75,7 +75,7 @@ std::uint64_t CreditQueue::push(const Packet& packet) {
   return dropped_packets_ - dropped_before;
 }
 
-// The newest packet stays, however large, and so does what is not events.
+// Keeps the newest packet, however large, and all packets that are not events.
 void CreditQueue::dropOldest() {
   for (auto it = waiting_.begin(); waiting_memory_ > capacity_ && it + 1 != waiting_.end();) {
     if (!it->may_drop) {
@@ -89,7 +89,7 @@ void CreditQueue::dropOldest() {
   }
 }
 
-// The loss goes with the packets, not with the sending: a client that resumes is told the same again.
+// Counts the loss in the next packet of the sensor, so that a client that resumes gets the same count again.
 void CreditQueue::tellLoss(Entries::iterator lost) {
   const std::uint64_t drops = 1 + lost->dropped_before;
   const auto next = std::find_if(lost + 1, waiting_.end(),
@@ -128,7 +128,7 @@ CreditQueue::Entries& CreditQueue::oldestSent() {
       sent_, {}, [](const Entries& entries) { return entries.empty() ? UINT64_MAX : entries.front().place; });
 }
 
-// What is not held any more cannot be asked for again.
+// A forgotten packet cannot be asked for again.
 void CreditQueue::forgetFirst(Entries& sent) {
   const Entry& first = sent.front();
   first_held_[first.sensor] = std::max(first_held_[first.sensor], first.seq + 1);

@@ -51,7 +51,7 @@ class CreditQueue {
   // `send` runs under the queue's lock, so that the packet cannot be dropped meanwhile; it must not block nor
   // use the queue.
   bool sendOldest(const Send& send);
-  void acknowledge(std::uint32_t sensor, std::uint64_t seq);  // forgets what was sent up to `seq`
+  void acknowledge(std::uint32_t sensor, std::uint64_t seq);  // forgets sent packets up to `seq`
   // Goes back: the next packet of each sensor is the one with this seq, which was sent before or is next
   // anyway. Returns an empty text, or why that cannot be done.
   std::string resume(const std::vector<std::uint64_t>& from_seqs);

@@ -134,7 +134,7 @@ void SocketLoop::deliver(Message&& message, const OnMessage& on_message, const O
   }
 }
 
-// libzmq tells of the end of a connection by an empty message, which no peer has sent: without parts here.
+// At the end of a connection libzmq itself delivers an empty message: a Message without parts.
 std::optional<SocketLoop::Message> SocketLoop::Impl::receive() {
   zmq::message_t part;
   if (!socket.recv(part, zmq::recv_flags::dontwait)) return {};

@@ -222,6 +222,8 @@ TEST(Process, RefusesWhatItCannotDo) {
   EXPECT_EQ(Process(command).finish(), 2);
   command = kServer;
   command[2] = "nonsense";
+  EXPECT_EQ(Process(command).finish(), 2);
+  command[2] = "ipc:///no/such/folder/socket";
   EXPECT_EQ(Process(command).finish(), 1);
   EXPECT_EQ(Process({SACCADED, "--help"}).finish(), 0);
 }
