@@ -22,7 +22,7 @@ enum class Interpolation {
 
 inline constexpr double kMaxDistance = 1e9;  // of a position read from outside, scene units along each axis
 
-// Timed poses with interpolation. The first pose holds before its time, and the last one after its time.
+// Timed poses and what is between them. Before the first and after the last it holds them.
 class Trajectory {
  public:
   // At least one key; times strictly increasing.

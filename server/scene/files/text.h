@@ -1,4 +1,4 @@
-// Splits text into lines, words and numbers, and joins names for messages.
+// Text read piece by piece (lines, words, numbers), and lists of names for messages.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@ namespace saccade {
 // Takes the first line off `text`, without its end (LF or CRLF).
 std::string_view takeLine(std::string_view& text);
 
-// Takes the next word off `text`; blanks, tabs, line ends and the characters of `also` separate words. Empty
-// at the end.
+// Takes the next word off `text`; blanks, tabs, line ends and the characters of `also` part words. Empty at
+// the end.
 std::string_view takeWord(std::string_view& text, std::string_view also = {});
 
-// The value of `word`, if all of it is a finite number.
+// The finite number that `word` is as a whole, or none.
 std::optional<double> parseNumber(std::string_view word);
 std::optional<long long> parseInteger(std::string_view word);
 
