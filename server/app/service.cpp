@@ -8,11 +8,12 @@
 namespace saccade {
 namespace {
 
-v1::Reply pictureReply(const NewestInterval::Copy& newest, double bias) {
+v1::Reply pictureReply(const Stream& stream) {
   v1::Reply reply;
   try {
+    const auto newest = stream.feed->newest().copy();
     if (!newest) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the stream has no frame yet");
-    *reply.mutable_get_frame() = drawPicture(*newest, bias);
+    *reply.mutable_get_frame() = drawPicture(*newest, stream.request.sensors(0).bias());
     *reply.mutable_status() = okStatus();
   } catch (...) {
     reply.Clear();
@@ -68,17 +69,13 @@ void Service::open(RawRequest request, const Peer& peer, Answer answer) {
   });
 }
 
-// Copying and drawing are left to another thread, because pictures may be large. The last holder of a stream
-// ends its feed and waits for it, so the feed's own thread must never hold it.
+// A thread of its own copies and draws, because pictures may be large. It may also end the feed, which takes
+// long: the last holder of a stream does that.
 void Service::getFrame(const v1::GetFrame& call, const Answer& answer) {
   Stream stream = streams_.find(call.stream_id(), call.token());
   const v1::View& view = stream.request.view();
   quota_.use(Limit::kPictures, 2.0 * sizeof(float) * view.width() * view.height() / (1 << 20));
-  const double bias = stream.request.sensors(0).bias();
-  auto draw = [bias, answer, pictures = std::weak_ptr(pictures_)](const NewestInterval::Copy& newest) {
-    if (const auto worker = pictures.lock()) worker->post([=] { answer(pictureReply(newest, bias)); });
-  };
-  pictures_->post([stream = std::move(stream), draw = std::move(draw)] { stream.feed->newest().ask(draw); });
+  pictures_.post([stream = std::move(stream), answer] { answer(pictureReply(stream)); });
 }
 
 void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& reply) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 
 #include "app/streams/scene_lister.h"
@@ -38,7 +37,7 @@ class Service {
   ClientLog& log_;
   const v1::ServerDescription description_;
   SceneLister scenes_;
-  const std::shared_ptr<Worker> pictures_ = std::make_shared<Worker>();  // copies and draws for get_frame
+  Worker pictures_;  // copies and draws for get_frame
 };
 
 // Adds all methods.

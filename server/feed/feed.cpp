@@ -39,7 +39,7 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
       renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}, pool),
       method_(std::move(method)),
       frames_(config.width, config.height),
-      change_(config.width, config.height) {
+      changes_{IntensityChange(config.width, config.height), IntensityChange(config.width, config.height)} {
   render();
   method_->start(frames_.current(), pool_);
 }
@@ -50,12 +50,13 @@ const IntensityChange& Feed::step() {
   frames_.swap();
   render();
   const FramePair frames = frames_.pair();
-  change_.t0 = frames.prev.time;
-  change_.t1 = frames.cur.time;
-  change_.frame = frames.cur.index;
-  method_->estimate(frames, pool_, change_, times_);
+  IntensityChange& change = changes_[frames.cur.index % 2];
+  change.t0 = frames.prev.time;
+  change.t1 = frames.cur.time;
+  change.frame = frames.cur.index;
+  method_->estimate(frames, pool_, change, times_);
   chain_ = threadCpuTime() + TilePool::chainTime() - began;
-  return change_;
+  return change;
 }
 
 void Feed::render() {

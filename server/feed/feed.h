@@ -2,6 +2,7 @@
 // Everything before the sensors, and the same for all of them (render once, serve many sensors).
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -37,7 +38,8 @@ class Feed {
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
        std::unique_ptr<Method> method, TilePool& pool);
 
-  // Renders the next frame and estimates the change since the one before it.
+  // Renders the next frame and estimates the change since the one before it. The change stays as it is until
+  // the second step after this one begins.
   const IntensityChange& step();
 
   // Of the first `frames` intervals; 0: of as many as there may be.
@@ -47,7 +49,7 @@ class Feed {
   const StageTimes& lastTimes() const { return times_; }  // of the last step
   // How long the last step takes with all threads to itself: those passes one after the other.
   std::chrono::nanoseconds lastChain() const { return chain_; }
-  const IntensityChange& change() const { return change_; }
+  const IntensityChange& change() const { return changes_[(next_ - 1) % 2]; }
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
 
  private:
@@ -60,7 +62,7 @@ class Feed {
   Renderer renderer_;
   std::unique_ptr<Method> method_;
   FrameRing frames_;
-  IntensityChange change_;
+  std::array<IntensityChange, 2> changes_;  // in turn
   StageTimes times_;
   std::chrono::nanoseconds chain_{0};
   FrameIndex next_ = 0;

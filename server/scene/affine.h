@@ -20,13 +20,13 @@ inline double determinant(const Affine& a) {
   return dot(a.x, cross(a.y, a.z));
 }
 
-// Normals map by the inverse transpose. This is it times |determinant|, so that flat maps need no division.
+// The map of normals: the inverse transpose times |determinant|, so that a flat map needs no division.
 inline Vec3d mapNormal(const Affine& a, Vec3d n) {
   const Vec3d m = cross(a.y, a.z) * n.x + cross(a.z, a.x) * n.y + cross(a.x, a.y) * n.z;
   return determinant(a) < 0 ? -m : m;
 }
 
-// First b, then a.
+// The map that applies b first, then a.
 inline Affine operator*(const Affine& a, const Affine& b) {
   return {mapVector(a, b.x), mapVector(a, b.y), mapVector(a, b.z), mapPoint(a, b.translation)};
 }

@@ -7,17 +7,17 @@
 
 namespace saccade {
 
-// Index of refraction eta + ik over that of vacuum, for linear RGB. Not bounded: red light of Rec. 709 is
-// redder than any wavelength.
+// The complex index of refraction eta + ik, relative to vacuum, for linear RGB. Values may lie outside of the
+// range of the spectrum, because the red of Rec. 709 is redder than any wavelength.
 struct ComplexIndex {
   std::string name;
   Rgb eta, k;
 };
 
-// The metal of this name, or nullptr. "none" reflects all.
+// The metal of this name, or nullptr. "none" reflects all light.
 const ComplexIndex* findConductor(const std::string& name);
 
-// "none, Ag, ...": all names there are.
+// All names: "none, Ag, ...".
 std::string conductorNames();
 
 }  // namespace saccade

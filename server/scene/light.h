@@ -1,4 +1,4 @@
-// Light that comes from no surface of the scene.
+// Lights that are not surfaces of the scene.
 #pragma once
 
 #include "base/vec.h"

@@ -1,4 +1,4 @@
-// What a surface is made of.
+// The material of a surface.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The value description of a scene: what a scene file says, in world space, and nothing a scene here lacks.
+// A scene as plain data in world space, independent of the format of its file.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace saccade {
 
-// Triangles share positions with Embree: `positions` has one spare entry at the end, which Embree may read.
+// Embree reads `positions` in place, and may read one entry beyond the last: there is a spare one.
 struct Mesh {
   std::string name;
   std::vector<Vec3> positions;
@@ -51,7 +51,7 @@ struct Scene {
   int width = 256, height = 256;  // the film of the scene file
 };
 
-// 1 if every colour of the scene is grey, of surfaces, textures, metals and lights, else 3.
+// 1 where all colours are grey: of surfaces, textures, metals and lights. Else 3.
 int colorChannels(const Scene& scene);
 
 }  // namespace saccade

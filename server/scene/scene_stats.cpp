@@ -26,7 +26,7 @@ void addMaterial(const Material& material, SceneStats& stats) {
   if (isBumpy(material)) ++stats.bump_maps;
 }
 
-// "3 spheres", or nothing of none.
+// "3 spheres", or empty for none.
 void addCount(std::vector<std::string>& parts, std::size_t count, const std::string& one,
               const std::string& many) {
   if (count > 0) parts.push_back(std::to_string(count) + " " + (count == 1 ? one : many));

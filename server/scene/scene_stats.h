@@ -1,4 +1,4 @@
-// What a scene stats of a renderer and of memory.
+// Counts what a scene holds, and the memory it takes.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct SceneStats {
   std::size_t geometry_bytes = 0;  // of meshes and spheres; Embree's tree over them comes on top
 
   double bytesPerTriangle() const;  // of geometry; 0 without triangles
-  // One line for people, of what is there: "36 triangles in 8 meshes (70 bytes each); 5 diffuse; ...".
+  // One line for people that lists what is there: "36 triangles in 8 meshes (70 bytes each); 5 diffuse; ...".
   std::string text() const;
 };
 

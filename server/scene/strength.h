@@ -1,4 +1,4 @@
-// How strong an emitter is over time: a lamp that is switched, fades or flickers.
+// The strength of an emitter over time, for lamps that are switched, fade or flicker.
 #pragma once
 
 #include <vector>

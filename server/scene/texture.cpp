@@ -28,7 +28,7 @@ float part(const Cover& c, int i) {
   return i == c.first ? c.first_part : i == c.last ? c.last_part : 1.0f;
 }
 
-// To [0, 1); 0 for what is not finite.
+// Wraps to [0, 1); 0 where the value is not finite.
 float wrap(float u) {
   const float f = u - std::floor(u);
   return f >= 0 && f < 1 ? f : 0;
@@ -61,7 +61,7 @@ Texture::Texture(int width, int height, std::vector<Rgb> linear_pixels) {
   while (levels_.back().width > 1 || levels_.back().height > 1) levels_.push_back(halve(levels_.back()));
 }
 
-// Averages over areas, so that the mean is kept where a side is odd.
+// Averages over areas, which keeps the mean where a side is odd.
 Texture::Level Texture::halve(const Level& fine) {
   Level coarse{std::max(1, fine.width / 2), std::max(1, fine.height / 2), {}};
   coarse.pixels.reserve(static_cast<std::size_t>(coarse.width) * static_cast<std::size_t>(coarse.height));

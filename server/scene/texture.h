@@ -22,7 +22,7 @@ class Texture {
   std::size_t bytes() const;                                            // in memory, with the mip chain
 
   bool mipMapped() const { return levels_.size() > 1; }
-  // Leaves the finest level alone: from then on a look-up is bilinear, whatever its footprint.
+  // Drops all levels but the finest. From then on a look-up is bilinear, whatever its footprint.
   void dropMips() { levels_.erase(levels_.begin() + 1, levels_.end()); }
 
   // Trilinear: bilinear within a level, linear between the two whose pixels are nearest to the footprint in

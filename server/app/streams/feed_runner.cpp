@@ -81,7 +81,6 @@ void FeedRunner::run() {
   } catch (...) {
     giveUp("unknown fault");
   }
-  newest_.endFeed();
 }
 
 // Allocates nothing, because the fault may be a lack of memory.
@@ -173,11 +172,10 @@ void FeedRunner::step() {
 
 // Only this can be interrupted: an interval that is rendered reaches all streams.
 const IntensityChange& FeedRunner::render() {
-  newest_.beginFrame();
   pool_->setStop(stop_.get_token());
   const IntensityChange& change = feed_->step();
   pool_->setStop({});
-  newest_.endFrame(change);
+  newest_.set(change);
   frame_ = change.frame;
   return change;
 }

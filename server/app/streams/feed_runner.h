@@ -54,7 +54,7 @@ class FeedRunner {
   void interrupt();
 
   FeedProgress progress() const;
-  NewestInterval& newest() { return newest_; }
+  const NewestInterval& newest() const { return newest_; }
   float luminanceP01() const { return luminance_p01_; }  // of frame 0
   float luminanceP50() const { return luminance_p50_; }
   const PixelSpeed& pixelSpeed() const { return pixel_speed_; }

@@ -1,4 +1,4 @@
-// The streams that are being opened: their owners see them, and cancel them.
+// The streams that are being opened, for their owners to list and to cancel.
 #pragma once
 
 #include <memory>
@@ -25,14 +25,14 @@ struct Opening {
 // All members may be called from any thread.
 class Openings {
  public:
-  // Is one of them until it goes. This must outlive it.
+  // Adds an opening, which is listed until it is destroyed. This must outlive it.
   std::shared_ptr<Opening> add(const Peer& peer, std::uint64_t request_id);
   void setScene(Opening& opening, const std::string& scene);
-  // Says what comes next. Throws Cancelled where it shall not.
+  // Notes the next step. Throws Cancelled where the opening was cancelled.
   void begin(Opening& opening, const char* doing);
 
-  std::vector<v1::OpeningInfo> list(const std::string& user) const;  // what this one opens
-  bool cancel(const Peer& peer, std::uint64_t request_id);           // see CancelOpen; false: there is none
+  std::vector<v1::OpeningInfo> list(const std::string& user) const;  // those of a user
+  bool cancel(const Peer& peer, std::uint64_t request_id);           // false: there is none; see CancelOpen
   void cancelAllOf(const std::string& connection);
   void cancelAll();
 

@@ -1,4 +1,4 @@
-// Whether PACED streams can keep their pace: what they take of the CPU, and what there is of it.
+// Decides whether PACED streams can keep their pace: the CPU time they take, and the CPU time there is.
 #pragma once
 
 #include <memory>
@@ -17,14 +17,14 @@ struct CpuCost {
   double longest = 0;  // the sensor that takes longest
 };
 
-// Of two streams that look at the same feed.
+// The cost of two streams that share a feed.
 CpuCost together(const CpuCost& a, const CpuCost& b);
 
-// Of a frame. Renders a few of a feed that is then thrown away: that of the stream is not touched.
+// Measures the cost of a frame. Renders a few frames of a feed of its own.
 CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
                      const ResolvedStream& stream, TilePool& pool);
 
-// What there is of CPU time, for pieces of work.
+// The CPU time there is.
 struct CpuSupply {
   double threads = 1;  // CPU seconds per second, all together
   double speed = 1;    // those of one thread
@@ -32,7 +32,7 @@ struct CpuSupply {
 };
 CpuSupply cpuSupply(const TilePool& pool);  // by the CPUs there are, and what the pool got of them of late
 
-// What PACED streams take, in a second.
+// What PACED streams take in a second.
 struct PaceLoad {
   double total = 0;  // CPU time of all of them
   CpuCost feed;      // that of the streams of one feed together

@@ -1,4 +1,4 @@
-// What is said, and kept, of a stream that has been opened.
+// The reply about a stream that has been opened, and the request that is kept of it.
 #pragma once
 
 #include "app/request/resolve.h"
@@ -9,8 +9,7 @@ namespace saccade {
 v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, std::uint64_t epoch,
                                 int channels);
 
-// What is kept of a resolved request while its stream lives: all but a path that may be long. `request` is
-// left as it was.
+// A copy of a resolved request without a path that may be long. `request` is the same afterwards.
 v1::OpenStream withoutLongPath(v1::OpenStream& request);
 
 }  // namespace saccade

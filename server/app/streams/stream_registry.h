@@ -18,10 +18,10 @@
 namespace saccade {
 
 struct Stream {
-  std::string user;                // who opened it: a public key; empty without keys
+  std::string user;                // the public key of its client; empty without keys
   v1::OpenStream request;          // resolved; without the keys or the text of its trajectory
-  std::shared_ptr<void> reserved;  // its part of the budget
-  CpuCost frame_cost;              // PACED: as measured before it was opened; no feed's where it joined one
+  std::shared_ptr<void> reserved;  // its share of the quotas
+  CpuCost frame_cost;  // PACED: as measured before it was opened; `feed` is 0 where it joined a feed
   std::shared_ptr<FeedRunner> feed;
   std::shared_ptr<StreamSink> sink;
   std::shared_ptr<Session> session;
@@ -29,20 +29,20 @@ struct Stream {
 
   void stop(v1::EndReason reason) const;  // at once, where its feed serves no other stream
   v1::StreamInfo info() const;
-  CpuCost load() const;  // of a second, to keep the pace; 0: it has none, or has ended
+  CpuCost load() const;  // of a second; 0 where it keeps no pace or has ended
 };
 
 struct StreamCensus {
   std::map<std::string, int> running;  // streams that have not ended, by the name of their delivery
-  double lag_s = 0;                    // of the one that is latest
+  double lag_s = 0;                    // of the stream with the largest lag
 };
 
 class StreamRegistry {
  public:
   using Lease = std::chrono::duration<double>;
 
-  // Streams are entered into, and taken from, `sessions`. A stream whose receiver is gone for `lease`, or has
-  // not come yet, is ended; one that has ended can be resumed and is listed for so long.
+  // Adds the session of each stream to `sessions` and removes it again. A stream without a receiver for
+  // `lease` is ended. One that has ended is listed, and can be resumed, for as long.
   StreamRegistry(SessionDirectory& sessions, ClientLog& log, Lease lease)
       : sessions_(sessions), log_(log), lease_(lease) {}
   ~StreamRegistry();  // stops what is left
@@ -50,7 +50,7 @@ class StreamRegistry {
   void add(Stream stream);  // throws Refusal after stopAll()
   // A copy of the entry. Throws Refusal: there is none, or `token` is not its token.
   Stream find(const std::string& id, const std::string& token) const;
-  std::vector<v1::StreamInfo> list(const std::string& user) const;  // what this one has opened
+  std::vector<v1::StreamInfo> list(const std::string& user) const;  // those of a user
   StreamCensus census() const;
   PaceLoad load(const FeedRunner* feed) const;  // of all streams, and of those of `feed`
 

@@ -1,4 +1,4 @@
-// What the server has done since it started, on all streams together. Added to from any thread.
+// Counts of all streams together since the server started. Any thread adds to them.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace saccade {
 
 struct Totals {
-  std::atomic<std::uint64_t> frames = 0;  // rendered; those of a shared feed once
+  std::atomic<std::uint64_t> frames = 0;  // rendered; a frame of a shared feed counts once
   std::atomic<std::uint64_t> events = 0;
   std::array<std::atomic<std::int64_t>, kStageNames.size()> stage_cpu_ns{};
   Traffic traffic;

@@ -1,4 +1,4 @@
-// How fast the image of what a camera sees moves when the camera does.
+// The speed of the image when the camera moves.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace saccade {
 
-// What the camera sees, in its own axes: points in front of it.
+// Visible points, in the axes of the camera.
 using VisiblePoints = std::vector<Vec3d>;
 
 // Those of the world-space `points` that lie in front; without any, one point on the viewing axis at

@@ -1,4 +1,4 @@
-// Camera motions that exist for any scene. They begin at the pose they are given.
+// Camera motions that any scene offers. They begin at a given pose.
 #pragma once
 
 #include <cstdint>
@@ -34,8 +34,8 @@ struct Motion {
 
 inline constexpr TimeNs kTurnTime{200'000'000}, kShakePeriod{2'000'000'000};
 inline constexpr double kMaxOrbitRad = 0.25;
-// However fast and long: a rotation turns back after so many turns, and any other motion after kMaxDistance;
-// there it stays if it is never to turn back.
+// Bounds on every motion: a rotation turns back after so many turns, and any other motion after kMaxDistance.
+// A motion that never turns back stays there.
 inline constexpr double kMaxTurns = 1000, kMaxTurnsPerSecond = 100;
 
 const std::vector<std::string>& motionKinds();

@@ -23,7 +23,7 @@ struct Screw {
 // start, and so on. The limits are those of motion.h.
 Trajectory thereAndBack(const Screw& screw, const Pose& start, double rate, std::optional<double> turn_s);
 
-// Never turns back: goes round and round, or straight on for 1e9 seconds.
+// The motion that never turns back. It goes round and round, or straight on for 1e9 seconds.
 Trajectory onAndOn(const Screw& screw, const Pose& start, double rate);
 
 }  // namespace saccade

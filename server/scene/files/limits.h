@@ -1,4 +1,4 @@
-// How large a scene may be. What is larger is a SceneError that names the file, before it takes the memory.
+// Limits on the size of a scene. A file beyond them causes a SceneError before memory is taken for it.
 #pragma once
 
 #include <cstddef>

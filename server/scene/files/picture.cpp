@@ -33,7 +33,7 @@ float linearFromSrgb(float encoded) {
 }
 
 std::unique_ptr<OIIO::ImageInput> openPicture(const std::string& path) {
-  OIIO::ImageSpec keep_colours;  // OpenImageIO would multiply them by alpha
+  OIIO::ImageSpec keep_colours;  // otherwise OpenImageIO multiplies them by alpha
   keep_colours.attribute("oiio:UnassociatedAlpha", 1);
   auto input = OIIO::ImageInput::open(path, &keep_colours);
   if (!input) throw SceneError(path + ": " + OIIO::geterror());
@@ -48,7 +48,7 @@ void checkSize(const std::string& path, const OIIO::ImageSpec& spec) {
                    " and at most " + std::to_string(kMaxPicturePixels) + " pixels are supported");
 }
 
-// Before memory is taken for pixels of which the file holds next to nothing.
+// Refuses a small file that claims to hold many pixels, before memory is taken for them.
 void checkBytes(const std::string& path, const OIIO::ImageSpec& spec, std::size_t bytes) {
   if (spec.image_pixels() / kMaxPicturePixelsPerByte <= bytes) return;
   throw SceneError(path + ": a picture of " + std::to_string(spec.width) + " x " +

@@ -1,4 +1,4 @@
-// Pictures as files hold them, made linear.
+// Reads pictures and makes them linear.
 #pragma once
 
 #include <cstddef>
@@ -20,10 +20,10 @@ enum class PixelUse {
   kRadiance,        // sRGB-encoded 8/16-bit pictures are made linear; clamped to [0, kMaxRadiance]
 };
 
-// Reads a picture with OpenImageIO: its first three channels, or its first as grey; alpha is left out. What
-// is no number becomes 0. Throws SceneError if it cannot be read or is larger than limits.h allows.
+// Reads a picture with OpenImageIO: its first three channels, or its first as grey; alpha is ignored. NaN
+// becomes 0. Throws SceneError if it cannot be read or is larger than limits.h allows.
 Picture loadPicture(const std::string& path, PixelUse use);
-// As its header says. Throws as loadPicture(), which takes the memory for them.
+// The number of pixels, by the header of the file, before memory is taken for them. Throws as loadPicture().
 std::size_t countPixels(const std::string& path);
 
 }  // namespace saccade

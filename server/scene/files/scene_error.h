@@ -1,4 +1,4 @@
-// A fault of a scene or trajectory file, with the place in it.
+// The error of a faulty scene or trajectory file, with the place in it.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// Word of a scene that takes long to load.
+// Reports the progress of a scene that takes long to load.
 #pragma once
 
 #include <chrono>

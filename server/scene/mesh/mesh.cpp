@@ -44,7 +44,7 @@ std::vector<Vec3> smoothNormals(const Mesh& mesh) {
   return normals;
 }
 
-// Turns triangles round that face away from the normals of their corners.
+// Reverses triangles that face away from the normals of their corners.
 void turnToNormals(Mesh& mesh) {
   for (auto& t : mesh.triangles) {
     const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
@@ -73,7 +73,7 @@ Mesh makeCube() {
   return mesh;
 }
 
-// One vertex of the middle for each triangle, as v differs between them.
+// Each triangle has a vertex of its own in the middle, because v differs there.
 Mesh makeDisk() {
   Mesh mesh;
   for (int i = 0; i <= kDiskCorners; ++i) {

@@ -1,4 +1,4 @@
-// Meshes from formulas, with Mitsuba's texture coordinates, and what makes a raw mesh part of a scene.
+// Makes meshes from formulas, with Mitsuba's texture coordinates, and places meshes in a scene.
 #pragma once
 
 #include "scene/affine.h"

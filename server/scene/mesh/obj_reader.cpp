@@ -77,7 +77,7 @@ void ObjReader::readLine(std::string_view line) {
   }
 }
 
-// What follows the first N (a weight, a colour) is read past.
+// Values after the first N, such as a weight or a colour, are ignored.
 template <int N>
 std::array<float, N> ObjReader::readNumbers(std::string_view words) const {
   std::array<float, N> values;

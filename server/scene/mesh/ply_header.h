@@ -1,4 +1,4 @@
-// The head of a PLY file: what its elements are made of.
+// The header of a PLY file: the properties of its elements.
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-// Takes the head off `bytes`; what remains is the data. Throws SceneError naming the line.
+// Takes the header off `bytes`, so that the data remains. Throws SceneError that names the line.
 PlyHeader takePlyHeader(std::string_view& bytes, const std::string& path);
 
 }  // namespace saccade

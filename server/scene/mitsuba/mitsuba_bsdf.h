@@ -5,10 +5,10 @@
 
 namespace saccade {
 
-// The types of <bsdf> that readBsdf() knows: what "roughplastic" and the like are called.
+// The types of <bsdf> that readBsdf() knows, such as "roughplastic".
 std::vector<std::string> bsdfTypes();
 
-// Sets what a <bsdf> of one of these types says of a material. Throws SceneError.
+// Fills in a material from a <bsdf> of one of these types. Throws SceneError.
 void readBsdf(const XmlFile& file, pugi::xml_node bsdf, TextureReader& textures, Material& material);
 
 }  // namespace saccade

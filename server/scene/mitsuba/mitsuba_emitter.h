@@ -11,7 +11,7 @@ struct Emission {
   Strength strength;
 };
 
-// What the <emitter type="area"> of a shape says. Throws SceneError.
+// Reads the <emitter type="area"> of a shape. Throws SceneError.
 Emission parseEmitter(const XmlFile& file, pugi::xml_node emitter);
 
 }  // namespace saccade

@@ -17,7 +17,7 @@ Rgb requiredColor(const XmlFile& file, pugi::xml_node emitter, Properties& prope
   return *color;
 }
 
-// Of a map that turns or mirrors: without its scale and translation.
+// The rotation or reflection of the map, without its scale and translation.
 Affine orthonormal(const XmlFile& file, pugi::xml_node emitter, const Affine& map) {
   const Affine unit{normalize(map.x), normalize(map.y), normalize(map.z), {}};
   if (std::abs(std::abs(determinant(unit)) - 1) > 1e-4)

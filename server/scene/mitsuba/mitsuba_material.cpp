@@ -29,7 +29,7 @@ int MaterialReader::read(pugi::xml_node bsdf) {
   return found->second;
 }
 
-// Wrappers, in any order, around a BSDF.
+// Reads a BSDF and the wrappers around it, in any order.
 Material MaterialReader::parse(pugi::xml_node bsdf) {
   static const std::vector<std::string> types = allTypes();
   Material material;
@@ -48,7 +48,7 @@ Material MaterialReader::parse(pugi::xml_node bsdf) {
   throw file_.error(bsdf, "the bsdfs are nested more than " + std::to_string(kMaxBsdfDepth) + " deep");
 }
 
-// Gives what it wraps.
+// Returns the bsdf within the wrapper.
 pugi::xml_node MaterialReader::readWrapper(const std::string& type, pugi::xml_node bsdf, Material& material) {
   Properties properties(file_, bsdf);
   if (type == "twosided") {

@@ -13,8 +13,8 @@ class MaterialReader {
   MaterialReader(const XmlFile& file, TextureReader& textures, Scene& scene)
       : file_(file), textures_(textures), scene_(scene) {}
 
-  // Index of the material a <bsdf> describes; of a grey 0.5 if it is null. Each is read once. Throws
-  // SceneError.
+  // The index of the material that a <bsdf> describes; without one, of a grey of 0.5. Each is read once.
+  // Throws SceneError.
   int read(pugi::xml_node bsdf);
 
  private:

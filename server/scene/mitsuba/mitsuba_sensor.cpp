@@ -19,7 +19,7 @@ int parseFilmEdge(const XmlFile& file, pugi::xml_node film, Properties& properti
   return static_cast<int>(edge);
 }
 
-// `fov` as the file gives it, along the axis it names, turned into the horizontal one.
+// The horizontal field of view, from `fov` along the axis that the file names.
 double horizontalFov(const XmlFile& file, pugi::xml_node sensor, double fov, const std::string& axis,
                      double aspect) {
   if (!(fov > 0 && fov < 180))
@@ -41,7 +41,7 @@ Pose cameraPose(const XmlFile& file, pugi::xml_node sensor, const Affine& to_wor
   return {to_world.translation, fromAxes(cross(down, z), down, z)};
 }
 
-// The picture's size; how it would be stored and shown does not matter.
+// The size of the picture; the other properties of the film are ignored.
 void readFilm(const XmlFile& file, pugi::xml_node film, Scene& scene) {
   Properties properties(file, film);
   scene.width = parseFilmEdge(file, film, properties, "width", scene.width);

@@ -12,7 +12,7 @@
 namespace saccade {
 namespace {
 
-// What a shape of any type has.
+// The properties that shapes of all types have.
 struct Common {
   std::string name;
   Affine to_world;
@@ -65,7 +65,7 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   });
 }
 
-// By how much the map scales all lengths.
+// The factor by which the map scales all lengths.
 double uniformScale(const XmlFile& file, pugi::xml_node at, const Affine& map) {
   const double scale = length(map.x), tolerance = 1e-4 * scale;
   const bool uniform =

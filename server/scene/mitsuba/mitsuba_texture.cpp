@@ -10,7 +10,7 @@ float single(double v) {
   return static_cast<float>(v);
 }
 
-// to_uv of scale and translate; or uscale and the like, as Mitsuba 0.6 has it.
+// Reads to_uv, of scale and translate, or the uscale and the like of Mitsuba 0.6.
 void readUvMap(const XmlFile& file, Properties& properties, SurfaceColor& c) {
   const pugi::xml_node node = properties.object("transform", "to_uv");
   const Affine map = parseTransform(file, node);
@@ -21,7 +21,7 @@ void readUvMap(const XmlFile& file, Properties& properties, SurfaceColor& c) {
                  single(properties.number("voffset", map.translation.y))};
 }
 
-// Gamma 1 is linear; -1, as if not given, what the file says of itself.
+// Gamma 1 means linear; -1, the default, leaves it to the file.
 bool readRaw(const XmlFile& file, pugi::xml_node bitmap, Properties& properties) {
   const double gamma = properties.number("gamma", -1);
   if (gamma != 1 && gamma != -1)

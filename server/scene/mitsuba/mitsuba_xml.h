@@ -1,5 +1,5 @@
 // Reads a Mitsuba scene file of either dialect: 0.4 to 0.6 (toWorld, intIOR) or 3 (to_world, int_ior). Names
-// of both are read in all files; where defaults differ, the scene's version decides.
+// of both are read in all files; where defaults differ, the version of the scene decides.
 //
 // Supported:
 //   sensor    perspective: fov along x, or fov_axis y|x|smaller|larger
@@ -11,8 +11,8 @@
 //   transform of matrix, translate, rotate, scale, lookat in order
 //   <default> and $names; ids and refs to what stands before
 // Colours are rgb, float, or spectrum of one number. A bsdf at the top without an id goes by that of the bsdf
-// within it. Integrator, sampler and the like are read past; the film's width and height are kept. Anything
-// else, and what is beyond limits.h, is a SceneError naming file, line and what is supported.
+// within it. Integrator, sampler and the like are ignored; the width and height of the film are kept.
+// Anything else, or beyond limits.h, is a SceneError that names file, line and what is supported.
 //
 // Our extension: an area emitter may change over stream time, by a factor (dimensionless, at least 0) on its
 // radiance.

@@ -14,7 +14,7 @@ std::string titled(const std::string& tag, const std::string& name) {
   return "<" + tag + (name.empty() ? ">" : " name=\"" + name + "\">");
 }
 
-// toWorld is to_world, intIOR int_ior; what is written so already stays.
+// The name in Mitsuba 3: to_world for toWorld, int_ior for intIOR.
 std::string snakeCase(const std::string& name) {
   std::string snake;
   bool was_upper = true;

@@ -30,7 +30,7 @@ class Properties {
   std::vector<pugi::xml_node> objects(const std::string& tag, const std::string& name = {});
   // At most one of them; null if absent.
   pugi::xml_node object(const std::string& tag, const std::string& name = {});
-  // Takes, unread, what has nothing to say here.
+  // Takes properties that are not used here.
   void ignore(const std::string& tag, const std::vector<std::string>& names = {{}});
 
   void finish();
@@ -55,7 +55,7 @@ class Properties {
 std::string supportedType(const XmlFile& file, pugi::xml_node object,
                           const std::vector<std::string>& supported);
 
-// Numbers parted by blanks or commas. Throws SceneError if one is not a finite number.
+// Numbers separated by blanks or commas. Throws SceneError if one is not a finite number.
 std::vector<double> parseNumbers(const XmlFile& file, pugi::xml_node node, const std::string& text);
 
 }  // namespace saccade
