@@ -7,6 +7,17 @@
 #include "methods/svgf.h"
 
 namespace saccade {
+namespace {
+
+// The names of methods or of parameters, for messages.
+template <class Row>
+std::string namesOf(const std::vector<Row>& rows) {
+  std::string names;
+  for (const Row& row : rows) names += (names.empty() ? "" : ", ") + row.name;
+  return names.empty() ? "none" : names;
+}
+
+}  // namespace
 
 const std::vector<MethodInfo>& methodTable() {
   static const std::vector<MethodInfo> table{
@@ -26,24 +37,18 @@ const MethodInfo* findMethod(const std::string& name) {
 }
 
 std::string methodNames() {
-  std::string names;
-  for (const MethodInfo& method : methodTable()) names += (names.empty() ? "" : ", ") + method.name;
-  return names;
+  return namesOf(methodTable());
 }
 
 std::string resolveParams(const MethodInfo& method, const ParamValues& given, ParamValues& resolved,
                           std::string& bad_name) {
   resolved.clear();
-  std::string names;
-  for (const ParamSpec& spec : method.params) {
-    resolved[spec.name] = spec.fallback;
-    names += (names.empty() ? "" : ", ") + spec.name;
-  }
+  for (const ParamSpec& spec : method.params) resolved[spec.name] = spec.fallback;
   for (const auto& [name, value] : given) {
     bad_name = name;
     if (!resolved.contains(name)) {
       return method.name + " has no parameter \"" + cutText(name, 64) +
-             "\"; it has: " + (names.empty() ? "none" : names);
+             "\"; it has: " + namesOf(method.params);
     }
     resolved[name] = value;
   }
@@ -58,7 +63,7 @@ std::string resolveParams(const MethodInfo& method, const ParamValues& given, Pa
 }
 
 bool takesSpp(const MethodInfo& method, const ParamValues& resolved, int spp) {
-  return spp % 2 == 0 || method.make(resolved, 1, 1)->seedReuse() == SeedReuse::kIndependent;
+  return spp % 2 == 0 || method.seedReuse(resolved) == SeedReuse::kIndependent;
 }
 
 }  // namespace saccade
