@@ -6,22 +6,17 @@
 #include <utility>
 
 #include "base/default_cache.h"
+#include "scene/files/text.h"
 
 namespace saccade {
 namespace {
-
-std::string join(const std::set<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "nothing" : text;
-}
 
 double errors(const MeasuredSetting& s) {
   return s.false_events + s.missed_events;
 }
 
-// The setting with the least `goal` among those with `cost` <= limit; else the one with the least `cost`, and
-// false.
+// The setting with the least `goal` among those with `cost` <= limit, and true. Without one: the setting with
+// the least `cost`, and false.
 template <class Cost, class Goal>
 std::pair<MeasuredSetting, bool> leastWithin(const std::vector<MeasuredSetting>& settings, Cost cost,
                                              double limit, Goal goal) {
@@ -66,11 +61,10 @@ std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const Setti
   if (!settings.empty()) return settings;
   if (!methods.empty()) {
     throw NotMeasured(rendering.method + " is not measured on " + rendering.scene +
-                      "; measured are: " + join(methods));
+                      "; measured are: " + joinNames({methods.begin(), methods.end()}));
   }
-  const auto scenes = table.scenes();
-  throw NotMeasured("the scene " + rendering.scene +
-                    " is not measured; measured are: " + join({scenes.begin(), scenes.end()}));
+  throw NotMeasured("no scene of this name is measured: " + rendering.scene +
+                    "; measured are: " + joinNames(table.scenes()));
 }
 
 MeasuredSetting mostAccurate(const std::vector<MeasuredSetting>& settings, double budget_ms) {
