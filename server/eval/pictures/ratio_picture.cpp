@@ -5,7 +5,8 @@
 
 #include "base/quantile.h"
 #include "eval/metrics/for_each_pixel.h"
-#include "eval/pictures/difference_picture.h"
+#include "eval/pictures/signed_picture.h"
+#include "eval/pictures/text.h"
 
 namespace saccade::eval {
 namespace {
@@ -40,23 +41,28 @@ Rgb8 ratioColor(const Block& block) {
 
 }  // namespace
 
-std::vector<Rgb8> ratioPicture(const RgbPlanes& picture, const RgbPlanes& reference,
-                               const BlockRatios& ratios) {
+std::vector<GridPicture> ratioPictures(const RgbPlanes& picture, const RgbPlanes& reference,
+                                       const BlockRatios& ratios) {
   const int w = reference[0].width(), h = reference[0].height(), pw = picture[0].width(),
             ph = picture[0].height();
   const float exposure = exposureOf(reference);
-  std::vector<Rgb8> pixels;
-  pixels.reserve(static_cast<std::size_t>(3 * w) * static_cast<std::size_t>(h));
+  GridPicture ours{"", w, h, {}}, theirs = ours, map = ours;
   for (int y = 0; y < h; ++y) {
-    for (int x = 0; x < w; ++x) pixels.push_back(encode(at(picture, x * pw / w, y * ph / h) * exposure));
-    for (int x = 0; x < w; ++x) pixels.push_back(encode(at(reference, x, y) * exposure));
     for (int x = 0; x < w; ++x) {
       const int column = std::min(x / ratios.edge, ratios.across - 1),
                 row = std::min(y / ratios.edge, ratios.down - 1);
-      pixels.push_back(ratioColor(ratios.blocks[static_cast<std::size_t>(row * ratios.across + column)]));
+      ours.pixels.push_back(encode(at(picture, x * pw / w, y * ph / h) * exposure));
+      theirs.pixels.push_back(encode(at(reference, x, y) * exposure));
+      map.pixels.push_back(ratioColor(ratios.blocks[static_cast<std::size_t>(row * ratios.across + column)]));
     }
   }
-  return pixels;
+  map.caption = format("full colour: %.0f %%", 100 * kFullRatioColor);
+  return {ours, theirs, map};
+}
+
+std::string drawRatios(const RgbPlanes& picture, const RgbPlanes& reference, const BlockRatios& ratios) {
+  return drawPictureGrid({"picture", "reference", "ratio of blocks (grey: not compared)"}, {""},
+                         {ratioPictures(picture, reference, ratios)}, {"too dark", "equal", "too bright"});
 }
 
 }  // namespace saccade::eval
