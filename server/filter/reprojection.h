@@ -1,5 +1,5 @@
-// Where a surface point was in the previous frame: four bilinear taps, each kept only if the same surface is
-// seen there; failing those, the nine pixels around it.
+// Finds a surface point in the previous frame: those of four bilinear taps that show the same surface, or
+// else those of the nine pixels around it.
 #pragma once
 
 #include <algorithm>
@@ -80,7 +80,7 @@ class Reprojection {
 
   std::ptrdiff_t first_ = 0, strongest_ = 0;  // upper left tap; of nine, the middle one
   float weight_[4] = {}, sum_ = 0, heaviest_ = 0;
-  unsigned around_ = 0;  // which of the nine count; 0: the four bilinear taps
+  unsigned around_ = 0;  // bits of the valid ones of nine; 0: the four bilinear taps
 };
 
 }  // namespace saccade

@@ -1,6 +1,4 @@
 // `saccade-eval chart` measures accuracy against CPU time for every method at several spp, and draws it.
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,21 +10,16 @@
 #include "eval/bench/results.h"
 #include "eval/bench/within.h"
 #include "eval/commands/commands.h"
+#include "eval/figures/accuracy_chart.h"
 #include "eval/figures/change_pictures.h"
 #include "eval/pictures/page.h"
-#include "eval/pictures/svg_chart.h"
 #include "eval/pictures/text.h"
 
 namespace saccade::eval {
 namespace {
 
-struct ChartOptions {
+struct ChartOptions : AccuracyChart {
   BenchOptions bench;
-  std::vector<std::string> scenes;
-  std::vector<std::string> methods{"event_svgf", "svgf", "svgf:as_falcor=1", "pt-correlated", "pt"};
-  std::vector<int> spp{1, 2, 4, 8, 32, 128};
-  std::vector<std::string> metrics{"dI_l1",         "dL_l1",    "false_events",
-                                   "missed_events", "sigma_dL", "voxel_error"};
   std::vector<std::string> within;
   std::string output = defaultCache() + "/chart";
   int pictures_spp = 2;
@@ -67,46 +60,6 @@ void runScene(const ChartOptions& o, const std::string& scene, TilePool& pool, R
   page.svg(pictures.draw());
 }
 
-const ScoreColumn& findColumn(const std::string& name) {
-  for (const ScoreColumn& column : kScoreColumns) {
-    if (name == column.name) return column;
-  }
-  throw CLI::ValidationError("--metrics", "there is no \"" + name + "\"; there are: " + scoreNames());
-}
-
-ChartPanel makePanel(const ChartOptions& o, const ResultTable& table, const std::string& scene,
-                     const ScoreColumn& metric) {
-  ChartPanel panel{scene, "CPU ms per frame", std::string(metric.label) + " (lower is better)", {}, true};
-  ChartLine reference{"own error of the reference", {}, LineStyle::kReference};
-  for (const std::string& method : o.methods) {
-    ChartLine line{method, {}};
-    for (const int spp : o.spp) {
-      const Result* r = table.find(scene, method, spp);
-      // A logarithmic axis has no place for 0, nor for the infinite error where the truth is 0.
-      if (!r || !(r->score.*metric.value > 0) || std::isinf(r->score.*metric.value)) continue;
-      const double error = r->seed_error.*metric.value;
-      line.points.push_back({r->cpu_ms, r->score.*metric.value, std::to_string(spp) + " spp",
-                             std::isfinite(error) ? error : 0});
-      reference.points.push_back({r->cpu_ms, r->reference_error, ""});
-    }
-    panel.lines.push_back(std::move(line));
-  }
-  // It is known for dI, of which relative L1 is a distance from the reference.
-  std::sort(reference.points.begin(), reference.points.end(),
-            [](const auto& p, const auto& q) { return p.x < q.x; });
-  if (metric.value == &Score::dI_l1) panel.lines.push_back(std::move(reference));
-  return panel;
-}
-
-std::string drawChart(const ChartOptions& o, const ResultTable& table) {
-  std::vector<ChartPanel> panels;
-  for (const std::string& scene : o.scenes) {
-    for (const std::string& metric : o.metrics)
-      panels.push_back(makePanel(o, table, sceneName(scene), findColumn(metric)));
-  }
-  return drawCharts(panels, static_cast<int>(o.metrics.size()));
-}
-
 bool isComplete(const ChartOptions& o, const ResultTable& table) {
   for (const std::string& scene : o.scenes) {
     for (const std::string& method : o.methods) {
@@ -130,7 +83,7 @@ void renderChart(const ChartOptions& o, ResultTable& table) {
   } catch (const Interrupted&) {
     throw std::runtime_error("interrupted; the same command goes on where it stopped");
   }
-  const std::string chart = drawChart(o, table);
+  const std::string chart = drawAccuracyChart(o, table);
   page.heading("Accuracy against time");
   page.svg(chart);
   const std::filesystem::path folder(o.output);
@@ -143,7 +96,7 @@ void runChart(ChartOptions& o) {
   resolve(o.bench);
   // Faults of the flags are reported before anything is rendered.
   for (const std::string& method : o.methods) parseMethod(method);
-  for (const std::string& metric : o.metrics) findColumn(metric);
+  for (const std::string& metric : o.metrics) findMetric(metric);
   std::vector<Within> limits;
   for (const std::string& limit : o.within) limits.push_back(parseWithin(limit));
   if (o.scenes.empty()) o.scenes = availableScenes();

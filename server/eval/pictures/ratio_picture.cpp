@@ -61,7 +61,7 @@ std::vector<GridPicture> ratioPictures(const RgbPlanes& picture, const RgbPlanes
 }
 
 std::string drawRatios(const RgbPlanes& picture, const RgbPlanes& reference, const BlockRatios& ratios) {
-  return drawPictureGrid({"picture", "reference", "ratio of blocks (grey: not compared)"}, {""},
+  return drawPictureGrid({"picture", "reference", "ratio of blocks, grey is not compared"}, {""},
                          {ratioPictures(picture, reference, ratios)}, {"too dark", "equal", "too bright"});
 }
 
