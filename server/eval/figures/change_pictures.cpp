@@ -5,6 +5,7 @@
 #include "eval/metrics/brightness_change.h"
 #include "eval/pictures/signed_picture.h"
 #include "eval/pictures/text.h"
+#include "eval/pictures/tone_map.h"
 #include "events/sensor.h"
 
 namespace saccade::eval {
@@ -32,14 +33,16 @@ constexpr float kFullColor = 2;  // events
 ChangePictures::ChangePictures(const IntensityChange& reference, float bias, double threshold)
     : bias_(bias),
       threshold_(threshold),
+      exposure_(exposureOf(reference.I_now)),
       scale_dI_(colorScale(reference.dI)),
       scale_dL_(colorScale(brightnessChange(reference, bias))) {}
 
 void ChangePictures::add(const std::string& name, const IntensityChange& change, const Captions& captions) {
   names_.push_back(name);
-  rows_[0].push_back(signedPicture(change.dI, scale_dI_, captions[0]));
-  rows_[1].push_back(signedPicture(brightnessChange(change, bias_), scale_dL_, captions[1]));
-  rows_[2].push_back(signedPicture(eventBalance(change, bias_, threshold_), kFullColor, captions[2]));
+  rows_[0].push_back(greyPicture(change.I_now, exposure_));
+  rows_[1].push_back(signedPicture(change.dI, scale_dI_, captions[0]));
+  rows_[2].push_back(signedPicture(brightnessChange(change, bias_), scale_dL_, captions[1]));
+  rows_[3].push_back(signedPicture(eventBalance(change, bias_, threshold_), kFullColor, captions[2]));
 }
 
 void ChangePictures::addMethod(const std::string& name, const IntensityChange& change, const Score& s) {
@@ -56,9 +59,9 @@ std::string ChangePictures::draw() const {
   const auto row = [](const char* what, float scale) {
     return format("%s, full colour %.3g", what, static_cast<double>(scale));
   };
-  return drawPictureGrid(names_,
-                         {row("dI", scale_dI_), row("dL", scale_dL_), row("ON - OFF events", kFullColor)},
-                         rows_, kChangeKey);
+  return drawPictureGrid(
+      names_, {"picture", row("dI", scale_dI_), row("dL", scale_dL_), row("ON - OFF events", kFullColor)},
+      rows_, kChangeKey);
 }
 
 }  // namespace saccade::eval

@@ -1,5 +1,5 @@
 // Draws methods side by side, as Figure 6 of the paper does: a column for each method, and rows for the
-// change of intensity, the change of brightness and the events of one frame.
+// picture, the change of intensity, the change of brightness and the events of one frame.
 #pragma once
 
 #include <array>
@@ -28,9 +28,9 @@ class ChangePictures {
 
   float bias_;
   double threshold_;
-  float scale_dI_, scale_dL_;
+  float exposure_, scale_dI_, scale_dL_;
   std::vector<std::string> names_;
-  std::vector<std::vector<GridPicture>> rows_{3};
+  std::vector<std::vector<GridPicture>> rows_{4};
 };
 
 }  // namespace saccade::eval
