@@ -20,9 +20,9 @@ void sampleOn(const std::string& scene, const FigureOptions& o, TilePool& pool, 
     setup.jitter = jitter, setup.mips = mips, setup.reference_spp = 0;
     return Bench(setup, pool);
   };
-  const Sampling samplings[] = {{"centre, no mips", sampling(false, false)},
-                                {"centre, mips", sampling(false, true)},
-                                {"jitter, mips", sampling(true, true)}};
+  const Sampling samplings[] = {{"centre without mips", sampling(false, false)},
+                                {"centre with mips", sampling(false, true)},
+                                {"jitter with mips", sampling(true, true)}};
 
   ChangePictures pictures(truth.truth().back().change, static_cast<float>(o.bench.bias), o.bench.threshold);
   Progress progress(scene, static_cast<double>(o.methods.size() * std::size(samplings)));
