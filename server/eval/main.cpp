@@ -1,11 +1,30 @@
-// saccade-eval: pictures, dumps and figures from the same rooms that the server runs.
+// saccade-eval renders pictures and references, runs methods, and measures them. It uses the code of the
+// server.
 #include <cstdio>
 
 #include "eval/commands/commands.h"
+#include "scene/files/text.h"
+
+namespace saccade::eval {
+
+void requireSubcommand(CLI::App& app, const std::string& what) {
+  app.require_subcommand(0, 1);
+  app.allow_extras();  // reported below
+  app.callback([&app, what] {
+    if (!app.get_subcommands().empty()) return;
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    const std::vector<std::string> words = app.remaining();
+    const std::string fault =
+        words.empty() ? "give a " + what : "there is no " + what + " '" + words.front() + "'";
+    throw CLI::ValidationError(fault + "; there are: " + joinNames(names));
+  });
+}
+
+}  // namespace saccade::eval
 
 int main(int argc, char** argv) {
-  CLI::App app{"Evaluate Saccade: stills, frames of a method, references, comparisons."};
-  app.require_subcommand(1);
+  CLI::App app{"Renders pictures and references, runs methods, and measures how accurate they are."};
   saccade::eval::addRenderCommand(app);
   saccade::eval::addFramesCommand(app);
   saccade::eval::addCompareCommand(app);
@@ -13,6 +32,9 @@ int main(int argc, char** argv) {
   saccade::eval::addChartCommand(app);
   saccade::eval::addFigureCommand(app);
   saccade::eval::addSimplificationCommand(app);
+  saccade::eval::requireSubcommand(app, "command");
+  app.footer(
+      "Scenes: the environment variable SACCADE_SCENES names a folder to use instead of the built-in one.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -18,26 +18,29 @@ SeedPlan makeSeedPlan(SeedReuse reuse, std::uint64_t seed, FrameIndex t, int spp
   return {};
 }
 
-std::unique_ptr<Method> makeMethod(const FeedConfig& config) {
+const MethodInfo& methodOf(const FeedConfig& config) {
   const MethodInfo* info = findMethod(config.method);
   SACCADE_CHECK(info != nullptr);
-  return info->make(config.params, config.width, config.height);
+  return *info;
 }
 
 }  // namespace
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
            TilePool& pool)
-    : Feed(std::move(scene), std::move(path), config, makeMethod(config), pool) {}
+    : Feed(std::move(scene), std::move(path), config,
+           methodOf(config).make(config.params, config.width, config.height),
+           methodOf(config).seedReuse(config.params), pool) {}
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
-           std::unique_ptr<Method> method, TilePool& pool)
+           std::unique_ptr<Method> method, SeedReuse seed_reuse, TilePool& pool)
     : config_(config),
       scene_(std::move(scene)),
       path_(std::move(path)),
       pool_(pool),
       renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}, pool),
       method_(std::move(method)),
+      seed_reuse_(seed_reuse),
       frames_(config.width, config.height),
       changes_{IntensityChange(config.width, config.height), IntensityChange(config.width, config.height)} {
   render();
@@ -66,7 +69,7 @@ void Feed::render() {
   const TimeNs time_prev = frame.index == 0 ? frame.time : frameTime(frame.index - 1, config_.frame_rate_hz);
   const Camera camera(path_.at(frame.time), config_.fov_x_deg, config_.width, config_.height);
   const Camera prev(path_.at(time_prev), config_.fov_x_deg, config_.width, config_.height);
-  const SeedPlan seeds = makeSeedPlan(method_->seedReuse(), config_.seed, frame.index, config_.spp);
+  const SeedPlan seeds = makeSeedPlan(seed_reuse_, config_.seed, frame.index, config_.spp);
   times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, frame);
 }
 

@@ -1,5 +1,5 @@
-// A feed: scene + trajectory + view + timing + method + seed -> one IntensityChange per frame.
-// Everything before the sensors, and the same for all of them (render once, serve many sensors).
+// A feed renders a scene along a trajectory and estimates one IntensityChange per frame. All sensors of a
+// stream share it.
 #pragma once
 
 #include <array>
@@ -34,20 +34,20 @@ class Feed {
   // Keeps a reference to `pool`; shares `scene`. Renders frame 0.
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config, TilePool& pool);
 
-  // With a method of the caller's instead of `config.method`.
+  // With a method of the caller's instead of `config.method`, and frames seeded for it.
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
-       std::unique_ptr<Method> method, TilePool& pool);
+       std::unique_ptr<Method> method, SeedReuse seed_reuse, TilePool& pool);
 
   // Renders the next frame and estimates the change since the one before it. The change stays as it is until
   // the second step after this one begins.
   const IntensityChange& step();
 
-  // Of the first `frames` intervals; 0: of as many as there may be.
+  // Over the first `frames` intervals; 0: over all, see measurePixelSpeed().
   PixelSpeed pixelSpeed(FrameIndex frames) const;
-  // Luminance of frame 0 at a fraction of its pixels in ascending order, 0 <= fraction <= 1. Before any step.
+  // The quantile of the luminance of frame 0, 0 <= fraction <= 1. Call it before any step.
   float firstFrameLuminance(double fraction) const;
   const StageTimes& lastTimes() const { return times_; }  // of the last step
-  // How long the last step takes with all threads to itself: those passes one after the other.
+  // The least wall time of the last step: its passes one after the other, each with all threads to itself.
   std::chrono::nanoseconds lastChain() const { return chain_; }
   const IntensityChange& change() const { return changes_[(next_ - 1) % 2]; }
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
@@ -61,6 +61,7 @@ class Feed {
   TilePool& pool_;
   Renderer renderer_;
   std::unique_ptr<Method> method_;
+  SeedReuse seed_reuse_;
   FrameRing frames_;
   std::array<IntensityChange, 2> changes_;  // in turn
   StageTimes times_;

@@ -1,4 +1,4 @@
-// How fast the picture of a feed moves, so that its frame rate can be chosen.
+// How fast the picture of a feed moves: clients choose the frame rate by it.
 #pragma once
 
 #include "base/units.h"
@@ -14,8 +14,8 @@ struct PixelSpeed {
   double p50 = 0, p99 = 0;
 };
 
-// Over pixels of a grid that show a surface, and frames spread over the first `frames` (0: no end), but no
-// longer than the path goes, or its first period, or a minute. 0 where no surface is ever in view.
+// Samples a grid of pixels in up to 16 of the first `frames` frames (0: all) within the path's duration, or
+// its first period, or a minute. 0 where no surface is ever in view.
 PixelSpeed measurePixelSpeed(const RenderScene& scene, const Trajectory& path, const FeedConfig& config,
                              FrameIndex frames);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "filter/edge_stopping.h"
 
 namespace saccade {
 namespace {
@@ -18,8 +17,7 @@ struct Features {
   Features(const GBuffer& g, int x0, int y, int n, const AtrousParams& params)
       : z(g.z.row(y) + x0), nx(g.nx.row(y) + x0), ny(g.ny.row(y) + x0), nz(g.nz.row(y) + x0) {
     const float* dz = g.dz.row(y) + x0;
-    const float least_slope = params.as_falcor ? kFalcorLeastSlope : kLeastSlope;
-    for (int x = 0; x < n; ++x) r_z[x] = depthFactor(params.sigma_z, z[x], dz[x], least_slope);
+    for (int x = 0; x < n; ++x) r_z[x] = depthFactor(params.sigma_z, z[x], dz[x], params.least_slope);
   }
   const float *z, *nx, *ny, *nz;
   alignas(64) float r_z[kChunk];
@@ -27,15 +25,15 @@ struct Features {
 
 // One signal at the pixels of a chunk, and the sums of its filter. The centre counts fully.
 struct Channel {
-  // Outside the picture the variance repeats its edge [ours]; Falcor reads the 0 of the border.
-  Channel(const ImageF& signal, const ImageF& variance, int x0, int y, int n, float sigma_l, bool as_falcor)
+  // With `repeat_edge` the variance repeats its edge outside the picture [ours].
+  Channel(const ImageF& signal, const ImageF& variance, int x0, int y, int n, float sigma_l, bool repeat_edge)
       : c(signal.row(y) + x0), v(variance.row(y) + x0) {
     const std::ptrdiff_t stride = variance.stride();
-    const std::ptrdiff_t up = as_falcor || y > 0 ? -stride : 0;
-    const std::ptrdiff_t down = as_falcor || y + 1 < variance.height() ? stride : 0;
+    const std::ptrdiff_t up = !repeat_edge || y > 0 ? -stride : 0;
+    const std::ptrdiff_t down = !repeat_edge || y + 1 < variance.height() ? stride : 0;
     for (int x = 0; x < n; ++x) {
-      const std::ptrdiff_t left = as_falcor || x0 + x > 0 ? -1 : 0;
-      const std::ptrdiff_t right = as_falcor || x0 + x + 1 < variance.width() ? 1 : 0;
+      const std::ptrdiff_t left = !repeat_edge || x0 + x > 0 ? -1 : 0;
+      const std::ptrdiff_t right = !repeat_edge || x0 + x + 1 < variance.width() ? 1 : 0;
       const auto across = [&](const float* p) { return kGauss[0] * p[0] + kGauss[1] * (p[left] + p[right]); };
       const float* p = v + x;
       r_l[x] =
@@ -107,11 +105,11 @@ std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousPa
   return pool.forEachRow(in.i.height(), [&](int y) {
     for (int x0 = 0; x0 < width; x0 += kChunk) {
       const int n = std::min(kChunk, width - x0);
-      // Of what is not asked for, no pixel is prepared.
+      // A count of 0 skips the planes that the filter does not read.
       const int n_diff = params.difference ? n : 0, n_prev = params.use_prev ? n_diff : 0;
       const Features cur(frames.cur.g, x0, y, n, params), prev(frames.prev.g, x0, y, n_prev, params);
-      Channel primal(in.i, in.var_i, x0, y, n, params.sigma_l, params.as_falcor);
-      Channel difference(in.d, in.var_d, x0, y, n_diff, params.sigma_l_diff, params.as_falcor);
+      Channel primal(in.i, in.var_i, x0, y, n, params.sigma_l, params.repeat_edge_variance);
+      Channel difference(in.d, in.var_d, x0, y, n_diff, params.sigma_l_diff, params.repeat_edge_variance);
       filter(cur, prev, n, in.i.stride(), step, params.sigma_n, primal, difference);
       primal.store(n, out.i.row(y) + x0, out.var_i.row(y) + x0);
       difference.store(n_diff, out.d.row(y) + x0, out.var_d.row(y) + x0);

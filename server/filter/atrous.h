@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/tile_pool.h"
+#include "filter/edge_stopping.h"
 #include "filter/filter_planes.h"
 #include "frame/frame.h"
 
@@ -13,15 +14,17 @@ namespace saccade {
 struct AtrousParams {
   float sigma_z = 1;
   float sigma_n = 128;
-  float sigma_l = 10;       // primal
-  float sigma_l_diff = 10;  // difference
-  bool difference = true;   // off: only the primal
-  bool as_falcor = false;   // walls seen head-on stop the filter; variance is 0 outside the picture
-  bool use_prev = true;     // w_diff = w_curr w_prev [E (12)]; off: w_diff = w_curr (ablation of Fig. 9 B)
+  float sigma_l = 10;                // primal
+  float sigma_l_diff = 10;           // difference
+  bool difference = true;            // off: only the primal
+  float least_slope = kLeastSlope;   // edge_stopping.h
+  bool repeat_edge_variance = true;  // outside the picture; off: the variance there is the border's 0
+  bool use_prev = true;  // w_diff = w_curr w_prev [E (12)]; off: w_diff = w_curr (ablation of Fig. 9 B)
 };
 
 inline constexpr int kMaxAtrousStep = 16;  // 2 * step must stay within Image::kBorder
 
+// Returns the CPU time over all threads.
 std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousParams& params, int step,
                                          const FilterPlanes& in, TilePool& pool, FilterPlanes& out);
 

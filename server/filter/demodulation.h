@@ -11,9 +11,9 @@
 
 namespace saccade {
 
-inline constexpr float kAlbedoFloor = 1e-3f;  // the same on the way in and out, but for an albedo of 0
+inline constexpr float kAlbedoFloor = 1e-3f;  // in both directions; modulation keeps an albedo of 0
 
-// What light is divided by before it is filtered.
+// The divisor of light before it is filtered.
 enum class Demodulation {
   kNone,       // 1 (ablation of Fig. 9 D)
   kAlbedo,     // the albedo, floored
@@ -25,14 +25,14 @@ inline float filterAlbedo(float A, Demodulation by) {
   return std::max(by == Demodulation::kAlbedo ? A : std::round(A * 255) / 255, kAlbedoFloor);
 }
 
-// What filtered light is multiplied by. Where the albedo is 0 nothing is reflected, whatever light the filter
-// spilled there [ours].
+// The factor that filtered light is multiplied by. A surface of albedo 0 reflects nothing, even where the
+// filter has spread light onto it [ours].
 inline float modulationAlbedo(float A, Demodulation by) {
   return A == 0 && by == Demodulation::kAlbedo ? 0 : filterAlbedo(A, by);
 }
 
-// i = (I - E) / A [E (17)]. The first frame of a feed has no difference: call with frames.prev == frames.cur,
-// and d is 0. Illumination that is not finite, or beyond 1e18 (whose moments would not be), counts as 0.
+// i = (I - E) / A [E (17)]. For the first frame of a feed pass frames.prev == frames.cur: d is then 0.
+// Illumination that is not finite counts as 0, and so does any beyond 1e18, whose moments would overflow.
 std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, TilePool& pool,
                                     IlluminationSamples& out);
 

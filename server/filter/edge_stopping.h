@@ -1,5 +1,5 @@
-// Edge-stopping weights as exponents. All terms of a weight are added up first and one exponential is taken
-// of the sum: w = h * 2^-(e_z + e_n + e_l). Each function returns its term in that base.
+// Edge-stopping weights as exponents of 2: w = h * 2^-(e_z + e_n + e_l). Each function returns the factor of
+// its term, so that a weight takes one exponential.
 //
 // Against the paper's appendix:
 // - [E (23)] divides |dz| by sigma_z |grad z . (p - q)| + eps. We divide by sigma_z times the largest
@@ -28,9 +28,9 @@ inline float fastExp2(float x) {
   return scale * (1 + f * (0.6565f + f * 0.3435f));
 }
 
-// [ours] A wall seen head-on has dz = 0 up to rounding. Its slope counts as at least this much of its depth
-// per pixel (0.006 degrees of view), so that rounding does not stop the filter. Falcor's 1e-8 scene units,
-// here for a depth of 10, do stop it.
+// The least slope of a surface, as a share of its depth per pixel. A wall seen head-on has dz = 0 up to
+// rounding. kLeastSlope (0.006 degrees of view) keeps rounding from stopping the filter [ours]. Falcor's 1e-8
+// scene units, here for a depth of 10, let it stop.
 inline constexpr float kLeastSlope = 1e-4f, kFalcorLeastSlope = 1e-9f;
 
 // Factor r_z(p): e_z = |z(p) - z(q)| * r_z(p) / |p - q|.

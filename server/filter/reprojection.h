@@ -1,87 +1,20 @@
-// Where a surface point was in the previous frame: four bilinear taps, each kept only if the same surface is
-// seen there; failing those, the nine pixels around it.
+// Finds a surface point in the previous frame: those of four bilinear taps that show the same surface, or
+// else those of the nine pixels around it.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "base/vec.h"
 #include "frame/frame.h"
 
 namespace saccade {
 
-// [ours] A tap shows the same surface if its depth is the one our point had in the previous camera, and its
-// normal is alike: within 26 degrees. Falcor's factor 10 on the slope is kept, and 2 % of the depth comes on
-// top.
-class SameSurface {
- public:
-  SameSurface(const GBuffer& cur, const GBuffer& prev, int x, int y)
-      : prev_(prev),
-        n_{cur.nx.at(x, y), cur.ny.at(x, y), cur.nz.at(x, y)},
-        z_(cur.z_in_prev.at(x, y)),
-        tolerance_(10 * cur.dz.at(x, y) + 0.02f * cur.z.at(x, y)) {}
-
-  // Whether any tap around (px, py) may count. Taps outside the picture meet the border's zero normals.
-  static constexpr bool inside(float, float) { return true; }
-
-  bool operator()(std::ptrdiff_t tap) const {
-    const bool depth = std::abs(prev_.z.row(0)[tap] - z_) <= tolerance_;
-    const Vec3 n{prev_.nx.row(0)[tap], prev_.ny.row(0)[tap], prev_.nz.row(0)[tap]};
-    return depth & (dot(n_, n) >= 0.9f);
-  }
-
- private:
-  const GBuffer& prev_;
-  Vec3 n_;
-  float z_, tolerance_;
-};
-
-// [Falcor] with its faults: the depth is compared with that of now, so that a fast dolly loses all history;
-// its tolerance is in scene units; and column 0 and row 0 never have a history.
-class FalcorSurface {
- public:
-  FalcorSurface(const GBuffer& cur, const GBuffer& prev, int x, int y)
-      : prev_(prev),
-        n_(normalAt(cur, x, y)),
-        z_(cur.z.at(x, y)),
-        depth_tolerance_(10 * (cur.dz.at(x, y) + 0.01f)),
-        normal_tolerance_(16 * (fwidth(cur, x, y) + 0.01f)) {}
-
-  bool inside(float px, float py) const {
-    const float x = std::round(px), y = std::round(py);
-    return x >= 1 && y >= 1 && x <= static_cast<float>(prev_.z.width() - 1) &&
-           y <= static_cast<float>(prev_.z.height() - 1);
-  }
-
-  bool operator()(std::ptrdiff_t tap) const {
-    const Vec3 n{prev_.nx.row(0)[tap], prev_.ny.row(0)[tap], prev_.nz.row(0)[tap]};
-    const bool seen = dot(n, n) > 0;  // not the border
-    return seen & (std::abs(prev_.z.row(0)[tap] - z_) <= depth_tolerance_) &
-           (length(n - n_) <= normal_tolerance_);
-  }
-
- private:
-  static Vec3 normalAt(const GBuffer& g, int x, int y) {
-    return {g.nx.at(x, y), g.ny.at(x, y), g.nz.at(x, y)};
-  }
-  // Length of the change of the normal to the next pixel, both ways added up.
-  static float fwidth(const GBuffer& g, int x, int y) {
-    const Vec3 n = normalAt(g, x, y), a = normalAt(g, x + 1, y) - n, b = normalAt(g, x, y + 1) - n;
-    return length(
-        Vec3{std::abs(a.x) + std::abs(b.x), std::abs(a.y) + std::abs(b.y), std::abs(a.z) + std::abs(b.z)});
-  }
-
-  const GBuffer& prev_;
-  Vec3 n_;
-  float z_, depth_tolerance_, normal_tolerance_;
-};
-
-// W of the paper's recursions: how a pixel looks at planes of the previous frame. Offsets count pixels from
-// the start of a plane's row 0.
+// W of the paper's recursions: reads a plane of the previous frame at the place where a pixel's surface was.
+// Offsets count pixels from the start of a plane's row 0.
 class Reprojection {
  public:
-  // For pixel (x, y) of the current frame. `Surface` says which taps show the same surface.
+  // For pixel (x, y) of the current frame. `same` says which taps show its surface, see surface_test.h.
   template <class Surface>
   static Reprojection find(const GBuffer& cur, const GBuffer& prev, int x, int y, const Surface& same) {
     const auto w = static_cast<float>(prev.z.width()), h = static_cast<float>(prev.z.height());
@@ -105,9 +38,9 @@ class Reprojection {
   }
 
   bool found() const { return sum_ >= kLeastWeight; }
-  std::ptrdiff_t strongest() const { return strongest_; }  // the tap that weighs most; of a found one
+  std::ptrdiff_t strongest() const { return strongest_; }  // the tap of the largest weight; needs found()
 
-  // W v: the plane v of the previous frame, seen from here; 0 if nothing was found.
+  // W v, for the plane v of the previous frame; 0 unless found().
   float operator()(const ImageF& v) const {
     if (!found()) return 0;
     const std::ptrdiff_t stride = v.stride();
@@ -147,7 +80,7 @@ class Reprojection {
 
   std::ptrdiff_t first_ = 0, strongest_ = 0;  // upper left tap; of nine, the middle one
   float weight_[4] = {}, sum_ = 0, heaviest_ = 0;
-  unsigned around_ = 0;  // which of the nine count; 0: the four bilinear taps
+  unsigned around_ = 0;  // bits of the valid ones of nine; 0: the four bilinear taps
 };
 
 }  // namespace saccade

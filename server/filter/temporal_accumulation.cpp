@@ -1,6 +1,7 @@
 #include "filter/temporal_accumulation.h"
 
 #include "filter/reprojection.h"
+#include "filter/surface_test.h"
 
 namespace saccade {
 namespace {
@@ -39,9 +40,9 @@ struct Recursion {
   }
 
   // D'_t = alpha D_t + (1 - alpha)(W_t D'_{t-1} + W_t I'_{t-2} - R_{t-1}) [E (16)], with R_{t-1} the history
-  // looked up at this pixel one frame ago. One alpha for both frames: the exact identity for a changing alpha
-  // carries a term of uncorrelated noise that makes a standing scene fire, and is left out. It needs history
-  // here now and, at this pixel, one frame ago.
+  // looked up at this pixel one frame ago. Both frames use one alpha. The exact identity for a changing alpha
+  // has one more term, of uncorrelated noise, which makes a standing scene fire; it is left out. The pixel
+  // needs a history now and one frame ago.
   void difference(int x, int y, const Reprojection& W, float alpha, float alpha_m) const {
     const float d = samples.d.at(x, y), correction = params.correct_difference ? 1.f : 0.f;
     const bool history = W.found() && prev.length.at(x, y) > 1 && params.accumulate_difference;
@@ -58,9 +59,10 @@ std::chrono::nanoseconds accumulate(const FramePair& frames, const IlluminationS
                                     const AccumulationParams& params, const History& prev,
                                     const ImageF* I_prev2, TilePool& pool, History& out) {
   const Recursion recursion{frames, samples, params, prev, I_prev2, out};
+  const bool falcor = params.surface_test == SurfaceTest::kFalcorSurface;
   return pool.forEachRow(samples.i.height(), [&](int y) {
     for (int x = 0; x < samples.i.width(); ++x) {
-      params.as_falcor ? recursion.pixel<FalcorSurface>(x, y) : recursion.pixel<SameSurface>(x, y);
+      falcor ? recursion.pixel<FalcorSurface>(x, y) : recursion.pixel<SameSurface>(x, y);
     }
   });
 }

@@ -10,16 +10,19 @@
 
 namespace saccade {
 
+// How a surface is found in the previous frame, see surface_test.h.
+enum class SurfaceTest { kSameSurface, kFalcorSurface };
+
 struct AccumulationParams {
-  float alpha = 0.1f;                 // weight of the new sample, at least
-  float moments_alpha = 0.2f;         // the same for the moments
-  float max_history = 32;             // frames
-  bool as_falcor = false;             // Falcor's test for the same surface, with its faults
+  float alpha = 0.1f;          // weight of the new sample, at least
+  float moments_alpha = 0.2f;  // the same for the moments
+  float max_history = 32;      // frames
+  SurfaceTest surface_test = SurfaceTest::kSameSurface;
   bool accumulate_difference = true;  // off: D' = d (ablation of Fig. 9 C)
   bool correct_difference = true;     // off: without the last two terms of [E (16)]
 };
 
-// `I_prev2` null: only the primal is accumulated.
+// Returns the CPU time over all threads. Without `I_prev2` it accumulates only the primal.
 std::chrono::nanoseconds accumulate(const FramePair& frames, const IlluminationSamples& samples,
                                     const AccumulationParams& params, const History& prev,
                                     const ImageF* I_prev2, TilePool& pool, History& out);

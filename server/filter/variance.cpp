@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "filter/edge_stopping.h"
 
 namespace saccade {
 namespace {
@@ -37,8 +34,7 @@ void addFeatures(int n, const GBuffer& g, int x0, int y, std::ptrdiff_t o, float
                  const VarianceParams& params, float* e) {
   const float *z = g.z.row(y) + x0, *dz = g.dz.row(y) + x0;
   const float *nx = g.nx.row(y) + x0, *ny = g.ny.row(y) + x0, *nz = g.nz.row(y) + x0;
-  const float s_n = params.sigma_n * kLog2E, least_slope = params.as_falcor ? kFalcorLeastSlope : kLeastSlope,
-              inv_distance = 1 / distance;
+  const float s_n = params.sigma_n * kLog2E, least_slope = params.least_slope, inv_distance = 1 / distance;
 #pragma GCC ivdep
   for (int x = 0; x < n; ++x) {
     const float cosine = nx[x] * nx[x + o] + ny[x] * ny[x + o] + nz[x] * nz[x + o];
@@ -85,7 +81,6 @@ void temporalVariance(int width, const float* first, const float* second, float*
 std::chrono::nanoseconds estimateVariance(const FramePair& frames, const History& history,
                                           const VarianceParams& params, TilePool& pool, FilterPlanes& out) {
   const int width = history.I.width();
-  const float least = params.as_falcor ? std::numeric_limits<float>::lowest() : 0;
   return pool.forEachRow(history.I.height(), [&](int y) {
     std::copy_n(history.I.row(y), width, out.i.row(y));
     temporalVariance(width, history.m1.row(y), history.m2.row(y), out.var_i.row(y));
@@ -99,9 +94,10 @@ std::chrono::nanoseconds estimateVariance(const FramePair& frames, const History
       if (*std::min_element(length + x0, length + x0 + n) >= kTemporalFrames) continue;
       Sums primal, difference;
       spatialChunk(frames, history, params, x0, y, n, primal, difference);
-      mergeChunk(n, length + x0, primal, least, out.i.row(y) + x0, out.var_i.row(y) + x0);
+      mergeChunk(n, length + x0, primal, params.least_variance, out.i.row(y) + x0, out.var_i.row(y) + x0);
       if (params.difference)
-        mergeChunk(n, length + x0, difference, least, out.d.row(y) + x0, out.var_d.row(y) + x0);
+        mergeChunk(n, length + x0, difference, params.least_variance, out.d.row(y) + x0,
+                   out.var_d.row(y) + x0);
     }
   });
 }

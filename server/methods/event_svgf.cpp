@@ -15,8 +15,8 @@ const std::vector<ParamField<P>>& fields() {
        "Falcor, as sigma_l"},
       {"correlated", &P::correlated, 0, 1, "pass 1 reuses the seeds of the previous frame",
        "paper 4.3, Fig. 9 A"},
-      {"w_prev", &P::w_prev, 0, 1, "the difference heeds edges of the previous frame [E (12)]",
-       "paper 4.4.1, Fig. 9 B"},
+      {"w_prev", &P::w_prev, 0, 1,
+       "edges of the previous frame stop the filter of the difference too [E (12)]", "paper 4.4.1, Fig. 9 B"},
       {"accumulate_difference", &P::accumulate_difference, 0, 1, "the difference is accumulated over time",
        "paper 4.4.2, Fig. 9 C"},
       {"demodulate", &P::demodulate, 0, 1, "light is divided by albedo before filtering",
@@ -33,11 +33,16 @@ Demodulation demodulation(const P& params) {
 }  // namespace
 
 MethodInfo EventSvgf::info() {
-  return {
-      "event_svgf", "EventSVGF: correlated passes, the difference accumulated and filtered beside the primal",
-      paramSpecs(fields()), [](const ParamValues& values, int width, int height) -> std::unique_ptr<Method> {
-        return std::make_unique<EventSvgf>(makeParams(fields(), values), width, height);
-      }};
+  return {"event_svgf",
+          "EventSVGF: correlated passes, the difference accumulated and filtered beside the primal",
+          paramSpecs(fields()),
+          [](const ParamValues& values) {
+            return makeParams(fields(), values).correlated ? SeedReuse::kCorrelated
+                                                           : SeedReuse::kIndependentPairs;
+          },
+          [](const ParamValues& values, int width, int height) -> std::unique_ptr<Method> {
+            return std::make_unique<EventSvgf>(makeParams(fields(), values), width, height);
+          }};
 }
 
 EventSvgf::EventSvgf(const EventSvgfParams& p, int w, int h)
@@ -61,10 +66,6 @@ EventSvgf::EventSvgf(const EventSvgfParams& p, int w, int h)
       scratch_(w, h),
       i_prev_(w, h),
       var_i_prev_(w, h) {}
-
-SeedReuse EventSvgf::seedReuse() const {
-  return params_.correlated ? SeedReuse::kCorrelated : SeedReuse::kIndependentPairs;
-}
 
 void EventSvgf::start(const Frame& first, TilePool& pool) {
   StageTimes unused;

@@ -8,7 +8,7 @@
 
 namespace saccade {
 
-// event_svgf.cpp and svgf_common.h say range and source of each.
+// event_svgf.cpp and svgf_common.h state the range and the source of each parameter.
 struct EventSvgfParams : SvgfCommonParams {
   float sigma_l_diff = 10;
   // Ablations of Figure 9, and of the correction term.
@@ -24,12 +24,11 @@ class EventSvgf final : public Method {
   EventSvgf(const EventSvgfParams& params, int width, int height);
   static MethodInfo info();
 
-  SeedReuse seedReuse() const override;
   void start(const Frame& first, TilePool& pool) override;
   void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
 
  private:
-  // Accumulates and filters; the result is in filtered_.
+  // Accumulates and filters into filtered_.
   void filter(const FramePair& frames, TilePool& pool, StageTimes& times);
 
   EventSvgfParams params_;

@@ -1,4 +1,4 @@
-// A method turns pairs of frames into the change of intensity. Its history lives in it.
+// A method estimates the change of intensity between consecutive frames. It keeps its own history.
 #pragma once
 
 #include <map>
@@ -33,18 +33,18 @@ using ParamValues = std::map<std::string, double>;
 class Method {
  public:
   virtual ~Method() = default;
-  virtual SeedReuse seedReuse() const = 0;
-  // The first frame of a feed: there is no difference yet. Called once, before estimate().
+  // Takes the first frame of a feed, which has no difference yet. Called once, before estimate().
   virtual void start(const Frame& first, TilePool& pool) = 0;
-  // From the second frame on. `out` is as large as the frames; t0, t1 and frame are filled by the caller.
+  // Fills `out`, which has the size of the frames, but for t0, t1 and frame. Called from the second frame on.
   virtual void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) = 0;
 };
 
+// A row of the table of methods. Both functions take what resolveParams() returned.
 struct MethodInfo {
   std::string name, description;
   std::vector<ParamSpec> params;
-  std::unique_ptr<Method> (*make)(const ParamValues& params, int width,
-                                  int height);  // params: checked and whole
+  SeedReuse (*seedReuse)(const ParamValues& params);  // the samples that the method needs
+  std::unique_ptr<Method> (*make)(const ParamValues& params, int width, int height);
 };
 
 // THE list of methods, method_table.cpp. The first is the default.
@@ -52,12 +52,12 @@ const std::vector<MethodInfo>& methodTable();
 const MethodInfo* findMethod(const std::string& name);  // nullptr if there is none
 std::string methodNames();                              // "event_svgf, pt, ..." for messages
 
-// Fills in defaults. Returns what is wrong with `given` (a name that is not a parameter, a value that is out
-// of range or not finite, naming the valid ones), or an empty text. `bad_name` receives the offending name.
+// Copies `given` to `resolved` and adds the defaults. Returns an empty text, or the error: an unknown name or
+// a value out of range, with what is valid. `bad_name` then receives the name.
 std::string resolveParams(const MethodInfo& method, const ParamValues& given, ParamValues& resolved,
                           std::string& bad_name);
 
-// Whether `spp` paths can be split over the passes: two passes need an even number.
+// Whether the method's passes can share `spp` paths: two passes need an even number.
 bool takesSpp(const MethodInfo& method, const ParamValues& resolved, int spp);
 
 }  // namespace saccade

@@ -1,4 +1,4 @@
-// Methods as commands name them: "svgf", "svgf:as_falcor=1", "event_svgf:alpha=0.2:iterations=3".
+// Reads methods as commands name them: "svgf", "svgf:as_falcor=1", "event_svgf:alpha=0.2:iterations=3".
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ struct MethodSpec {
   std::string text;           // as given
   std::string name;           // of methodTable()
   ParamValues params;         // resolved
-  bool takes(int spp) const;  // correlated methods need an even number
+  bool takes(int spp) const;  // whether the passes can share that many paths, see takesSpp()
 };
 
-// Throws std::runtime_error naming what is wrong and what is valid.
+// Throws std::runtime_error, which names the valid choices.
 MethodSpec parseMethod(const std::string& text);
-// "name=number" pairs for a method.
+// `settings`: "name=number".
 MethodSpec parseMethod(const std::string& name, const std::vector<std::string>& settings);
 
 }  // namespace saccade

@@ -8,7 +8,6 @@
 #include "methods/svgf.h"
 
 namespace saccade {
-
 const std::vector<MethodInfo>& methodTable() {
   static const std::vector<MethodInfo> table{
       EventSvgf::info(),
@@ -50,7 +49,7 @@ std::string resolveParams(const MethodInfo& method, const ParamValues& given, Pa
 }
 
 bool takesSpp(const MethodInfo& method, const ParamValues& resolved, int spp) {
-  return spp % 2 == 0 || method.make(resolved, 1, 1)->seedReuse() == SeedReuse::kIndependent;
+  return spp % 2 == 0 || method.seedReuse(resolved) == SeedReuse::kIndependent;
 }
 
 }  // namespace saccade

@@ -1,5 +1,4 @@
-// Ties the parameters that users set by name to the members of a method's Params, whose initialisers are the
-// defaults.
+// Maps the names of parameters to the members of a method's Params. Their initialisers are the defaults.
 #pragma once
 
 #include <variant>
@@ -29,7 +28,7 @@ std::vector<ParamSpec> paramSpecs(const std::vector<ParamField<Params>>& fields)
   return specs;
 }
 
-// `values` holds every field, checked (resolveParams()).
+// `values` are from resolveParams().
 template <class Params>
 Params makeParams(const std::vector<ParamField<Params>>& fields, const ParamValues& values) {
   Params params;

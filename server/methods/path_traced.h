@@ -12,7 +12,6 @@ class PathTraced final : public Method {
   static MethodInfo independentInfo();
   static MethodInfo correlatedInfo();
 
-  SeedReuse seedReuse() const override { return seeds_; }
   void start(const Frame&, TilePool&) override {}
   void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
 

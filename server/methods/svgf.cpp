@@ -1,6 +1,7 @@
 #include "methods/svgf.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "filter/demodulation.h"
@@ -12,21 +13,32 @@ using P = SvgfParams;
 
 const std::vector<ParamField<P>>& fields() {
   static const std::vector<ParamField<P>> table = withCommonFields<P>({
-      {"as_falcor", &P::as_falcor, 0, 1, "with Falcor's known faults: depth test, borders, 8-bit albedo",
-       "Falcor"},
+      {"as_falcor", &P::as_falcor, 0, 1,
+       "1: with the known faults of Falcor's SVGF pass (depth test, borders, 8-bit albedo)", "Falcor"},
   });
   return table;
 }
 
-Demodulation demodulation(const P& params) {
-  return params.as_falcor ? Demodulation::kEightBits : Demodulation::kAlbedo;
+// What as_falcor switches.
+struct Variant {
+  SurfaceTest surface_test;
+  Demodulation demodulation;
+  float least_slope, least_variance;
+  bool repeat_edge_variance;
+};
+constexpr Variant kCorrected{SurfaceTest::kSameSurface, Demodulation::kAlbedo, kLeastSlope, 0, true};
+constexpr Variant kFalcor{SurfaceTest::kFalcorSurface, Demodulation::kEightBits, kFalcorLeastSlope,
+                          std::numeric_limits<float>::lowest(), false};
+
+const Variant& variantOf(const P& params) {
+  return params.as_falcor ? kFalcor : kCorrected;
 }
 
 }  // namespace
 
 MethodInfo Svgf::info() {
-  return {"svgf", "SVGF: each frame filtered by itself, fresh seeds; its difference is taken afterwards",
-          paramSpecs(fields()),
+  return {"svgf", "SVGF: fresh seeds, filters each frame by itself, then takes the difference",
+          paramSpecs(fields()), [](const ParamValues&) { return SeedReuse::kIndependent; },
           [](const ParamValues& values, int width, int height) -> std::unique_ptr<Method> {
             return std::make_unique<Svgf>(makeParams(fields(), values), width, height);
           }};
@@ -37,13 +49,18 @@ Svgf::Svgf(const SvgfParams& p, int w, int h)
       accumulation_{.alpha = p.alpha,
                     .moments_alpha = p.moments_alpha,
                     .max_history = static_cast<float>(p.max_history),
-                    .as_falcor = p.as_falcor},
-      variance_{.sigma_l = p.sigma_l, .sigma_n = p.sigma_n, .difference = false, .as_falcor = p.as_falcor},
+                    .surface_test = variantOf(p).surface_test},
+      variance_{.sigma_l = p.sigma_l,
+                .sigma_n = p.sigma_n,
+                .difference = false,
+                .least_slope = variantOf(p).least_slope,
+                .least_variance = variantOf(p).least_variance},
       atrous_{.sigma_z = p.sigma_z,
               .sigma_n = p.sigma_n,
               .sigma_l = p.sigma_l,
               .difference = false,
-              .as_falcor = p.as_falcor},
+              .least_slope = variantOf(p).least_slope,
+              .repeat_edge_variance = variantOf(p).repeat_edge_variance},
       samples_(w, h),
       history_(w, h),
       history_prev_(w, h),
@@ -77,7 +94,7 @@ void Svgf::estimate(const FramePair& frames, TilePool& pool, IntensityChange& ou
 }
 
 void Svgf::filter(const FramePair& frames, TilePool& pool, StageTimes& times) {
-  times[Stage::kModulate] += demodulate(frames, demodulation(params_), pool, samples_);
+  times[Stage::kModulate] += demodulate(frames, variantOf(params_).demodulation, pool, samples_);
   std::swap(history_, history_prev_);
   times[Stage::kTemporal] +=
       accumulate(frames, samples_, accumulation_, history_prev_, nullptr, pool, history_);
@@ -92,9 +109,9 @@ std::chrono::nanoseconds Svgf::remodulate(const Frame& frame, TilePool& pool, Im
     const float *Di = filtered_.i.row(y), *V = filtered_.var_i.row(y);
     float *I_row = I.row(y), *variance_row = variance.row(y);
     for (int x = 0; x < frame.width(); ++x) {
-      const float a = modulationAlbedo(A[x], demodulation(params_));
+      const float a = modulationAlbedo(A[x], variantOf(params_).demodulation);
       I_row[x] = std::max(0.f, a * Di[x] + E[x]);
-      variance_row[x] = variance_scale * a * a * std::max(0.f, V[x]);  // as_falcor: V may be negative
+      variance_row[x] = variance_scale * a * a * std::max(0.f, V[x]);  // kFalcor: V may be negative
     }
   });
 }

@@ -1,4 +1,5 @@
-// SVGF, the primal-domain rival: each frame is filtered by itself, D[I_t] - D[I_{t-1}] [E (7)].
+// SVGF, which EventSVGF is compared with: it filters each frame by itself, then takes the difference,
+// D[I_t] - D[I_{t-1}] [E (7)].
 #pragma once
 
 #include "filter/filter_planes.h"
@@ -8,7 +9,7 @@
 
 namespace saccade {
 
-// svgf.cpp and svgf_common.h say range and source of each.
+// svgf.cpp and svgf_common.h state the range and the source of each parameter.
 struct SvgfParams : SvgfCommonParams {
   bool as_falcor = false;
 };
@@ -18,12 +19,11 @@ class Svgf final : public Method {
   Svgf(const SvgfParams& params, int width, int height);
   static MethodInfo info();
 
-  SeedReuse seedReuse() const override { return SeedReuse::kIndependent; }
   void start(const Frame& first, TilePool& pool) override;
   void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
 
  private:
-  // Accumulates and filters; the result is in filtered_.
+  // Accumulates and filters into filtered_.
   void filter(const FramePair& frames, TilePool& pool, StageTimes& times);
   // I = A D[i] + E, and its variance.
   std::chrono::nanoseconds remodulate(const Frame& frame, TilePool& pool, ImageF& I, ImageF& variance) const;

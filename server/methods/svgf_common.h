@@ -1,4 +1,4 @@
-// What SVGF and EventSVGF share: Falcor's parameters, and the filter over space.
+// The parameters and the spatial filter that SVGF and EventSVGF share.
 #pragma once
 
 #include "filter/atrous.h"
@@ -19,12 +19,12 @@ struct SvgfCommonParams {
   float sigma_n = 128;
   float sigma_z = 1;
 
-  // Variances inside the filter are of one frame's sample; a running mean of weight alpha has this share of
-  // it.
+  // The variance of a running mean of weight alpha, as a share of the variance of one frame's sample, which
+  // the filter works with.
   float varianceScale() const { return alpha / (2 - alpha); }
 };
 
-// Their rows, for a method whose parameters P derive from them; `more` follows.
+// The rows of these parameters for a method whose parameters P derive from them, followed by `more`.
 template <class P>
 std::vector<ParamField<P>> withCommonFields(const std::vector<ParamField<P>>& more) {
   std::vector<ParamField<P>> fields{
@@ -45,8 +45,8 @@ std::vector<ParamField<P>> withCommonFields(const std::vector<ParamField<P>>& mo
   return fields;
 }
 
-// Variance, then iterations each twice as wide. The one at the feedback tap becomes the history. The result
-// is in `filtered`.
+// Estimates the variance, then runs the a-trous iterations, each twice as wide. The result of the iteration
+// at the feedback tap becomes the history. Leaves the result in `filtered`.
 void filterOverSpace(const FramePair& frames, const SvgfCommonParams& params, const VarianceParams& variance,
                      const AtrousParams& atrous, TilePool& pool, History& history, FilterPlanes& filtered,
                      FilterPlanes& scratch, StageTimes& times);

@@ -1,5 +1,5 @@
-// # cpu="AMD EPYC" size=128x128 bounces=3 threshold=0.2 ...    what all rows share; other keys are only told
-// scene,method,spp,cpu_ms,false_events,missed_events,...       the columns, in any order and among others
+// # cpu="AMD EPYC" size=128x128 bounces=3 threshold=0.2 ...    of all rows; other keys are only reported
+// scene,method,spp,cpu_ms,false_events,missed_events,...       in any order, among others
 // cornell-box,svgf:as_falcor=1,4,12.5,0.013,0.021,...
 #include <algorithm>
 #include <cstdio>

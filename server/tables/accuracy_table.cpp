@@ -15,8 +15,8 @@ double errors(const MeasuredSetting& s) {
   return s.false_events + s.missed_events;
 }
 
-// The setting with the least `goal` among those with `cost` <= limit; else the one with the least `cost`, and
-// false.
+// The setting with the least `goal` among those with `cost` <= limit, and true. Without one: the setting with
+// the least `cost`, and false.
 template <class Cost, class Goal>
 std::pair<MeasuredSetting, bool> leastWithin(const std::vector<MeasuredSetting>& settings, Cost cost,
                                              double limit, Goal goal) {
@@ -63,8 +63,8 @@ std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const Setti
     throw NotMeasured(rendering.method + " is not measured on " + rendering.scene +
                       "; measured are: " + joinNames(methods));
   }
-  throw NotMeasured("the scene " + rendering.scene +
-                    " is not measured; measured are: " + joinNames(table.scenes()));
+  throw NotMeasured("no scene of this name is measured: " + rendering.scene +
+                    "; measured are: " + joinNames(table.scenes()));
 }
 
 MeasuredSetting mostAccurate(const std::vector<MeasuredSetting>& settings, double budget_ms) {

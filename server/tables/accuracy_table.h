@@ -1,5 +1,5 @@
-// What every setting of the methods costs and how right it is, as `saccade-eval chart` measured it on one
-// machine; and which of them to take.
+// The table of `saccade-eval chart`: the CPU time and the accuracy of each setting of the methods on one
+// machine. Chooses a setting from it.
 #pragma once
 
 #include <stdexcept>
@@ -14,15 +14,15 @@ struct MeasuredSetting {
   std::string scene;
   MethodSpec method;
   int spp = 0;
-  double cpu_ms = 0;  // per frame, over all threads, of tracing and filter; sensors come on top
+  double cpu_ms = 0;  // per frame, over all threads, of tracing and filter; without sensors
   double false_events = 0, missed_events = 0;  // per pixel-frame
 
   std::string text() const;  // "svgf:as_falcor=1 at 4 spp"
 };
 
 struct AccuracyTable {
-  std::string settings;  // all that the rows share, as the file says it: "cpu=... trajectory=... size=..."
-  std::string cpu;       // as cpuName() says it
+  std::string settings;  // of all rows, as in the file: "cpu=... trajectory=... size=..."
+  std::string cpu;       // cpuName() of the machine
   int width = 0, height = 0;
   int bounces = 0;
   double threshold = 0;  // C of the event rates, natural log units
@@ -34,10 +34,10 @@ struct AccuracyTable {
 // The file of `saccade-eval chart`. Throws std::runtime_error naming file and line.
 AccuracyTable readAccuracyTable(const std::string& path);
 
-// Where it stands unless it is said otherwise.
+// The default path of the file.
 std::string defaultAccuracyTable();
 
-// What is to be rendered.
+// What a client wants to render.
 struct SettingsQuery {
   std::string scene;
   double pixels = 0;     // of a frame
@@ -45,24 +45,27 @@ struct SettingsQuery {
   std::string method;    // empty: any
 };
 
-// The table knows no setting for a rendering; what() names what it knows.
+// The table has no setting for a query; what() lists what it has.
 struct NotMeasured : std::runtime_error {
   using runtime_error::runtime_error;
 };
 
-// No setting keeps a limit; what() names the one that comes nearest.
+// No setting keeps a limit; what() names the nearest.
 struct NothingFits : std::runtime_error {
   using runtime_error::runtime_error;
 };
 
-// What the settings cost and give there: time grows with the pixels, event rates with 1 / C [E (34)]. Never
-// empty. Throws NotMeasured.
+// The settings measured for the scene and the method of the query, which it compares by name alone. Time is
+// scaled by the pixels, event rates by 1 / C [E (34)]; trajectory and bias are not compared. Never empty.
+// Throws NotMeasured.
 std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const SettingsQuery& rendering);
 
-// The least false and missed events in at most `budget_ms` of CPU time a frame. Throws NothingFits.
+// The setting with the fewest false and missed events in at most `budget_ms` of CPU time a frame. Throws
+// NothingFits.
 MeasuredSetting mostAccurate(const std::vector<MeasuredSetting>& settings, double budget_ms);
 
-// The least CPU time with at most `max_false_rate` false events per pixel-frame. Throws NothingFits.
+// The setting with the least CPU time and at most `max_false_rate` false events per pixel-frame. Throws
+// NothingFits.
 MeasuredSetting fastest(const std::vector<MeasuredSetting>& settings, double max_false_rate);
 
 }  // namespace saccade

@@ -1,5 +1,5 @@
-// # cpu="AMD EPYC" size=128x128 threshold=0.2 ...                  what all rows share; all but cpu is only
-// told scene,bounces,disabled,cpu_ms,false_events,missed_events,changed,noise
+// # cpu="AMD EPYC" size=128x128 threshold=0.2 ...                  of all rows; only cpu is compared
+// scene,bounces,disabled,cpu_ms,false_events,missed_events,changed,noise
 // kitchen,2,textures+masks,12.5,0.001,0.002,0.03,0.004
 #include <filesystem>
 #include <fstream>

@@ -1,5 +1,5 @@
-// What every part of a scene's model costs and changes, as `saccade-eval simplification` measured it on one
-// machine; and which of it to leave out.
+// The table of `saccade-eval simplification`: the CPU time of simplified models of scenes on one machine, and
+// the events that they change. Chooses a model from it.
 #pragma once
 
 #include <string>
@@ -21,19 +21,20 @@ struct MeasuredModel {
   std::string scene;
   SceneModel model;
   double cpu_ms = 0;  // per frame, over all threads, of tracing and filter
-  // Of the picture of many paths, against that of the whole model, per pixel-frame.
+  // Per pixel-frame, of references of this model against those of the whole one.
   double false_events = 0, missed_events = 0;
-  double changed = 0;  // both, over the events of the whole model, noise taken off
-  double noise = 0;    // what the noise of both pictures alone would change, over the same
+  double changed = 0;  // both, as a share of the whole model's events, without the part due to noise
+  double noise = 0;    // the share that the noise of the references changes
 };
 
 struct SimplificationTable {
-  std::string settings;  // all that the rows share, as the file says it: "cpu=... trajectory=... size=..."
-  std::string cpu;       // as cpuName() says it
-  std::vector<MeasuredModel> rows;  // the first of a scene is its whole model, which changes nothing
+  std::string settings;             // of all rows, as in the file: "cpu=... trajectory=... size=..."
+  std::string cpu;                  // cpuName() of the machine
+  std::vector<MeasuredModel> rows;  // the first row of a scene is its whole model, which changes nothing
 
   std::vector<std::string> scenes() const;  // sorted
-  // Of one scene; empty where it is not measured.
+  // The models of the scene with this name; empty if it has none. Nothing else is compared: the shares hold
+  // for the threshold, view and trajectory in `settings`.
   std::vector<MeasuredModel> modelsOf(const std::string& scene) const;
 };
 
@@ -41,11 +42,11 @@ struct SimplificationTable {
 SimplificationTable readSimplificationTable(const std::string& path);
 void writeSimplificationTable(const std::string& path, const SimplificationTable& table);  // makes the folder
 
-// Where it stands unless it is said otherwise.
+// The default path of the file.
 std::string defaultSimplificationTable();
 
-// The least CPU time among those that change at most `tolerance` of the events, where noise alone would not
-// change more. `models`: the whole one first.
+// The model with the least CPU time that changes at most `tolerance` of the events, and whose noise is at
+// most `tolerance` too. `models`: the whole one first.
 const MeasuredModel& cheapest(const std::vector<MeasuredModel>& models, double tolerance);
 
 }  // namespace saccade

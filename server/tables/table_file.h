@@ -1,5 +1,5 @@
-// A file of measurements: what all rows share in the first line, the names of the columns in the second.
-//   # cpu="AMD EPYC" size=128x128 bounces=3     words key=value or key="any text"
+// Reads a CSV file of measurements. Its first line holds the settings of all rows, the second the columns:
+//   # cpu="AMD EPYC" size=128x128 bounces=3     key=value or key="any text"
 //   scene,method,spp,cpu_ms                     in any order
 //   cornell-box,pt,1,12.5
 #pragma once
@@ -15,20 +15,19 @@ namespace saccade {
 // All faults are std::runtime_error naming file and line.
 class TableFile {
  public:
-  // Reads the first line. `kind`: whose file it should be, for the message where it is another's: "this is
-  // no ...".
+  // Reads the first line. `kind` describes the file for the error "this is no ...".
   TableFile(const std::string& path, const std::string& kind);
 
   const std::string& settings() const { return settings_; }     // the first line, without its "# "
-  void readColumns(std::initializer_list<const char*> needed);  // there may be others
-  bool nextRow();                                               // false: there is none
+  void readColumns(std::initializer_list<const char*> needed);  // the file may have others
+  bool nextRow();                                               // false at the end
 
-  // Of the row, or of the settings.
+  // A value of the row, or of the settings.
   const std::string& field(const std::string& name) const;
   double number(const std::string& name, double min, double max) const;
   int integer(const std::string& name, int min, int max) const;
 
-  // A fault of the line that was read last.
+  // Throws for the line that was read last.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:

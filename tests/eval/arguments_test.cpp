@@ -63,6 +63,17 @@ TEST(CheckSpp, RefusesPathsThatTwoPassesCannotShare) {
     expectContains(fault, part);
 }
 
+TEST(CheckOutputFile, NamesTheFormatsAndRefusesAMissingFolder) {
+  const std::string folder = testing::TempDir();
+  EXPECT_NO_THROW(checkOutputFile(folder + "x.exr", {".exr", ".png"}));
+  EXPECT_NO_THROW(checkOutputFile("x.png", {".exr", ".png"}));
+  const auto of = [](const std::string& path) {
+    return faultOf([](const std::string& p) { checkOutputFile(p, {".exr", ".png"}); }, path);
+  };
+  for (const char* path : {"x.foo", "x", ".exr"}) expectContains(of(path), "known are .exr, .png");
+  expectContains(of(folder + "no-such-folder/x.exr"), "no-such-folder");
+}
+
 TEST(ParseTolerance, IsAPercentage) {
   EXPECT_DOUBLE_EQ(parseTolerance("2%"), 0.02);
   EXPECT_DOUBLE_EQ(parseTolerance("0.5%"), 0.005);

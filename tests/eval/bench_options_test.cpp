@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <functional>
 #include <set>
 
@@ -36,6 +37,33 @@ TEST(BenchOptions, QuickKeepsTheMotionInPixels) {
   EXPECT_EQ(setup.first, 17);
   EXPECT_EQ(setup.last, 19);
   EXPECT_EQ(setup.reference_spp, 1024);
+}
+
+BenchOptions parsed(const std::string& flags) {
+  BenchOptions o;
+  CLI::App app;
+  addBenchOptions(app, o);
+  app.parse(flags);
+  resolve(o);
+  return o;
+}
+
+TEST(BenchOptions, QuickLeavesFlagsThatAreGiven) {
+  const BenchSetup plain = parsed("--quick").setup;
+  EXPECT_EQ(plain.width, 64);
+  EXPECT_EQ(plain.frame_rate_hz, 125);
+  const BenchSetup size = parsed("--quick --size 64x48").setup;
+  EXPECT_EQ(size.width, 64);
+  EXPECT_EQ(size.height, 48);
+  EXPECT_EQ(size.frame_rate_hz, 250);  // the pixels per second are whole
+  EXPECT_EQ(parsed("--quick --rate 500").setup.frame_rate_hz, 500);
+  EXPECT_EQ(parsed("--quick --reference 1024").setup.reference_spp, 1024);
+  EXPECT_EQ(parsed("--quick --frames 17:21").setup.last, 21);
+}
+
+TEST(BenchOptions, TakeTheFlagsOfRecord) {
+  EXPECT_EQ(parsed("--motion orbit:10").setup.trajectory, "orbit:10");
+  EXPECT_EQ(parsed("--trajectory orbit:10").setup.trajectory, "orbit:10");
 }
 
 TEST(BenchOptions, QuickLeavesSomethingToScore) {

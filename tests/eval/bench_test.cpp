@@ -56,7 +56,7 @@ TEST_F(BenchTest, RunsTheFramesOfAPlainFeed) {
   FeedConfig config{
       .width = kW, .height = kH, .frame_rate_hz = 250, .params = method.params, .spp = 4, .bounces = 1};
   config.fov_x_deg = scene->description().fov_x_deg, config.seed = 7;
-  Feed feed(scene, openTrajectory("cornell-box", "right", *scene), config, pool);
+  Feed feed(scene, openTrajectory("cornell-box", "right", *scene, {}), config, pool);
   for (int t = 1; t <= 4; ++t) {
     const IntensityChange& change = feed.step();
     if (t < setup.first) continue;
@@ -70,7 +70,7 @@ TEST_F(BenchTest, RunsTheFramesOfAPlainFeed) {
 
 TEST_F(BenchTest, TheTruthIsOfTheFramesThatAreScored) {
   const Bench bench(setup, pool);
-  const Trajectory path = openTrajectory("cornell-box", "right", *scene);
+  const Trajectory path = openTrajectory("cornell-box", "right", *scene, {});
   ASSERT_EQ(bench.truth().size(), 2u);
   double error = 0;
   for (FrameIndex t = 3; t <= 4; ++t) {

@@ -85,18 +85,19 @@ TEST(RatioPicture, ShowsBothAndWhereTheyDiffer) {
   const RgbPlanes x = picture(4, 2, [](int column, int) { return column < 2 ? 1.5 : 0.25; });
   const RgbPlanes reference = picture(4, 2, [](int column, int) { return column < 2 ? 1 : 0.5; });
   const BlockRatios r = blockRatios(x, reference, {.edge = 2});
-  const std::vector<Rgb8> p = ratioPicture(x, reference, r);
-  ASSERT_EQ(p.size(), 3u * 4 * 2);
-  const auto expect = [&](std::size_t column, int red, int green, int blue) {
-    EXPECT_EQ(p[column].r, red) << column;
-    EXPECT_EQ(p[column].g, green) << column;
-    EXPECT_EQ(p[column].b, blue) << column;
+  const std::vector<GridPicture> pictures = ratioPictures(x, reference, r);
+  ASSERT_EQ(pictures.size(), 3u);
+  const auto expect = [&](std::size_t panel, std::size_t column, int red, int green, int blue) {
+    const Rgb8 pixel = pictures[panel].pixels.at(column);
+    EXPECT_EQ(pixel.r, red) << panel << " " << column;
+    EXPECT_EQ(pixel.g, green) << panel << " " << column;
+    EXPECT_EQ(pixel.b, blue) << panel << " " << column;
   };
-  expect(0, 255, 255, 255);  // 1.5 at an exposure of 0.8
-  expect(2, 124, 124, 124);  // 0.2 as sRGB
-  expect(4, 231, 231, 231);  // 0.8 as sRGB
-  expect(8, 255, 0, 0);      // 50 % too bright
-  expect(10, 0, 0, 255);     // 50 % too dark
+  expect(0, 0, 255, 255, 255);  // 1.5 at an exposure of 0.8
+  expect(0, 2, 124, 124, 124);  // 0.2 as sRGB
+  expect(1, 0, 231, 231, 231);  // 0.8 as sRGB
+  expect(2, 0, 255, 0, 0);      // 50 % too bright
+  expect(2, 2, 0, 0, 255);      // 50 % too dark
 }
 
 }  // namespace

@@ -76,6 +76,27 @@ TEST(Figure7, LivesWithAStandingCamera) {
   EXPECT_EQ(rows, 6);
 }
 
+TEST(Figure, NamesTheFiguresThatThereAre) {
+  ScratchFolder folder;
+  EXPECT_EQ(figure("13", folder), 2);
+  EXPECT_NE(textOf(folder.at("log")).find("there is no figure '13'; there are: 5, 6, 7, 8, 9, 10, 11, 12"),
+            std::string::npos)
+      << textOf(folder.at("log"));
+}
+
+// Of a scene by path only the folder's name is kept. The page shows the pictures.
+TEST(Figure6, NamesItsFilesAfterTheScene) {
+  ScratchFolder folder;
+  const std::string scene = SACCADE_SCENE_FOLDER "/cornell-box/scene.xml";
+  ASSERT_EQ(figure("6 " + scene + " --size 16x16 --frames 2 --methods pt --spp 2", folder), 0)
+      << textOf(folder.at("log"));
+  const std::string svg = textOf(folder.at("out/figure6_cornell-box.svg"));
+  for (const char* word : {"full colour ", "darker (OFF)", "no change", "brighter (ON)", "own error"})
+    EXPECT_NE(svg.find(word), std::string::npos) << word;
+  EXPECT_NE(textOf(folder.at("out/figure6.csv")).find("\ncornell-box,pt,2,"), std::string::npos);
+  EXPECT_NE(textOf(folder.at("out/index.html")).find("src=\"figure6_cornell-box.svg\""), std::string::npos);
+}
+
 TEST(Figure7, RefusesAPixelOutsideThePicture) {
   ScratchFolder folder;
   EXPECT_NE(figure("7 cornell-box --size 16x16 --frames 1:2 --pixel 16,3", folder), 0);

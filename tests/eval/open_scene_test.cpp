@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "scene/files/scene_error.h"
 
 namespace saccade::eval {
@@ -13,7 +16,7 @@ TEST(OpenTrajectory, TakesAMotionByNameOrWithItsSpeed) {
   const auto scene = openScene("cornell-box");
   const Pose start = scene->description().T_world_camera;
   const auto moved = [&](const std::string& text) {
-    return inverse(start) * openTrajectory("cornell-box", text, *scene).at(100ms);
+    return inverse(start) * openTrajectory("cornell-box", text, *scene, {}).at(100ms);
   };
   EXPECT_NEAR(moved("dolly:0.2").position.z, 0.02, 1e-9);
   EXPECT_NEAR(rotationVector(moved("pan:-15").rotation).y, -1.5 * 3.14159265358979 / 180, 1e-9);
@@ -21,10 +24,41 @@ TEST(OpenTrajectory, TakesAMotionByNameOrWithItsSpeed) {
   EXPECT_NE(moved("arc"), Pose{});  // one of the scene's own
 }
 
-TEST(OpenTrajectory, RefusesWhatItDoesNotKnow) {
+// A pan of 2 px a frame: near the centre of the view an angle of a moves the image by a focal lengths.
+TEST(OpenTrajectory, TakesPixelsPerFrame) {
   const auto scene = openScene("cornell-box");
-  EXPECT_THROW(openTrajectory("cornell-box", "fly:1", *scene), SceneError);
-  EXPECT_THROW(openTrajectory("cornell-box", "fly", *scene), SceneError);
+  const FeedConfig feed{.width = 200, .fov_x_deg = 60, .frame_rate_hz = 100, .params = {}};
+  const Trajectory path = openTrajectory("cornell-box", "pan:2px", *scene, feed);
+  const double focal_px = 100 / std::tan(30 * std::numbers::pi / 180);
+  const double angle = rotationVector((inverse(path.at(0ms)) * path.at(10ms)).rotation).y;
+  EXPECT_NEAR(angle * focal_px, 2, 0.4);
+}
+
+TEST(OpenTrajectory, ListsAllThatItTakes) {
+  const auto scene = openScene("cornell-box");
+  EXPECT_THROW(openTrajectory("cornell-box", "fly:1", *scene, {}), SceneError);
+  try {
+    openTrajectory("cornell-box", "fly", *scene, {});
+    FAIL();
+  } catch (const SceneError& fault) {
+    for (const std::string word :
+         {"'fly'", "arc", "slide", "right", "still", "dolly", "KIND:SPEEDpx", ".csv"})
+      EXPECT_NE(std::string(fault.what()).find(word), std::string::npos) << word << ": " << fault.what();
+  }
+}
+
+TEST(SceneName, IsTheServersNameOfAScene) {
+  EXPECT_EQ(sceneName("cornell-box"), "cornell-box");
+  EXPECT_EQ(sceneName("mine/room/scene.xml"), "room");
+  EXPECT_EQ(sceneName("mine/room"), "room");
+  EXPECT_EQ(sceneName("mine/room/"), "room");
+  EXPECT_EQ(sceneName("mine/room/dark.xml"), "dark");
+}
+
+TEST(RequireTableNames, RefusesTwoScenesOfOneName) {
+  EXPECT_NO_THROW(requireTableNames({"room", "mine/hall/scene.xml"}));
+  EXPECT_THROW(requireTableNames({"room", "mine/room/scene.xml"}), std::runtime_error);
+  EXPECT_THROW(requireTableNames({"mine/a,b/scene.xml"}), std::runtime_error);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ GridPicture picture(int width, const std::string& caption) {
   return cell;
 }
 
+const ColorKey kKey{"down", "level", "up"};
+
 pugi::xml_document parse(const std::string& svg) {
   pugi::xml_document document;
   const pugi::xml_parse_result result = document.load_string(svg.c_str());
@@ -50,7 +52,7 @@ std::string decodeBase64(const std::string& text) {
 TEST(PictureGrid, HoldsAPictureForEveryCellInOrder) {
   const std::vector<std::vector<GridPicture>> cells{{picture(4, "a"), picture(5, "b"), picture(6, "c")},
                                                     {picture(7, "d"), picture(8, "e"), picture(9, "f")}};
-  const auto svg = parse(drawPictureGrid({"one", "two", "three"}, {"dI", "dL"}, cells));
+  const auto svg = parse(drawPictureGrid({"one", "two", "three"}, {"dI", "dL"}, cells, kKey));
   const std::vector<std::string> found = pictures(svg);
   ASSERT_EQ(found.size(), 6u);
   std::set<std::size_t> remainders;  // base64 ends in another way for each
@@ -67,15 +69,15 @@ TEST(PictureGrid, HoldsAPictureForEveryCellInOrder) {
 
 TEST(PictureGrid, ShowsItsTextsAsTheyAre) {
   const auto svg =
-      parse(drawPictureGrid({"svgf:a<1, 2 spp"}, {"R&D"}, {{picture(4, "L1 < 0.5 & \"MAPE\" > 1")}}));
+      parse(drawPictureGrid({"svgf:a<1, 2 spp"}, {"R&D"}, {{picture(4, "L1 < 0.5 & \"MAPE\" > 1")}}, kKey));
   const auto found = texts(svg);
-  for (const char* text : {"svgf", "a<1", "2 spp", "R&D", "L1 < 0.5 & \"MAPE\" > 1"})
+  for (const char* text : {"svgf", "a<1", "2 spp", "R&D", "L1 < 0.5 & \"MAPE\" > 1", "down", "level", "up"})
     EXPECT_EQ(found.count(text), 1u) << text;
 }
 
 TEST(PictureGrid, BreaksTheNameOfAColumnIntoLinesAboveItsPictures) {
   const auto svg =
-      parse(drawPictureGrid({"one", "svgf:a=1:b=2, 2 spp"}, {""}, {{picture(2, ""), picture(2, "")}}));
+      parse(drawPictureGrid({"one", "svgf:a=1:b=2, 2 spp"}, {""}, {{picture(2, ""), picture(2, "")}}, kKey));
   std::set<int> baselines;
   for (const auto node : svg.select_nodes("/svg/text[.='svgf' or .='a=1' or .='b=2' or .='2 spp']"))
     baselines.insert(node.node().attribute("y").as_int());
@@ -85,7 +87,7 @@ TEST(PictureGrid, BreaksTheNameOfAColumnIntoLinesAboveItsPictures) {
 
 TEST(PictureGrid, HasRoomForAllOfItsPictures) {
   const auto svg = parse(drawPictureGrid(
-      {"a", "b"}, {"c", "d"}, {{picture(2, ""), picture(2, "")}, {picture(1, ""), picture(1, "")}}));
+      {"a", "b"}, {"c", "d"}, {{picture(2, ""), picture(2, "")}, {picture(1, ""), picture(1, "")}}, kKey));
   const pugi::xml_node root = svg.child("svg");
   std::set<std::pair<int, int>> corners;
   for (const auto node : svg.select_nodes("/svg/image")) {
@@ -95,6 +97,20 @@ TEST(PictureGrid, HasRoomForAllOfItsPictures) {
     EXPECT_LE(at("y") + at("height"), root.attribute("height").as_int());
   }
   EXPECT_EQ(corners.size(), 4u);
+}
+
+// The seventh column starts a second band, below all rows of the first.
+TEST(PictureGrid, ContinuesBelowAfterSixColumns) {
+  const std::vector<std::string> columns{"a", "b", "c", "d", "e", "f", "g"};
+  const std::vector<std::vector<GridPicture>> cells(2, std::vector<GridPicture>(7, picture(2, "")));
+  const auto svg = parse(drawPictureGrid(columns, {"x", "y"}, cells, kKey));
+  std::vector<std::pair<int, int>> corners;
+  for (const auto node : svg.select_nodes("/svg/image"))
+    corners.emplace_back(node.node().attribute("x").as_int(), node.node().attribute("y").as_int());
+  ASSERT_EQ(corners.size(), 14u);
+  EXPECT_EQ(corners[12].first, corners[0].first);
+  EXPECT_GT(corners[12].second, corners[6].second);
+  EXPECT_GT(corners[13].second, corners[12].second);
 }
 
 }  // namespace

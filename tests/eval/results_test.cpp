@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -18,7 +19,8 @@ struct Fixture : ::testing::Test {
 };
 
 Result makeResult() {
-  Result r{"box", "svgf:alpha=0.2", 4, 12.5, 10, 0.67, 0.05, {}};
+  Result r{"box", "svgf:alpha=0.2", 4, 12.5, 10, 0.67, 0.05, {}, {}};
+  r.seed_error.dI_l1 = 0.0625;
   r.score.dI_l1 = 0.25;
   r.score.dI_mape = std::numeric_limits<double>::infinity();  // where the truth stands still
   r.score.time_error_ms = 0.125;
@@ -33,6 +35,7 @@ TEST_F(Fixture, WhatStandsIsReadAgain) {
   EXPECT_EQ(table.find("box", "svgf", 4), nullptr);
   EXPECT_EQ(table.rows()[0].cpu_ms, 12.5);
   EXPECT_EQ(table.rows()[0].score.dI_l1, 0.25);
+  EXPECT_EQ(table.rows()[0].seed_error.dI_l1, 0.0625);
   EXPECT_EQ(table.rows()[0].score.dI_mape, std::numeric_limits<double>::infinity());
   EXPECT_EQ(table.rows()[0].score.time_error_ms, 0.125);
 }
@@ -86,6 +89,13 @@ TEST_F(Fixture, WhatStandsIsNotMeasuredAgain) {
   EXPECT_EQ(measured.px_per_frame, bench.medianPxPerFrame());
   EXPECT_EQ(measured.reference_error, bench.referenceError());
   EXPECT_GT(measured.score.noise_dL, 0);  // known by the repeats
+
+  // The standard error of two values is half their distance.
+  const auto ofSeed = [&](std::uint64_t seed) {
+    const BenchRun run = bench.run(pt, 2, seed);
+    return scoreOf(bench.truth(), std::span(&run, 1), o.bias, o.threshold).dI_l1;
+  };
+  EXPECT_NEAR(measured.seed_error.dI_l1, std::abs(ofSeed(1) - ofSeed(2)) / 2, 1e-12);
 }
 
 }  // namespace

@@ -14,6 +14,12 @@ TEST(ParetoFront, KeepsWhatNothingBeats) {
   for (int i = 0; i < 4; ++i) EXPECT_TRUE(front[i].x == x[i] && front[i].y == y[i]) << i;
 }
 
+TEST(ParetoFront, LeavesOutTheReference) {
+  const ChartPanel panel{"", "", "", {{"a", {{2, 2, ""}}}, {"truth", {{1, 1, ""}}, LineStyle::kReference}}};
+  ASSERT_EQ(paretoFront(panel).size(), 1u);
+  EXPECT_EQ(paretoFront(panel)[0].x, 2);
+}
+
 TEST(DrawCharts, NamesEverythingAndEscapesIt) {
   ChartPanel panel{"a < b", "time", "error", {{"one", {{1, 2, "2 spp"}, {10, 0.2, "8 spp"}}}}};
   panel.pareto = true;
@@ -48,15 +54,43 @@ TEST(DrawCharts, MarksPointsAndDrawsLinesByStyle) {
   }
 }
 
-// Of points that fall together the first is labelled above, the second below, and the third by its tip alone.
+// A point has four places for labels: of five points that fall together the last has only its tooltip.
 TEST(DrawCharts, WritesNoLabelOverAnother) {
-  const auto at = [](const char* name, const char* label) { return ChartLine{name, {{1, 1, label}}}; };
-  const std::string svg =
-      drawCharts({{"", "", "", {at("one", "2 spp"), at("two", "4 spp"), at("three", "8 spp")}}}, 1);
-  EXPECT_LT(svg.find(">2 spp<"), svg.find(">4 spp<"));
-  EXPECT_EQ(countOf(svg, ">4 spp<"), 1);
-  EXPECT_EQ(countOf(svg, ">8 spp<"), 0);
-  EXPECT_EQ(countOf(svg, ">three 8 spp<"), 1);
+  ChartPanel panel{"", "", "", {}};
+  for (int i = 1; i <= 5; ++i)
+    panel.lines.push_back({"line " + std::to_string(i), {{1, 1, std::to_string(i) + " spp"}}});
+  const std::string svg = drawCharts({panel}, 1);
+  for (int i = 1; i <= 4; ++i) EXPECT_EQ(countOf(svg, ">" + std::to_string(i) + " spp<"), 1) << i;
+  EXPECT_EQ(countOf(svg, ">5 spp<"), 0);
+  EXPECT_EQ(countOf(svg, ">line 5 5 spp<"), 1);
+}
+
+// An error bar as long as the value itself reaches the foot of a logarithmic axis.
+TEST(DrawCharts, DrawsErrorBarsAndSaysWhatTheyAre) {
+  const ChartPanel plain{"", "", "", {{"one", {{1, 1, ""}, {2, 4, ""}}}}};
+  EXPECT_EQ(drawCharts({plain}, 1).find("standard error"), std::string::npos);
+  ChartPanel panel = plain;
+  panel.lines[0].points[1].error = 4;
+  const std::string svg = drawCharts({panel}, 1);
+  EXPECT_EQ(countOf(svg, "standard error over seeds"), 1);
+  EXPECT_NE(svg.find("y2=\"276.0\" stroke=\"#d55e00\""), std::string::npos);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+// Panels of 450x320: six of a group make two rows of three, and the next group begins a row of its own.
+TEST(DrawCharts, WrapsPanelsAndBeginsARowForEachGroup) {
+  const ChartPanel panel{"", "", "", {{"one", {{1, 1, ""}}}}};
+  const auto sizeOf = [&](std::size_t panels, int per_group) {
+    const std::string svg = drawCharts(std::vector<ChartPanel>(panels, panel), per_group);
+    const double legend = 24;
+    return std::pair(std::stod(svg.substr(svg.find("width=\"") + 7)) / 450,
+                     (std::stod(svg.substr(svg.find("height=\"") + 8)) - legend) / 320);
+  };
+  EXPECT_EQ(sizeOf(6, 6), std::pair(3.0, 2.0));
+  EXPECT_EQ(sizeOf(12, 6), std::pair(3.0, 4.0));
+  EXPECT_EQ(sizeOf(4, 4), std::pair(2.0, 2.0));
+  EXPECT_EQ(sizeOf(4, 2), std::pair(2.0, 2.0));
+  EXPECT_EQ(sizeOf(1, 6), std::pair(1.0, 1.0));
 }
 
 // Two of these names make a row.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "filter/reprojection.h"
+#include "filter/surface_test.h"
 #include "filter/synthetic.h"
 
 namespace saccade {
@@ -140,16 +141,16 @@ TEST_F(Fixture, WithoutHistoryOfTwoFramesOnlyThePrimalIsAccumulated) {
   EXPECT_EQ(alone.m2.at(20, 10), now.m2.at(20, 10));
 }
 
-// Falcor's faults, on request alone.
+// Falcor's faults, which no other test has.
 TEST_F(Fixture, FalcorLosesTheHistoryOfAFastDollyAndOfTheFirstColumn) {
   fillInside(before.length, 8);
   fillInside(cur.g.motion_x, 0);
   fillInside(cur.g.motion_y, 0);
-  accumulate({cur, prev}, samples, {.as_falcor = true}, before, nullptr, pool, now);
+  accumulate({cur, prev}, samples, {.surface_test = SurfaceTest::kFalcorSurface}, before, nullptr, pool, now);
   EXPECT_EQ(now.length.at(0, 5), 1);
   EXPECT_EQ(now.length.at(5, 5), 9);
   fillInside(cur.g.z, 4.5f);  // half a unit nearer than the frame before saw it
-  accumulate({cur, prev}, samples, {.as_falcor = true}, before, nullptr, pool, now);
+  accumulate({cur, prev}, samples, {.surface_test = SurfaceTest::kFalcorSurface}, before, nullptr, pool, now);
   EXPECT_EQ(now.length.at(5, 5), 1);
   accumulate({cur, prev}, samples, {}, before, nullptr, pool, now);
   EXPECT_EQ(now.length.at(5, 5), 9);

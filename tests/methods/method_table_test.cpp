@@ -33,6 +33,21 @@ TEST(MethodTable, EveryParameterHasAPlaceASourceAndADefaultInItsRange) {
   }
 }
 
+// Paper 4.3: correlated methods draw two passes, of which one replays the seeds of the previous frame.
+TEST(MethodTable, SaysWhatSamplesAMethodNeeds) {
+  const auto samplesOf = [](const std::string& name, const ParamValues& given) {
+    ParamValues resolved;
+    std::string bad_name;
+    EXPECT_EQ(resolveParams(*findMethod(name), given, resolved, bad_name), "");
+    return findMethod(name)->seedReuse(resolved);
+  };
+  EXPECT_EQ(samplesOf("pt", {}), SeedReuse::kIndependent);
+  EXPECT_EQ(samplesOf("svgf", {}), SeedReuse::kIndependent);
+  EXPECT_EQ(samplesOf("pt-correlated", {}), SeedReuse::kCorrelated);
+  EXPECT_EQ(samplesOf("event_svgf", {}), SeedReuse::kCorrelated);
+  EXPECT_EQ(samplesOf("event_svgf", {{"correlated", 0}}), SeedReuse::kIndependentPairs);
+}
+
 TEST(ResolveParams, FillsInThePapersDefaults) {
   ParamValues resolved;
   std::string name;

@@ -16,7 +16,6 @@ namespace {
 class FailingMethod : public Method {
  public:
   explicit FailingMethod(FrameIndex fails_at) : fails_at_(fails_at) {}
-  SeedReuse seedReuse() const override { return SeedReuse::kIndependent; }
   void start(const Frame&, TilePool&) override {}
   void estimate(const FramePair& frames, TilePool& pool, IntensityChange&, StageTimes&) override {
     if (frames.cur.index != fails_at_) return;
@@ -31,7 +30,6 @@ class FailingMethod : public Method {
 class EndlessMethod : public Method {
  public:
   explicit EndlessMethod(std::atomic<bool>& reached) : reached_(reached) {}
-  SeedReuse seedReuse() const override { return SeedReuse::kIndependent; }
   void start(const Frame&, TilePool&) override {}
   void estimate(const FramePair& frames, TilePool& pool, IntensityChange&, StageTimes&) override {
     if (frames.cur.index < 2) return;
@@ -54,8 +52,8 @@ class FeedFailure : public testing::Test {
   }
   std::unique_ptr<FeedRunner> runner(std::unique_ptr<Method> method) {
     const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
-    auto feed =
-        std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method), *pool_);
+    auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method),
+                                       SeedReuse::kIndependent, *pool_);
     return std::make_unique<FeedRunner>(std::move(feed), FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 

@@ -13,7 +13,6 @@ namespace {
 // From the third frame on the feed's thread gets no memory.
 class Greedy : public Method {
  public:
-  SeedReuse seedReuse() const override { return SeedReuse::kIndependent; }
   void start(const Frame&, TilePool&) override {}
   void estimate(const FramePair& frames, TilePool&, IntensityChange&, StageTimes&) override {
     if (frames.cur.index == 3) test::failAllAllocations();
@@ -28,7 +27,7 @@ TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
   const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
   const auto scene = std::make_shared<RenderScene>(test::furnace(0.5f, 1));
   FeedRunner runner(std::make_unique<Feed>(scene, Trajectory({{TimeNs(0), Pose{}}}), config,
-                                           std::make_unique<Greedy>(), *pool),
+                                           std::make_unique<Greedy>(), SeedReuse::kIndependent, *pool),
                     8, 8, FeedPace{5, 100, 0}, pool, totals);
   const auto session =
       std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport, runner.notifier(), totals.traffic);

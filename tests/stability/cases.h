@@ -11,7 +11,7 @@ namespace saccade::test {
 
 struct StabilityCase {
   std::string name{};
-  const char* why = "";  // methods fail there
+  const char* why = "";  // why methods fail there
   std::string scene = "cornell-box", trajectory = "right";
   double px_per_frame = 0;  // > 0: as in BenchSetup; 0: the trajectory as it is, at rate_hz
   double rate_hz = 250;
@@ -19,26 +19,26 @@ struct StabilityCase {
   int width = 0, height = 0;            // 0: as wide and high as most cases of the form
   int last = 16, scored = 2;            // frames run from 0 to last; the last `scored` of them have a truth
   double threshold = 0.2, bias = 1e-3;  // C, natural log units; I_eps, scene luminance
-  // The figure that the case is about, less is better, and what it is at most for the methods in `bounded`.
+  // The figure that the case judges (lower is better), and its upper bound for the methods in `bounded`.
   double Figures::*judged = &Figures::wrong_events;
   double bound = 0;
   std::vector<std::string> bounded{"event_svgf"};
   bool suppresses = false;  // every method makes more events than a sensor sends
-  // Rivals that may be clearly better than event_svgf here, and why.
+  // Rivals that may be clearly better than event_svgf here, and the reason.
   std::vector<std::string> beaten_by{};
   const char* beaten_why = "";
 
   friend std::ostream& operator<<(std::ostream& out, const StabilityCase& c);
 };
 
-// The full form has larger pictures and longer runs. Bounds are a quarter above what was measured, at 48x48
-// or at 128x128, whichever was more: another seed moves the figures by a tenth.
+// The full form has larger pictures and longer runs. Bounds are regression guards from our own output: a
+// quarter above the larger figure of 48x48 and 128x128. Another seed moves the figures by a tenth.
 std::vector<StabilityCase> stabilityCases(bool full);
-// Of them:
-std::vector<StabilityCase> sceneCases();  // what there is to see
+// Parts of that list:
+std::vector<StabilityCase> sceneCases();  // scenes of many kinds
 std::vector<StabilityCase> lightCases();  // lamps that change under a still camera
 
-// Of the folder of the suite.
+// The path of a file in the folder of the suite.
 std::string stabilityFile(const std::string& name);
 
 }  // namespace saccade::test

@@ -1,9 +1,11 @@
-// Every method in every case of the stability suite: finite everywhere, ours within its bounds, and better
-// than its rivals but where the case says that it is not.
+// Runs every method in every case of the stability suite. All must be finite everywhere, and ours must keep
+// its bounds. Ours must not clearly lose to a rival of the paper, unless the case gives the reason: these
+// rivals do not change, so that losing to them is a regression. A better method may join the table of
+// methods: the suite only reports in stability.md where it wins.
 //
 // Quick by default: small pictures, references of 512 paths. SACCADE_FULL=1 takes 128x128, 4096 paths and the
-// full lengths; its references are kept in $SACCADE_CACHE (default: the programs' own cache). Both write
-// stability.csv and stability.md into $SACCADE_OUT (default: the working folder).
+// full lengths, and keeps its references in $SACCADE_CACHE (default: the cache of the programs). Both write
+// stability.csv and stability.md to $SACCADE_OUT (default: the working folder).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,6 +63,9 @@ std::vector<MethodSpec> methods() {
   return specs;
 }
 
+// The methods of the paper that ours is compared with.
+const std::vector<std::string> kRivals{"svgf", "svgf:as_falcor=1", "pt-correlated", "pt"};
+
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -85,8 +90,11 @@ TEST_P(Stability, Holds) {
       EXPECT_LE(f.*c.judged, c.bound) << method;
     }
   }
-  for (const std::string& rival : betterThanOurs(c, figures))
-    EXPECT_TRUE(contains(c.beaten_by, rival)) << rival << " is clearly better, which the case does not say";
+  for (const std::string& better : betterThanOurs(c, figures)) {
+    if (contains(kRivals, better)) {
+      EXPECT_TRUE(contains(c.beaten_by, better)) << better << " is clearly better; the case gives no reason";
+    }
+  }
 }
 
 std::string testName(const ::testing::TestParamInfo<StabilityCase>& info) {

@@ -1,4 +1,4 @@
-// What came out of the stability suite, for people and for programs.
+// The results of the stability suite, as CSV and as Markdown.
 #pragma once
 
 #include <string>
@@ -13,19 +13,19 @@ inline const std::string kOurs = "event_svgf";
 
 using MethodFigures = std::vector<std::pair<std::string, Figures>>;  // by method, ours among them
 
-// The rivals whose judged figure is clearly below ours: less than kClearly of it.
+// The methods whose judged figure is below kClearly times ours.
 inline constexpr double kClearly = 0.9;
 std::vector<std::string> betterThanOurs(const StabilityCase& c, const MethodFigures& figures);
 
 class StabilityTable {
  public:
-  // `settings`: one line, what all cases share.
+  // `settings`: one line about all cases.
   explicit StabilityTable(std::string settings) : settings_(std::move(settings)) {}
 
   void add(const StabilityCase& c, MethodFigures figures) { rows_.push_back({c, std::move(figures)}); }
 
   std::string csv() const;       // a row for each case and method, all figures
-  std::string markdown() const;  // a row for each case, the figure it is about; what failed and why below
+  std::string markdown() const;  // a row for each case with its judged figure, then the reasons
 
  private:
   struct Row {

@@ -1,12 +1,12 @@
-// Other people's scenes against their authors' own renders: linear, 65 bounces, means over blocks of 16x16
-// pixels. What they render with another pixel filter differs at the edges of lamps alone, so these are left
-// out.
+// Compares other people's scenes with their authors' renders: linear, 65 bounces, means over blocks of 16x16
+// pixels. Their pixel filter differs from ours only at the edges of lamps, which are left out.
 //
 // Quick by default. SACCADE_FULL=1 takes more paths and bounces; $SACCADE_OUT is a folder for pictures of
 // both side by side, with a map of their ratio.
 #include <gtest/gtest.h>
 
 #include "eval/pictures/ratio_picture.h"
+#include "eval/pictures/text.h"
 #include "render/renderer.h"
 #include "scene/mitsuba/mitsuba_xml.h"
 #include "statistical/outside_files.h"
@@ -43,8 +43,8 @@ BlockRatios compare(const std::string& folder, const std::string& file, Effort e
   std::printf("%d spp, %d bounces: mean ratio %.4f %.4f %.4f, %.2f %% of %d blocks within 10 %%\n",
               effort.spp, effort.bounces, r, g, b, 100 * ratios.shareWithin(0.1), ratios.compared());
   if (const char* out = std::getenv("SACCADE_OUT"))
-    writePng(std::string(out) + "/" + folder + "ratio.png", 3 * reference[0].width(), reference[0].height(),
-             ratioPicture(picture, reference, ratios));
+    writeText(std::string(out) + "/" + folder.substr(0, folder.size() - 1) + "_ratio.svg",
+              drawRatios(picture, reference, ratios));
   return ratios;
 }
 

@@ -156,12 +156,12 @@ TEST_F(AccuracyTableTest, WhatIsNotMeasuredIsSaid) {
   EXPECT_EQ(told<NotMeasured>([&] {
               settingsFor(table(), {"room", 5000, 0.2, {}});
             }),
-            "the scene room is not measured; measured are: ball, box");
+            "no scene of this name is measured: room; measured are: ball, box");
   EXPECT_EQ(told<NotMeasured>([&] { settingsFor(table(), box("pt-correlated")); }),
             "pt-correlated is not measured on box; measured are: event_svgf, pt, svgf");
   const AccuracyTable empty = read("# " + kSettings + "\n" + kColumns + "\n");
   EXPECT_EQ(told<NotMeasured>([&] { settingsFor(empty, box()); }),
-            "the scene box is not measured; measured are: none");
+            "no scene of this name is measured: box; measured are: none");
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ std::optional<v1::ExpectedChange> resolveSimplification(v1::OpenStream& request,
   const std::vector<MeasuredModel> models = source.table.modelsOf(request.scene());
   if (models.empty()) {
     throw Refusal(v1::CODE_UNAVAILABLE, field,
-                  "the scene " + request.scene() + " is not measured; measured are: " +
+                  "no scene of this name is measured: " + request.scene() + "; measured are: " +
                       joinNames(source.table.scenes()) + "; `saccade-eval simplification` measures more");
   }
   return take(cheapest(models, quality.max_event_change()), models.front(), source.table, quality);

@@ -1,9 +1,13 @@
 #include "eval/bench/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 #include <string_view>
+
+#include "scene/files/text.h"
 
 namespace saccade::eval {
 namespace {
@@ -56,6 +60,15 @@ void checkSpp(const MethodSpec& method, int spp) {
   if (method.takes(spp)) return;
   throw CLI::ValidationError("--spp", "must be even for " + method.text +
                                           ", half of the paths for each pass, not " + std::to_string(spp));
+}
+
+void checkOutputFile(const std::string& path, const std::vector<std::string>& extensions) {
+  const std::filesystem::path file(path), folder = file.parent_path();
+  if (std::find(extensions.begin(), extensions.end(), file.extension()) == extensions.end())
+    throw CLI::ValidationError("--output",
+                               "'" + path + "' names no known format; known are " + joinNames(extensions));
+  if (!folder.empty() && !std::filesystem::is_directory(folder))
+    throw CLI::ValidationError("--output", "there is no folder " + folder.string());
 }
 
 }  // namespace saccade::eval

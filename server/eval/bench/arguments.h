@@ -1,8 +1,9 @@
-// Sizes, ranges of frames and budgets, as the flags of saccade-eval say them. All throw CLI::ValidationError,
-// a std::runtime_error, naming the flag and what is valid.
+// Reads the values of flags. All throw CLI::ValidationError, a std::runtime_error, which names the flag and
+// the valid values.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "methods/method_spec.h"
 
@@ -20,10 +21,13 @@ struct FrameRange {
 // "A:B", frames A to B with 1 <= A <= B <= 1,000,000 (the change of frame 1 is since frame 0), or one frame.
 FrameRange parseFrameRange(const std::string& text);
 
-// "2%", over 0% and up to 100%, as a fraction.
+// "2%" as the fraction 0.02; over 0% and up to 100%.
 double parseTolerance(const std::string& text);
 
-// Throws where the method cannot split that many paths over its passes.
+// Throws unless the method's passes can share that many paths.
 void checkSpp(const MethodSpec& method, int spp);
+
+// Throws unless a file with one of these extensions can be written there: its folder must exist.
+void checkOutputFile(const std::string& path, const std::vector<std::string>& extensions);
 
 }  // namespace saccade::eval

@@ -11,7 +11,7 @@
 namespace saccade::eval {
 namespace {
 
-// Goes on with the velocity that `motion` has at its start, whose pose it passes at time `at`.
+// Moves straight with the velocity of `motion` at its start, and passes its start pose at time `at`.
 Trajectory straightThrough(const Trajectory& motion, TimeNs at) {
   constexpr TimeNs kStep{1'000'000};
   Pose early = motion.at(TimeNs{0}), late = early;
@@ -41,7 +41,7 @@ Bench::Bench(const BenchSetup& setup, TilePool& pool)
     : setup_(setup),
       pool_(pool),
       scene_(openSceneOf(setup)),
-      path_(openTrajectory(setup.scene, setup.trajectory, *scene_)) {
+      path_(openTrajectory(setup.scene, setup.trajectory, *scene_, feedConfig())) {
   SACCADE_CHECK(setup.first >= 1 && setup.first <= setup.last);
   if (setup.px_per_frame > 0) {
     setup_.frame_rate_hz =
@@ -70,7 +70,7 @@ void Bench::renderTruth() {
                               setup_.cache, pool_);
   Progress progress("reference of " + setup_.scene,
                     static_cast<double>(setup_.last - setup_.first + 2) * setup_.reference_spp);
-  // The features, from a feed of a single path: its frames know where surfaces were.
+  // A feed of a single path per pixel gives the features: its frames know where surfaces were.
   FeedConfig config = feedConfig();
   config.method = "pt", config.spp = 1, config.bounces = 0;
   Feed features(scene_, path_, config, pool_);

@@ -1,4 +1,4 @@
-// One scene on one path, with its truth: what every method is run on and measured against.
+// Runs methods on one scene and one camera path, and holds the truth for them.
 #pragma once
 
 #include <functional>
@@ -14,26 +14,27 @@
 namespace saccade::eval {
 
 struct BenchSetup {
-  std::string scene = "cornell-box", trajectory = "right";
+  std::string scene = "cornell-box";  // a name or a path, see open_scene.h
+  std::string trajectory = "right";   // likewise
   int width = 128, height = 128;
   double frame_rate_hz = 250;
-  // > 0: the motion `right` or `forward` goes on straight, passes its start at frame `last`, and moves the
-  // images by this much (median at the start); frame_rate_hz is then chosen so. 0: the trajectory as it is.
+  // > 0: `right` or `forward` moves straight, passes its start at frame `last`, and moves the images by this
+  // much (median at the start); this sets frame_rate_hz. 0: the trajectory is taken as it is.
   double px_per_frame = 0;
   int bounces = 3;
   bool jitter = false;        // of the methods; the truth is then the mean over the whole pixel
-  bool mips = true;           // false: textures have their finest level alone
+  bool mips = true;           // false: textures have only their finest level
   int first = 21, last = 21;  // the frames that are scored, 1 <= first <= last; the feed runs from 0
   int reference_spp = 4096;   // 0: no truth
   std::string cache;          // folder of reference frames
 };
 
-// The change from one frame to the next, as it is, with its times.
+// The true change from one frame to the next, with its times.
 struct Truth : ReferenceChange {
   RegionMap regions;
 };
 
-// What a method made of the scored frames.
+// The estimates of a method for the scored frames.
 struct BenchRun {
   std::vector<IntensityChange> changes;  // one for each Truth
   double cpu_ms = 0;                     // per frame, tracing and filter, mean over all frames from 1 on
@@ -44,7 +45,8 @@ class Bench {
  public:
   // Opens the scene and renders the truth, with progress on stderr. Throws SceneError, Interrupted.
   Bench(const BenchSetup& setup, TilePool& pool);
-  // The same camera on `scene` instead, with so many bounces, or with jitter, and its truth.
+  // The camera of `other` on another scene with so many bounces, or with other jitter; renders the truth
+  // anew.
   Bench(const Bench& other, std::shared_ptr<const RenderScene> scene, int bounces);
   Bench(const Bench& other, bool jitter);
 
@@ -53,7 +55,7 @@ class Bench {
   const std::vector<Truth>& truth() const { return truth_; }  // of frames first to last
   double referenceError() const;  // of the truth's dI, relative L1, mean over the frames
   double medianPxPerFrame() const { return median_px_; }  // of the images of surfaces, into the last frame
-  // `each`, where given, sees the changes of all frames from 1 on.
+  // Passes the changes of all frames from 1 on to `each`, if given. Throws Interrupted.
   BenchRun run(const MethodSpec& method, int spp, std::uint64_t seed,
                const std::function<void(const IntensityChange&)>& each = {}) const;
 

@@ -7,6 +7,7 @@
 #include "base/cpu_name.h"
 #include "base/default_cache.h"
 #include "eval/bench/arguments.h"
+#include "eval/bench/open_scene.h"
 #include "wire/ranges.h"
 
 namespace saccade::eval {
@@ -28,39 +29,41 @@ std::string BenchOptions::text() const {
 }
 
 void addBenchOptions(CLI::App& app, BenchOptions& o) {
+  o.parsed = &app;
   o.setup.cache = defaultCache();
-  app.add_option("--trajectory", o.setup.trajectory,
-                 "a motion (right, dolly:0.2), one of the scene's own, or a .csv file")
-      ->capture_default_str();
-  app.add_option("--size", o.size, "WxH")->capture_default_str();
+  app.add_option(kTrajectoryFlag, o.setup.trajectory, trajectoryHelp())->capture_default_str();
+  app.add_option("--size", o.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
   app.add_option("--rate", o.setup.frame_rate_hz, "frames per second")
       ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
       ->capture_default_str();
-  app.add_option("--frames", o.frames, "A:B, the frames that are scored; a run starts at 0")
+  app.add_option("--frames", o.frames, "A:B, the frames to score; every run starts at 0")
       ->capture_default_str();
   app.add_flag("--jitter", o.setup.jitter,
-               "paths start all over the pixel, not at its centre; the reference is its mean");
+               "start paths all over the pixel, not at its centre; the reference is the mean over the pixel");
   app.add_option("--bounces", o.setup.bounces, "indirect bounces")
       ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
-  app.add_option("--reference", o.setup.reference_spp, "paths per pixel of the reference")
+  app.add_option("--reference", o.setup.reference_spp,
+                 "paths per pixel of the reference, rounded up to a multiple of 64")
       ->check(CLI::Range(64, 1 << 20))
       ->capture_default_str();
   if (o.repeats > 0) {
-    app.add_option("--repeats", o.repeats, "runs with other seeds")
+    app.add_option("--repeats", o.repeats, "runs with different seeds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
   }
   if (o.threshold > 0) {
-    app.add_option("--threshold", o.threshold, "C of the events")
+    app.add_option("--threshold", o.threshold, "C of both polarities, natural log units")
         ->check(CLI::Range(ranges::kThreshold.min, ranges::kThreshold.max))
         ->capture_default_str();
   }
-  app.add_option("--bias", o.bias, "I_eps")
+  app.add_option("--bias", o.bias, "I_eps, scene luminance")
       ->check(CLI::Range(ranges::kBias.min, ranges::kBias.max))
       ->capture_default_str();
-  app.add_option("--cache", o.setup.cache, "folder that keeps reference frames")->capture_default_str();
-  app.add_flag("--quick", o.quick, "half the size, fewer frames, a reference of a quarter of the paths");
+  app.add_option("--cache", o.setup.cache, "folder for reference frames")->capture_default_str();
+  app.add_flag(
+      "--quick", o.quick,
+      "half the size and rate, fewer frames, a quarter of the reference's paths; flags that you give stay");
 }
 
 void resolve(BenchOptions& o) {
@@ -69,10 +72,13 @@ void resolve(BenchOptions& o) {
   o.setup.width = size.width, o.setup.height = size.height;
   o.setup.first = range.first, o.setup.last = range.last;
   if (!o.quick) return;
-  o.setup.width = std::max(1, size.width / 2), o.setup.height = std::max(1, size.height / 2);
-  o.setup.frame_rate_hz /= 2;
-  o.setup.last = range.first + (range.last - range.first) / 2;
-  o.setup.reference_spp = std::max(64, o.setup.reference_spp / 4);
+  const auto isFree = [&](const char* flag) { return !o.parsed || o.parsed->count(flag) == 0; };
+  if (isFree("--size")) {
+    o.setup.width = std::max(1, size.width / 2), o.setup.height = std::max(1, size.height / 2);
+    if (isFree("--rate")) o.setup.frame_rate_hz /= 2;
+  }
+  if (isFree("--frames")) o.setup.last = range.first + (range.last - range.first) / 2;
+  if (isFree("--reference")) o.setup.reference_spp = std::max(64, o.setup.reference_spp / 4);
 }
 
 }  // namespace saccade::eval

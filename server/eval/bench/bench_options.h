@@ -1,4 +1,4 @@
-// The flags that charts and figures share.
+// The flags of the commands that measure.
 #pragma once
 
 #include "eval/bench/bench.h"
@@ -10,22 +10,24 @@ class App;
 namespace saccade::eval {
 
 struct BenchOptions {
-  BenchSetup setup;  // scene: filled by the command
+  BenchSetup setup;  // the command fills in the scene
   std::string size = "128x128", frames = "17:21";
-  int repeats = 2;         // 0: the command runs once, and has no such flag
-  double threshold = 0.2;  // 0: the command has thresholds of its own, and not this flag
+  int repeats = 2;         // 0: the command runs once and has no --repeats
+  double threshold = 0.2;  // 0: the command has no --threshold
   double bias = 1e-3;
   bool quick = false;
+  const CLI::App* parsed = nullptr;  // tells which flags were given
 
-  // All of it in one line of key=value, for the head of a table.
+  // All settings in one line of key=value, for the head of a table.
   std::string text() const;
 };
 
 // Adds the flags, with what stands in `o` as their defaults.
 void addBenchOptions(CLI::App& app, BenchOptions& o);
 
-// Reads the texts after parsing; --quick halves the sides of the picture, the frame rate (so that motion
-// keeps its pixels) and most of the rest. Throws CLI::ValidationError.
+// Reads the texts after parsing. --quick halves the sides of the picture, with them the frame rate (motion
+// keeps its pixels per frame), and reduces frames and reference; it leaves flags that were given. Throws
+// CLI::ValidationError.
 void resolve(BenchOptions& o);
 
 }  // namespace saccade::eval

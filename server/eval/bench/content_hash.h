@@ -1,4 +1,4 @@
-// Names for what is kept, made of all it depends on.
+// A hash of plain values, for the names of cached files.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace saccade::eval {
 
-// Hash of plain values, and of vectors of them.
+// Add everything that the cached value depends on.
 struct ContentHash {
   std::uint64_t value = 0;
   void bytes(const void* data, std::size_t size) {

@@ -1,4 +1,4 @@
-// A long command that SIGINT or SIGTERM stops keeps what is done.
+// Lets SIGINT and SIGTERM stop a long command that keeps its results so far.
 #pragma once
 
 namespace saccade::eval {
@@ -7,7 +7,7 @@ namespace saccade::eval {
 void watchInterrupt();
 bool interrupted();
 
-// Thrown when a long command was stopped; what was done is kept.
+// Thrown by a long command that was stopped.
 struct Interrupted {};
 
 }  // namespace saccade::eval

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/quantile.h"
+#include "eval/bench/open_scene.h"
 #include "eval/metrics/brightness_change.h"
 #include "eval/metrics/for_each_pixel.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 constexpr int kRounds = 5;
 
-// Means over frames of what rates(f) says of each.
+// The mean of rates(f) over frames f.
 template <class Rates>
 EventRates meanOver(std::size_t frames, Rates rates) {
   EventRates mean;
@@ -60,7 +61,7 @@ double ModelBench::timeOf(const Bench& bench, int round) const {
   return bench.run(method_, spp_, static_cast<std::uint64_t>(round)).cpu_ms;
 }
 
-// Of each over that of the whole model: the median over rounds in which all run in turn.
+// The CPU time of each, divided by that of the whole model: the median over rounds in which all run in turn.
 std::vector<double> ModelBench::relativeTimes(const std::vector<Bench>& benches) const {
   std::vector<std::vector<double>> relative(benches.size());
   Progress progress("times of " + whole_.setup().scene, kRounds);
@@ -76,7 +77,8 @@ std::vector<double> ModelBench::relativeTimes(const std::vector<Bench>& benches)
 }
 
 MeasuredModel ModelBench::whole() const {
-  return {.scene = whole_.setup().scene, .model = {whole_.setup().bounces, {}}, .cpu_ms = whole_ms_};
+  return {
+      .scene = sceneName(whole_.setup().scene), .model = {whole_.setup().bounces, {}}, .cpu_ms = whole_ms_};
 }
 
 MeasuredModel ModelBench::jittered() const {
@@ -107,9 +109,10 @@ std::vector<MeasuredModel> ModelBench::measure(const std::vector<SceneModel>& mo
   return measured;
 }
 
-// Fills in the events that change, and how many of them would by noise alone: half of what the difference of
-// the pictures differs by between the halves is as noisy as that difference itself. Noise is taken off as one
-// takes off variances: so measured, a bounce of the cornell-box changes the same from 64 to 4096 paths.
+// Fills in the events that change, and how many change by noise alone. With d = dL(simpler) - dL(whole) and
+// d_a, d_b the same of the two halves, n = (d_a - d_b) / 2 has the variance of d: the events between whole +
+// n and whole are those of the noise. Noise is subtracted in squares, as variances are: so measured, a bounce
+// of cornell-box changes the same from 64 to 4096 paths.
 void ModelBench::compare(const Bench& bench, MeasuredModel& model) const {
   EventRates noise;
   const EventRates rates = meanOver(frames_.size(), [&](std::size_t f) {

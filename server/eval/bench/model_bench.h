@@ -1,4 +1,4 @@
-// One scene on one path with parts of its model left out: what that saves, and how many events it changes.
+// Measures simplified models of one scene: the CPU time they save, and the events they change.
 #pragma once
 
 #include <vector>
@@ -17,14 +17,14 @@ class ModelBench {
 
   const Scene& description() const { return whole_.scene()->description(); }
   double events() const { return events_; }  // of the whole model, per pixel-frame
-  // How much of them other seeds change, at half of the paths. The models share their seeds: noise changes
-  // less.
+  // The share of events that other seeds change, at half of the paths. Models share their seeds, so that
+  // noise changes fewer events between them.
   double noise() const { return noise_; }
 
   MeasuredModel whole() const;
-  // The whole model with jitter: what it costs, and how much of the events that mends. Throws Interrupted.
+  // The whole model with jitter: its CPU time and the events it changes. Throws Interrupted.
   MeasuredModel jittered() const;
-  // Each of them, timed in turn with the whole model. Throws Interrupted.
+  // Times each in turn with the whole model. Throws Interrupted.
   std::vector<MeasuredModel> measure(const std::vector<SceneModel>& models) const;
 
  private:

@@ -1,4 +1,4 @@
-// Which forms of a scene's model are worth measuring.
+// Chooses the simplified models of a scene that are measured.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,9 @@ std::vector<SceneModel> simplerByOne(const SceneModel& whole, const SceneFeature
 
 using MeasureModel = std::function<MeasuredModel(const SceneModel&)>;
 
-// The whole model, the `simpler` ones, and combinations of these: the simplification that changes least comes
-// first, and each next one on top of it, until more than all events change. One that saves no time is left
-// aside. `measure` is asked for what is not in `simpler` yet.
+// Returns the whole model, the `simpler` ones, and combinations. A combination adds the simplifications one
+// by one, the one that changes least first, until more than all events change. It skips those that save no
+// time. `measure` is called for models that are not in `simpler`.
 std::vector<MeasuredModel> withCombinations(const MeasuredModel& whole,
                                             const std::vector<MeasuredModel>& simpler,
                                             const MeasureModel& measure);

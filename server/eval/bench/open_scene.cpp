@@ -1,10 +1,16 @@
 #include "eval/bench/open_scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <map>
+#include <numbers>
 #include <sstream>
 
+#include "base/names.h"
 #include "render/renderer.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/slow_load.h"
@@ -12,20 +18,67 @@
 #include "scene/library/scene_library.h"
 
 namespace saccade::eval {
+namespace {
 
-std::string sceneFolder() {
-  const char* folder = std::getenv("SACCADE_SCENES");
-  return folder ? folder : SACCADE_SOURCE_SCENES;
-}
+namespace fs = std::filesystem;
 
 std::string meshFolders() {
   const char* folders = std::getenv("SACCADE_MESHES");
   return folders ? folders : kDefaultMeshes;
 }
 
+SceneLibrary ownLibrary() {
+  const char* folder = std::getenv("SACCADE_SCENES");
+  return SceneLibrary(folder ? folder : SACCADE_SOURCE_SCENES, meshFolders());
+}
+
+// The scene's file where it is named by path, else an empty path.
+fs::path fileOf(const std::string& name_or_path) {
+  if (name_or_path.find('/') != name_or_path.npos && fs::is_directory(name_or_path))
+    return sceneFileIn(fs::absolute(name_or_path).lexically_normal());
+  return looksLikeFile(name_or_path) ? fs::absolute(name_or_path) : fs::path();
+}
+
+Trajectory readTrajectoryFile(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw SceneError("cannot read the trajectory " + path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return parseTrajectory(text.str(), path);
+}
+
+// KIND:SPEED or KIND:SPEEDpx; none where there is no colon.
+std::optional<Motion> readMotion(std::string text, const FeedConfig& feed) {
+  const bool in_pixels = text.ends_with("px");
+  if (in_pixels) text.resize(text.size() - 2);
+  std::optional<Motion> motion = parseMotion(text);
+  if (!motion || !in_pixels) return motion;
+  const double focal_px = feed.width / 2.0 / std::tan(feed.fov_x_deg * std::numbers::pi / 360);
+  motion->speed *= feed.frame_rate_hz / focal_px;
+  motion->image_speed = true;
+  return motion;
+}
+
+// A trajectory from the CSV files of a scene.
+Trajectory ofTheScene(const std::string& scene, const std::string& name) {
+  const fs::path file = fileOf(scene);
+  const fs::path folder = file.parent_path();
+  const SceneLibrary library =
+      file.empty() ? ownLibrary() : SceneLibrary(folder.parent_path(), meshFolders());
+  const std::string entry = file.empty() ? scene : folder.filename().string();
+  const std::vector<SceneEntry> all = library.list();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& e) { return e.name == entry; });
+  const std::vector<std::string> names = found == all.end() ? motionNames() : found->trajectories;
+  if (std::find(names.begin(), names.end(), name) != names.end()) return library.loadTrajectory(entry, name);
+  throw SceneError("no trajectory is named '" + name + "'; there are: " + joinNames(names) +
+                   ", a .csv or .txt file, and KIND:SPEED or KIND:SPEEDpx of " + joinNames(motionKinds()));
+}
+
+}  // namespace
+
 std::vector<std::string> availableScenes() {
   std::vector<std::string> names;
-  for (const SceneEntry& scene : SceneLibrary(sceneFolder(), meshFolders()).list()) {
+  for (const SceneEntry& scene : ownLibrary().list()) {
     if (scene.unavailable.empty())
       names.push_back(scene.name);
     else
@@ -34,32 +87,48 @@ std::vector<std::string> availableScenes() {
   return names;
 }
 
+std::string sceneName(const std::string& name_or_path) {
+  const fs::path file = fileOf(name_or_path);
+  if (file.empty()) return name_or_path;
+  return file.stem() == "scene" ? file.parent_path().filename().string() : file.stem().string();
+}
+
+void requireTableNames(const std::vector<std::string>& names_or_paths) {
+  std::map<std::string, std::string> seen;  // by name
+  for (const std::string& scene : names_or_paths) {
+    const std::string name = sceneName(scene);
+    if (name.find(',') != name.npos)
+      throw std::runtime_error("the scene's name '" + name + "' holds a comma, which separates columns");
+    const auto [first, is_new] = seen.emplace(name, scene);
+    if (!is_new)
+      throw std::runtime_error("two scenes are named '" + name + "': " + first->second + " and " + scene +
+                               "; the rows of a table hold the name alone");
+  }
+}
+
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {
   const LoadProgress progress = tellSlowLoad(
       name_or_path, [](const std::string& text) { std::fprintf(stderr, "loading %s\n", text.c_str()); });
-  const SceneLibrary library(sceneFolder(), meshFolders());
-  if (library.find(name_or_path) || !looksLikeFile(name_or_path))
-    return std::make_shared<RenderScene>(library.load(name_or_path, progress));
-  return std::make_shared<RenderScene>(
-      formatOf(name_or_path)
-          .load(name_or_path, {.search_folders = splitFolders(meshFolders()), .progress = progress}));
+  const fs::path file = fileOf(name_or_path);
+  if (file.empty()) return std::make_shared<RenderScene>(ownLibrary().load(name_or_path, progress));
+  return std::make_shared<RenderScene>(formatOf(file).load(
+      file.string(), {.search_folders = splitFolders(meshFolders()), .progress = progress}));
 }
 
-Trajectory openTrajectory(const std::string& scene, const std::string& name_or_path,
-                          const RenderScene& opened) {
-  if (name_or_path.ends_with(".csv") || name_or_path.ends_with(".txt")) {
-    std::ifstream file(name_or_path);
-    if (!file) throw SceneError("cannot read the trajectory " + name_or_path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return parseTrajectory(text.str(), name_or_path);
-  }
+Trajectory openTrajectory(const std::string& scene, const std::string& text, const RenderScene& opened,
+                          const FeedConfig& feed) {
+  if (text.ends_with(".csv") || text.ends_with(".txt")) return readTrajectoryFile(text);
   const Scene& s = opened.description();
-  const auto motion =
-      isMotionName(name_or_path) ? namedMotion(name_or_path, s.fov_x_deg) : parseMotion(name_or_path);
-  if (motion)
-    return makeMotion(*motion, s.T_world_camera, probePoints(opened, s.T_world_camera, s.fov_x_deg));
-  return SceneLibrary(sceneFolder(), meshFolders()).loadTrajectory(scene, name_or_path);
+  const auto motion = isMotionName(text) ? namedMotion(text, s.fov_x_deg) : readMotion(text, feed);
+  if (!motion) return ofTheScene(scene, text);
+  return makeMotion(*motion, s.T_world_camera, probePoints(opened, s.T_world_camera, s.fov_x_deg));
+}
+
+std::string trajectoryHelp() {
+  return "path of the camera: " + joinNames(motionNames()) +
+         ", KIND:SPEED (dolly:0.2), KIND:SPEEDpx in pixels per frame, a trajectory of the scene, or a .csv "
+         "or "
+         ".txt file";
 }
 
 }  // namespace saccade::eval

@@ -1,30 +1,42 @@
-// Scenes and trajectories as the commands name them.
+// Opens the scenes and trajectories that commands name.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "feed/feed.h"
 #include "render/render_scene.h"
 #include "scene/camera/motion.h"
 
 namespace saccade::eval {
 
-// The folder of our scenes: $SACCADE_SCENES, else that of the source tree.
-std::string sceneFolder();
+// A scene is named by its name in the library or by a path: a scene's file, or its folder, where
+// a path has a "/". The library is $SACCADE_SCENES, by default the scenes of the source tree. Meshes that a
+// scene names and does not hold are looked up in $SACCADE_MESHES, by default kDefaultMeshes.
 
-// The folders of meshes that scenes name and do not hold: $SACCADE_MESHES, else kDefaultMeshes.
-std::string meshFolders();
-
-// The names of our scenes that can be opened on this machine; says on stderr which cannot, and why.
+// The names of the scenes that can be opened on this machine. Reports the others on stderr, with the reason.
 std::vector<std::string> availableScenes();
 
-// A scene of the library by name, or the file of a scene by its path. Throws SceneError.
+// The name for tables and titles, by which the server knows the scene: of "mine/room/scene.xml" it is "room".
+// A file with another name than scene.xml gives its own, without ".xml".
+std::string sceneName(const std::string& name_or_path);
+
+// Throws std::runtime_error where two scenes have one name, or a name holds a comma: tables could not tell
+// them.
+void requireTableNames(const std::vector<std::string>& names_or_paths);
+
+// Throws SceneError.
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path);
 
-// A CSV file by path, a motion by name or as parseMotion() reads it, or one of the scene's own. Throws
-// SceneError.
-Trajectory openTrajectory(const std::string& scene, const std::string& name_or_path,
-                          const RenderScene& description);
+// The words for a trajectory: a motion by name ("right"), KIND:SPEED ("dolly:0.2"), KIND:SPEEDpx in pixels
+// per frame, a .csv or .txt file by path, or a trajectory of the scene. The width and the frame rate of
+// `feed` give pixels per frame. Throws SceneError, which lists all of these.
+Trajectory openTrajectory(const std::string& scene, const std::string& text, const RenderScene& opened,
+                          const FeedConfig& feed);
+
+// For the flag that takes such a text; `saccade record` has both of its names.
+inline constexpr const char* kTrajectoryFlag = "--trajectory,--motion";
+std::string trajectoryHelp();
 
 }  // namespace saccade::eval

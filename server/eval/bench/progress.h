@@ -1,5 +1,5 @@
-// A line on stderr that says how far a long command is: rewritten on a terminal, a line every ten seconds in
-// a log.
+// Reports the progress of a long command on stderr: one line that is rewritten on a terminal, a line every
+// ten seconds in a log.
 #pragma once
 
 #include <chrono>

@@ -8,13 +8,13 @@
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/metrics/plane_error.h"
 #include "eval/pictures/exr.h"
-#include "eval/pictures/format.h"
+#include "eval/pictures/text.h"
 #include "render/sub_pixel.h"
 
 namespace saccade::eval {
 namespace {
 
-// Takes the frame kept at `path`. Returns its paths per pixel, 0 where there is none that can be used.
+// Reads the frame kept at `path`. Returns its paths per pixel, 0 without a usable one.
 int readKept(const std::string& path, ReferenceFrame& frame) {
   if (!std::filesystem::exists(path)) return 0;
   try {
@@ -24,7 +24,7 @@ int readKept(const std::string& path, ReferenceFrame& frame) {
     if (a.width() != frame.a.width() || a.height() != frame.a.height()) return 0;
     frame.a.copyFrom(a), frame.b.copyFrom(b);
     return spp;
-  } catch (const std::exception&) {  // not to be read, or without one of them
+  } catch (const std::exception&) {  // unreadable, or without a plane
     return 0;
   }
 }

@@ -1,5 +1,5 @@
-// The truth that methods are measured against: every frame rendered with the same many seeds, so that the
-// difference of two frames is a converged correlated estimate. Two independent halves tell its own error.
+// The truth that methods are measured against. All frames share their seeds, so that the difference of two
+// frames is a converged correlated estimate. Two independent halves give its own error.
 #pragma once
 
 #include <string>
@@ -24,24 +24,24 @@ struct ReferenceChange {
   ReferenceChange(const ReferenceFrame& prev, const ReferenceFrame& cur);
   IntensityChange change;  // the mean of both halves, with its own variances; times are the caller's
   ImageF half_a, half_b;   // independent estimates of dI
-  double error() const;    // of dI, relative L1: half of what the halves differ by
+  double error() const;    // of dI: half the relative L1 distance of the halves
 };
 
 class ReferenceRenderer {
  public:
-  // Finished and half-finished frames are kept in `cache`, named by a hash of scene, view and settings: not
-  // of the code, so empty the folder after a change of the path tracer. With settings.jitter it is the mean
+  // Keeps frames in the folder `cache`, named by a hash of scene, view and settings. The hash does not cover
+  // the code: empty the folder after a change of the path tracer. With settings.jitter a frame is the mean
   // over the whole pixel.
   ReferenceRenderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings, int width, int height,
                     double fov_x_deg, std::string cache, TilePool& pool);
 
-  // The frame at a stream time, of `spp` paths per pixel, rounded up to whole chunks: rendered, or taken from
-  // the cache. What was rendered is written every few seconds and when interrupted() turns true, and is gone
-  // on with next time; a file that cannot be read, or is no such frame, is rendered anew. Frames of different
-  // spp are kept apart: their difference would be noise of the paths that only one of them has.
+  // Renders the frame at a stream time, or takes it from the cache. `spp` paths per pixel are rounded up to a
+  // multiple of kChunk. The cache is written every few seconds and when interrupted() turns true; the next
+  // call continues from there, or starts anew where the file is not such a frame. Frames of different spp
+  // have files of their own: their difference would hold the noise of the paths that only one of them has.
   ReferenceFrame frame(const Pose& pose, TimeNs time, int spp, Progress& progress);
 
-  static constexpr int kChunk = 64;  // paths per pixel between two looks at the clock
+  static constexpr int kChunk = 64;  // paths per pixel between two checks of the clock
 
  private:
   std::string cachePath(const Pose& pose, int spp) const;  // with strengths_ at the frame's time

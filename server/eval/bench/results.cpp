@@ -1,5 +1,6 @@
 #include "eval/bench/results.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +14,7 @@ namespace {
 std::string header() {
   std::string names = "scene,method,spp,cpu_ms,trace_ms,px_per_frame,reference_error";
   for (const ScoreColumn& column : kScoreColumns) names += std::string(",") + column.name;
+  for (const ScoreColumn& column : kScoreColumns) names += std::string(",") + column.name + "_seed_error";
   return names;
 }
 
@@ -20,7 +22,23 @@ std::string header() {
 std::vector<double*> numbers(Result& r) {
   std::vector<double*> values{&r.cpu_ms, &r.trace_ms, &r.px_per_frame, &r.reference_error};
   for (const ScoreColumn& column : kScoreColumns) values.push_back(&(r.score.*column.value));
+  for (const ScoreColumn& column : kScoreColumns) values.push_back(&(r.seed_error.*column.value));
   return values;
+}
+
+// The standard error of each score over runs of different seeds.
+Score seedError(const std::vector<Truth>& truth, const std::vector<BenchRun>& runs, const BenchOptions& o) {
+  std::vector<Score> scores;
+  for (const BenchRun& run : runs) scores.push_back(scoreOf(truth, std::span(&run, 1), o.bias, o.threshold));
+  const auto n = static_cast<double>(runs.size());
+  Score error{};
+  for (const ScoreColumn& column : kScoreColumns) {
+    double mean = 0, squares = 0;
+    for (const Score& score : scores) mean += score.*column.value / n;
+    for (const Score& score : scores) squares += std::pow(score.*column.value - mean, 2.0);
+    error.*column.value = std::sqrt(squares / (n - 1) / n);  // NaN for a single run
+  }
+  return error;
 }
 
 }  // namespace
@@ -106,6 +124,7 @@ const Result& measure(const Bench& truth, const Bench& bench, const std::string&
     r.cpu_ms += runs.back().cpu_ms / o.repeats, r.trace_ms += runs.back().trace_ms / o.repeats;
   }
   r.score = scoreOf(truth.truth(), runs, o.bias, o.threshold);
+  r.seed_error = seedError(truth.truth(), runs, o);
   table.add(r);
   return table.rows().back();
 }

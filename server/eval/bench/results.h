@@ -1,5 +1,5 @@
-// The table behind a chart or a figure: one row for each scene, method and budget. A row that stands is not
-// run again.
+// The table behind a chart or a figure: one row for each scene, method and spp. A row of the file is not
+// measured again.
 #pragma once
 
 #include <string>
@@ -17,12 +17,12 @@ struct Result {
   double px_per_frame = 0;          // median motion
   double reference_error = 0;       // of the truth's dI, relative L1
   Score score{};
+  Score seed_error{};  // standard error of each score over the seeds; NaN where one seed gives no score
 };
 
 class ResultTable {
  public:
-  // `settings` says what all rows share; a file written under other settings is refused. Throws
-  // std::runtime_error.
+  // `settings` describes all rows. Throws std::runtime_error, also for a file of other settings.
   ResultTable(std::string path, std::string settings);
 
   const std::string& path() const { return path_; }
@@ -37,11 +37,11 @@ class ResultTable {
   std::vector<Result> rows_;
 };
 
-// The rows for people, in a few figures, on stdout.
+// Prints the main columns on stdout.
 void printTable(const ResultTable& table);
 
-// The row of `name`, method and budget: as it stands in `table`, or of the method run on `bench` with the
-// seeds 1 to o.repeats and held against the truth of `truth`, and added. Valid until the next is added.
+// Returns the row of `name`, method and spp. If `table` has none, runs the method on `bench` with the seeds 1
+// to o.repeats, scores it against the truth of `truth`, and adds the row. Valid until the next row is added.
 const Result& measure(const Bench& truth, const Bench& bench, const std::string& name,
                       const MethodSpec& method, int spp, const BenchOptions& o, ResultTable& table);
 // Against its own truth.

@@ -15,7 +15,7 @@ void add(ContentHash& h, const BsdfModel& m) {
   h.add(m.eta), h.add(m.k), h.add(static_cast<int>(m.nonlinear));
 }
 
-// A plainly diffuse material has no more than its reflectance: what was kept for one is found again.
+// A diffuse material adds only its reflectance, so that older cached references stay valid.
 void add(ContentHash& h, const Material& m) {
   add(h, m.reflectance);
   h.add(static_cast<int>(m.twosided));
@@ -25,7 +25,7 @@ void add(ContentHash& h, const Material& m) {
   h.add(m.height_scale);
 }
 
-// The picture through its own look-up. One without its mips looks otherwise from afar.
+// Samples the finest level. A texture without mips looks different from afar.
 void add(ContentHash& h, const Texture& t) {
   if (!t.mipMapped()) h.add(1);
   for (int i = 0; i < 4096; ++i)

@@ -1,4 +1,4 @@
-// A number that tells scenes apart.
+// A hash of a scene, for the names of cached references.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,8 @@
 
 namespace saccade::eval {
 
-// Takes in all that pictures of a scene show, of textures 64 x 64 places; but no strengths over time.
+// Covers all that pictures of the scene depend on, but for strengths over time. Samples textures at 64 x 64
+// places.
 std::uint64_t hashScene(const Scene& scene);
 
 }  // namespace saccade::eval

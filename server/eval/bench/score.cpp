@@ -12,13 +12,14 @@
 #include "eval/metrics/event_streams.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/metrics/plane_error.h"
+#include "scene/files/text.h"
 
 namespace saccade::eval {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// One frame: the truth, and what each repeat made of it.
+// One frame: the truth and the estimates of all repeats.
 struct ScoredFrame {
   ScoredFrame(const Truth& truth, float bias)
       : regions(truth.regions),
@@ -36,15 +37,15 @@ struct ScoredFrame {
   std::vector<Repeat> repeats;
 };
 
-// A mean whose sum is still growing.
+// A running mean.
 struct Mean {
   double sum = 0, count = 0;
   void add(double value) { sum += value, ++count; }
   double value() const { return count > 0 ? sum / count : kNaN; }
 };
 
-// Of mean squares over frames; error_parts.h gives the root of a negative one as negative, and NaN where a
-// frame has no such pixel.
+// The mean of squares over frames. error_parts.h gives the root of a negative square as negative, and NaN for
+// a frame without such pixels.
 struct MeanSquare {
   Mean mean;
   void add(double root) {
@@ -110,7 +111,7 @@ void scoreNoise(const std::vector<ScoredFrame>& frames, Score& score) {
   score.sigma_dL = sigma.value(), score.bias_dL = bias.root(), score.noise_dL = noise.root();
 }
 
-void scoreEvents(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, double bias, double C,
+void scoreEvents(const std::vector<Truth>& truth, std::span<const BenchRun> repeats, double bias, double C,
                  Score& score) {
   const SensorConfig sensor{.threshold = C, .threshold_off = C, .bias = bias, .reconstruction = "direct"};
   const Events ref = eventsOf(sequenceOf(truth), sensor);
@@ -137,7 +138,7 @@ std::string scoreNames() {
   return joinRowNames(kScoreColumns);
 }
 
-Score scoreOf(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, double bias,
+Score scoreOf(const std::vector<Truth>& truth, std::span<const BenchRun> repeats, double bias,
               double threshold) {
   SACCADE_CHECK(!truth.empty() && !repeats.empty());
   const auto I_eps = static_cast<float>(bias);

@@ -1,15 +1,16 @@
-// What a method's frames are worth: every metric of a chart, a figure or a table, averaged over the scored
-// frames and over repeats with other seeds.
+// Scores the frames of a method: all metrics of charts, figures and tables, averaged over the scored frames
+// and over repeats with different seeds.
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "eval/bench/bench.h"
 
 namespace saccade::eval {
 
-// All rates are per pixel-frame. NaN where it has no meaning: noise of a single repeat, a region without
-// pixels.
+// All rates are per pixel-frame, and lower is better. NaN where a score has no meaning: noise of a single
+// repeat, a region without pixels.
 struct Score {
   double dI_l1, dI_mape, dL_l1, dL_mape;             // plane_error.h
   double false_events, missed_events;                // integrated over the threshold phase, event_rates.h
@@ -56,7 +57,7 @@ std::string scoreNames();  // "dI_l1, dI_mape, ..." for messages
 
 // `truth`: consecutive frames. `repeats`: runs of them at one setting with different seeds. At least one of
 // each. `bias` is I_eps, `threshold` C.
-Score scoreOf(const std::vector<Truth>& truth, const std::vector<BenchRun>& repeats, double bias,
+Score scoreOf(const std::vector<Truth>& truth, std::span<const BenchRun> repeats, double bias,
               double threshold);
 
 }  // namespace saccade::eval

@@ -1,4 +1,4 @@
-// Frames of a run, one after the other, as one sensor sees them.
+// The consecutive frames of a run as one sensor sees them.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace saccade::eval {
 
-// Consecutive frames, at least one, in order; they must live as long as it is used.
+// At least one frame, in order. The frames must outlive the sequence.
 using ChangeSequence = std::vector<const IntensityChange*>;
 ChangeSequence sequenceOf(const BenchRun& run);
 ChangeSequence sequenceOf(const std::vector<Truth>& truth);

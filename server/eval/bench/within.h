@@ -1,4 +1,4 @@
-// Which setting of the methods keeps a limit: `saccade-eval chart --within 20ms --within 2%`.
+// Finds the setting that keeps a limit: `saccade-eval chart --within 20ms --within 2%`.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace saccade::eval {
 
-// One of both.
+// Exactly one is set.
 struct Within {
   std::optional<double> budget_ms;       // CPU milliseconds per frame, over all threads
   std::optional<double> max_false_rate;  // false events per pixel-frame
@@ -17,8 +17,8 @@ struct Within {
 // "20ms", "2%". Throws std::runtime_error naming both forms.
 Within parseWithin(const std::string& text);
 
-// For each scene a line: the most accurate setting within the time, or the fastest within the rate, at the
-// size and C of the table, and what it costs and gives; or what comes nearest.
+// A line for each scene: the most accurate setting within the time, or the fastest within the rate, at the
+// size and C of the table, with its time and error rates. Without one the line names the nearest.
 std::string answerWithin(const AccuracyTable& table, const Within& within);
 
 }  // namespace saccade::eval

@@ -1,4 +1,4 @@
-// The subcommands of saccade-eval. Each adds its flags to the parser and runs when it was called for.
+// The subcommands of saccade-eval. Each adds its flags to the parser and runs if the command line names it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,5 +12,9 @@ void addCompareRendersCommand(CLI::App& app);
 void addChartCommand(CLI::App& app);
 void addFigureCommand(CLI::App& app);
 void addSimplificationCommand(CLI::App& app);
+
+// Requires one of the subcommands of `app`. The error for another word lists them; `what` is what they are.
+// Call it after all were added.
+void requireSubcommand(CLI::App& app, const std::string& what);
 
 }  // namespace saccade::eval

@@ -1,13 +1,15 @@
-// `saccade-eval compare`: dumped frames against those of the reference, in figures and as a picture.
+// `saccade-eval compare` compares dumped frames with those of the reference, in numbers and as a picture.
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "eval/bench/arguments.h"
 #include "eval/commands/commands.h"
 #include "eval/metrics/frame_errors.h"
-#include "eval/pictures/difference_picture.h"
+#include "eval/pictures/signed_picture.h"
+#include "eval/pictures/text.h"
 #include "wire/ranges.h"
 
 namespace saccade::eval {
@@ -20,7 +22,7 @@ struct CompareOptions {
   double bias = 1e-3, threshold = 0.2;
 };
 
-// The figures of one frame, in the order of the heading.
+// The numbers of one frame, in the order of the heading.
 using Row = std::array<double, 8>;
 constexpr const char* kHeading =
     "frame          dI L1   MAPE  dL L1   MAPE  false ev.  missed ev.  false %  missed %";
@@ -55,7 +57,7 @@ void checkSize(const fs::path& file, const ImageF& plane, int width, int height)
                            std::to_string(height));
 }
 
-// Frame `number`, as it stands in dI_<number>.exr, from the folder written by frames --dump.
+// The change in dI_<number> and Iprev_<number>, from a folder that frames --dump wrote.
 IntensityChange readChange(const std::string& folder, const std::string& number, int width, int height) {
   IntensityChange change(width, height);
   for (const auto& [name, plane] : {std::pair{"dI_", &change.dI}, {"Iprev_", &change.I_prev}}) {
@@ -67,7 +69,7 @@ IntensityChange readChange(const std::string& folder, const std::string& number,
   return change;
 }
 
-// "00001.exr" of each dI_00001.exr that stands in both folders, in order.
+// The "00001.exr" of each dI_00001.exr that both folders have, sorted.
 std::vector<std::string> commonFrames(const CompareOptions& o) {
   std::vector<std::string> frames;
   for (const auto& entry : fs::directory_iterator(o.dump)) {
@@ -75,12 +77,24 @@ std::vector<std::string> commonFrames(const CompareOptions& o) {
     if (name.starts_with("dI_") && fs::exists(fs::path(o.reference) / name)) frames.push_back(name.substr(3));
   }
   std::sort(frames.begin(), frames.end());
-  if (frames.empty())
-    throw std::runtime_error("no dI_*.exr stands in both " + o.dump + " and " + o.reference);
+  if (frames.empty()) throw std::runtime_error("no dI_*.exr is in both " + o.dump + " and " + o.reference);
   return frames;
 }
 
+void writeComparison(const CompareOptions& o, const ImageF& dI, const ImageF& ref) {
+  ImageF difference(ref.width(), ref.height());
+  for (int y = 0; y < ref.height(); ++y) {
+    for (int x = 0; x < ref.width(); ++x) difference.at(x, y) = dI.at(x, y) - ref.at(x, y);
+  }
+  const float scale = colorScale(ref);
+  const auto cell = [&](const ImageF& plane) { return signedPicture(plane, scale, ""); };
+  writeText(o.picture, drawPictureGrid({o.dump, o.reference + ", (reference)", "difference"},
+                                       {format("dI, full colour %.3g", static_cast<double>(scale))},
+                                       {{cell(dI), cell(ref), cell(difference)}}, kChangeKey));
+}
+
 void runCompare(const CompareOptions& o) {
+  if (!o.picture.empty()) checkOutputFile(o.picture, {".svg"});
   const std::vector<std::string> frames = commonFrames(o);
   const ImageF first = readLuminance(fs::path(o.reference) / ("dI_" + frames.front()));
   const int w = first.width(), h = first.height();
@@ -91,8 +105,7 @@ void runCompare(const CompareOptions& o) {
     const Row row = toRow(frameErrors(x, ref, static_cast<float>(o.bias), o.threshold));
     print("dI_" + frame, row);
     for (std::size_t i = 0; i < row.size(); ++i) mean[i] += row[i] / static_cast<double>(frames.size());
-    if (!o.picture.empty() && frame == frames.back())
-      writePng(o.picture, 3 * w, h, differencePicture(x.dI, ref.dI));
+    if (!o.picture.empty() && frame == frames.back()) writeComparison(o, x.dI, ref.dI);
   }
   print("mean", mean);
 }
@@ -101,10 +114,11 @@ void runCompare(const CompareOptions& o) {
 
 void addCompareCommand(CLI::App& app) {
   auto o = std::make_shared<CompareOptions>();
-  auto* command = app.add_subcommand(
-      "compare",
-      "two dumps: relative L1 and MAPE of dI and dL, false and missed events (per pixel and frame, and as "
-      "the share of pixels with any; mean over the threshold phase), and a picture");
+  auto* command =
+      app.add_subcommand("compare",
+                         "compare two dumps: relative L1 and MAPE of dI and dL; false and missed events per "
+                         "pixel and frame, and "
+                         "the share of pixels with any (means over the threshold phase); a picture");
   command->add_option("dump", o->dump, "folder written by frames --dump")
       ->required()
       ->check(CLI::ExistingDirectory);
@@ -118,7 +132,7 @@ void addCompareCommand(CLI::App& app) {
       ->check(CLI::Range(ranges::kThreshold.min, ranges::kThreshold.max))
       ->capture_default_str();
   command->add_option("-o,--output", o->picture,
-                      "PNG of the last frame's dI: dump, reference, their difference");
+                      "SVG picture of the last frame's dI: dump, reference and difference");
   command->callback([o] { runCompare(*o); });
 }
 

@@ -1,9 +1,11 @@
-// `saccade-eval compare-renders`: a picture against another program's, block by block.
+// `saccade-eval compare-renders` compares a picture with that of another program, block by block.
 #include <cstdio>
 #include <memory>
 
+#include "eval/bench/arguments.h"
 #include "eval/commands/commands.h"
 #include "eval/pictures/ratio_picture.h"
+#include "eval/pictures/text.h"
 
 namespace saccade::eval {
 namespace {
@@ -24,6 +26,7 @@ PixelRect parseRect(const std::string& text) {
 }
 
 void runCompareRenders(const CompareRendersOptions& o) {
+  if (!o.output.empty()) checkOutputFile(o.output, {".svg"});
   BlockSettings settings = o.blocks;
   for (const std::string& text : o.left_out) settings.left_out.push_back(parseRect(text));
   const RgbPlanes picture = readRgb(o.picture), reference = readRgb(o.reference);
@@ -33,23 +36,20 @@ void runCompareRenders(const CompareRendersOptions& o) {
   std::printf("mean ratio: R %.4f  G %.4f  B %.4f\n", r, g, b);
   for (const double within : {0.05, 0.1, 0.25})
     std::printf("blocks within %2.0f %%: %.2f %%\n", 100 * within, 100 * ratios.shareWithin(within));
-  if (!o.output.empty())
-    writePng(o.output, 3 * reference[0].width(), reference[0].height(),
-             ratioPicture(picture, reference, ratios));
+  if (!o.output.empty()) writeText(o.output, drawRatios(picture, reference, ratios));
 }
 
 }  // namespace
 
 void addCompareRendersCommand(CLI::App& app) {
   auto o = std::make_shared<CompareRendersOptions>();
-  auto* command =
-      app.add_subcommand("compare-renders",
-                         "two pictures of one view, in the means over square blocks: ratio of all, how many "
-                         "blocks agree, and a picture");
+  auto* command = app.add_subcommand(
+      "compare-renders",
+      "compare two pictures of one view by their means over square blocks: the mean ratio, the "
+      "share of blocks that agree, a picture");
   command
       ->add_option("picture", o->picture,
-                   "OpenEXR with R, G, B, as still --rgb writes it; may be smaller by a "
-                   "whole factor")
+                   "OpenEXR with R, G, B, as render --rgb writes it; may be smaller by a whole factor")
       ->required()
       ->check(CLI::ExistingFile);
   command->add_option("reference", o->reference, "OpenEXR with R, G, B, linear")
@@ -60,14 +60,13 @@ void addCompareRendersCommand(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--least-light", o->blocks.least_light,
-                   "blocks darker than this part of the median one are not compared")
+                   "leave out blocks darker than this share of the median block")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   command->add_option("--leave-out", o->left_out,
-                      "X,Y,WxH: pixels of the reference whose blocks are not compared; any number of them");
+                      "X,Y,WxH: leave out the blocks with these pixels of the reference; repeat it for more");
   command->add_option("-o,--output", o->output,
-                      "PNG: picture, reference, and where blocks are too dark (blue) or "
-                      "too bright (red); full colour: 25 %");
+                      "SVG picture of both, and of the blocks that are too dark (blue) or too bright (red)");
   command->callback([o] { runCompareRenders(*o); });
 }
 

@@ -1,20 +1,37 @@
-// `saccade-eval figure N`: the figures of the paper on our scenes.
+// `saccade-eval figure N` makes a figure of the paper on our scenes.
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "eval/bench/arguments.h"
 #include "eval/bench/interrupt.h"
 #include "eval/bench/open_scene.h"
 #include "eval/commands/commands.h"
 #include "eval/figures/figure.h"
+#include "eval/pictures/page.h"
 #include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
 
+// A page with all pictures of the figure that the folder holds.
+void writePage(const Figure& figure, const FigureOptions& o) {
+  const std::string prefix = "figure" + std::to_string(o.number);
+  std::set<std::string> pictures;
+  for (const auto& entry : std::filesystem::directory_iterator(o.output)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(prefix) && name.ends_with(".svg")) pictures.insert(name);
+  }
+  Page page("Saccade: " + prefix + ", " + figure.what);
+  page.paragraph(o.bench.text());
+  for (const std::string& name : pictures) page.picture(name);
+  page.write((std::filesystem::path(o.output) / "index.html").string());
+}
+
 void runFigure(const Figure& figure, FigureOptions& o) {
   resolve(o.bench);
   if (o.scenes.empty()) o.scenes = availableScenes();
+  requireTableNames(o.scenes);
   for (const std::string& method : o.methods) {
     for (const int spp : o.spp) checkSpp(parseMethod(method), spp);
   }
@@ -23,6 +40,7 @@ void runFigure(const Figure& figure, FigureOptions& o) {
   watchInterrupt();
   try {
     figure.run(o, pool);
+    writePage(figure, o);
   } catch (const Interrupted&) {
     throw std::runtime_error("interrupted; the same command goes on where it stopped");
   }
@@ -33,11 +51,13 @@ void addFigure(CLI::App& parent, const Figure& figure) {
   const std::string number = std::to_string(o->number);
   o->output = "out/figure" + number;
   auto* c = parent.add_subcommand(number, figure.what);
-  c->add_option("scenes", o->scenes, "scenes by name or scene.xml by path")->capture_default_str();
-  c->add_option("--methods", o->methods, "names with settings, such as svgf:as_falcor=1")
+  c->add_option("scenes", o->scenes, "scenes by name, or by the path of a scene.xml or its folder")
+      ->capture_default_str();
+  c->add_option("--methods", o->methods,
+                "methods, with settings where they differ from the defaults: svgf:as_falcor=1")
       ->delimiter(',')
       ->capture_default_str();
-  c->add_option("--spp", o->spp, "budgets, paths per pixel and frame")
+  c->add_option("--spp", o->spp, "paths per pixel and frame")
       ->delimiter(',')
       ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
       ->capture_default_str();
@@ -54,7 +74,7 @@ void addFigure(CLI::App& parent, const Figure& figure) {
         ->capture_default_str();
   }
   if (o->pixel) {
-    c->add_option("--pixel", *o->pixel, "X,Y; default: one that always shows a smooth surface")
+    c->add_option("--pixel", *o->pixel, "X,Y; default: a pixel that always shows a smooth surface")
         ->delimiter(',')
         ->expected(2)
         ->check(CLI::NonNegativeNumber);
@@ -67,9 +87,10 @@ void addFigure(CLI::App& parent, const Figure& figure) {
 }  // namespace
 
 void addFigureCommand(CLI::App& app) {
-  auto* c = app.add_subcommand("figure", "a figure of the paper on our scenes: a table and pictures");
-  c->require_subcommand(1);
+  auto* c = app.add_subcommand("figure",
+                               "make a figure of the paper on our scenes: a table, pictures and index.html");
   for (const Figure& figure : figureTable()) addFigure(*c, figure);
+  requireSubcommand(*c, "figure");
 }
 
 }  // namespace saccade::eval

@@ -1,4 +1,4 @@
-// `saccade-eval frames`: what a method estimates, frame by frame, or the reference for it.
+// `saccade-eval frames` writes the estimates of a method, frame by frame, or the reference.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include "eval/bench/reference.h"
 #include "eval/commands/commands.h"
 #include "eval/pictures/exr.h"
-#include "eval/pictures/format.h"
+#include "eval/pictures/text.h"
 #include "feed/feed.h"
 #include "methods/method_spec.h"
 #include "wire/ranges.h"
@@ -75,8 +75,12 @@ void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene,
 void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> scene, const Trajectory& path,
                   TilePool& pool) {
   const int w = o.feed.width, h = o.feed.height;
-  const int spp =
-      (o.reference + ReferenceRenderer::kChunk - 1) / ReferenceRenderer::kChunk * ReferenceRenderer::kChunk;
+  constexpr int kChunk = ReferenceRenderer::kChunk;
+  const int spp = (o.reference + kChunk - 1) / kChunk * kChunk;
+  if (spp != o.reference)
+    std::printf(
+        "--reference %d is rounded up to %d: references are rendered in steps of %d paths per pixel\n",
+        o.reference, spp, kChunk);
   ReferenceRenderer renderer(scene, {o.feed.bounces, scene->channels(), o.feed.jitter}, w, h,
                              o.feed.fov_x_deg, o.cache, pool);
   Progress progress("reference", static_cast<double>(spp) * static_cast<double>(o.last - o.first + 2));
@@ -103,7 +107,7 @@ void runFrames(FramesOptions& o) {
   o.feed.width = size.width, o.feed.height = size.height;
   const auto scene = openScene(o.scene);
   o.feed.fov_x_deg = scene->description().fov_x_deg;
-  const Trajectory path = openTrajectory(o.scene, o.trajectory, *scene);
+  const Trajectory path = openTrajectory(o.scene, o.trajectory, *scene, o.feed);
   TilePool pool(o.threads);
   watchInterrupt();
   try {
@@ -119,32 +123,37 @@ void runFrames(FramesOptions& o) {
 void addFramesCommand(CLI::App& app) {
   auto o = std::make_shared<FramesOptions>();
   o->cache = defaultCache();
-  auto* c = app.add_subcommand("frames", "run a method, or the reference, and write what it estimates");
-  c->add_option("scene", o->scene, "a scene by name, or a Mitsuba scene.xml by path")->required();
-  c->add_option("--trajectory", o->trajectory,
-                "a motion (right, dolly:0.2), one of the scene's own, or a .csv file")
-      ->capture_default_str();
+  auto* c = app.add_subcommand(
+      "frames", "run a method or render the reference, and write dI, I_prev and their variances");
+  c->add_option("scene", o->scene, "a scene by name, or by the path of a scene.xml or its folder")
+      ->required();
+  c->add_option(kTrajectoryFlag, o->trajectory, trajectoryHelp())->capture_default_str();
   c->add_option("--method", o->feed.method, "one of: " + methodNames())->capture_default_str();
   c->add_option("--spp", o->feed.spp, "paths per pixel and frame, over both passes")
       ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
       ->capture_default_str();
-  c->add_option("--frames", o->frames, "A:B, the frames to write; the feed always starts at 0")
+  c->add_option("--frames", o->frames,
+                "A:B, the frames to write; the change of frame 1 is since frame 0. A run always starts at 0")
       ->capture_default_str();
-  c->add_option("--size", o->size, "WxH")->capture_default_str();
+  c->add_option("--size", o->size, "WIDTHxHEIGHT, pixels")->capture_default_str();
   c->add_option("--rate", o->feed.frame_rate_hz, "frames per second")
       ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
       ->capture_default_str();
-  c->add_flag("--jitter", o->feed.jitter, "paths start all over the pixel, not at its centre");
+  c->add_flag("--jitter", o->feed.jitter, "start paths all over the pixel, not at its centre");
   c->add_option("--bounces", o->feed.bounces, "indirect bounces")
       ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
-  c->add_option("--seed", o->feed.seed)->capture_default_str();
-  c->add_option("--set", o->set, "name=value, a parameter of the method");
-  c->add_option("--threads", o->threads)->check(CLI::Range(1, 1024))->capture_default_str();
-  c->add_option("--dump", o->dump, "folder for dI_, Iprev_ and variance_%05d.exr");
+  c->add_option("--seed", o->feed.seed, "of the random numbers")->capture_default_str();
+  c->add_option("--set", o->set, "NAME=VALUE, a parameter of the method; repeat it for more");
+  c->add_option("--threads", o->threads, "of the renderer")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  c->add_option("--dump", o->dump,
+                "folder for dI_N.exr (change into frame N), Iprev_N.exr (frame N - 1) and variance_N.exr");
   c->add_option("--reference", o->reference,
-                "paths per pixel of the correlated reference, instead of a method");
-  c->add_option("--cache", o->cache, "folder that keeps reference frames")->capture_default_str();
+                "render the reference instead: paths per pixel, rounded up to a multiple of 64")
+      ->check(CLI::Range(1, 1 << 20));
+  c->add_option("--cache", o->cache, "folder for reference frames")->capture_default_str();
   c->callback([o] { runFrames(*o); });
 }
 

@@ -1,4 +1,4 @@
-// `saccade-eval render`: one picture.
+// `saccade-eval render` renders one picture.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -22,12 +22,13 @@ struct RenderOptions {
   bool rgb = false;
 };
 
-// right, up, forward in scene units, along the camera's axes.
+// The pose moved by right, up, forward in scene units along the camera's axes.
 Pose moved(const Pose& pose, const std::vector<double>& o) {
   return pose * Pose{{o[0], -o[1], o[2]}, {}};
 }
 
 void runRender(const RenderOptions& o) {
+  checkOutputFile(o.output, {".exr", ".png"});
   const auto scene = openScene(o.scene);
   const Scene& s = scene->description();
   const Size size = o.size.empty() ? Size{s.width, s.height} : parseSize(o.size);
@@ -72,9 +73,11 @@ void runRender(const RenderOptions& o) {
 
 void addRenderCommand(CLI::App& app) {
   auto o = std::make_shared<RenderOptions>();
-  auto* command = app.add_subcommand("render", "render one picture, linear, 32-bit float OpenEXR");
-  command->add_option("scene", o->scene, "a scene by name, or a Mitsuba scene.xml by path")->required();
-  command->add_option("--size", o->size, "WxH; default: the scene's own");
+  auto* command =
+      app.add_subcommand("render", "render one picture: linear 32-bit floats (.exr) or 8 bits (.png)");
+  command->add_option("scene", o->scene, "a scene by name, or by the path of a scene.xml or its folder")
+      ->required();
+  command->add_option("--size", o->size, "WIDTHxHEIGHT, pixels; default: that of the scene");
   command->add_option("--spp", o->spp, "paths per pixel")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
@@ -84,9 +87,10 @@ void addRenderCommand(CLI::App& app) {
   command->add_option("--offset", o->offset, "move the camera: right,up,forward in scene units")
       ->delimiter(',')
       ->expected(3);
-  command->add_option("--seed", o->seed)->capture_default_str();
+  command->add_option("--seed", o->seed, "of the random numbers")->capture_default_str();
   command->add_flag("--rgb", o->rgb, "three channels R, G, B instead of the luminance Y");
-  command->add_option("-o,--output", o->output, "OpenEXR file")->required();
+  command->add_option("-o,--output", o->output, "picture to write, .exr or .png, in a folder that exists")
+      ->required();
   command->callback([o] { runRender(*o); });
 }
 

@@ -1,17 +1,18 @@
-// `saccade-eval simplification`: what each part of a scene's model adds to the frame time and to the events,
-// and what can do without.
+// `saccade-eval simplification` measures the frame time and the events that each feature of a scene adds, and
+// names the cheapest model.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "base/names.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/interrupt.h"
 #include "eval/bench/model_bench.h"
 #include "eval/bench/model_search.h"
 #include "eval/bench/open_scene.h"
 #include "eval/commands/commands.h"
-#include "eval/pictures/format.h"
+#include "eval/pictures/text.h"
 #include "scene/scene_stats.h"
 #include "wire/ranges.h"
 
@@ -29,9 +30,7 @@ struct SimplificationOptions {
 // "without textures", "2 bounces".
 std::string difference(const SceneModel& model, const SceneModel& whole) {
   if (model.disabled_features.empty()) return model.text();
-  std::string text;
-  for (const std::string& name : namesOf(model.disabled_features))
-    text += (text.empty() ? "without " : ", ") + name;
+  const std::string text = "without " + joinNames(namesOf(model.disabled_features));
   return model.bounces == whole.bounces ? text : SceneModel{model.bounces, {}}.text() + ", " + text;
 }
 
@@ -59,7 +58,7 @@ void printCheapest(const std::vector<MeasuredModel>& models, const std::string& 
     return m.cpu_ms < best.cpu_ms && m.changed <= most && m.noise > most;
   });
   if (drowned > 0)
-    std::printf("  of %d faster ones the noise is too large to tell: give more paths with --reference\n",
+    std::printf("  for %d faster models the noise exceeds the tolerance: give more paths with --reference\n",
                 static_cast<int>(drowned));
   std::printf("\n");
 }
@@ -70,7 +69,7 @@ std::vector<MeasuredModel> measureScene(const SimplificationOptions& o, const st
   bench_options.setup.scene = scene;
   const MethodSpec method = parseMethod(o.method);
   ModelBench bench(bench_options, method, o.spp, pool);
-  std::printf("%s: %s\n", scene.c_str(), statsOf(bench.description()).text().c_str());
+  std::printf("%s: %s\n", sceneName(scene).c_str(), statsOf(bench.description()).text().c_str());
   const SceneModel whole{o.bench.setup.bounces, {}};
   std::vector<MeasuredModel> simpler = bench.measure(simplerByOne(whole, featuresOf(bench.description())));
   const auto models = withCombinations(bench.whole(), simpler,
@@ -85,7 +84,7 @@ std::vector<MeasuredModel> measureScene(const SimplificationOptions& o, const st
   return models;
 }
 
-// What other scenes have in the file stays there.
+// Rows of other scenes stay in the file.
 SimplificationTable openTable(const SimplificationOptions& o) {
   const std::string settings = o.bench.text() + " method=" + o.method + " spp=" + std::to_string(o.spp);
   if (!std::filesystem::exists(o.output)) return {settings, {}, {}};
@@ -101,12 +100,13 @@ void runSimplification(SimplificationOptions& o) {
   parseTolerance(o.tolerance);
   SimplificationTable table = openTable(o);
   if (o.scenes.empty()) o.scenes = availableScenes();
+  requireTableNames(o.scenes);
   TilePool pool(hardwareThreads());
   watchInterrupt();
   try {
     for (const std::string& scene : o.scenes) {
       const auto models = measureScene(o, scene, pool);
-      std::erase_if(table.rows, [&](const MeasuredModel& row) { return row.scene == scene; });
+      std::erase_if(table.rows, [&](const MeasuredModel& row) { return row.scene == sceneName(scene); });
       table.rows.insert(table.rows.end(), models.begin(), models.end());
       writeSimplificationTable(o.output, table);
     }
@@ -124,20 +124,23 @@ void addSimplificationCommand(CLI::App& app) {
   o->bench.frames = "20:21";
   o->bench.repeats = 0;
   auto* c = app.add_subcommand("simplification",
-                               "what each part of a scene's model costs, and how many events it changes");
+                               "measure what each feature of a scene costs, and how many events it changes");
   c->add_option("scenes", o->scenes,
-                "scenes by name or scene.xml by path; default: all that can be opened here");
+                "scenes by name, or by the path of a scene.xml or its folder; the table holds the names (of "
+                "the folders). "
+                "Default: all that can be opened here");
   addBenchOptions(*c, o->bench);
-  c->add_option("--method", o->method, "whose frame times are taken; events are compared on references")
+  c->add_option("--method", o->method,
+                "method whose frame times are measured; events are compared on references")
       ->capture_default_str();
-  c->add_option("--spp", o->spp, "of the frame times")
+  c->add_option("--spp", o->spp, "paths per pixel and frame, for the frame times")
       ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
       ->capture_default_str();
   c->add_option("--tolerance", o->tolerance,
-                "names the cheapest model that changes at most so many of the events")
+                "print the cheapest model that changes at most this share of the events")
       ->capture_default_str();
   c->add_option("-o,--output", o->output,
-                "CSV for `saccaded --simplification`; scenes in it that are not named here stay")
+                "CSV for `saccaded --simplification`; rows of other scenes stay in it")
       ->capture_default_str();
   c->callback([o] { runSimplification(*o); });
 }

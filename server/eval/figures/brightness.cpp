@@ -1,16 +1,17 @@
-// Figure 7: brightness over time and by frequency, and what the reconstructions of brightness are worth.
+// Figure 7: brightness over time and by frequency, and scores of the reconstructions of brightness.
 #include <cstdio>
 #include <sstream>
 
+#include "eval/bench/open_scene.h"
 #include "eval/figures/brightness_curves.h"
 #include "eval/figures/reconstruction_score.h"
-#include "eval/pictures/write_text.h"
+#include "eval/pictures/text.h"
 #include "methods/method_spec.h"
 
 namespace saccade::eval {
 namespace {
 
-// The reconstructions of the table. The curves show those of one word, which are the defaults.
+// The reconstructions of the table. The curves show the defaults, which have names of one word.
 const struct {
   std::string name, reconstruction;
   double cutoff_hz;
@@ -31,7 +32,7 @@ struct Row {
   ReconstructionScore score;
 };
 
-// The scenes' results, as they come in.
+// Results so far.
 struct Results {
   std::vector<Row> rows;
   std::vector<BrightnessCurve> curves;  // of the scene at hand
@@ -64,18 +65,18 @@ void runScene(const FigureOptions& o, const std::string& scene, TilePool& pool, 
   for (const std::string& method : o.methods) {
     for (const int spp : o.spp) {
       const BenchRun run = bench.run(parseMethod(method), spp, 1);
-      addRun(o, scene, method, spp, sequenceOf(run), truth, results);
+      addRun(o, sceneName(scene), method, spp, sequenceOf(run), truth, results);
       progress.add(1);
     }
   }
   const Pixel pixel = o.pixel->empty() ? typicalPixel(bench.truth(), results.curves.front().L)
                                        : Pixel{o.pixel->at(0), o.pixel->at(1)};
-  std::printf("%s: pixel %d,%d, %.2f px per frame, error of the reference's dI %.3f\n", scene.c_str(),
-              pixel.x, pixel.y, bench.medianPxPerFrame(), bench.referenceError());
-  writeBrightness(o, scene, results.curves, pixel, setup.frame_rate_hz);
+  std::printf("%s: pixel %d,%d, %.2f px per frame, error of the reference's dI %.3f\n",
+              sceneName(scene).c_str(), pixel.x, pixel.y, bench.medianPxPerFrame(), bench.referenceError());
+  writeBrightness(o, sceneName(scene), results.curves, pixel, setup.frame_rate_hz);
 }
 
-// The rows for machines and for people.
+// Prints the rows, and returns them as CSV.
 std::string tableOf(const FigureOptions& o, const std::vector<Row>& rows) {
   std::ostringstream csv;
   csv << "# " << o.bench.text() << '\n'

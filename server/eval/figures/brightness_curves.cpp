@@ -6,7 +6,7 @@
 
 #include "eval/figures/spectrum.h"
 #include "eval/metrics/for_each_pixel.h"
-#include "eval/pictures/write_text.h"
+#include "eval/pictures/text.h"
 
 namespace saccade::eval {
 namespace {

@@ -1,4 +1,4 @@
-// Brightness of one pixel over time, and its spectrum, as tables and charts.
+// Writes the brightness of one pixel over time, and its spectrum, as tables and charts.
 #pragma once
 
 #include <string>
@@ -20,8 +20,8 @@ struct Pixel {
   int x = 0, y = 0;
 };
 
-// Of the pixels that show a smooth surface in every frame (of all, if there are none), that whose brightness
-// spans more than kTypicalSpan of them do: light moves over it, but no edge.
+// The pixel at the quantile kTypicalSpan of the span of brightness, among those that show a smooth surface in
+// every frame (else among all): light moves over it, but no edge.
 Pixel typicalPixel(const std::vector<Truth>& truth, const BrightnessSequence& L);
 inline constexpr double kTypicalSpan = 0.75;
 

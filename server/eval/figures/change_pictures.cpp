@@ -3,14 +3,15 @@
 #include <algorithm>
 
 #include "eval/metrics/brightness_change.h"
-#include "eval/pictures/difference_picture.h"
-#include "eval/pictures/format.h"
+#include "eval/pictures/signed_picture.h"
+#include "eval/pictures/text.h"
+#include "eval/pictures/tone_map.h"
 #include "events/sensor.h"
 
 namespace saccade::eval {
 namespace {
 
-// Events of this one interval, ON minus OFF per pixel. One seed: every column has the same phases.
+// Events of this interval, ON minus OFF per pixel. All columns have one seed, so the same threshold phases.
 ImageF eventBalance(const IntensityChange& change, float bias, double threshold) {
   const SensorConfig config{.threshold = threshold,
                             .threshold_off = threshold,
@@ -25,37 +26,42 @@ ImageF eventBalance(const IntensityChange& change, float bias, double threshold)
   return balance;
 }
 
-GridPicture picture(const ImageF& plane, float scale, const std::string& caption) {
-  return {caption, plane.width(), plane.height(), signedPicture(plane, scale)};
-}
-
-template <class... Values>
-std::string caption(const Score* score, const char* pattern, Values... values) {
-  return score ? format(pattern, score->*values...) : "";
-}
+constexpr float kFullColor = 2;  // events
 
 }  // namespace
 
 ChangePictures::ChangePictures(const IntensityChange& reference, float bias, double threshold)
     : bias_(bias),
       threshold_(threshold),
+      exposure_(exposureOf(reference.I_now)),
       scale_dI_(colorScale(reference.dI)),
       scale_dL_(colorScale(brightnessChange(reference, bias))) {}
 
-void ChangePictures::add(const std::string& name, const IntensityChange& change, const Score* s) {
-  constexpr float kFullColor = 2;  // events
+void ChangePictures::add(const std::string& name, const IntensityChange& change, const Captions& captions) {
   names_.push_back(name);
-  rows_[0].push_back(
-      picture(change.dI, scale_dI_, caption(s, "L1 %.3f, MAPE %.3f", &Score::dI_l1, &Score::dI_mape)));
-  rows_[1].push_back(picture(brightnessChange(change, bias_), scale_dL_,
-                             caption(s, "L1 %.3f, MAPE %.3f", &Score::dL_l1, &Score::dL_mape)));
-  rows_[2].push_back(
-      picture(eventBalance(change, bias_, threshold_), kFullColor,
-              caption(s, "false %.4f, missed %.4f", &Score::false_events, &Score::missed_events)));
+  rows_[0].push_back(greyPicture(change.I_now, exposure_));
+  rows_[1].push_back(signedPicture(change.dI, scale_dI_, captions[0]));
+  rows_[2].push_back(signedPicture(brightnessChange(change, bias_), scale_dL_, captions[1]));
+  rows_[3].push_back(signedPicture(eventBalance(change, bias_, threshold_), kFullColor, captions[2]));
+}
+
+void ChangePictures::addMethod(const std::string& name, const IntensityChange& change, const Score& s) {
+  add(name, change,
+      {format("L1 %.3f, MAPE %.3f", s.dI_l1, s.dI_mape), format("L1 %.3f, MAPE %.3f", s.dL_l1, s.dL_mape),
+       format("false %.4f, missed %.4f", s.false_events, s.missed_events)});
+}
+
+void ChangePictures::addReference(const std::string& name, const IntensityChange& change, double error) {
+  add(name, change, {format("own error: L1 %.3f", error), "", ""});
 }
 
 std::string ChangePictures::draw() const {
-  return drawPictureGrid(names_, {"dI", "dL", "events"}, rows_);
+  const auto row = [](const char* what, float scale) {
+    return format("%s, full colour %.3g", what, static_cast<double>(scale));
+  };
+  return drawPictureGrid(
+      names_, {"picture", row("dI", scale_dI_), row("dL", scale_dL_), row("ON - OFF events", kFullColor)},
+      rows_, kChangeKey);
 }
 
 }  // namespace saccade::eval

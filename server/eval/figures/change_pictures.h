@@ -1,7 +1,8 @@
-// Methods side by side as the paper's Figure 6 shows them: a column for each method, and rows for the change
-// of intensity, the change of brightness and the events of one frame.
+// Draws methods side by side, as Figure 6 of the paper does: a column for each method, and rows for the
+// picture, the change of intensity, the change of brightness and the events of one frame.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,19 +13,24 @@ namespace saccade::eval {
 
 class ChangePictures {
  public:
-  // The colours have the scale of the reference: red brighter, blue darker.
+  // The reference sets the scale of the colours.
   ChangePictures(const IntensityChange& reference, float bias, double threshold);
 
-  // Adds a column, with its figures below the pictures. Without a score it is the reference's own.
-  void add(const std::string& name, const IntensityChange& change, const Score* score);
-  std::string draw() const;  // SVG
+  // Adds a column with its scores below the pictures.
+  void addMethod(const std::string& name, const IntensityChange& change, const Score& score);
+  void addReference(const std::string& name, const IntensityChange& change,
+                    double error);  // of dI, relative L1
+  std::string draw() const;         // SVG
 
  private:
+  using Captions = std::array<std::string, 3>;
+  void add(const std::string& name, const IntensityChange& change, const Captions& captions);
+
   float bias_;
   double threshold_;
-  float scale_dI_, scale_dL_;
+  float exposure_, scale_dI_, scale_dL_;
   std::vector<std::string> names_;
-  std::vector<std::vector<GridPicture>> rows_{3};
+  std::vector<std::vector<GridPicture>> rows_{4};
 };
 
 }  // namespace saccade::eval

@@ -1,3 +1,4 @@
+#include "eval/bench/open_scene.h"
 #include "eval/bench/results.h"
 #include "eval/figures/change_pictures.h"
 #include "eval/figures/figure.h"
@@ -15,14 +16,14 @@ void compareOn(const std::string& scene, const FigureOptions& o, TilePool& pool,
   for (const int spp : o.spp) {
     for (const std::string& text : o.methods) {
       const MethodSpec method = parseMethod(text);
-      const Result& result = measure(bench, scene, method, spp, o.bench, table);
-      pictures.add(text + ", " + std::to_string(spp) + " spp", bench.run(method, spp, 1).changes.back(),
-                   &result.score);
+      const Result& result = measure(bench, sceneName(scene), method, spp, o.bench, table);
+      pictures.addMethod(text + ", " + std::to_string(spp) + " spp", bench.run(method, spp, 1).changes.back(),
+                         result.score);
       progress.add(1);
     }
   }
-  pictures.add("reference", truth, nullptr);
-  writePicture(o, "_" + scene + ".svg", pictures.draw());
+  pictures.addReference("reference", truth, bench.referenceError());
+  writePicture(o, "_" + sceneName(scene) + ".svg", pictures.draw());
 }
 
 }  // namespace

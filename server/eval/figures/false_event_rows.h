@@ -1,4 +1,4 @@
-// The table of Figure 5.
+// Writes the table of Figure 5.
 #pragma once
 
 #include <string>
@@ -15,8 +15,9 @@ struct FalseEventRow {
   FalseEvents counted;
 };
 
-std::string csvOf(
-    const std::vector<FalseEventRow>& rows);             // for machines, header first; noise in units of dL
-void printRows(const std::vector<FalseEventRow>& rows);  // for people, on stdout; noise in units of C
+// CSV with a header; noise in the unit of dL.
+std::string csvOf(const std::vector<FalseEventRow>& rows);
+// Prints a table on stdout; noise in the unit C.
+void printRows(const std::vector<FalseEventRow>& rows);
 
 }  // namespace saccade::eval

@@ -1,13 +1,11 @@
-// Appendix B measured: how many false events the noise of dL makes, whatever the method. The noise is
-// dL - dL_truth.
+// Measures the law of Appendix B: the false events that the noise dL - dL_truth makes.
 //
-// Where the truth stands still, a change d makes |d| / C events in the mean over the threshold phase
-// [E (31)], and all of them are false: E[K] = mean |noise| / C [E (32)], sqrt(2 / pi) sigma / C if the noise
-// is Gaussian [E (33)].
+// For an unchanging truth, a change d makes |d| / C events in the mean over the threshold phase [E (31)], and
+// all are false: E[K] = mean |noise| / C [E (32)], or sqrt(2 / pi) sigma / C for Gaussian noise [E (33)].
 //
-// Where the truth moves by r, let method and truth have the same phase, and |d| + |r| <= C. Of one sign, the
-// larger of them crosses where the smaller does not: false + missed = ||d| - |r|| / C. Of opposite signs they
-// cross at the two ends of the cell, never both: false + missed = (|d| + |r|) / C. Either is |noise| / C.
+// For a truth that changes by r, with the same phase and |d| + |r| <= C: with equal signs, the larger of d
+// and r crosses where the smaller does not, so false + missed = ||d| - |r|| / C. With opposite signs they
+// cross at the two ends of the cell, never both, so false + missed = (|d| + |r|) / C. Both are |noise| / C.
 #pragma once
 
 #include "eval/bench/sequence.h"
@@ -17,7 +15,7 @@ namespace saccade::eval {
 // Of noise over pixel-frames.
 struct NoiseSize {
   double mean_abs = 0, sigma = 0;
-  double sigma_trimmed = 0;  // without what lies beyond kOutlierSigmas sigma of the mean, taken out once
+  double sigma_trimmed = 0;  // without values beyond kOutlierSigmas sigma of the mean, removed once
 };
 inline constexpr double kOutlierSigmas = 5;
 NoiseSize noiseSize(const std::vector<float>& noise);  // 0 if empty
@@ -26,8 +24,8 @@ NoiseSize noiseSize(const std::vector<float>& noise);  // 0 if empty
 struct QuietEvents {
   double share = 0;  // of all pixel-frames
   NoiseSize noise;
-  // Of two sensors: with a fresh phase in each frame, as the law has it; and accumulating from frame to
-  // frame, where an OFF event lies 2 C below the next ON.
+  // Of two sensors: one draws a fresh phase in each frame, as the law assumes; one accumulates from frame to
+  // frame, with OFF events 2 C below the next ON.
   double fresh_phase = 0, accumulating = 0;
 };
 struct MovingEvents {
@@ -36,7 +34,7 @@ struct MovingEvents {
   double false_and_missed = 0;  // at one phase for method and truth, fresh in each frame
 };
 
-// All events are counted, not integrated over the phase: the law is not to be its own witness.
+// All events are counted, not integrated over the phase, which would assume the law.
 struct FalseEvents {
   QuietEvents quiet;        // where |dL_truth| <= kQuiet C
   MovingEvents all, small;  // everywhere; where |dL| + |dL_truth| <= C

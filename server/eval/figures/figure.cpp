@@ -1,17 +1,14 @@
 #include "eval/figures/figure.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
-#include "eval/pictures/write_text.h"
+#include "eval/pictures/text.h"
 
 namespace saccade::eval {
 
 std::string FigureOptions::path(const std::string& rest) const {
-  std::string name = "figure" + std::to_string(number) + rest;
-  std::replace(name.begin(), name.end(), '/', '_');
-  return (std::filesystem::path(output) / name).string();
+  return (std::filesystem::path(output) / ("figure" + std::to_string(number) + rest)).string();
 }
 
 void writePicture(const FigureOptions& o, const std::string& rest, const std::string& svg) {

@@ -1,4 +1,4 @@
-// The figures of the paper as commands: what each shows, and the settings it is sized for.
+// The figures of the paper as commands, with the settings of each.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct FigureOptions {
   std::optional<std::vector<int>> pixel = {};  // x, y, or empty: chosen from the truth; none: no flag
   std::string output = {};                     // folder for figure<number>.csv and figure<number>*.svg
 
-  // "<output>/figure<number><rest>"; a "/" in `rest`, as of a scene by path, becomes "_".
+  // "<output>/figure<number><rest>"
   std::string path(const std::string& rest) const;
 };
 
@@ -32,18 +32,17 @@ struct Figure {
 // THE list of figures.
 const std::vector<Figure>& figureTable();
 
-// Methods and budgets side by side: a row of the table and a column of pictures each, a picture file for each
-// scene.
+// Methods and spp side by side: each is a row of the table and a column of pictures. Each scene has a file.
 void runComparison(const FigureOptions& o, TilePool& pool);
-// Texture seen at pixel centres without and with mips, and all over the pixel, against the mean over the
-// pixel of the texture as it is.
+// Texture sampled at pixel centres without and with mips, and all over the pixel. The reference is the mean
+// over the pixel without mips.
 void runSampling(const FigureOptions& o, TilePool& pool);
 // Error, noise and bias against the speed of the camera, in both directions `right` and `forward`.
 void runSpeeds(const FigureOptions& o, TilePool& pool);
 
 // Appendix B: false events against the noise of dL.
 void runNoiseLaw(const FigureOptions& o, TilePool& pool);
-// Brightness over time and by frequency; what reconstructions of brightness are worth.
+// Brightness over time and by frequency; scores of the reconstructions of brightness.
 void runBrightness(const FigureOptions& o, TilePool& pool);
 
 // Writes "<output>/figure<number><rest>" and says so. Throws std::runtime_error.

@@ -12,7 +12,7 @@ BenchOptions frames(const char* range, int repeats) {
   return o;
 }
 
-// The first lies on top in charts, and is shown through every reconstruction.
+// The first lies on top in charts, and Figure 7 shows it through every reconstruction.
 const std::vector<std::string> kSequenceMethods{"event_svgf", "svgf", "svgf:as_falcor=1", "pt-correlated",
                                                 "pt"};
 

@@ -1,14 +1,15 @@
-// Figure 5: false events against the noise of dL, for every method, budget and threshold.
+// Figure 5: false events against the noise of dL, for every method, spp and threshold.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
+#include "eval/bench/open_scene.h"
 #include "eval/figures/false_event_rows.h"
 #include "eval/figures/figure.h"
 #include "eval/figures/regression.h"
 #include "eval/pictures/svg_chart.h"
-#include "eval/pictures/write_text.h"
+#include "eval/pictures/text.h"
 #include "methods/method_spec.h"
 
 namespace saccade::eval {
@@ -16,7 +17,7 @@ namespace {
 
 using Row = FalseEventRow;
 
-// What Appendix B says of a row: y = theory x.
+// A law of Appendix B for a row: y = theory x.
 struct Law {
   const char *title, *x_label, *y_label;
   double theory;
@@ -27,16 +28,16 @@ constexpr const char *kMeanNoise = "mean |noise of dL| / C", *kSigma = "sigma of
                      *kFalse = "events per pixel-frame", *kBoth = "false + missed per pixel-frame";
 const double kGaussian = std::sqrt(2 / std::numbers::pi);  // [E (33)]
 const Law kLaws[] = {
-    {"truth at rest, fresh phases", kMeanNoise, kFalse, 1,
+    {"pixels at rest, random threshold phase", kMeanNoise, kFalse, 1,
      [](const Row& r) { return r.counted.quiet.noise.mean_abs / r.C; },
      [](const Row& r) { return r.counted.quiet.fresh_phase; }},
-    {"truth at rest, fresh phases", kSigma, kFalse, kGaussian,
+    {"pixels at rest, random threshold phase", kSigma, kFalse, kGaussian,
      [](const Row& r) { return r.counted.quiet.noise.sigma / r.C; },
      [](const Row& r) { return r.counted.quiet.fresh_phase; }},
-    {"truth at rest, outliers excluded", kSigma, kFalse, kGaussian,
+    {"pixels at rest, without outliers", kSigma, kFalse, kGaussian,
      [](const Row& r) { return r.counted.quiet.noise.sigma_trimmed / r.C; },
      [](const Row& r) { return r.counted.quiet.fresh_phase; }},
-    {"truth at rest, accumulating sensor", kMeanNoise, kFalse, 1,
+    {"pixels at rest, accumulating sensor", kMeanNoise, kFalse, 1,
      [](const Row& r) { return r.counted.quiet.noise.mean_abs / r.C; },
      [](const Row& r) { return r.counted.quiet.accumulating; }},
     {"all pixels", kMeanNoise, kBoth, 1, [](const Row& r) { return r.counted.all.noise.mean_abs / r.C; },
@@ -50,7 +51,7 @@ void measureScene(const std::string& scene, const FigureOptions& o, TilePool& po
   BenchSetup setup = o.bench.setup;
   setup.scene = scene;
   const Bench bench(setup, pool);
-  std::printf("%s: %.2f px per frame, error of the reference's dI %.3f\n", scene.c_str(),
+  std::printf("%s: %.2f px per frame, error of the reference's dI %.3f\n", sceneName(scene).c_str(),
               bench.medianPxPerFrame(), bench.referenceError());
   const ChangeSequence truth = sequenceOf(bench.truth());
   Progress progress(scene, static_cast<double>(o.methods.size() * o.spp.size()));
@@ -58,7 +59,8 @@ void measureScene(const std::string& scene, const FigureOptions& o, TilePool& po
     for (const int spp : o.spp) {
       const BenchRun run = bench.run(parseMethod(method), spp, 1);
       for (const double C : o.thresholds)
-        rows.push_back({scene, method, spp, C, countFalseEvents(sequenceOf(run), truth, o.bench.bias, C)});
+        rows.push_back(
+            {sceneName(scene), method, spp, C, countFalseEvents(sequenceOf(run), truth, o.bench.bias, C)});
       progress.add(1);
     }
   }
@@ -70,7 +72,7 @@ void printLaw(const Law& law, const std::vector<Row>& rows) {
     if (std::isfinite(law.y(r))) samples.push_back({law.x(r), law.y(r)});
   }
   const Regression line = throughOrigin(samples), power = powerLaw(samples);
-  std::printf("%-36s %-24s %7.3f %7.3f %7.4f %9.3f %7.4f\n", law.title, law.x_label, law.theory, line.slope,
+  std::printf("%-40s %-24s %7.3f %7.3f %7.4f %9.3f %7.4f\n", law.title, law.x_label, law.theory, line.slope,
               line.r2, power.slope, power.r2);
 }
 
@@ -101,7 +103,7 @@ void runNoiseLaw(const FigureOptions& o, TilePool& pool) {
   for (const std::string& scene : o.scenes) measureScene(scene, o, pool, rows);
   printRows(rows);
   writeText(o.path(".csv"), "# " + o.bench.text() + '\n' + csvOf(rows));
-  std::printf("\n%-36s %-24s %7s %7s %7s %9s %7s\n", "law", "x", "theory", "slope", "r2", "exponent", "r2");
+  std::printf("\n%-40s %-24s %7s %7s %7s %9s %7s\n", "law", "x", "theory", "slope", "r2", "exponent", "r2");
   std::vector<ChartPanel> panels;
   for (const Law& law : kLaws) {
     printLaw(law, rows);

@@ -1,5 +1,4 @@
-// What a reconstruction of brightness is worth over a sequence of frames: its events first, which are the
-// product, then its drift and its noise.
+// Scores a reconstruction of brightness over a sequence of frames: its events, its drift and its noise.
 #pragma once
 
 #include "eval/bench/sequence.h"
@@ -14,8 +13,8 @@ struct ReconstructionScore {
   double high_rms = 0;  // of the error of dL above a quarter of the frame rate: root of its mean power
 };
 
-// Against the events and the dL of the truth itself, which needs no reconstruction; the rest of `config` is
-// the same for both. All frames have one length; two or more.
+// Compares with the events and the dL of the truth, which needs no reconstruction; the rest of `config` holds
+// for both. Needs two or more frames of one length.
 ReconstructionScore scoreReconstruction(const ChangeSequence& run, const ChangeSequence& truth,
                                         const SensorConfig& config);
 

@@ -1,4 +1,4 @@
-// Straight lines through measured points.
+// Fits straight lines to measured points.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ struct Regression {
 Regression throughOrigin(const std::vector<Sample>& samples);
 
 // Least squares of log y = c + slope log x: the slope is the exponent of a power law, and r2 that of the
-// logarithms. Samples that are not above 0 in both have no logarithm and are left out; NaN without two
+// logarithms. Leaves out samples that are not above 0 in both. NaN without two
 // different x.
 Regression powerLaw(const std::vector<Sample>& samples);
 

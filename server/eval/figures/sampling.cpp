@@ -1,3 +1,4 @@
+#include "eval/bench/open_scene.h"
 #include "eval/bench/results.h"
 #include "eval/figures/change_pictures.h"
 #include "eval/figures/figure.h"
@@ -19,9 +20,9 @@ void sampleOn(const std::string& scene, const FigureOptions& o, TilePool& pool, 
     setup.jitter = jitter, setup.mips = mips, setup.reference_spp = 0;
     return Bench(setup, pool);
   };
-  const Sampling samplings[] = {{"centre, no mips", sampling(false, false)},
-                                {"centre, mips", sampling(false, true)},
-                                {"jitter, mips", sampling(true, true)}};
+  const Sampling samplings[] = {{"centre without mips", sampling(false, false)},
+                                {"centre with mips", sampling(false, true)},
+                                {"jitter with mips", sampling(true, true)}};
 
   ChangePictures pictures(truth.truth().back().change, static_cast<float>(o.bench.bias), o.bench.threshold);
   Progress progress(scene, static_cast<double>(o.methods.size() * std::size(samplings)));
@@ -29,13 +30,14 @@ void sampleOn(const std::string& scene, const FigureOptions& o, TilePool& pool, 
     for (const Sampling& s : samplings) {
       const MethodSpec method = parseMethod(text);
       const Result& result =
-          measure(truth, s.bench, scene + ": " + s.name, method, o.spp.front(), o.bench, table);
-      pictures.add(text + ", " + s.name, s.bench.run(method, o.spp.front(), 1).changes.back(), &result.score);
+          measure(truth, s.bench, sceneName(scene) + ": " + s.name, method, o.spp.front(), o.bench, table);
+      pictures.addMethod(text + ", " + s.name, s.bench.run(method, o.spp.front(), 1).changes.back(),
+                         result.score);
       progress.add(1);
     }
   }
-  pictures.add("mean over the pixel", truth.truth().back().change, nullptr);
-  writePicture(o, "_" + scene + ".svg", pictures.draw());
+  pictures.addReference("mean over the pixel", truth.truth().back().change, truth.referenceError());
+  writePicture(o, "_" + sceneName(scene) + ".svg", pictures.draw());
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
 #include <cmath>
 
+#include "eval/bench/open_scene.h"
 #include "eval/bench/results.h"
 #include "eval/figures/figure.h"
 #include "eval/metrics/brightness_change.h"
-#include "eval/pictures/difference_picture.h"
-#include "eval/pictures/format.h"
 #include "eval/pictures/picture_grid.h"
+#include "eval/pictures/signed_picture.h"
 #include "eval/pictures/svg_chart.h"
+#include "eval/pictures/text.h"
 
 namespace saccade::eval {
 namespace {
@@ -17,12 +18,7 @@ constexpr double Score::*kMetrics[] = {&Score::sigma_dL, &Score::noise_dL,     &
 
 // The key of a row: which scene, direction and speed.
 std::string rowName(const std::string& scene, const std::string& motion, double speed) {
-  return scene + " " + motion + " " + format("%g px", speed);
-}
-
-GridPicture pictureOf(const IntensityChange& change, float bias, float scale, const std::string& caption) {
-  return {caption, change.dI.width(), change.dI.height(),
-          signedPicture(brightnessChange(change, bias), scale)};
+  return sceneName(scene) + " " + motion + " " + format("%g px", speed);
 }
 
 // Runs one speed: a column of the pictures, dL of the truth and of every method.
@@ -34,25 +30,34 @@ void runSpeed(const FigureOptions& o, const std::string& motion, double speed, T
   const auto bias = static_cast<float>(o.bench.bias);
   const IntensityChange& truth = bench.truth().back().change;
   const float scale = colorScale(brightnessChange(truth, bias));
-  rows[0].push_back(pictureOf(truth, bias, scale, format("own error %.3f", bench.referenceError())));
+  rows[0].push_back(signedPicture(
+      brightnessChange(truth, bias), scale,
+      format("own error %.3f, full colour %.2g", bench.referenceError(), static_cast<double>(scale))));
   const std::string name = rowName(setup.scene, motion, speed);
   for (std::size_t m = 0; m < o.methods.size(); ++m) {
     const MethodSpec method = parseMethod(o.methods[m]);
     const Score& score = measure(bench, name, method, o.spp.front(), o.bench, table).score;
-    rows[m + 1].push_back(pictureOf(bench.run(method, o.spp.front(), 1).changes.back(), bias, scale,
-                                    format("L1 %.3f, sigma %.2g", score.dL_l1, score.sigma_dL)));
+    rows[m + 1].push_back(
+        signedPicture(brightnessChange(bench.run(method, o.spp.front(), 1).changes.back(), bias), scale,
+                      format("L1 %.3f, sigma %.2g", score.dL_l1, score.sigma_dL)));
   }
 }
 
 ChartPanel makePanel(const FigureOptions& o, const ResultTable& table, const std::string& motion,
                      double Score::*metric) {
   const ScoreColumn& column = columnOf(metric);
-  ChartPanel panel{o.scenes.front() + ", " + motion, "pixels per frame", column.label, {}};
+  ChartPanel panel{sceneName(o.scenes.front()) + ", " + motion,
+                   "pixels per frame",
+                   std::string(column.label) + " (lower is better)",
+                   {}};
   for (const std::string& method : o.methods) {
     ChartLine line{method, {}};
     for (const double speed : o.speeds) {
       const Result* r = table.find(rowName(o.scenes.front(), motion, speed), method, o.spp.front());
-      if (r && r->score.*metric > 0) line.points.push_back({speed, r->score.*metric, ""});
+      if (r && r->score.*metric > 0) {
+        const double error = r->seed_error.*metric;
+        line.points.push_back({speed, r->score.*metric, "", std::isfinite(error) ? error : 0});
+      }
     }
     panel.lines.push_back(std::move(line));
   }
@@ -65,7 +70,7 @@ void runSpeeds(const FigureOptions& o, TilePool& pool) {
   ResultTable table(o.path(".csv"), o.bench.text());
   std::vector<ChartPanel> panels;
   for (const std::string motion : kMotions) {
-    std::vector<std::string> columns, names{"reference"};
+    std::vector<std::string> columns, names{"dL of the reference"};
     names.insert(names.end(), o.methods.begin(), o.methods.end());
     std::vector<std::vector<GridPicture>> rows(names.size());
     Progress progress(motion, static_cast<double>(o.speeds.size()));
@@ -74,7 +79,7 @@ void runSpeeds(const FigureOptions& o, TilePool& pool) {
       columns.push_back(format("%g px per frame", speed));
       progress.add(1);
     }
-    writePicture(o, "_" + motion + ".svg", drawPictureGrid(columns, names, rows));
+    writePicture(o, "_" + motion + ".svg", drawPictureGrid(columns, names, rows, kChangeKey));
     for (const auto metric : kMetrics) panels.push_back(makePanel(o, table, motion, metric));
   }
   writePicture(o, ".svg", drawCharts(panels, static_cast<int>(std::size(kMetrics))));

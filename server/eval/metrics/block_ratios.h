@@ -1,5 +1,5 @@
-// Two pictures of one view, compared in the means over square blocks: where one of them is noisy, or pixels
-// are filtered in another way.
+// Compares two pictures of one view by their means over square blocks. Noise and different pixel filters
+// average out.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct PixelRect {
 
 struct BlockSettings {
   int edge = 16;                         // of a block, pixels of the reference
-  double least_light = 0.1;              // what is darker, as a part of the median block, is not compared
+  double least_light = 0.1;              // skips blocks darker than this share of the median block
   std::vector<PixelRect> left_out = {};  // of the reference; blocks that they touch are not compared
 };
 
@@ -35,9 +35,9 @@ struct BlockRatios {
   double shareWithin(double within) const;  // of the compared blocks: ratio in [1 - within, 1 + within]
 };
 
-// What is left over at the right and the bottom is in no block; a block with a value that is no finite number
-// is not compared. Throws std::runtime_error unless the picture has the reference's size or is smaller by a
-// factor that a block of whole pixels remains, and if there is nothing to compare.
+// Leaves out incomplete blocks at the right and the bottom, and blocks with a value that is not finite. The
+// picture has the size of the reference, or is smaller by a factor that leaves blocks of whole pixels;
+// otherwise, and with nothing to compare, throws std::runtime_error.
 BlockRatios blockRatios(const RgbPlanes& picture, const RgbPlanes& reference, const BlockSettings& settings);
 
 }  // namespace saccade::eval

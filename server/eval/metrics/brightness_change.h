@@ -1,4 +1,4 @@
-// The change of brightness of a whole frame.
+// Computes the change of brightness of a whole frame.
 #pragma once
 
 #include "events/log_response.h"

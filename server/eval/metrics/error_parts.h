@@ -1,6 +1,6 @@
-// Bias and noise apart, and both free of the noise of the reference. The reference comes in two independent
-// halves a and b: (x - a)(x - b) is (x - truth)^2 in the mean over their noise, while (x - ref)^2 is too
-// large.
+// Splits an error into bias and noise, both free of the noise of the reference. The reference comes in two
+// independent halves a and b: the mean of (x - a)(x - b) over their noise is (x - truth)^2, while (x - ref)^2
+// is too large.
 #pragma once
 
 #include "eval/metrics/regions.h"
@@ -12,7 +12,7 @@ namespace saccade::eval {
 // error is lost in the noise; its root is then given as negative. NaN if no pixel is in the regions.
 struct ErrorParts {
   double rms;     // of one repeat; rms^2 = bias^2 + noise^2
-  double bias;    // of the mean over all seeds: what more samples do not cure
+  double bias;    // of the mean over all seeds: more samples do not reduce it
   double noise;   // of one repeat about that mean
   double offset;  // signed mean of the bias: too bright, or too dark
 };

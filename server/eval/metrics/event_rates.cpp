@@ -9,7 +9,7 @@
 namespace saccade::eval {
 namespace {
 
-// Means of what count(x, y, d, ref) says of each pixel, method against reference and the other way round.
+// Means of count(x, y, d, ref) over the pixels, with method and reference in both roles.
 template <class Count>
 EventRates meanRates(const ImageF& dL, const ImageF& dL_ref, Count count) {
   checkSameSize(dL, dL_ref);

@@ -1,7 +1,7 @@
-// False and missed events of one frame, had method and reference the same threshold phase in every pixel.
-// Thresholds lie C apart, and U in [0, C) is how far the pixel stands above the next lower one [E (26)]: a
-// change d crosses |floor((U + d) / C)| of them [E (27)]. An event is false where the reference has none at
-// that phase, and missed the other way round.
+// Computes the false and missed events of one frame. Method and reference have the same threshold phase in
+// each pixel. Thresholds lie C apart, and the phase U in [0, C) is the distance to the next lower one [E
+// (26)]. A change d crosses |floor((U + d) / C)| of them [E (27)]. An event is false if the reference has
+// none at that phase, and missed if only the reference has it.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct EventRates {
 // The mean over all phases, in closed form: free of sampling noise. Planes of dL, finite; C > 0.
 EventRates integratedRates(const ImageF& dL, const ImageF& dL_ref, double C);
 
-// Counted at one phase per pixel, drawn from `seed`: what a single run sees.
+// Counted at one phase per pixel, drawn from `seed`, as in a single run.
 EventRates sampledRates(const ImageF& dL, const ImageF& dL_ref, double C, std::uint64_t seed);
 
 // Of one pixel: events of the change d, in the mean over U, counted only where the change `ref` has none.

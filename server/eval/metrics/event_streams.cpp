@@ -8,7 +8,7 @@
 namespace saccade::eval {
 namespace {
 
-// A cell of a sparse histogram, and what is added to it.
+// A cell of a sparse histogram, and the value that is added to it.
 struct Cell {
   std::int64_t bin;
   std::uint16_t y, x;
@@ -18,7 +18,7 @@ struct Cell {
   auto place() const { return std::tie(bin, y, x, p); }
 };
 
-// Sum over the cells of |sum of what was added there|.
+// Sum over the cells of |sum of the added values|.
 double sumOfCells(std::vector<Cell> cells) {
   std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.place() < b.place(); });
   double sum = 0;
@@ -33,7 +33,7 @@ double sumOfCells(std::vector<Cell> cells) {
   return sum;
 }
 
-// Relative L1 of two histograms; toCell(event) says where an event counts, and as what.
+// Relative L1 of two histograms; toCell(event) returns the cell and the value of an event.
 template <class ToCell>
 double histogramError(const Events& x, const Events& ref, ToCell toCell) {
   std::vector<Cell> cells;

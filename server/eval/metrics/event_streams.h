@@ -1,4 +1,4 @@
-// How far a stream of events is from that of the reference. Both of the same pixels and the same time.
+// Distances between two streams of events. Both cover the same pixels and the same time.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace saccade::eval {
 double countError(const Events& x, const Events& ref);
 
 // ON less OFF events in voxels of a pixel and `bin_ns` > 0, bins beginning at time 0:
-// sum |v - v_ref| / sum |v_ref|. If ref has events that cancel within every voxel, it has none here.
+// sum |v - v_ref| / sum |v_ref|. Events that cancel within a voxel do not count.
 double voxelError(const Events& x, const Events& ref, std::int64_t bin_ns = 5'000'000);
 
 struct TimeError {
@@ -22,7 +22,7 @@ struct TimeError {
 };
 
 // For each event of x, the time to the nearest event of ref in the same pixel with the same polarity, cap_ns
-// at most. Events that x lacks do not show: swap the streams to see them.
+// at most. It misses events that only ref has: swap the streams to measure them.
 TimeError nearestTimeError(const Events& x, const Events& ref, std::int64_t cap_ns = 5'000'000);
 
 }  // namespace saccade::eval

@@ -1,4 +1,4 @@
-// All metrics walk the pixels of planes that must be of one size.
+// Loops over the pixels of planes, which must have one size.
 #pragma once
 
 #include "base/check.h"

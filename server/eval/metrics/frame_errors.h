@@ -1,5 +1,5 @@
-// What a method's frame is worth in figures: the change of intensity, of log brightness, and the events of
-// it.
+// The errors of one frame of a method: of the change of intensity, of the change of brightness, and of
+// events.
 #pragma once
 
 #include "eval/metrics/event_rates.h"
@@ -13,7 +13,7 @@ struct FrameErrors {
   EventRates rates;       // integrated over the threshold phase
 };
 
-// Reads dI and I_prev alone. `bias` is I_eps > 0, `threshold` C > 0. A pixel with NaN or Inf has dL = 0, as
+// Reads only dI and I_prev. `bias` is I_eps > 0, `threshold` C > 0. A pixel with NaN or Inf has dL = 0, as
 // in a sensor; it shows in the errors of dI.
 FrameErrors frameErrors(const IntensityChange& x, const IntensityChange& ref, float bias, double threshold);
 

@@ -14,7 +14,7 @@ double size(const ImageF& ref) {
   return sum;
 }
 
-// error / scale, where an error of nothing is none, and any other infinite.
+// error / scale; at scale 0 it is 0 for no error, else infinite.
 double ratio(double error, double scale) {
   if (scale == 0) return error == 0 ? 0 : error * std::numeric_limits<double>::infinity();
   return error / scale;

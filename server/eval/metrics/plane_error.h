@@ -1,4 +1,4 @@
-// How far a plane is from the truth: dI and dL alike. NaN in a plane gives NaN.
+// Errors of a plane against the truth. NaN in a plane gives NaN.
 #pragma once
 
 #include "frame/image.h"

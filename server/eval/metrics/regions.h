@@ -1,4 +1,4 @@
-// What the pixels of a frame show, so that errors can be told apart by what causes them.
+// Classifies the pixels of a frame, so that errors can be assigned to their causes.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ using RegionMap = Image<std::uint32_t>;
 // A pixel of the previous frame shows the surface that a pixel p sees now, if
 // - its depth is z_in_prev(p), as far as the tangent plane reaches: within kSlopes dz(p) per pixel of
 //   distance (the sum of both axes) from where p's point was, and kDepthTolerance of z(p); and
-// - the normals are within kSameNormalDeg. Where nothing is hit counts as a surface of its own.
+// - the normals are within kSameNormalDeg. Pixels without a hit form a surface of their own.
 // kChanged: the pixel nearest to where p's point was lies outside the picture or shows another surface, or
 //   the previous frame showed another one at p itself. Texture and light play no part.
 // kCurved: of the others, where a normal in the 3x3 neighbourhood is more than kCurvedDeg from that at p:

@@ -1,4 +1,4 @@
-// The same frame, estimated again and again with other seeds: its mean and its noise.
+// Mean and noise of one frame that was estimated repeatedly with different seeds.
 #pragma once
 
 #include "frame/image.h"

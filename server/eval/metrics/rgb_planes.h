@@ -1,4 +1,4 @@
-// A picture in colour.
+// A colour picture.
 #pragma once
 
 #include <array>

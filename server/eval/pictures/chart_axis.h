@@ -1,4 +1,4 @@
-// The axes of a chart: from values to places on the page.
+// An axis of a chart: maps values to pixels.
 #pragma once
 
 #include <initializer_list>
@@ -11,13 +11,13 @@ enum class Scale { kLog, kLinear };  // kLog: of finite values > 0
 
 class ChartAxis {
  public:
-  // From `first` to `last` on the page.
+  // Runs from pixel `first` to pixel `last`.
   ChartAxis(Scale scale, double first, double last) : scale_(scale), first_(first), last_(last) {}
 
   void include(double v);  // widens the axis so that it holds v
   double operator()(double v) const;
-  // In whole steps of 1, 2, 5 times a power of ten. A logarithmic axis of many decades has whole powers
-  // alone, one that would have only two ticks all of 1 to 9.
+  // Steps of 1, 2, 5 times a power of ten. A logarithmic axis of many decades has only powers of ten; one
+  // that would have two ticks has 1 to 9.
   std::vector<double> ticks() const;
 
  private:

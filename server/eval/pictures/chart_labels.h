@@ -1,4 +1,4 @@
-// Where the labels of points go, so that none is written over another.
+// Finds places for the labels of points, so that none covers another label or a mark.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,20 @@ inline constexpr double kLabelSize = 9;  // of the font, pixels
 
 class LabelPlaces {
  public:
-  // Takes a place for `label` to the right of a point at (x, y), above it or else below. Returns its
-  // baseline, or nothing where both are taken.
-  std::optional<double> take(double x, double y, const std::string& label);
+  struct Corner {
+    double left, baseline;
+  };
+  // Keeps labels off the mark at (x, y).
+  void avoid(double x, double y);
+  // Takes a place for the label of the point (x, y): to the right or left of it, above or below. Returns
+  // nothing where all four are taken.
+  std::optional<Corner> take(double x, double y, const std::string& label);
 
  private:
-  struct Place {
-    double left, right, baseline;
+  struct Box {
+    double left, right, top, bottom;
   };
-  std::vector<Place> taken_;
+  std::vector<Box> taken_;
 };
 
 }  // namespace saccade::eval

@@ -15,14 +15,14 @@ using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-// Writes beside the target, then renames: nobody ever sees half a file, nor one of two processes.
-void writePicture(const std::string& path, const ImageSpec& spec, TypeDesc type, const void* data) {
+// Writes beside the target, then renames: no reader sees half a file, nor a mix of two processes.
+void writePicture(const std::string& path, const ImageSpec& spec, const float* data) {
   const std::filesystem::path target(path);
   if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path());
   const std::string partial =
       target.parent_path() / (".partial-" + std::to_string(getpid()) + "-" + target.filename().string());
   auto out = ImageOutput::create(partial);
-  if (!out || !out->open(partial, spec) || !out->write_image(type, data) || !out->close()) {
+  if (!out || !out->open(partial, spec) || !out->write_image(TypeDesc::FLOAT, data) || !out->close()) {
     throw std::runtime_error("cannot write " + path + ": " + (out ? out->geterror() : OIIO::geterror()));
   }
   std::filesystem::rename(partial, target);
@@ -44,7 +44,7 @@ void writeExr(const std::string& path, const std::vector<ExrChannel>& channels,
       for (const auto& channel : channels) pixels.push_back(channel.plane->at(x, y));
     }
   }
-  writePicture(path, spec, TypeDesc::FLOAT, pixels.data());
+  writePicture(path, spec, pixels.data());
 }
 
 ExrPicture readExr(const std::string& path) {
@@ -93,10 +93,6 @@ std::string encodePng(int width, int height, const std::vector<Rgb8>& pixels) {
     throw std::runtime_error("cannot encode a PNG: " + (out ? out->geterror() : OIIO::geterror()));
   }
   return {bytes.begin(), bytes.end()};
-}
-
-void writePng(const std::string& path, int width, int height, const std::vector<Rgb8>& pixels) {
-  writePicture(path, ImageSpec(width, height, 3, TypeDesc::UINT8), TypeDesc::UINT8, pixels.data());
 }
 
 }  // namespace saccade::eval

@@ -1,4 +1,4 @@
-// Float pictures on disk.
+// Reads and writes pictures.
 #pragma once
 
 #include <map>
@@ -14,8 +14,8 @@ struct ExrChannel {
   const ImageF* plane;
 };
 
-// Writes 32-bit float OpenEXR, all planes of one size. The file appears whole or not at all.
-// Throws std::runtime_error.
+// Writes 32-bit float OpenEXR, or by the extension .png 8 bits; all planes of one size. Makes the folder. The
+// file appears whole or not at all. Throws std::runtime_error.
 void writeExr(const std::string& path, const std::vector<ExrChannel>& channels,
               const std::map<std::string, int>& attributes = {});
 
@@ -26,14 +26,13 @@ struct ExrPicture {
 // Throws std::runtime_error if the file cannot be read.
 ExrPicture readExr(const std::string& path);
 
-// The channels R, G and B. Throws std::runtime_error also where one is absent.
+// The channels R, G and B. Throws std::runtime_error, also without one of them.
 RgbPlanes readRgb(const std::string& path);
 
-// 8-bit RGB picture, rows from the top. Throws std::runtime_error.
 struct Rgb8 {
   unsigned char r, g, b;
 };
-std::string encodePng(int width, int height, const std::vector<Rgb8>& pixels);  // the bytes of the file
-void writePng(const std::string& path, int width, int height, const std::vector<Rgb8>& pixels);
+// The bytes of a PNG file; rows from the top. Throws std::runtime_error.
+std::string encodePng(int width, int height, const std::vector<Rgb8>& pixels);
 
 }  // namespace saccade::eval

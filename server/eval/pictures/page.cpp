@@ -1,9 +1,9 @@
 #include "eval/pictures/page.h"
 
-#include "eval/pictures/markup.h"
-#include "eval/pictures/write_text.h"
+#include "eval/pictures/text.h"
 
 namespace saccade::eval {
+
 Page::Page(const std::string& title) {
   html_ = "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escapeMarkup(title) +
           "</title><style>body{font:14px sans-serif;margin:24px;}svg{display:block;margin:8px "
@@ -19,6 +19,9 @@ void Page::paragraph(const std::string& text) {
 }
 void Page::svg(const std::string& svg) {
   html_ += svg;
+}
+void Page::picture(const std::string& file) {
+  html_ += "<h2>" + escapeMarkup(file) + "</h2>\n<img src=\"" + escapeMarkup(file) + "\" alt=\"\">\n";
 }
 
 void Page::write(const std::string& path) const {

@@ -1,4 +1,4 @@
-// A self-contained web page: text, tables, charts and pictures in one file that opens without a network.
+// Writes a web page of text, charts and pictures.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ class Page {
 
   void heading(const std::string& text);
   void paragraph(const std::string& text);
-  void svg(const std::string& svg);           // a chart, or pictures
+  void svg(const std::string& svg);           // drawn into the page
+  void picture(const std::string& file);      // shown from a file in the folder of the page
   void write(const std::string& path) const;  // throws std::runtime_error
 
  private:

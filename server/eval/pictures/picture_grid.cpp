@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "eval/pictures/format.h"
-#include "eval/pictures/markup.h"
+#include "eval/pictures/text.h"
 
 namespace saccade::eval {
 namespace {
 
-constexpr int kPictureWidth = 192, kGap = 8, kRowLabel = 120, kHeadLine = 14, kCaption = 18;
+constexpr int kPictureWidth = 192, kGap = 8, kRowLabel = 130, kHeadLine = 14, kCaption = 18, kKey = 24;
+constexpr std::size_t kAcross = 6;  // columns side by side
 
 std::string base64(const std::string& bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -37,8 +37,8 @@ std::string drawPicture(const GridPicture& cell, int x, int y, int height) {
          text(x + kPictureWidth / 2, y + height + kCaption - 4, cell.caption);
 }
 
-// A column's name breaks at its commas and colons: methods carry their settings behind them.
-std::vector<std::string> headLines(const std::string& name) {
+// The lines of a name. Methods carry their settings behind colons.
+std::vector<std::string> linesOf(const std::string& name) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < name.size();) {
     const std::size_t end = std::min(name.find_first_of(",:", at), name.size());
@@ -48,36 +48,63 @@ std::vector<std::string> headLines(const std::string& name) {
   return lines;
 }
 
+// Draws a name around `x`, from `y` on; returns where it ends.
+int drawName(const std::string& name, int x, int y, std::string& svg) {
+  for (const std::string& line : linesOf(name)) svg += text(x, y += kHeadLine, line);
+  return y;
+}
+
+// Draws all rows of the columns from `first` to `end`, from `y` on; returns where they end.
+int drawBand(const std::vector<std::string>& columns, const std::vector<std::string>& rows,
+             const std::vector<std::vector<GridPicture>>& cells, std::size_t first, std::size_t end, int y,
+             std::string& svg) {
+  const auto left = [&](std::size_t c) {
+    return kRowLabel + static_cast<int>(c - first) * (kPictureWidth + kGap);
+  };
+  int head_end = y;
+  for (std::size_t c = first; c < end; ++c)
+    head_end = std::max(head_end, drawName(columns[c], left(c) + kPictureWidth / 2, y, svg));
+  y = head_end + kGap;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const int height = kPictureWidth * cells[r][first].height / cells[r][first].width;
+    drawName(rows[r], kRowLabel / 2, y + height / 2 - kHeadLine, svg);
+    for (std::size_t c = first; c < end; ++c) svg += drawPicture(cells[r][c], left(c), y, height);
+    y += height + kCaption + kGap;
+  }
+  return y;
+}
+
+// Three squares with their meaning.
+std::string drawKey(const ColorKey& key, int y) {
+  const std::pair<const char*, const std::string&> entries[] = {
+      {"#0000ff", key.blue}, {"#ffffff", key.white}, {"#ff0000", key.red}};
+  std::string svg;
+  int x = kRowLabel;
+  for (const auto& [color, meaning] : entries) {
+    svg += format("<rect x=\"%d\" y=\"%d\" width=\"12\" height=\"12\" fill=\"%s\" stroke=\"#888\"/>", x, y,
+                  color) +
+           format("<text x=\"%d\" y=\"%d\">", x + 18, y + 10) + escapeMarkup(meaning) + "</text>\n";
+    x += kPictureWidth;
+  }
+  return svg;
+}
+
 }  // namespace
 
 std::string drawPictureGrid(const std::vector<std::string>& columns, const std::vector<std::string>& rows,
-                            const std::vector<std::vector<GridPicture>>& cells) {
-  const int width = kRowLabel + static_cast<int>(columns.size()) * (kPictureWidth + kGap);
+                            const std::vector<std::vector<GridPicture>>& cells, const ColorKey& key) {
+  const std::size_t across = std::max<std::size_t>(3, std::min(kAcross, columns.size()));  // the key takes 3
+  const int width = kRowLabel + static_cast<int>(across) * (kPictureWidth + kGap);
   std::string body;
-  int center = kRowLabel + kPictureWidth / 2, head_end = 0;
-  for (const std::string& column : columns) {
-    int y = 0;
-    for (const std::string& line : headLines(column)) body += text(center, y += kHeadLine, line);
-    center += kPictureWidth + kGap;
-    head_end = std::max(head_end, y);
-  }
-  int y = head_end + kGap;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const GridPicture& first = cells[r].front();
-    const int height = kPictureWidth * first.height / first.width;
-    body += text(kRowLabel / 2, y + height / 2, rows[r]);
-    int x = kRowLabel;
-    for (const GridPicture& cell : cells[r]) {
-      body += drawPicture(cell, x, y, height);
-      x += kPictureWidth + kGap;
-    }
-    y += height + kCaption + kGap;
-  }
+  int y = 0;
+  for (std::size_t first = 0; first < columns.size(); first += kAcross)
+    y = drawBand(columns, rows, cells, first, std::min(first + kAcross, columns.size()), y, body);
+  body += drawKey(key, y);
   const std::string head = format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
       "width=\"%d\" height=\"%d\" font-family=\"sans-serif\" font-size=\"11\">\n"
       "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
-      width, y);
+      width, y + kKey);
   return head + body + "</svg>\n";
 }
 

@@ -4,28 +4,15 @@
 #include <cmath>
 
 #include "eval/pictures/chart_labels.h"
-#include "eval/pictures/format.h"
-#include "eval/pictures/markup.h"
+#include "eval/pictures/chart_legend.h"
+#include "eval/pictures/text.h"
 
 namespace saccade::eval {
 namespace {
 
 constexpr double kWidth = 450, kHeight = 320, kLeft = 64, kRight = 44, kTop = 30, kBottom = 44,
-                 kMiddle = (kLeft + kWidth - kRight) / 2, kLegendRow = 20, kLegendChar = 6.6,
-                 kParetoEntry = 120;
-// Colours that the colour-blind can tell apart (Okabe and Ito).
-constexpr const char* kColors[] = {"#d55e00", "#0072b2", "#009e73", "#cc79a7",
-                                   "#e69f00", "#56b4e9", "#999999"};
-constexpr const char* kReferenceColor = "#000000";
-
-// What the legend says of the lines of one name.
-struct Key {
-  std::string name, color;
-};
-
-auto findKey(const std::vector<Key>& keys, const std::string& name) {
-  return std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
-}
+                 kMiddle = (kLeft + kWidth - kRight) / 2, kLegendTop = 14, kLegendMargin = 10;
+constexpr int kAcross = 3;  // panels in a row
 
 std::string polyline(const std::vector<ChartPoint>& points, const ChartAxis& x, const ChartAxis& y,
                      const std::string& style) {
@@ -59,93 +46,79 @@ std::string drawAxes(const ChartPanel& panel, const ChartAxis& x, const ChartAxi
   return svg;
 }
 
-std::string drawLine(const ChartLine& line, const std::string& color, const ChartAxis& x,
-                     const ChartAxis& y) {
+// From y - error to y + error, or to the foot of a logarithmic axis.
+std::string drawErrorBar(const ChartPoint& p, const std::string& color, const ChartPanel& panel,
+                         const ChartAxis& x, const ChartAxis& y) {
+  if (!(p.error > 0)) return {};
+  const bool hasFoot = panel.y_scale == Scale::kLinear || p.y > p.error;
+  return format("<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"/>\n", x(p.x), x(p.x),
+                y(p.y + p.error), hasFoot ? y(p.y - p.error) : kHeight - kBottom, color.c_str());
+}
+
+bool hasMarks(const ChartLine& line) {
+  return line.style == LineStyle::kLineAndMarks || line.style == LineStyle::kMarks;
+}
+
+std::string drawLine(const ChartLine& line, const std::string& color, const ChartPanel& panel,
+                     const ChartAxis& x, const ChartAxis& y) {
   std::string svg;
   if (line.style != LineStyle::kMarks)
     svg += polyline(line.points, x, y, "stroke=\"" + color + "\" stroke-width=\"1.5\"");
-  if (line.style == LineStyle::kLine || line.style == LineStyle::kReference) return svg;
+  if (!hasMarks(line)) return svg;
   for (const ChartPoint& p : line.points) {
+    svg += drawErrorBar(p, color, panel, x, y);
     svg += format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\">", x(p.x), y(p.y), color.c_str()) +
            "<title>" + escapeMarkup(line.name + " " + p.label) + "</title></circle>\n";
   }
   return svg;
 }
 
-std::string drawLabels(const ChartLine& line, const std::string& color, const ChartAxis& x,
-                       const ChartAxis& y, LabelPlaces& places) {
+std::string drawLabels(const ChartPanel& panel, const std::vector<ChartKey>& keys, const ChartAxis& x,
+                       const ChartAxis& y) {
+  LabelPlaces places;
+  for (const ChartLine& line : panel.lines) {
+    if (!hasMarks(line)) continue;
+    for (const ChartPoint& p : line.points) places.avoid(x(p.x), y(p.y));
+  }
   std::string svg;
-  for (const ChartPoint& p : line.points) {
-    if (p.label.empty()) continue;
-    const double left = x(p.x) + 5;
-    if (const auto baseline = places.take(left, y(p.y), p.label)) {
-      svg += format("<text x=\"%.1f\" y=\"%.1f\" font-size=\"%g\" fill=\"%s\">", left, *baseline, kLabelSize,
-                    color.c_str()) +
+  for (const ChartLine& line : panel.lines) {
+    for (const ChartPoint& p : line.points) {
+      if (p.label.empty()) continue;
+      const auto place = places.take(x(p.x), y(p.y), p.label);
+      if (!place) continue;
+      svg += format("<text x=\"%.1f\" y=\"%.1f\" font-size=\"%g\" fill=\"%s\">", place->left, place->baseline,
+                    kLabelSize, colorOf(keys, line.name).c_str()) +
              escapeMarkup(p.label) + "</text>\n";
     }
   }
   return svg;
 }
 
-std::string drawPanel(const ChartPanel& panel, const std::vector<Key>& keys) {
+std::string drawPanel(const ChartPanel& panel, const std::vector<ChartKey>& keys) {
   ChartAxis x(panel.x_scale, kLeft, kWidth - kRight), y(panel.y_scale, kHeight - kBottom, kTop);
   for (const ChartLine& line : panel.lines) {
-    for (const ChartPoint& p : line.points) x.include(p.x), y.include(p.y);
+    for (const ChartPoint& p : line.points) {
+      x.include(p.x), y.include(p.y + p.error);
+      y.include(panel.y_scale == Scale::kLinear || p.y > p.error ? p.y - p.error : p.y);
+    }
   }
   std::string svg = drawAxes(panel, x, y);
   if (panel.pareto)
     svg += polyline(paretoFront(panel), x, y,
                     "stroke=\"#bbb\" stroke-width=\"7\" stroke-linejoin=\"round\" opacity=\"0.6\"");
   for (auto line = panel.lines.rbegin(); line != panel.lines.rend(); ++line)
-    svg += drawLine(*line, findKey(keys, line->name)->color, x, y);
-  LabelPlaces places;
-  for (const ChartLine& line : panel.lines)
-    svg += drawLabels(line, findKey(keys, line.name)->color, x, y, places);
-  return svg;
-}
-
-// In the order of their first appearance.
-std::vector<Key> keysOf(const std::vector<ChartPanel>& panels) {
-  std::vector<Key> keys;
-  std::size_t colors = 0;
-  for (const ChartPanel& panel : panels) {
-    for (const ChartLine& line : panel.lines) {
-      if (findKey(keys, line.name) != keys.end()) continue;
-      const bool reference = line.style == LineStyle::kReference;
-      keys.push_back({line.name, reference ? kReferenceColor : kColors[colors++ % std::size(kColors)]});
-    }
-  }
-  return keys;
-}
-
-// Rows of at most `width`, from `y` on; leaves there the last of them.
-std::string drawLegend(const std::vector<Key>& keys, bool pareto, double width, double& y) {
-  std::string svg;
-  double x = kLeft;
-  const auto startRowUnlessFits = [&](double entry) {
-    if (x > kLeft && x + entry > width) x = kLeft, y += kLegendRow;
-  };
-  for (const Key& key : keys) {
-    const double entry = 26 + kLegendChar * static_cast<double>(key.name.size());
-    startRowUnlessFits(entry);
-    svg += format("<circle cx=\"%g\" cy=\"%g\" r=\"4\" fill=\"%s\"/><text x=\"%g\" y=\"%g\">", x, y,
-                  key.color.c_str(), x + 9, y + 4) +
-           escapeMarkup(key.name) + "</text>\n";
-    x += entry;
-  }
-  if (!pareto) return svg;
-  startRowUnlessFits(kParetoEntry);
-  return svg + format(
-                   "<line x1=\"%g\" x2=\"%g\" y1=\"%g\" y2=\"%g\" stroke=\"#bbb\" stroke-width=\"7\"/><text "
-                   "x=\"%g\" y=\"%g\">Pareto front</text>\n",
-                   x, x + 20, y, y, x + 26, y + 4);
+    svg += drawLine(*line, colorOf(keys, line->name), panel, x, y);
+  return svg + drawLabels(panel, keys, x, y);
 }
 
 }  // namespace
 
 std::vector<ChartPoint> paretoFront(const ChartPanel& panel) {
   std::vector<ChartPoint> all, front;
-  for (const ChartLine& line : panel.lines) all.insert(all.end(), line.points.begin(), line.points.end());
+  for (const ChartLine& line : panel.lines) {
+    if (line.style == LineStyle::kReference) continue;
+    all.insert(all.end(), line.points.begin(), line.points.end());
+  }
   std::sort(all.begin(), all.end(),
             [](const auto& a, const auto& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   for (const ChartPoint& p : all) {
@@ -154,23 +127,29 @@ std::vector<ChartPoint> paretoFront(const ChartPanel& panel) {
   return front;
 }
 
-std::string drawCharts(const std::vector<ChartPanel>& panels, int across) {
-  const std::vector<Key> keys = keysOf(panels);
-  const int count = static_cast<int>(panels.size()), down = (count + across - 1) / across;
+std::string drawCharts(const std::vector<ChartPanel>& panels, int per_group) {
+  const int count = static_cast<int>(panels.size());
+  const int rows = (per_group + kAcross - 1) / kAcross, across = (per_group + rows - 1) / rows;
   const double width = kWidth * std::min(across, count);
-  double legend_end = kHeight * down + 8;
-  const std::string legend = drawLegend(keys, panels.front().pareto, width, legend_end);
-  const double height = legend_end + kLegendRow - 8;
-  std::string svg = format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g %g\" "
-      "font-family=\"sans-serif\" font-size=\"11\">\n"
-      "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
-      width, height, width, height);
+  const std::vector<ChartKey> keys = keysOf(panels);
+  double top = kLegendTop;
+  const std::string legend = drawLegend(keys, panels, kLeft, width, top);
+  top += kLegendMargin;
+  std::string svg;
+  int down = 0;
   for (int i = 0; i < count; ++i) {
-    svg += format("<g transform=\"translate(%g,%g)\">\n", kWidth * (i % across), kHeight * (i / across)) +
+    const int place = i % per_group, row = i / per_group * rows + place / across;
+    svg += format("<g transform=\"translate(%g,%g)\">\n", kWidth * (place % across), top + kHeight * row) +
            drawPanel(panels[static_cast<std::size_t>(i)], keys) + "</g>\n";
+    down = row + 1;
   }
-  return svg + legend + "</svg>\n";
+  const double height = top + kHeight * down;
+  return format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g %g\" "
+             "font-family=\"sans-serif\" font-size=\"11\">\n"
+             "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
+             width, height, width, height) +
+         legend + svg + "</svg>\n";
 }
 
 }  // namespace saccade::eval

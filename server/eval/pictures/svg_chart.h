@@ -1,4 +1,4 @@
-// Charts as SVG text: one panel for each scene and metric, a line for each method.
+// Draws charts as SVG text: panels of lines.
 #pragma once
 
 #include <string>
@@ -10,10 +10,11 @@ namespace saccade::eval {
 
 struct ChartPoint {
   double x, y;        // > 0 on a logarithmic axis
-  std::string label;  // its settings: written beside the point where there is room, and shown by its tip
+  std::string label;  // its settings: written beside the point where there is room, and in its tooltip
+  double error = 0;   // > 0: half the length of an error bar along y
 };
 
-// kReference: a black line, what the others are measured against.
+// kReference: a black line that others are compared with. It is not part of the Pareto front.
 enum class LineStyle { kLineAndMarks, kLine, kMarks, kReference };
 
 struct ChartLine {
@@ -25,14 +26,15 @@ struct ChartLine {
 struct ChartPanel {
   std::string title, x_label, y_label;
   std::vector<ChartLine> lines;  // the first lies on top
-  bool pareto = false;           // draw the front of the points that no other beats, as a broad grey line
+  bool pareto = false;           // draws the Pareto front as a broad grey line
   Scale x_scale = Scale::kLog, y_scale = Scale::kLog;
 };
 
 // The points that no other point beats in both coordinates (smaller is better), by rising x.
 std::vector<ChartPoint> paretoFront(const ChartPanel& panel);
 
-// `across` panels in a row; a legend below.
-std::string drawCharts(const std::vector<ChartPanel>& panels, int across);
+// Draws a legend and below it groups of `per_group` panels, at most three in a row. Each group begins a new
+// row.
+std::string drawCharts(const std::vector<ChartPanel>& panels, int per_group);
 
 }  // namespace saccade::eval
