@@ -28,7 +28,7 @@ TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
   const auto scene = std::make_shared<RenderScene>(test::furnace(0.5f, 1));
   FeedRunner runner(std::make_unique<Feed>(scene, Trajectory({{TimeNs(0), Pose{}}}), config,
                                            std::make_unique<Greedy>(), SeedReuse::kIndependent, *pool),
-                    8, 8, FeedPace{5, 100, 0}, pool, totals);
+                    FeedPace{5, 100, 0}, pool, totals);
   const auto session =
       std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport, runner.notifier(), totals.traffic);
   ResolvedStream stream{.request = {},

@@ -126,11 +126,14 @@ TEST_F(Simplification, WhatASceneLacksIsNotLeftOut) {
 
 TEST_F(Simplification, ScenesAreSharedByThePartsTheyDoWithout) {
   SceneCache scenes(SACCADE_SOURCE_DIR "/scenes");
-  const auto plain = scenes.get(kTextured, {SceneFeature::kTextures});
-  EXPECT_EQ(scenes.get(kTextured, {SceneFeature::kTextures}), plain);
-  EXPECT_EQ(scenes.get(kTextured, {}), scenes.get(kTextured));
-  EXPECT_NE(scenes.get(kTextured, {SceneFeature::kMipFiltering}), plain);
-  EXPECT_NE(scenes.get(kBox, {SceneFeature::kTextures}), plain);
+  const auto get = [&](const std::string& name, const SceneFeatures& disabled) {
+    return scenes.simplify(name, scenes.get(name), disabled);
+  };
+  const auto plain = get(kTextured, {SceneFeature::kTextures});
+  EXPECT_EQ(get(kTextured, {SceneFeature::kTextures}), plain);
+  EXPECT_EQ(get(kTextured, {}), scenes.get(kTextured));
+  EXPECT_NE(get(kTextured, {SceneFeature::kMipFiltering}), plain);
+  EXPECT_NE(get(kBox, {SceneFeature::kTextures}), plain);
 }
 
 TEST_F(Simplification, OnlySoManySimplifiedScenesAreInMemory) {
@@ -144,13 +147,15 @@ TEST_F(Simplification, OnlySoManySimplifiedScenesAreInMemory) {
       if (bits & (1u << static_cast<unsigned>(info.feature))) parts.insert(info.feature);
     return parts;
   };
-  std::vector<std::shared_ptr<const RenderScene>> in_use;
-  for (unsigned bits = 1; bits <= kMost; ++bits) in_use.push_back(scenes.get(kBox, setOf(bits)));
+  const auto whole = scenes.get(kBox);
+  const auto get = [&](const SceneFeatures& disabled) { return scenes.simplify(kBox, whole, disabled); };
+  std::vector<SceneCache::ScenePtr> in_use;
+  for (unsigned bits = 1; bits <= kMost; ++bits) in_use.push_back(get(setOf(bits)));
   const SceneFeatures next = setOf(kMost + 1);
-  EXPECT_THROW(scenes.get(kBox, next), LimitReached);
-  EXPECT_EQ(scenes.get(kBox, setOf(1)), in_use[0]);
+  EXPECT_THROW(get(next), LimitReached);
+  EXPECT_EQ(get(setOf(1)), in_use[0]);
   in_use.pop_back();
-  EXPECT_NE(scenes.get(kBox, next), nullptr);
+  EXPECT_NE(get(next), nullptr);
 }
 
 TEST_F(Simplification, TheServerTellsWhetherItHasThem) {

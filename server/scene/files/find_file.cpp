@@ -23,7 +23,8 @@ std::string findFile(const std::string& name, const fs::path& folder, const Load
   if (isThere(beside, options) || options.search_folders.empty()) return beside.string();
   for (const fs::path& other : options.search_folders)
     if (isThere(other / name, options)) return (other / name).string();
-  throw SceneError("the file " + beside.string() + " is absent, and no folder of --meshes holds it: " +
+  throw SceneError("the file " + beside.string() +
+                   " is absent, and no folder of --meshes or SACCADE_MESHES holds it: " +
                    describeFolders(options.search_folders));
 }
 
