@@ -2,8 +2,8 @@
 // server.
 #include <cstdio>
 
+#include "base/names.h"
 #include "eval/commands/commands.h"
-#include "scene/files/text.h"
 
 namespace saccade::eval {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "scene/files/text.h"
+#include "base/names.h"
 
 namespace saccade::eval {
 namespace {

@@ -12,7 +12,6 @@
 #include "eval/metrics/event_streams.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/metrics/plane_error.h"
-#include "scene/files/text.h"
 
 namespace saccade::eval {
 namespace {

@@ -7,7 +7,6 @@
 #include "scene/files/limits.h"
 #include "scene/files/plain_file.h"
 #include "scene/files/scene_error.h"
-#include "scene/files/text.h"
 #include "scene/library/scene_format.h"
 
 namespace saccade {
