@@ -5,7 +5,6 @@
 #include "scene/files/limits.h"
 #include "scene/files/plain_file.h"
 #include "scene/files/scene_error.h"
-#include "scene/files/text.h"
 #include "scene/mesh/mesh_io.h"
 #include "scene/mesh/ply_header.h"
 #include "scene/mesh/ply_values.h"
