@@ -15,14 +15,15 @@ inline Lane balance(Lane pdf, Lane other) {
 }
 
 // What panes and masks let through along a shadow ray.
-inline Transmittance passageAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
+template <Shading S>
+Transmittance passageAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
   constexpr int kMaxPassages = 16;
   Transmittance all;
   for (int i = 0; i < kMaxPassages; ++i) {
     const Hit hit = scene.geometry().intersect(ray);
     if (!hit.valid) return all;
-    const Surface s = surfaceAt<Shading::kAll>(scene, ray, hit, RayCone::kDiffuseSpread * hit.t);
-    const Transmittance one = Scatter<Shading::kAll>(s, direction).passage();
+    const Surface s = surfaceAt<S>(scene, ray, hit, RayCone::kDiffuseSpread * hit.t);
+    const Transmittance one = Scatter<S>(s, direction).passage();
     all = {all.fraction * one.fraction, all.probability * one.probability};
     if (luminance(all.fraction) <= 0) break;
     ray.origin = scene.leave(s, true);
@@ -40,13 +41,13 @@ template <Shading S, int Channels>
                                                           const PathSampler& sampler, int dimension) {
   const Vec3 origin = scene.leave(s);
   const IncidentLight light =
-      scene.lights().at<S>(origin, sampler.u(dimension), sampler.u(dimension + 1), sampler.u(dimension + 2));
+      scene.lights().at(origin, sampler.u(dimension), sampler.u(dimension + 1), sampler.u(dimension + 2));
   if (light.pdf <= 0) return {};
   BsdfValue f = scatter.evaluate(light.direction);
   if (f.pdf <= 0) return {};
   const Ray shadow{origin, light.segment, light.reach};
-  if (S == Shading::kAll && scene.hasPassages()) {
-    const Transmittance passage = passageAlong(scene, shadow, light.direction);
+  if (S.extras && scene.hasPassages()) {
+    const Transmittance passage = passageAlong<S>(scene, shadow, light.direction);
     if (passage.probability <= 0) return {};
     f = {f.value * passage.fraction, f.pdf * passage.probability};
   } else if (scene.geometry().occluded(shadow)) {

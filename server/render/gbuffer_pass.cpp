@@ -52,7 +52,7 @@ PrimaryHit tracePrimary(const RenderScene& scene, const EmitterStrengths& streng
   const Vec3 unit = normalize(primary.direction);
   if (!hit.valid) {
     primary.guide.hit = false;
-    if constexpr (S == Shading::kAll) primary.guide.emission = scene.lights().distantRadiance(unit);
+    if constexpr (S.extras) primary.guide.emission = scene.lights().distantRadiance(unit);
     return primary;
   }
   RayCone cone{0, camera.pixel};
@@ -75,11 +75,12 @@ void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera
       planeSlope(camera, primary.direction, guide.point - camera.origin, guide.plane_normal, guide.t);
 }
 
-template PrimaryHit tracePrimary<Shading::kDiffuse>(const RenderScene&, const EmitterStrengths&,
-                                                    const Camera&, float, float);
-template PrimaryHit tracePrimary<Shading::kTexturedDiffuse>(const RenderScene&, const EmitterStrengths&,
-                                                            const Camera&, float, float);
-template PrimaryHit tracePrimary<Shading::kAll>(const RenderScene&, const EmitterStrengths&, const Camera&,
-                                                float, float);
+#define INSTANTIATE(S)                                                                                   \
+  template PrimaryHit tracePrimary<S>(const RenderScene&, const EmitterStrengths&, const Camera&, float, \
+                                      float);
+INSTANTIATE(kPlainDiffuse)
+INSTANTIATE(kTexturedDiffuse)
+INSTANTIATE(kPlastics)
+INSTANTIATE(kEverything)
 
 }  // namespace saccade

@@ -63,11 +63,10 @@ void Lights::choose(float power) {
   cdf_.push_back((empty() ? 0 : cdf_.back()) + power);
 }
 
-template <Shading S>
 IncidentLight Lights::at(Vec3 point, Lane u_light, Lane u1, Lane u2) const {
   const auto i = std::min<std::size_t>(std::upper_bound(cdf_.begin(), cdf_.end(), u_light) - cdf_.begin(),
                                        cdf_.size() - 1);
-  if (S != Shading::kAll || i < area_lights_.size()) return areaLight(area_lights_[i], point, u1, u2);
+  if (i < area_lights_.size()) return areaLight(area_lights_[i], point, u1, u2);
   return otherLight(i, point, u1, u2);
 }
 
@@ -114,9 +113,5 @@ Rgb Lights::distantRadiance(Vec3 direction) const {
 Lane Lights::distantPdf(Vec3 direction) const {
   return environment_ ? environment_->pdf(direction) * probability(cdf_.size() - 1) : 0;
 }
-
-template IncidentLight Lights::at<Shading::kDiffuse>(Vec3, Lane, Lane, Lane) const;
-template IncidentLight Lights::at<Shading::kTexturedDiffuse>(Vec3, Lane, Lane, Lane) const;
-template IncidentLight Lights::at<Shading::kAll>(Vec3, Lane, Lane, Lane) const;
 
 }  // namespace saccade

@@ -32,7 +32,6 @@ class Lights {
   bool empty() const { return cdf_.empty(); }
 
   // Light at `point` from a light chosen by u_light, at a place chosen by u1 and u2. Not empty.
-  template <Shading S>
   IncidentLight at(Vec3 point, Lane u_light, Lane u1, Lane u2) const;
 
   // pdf per area of at() on a surface of this radiance at strength 1. Choosing by power makes it independent

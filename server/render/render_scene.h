@@ -18,13 +18,13 @@ class RenderScene {
   const Scene& description() const { return scene_; }
   const EmbreeScene& geometry() const { return geometry_; }
   const Lights& lights() const { return lights_; }
-  Shading shading() const { return shading_; }  // the least that holds the scene
+  Shading shading() const { return shading_; }  // what the scene has
   int channels() const { return channels_; }
   std::size_t bytes() const;  // of geometry, Embree's tree over it, and textures: nearly all of its memory
 
   bool hasPassages() const { return has_passages_; }  // whether a shadow ray may pass through something
 
-  // Of a material; kAll only.
+  // Of a material.
   const BsdfTables& tables(int material) const { return tables_[material]; }
 
   // A ray's origin on a surface, moved off it so that it does not hit it again: on the side the last ray came

@@ -43,20 +43,6 @@ int tileEdge(const SeedPlan& seeds, int bounces) {
   return std::clamp(static_cast<int>(std::sqrt(kPieceRays / pixel_rays)), 1, kMaxTileEdge);
 }
 
-// call.operator()<S>() with the least shading that holds the scene.
-template <class Call>
-auto withShading(const RenderScene& scene, Call call) {
-  switch (scene.shading()) {
-    case Shading::kDiffuse:
-      return call.template operator()<Shading::kDiffuse>();
-    case Shading::kTexturedDiffuse:
-      return call.template operator()<Shading::kTexturedDiffuse>();
-    case Shading::kAll:
-      break;
-  }
-  return call.template operator()<Shading::kAll>();
-}
-
 }  // namespace
 
 std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
@@ -65,8 +51,9 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
   const PixelContext view{*scene_, strengths_, camera, prev};
-  const auto tile = withShading(
-      *scene_, [this]<Shading S>() { return settings_.channels == 1 ? renderTile<S, 1> : renderTile<S, 3>; });
+  const auto tile = withKernel(scene_->shading(), [this]<Shading S>() {
+    return settings_.channels == 1 ? renderTile<S, 1> : renderTile<S, 3>;
+  });
   return pool_.forEachTile(out.width(), out.height(), tileEdge(seeds, settings_.bounces),
                            [&](Tile t) { tile(view, seeds, settings_, t, out); });
 }
@@ -74,7 +61,7 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
 void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]) {
   strengths_.setTime(out.time);
   const PixelContext view{*scene_, strengths_, camera, camera};
-  const auto row = withShading(*scene_, []<Shading S>() { return renderStillRow<S>; });
+  const auto row = withKernel(scene_->shading(), []<Shading S>() { return renderStillRow<S>; });
   pool_.forEachRow(out.height(), [&](int y) { row(view, seed, spp, settings_.bounces, y, out, rgb); });
 }
 

@@ -13,8 +13,8 @@ class Scatter {
  public:
   // `arriving`: direction of the ray that found `s`, unit. Keeps a reference to `s`.
   Scatter(const Surface& s, Vec3 arriving)
-      : s_(s), arriving_(arriving), frame_(kAny && s.inside ? -s.shading_normal : s.shading_normal) {
-    if constexpr (kAny) {  // on the side that the geometry says, whatever the shading normal
+      : s_(s), arriving_(arriving), frame_(kTransmits && s.inside ? -s.shading_normal : s.shading_normal) {
+    if constexpr (!S.diffuseOnly()) {  // on the side that the geometry says, whatever the shading normal
       wo_ = frame_.toLocal(-arriving);
       wo_.z = s.inside ? std::min(wo_.z, -kGrazing) : std::max(wo_.z, kGrazing);
     }
@@ -23,19 +23,19 @@ class Scatter {
   // Light from the unit direction w.
   BsdfValue evaluate(Vec3 w) const {
     if (dot(w, s_.geometric_normal) <= 0) return {};
-    BsdfValue v = evaluateBsdf<kKinds>(s_.bsdf, wo_, frame_.toLocal(w));
-    if constexpr (kAny) v.value = v.value * s_.opacity, v.pdf *= s_.opacity;
+    BsdfValue v = evaluateBsdf<S.kinds>(s_.bsdf, wo_, frame_.toLocal(w));
+    if constexpr (S.extras) v.value = v.value * s_.opacity, v.pdf *= s_.opacity;
     return v;
   }
 
   // A direction, `wi`, in world space.
   BsdfSample sample(Lane u_lobe, Lane u1, Lane u2) const {
-    if constexpr (kAny) {
+    if constexpr (S.extras) {
       if (u_lobe >= s_.opacity) return {arriving_, {1, 1, 1}, 1 - s_.opacity, true, true};
       u_lobe = std::min(u_lobe / s_.opacity, 0x1.fffffep-1f);
     }
-    BsdfSample next = sampleBsdf<kKinds>(s_.bsdf, wo_, u_lobe, u1, u2);
-    if constexpr (kAny) next.pdf *= s_.opacity;
+    BsdfSample next = sampleBsdf<S.kinds>(s_.bsdf, wo_, u_lobe, u1, u2);
+    if constexpr (S.extras) next.pdf *= s_.opacity;
     next.wi = frame_.toWorld(next.wi);
     const Lane side = dot(next.wi, s_.geometric_normal);
     if ((next.transmitted ? -side : side) <= 0) next.weight = {}, next.pdf = 0;
@@ -44,40 +44,38 @@ class Scatter {
 
   // Fraction of light that comes back or goes on, all directions together.
   Rgb albedo() const {
-    const Rgb a = bsdfAlbedo<kKinds>(s_.bsdf, wo_.z);
-    if constexpr (kAny) return a * s_.opacity + Rgb{1, 1, 1} * (1 - s_.opacity);
+    const Rgb a = bsdfAlbedo<S.kinds>(s_.bsdf, wo_.z);
+    if constexpr (S.extras) return a * s_.opacity + Rgb{1, 1, 1} * (1 - s_.opacity);
     return a;
   }
 
   // Panes and masks do not bend light, so that shadow rays pass them.
   Transmittance passage() const {
-    if (!isThinDielectric()) return {Rgb{1, 1, 1} * (1 - s_.opacity), 1 - s_.opacity};
+    if (!traits().passes_straight) return {Rgb{1, 1, 1} * (1 - s_.opacity), 1 - s_.opacity};
     const Transmittance pane = ThinDielectric::passage(s_.bsdf, wo_.z);
     return {Rgb{1, 1, 1} * (1 - s_.opacity) + pane.fraction * s_.opacity,
             1 - s_.opacity + pane.probability * s_.opacity};
   }
   // Whether a sample is of that.
   bool isPassThrough(const BsdfSample& next) const {
-    return next.transmitted && s_.bsdf.tables->model.kind != BsdfKind::kDielectric;
+    return next.transmitted && (!traits().transmits || traits().passes_straight);
   }
 
   // Whether a sample is what one sees here: the likelier direction of a mirror, of clear glass, of a mask.
   // sample(0.5, ...) finds it where there is one.
   bool isView(const BsdfSample& next) const {
-    const BsdfKind kind = s_.bsdf.tables->model.kind;
-    const bool clear =
-        kind == BsdfKind::kConductor || kind == BsdfKind::kDielectric || kind == BsdfKind::kThinDielectric;
-    return next.delta && next.pdf >= 0.5f && (clear || next.transmitted);
+    return next.delta && next.pdf >= 0.5f && (traits().delta || next.transmitted);
   }
 
   // The normal about which it mirrors.
   Vec3 normal() const { return frame_.z; }
 
  private:
-  static constexpr bool kAny = S == Shading::kAll;
-  static constexpr BsdfKinds kKinds = kAny ? kAllBsdfKinds : only(BsdfKind::kDiffuse);
+  static constexpr bool kTransmits = S.has(&BsdfTraits::transmits);
   static constexpr Lane kGrazing = 1e-3f;
-  bool isThinDielectric() const { return s_.bsdf.tables->model.kind == BsdfKind::kThinDielectric; }
+  const BsdfTraits& traits() const {
+    return traitsOf(S.diffuseOnly() ? BsdfKind::kDiffuse : s_.bsdf.tables->model.kind);
+  }
 
   const Surface& s_;
   Vec3 arriving_;

@@ -5,17 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/bsdf/bsdf.h"
+#include "render/shading.h"
 
 namespace saccade {
-
-// The renderer is compiled for three sets of scenes; a scene gets the smallest that holds it and pays for
-// nothing beyond.
-enum class Shading {
-  kDiffuse,          // diffuse materials of one colour each, area lights
-  kTexturedDiffuse,  // diffuse materials, area lights
-  kAll,
-};
 
 struct Surface {
   Vec3 point;
@@ -23,7 +15,6 @@ struct Surface {
   Bsdf bsdf;                              // black behind a one-sided material
   Rgb radiance;                           // emitted towards the ray's origin at strength 1
 
-  // kAll only.
   bool inside;   // of glass: the ray came from behind the material's own normal
   Lane opacity;  // the rest of the light goes straight on
 };

@@ -7,18 +7,21 @@
 namespace saccade {
 
 template <Shading S>
+Rgb colorAt(const Scene& scene, const SurfaceColor& c, TexturePoint at) {
+  if constexpr (!S.textures) return c.color0;
+  return lookUp(scene, c, at);
+}
+
+template <Shading S>
 Bsdf bsdfAt(const Scene& scene, const Material& m, TexturePoint at) {
-  if constexpr (S == Shading::kDiffuse) return {nullptr, m.reflectance.color0};
-  Bsdf b{nullptr, lookUp(scene, m.reflectance, at)};
-  if constexpr (S == Shading::kAll) {
-    b.specular = lookUp(scene, m.specular, at);
-    b.transmittance = lookUp(scene, m.transmittance, at);
-  }
+  Bsdf b{nullptr, colorAt<S>(scene, m.reflectance, at)};
+  if constexpr (!S.diffuseOnly()) b.specular = colorAt<S>(scene, m.specular, at);
+  if constexpr (S.has(&BsdfTraits::transmits)) b.transmittance = colorAt<S>(scene, m.transmittance, at);
   return b;
 }
 
 // `footprint`: width of the region that one path stands for, seen at a right angle, in scene units.
-// S: scene.shading(), or more.
+// S covers scene.shading().
 template <Shading S>
 Surface surfaceAt(const RenderScene& render_scene, const Ray& ray, const Hit& hit, float footprint) {
   const Scene& scene = render_scene.description();
@@ -33,8 +36,7 @@ Surface surfaceAt(const RenderScene& render_scene, const Ray& ray, const Hit& hi
   const Patch patch = mesh ? patchAt(*mesh, hit, n) : patchAt(*sphere, n);
   TexturePatch texture;
   float across = 0;
-  if (S == Shading::kAll ? isTextured(material)
-                         : S == Shading::kTexturedDiffuse && isTextured(material.reflectance)) {
+  if (S.diffuseOnly() ? S.textures && isTextured(material.reflectance) : isTextured(material)) {
     texture = mesh ? texturePatchAt(*mesh, hit) : texturePatchAt(*sphere, n);
     across = footprint / std::max(std::abs(cosine), 0.05f);  // grazing: blur along both axes
   }
@@ -44,13 +46,14 @@ Surface surfaceAt(const RenderScene& render_scene, const Ray& ray, const Hit& hi
   const Rgb radiance = mesh ? mesh->radiance : sphere->radiance;
   Surface s{patch.point, n, ns, bsdfAt<S>(scene, material, at), front ? radiance : Rgb{}, false, 1};
   bool black = !front && !material.twosided;
-  if constexpr (S == Shading::kAll) {
-    const BsdfKind kind = material.model.kind;
-    const bool glass = kind == BsdfKind::kDielectric || kind == BsdfKind::kThinDielectric;
-    black = black && !glass;
-    s.inside = glass && !front;
+  if constexpr (S.has(&BsdfTraits::transmits)) {
+    const bool transmits = traitsOf(material.model.kind).transmits;
+    black = black && !transmits;
+    s.inside = transmits && !front;
+  }
+  if constexpr (!S.diffuseOnly()) s.bsdf.tables = &render_scene.tables(id);
+  if constexpr (S.extras) {
     s.opacity = luminance(lookUp(scene, material.opacity, at));
-    s.bsdf.tables = &render_scene.tables(id);
     if (isBumpy(material)) ns = bumpedNormal(scene, material, ns, texture, at.footprint);
   }
   if (!front) s.geometric_normal = -n;

@@ -1,6 +1,9 @@
 // What a material is made of: the same at all its points, in Mitsuba's terms.
 #pragma once
 
+#include <cstddef>
+#include <iterator>
+
 #include "base/vec.h"
 
 namespace saccade {
@@ -13,25 +16,45 @@ enum class BsdfKind {
   kRoughConductor,
   kDielectric,      // the surface of glass
   kThinDielectric,  // a pane: both its surfaces at once, nothing is bent
+  kCount,           // how many kinds there are; no kind
+};
+inline constexpr auto kBsdfKindCount = static_cast<std::size_t>(BsdfKind::kCount);
+
+// What the program decides by the kind of a BSDF.
+struct BsdfTraits {
+  BsdfKind kind;
+  const char* name;              // the type of its <bsdf> in Mitsuba's XML
+  bool base = false;             // has a diffuse base, of the colour Material::reflectance
+  bool delta = false;            // has delta lobes only: the view is followed into it
+  bool transmits = false;        // lets light through, and is seen from both sides
+  bool passes_straight = false;  // does not bend what it lets through: shadow rays pass
 };
 
 // One row per kind, in the order of BsdfKind.
-struct BsdfTraits {
-  BsdfKind kind;
-  const char* name;  // the type of its <bsdf> in Mitsuba's XML
-};
 inline constexpr BsdfTraits kBsdfTraits[] = {
-    {BsdfKind::kDiffuse, "diffuse"},
-    {BsdfKind::kPlastic, "plastic"},
-    {BsdfKind::kRoughPlastic, "roughplastic"},
-    {BsdfKind::kConductor, "conductor"},
-    {BsdfKind::kRoughConductor, "roughconductor"},
-    {BsdfKind::kDielectric, "dielectric"},
-    {BsdfKind::kThinDielectric, "thindielectric"},
+    {.kind = BsdfKind::kDiffuse, .name = "diffuse", .base = true},
+    {.kind = BsdfKind::kPlastic, .name = "plastic", .base = true},
+    {.kind = BsdfKind::kRoughPlastic, .name = "roughplastic", .base = true},
+    {.kind = BsdfKind::kConductor, .name = "conductor", .delta = true},
+    {.kind = BsdfKind::kRoughConductor, .name = "roughconductor"},
+    {.kind = BsdfKind::kDielectric, .name = "dielectric", .delta = true, .transmits = true},
+    {.kind = BsdfKind::kThinDielectric,
+     .name = "thindielectric",
+     .delta = true,
+     .transmits = true,
+     .passes_straight = true},
 };
+static_assert(std::size(kBsdfTraits) == kBsdfKindCount, "each kind has a row");
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kBsdfKindCount; ++i)
+        if (kBsdfTraits[i].kind != static_cast<BsdfKind>(i)) return false;
+      return true;
+    }(),
+    "the rows are in the order of BsdfKind");
 
 constexpr const BsdfTraits& traitsOf(BsdfKind kind) {
-  return kBsdfTraits[static_cast<int>(kind)];
+  return kBsdfTraits[static_cast<std::size_t>(kind)];
 }
 
 // How the slopes of a rough surface are spread.

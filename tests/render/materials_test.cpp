@@ -81,7 +81,7 @@ TEST(Materials, ABumpMapBendsTheNormal) {
   m.height_scale = 10;
   const RenderScene s(scene);
   const Ray ray{{0.3f, 0.2f, 1}, {0, 0, -1}, 9};
-  const Surface at = surfaceAt<Shading::kAll>(s, ray, s.geometry().intersect(ray), 0.001f);
+  const Surface at = surfaceAt<kEverything>(s, ray, s.geometry().intersect(ray), 0.001f);
   EXPECT_NEAR(at.shading_normal.x, -std::sqrt(0.5), 1e-3);
   EXPECT_NEAR(at.shading_normal.y, 0, 1e-3);
   EXPECT_EQ(at.geometric_normal.z, 1);
@@ -98,16 +98,20 @@ TEST(Materials, MetalIsBlackFromBehindAndGlassIsNot) {
   }
 }
 
+Shading kernelOf(const Scene& scene) {
+  return withKernel(shadingOf(scene), []<Shading S>() { return S; });
+}
+
 // A scene gets the smallest kernel, and every kernel gives the same picture.
 TEST(Kernels, AreTheSmallestThatHoldTheScene) {
   Scene scene = test::furnace(0.5f, 1);
-  EXPECT_EQ(RenderScene(scene).shading(), Shading::kDiffuse);
+  EXPECT_EQ(kernelOf(scene), kPlainDiffuse);
   Scene textured = scene, all = scene;
   textured.materials.push_back(test::grey(0.1f));
   textured.materials.back().reflectance.kind = SurfaceColor::Kind::kCheckerboard;
-  all.materials.push_back(of(BsdfKind::kPlastic));
-  EXPECT_EQ(RenderScene(textured).shading(), Shading::kTexturedDiffuse);
-  EXPECT_EQ(RenderScene(all).shading(), Shading::kAll);
+  all.materials.push_back(of(BsdfKind::kConductor));
+  EXPECT_EQ(kernelOf(textured), kTexturedDiffuse);
+  EXPECT_EQ(kernelOf(all), kEverything);
   const Frame a = test::renderFrame(scene, 3, 2), b = test::renderFrame(textured, 3, 2),
               c = test::renderFrame(all, 3, 2);
   for (int y = 0; y < a.height(); ++y) {
@@ -116,6 +120,19 @@ TEST(Kernels, AreTheSmallestThatHoldTheScene) {
       ASSERT_NEAR(a.samples.I2.at(x, y), c.samples.I2.at(x, y), 1e-4f * a.samples.I2.at(x, y));
     }
   }
+}
+
+// What a plastic scene lacks, its kernel need not know; a sky or a mask brings in no other BSDF.
+TEST(Kernels, OfPlasticsKnowNoMetalsAndNoGlass) {
+  Scene plastic = test::furnace(0.5f, 1), sky = plastic, lamp = plastic, mask = plastic;
+  plastic.materials.push_back(of(BsdfKind::kRoughPlastic));
+  sky.environment = {{1, 1, 1}, {}, {}};
+  lamp.point_lights.push_back({});
+  mask.materials[0].opacity.color0 = {0.5f, 0.5f, 0.5f};
+  for (const Scene& scene : {plastic, sky, lamp, mask}) EXPECT_EQ(kernelOf(scene), kPlastics);
+  for (const BsdfKind kind :
+       {BsdfKind::kConductor, BsdfKind::kRoughConductor, BsdfKind::kDielectric, BsdfKind::kThinDielectric})
+    EXPECT_EQ(kPlastics.kinds & only(kind), 0u);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
-// BSDFs: free functions over plain records. A kernel is compiled for the set of kinds that its scene has, and
-// pays for no other: of a scene that is all diffuse, not even the kind is looked at.
+// BSDFs: free functions over plain records, compiled for a set of kinds. Other kinds cost nothing: in a set
+// of one, not even the kind is looked at.
 #pragma once
+
+#include <tuple>
+#include <utility>
 
 #include "render/bsdf/conductor.h"
 #include "render/bsdf/dielectric.h"
@@ -14,31 +17,42 @@ using BsdfKinds = unsigned;  // a bit for each kind
 constexpr BsdfKinds only(BsdfKind kind) {
   return 1u << static_cast<unsigned>(kind);
 }
+inline constexpr BsdfKinds kAllBsdfKinds = only(BsdfKind::kCount) - 1;
+
+// Those with a trait.
+constexpr BsdfKinds kindsWith(bool BsdfTraits::*trait) {
+  BsdfKinds kinds = 0;
+  for (const BsdfTraits& row : kBsdfTraits) kinds |= row.*trait ? only(row.kind) : 0;
+  return kinds;
+}
 
 namespace detail {
 
-// call(Family()) of the family that b's kind names, among those in Kinds.
-template <BsdfKinds Kinds, class Family, class... Others, class Call>
-auto visitFamily(const Bsdf& b, Call call) {
-  constexpr BsdfKinds kOthers = Kinds & (only(Others::kKind) | ... | 0u);
-  if constexpr ((Kinds & only(Family::kKind)) == 0) {
-    return visitFamily<Kinds, Others...>(b, call);
-  } else if constexpr (kOthers == 0) {
+// In the order of BsdfKind.
+using BsdfFamilies =
+    std::tuple<Diffuse, Plastic, RoughPlastic, Conductor, RoughConductor, Dielectric, ThinDielectric>;
+
+template <std::size_t... I>
+constexpr bool inOrder(std::index_sequence<I...>) {
+  return (... && (std::tuple_element_t<I, BsdfFamilies>::kKind == static_cast<BsdfKind>(I)));
+}
+static_assert(std::tuple_size_v<BsdfFamilies> == kBsdfKindCount, "each kind is shaded");
+static_assert(inOrder(std::make_index_sequence<kBsdfKindCount>()), "as itself");
+
+// call(Family()) of the family that b's kind names, which is in Kinds; those before I are ruled out.
+template <BsdfKinds Kinds, std::size_t I = 0, class Call>
+auto visit(const Bsdf& b, Call call) {
+  using Family = std::tuple_element_t<I, BsdfFamilies>;
+  if constexpr ((Kinds >> I & 1) == 0) {
+    return visit<Kinds, I + 1>(b, call);
+  } else if constexpr (Kinds >> (I + 1) == 0) {
     return call(Family());
   } else {
-    return b.tables->model.kind == Family::kKind ? call(Family()) : visitFamily<Kinds, Others...>(b, call);
+    return b.tables->model.kind == Family::kKind ? call(Family()) : visit<Kinds, I + 1>(b, call);
   }
 }
 
-template <BsdfKinds Kinds, class Call>
-auto visit(const Bsdf& b, Call call) {
-  return visitFamily<Kinds, Diffuse, Plastic, RoughPlastic, Conductor, RoughConductor, Dielectric,
-                     ThinDielectric>(b, call);
-}
-
 }  // namespace detail
-
-inline constexpr BsdfKinds kAllBsdfKinds = (only(BsdfKind::kThinDielectric) << 1) - 1;
 
 // Kinds: those that b may be of.
 template <BsdfKinds Kinds = kAllBsdfKinds>

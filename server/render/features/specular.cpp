@@ -6,12 +6,6 @@
 namespace saccade {
 namespace {
 
-bool isGlass(const Material& m) {
-  return m.model.kind == BsdfKind::kDielectric || m.model.kind == BsdfKind::kThinDielectric;
-}
-bool isPlastic(const Material& m) {
-  return m.model.kind == BsdfKind::kPlastic || m.model.kind == BsdfKind::kRoughPlastic;
-}
 bool isSpecular(const Material& m) {
   return m.model.kind != BsdfKind::kDiffuse;
 }
@@ -34,7 +28,7 @@ SurfaceColor mapped(Scene& scene, SurfaceColor c, Change change) {
 SurfaceColor albedoAcross(Scene& scene, const Material& m) {
   const BsdfTables tables(m.model);
   Bsdf b{.tables = &tables, .diffuse = meanOf(scene, m.reflectance), .specular = meanOf(scene, m.specular)};
-  const bool base = isPlastic(m) && (isTextured(m.reflectance) || !isTextured(m.specular));
+  const bool base = traitsOf(m.model.kind).base && (isTextured(m.reflectance) || !isTextured(m.specular));
   return mapped(scene, base ? m.reflectance : m.specular, [&](Rgb colour) {
     (base ? b.diffuse : b.specular) = colour;
     return bsdfAlbedo(b, 1);
@@ -52,8 +46,8 @@ bool hasSpecular(const Scene& scene) {
 void leaveOutSpecular(Scene& scene) {
   std::vector<bool> glass;
   for (Material& m : scene.materials) {
-    glass.push_back(isGlass(m));
-    if (!isSpecular(m) || isGlass(m)) continue;
+    glass.push_back(traitsOf(m.model.kind).transmits);
+    if (!isSpecular(m) || glass.back()) continue;
     m.reflectance = albedoAcross(scene, m);
     m.specular = kWhite;
     m.model = {};

@@ -56,6 +56,8 @@ void BsdfReader::read(BsdfKind kind) {
     case BsdfKind::kThinDielectric:
       readDielectric();
       break;
+    case BsdfKind::kCount:
+      break;
   }
   if (kind != BsdfKind::kDiffuse)
     material_.specular = textures_.readColor(properties_, "specular_reflectance", kOne);

@@ -1,3 +1,6 @@
+// Following the view to the surface that guides the filter, for kernel.h.
+#pragma once
+
 #include "render/guide.h"
 
 #include <array>
@@ -7,15 +10,16 @@
 #include "render/surface_at.h"
 
 namespace saccade {
-namespace {
+namespace detail {
 
-constexpr Lane kView = 0.5f;  // Scatter::isView()
+inline constexpr Lane kView = 0.5f;  // Scatter::isView()
 
-Vec3 mirrored(Vec3 v, Vec3 about) {
+inline Vec3 mirrored(Vec3 v, Vec3 about) {
   return v - about * (2 * dot(v, about));
 }
 
 // Follows the view from `start` through mirrors, clear glass and masks; anything else it ends at.
+template <Shading S>
 Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& primary,
                  const Hit& first, const PathStart& start) {
   Guide g{};
@@ -29,7 +33,7 @@ Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, co
   std::uint32_t geometry = first.geometry;
   for (int depth = 0;; ++depth) {
     g.emission = g.emission + throughput * s.radiance * strengths[geometry];
-    const Scatter<Shading::kAll> scatter(s, direction);
+    const Scatter<S> scatter(s, direction);
     const BsdfSample next = scatter.sample(kView, kView, kView);
     if (depth == kMaxViewDepth || !scatter.isView(next)) {
       g.albedo = g.albedo + throughput * scatter.albedo();
@@ -47,7 +51,7 @@ Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, co
     }
     distance += hit.t;
     cone.width = cone.at(hit.t);
-    s = surfaceAt<Shading::kAll>(scene, ray, hit, cone.width);
+    s = surfaceAt<S>(scene, ray, hit, cone.width);
     direction = next.wi, geometry = hit.geometry;
   }
   g.normal = s.shading_normal;
@@ -58,12 +62,12 @@ Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, co
   return g;
 }
 
-}  // namespace
+}  // namespace detail
 
 template <Shading S>
 Guide findGuide(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& ray, const Hit& hit,
                 const PathStart& start) {
-  if constexpr (S == Shading::kAll) return followView(scene, strengths, ray, hit, start);
+  if constexpr (S.extras) return detail::followView<S>(scene, strengths, ray, hit, start);
   const Surface& s = start.surface;
   return {s.point,
           s.shading_normal,
@@ -72,12 +76,5 @@ Guide findGuide(const RenderScene& scene, const EmitterStrengths& strengths, con
           Scatter<S>(s, start.direction).albedo(),
           s.radiance * strengths[hit.geometry]};
 }
-
-template Guide findGuide<Shading::kDiffuse>(const RenderScene&, const EmitterStrengths&, const Ray&,
-                                            const Hit&, const PathStart&);
-template Guide findGuide<Shading::kTexturedDiffuse>(const RenderScene&, const EmitterStrengths&, const Ray&,
-                                                    const Hit&, const PathStart&);
-template Guide findGuide<Shading::kAll>(const RenderScene&, const EmitterStrengths&, const Ray&, const Hit&,
-                                        const PathStart&);
 
 }  // namespace saccade

@@ -1,3 +1,6 @@
+// The path tracer itself, for kernel.h.
+#pragma once
+
 #include "render/path_tracer.h"
 
 #include <limits>
@@ -5,13 +8,13 @@
 #include "render/direct_light.h"
 
 namespace saccade {
-namespace {
+namespace detail {
 
 // Every vertex has its own random dimensions, so that paths that part at one vertex still share the numbers
 // of the next.
 enum Dimension { kLight, kBounce = kLight + 3, kLobe = kBounce + 2, kDimensions };
 
-constexpr int kMaxDeltas = 16;  // mirrors and glass that a path may meet besides its bounces
+inline constexpr int kMaxDeltas = 16;  // mirrors and glass that a path may meet besides its bounces
 
 // How the last direction was chosen that was not straight on: what weighs light found by chance.
 struct Choice {
@@ -22,7 +25,7 @@ struct Choice {
   Lane weight(Lane pdf_light) const { return delta ? 1 : balance(pdf, pdf_light); }
 };
 
-}  // namespace
+}  // namespace detail
 
 template <Shading S, int Channels>
 Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths& strengths,
@@ -33,36 +36,37 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
   Surface s = start.surface;
   Vec3 arriving = start.direction;
   RayCone cone = start.cone;
-  Choice choice{1, true, 0};
-  const bool passages = S == Shading::kAll && scene.hasPassages();
-  bool in_view = S == Shading::kAll;
-  for (int vertex = 0, bounce = 0; vertex <= bounces + kMaxDeltas; ++vertex) {
-    const int dimension = vertex * kDimensions;
+  detail::Choice choice{1, true, 0};
+  const bool passages = S.extras && scene.hasPassages();
+  bool in_view = S.extras;
+  for (int vertex = 0, bounce = 0; vertex <= bounces + detail::kMaxDeltas; ++vertex) {
+    const int dimension = vertex * detail::kDimensions;
     const Scatter<S> scatter(s, arriving);
     const bool spent = passages && bounce > bounces;
     if (!spent)
-      radiance +=
-          throughput * directLight<S, Channels>(scene, strengths, s, scatter, sampler, dimension + kLight);
+      radiance += throughput *
+                  directLight<S, Channels>(scene, strengths, s, scatter, sampler, dimension + detail::kLight);
 
     // Continue in a direction of the BSDF.
-    const BsdfSample next = scatter.sample(sampler.u(dimension + kLobe), sampler.u(dimension + kBounce),
-                                           sampler.u(dimension + kBounce + 1));
+    const BsdfSample next =
+        scatter.sample(sampler.u(dimension + detail::kLobe), sampler.u(dimension + detail::kBounce),
+                       sampler.u(dimension + detail::kBounce + 1));
     throughput = throughput * Color<Channels>(next.weight);
     if (next.pdf <= 0 || throughput.luminance() <= 0) return radiance;
-    const bool straight = S == Shading::kAll && scatter.isPassThrough(next);
+    const bool straight = S.extras && scatter.isPassThrough(next);
     if (spent && !straight) return radiance;
     if (straight)
       choice.pdf *= scatter.passage().probability;
     else
       choice = {next.pdf, next.delta, 0};
-    if constexpr (S == Shading::kAll) in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
+    if constexpr (S.extras) in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
     if (!next.delta) cone.spread = RayCone::lobeSpread(next.pdf);
     const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
     const Hit hit = scene.geometry().intersect(ray);
 
     // Light found by chance: direct light of the vertex we come from.
     if (!hit.valid) {
-      if constexpr (S == Shading::kAll)
+      if constexpr (S.extras)
         if (!in_view)
           radiance += throughput * Color<Channels>(lights.distantRadiance(next.wi)) *
                       choice.weight(lights.distantPdf(next.wi));
@@ -83,18 +87,5 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
   }
   return radiance;
 }
-
-template Color<1> traceReflected<Shading::kDiffuse, 1>(const RenderScene&, const EmitterStrengths&,
-                                                       const PathStart&, const PathSampler&, int);
-template Color<3> traceReflected<Shading::kDiffuse, 3>(const RenderScene&, const EmitterStrengths&,
-                                                       const PathStart&, const PathSampler&, int);
-template Color<1> traceReflected<Shading::kTexturedDiffuse, 1>(const RenderScene&, const EmitterStrengths&,
-                                                               const PathStart&, const PathSampler&, int);
-template Color<3> traceReflected<Shading::kTexturedDiffuse, 3>(const RenderScene&, const EmitterStrengths&,
-                                                               const PathStart&, const PathSampler&, int);
-template Color<1> traceReflected<Shading::kAll, 1>(const RenderScene&, const EmitterStrengths&,
-                                                   const PathStart&, const PathSampler&, int);
-template Color<3> traceReflected<Shading::kAll, 3>(const RenderScene&, const EmitterStrengths&,
-                                                   const PathStart&, const PathSampler&, int);
 
 }  // namespace saccade

@@ -1,0 +1,14 @@
+// Compiles the path tracer for one set of features. Each set has a .cpp file of its own, so that what the
+// compiler inlines into one kernel, and with it the rounding, does not depend on which others there are.
+#pragma once
+
+#include "render/guide_kernel.h"
+#include "render/path_tracer_kernel.h"
+
+#define SACCADE_COMPILE_KERNEL(S)                                                                       \
+  template Color<1> traceReflected<S, 1>(const RenderScene&, const EmitterStrengths&, const PathStart&, \
+                                         const PathSampler&, int);                                      \
+  template Color<3> traceReflected<S, 3>(const RenderScene&, const EmitterStrengths&, const PathStart&, \
+                                         const PathSampler&, int);                                      \
+  template Guide findGuide<S>(const RenderScene&, const EmitterStrengths&, const Ray&, const Hit&,      \
+                              const PathStart&);

@@ -1,0 +1,43 @@
+// What a kernel of the renderer can shade. A scene runs in the first kernel that covers what it has.
+//
+// The sets come from measurements. The kinds of BSDF are what costs: a plastic bunny in a Cornell box takes
+// about 5 % longer in a kernel that also knows metals and glass. Scenes with metals (a staircase, a kitchen,
+// a room behind a door) have glass too, so that they share one kernel. Masks, bump maps, and lights that are
+// no surface cost nothing measurable where a scene has none.
+#pragma once
+
+#include "render/bsdf/bsdf.h"
+#include "scene/scene.h"
+
+namespace saccade {
+
+struct Shading {
+  BsdfKinds kinds = only(BsdfKind::kDiffuse);
+  bool textures = false;  // colours that vary over a surface
+  bool extras = false;    // masks, bump maps, and lights that are no surface
+
+  bool operator==(const Shading&) const = default;
+  constexpr bool diffuseOnly() const { return kinds == only(BsdfKind::kDiffuse); }
+  constexpr bool has(bool BsdfTraits::*trait) const { return (kinds & kindsWith(trait)) != 0; }
+  constexpr bool covers(const Shading& needed) const {
+    return (needed.kinds & ~kinds) == 0 && textures >= needed.textures && extras >= needed.extras;
+  }
+};
+
+inline constexpr Shading kPlainDiffuse{};
+inline constexpr Shading kTexturedDiffuse{only(BsdfKind::kDiffuse), true};
+inline constexpr Shading kPlastics{kindsWith(&BsdfTraits::base), true, true};
+inline constexpr Shading kEverything{kAllBsdfKinds, true, true};
+
+Shading shadingOf(const Scene& scene);  // what the scene has
+
+// call.operator()<S>() with the first kernel that covers `needed`.
+template <class Call>
+auto withKernel(const Shading& needed, Call call) {
+  if (kPlainDiffuse.covers(needed)) return call.template operator()<kPlainDiffuse>();
+  if (kTexturedDiffuse.covers(needed)) return call.template operator()<kTexturedDiffuse>();
+  if (kPlastics.covers(needed)) return call.template operator()<kPlastics>();
+  return call.template operator()<kEverything>();
+}
+
+}  // namespace saccade
