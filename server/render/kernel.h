@@ -1,5 +1,5 @@
-// Compiles the path tracer for one set of features. Each set has a .cpp file of its own, so that what the
-// compiler inlines into one kernel, and with it the rounding, does not depend on which others there are.
+// Compiles the path tracer for one set of features (shading.h). Large sets have a .cpp file of their own:
+// otherwise another set would change what the compiler inlines, and with it speed and rounding.
 #pragma once
 
 #include "render/guide_kernel.h"

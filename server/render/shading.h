@@ -1,9 +1,9 @@
-// What a kernel of the renderer can shade. A scene runs in the first kernel that covers what it has.
+// The sets of features that the renderer is compiled for. A scene runs in the first set that covers it.
 //
-// The sets come from measurements. The kinds of BSDF are what costs: a plastic bunny in a Cornell box takes
-// about 5 % longer in a kernel that also knows metals and glass. Scenes with metals (a staircase, a kitchen,
-// a room behind a door) have glass too, so that they share one kernel. Masks, bump maps, and lights that are
-// no surface cost nothing measurable where a scene has none.
+// Measurements chose the sets. The kinds of BSDF cost most: a plastic bunny in a Cornell box takes at least
+// 5 % longer in a kernel that also knows metals and glass. Real scenes with metals have glass too, so both
+// share one kernel. A scene without masks, bump maps, points, directions and skies pays nothing measurable
+// for a kernel that knows them.
 #pragma once
 
 #include "render/bsdf/bsdf.h"
@@ -24,12 +24,13 @@ struct Shading {
   }
 };
 
+// From the smallest to the largest. A diffuse scene with extras runs as plastics do.
 inline constexpr Shading kPlainDiffuse{};
 inline constexpr Shading kTexturedDiffuse{only(BsdfKind::kDiffuse), true};
 inline constexpr Shading kPlastics{kindsWith(&BsdfTraits::base), true, true};
 inline constexpr Shading kEverything{kAllBsdfKinds, true, true};
 
-Shading shadingOf(const Scene& scene);  // what the scene has
+Shading shadingOf(const Scene& scene);  // the features that the scene has
 
 // call.operator()<S>() with the first kernel that covers `needed`.
 template <class Call>

@@ -1,5 +1,5 @@
-// BSDFs: free functions over plain records, compiled for a set of kinds. Other kinds cost nothing: in a set
-// of one, not even the kind is looked at.
+// BSDFs: free functions over plain records, compiled for a set of kinds. render/shading.h lists the sets.
+// Kinds outside the set cost nothing. In a set of one kind, the kind is not even read.
 #pragma once
 
 #include <tuple>
