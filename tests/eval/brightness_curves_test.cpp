@@ -48,11 +48,11 @@ TEST(WriteBrightness, MakesAColumnForEachCurve) {
   std::vector<BrightnessCurve> curves;
   curves.push_back({"truth", LineStyle::kReference, brightness(plane({1, 2}), plane({0.5f, -1}))});
   curves.push_back({"ours", LineStyle::kLine, brightness(plane({1, 2}), plane({0.25f, 1}))});
-  writeBrightness(o, "a/scene", curves, {1, 0}, 4);
+  writeBrightness(o, "room", curves, {1, 0}, 4);
   std::ostringstream csv;
-  csv << std::ifstream(folder.at("figure7_a_scene_time.csv")).rdbuf();
+  csv << std::ifstream(folder.at("figure7_room_time.csv")).rdbuf();
   EXPECT_EQ(csv.str(), "seconds,truth,ours\n0,2,2\n0.25,1,3\n");
-  for (const char* name : {"figure7_a_scene_spectrum.csv", "figure7_a_scene.svg"})
+  for (const char* name : {"figure7_room_spectrum.csv", "figure7_room.svg"})
     EXPECT_TRUE(std::filesystem::exists(folder.at(name))) << name;
 }
 

@@ -34,9 +34,9 @@ SceneLibrary ownLibrary() {
 
 // The scene's file where it is named by path, else an empty path.
 fs::path fileOf(const std::string& name_or_path) {
-  if (name_or_path.find('/') != name_or_path.npos && fs::is_directory(name_or_path))
-    return sceneFileIn(fs::absolute(name_or_path).lexically_normal());
-  return looksLikeFile(name_or_path) ? fs::absolute(name_or_path) : fs::path();
+  if (!looksLikeFile(name_or_path) || ownLibrary().find(name_or_path)) return {};
+  const fs::path path = fs::absolute(name_or_path).lexically_normal();
+  return path.has_extension() && !fs::is_directory(path) ? path : sceneFileIn(path);
 }
 
 Trajectory readTrajectoryFile(const std::string& path) {
