@@ -45,7 +45,7 @@ class ClockStep : public testing::Test {
     v1::OpenStream wrong = tinyRequest();
     wrong.set_scene("nowhere");
     client_.tryOpen(wrong);
-    const std::string line = server_.process().lineWith("no such scene");
+    const std::string line = server_.process().lineWith("no scene is named");
     return std::stoi(line.substr(line.find('T') + 1, 2));
   }
 
