@@ -19,20 +19,20 @@ std::shared_ptr<Session> findByTopic(const SessionDirectory& sessions, const std
   return nullptr;
 }
 
-struct Wish {
+struct Subscription {
   bool wanted;
   std::string topic;
 };
 
 // A subscription is one part: 1 (or 0 to end it) and the topic [ZMTP 3.0], or a command of that name
 // [ZMTP 3.1].
-std::optional<Wish> readWish(const std::vector<std::string>& parts) {
+std::optional<Subscription> readSubscription(const std::vector<std::string>& parts) {
   using namespace std::string_view_literals;
   if (parts.size() != 1) return {};
-  constexpr std::pair<std::string_view, bool> kWishes[] = {
+  constexpr std::pair<std::string_view, bool> kForms[] = {
       {"\1"sv, true}, {"\0"sv, false}, {"\x09SUBSCRIBE"sv, true}, {"\6CANCEL"sv, false}};
-  for (const auto& [begin, wanted] : kWishes) {
-    if (parts[0].starts_with(begin)) return Wish{wanted, parts[0].substr(begin.size())};
+  for (const auto& [begin, wanted] : kForms) {
+    if (parts[0].starts_with(begin)) return Subscription{wanted, parts[0].substr(begin.size())};
   }
   return {};
 }
@@ -56,12 +56,12 @@ void BroadcastServer::start() {
 }
 
 void BroadcastServer::receive(const SocketLoop::Message& message) {
-  const auto wish = readWish(message.parts);
-  if (!wish) return;
-  if (wish->wanted) {
-    subscribe(message, wish->topic);
+  const auto asked = readSubscription(message.parts);
+  if (!asked) return;
+  if (asked->wanted) {
+    subscribe(message, asked->topic);
   } else {
-    unsubscribe(message.peer, wish->topic);
+    unsubscribe(message.peer, asked->topic);
   }
 }
 

@@ -105,10 +105,10 @@ class SubscriptionTest : public testing::Test {
   zmq::context_t context_;
   FakeServer control_{context_}, data_{context_};
   v1::OpenStream request_ = [] {
-    v1::OpenStream wish;
-    wish.set_delivery(v1::DELIVERY_LOSSLESS);
-    wish.add_sensors()->set_threshold(0.25);
-    return wish;
+    v1::OpenStream request;
+    request.set_delivery(v1::DELIVERY_LOSSLESS);
+    request.add_sensors()->set_threshold(0.25);
+    return request;
   }();
   Events events_;
   Losses losses_;

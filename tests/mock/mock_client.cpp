@@ -34,17 +34,17 @@ v1::Reply MockClient::callRaw(const std::string& bytes) {
   return reply;
 }
 
-v1::StreamOpened MockClient::open(const v1::OpenStream& wish) {
+v1::StreamOpened MockClient::open(const v1::OpenStream& stream) {
   v1::Request request;
-  *request.mutable_open_stream() = wish;
+  *request.mutable_open_stream() = stream;
   const v1::Reply reply = call(request);
   if (reply.status().code() != v1::CODE_OK) throw std::runtime_error(reply.ShortDebugString());
   return reply.open_stream();
 }
 
-v1::Status MockClient::tryOpen(const v1::OpenStream& wish) {
+v1::Status MockClient::tryOpen(const v1::OpenStream& stream) {
   v1::Request request;
-  *request.mutable_open_stream() = wish;
+  *request.mutable_open_stream() = stream;
   return call(request).status();
 }
 

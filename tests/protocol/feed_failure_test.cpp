@@ -57,7 +57,7 @@ class FeedFailure : public testing::Test {
     return std::make_unique<FeedRunner>(std::move(feed), FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 
-  static std::shared_ptr<StreamSink> makeOutlet(const std::shared_ptr<Session>& session) {
+  static std::shared_ptr<StreamSink> makeSink(const std::shared_ptr<Session>& session) {
     ResolvedStream stream{.request = {},
                           .feed = {.width = 8, .height = 8, .params = {}},
                           .sensors = {},
@@ -74,7 +74,7 @@ class FeedFailure : public testing::Test {
   std::vector<v1::PacketHeader> packetsOf(FeedRunner& runner) {
     const auto session = std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 2, transport_,
                                                    runner.notifier(), totals_.traffic);
-    runner.add(makeOutlet(session));
+    runner.add(makeSink(session));
     session->start();
     EXPECT_TRUE(runner.notifier()->waitUntil(ChangeNotifier::Clock::now() + kPatience,
                                              [&] { return session->finished(); }));
@@ -118,7 +118,7 @@ TEST_F(FeedFailure, AFrameThatNobodyWantsIsNotFinished) {
   for (const char* id : {"1", "2"}) {
     sessions.push_back(std::make_shared<Session>(id, v1::DELIVERY_LOSSLESS, 1, transport_,
                                                  endless->notifier(), totals_.traffic));
-    endless->add(makeOutlet(sessions.back()));
+    endless->add(makeSink(sessions.back()));
   }
   for (const auto& session : sessions) session->start();
   ASSERT_TRUE(waitUntil([&] { return reached.load(); }, kPatience));
@@ -146,7 +146,7 @@ TEST_F(FeedFailure, LetsNobodyJoinAfterwards) {
   packetsOf(*failing);
   const auto late =
       std::make_shared<Session>("2", v1::DELIVERY_LIVE, 1, transport_, failing->notifier(), totals_.traffic);
-  EXPECT_FALSE(failing->add(makeOutlet(late)));
+  EXPECT_FALSE(failing->add(makeSink(late)));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ v1::Keyframe& secondKey(v1::OpenStream& r) {
   return *keyframes.mutable_keys(1);
 }
 
-struct BadWish {
+struct SpoiltRequest {
   std::string field;
   std::function<void(v1::OpenStream&)> spoil;
   v1::Code code = v1::CODE_INVALID_ARGUMENT;
@@ -39,7 +39,7 @@ struct BadWish {
 };
 
 // clang-format off
-const std::vector<BadWish> kBadWishes{
+const std::vector<SpoiltRequest> kSpoiltRequests{
     {"scene", [](auto& r) { r.set_scene("no-such-scene"); }, v1::CODE_NOT_FOUND, "cornell-box"},
     {"scene", [](auto& r) { r.set_scene("../scenes/cornell-box"); }, v1::CODE_NOT_FOUND},
     {"scene", [](auto& r) { r.set_scene("/etc"); }, v1::CODE_NOT_FOUND},
@@ -130,7 +130,7 @@ const std::vector<BadWish> kBadWishes{
 TEST(Request, ABadWishIsRefusedWithItsField) {
   TestServer server;
   std::vector<double> took_ms;
-  for (const BadWish& bad : kBadWishes) {
+  for (const SpoiltRequest& bad : kSpoiltRequests) {
     v1::OpenStream request = tinyRequest();
     bad.spoil(request);
     SCOPED_TRACE(bad.field);
@@ -229,7 +229,7 @@ TEST(Request, ABadWishIsAnsweredWhileOthersAreServed) {
   MockSubscriber subscriber = server.dataSubscriber();
   subscriber.attach(stream);
   subscriber.giveCredit(1 << 20);
-  for (const BadWish& bad : kBadWishes) {
+  for (const SpoiltRequest& bad : kSpoiltRequests) {
     v1::OpenStream spoilt = tinyRequest();
     bad.spoil(spoilt);
     EXPECT_NE(server.client().tryOpen(spoilt).code(), v1::CODE_OK);
