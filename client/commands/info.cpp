@@ -1,4 +1,4 @@
-// saccade info: prints the version, limits, features and methods of a server.
+// saccade info: prints the version, limits, scene features and methods of a server.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -63,7 +63,8 @@ void runInfo(const InfoOptions& options) {
 }  // namespace
 
 void addInfoCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("info", "print the server's version, limits, features and methods");
+  CLI::App* command =
+      app.add_subcommand("info", "print the server's version, limits, scene features and methods");
   const auto options = std::make_shared<InfoOptions>();
   addServerOptions(*command, options->server);
   command->add_option("--wait", options->wait_s, "seconds to wait for a server that is not up yet")

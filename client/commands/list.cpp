@@ -31,7 +31,8 @@ void runList(const ServerOptions& options) {
 }  // namespace
 
 void addListCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("list", "print the scenes of the server and their trajectories");
+  CLI::App* command =
+      app.add_subcommand("list", "print the scenes of the server, and the trajectories of each");
   const auto options = std::make_shared<ServerOptions>();
   addServerOptions(*command, *options);
   command->callback([options] { runList(*options); });

@@ -25,17 +25,17 @@ void addPathOptions(CLI::App& command, RecordOptions& o) {
   CLI::Option* trajectory = command.add_option(
       "--trajectory", o.trajectory,
       "name of a trajectory of the scene, or a file of poses in TUM format (seconds, blanks) or "
-      "ESIM format (nanoseconds, commas)");
+      "ESIM format (nanoseconds, commas); give this or --motion");
   CLI::Option* motion =
       command
           .add_option("--motion", o.motion,
                       "KIND:SPEED per second, or KIND:SPEEDpx in pixels per frame, from the "
-                      "scene's own camera; KIND is " +
+                      "scene's own camera; KIND is one of " +
                           enumWords<v1::MotionKind>())
           ->excludes(trajectory);
   command.add_option("--turn", o.turn_s, "seconds after which the motion turns back, 0: never")
       ->needs(motion);
-  command.add_option("--motion-seed", o.motion_seed, "seed of the motion shake")
+  command.add_option("--motion-seed", o.motion_seed, "seed of the random motion of shake")
       ->check(checkWhole<std::uint64_t>)
       ->needs(motion);
 }
@@ -59,7 +59,7 @@ void addSensorOptions(CLI::App& command, RecordOptions& o) {
                      "how a sensor finds its brightness: " + enumWords<v1::Reconstruction>() +
                          "; direct sums the changes and drifts, the others also use the picture");
   command.add_option("--cutoff", o.cutoff_hz,
-                     "Hz below which the reconstruction complementary follows the picture");
+                     "Hz below which --reconstruction complementary follows the picture");
 }
 
 void addStreamOptions(CLI::App& command, RecordOptions& o) {
@@ -72,12 +72,12 @@ void addStreamOptions(CLI::App& command, RecordOptions& o) {
   command
       .add_option("--delivery", o.delivery,
                   "what happens when this client is slow: " + enumWords<v1::Delivery>() +
-                      "; lossless waits, live drops the oldest packets, broadcast drops any")
+                      "; with lossless the server waits, live drops the oldest packets, broadcast drops any")
       ->capture_default_str();
   command
       .add_option(
           "--clock", o.clock,
-          enumWords<v1::Clock>() + "; fast renders as fast as possible, paced in step with the wall clock")
+          enumWords<v1::Clock>() + "; fast renders as fast as possible, paced keeps to the wall clock")
       ->capture_default_str();
   command.add_option("--codec", o.codec, "compression of the packets: " + enumWords<v1::Codec>());
   command
@@ -92,7 +92,7 @@ void addStreamOptions(CLI::App& command, RecordOptions& o) {
 
 void addQualityOptions(CLI::App& command, RecordOptions& o) {
   command.option_defaults()->group("Rendering");
-  command.add_option("--method", o.method, "see `saccade info`");
+  command.add_option("--method", o.method, "how the change is estimated, see `saccade info`");
   CLI::Option* spp =
       command.add_option("--spp", o.spp, "paths per pixel and frame")->check(checkWhole<std::uint32_t>);
   CLI::Option* bounces =
@@ -158,7 +158,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
       "(up),\n"
       "roll (clockwise), orbit (right), shake (hand-held) in degrees per second. A negative speed goes the "
       "other\n"
-      "way. Keep the picture below half a pixel per frame: `record` warns, and says which --rate does.\n\n"
+      "way. Keep the image motion below half a pixel per frame: `record` warns, and names a --rate.\n\n"
       "Options without a default here have the server's default. FILE is called FILE.partial until it is "
       "complete.\n"
       "`record` reconnects to a lost server and resumes; a lossless recording misses nothing.\n"

@@ -56,7 +56,7 @@ void warnOfFastPicture(const v1::StreamOpened& opened) {
   if (motion.has_px_per_frame()) {
     advice = "ask for at most 0.5px";
   } else if (rate <= kMaxRateHz) {
-    advice = "--rate " + std::to_string(std::llround(rate)) + " would keep to it";
+    advice = "--rate " + std::to_string(std::llround(rate)) + " would be enough";
   }
   std::fprintf(stderr, "saccade: warning: above half a pixel per frame events are less accurate; %s\n",
                advice.c_str());

@@ -16,7 +16,7 @@ void printChoice(std::FILE* out, const v1::StreamOpened& opened);
 // The simplification that the server chose for --max-event-change; nothing without it.
 void printModel(std::FILE* out, const v1::StreamOpened& opened);
 void printPixelSpeed(std::FILE* out, const v1::StreamOpened& opened);
-// On stderr: the picture moves by more than half a pixel per frame, and the rate that would keep to it.
+// On stderr: the picture moves by more than half a pixel per frame, and the rate that would be enough.
 void warnOfFastPicture(const v1::StreamOpened& opened);
 void printFiles(std::FILE* out, std::vector<std::string> files,
                 const std::string& preview);                               // preview: "" for none

@@ -29,20 +29,20 @@ void eraseUnusedTextures(Scene& scene) {
 
 const std::vector<SceneFeatureInfo>& featureTable() {
   static const std::vector<SceneFeatureInfo> table{
-      {SceneFeature::kTextures, "textures", "colours are the mean of their picture", hasTextures,
+      {SceneFeature::kTextures, "textures", "each picture or checkerboard is its mean colour", hasTextures,
        leaveOutTextures},
       {SceneFeature::kSpecular, "specular",
-       "plastics and metals are diffuse, of their albedo at a right angle; no glass", hasSpecular,
+       "plastics and metals are diffuse, with their albedo at a right angle; no glass", hasSpecular,
        leaveOutSpecular},
       {SceneFeature::kBumpMaps, "bump_maps", "surfaces are as smooth as their meshes", hasBumpMaps,
        leaveOutBumpMaps},
-      {SceneFeature::kMasks, "masks", "what is masked is opaque, or gone where less than half of it is",
-       hasMasks, leaveOutMasks},
+      {SceneFeature::kMasks, "masks",
+       "a masked surface is opaque, or gone if its mean opacity is below a half", hasMasks, leaveOutMasks},
       {SceneFeature::kEnvironment, "environment", "all directions are as bright as their mean",
        hasEnvironmentPicture, leaveOutEnvironmentPicture},
       // Last: what makes textures makes mips for them.
-      {SceneFeature::kMipFiltering, "mip_filtering", "pictures are looked up at one point", hasMips,
-       leaveOutMips},
+      {SceneFeature::kMipFiltering, "mip_filtering",
+       "pictures are read at one point, however small they are seen", hasMips, leaveOutMips},
   };
   return table;
 }

@@ -58,17 +58,17 @@ struct CliAction {
 
 void addActions(CLI::App& app, CliAction& action) {
   app.add_option("--config", action.file,
-                 "TOML file of these options; default: SACCADE_CONFIG of the environment")
+                 "TOML file of these options; default: the file that SACCADE_CONFIG names")
       ->configurable(false);
   app.add_flag("--print-config", action.print,
-               "print every option with its value and origin as such a file, and end")
+               "print every option with its value and origin as such a file, and exit")
       ->configurable(false);
-  app.add_flag("--check-config", action.check, "check the configuration, and end")->configurable(false);
+  app.add_flag("--check-config", action.check, "check the configuration, and exit")->configurable(false);
   app.set_version_flag("--version", SACCADE_VERSION)->configurable(false);
   app.get_help_ptr()->configurable(false);
   app.footer(
       "An ENDPOINT is tcp://ADDRESS:PORT, or ipc://FILE for clients on this machine. Port 0 takes a free "
-      "port; the line `ready` of the log names it.\n\n"
+      "port; the log line `ready:` names it.\n\n"
       "A flag beats the environment (SACCADE_LOG_LEVEL for --log-level), which beats the file of --config "
       "(log-level = \"debug\").");
 }
@@ -117,7 +117,7 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--secret-key", config.secret_key, "file of the server's secret key, from `saccade keygen`")
       ->capture_default_str();
   app.add_option("--client-keys", config.client_keys,
-                 "file of the public keys that may connect, one in each line; SIGHUP reads it again")
+                 "file of the clients' public keys, one in each line; SIGHUP reads it again")
       ->capture_default_str();
   app.add_flag("--insecure", config.insecure, "let other machines connect without keys")
       ->check(CLI::IsMember({"true", "false"}));  // CLI11 by itself takes 10 for true
@@ -128,7 +128,7 @@ void addOptions(CLI::App& app, Config& config) {
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
   app.add_option("--meshes", config.meshes,
-                 "folders, separated by ':', of meshes that scenes name and do not hold themselves")
+                 "folders, separated by ':', of meshes that scenes name but do not hold themselves")
       ->capture_default_str();
   app.add_option("--accuracy", config.accuracy,
                  "table for streams with a budget: results.csv of `saccade-eval chart`; default: " +
@@ -140,7 +140,7 @@ void addOptions(CLI::App& app, Config& config) {
                      defaultSimplificationTable() + ", if it is there")
       ->check(CLI::ExistingFile)
       ->default_str(config.simplification);
-  app.add_option("--log-level", config.log_level)
+  app.add_option("--log-level", config.log_level, "least severity that is logged")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}))
       ->capture_default_str();
   app.add_option("--log-format", config.log_format, "lines for people, or for machines")

@@ -38,8 +38,9 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
       ->capture_default_str();
   app.add_option("--frames", o.frames, "A:B, the frames to score; every run starts at 0")
       ->capture_default_str();
-  app.add_flag("--jitter", o.setup.jitter,
-               "start paths all over the pixel, not at its centre; the reference is the mean over the pixel");
+  app.add_flag(
+      "--jitter", o.setup.jitter,
+      "start paths anywhere in the pixel, not at its centre; the reference is the mean over the pixel");
   app.add_option("--bounces", o.setup.bounces, "indirect bounces")
       ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
@@ -53,7 +54,7 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
         ->capture_default_str();
   }
   if (o.threshold > 0) {
-    app.add_option("--threshold", o.threshold, "C of both polarities, natural log units")
+    app.add_option("--threshold", o.threshold, "contrast threshold of both polarities, natural log units")
         ->check(CLI::Range(ranges::kThreshold.min, ranges::kThreshold.max))
         ->capture_default_str();
   }

@@ -82,7 +82,7 @@ void renderChart(const ChartOptions& o, ResultTable& table) {
   try {
     for (const std::string& scene : o.scenes) runScene(o, scene, pool, table, page);
   } catch (const Interrupted&) {
-    throw std::runtime_error("interrupted; the same command goes on where it stopped");
+    throw std::runtime_error("interrupted; the same command continues where it stopped");
   }
   const std::string chart = drawAccuracyChart(o, table);
   page.heading("Accuracy against time");
@@ -117,8 +117,8 @@ void addChartCommand(CLI::App& app) {
       "chart",
       "measure accuracy against CPU time for every method; after an interruption the same command continues");
   c->add_option("scenes", o->scenes,
-                "scenes by name, or by the path of a scene.xml or its folder; the table holds the names (of "
-                "the folders). "
+                "scenes by name, or by the path of a scene.xml or its folder; the table holds the name "
+                "alone, or that of the folder. "
                 "Default: all that can be opened here");
   c->add_option("--methods", o->methods,
                 "methods, with settings where they differ from the defaults: svgf:as_falcor=1")
@@ -134,7 +134,7 @@ void addChartCommand(CLI::App& app) {
   c->add_option("--within", o->within,
                 "20ms: print the most accurate setting in that CPU time; 2%: print the fastest setting with "
                 "at most 0.02 "
-                "false events per pixel-frame. A complete table is not measured again");
+                "false events per pixel and frame. A complete table is not measured again");
   addBenchOptions(*c, o->bench);
   c->add_option("-o,--output", o->output, "folder for results.csv, chart.svg and index.html")
       ->capture_default_str();

@@ -114,11 +114,11 @@ void runCompare(const CompareOptions& o) {
 
 void addCompareCommand(CLI::App& app) {
   auto o = std::make_shared<CompareOptions>();
-  auto* command =
-      app.add_subcommand("compare",
-                         "compare two dumps: relative L1 and MAPE of dI and dL; false and missed events per "
-                         "pixel and frame, and "
-                         "the share of pixels with any (means over the threshold phase); a picture");
+  auto* command = app.add_subcommand(
+      "compare",
+      "compare two dumps: print relative L1 and MAPE of dI and dL, false and missed events per "
+      "pixel and frame, and the share of pixels with any (means over the threshold phase); "
+      "draw a picture");
   command->add_option("dump", o->dump, "folder written by frames --dump")
       ->required()
       ->check(CLI::ExistingDirectory);
@@ -128,7 +128,7 @@ void addCompareCommand(CLI::App& app) {
   command->add_option("--bias", o->bias, "I_eps, scene luminance")
       ->check(CLI::Range(ranges::kBias.min, ranges::kBias.max))
       ->capture_default_str();
-  command->add_option("--threshold", o->threshold, "C of both polarities, natural log units")
+  command->add_option("--threshold", o->threshold, "contrast threshold of both polarities, natural log units")
       ->check(CLI::Range(ranges::kThreshold.min, ranges::kThreshold.max))
       ->capture_default_str();
   command->add_option("-o,--output", o->picture,

@@ -45,8 +45,8 @@ void addCompareRendersCommand(CLI::App& app) {
   auto o = std::make_shared<CompareRendersOptions>();
   auto* command = app.add_subcommand(
       "compare-renders",
-      "compare two pictures of one view by their means over square blocks: the mean ratio, the "
-      "share of blocks that agree, a picture");
+      "compare two pictures of one view by their means over square blocks: print the mean ratio and the "
+      "share of blocks that agree, draw a picture");
   command
       ->add_option("picture", o->picture,
                    "OpenEXR with R, G, B, as render --rgb writes it; may be smaller by a whole factor")
@@ -55,7 +55,7 @@ void addCompareRendersCommand(CLI::App& app) {
   command->add_option("reference", o->reference, "OpenEXR with R, G, B, linear")
       ->required()
       ->check(CLI::ExistingFile);
-  command->add_option("--blocks", o->blocks.edge, "edge of a block in pixels of the reference")
+  command->add_option("--blocks", o->blocks.edge, "side of a block in pixels of the reference")
       ->check(CLI::Range(1, 16384))
       ->capture_default_str();
   command
@@ -64,7 +64,7 @@ void addCompareRendersCommand(CLI::App& app) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   command->add_option("--leave-out", o->left_out,
-                      "X,Y,WxH: leave out the blocks with these pixels of the reference; repeat it for more");
+                      "X,Y,WxH: leave out the blocks with these pixels of the reference; may be given again");
   command->add_option("-o,--output", o->output,
                       "SVG picture of both, and of the blocks that are too dark (blue) or too bright (red)");
   command->callback([o] { runCompareRenders(*o); });

@@ -42,7 +42,7 @@ void runFigure(const Figure& figure, FigureOptions& o) {
     figure.run(o, pool);
     writePage(figure, o);
   } catch (const Interrupted&) {
-    throw std::runtime_error("interrupted; the same command goes on where it stopped");
+    throw std::runtime_error("interrupted; the same command continues where it stopped");
   }
 }
 

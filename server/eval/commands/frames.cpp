@@ -113,8 +113,9 @@ void runFrames(FramesOptions& o) {
   try {
     o.reference > 0 ? runReference(o, scene, path, pool) : runMethod(o, scene, path, pool);
   } catch (const Interrupted&) {
-    throw std::runtime_error(
-        o.reference > 0 ? "interrupted; the same command goes on with what is in " + o.cache : "interrupted");
+    throw std::runtime_error(o.reference > 0
+                                 ? "interrupted; the same command continues with what is in " + o.cache
+                                 : "interrupted");
   }
 }
 
@@ -133,19 +134,19 @@ void addFramesCommand(CLI::App& app) {
       ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
       ->capture_default_str();
   c->add_option("--frames", o->frames,
-                "A:B, the frames to write; the change of frame 1 is since frame 0. A run always starts at 0")
+                "A:B, the frames to write; the change of frame 1 is since frame 0. Every run starts at 0")
       ->capture_default_str();
   c->add_option("--size", o->size, "WIDTHxHEIGHT, pixels")->capture_default_str();
   c->add_option("--rate", o->feed.frame_rate_hz, "frames per second")
       ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
       ->capture_default_str();
-  c->add_flag("--jitter", o->feed.jitter, "start paths all over the pixel, not at its centre");
+  c->add_flag("--jitter", o->feed.jitter, "start paths anywhere in the pixel, not at its centre");
   c->add_option("--bounces", o->feed.bounces, "indirect bounces")
       ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
-  c->add_option("--seed", o->feed.seed, "of the random numbers")->capture_default_str();
-  c->add_option("--set", o->set, "NAME=VALUE, a parameter of the method; repeat it for more");
-  c->add_option("--threads", o->threads, "of the renderer")
+  c->add_option("--seed", o->feed.seed, "seed of the random numbers")->capture_default_str();
+  c->add_option("--set", o->set, "NAME=NUMBER, a parameter of the method; may be given again");
+  c->add_option("--threads", o->threads, "threads that render")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   c->add_option("--dump", o->dump,

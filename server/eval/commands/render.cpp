@@ -87,7 +87,7 @@ void addRenderCommand(CLI::App& app) {
   command->add_option("--offset", o->offset, "move the camera: right,up,forward in scene units")
       ->delimiter(',')
       ->expected(3);
-  command->add_option("--seed", o->seed, "of the random numbers")->capture_default_str();
+  command->add_option("--seed", o->seed, "seed of the random numbers")->capture_default_str();
   command->add_flag("--rgb", o->rgb, "three channels R, G, B instead of the luminance Y");
   command->add_option("-o,--output", o->output, "picture to write, .exr or .png, in a folder that exists")
       ->required();

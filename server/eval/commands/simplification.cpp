@@ -126,8 +126,8 @@ void addSimplificationCommand(CLI::App& app) {
   auto* c = app.add_subcommand("simplification",
                                "measure what each feature of a scene costs, and how many events it changes");
   c->add_option("scenes", o->scenes,
-                "scenes by name, or by the path of a scene.xml or its folder; the table holds the names (of "
-                "the folders). "
+                "scenes by name, or by the path of a scene.xml or its folder; the table holds the name "
+                "alone, or that of the folder. "
                 "Default: all that can be opened here");
   addBenchOptions(*c, o->bench);
   c->add_option("--method", o->method,
