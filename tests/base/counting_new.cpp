@@ -9,9 +9,15 @@ namespace {
 std::atomic<int> count{0};
 thread_local bool failing = false;
 
-void* counted(void* p) {
-  if (!p || failing) throw std::bad_alloc();
+// Null where there is no memory, or there is to be none.
+void* tryAllocate(std::size_t size) {
+  if (failing) return nullptr;
   ++count;
+  return std::malloc(size);
+}
+
+void* orThrow(void* p) {
+  if (!p) throw std::bad_alloc();
   return p;
 }
 
@@ -26,11 +32,16 @@ int saccade::test::allocations() {
 }
 
 void* operator new(std::size_t size) {
-  return counted(std::malloc(size));
+  return orThrow(tryAllocate(size));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return tryAllocate(size);
 }
 void* operator new(std::size_t size, std::align_val_t align) {
   const auto a = static_cast<std::size_t>(align);
-  return counted(std::aligned_alloc(a, (size + a - 1) / a * a));
+  if (failing) throw std::bad_alloc();
+  ++count;
+  return orThrow(std::aligned_alloc(a, (size + a - 1) / a * a));
 }
 void operator delete(void* p) noexcept {
   std::free(p);

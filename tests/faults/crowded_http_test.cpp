@@ -11,6 +11,7 @@
 
 #include "mock/loopback.h"
 #include "mock/mock_http.h"
+#include "mock/server_process.h"
 #include "mock/test_server.h"
 
 namespace saccade {
@@ -76,7 +77,7 @@ TEST_P(CrowdedHttp, HealthIsAnsweredWithinASecond) {
   for (int i = 0; i < 5; ++i) {
     const auto began = Clock::now();
     EXPECT_EQ(httpGet(endpoint, "/healthz").status, 200);
-    EXPECT_LT(Clock::now() - began, std::chrono::seconds(1));
+    EXPECT_LT(Clock::now() - began, std::chrono::seconds(kSanitized ? 5 : 1));  // sanitizers are slow
   }
 }
 
