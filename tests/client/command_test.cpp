@@ -264,7 +264,8 @@ class Interrupted : public CommandAndServer {
   const std::string file_ = folder_.at("a.csv"), partial_ = folder_.at("a.csv.partial");
 
  private:
-  bool begun() const { return fs::exists(partial_) && fs::file_size(partial_) > 0; }
+  bool begun() const { return fs::exists(partial_) && fs::file_size(partial_) > kHeading.size(); }
+  static constexpr std::string_view kHeading = "t_us,x,y,p\n";
 };
 
 TEST_F(Interrupted, CtrlCKeepsWhatCame) {
