@@ -1,27 +1,12 @@
 #include "client/commands/usage_check.h"
 
-#include <algorithm>
 #include <cctype>
-#include <numeric>
 #include <set>
+
+#include "wire/edit_distance.h"
 
 namespace saccade::client {
 namespace {
-
-// The number of letters to insert, delete or replace [Levenshtein].
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
 
 std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& names) {
   const auto similar = similarName(word, names);

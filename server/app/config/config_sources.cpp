@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "app/config/config_file.h"
-#include "base/nearest_name.h"
+#include "app/config/nearest_name.h"
 
 namespace saccade {
 namespace {

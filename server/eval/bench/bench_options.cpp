@@ -67,6 +67,17 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
       "half the size and rate, fewer frames, a quarter of the reference's paths; flags that you give stay");
 }
 
+void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vector<int>& spp) {
+  app.add_option("--methods", methods,
+                 "methods, with settings where they differ from the defaults: svgf:as_falcor=1")
+      ->delimiter(',')
+      ->capture_default_str();
+  app.add_option("--spp", spp, "paths per pixel and frame")
+      ->delimiter(',')
+      ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
+      ->capture_default_str();
+}
+
 void resolve(BenchOptions& o) {
   const Size size = parseSize(o.size);
   const FrameRange range = parseFrameRange(o.frames);

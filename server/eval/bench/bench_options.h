@@ -25,6 +25,9 @@ struct BenchOptions {
 // Adds the flags, with what stands in `o` as their defaults.
 void addBenchOptions(CLI::App& app, BenchOptions& o);
 
+// Adds --methods and --spp: the lists of what a command compares.
+void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vector<int>& spp);
+
 // Reads the texts after parsing. --quick halves the sides of the picture, with them the frame rate (motion
 // keeps its pixels per frame), and reduces frames and reference; it leaves flags that were given. Throws
 // CLI::ValidationError.

@@ -14,7 +14,6 @@
 #include "eval/figures/change_pictures.h"
 #include "eval/pictures/page.h"
 #include "eval/pictures/text.h"
-#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
@@ -120,14 +119,7 @@ void addChartCommand(CLI::App& app) {
                 "scenes by name, or by the path of a scene.xml or its folder; the table holds the name "
                 "alone, or that of the folder. "
                 "Default: all that can be opened here");
-  c->add_option("--methods", o->methods,
-                "methods, with settings where they differ from the defaults: svgf:as_falcor=1")
-      ->delimiter(',')
-      ->capture_default_str();
-  c->add_option("--spp", o->spp, "paths per pixel and frame")
-      ->delimiter(',')
-      ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
-      ->capture_default_str();
+  addMethodOptions(*c, o->methods, o->spp);
   c->add_option("--metrics", o->metrics, "columns of results.csv to draw")
       ->delimiter(',')
       ->capture_default_str();

@@ -53,14 +53,7 @@ void addFigure(CLI::App& parent, const Figure& figure) {
   auto* c = parent.add_subcommand(number, figure.what);
   c->add_option("scenes", o->scenes, "scenes by name, or by the path of a scene.xml or its folder")
       ->capture_default_str();
-  c->add_option("--methods", o->methods,
-                "methods, with settings where they differ from the defaults: svgf:as_falcor=1")
-      ->delimiter(',')
-      ->capture_default_str();
-  c->add_option("--spp", o->spp, "paths per pixel and frame")
-      ->delimiter(',')
-      ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
-      ->capture_default_str();
+  addMethodOptions(*c, o->methods, o->spp);
   if (!o->speeds.empty()) {
     c->add_option("--speeds", o->speeds, "pixels per frame")
         ->delimiter(',')

@@ -1,14 +1,11 @@
-#include "base/nearest_name.h"
+#include "wire/edit_distance.h"
 
 #include <algorithm>
 #include <numeric>
-
-#include "base/check.h"
+#include <vector>
 
 namespace saccade {
-namespace {
 
-// Insertions, deletions and replacements of a letter that make `b` of `a`.
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);  // distances of the first i letters of a to all beginnings of b
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -21,15 +18,6 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
     }
   }
   return row.back();
-}
-
-}  // namespace
-
-std::string nearestName(const std::string& name, const std::vector<std::string>& valid) {
-  SACCADE_CHECK(!valid.empty());
-  return *std::min_element(valid.begin(), valid.end(), [&](const std::string& a, const std::string& b) {
-    return editDistance(name, a) < editDistance(name, b);
-  });
 }
 
 }  // namespace saccade
