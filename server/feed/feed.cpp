@@ -30,18 +30,18 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
            TilePool& pool)
     : Feed(std::move(scene), std::move(path), config,
            methodOf(config).make(config.params, config.width, config.height),
-           methodOf(config).seedReuse(config.params), pool) {}
+           methodOf(config).samples(config.params), pool) {}
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
-           std::unique_ptr<Method> method, SeedReuse seed_reuse, TilePool& pool)
+           std::unique_ptr<Method> method, SampleRequest samples, TilePool& pool)
     : config_(config),
       scene_(std::move(scene)),
       path_(std::move(path)),
       pool_(pool),
       renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}, pool),
       method_(std::move(method)),
-      seed_reuse_(seed_reuse),
-      frames_(config.width, config.height),
+      seed_reuse_(samples.reuse),
+      frames_(config.width, config.height, samples.on_surfaces),
       changes_{IntensityChange(config.width, config.height), IntensityChange(config.width, config.height)} {
   render();
   method_->start(frames_.current(), pool_);

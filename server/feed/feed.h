@@ -34,9 +34,9 @@ class Feed {
   // Keeps a reference to `pool`; shares `scene`. Renders frame 0.
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config, TilePool& pool);
 
-  // With a method of the caller's instead of `config.method`, and frames seeded for it.
+  // With a method of the caller's instead of `config.method`, and the samples that it needs.
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
-       std::unique_ptr<Method> method, SeedReuse seed_reuse, TilePool& pool);
+       std::unique_ptr<Method> method, SampleRequest samples, TilePool& pool);
 
   // Renders the next frame and estimates the change since the one before it. The change stays as it is until
   // the second step after this one begins.

@@ -1,6 +1,8 @@
 // What the renderer gives the methods: features and correlated samples of one frame. Pure data.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "base/units.h"
@@ -46,14 +48,51 @@ struct FrameSamples {
   int spp1 = 0, spp2 = 0;  // paths per pixel in each pass; a pass with none leaves its plane at 0
 };
 
+// What light a pixel's surface point can share with the points around it.
+enum class SurfaceKind : std::uint32_t {
+  kNone,     // nothing: no surface, or one whose light depends on the view, such as metal
+  kDiffuse,  // reflects alike into all directions
+  kMixed,    // nearly so: a plastic, or a surface seen in a mirror or through glass
+};
+
+// The same samples for methods that keep light on surfaces rather than in pixels: where they lie, and their
+// light in parts. All light is demodulated: a part of I - E, divided by the luminance of the albedo.
+// Direct light that a diffuse base reflects has a closed form but for shadows, where lamps are simple:
+//   i = unoccluded * visibility + rest,   visibility = visible_sample / unoccluded_sample in the mean.
+// Where there is no such light, `unoccluded` is 0 and all light is in `rest`.
+struct SurfaceSamples {
+  SurfaceSamples(int w, int h)
+      : kind(w, h),
+        x(w, h),
+        y(w, h),
+        z(w, h),
+        footprint(w, h),
+        unoccluded(w, h),
+        unoccluded_sample(w, h),
+        visible_sample(w, h),
+        rest(w, h) {}
+  Image<SurfaceKind> kind;   // kNone: the other planes mean nothing
+  ImageF x, y, z;            // where the surface seems to be, world space
+  ImageF footprint;          // width of a pixel there, seen at a right angle, scene units
+  ImageF unoccluded;         // in closed form, as if nothing cast a shadow
+  ImageF unoccluded_sample;  // an estimate of the same by paths
+  ImageF visible_sample;     // what of that estimate nothing stands in the way of
+  ImageF rest;               // an estimate of all other light
+};
+
+// With `on_surfaces` also as SurfaceSamples.
 struct Frame {
-  Frame(int width, int height) : g(width, height), samples(width, height) {}
+  Frame(int width, int height, bool on_surfaces = false) : g(width, height), samples(width, height) {
+    if (on_surfaces) surfaces.emplace(width, height);
+  }
   int width() const { return g.z.width(); }
   int height() const { return g.z.height(); }
   FrameIndex index = 0;
   TimeNs time{0};
+  bool light_changed = false;  // the strength of an emitter, since the frame before
   GBuffer g;
   FrameSamples samples;
+  std::optional<SurfaceSamples> surfaces;
 };
 
 // Two consecutive frames. A view; never stored.
@@ -65,7 +104,8 @@ struct FramePair {
 // The two newest frames of a feed; swap() makes the current one the previous one.
 class FrameRing {
  public:
-  FrameRing(int width, int height) : cur_(width, height), prev_(width, height) {}
+  FrameRing(int width, int height, bool on_surfaces)
+      : cur_(width, height, on_surfaces), prev_(width, height, on_surfaces) {}
   Frame& current() { return cur_; }
   FramePair pair() const { return {cur_, prev_}; }
   void swap() { std::swap(cur_, prev_); }

@@ -36,9 +36,9 @@ MethodInfo EventSvgf::info() {
   return {"event_svgf",
           "EventSVGF: correlated passes, the difference accumulated and filtered beside the primal",
           paramSpecs(fields()),
-          [](const ParamValues& values) {
-            return makeParams(fields(), values).correlated ? SeedReuse::kCorrelated
-                                                           : SeedReuse::kIndependentPairs;
+          [](const ParamValues& values) -> SampleRequest {
+            return {makeParams(fields(), values).correlated ? SeedReuse::kCorrelated
+                                                            : SeedReuse::kIndependentPairs};
           },
           [](const ParamValues& values, int width, int height) -> std::unique_ptr<Method> {
             return std::make_unique<EventSvgf>(makeParams(fields(), values), width, height);

@@ -20,6 +20,12 @@ enum class SeedReuse {
   kCorrelated,        // two passes of spp/2 paths, pass 1 with the seeds of the previous frame [E (8)]
 };
 
+// What a method needs from the renderer.
+struct SampleRequest {
+  SeedReuse reuse;
+  bool on_surfaces = false;  // SurfaceSamples too, which take kIndependent
+};
+
 // A parameter as users meet it. Whole numbers and switches (0 or 1) are doubles too.
 struct ParamSpec {
   std::string name;
@@ -43,7 +49,7 @@ class Method {
 struct MethodInfo {
   std::string name, description;
   std::vector<ParamSpec> params;
-  SeedReuse (*seedReuse)(const ParamValues& params);  // the samples that the method needs
+  SampleRequest (*samples)(const ParamValues& params);
   std::unique_ptr<Method> (*make)(const ParamValues& params, int width, int height);
 };
 

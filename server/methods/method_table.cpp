@@ -49,7 +49,7 @@ std::string resolveParams(const MethodInfo& method, const ParamValues& given, Pa
 }
 
 bool takesSpp(const MethodInfo& method, const ParamValues& resolved, int spp) {
-  return spp % 2 == 0 || method.seedReuse(resolved) == SeedReuse::kIndependent;
+  return spp % 2 == 0 || method.samples(resolved).reuse == SeedReuse::kIndependent;
 }
 
 }  // namespace saccade

@@ -6,7 +6,7 @@ MethodInfo PathTraced::independentInfo() {
   return {"pt",
           "path tracing, fresh seeds in every frame, no filter",
           {},
-          [](const ParamValues&) { return SeedReuse::kIndependent; },
+          [](const ParamValues&) { return SampleRequest{SeedReuse::kIndependent}; },
           [](const ParamValues&, int, int) -> std::unique_ptr<Method> {
             return std::make_unique<PathTraced>(SeedReuse::kIndependent);
           }};
@@ -16,7 +16,7 @@ MethodInfo PathTraced::correlatedInfo() {
   return {"pt-correlated",
           "path tracing, seeds of the previous frame reused for the difference, no filter",
           {},
-          [](const ParamValues&) { return SeedReuse::kCorrelated; },
+          [](const ParamValues&) { return SampleRequest{SeedReuse::kCorrelated}; },
           [](const ParamValues&, int, int) -> std::unique_ptr<Method> {
             return std::make_unique<PathTraced>(SeedReuse::kCorrelated);
           }};

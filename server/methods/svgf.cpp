@@ -38,7 +38,7 @@ const Variant& variantOf(const P& params) {
 
 MethodInfo Svgf::info() {
   return {"svgf", "SVGF: fresh seeds, filters each frame by itself, then takes the difference",
-          paramSpecs(fields()), [](const ParamValues&) { return SeedReuse::kIndependent; },
+          paramSpecs(fields()), [](const ParamValues&) { return SampleRequest{SeedReuse::kIndependent}; },
           [](const ParamValues& values, int width, int height) -> std::unique_ptr<Method> {
             return std::make_unique<Svgf>(makeParams(fields(), values), width, height);
           }};

@@ -1,6 +1,7 @@
 // Light that comes to a surface from a light source without a detour.
 #pragma once
 
+#include "render/bsdf/sampling.h"
 #include "render/color.h"
 #include "render/path_sampler.h"
 #include "render/scatter.h"
@@ -34,28 +35,42 @@ Transmittance passageAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
 
 // One estimate, by the light alone: weighed against the chance that the surface's own samples find it.
 // `dimension`: the first of three random numbers. Inlined by force: a call costs 5 % of a frame.
-template <Shading S, int Channels>
+template <Shading S, int Channels, class Parts>
 [[gnu::always_inline]] inline Color<Channels> directLight(const RenderScene& scene,
                                                           const EmitterStrengths& strengths, const Surface& s,
                                                           const Scatter<S>& scatter,
-                                                          const PathSampler& sampler, int dimension) {
+                                                          const PathSampler& sampler, int dimension,
+                                                          Parts& parts) {
   const Vec3 origin = scene.leave(s);
   const IncidentLight light =
       scene.lights().at(origin, sampler.u(dimension), sampler.u(dimension + 1), sampler.u(dimension + 2));
   if (light.pdf <= 0) return {};
   BsdfValue f = scatter.evaluate(light.direction);
   if (f.pdf <= 0) return {};
+  if constexpr (Parts::kKept) {
+    const Lane strength = light.geometry == IncidentLight::kNoGeometry ? 1 : strengths[light.geometry];
+    const Lane white = cosinePdf(std::max(Lane(0), dot(light.direction, s.shading_normal)));
+    if (scene.analyticLight().holds(light))
+      parts.unoccluded = Color<Channels>(light.radiance) * (white * strength / light.pdf);
+  }
   const Ray shadow{origin, light.segment, light.reach};
   if (S.extras && scene.hasPassages()) {
     const Transmittance passage = passageAlong<S>(scene, shadow, light.direction);
     if (passage.probability <= 0) return {};
     f = {f.value * passage.fraction, f.pdf * passage.probability};
+    if constexpr (Parts::kKept) parts.visible = parts.unoccluded * Color<Channels>(passage.fraction);
   } else if (scene.geometry().occluded(shadow)) {
     return {};
+  } else if constexpr (Parts::kKept) {
+    parts.visible = parts.unoccluded;
   }
   Lane weight = light.delta ? 1 : balance(light.pdf, f.pdf);
   if (light.geometry != IncidentLight::kNoGeometry) weight *= strengths[light.geometry];
-  return Color<Channels>(light.radiance) * Color<Channels>(f.value) * (weight / light.pdf);
+  const Color<Channels> found =
+      Color<Channels>(light.radiance) * Color<Channels>(f.value) * (weight / light.pdf);
+  if constexpr (Parts::kKept)
+    if (scene.analyticLight().holds(light)) parts.weighed = found;
+  return found;
 }
 
 }  // namespace saccade

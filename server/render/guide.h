@@ -8,13 +8,14 @@ namespace saccade {
 // Mirrors are flat and glass does not bend, as far as guides go: what they show is taken to be where it seems
 // to be [Falcor: primary surface replacement].
 struct Guide {
-  Vec3 point;         // where it seems to be, world space
-  Vec3 normal;        // unit shading normal where it is
-  Vec3 plane_normal;  // unit geometric normal where it seems to be
-  Lane t;             // along the pixel's ray
-  Rgb albedo;         // fraction of light that comes from it, or off what it is seen in, into the view
-  Rgb emission;       // from it, and from what it is seen in, into the view
-  bool hit = true;    // false: endless; all but albedo and emission mean nothing
+  Vec3 point;             // where it seems to be, world space
+  Vec3 normal;            // unit shading normal where it is
+  Vec3 plane_normal;      // unit geometric normal where it seems to be
+  Lane t;                 // along the pixel's ray
+  Rgb albedo;             // fraction of light that comes from it, or off what it is seen in, into the view
+  Rgb emission;           // from it, and from what it is seen in, into the view
+  bool hit = true;        // false: endless; all but albedo and emission mean nothing
+  bool has_base = false;  // whether it has a diffuse base
 };
 
 // `ray` is the pixel's, and `hit` what it meets at `start`.

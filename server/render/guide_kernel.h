@@ -54,6 +54,7 @@ Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, co
     s = surfaceAt<S>(scene, ray, hit, cone.width);
     direction = next.wi, geometry = hit.geometry;
   }
+  g.has_base = S.diffuseOnly() || traitsOf(s.bsdf.tables->model.kind).base;
   g.normal = s.shading_normal;
   g.plane_normal = s.geometric_normal;
   while (mirror_count > 0) g.plane_normal = mirrored(g.plane_normal, mirrors[--mirror_count]);
@@ -74,7 +75,9 @@ Guide findGuide(const RenderScene& scene, const EmitterStrengths& strengths, con
           s.geometric_normal,
           hit.t,
           Scatter<S>(s, start.direction).albedo(),
-          s.radiance * strengths[hit.geometry]};
+          s.radiance * strengths[hit.geometry],
+          true,
+          true};
 }
 
 }  // namespace saccade

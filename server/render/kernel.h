@@ -5,10 +5,17 @@
 #include "render/guide_kernel.h"
 #include "render/path_tracer_kernel.h"
 
-#define SACCADE_COMPILE_KERNEL(S)                                                                       \
-  template Color<1> traceReflected<S, 1>(const RenderScene&, const EmitterStrengths&, const PathStart&, \
-                                         const PathSampler&, int);                                      \
-  template Color<3> traceReflected<S, 3>(const RenderScene&, const EmitterStrengths&, const PathStart&, \
-                                         const PathSampler&, int);                                      \
-  template Guide findGuide<S>(const RenderScene&, const EmitterStrengths&, const Ray&, const Hit&,      \
+#define SACCADE_COMPILE_PATHS(S, CHANNELS, PARTS)              \
+  template Color<CHANNELS> traceReflected<S, CHANNELS, PARTS>( \
+      const RenderScene&, const EmitterStrengths&, const PathStart&, const PathSampler&, int, PARTS&);
+
+#define SACCADE_COMPILE_KERNEL(S)                                                                  \
+  SACCADE_COMPILE_PATHS(S, 1, NoParts)                                                             \
+  SACCADE_COMPILE_PATHS(S, 3, NoParts)                                                             \
+  template Guide findGuide<S>(const RenderScene&, const EmitterStrengths&, const Ray&, const Hit&, \
                               const PathStart&);
+
+// The same paths for SurfaceSamples.
+#define SACCADE_COMPILE_PARTS(S)              \
+  SACCADE_COMPILE_PATHS(S, 1, DirectParts<1>) \
+  SACCADE_COMPILE_PATHS(S, 3, DirectParts<3>)

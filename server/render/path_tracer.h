@@ -19,11 +19,23 @@ struct PathStart {
 // What a pixel shows in mirrors and through clear glass is found by following the view this far.
 inline constexpr int kMaxViewDepth = 8;
 
+// What traceReflected() tells besides its estimate: nothing, or the direct light at the first vertex that has
+// a closed form but for shadows (analytic_light.h).
+struct NoParts {
+  static constexpr bool kKept = false;
+};
+template <int Channels>
+struct DirectParts {
+  static constexpr bool kKept = true;
+  Color<Channels> unoccluded, visible;  // what a white diffuse surface would reflect of a sample
+  Color<Channels> weighed;              // what of the path's own estimate is such light
+};
+
 // One estimate of the radiance that leaves `start` after at most `bounces` indirect bounces off rough
 // surfaces (0: direct light only). What is emitted by `start` itself and along its view (guide.h) is not in
 // it: it is known without noise.
-template <Shading S, int Channels>
+template <Shading S, int Channels, class Parts>
 Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths& strengths,
-                               const PathStart& start, const PathSampler& sampler, int bounces);
+                               const PathStart& start, const PathSampler& sampler, int bounces, Parts& parts);
 
 }  // namespace saccade

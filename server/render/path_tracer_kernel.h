@@ -27,9 +27,10 @@ struct Choice {
 
 }  // namespace detail
 
-template <Shading S, int Channels>
+template <Shading S, int Channels, class Parts>
 Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths& strengths,
-                               const PathStart& start, const PathSampler& sampler, int bounces) {
+                               const PathStart& start, const PathSampler& sampler, int bounces,
+                               Parts& parts) {
   Color<Channels> radiance, throughput(Lane(1));
   const Lights& lights = scene.lights();
   if (lights.empty()) return radiance;
@@ -39,13 +40,19 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
   detail::Choice choice{1, true, 0};
   const bool passages = S.extras && scene.hasPassages();
   bool in_view = S.extras;
+  bool from_start = true;  // whether the first vertex chose the direction of the ray
+  NoParts none;
   for (int vertex = 0, bounce = 0; vertex <= bounces + detail::kMaxDeltas; ++vertex) {
     const int dimension = vertex * detail::kDimensions;
     const Scatter<S> scatter(s, arriving);
     const bool spent = passages && bounce > bounces;
-    if (!spent)
-      radiance += throughput *
-                  directLight<S, Channels>(scene, strengths, s, scatter, sampler, dimension + detail::kLight);
+    if constexpr (Parts::kKept) {
+      if (vertex == 0)
+        radiance += directLight<S, Channels>(scene, strengths, s, scatter, sampler, detail::kLight, parts);
+    }
+    if (!spent && !(Parts::kKept && vertex == 0))
+      radiance += throughput * directLight<S, Channels>(scene, strengths, s, scatter, sampler,
+                                                        dimension + detail::kLight, none);
 
     // Continue in a direction of the BSDF.
     const BsdfSample next =
@@ -58,7 +65,7 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
     if (straight)
       choice.pdf *= scatter.passage().probability;
     else
-      choice = {next.pdf, next.delta, 0};
+      choice = {next.pdf, next.delta, 0}, from_start = vertex == 0;
     if constexpr (S.extras) in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
     if (!next.delta) cone.spread = RayCone::lobeSpread(next.pdf);
     const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
@@ -79,8 +86,11 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
     if (luminance(s.radiance) > 0 && !in_view) {
       const Lane cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
       const Lane pdf_light = lights.pdf(s.radiance) * choice.distance * choice.distance / cos_light;
-      radiance +=
+      const Color<Channels> found =
           throughput * Color<Channels>(s.radiance) * (choice.weight(pdf_light) * strengths[hit.geometry]);
+      radiance += found;
+      if constexpr (Parts::kKept)
+        if (from_start && scene.analyticLight().holds(hit.geometry)) parts.weighed += found;
     }
     bounce += !next.delta;
     if (bounce > bounces && !passages) return radiance;  // else the last ray passes what shadow rays do

@@ -22,8 +22,10 @@ Rgb meanReflected(const RenderScene& scene, const EmitterStrengths& strengths, c
   Vec3d sum;
   for (int i = 0; i < spp; ++i) {
     if (i % kPathsAtOnce == kPathsAtOnce - 1) TilePool::yieldToHighPriority();
+    NoParts none;
     const Rgb path =
-        traceReflected<S, Channels>(scene, strengths, start, PathSampler(seed, pixel, i), bounces).rgb();
+        traceReflected<S, Channels>(scene, strengths, start, PathSampler(seed, pixel, i), bounces, none)
+            .rgb();
     if (std::isfinite(luminance(path))) sum = sum + toDouble(path);
   }
   return spp > 0 ? toFloat(sum / static_cast<double>(spp)) : Rgb{};

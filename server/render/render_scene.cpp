@@ -19,6 +19,7 @@ RenderScene::RenderScene(Scene scene)
     : scene_(std::move(scene)),
       geometry_(scene_),
       lights_(scene_, geometry_.diagonal() / 2),
+      analytic_light_(scene_),
       shading_(shadingOf(scene_)),
       channels_(colorChannels(scene_)),
       has_passages_(std::any_of(scene_.materials.begin(), scene_.materials.end(), hasPassage)),

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "render/analytic_light.h"
 #include "render/embree_scene.h"
 #include "render/lights.h"
 #include "render/surface.h"
@@ -18,6 +19,7 @@ class RenderScene {
   const Scene& description() const { return scene_; }
   const EmbreeScene& geometry() const { return geometry_; }
   const Lights& lights() const { return lights_; }
+  const AnalyticLight& analyticLight() const { return analytic_light_; }
   Shading shading() const { return shading_; }  // what the scene has
   int channels() const { return channels_; }
   std::size_t bytes() const;  // of geometry, Embree's tree over it, and textures: nearly all of its memory
@@ -37,6 +39,7 @@ class RenderScene {
   Scene scene_;
   EmbreeScene geometry_;
   Lights lights_;
+  AnalyticLight analytic_light_;
   Shading shading_;
   int channels_;
   bool has_passages_;

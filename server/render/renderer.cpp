@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/pixel.h"
+#include "render/surface_pixel.h"
 
 namespace saccade {
 namespace {
@@ -12,7 +12,9 @@ namespace {
 template <Shading S, int Channels>
 void renderTile(const PixelContext& view, const SeedPlan& seeds, const RenderSettings& settings, Tile tile,
                 Frame& out) {
-  const auto pixel = settings.jitter ? renderJitteredPixel<S, Channels> : renderPixel<S, Channels>;
+  const auto pixel = out.surfaces      ? renderSurfacePixel<S, Channels>
+                     : settings.jitter ? renderJitteredPixel<S, Channels>
+                                       : renderPixel<S, Channels>;
   for (int y = tile.y0; y < tile.y1; ++y) {
     TilePool::yieldToHighPriority();
     for (int x = tile.x0; x < tile.x1; ++x) pixel(view, seeds, settings.bounces, x, y, out);
@@ -47,7 +49,7 @@ int tileEdge(const SeedPlan& seeds, int bounces) {
 
 std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
                                           Frame& out) {
-  strengths_.setTime(out.time);
+  out.light_changed = strengths_.setTime(out.time);
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
   const PixelContext view{*scene_, strengths_, camera, prev};

@@ -49,6 +49,11 @@ class Scatter {
     return a;
   }
 
+  // Of its base, where it has one: the part of albedo() that is reflected alike into all directions.
+  Rgb diffuseAlbedo() const { return bsdfDiffuseAlbedo<S.kinds>(s_.bsdf, wo_.z); }
+  bool hasBase() const { return traits().base; }
+  bool isDiffuse() const { return traits().kind == BsdfKind::kDiffuse; }
+
   // Panes and masks do not bend light, so that shadow rays pass them.
   Transmittance passage() const {
     if (!traits().passes_straight) return {Rgb{1, 1, 1} * (1 - s_.opacity), 1 - s_.opacity};

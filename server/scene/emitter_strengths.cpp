@@ -1,6 +1,7 @@
 #include "scene/emitter_strengths.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace saccade {
 
@@ -13,8 +14,13 @@ EmitterStrengths::EmitterStrengths(const Scene& scene) {
   setTime(TimeNs{0});
 }
 
-void EmitterStrengths::setTime(TimeNs t) {
-  for (std::size_t i = 0; i < strengths_.size(); ++i) factors_[i] = strengths_[i]->at(t);
+bool EmitterStrengths::setTime(TimeNs t) {
+  bool changed = false;
+  for (std::size_t i = 0; i < strengths_.size(); ++i) {
+    const float before = std::exchange(factors_[i], strengths_[i]->at(t));
+    changed = changed || factors_[i] != before;
+  }
+  return changed;
 }
 
 }  // namespace saccade

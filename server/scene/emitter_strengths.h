@@ -14,7 +14,8 @@ class EmitterStrengths {
  public:
   explicit EmitterStrengths(const Scene& scene);  // at time 0; keeps pointers into `scene`
 
-  void setTime(TimeNs t);  // stream time, at least 0; allocates nothing
+  // Stream time, at least 0. Returns whether any strength differs from before. Allocates nothing.
+  bool setTime(TimeNs t);
   float operator[](std::size_t geometry) const { return factors_.empty() ? 1.f : factors_[geometry]; }
   const std::vector<float>& factors() const { return factors_; }
 

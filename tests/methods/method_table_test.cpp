@@ -39,7 +39,7 @@ TEST(MethodTable, SaysWhatSamplesAMethodNeeds) {
     ParamValues resolved;
     std::string bad_name;
     EXPECT_EQ(resolveParams(*findMethod(name), given, resolved, bad_name), "");
-    return findMethod(name)->seedReuse(resolved);
+    return findMethod(name)->samples(resolved).reuse;
   };
   EXPECT_EQ(samplesOf("pt", {}), SeedReuse::kIndependent);
   EXPECT_EQ(samplesOf("svgf", {}), SeedReuse::kIndependent);

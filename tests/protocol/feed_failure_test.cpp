@@ -53,7 +53,7 @@ class FeedFailure : public testing::Test {
   std::unique_ptr<FeedRunner> runner(std::unique_ptr<Method> method) {
     const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
     auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method),
-                                       SeedReuse::kIndependent, *pool_);
+                                       SampleRequest{SeedReuse::kIndependent}, *pool_);
     return std::make_unique<FeedRunner>(std::move(feed), FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 

@@ -52,7 +52,9 @@ TEST(EmitterStrengths, StandsByGeometryAndIsEmptyWhereAllAreSteady) {
   scene.spheres[1].strength = Strength({{0s, 3}});
   EmitterStrengths strengths(scene);
   EXPECT_EQ(strengths.factors(), (std::vector<float>{1, 0.5f, 1, 3}));
-  strengths.setTime(1s);
+  EXPECT_FALSE(strengths.setTime(0s));
+  EXPECT_TRUE(strengths.setTime(1s));
+  EXPECT_FALSE(strengths.setTime(1s));
   EXPECT_EQ(strengths.factors(), (std::vector<float>{1, 0.25f, 1, 3}));
 }
 

@@ -72,4 +72,13 @@ LaneRgb bsdfAlbedo(const Bsdf& b, Lane cos_o) {
   return detail::visit<Kinds>(b, [&](auto family) { return family.albedo(b, cos_o); });
 }
 
+// The part of it that a diffuse base reflects; 0 without one.
+template <BsdfKinds Kinds = kAllBsdfKinds>
+LaneRgb bsdfDiffuseAlbedo(const Bsdf& b, Lane cos_o) {
+  return detail::visit<Kinds>(b, [&](auto family) {
+    if constexpr (requires { family.diffuseAlbedo(b, cos_o); }) return family.diffuseAlbedo(b, cos_o);
+    return LaneRgb{};
+  });
+}
+
 }  // namespace saccade

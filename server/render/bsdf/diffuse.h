@@ -19,6 +19,7 @@ struct Diffuse {
     return {wi, b.diffuse * above, cosinePdf(wi.z) * above, false, false};
   }
   static LaneRgb albedo(const Bsdf& b, Lane cos_o) { return b.diffuse * select(cos_o > 0, Lane(1), Lane(0)); }
+  static LaneRgb diffuseAlbedo(const Bsdf& b, Lane cos_o) { return albedo(b, cos_o); }
 };
 
 }  // namespace saccade

@@ -58,6 +58,9 @@ struct Plastic {
   static LaneRgb albedo(const Bsdf& b, Lane cos_o) {
     return plasticAlbedo(b, at(b, cos_o)) * select(cos_o > 0, Lane(1), Lane(0));
   }
+  static LaneRgb diffuseAlbedo(const Bsdf& b, Lane cos_o) {
+    return plasticBase(b) * select(cos_o > 0, at(b, cos_o).transmittance, Lane(0));
+  }
 
  private:
   static Interface at(const Bsdf& b, Lane cosine) {
@@ -88,6 +91,9 @@ struct RoughPlastic {
   }
   static LaneRgb albedo(const Bsdf& b, Lane cos_o) {
     return plasticAlbedo(b, at(b, cos_o)) * select(cos_o > 0, Lane(1), Lane(0));
+  }
+  static LaneRgb diffuseAlbedo(const Bsdf& b, Lane cos_o) {
+    return plasticBase(b) * select(cos_o > 0, at(b, cos_o).transmittance, Lane(0));
   }
 
  private:

@@ -1,0 +1,7 @@
+#include "render/kernel.h"
+
+namespace saccade {
+
+SACCADE_COMPILE_PARTS(kEverything)
+
+}  // namespace saccade

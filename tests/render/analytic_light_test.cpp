@@ -1,0 +1,83 @@
+#include "render/analytic_light.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "render/test_scenes.h"
+
+namespace saccade {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+float luminanceAt(const Scene& scene, Vec3 point, Vec3 normal) {
+  return luminance(AnalyticLight(scene).at(point, normal, normal, EmitterStrengths(scene)));
+}
+
+// A lamp of radiance 1 at height h that faces down, with a corner above the origin.
+Scene lampAbove(float a, float b, float h) {
+  Scene s;
+  s.materials = {test::grey(0.5f)};
+  s.meshes = {test::quad({0, 0, h}, {0, b, 0}, {a, 0, 0}, 0, {1, 1, 1})};
+  return s;
+}
+
+// The form factor of a rectangle parallel to a surface, with a corner above the point (Howell, B-4).
+float cornerFactor(float a, float b, float h) {
+  const float x = a / h, y = b / h, p = std::sqrt(1 + x * x), q = std::sqrt(1 + y * y);
+  return (x / p * std::atan(y / p) + y / q * std::atan(x / q)) / (2 * kPi);
+}
+
+TEST(AnalyticLight, OfARectangleOverheadIsItsFormFactor) {
+  for (const float h : {0.1f, 1.f, 7.f})
+    EXPECT_NEAR(luminanceAt(lampAbove(2, 3, h), {}, {0, 0, 1}), cornerFactor(2, 3, h), 1e-5);
+}
+
+// A lamp that reaches below the horizon counts down to it alone: half of a wall that goes on below.
+TEST(AnalyticLight, EndsAtTheHorizon) {
+  Scene s;
+  s.materials = {test::grey(0.5f)};
+  s.meshes = {test::quad({1, -1, -5}, {0, 0, 10}, {0, 2, 0}, 0, {1, 1, 1})};
+  Scene above = s;
+  above.meshes = {test::quad({1, -1, 0}, {0, 0, 5}, {0, 2, 0}, 0, {1, 1, 1})};
+  EXPECT_GT(luminanceAt(s, {}, {0, 0, 1}), 0.05f);
+  EXPECT_NEAR(luminanceAt(s, {}, {0, 0, 1}), luminanceAt(above, {}, {0, 0, 1}), 1e-5);
+}
+
+TEST(AnalyticLight, IsNothingBehindALampAndOnTheFarSideOfASurface) {
+  const Scene s = lampAbove(2, 3, 1);
+  EXPECT_EQ(luminanceAt(s, {0, 0, 2}, {0, 0, -1}), 0);
+  EXPECT_EQ(luminanceAt(s, {}, {0, 0, -1}), 0);
+  const Vec3 tilted = normalize(Vec3{0.3f, 0, 1});  // a shading normal that sees the lamp
+  EXPECT_EQ(luminance(AnalyticLight(s).at({}, tilted, {0, 0, -1}, EmitterStrengths(s))), 0);
+}
+
+TEST(AnalyticLight, OfAPointAndADirectionIsTheLawOfCosines) {
+  Scene s;
+  s.point_lights = {{{0, 3, 4}, {10, 10, 10}}};
+  EXPECT_NEAR(luminanceAt(s, {}, {0, 0, 1}), 10.f / 25 * 0.8f / kPi, 1e-6);
+  s.point_lights.clear();
+  s.directional_lights = {{{0, 0, -1}, {2, 2, 2}}};
+  EXPECT_NEAR(luminanceAt(s, {}, normalize(Vec3{0, 1, 1})), 2 * std::sqrt(0.5f) / kPi, 1e-6);
+}
+
+TEST(AnalyticLight, FollowsTheStrengthOfALamp) {
+  Scene s = lampAbove(2, 3, 1);
+  const float steady = luminanceAt(s, {}, {0, 0, 1});
+  s.meshes[0].strength = Strength({{TimeNs(0), 0.25f}, {TimeNs(1), 0.25f}});
+  EXPECT_NEAR(luminanceAt(s, {}, {0, 0, 1}), 0.25f * steady, 1e-6);
+}
+
+// A lamp of many triangles is left to its samples.
+TEST(AnalyticLight, HoldsOnlyLampsOfFewSides) {
+  Scene s = lampAbove(2, 3, 1);
+  EXPECT_TRUE(AnalyticLight(s).holds(0u));
+  for (int i = 0; i < 10; ++i)
+    s.meshes[0].triangles.insert(s.meshes[0].triangles.end(), {{0, 1, 2}, {0, 2, 3}});
+  EXPECT_FALSE(AnalyticLight(s).holds(0u));
+  EXPECT_EQ(luminanceAt(s, {}, {0, 0, 1}), 0);
+}
+
+}  // namespace
+}  // namespace saccade
