@@ -4,6 +4,7 @@
 #include "base/range.h"
 #include "base/text_cut.h"
 #include "methods/event_svgf.h"
+#include "methods/irradiance_cache.h"
 #include "methods/path_traced.h"
 #include "methods/svgf.h"
 
@@ -11,6 +12,7 @@ namespace saccade {
 const std::vector<MethodInfo>& methodTable() {
   static const std::vector<MethodInfo> table{
       EventSvgf::info(),
+      IrradianceCache::info(),
       Svgf::info(),
       PathTraced::correlatedInfo(),
       PathTraced::independentInfo(),

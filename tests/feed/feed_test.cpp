@@ -56,7 +56,7 @@ double largestChange(const IntensityChange& change) {
 // picture alone, bit for bit, from the first frame on.
 TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
   TilePool pool(2);
-  for (const char* method : {"event_svgf", "pt-correlated"}) {
+  for (const char* method : {"event_svgf", "irradiance_cache", "pt-correlated"}) {
     Feed feed(room(), path(false), config(method), pool);
     Sensor sensor({.threshold = 0.01, .threshold_off = 0.01, .bias = 1e-8}, kW, kH);
     SensorOutput out;

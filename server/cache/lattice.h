@@ -1,0 +1,68 @@
+// Where a surface point lies in the grid: the vertices around it on one level, with their weights.
+//
+// Within a level the cells are cubes of edge 2^level scene units. Each is cut into six tetrahedra by the
+// order of the coordinates within it (Kuhn 1960): weights are linear within a tetrahedron, continuous, and
+// sum to 1. Normals fall into six bins, one for each direction of an axis, with weights that are continuous
+// in the normal.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "base/vec.h"
+
+namespace saccade {
+
+// Address of a vertex in its level: 20 bits for each coordinate, 4 for the bin. Vertices 2^20 cells apart
+// share an address; cells are so small only near the camera, and what is so far away has larger ones.
+using VertexKey = std::uint64_t;
+
+// The tetrahedron around a point, q = point / edge of a cell: keys and weights of its corners.
+struct Tetrahedron {
+  Tetrahedron(Vec3d q, int bin) {
+    const Vec3d low{std::floor(q.x), std::floor(q.y), std::floor(q.z)};
+    const auto x = static_cast<float>(q.x - low.x), y = static_cast<float>(q.y - low.y),
+               z = static_cast<float>(q.z - low.z);
+    // From the lowest corner to the highest, along the axis of the largest fraction first.
+    const bool xy = x >= y, xz = x >= z, yz = y >= z;
+    const VertexKey most = xy && xz ? kX : !xy && yz ? kY : kZ, least = xz && yz ? kZ : xy && !yz ? kY : kX;
+    const float a = std::max({x, y, z}), c = std::min({x, y, z}),
+                b = std::max(std::min(x, y), std::min(std::max(x, y), z));
+    const VertexKey base =
+        address(low.x) | address(low.y) << 20 | address(low.z) << 40 | static_cast<VertexKey>(bin + 1) << 60;
+    key = {base, base + most, base + kX + kY + kZ - least, base + kX + kY + kZ};
+    weight = {1 - a, a - b, b - c, c};
+  }
+
+  std::array<VertexKey, 4> key;
+  std::array<float, 4> weight;
+
+ private:
+  static constexpr VertexKey kX = 1, kY = VertexKey{1} << 20, kZ = VertexKey{1} << 40;
+  // Centred, so that no coordinate near 0 overflows into the next one.
+  static VertexKey address(double c) {
+    return static_cast<VertexKey>(static_cast<std::int64_t>(c) + (1 << 19)) & ((1 << 20) - 1);
+  }
+};
+
+// The bins of a unit normal: axis 0, 1 or 2, plus 3 where it points to the negative side.
+struct NormalBins {
+  explicit NormalBins(Vec3 n) {
+    const std::array<float, 3> v{n.x, n.y, n.z};
+    std::array<float, 3> w;
+    float all = 0, sum = 0;
+    for (int k = 0; k < 3; ++k) all += w[k] = v[k] * v[k] * v[k] * v[k];
+    for (float& share : w) sum += share = std::max(0.f, share / all - kLeastShare);
+    for (int k = 0; k < 3; ++k)
+      if (w[k] > 0) bin[count] = k + (v[k] < 0 ? 3 : 0), weight[count++] = w[k] / sum;
+  }
+
+  static constexpr float kLeastShare = 0.03f;  // bins with less do not count
+  int count = 0;
+  std::array<int, 3> bin;
+  std::array<float, 3> weight;
+};
+
+}  // namespace saccade

@@ -1,0 +1,132 @@
+#include "methods/irradiance_cache.h"
+
+#include <utility>
+
+#include "filter/demodulation.h"
+#include "methods/param_fields.h"
+
+namespace saccade {
+namespace {
+
+using P = IrradianceCacheParams;
+
+const std::vector<ParamField<P>>& fields() {
+  static const std::vector<ParamField<P>> table{
+      {"finest", &P::finest, 0.1, 16, "edge of the finest cells, pixels", "[ours]"},
+      {"tau", &P::tau, 0, 10, "standard deviations by which detail must exceed its noise", "[ours]"},
+      {"noise", &P::noise, 0.001, 100, "variance of an interpolated mean, of that of one sample", "[ours]"},
+      {"iterations", &P::iterations, 0, 5, "a-trous iterations, of spacing 1, 2, 4, ...", "[ours]"},
+      {"sigma_l", &P::sigma_l, 0.01, 1000,
+       "luminance tolerance of the primal, standard deviations of the mean", "[ours]"},
+      {"sigma_l_diff", &P::sigma_l_diff, 0.01, 1000, "luminance tolerance of the difference, likewise",
+       "[ours]"},
+      {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
+      {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
+  };
+  return table;
+}
+
+// Whether a pixel shows a surface that the grid does not hold.
+bool isElsewhere(const Frame& frame, int x, int y) {
+  return frame.g.albedo.at(x, y) > 0 && frame.surfaces->kind.at(x, y) == SurfaceKind::kNone;
+}
+
+}  // namespace
+
+MethodInfo IrradianceCache::info() {
+  return {"irradiance_cache",
+          "keeps light on surfaces, and reads the change from it: for scenes that stand still",
+          paramSpecs(fields()),
+          [](const ParamValues&) {
+            return SampleRequest{SeedReuse::kIndependent, true};
+          },
+          [](const ParamValues& values, int width, int height) -> std::unique_ptr<Method> {
+            return std::make_unique<IrradianceCache>(makeParams(fields(), values), width, height);
+          }};
+}
+
+IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
+    : params_(p),
+      atrous_{
+          .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
+      grid_({.finest_px = p.finest, .tau = p.tau, .noise = p.noise}),
+      now_(w, h),
+      before_(w, h),
+      filtered_(w, h),
+      scratch_(w, h),
+      i_prev_(w, h),
+      var_i_prev_(w, h),
+      elsewhere_(w, h) {}
+
+void IrradianceCache::start(const Frame& first, TilePool& pool) {
+  StageTimes unused;
+  learn(first, pool, unused);
+  filter({first, first}, pool, unused);
+}
+
+void IrradianceCache::learn(const Frame& frame, TilePool& pool, StageTimes& times) {
+  std::swap(at_, at_prev_);
+  if (frame.light_changed) grid_.forget();
+  times[Stage::kTemporal] += grid_.place(*frame.surfaces, frame.g, pool, at_);
+  times[Stage::kTemporal] += grid_.add(*frame.surfaces, at_, pool);
+}
+
+void IrradianceCache::estimate(const FramePair& frames, TilePool& pool, IntensityChange& out,
+                               StageTimes& times) {
+  std::swap(i_prev_, filtered_.i);
+  std::swap(var_i_prev_, filtered_.var_i);
+  learn(frames.cur, pool, times);
+  filter(frames, pool, times);
+  times[Stage::kModulate] +=
+      modulate(frames, Demodulation::kAlbedo, 1, filtered_, i_prev_, var_i_prev_, pool, out);
+
+  fillIn(frames, pool, out, times);
+}
+
+void IrradianceCache::fillIn(const FramePair& frames, TilePool& pool, IntensityChange& out,
+                             StageTimes& times) {
+  const int width = out.dI.width(), height = out.dI.height();
+  const bool all = frames.cur.light_changed;
+  const auto needed = [&](int x, int y) {
+    return all || isElsewhere(frames.cur, x, y) || isElsewhere(frames.prev, x, y);
+  };
+  if (!svgf_) {
+    bool any = all;
+    for (int y = 0; y < height && !any; ++y)
+      for (int x = 0; x < width && !any; ++x) any = needed(x, y);
+    if (!any) return;
+    svgf_ = std::make_unique<Svgf>(SvgfParams{}, width, height);
+    svgf_->start(frames.prev, pool);
+  }
+  svgf_->estimate(frames, pool, elsewhere_, times);
+  times[Stage::kModulate] += pool.forEachRow(height, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      if (!needed(x, y)) continue;
+      for (const auto plane : {&IntensityChange::dI, &IntensityChange::I_prev, &IntensityChange::I_now,
+                               &IntensityChange::var_dI, &IntensityChange::var_I_prev})
+        (out.*plane).at(x, y) = (elsewhere_.*plane).at(x, y);
+    }
+  });
+}
+
+void IrradianceCache::filter(const FramePair& frames, TilePool& pool, StageTimes& times) {
+  times[Stage::kVariance] += grid_.readAdded(*frames.cur.surfaces, frames.cur.g, at_, pool, now_);
+  const bool first = &frames.cur == &frames.prev;
+  if (!first)
+    times[Stage::kVariance] += grid_.read(*frames.prev.surfaces, frames.prev.g, at_prev_, pool, before_);
+  times[Stage::kTemporal] += grid_.learn(at_, pool);
+  times[Stage::kVariance] += pool.forEachRow(now_.i.height(), [&](int y) {
+    for (int x = 0; x < now_.i.width(); ++x) {
+      filtered_.i.at(x, y) = now_.i.at(x, y);
+      filtered_.var_i.at(x, y) = now_.var_i.at(x, y);
+      filtered_.d.at(x, y) = first ? 0 : now_.i.at(x, y) - before_.i.at(x, y);
+      filtered_.var_d.at(x, y) = now_.var_step.at(x, y);
+    }
+  });
+  for (int k = 0; k < params_.iterations; ++k) {
+    times[Stage::kAtrous] += atrousIteration(frames, atrous_, 1 << k, filtered_, pool, scratch_);
+    std::swap(filtered_, scratch_);
+  }
+}
+
+}  // namespace saccade

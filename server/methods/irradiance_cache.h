@@ -1,0 +1,52 @@
+// Light that stands still is computed once: irradiance is kept on surfaces, and the change is read from one
+// state of it at both frames' points. README.md is the section of a paper on it.
+#pragma once
+
+#include "cache/surface_grid.h"
+#include "filter/atrous.h"
+#include "filter/filter_planes.h"
+#include "methods/method.h"
+#include "methods/svgf.h"
+
+namespace saccade {
+
+// irradiance_cache.cpp states the range and the source of each parameter.
+struct IrradianceCacheParams {
+  float finest = 0.5f;
+  float tau = 1;
+  float noise = 0.23f;
+  int iterations = 3;
+  float sigma_l = 3;
+  float sigma_l_diff = 3;
+  float sigma_n = 128;
+  float sigma_z = 1;
+};
+
+class IrradianceCache final : public Method {
+ public:
+  IrradianceCache(const IrradianceCacheParams& params, int width, int height);
+  static MethodInfo info();
+
+  void start(const Frame& first, TilePool& pool) override;
+  void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
+
+ private:
+  void learn(const Frame& frame, TilePool& pool, StageTimes& times);
+  // Reads both frames' points and filters into filtered_.
+  void filter(const FramePair& frames, TilePool& pool, StageTimes& times);
+  // Replaces what the grid cannot know.
+  void fillIn(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times);
+
+  IrradianceCacheParams params_;
+  AtrousParams atrous_;
+  SurfaceGrid grid_;
+  Placement at_, at_prev_;
+  GridEstimate now_, before_;
+  FilterPlanes filtered_, scratch_;
+  ImageF i_prev_, var_i_prev_;
+  // SVGF's estimate, for what the grid does not hold; from the first frame on that needs it.
+  std::unique_ptr<Svgf> svgf_;
+  IntensityChange elsewhere_;
+};
+
+}  // namespace saccade

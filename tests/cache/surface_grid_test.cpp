@@ -1,0 +1,197 @@
+#include "cache/surface_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "filter/synthetic.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kW = 48, kH = 40;
+constexpr float kPixel = 0.01f;  // on the wall
+
+// A camera slides along a wall z = 0, pixel by pixel of kPixel. Samples of `light` with noise.
+struct Wall {
+  Frame frame{kW, kH, true};
+  float noise = 0, unoccluded = 0;
+  std::function<float(float)> light = [](float) { return 1.f; };       // of x
+  std::function<float(float)> visibility = [](float) { return 1.f; };  // of x
+  Vec3 normal{0, 0, 1};
+
+  void show(float shift_px, std::uint64_t seed) {
+    SurfaceSamples& on = *frame.surfaces;
+    for (int y = 0; y < kH; ++y) {
+      for (int x = 0; x < kW; ++x) {
+        const float at = (static_cast<float>(x) + shift_px) * kPixel;
+        on.kind.at(x, y) = SurfaceKind::kDiffuse;
+        on.x.at(x, y) = at, on.y.at(x, y) = static_cast<float>(y) * kPixel, on.z.at(x, y) = 0;
+        on.footprint.at(x, y) = kPixel;
+        on.rest.at(x, y) = light(at) + noise * (2 * test::randomAt(seed, x, y) - 1);
+        on.unoccluded.at(x, y) = unoccluded;
+        on.unoccluded_sample.at(x, y) = unoccluded * (0.5f + test::randomAt(seed + 77, x, y));
+        on.visible_sample.at(x, y) =
+            test::randomAt(seed + 99, x, y) < visibility(at) ? on.unoccluded_sample.at(x, y) : 0;
+        frame.g.nx.at(x, y) = normal.x, frame.g.ny.at(x, y) = normal.y, frame.g.nz.at(x, y) = normal.z;
+        frame.g.motion_x.at(x, y) = 1;
+      }
+    }
+  }
+};
+
+struct View {
+  explicit View(int threads = 2) : pool(threads) {}
+
+  // Adds a view of the wall; the estimate there is in `now`.
+  void look(Wall& wall, float shift_px, std::uint64_t seed) {
+    wall.show(shift_px, seed);
+    grid.place(*wall.frame.surfaces, wall.frame.g, pool, at);
+    grid.add(*wall.frame.surfaces, at, pool);
+    grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
+    grid.learn(at, pool);
+  }
+  // Root of the mean square of now.i - f(x), and of what the grid says of it.
+  std::pair<double, double> errors(const Wall& wall, const std::function<float(float)>& f) const {
+    double sum = 0, variance = 0;
+    for (int y = 0; y < kH; ++y) {
+      for (int x = 0; x < kW; ++x) {
+        sum += std::pow(now.i.at(x, y) - f(wall.frame.surfaces->x.at(x, y)), 2);
+        variance += now.var_i.at(x, y);
+      }
+    }
+    return {std::sqrt(sum / (kW * kH)), std::sqrt(variance / (kW * kH))};
+  }
+
+  TilePool pool;
+  SurfaceGrid grid{{}};
+  Placement at;
+  GridEstimate now{kW, kH};
+};
+
+class SurfaceGridTest : public testing::Test, public View {};
+
+TEST_F(SurfaceGridTest, ConstantLightIsFoundAtOnceAndExactly) {
+  Wall wall;
+  for (int t = 0; t < 3; ++t) {
+    look(wall, 0.7f * t, t);
+    EXPECT_LT(errors(wall, wall.light).first, 1e-5);
+  }
+}
+
+// The mean of n samples of an even light is as good as all of them together, not as those of a cell.
+TEST_F(SurfaceGridTest, NoiseOfEvenLightVanishes) {
+  Wall wall;
+  wall.noise = 1;
+  for (int t = 0; t < 20; ++t) look(wall, 0.7f * t, t);
+  EXPECT_LT(errors(wall, wall.light).first, 0.05);  // one sample: 0.58
+}
+
+TEST_F(SurfaceGridTest, DetailAppearsWhereSamplesProveIt) {
+  Wall wall;
+  wall.noise = 0.5f;
+  wall.light = [](float x) { return 1 + 0.5f * std::sin(x / (8 * kPixel)); };  // a wave of 50 pixels
+  look(wall, 0, 0);
+  const double first = errors(wall, wall.light).first;
+  for (int t = 1; t < 60; ++t) look(wall, 0.37f * t, t);
+  EXPECT_LT(errors(wall, wall.light).first, 0.06);
+  EXPECT_LT(errors(wall, wall.light).first, 0.4 * first);
+}
+
+TEST_F(SurfaceGridTest, ItsVarianceIsThatOfItsError) {
+  Wall wall;
+  wall.noise = 1;
+  wall.light = [](float x) { return 1 + 0.5f * std::sin(x / (3 * kPixel)); };
+  for (int t = 0; t < 60; ++t) look(wall, 0.37f * t, t);
+  const auto [error, claimed] = errors(wall, wall.light);
+  EXPECT_GT(claimed, 0.4 * error);
+  EXPECT_LT(claimed, 1.5 * error);
+}
+
+// Where nothing casts a shadow the light of simple lamps has no noise at all, whatever its samples.
+TEST_F(SurfaceGridTest, LightWithoutShadowsHasNoNoise) {
+  Wall wall;
+  wall.unoccluded = 2;
+  wall.light = [](float) { return 0.f; };
+  for (int t = 0; t < 5; ++t) look(wall, 0.7f * t, t);
+  EXPECT_LT(errors(wall, [](float) { return 2.f; }).first, 1e-5);
+  EXPECT_EQ(now.var_i.at(kW / 2, kH / 2), 0);
+}
+
+TEST_F(SurfaceGridTest, AShadowsEdgeComesOutSharp) {
+  Wall wall;
+  wall.unoccluded = 1;
+  wall.light = [](float) { return 0.f; };
+  wall.visibility = [](float x) { return x < 30 * kPixel ? 1.f : 0.f; };
+  for (int t = 0; t < 60; ++t) look(wall, 0.37f * t - 11, t);
+  EXPECT_NEAR(now.i.at(10, 20), 1, 0.01);
+  EXPECT_NEAR(now.i.at(kW - 4, 20), 0, 0.01);
+  EXPECT_LT(errors(wall, wall.visibility).first, 0.12);
+}
+
+// A wall thinner than any cell: light of one side does not leak to the other.
+TEST_F(SurfaceGridTest, BothSidesOfAThinWallHaveLightOfTheirOwn) {
+  Wall bright, dark;
+  bright.light = [](float) { return 9.f; };
+  dark.light = [](float) { return 0.f; };
+  dark.normal = {0, 0, -1};
+  for (int t = 0; t < 5; ++t) {
+    look(bright, 0.7f * t, t);
+    EXPECT_LT(errors(bright, bright.light).first, 1e-4);
+    look(dark, 0.7f * t, t);
+    EXPECT_LT(errors(dark, dark.light).first, 1e-5);
+  }
+}
+
+TEST_F(SurfaceGridTest, ReadsTheSameAtTheSamePlace) {
+  Wall wall;
+  wall.noise = 1;
+  for (int t = 0; t < 5; ++t) look(wall, 0.7f * t, t);
+  GridEstimate again(kW, kH), once_more(kW, kH);
+  grid.read(*wall.frame.surfaces, wall.frame.g, at, pool, again);
+  grid.read(*wall.frame.surfaces, wall.frame.g, at, pool, once_more);
+  for (int x = 0; x < kW; ++x) EXPECT_EQ(again.i.at(x, 7), once_more.i.at(x, 7));
+}
+
+TEST_F(SurfaceGridTest, IsTheSameForAnyNumberOfThreads) {
+  Wall wall;
+  wall.noise = 1, wall.unoccluded = 1;
+  wall.visibility = [](float x) { return x < 30 * kPixel ? 1.f : 0.2f; };
+  for (int t = 0; t < 5; ++t) look(wall, 0.7f * t, t);
+  for (const int threads : {1, 5}) {
+    View other(threads);
+    for (int t = 0; t < 5; ++t) other.look(wall, 0.7f * t, t);
+    for (int y = 0; y < kH; ++y) {
+      for (int x = 0; x < kW; ++x) {
+        ASSERT_EQ(now.i.at(x, y), other.now.i.at(x, y));
+        ASSERT_EQ(now.var_i.at(x, y), other.now.var_i.at(x, y));
+        ASSERT_EQ(now.var_step.at(x, y), other.now.var_step.at(x, y));
+      }
+    }
+  }
+}
+
+TEST_F(SurfaceGridTest, ForgetsLightThatHasChanged) {
+  Wall wall;
+  for (int t = 0; t < 5; ++t) look(wall, 0.7f * t, t);
+  wall.light = [](float) { return 5.f; };
+  grid.forget();
+  look(wall, 3.5f, 9);
+  EXPECT_LT(errors(wall, wall.light).first, 1e-4);
+}
+
+TEST_F(SurfaceGridTest, PixelsWithoutASurfaceAreLeftOut) {
+  Wall wall;
+  wall.show(0, 1);
+  for (int y = 0; y < kH; ++y)
+    for (int x = 0; x < kW; ++x) wall.frame.surfaces->kind.at(x, y) = SurfaceKind::kNone;
+  grid.place(*wall.frame.surfaces, wall.frame.g, pool, at);
+  grid.add(*wall.frame.surfaces, at, pool);
+  grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
+  grid.learn(at, pool);
+  EXPECT_EQ(now.i.at(3, 3), 0);
+  EXPECT_EQ(grid.vertices(), 0u);
+}
+
+}  // namespace
+}  // namespace saccade
