@@ -10,7 +10,7 @@
 namespace saccade {
 
 // Balance heuristic (Veach 1995).
-inline Lane balance(Lane pdf, Lane other) {
+inline float balance(float pdf, float other) {
   return pdf / (pdf + other);
 }
 
@@ -53,7 +53,7 @@ template <Shading S, int Channels>
   } else if (scene.geometry().occluded(shadow)) {
     return {};
   }
-  Lane weight = light.delta ? 1 : balance(light.pdf, f.pdf);
+  float weight = light.delta ? 1 : balance(light.pdf, f.pdf);
   if (light.geometry != IncidentLight::kNoGeometry) weight *= strengths[light.geometry];
   return Color<Channels>(light.radiance) * Color<Channels>(f.value) * (weight / light.pdf);
 }

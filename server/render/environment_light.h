@@ -4,15 +4,15 @@
 #include <array>
 #include <vector>
 
-#include "base/lane.h"
+#include "base/vec.h"
 #include "scene/light.h"
 
 namespace saccade {
 
 struct EnvironmentSample {
-  LaneVec3 direction;  // away from the scene, unit
-  LaneRgb radiance;
-  Lane pdf;  // per solid angle; 0: nothing comes from anywhere
+  Vec3 direction;  // away from the scene, unit
+  Rgb radiance;
+  float pdf;  // per solid angle; 0: nothing comes from anywhere
 };
 
 // The picture is looked up bilinearly between the centres of its pixels; it goes on around the horizon, and
@@ -27,8 +27,8 @@ class EnvironmentLight {
 
   // Directions are unit vectors in the world.
   Rgb radiance(Vec3 direction) const;
-  EnvironmentSample sample(Lane u1, Lane u2) const;  // of numbers in [0, 1)
-  Lane pdf(Vec3 direction) const;                    // of sample()
+  EnvironmentSample sample(float u1, float u2) const;  // of numbers in [0, 1)
+  float pdf(Vec3 direction) const;                     // of sample()
 
   // Over all directions, by the means of the cells: true to 1 / height^2 of it.
   float meanLuminance() const { return mean_luminance_; }
@@ -37,11 +37,11 @@ class EnvironmentLight {
   // The corners of a cell, left and right of the upper row, then of the lower; `x`, `y`: place between them.
   struct Cell {
     std::array<Rgb, 4> corners;  // radiance
-    Lane x, y;
+    float x, y;
   };
   Cell cellAt(Vec3 direction) const;
   static Rgb radianceIn(const Cell& cell);
-  Lane pdfIn(const Cell& cell) const;
+  float pdfIn(const Cell& cell) const;
   Rgb corner(int column, int row) const;  // one beyond the edge at most
   std::array<Rgb, 4> cornersOf(int column, int row) const;
   float shareAbove(int row) const;

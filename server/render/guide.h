@@ -11,7 +11,7 @@ struct Guide {
   Vec3 point;         // where it seems to be, world space
   Vec3 normal;        // unit shading normal where it is
   Vec3 plane_normal;  // unit geometric normal where it seems to be
-  Lane t;             // along the pixel's ray
+  float t;            // along the pixel's ray
   Rgb albedo;         // fraction of light that comes from it, or off what it is seen in, into the view
   Rgb emission;       // from it, and from what it is seen in, into the view
   bool hit = true;    // false: endless; all but albedo and emission mean nothing

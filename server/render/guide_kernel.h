@@ -12,7 +12,7 @@
 namespace saccade {
 namespace detail {
 
-inline constexpr Lane kView = 0.5f;  // Scatter::isView()
+inline constexpr float kView = 0.5f;  // Scatter::isView()
 
 inline Vec3 mirrored(Vec3 v, Vec3 about) {
   return v - about * (2 * dot(v, about));
@@ -24,7 +24,7 @@ Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, co
                  const Hit& first, const PathStart& start) {
   Guide g{};
   Rgb throughput{1, 1, 1};
-  Lane distance = 0;  // beyond `start`
+  float distance = 0;  // beyond `start`
   std::array<Vec3, kMaxViewDepth> mirrors;
   std::size_t mirror_count = 0;
   Surface s = start.surface;

@@ -18,8 +18,8 @@ struct IncidentLight {
   Vec3 segment;                          // of the shadow ray
   float reach;                           // its end, in lengths of the segment
   Rgb radiance;                          // at strength 1; of a delta light its irradiance at a right angle
-  Lane pdf;                              // per solid angle; delta: the probability of the light; 0: none
-  LaneMask delta = false;                // from one direction, which no ray finds by chance
+  float pdf;                             // per solid angle; delta: the probability of the light; 0: none
+  bool delta = false;                    // from one direction, which no ray finds by chance
   std::uint32_t geometry = kNoGeometry;  // of EmbreeScene
   static constexpr std::uint32_t kNoGeometry = 0xffffffffu;
 };
@@ -32,15 +32,15 @@ class Lights {
   bool empty() const { return cdf_.empty(); }
 
   // Light at `point` from a light chosen by u_light, at a place chosen by u1 and u2. Not empty.
-  IncidentLight at(Vec3 point, Lane u_light, Lane u1, Lane u2) const;
+  IncidentLight at(Vec3 point, float u_light, float u1, float u2) const;
 
   // pdf per area of at() on a surface of this radiance at strength 1. Choosing by power makes it independent
   // of the light's size: (Y area / power) / area.
-  Lane pdf(Rgb radiance) const { return luminance(radiance) * inv_power_; }
+  float pdf(Rgb radiance) const { return luminance(radiance) * inv_power_; }
 
   // Light from infinity, and the pdf per solid angle of at() for it; 0 without an environment.
   Rgb distantRadiance(Vec3 direction) const;
-  Lane distantPdf(Vec3 direction) const;
+  float distantPdf(Vec3 direction) const;
 
  private:
   struct AreaLight {
@@ -52,9 +52,9 @@ class Lights {
   void addAreaLights(const Scene& scene);
   void add(const AreaLight& light, float area);
   void choose(float power);
-  IncidentLight areaLight(const AreaLight& light, Vec3 point, Lane u1, Lane u2) const;
-  IncidentLight otherLight(std::size_t i, Vec3 point, Lane u1, Lane u2) const;
-  Lane probability(std::size_t i) const { return i == 0 ? cdf_[0] : cdf_[i] - cdf_[i - 1]; }
+  IncidentLight areaLight(const AreaLight& light, Vec3 point, float u1, float u2) const;
+  IncidentLight otherLight(std::size_t i, Vec3 point, float u1, float u2) const;
+  float probability(std::size_t i) const { return i == 0 ? cdf_[0] : cdf_[i] - cdf_[i - 1]; }
 
   std::vector<AreaLight> area_lights_;
   std::vector<PointLight> point_lights_;

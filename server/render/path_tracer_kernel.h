@@ -18,11 +18,11 @@ inline constexpr int kMaxDeltas = 16;  // mirrors and glass that a path may meet
 
 // How the last direction was chosen that was not straight on: what weighs light found by chance.
 struct Choice {
-  Lane pdf;       // per solid angle, times the chance of all that went straight since
-  bool delta;     // no other way to find this light
-  Lane distance;  // since then
+  float pdf;       // per solid angle, times the chance of all that went straight since
+  bool delta;      // no other way to find this light
+  float distance;  // since then
 
-  Lane weight(Lane pdf_light) const { return delta ? 1 : balance(pdf, pdf_light); }
+  float weight(float pdf_light) const { return delta ? 1 : balance(pdf, pdf_light); }
 };
 
 }  // namespace detail
@@ -30,7 +30,7 @@ struct Choice {
 template <Shading S, int Channels>
 Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths& strengths,
                                const PathStart& start, const PathSampler& sampler, int bounces) {
-  Color<Channels> radiance, throughput(Lane(1));
+  Color<Channels> radiance, throughput(1.f);
   const Lights& lights = scene.lights();
   if (lights.empty()) return radiance;
   Surface s = start.surface;
@@ -77,8 +77,8 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
     arriving = next.wi;
     choice.distance += hit.t;
     if (luminance(s.radiance) > 0 && !in_view) {
-      const Lane cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
-      const Lane pdf_light = lights.pdf(s.radiance) * choice.distance * choice.distance / cos_light;
+      const float cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
+      const float pdf_light = lights.pdf(s.radiance) * choice.distance * choice.distance / cos_light;
       radiance +=
           throughput * Color<Channels>(s.radiance) * (choice.weight(pdf_light) * strengths[hit.geometry]);
     }

@@ -29,7 +29,7 @@ class Scatter {
   }
 
   // A direction, `wi`, in world space.
-  BsdfSample sample(Lane u_lobe, Lane u1, Lane u2) const {
+  BsdfSample sample(float u_lobe, float u1, float u2) const {
     if constexpr (S.extras) {
       if (u_lobe >= s_.opacity) return {arriving_, {1, 1, 1}, 1 - s_.opacity, true, true};
       u_lobe = std::min(u_lobe / s_.opacity, 0x1.fffffep-1f);
@@ -37,7 +37,7 @@ class Scatter {
     BsdfSample next = sampleBsdf<S.kinds>(s_.bsdf, wo_, u_lobe, u1, u2);
     if constexpr (S.extras) next.pdf *= s_.opacity;
     next.wi = frame_.toWorld(next.wi);
-    const Lane side = dot(next.wi, s_.geometric_normal);
+    const float side = dot(next.wi, s_.geometric_normal);
     if ((next.transmitted ? -side : side) <= 0) next.weight = {}, next.pdf = 0;
     return next;
   }
@@ -72,7 +72,7 @@ class Scatter {
 
  private:
   static constexpr bool kTransmits = S.has(&BsdfTraits::transmits);
-  static constexpr Lane kGrazing = 1e-3f;
+  static constexpr float kGrazing = 1e-3f;
   const BsdfTraits& traits() const {
     return traitsOf(S.diffuseOnly() ? BsdfKind::kDiffuse : s_.bsdf.tables->model.kind);
   }
@@ -80,7 +80,7 @@ class Scatter {
   const Surface& s_;
   Vec3 arriving_;
   ShadingFrame frame_;
-  LaneVec3 wo_{0, 0, 1};  // diffuse: which way does not matter
+  Vec3 wo_{0, 0, 1};  // diffuse: which way does not matter
 };
 
 }  // namespace saccade

@@ -56,19 +56,19 @@ auto visit(const Bsdf& b, Call call) {
 
 // Kinds: those that b may be of.
 template <BsdfKinds Kinds = kAllBsdfKinds>
-BsdfValue evaluateBsdf(const Bsdf& b, LaneVec3 wo, LaneVec3 wi) {
+BsdfValue evaluateBsdf(const Bsdf& b, Vec3 wo, Vec3 wi) {
   return detail::visit<Kinds>(b, [&](auto family) { return family.evaluate(b, wo, wi); });
 }
 
 // A direction for given wo: u_lobe chooses the lobe, u1 and u2 the direction within it, all in [0, 1).
 template <BsdfKinds Kinds = kAllBsdfKinds>
-BsdfSample sampleBsdf(const Bsdf& b, LaneVec3 wo, Lane u_lobe, Lane u1, Lane u2) {
+BsdfSample sampleBsdf(const Bsdf& b, Vec3 wo, float u_lobe, float u1, float u2) {
   return detail::visit<Kinds>(b, [&](auto family) { return family.sample(b, wo, u_lobe, u1, u2); });
 }
 
 // Fraction of light from cosine cos_o that is reflected or let through, into all directions together.
 template <BsdfKinds Kinds = kAllBsdfKinds>
-LaneRgb bsdfAlbedo(const Bsdf& b, Lane cos_o) {
+Rgb bsdfAlbedo(const Bsdf& b, float cos_o) {
   return detail::visit<Kinds>(b, [&](auto family) { return family.albedo(b, cos_o); });
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/lane.h"
+#include "base/vec.h"
 #include "scene/bsdf_model.h"
 
 namespace saccade {
@@ -21,10 +21,10 @@ class CosineTable {
       values_[i] = at(root * root);
     }
   }
-  T operator()(Lane cosine) const {
-    const Lane x = std::sqrt(std::clamp(cosine, Lane(0), Lane(1))) * (kSize - 1);
+  T operator()(float cosine) const {
+    const float x = std::sqrt(std::clamp(cosine, 0.f, 1.f)) * (kSize - 1);
     const int i = std::min(static_cast<int>(x), kSize - 2);
-    const Lane w = x - static_cast<float>(i);
+    const float w = x - static_cast<float>(i);
     return values_[i] * (1 - w) + values_[i + 1] * w;
   }
 
