@@ -46,7 +46,7 @@ int tileEdge(const SeedPlan& seeds, int bounces) {
 }  // namespace
 
 std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
-                                          Frame& out) {
+                                          const PoolHandle& pool, Frame& out) {
   strengths_.setTime(out.time);
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
@@ -54,15 +54,16 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
   const auto tile = withKernel(scene_->shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderTile<S, 1> : renderTile<S, 3>;
   });
-  return pool_.forEachTile(out.width(), out.height(), tileEdge(seeds, settings_.bounces),
-                           [&](Tile t) { tile(view, seeds, settings_, t, out); });
+  return pool.forEachTile(out.width(), out.height(), tileEdge(seeds, settings_.bounces),
+                          [&](Tile t) { tile(view, seeds, settings_, t, out); });
 }
 
-void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]) {
+void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, const PoolHandle& pool,
+                           Frame& out, ImageF (&rgb)[3]) {
   strengths_.setTime(out.time);
   const PixelContext view{*scene_, strengths_, camera, camera};
   const auto row = withKernel(scene_->shading(), []<Shading S>() { return renderStillRow<S>; });
-  pool_.forEachRow(out.height(), [&](int y) { row(view, seed, spp, settings_.bounces, y, out, rgb); });
+  pool.forEachRow(out.height(), [&](int y) { row(view, seed, spp, settings_.bounces, y, out, rgb); });
 }
 
 std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, double fov_x_deg) {

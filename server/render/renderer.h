@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/tile_pool.h"
+#include "base/pool_handle.h"
 #include "frame/frame.h"
 #include "render/camera.h"
 #include "render/render_scene.h"
@@ -22,24 +22,24 @@ struct RenderSettings {
 
 class Renderer {
  public:
-  // Shares `scene`; keeps a reference to `pool`.
-  Renderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings, TilePool& pool)
-      : scene_(std::move(scene)), strengths_(scene_->description()), settings_(settings), pool_(pool) {}
+  // Shares `scene`.
+  Renderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings)
+      : scene_(std::move(scene)), strengths_(scene_->description()), settings_(settings) {}
 
   // Fills out.g and out.samples, emitters as strong as they are at out.time. Returns the CPU time. The
   // picture depends on nothing but the arguments.
   std::chrono::nanoseconds render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
-                                  Frame& out);
+                                  const PoolHandle& pool, Frame& out);
 
   // One picture in colour at out.time, `spp` paths per pixel from its centre, into three planes. Features go
   // to `out.g`; `out.samples` is left as it is.
-  void renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]);
+  void renderStill(const Camera& camera, std::uint64_t seed, int spp, const PoolHandle& pool, Frame& out,
+                   ImageF (&rgb)[3]);
 
  private:
   std::shared_ptr<const RenderScene> scene_;
   EmitterStrengths strengths_;  // at the time of the frame in work
   RenderSettings settings_;
-  TilePool& pool_;
 };
 
 // World-space points on the surfaces in view, on a grid over the picture. Empty if nothing is in view.

@@ -58,7 +58,7 @@ TEST_F(BenchTest, RunsTheFramesOfAPlainFeed) {
   config.fov_x_deg = scene->description().fov_x_deg, config.seed = 7;
   Feed feed(scene, openTrajectory("cornell-box", "right", *scene, {}), config, pool);
   for (int t = 1; t <= 4; ++t) {
-    const IntensityChange& change = feed.step();
+    const IntensityChange& change = feed.step(pool);
     if (t < setup.first) continue;
     const IntensityChange& scored = run.changes[static_cast<std::size_t>(t - setup.first)];
     EXPECT_EQ(scored.frame, change.frame);

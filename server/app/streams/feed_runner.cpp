@@ -27,9 +27,8 @@ void logTimes(FrameIndex frame, const StageTimes& times) {
 
 }  // namespace
 
-FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, std::shared_ptr<TilePool> pool,
-                       Totals& totals)
-    : pool_(std::move(pool)),
+FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, TilePool& pool, Totals& totals)
+    : pool_(pool),
       feed_(std::move(feed)),
       pace_(pace),
       totals_(totals),
@@ -161,7 +160,6 @@ void FeedRunner::step() {
   if (frame_ == 0) began_ = ChangeNotifier::Clock::now();
   if (!running_ && pace_.speed > 0) wall_zero_ = ChangeNotifier::Clock::now() - wallTime(now(), pace_.speed);
   running_ = std::none_of(sinks_.begin(), sinks_.end(), [](const auto& o) { return o->catchingUp(); });
-  pool_->setUrgent(running_ && pace_.speed > 0);
   const IntensityChange& change = render();
   const double lag_s = running_ ? waitUntilDue(change.t1) : 0;
   StageTimes times = feed_->lastTimes();
@@ -170,11 +168,14 @@ void FeedRunner::step() {
   record(times, feed_->lastChain() + (threadCpuTime() - before), lag_s);
 }
 
+// Frames of a feed that keeps its pace are due at a certain time.
+Priority FeedRunner::priority() const {
+  return running_ && pace_.speed > 0 ? Priority::kUrgent : Priority::kNormal;
+}
+
 // Only this can be interrupted: an interval that is rendered reaches all streams.
 const IntensityChange& FeedRunner::render() {
-  pool_->setStop(stop_.get_token());
-  const IntensityChange& change = feed_->step();
-  pool_->setStop({});
+  const IntensityChange& change = feed_->step({pool_, priority(), stop_.get_token()});
   newest_.set(change);
   frame_ = change.frame;
   return change;
@@ -189,7 +190,7 @@ std::chrono::nanoseconds FeedRunner::publish(const IntensityChange& change, doub
     started.push_back(sink.get());
     for (std::size_t i = 0; i < sink->channels(); ++i) channels.emplace_back(sink.get(), i);
   }
-  const auto used = pool_->run(static_cast<int>(channels.size()), [&](int i) {
+  const auto used = PoolHandle(pool_, priority()).run(static_cast<int>(channels.size()), [&](int i) {
     const auto [sink, channel] = channels[static_cast<std::size_t>(i)];
     sink->process(channel, change);
   });

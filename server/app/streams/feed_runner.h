@@ -38,10 +38,9 @@ struct FeedProgress {
 
 class FeedRunner {
  public:
-  // `pool` must be the one of `feed`, and of no other feed: it has priority while the feed keeps its pace.
-  // Adds to `totals`, which must outlive this.
-  FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, std::shared_ptr<TilePool> pool,
-             Totals& totals);
+  // Runs the feed on `pool`, urgently while the feed keeps its pace. Adds to `totals`. Both must outlive
+  // this.
+  FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, TilePool& pool, Totals& totals);
   ~FeedRunner();  // waits for the thread: all streams must be stopped, or the feed must have an end
   FeedRunner(const FeedRunner&) = delete;
   FeedRunner& operator=(const FeedRunner&) = delete;
@@ -69,6 +68,7 @@ class FeedRunner {
   bool needsCare() const;
   bool allStopping() const;
   void step();
+  Priority priority() const;
   std::chrono::nanoseconds publish(const IntensityChange& change, double lag_s);
   const IntensityChange& render();
   void holdClock();
@@ -78,7 +78,7 @@ class FeedRunner {
   void finish(StreamSink& sink);
   TimeNs now() const { return frameTime(frame_, pace_.frame_rate_hz); }
 
-  const std::shared_ptr<TilePool> pool_;
+  TilePool& pool_;
   const std::unique_ptr<Feed> feed_;
   const FeedPace pace_;
   Totals& totals_;
