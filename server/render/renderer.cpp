@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "render/pixel.h"
 
@@ -64,20 +63,6 @@ void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, co
   const PixelContext view{*scene_, strengths_, camera, camera};
   const auto row = withKernel(scene_->shading(), []<Shading S>() { return renderStillRow<S>; });
   pool.forEachRow(out.height(), [&](int y) { row(view, seed, spp, settings_.bounces, y, out, rgb); });
-}
-
-std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, double fov_x_deg) {
-  constexpr int kWidth = 64, kHeight = 48;
-  const Camera camera(T_world_camera, fov_x_deg, kWidth, kHeight);
-  std::vector<Vec3> points;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      const Vec3 d = camera.direction(static_cast<float>(x), static_cast<float>(y));
-      const Hit hit = scene.geometry().intersect({camera.origin, d, std::numeric_limits<float>::infinity()});
-      if (hit.valid) points.push_back(camera.origin + d * hit.t);
-    }
-  }
-  return points;
 }
 
 }  // namespace saccade

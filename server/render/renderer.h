@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <memory>
-#include <vector>
 
 #include "base/pool_handle.h"
 #include "frame/frame.h"
@@ -41,8 +40,5 @@ class Renderer {
   EmitterStrengths strengths_;  // at the time of the frame in work
   RenderSettings settings_;
 };
-
-// World-space points on the surfaces in view, on a grid over the picture. Empty if nothing is in view.
-std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, double fov_x_deg);
 
 }  // namespace saccade

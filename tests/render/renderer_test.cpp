@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/test_scenes.h"
+#include "render/view_grid.h"
 
 namespace saccade {
 namespace {
