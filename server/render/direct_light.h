@@ -14,16 +14,16 @@ inline float balance(float pdf, float other) {
   return pdf / (pdf + other);
 }
 
-// What panes and masks let through along a shadow ray.
+// The light that panes and masks let through along a shadow ray.
 template <Shading S>
-Transmittance passageAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
-  constexpr int kMaxPassages = 16;
+Transmittance transmittanceAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
+  constexpr int kMaxTransmissions = 16;
   Transmittance all;
-  for (int i = 0; i < kMaxPassages; ++i) {
+  for (int i = 0; i < kMaxTransmissions; ++i) {
     const Hit hit = scene.geometry().intersect(ray);
     if (!hit.valid) return all;
     const Surface s = surfaceAt<S>(scene, ray, hit, RayCone::kDiffuseSpread * hit.t);
-    const Transmittance one = Scatter<S>(s, direction).passage();
+    const Transmittance one = Scatter<S>(s, direction).straightTransmittance();
     all = {all.fraction * one.fraction, all.probability * one.probability};
     if (luminance(all.fraction) <= 0) break;
     ray.origin = scene.leave(s, true);
@@ -46,10 +46,10 @@ template <Shading S, int Channels>
   BsdfValue f = scatter.evaluate(light.direction);
   if (f.pdf <= 0) return {};
   const Ray shadow{origin, light.segment, light.reach};
-  if (S.extras && scene.hasPassages()) {
-    const Transmittance passage = passageAlong<S>(scene, shadow, light.direction);
-    if (passage.probability <= 0) return {};
-    f = {f.value * passage.fraction, f.pdf * passage.probability};
+  if (S.extras && scene.hasStraightTransmission()) {
+    const Transmittance through = transmittanceAlong<S>(scene, shadow, light.direction);
+    if (through.probability <= 0) return {};
+    f = {f.value * through.fraction, f.pdf * through.probability};
   } else if (scene.geometry().occluded(shadow)) {
     return {};
   }

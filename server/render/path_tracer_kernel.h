@@ -37,12 +37,12 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
   Vec3 arriving = start.direction;
   RayCone cone = start.cone;
   detail::Choice choice{1, true, 0};
-  const bool passages = S.extras && scene.hasPassages();
+  const bool transmission = S.extras && scene.hasStraightTransmission();
   bool in_view = S.extras;
   for (int vertex = 0, bounce = 0; vertex <= bounces + detail::kMaxDeltas; ++vertex) {
     const int dimension = vertex * detail::kDimensions;
     const Scatter<S> scatter(s, arriving);
-    const bool spent = passages && bounce > bounces;
+    const bool spent = transmission && bounce > bounces;
     if (!spent)
       radiance += throughput *
                   directLight<S, Channels>(scene, strengths, s, scatter, sampler, dimension + detail::kLight);
@@ -53,10 +53,10 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
                        sampler.u(dimension + detail::kBounce + 1));
     throughput = throughput * Color<Channels>(next.weight);
     if (next.pdf <= 0 || throughput.luminance() <= 0) return radiance;
-    const bool straight = S.extras && scatter.isPassThrough(next);
+    const bool straight = S.extras && scatter.isStraight(next);
     if (spent && !straight) return radiance;
     if (straight)
-      choice.pdf *= scatter.passage().probability;
+      choice.pdf *= scatter.straightTransmittance().probability;
     else
       choice = {next.pdf, next.delta, 0};
     if constexpr (S.extras) in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
@@ -83,7 +83,8 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
           throughput * Color<Channels>(s.radiance) * (choice.weight(pdf_light) * strengths[hit.geometry]);
     }
     bounce += !next.delta;
-    if (bounce > bounces && !passages) return radiance;  // else the last ray passes what shadow rays do
+    // With such surfaces the last ray goes on, because shadow rays do.
+    if (bounce > bounces && !transmission) return radiance;
   }
   return radiance;
 }

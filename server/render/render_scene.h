@@ -22,7 +22,8 @@ class RenderScene {
   int channels() const { return channels_; }
   std::size_t bytes() const;  // of geometry, Embree's tree over it, and textures: nearly all of its memory
 
-  bool hasPassages() const { return has_passages_; }  // whether a shadow ray may pass through something
+  // Whether some surface lets shadow rays through.
+  bool hasStraightTransmission() const { return has_straight_transmission_; }
 
   // Of a material.
   const BsdfTables& tables(int material) const { return tables_[material]; }
@@ -39,7 +40,7 @@ class RenderScene {
   Lights lights_;
   Shading shading_;
   int channels_;
-  bool has_passages_;
+  bool has_straight_transmission_;
   float epsilon_;
   std::vector<BsdfTables> tables_;  // by material
 };

@@ -50,15 +50,15 @@ class Scatter {
   }
 
   // Panes and masks do not bend light, so that shadow rays pass them.
-  Transmittance passage() const {
-    if (!traits().passes_straight) return {Rgb{1, 1, 1} * (1 - s_.opacity), 1 - s_.opacity};
-    const Transmittance pane = ThinDielectric::passage(s_.bsdf, wo_.z);
+  Transmittance straightTransmittance() const {
+    if (!traits().transmits_straight) return {Rgb{1, 1, 1} * (1 - s_.opacity), 1 - s_.opacity};
+    const Transmittance pane = ThinDielectric::straightTransmittance(s_.bsdf, wo_.z);
     return {Rgb{1, 1, 1} * (1 - s_.opacity) + pane.fraction * s_.opacity,
             1 - s_.opacity + pane.probability * s_.opacity};
   }
-  // Whether a sample is of that.
-  bool isPassThrough(const BsdfSample& next) const {
-    return next.transmitted && (!traits().transmits || traits().passes_straight);
+  // Whether a sample went straight through.
+  bool isStraight(const BsdfSample& next) const {
+    return next.transmitted && (!traits().transmits || traits().transmits_straight);
   }
 
   // Whether a sample is what one sees here: the likelier direction of a mirror, of clear glass, of a mask.

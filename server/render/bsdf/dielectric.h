@@ -69,7 +69,7 @@ struct ThinDielectric {
     return reflectanceAndTransmittance(b, cos_o, reflectance(b, cos_o));
   }
   // What of light from behind goes straight through, and the probability that sample() finds it.
-  static Transmittance passage(const Bsdf& b, float cos_o) {
+  static Transmittance straightTransmittance(const Bsdf& b, float cos_o) {
     const float f = reflectance(b, cos_o);
     return {b.transmittance * (1 - f), 1 - reflectionProbability(b, f)};
   }
