@@ -1,4 +1,4 @@
-// Light that comes to a surface from a light source without a detour.
+// Direct light: light that comes straight from a light source.
 #pragma once
 
 #include "render/color.h"
@@ -32,8 +32,9 @@ Transmittance transmittanceAlong(const RenderScene& scene, Ray ray, Vec3 directi
   return {{}, 0};
 }
 
-// One estimate, by the light alone: weighed against the chance that the surface's own samples find it.
-// `dimension`: the first of three random numbers. Inlined by force: a call costs 5 % of a frame.
+// One estimate of the direct light, by a sample of the lights. Its weight is the share of this sample in the
+// balance heuristic. `dimension` is the first of three random numbers.
+// Inlining is forced, because a call costs 5 % of a frame.
 template <Shading S, int Channels>
 [[gnu::always_inline]] inline Color<Channels> directLight(const RenderScene& scene,
                                                           const EmitterStrengths& strengths, const Surface& s,

@@ -14,14 +14,14 @@ float meanLuminance(const std::array<Rgb, 4>& corners) {
   return luminance(corners[0] + corners[1] + corners[2] + corners[3]) / 4;
 }
 
-// Makes running sums end at 1, if they are not all 0. Returns the whole.
+// Scales running sums so that they end at 1, unless all are 0. Returns the old last sum.
 double normalizeSums(std::vector<double>& sums, std::vector<float>& cdf) {
   const double whole = sums.back();
   for (const double sum : sums) cdf.push_back(static_cast<float>(whole > 0 ? sum / whole : 0));
   return whole;
 }
 
-// An interval of a running sum, and the place of u within it, in [0, 1].
+// An interval of a running sum, and the position of u within it, in [0, 1].
 struct Choice {
   int index;
   float within;
@@ -67,7 +67,7 @@ std::array<Rgb, 4> EnvironmentLight::cornersOf(int column, int row) const {
   return {corner(column, row - 1), corner(column + 1, row - 1), corner(column, row), corner(column + 1, row)};
 }
 
-// Share of the sphere above the upper edge of a row of cells: sin^2 of half the polar angle.
+// The share of the sphere above the upper edge of a row of cells: sin^2 of half the polar angle.
 float EnvironmentLight::shareAbove(int row) const {
   const float v = std::clamp((static_cast<float>(row) - 0.5f) / static_cast<float>(height_), 0.f, 1.f);
   const float s = std::sin(kPi / 2 * v);

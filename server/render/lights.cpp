@@ -19,7 +19,7 @@ IncidentLight distant(Vec3 direction, Rgb radiance, float pdf, bool delta) {
 
 Lights::Lights(const Scene& scene, float radius)
     : point_lights_(scene.point_lights), directional_lights_(scene.directional_lights) {
-  // Power over pi; of distant lights what falls on the disk that the scene shows them.
+  // Power over pi. Distant lights count the power that falls on the disk of the scene.
   const float disk = std::numbers::pi_v<float> * radius * radius;
   addAreaLights(scene);
   for (const PointLight& l : point_lights_) choose(4 * luminance(l.intensity));

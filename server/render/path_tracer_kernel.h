@@ -1,4 +1,4 @@
-// The path tracer itself, for kernel.h.
+// The path tracer. For kernel.h.
 #pragma once
 
 #include "render/path_tracer.h"
@@ -10,16 +10,17 @@
 namespace saccade {
 namespace detail {
 
-// Every vertex has its own random dimensions, so that paths that part at one vertex still share the numbers
-// of the next.
+// Every vertex has its own random dimensions. So two paths that part at one vertex share the numbers of the
+// next.
 enum Dimension { kLight, kBounce = kLight + 3, kLobe = kBounce + 2, kDimensions };
 
-inline constexpr int kMaxDeltas = 16;  // mirrors and glass that a path may meet besides its bounces
+inline constexpr int kMaxDeltas = 16;  // reflections and refractions that do not count as bounces
 
-// How the last direction was chosen that was not straight on: what weighs light found by chance.
+// How the last direction that was not straight on was chosen. It decides the weight of emitters that the path
+// hits.
 struct Choice {
-  float pdf;       // per solid angle, times the chance of all that went straight since
-  bool delta;      // no other way to find this light
+  float pdf;       // per solid angle, times the probabilities of going straight since then
+  bool delta;      // samples of the lights cannot find this light
   float distance;  // since then
 
   float weight(float pdf_light) const { return delta ? 1 : balance(pdf, pdf_light); }
@@ -47,7 +48,7 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
       radiance += throughput *
                   directLight<S, Channels>(scene, strengths, s, scatter, sampler, dimension + detail::kLight);
 
-    // Continue in a direction of the BSDF.
+    // Continue in a direction that the BSDF samples.
     const BsdfSample next =
         scatter.sample(sampler.u(dimension + detail::kLobe), sampler.u(dimension + detail::kBounce),
                        sampler.u(dimension + detail::kBounce + 1));
@@ -64,7 +65,7 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
     const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
     const Hit hit = scene.geometry().intersect(ray);
 
-    // Light found by chance: direct light of the vertex we come from.
+    // The path has hit an emitter. That is direct light of the vertex before.
     if (!hit.valid) {
       if constexpr (S.extras)
         if (!in_view)

@@ -35,7 +35,7 @@ void renderStillRow(const PixelContext& view, std::uint64_t seed, int spp, int b
 }
 
 constexpr int kMaxTileEdge = 32;
-constexpr double kPieceRays = 20480;  // some ten milliseconds: then another job has its turn
+constexpr double kPieceRays = 20480;  // of a piece: about ten milliseconds, so that other jobs wait no longer
 
 int tileEdge(const SeedPlan& seeds, int bounces) {
   const double pixel_rays = std::max(1.0, (seeds.spp1 + seeds.spp2) * (bounces + 2.0));

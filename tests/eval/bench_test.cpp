@@ -25,7 +25,7 @@ struct BenchTest : ::testing::Test {
                    .cache = files.path("cache")};
   std::shared_ptr<const RenderScene> scene = openScene(setup.scene);
 
-  // What the reference shows from there, as the bench renders it.
+  // The reference frames that the bench renders for that motion.
   ImageF luminance(const Pose& pose) {
     Progress progress("reference", 1);
     ReferenceRenderer renderer(scene, {setup.bounces, scene->channels()}, kW, kH,
@@ -87,7 +87,7 @@ TEST_F(BenchTest, TheTruthIsOfTheFramesThatAreScored) {
 
 TEST_F(BenchTest, PassesTheScenesOwnPoseAtTheLastFrameWithTheSpeedAskedFor) {
   const ImageF home = luminance(scene->description().T_world_camera);
-  // Forward by much, the images of a frame are no longer as fast as at its end.
+  // After a long way forward, the image is no longer as fast as at the end of a frame.
   const std::pair<const char*, double> asked[] = {{"right", 0.25}, {"right", 4}, {"forward", 0.25}};
   for (const auto& [motion, px] : asked) {
     setup.trajectory = motion, setup.px_per_frame = px;

@@ -1,4 +1,4 @@
-// The whole way from a scene to events, on a small room.
+// From a scene to events, on a small room.
 #include "feed/feed.h"
 
 #include <gtest/gtest.h>
@@ -25,12 +25,12 @@ std::shared_ptr<const RenderScene> room(const Strength& lamp = {}) {
   return std::make_shared<RenderScene>(std::move(s));
 }
 
-// Off from frame 3 to frame 5.
+// A lamp that is off from frame 3 to frame 5.
 Strength blinking() {
   return Strength({{0ms, 1}, {30ms, 1}, {30ms, 0}, {60ms, 0}, {60ms, 1}});
 }
 
-// Stands, or goes right by 0.005 a frame.
+// A camera that stands, or moves right by 0.005 a frame.
 Trajectory path(bool moving) {
   const Pose home{{0, 0, -0.9}, {}};
   return Trajectory({{TimeNs(0), home}, {TimeNs(1'000'000'000), Pose{{moving ? 0.5 : 0, 0, -0.9}, {}}}});
@@ -52,8 +52,8 @@ double largestChange(const IntensityChange& change) {
   return largest;
 }
 
-// The truth that makes the whole idea work: correlated seeds and the corrected recursion leave a standing
-// picture alone, bit for bit, from the first frame on.
+// Correlated seeds and the corrected recursion leave a standing picture unchanged, bit for bit, from the
+// first frame on.
 TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
   TilePool pool(2);
   for (const char* method : {"event_svgf", "pt-correlated"}) {
@@ -70,7 +70,8 @@ TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
   }
 }
 
-// What was wrong when the camera stopped stays wrong: it is not drawn out as events of a picture at rest.
+// The error at the moment when the camera stops stays as it is. It does not fade, because fading would cause
+// events in a picture at rest.
 TEST(Feed, ACameraThatStopsFallsSilent) {
   TilePool pool(2);
   const Pose home{{0, 0, -0.9}, {}}, there{{0.1, 0, -0.9}, {}};
@@ -103,7 +104,7 @@ TEST(Feed, ALampThatIsSwitchedChangesThePictureInThatFrameAlone) {
   }
 }
 
-// What appears where nothing was has no history, but neighbours that appeared with it.
+// A surface that appears has no history. The filter averages it with neighbours that appeared with it.
 TEST(Feed, WhatAppearsOutOfNothingIsFiltered) {
   Scene s = test::floorFromAbove(0.5f);
   s.meshes.push_back(test::quad({1, -1, 1}, {0, 0, 2}, {0, 2, 0}, 0, {9, 9, 9}));

@@ -9,7 +9,7 @@
 
 namespace saccade {
 
-// Inverse of erf on (-1, 1), to 4e-7 relative [Giles 2010].
+// The inverse of erf on (-1, 1). Its relative error is 4e-7 [Giles 2010].
 inline float inverseErf(float x) {
   constexpr float kCentre[] = {2.81022636e-08f,  3.43273939e-07f, -3.5233877e-06f,
                                -4.39150654e-06f, 0.00021858087f,  -0.00125372503f,
@@ -29,8 +29,8 @@ struct Slope {
   float x, y;
 };
 
-// Slope of a microfacet that is seen from cosine cos_v > 0 in the xz plane, where x is the side of the
-// viewer. Its x is found in the domain of erf by Newton's method [Jakob 2014]; its y is normal.
+// The slope of a microfacet, seen in the xz plane from cosine cos_v > 0. x points to the side of the viewer.
+// Newton's method finds the slope's x in the domain of erf [Jakob 2014]. Its y is normally distributed.
 inline Slope sampleBeckmannSlope(float cos_v, float u1, float u2) {
   constexpr float kEdge = 1e-6f, kInvSqrtPi = std::numbers::inv_sqrtpi_v<float>;
   const float tan_v = std::sqrt(std::max(1e-12f, 1 - cos_v * cos_v)) / cos_v;

@@ -1,4 +1,4 @@
-// What shading needs to know of a material and would be slow to find at each hit: built once per material.
+// Data of a material that would be slow to compute at each hit. It is computed once for each material.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace saccade {
 
-// A quantity over the cosine of a direction with the normal, in equal steps of its square root: it changes
-// most at grazing angles.
+// A function of the cosine between a direction and the normal. The table has equal steps of the square root
+// of the cosine, because such functions change most at grazing angles.
 template <class T>
 class CosineTable {
  public:
@@ -38,12 +38,13 @@ struct BsdfTables {
 
   BsdfModel model;  // its roughness is at least kLeastAlpha
 
-  // Rough kinds: light that arrives from outside and leaves into the hemisphere above (per channel) or below
-  // (rough plastic). What would need a second bounce between microfacets is lost, as in Mitsuba.
+  // For rough kinds: the fractions of light from outside that leave into the upper hemisphere (per channel)
+  // and into the lower one (rough plastic). Light between two microfacets is lost, as in Mitsuba.
   CosineTable<Rgb> reflectance;
   CosineTable<float> transmittance;
 
-  // Plastics: transmittance of diffuse light from outside, and reflectance of diffuse light from inside.
+  // For plastics: the transmittance of diffuse light from outside, and the reflectance of diffuse light from
+  // inside.
   float mean_transmittance = 1, internal_reflectance = 0;
 };
 

@@ -1,4 +1,4 @@
-// Clear glass: a surface, or a pane. All is delta lobes.
+// Clear glass: a surface, or a pane. It has delta lobes only.
 #pragma once
 
 #include "render/bsdf/bsdf_record.h"
@@ -7,7 +7,7 @@
 
 namespace saccade {
 
-// Light in a straight line, from what is behind.
+// Light from behind that goes straight through.
 struct Transmittance {
   Rgb fraction{1, 1, 1};
   float probability = 1;
@@ -17,7 +17,7 @@ inline float reflectionProbability(const Bsdf& b, float f) {
   return lobeProbability(f * luminance(b.specular), (1 - f) * luminance(b.transmittance));
 }
 
-// Reflects a fraction f of light towards wo from mirror(wo), and lets 1 - f through from wt.
+// Reflects a fraction f of the light towards wo from mirror(wo), and transmits 1 - f from wt.
 inline BsdfSample reflectOrTransmit(const Bsdf& b, Vec3 wo, Vec3 wt, float f, float u_lobe) {
   const float p = reflectionProbability(b, f);
   const bool reflected = u_lobe < p;
@@ -34,7 +34,7 @@ struct Dielectric {
   static constexpr BsdfKind kKind = BsdfKind::kDielectric;
 
   static BsdfValue evaluate(const Bsdf&, Vec3, Vec3) { return {}; }
-  // The weight is of radiance, which grows with the square of the index of what it is in.
+  // The weight is of radiance. Radiance is proportional to the square of the medium's index of refraction.
   static BsdfSample sample(const Bsdf& b, Vec3 wo, float u_lobe, float, float) {
     const float inv_ior = 1 / iorAcross(b, wo.z);
     const Refraction r = refraction(b, wo.z);
@@ -43,13 +43,13 @@ struct Dielectric {
     s.weight = s.weight * (s.transmitted ? inv_ior * inv_ior : 1.f);
     return s;
   }
-  // Of power: without the change of radiance, which is undone where light leaves the glass.
+  // The albedo is of power. It leaves out the change of radiance, which ends where light leaves the glass.
   static Rgb albedo(const Bsdf& b, float cos_o) {
     return reflectanceAndTransmittance(b, cos_o, refraction(b, cos_o).reflectance);
   }
 
  private:
-  // Index of the side that wo is not on, over that of its own.
+  // The index of refraction of the side opposite to wo, over that of the side of wo.
   static float iorAcross(const Bsdf& b, float cos_o) {
     return cos_o > 0 ? b.tables->model.ior : 1 / b.tables->model.ior;
   }
@@ -68,14 +68,15 @@ struct ThinDielectric {
   static Rgb albedo(const Bsdf& b, float cos_o) {
     return reflectanceAndTransmittance(b, cos_o, reflectance(b, cos_o));
   }
-  // What of light from behind goes straight through, and the probability that sample() finds it.
+  // The fraction of light from behind that goes straight through, and the probability that sample() chooses
+  // it.
   static Transmittance straightTransmittance(const Bsdf& b, float cos_o) {
     const float f = reflectance(b, cos_o);
     return {b.transmittance * (1 - f), 1 - reflectionProbability(b, f)};
   }
 
  private:
-  // With all reflections inside the pane: f + (1-f)^2 f + (1-f)^2 f^3 + ... = 2 f / (1 + f).
+  // The sum of all reflections inside the pane: f + (1-f)^2 f + (1-f)^2 f^3 + ... = 2 f / (1 + f).
   static float reflectance(const Bsdf& b, float cos_o) {
     const float f = fresnelDielectric(std::min(1.f, std::abs(cos_o)), b.tables->model.ior).reflectance;
     return 2 * f / (1 + f);

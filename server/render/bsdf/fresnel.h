@@ -13,8 +13,8 @@ struct Refraction {
   float cos_t;        // of the refracted direction, in [0, 1]; 0 where all is reflected
 };
 
-// A dielectric, for light that arrives at cosine cos_i in [0, 1]; ior: the index of the other side over that
-// of the side the light is on.
+// The reflectance of a dielectric, for light from cosine cos_i in [0, 1]. `ior` is the index of the other
+// side over that of the light's side.
 inline Refraction fresnelDielectric(float cos_i, float ior) {
   const float cos2_t = 1 - (1 - cos_i * cos_i) / (ior * ior);  // Snell
   const float cos_t = std::sqrt(std::max(0.f, cos2_t));
@@ -24,7 +24,8 @@ inline Refraction fresnelDielectric(float cos_i, float ior) {
   return {cos2_t > 0 ? mean : 1.f, cos_t};
 }
 
-// A conductor of index eta + ik over that of the side the light is on [Born and Wolf, 14.2].
+// The reflectance of a conductor. Its index eta + ik is relative to that of the light's side [Born and Wolf,
+// 14.2].
 inline float fresnelConductor(float cos_i, float eta, float k) {
   constexpr float kTiny = 1e-30f;
   const float cos2 = cos_i * cos_i, sin2 = 1 - cos2;

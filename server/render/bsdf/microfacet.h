@@ -1,5 +1,5 @@
-// Isotropic microfacet distributions with separable Smith masking, as Mitsuba's. Directions are in the
-// shading frame; m is a microfacet's normal.
+// Isotropic microfacet distributions with separable Smith masking, like Mitsuba's. Directions are in the
+// shading frame; m is the normal of a microfacet.
 #pragma once
 
 #include "render/bsdf/beckmann.h"
@@ -14,7 +14,7 @@ struct Microfacets {
 };
 inline constexpr float kLeastAlpha = 1e-4f;
 
-// D: area of microfacets of normal m, per area and solid angle [Walter 2007 (25), (33)].
+// D: the area of microfacets of normal m, per area and solid angle [Walter 2007 (25), (33)].
 inline float normalDensity(const Microfacets& f, Vec3 m) {
   const float cos2 = std::max(1e-12f, m.z * m.z), inv_alpha2 = 1 / (f.alpha * f.alpha);
   const float e = (m.x * m.x + m.y * m.y) * inv_alpha2;
@@ -23,8 +23,8 @@ inline float normalDensity(const Microfacets& f, Vec3 m) {
   return kInvPi * inv_alpha2 * inv_shape;
 }
 
-// G1: fraction of the microfacets that face v which v sees [Walter 2007 (34)]; Beckmann's in closed form
-// [Heitz 2014], where Mitsuba has a fit to 0.4 %.
+// G1: of the microfacets that face v, the fraction that is visible from v [Walter 2007 (34)]. Beckmann's is
+// in closed form [Heitz 2014]. Mitsuba has a fit with an error of 0.4 %.
 inline float visibleFraction(const Microfacets& f, Vec3 v) {
   const float slope = f.alpha * std::sqrt(v.x * v.x + v.y * v.y) / std::abs(v.z);
   if (f.kind == MicrofacetKind::kGgx) return 2 / (1 + std::sqrt(1 + slope * slope));
@@ -33,8 +33,8 @@ inline float visibleFraction(const Microfacets& f, Vec3 v) {
   return 2 / (2 + tail - std::erfc(a));
 }
 
-// A normal seen from v at roughness 1, of any length: a point of the cap that v sees [Dupuy and Benyoub
-// 2023].
+// Samples a normal that is visible from v at roughness 1. It has any length. It is a point of the visible cap
+// [Dupuy and Benyoub 2023].
 inline Vec3 sampleGgxNormal(Vec3 v, float u1, float u2) {
   const float height = (1 - u1) * (1 + v.z), z = height - v.z;
   const float r = std::sqrt(std::max(0.f, 1 - z * z)), phi = 2 * std::numbers::pi_v<float> * u2;
@@ -48,8 +48,8 @@ inline Vec3 sampleBeckmannNormal(Vec3 v, float u1, float u2) {
   return {sin_phi * s.y - cos_phi * s.x, -sin_phi * s.x - cos_phi * s.y, 1};
 }
 
-// A unit normal with the density D G1 max(0, v.m) / v.z of those that v sees, v.z > 0: v is stretched to
-// where the roughness is 1, and the normal back [Heitz 2014].
+// Samples a unit normal with the density of visible normals, D G1 max(0, v.m) / v.z, for v.z > 0. The
+// roughness becomes 1 where v is stretched, and the normal is stretched back [Heitz 2014].
 inline Vec3 sampleVisibleNormal(const Microfacets& f, Vec3 v, float u1, float u2) {
   const Vec3 stretched = normalize(Vec3{f.alpha * v.x, f.alpha * v.y, std::max(1e-7f, v.z)});
   const Vec3 m = f.kind == MicrofacetKind::kGgx ? sampleGgxNormal(stretched, u1, u2)
@@ -57,14 +57,14 @@ inline Vec3 sampleVisibleNormal(const Microfacets& f, Vec3 v, float u1, float u2
   return normalize(Vec3{f.alpha * m.x, f.alpha * m.y, m.z});
 }
 
-// Reflection of a perfect mirror's microfacets.
+// The reflection of perfectly reflecting microfacets.
 struct MicrofacetReflection {
   float value;  // f cos_i without Fresnel's factor
   float pdf;    // of reflecting off visible normals, per solid angle
   float cos_m;  // between either direction and the microfacet that reflects one into the other
 };
 
-// wo.z and wi.z > 0 [Walter 2007 (20)].
+// Requires wo.z > 0 and wi.z > 0 [Walter 2007 (20)].
 inline MicrofacetReflection reflectOff(const Microfacets& f, Vec3 wo, Vec3 wi) {
   const Vec3 h = wo + wi;
   const Vec3 m = h / std::max(1e-12f, length(h));

@@ -1,11 +1,12 @@
-// A diffuse base under a dielectric interface, as Mitsuba's plastic and roughplastic: light enters, is
-// scattered by the base, and again whenever the interface sends it back:
-//   f = f_interface + a / (1 - a R) T(cos_o) T(cos_i) / (pi ior^2),
-// where a R is R for `nonlinear` false. R is what of diffuse light from inside does not come out: 1 - T
-// inside, as in Mitsuba 0.6. (3 takes only what one bounce off the microfacets reflects, which is a little
-// less.) With 1 - R = mean T / ior^2 the second part is
-//   base T(cos_o) * T(cos_i) / (pi mean T),   base = a (1 - R) / (1 - a R), or a for `nonlinear` false,
-// and base T(cos_o) its albedo.
+// A diffuse base under a dielectric interface, like Mitsuba's plastic and roughplastic. Light enters, and the
+// base scatters it. The base scatters it again whenever the interface reflects it back:
+//   f = f_interface + a / (1 - a R) T(cos_o) T(cos_i) / (pi ior^2).
+// Without `nonlinear`, R replaces a R. R is the fraction of diffuse light from inside that stays inside: 1 -
+// T inside, as in Mitsuba 0.6. Mitsuba 3 takes the reflectance of one bounce off the microfacets, which is a
+// little less.
+// With 1 - R = mean T / ior^2 the second part is
+//   base T(cos_o) * T(cos_i) / (pi mean T),   base = a (1 - R) / (1 - a R), or a without `nonlinear`.
+// Its albedo is base T(cos_o).
 #pragma once
 
 #include "render/bsdf/bsdf_record.h"
@@ -14,7 +15,7 @@
 
 namespace saccade {
 
-// What an interface does with light from outside, in all directions together.
+// The fractions of light from outside that an interface reflects and transmits, in all directions together.
 struct Interface {
   float reflectance, transmittance;
 };
@@ -42,7 +43,7 @@ struct Plastic {
   static constexpr BsdfKind kKind = BsdfKind::kPlastic;
 
   static BsdfValue evaluate(const Bsdf& b, Vec3 wo, Vec3 wi) {
-    const Interface o = at(b, wo.z);  // lets nothing through from below
+    const Interface o = at(b, wo.z);  // its transmittance from below is 0
     return {diffusePart(b, o, at(b, wi.z), wi.z), (1 - specularProbability(b, o)) * cosinePdf(wi.z)};
   }
   static BsdfSample sample(const Bsdf& b, Vec3 wo, float u_lobe, float u1, float u2) {

@@ -32,8 +32,8 @@ inline Vec3 mirror(Vec3 w, Vec3 m) {
   return m * (2 * dot(w, m)) - w;
 }
 
-// Probability of the first of two lobes that reflect this much: a lobe that exists is never starved, so that
-// light it alone carries is found.
+// The probability of the first of two lobes that reflect this much. No lobe that reflects light gets too low
+// a probability, because it may be the only one to carry some light.
 inline float lobeProbability(float first, float second) {
   const float p = std::clamp(first / (first + second), kLeastLobeProbability, 1 - kLeastLobeProbability);
   return first <= 0 ? 0.f : second <= 0 ? 1.f : p;

@@ -1,4 +1,4 @@
-// The frame in which BSDFs are written: z is the shading normal, x and y are any that complete it.
+// The frame in which BSDFs are written: z is the shading normal, and x and y complete it.
 #pragma once
 
 #include "base/vec.h"
