@@ -1,4 +1,4 @@
-// What the camera sees on a grid of rays: for measurements that do not need every pixel.
+// The view of a camera on a grid of rays, for measurements that do not need every pixel.
 #pragma once
 
 #include <vector>

@@ -119,7 +119,7 @@ TEST(Command, WrongUsageIsToldInOneLine) {
   }
 }
 
-TEST(Command, NobodyAnswersIsCode1AndSaysWhatToDo) {
+TEST(Command, WithoutAServerTheCodeIs1AndTheMessageSaysWhatToDo) {
   const Result result = run("info --wait 0.05 --control tcp://127.0.0.1:1");
   EXPECT_EQ(result.code, 1);
   EXPECT_TRUE(holds(result, "no saccaded answers at tcp://127.0.0.1:1: start it with")) << result.output;
@@ -132,7 +132,7 @@ class CommandAndServer : public testing::Test {
   const ScratchFolder folder_;
 };
 
-TEST_F(CommandAndServer, TellsWhatThereIs) {
+TEST_F(CommandAndServer, ListsScenesAndMethods) {
   const Result info = run("info --wait 30" + server_.option());
   EXPECT_EQ(info.code, 0);
   EXPECT_TRUE(holds(info, "event_svgf") && holds(info, "alpha") && holds(info, "budgets")) << info.output;
@@ -173,7 +173,7 @@ TEST(CommandAndKeys, RecordsFromAServerThatWantsThem) {
   EXPECT_TRUE(fs::exists(file));
 }
 
-TEST(CommandAndBudget, TellsWhatWasChosenAndWhatToExpect) {
+TEST(CommandAndBudget, TellsTheChoiceAndTheExpectedQuality) {
   const ScratchFolder folder;
   const AccuracyFile table(folder.at("chart"));
   const Server server("--accuracy " + table.path());
@@ -268,7 +268,7 @@ class Interrupted : public CommandAndServer {
   static constexpr std::string_view kHeading = "t_us,x,y,p\n";
 };
 
-TEST_F(Interrupted, CtrlCKeepsWhatCame) {
+TEST_F(Interrupted, CtrlCKeepsTheEventsThatCame) {
   Child record = startRecord("1000");
   record.signal(SIGINT);
   const Result result = finish(record);

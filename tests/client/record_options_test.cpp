@@ -36,7 +36,7 @@ std::string faultOf(const std::string& line) {
   return {};
 }
 
-TEST(RecordOptions, WhatIsNotGivenIsLeftToTheServer) {
+TEST(RecordOptions, AbsentOptionsAreLeftToTheServer) {
   const auto open = openStream("");
   EXPECT_EQ(open.scene(), "cornell-box");
   EXPECT_EQ(open.trajectory().name(), "right");

@@ -75,7 +75,7 @@ TEST(BlockRatios, LeaveOutDarknessRectanglesAndWhatIsNoNumber) {
   EXPECT_THROW(blockRatios(x, grey(10, 4, 0), {.edge = 2}), std::runtime_error);
 }
 
-TEST(BlockRatios, WhatIsLeftOverAtTheEdgesIsInNoBlock) {
+TEST(BlockRatios, PixelsLeftOverAtTheEdgesAreInNoBlock) {
   const BlockRatios r = blockRatios(grey(7, 5, 1), grey(7, 5, 1), {.edge = 3});
   EXPECT_EQ(r.across, 2);
   EXPECT_EQ(r.down, 1);

@@ -57,7 +57,7 @@ TEST(ModelSearch, FewerBouncesAloneAreKnownAlready) {
   EXPECT_TRUE(World{{}}.combinations().empty());
 }
 
-TEST(ModelSearch, WhatSavesNoTimeStays) {
+TEST(ModelSearch, AFeatureThatSavesNoTimeStays) {
   World world{{{SceneFeature::kMipFiltering, {-1, 0.01}}, {SceneFeature::kMasks, {0, 0.02}}}};
   EXPECT_TRUE(world.combinations().empty());
 }

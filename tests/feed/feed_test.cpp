@@ -105,7 +105,7 @@ TEST(Feed, ALampThatIsSwitchedChangesThePictureInThatFrameAlone) {
 }
 
 // A surface that appears has no history. The filter averages it with neighbours that appeared with it.
-TEST(Feed, WhatAppearsOutOfNothingIsFiltered) {
+TEST(Feed, ASurfaceThatAppearsIsFiltered) {
   Scene s = test::floorFromAbove(0.5f);
   s.meshes.push_back(test::quad({1, -1, 1}, {0, 0, 2}, {0, 2, 0}, 0, {9, 9, 9}));
   const Pose down = s.T_world_camera, up{down.position, {}};
