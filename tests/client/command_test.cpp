@@ -11,7 +11,7 @@ TEST(Command, WrongUsageIsCode2) {
   for (const char* line :
        {"", "fly", "record", "record cornell-box --trajectory right -o a.xyz",
         "record cornell-box --trajectory right -o a.csv --size 3", "record cornell-box -o a.csv",
-        "record cornell-box --motion pan -o a.csv", "list --control nonsense"}) {
+        "record cornell-box --motion pan: -o a.csv", "list --control nonsense"}) {
     EXPECT_EQ(run(line).code, 2) << line;
   }
   EXPECT_EQ(run("--help").code, 0);
