@@ -11,11 +11,6 @@
 namespace saccade {
 namespace {
 
-ChangeNotifier::Clock::duration wallTime(TimeNs t, double speed) {
-  return std::chrono::duration_cast<ChangeNotifier::Clock::duration>(
-      std::chrono::duration<double>(seconds(t) / speed));
-}
-
 void logTimes(FrameIndex frame, const StageTimes& times) {
   if (!spdlog::should_log(spdlog::level::debug)) return;
   std::string text;
@@ -34,7 +29,8 @@ FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, TilePoo
       totals_(totals),
       luminance_p01_(feed_->firstFrameLuminance(0.01)),
       luminance_p50_(feed_->firstFrameLuminance(0.5)),
-      pixel_speed_(feed_->pixelSpeed(pace.frames)) {}
+      pixel_speed_(feed_->pixelSpeed(pace.frames)),
+      clock_(pace.speed) {}
 
 FeedRunner::~FeedRunner() {
   if (thread_.joinable()) thread_.join();
@@ -120,7 +116,7 @@ void FeedRunner::endStopped() {
 
 // The clock of a feed stands still while a stream holds the feed up.
 void FeedRunner::holdClock() {
-  running_ = false;
+  clock_.hold();
   for (auto& sink : sinks_) sink->clearLag();
   std::lock_guard lock(mutex_);
   progress_.lag_s = 0;
@@ -158,10 +154,10 @@ bool FeedRunner::needsCare() const {
 
 void FeedRunner::step() {
   if (frame_ == 0) began_ = ChangeNotifier::Clock::now();
-  if (!running_ && pace_.speed > 0) wall_zero_ = ChangeNotifier::Clock::now() - wallTime(now(), pace_.speed);
-  running_ = std::none_of(sinks_.begin(), sinks_.end(), [](const auto& o) { return o->catchingUp(); });
+  clock_.begin(
+      now(), std::none_of(sinks_.begin(), sinks_.end(), [](const auto& sink) { return sink->catchingUp(); }));
   const IntensityChange& change = render();
-  const double lag_s = running_ ? waitUntilDue(change.t1) : 0;
+  const double lag_s = clock_.running() ? waitUntilDue(change.t1) : 0;
   StageTimes times = feed_->lastTimes();
   const auto before = threadCpuTime();
   times[Stage::kEvents] += publish(change, lag_s);
@@ -170,7 +166,7 @@ void FeedRunner::step() {
 
 // Frames of a feed that keeps its pace are due at a certain time.
 Priority FeedRunner::priority() const {
-  return running_ && pace_.speed > 0 ? Priority::kUrgent : Priority::kNormal;
+  return clock_.running() ? Priority::kUrgent : Priority::kNormal;
 }
 
 // Only this can be interrupted: an interval that is rendered reaches all streams.
@@ -205,8 +201,7 @@ std::chrono::nanoseconds FeedRunner::publish(const IntensityChange& change, doub
 
 // Returns by how many seconds `t` is over already.
 double FeedRunner::waitUntilDue(TimeNs t) {
-  if (pace_.speed == 0) return 0;
-  const auto due = wall_zero_ + wallTime(t, pace_.speed);
+  const auto due = clock_.due(t);
   notifier_->waitUntil(due, [&] { return allStopping(); });
   return std::max(0.0, std::chrono::duration<double>(ChangeNotifier::Clock::now() - due).count());
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/streams/newest_interval.h"
+#include "app/streams/pace_clock.h"
 #include "app/streams/stream_sink.h"
 #include "app/streams/totals.h"
 #include "base/recent_mean.h"
@@ -88,11 +89,10 @@ class FeedRunner {
   NewestInterval newest_;
 
   // The feed's thread.
-  std::vector<std::shared_ptr<StreamSink>> sinks_;                          // changed under the mutex
-  FrameIndex frame_ = 0;                                                    // the newest one
-  bool running_ = false;                                                    // whether the feed keeps its pace
+  std::vector<std::shared_ptr<StreamSink>> sinks_;  // changed under the mutex
+  FrameIndex frame_ = 0;                            // the newest one
+  PaceClock clock_;
   ChangeNotifier::Clock::time_point began_ = ChangeNotifier::Clock::now();  // when frame 1 was begun
-  ChangeNotifier::Clock::time_point wall_zero_;  // when stream time 0 was due, by the pace
 
   mutable std::mutex mutex_;
   std::stop_source stop_;
