@@ -22,22 +22,17 @@ std::string checkWhole(const std::string& text) {
 
 void addPathOptions(CLI::App& command, RecordOptions& o) {
   command.option_defaults()->group("Camera path");
-  CLI::Option* trajectory = command.add_option(
-      "--trajectory", o.trajectory,
-      "name of a trajectory of the scene, or a file of poses in TUM format (seconds, blanks) or "
-      "ESIM format (nanoseconds, commas); give this or --motion");
-  CLI::Option* motion =
-      command
-          .add_option("--motion", o.motion,
-                      "KIND:SPEED per second, or KIND:SPEEDpx in pixels per frame, from the "
-                      "scene's own camera; KIND is one of " +
-                          enumWords<v1::MotionKind>())
-          ->excludes(trajectory);
-  command.add_option("--turn", o.turn_s, "seconds after which the motion turns back, 0: never")
-      ->needs(motion);
-  command.add_option("--motion-seed", o.motion_seed, "seed of the random motion of shake")
-      ->check(checkWhole<std::uint64_t>)
-      ->needs(motion);
+  command
+      .add_option(
+          "--trajectory,--motion", o.trajectory,
+          "a name that `saccade list` prints; or a file of poses in TUM format (seconds, blanks) or ESIM "
+          "format (nanoseconds, commas); or KIND:SPEED per second, or KIND:SPEEDpx in pixels per frame, from "
+          "the scene's own camera. KIND is one of " +
+              enumWords<v1::MotionKind>())
+      ->required();
+  command.add_option("--turn", o.turn_s, "seconds after which KIND:SPEED turns back, 0: never");
+  command.add_option("--motion-seed", o.motion_seed, "seed of the random motion of shake:SPEED")
+      ->check(checkWhole<std::uint64_t>);
 }
 
 void addSensorOptions(CLI::App& command, RecordOptions& o) {

@@ -16,10 +16,10 @@ namespace saccade::client {
 struct RecordOptions {
   ServerOptions server;
   std::string scene, output, preview;
-  bool force = false;              // replace existing files
-  std::string trajectory, motion;  // exactly one of them
+  bool force = false;      // replace existing files
+  std::string trajectory;  // a name, a file, or KIND:SPEED
   std::optional<double> turn_s;
-  std::uint64_t motion_seed = 0;
+  std::optional<std::uint64_t> motion_seed;
   std::vector<double> thresholds, thresholds_off;  // one sensor for each threshold
   std::optional<double> bias, refractory_s, cutoff_hz, fov_x_deg;
   std::string model, reconstruction;

@@ -41,32 +41,24 @@ std::string readFile(const std::string& path) {
   return text;
 }
 
-v1::Trajectory readTrajectory(const std::string& name_or_file) {
-  v1::Trajectory trajectory;
-  if (isTrajectoryFile(name_or_file)) {
-    trajectory.set_csv(readFile(name_or_file));
-  } else {
-    trajectory.set_name(name_or_file);
-  }
-  return trajectory;
-}
-
+// Of KIND:SPEED or KIND:SPEEDpx.
 v1::Motion makeMotion(const RecordOptions& options) {
-  const auto [name, speed] = splitAt(options.motion, ':');
+  const auto [name, speed] = splitAt(options.trajectory, ':');
   const bool in_pixels = speed.ends_with("px");
   const auto value =
       parseNumber<double>(std::string_view(speed).substr(0, speed.size() - (in_pixels ? 2 : 0)));
   if (!value)
-    throw std::invalid_argument("--motion: '" + options.motion + "' is not KIND:SPEED, such as dolly:0.2");
+    throw std::invalid_argument("--trajectory: '" + options.trajectory +
+                                "' is not KIND:SPEED, such as dolly:0.2");
   v1::Motion motion;
-  motion.set_kind(enumValue<v1::MotionKind>("--motion", name));
+  motion.set_kind(enumValue<v1::MotionKind>("--trajectory", name));
   if (in_pixels) {
     motion.set_px_per_frame(*value);
   } else {
     motion.set_speed(*value);
   }
   if (options.turn_s) motion.set_turn_s(*options.turn_s);
-  motion.set_seed(options.motion_seed);
+  motion.set_seed(options.motion_seed.value_or(0));
   return motion;
 }
 
@@ -77,11 +69,19 @@ bool isTrajectoryFile(const std::string& trajectory) {
 }
 
 v1::Trajectory makeTrajectory(const RecordOptions& options) {
-  if (options.motion.empty() == options.trajectory.empty())
-    throw std::invalid_argument("give either --trajectory or --motion");
-  if (options.motion.empty()) return readTrajectory(options.trajectory);
+  const bool file = isTrajectoryFile(options.trajectory);
   v1::Trajectory trajectory;
-  *trajectory.mutable_motion() = makeMotion(options);
+  if (!file && options.trajectory.find(':') != std::string::npos) {
+    *trajectory.mutable_motion() = makeMotion(options);
+    return trajectory;
+  }
+  if (options.turn_s || options.motion_seed)
+    throw std::invalid_argument("--turn and --motion-seed go with --motion KIND:SPEED, such as dolly:0.2");
+  if (file) {
+    trajectory.set_csv(readFile(options.trajectory));
+  } else {
+    trajectory.set_name(options.trajectory);
+  }
   return trajectory;
 }
 

@@ -1,4 +1,4 @@
-// SACCADE_CHECK: a logic fault ends the program, in every build. For faults of input, throw or return a
+// SACCADE_CHECK ends the program at a logic fault, in every build. For faults of input, throw or return a
 // status.
 #pragma once
 

@@ -1,31 +1,31 @@
-// Random numbers addressed by what they are for, never drawn in order: equal addresses give equal numbers on
-// any thread, in any order.
+// Random numbers that are addressed, never drawn in order. Equal addresses give equal numbers on any thread,
+// in any order.
 #pragma once
 
 #include <cstdint>
 
 namespace saccade {
 
-// Bijective 64-bit mixer (finaliser of SplitMix64).
+// A bijective 64-bit mixer (the finaliser of SplitMix64).
 constexpr std::uint64_t mix64(std::uint64_t v) {
   v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9ull;
   v = (v ^ (v >> 27)) * 0x94d049bb133111ebull;
   return v ^ (v >> 31);
 }
 
-// Key of a sub-stream: hashes of hashes, so that (1, 2) and (2, 1) differ.
+// The key of a sub-stream. It hashes hashes, so that (1, 2) and (2, 1) differ.
 constexpr std::uint64_t hashKey(std::uint64_t seed, std::uint64_t address) {
   return mix64(seed ^ mix64(address + 0x9e3779b97f4a7c15ull));
 }
 
-// Bijective 32-bit mixer: cheap enough for one call per random number.
+// A bijective 32-bit mixer. It is cheap enough for one call per random number.
 constexpr std::uint32_t mix32(std::uint32_t v) {
   v = (v ^ (v >> 16)) * 0x21f0aaadu;
   v = (v ^ (v >> 15)) * 0xd35a2d97u;
   return v ^ (v >> 15);
 }
 
-// Uniform in [0, 1): the top 24 bits, so that 1 is never reached by rounding.
+// Uniform in [0, 1). It uses the top 24 bits, so that rounding never gives 1.
 constexpr float toUnit(std::uint32_t bits) {
   return static_cast<float>(bits >> 8) * 0x1p-24f;
 }

@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/check.h"
@@ -50,6 +51,7 @@ struct TilePool::Workers {
     std::chrono::nanoseconds let_first{0};  // CPU time of the pieces that went before this one
   };
   static thread_local Running here;
+  static bool isUrgent(const Job& job) { return job.priority == Priority::kUrgent; }
   bool idle() const { return urgent.jobs.empty() && others.jobs.empty(); }
   void submit(Job& job);
   void runPiece(Open& open, std::unique_lock<std::mutex>& lock);
@@ -82,8 +84,8 @@ TilePool::Workers::~Workers() {
 }
 
 void TilePool::Workers::submit(Job& job) {
-  (job.urgent ? urgent : others).jobs.push_back(&job);
-  if (job.urgent) ++urgent_jobs;
+  (isUrgent(job) ? urgent : others).jobs.push_back(&job);
+  if (isUrgent(job)) ++urgent_jobs;
   wanted.notify_all();
 }
 
@@ -96,13 +98,13 @@ void TilePool::Workers::runPiece(Open& open, std::unique_lock<std::mutex>& lock)
   const int piece = job.next++;
   if (job.next == job.count) {
     jobs.erase(jobs.begin() + static_cast<std::ptrdiff_t>(turn));  // the next one takes its place
-    if (job.urgent) --urgent_jobs;
+    if (isUrgent(job)) --urgent_jobs;
   } else {
     ++turn;
   }
   ++job.running;
   lock.unlock();
-  const Running outer = std::exchange(here, {this, job.urgent});
+  const Running outer = std::exchange(here, {this, isUrgent(job)});
   const auto start = threadCpuTime();
   std::exception_ptr fault;
   try {
@@ -146,9 +148,11 @@ void TilePool::yieldToHighPriority() {
   if (here.workers && !here.urgent && here.workers->urgent_jobs > 0) here.workers->runUrgent();
 }
 
-TilePool::TilePool(int threads) : workers_(std::make_shared<Workers>(threads)) {
+TilePool::TilePool(int threads) : workers_(std::make_unique<Workers>(threads)) {
   SACCADE_CHECK(threads >= 1);
 }
+
+TilePool::~TilePool() = default;
 
 int TilePool::threads() const {
   return static_cast<int>(workers_->threads.size());

@@ -12,7 +12,8 @@ using FrameIndex = std::uint64_t;
 
 inline constexpr TimeNs kEventTimeUnit{1000};  // events are stamped in whole microseconds
 
-// Time of frame `t` at `rate_hz`, rounded to the event time unit so that packets tile time exactly.
+// The time of frame `t` at `rate_hz`. It is rounded to the event time unit, so that packets tile time
+// exactly.
 inline TimeNs frameTime(FrameIndex t, double rate_hz) {
   return std::llround(static_cast<double>(t) * 1e9 / rate_hz / kEventTimeUnit.count()) * kEventTimeUnit;
 }

@@ -93,7 +93,7 @@ struct SurfaceGrid::Chain {
   }
 };
 
-SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const GBuffer& g, TilePool& pool,
+SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const GBuffer& g, const PoolHandle& pool,
                                      Placement& out) {
   Time time = pool.run(1, [&](int) { out.place(on, g, params_.finest_px); });
   if (out.most_level < out.least_level) return time;
@@ -155,7 +155,7 @@ void SurfaceGrid::forget() {
   }
 }
 
-SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at, TilePool& pool) {
+SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool) {
   if (at.most_level < at.least_level) return {};
   samples_.resize(at.points.size());
   const Time time = pool.forEachRow(on.x.height(), [&](int y) {
@@ -196,7 +196,8 @@ void store(const Channel& rest, const Channel& visibility, const GridPoint& p, f
 
 template <class Each>
 SurfaceGrid::Time SurfaceGrid::forEachPoint(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
-                                            TilePool& pool, GridEstimate& out, const Each& each) const {
+                                            const PoolHandle& pool, GridEstimate& out,
+                                            const Each& each) const {
   return pool.forEachRow(on.x.height(), [&](int y) {
     for (int x = 0; x < on.x.width(); ++x) {
       const std::size_t pixel = static_cast<std::size_t>(y) * on.x.width() + x;
@@ -212,12 +213,12 @@ SurfaceGrid::Time SurfaceGrid::forEachPoint(const SurfaceSamples& on, const GBuf
 }
 
 SurfaceGrid::Time SurfaceGrid::read(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
-                                    TilePool& pool, GridEstimate& out) const {
+                                    const PoolHandle& pool, GridEstimate& out) const {
   return forEachPoint(on, g, at, pool, out, [](const Chain&, std::size_t) {});
 }
 
 SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
-                                         TilePool& pool, GridEstimate& out) {
+                                         const PoolHandle& pool, GridEstimate& out) {
   findings_.resize(at.points.size());
   return forEachPoint(on, g, at, pool, out, [&](const Chain& chain, std::size_t pixel) {
     findings_[pixel] = compare(chain, at, pixel);
@@ -250,7 +251,7 @@ SurfaceGrid::Finding SurfaceGrid::compare(const Chain& chain, const Placement& a
   return f;
 }
 
-SurfaceGrid::Time SurfaceGrid::learn(const Placement& at, TilePool& pool) {
+SurfaceGrid::Time SurfaceGrid::learn(const Placement& at, const PoolHandle& pool) {
   if (at.most_level < at.least_level) return {};
   return pool.run(at.most_level - at.least_level + 1, [&](int i) { addEvidence(at, at.least_level + i); });
 }

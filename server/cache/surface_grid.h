@@ -8,7 +8,7 @@
 #include <chrono>
 #include <memory>
 
-#include "base/tile_pool.h"
+#include "base/pool_handle.h"
 #include "cache/placement.h"
 #include "cache/vertex_table.h"
 
@@ -35,19 +35,19 @@ class SurfaceGrid {
   explicit SurfaceGrid(const GridParams& params) : params_(params) {}
 
   // Finds the vertices around the points of a frame, and adds those that are missing.
-  Time place(const SurfaceSamples& on, const GBuffer& g, TilePool& pool, Placement& out);
+  Time place(const SurfaceSamples& on, const GBuffer& g, const PoolHandle& pool, Placement& out);
   // Forgets all light: it has changed.
   void forget();
   // Adds a frame's samples, which `at` has placed.
-  Time add(const SurfaceSamples& on, const Placement& at, TilePool& pool);
+  Time add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool);
   // Reads at the points of a frame.
-  Time read(const SurfaceSamples& on, const GBuffer& g, const Placement& at, TilePool& pool,
+  Time read(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
             GridEstimate& out) const;
   // The same for the frame that was added last. Compares its samples with what all others say there.
-  Time readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at, TilePool& pool,
+  Time readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
                  GridEstimate& out);
   // Learns from that comparison which levels to believe.
-  Time learn(const Placement& at, TilePool& pool);
+  Time learn(const Placement& at, const PoolHandle& pool);
   std::size_t vertices() const;
 
   using Quad = float __attribute__((vector_size(16)));
@@ -68,7 +68,7 @@ class SurfaceGrid {
   Level& level(int l) { return *levels_[l - kLeastLevel]; }
   const Level& level(int l) const { return *levels_[l - kLeastLevel]; }
   template <class Each>  // of each point: each(its chain, its pixel)
-  Time forEachPoint(const SurfaceSamples& on, const GBuffer& g, const Placement& at, TilePool& pool,
+  Time forEachPoint(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
                     GridEstimate& out, const Each& each) const;
   void findVertices(const SurfaceSamples& on, int l, Placement& out);
   void addLight(const Placement& at, int l);

@@ -27,42 +27,41 @@ const MethodInfo& methodOf(const FeedConfig& config) {
 }  // namespace
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
-           TilePool& pool)
+           const PoolHandle& pool)
     : Feed(std::move(scene), std::move(path), config,
            methodOf(config).make(config.params, config.width, config.height),
            methodOf(config).samples(config.params), pool) {}
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
-           std::unique_ptr<Method> method, SampleRequest samples, TilePool& pool)
+           std::unique_ptr<Method> method, SampleRequest samples, const PoolHandle& pool)
     : config_(config),
       scene_(std::move(scene)),
       path_(std::move(path)),
-      pool_(pool),
-      renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}, pool),
+      renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}),
       method_(std::move(method)),
       seed_reuse_(samples.reuse),
       frames_(config.width, config.height, samples.on_surfaces),
       changes_{IntensityChange(config.width, config.height), IntensityChange(config.width, config.height)} {
-  render();
-  method_->start(frames_.current(), pool_);
+  render(pool);
+  method_->start(frames_.current(), pool);
 }
 
-const IntensityChange& Feed::step() {
+const IntensityChange& Feed::step(const PoolHandle& pool) {
   const auto began = threadCpuTime() + TilePool::chainTime();
   times_ = {};
   frames_.swap();
-  render();
+  render(pool);
   const FramePair frames = frames_.pair();
   IntensityChange& change = changes_[frames.cur.index % 2];
   change.t0 = frames.prev.time;
   change.t1 = frames.cur.time;
   change.frame = frames.cur.index;
-  method_->estimate(frames, pool_, change, times_);
+  method_->estimate(frames, pool, change, times_);
   chain_ = threadCpuTime() + TilePool::chainTime() - began;
   return change;
 }
 
-void Feed::render() {
+void Feed::render(const PoolHandle& pool) {
   Frame& frame = frames_.current();
   frame.index = next_++;
   frame.time = frameTime(frame.index, config_.frame_rate_hz);
@@ -70,7 +69,7 @@ void Feed::render() {
   const Camera camera(path_.at(frame.time), config_.fov_x_deg, config_.width, config_.height);
   const Camera prev(path_.at(time_prev), config_.fov_x_deg, config_.width, config_.height);
   const SeedPlan seeds = makeSeedPlan(seed_reuse_, config_.seed, frame.index, config_.spp);
-  times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, frame);
+  times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, pool, frame);
 }
 
 PixelSpeed Feed::pixelSpeed(FrameIndex frames) const {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "base/tile_pool.h"
+#include "base/pool_handle.h"
 #include "feed/pixel_speed.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
@@ -31,16 +31,17 @@ struct FeedConfig {
 
 class Feed {
  public:
-  // Keeps a reference to `pool`; shares `scene`. Renders frame 0.
-  Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config, TilePool& pool);
+  // Shares `scene`. Renders frame 0 on `pool`.
+  Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
+       const PoolHandle& pool);
 
   // With a method of the caller's instead of `config.method`, and the samples that it needs.
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
-       std::unique_ptr<Method> method, SampleRequest samples, TilePool& pool);
+       std::unique_ptr<Method> method, SampleRequest samples, const PoolHandle& pool);
 
   // Renders the next frame and estimates the change since the one before it. The change stays as it is until
   // the second step after this one begins.
-  const IntensityChange& step();
+  const IntensityChange& step(const PoolHandle& pool);
 
   // Over the first `frames` intervals; 0: over all, see measurePixelSpeed().
   PixelSpeed pixelSpeed(FrameIndex frames) const;
@@ -53,12 +54,11 @@ class Feed {
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
 
  private:
-  void render();
+  void render(const PoolHandle& pool);
 
   FeedConfig config_;
   std::shared_ptr<const RenderScene> scene_;
   Trajectory path_;
-  TilePool& pool_;
   Renderer renderer_;
   std::unique_ptr<Method> method_;
   SeedReuse seed_reuse_;

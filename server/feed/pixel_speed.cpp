@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/quantile.h"
 #include "feed/feed.h"
+#include "render/view_grid.h"
 #include "scene/camera/image_speed.h"
 
 namespace saccade {
@@ -15,19 +15,12 @@ constexpr int kColumns = 32, kRows = 24;
 constexpr FrameIndex kInstants = 16;
 constexpr TimeNs kLongest{60'000'000'000};
 
-// What is in view, in the axes of the camera.
+// The points in view, in the axes of the camera.
 VisiblePoints gridView(const RenderScene& scene, const Camera& camera, const FeedConfig& config) {
   VisiblePoints view;
-  for (int row = 0; row < kRows; ++row) {
-    for (int column = 0; column < kColumns; ++column) {
-      const float x =
-          (static_cast<float>(column) + 0.5f) * static_cast<float>(config.width) / kColumns - 0.5f;
-      const float y = (static_cast<float>(row) + 0.5f) * static_cast<float>(config.height) / kRows - 0.5f;
-      const Hit hit = scene.geometry().intersect(
-          {camera.origin, camera.direction(x, y), std::numeric_limits<float>::infinity()});
-      const Vec3d direction{(x - camera.cx) * camera.pixel, (y - camera.cy) * camera.pixel, 1};
-      if (hit.valid) view.push_back(direction * static_cast<double>(hit.t));
-    }
+  for (const ViewHit& hit : viewHits(scene, camera, {config.width, config.height, kColumns, kRows})) {
+    const Vec3d direction{(hit.x - camera.cx) * camera.pixel, (hit.y - camera.cy) * camera.pixel, 1};
+    view.push_back(direction * static_cast<double>(hit.z));
   }
   return view;
 }

@@ -95,7 +95,7 @@ void filterChunk(const Features& cur, const Features& prev, int n, std::ptrdiff_
 }  // namespace
 
 std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousParams& params, int step,
-                                         const FilterPlanes& in, TilePool& pool, FilterPlanes& out) {
+                                         const FilterPlanes& in, const PoolHandle& pool, FilterPlanes& out) {
   static_assert(2 * kMaxAtrousStep <= ImageF::kBorder);
   SACCADE_CHECK(step <= kMaxAtrousStep);
   const int width = in.i.width();

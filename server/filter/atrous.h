@@ -4,7 +4,7 @@
 // returns  signals filtered with a 5x5 kernel of spacing `step`, and their variances
 #pragma once
 
-#include "base/tile_pool.h"
+#include "base/pool_handle.h"
 #include "filter/edge_stopping.h"
 #include "filter/filter_planes.h"
 #include "frame/frame.h"
@@ -26,6 +26,6 @@ inline constexpr int kMaxAtrousStep = 16;  // 2 * step must stay within Image::k
 
 // Returns the CPU time over all threads.
 std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousParams& params, int step,
-                                         const FilterPlanes& in, TilePool& pool, FilterPlanes& out);
+                                         const FilterPlanes& in, const PoolHandle& pool, FilterPlanes& out);
 
 }  // namespace saccade

@@ -12,7 +12,7 @@ float boundedOrZero(float v) {
 
 }  // namespace
 
-std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, TilePool& pool,
+std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, const PoolHandle& pool,
                                     IlluminationSamples& out) {
   const Frame &cur = frames.cur, &prev = frames.prev;
   const auto spp1 = static_cast<float>(cur.samples.spp1), spp2 = static_cast<float>(cur.samples.spp2);
@@ -35,7 +35,7 @@ std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, Ti
 
 std::chrono::nanoseconds modulate(const FramePair& frames, Demodulation by, float variance_scale,
                                   const FilterPlanes& filtered, const ImageF& i_prev,
-                                  const ImageF& var_i_prev, TilePool& pool, IntensityChange& out) {
+                                  const ImageF& var_i_prev, const PoolHandle& pool, IntensityChange& out) {
   return pool.forEachRow(out.dI.height(), [&](int y) {
     const float *A = frames.cur.g.albedo.row(y), *A_prev = frames.prev.g.albedo.row(y);
     const float *E = frames.cur.g.emission.row(y), *E_prev = frames.prev.g.emission.row(y);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/tile_pool.h"
+#include "base/pool_handle.h"
 #include "filter/filter_planes.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
@@ -33,7 +33,7 @@ inline float modulationAlbedo(float A, Demodulation by) {
 
 // i = (I - E) / A [E (17)]. For the first frame of a feed pass frames.prev == frames.cur: d is then 0.
 // Illumination that is not finite counts as 0, and so does any beyond 1e18, whose moments would overflow.
-std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, TilePool& pool,
+std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, const PoolHandle& pool,
                                     IlluminationSamples& out);
 
 // dI = A_t D[di] + (A_t - A_{t-1}) D[i_{t-1}] + (E_t - E_{t-1}) [E (19)], and the two primal pictures.
@@ -41,6 +41,6 @@ std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, Ti
 // `variance_scale`.
 std::chrono::nanoseconds modulate(const FramePair& frames, Demodulation by, float variance_scale,
                                   const FilterPlanes& filtered, const ImageF& i_prev,
-                                  const ImageF& var_i_prev, TilePool& pool, IntensityChange& out);
+                                  const ImageF& var_i_prev, const PoolHandle& pool, IntensityChange& out);
 
 }  // namespace saccade

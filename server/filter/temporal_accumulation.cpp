@@ -57,7 +57,7 @@ struct Recursion {
 
 std::chrono::nanoseconds accumulate(const FramePair& frames, const IlluminationSamples& samples,
                                     const AccumulationParams& params, const History& prev,
-                                    const ImageF* I_prev2, TilePool& pool, History& out) {
+                                    const ImageF* I_prev2, const PoolHandle& pool, History& out) {
   const Recursion recursion{frames, samples, params, prev, I_prev2, out};
   const bool falcor = params.surface_test == SurfaceTest::kFalcorSurface;
   return pool.forEachRow(samples.i.height(), [&](int y) {

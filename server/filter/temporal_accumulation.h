@@ -4,7 +4,7 @@
 // returns  the history of t: I', D', moments, length, and R_t = W_t I'_{t-1}
 #pragma once
 
-#include "base/tile_pool.h"
+#include "base/pool_handle.h"
 #include "filter/filter_planes.h"
 #include "frame/frame.h"
 
@@ -25,6 +25,6 @@ struct AccumulationParams {
 // Returns the CPU time over all threads. Without `I_prev2` it accumulates only the primal.
 std::chrono::nanoseconds accumulate(const FramePair& frames, const IlluminationSamples& samples,
                                     const AccumulationParams& params, const History& prev,
-                                    const ImageF* I_prev2, TilePool& pool, History& out);
+                                    const ImageF* I_prev2, const PoolHandle& pool, History& out);
 
 }  // namespace saccade

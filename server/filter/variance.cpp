@@ -79,7 +79,8 @@ void temporalVariance(int width, const float* first, const float* second, float*
 }  // namespace
 
 std::chrono::nanoseconds estimateVariance(const FramePair& frames, const History& history,
-                                          const VarianceParams& params, TilePool& pool, FilterPlanes& out) {
+                                          const VarianceParams& params, const PoolHandle& pool,
+                                          FilterPlanes& out) {
   const int width = history.I.width();
   return pool.forEachRow(history.I.height(), [&](int y) {
     std::copy_n(history.I.row(y), width, out.i.row(y));

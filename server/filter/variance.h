@@ -7,7 +7,7 @@
 //          h frames are few [Falcor]
 #pragma once
 
-#include "base/tile_pool.h"
+#include "base/pool_handle.h"
 #include "filter/edge_stopping.h"
 #include "filter/filter_planes.h"
 #include "frame/frame.h"
@@ -27,6 +27,7 @@ struct VarianceParams {
 
 // Returns the CPU time over all threads.
 std::chrono::nanoseconds estimateVariance(const FramePair& frames, const History& history,
-                                          const VarianceParams& params, TilePool& pool, FilterPlanes& out);
+                                          const VarianceParams& params, const PoolHandle& pool,
+                                          FilterPlanes& out);
 
 }  // namespace saccade

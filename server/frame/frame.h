@@ -1,4 +1,4 @@
-// What the renderer gives the methods: features and correlated samples of one frame. Pure data.
+// The renderer's output for a method: features and correlated samples of one frame. Pure data.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace saccade {
 
-// Where a ray hits nothing stands one far surface, a surface like any other to the filters. Its normal is
-// (0, 0, 1).
+// A ray that hits nothing counts as a hit on one far surface. To the filters it is a surface like any other.
+// Its normal is (0, 0, 1).
 inline constexpr float kMissDepth = 1e5f;  // its depth, scene units
 
-// Features at the pixel centre, of what is seen there: in a flat mirror or behind clear glass the surface
-// that it shows, where it seems to be. With jitter, albedo and emission are means over the pixel. Planes are
-// width x height.
+// Features of the surface that the pixel centre shows. A flat mirror or clear glass shows another surface,
+// where it appears to be. With jitter, albedo and emission are means over the pixel. Planes are width x
+// height.
 struct GBuffer {
   GBuffer(int w, int h)
       : z(w, h),
@@ -31,17 +31,18 @@ struct GBuffer {
         z_in_prev(w, h) {
     z.fill(kMissDepth);
   }
-  ImageF z;                   // depth along the viewing axis, scene units; kMissDepth where nothing is hit
-  ImageF dz;                  // max(|dz/dx|, |dz/dy|) of the tangent plane, scene units per pixel
-  ImageF nx, ny, nz;          // unit shading normal, world space, towards the camera; 0 in the border
-  ImageF albedo;              // fraction of light that is reflected into the view, Rec. 709 luminance, [0, 1]
-  ImageF emission;            // Rec. 709 luminance emitted into the view, >= 0
-  ImageF motion_x, motion_y;  // where the surface point was in the previous frame, minus where it is, pixels
-  ImageF z_in_prev;           // depth of the surface point in the previous camera, scene units
+  ImageF z;           // depth along the viewing axis, scene units; kMissDepth where nothing is hit
+  ImageF dz;          // max(|dz/dx|, |dz/dy|) of the tangent plane, scene units per pixel
+  ImageF nx, ny, nz;  // unit shading normal, world space, towards the camera; 0 in the border
+  ImageF albedo;      // fraction of light that is reflected into the view, Rec. 709 luminance, [0, 1]
+  ImageF emission;    // Rec. 709 luminance emitted into the view, >= 0
+  ImageF motion_x,
+      motion_y;      // position of the surface point in the previous frame minus its position now, pixels
+  ImageF z_in_prev;  // depth of the surface point in the previous camera, scene units
 };
 
-// Radiance samples, Rec. 709 luminance, emission included.
-// Pass 1 uses the seeds of the previous frame, pass 2 this frame's own [E (8)].
+// Radiance samples: Rec. 709 luminance, emission included. Pass 1 uses the seeds of the previous frame, pass
+// 2 those of this frame [E (8)].
 struct FrameSamples {
   FrameSamples(int w, int h) : I1(w, h), I2(w, h) {}
   ImageF I1, I2;
@@ -101,7 +102,7 @@ struct FramePair {
   const Frame& prev;
 };
 
-// The two newest frames of a feed; swap() makes the current one the previous one.
+// The two newest frames of a feed. swap() makes the current frame the previous one.
 class FrameRing {
  public:
   FrameRing(int width, int height, bool on_surfaces)

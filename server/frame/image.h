@@ -1,4 +1,4 @@
-// Planar picture with a border, made for kernels without bounds tests.
+// A planar picture with a border, so that kernels need no bounds tests.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,10 @@
 
 namespace saccade {
 
-// One plane of width x height values. Rows start on 64-byte boundaries, and kBorder pixels may be read (and
-// written) on every side: row(y)[x] is valid for x in [-kBorder, width + kBorder), y likewise. The border
-// is zero at first and keeps what fill() put there. Owns its memory; moves, and copies only by copyFrom().
+// One plane of width x height values. Rows start on 64-byte boundaries. kBorder pixels can be read and
+// written on every side: row(y)[x] is valid for x in [-kBorder, width + kBorder), and y likewise. The border
+// is zero at first and keeps what fill() wrote there.
+// Owns its memory. It can be moved; copyFrom() is the only way to copy it.
 template <class T>
 class Image {
  public:

@@ -1,4 +1,4 @@
-// What a method gives the sensors: the change of intensity over one frame interval. Pure data.
+// A method's output for the sensors: the change of intensity over one frame interval. Pure data.
 #pragma once
 
 #include "base/units.h"
@@ -16,8 +16,8 @@ struct IntensityChange {
   ImageF dI;             // D[I_t - I_{t-1}], any sign
   ImageF I_prev;         // D[I_{t-1}] >= 0, the denominator of [E (21)]
   ImageF I_now;          // D[I_t] >= 0
-  ImageF var_dI;         // variance of dI, >= 0; 0 where the method knows none
-  ImageF var_I_prev;     // variance of I_prev, >= 0; 0 where the method knows none
+  ImageF var_dI;         // variance of dI, >= 0; 0 if the method does not estimate it
+  ImageF var_I_prev;     // variance of I_prev, >= 0; 0 if the method does not estimate it
 };
 
 inline void IntensityChange::copyFrom(const IntensityChange& other) {

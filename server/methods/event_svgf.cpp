@@ -67,13 +67,14 @@ EventSvgf::EventSvgf(const EventSvgfParams& p, int w, int h)
       i_prev_(w, h),
       var_i_prev_(w, h) {}
 
-void EventSvgf::start(const Frame& first, TilePool& pool) {
+void EventSvgf::start(const Frame& first, const PoolHandle& pool) {
   StageTimes unused;
   // No pixel has a history: lengths are 0, so W_t finds only frames of length 0 and every mean starts anew.
   filter({first, first}, pool, unused);
 }
 
-void EventSvgf::estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) {
+void EventSvgf::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
+                         StageTimes& times) {
   std::swap(i_prev_, filtered_.i);
   std::swap(var_i_prev_, filtered_.var_i);
   filter(frames, pool, times);
@@ -81,7 +82,7 @@ void EventSvgf::estimate(const FramePair& frames, TilePool& pool, IntensityChang
                                       i_prev_, var_i_prev_, pool, out);
 }
 
-void EventSvgf::filter(const FramePair& frames, TilePool& pool, StageTimes& times) {
+void EventSvgf::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   // (A) Samples, demodulated.
   times[Stage::kModulate] += demodulate(frames, demodulation(params_), pool, samples_);
 

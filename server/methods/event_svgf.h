@@ -24,12 +24,13 @@ class EventSvgf final : public Method {
   EventSvgf(const EventSvgfParams& params, int width, int height);
   static MethodInfo info();
 
-  void start(const Frame& first, TilePool& pool) override;
-  void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
+  void start(const Frame& first, const PoolHandle& pool) override;
+  void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
+                StageTimes& times) override;
 
  private:
   // Accumulates and filters into filtered_.
-  void filter(const FramePair& frames, TilePool& pool, StageTimes& times);
+  void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
 
   EventSvgfParams params_;
   AccumulationParams accumulation_;

@@ -58,20 +58,20 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
       var_i_prev_(w, h),
       elsewhere_(w, h) {}
 
-void IrradianceCache::start(const Frame& first, TilePool& pool) {
+void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
   StageTimes unused;
   learn(first, pool, unused);
   filter({first, first}, pool, unused);
 }
 
-void IrradianceCache::learn(const Frame& frame, TilePool& pool, StageTimes& times) {
+void IrradianceCache::learn(const Frame& frame, const PoolHandle& pool, StageTimes& times) {
   std::swap(at_, at_prev_);
   if (frame.light_changed) grid_.forget();
   times[Stage::kTemporal] += grid_.place(*frame.surfaces, frame.g, pool, at_);
   times[Stage::kTemporal] += grid_.add(*frame.surfaces, at_, pool);
 }
 
-void IrradianceCache::estimate(const FramePair& frames, TilePool& pool, IntensityChange& out,
+void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                                StageTimes& times) {
   std::swap(i_prev_, filtered_.i);
   std::swap(var_i_prev_, filtered_.var_i);
@@ -83,7 +83,7 @@ void IrradianceCache::estimate(const FramePair& frames, TilePool& pool, Intensit
   fillIn(frames, pool, out, times);
 }
 
-void IrradianceCache::fillIn(const FramePair& frames, TilePool& pool, IntensityChange& out,
+void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                              StageTimes& times) {
   const int width = out.dI.width(), height = out.dI.height();
   const bool all = frames.cur.light_changed;
@@ -109,7 +109,7 @@ void IrradianceCache::fillIn(const FramePair& frames, TilePool& pool, IntensityC
   });
 }
 
-void IrradianceCache::filter(const FramePair& frames, TilePool& pool, StageTimes& times) {
+void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   times[Stage::kVariance] += grid_.readAdded(*frames.cur.surfaces, frames.cur.g, at_, pool, now_);
   const bool first = &frames.cur == &frames.prev;
   if (!first)

@@ -27,15 +27,16 @@ class IrradianceCache final : public Method {
   IrradianceCache(const IrradianceCacheParams& params, int width, int height);
   static MethodInfo info();
 
-  void start(const Frame& first, TilePool& pool) override;
-  void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
+  void start(const Frame& first, const PoolHandle& pool) override;
+  void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
+                StageTimes& times) override;
 
  private:
-  void learn(const Frame& frame, TilePool& pool, StageTimes& times);
+  void learn(const Frame& frame, const PoolHandle& pool, StageTimes& times);
   // Reads both frames' points and filters into filtered_.
-  void filter(const FramePair& frames, TilePool& pool, StageTimes& times);
+  void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Replaces what the grid cannot know.
-  void fillIn(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times);
+  void fillIn(const FramePair& frames, const PoolHandle& pool, IntensityChange& out, StageTimes& times);
 
   IrradianceCacheParams params_;
   AtrousParams atrous_;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/tile_pool.h"
+#include "base/pool_handle.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
 #include "methods/stage_times.h"
@@ -40,9 +40,10 @@ class Method {
  public:
   virtual ~Method() = default;
   // Takes the first frame of a feed, which has no difference yet. Called once, before estimate().
-  virtual void start(const Frame& first, TilePool& pool) = 0;
+  virtual void start(const Frame& first, const PoolHandle& pool) = 0;
   // Fills `out`, which has the size of the frames, but for t0, t1 and frame. Called from the second frame on.
-  virtual void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) = 0;
+  virtual void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
+                        StageTimes& times) = 0;
 };
 
 // A row of the table of methods. Both functions take what resolveParams() returned.

@@ -22,7 +22,8 @@ MethodInfo PathTraced::correlatedInfo() {
           }};
 }
 
-void PathTraced::estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) {
+void PathTraced::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
+                          StageTimes& times) {
   const FrameSamples &cur = frames.cur.samples, &prev = frames.prev.samples;
   const bool correlated = seeds_ == SeedReuse::kCorrelated;
   const float share1 = correlated ? 0.5f : 0.f;  // of pass 1 in the primal [E (9)]

@@ -12,8 +12,9 @@ class PathTraced final : public Method {
   static MethodInfo independentInfo();
   static MethodInfo correlatedInfo();
 
-  void start(const Frame&, TilePool&) override {}
-  void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
+  void start(const Frame&, const PoolHandle&) override {}
+  void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
+                StageTimes& times) override;
 
  private:
   SeedReuse seeds_;

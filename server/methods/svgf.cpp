@@ -69,13 +69,14 @@ Svgf::Svgf(const SvgfParams& p, int w, int h)
       I_prev_(w, h),
       var_I_prev_(w, h) {}
 
-void Svgf::start(const Frame& first, TilePool& pool) {
+void Svgf::start(const Frame& first, const PoolHandle& pool) {
   StageTimes unused;
   filter({first, first}, pool, unused);
   remodulate(first, pool, I_prev_, var_I_prev_);
 }
 
-void Svgf::estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) {
+void Svgf::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
+                    StageTimes& times) {
   filter(frames, pool, times);
   std::swap(out.I_prev, I_prev_);
   std::swap(out.var_I_prev, var_I_prev_);
@@ -93,7 +94,7 @@ void Svgf::estimate(const FramePair& frames, TilePool& pool, IntensityChange& ou
   });
 }
 
-void Svgf::filter(const FramePair& frames, TilePool& pool, StageTimes& times) {
+void Svgf::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   times[Stage::kModulate] += demodulate(frames, variantOf(params_).demodulation, pool, samples_);
   std::swap(history_, history_prev_);
   times[Stage::kTemporal] +=
@@ -101,7 +102,7 @@ void Svgf::filter(const FramePair& frames, TilePool& pool, StageTimes& times) {
   filterOverSpace(frames, params_, variance_, atrous_, pool, history_, filtered_, scratch_, times);
 }
 
-std::chrono::nanoseconds Svgf::remodulate(const Frame& frame, TilePool& pool, ImageF& I,
+std::chrono::nanoseconds Svgf::remodulate(const Frame& frame, const PoolHandle& pool, ImageF& I,
                                           ImageF& variance) const {
   const float variance_scale = params_.varianceScale();
   return pool.forEachRow(frame.height(), [&](int y) {

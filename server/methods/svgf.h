@@ -19,14 +19,16 @@ class Svgf final : public Method {
   Svgf(const SvgfParams& params, int width, int height);
   static MethodInfo info();
 
-  void start(const Frame& first, TilePool& pool) override;
-  void estimate(const FramePair& frames, TilePool& pool, IntensityChange& out, StageTimes& times) override;
+  void start(const Frame& first, const PoolHandle& pool) override;
+  void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
+                StageTimes& times) override;
 
  private:
   // Accumulates and filters into filtered_.
-  void filter(const FramePair& frames, TilePool& pool, StageTimes& times);
+  void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // I = A D[i] + E, and its variance.
-  std::chrono::nanoseconds remodulate(const Frame& frame, TilePool& pool, ImageF& I, ImageF& variance) const;
+  std::chrono::nanoseconds remodulate(const Frame& frame, const PoolHandle& pool, ImageF& I,
+                                      ImageF& variance) const;
 
   SvgfParams params_;
   AccumulationParams accumulation_;

@@ -5,8 +5,8 @@
 namespace saccade {
 
 void filterOverSpace(const FramePair& frames, const SvgfCommonParams& params, const VarianceParams& variance,
-                     const AtrousParams& atrous, TilePool& pool, History& history, FilterPlanes& filtered,
-                     FilterPlanes& scratch, StageTimes& times) {
+                     const AtrousParams& atrous, const PoolHandle& pool, History& history,
+                     FilterPlanes& filtered, FilterPlanes& scratch, StageTimes& times) {
   times[Stage::kVariance] += estimateVariance(frames, history, variance, pool, filtered);
   for (int iteration = 0; iteration < params.iterations; ++iteration) {
     times[Stage::kAtrous] += atrousIteration(frames, atrous, 1 << iteration, filtered, pool, scratch);

@@ -48,7 +48,7 @@ std::vector<ParamField<P>> withCommonFields(const std::vector<ParamField<P>>& mo
 // Estimates the variance, then runs the a-trous iterations, each twice as wide. The result of the iteration
 // at the feedback tap becomes the history. Leaves the result in `filtered`.
 void filterOverSpace(const FramePair& frames, const SvgfCommonParams& params, const VarianceParams& variance,
-                     const AtrousParams& atrous, TilePool& pool, History& history, FilterPlanes& filtered,
-                     FilterPlanes& scratch, StageTimes& times);
+                     const AtrousParams& atrous, const PoolHandle& pool, History& history,
+                     FilterPlanes& filtered, FilterPlanes& scratch, StageTimes& times);
 
 }  // namespace saccade

@@ -1,4 +1,4 @@
-// Bump maps: normals of the surface that a height over it makes [Blinn 1978].
+// Bump maps: normals of the surface that a height over the mesh makes [Blinn 1978].
 #pragma once
 
 #include "render/patch.h"
@@ -6,7 +6,7 @@
 
 namespace saccade {
 
-// The unit normal n, bent. Slopes are taken over the footprint, at least over a texel.
+// The unit normal n, bent by the bump map. Slopes are measured over the footprint, and at least over a texel.
 inline Vec3 bumpedNormal(const Scene& scene, const Material& m, Vec3 n, const TexturePatch& patch,
                          float footprint) {
   const auto height = [&](Vec2 uv) {
@@ -21,7 +21,7 @@ inline Vec3 bumpedNormal(const Scene& scene, const Material& m, Vec3 n, const Te
   const auto [u, v] = patch.uv;
   const float dh_du = (height({u + step / 2, v}) - height({u - step / 2, v})) / step;
   const float dh_dv = (height({u, v + step / 2}) - height({u, v - step / 2})) / step;
-  // Of the displaced surface, with the patch's own part along n left out.
+  // Tangents of the displaced surface. The part of the patch's tangents along n is left out.
   const Vec3 du = patch.dp_du + n * (dh_du - dot(n, patch.dp_du));
   const Vec3 dv = patch.dp_dv + n * (dh_dv - dot(n, patch.dp_dv));
   const Vec3 bent = cross(du, dv);

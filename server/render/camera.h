@@ -1,5 +1,5 @@
-// Pinhole camera with square pixels. Directions have length 1 along the viewing axis, so that the t of a hit
-// is its depth z.
+// Pinhole camera with square pixels. Directions have length 1 along the viewing axis. So the t of a hit is
+// its depth z.
 #pragma once
 
 #include <cmath>
@@ -19,17 +19,17 @@ struct Camera {
         cx(0.5f * static_cast<float>(width - 1)),
         cy(0.5f * static_cast<float>(height - 1)) {}
 
-  // Through the point (x, y) in pixels; whole numbers are pixel centres.
+  // The direction through the point (x, y) in pixels. Pixel centres are whole numbers.
   Vec3 direction(float x, float y) const {
     return forward + right * ((x - cx) * pixel) + down * ((y - cy) * pixel);
   }
 
   struct Projection {
     float x, y;  // pixels
-    float z;     // depth; x and y mean nothing where it is not positive
+    float z;     // depth; x and y are valid only where z is positive
   };
   Projection project(Vec3 point) const { return projectDirection(point - origin); }
-  // Of the point at infinity in a direction.
+  // Projects the point at infinity in a direction.
   Projection projectDirection(Vec3 d) const {
     const float z = dot(d, forward), scale = 1 / (z * pixel);
     return {dot(d, right) * scale + cx, dot(d, down) * scale + cy, z};

@@ -1,4 +1,4 @@
-// Light that comes to a surface from a light source without a detour.
+// Direct light: light that comes straight from a light source.
 #pragma once
 
 #include "render/bsdf/sampling.h"
@@ -11,20 +11,20 @@
 namespace saccade {
 
 // Balance heuristic (Veach 1995).
-inline Lane balance(Lane pdf, Lane other) {
+inline float balance(float pdf, float other) {
   return pdf / (pdf + other);
 }
 
-// What panes and masks let through along a shadow ray.
+// The light that panes and masks let through along a shadow ray.
 template <Shading S>
-Transmittance passageAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
-  constexpr int kMaxPassages = 16;
+Transmittance transmittanceAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
+  constexpr int kMaxTransmissions = 16;
   Transmittance all;
-  for (int i = 0; i < kMaxPassages; ++i) {
+  for (int i = 0; i < kMaxTransmissions; ++i) {
     const Hit hit = scene.geometry().intersect(ray);
     if (!hit.valid) return all;
     const Surface s = surfaceAt<S>(scene, ray, hit, RayCone::kDiffuseSpread * hit.t);
-    const Transmittance one = Scatter<S>(s, direction).passage();
+    const Transmittance one = Scatter<S>(s, direction).straightTransmittance();
     all = {all.fraction * one.fraction, all.probability * one.probability};
     if (luminance(all.fraction) <= 0) break;
     ray.origin = scene.leave(s, true);
@@ -33,8 +33,9 @@ Transmittance passageAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
   return {{}, 0};
 }
 
-// One estimate, by the light alone: weighed against the chance that the surface's own samples find it.
-// `dimension`: the first of three random numbers. Inlined by force: a call costs 5 % of a frame.
+// One estimate of the direct light, by a sample of the lights. Its weight is the share of this sample in the
+// balance heuristic. `dimension` is the first of three random numbers.
+// Inlining is forced, because a call costs 5 % of a frame.
 template <Shading S, int Channels, class Parts>
 [[gnu::always_inline]] inline Color<Channels> directLight(const RenderScene& scene,
                                                           const EmitterStrengths& strengths, const Surface& s,
@@ -48,23 +49,23 @@ template <Shading S, int Channels, class Parts>
   BsdfValue f = scatter.evaluate(light.direction);
   if (f.pdf <= 0) return {};
   if constexpr (Parts::kKept) {
-    const Lane strength = light.geometry == IncidentLight::kNoGeometry ? 1 : strengths[light.geometry];
-    const Lane white = cosinePdf(std::max(Lane(0), dot(light.direction, s.shading_normal)));
+    const float strength = light.geometry == IncidentLight::kNoGeometry ? 1 : strengths[light.geometry];
+    const float white = cosinePdf(std::max(0.f, dot(light.direction, s.shading_normal)));
     if (scene.analyticLight().holds(light))
       parts.unoccluded = Color<Channels>(light.radiance) * (white * strength / light.pdf);
   }
   const Ray shadow{origin, light.segment, light.reach};
-  if (S.extras && scene.hasPassages()) {
-    const Transmittance passage = passageAlong<S>(scene, shadow, light.direction);
-    if (passage.probability <= 0) return {};
-    f = {f.value * passage.fraction, f.pdf * passage.probability};
-    if constexpr (Parts::kKept) parts.visible = parts.unoccluded * Color<Channels>(passage.fraction);
+  if (S.extras && scene.hasStraightTransmission()) {
+    const Transmittance through = transmittanceAlong<S>(scene, shadow, light.direction);
+    if (through.probability <= 0) return {};
+    f = {f.value * through.fraction, f.pdf * through.probability};
+    if constexpr (Parts::kKept) parts.visible = parts.unoccluded * Color<Channels>(through.fraction);
   } else if (scene.geometry().occluded(shadow)) {
     return {};
   } else if constexpr (Parts::kKept) {
     parts.visible = parts.unoccluded;
   }
-  Lane weight = light.delta ? 1 : balance(light.pdf, f.pdf);
+  float weight = light.delta ? 1 : balance(light.pdf, f.pdf);
   if (light.geometry != IncidentLight::kNoGeometry) weight *= strengths[light.geometry];
   const Color<Channels> found =
       Color<Channels>(light.radiance) * Color<Channels>(f.value) * (weight / light.pdf);

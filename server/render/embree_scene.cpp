@@ -29,7 +29,7 @@ RTCGeometry makeSphere(RTCDevice device, const Sphere& sphere) {
   return geometry;
 }
 
-// Called with what is taken, or with less than 0 for what is given back.
+// Embree calls this with the bytes it has allocated, or with a negative number for bytes it has freed.
 bool countMemory(void* counter, ssize_t bytes, bool) {
   *static_cast<std::atomic<std::size_t>*>(counter) += static_cast<std::size_t>(bytes);
   return true;

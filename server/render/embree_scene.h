@@ -26,7 +26,8 @@ struct Hit {
   bool valid = false;
 };
 
-// Geometry ids: meshes in the order of Scene::meshes, then spheres. Keeps pointers into `scene`'s meshes.
+// Geometry ids count the meshes in the order of Scene::meshes, then the spheres. Keeps pointers into the
+// meshes of `scene`.
 class EmbreeScene {
  public:
   explicit EmbreeScene(const Scene& scene);

@@ -14,22 +14,22 @@ float meanLuminance(const std::array<Rgb, 4>& corners) {
   return luminance(corners[0] + corners[1] + corners[2] + corners[3]) / 4;
 }
 
-// Makes running sums end at 1, if they are not all 0. Returns the whole.
+// Scales running sums so that they end at 1, unless all are 0. Returns the old last sum.
 double normalizeSums(std::vector<double>& sums, std::vector<float>& cdf) {
   const double whole = sums.back();
   for (const double sum : sums) cdf.push_back(static_cast<float>(whole > 0 ? sum / whole : 0));
   return whole;
 }
 
-// An interval of a running sum, and the place of u within it, in [0, 1].
+// An interval of a running sum, and the position of u within it, in [0, 1].
 struct Choice {
   int index;
-  Lane within;
+  float within;
 };
 
-Choice choose(const float* cdf, int count, Lane u) {
+Choice choose(const float* cdf, int count, float u) {
   const int i = static_cast<int>(std::upper_bound(cdf, cdf + count - 1, u) - cdf);
-  const Lane begin = i > 0 ? cdf[i - 1] : 0;
+  const float begin = i > 0 ? cdf[i - 1] : 0;
   return {i, (u - begin) / (cdf[i] - begin)};
 }
 
@@ -67,7 +67,7 @@ std::array<Rgb, 4> EnvironmentLight::cornersOf(int column, int row) const {
   return {corner(column, row - 1), corner(column + 1, row - 1), corner(column, row), corner(column + 1, row)};
 }
 
-// Share of the sphere above the upper edge of a row of cells: sin^2 of half the polar angle.
+// The share of the sphere above the upper edge of a row of cells: sin^2 of half the polar angle.
 float EnvironmentLight::shareAbove(int row) const {
   const float v = std::clamp((static_cast<float>(row) - 0.5f) / static_cast<float>(height_), 0.f, 1.f);
   const float s = std::sin(kPi / 2 * v);
@@ -76,22 +76,22 @@ float EnvironmentLight::shareAbove(int row) const {
 
 EnvironmentLight::Cell EnvironmentLight::cellAt(Vec3 direction) const {
   const Vec3 d{dot(direction, x_), dot(direction, y_), dot(direction, z_)};
-  const Lane azimuth = std::atan2(d.x, -d.z) / (2 * kPi);
-  const Lane u = select(azimuth < 0, azimuth + 1, azimuth);
-  const Lane v =
+  const float azimuth = std::atan2(d.x, -d.z) / (2 * kPi);
+  const float u = azimuth < 0 ? azimuth + 1 : azimuth;
+  const float v =
       std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y) / kPi;  // exact near the poles, unlike acos
-  const Lane x = u * static_cast<Lane>(width_) - 0.5f, y = v * static_cast<Lane>(height_) + 0.5f;
+  const float x = u * static_cast<float>(width_) - 0.5f, y = v * static_cast<float>(height_) + 0.5f;
   const int column = static_cast<int>(std::floor(x)), row = std::min(static_cast<int>(y), height_);
-  return {cornersOf(column, row), x - static_cast<Lane>(column), y - static_cast<Lane>(row)};
+  return {cornersOf(column, row), x - static_cast<float>(column), y - static_cast<float>(row)};
 }
 
 Rgb EnvironmentLight::radianceIn(const Cell& cell) {
   const auto& [corners, x, y] = cell;
-  const auto mix = [](Rgb a, Rgb b, Lane w) { return a * (1 - w) + b * w; };
+  const auto mix = [](Rgb a, Rgb b, float w) { return a * (1 - w) + b * w; };
   return mix(mix(corners[0], corners[1], x), mix(corners[2], corners[3], x), y);
 }
 
-Lane EnvironmentLight::pdfIn(const Cell& cell) const {
+float EnvironmentLight::pdfIn(const Cell& cell) const {
   return saccade::meanLuminance(cell.corners) / (4 * kPi * mean_luminance_);
 }
 
@@ -99,20 +99,19 @@ Rgb EnvironmentLight::radiance(Vec3 direction) const {
   return radianceIn(cellAt(direction));
 }
 
-Lane EnvironmentLight::pdf(Vec3 direction) const {
+float EnvironmentLight::pdf(Vec3 direction) const {
   return mean_luminance_ > 0 ? pdfIn(cellAt(direction)) : 0;
 }
 
-EnvironmentSample EnvironmentLight::sample(Lane u1, Lane u2) const {
+EnvironmentSample EnvironmentLight::sample(float u1, float u2) const {
   if (mean_luminance_ <= 0) return {{0, 1, 0}, {}, 0};
   const Choice row = choose(row_cdf_.data(), height_ + 1, u1);
   const Choice column = choose(&column_cdf_[static_cast<std::size_t>(row.index * width_)], width_, u2);
   const float top = shareAbove(row.index), bottom = shareAbove(row.index + 1);
-  const Lane share = top + (bottom - top) * row.within;  // of the sphere that lies above
-  const Lane turn = (static_cast<Lane>(column.index) + 0.5f + column.within) / static_cast<Lane>(width_);
-  const Lane azimuth = 2 * kPi * turn, r = 2 * std::sqrt(share * (1 - share));
-  const LaneVec3 direction =
-      x_ * (r * std::sin(azimuth)) + y_ * (1 - 2 * share) - z_ * (r * std::cos(azimuth));
+  const float share = top + (bottom - top) * row.within;  // of the sphere that lies above
+  const float turn = (static_cast<float>(column.index) + 0.5f + column.within) / static_cast<float>(width_);
+  const float azimuth = 2 * kPi * turn, r = 2 * std::sqrt(share * (1 - share));
+  const Vec3 direction = x_ * (r * std::sin(azimuth)) + y_ * (1 - 2 * share) - z_ * (r * std::cos(azimuth));
   const Cell cell = cellAt(direction);
   return {direction, radianceIn(cell), pdfIn(cell)};
 }

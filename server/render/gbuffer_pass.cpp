@@ -16,11 +16,11 @@ float planeSlope(const Camera& camera, Vec3 direction, Vec3 offset, Vec3 n, floa
     return std::abs(height / towards - z);
   };
   const float dz = std::max(step(camera.right), step(camera.down));
-  return dz < z ? dz : z;  // also where the next ray runs along the plane
+  return dz < z ? dz : z;  // also if the next ray is parallel to the plane
 }
 
 void setMotion(const Camera::Projection& now, const Camera::Projection& before, int x, int y, GBuffer& g) {
-  // Both projections by the same formula: a standing camera gives exactly 0.
+  // Both projections use the same formula, so that a standing camera gives exactly 0.
   const bool seen = before.z > 0;
   g.motion_x.at(x, y) = seen ? before.x - now.x : 1e6f;  // behind the previous camera: far outside
   g.motion_y.at(x, y) = seen ? before.y - now.y : 1e6f;
@@ -31,7 +31,7 @@ void setNormal(Vec3 n, int x, int y, GBuffer& g) {
   g.nx.at(x, y) = n.x, g.ny.at(x, y) = n.y, g.nz.at(x, y) = n.z;
 }
 
-// Where nothing is hit stands one far surface.
+// A ray that hits nothing counts as a hit on one far surface.
 void setFar(const Camera& camera, const Camera& prev, Vec3 direction, int x, int y, GBuffer& g) {
   setNormal({0, 0, 1}, x, y, g);
   setMotion(camera.projectDirection(direction), prev.projectDirection(direction), x, y, g);

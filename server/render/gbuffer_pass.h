@@ -1,4 +1,4 @@
-// The primary hit of a pixel and the features the filter guides itself by.
+// The primary hit of a pixel, and the features of that pixel that guide the filter.
 #pragma once
 
 #include "frame/frame.h"
@@ -9,17 +9,17 @@ namespace saccade {
 
 struct PrimaryHit {
   Vec3 direction;      // of the ray, 1 along the viewing axis
-  PathStart start;     // means nothing where nothing is hit
-  Guide guide;         // its emission is seen without noise: of the environment where nothing is hit
-  bool valid = false;  // whether anything is hit
+  PathStart start;     // valid where a surface is hit
+  Guide guide;         // its emission has no noise; where nothing is hit, that of the environment
+  bool valid = false;  // whether a surface is hit
 };
 
-// Through the point (x, y) in pixels; whole numbers are pixel centres.
+// Traces the ray through the point (x, y) in pixels. Pixel centres are whole numbers.
 template <Shading S>
 PrimaryHit tracePrimary(const RenderScene& scene, const EmitterStrengths& strengths, const Camera& camera,
                         float x, float y);
 
-// Fills pixel (x, y) of `g` with what its centre hits. `prev` is the camera of the previous frame.
+// Writes the features of a hit to pixel (x, y) of `g`. `prev` is the camera of the previous frame.
 void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,
                    GBuffer& g);
 

@@ -1,24 +1,25 @@
-// The surface that guides the filter: the first that a pixel shows, in mirrors and through clear glass.
+// The surface that guides the filter: the first one that the pixel shows. Mirrors and clear glass show other
+// surfaces.
 #pragma once
 
 #include "render/path_tracer.h"
 
 namespace saccade {
 
-// Mirrors are flat and glass does not bend, as far as guides go: what they show is taken to be where it seems
-// to be [Falcor: primary surface replacement].
+// A guide treats mirrors as flat, and glass as if it did not bend light. The surface behind them is placed
+// where it appears to be [Falcor: primary surface replacement].
 struct Guide {
-  Vec3 point;             // where it seems to be, world space
-  Vec3 normal;            // unit shading normal where it is
-  Vec3 plane_normal;      // unit geometric normal where it seems to be
-  Lane t;                 // along the pixel's ray
-  Rgb albedo;             // fraction of light that comes from it, or off what it is seen in, into the view
-  Rgb emission;           // from it, and from what it is seen in, into the view
-  bool hit = true;        // false: endless; all but albedo and emission mean nothing
+  Vec3 point;             // apparent position, world space
+  Vec3 normal;            // unit shading normal at the real position
+  Vec3 plane_normal;      // unit geometric normal at the apparent position
+  float t;                // along the pixel's ray
+  Rgb albedo;             // of the surface, and of the mirrors and panes that show it
+  Rgb emission;           // of the surface, and of the mirrors and panes that show it
+  bool hit = true;        // false: nothing is hit, and only albedo and emission are valid
   bool has_base = false;  // whether it has a diffuse base
 };
 
-// `ray` is the pixel's, and `hit` what it meets at `start`.
+// `ray` is the ray of the pixel. It meets `hit` at `start`.
 template <Shading S>
 Guide findGuide(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& ray, const Hit& hit,
                 const PathStart& start);

@@ -1,4 +1,4 @@
-// Following the view to the surface that guides the filter, for kernel.h.
+// Follows the view to the surface that guides the filter. For kernel.h.
 #pragma once
 
 #include "render/guide.h"
@@ -12,19 +12,19 @@
 namespace saccade {
 namespace detail {
 
-inline constexpr Lane kView = 0.5f;  // Scatter::isView()
+inline constexpr float kView = 0.5f;  // Scatter::isView()
 
 inline Vec3 mirrored(Vec3 v, Vec3 about) {
   return v - about * (2 * dot(v, about));
 }
 
-// Follows the view from `start` through mirrors, clear glass and masks; anything else it ends at.
+// Follows the view from `start` through mirrors, clear glass and masks. It ends at any other surface.
 template <Shading S>
 Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& primary,
                  const Hit& first, const PathStart& start) {
   Guide g{};
   Rgb throughput{1, 1, 1};
-  Lane distance = 0;  // beyond `start`
+  float distance = 0;  // beyond `start`
   std::array<Vec3, kMaxViewDepth> mirrors;
   std::size_t mirror_count = 0;
   Surface s = start.surface;
@@ -39,7 +39,7 @@ Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, co
       g.albedo = g.albedo + throughput * scatter.albedo();
       break;
     }
-    g.albedo = g.albedo + throughput * (1 - next.pdf);  // what else is seen here
+    g.albedo = g.albedo + throughput * (1 - next.pdf);  // of the light that leaves the view here
     throughput = throughput * next.weight * next.pdf;
     if (!next.transmitted) mirrors[mirror_count++] = scatter.normal();
     const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};

@@ -1,5 +1,5 @@
-// Compiles the path tracer for one set of features (shading.h). Large sets have a .cpp file of their own:
-// otherwise another set would change what the compiler inlines, and with it speed and rounding.
+// Compiles the path tracer for one set of features (shading.h). Each large set has its own .cpp file. Another
+// set in that file would change what the compiler inlines, and so the speed and the rounding.
 #pragma once
 
 #include "render/guide_kernel.h"

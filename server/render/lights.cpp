@@ -11,7 +11,7 @@ namespace {
 constexpr float kShadowEnd = 1 - 1e-4f;  // shadow rays stop just before the light
 constexpr float kEndless = std::numeric_limits<float>::infinity();
 
-IncidentLight distant(Vec3 direction, Rgb radiance, Lane pdf, LaneMask delta) {
+IncidentLight distant(Vec3 direction, Rgb radiance, float pdf, bool delta) {
   return {direction, direction, kEndless, radiance, pdf, delta};
 }
 
@@ -19,7 +19,7 @@ IncidentLight distant(Vec3 direction, Rgb radiance, Lane pdf, LaneMask delta) {
 
 Lights::Lights(const Scene& scene, float radius)
     : point_lights_(scene.point_lights), directional_lights_(scene.directional_lights) {
-  // Power over pi; of distant lights what falls on the disk that the scene shows them.
+  // Power over pi. Distant lights count the power that falls on the disk of the scene.
   const float disk = std::numbers::pi_v<float> * radius * radius;
   addAreaLights(scene);
   for (const PointLight& l : point_lights_) choose(4 * luminance(l.intensity));
@@ -63,14 +63,14 @@ void Lights::choose(float power) {
   cdf_.push_back((empty() ? 0 : cdf_.back()) + power);
 }
 
-IncidentLight Lights::at(Vec3 point, Lane u_light, Lane u1, Lane u2) const {
+IncidentLight Lights::at(Vec3 point, float u_light, float u1, float u2) const {
   const auto i = std::min<std::size_t>(std::upper_bound(cdf_.begin(), cdf_.end(), u_light) - cdf_.begin(),
                                        cdf_.size() - 1);
   if (i < area_lights_.size()) return areaLight(area_lights_[i], point, u1, u2);
   return otherLight(i, point, u1, u2);
 }
 
-IncidentLight Lights::areaLight(const AreaLight& light, Vec3 point, Lane u1, Lane u2) const {
+IncidentLight Lights::areaLight(const AreaLight& light, Vec3 point, float u1, float u2) const {
   Vec3 on_light, normal;
   if (light.radius > 0) {
     const float z = 1 - 2 * u1, r = std::sqrt(std::max(0.f, 1 - z * z)),
@@ -83,20 +83,20 @@ IncidentLight Lights::areaLight(const AreaLight& light, Vec3 point, Lane u1, Lan
     normal = normalize(cross(light.edge1, light.edge2));
   }
   const Vec3 segment = on_light - point;
-  const Lane distance2 = dot(segment, segment);
+  const float distance2 = dot(segment, segment);
   const Vec3 w = segment / std::sqrt(distance2);
-  const Lane cosine = -dot(w, normal);
-  const Lane per_solid_angle = cosine > 0 ? pdf(light.radiance) * distance2 / cosine : 0;
+  const float cosine = -dot(w, normal);
+  const float per_solid_angle = cosine > 0 ? pdf(light.radiance) * distance2 / cosine : 0;
   return {w, segment, kShadowEnd, light.radiance, per_solid_angle, false, light.geometry};
 }
 
-IncidentLight Lights::otherLight(std::size_t i, Vec3 point, Lane u1, Lane u2) const {
-  const Lane p = probability(i);
+IncidentLight Lights::otherLight(std::size_t i, Vec3 point, float u1, float u2) const {
+  const float p = probability(i);
   i -= area_lights_.size();
   if (i < point_lights_.size()) {
     const PointLight& l = point_lights_[i];
     const Vec3 segment = l.position - point;
-    const Lane distance2 = dot(segment, segment);
+    const float distance2 = dot(segment, segment);
     return {segment / std::sqrt(distance2), segment, kShadowEnd, l.intensity / distance2, p, true};
   }
   i -= point_lights_.size();
@@ -110,7 +110,7 @@ Rgb Lights::distantRadiance(Vec3 direction) const {
   return environment_ ? environment_->radiance(direction) : Rgb{};
 }
 
-Lane Lights::distantPdf(Vec3 direction) const {
+float Lights::distantPdf(Vec3 direction) const {
   return environment_ ? environment_->pdf(direction) * probability(cdf_.size() - 1) : 0;
 }
 

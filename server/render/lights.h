@@ -1,5 +1,6 @@
-// Light sources, chosen by power: emissive triangles and spheres, sampled uniformly by area, and lights that
-// are no surface. The choice does not know of strengths, so that a seed finds the same points in every frame.
+// The light sources of a scene. Lights are sampled by their power, and points on emissive triangles and
+// spheres uniformly by area. The probabilities do not depend on strengths, so that a seed finds the same
+// points in every frame.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +13,36 @@
 
 namespace saccade {
 
-// Light that reaches a point unless something stands in between.
+// Light that reaches a point unless something blocks it.
 struct IncidentLight {
   Vec3 direction;                        // to the light, unit
   Vec3 segment;                          // of the shadow ray
   float reach;                           // its end, in lengths of the segment
   Rgb radiance;                          // at strength 1; of a delta light its irradiance at a right angle
-  Lane pdf;                              // per solid angle; delta: the probability of the light; 0: none
-  LaneMask delta = false;                // from one direction, which no ray finds by chance
+  float pdf;                             // per solid angle; delta: the probability of the light; 0: none
+  bool delta = false;                    // from one direction, which no sample of a BSDF finds
   std::uint32_t geometry = kNoGeometry;  // of EmbreeScene
   static constexpr std::uint32_t kNoGeometry = 0xffffffffu;
 };
 
 class Lights {
  public:
-  // Keeps a pointer to the pixels of the scene's environment. `radius`: of the scene.
+  // Keeps a pointer to the pixels of the scene's environment. `radius` is that of the scene.
   Lights(const Scene& scene, float radius);
 
   bool empty() const { return cdf_.empty(); }
 
-  // Light at `point` from a light chosen by u_light, at a place chosen by u1 and u2. Not empty.
-  IncidentLight at(Vec3 point, Lane u_light, Lane u1, Lane u2) const;
+  // A sample of the light at `point`. u_light chooses the light, u1 and u2 a place on it. There must be a
+  // light.
+  IncidentLight at(Vec3 point, float u_light, float u1, float u2) const;
 
-  // pdf per area of at() on a surface of this radiance at strength 1. Choosing by power makes it independent
-  // of the light's size: (Y area / power) / area.
-  Lane pdf(Rgb radiance) const { return luminance(radiance) * inv_power_; }
+  // The pdf of at() per area, on a surface of this radiance at strength 1. It does not depend on the light's
+  // size, because lights are chosen by power: (Y area / power) / area.
+  float pdf(Rgb radiance) const { return luminance(radiance) * inv_power_; }
 
-  // Light from infinity, and the pdf per solid angle of at() for it; 0 without an environment.
+  // Light from infinity, and the pdf of at() for it per solid angle. Both are 0 without an environment.
   Rgb distantRadiance(Vec3 direction) const;
-  Lane distantPdf(Vec3 direction) const;
+  float distantPdf(Vec3 direction) const;
 
  private:
   struct AreaLight {
@@ -52,9 +54,9 @@ class Lights {
   void addAreaLights(const Scene& scene);
   void add(const AreaLight& light, float area);
   void choose(float power);
-  IncidentLight areaLight(const AreaLight& light, Vec3 point, Lane u1, Lane u2) const;
-  IncidentLight otherLight(std::size_t i, Vec3 point, Lane u1, Lane u2) const;
-  Lane probability(std::size_t i) const { return i == 0 ? cdf_[0] : cdf_[i] - cdf_[i - 1]; }
+  IncidentLight areaLight(const AreaLight& light, Vec3 point, float u1, float u2) const;
+  IncidentLight otherLight(std::size_t i, Vec3 point, float u1, float u2) const;
+  float probability(std::size_t i) const { return i == 0 ? cdf_[0] : cdf_[i] - cdf_[i - 1]; }
 
   std::vector<AreaLight> area_lights_;
   std::vector<PointLight> point_lights_;

@@ -1,4 +1,4 @@
-// The place of a hit within its shape, in space and in texture space.
+// The position of a hit within its shape, in space and in texture space.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ V interpolate(const V& a, const V& b, const V& c, float u, float v) {
   return a * (1 - u - v) + b * u + c * v;
 }
 
-// `n`: the unit geometric normal.
+// `n` is the unit geometric normal.
 inline Patch patchAt(const Mesh& mesh, const Hit& hit, Vec3 n) {
   const auto [i, j, k] = mesh.triangles[hit.primitive];
   Patch patch{interpolate(mesh.positions[i], mesh.positions[j], mesh.positions[k], hit.u, hit.v), n};

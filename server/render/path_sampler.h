@@ -1,4 +1,5 @@
-// Random numbers of one path, addressed by (seed, pixel, sample, dimension): reusing a seed replays the path.
+// The random numbers of one path. Their address is (seed, pixel, sample, dimension), so that the same seed
+// replays the path.
 #pragma once
 
 #include "base/hash_rng.h"

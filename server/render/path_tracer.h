@@ -1,5 +1,5 @@
-// Light that reaches a surface point and leaves it towards the camera: path tracing with next-event
-// estimation and multiple importance sampling.
+// Estimates the light that leaves a surface point towards the camera: path tracing with next-event estimation
+// and multiple importance sampling.
 #pragma once
 
 #include "render/color.h"
@@ -16,7 +16,7 @@ struct PathStart {
   RayCone cone;    // at the surface
 };
 
-// What a pixel shows in mirrors and through clear glass is found by following the view this far.
+// The most mirrors, panes and masks between a pixel and the surface that guides the filter.
 inline constexpr int kMaxViewDepth = 8;
 
 // What traceReflected() tells besides its estimate: nothing, or the direct light at the first vertex that has
@@ -32,8 +32,9 @@ struct DirectParts {
 };
 
 // One estimate of the radiance that leaves `start` after at most `bounces` indirect bounces off rough
-// surfaces (0: direct light only). What is emitted by `start` itself and along its view (guide.h) is not in
-// it: it is known without noise.
+// surfaces. 0 bounces are direct light only.
+// The estimate leaves out the light that `start` and the surfaces along its view emit (guide.h). That light
+// is known without noise.
 template <Shading S, int Channels, class Parts>
 Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths& strengths,
                                const PathStart& start, const PathSampler& sampler, int bounces, Parts& parts);

@@ -1,4 +1,4 @@
-// The path tracer itself, for kernel.h.
+// The path tracer. For kernel.h.
 #pragma once
 
 #include "render/path_tracer.h"
@@ -10,19 +10,20 @@
 namespace saccade {
 namespace detail {
 
-// Every vertex has its own random dimensions, so that paths that part at one vertex still share the numbers
-// of the next.
+// Every vertex has its own random dimensions. So two paths that part at one vertex share the numbers of the
+// next.
 enum Dimension { kLight, kBounce = kLight + 3, kLobe = kBounce + 2, kDimensions };
 
-inline constexpr int kMaxDeltas = 16;  // mirrors and glass that a path may meet besides its bounces
+inline constexpr int kMaxDeltas = 16;  // reflections and refractions that do not count as bounces
 
-// How the last direction was chosen that was not straight on: what weighs light found by chance.
+// How the last direction that was not straight on was chosen. It decides the weight of emitters that the path
+// hits.
 struct Choice {
-  Lane pdf;       // per solid angle, times the chance of all that went straight since
-  bool delta;     // no other way to find this light
-  Lane distance;  // since then
+  float pdf;       // per solid angle, times the probabilities of going straight since then
+  bool delta;      // samples of the lights cannot find this light
+  float distance;  // since then
 
-  Lane weight(Lane pdf_light) const { return delta ? 1 : balance(pdf, pdf_light); }
+  float weight(float pdf_light) const { return delta ? 1 : balance(pdf, pdf_light); }
 };
 
 }  // namespace detail
@@ -31,21 +32,21 @@ template <Shading S, int Channels, class Parts>
 Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths& strengths,
                                const PathStart& start, const PathSampler& sampler, int bounces,
                                Parts& parts) {
-  Color<Channels> radiance, throughput(Lane(1));
+  Color<Channels> radiance, throughput(1.f);
   const Lights& lights = scene.lights();
   if (lights.empty()) return radiance;
   Surface s = start.surface;
   Vec3 arriving = start.direction;
   RayCone cone = start.cone;
   detail::Choice choice{1, true, 0};
-  const bool passages = S.extras && scene.hasPassages();
+  const bool transmission = S.extras && scene.hasStraightTransmission();
   bool in_view = S.extras;
   bool from_start = true;  // whether the first vertex chose the direction of the ray
   NoParts none;
   for (int vertex = 0, bounce = 0; vertex <= bounces + detail::kMaxDeltas; ++vertex) {
     const int dimension = vertex * detail::kDimensions;
     const Scatter<S> scatter(s, arriving);
-    const bool spent = passages && bounce > bounces;
+    const bool spent = transmission && bounce > bounces;
     if constexpr (Parts::kKept) {
       if (vertex == 0)
         radiance += directLight<S, Channels>(scene, strengths, s, scatter, sampler, detail::kLight, parts);
@@ -54,16 +55,16 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
       radiance += throughput * directLight<S, Channels>(scene, strengths, s, scatter, sampler,
                                                         dimension + detail::kLight, none);
 
-    // Continue in a direction of the BSDF.
+    // Continue in a direction that the BSDF samples.
     const BsdfSample next =
         scatter.sample(sampler.u(dimension + detail::kLobe), sampler.u(dimension + detail::kBounce),
                        sampler.u(dimension + detail::kBounce + 1));
     throughput = throughput * Color<Channels>(next.weight);
     if (next.pdf <= 0 || throughput.luminance() <= 0) return radiance;
-    const bool straight = S.extras && scatter.isPassThrough(next);
+    const bool straight = S.extras && scatter.isStraight(next);
     if (spent && !straight) return radiance;
     if (straight)
-      choice.pdf *= scatter.passage().probability;
+      choice.pdf *= scatter.straightTransmittance().probability;
     else
       choice = {next.pdf, next.delta, 0}, from_start = vertex == 0;
     if constexpr (S.extras) in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
@@ -71,7 +72,7 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
     const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
     const Hit hit = scene.geometry().intersect(ray);
 
-    // Light found by chance: direct light of the vertex we come from.
+    // The path has hit an emitter. That is direct light of the vertex before.
     if (!hit.valid) {
       if constexpr (S.extras)
         if (!in_view)
@@ -84,8 +85,8 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
     arriving = next.wi;
     choice.distance += hit.t;
     if (luminance(s.radiance) > 0 && !in_view) {
-      const Lane cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
-      const Lane pdf_light = lights.pdf(s.radiance) * choice.distance * choice.distance / cos_light;
+      const float cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
+      const float pdf_light = lights.pdf(s.radiance) * choice.distance * choice.distance / cos_light;
       const Color<Channels> found =
           throughput * Color<Channels>(s.radiance) * (choice.weight(pdf_light) * strengths[hit.geometry]);
       radiance += found;
@@ -93,7 +94,8 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
         if (from_start && scene.analyticLight().holds(hit.geometry)) parts.weighed += found;
     }
     bounce += !next.delta;
-    if (bounce > bounces && !passages) return radiance;  // else the last ray passes what shadow rays do
+    // With such surfaces the last ray goes on, because shadow rays do.
+    if (bounce > bounces && !transmission) return radiance;
   }
   return radiance;
 }

@@ -11,11 +11,12 @@
 
 namespace saccade {
 
-inline constexpr int kPathsAtOnce = 16;       // then urgent work has its turn
-inline constexpr float kLeastAlbedo = 1e-3f;  // of the pixel's average, at a place that shows illumination
+inline constexpr int kPathsAtOnce = 16;       // paths between two chances for urgent work
+inline constexpr float kLeastAlbedo = 1e-3f;  // of a point that shows illumination, over the pixel's average
 
-// Mean reflected radiance of `spp` paths, finite: a path whose estimate is not (a light sample on the very
-// point it lights, a lamp beyond what floats can weigh) counts as dark.
+// The mean reflected radiance of `spp` paths. It is finite: a path without a finite estimate counts as black.
+// Such a path is rare: its light sample is the very point that it lights, or its lamp is too bright for
+// floats.
 template <Shading S, int Channels>
 Rgb meanReflected(const RenderScene& scene, const EmitterStrengths& strengths, const PathStart& start,
                   std::uint64_t seed, std::uint32_t pixel, int spp, int bounces) {
@@ -37,7 +38,7 @@ struct PixelContext {
   const Camera &camera, &prev;
 };
 
-// Both samples of a pixel from its centre.
+// The samples of both passes. All paths start at the centre of the pixel.
 template <Shading S, int Channels>
 void renderPixel(const PixelContext& view, const SeedPlan& seeds, int bounces, int x, int y, Frame& out) {
   const PrimaryHit primary =
@@ -55,8 +56,9 @@ void renderPixel(const PixelContext& view, const SeedPlan& seeds, int bounces, i
   out.samples.I2.at(x, y) = pass(seeds.seed2, seeds.spp2);
 }
 
-// Both samples of a pixel, each from its own place in it, as if they came off the pixel's average albedo: the
-// filter smooths illumination, and the average is without noise [paper, 5.5]. Guides are of the centre.
+// The samples of both passes. The paths of each pass start at its own point of the pixel.
+// A sample is scaled as if it came off the average albedo of the pixel. For the filter smooths illumination,
+// and the average is without noise [paper, 5.5]. Guides are of the centre.
 template <Shading S, int Channels>
 void renderJitteredPixel(const PixelContext& view, const SeedPlan& seeds, int bounces, int x, int y,
                          Frame& out) {
@@ -79,7 +81,7 @@ void renderJitteredPixel(const PixelContext& view, const SeedPlan& seeds, int bo
     if (spp == 0) return 0.f;
     if (A <= 0) return E;
     std::size_t i = jitter % kSubPixels;
-    while (albedo[i] < kLeastAlbedo * A) i = (i + 1) % kSubPixels;  // what is black shows no illumination
+    while (albedo[i] < kLeastAlbedo * A) i = (i + 1) % kSubPixels;  // a black point shows no illumination
     const Rgb light =
         meanReflected<S, Channels>(view.scene, view.strengths, hits[i].start, seed, pixel, spp, bounces);
     return E + luminance(light) / albedo[i] * A;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr float kRelativeEpsilon = 2e-5f;  // of the scene's diagonal: some hundred ulps of its coordinates
 
-bool hasPassage(const Material& m) {
-  return traitsOf(m.model.kind).passes_straight || !isOpaque(m);
+bool transmitsStraight(const Material& m) {
+  return traitsOf(m.model.kind).transmits_straight || !isOpaque(m);
 }
 
 }  // namespace
@@ -22,7 +22,8 @@ RenderScene::RenderScene(Scene scene)
       analytic_light_(scene_),
       shading_(shadingOf(scene_)),
       channels_(colorChannels(scene_)),
-      has_passages_(std::any_of(scene_.materials.begin(), scene_.materials.end(), hasPassage)),
+      has_straight_transmission_(
+          std::any_of(scene_.materials.begin(), scene_.materials.end(), transmitsStraight)),
       epsilon_(kRelativeEpsilon * geometry_.diagonal()) {
   for (const Material& m : scene_.materials) tables_.emplace_back(m.model);
 }

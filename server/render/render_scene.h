@@ -1,5 +1,5 @@
-// A scene made ready for tracing: geometry in Embree, lights, tables of materials. Shared by any number of
-// feeds.
+// A scene that is ready for tracing: geometry in Embree, lights, and tables of materials. Any number of feeds
+// can share it.
 #pragma once
 
 #include <vector>
@@ -22,15 +22,16 @@ class RenderScene {
   const AnalyticLight& analyticLight() const { return analytic_light_; }
   Shading shading() const { return shading_; }  // what the scene has
   int channels() const { return channels_; }
-  std::size_t bytes() const;  // of geometry, Embree's tree over it, and textures: nearly all of its memory
+  std::size_t bytes() const;  // nearly all of its memory: geometry, Embree's tree, textures
 
-  bool hasPassages() const { return has_passages_; }  // whether a shadow ray may pass through something
+  // Whether some surface lets shadow rays through.
+  bool hasStraightTransmission() const { return has_straight_transmission_; }
 
-  // Of a material.
+  // The tables of a material.
   const BsdfTables& tables(int material) const { return tables_[material]; }
 
-  // A ray's origin on a surface, moved off it so that it does not hit it again: on the side the last ray came
-  // from, or through it.
+  // The origin of a ray that leaves the surface. It is moved off the surface, so that the ray does not hit it
+  // again. It lies on the side that the last ray came from, or on the other side for `through`.
   Vec3 leave(const Surface& s, bool through = false) const {
     return s.point + s.geometric_normal * (through ? -epsilon_ : epsilon_);
   }
@@ -42,7 +43,7 @@ class RenderScene {
   AnalyticLight analytic_light_;
   Shading shading_;
   int channels_;
-  bool has_passages_;
+  bool has_straight_transmission_;
   float epsilon_;
   std::vector<BsdfTables> tables_;  // by material
 };

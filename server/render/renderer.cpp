@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "render/surface_pixel.h"
 
@@ -38,7 +37,7 @@ void renderStillRow(const PixelContext& view, std::uint64_t seed, int spp, int b
 }
 
 constexpr int kMaxTileEdge = 32;
-constexpr double kPieceRays = 20480;  // some ten milliseconds: then another job has its turn
+constexpr double kPieceRays = 20480;  // of a piece: about ten milliseconds, so that other jobs wait no longer
 
 int tileEdge(const SeedPlan& seeds, int bounces) {
   const double pixel_rays = std::max(1.0, (seeds.spp1 + seeds.spp2) * (bounces + 2.0));
@@ -48,7 +47,7 @@ int tileEdge(const SeedPlan& seeds, int bounces) {
 }  // namespace
 
 std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
-                                          Frame& out) {
+                                          const PoolHandle& pool, Frame& out) {
   out.light_changed = strengths_.setTime(out.time);
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
@@ -56,29 +55,16 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
   const auto tile = withKernel(scene_->shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderTile<S, 1> : renderTile<S, 3>;
   });
-  return pool_.forEachTile(out.width(), out.height(), tileEdge(seeds, settings_.bounces),
-                           [&](Tile t) { tile(view, seeds, settings_, t, out); });
+  return pool.forEachTile(out.width(), out.height(), tileEdge(seeds, settings_.bounces),
+                          [&](Tile t) { tile(view, seeds, settings_, t, out); });
 }
 
-void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]) {
+void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, const PoolHandle& pool,
+                           Frame& out, ImageF (&rgb)[3]) {
   strengths_.setTime(out.time);
   const PixelContext view{*scene_, strengths_, camera, camera};
   const auto row = withKernel(scene_->shading(), []<Shading S>() { return renderStillRow<S>; });
-  pool_.forEachRow(out.height(), [&](int y) { row(view, seed, spp, settings_.bounces, y, out, rgb); });
-}
-
-std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, double fov_x_deg) {
-  constexpr int kWidth = 64, kHeight = 48;
-  const Camera camera(T_world_camera, fov_x_deg, kWidth, kHeight);
-  std::vector<Vec3> points;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      const Vec3 d = camera.direction(static_cast<float>(x), static_cast<float>(y));
-      const Hit hit = scene.geometry().intersect({camera.origin, d, std::numeric_limits<float>::infinity()});
-      if (hit.valid) points.push_back(camera.origin + d * hit.t);
-    }
-  }
-  return points;
+  pool.forEachRow(out.height(), [&](int y) { row(view, seed, spp, settings_.bounces, y, out, rgb); });
 }
 
 }  // namespace saccade

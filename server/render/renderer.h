@@ -3,9 +3,8 @@
 
 #include <chrono>
 #include <memory>
-#include <vector>
 
-#include "base/tile_pool.h"
+#include "base/pool_handle.h"
 #include "frame/frame.h"
 #include "render/camera.h"
 #include "render/render_scene.h"
@@ -17,32 +16,29 @@ namespace saccade {
 struct RenderSettings {
   int bounces = 3;      // indirect
   int channels = 3;     // 1 or 3
-  bool jitter = false;  // paths start all over the pixel, not at its centre (paper, Fig. 12)
+  bool jitter = false;  // paths start at points all over the pixel (paper, Fig. 12)
 };
 
 class Renderer {
  public:
-  // Shares `scene`; keeps a reference to `pool`.
-  Renderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings, TilePool& pool)
-      : scene_(std::move(scene)), strengths_(scene_->description()), settings_(settings), pool_(pool) {}
+  // Shares `scene`.
+  Renderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings)
+      : scene_(std::move(scene)), strengths_(scene_->description()), settings_(settings) {}
 
-  // Fills out.g and out.samples, emitters as strong as they are at out.time. Returns the CPU time. The
-  // picture depends on nothing but the arguments.
+  // Fills out.g and out.samples. Emitters have their strength at out.time. Returns the CPU time. The picture
+  // depends on the arguments alone.
   std::chrono::nanoseconds render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
-                                  Frame& out);
+                                  const PoolHandle& pool, Frame& out);
 
-  // One picture in colour at out.time, `spp` paths per pixel from its centre, into three planes. Features go
-  // to `out.g`; `out.samples` is left as it is.
-  void renderStill(const Camera& camera, std::uint64_t seed, int spp, Frame& out, ImageF (&rgb)[3]);
+  // Renders one picture in colour at out.time, into three planes. All of the `spp` paths per pixel start at
+  // its centre. Features go to `out.g`; `out.samples` does not change.
+  void renderStill(const Camera& camera, std::uint64_t seed, int spp, const PoolHandle& pool, Frame& out,
+                   ImageF (&rgb)[3]);
 
  private:
   std::shared_ptr<const RenderScene> scene_;
-  EmitterStrengths strengths_;  // at the time of the frame in work
+  EmitterStrengths strengths_;  // at the time of the current frame
   RenderSettings settings_;
-  TilePool& pool_;
 };
-
-// World-space points on the surfaces in view, on a grid over the picture. Empty if nothing is in view.
-std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, double fov_x_deg);
 
 }  // namespace saccade

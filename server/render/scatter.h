@@ -1,4 +1,4 @@
-// What a surface does with light, in world space: its BSDF, and its mask.
+// How a surface scatters light, in world space: its BSDF and its mask.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,16 @@ namespace saccade {
 template <Shading S>
 class Scatter {
  public:
-  // `arriving`: direction of the ray that found `s`, unit. Keeps a reference to `s`.
+  // `arriving` is the unit direction of the ray that found `s`. Keeps a reference to `s`.
   Scatter(const Surface& s, Vec3 arriving)
       : s_(s), arriving_(arriving), frame_(kTransmits && s.inside ? -s.shading_normal : s.shading_normal) {
-    if constexpr (!S.diffuseOnly()) {  // on the side that the geometry says, whatever the shading normal
+    if constexpr (!S.diffuseOnly()) {  // on the side of the geometric normal
       wo_ = frame_.toLocal(-arriving);
       wo_.z = s.inside ? std::min(wo_.z, -kGrazing) : std::max(wo_.z, kGrazing);
     }
   }
 
-  // Light from the unit direction w.
+  // The value for light from the unit direction w.
   BsdfValue evaluate(Vec3 w) const {
     if (dot(w, s_.geometric_normal) <= 0) return {};
     BsdfValue v = evaluateBsdf<S.kinds>(s_.bsdf, wo_, frame_.toLocal(w));
@@ -28,8 +28,8 @@ class Scatter {
     return v;
   }
 
-  // A direction, `wi`, in world space.
-  BsdfSample sample(Lane u_lobe, Lane u1, Lane u2) const {
+  // Samples a direction. `wi` is in world space.
+  BsdfSample sample(float u_lobe, float u1, float u2) const {
     if constexpr (S.extras) {
       if (u_lobe >= s_.opacity) return {arriving_, {1, 1, 1}, 1 - s_.opacity, true, true};
       u_lobe = std::min(u_lobe / s_.opacity, 0x1.fffffep-1f);
@@ -37,12 +37,12 @@ class Scatter {
     BsdfSample next = sampleBsdf<S.kinds>(s_.bsdf, wo_, u_lobe, u1, u2);
     if constexpr (S.extras) next.pdf *= s_.opacity;
     next.wi = frame_.toWorld(next.wi);
-    const Lane side = dot(next.wi, s_.geometric_normal);
+    const float side = dot(next.wi, s_.geometric_normal);
     if ((next.transmitted ? -side : side) <= 0) next.weight = {}, next.pdf = 0;
     return next;
   }
 
-  // Fraction of light that comes back or goes on, all directions together.
+  // The fraction of light that is reflected or transmitted, in all directions together.
   Rgb albedo() const {
     const Rgb a = bsdfAlbedo<S.kinds>(s_.bsdf, wo_.z);
     if constexpr (S.extras) return a * s_.opacity + Rgb{1, 1, 1} * (1 - s_.opacity);
@@ -54,30 +54,31 @@ class Scatter {
   bool hasBase() const { return traits().base; }
   bool isDiffuse() const { return traits().kind == BsdfKind::kDiffuse; }
 
-  // Panes and masks do not bend light, so that shadow rays pass them.
-  Transmittance passage() const {
-    if (!traits().passes_straight) return {Rgb{1, 1, 1} * (1 - s_.opacity), 1 - s_.opacity};
-    const Transmittance pane = ThinDielectric::passage(s_.bsdf, wo_.z);
+  // The light that goes straight through. Panes and masks do not bend light, so that shadow rays go on behind
+  // them.
+  Transmittance straightTransmittance() const {
+    if (!traits().transmits_straight) return {Rgb{1, 1, 1} * (1 - s_.opacity), 1 - s_.opacity};
+    const Transmittance pane = ThinDielectric::straightTransmittance(s_.bsdf, wo_.z);
     return {Rgb{1, 1, 1} * (1 - s_.opacity) + pane.fraction * s_.opacity,
             1 - s_.opacity + pane.probability * s_.opacity};
   }
-  // Whether a sample is of that.
-  bool isPassThrough(const BsdfSample& next) const {
-    return next.transmitted && (!traits().transmits || traits().passes_straight);
+  // Whether a sample went straight through.
+  bool isStraight(const BsdfSample& next) const {
+    return next.transmitted && (!traits().transmits || traits().transmits_straight);
   }
 
-  // Whether a sample is what one sees here: the likelier direction of a mirror, of clear glass, of a mask.
-  // sample(0.5, ...) finds it where there is one.
+  // Whether a sample is the direction that a viewer sees here: the likelier one of a mirror, of clear glass
+  // or of a mask. sample(0.5, ...) returns it if there is one.
   bool isView(const BsdfSample& next) const {
     return next.delta && next.pdf >= 0.5f && (traits().delta || next.transmitted);
   }
 
-  // The normal about which it mirrors.
+  // The normal of the mirror.
   Vec3 normal() const { return frame_.z; }
 
  private:
   static constexpr bool kTransmits = S.has(&BsdfTraits::transmits);
-  static constexpr Lane kGrazing = 1e-3f;
+  static constexpr float kGrazing = 1e-3f;
   const BsdfTraits& traits() const {
     return traitsOf(S.diffuseOnly() ? BsdfKind::kDiffuse : s_.bsdf.tables->model.kind);
   }
@@ -85,7 +86,7 @@ class Scatter {
   const Surface& s_;
   Vec3 arriving_;
   ShadingFrame frame_;
-  LaneVec3 wo_{0, 0, 1};  // diffuse: which way does not matter
+  Vec3 wo_{0, 0, 1};  // diffuse surfaces do not use it
 };
 
 }  // namespace saccade

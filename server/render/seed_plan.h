@@ -1,4 +1,4 @@
-// Which seeds, and how many paths, the two passes of a frame use (paper, 4.3).
+// The seeds and the numbers of paths of both passes of a frame (paper, 4.3).
 #pragma once
 
 #include "base/hash_rng.h"
@@ -9,20 +9,20 @@ namespace saccade {
 struct SeedPlan {
   std::uint64_t seed1, seed2;           // of pass 1 and pass 2
   int spp1, spp2;                       // paths per pixel in each
-  FrameIndex jitter1 = 0, jitter2 = 0;  // the frame whose place within the pixel each takes, where jittered
+  FrameIndex jitter1 = 0, jitter2 = 0;  // with jitter: the frames whose points of the pixel they use
 
   // r_t: the seed of frame t.
   static std::uint64_t frameSeed(std::uint64_t stream_seed, FrameIndex t) { return hashKey(stream_seed, t); }
 
-  // Pass 1 replays the seed (and the jitter) of the previous frame, pass 2 draws this frame's own [E (8)].
+  // Pass 1 replays the seed and the jitter of the previous frame. Pass 2 uses those of this frame [E (8)].
   static SeedPlan correlated(std::uint64_t stream_seed, FrameIndex t, int spp) {
     return {frameSeed(stream_seed, t - 1), frameSeed(stream_seed, t), spp / 2, spp / 2, t - 1, t};
   }
-  // Both passes with seeds that no other frame uses.
+  // Both passes use seeds that no other frame uses.
   static SeedPlan independentPairs(std::uint64_t stream_seed, FrameIndex t, int spp) {
     return {hashKey(frameSeed(stream_seed, t), 1), frameSeed(stream_seed, t), spp / 2, spp / 2, t, t};
   }
-  // All paths in pass 2.
+  // All paths are in pass 2.
   static SeedPlan independent(std::uint64_t stream_seed, FrameIndex t, int spp) {
     return {0, frameSeed(stream_seed, t), 0, spp, t, t};
   }

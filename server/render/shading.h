@@ -1,9 +1,8 @@
-// The sets of features that the renderer is compiled for. A scene runs in the first set that covers it.
+// The sets of features that the renderer is compiled for. A scene uses the first set that covers it.
 //
 // Measurements chose the sets. The kinds of BSDF cost most: a plastic bunny in a Cornell box took 1 to 15 %
-// longer in a kernel that also knows metals and glass. Real scenes with metals have glass too, so both
-// share one kernel. A scene without masks, bump maps, points, directions and skies pays nothing measurable
-// for a kernel that knows them.
+// longer in a kernel with metals and glass. Real scenes with metals have glass too, so both share one kernel.
+// Masks, bump maps and lights that are no surface cost a scene without them nothing measurable.
 #pragma once
 
 #include "render/bsdf/bsdf.h"
@@ -24,7 +23,7 @@ struct Shading {
   }
 };
 
-// From the smallest to the largest. A diffuse scene with extras runs as plastics do.
+// From the smallest to the largest. A diffuse scene with extras uses kPlastics.
 inline constexpr Shading kPlainDiffuse{};
 inline constexpr Shading kTexturedDiffuse{only(BsdfKind::kDiffuse), true};
 inline constexpr Shading kPlastics{kindsWith(&BsdfTraits::base), true, true};
@@ -32,7 +31,7 @@ inline constexpr Shading kEverything{kAllBsdfKinds, true, true};
 
 Shading shadingOf(const Scene& scene);  // the features that the scene has
 
-// call.operator()<S>() with the first kernel that covers `needed`.
+// Calls call.operator()<S>() with the first kernel that covers `needed`.
 template <class Call>
 auto withKernel(const Shading& needed, Call call) {
   if (kPlainDiffuse.covers(needed)) return call.template operator()<kPlainDiffuse>();

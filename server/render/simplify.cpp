@@ -40,7 +40,7 @@ const std::vector<SceneFeatureInfo>& featureTable() {
        "a masked surface is opaque, or gone if its mean opacity is below a half", hasMasks, leaveOutMasks},
       {SceneFeature::kEnvironment, "environment", "all directions are as bright as their mean",
        hasEnvironmentPicture, leaveOutEnvironmentPicture},
-      // Last: what makes textures makes mips for them.
+      // This is the last one, because other features make new textures with mips.
       {SceneFeature::kMipFiltering, "mip_filtering",
        "pictures are read at one point, however small they are seen", hasMips, leaveOutMips},
   };

@@ -1,5 +1,5 @@
-// A scene with parts of its model left out. What remains is a scene like any other, so that the renderer,
-// which takes the least that holds a scene, needs no switches.
+// Leaves out parts of a scene's model. The result is a scene like any other, and the renderer needs no
+// switches. It takes the smallest kernel that covers the scene.
 #pragma once
 
 #include <set>
@@ -16,12 +16,12 @@ using SceneFeatures = std::set<SceneFeature>;
 struct SceneFeatureInfo {
   SceneFeature feature;
   std::string name;         // "textures"
-  std::string description;  // what takes its place
+  std::string description;  // its replacement
   bool (*isIn)(const Scene& scene);
   void (*leaveOut)(Scene& scene);
 };
 
-// THE list, in the order in which parts are left out.
+// All features, in the order in which they are left out.
 const std::vector<SceneFeatureInfo>& featureTable();
 const SceneFeatureInfo* findFeature(const std::string& name);  // nullptr if there is none
 std::string featureNames();                                    // "textures, specular, ...", for messages
@@ -29,8 +29,8 @@ std::string featureNames();                                    // "textures, spe
 SceneFeatures featuresOf(const Scene& scene);
 std::vector<std::string> namesOf(const SceneFeatures& parts);  // in the order of the table
 
-// `scene` without these parts, and without the bitmaps that nothing shows any more. What it lacks anyway
-// changes nothing.
+// `scene` without these features, and without the bitmaps that no surface shows any more. A feature that the
+// scene lacks changes nothing.
 Scene simplified(Scene scene, const SceneFeatures& disabled);
 
 }  // namespace saccade

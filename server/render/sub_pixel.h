@@ -1,4 +1,4 @@
-// Where within a pixel its paths start when they are jittered.
+// The points of a pixel at which jittered paths start.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@ constexpr float halton(std::uint32_t i, std::uint32_t base) {
   return value;
 }
 
-// More cost more than they give: on textures and edges 4 leave a third of the error of pixel centres for 1.4
-// times the tracing, 16 two thirds of that for 2.7 times.
+// More points are not worth their cost. On textures and edges, 4 points leave a third of the error of pixel
+// centres, for 1.4 times the tracing. 16 points leave two thirds of that, for 2.7 times.
 inline constexpr std::uint32_t kSubPixels = 4;
 
-// Offsets from the pixel's centre in pixels: the first points of the Halton sequence in bases 2 and 3, moved
-// so that their mean is the centre.
+// Offsets from the centre of the pixel, in pixels. They are the first points of the Halton sequence in bases
+// 2 and 3, moved so that their mean is the centre.
 inline constexpr auto kSubPixelOffsets = [] {
   std::array<Vec2, kSubPixels> points{};
   Vec2 mean;

@@ -15,21 +15,21 @@ struct Surface {
   Bsdf bsdf;                              // black behind a one-sided material
   Rgb radiance;                           // emitted towards the ray's origin at strength 1
 
-  bool inside;   // of glass: the ray came from behind the material's own normal
-  Lane opacity;  // the rest of the light goes straight on
+  bool inside;    // of glass: the ray came from behind the material's own normal
+  float opacity;  // the rest of the light goes straight on
 };
 
-// Width of the region that one path stands for, seen at a right angle, along a ray: what textures are
-// averaged over. Widths in scene units [Akenine-Moller 2021].
+// The width of the region that one path stands for, along a ray and at a right angle to it. Textures are
+// averaged over this width. Widths are in scene units [Akenine-Moller 2021].
 struct RayCone {
-  Lane width, spread;  // at the ray's origin; growth per unit of t
+  float width, spread;  // at the ray's origin; growth per unit of t
 
-  static constexpr Lane kDiffuseSpread = 0.25f;  // so wide that coarse mips do
+  static constexpr float kDiffuseSpread = 0.25f;  // so wide that coarse mips are enough
 
-  Lane at(Lane t) const { return width + spread * t; }
-  // Off a rough surface: a lobe of this pdf per solid angle.
-  static Lane lobeSpread(Lane pdf) {
-    return kDiffuseSpread * std::min(Lane(1), 1 / std::sqrt(std::numbers::pi_v<float> * pdf));
+  float at(float t) const { return width + spread * t; }
+  // The spread behind a rough surface, for a sample of this pdf per solid angle.
+  static float lobeSpread(float pdf) {
+    return kDiffuseSpread * std::min(1.f, 1 / std::sqrt(std::numbers::pi_v<float> * pdf));
   }
 };
 

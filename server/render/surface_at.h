@@ -20,8 +20,8 @@ Bsdf bsdfAt(const Scene& scene, const Material& m, TexturePoint at) {
   return b;
 }
 
-// `footprint`: width of the region that one path stands for, seen at a right angle, in scene units.
-// S covers scene.shading().
+// `footprint` is the width of the region that one path stands for, at a right angle to the ray, in scene
+// units. S must cover scene.shading().
 template <Shading S>
 Surface surfaceAt(const RenderScene& render_scene, const Ray& ray, const Hit& hit, float footprint) {
   const Scene& scene = render_scene.description();

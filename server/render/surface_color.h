@@ -8,13 +8,14 @@
 
 namespace saccade {
 
-// A place in texture space, and the width that a look-up averages over.
+// A point in texture space, and the width of the region to average over.
 struct TexturePoint {
   Vec2 uv;
   float footprint;
 };
 
-// Mean over [x - w/2, x + w/2] of the square wave that is +1 on [0, 1/2) and -1 on [1/2, 1), repeated.
+// The mean over [x - w/2, x + w/2] of a square wave of period 1. The wave is +1 on [0, 1/2) and -1 on [1/2,
+// 1).
 inline float filteredSquareWave(float x, float w) {
   const auto integral = [](float t) {
     const float f = t - std::floor(t);
@@ -29,7 +30,8 @@ inline Rgb lookUp(const Scene& scene, const SurfaceColor& c, TexturePoint p) {
   const Vec2 st{p.uv.x * c.uv_scale.x + c.uv_offset.x, p.uv.y * c.uv_scale.y + c.uv_offset.y};
   const float width = p.footprint * std::sqrt(std::abs(c.uv_scale.x * c.uv_scale.y));
   if (c.kind == SurfaceColor::Kind::kBitmap) return scene.textures[c.texture].sample(st, width);
-  // Mitsuba's checkerboard has color0 where both coordinates lie in the same half of their period.
+  // In Mitsuba's checkerboard, color0 fills the squares where both coordinates lie in the same half of their
+  // period.
   const float same = 0.5f + 0.5f * filteredSquareWave(st.x, width) * filteredSquareWave(st.y, width);
   return c.color0 * same + c.color1 * (1 - same);
 }

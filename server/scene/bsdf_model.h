@@ -23,11 +23,11 @@ inline constexpr auto kBsdfKindCount = static_cast<std::size_t>(BsdfKind::kCount
 // What the program decides by the kind of a BSDF.
 struct BsdfTraits {
   BsdfKind kind;
-  const char* name;              // the type of its <bsdf> in Mitsuba's XML
-  bool base = false;             // has a diffuse base, of the colour Material::reflectance
-  bool delta = false;            // has delta lobes only: the view is followed into it
-  bool transmits = false;        // lets light through, and is seen from both sides
-  bool passes_straight = false;  // does not bend what it lets through: shadow rays pass
+  const char* name;                 // the type of its <bsdf> in Mitsuba's XML
+  bool base = false;                // has a diffuse base, of the colour Material::reflectance
+  bool delta = false;               // has delta lobes only: the view is followed into it
+  bool transmits = false;           // lets light through, and is seen from both sides
+  bool transmits_straight = false;  // does not bend the light it lets through: shadow rays go on
 };
 
 // One row per kind, in the order of BsdfKind.
@@ -42,7 +42,7 @@ inline constexpr BsdfTraits kBsdfTraits[] = {
      .name = "thindielectric",
      .delta = true,
      .transmits = true,
-     .passes_straight = true},
+     .transmits_straight = true},
 };
 static_assert(std::size(kBsdfTraits) == kBsdfKindCount, "each kind has a row");
 static_assert(

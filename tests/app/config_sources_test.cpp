@@ -74,7 +74,7 @@ TEST_F(Sources, AFlagMayBeFalseInTheFile) {
   EXPECT_FALSE(insecure_);
 }
 
-TEST_F(Sources, WhatIsDescribedIsAFileThatSaysTheSame) {
+TEST_F(Sources, TheDescriptionIsAFileWithTheSameConfiguration) {
   const std::string text = apply("--data 'tcp://[::1]:7 # \"x\"' --threads 4 --insecure").describe();
   const std::string data = data_;
   data_ = "a", threads_ = 0, insecure_ = false;
@@ -84,7 +84,7 @@ TEST_F(Sources, WhatIsDescribedIsAFileThatSaysTheSame) {
   EXPECT_TRUE(insecure_);
 }
 
-TEST_F(Sources, ALineEndStaysInWhatIsDescribed) {
+TEST_F(Sources, ALineEndStaysInTheDescription) {
   setenv("SACCADE_DATA", "\nb\n", 1);
   const std::string text = apply().describe();
   unsetenv("SACCADE_DATA");
@@ -118,14 +118,16 @@ TEST_F(Sources, ATextWithoutQuotesIsToldToWantThem) {
 
 TEST_F(Sources, AMisspeltVariableIsWarnedAbout) {
   setenv("SACCADE_THREAD", "2", 1);
-  setenv("SACCADE_CLIENT_KEY", "of the client", 1);
+  constexpr const char* kOfOthers[] = {"SACCADE_CLIENT_KEY", "SACCADE_FULL", "SACCADE_OUT"};
+  for (const char* name : kOfOthers) setenv(name, "1", 1);
   const auto warnings = apply().warnings();
   unsetenv("SACCADE_THREAD");
-  unsetenv("SACCADE_CLIENT_KEY");
+  for (const char* name : kOfOthers) unsetenv(name);
   const std::string warning = "no option is set by SACCADE_THREAD; did you mean SACCADE_THREADS?";
   EXPECT_EQ(std::count(warnings.begin(), warnings.end(), warning), 1);
   for (const std::string& other : warnings)
-    EXPECT_EQ(other.find("by SACCADE_CLIENT_KEY;"), std::string::npos) << other;
+    for (const char* name : kOfOthers)
+      EXPECT_EQ(other.find("by " + std::string(name) + ";"), std::string::npos) << other;
 }
 
 TEST_F(Sources, AFileThatIsNotThereIsAnError) {

@@ -64,7 +64,7 @@ TEST(Config, AMisspeltVariableIsWarnedAbout) {
 }
 
 // --insecure opens a server to all: a slip of the hand must not set it.
-TEST(Config, WhatIsNeitherTrueNorFalseIsNoFlag) {
+TEST(Config, AFlagIsTrueOrFalse) {
   for (const char* value : {"10", "1", "yes", "tru"}) {
     const Said said = ask({"--check-config", std::string("--insecure=") + value});
     EXPECT_NE(said.status, 0) << value;

@@ -97,7 +97,7 @@ TEST(Limits, TheTableIsInTheOrderOfItsEnumeration) {
   }
 }
 
-TEST(Limits, WhatOneRequestExceedsNamesItsField) {
+TEST(Limits, ARefusalNamesTheFieldThatExceedsTheLimit) {
   Limits limits;
   limits[Limit::kFrameRate] = 100, limits[Limit::kPixelRays] = 40;
   v1::OpenStream request;

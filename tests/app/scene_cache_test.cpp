@@ -42,7 +42,7 @@ TEST_F(SceneMemory, TheLeastRecentlyUsedMakesRoom) {
   EXPECT_EQ(scenes.loads().done, 3u);  // it was still there
 }
 
-TEST_F(SceneMemory, WhatIsInUseStays) {
+TEST_F(SceneMemory, ScenesInUseStay) {
   const std::uint64_t both = bytesOf({kFirst, kSecond});
   SceneCache scenes(kFolder, bounded(static_cast<double>(both - 1)));
   auto used = scenes.get(kFirst);
@@ -67,7 +67,7 @@ TEST_F(SceneMemory, CountsASceneWithoutPartsToo) {
 }
 
 // And no other scene is evicted for it.
-TEST_F(SceneMemory, WhatNeverFitsIsRefusedForGood) {
+TEST_F(SceneMemory, ASceneThatNeverFitsIsRefusedForGood) {
   SceneCache scenes(kFolder, bounded(static_cast<double>(bytesOf({kFirst}))));
   scenes.get(kFirst);
   try {

@@ -49,14 +49,14 @@ TEST(ControlClient, ReplyIsMatchedByItsId) {
   EXPECT_EQ(request.get().protocol_version(), 1u);
 }
 
-TEST(ControlClient, WhatIsToldArrivesThoughTheClientIsGone) {
+TEST(ControlClient, ANoticeArrivesThoughTheClientIsGone) {
   zmq::context_t context;
   FakeServer server(context);
   ControlClient(context, server.endpoint()).tell(infoRequest());
   EXPECT_EQ(server.receive<v1::Request>().protocol_version(), 1u);
 }
 
-TEST(ControlClient, TheReplyToWhatWasToldIsPassedOver) {
+TEST(ControlClient, TheReplyToANoticeIsSkipped) {
   zmq::context_t context;
   FakeServer server(context);
   ControlClient client(context, server.endpoint());

@@ -63,7 +63,7 @@ TEST_F(LostConnection, ALosslessStreamIsWhatTheServerMade) {
   EXPECT_GE(proxy_.cuts(), 2);
 }
 
-TEST_F(LostConnection, WhatALiveStreamHasMissedIsCounted) {
+TEST_F(LostConnection, PacketsThatALiveStreamMissedAreCounted) {
   request_.set_delivery(v1::DELIVERY_LIVE);
   proxy_.set({.cut = Faults::Cut::kReset, .cut_after = 20000});
   const Recording got = record();

@@ -119,7 +119,7 @@ TEST(PreviewPicture, TheLatestEventOfAPixelIsOnTop) {
   EXPECT_EQ(at(picture, kEvents, 1, 0), kWhite);
 }
 
-TEST(PreviewPicture, WhatIsNoNumberIsDrawnAsZero) {
+TEST(PreviewPicture, NaNIsDrawnAsZero) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   const auto picture =
       drawPreview(frameOf(3, 2, {nan, inf, 1, 1, 1, 1}, {nan, -inf, 1, 1, 1, 1}), {}, kWindowNs);

@@ -36,7 +36,7 @@ std::string faultOf(const std::string& line) {
   return {};
 }
 
-TEST(RecordOptions, WhatIsNotGivenIsLeftToTheServer) {
+TEST(RecordOptions, AbsentOptionsAreLeftToTheServer) {
   const auto open = openStream("");
   EXPECT_EQ(open.scene(), "cornell-box");
   EXPECT_EQ(open.trajectory().name(), "right");
@@ -180,18 +180,30 @@ TEST(RecordOptions, AFaultyMotionIsNamed) {
     return std::string();
   };
   EXPECT_EQ(fault("fly:1"),
-            "--motion: 'fly' is none of dolly, truck, pedestal, pan, tilt, roll, orbit, shake");
+            "--trajectory: 'fly' is none of dolly, truck, pedestal, pan, tilt, roll, orbit, shake");
   EXPECT_NE(fault("unspecified:1").find("is none of"), std::string::npos);
-  for (const std::string text : {"pan", "pan:", "pan:px", "pan:1p", "pan:1:2", ":1"}) {
-    EXPECT_EQ(fault(text).find("--motion: '"), 0u) << text;
+  for (const std::string text : {"pan:", "pan:px", "pan:1p", "pan:1:2", ":1"}) {
+    EXPECT_EQ(fault(text).find("--trajectory: '"), 0u) << text;
   }
 }
 
-TEST(RecordOptions, OnePathIsAskedFor) {
-  EXPECT_NE(faultOf("--motion pan:1").find("--trajectory"), std::string::npos);
+TEST(RecordOptions, TrajectoryAndMotionTakeTheSameWords) {
+  for (const std::string option : {"--trajectory ", "--motion "}) {
+    const auto open = [&](const std::string& word) {
+      return makeOpenStream(parse("cornell-box -o a.csv " + option + word)).trajectory();
+    };
+    EXPECT_EQ(open("right").name(), "right");
+    EXPECT_EQ(open("orbit").name(), "orbit");
+    EXPECT_EQ(open("orbit:10").motion().kind(), v1::MOTION_KIND_ORBIT);
+    EXPECT_EQ(open("orbit:10").motion().speed(), 10);
+  }
+}
+
+TEST(RecordOptions, OneTrajectoryIsRequired) {
+  EXPECT_NE(faultOf("--motion pan:1").find("--trajectory"), std::string::npos);  // the second one
   EXPECT_NE(faultOf("--turn 1").find("--motion"), std::string::npos);
   EXPECT_NE(faultOf("--motion-seed 1").find("--motion"), std::string::npos);
-  EXPECT_THROW(makeOpenStream(parse("cornell-box -o a.csv")), std::invalid_argument);
+  EXPECT_THROW(parse("cornell-box -o a.csv"), CLI::ParseError);
 }
 
 TEST(RecordOptions, FaultsNameTheOption) {

@@ -77,7 +77,7 @@ TEST_F(RecorderTest, FileGetsItsNameAtACompleteEnd) {
   EXPECT_FALSE(fs::exists(at("a.csv.partial")));
 }
 
-TEST_F(RecorderTest, WhatCameBeforeAFaultIsKept) {
+TEST_F(RecorderTest, EventsBeforeAFaultAreKept) {
   {
     Recorder recorder(at("a.csv"), streamOf(1));
     recorder.add(batchOf(0, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));

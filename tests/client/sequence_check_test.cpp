@@ -74,7 +74,7 @@ TEST(SequenceCheck, HeartbeatsTakeNoSeq) {
   EXPECT_EQ(check.losses().gaps, 0u);
 }
 
-TEST(SequenceCheck, WhatCameBeforeIsPassedOver) {
+TEST(SequenceCheck, PacketsThatCameBeforeAreSkipped) {
   SequenceCheck check(requestFrom({0}));
   expectNext(check, headerOf(0, 0, 0, 5, 0, 1000));
   expectNext(check, headerOf(0, 1, 5, 5, 1000, 2000));
@@ -88,7 +88,7 @@ TEST(SequenceCheck, WhatCameBeforeIsPassedOver) {
   EXPECT_EQ(check.losses().gaps, 0u);
 }
 
-TEST(SequenceCheck, WhatDoesNotFollowIsAFault) {
+TEST(SequenceCheck, APacketThatDoesNotFollowIsAFault) {
   const auto second = [](const v1::PacketHeader& header) {
     SequenceCheck check(requestFrom({0}));
     expectNext(check, headerOf(0, 0, 0, 5, 0, 1000));

@@ -52,7 +52,7 @@ class SilentSocket {
   zmq::socket_t socket_{context_, zmq::socket_type::router};
 };
 
-TEST(ServerProbe, NobodyThereMeansToStartTheServer) {
+TEST(ServerProbe, WithoutAServerTheAdviceIsToStartIt) {
   EXPECT_EQ(explain("tcp://127.0.0.1:1", false),
             "no saccaded answers at tcp://127.0.0.1:1: start it with `saccaded --control tcp://127.0.0.1:1`");
 }

@@ -164,7 +164,7 @@ TEST_F(SubscriptionTest, AStreamThatIsLostIsOpenedAgainAndGoesOnWhereItWas) {
   EXPECT_EQ(heartbeats_, 1);
 }
 
-TEST_F(SubscriptionTest, WhatADrainedServerHasCutShortComesOnce) {
+TEST_F(SubscriptionTest, EventsCutShortByADrainedServerComeOnce) {
   const auto packets = packetsOf("s1", 7, v1::END_REASON_DRAINING), again = packetsOf("s2");
   record([&] {
     open("s1");

@@ -25,7 +25,7 @@ class UsageCheck : public testing::Test {
   bool jitter_ = false;
 };
 
-TEST_F(UsageCheck, WhatIsRightHasNoFault) {
+TEST_F(UsageCheck, ARightCommandLineHasNoFault) {
   EXPECT_EQ(faultOf({}), "");
   EXPECT_EQ(faultOf({"--help"}), "");
   EXPECT_EQ(faultOf({"list"}), "");

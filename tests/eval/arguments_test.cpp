@@ -5,7 +5,7 @@
 namespace saccade::eval {
 namespace {
 
-// What is said of an argument that is not valid.
+// The errors for arguments that are not valid.
 template <class Read, class Argument>
 std::string faultOf(Read read, const Argument& argument) {
   try {

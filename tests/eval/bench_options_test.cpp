@@ -76,7 +76,7 @@ TEST(BenchOptions, QuickLeavesSomethingToScore) {
   EXPECT_EQ(o.setup.reference_spp, 64);
 }
 
-// Rows of a table under one text are taken to be comparable.
+// Readers compare the rows of a table under one text.
 TEST(BenchOptions, TheirTextSaysAllThatChangesAResult) {
   using Change = std::function<void(BenchOptions&)>;
   const std::vector<Change> changes{

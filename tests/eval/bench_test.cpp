@@ -25,7 +25,7 @@ struct BenchTest : ::testing::Test {
                    .cache = files.path("cache")};
   std::shared_ptr<const RenderScene> scene = openScene(setup.scene);
 
-  // What the reference shows from there, as the bench renders it.
+  // The reference frames that the bench renders for that motion.
   ImageF luminance(const Pose& pose) {
     Progress progress("reference", 1);
     ReferenceRenderer renderer(scene, {setup.bounces, scene->channels()}, kW, kH,
@@ -58,7 +58,7 @@ TEST_F(BenchTest, RunsTheFramesOfAPlainFeed) {
   config.fov_x_deg = scene->description().fov_x_deg, config.seed = 7;
   Feed feed(scene, openTrajectory("cornell-box", "right", *scene, {}), config, pool);
   for (int t = 1; t <= 4; ++t) {
-    const IntensityChange& change = feed.step();
+    const IntensityChange& change = feed.step(pool);
     if (t < setup.first) continue;
     const IntensityChange& scored = run.changes[static_cast<std::size_t>(t - setup.first)];
     EXPECT_EQ(scored.frame, change.frame);
@@ -87,7 +87,7 @@ TEST_F(BenchTest, TheTruthIsOfTheFramesThatAreScored) {
 
 TEST_F(BenchTest, PassesTheScenesOwnPoseAtTheLastFrameWithTheSpeedAskedFor) {
   const ImageF home = luminance(scene->description().T_world_camera);
-  // Forward by much, the images of a frame are no longer as fast as at its end.
+  // After a long way forward, the image is no longer as fast as at the end of a frame.
   const std::pair<const char*, double> asked[] = {{"right", 0.25}, {"right", 4}, {"forward", 0.25}};
   for (const auto& [motion, px] : asked) {
     setup.trajectory = motion, setup.px_per_frame = px;

@@ -27,7 +27,7 @@ RgbPlanes grey(int width, int height, double value) {
 const auto kLeftIs1RightIs3 = [](int x, int) { return x < 4 ? 1 : 3; };
 
 TEST(BlockRatios, AreOfMeansOverBlocks) {
-  // Checks of 0 and 2 are 1 in the mean.
+  // A checkerboard of 0 and 2 has the mean 1.
   const RgbPlanes checks = picture(8, 4, [](int x, int y) { return 2 * ((x + y) % 2); });
   const BlockRatios r = blockRatios(checks, picture(8, 4, kLeftIs1RightIs3), {.edge = 4});
   EXPECT_EQ(r.across, 2);
@@ -75,7 +75,7 @@ TEST(BlockRatios, LeaveOutDarknessRectanglesAndWhatIsNoNumber) {
   EXPECT_THROW(blockRatios(x, grey(10, 4, 0), {.edge = 2}), std::runtime_error);
 }
 
-TEST(BlockRatios, WhatIsLeftOverAtTheEdgesIsInNoBlock) {
+TEST(BlockRatios, PixelsLeftOverAtTheEdgesAreInNoBlock) {
   const BlockRatios r = blockRatios(grey(7, 5, 1), grey(7, 5, 1), {.edge = 3});
   EXPECT_EQ(r.across, 2);
   EXPECT_EQ(r.down, 1);

@@ -13,7 +13,7 @@ namespace {
 
 using test::plane;
 
-// One frame of a row of pixels in these regions.
+// One frame with a row of pixels in these regions.
 Truth truthOf(const std::vector<std::uint32_t>& regions) {
   const ReferenceFrame frame(static_cast<int>(regions.size()), 1);
   Truth truth{{frame, frame}, RegionMap(static_cast<int>(regions.size()), 1)};
@@ -28,7 +28,8 @@ BrightnessSequence brightness(ImageF start, Planes... dL) {
   return L;
 }
 
-// Spans 0.3, 0.1, 0.9, 0.2, 0.4 over two frames; of n in order, that of rank 0.75 (n - 1) is taken.
+// The spans are 0.3, 0.1, 0.9, 0.2 and 0.4 over two frames. Of n sorted spans, the one of rank 0.75 (n - 1)
+// counts.
 TEST(TypicalPixel, ShowsASmoothSurfaceAndMuchOfItsLight) {
   using namespace region;
   const auto L = brightness(plane({0, 0, 0, 0, 0}), plane({-0.3f, 0.1f, 0.5f, -0.1f, 0.4f}),

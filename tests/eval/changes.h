@@ -1,4 +1,4 @@
-// Frames of change written out by hand.
+// Frames of change with known values.
 #pragma once
 
 #include <cmath>
@@ -10,8 +10,8 @@ namespace saccade::test {
 
 inline constexpr double kFrameRateHz = 250;
 
-// Frame 1, 2, ...: every pixel of I_prev = 1 changes by dL(frame, x, y) under a bias of `bias`; the primal
-// stays 1.
+// The frames 1, 2 and so on. Every pixel has I_prev = 1 and changes by dL(frame, x, y) under a bias of
+// `bias`. The primal stays 1.
 template <class Change>
 std::vector<IntensityChange> frames(int count, int width, int height, double bias, Change dL) {
   std::vector<IntensityChange> changes;

@@ -19,7 +19,8 @@ RegionMap regionsOf(std::initializer_list<std::uint32_t> values) {
 }
 
 TEST(ErrorParts, ByHand) {
-  // Left: mean 3, variance 2, halves 1 and 2. Right, another region: exact but for noise of variance 8.
+  // On the left the mean is 3, the variance 2, and the halves are 1 and 2. The right is another region:
+  // exact, but with noise of variance 8.
   Repeats x(2, 1);
   x.add(plane({2, 1})), x.add(plane({4, 5}));
   const ImageF a = plane({1, 3}), b = plane({2, 3});
@@ -62,7 +63,8 @@ TEST(ErrorParts, AddUpToTheMeanSquareOfTheRepeats) {
   EXPECT_NEAR(std::copysign(parts.rms * parts.rms, parts.rms), squares, 1e-9);
 }
 
-// A known bias of 0.5, noise of 2 and a reference whose halves have noise of 1 each: all told apart.
+// A known bias of 0.5, noise of 2, and a reference whose halves each have noise of 1. The figures separate
+// all three.
 TEST(ErrorParts, AreFreeOfTheNoiseOfTheReference) {
   constexpr int kSize = 100, kRepeats = 20;
   std::mt19937 random(4);
@@ -80,8 +82,8 @@ TEST(ErrorParts, AreFreeOfTheNoiseOfTheReference) {
   Repeats repeats(kSize, kSize);
   for (int k = 0; k < kRepeats; ++k) repeats.add(draw(7.5, 2));
   const ErrorParts parts = errorParts(repeats, a, b, regions, region::kSmooth);
-  // Against the mean of the halves, whose variance is 1/2, the bias would be sqrt(1/4 + 1/2) = 0.87. Its mean
-  // square over 1e4 pixels has a standard deviation of about 0.013.
+  // Against the mean of the halves, with its variance of 1/2, the bias would be sqrt(1/4 + 1/2) = 0.87. The
+  // mean square over 1e4 pixels has a standard deviation of about 0.013.
   EXPECT_NEAR(parts.bias * parts.bias, 0.25, 0.06);
   EXPECT_NEAR(parts.noise, 2, 0.02);
   EXPECT_NEAR(parts.offset, 0.5, 0.04);

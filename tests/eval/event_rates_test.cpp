@@ -15,7 +15,7 @@ using test::plane;
 
 constexpr double kC = 0.2;
 
-// Crossings of the grid of thresholds by counting them one after the other: none of our floors.
+// Counts the crossings of the grid of thresholds one after the other, without the code under test.
 int crossings(double from, double change) {
   const double low = std::min(from, from + change), high = std::max(from, from + change);
   int count = 0;
@@ -46,7 +46,7 @@ TEST(IntegratedRates, EqualTheSumOverAllPhases) {
           integratedRates(plane({static_cast<float>(d)}), plane({static_cast<float>(ref)}), kC);
       const Expected wrong = bruteForce(d, ref), missed = bruteForce(ref, d);
       SCOPED_TRACE(testing::Message() << d << " against " << ref);
-      // A phase next to a threshold may fall on either side.
+      // A phase next to a threshold can fall on either side.
       EXPECT_NEAR(rates.false_events, wrong.events, 5e-5);
       EXPECT_NEAR(rates.false_pixels, wrong.pixels, 5e-5);
       EXPECT_NEAR(rates.missed_events, missed.events, 5e-5);
@@ -61,7 +61,8 @@ TEST(IntegratedRates, OfNoiseAloneAreItsSizeOverTheThreshold) {
   }
 }
 
-// By hand: 0.15 fires at U >= 0.05, 0.05 at U >= 0.15, so 0.1 of 0.2 is false; -0.05 fires at U < 0.05.
+// By hand: 0.15 fires at U >= 0.05, and 0.05 fires at U >= 0.15. So 0.1 of 0.2 is false. -0.05 fires at U <
+// 0.05.
 TEST(IntegratedRates, AreMeansOverThePixels) {
   const EventRates rates =
       integratedRates(plane({0.15f, 0.15f, 0, 0.3f}), plane({0.05f, -0.05f, 0.1f, 0.3f}), kC);
@@ -93,7 +94,7 @@ TEST(SampledRates, ConvergeToTheIntegratedOnes) {
   EXPECT_NE(some.false_events, sampledRates(x, ref, kC, 8).false_events);
 }
 
-// The phase is shared: what is equal to the reference has neither, whatever the seed.
+// Both share the phase. A change that equals the reference has no false and no missed events, for any seed.
 TEST(SampledRates, AreZeroForTheReferenceItself) {
   const ImageF dL = plane({-0.7f, -0.1f, 0, 0.05f, 0.19f, 0.4f});
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -103,7 +104,7 @@ TEST(SampledRates, AreZeroForTheReferenceItself) {
   }
 }
 
-// A change of 2 C crosses two thresholds from any phase, and nothing is counted where the reference fires.
+// A change of 2 C crosses two thresholds from any phase. Nothing counts where the reference fires.
 TEST(SampledRates, CountEveryThreshold) {
   const EventRates rates = sampledRates(plane({0.5f, -0.5f}), plane({0, 0.5f}), 0.25, 3);
   EXPECT_EQ(rates.false_events, 1);

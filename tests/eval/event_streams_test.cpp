@@ -11,14 +11,15 @@ namespace {
 constexpr std::int64_t kMs = 1'000'000;
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-// Pixel (3, 4) has three ON and one OFF in the reference, pixel (4, 3) one ON.
+// In the reference, pixel (3, 4) has three ON events and one OFF event, and pixel (4, 3) has one ON event.
 const Events kRef = {
     {1 * kMs, 3, 4, 1}, {2 * kMs, 3, 4, 1}, {3 * kMs, 4, 3, 1}, {7 * kMs, 3, 4, 1}, {8 * kMs, 3, 4, 0}};
 
 TEST(CountError, CountsPixelsAndPolaritiesApart) {
   EXPECT_EQ(countError(kRef, kRef), 0);
   EXPECT_EQ(countError({}, kRef), 1);
-  // ON of (3, 4): 1 for 3; OFF: 2 for 1; (4, 3): none for 1; (9, 9): 1 for none. 2 + 1 + 1 + 1 over 5.
+  // ON of (3, 4): 1 for 3. OFF of (3, 4): 2 for 1. (4, 3): none for 1. (9, 9): 1 for none. So 2 + 1 + 1 + 1
+  // over 5.
   const Events x = {{0, 3, 4, 1}, {1, 3, 4, 0}, {2, 3, 4, 0}, {3, 9, 9, 1}};
   EXPECT_DOUBLE_EQ(countError(x, kRef), 5.0 / 5);
   EXPECT_DOUBLE_EQ(countError(kRef, x), 5.0 / 4);
@@ -31,7 +32,7 @@ TEST(CountError, OfEmptyStreams) {
   EXPECT_EQ(voxelError(kRef, {}), kInfinity);
 }
 
-// Voxels of the reference: (3, 4) has +2 in [0, 5) ms and +1 - 1 in [5, 10); (4, 3) has +1. Size 3.
+// The voxels of the reference have size 3. (3, 4) has +2 in [0, 5) ms and +1 - 1 in [5, 10). (4, 3) has +1.
 TEST(VoxelError, SumsPolarityInPixelAndBin) {
   EXPECT_EQ(voxelError(kRef, kRef), 0);
   EXPECT_DOUBLE_EQ(voxelError({}, kRef), 1);

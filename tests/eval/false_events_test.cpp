@@ -12,7 +12,7 @@ namespace {
 constexpr double kBias = 1e-3, kC = 0.5;
 constexpr int kSide = 64, kFrames = 10;
 
-// Five sigma of the mean of all pixel-frames, each with an event at `rate` < 1.
+// Five sigma of the mean over all pixel-frames. Each has an event at the rate `rate` < 1.
 double fiveSigma(double rate, double share = 1) {
   return 5 * std::sqrt(rate * (1 - rate) / (share * kSide * kSide * kFrames));
 }
@@ -35,7 +35,7 @@ TEST(NoiseSize, LeavesOutliersOutOnce) {
   EXPECT_NEAR(size.sigma_trimmed, 1, 1e-12);
 }
 
-// Noise that goes up and down by 0.1 on a truth that stands still.
+// Noise of +0.1 and -0.1 in turn, on a truth that stands still.
 TEST(FalseEvents, WithFreshPhasesAreMeanNoiseOverC) {
   const FalseEvents e =
       count([](int f, int, int) { return f % 2 ? 0.1 : -0.1; }, [](int, int, int) { return 0.004; });
@@ -45,7 +45,8 @@ TEST(FalseEvents, WithFreshPhasesAreMeanNoiseOverC) {
   EXPECT_NEAR(e.quiet.fresh_phase, 0.1 / kC, fiveSigma(0.1 / kC));
 }
 
-// An accumulating pixel fires once, if its first 0.1 carries it over: from then on it has C and more to go.
+// An accumulating pixel fires once, if its first 0.1 crosses a threshold. Later changes are smaller than the
+// C to the next one.
 TEST(FalseEvents, OfAnAccumulatingSensorStopWhereNoiseOnlySwings) {
   const FalseEvents e =
       count([](int f, int, int) { return f % 2 ? 0.1 : -0.1; }, [](int, int, int) { return 0; });
@@ -63,7 +64,7 @@ TEST(FalseEvents, CountAtRestOnlyWhereTheTruthIsQuiet) {
   EXPECT_NEAR(e.all.noise.mean_abs, 0.2 / kSide, 1e-6);
 }
 
-// The derivation in the header, on changes of the same and of opposite signs.
+// The derivation in the header holds for changes of the same sign and of opposite signs.
 TEST(FalseAndMissed, AreNoiseOverCBelowC) {
   for (const double truth : {0.25, -0.15, 0.05}) {
     const FalseEvents e = count([](int, int, int) { return 0.15; }, [&](int, int, int) { return truth; });
@@ -74,7 +75,7 @@ TEST(FalseAndMissed, AreNoiseOverCBelowC) {
   }
 }
 
-// Beyond C the truth fires at every phase, so that nothing is false.
+// With more than C the truth fires at every phase, so that no event is false.
 TEST(FalseAndMissed, TellLargeChangesFromSmallOnes) {
   const auto half = [](int x, double large, double small) { return x % 2 ? large : small; };
   const FalseEvents e = count([&](int, int x, int) { return half(x, 0.9, 0.1); },

@@ -22,7 +22,7 @@ long linesOf(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
 }
 
-// Exit code of the command; its output goes to `log`.
+// The exit code of the command. Its output goes to `log`.
 int figure(const std::string& arguments, const ScratchFolder& folder) {
   const std::string command = std::string(SACCADE_EVAL) + " figure " + arguments +
                               " --reference 64 --cache " + folder.at("cache") + " -o " + folder.at("out") +
@@ -56,7 +56,7 @@ TEST(Figure7, WritesCurvesSpectraAndReconstructions) {
   EXPECT_NE(textOf(folder.at("out/figure7_cornell-box.svg")).find("power density"), std::string::npos);
 }
 
-// Nothing changes: no power at any frequency, and no events on either side.
+// Nothing changes: there is no power at any frequency, and there are no events on either side.
 TEST(Figure7, LivesWithAStandingCamera) {
   ScratchFolder folder;
   ASSERT_EQ(figure("7 cornell-box --size 16x16 --frames 1:3 --trajectory still --methods event_svgf "
@@ -84,7 +84,7 @@ TEST(Figure, NamesTheFiguresThatThereAre) {
       << textOf(folder.at("log"));
 }
 
-// Of a scene by path only the folder's name is kept. The page shows the pictures.
+// The page names a scene by the folder of its path alone. It shows the pictures.
 TEST(Figure6, NamesItsFilesAfterTheScene) {
   ScratchFolder folder;
   const std::string scene = SACCADE_SCENE_FOLDER "/cornell-box/scene.xml";

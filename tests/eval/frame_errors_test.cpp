@@ -27,7 +27,7 @@ TEST(FrameErrors, AreZeroForTheReferenceItself) {
   }
 }
 
-// The right change on a denominator twice too dark: no error of dI, but of dL and of the events.
+// The change is right on a denominator that is twice too dark: dI has no error, but dL and the events have.
 TEST(FrameErrors, TakeEachChangeWithItsOwnBrightness) {
   const float bias = 0.5f;
   const double C = 0.2, dL = std::log(1.25 / 1.0), dL_ref = std::log(1.75 / 1.5);  // 0.223 and 0.154
@@ -37,7 +37,8 @@ TEST(FrameErrors, TakeEachChangeWithItsOwnBrightness) {
   EXPECT_EQ(e.dI_mape, 0);
   EXPECT_NEAR(e.dL_l1, (dL - dL_ref) / dL_ref, 1e-6);
   EXPECT_NEAR(e.dL_mape, (dL - dL_ref) / (1.01 * dL_ref), 1e-6);
-  // Ours crosses at every phase, the reference at those above C - 0.154: one event where it has none.
+  // Ours crosses a threshold at every phase. The reference crosses it at the phases above C - 0.154. So there
+  // is one event where the reference has none.
   EXPECT_NEAR(e.rates.false_events, 1 - dL_ref / C, 1e-6);
   EXPECT_EQ(e.rates.missed_events, 0);
 }

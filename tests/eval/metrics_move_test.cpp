@@ -1,5 +1,5 @@
-// Every metric moves the right way on rendered frames that are spoilt on purpose: noise added, the picture
-// shifted, history held off, and so on. A column of scores that no case moves is a fault of this test.
+// Every metric moves the right way on rendered frames with known faults: added noise, a shifted picture, no
+// history and so on. The test fails at a column of scores that no case moves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,14 +18,14 @@ constexpr float kNoise = 0.2f;
 
 using Columns = std::vector<double Score::*>;
 
-// A frame of one repeat, to be spoilt.
+// A frame of one repeat. The case adds a fault to it.
 struct Spoilt {
   IntensityChange& change;
   const RegionMap& regions;
   std::uint64_t seed;
 };
 
-// +- kNoise of the brightness that the frame leaves, which makes dL log(1 +- kNoise) larger [E (21)].
+// Adds +- kNoise times the brightness at the end of the frame. That changes dL by log(1 +- kNoise) [E (21)].
 void addNoise(const Spoilt& s) {
   const std::uint64_t frame = hashKey(s.seed, s.change.frame);
   forEachPixel(s.change.dI, [&](int x, int y) {
@@ -36,7 +36,7 @@ void addNoise(const Spoilt& s) {
   });
 }
 
-// By one pixel to the left; the first column goes to the right.
+// Shifts by one pixel to the left. The first column goes to the right.
 void shift(const Spoilt& s) {
   for (ImageF* plane : {&s.change.dI, &s.change.I_prev, &s.change.I_now}) {
     for (int y = 0; y < plane->height(); ++y)
@@ -200,7 +200,7 @@ TEST_P(MetricsMove, TheRightWay) {
 INSTANTIATE_TEST_SUITE_P(, MetricsMove, ::testing::ValuesIn(cases()),
                          [](const auto& c) { return std::string(c.param.name); });
 
-// log(1 +- s) has a standard deviation of atanh(s), whatever dL it is added to.
+// log(1 +- s) has a standard deviation of atanh(s), for any dL.
 TEST_F(MetricsMove, NoiseByAsMuchAsWasAdded) {
   const double added = std::atanh(kNoise);
   const double noise = scoreOfRuns("event_svgf", addNoise).noise_dL;

@@ -37,7 +37,7 @@ TEST_F(ModelBenchTest, TheWholeModelChangesNothing) {
   EXPECT_EQ(same.false_events + same.missed_events, 0);
 }
 
-// So does a part that is not there.
+// A feature that the scene lacks does the same.
 TEST_F(ModelBenchTest, WithEqualSeedsOnlyWhatDiffersChanges) {
   const ModelBench b = bench("cornell-box");
   const auto models = b.measure({{2, {SceneFeature::kTextures}}, {1, {}}, {0, {}}});

@@ -7,7 +7,7 @@ namespace {
 
 const SceneModel kWhole{2, {}};
 
-// A world in which every part and bounce costs and changes so much, and changes add up.
+// A world in which every feature and bounce has a cost and an effect. Effects add up.
 struct World {
   std::map<SceneFeature, std::pair<double, double>> parts;  // cpu_ms, changed
   double bounce_ms = 1, bounce_changed = 0.1;
@@ -22,7 +22,7 @@ struct World {
       m.cpu_ms -= parts[part].first, m.changed += parts[part].second;
     return m;
   }
-  // What was measured beyond the whole and each simplification alone.
+  // The models that were measured besides the whole one and each single simplification.
   std::vector<SceneModel> combinations() {
     SceneFeatures there;
     for (const auto& [part, effect] : parts) there.insert(part);
@@ -57,7 +57,7 @@ TEST(ModelSearch, FewerBouncesAloneAreKnownAlready) {
   EXPECT_TRUE(World{{}}.combinations().empty());
 }
 
-TEST(ModelSearch, WhatSavesNoTimeStays) {
+TEST(ModelSearch, AFeatureThatSavesNoTimeStays) {
   World world{{{SceneFeature::kMipFiltering, {-1, 0.01}}, {SceneFeature::kMasks, {0, 0.02}}}};
   EXPECT_TRUE(world.combinations().empty());
 }

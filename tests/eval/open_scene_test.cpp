@@ -24,7 +24,7 @@ TEST(OpenTrajectory, TakesAMotionByNameOrWithItsSpeed) {
   EXPECT_NE(moved("arc"), Pose{});  // one of the scene's own
 }
 
-// A pan of 2 px a frame: near the centre of the view an angle of a moves the image by a focal lengths.
+// A pan of 2 px a frame. Near the centre of the view, an angle of a moves the image by a focal lengths.
 TEST(OpenTrajectory, TakesPixelsPerFrame) {
   const auto scene = openScene("cornell-box");
   const FeedConfig feed{.width = 200, .fov_x_deg = 60, .frame_rate_hz = 100, .params = {}};

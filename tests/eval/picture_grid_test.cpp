@@ -8,7 +8,7 @@
 namespace saccade::eval {
 namespace {
 
-// A picture of this width, and one row.
+// A picture of this width, with one row.
 GridPicture picture(int width, const std::string& caption) {
   GridPicture cell{caption, width, 1, {}};
   for (int x = 0; x < width; ++x)

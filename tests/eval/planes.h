@@ -1,4 +1,4 @@
-// Planes written out by hand.
+// Planes with known values.
 #pragma once
 
 #include <initializer_list>
@@ -7,7 +7,7 @@
 
 namespace saccade::test {
 
-// One row.
+// A plane of one row.
 inline ImageF plane(std::initializer_list<float> values) {
   ImageF image(static_cast<int>(values.size()), 1);
   std::copy(values.begin(), values.end(), image.row(0));

@@ -34,11 +34,11 @@ TEST(ReconstructionScore, SeesASteadyErrorAsDrift) {
   EXPECT_EQ(s.missed_events, 0);
   EXPECT_NEAR(s.drift, 0.01 * kFrames, 1e-5);
   EXPECT_NEAR(s.high_rms, 0, 1e-6);
-  // 12.8 events for 9.6, with the same phases.
+  // There are 12.8 events instead of 9.6, with the same phases.
   EXPECT_NEAR(s.count_error, 0.01 / 0.03, 0.03);
 }
 
-// A start that is wrong by log 2 is an offset, and no drift.
+// A start with an error of log 2 is an offset, and no drift.
 TEST(ReconstructionScore, KnowsDriftFromOffset) {
   auto run = frames(0);
   for (IntensityChange& c : run) c.I_prev.fill(static_cast<float>(2 + kBias)), c.I_now.fill(2);
@@ -48,7 +48,7 @@ TEST(ReconstructionScore, KnowsDriftFromOffset) {
   EXPECT_NEAR(s.offset, std::log(2), 1e-6);
 }
 
-// An error at a fast and at a slow frequency: the fast one counts, with its rms.
+// An error at a fast and at a slow frequency. The rms of the fast one counts.
 TEST(ReconstructionScore, HearsHighFrequenciesOnly) {
   const auto truth = frames(0);
   for (const double cycles : {24.0, 8.0}) {  // of 64 frames; a quarter of the rate is 16

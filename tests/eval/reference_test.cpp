@@ -21,7 +21,7 @@ struct Fixture : ::testing::Test {
   TilePool pool{2};
   Progress progress{"reference", 1};
 
-  // A floor under a ball that shines with this strength.
+  // A floor under a ball that emits light of this strength.
   std::shared_ptr<const RenderScene> scene(Strength strength) const {
     Scene s = test::floorFromAbove(0.6f);
     s.spheres.push_back({"ball", {0, 0, 0.8f}, 0.4f, 0, {5, 5, 5}, std::move(strength)});
@@ -35,7 +35,7 @@ struct Fixture : ::testing::Test {
     const auto steady = scene({});
     return renderer(steady).frame(steady->description().T_world_camera, 0ms, spp, progress);
   }
-  // The only one.
+  // The only file.
   std::string keptFile() const {
     return std::filesystem::directory_iterator(files.path("cache"))->path().string();
   }
@@ -58,7 +58,7 @@ TEST(ReferenceChange, ByHand) {
   EXPECT_EQ(truth.change.dI.at(0, 0), 2);
   EXPECT_EQ(truth.change.I_prev.at(0, 0), 1.5);
   EXPECT_EQ(truth.change.I_now.at(0, 0), 3.5);
-  // Of two samples 3 and 1 the variance is 2, and that of their mean is 1.
+  // The variance of two samples 3 and 1 is 2, and that of their mean is 1.
   EXPECT_EQ(truth.change.var_dI.at(0, 0), 1);
   EXPECT_EQ(truth.change.var_I_prev.at(0, 0), 0.25);
   EXPECT_EQ(truth.error(), 1);
@@ -112,7 +112,7 @@ TEST_F(Fixture, AHalfFinishedFrameIsGoneOnWith) {
   EXPECT_EQ(gone_on.b.at(3, 2), whole.b.at(3, 2));
 }
 
-// Otherwise the difference of two frames would be noise of the paths that only one of them has.
+// Otherwise the difference of two frames would have the noise of the paths that only one of them has.
 TEST_F(Fixture, FramesOfMorePathsAreKeptApart) {
   const ReferenceFrame few = render(64);
   std::filesystem::remove(keptFile());

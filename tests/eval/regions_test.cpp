@@ -24,7 +24,7 @@ void setNormal(GBuffer& g, int x, int y, float tilt_deg) {
   g.nz.at(x, y) = cosDeg(tilt_deg);
 }
 
-// A plane of depth 10 + slope x; in the previous frame it lay `shift` pixels to the right.
+// A plane of depth 10 + slope x. In the previous frame it was `shift` pixels to the right.
 GBuffer wall(float slope = 0, float shift = 0) {
   GBuffer g(kSize, kSize);
   for (int y = 0; y < kSize; ++y) {
@@ -62,7 +62,8 @@ TEST(Regions, WhereAWallEndsItIsASilhouetteWhateverTheNormals) {
   EXPECT_EQ(countOf(findRegions(g, g), region::kCurved), 9);
 }
 
-// A steep wall seen by a moving camera: the pixel's depth changes by what its slope allows, no surface does.
+// A moving camera sees a steep wall. The depth of a pixel changes by as much as the slope allows; the surface
+// stays the same.
 TEST(Regions, ASlopeExplainsADepthThatChanges) {
   GBuffer prev = wall(1), cur = wall(1, 2);
   for (int y = 0; y < kSize; ++y) {
@@ -79,8 +80,8 @@ TEST(Regions, ASlopeExplainsADepthThatChanges) {
   EXPECT_EQ(countOf(findRegions(cur, prev), region::kChanged), kSize * kSize);
 }
 
-// One pixel of another depth in the previous frame, while everything moves by one pixel: that pixel saw
-// another surface, and the point that was there was not seen.
+// In the previous frame one pixel has another depth, and everything moves by one pixel. That pixel showed
+// another surface, which hid the point behind it.
 TEST(Regions, AnOccluderThatLeavesChangesItsPixelAndUncoversAPoint) {
   GBuffer prev = wall(), cur = wall(0, 1);
   prev.z.at(kMid, kMid) = 5;

@@ -8,7 +8,7 @@ namespace saccade::eval {
 namespace {
 
 TEST(ThroughOrigin, FindsTheSlopeOfLeastSquares) {
-  // slope = (1*1 + 2*5) / (1 + 4); what is left: 1 - 2.2 and 5 - 4.4; the mean is 3.
+  // slope = (1*1 + 2*5) / (1 + 4). The residuals are 1 - 2.2 and 5 - 4.4. The mean is 3.
   const Regression line = throughOrigin({{1, 1}, {2, 5}});
   EXPECT_DOUBLE_EQ(line.slope, 11.0 / 5);
   EXPECT_DOUBLE_EQ(line.r2, 1 - (1.2 * 1.2 + 0.6 * 0.6) / (2.0 * 2 + 2 * 2));

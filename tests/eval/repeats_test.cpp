@@ -22,7 +22,7 @@ TEST(Repeats, KnowMeanAndSpreadOfEachPixel) {
   EXPECT_EQ(repeats.variance(1, 0), 0);
 }
 
-// 4096 +- 2^-11, which floats still hold but their squares do not.
+// The values are 4096 +- 2^-11. A float can hold them, but not their squares.
 TEST(Repeats, LoseNothingOfSmallNoiseOnALargeMean) {
   Repeats repeats(1, 1);
   const float noise = 0x1p-11f;

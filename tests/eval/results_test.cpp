@@ -27,7 +27,7 @@ Result makeResult() {
   return r;
 }
 
-TEST_F(Fixture, WhatStandsIsReadAgain) {
+TEST_F(Fixture, RowsOfAnEarlierRunAreRead) {
   ResultTable(path, "128x128").add(makeResult());
   const ResultTable table(path, "128x128");
   ASSERT_EQ(table.rows().size(), 1u);
@@ -62,7 +62,7 @@ TEST_F(Fixture, AHalfWrittenRowIsNamed) {
   }
 }
 
-TEST_F(Fixture, WhatStandsIsNotMeasuredAgain) {
+TEST_F(Fixture, RowsOfAnEarlierRunAreNotMeasuredAgain) {
   TilePool pool(2);
   const Bench bench({.scene = "cornell-box",
                      .width = 16,

@@ -25,7 +25,7 @@ IntensityChange frameOf(const ImageF& dL, int frame) {
   return change;
 }
 
-// Halves of brightness change dL + apart and dL - apart; `regions`: one for each pixel.
+// The halves have the changes of brightness dL + apart and dL - apart. `regions` has one entry per pixel.
 Truth truthOf(const ImageF& dL, const std::vector<std::uint32_t>& regions, int frame = 1, float apart = 0) {
   const int w = dL.width();
   ReferenceFrame prev(w, 1), cur(w, 1);
@@ -41,7 +41,7 @@ Truth truthOf(const ImageF& dL, const std::vector<std::uint32_t>& regions, int f
   return truth;
 }
 
-// Frames 1, 2, ... with these changes of brightness.
+// The frames 1, 2 and so on have these changes of brightness.
 template <class... Planes>
 BenchRun runOf(const Planes&... dL) {
   BenchRun run;
@@ -72,7 +72,7 @@ TEST(Score, OfTheTruthItselfIsZeroInEveryColumn) {
 TEST(Score, TellsTheRegionsApart) {
   const auto truth = listOf(truthOf(plane({0, 0, 0, 0.1f}), {kSmooth, kSmooth, kCurved, kChanged}));
   const Score score = scoreOf(truth, listOf(runOf(plane({0.05f, 0.15f, -0.3f, 0}))), kBias, kC);
-  // Where one of both is 0, the other's events are |dL| / C [E (31)].
+  // If one of the two changes is 0, the other has |dL| / C events [E (31)].
   EXPECT_NEAR(score.false_smooth, (0.05 + 0.15) / 2 / kC, kTolerance);
   EXPECT_NEAR(score.false_curved, 0.3 / kC, kTolerance);
   EXPECT_EQ(score.false_changed, 0);
@@ -95,7 +95,7 @@ TEST(Score, TellsTheRegionsApart) {
   EXPECT_NEAR(score.dI_mape / ((false_dI / (0.01 * dI / 4) + 1 / (1 + 0.01 / 4)) / 4), 1, 1e-5);
 }
 
-// Errors of 0.1 and 0.3 in the first frame, none in the second.
+// The errors are 0.1 and 0.3 in the first frame, and 0 in the second.
 TEST(Score, IsTheMeanOverFramesAndRepeats) {
   const auto truth = listOf(truthOf(plane({-0.1f}), {kSmooth}, 1), truthOf(plane({0.2f}), {kSmooth}, 2));
   const auto repeats = listOf(runOf(plane({0}), plane({0.2f})), runOf(plane({0.2f}), plane({0.2f})));
@@ -108,7 +108,7 @@ TEST(Score, IsTheMeanOverFramesAndRepeats) {
   EXPECT_NEAR(score.bias_dL, std::sqrt((0.04 - variance / 2) / 2), kTolerance);
 }
 
-// Halves of the truth that are off by 0.1 to either side, and a method that is right, or off by 0.2.
+// The halves of the truth have errors of +0.1 and -0.1. The method is right, or has an error of 0.2.
 TEST(Score, IsFreeOfTheNoiseOfTheTruth) {
   const auto truth = listOf(truthOf(plane({0.1f}), {kCurved}, 1, 0.1f));
   EXPECT_NEAR(scoreOf(truth, listOf(runOf(plane({0.1f}))), kBias, kC).rms_dL, -0.1, kTolerance);
@@ -118,7 +118,8 @@ TEST(Score, IsFreeOfTheNoiseOfTheTruth) {
     EXPECT_NEAR(error, std::sqrt(0.04 - 0.01), kTolerance);
 }
 
-// The change comes two frames of 10 ms late: as many events, all in other voxels and beyond the cap of 5 ms.
+// The change comes two frames of 10 ms late. The number of events is right, but all are in other voxels and
+// beyond the cap of 5 ms.
 TEST(Score, OfALateRunIsWrongInTimeAlone) {
   const ImageF none = plane({0, 0}), step = plane({0.5f, -0.5f});
   const auto truth = listOf(truthOf(step, {kSmooth, kSmooth}, 1), truthOf(none, {kSmooth, kSmooth}, 2),
@@ -128,7 +129,7 @@ TEST(Score, OfALateRunIsWrongInTimeAlone) {
   EXPECT_EQ(score.count_error, 0);
   EXPECT_EQ(score.voxel_error, 2);
   EXPECT_EQ(score.time_error_ms, 5);
-  // In the mean with a repeat that is right.
+  // The mean over this repeat and one that is right.
   const Score half = scoreOf(truth, listOf(late(), runOf(step, none, none)), kBias, kC);
   EXPECT_EQ(half.count_error, 0);
   EXPECT_EQ(half.voxel_error, 1);

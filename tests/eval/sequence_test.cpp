@@ -13,7 +13,7 @@ namespace {
 constexpr double kBias = 0.5;
 const SensorConfig kDirect{.threshold = 0.1, .threshold_off = 0.1, .bias = kBias, .reconstruction = "direct"};
 
-// Pixel 0 rises by 0.03 in each frame, pixel 1 falls by 0.01.
+// Pixel 0 rises by 0.03 in each frame, and pixel 1 falls by 0.01.
 std::vector<IntensityChange> ramps(int count) {
   return test::frames(count, 2, 1, kBias, [](int, int x, int) { return x == 0 ? 0.03 : -0.01; });
 }
@@ -29,7 +29,7 @@ TEST(Brightness, IsSummedFromWhereThePixelStarts) {
   }
 }
 
-// The primal stands still: e = (1 - k)(e + 0.03) comes to rest at 0.03 (1 - k) / k.
+// The primal stands still. e = (1 - k)(e + 0.03) converges to 0.03 (1 - k) / k.
 TEST(Brightness, IsReconstructedAsASensorDoes) {
   SensorConfig complementary = kDirect;
   complementary.reconstruction = "complementary";

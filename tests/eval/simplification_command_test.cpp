@@ -16,7 +16,7 @@ struct SimplificationCommand : testing::Test {
   Scratch files;
   const std::string table = files.path("simplification.csv");
 
-  // Exit code; its output goes to `log`.
+  // Returns the exit code. The output goes to `log`.
   int simplification(const std::string& arguments) {
     const std::string command =
         std::string(SACCADE_EVAL) + " simplification " + arguments +

@@ -19,7 +19,7 @@ std::vector<double> sine(int frames, double hz, double amplitude) {
   return x;
 }
 
-// The window spreads a sine over three steps, 1/6, 4/6 and 1/6 of its power.
+// The window spreads a sine over three steps, with 1/6, 4/6 and 1/6 of its power.
 TEST(PowerSpectrum, FindsASineWhereItIsWithItsPower) {
   for (const int frames : {100, 125}) {
     const Spectrum s = powerSpectrum(sine(frames, 24, 0.5), kRate);
@@ -35,7 +35,7 @@ TEST(PowerSpectrum, FindsASineWhereItIsWithItsPower) {
   }
 }
 
-// Up to half the rate, which has no mirror image: the density of white noise is the same everywhere.
+// The density of white noise is the same everywhere up to half the rate. Half the rate has no mirror image.
 TEST(PowerSpectrum, SpreadsNoiseEvenly) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal(0, 0.1);
@@ -49,7 +49,8 @@ TEST(PowerSpectrum, SpreadsNoiseEvenly) {
   ASSERT_EQ(sum.density.size(), 8u);
   EXPECT_DOUBLE_EQ(sum.hz(7), kRate / 2);
   const double density = 0.01 / (kRate / 2);  // sigma^2 over 0 to half the rate
-  // The first step lacks the mean. A density varies by itself (at half the rate by sqrt 2): five sigma.
+  // The first step lacks the mean. The density itself varies, at half the rate sqrt(2) times as much. The
+  // bound is five sigma.
   for (std::size_t k = 1; k < 7; ++k)
     EXPECT_NEAR(sum.density[k] / kSeries / density, 1, 5 / std::sqrt(kSeries)) << k;
   EXPECT_NEAR(sum.density[7] / kSeries / density, 0.5, 5 / std::sqrt(kSeries));

@@ -36,7 +36,7 @@ int countOf(const std::string& text, const std::string& part) {
   return count;
 }
 
-// Two points each; the legend marks both names.
+// Two points for each name. The legend marks both names.
 TEST(DrawCharts, MarksPointsAndDrawsLinesByStyle) {
   const std::vector<ChartPoint> points{{1, 1, ""}, {2, 3, ""}};
   const struct {
@@ -54,7 +54,7 @@ TEST(DrawCharts, MarksPointsAndDrawsLinesByStyle) {
   }
 }
 
-// A point has four places for labels: of five points that fall together the last has only its tooltip.
+// A point has four places for labels. Of five points at one place, the last has only its tooltip.
 TEST(DrawCharts, WritesNoLabelOverAnother) {
   ChartPanel panel{"", "", "", {}};
   for (int i = 1; i <= 5; ++i)
@@ -65,7 +65,7 @@ TEST(DrawCharts, WritesNoLabelOverAnother) {
   EXPECT_EQ(countOf(svg, ">line 5 5 spp<"), 1);
 }
 
-// An error bar as long as the value itself reaches the foot of a logarithmic axis.
+// An error bar as long as the value reaches the bottom of a logarithmic axis.
 TEST(DrawCharts, DrawsErrorBarsAndSaysWhatTheyAre) {
   const ChartPanel plain{"", "", "", {{"one", {{1, 1, ""}, {2, 4, ""}}}}};
   EXPECT_EQ(drawCharts({plain}, 1).find("standard error"), std::string::npos);
@@ -77,7 +77,7 @@ TEST(DrawCharts, DrawsErrorBarsAndSaysWhatTheyAre) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
-// Panels of 450x320: six of a group make two rows of three, and the next group begins a row of its own.
+// Panels of 450x320: the six panels of a group make two rows of three. The next group begins a new row.
 TEST(DrawCharts, WrapsPanelsAndBeginsARowForEachGroup) {
   const ChartPanel panel{"", "", "", {{"one", {{1, 1, ""}}}}};
   const auto sizeOf = [&](std::size_t panels, int per_group) {
@@ -93,7 +93,7 @@ TEST(DrawCharts, WrapsPanelsAndBeginsARowForEachGroup) {
   EXPECT_EQ(sizeOf(1, 6), std::pair(1.0, 1.0));
 }
 
-// Two of these names make a row.
+// Two of these names fill a row.
 TEST(DrawCharts, BreaksALegendThatIsTooWide) {
   const auto height = [](int names) {
     ChartPanel panel{"", "", "", {}};
@@ -107,7 +107,7 @@ TEST(DrawCharts, BreaksALegendThatIsTooWide) {
   EXPECT_GT(height(4), height(1));
 }
 
-// On a linear axis the middle of 1 and 3 is 2, and there is room below zero.
+// On a linear axis the middle of 1 and 3 is 2. The axis can go below zero.
 TEST(DrawCharts, TakesLinearAxes) {
   ChartPanel panel{"", "", "", {{"one", {{1, -2, ""}, {2, 0, ""}, {3, 2, ""}}, LineStyle::kMarks}}};
   panel.x_scale = panel.y_scale = Scale::kLinear;

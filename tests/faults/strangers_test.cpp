@@ -30,7 +30,7 @@ std::vector<RawPeer> connectMany(const std::string& endpoint, int count) {
 }
 
 // 120 connections that say nothing, where only 64 files may be open.
-TEST(Strangers, WhoTakeAllFilesDisturbNoStreamAndLetOthersInWhenTheyGo) {
+TEST(Strangers, PeersThatTakeAllFilesDisturbNoStreamAndLetOthersInAfterwards) {
   if (kSanitized) GTEST_SKIP() << "the sanitizer itself needs a file to look at an object";
   ServerProcess server({}, {"/bin/sh", "-c", "ulimit -n 64; exec \"$@\"", "sh"});
   MockClient client(server.control());
@@ -74,7 +74,7 @@ class StrangersAndKeys : public testing::Test {
 };
 
 // CVE-2020-15166: connections without a handshake once starved a server with keys.
-TEST_F(StrangersAndKeys, WhoNeverShakeHandsAreCutOffAndStarveNobody) {
+TEST_F(StrangersAndKeys, PeersWithoutHandshakeAreCutOffAndStarveNoClient) {
   ServerProcess server({"--secret-key", folder_ + "/server.key", "--client-keys", folder_ + "/clients"});
   auto crowd = connectMany(server.control(), 200);
   MockClient client(server.control(), client_);
@@ -99,7 +99,7 @@ std::vector<std::string> babble() {
   return all;
 }
 
-TEST(Strangers, WhoSpeakAnotherLanguageAreCutOffAndDoNotFillTheLog) {
+TEST(Strangers, PeersWithAnotherProtocolAreCutOffAndDoNotFillTheLog) {
   ServerProcess server;
   std::vector<std::pair<std::string, RawPeer>> peers;
   int number = 0;

@@ -206,7 +206,7 @@ TEST(StrictPeers, ConnectionsOfOneAddressAreBounded) {
 }
 
 // Large messages that never end: the bound of all of them together cuts those beyond it off.
-TEST(StrictPeers, WhatIsOnItsWayInIsBounded) {
+TEST(StrictPeers, BoundsTheBytesOfMessagesThatAreStillArriving) {
   constexpr int kMiB = 1 << 20;
   Router router({.keys = {}, .inbound_mib = 16}, 8 * kMiB);
   const std::string begun = zmtp::part(std::string(8 * kMiB - 1, 'x')).substr(0, 4096);

@@ -1,4 +1,4 @@
-// The whole way from a scene to events, on a small room.
+// From a scene to events, on a small room.
 #include "feed/feed.h"
 
 #include <gtest/gtest.h>
@@ -25,12 +25,12 @@ std::shared_ptr<const RenderScene> room(const Strength& lamp = {}) {
   return std::make_shared<RenderScene>(std::move(s));
 }
 
-// Off from frame 3 to frame 5.
+// A lamp that is off from frame 3 to frame 5.
 Strength blinking() {
   return Strength({{0ms, 1}, {30ms, 1}, {30ms, 0}, {60ms, 0}, {60ms, 1}});
 }
 
-// Stands, or goes right by 0.005 a frame.
+// A camera that stands, or moves right by 0.005 a frame.
 Trajectory path(bool moving) {
   const Pose home{{0, 0, -0.9}, {}};
   return Trajectory({{TimeNs(0), home}, {TimeNs(1'000'000'000), Pose{{moving ? 0.5 : 0, 0, -0.9}, {}}}});
@@ -52,8 +52,8 @@ double largestChange(const IntensityChange& change) {
   return largest;
 }
 
-// The truth that makes the whole idea work: correlated seeds and the corrected recursion leave a standing
-// picture alone, bit for bit, from the first frame on.
+// Correlated seeds and the corrected recursion leave a standing picture unchanged, bit for bit, from the
+// first frame on.
 TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
   TilePool pool(2);
   for (const char* method : {"event_svgf", "irradiance_cache", "pt-correlated"}) {
@@ -61,7 +61,7 @@ TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
     Sensor sensor({.threshold = 0.01, .threshold_off = 0.01, .bias = 1e-8}, kW, kH);
     SensorOutput out;
     for (int t = 1; t <= 300; ++t) {
-      const IntensityChange& change = feed.step();
+      const IntensityChange& change = feed.step(pool);
       ASSERT_EQ(largestChange(change), 0) << method << " frame " << t;
       sensor.generate(change, out);
       ASSERT_TRUE(out.events.empty());
@@ -70,7 +70,8 @@ TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
   }
 }
 
-// What was wrong when the camera stopped stays wrong: it is not drawn out as events of a picture at rest.
+// The error at the moment when the camera stops stays as it is. It does not fade, because fading would cause
+// events in a picture at rest.
 TEST(Feed, ACameraThatStopsFallsSilent) {
   TilePool pool(2);
   const Pose home{{0, 0, -0.9}, {}}, there{{0.1, 0, -0.9}, {}};
@@ -79,7 +80,7 @@ TEST(Feed, ACameraThatStopsFallsSilent) {
   SensorOutput out;
   std::size_t early = 0, late = 0;  // the camera stops at frame 20; the filter's memory fades
   for (int t = 1; t <= 250; ++t) {
-    sensor.generate(feed.step(), out);
+    sensor.generate(feed.step(pool), out);
     (t <= 100 ? early : late) += out.events.size();
   }
   EXPECT_GT(early, 100u);
@@ -92,7 +93,7 @@ TEST(Feed, ALampThatIsSwitchedChangesThePictureInThatFrameAlone) {
   Feed switched(room(lamp), path(false), config("pt-correlated"), pool);
   Feed steady(room(), path(false), config("pt-correlated"), pool);
   for (int t = 1; t <= 8; ++t) {
-    const IntensityChange &change = switched.step(), &base = steady.step();
+    const IntensityChange &change = switched.step(pool), &base = steady.step(pool);
     EXPECT_EQ(largestChange(change) > 0, t == 5);  // 50 ms at 100 Hz
     for (int y = 0; y < kH; ++y) {
       for (int x = 0; x < kW; ++x) {
@@ -103,8 +104,8 @@ TEST(Feed, ALampThatIsSwitchedChangesThePictureInThatFrameAlone) {
   }
 }
 
-// What appears where nothing was has no history, but neighbours that appeared with it.
-TEST(Feed, WhatAppearsOutOfNothingIsFiltered) {
+// A surface that appears has no history. The filter averages it with neighbours that appeared with it.
+TEST(Feed, ASurfaceThatAppearsIsFiltered) {
   Scene s = test::floorFromAbove(0.5f);
   s.meshes.push_back(test::quad({1, -1, 1}, {0, 0, 2}, {0, 2, 0}, 0, {9, 9, 9}));
   const Pose down = s.T_world_camera, up{down.position, {}};
@@ -116,7 +117,7 @@ TEST(Feed, WhatAppearsOutOfNothingIsFiltered) {
     c.fov_x_deg = 10;
     Feed feed(scene, turn, c, pool);
     EXPECT_EQ(largestChange(feed.change()), 0);
-    const ImageF& dI = feed.step().dI;
+    const ImageF& dI = feed.step(pool).dI;
     double sum = 0, squares = 0;
     for (int y = 0; y < kH; ++y) {
       for (int x = 0; x < kW; ++x) sum += dI.at(x, y), squares += dI.at(x, y) * dI.at(x, y);
@@ -131,7 +132,7 @@ TEST(Feed, IsTheSameForAnyNumberOfThreads) {
   TilePool one(1), three(3);
   Feed a(room(), path(true), config("event_svgf"), one), b(room(), path(true), config("event_svgf"), three);
   for (int t = 1; t <= 6; ++t) {
-    const IntensityChange &x = a.step(), &y = b.step();
+    const IntensityChange &x = a.step(one), &y = b.step(three);
     for (int row = 0; row < kH; ++row) {
       for (int column = 0; column < kW; ++column) {
         ASSERT_EQ(x.dI.at(column, row), y.dI.at(column, row));
@@ -146,7 +147,7 @@ TEST(Feed, GivesFinitePicturesAndTiledTimes) {
   for (const MethodInfo& method : methodTable()) {
     Feed feed(room(blinking()), path(true), config(method.name), pool);
     for (int t = 1; t <= 8; ++t) {
-      const IntensityChange& change = feed.step();
+      const IntensityChange& change = feed.step(pool);
       EXPECT_EQ(change.t0, TimeNs((t - 1) * 10'000'000));
       EXPECT_EQ(change.t1, TimeNs(t * 10'000'000));
       for (const ImageF* plane :
@@ -165,9 +166,9 @@ TEST(Feed, AllocatesNothingAfterTwoFrames) {
   Feed feed(room(Strength({{0ms, 1}})), path(true), config("event_svgf"), pool);  // looked up in every frame
   Sensor sensor({}, kW, kH);
   SensorOutput out;
-  for (int t = 1; t <= 2; ++t) sensor.generate(feed.step(), out);
+  for (int t = 1; t <= 2; ++t) sensor.generate(feed.step(pool), out);
   const int before = test::allocations();
-  for (int t = 3; t <= 8; ++t) sensor.generate(feed.step(), out);
+  for (int t = 3; t <= 8; ++t) sensor.generate(feed.step(pool), out);
   EXPECT_EQ(test::allocations(), before);
 }
 

@@ -1,4 +1,4 @@
-// The told speed of the picture against closed forms, on walls that fill the view.
+// The reported speed of the picture against closed forms, on walls that fill the view.
 #include "feed/pixel_speed.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 constexpr double kDepth = 4, kFov = 60;
 
-// Faces the camera, from x on to the right.
+// A wall that faces the camera, from x on to the right.
 RenderScene wall(float x_from = -100) {
   Scene s;
   s.materials = {test::grey(0.5f)};
@@ -34,7 +34,7 @@ double focalPx() {
   return config().width / 2.0 / std::tan(kFov * std::numbers::pi / 360);
 }
 
-// Goes right by `speed` scene units per second for two seconds, then stands.
+// A path that goes right by `speed` scene units per second for two seconds, then stands.
 Trajectory truck(double speed) {
   return Trajectory({{0s, {}}, {2s, {{2 * speed, 0, 0}, {}}}});
 }
@@ -52,8 +52,8 @@ TEST(PixelSpeed, OfATruckPastAWallIsFocalLengthTimesSpeedOverDepth) {
   }
 }
 
-// The slowest pixels of a pan are in the middle, the fastest at the left and right: (1 + x^2) for the ray (x,
-// 0, 1).
+// The slowest pixels of a pan are in the middle, the fastest at the left and right. The speed is (1 + x^2)
+// for the ray (x, 0, 1).
 TEST(PixelSpeed, OfAPanGrowsTowardsTheEdges) {
   const PixelSpeed found = measurePixelSpeed(wall(), pan(0.1), config(), 50);
   const double middle = focalPx() * 0.1 / 500;
@@ -76,7 +76,7 @@ TEST(PixelSpeed, IsThatOfTheFramesOfTheStream) {
   const PixelSpeed half_of_it = measurePixelSpeed(wall(), late, config(), 0);
   EXPECT_EQ(half_of_it.p50 * half_of_it.p99, 0);
   EXPECT_NEAR(half_of_it.p99, focalPx() / 500 / kDepth, 1e-3);
-  // What comes after the path's end says nothing about it.
+  // Frames after the end of the path do not count.
   EXPECT_NEAR(measurePixelSpeed(wall(), truck(1), config(), 1'000'000'000).p50, focalPx() / 500 / kDepth,
               1e-3);
 }

@@ -58,7 +58,7 @@ TEST(LogLimit, NewNamesWithoutEndShareAnAccount) {
   EXPECT_LE(written, static_cast<int>(LogLimit::kMaxAccounts) + LogLimit::kBurst);
 }
 
-TEST(LogLimit, WhatWasHeldOfWhomItForgetsIsTold) {
+TEST(LogLimit, CountsTheLinesHeldBackOfForgottenClients) {
   LogLimit limit;
   const Clock::time_point start{};
   written(limit, "loud", LogLimit::kBurst + 7, start);

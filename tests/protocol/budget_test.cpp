@@ -63,7 +63,7 @@ TEST_F(Budgets, ABadOneIsRefusedWithItsField) {
   expectRefused(server, kBadBudgets);
 }
 
-TEST_F(Budgets, WhatWasChosenAndWhatToExpectIsTold) {
+TEST_F(Budgets, TheReplyTellsTheChoiceAndTheExpectedQuality) {
   TestServer server(1, {}, file_.path());
   v1::OpenStream request = within(5);
   request.mutable_quality()->set_bounces(2);

@@ -16,8 +16,8 @@ namespace {
 class FailingMethod : public Method {
  public:
   explicit FailingMethod(FrameIndex fails_at) : fails_at_(fails_at) {}
-  void start(const Frame&, TilePool&) override {}
-  void estimate(const FramePair& frames, TilePool& pool, IntensityChange&, StageTimes&) override {
+  void start(const Frame&, const PoolHandle&) override {}
+  void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange&, StageTimes&) override {
     if (frames.cur.index != fails_at_) return;
     pool.run(4, [](int) { throw std::runtime_error("out of luck"); });
   }
@@ -30,8 +30,8 @@ class FailingMethod : public Method {
 class EndlessMethod : public Method {
  public:
   explicit EndlessMethod(std::atomic<bool>& reached) : reached_(reached) {}
-  void start(const Frame&, TilePool&) override {}
-  void estimate(const FramePair& frames, TilePool& pool, IntensityChange&, StageTimes&) override {
+  void start(const Frame&, const PoolHandle&) override {}
+  void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange&, StageTimes&) override {
     if (frames.cur.index < 2) return;
     reached_ = true;
     while (true) pool.run(1, [](int) {});
@@ -53,7 +53,7 @@ class FeedFailure : public testing::Test {
   std::unique_ptr<FeedRunner> runner(std::unique_ptr<Method> method) {
     const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
     auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method),
-                                       SampleRequest{SeedReuse::kIndependent}, *pool_);
+                                       SampleRequest{SeedReuse::kIndependent}, pool_);
     return std::make_unique<FeedRunner>(std::move(feed), FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 
@@ -88,7 +88,7 @@ class FeedFailure : public testing::Test {
   }
 
   Totals totals_;
-  const std::shared_ptr<TilePool> pool_ = std::make_shared<TilePool>(2);
+  TilePool pool_{2};
   WakeFd transport_;
   std::string last_payload_;
   std::shared_ptr<const RenderScene> scene_ = std::make_shared<RenderScene>(test::furnace(0.5f, 1));

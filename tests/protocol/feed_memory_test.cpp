@@ -13,8 +13,8 @@ namespace {
 // From the third frame on the feed's thread gets no memory.
 class Greedy : public Method {
  public:
-  void start(const Frame&, TilePool&) override {}
-  void estimate(const FramePair& frames, TilePool&, IntensityChange&, StageTimes&) override {
+  void start(const Frame&, const PoolHandle&) override {}
+  void estimate(const FramePair& frames, const PoolHandle&, IntensityChange&, StageTimes&) override {
     if (frames.cur.index == 3) test::failAllAllocations();
   }
 };
@@ -23,11 +23,11 @@ TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
   spdlog::set_level(spdlog::level::off);
   Totals totals;
   WakeFd transport;
-  const auto pool = std::make_shared<TilePool>(1);
+  TilePool pool(1);
   const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
   const auto scene = std::make_shared<RenderScene>(test::furnace(0.5f, 1));
   FeedRunner runner(std::make_unique<Feed>(scene, Trajectory({{TimeNs(0), Pose{}}}), config,
-                                           std::make_unique<Greedy>(), SeedReuse::kIndependent, *pool),
+                                           std::make_unique<Greedy>(), SeedReuse::kIndependent, pool),
                     FeedPace{5, 100, 0}, pool, totals);
   const auto session =
       std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport, runner.notifier(), totals.traffic);

@@ -58,7 +58,7 @@ TEST(Limits, OneMoreThanAllMayHaveIsRefused) {
   }
 }
 
-TEST(Limits, WhatIsTooMuchByItselfIsWorthNoSecondTry) {
+TEST(Limits, ARequestThatExceedsALimitAloneIsNotWorthARetry) {
   v1::OpenStream many = tinyRequest();
   many.add_sensors();
   const struct {

@@ -136,7 +136,7 @@ TEST(Pace, TheServerMeasuresAndSaysWhatFits) {
 
 // Its feed is rendered in any case, but not for as many sensors as one likes. Here one sensor takes a
 // twentieth of the time of its feed (with ThreadSanitizer: half of it), give or take a busy machine.
-TEST(Pace, WhoJoinsAFeedIsAskedForItsSensorsOnly) {
+TEST(Pace, AStreamThatJoinsAFeedCostsItsSensorsOnly) {
   TestServer server(withAdmission());
   const auto request = [](double frame_rate_hz, int sensors) {
     v1::OpenStream live = pacedRequest(frame_rate_hz, 1);

@@ -81,7 +81,7 @@ TEST(PathRequest, AMotionMayBeAskedForInPixelsPerFrame) {
   }
 }
 
-TEST(PathRequest, WhatMeansNothingToAKindIsNotKept) {
+TEST(PathRequest, FieldsThatAKindDoesNotUseAreNotKept) {
   TestServer server;
   v1::OpenStream pan = motionRequest(v1::MOTION_KIND_PAN), shake = motionRequest(v1::MOTION_KIND_SHAKE);
   for (v1::OpenStream* request : {&pan, &shake}) {

@@ -147,7 +147,7 @@ TEST(Request, ABadWishIsRefusedWithItsField) {
   checkPackets(server.run(tinyRequest())[0]);  // the server goes on
 }
 
-TEST(Request, WhatCannotBeReadIsAnsweredToo) {
+TEST(Request, AnUnreadableRequestIsAnsweredToo) {
   TestServer server;
   EXPECT_EQ(server.client().callRaw("\xff\xff").status().code(), v1::CODE_INVALID_ARGUMENT);
   EXPECT_EQ(server.client().callRaw("").status().field(), "protocol_version");

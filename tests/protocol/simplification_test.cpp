@@ -118,7 +118,7 @@ TEST_F(Simplification, ArePartOfAFeedOnlyByWhatTheyLeaveOut) {
   EXPECT_NE(key(without({"textures"})), key(textured()));
 }
 
-TEST_F(Simplification, WhatASceneLacksIsNotLeftOut) {
+TEST_F(Simplification, AFeatureThatTheSceneLacksIsNotLeftOut) {
   TestServer server(1);
   EXPECT_EQ(leftOut(server.client().open(without({"masks", "textures", "specular"}))),
             std::vector<std::string>{"textures"});

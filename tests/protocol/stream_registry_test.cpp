@@ -106,7 +106,7 @@ TEST_F(StreamRegistryTest, ForgetsAtOnceWhatNobodyHasReceivedWhenItIsClosed) {
 
 // Two streams at one feed, and one at another. Each has its own sensors.
 TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
-  const auto pool = std::make_shared<TilePool>(1);
+  TilePool pool(1);
   Totals totals;
   const auto feed = [&] {
     FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
@@ -114,7 +114,7 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
     EXPECT_EQ(resolveParams(*findMethod(config.method), {}, config.params, none), "");
     return std::make_shared<FeedRunner>(
         std::make_unique<Feed>(std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
-                               Trajectory({{TimeNs(0), Pose{}}}), config, *pool),
+                               Trajectory({{TimeNs(0), Pose{}}}), config, pool),
         FeedPace{5, 100, 2}, pool, totals);
   };
   Stream stream;

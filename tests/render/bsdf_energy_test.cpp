@@ -78,7 +78,7 @@ TEST(Furnace, NothingReflectsMoreThanItGets) {
 }
 
 // White diffuse, white plastic, a perfect mirror, clear glass from both sides: all that arrives leaves.
-TEST(Furnace, WhatLosesNothingReflectsAll) {
+TEST(Furnace, ASurfaceWithoutLossReflectsAllLight) {
   std::vector<test::BsdfCase> cases;
   for (const BsdfKind kind : {BsdfKind::kDiffuse, BsdfKind::kPlastic, BsdfKind::kConductor,
                               BsdfKind::kDielectric, BsdfKind::kThinDielectric}) {

@@ -30,7 +30,7 @@ Frame render(const Scene& scene, TimeNs time, const SeedPlan& seeds = kSeeds, in
   Frame frame(kSize, kSize);
   frame.time = time;
   const Camera camera(scene.T_world_camera, scene.fov_x_deg, kSize, kSize);
-  Renderer(s, {2, channels}, pool).render(camera, camera, seeds, frame);
+  Renderer(s, {2, channels}).render(camera, camera, seeds, pool, frame);
   return frame;
 }
 
@@ -66,12 +66,12 @@ TEST(EmitterStrength, OfAStillIsThatAtTheTimeOfItsFrame) {
   const auto s = std::make_shared<RenderScene>(scene);
   const Camera camera(scene.T_world_camera, scene.fov_x_deg, kSize, kSize);
   TilePool pool(2);
-  Renderer renderer(s, {1, 3}, pool);
+  Renderer renderer(s, {1, 3});
   const auto green = [&](TimeNs time) {
     Frame frame(kSize, kSize);
     frame.time = time;
     ImageF rgb[3] = {{kSize, kSize}, {kSize, kSize}, {kSize, kSize}};
-    renderer.renderStill(camera, 7, 2, frame, rgb);
+    renderer.renderStill(camera, 7, 2, pool, frame, rgb);
     return std::move(rgb[1]);
   };
   const ImageF first = green(0ms), later = green(10ms);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/test_scenes.h"
+#include "render/view_grid.h"
 
 namespace saccade {
 namespace {
@@ -27,7 +28,7 @@ struct Fixture : ::testing::Test {
   Frame render(const Camera& camera, const Camera& prev, const SeedPlan& seeds, int threads = 2) const {
     TilePool pool(threads);
     Frame frame(kW, kH);
-    Renderer(scene, {3, 1}, pool).render(camera, prev, seeds, frame);
+    Renderer(scene, {3, 1}).render(camera, prev, seeds, pool, frame);
     return frame;
   }
 };

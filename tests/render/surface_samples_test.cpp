@@ -35,7 +35,7 @@ Frame render(const Scene& scene, int spp, int channels = 1) {
   TilePool pool(2);
   Frame frame(kSize, kSize, true);
   const Camera camera(s->description().T_world_camera, s->description().fov_x_deg, kSize, kSize);
-  Renderer(s, {2, channels}, pool).render(camera, camera, SeedPlan::independent(1, 0, spp), frame);
+  Renderer(s, {2, channels}).render(camera, camera, SeedPlan::independent(1, 0, spp), pool, frame);
   return frame;
 }
 

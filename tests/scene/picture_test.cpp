@@ -32,7 +32,7 @@ TEST(Picture, SrgbIsMadeLinearForRadianceToo) {
 }
 
 // The header alone is read: nothing is set aside for the pixels.
-TEST(Picture, WhatIsTooLargeIsAnErrorThatNamesTheLimit) {
+TEST(Picture, ATooLargePictureIsAnErrorThatNamesTheLimit) {
   const Scratch files;
   const auto error = [&](const std::string& size) {
     const std::string path = files.write("large.ppm", "P6\n" + size + "\n255\n");

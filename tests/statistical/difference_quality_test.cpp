@@ -75,7 +75,7 @@ TEST(DifferenceQuality, CornellBunny) {
   expectThePapersOrder(errors);
 }
 
-TEST(DifferenceQuality, BunnyInSomebodyElsesCornellBox) {
+TEST(DifferenceQuality, BunnyInACornellBoxOfOthers) {
   SACCADE_NEEDS(kBunny);
   const std::string box = test::realScene("cornell-box/scene.xml");
   SACCADE_NEEDS(box);

@@ -78,7 +78,7 @@ class LazyPeer {
 };
 
 // What fits into the buffers between the two is not counted: the replies are larger than these.
-TEST(ControlServer, RefusesWhoDoesNotReadItsReplies) {
+TEST(ControlServer, RefusesAClientThatDoesNotReadItsReplies) {
   constexpr int kRequests = 200;
   constexpr std::size_t kReplyBytes = 1 << 20;
   RequestCounts counts;

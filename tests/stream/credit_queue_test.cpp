@@ -135,7 +135,7 @@ TEST(CreditQueue, ResumesEachSensorWhereItIs) {
   EXPECT_TRUE(queue.empty());
 }
 
-TEST(CreditQueue, WhatIsAcknowledgedCannotBeHadAgain) {
+TEST(CreditQueue, AcknowledgedPacketsCannotBeResumed) {
   CreditQueue queue(CreditQueue::Overflow::kHold, 1 << 20, 1);
   queue.push(makePacket(0, 0, 100));
   popHeader(queue);
@@ -224,7 +224,7 @@ TEST(CreditQueue, AFloodOfAcknowledgementsTakesNoTime) {
 }
 
 // Else it would be a way to have more and more of it made and kept.
-TEST(CreditQueue, WhatWasNeverSentCannotBePassedOver) {
+TEST(CreditQueue, PacketsThatWereNeverSentCannotBeSkipped) {
   CreditQueue queue(CreditQueue::Overflow::kHold, 1 << 20, 2);
   for (std::uint64_t seq = 0; seq < 3; ++seq) {
     for (std::uint32_t sensor : {0u, 1u}) queue.push(makePacket(sensor, seq, 100));

@@ -144,7 +144,7 @@ TEST_F(AccuracyTableTest, TheFastestWithinARate) {
   EXPECT_EQ(fastest(settingsFor(table(), box("event_svgf")), 1).spp, 2);
 }
 
-TEST_F(AccuracyTableTest, WhatIsNearestIsToldWhereNothingFits) {
+TEST_F(AccuracyTableTest, NamesTheNearestRowWhereNoneFits) {
   const auto any = settingsFor(table(), box());
   EXPECT_EQ(told<NothingFits>([&] { mostAccurate(any, 3); }),
             "the fastest setting here, pt at 1 spp, takes 4 ms");
@@ -152,7 +152,7 @@ TEST_F(AccuracyTableTest, WhatIsNearestIsToldWhereNothingFits) {
             "the lowest rate here, of event_svgf at 4 spp, is 0.01 false events per pixel-frame");
 }
 
-TEST_F(AccuracyTableTest, WhatIsNotMeasuredIsSaid) {
+TEST_F(AccuracyTableTest, NamesTheSceneOrMethodThatIsNotMeasured) {
   EXPECT_EQ(told<NotMeasured>([&] {
               settingsFor(table(), {"room", 5000, 0.2, {}});
             }),

@@ -36,7 +36,7 @@ TEST_P(Codec, OnlyTheRightSizeComesBack) {
   }
 }
 
-TEST_P(Codec, WhatIsCutShortDoesNotComeBack) {
+TEST_P(Codec, ATruncatedPayloadIsNotDecoded) {
   const std::string raw = noise(1000), coded = GetParam()->encode(raw);
   for (std::size_t size = 0; size < coded.size(); size += 37) {
     EXPECT_EQ(GetParam()->decode(coded.substr(0, size), raw.size()), std::nullopt) << size;

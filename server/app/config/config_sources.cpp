@@ -14,9 +14,11 @@ namespace saccade {
 namespace {
 
 constexpr const char* kPrefix = "SACCADE_";
-// What saccade reads, or saccaded besides its options.
-constexpr const char* kOtherVariables[] = {"SACCADE_SERVER", "SACCADE_CLIENT_KEY", "SACCADE_SERVER_KEY",
-                                           "SACCADE_CONFIG", "SACCADE_REAL_SCENES"};
+// Other programs read these variables (the command saccade, the tests), or saccaded reads them besides its
+// options.
+constexpr const char* kOtherVariables[] = {
+    "SACCADE_CONFIG", "SACCADE_SERVER", "SACCADE_CLIENT_KEY",        "SACCADE_SERVER_KEY", "SACCADE_FULL",
+    "SACCADE_OUT",    "SACCADE_CACHE",  "SACCADE_REFERENCE_RENDERS", "SACCADE_REAL_SCENES"};
 
 bool isNumber(const CLI::Option& option) {
   const std::string type = option.get_type_name();

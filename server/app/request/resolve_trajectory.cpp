@@ -6,6 +6,7 @@
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
 #include "base/names.h"
+#include "render/view_grid.h"
 #include "scene/camera/motion.h"
 #include "scene/files/scene_error.h"
 

@@ -11,11 +11,6 @@
 namespace saccade {
 namespace {
 
-ChangeNotifier::Clock::duration wallTime(TimeNs t, double speed) {
-  return std::chrono::duration_cast<ChangeNotifier::Clock::duration>(
-      std::chrono::duration<double>(seconds(t) / speed));
-}
-
 void logTimes(FrameIndex frame, const StageTimes& times) {
   if (!spdlog::should_log(spdlog::level::debug)) return;
   std::string text;
@@ -27,15 +22,15 @@ void logTimes(FrameIndex frame, const StageTimes& times) {
 
 }  // namespace
 
-FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, std::shared_ptr<TilePool> pool,
-                       Totals& totals)
-    : pool_(std::move(pool)),
+FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, TilePool& pool, Totals& totals)
+    : pool_(pool),
       feed_(std::move(feed)),
       pace_(pace),
       totals_(totals),
       luminance_p01_(feed_->firstFrameLuminance(0.01)),
       luminance_p50_(feed_->firstFrameLuminance(0.5)),
-      pixel_speed_(feed_->pixelSpeed(pace.frames)) {}
+      pixel_speed_(feed_->pixelSpeed(pace.frames)),
+      clock_(pace.speed) {}
 
 FeedRunner::~FeedRunner() {
   if (thread_.joinable()) thread_.join();
@@ -121,7 +116,7 @@ void FeedRunner::endStopped() {
 
 // The clock of a feed stands still while a stream holds the feed up.
 void FeedRunner::holdClock() {
-  running_ = false;
+  clock_.hold();
   for (auto& sink : sinks_) sink->clearLag();
   std::lock_guard lock(mutex_);
   progress_.lag_s = 0;
@@ -159,22 +154,24 @@ bool FeedRunner::needsCare() const {
 
 void FeedRunner::step() {
   if (frame_ == 0) began_ = ChangeNotifier::Clock::now();
-  if (!running_ && pace_.speed > 0) wall_zero_ = ChangeNotifier::Clock::now() - wallTime(now(), pace_.speed);
-  running_ = std::none_of(sinks_.begin(), sinks_.end(), [](const auto& o) { return o->catchingUp(); });
-  pool_->setUrgent(running_ && pace_.speed > 0);
+  clock_.begin(
+      now(), std::none_of(sinks_.begin(), sinks_.end(), [](const auto& sink) { return sink->catchingUp(); }));
   const IntensityChange& change = render();
-  const double lag_s = running_ ? waitUntilDue(change.t1) : 0;
+  const double lag_s = clock_.running() ? waitUntilDue(change.t1) : 0;
   StageTimes times = feed_->lastTimes();
   const auto before = threadCpuTime();
   times[Stage::kEvents] += publish(change, lag_s);
   record(times, feed_->lastChain() + (threadCpuTime() - before), lag_s);
 }
 
+// Frames of a feed that keeps its pace are due at a certain time.
+Priority FeedRunner::priority() const {
+  return clock_.running() ? Priority::kUrgent : Priority::kNormal;
+}
+
 // Only this can be interrupted: an interval that is rendered reaches all streams.
 const IntensityChange& FeedRunner::render() {
-  pool_->setStop(stop_.get_token());
-  const IntensityChange& change = feed_->step();
-  pool_->setStop({});
+  const IntensityChange& change = feed_->step({pool_, priority(), stop_.get_token()});
   newest_.set(change);
   frame_ = change.frame;
   return change;
@@ -189,7 +186,7 @@ std::chrono::nanoseconds FeedRunner::publish(const IntensityChange& change, doub
     started.push_back(sink.get());
     for (std::size_t i = 0; i < sink->channels(); ++i) channels.emplace_back(sink.get(), i);
   }
-  const auto used = pool_->run(static_cast<int>(channels.size()), [&](int i) {
+  const auto used = PoolHandle(pool_, priority()).run(static_cast<int>(channels.size()), [&](int i) {
     const auto [sink, channel] = channels[static_cast<std::size_t>(i)];
     sink->process(channel, change);
   });
@@ -204,8 +201,7 @@ std::chrono::nanoseconds FeedRunner::publish(const IntensityChange& change, doub
 
 // Returns by how many seconds `t` is over already.
 double FeedRunner::waitUntilDue(TimeNs t) {
-  if (pace_.speed == 0) return 0;
-  const auto due = wall_zero_ + wallTime(t, pace_.speed);
+  const auto due = clock_.due(t);
   notifier_->waitUntil(due, [&] { return allStopping(); });
   return std::max(0.0, std::chrono::duration<double>(ChangeNotifier::Clock::now() - due).count());
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/streams/newest_interval.h"
+#include "app/streams/pace_clock.h"
 #include "app/streams/stream_sink.h"
 #include "app/streams/totals.h"
 #include "base/recent_mean.h"
@@ -38,10 +39,9 @@ struct FeedProgress {
 
 class FeedRunner {
  public:
-  // `pool` must be the one of `feed`, and of no other feed: it has priority while the feed keeps its pace.
-  // Adds to `totals`, which must outlive this.
-  FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, std::shared_ptr<TilePool> pool,
-             Totals& totals);
+  // Runs the feed on `pool`, urgently while the feed keeps its pace. Adds to `totals`. Both must outlive
+  // this.
+  FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, TilePool& pool, Totals& totals);
   ~FeedRunner();  // waits for the thread: all streams must be stopped, or the feed must have an end
   FeedRunner(const FeedRunner&) = delete;
   FeedRunner& operator=(const FeedRunner&) = delete;
@@ -69,6 +69,7 @@ class FeedRunner {
   bool needsCare() const;
   bool allStopping() const;
   void step();
+  Priority priority() const;
   std::chrono::nanoseconds publish(const IntensityChange& change, double lag_s);
   const IntensityChange& render();
   void holdClock();
@@ -78,7 +79,7 @@ class FeedRunner {
   void finish(StreamSink& sink);
   TimeNs now() const { return frameTime(frame_, pace_.frame_rate_hz); }
 
-  const std::shared_ptr<TilePool> pool_;
+  TilePool& pool_;
   const std::unique_ptr<Feed> feed_;
   const FeedPace pace_;
   Totals& totals_;
@@ -88,11 +89,10 @@ class FeedRunner {
   NewestInterval newest_;
 
   // The feed's thread.
-  std::vector<std::shared_ptr<StreamSink>> sinks_;                          // changed under the mutex
-  FrameIndex frame_ = 0;                                                    // the newest one
-  bool running_ = false;                                                    // whether the feed keeps its pace
+  std::vector<std::shared_ptr<StreamSink>> sinks_;  // changed under the mutex
+  FrameIndex frame_ = 0;                            // the newest one
+  PaceClock clock_;
   ChangeNotifier::Clock::time_point began_ = ChangeNotifier::Clock::now();  // when frame 1 was begun
-  ChangeNotifier::Clock::time_point wall_zero_;  // when stream time 0 was due, by the pace
 
   mutable std::mutex mutex_;
   std::stop_source stop_;

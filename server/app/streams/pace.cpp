@@ -52,7 +52,7 @@ CpuCost together(const CpuCost& a, const CpuCost& b) {
 }
 
 CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
-                     const ResolvedStream& stream, TilePool& pool) {
+                     const ResolvedStream& stream, const PoolHandle& pool) {
   Feed feed(std::move(scene), path, stream.feed, pool);
   std::vector<SensorChannel> channels = makeSensorChannels(stream, {}, 0);
   const auto each = [&](const auto& f) {
@@ -61,7 +61,7 @@ CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory&
   CpuCost spent, first;
   int frames = 0;
   while (frames < kMeasuredFrames && spent.feed + spent.sensors < kEnoughSeconds) {
-    const IntensityChange& change = feed.step();
+    const IntensityChange& change = feed.step(pool);
     spent.feed += seconds(feed.lastTimes().total());
     spent.chain += seconds(feed.lastChain());
     spent.sensors += each([&](SensorChannel& channel) { channel.process(change); });

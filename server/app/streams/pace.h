@@ -5,7 +5,7 @@
 
 #include "app/admission/limits.h"
 #include "app/request/resolve.h"
-#include "base/tile_pool.h"
+#include "base/pool_handle.h"
 
 namespace saccade {
 
@@ -22,7 +22,7 @@ CpuCost together(const CpuCost& a, const CpuCost& b);
 
 // Measures the cost of a frame. Renders a few frames of a feed of its own.
 CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
-                     const ResolvedStream& stream, TilePool& pool);
+                     const ResolvedStream& stream, const PoolHandle& pool);
 
 // The CPU time there is.
 struct CpuSupply {

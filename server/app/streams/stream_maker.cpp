@@ -113,10 +113,13 @@ bool StreamMaker::enter(const Plan& plan, const std::shared_ptr<FeedRunner>& own
   return true;
 }
 
+// For what is done while the stream is opened: an opening can be cancelled.
+PoolHandle StreamMaker::poolFor(const Opening& opening) const {
+  return {resources_.pool, Priority::kNormal, opening.stop.get_token()};
+}
+
 CpuCost StreamMaker::measure(const Plan& plan, const Trajectory& path, const Opening& opening) const {
-  TilePool pool = resources_.pool;
-  pool.setStop(opening.stop.get_token());
-  return measureFrame(plan.scene, path, plan.resolved, pool);
+  return measureFrame(plan.scene, path, plan.resolved, poolFor(opening));
 }
 
 bool StreamMaker::keepsPace(const ResolvedStream& resolved) const {
@@ -133,13 +136,10 @@ void StreamMaker::admit(const ResolvedStream& resolved, const CpuCost& frame,
 
 std::shared_ptr<FeedRunner> StreamMaker::makeFeed(const Plan& plan, Trajectory path,
                                                   const Opening& opening) const {
-  auto pool = std::make_shared<TilePool>(resources_.pool);
-  pool->setStop(opening.stop.get_token());
-  auto feed = std::make_unique<Feed>(plan.scene, std::move(path), plan.resolved.feed, *pool);
-  pool->setStop({});  // from here on the stream ends by being closed
+  auto feed = std::make_unique<Feed>(plan.scene, std::move(path), plan.resolved.feed, poolFor(opening));
   const v1::Timing& timing = plan.resolved.request.timing();
   const FeedPace pace{plan.resolved.frames, timing.frame_rate_hz(), timing.speed()};
-  return std::make_shared<FeedRunner>(std::move(feed), pace, std::move(pool), resources_.totals);
+  return std::make_shared<FeedRunner>(std::move(feed), pace, resources_.pool, resources_.totals);
 }
 
 // Makes the stream's session and sink. Returns false where the feed has ended.

@@ -33,6 +33,7 @@ class StreamMaker {
   void loadScenes(Plan& plan, Opening& opening);
   void openFeed(Plan& plan, Opening& opening, Stream& stream);
   bool enter(const Plan& plan, const std::shared_ptr<FeedRunner>& own, Stream& stream);
+  PoolHandle poolFor(const Opening& opening) const;
   CpuCost measure(const Plan& plan, const Trajectory& path, const Opening& opening) const;
   bool keepsPace(const ResolvedStream& resolved) const;
   void admit(const ResolvedStream& resolved, const CpuCost& frame, const FeedRunner* joined) const;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/request/resolve.h"
-#include "app/streams/stream_registry.h"
+#include "app/streams/stream.h"
 
 namespace saccade {
 

@@ -5,32 +5,15 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/streams/feed_runner.h"
 #include "app/streams/pace.h"
-#include "app/streams/stream_sink.h"
+#include "app/streams/stream.h"
 #include "ops/client_log.h"
 #include "stream/session_directory.h"
 
 namespace saccade {
-
-struct Stream {
-  std::string user;                // the public key of its client; empty without keys
-  v1::OpenStream request;          // resolved; without the keys or the text of its trajectory
-  std::shared_ptr<void> reserved;  // its share of the quotas
-  CpuCost frame_cost;  // PACED: as measured before it was opened; `feed` is 0 where it joined a feed
-  std::shared_ptr<FeedRunner> feed;
-  std::shared_ptr<StreamSink> sink;
-  std::shared_ptr<Session> session;
-  std::optional<ChangeNotifier::Clock::time_point> closed;  // by its client
-
-  void stop(v1::EndReason reason) const;  // at once, where its feed serves no other stream
-  v1::StreamInfo info() const;
-  CpuCost load() const;  // of a second; 0 where it keeps no pace or has ended
-};
 
 struct StreamCensus {
   std::map<std::string, int> running;  // streams that have not ended, by the name of their delivery

@@ -74,7 +74,7 @@ void Bench::renderTruth() {
   FeedConfig config = feedConfig();
   config.method = "pt", config.spp = 1, config.bounces = 0;
   Feed features(scene_, path_, config, pool_);
-  for (int t = 1; t < setup_.first; ++t) features.step();
+  for (int t = 1; t < setup_.first; ++t) features.step(pool_);
   const auto frame = [&](int t) {
     const TimeNs time = frameTime(static_cast<FrameIndex>(t), setup_.frame_rate_hz);
     return reference.frame(path_.at(time), time, setup_.reference_spp, progress);
@@ -82,7 +82,7 @@ void Bench::renderTruth() {
   ReferenceFrame prev = frame(setup_.first - 1);
   for (int t = setup_.first; t <= setup_.last; ++t) {
     ReferenceFrame cur = frame(t);
-    const IntensityChange& at = features.step();
+    const IntensityChange& at = features.step(pool_);
     truth_.push_back({{prev, cur}, findRegions(features.frames().cur.g, features.frames().prev.g)});
     IntensityChange& change = truth_.back().change;
     change.t0 = at.t0, change.t1 = at.t1, change.frame = at.frame;
@@ -115,7 +115,7 @@ BenchRun Bench::run(const MethodSpec& method, int spp, std::uint64_t seed,
   StageTimes total;
   BenchRun run;
   for (int t = 1; t <= setup_.last; ++t) {
-    const IntensityChange& change = feed.step();
+    const IntensityChange& change = feed.step(pool_);
     total += feed.lastTimes();
     if (each) each(change);
     if (t >= setup_.first) run.changes.emplace_back(setup_.width, setup_.height).copyFrom(change);

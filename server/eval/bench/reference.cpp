@@ -55,7 +55,8 @@ double ReferenceChange::error() const {
 ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings,
                                      int width, int height, double fov_x_deg, std::string cache,
                                      TilePool& pool)
-    : renderer_(scene, {settings.bounces, settings.channels}, pool),
+    : renderer_(scene, {settings.bounces, settings.channels}),
+      pool_(pool),
       strengths_(scene->description()),
       whole_pixel_(settings.jitter),
       width_(width),
@@ -92,7 +93,8 @@ ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, 
     const std::uint64_t seed = hashKey(0x5ecade, index);
     Camera camera(pose, fov_x_deg_, width_, height_);
     if (whole_pixel_) camera.cx += 0.5f - halton(index, 2), camera.cy += 0.5f - halton(index, 3);
-    renderer_.render(camera, camera, {hashKey(seed, 0), hashKey(seed, 1), kChunk / 2, kChunk / 2}, chunk);
+    renderer_.render(camera, camera, {hashKey(seed, 0), hashKey(seed, 1), kChunk / 2, kChunk / 2}, pool_,
+                     chunk);
     done += kChunk;
     const float share = static_cast<float>(kChunk) / static_cast<float>(done);
     for (int y = 0; y < height_; ++y) {

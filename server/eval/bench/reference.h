@@ -47,6 +47,7 @@ class ReferenceRenderer {
   std::string cachePath(const Pose& pose, int spp) const;  // with strengths_ at the frame's time
 
   Renderer renderer_;
+  TilePool& pool_;
   EmitterStrengths strengths_;
   bool whole_pixel_;
   int width_, height_;

@@ -63,7 +63,7 @@ void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene,
   StageTimes total;
   Progress progress(o.feed.method, static_cast<double>(o.last));
   for (int t = 1; t <= o.last; ++t) {
-    const IntensityChange& change = feed.step();
+    const IntensityChange& change = feed.step(pool);
     total += feed.lastTimes();
     if (t >= o.first) writeDump(o, t, change);
     progress.add(1);

@@ -34,7 +34,7 @@ void runRender(const RenderOptions& o) {
   const Size size = o.size.empty() ? Size{s.width, s.height} : parseSize(o.size);
   TilePool pool(hardwareThreads());
   const Camera camera(moved(s.T_world_camera, o.offset), s.fov_x_deg, size.width, size.height);
-  Renderer renderer(scene, {o.bounces, 3}, pool);
+  Renderer renderer(scene, {o.bounces, 3});
 
   ImageF sum[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
   ImageF part[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
@@ -43,7 +43,7 @@ void runRender(const RenderOptions& o) {
   constexpr int kChunk = 16;
   for (int done = 0; done < o.spp;) {
     const int n = std::min(kChunk, o.spp - done);
-    renderer.renderStill(camera, hashKey(o.seed, static_cast<std::uint64_t>(done)), n, frame, part);
+    renderer.renderStill(camera, hashKey(o.seed, static_cast<std::uint64_t>(done)), n, pool, frame, part);
     done += n;
     for (int c = 0; c < 3; ++c) {
       for (int y = 0; y < size.height; ++y) {

@@ -1,5 +1,5 @@
-// BSDFs: free functions over plain records, compiled for a set of kinds. render/shading.h lists the sets.
-// Kinds outside the set cost nothing. In a set of one kind, the kind is not even read.
+// BSDFs are free functions over plain records. They are compiled for sets of kinds, which render/shading.h
+// lists. Kinds outside the set cost nothing. In a set of one kind, the kind is not even read.
 #pragma once
 
 #include <tuple>
@@ -19,7 +19,7 @@ constexpr BsdfKinds only(BsdfKind kind) {
 }
 inline constexpr BsdfKinds kAllBsdfKinds = only(BsdfKind::kCount) - 1;
 
-// Those with a trait.
+// The kinds that have a trait.
 constexpr BsdfKinds kindsWith(bool BsdfTraits::*trait) {
   BsdfKinds kinds = 0;
   for (const BsdfTraits& row : kBsdfTraits) kinds |= row.*trait ? only(row.kind) : 0;
@@ -39,7 +39,7 @@ constexpr bool inOrder(std::index_sequence<I...>) {
 static_assert(std::tuple_size_v<BsdfFamilies> == kBsdfKindCount, "each kind is shaded");
 static_assert(inOrder(std::make_index_sequence<kBsdfKindCount>()), "as itself");
 
-// call(Family()) of the family that b's kind names, which is in Kinds; those before I are ruled out.
+// Calls call(Family()) for the family of b's kind. The kind is in Kinds, and not before I.
 template <BsdfKinds Kinds, std::size_t I = 0, class Call>
 auto visit(const Bsdf& b, Call call) {
   using Family = std::tuple_element_t<I, BsdfFamilies>;
@@ -54,30 +54,30 @@ auto visit(const Bsdf& b, Call call) {
 
 }  // namespace detail
 
-// Kinds: those that b may be of.
+// The value for a pair of directions. Kinds are those that b may be of.
 template <BsdfKinds Kinds = kAllBsdfKinds>
-BsdfValue evaluateBsdf(const Bsdf& b, LaneVec3 wo, LaneVec3 wi) {
+BsdfValue evaluateBsdf(const Bsdf& b, Vec3 wo, Vec3 wi) {
   return detail::visit<Kinds>(b, [&](auto family) { return family.evaluate(b, wo, wi); });
 }
 
-// A direction for given wo: u_lobe chooses the lobe, u1 and u2 the direction within it, all in [0, 1).
+// Samples wi for a given wo. u_lobe chooses the lobe, u1 and u2 the direction within it. All are in [0, 1).
 template <BsdfKinds Kinds = kAllBsdfKinds>
-BsdfSample sampleBsdf(const Bsdf& b, LaneVec3 wo, Lane u_lobe, Lane u1, Lane u2) {
+BsdfSample sampleBsdf(const Bsdf& b, Vec3 wo, float u_lobe, float u1, float u2) {
   return detail::visit<Kinds>(b, [&](auto family) { return family.sample(b, wo, u_lobe, u1, u2); });
 }
 
-// Fraction of light from cosine cos_o that is reflected or let through, into all directions together.
+// The fraction of light from cosine cos_o that is reflected or transmitted, in all directions together.
 template <BsdfKinds Kinds = kAllBsdfKinds>
-LaneRgb bsdfAlbedo(const Bsdf& b, Lane cos_o) {
+Rgb bsdfAlbedo(const Bsdf& b, float cos_o) {
   return detail::visit<Kinds>(b, [&](auto family) { return family.albedo(b, cos_o); });
 }
 
 // The part of it that a diffuse base reflects; 0 without one.
 template <BsdfKinds Kinds = kAllBsdfKinds>
-LaneRgb bsdfDiffuseAlbedo(const Bsdf& b, Lane cos_o) {
+Rgb bsdfDiffuseAlbedo(const Bsdf& b, float cos_o) {
   return detail::visit<Kinds>(b, [&](auto family) {
     if constexpr (requires { family.diffuseAlbedo(b, cos_o); }) return family.diffuseAlbedo(b, cos_o);
-    return LaneRgb{};
+    return Rgb{};
   });
 }
 

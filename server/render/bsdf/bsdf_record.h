@@ -1,37 +1,42 @@
-// What BSDFs take and give. Directions are unit vectors in the shading frame and point away from the surface:
-// wo to where light goes (the camera's side of the path), wi to where it comes from. z is the normal; for
-// dielectrics it points outside.
+// The arguments and results of BSDFs. Directions are unit vectors in the shading frame and point away from
+// the surface. wo points to the camera's side of the path, wi to where light comes from. z is the normal. The
+// normal of a dielectric points outside.
 #pragma once
 
 #include "render/bsdf/bsdf_tables.h"
 
 namespace saccade {
 
-// A material at one point: textures looked up. Colours are linear, in [0, 1].
+// A material at one point, with its textures looked up. Colours are linear, in [0, 1].
 struct Bsdf {
-  const BsdfTables* tables;        // of the material
-  LaneRgb diffuse{};               // diffuse, plastics: reflectance of the base
-  LaneRgb specular{1, 1, 1};       // all but diffuse: factor of what the interface reflects
-  LaneRgb transmittance{1, 1, 1};  // dielectrics: factor of what it lets through
+  const BsdfTables* tables;    // of the material
+  Rgb diffuse{};               // diffuse, plastics: reflectance of the base
+  Rgb specular{1, 1, 1};       // all but diffuse: factor of what the interface reflects
+  Rgb transmittance{1, 1, 1};  // dielectrics: factor of what it lets through
 };
 
-// Of a pair of directions; both 0 for what happens at one direction only (delta lobes).
+// The value for a pair of directions. Delta lobes, which reflect into one direction only, count as 0.
 struct BsdfValue {
-  LaneRgb value{};  // f |cos_i|
-  Lane pdf = 0;     // of sampling wi, per solid angle
+  Rgb value{};    // f |cos_i|
+  float pdf = 0;  // of sampling wi, per solid angle
 };
 
 struct BsdfSample {
-  LaneVec3 wi;
-  LaneRgb weight;        // f |cos_i| / pdf; 0: nothing comes from there
-  Lane pdf;              // per solid angle, of all lobes; delta: the probability of its lobe; 0: weight is 0
-  LaneMask delta;        // of a delta lobe, which no evaluation sees
-  LaneMask transmitted;  // wi is on the other side
+  Vec3 wi;
+  Rgb weight;        // f |cos_i| / pdf; 0: no light comes from there
+  float pdf;         // per solid angle, of all lobes; delta: the probability of its lobe; 0: weight is 0
+  bool delta;        // of a delta lobe, which has no value in evaluateBsdf()
+  bool transmitted;  // wi is on the other side
 };
 
-// A sample of the lobes that are no deltas.
-inline BsdfSample weigh(LaneVec3 wi, BsdfValue v) {
-  return {wi, v.value * select(v.pdf > 0, 1 / v.pdf, Lane(0)), v.pdf, false, false};
+// `value` if the condition holds, otherwise 0.
+inline float valueIf(bool condition, float value) {
+  return condition ? value : 0;
+}
+
+// A sample of a lobe that is no delta lobe.
+inline BsdfSample weigh(Vec3 wi, BsdfValue v) {
+  return {wi, v.value * (v.pdf > 0 ? 1 / v.pdf : 0.f), v.pdf, false, false};
 }
 
 }  // namespace saccade

@@ -9,8 +9,8 @@ namespace {
 constexpr int kNormals = 24;  // per dimension
 constexpr int kCosines = 256;
 
-// The i-th node in [0, 1] of a rule that is finer towards both ends, and its weight: steep normals are rare,
-// and it is they that lose light.
+// The i-th node in [0, 1] of a quadrature rule, and its weight. The rule is finer towards both ends, because
+// steep normals are rare but lose most of the light.
 struct Node {
   explicit Node(float i) : u(ease(i + 0.5f)), weight(ease(i + 1) - ease(i)) {}
   static float ease(float i) {
@@ -20,8 +20,8 @@ struct Node {
   float u, weight;
 };
 
-// Mean of at(wo, m) over the microfacets seen from cosine cos_o. wo lies in the xz plane, so that half of u2
-// stands for all.
+// The mean of at(wo, m) over the microfacets that are visible from cosine cos_o. wo lies in the xz plane, so
+// that by symmetry half of u2 is enough.
 template <class Function>
 auto meanOverNormals(const Microfacets& f, float cos_o, Function at) {
   const Vec3 wo{std::sqrt(1 - cos_o * cos_o), 0, cos_o};
@@ -35,7 +35,7 @@ auto meanOverNormals(const Microfacets& f, float cos_o, Function at) {
   return sum;
 }
 
-// Fraction of light from cosine cos_o that rough plastic or metal reflects: E[F G1].
+// The fraction of light from cosine cos_o that rough plastic or metal reflects: E[F G1].
 template <class Fresnel>
 Rgb roughReflectance(const Microfacets& f, float cos_o, Fresnel fresnel) {
   return meanOverNormals(f, cos_o, [&](Vec3 wo, Vec3 m) {
@@ -44,7 +44,7 @@ Rgb roughReflectance(const Microfacets& f, float cos_o, Fresnel fresnel) {
   });
 }
 
-// Fraction that a rough dielectric lets through: E[(1 - F) G1] [Walter 2007 (21)].
+// The fraction of light that a rough dielectric transmits: E[(1 - F) G1] [Walter 2007 (21)].
 float roughTransmittance(const Microfacets& f, float cos_o, float ior) {
   return meanOverNormals(f, cos_o, [&](Vec3 wo, Vec3 m) {
     const float cos_m = dot(wo, m);
@@ -83,8 +83,8 @@ BsdfTables::BsdfTables(const BsdfModel& m) : model(m) {
   }
   if (m.kind == BsdfKind::kPlastic)
     mean_transmittance = cosineWeightedMean([&](float cosine) { return 1 - dielectric(cosine); });
-  // As much light goes in through an interface as would come out [Walter 2007, reciprocity]; what does not
-  // come out is reflected.
+  // An interface transmits as much light inwards as outwards [Walter 2007, reciprocity]. It reflects the
+  // rest.
   internal_reflectance = 1 - mean_transmittance / (m.ior * m.ior);
 }
 

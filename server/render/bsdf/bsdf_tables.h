@@ -1,16 +1,16 @@
-// What shading needs to know of a material and would be slow to find at each hit: built once per material.
+// Data of a material that would be slow to compute at each hit. It is computed once for each material.
 #pragma once
 
 #include <algorithm>
 #include <array>
 
-#include "base/lane.h"
+#include "base/vec.h"
 #include "scene/bsdf_model.h"
 
 namespace saccade {
 
-// A quantity over the cosine of a direction with the normal, in equal steps of its square root: it changes
-// most at grazing angles.
+// A function of the cosine between a direction and the normal. The table has equal steps of the square root
+// of the cosine, because such functions change most at grazing angles.
 template <class T>
 class CosineTable {
  public:
@@ -21,10 +21,10 @@ class CosineTable {
       values_[i] = at(root * root);
     }
   }
-  T operator()(Lane cosine) const {
-    const Lane x = std::sqrt(std::clamp(cosine, Lane(0), Lane(1))) * (kSize - 1);
+  T operator()(float cosine) const {
+    const float x = std::sqrt(std::clamp(cosine, 0.f, 1.f)) * (kSize - 1);
     const int i = std::min(static_cast<int>(x), kSize - 2);
-    const Lane w = x - static_cast<float>(i);
+    const float w = x - static_cast<float>(i);
     return values_[i] * (1 - w) + values_[i + 1] * w;
   }
 
@@ -38,12 +38,13 @@ struct BsdfTables {
 
   BsdfModel model;  // its roughness is at least kLeastAlpha
 
-  // Rough kinds: light that arrives from outside and leaves into the hemisphere above (per channel) or below
-  // (rough plastic). What would need a second bounce between microfacets is lost, as in Mitsuba.
+  // For rough kinds: the fractions of light from outside that leave into the upper hemisphere (per channel)
+  // and into the lower one (rough plastic). Light between two microfacets is lost, as in Mitsuba.
   CosineTable<Rgb> reflectance;
   CosineTable<float> transmittance;
 
-  // Plastics: transmittance of diffuse light from outside, and reflectance of diffuse light from inside.
+  // For plastics: the transmittance of diffuse light from outside, and the reflectance of diffuse light from
+  // inside.
   float mean_transmittance = 1, internal_reflectance = 0;
 };
 

@@ -1,4 +1,4 @@
-// Clear glass: a surface, or a pane. All is delta lobes.
+// Clear glass: a surface, or a pane. It has delta lobes only.
 #pragma once
 
 #include "render/bsdf/bsdf_record.h"
@@ -7,78 +7,78 @@
 
 namespace saccade {
 
-// Light in a straight line, from what is behind.
+// Light from behind that goes straight through.
 struct Transmittance {
-  LaneRgb fraction{1, 1, 1};
-  Lane probability = 1;
+  Rgb fraction{1, 1, 1};
+  float probability = 1;
 };
 
-inline Lane reflectionProbability(const Bsdf& b, Lane f) {
+inline float reflectionProbability(const Bsdf& b, float f) {
   return lobeProbability(f * luminance(b.specular), (1 - f) * luminance(b.transmittance));
 }
 
-// Reflects a fraction f of light towards wo from mirror(wo), and lets 1 - f through from wt.
-inline BsdfSample reflectOrTransmit(const Bsdf& b, LaneVec3 wo, LaneVec3 wt, Lane f, Lane u_lobe) {
-  const Lane p = reflectionProbability(b, f);
-  const LaneMask reflected = u_lobe < p;
-  const Lane scale = select(reflected, f / p, (1 - f) / (1 - p));
-  return {select(reflected, mirror(wo), wt),
-          select(reflected, b.specular, b.transmittance) * select(wo.z != 0, scale, Lane(0)),
-          select(reflected, p, 1 - p), true, !reflected};
+// Reflects a fraction f of the light towards wo from mirror(wo), and transmits 1 - f from wt.
+inline BsdfSample reflectOrTransmit(const Bsdf& b, Vec3 wo, Vec3 wt, float f, float u_lobe) {
+  const float p = reflectionProbability(b, f);
+  const bool reflected = u_lobe < p;
+  const float scale = reflected ? f / p : (1 - f) / (1 - p);
+  return {reflected ? mirror(wo) : wt, (reflected ? b.specular : b.transmittance) * (wo.z != 0 ? scale : 0.f),
+          reflected ? p : 1 - p, true, !reflected};
 }
 
-inline LaneRgb reflectanceAndTransmittance(const Bsdf& b, Lane cos_o, Lane f) {
-  return (b.specular * f + b.transmittance * (1 - f)) * select(cos_o != 0, Lane(1), Lane(0));
+inline Rgb reflectanceAndTransmittance(const Bsdf& b, float cos_o, float f) {
+  return (b.specular * f + b.transmittance * (1 - f)) * (cos_o != 0 ? 1.f : 0.f);
 }
 
 struct Dielectric {
   static constexpr BsdfKind kKind = BsdfKind::kDielectric;
 
-  static BsdfValue evaluate(const Bsdf&, LaneVec3, LaneVec3) { return {}; }
-  // The weight is of radiance, which grows with the square of the index of what it is in.
-  static BsdfSample sample(const Bsdf& b, LaneVec3 wo, Lane u_lobe, Lane, Lane) {
-    const Lane inv_ior = 1 / iorAcross(b, wo.z);
+  static BsdfValue evaluate(const Bsdf&, Vec3, Vec3) { return {}; }
+  // The weight is of radiance. Radiance is proportional to the square of the medium's index of refraction.
+  static BsdfSample sample(const Bsdf& b, Vec3 wo, float u_lobe, float, float) {
+    const float inv_ior = 1 / iorAcross(b, wo.z);
     const Refraction r = refraction(b, wo.z);
-    const LaneVec3 wt{-wo.x * inv_ior, -wo.y * inv_ior, select(wo.z > 0, -r.cos_t, r.cos_t)};
+    const Vec3 wt{-wo.x * inv_ior, -wo.y * inv_ior, wo.z > 0 ? -r.cos_t : r.cos_t};
     BsdfSample s = reflectOrTransmit(b, wo, wt, r.reflectance, u_lobe);
-    s.weight = s.weight * select(s.transmitted, inv_ior * inv_ior, Lane(1));
+    s.weight = s.weight * (s.transmitted ? inv_ior * inv_ior : 1.f);
     return s;
   }
-  // Of power: without the change of radiance, which is undone where light leaves the glass.
-  static LaneRgb albedo(const Bsdf& b, Lane cos_o) {
+  // The albedo is of power. It leaves out the change of radiance, which ends where light leaves the glass.
+  static Rgb albedo(const Bsdf& b, float cos_o) {
     return reflectanceAndTransmittance(b, cos_o, refraction(b, cos_o).reflectance);
   }
 
  private:
-  // Index of the side that wo is not on, over that of its own.
-  static Lane iorAcross(const Bsdf& b, Lane cos_o) {
-    return select(cos_o > 0, b.tables->model.ior, 1 / b.tables->model.ior);
+  // The index of refraction of the side opposite to wo, over that of the side of wo.
+  static float iorAcross(const Bsdf& b, float cos_o) {
+    return cos_o > 0 ? b.tables->model.ior : 1 / b.tables->model.ior;
   }
-  static Refraction refraction(const Bsdf& b, Lane cos_o) {
-    return fresnelDielectric(std::min(Lane(1), std::abs(cos_o)), iorAcross(b, cos_o));
+  static Refraction refraction(const Bsdf& b, float cos_o) {
+    return fresnelDielectric(std::min(1.f, std::abs(cos_o)), iorAcross(b, cos_o));
   }
 };
 
 struct ThinDielectric {
   static constexpr BsdfKind kKind = BsdfKind::kThinDielectric;
 
-  static BsdfValue evaluate(const Bsdf&, LaneVec3, LaneVec3) { return {}; }
-  static BsdfSample sample(const Bsdf& b, LaneVec3 wo, Lane u_lobe, Lane, Lane) {
+  static BsdfValue evaluate(const Bsdf&, Vec3, Vec3) { return {}; }
+  static BsdfSample sample(const Bsdf& b, Vec3 wo, float u_lobe, float, float) {
     return reflectOrTransmit(b, wo, -wo, reflectance(b, wo.z), u_lobe);
   }
-  static LaneRgb albedo(const Bsdf& b, Lane cos_o) {
+  static Rgb albedo(const Bsdf& b, float cos_o) {
     return reflectanceAndTransmittance(b, cos_o, reflectance(b, cos_o));
   }
-  // What of light from behind goes straight through, and the probability that sample() finds it.
-  static Transmittance passage(const Bsdf& b, Lane cos_o) {
-    const Lane f = reflectance(b, cos_o);
+  // The fraction of light from behind that goes straight through, and the probability that sample() chooses
+  // it.
+  static Transmittance straightTransmittance(const Bsdf& b, float cos_o) {
+    const float f = reflectance(b, cos_o);
     return {b.transmittance * (1 - f), 1 - reflectionProbability(b, f)};
   }
 
  private:
-  // With all reflections inside the pane: f + (1-f)^2 f + (1-f)^2 f^3 + ... = 2 f / (1 + f).
-  static Lane reflectance(const Bsdf& b, Lane cos_o) {
-    const Lane f = fresnelDielectric(std::min(Lane(1), std::abs(cos_o)), b.tables->model.ior).reflectance;
+  // The sum of all reflections inside the pane: f + (1-f)^2 f + (1-f)^2 f^3 + ... = 2 f / (1 + f).
+  static float reflectance(const Bsdf& b, float cos_o) {
+    const float f = fresnelDielectric(std::min(1.f, std::abs(cos_o)), b.tables->model.ior).reflectance;
     return 2 * f / (1 + f);
   }
 };

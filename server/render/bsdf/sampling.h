@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "base/lane.h"
+#include "base/vec.h"
 
 namespace saccade {
 
@@ -12,31 +12,31 @@ inline constexpr float kInvPi = std::numbers::inv_pi_v<float>;
 inline constexpr float kLeastLobeProbability = 0.05f;
 
 // Cosine-weighted over the upper hemisphere: polar map to the disk.
-inline LaneVec3 cosineHemisphere(Lane u1, Lane u2) {
-  const Lane r = std::sqrt(u1), phi = 2 * std::numbers::pi_v<float> * u2;
-  return {r * std::cos(phi), r * std::sin(phi), std::sqrt(std::max(Lane(0), 1 - u1))};
+inline Vec3 cosineHemisphere(float u1, float u2) {
+  const float r = std::sqrt(u1), phi = 2 * std::numbers::pi_v<float> * u2;
+  return {r * std::cos(phi), r * std::sin(phi), std::sqrt(std::max(0.f, 1 - u1))};
 }
 
 // pdf per solid angle of a cosine-weighted direction at cosine cos_n.
-inline Lane cosinePdf(Lane cos_n) {
-  return std::max(Lane(0), cos_n) * kInvPi;
+inline float cosinePdf(float cos_n) {
+  return std::max(0.f, cos_n) * kInvPi;
 }
 
 // w mirrored about the normal.
-inline LaneVec3 mirror(LaneVec3 w) {
+inline Vec3 mirror(Vec3 w) {
   return {-w.x, -w.y, w.z};
 }
 
 // w mirrored about the unit vector m.
-inline LaneVec3 mirror(LaneVec3 w, LaneVec3 m) {
+inline Vec3 mirror(Vec3 w, Vec3 m) {
   return m * (2 * dot(w, m)) - w;
 }
 
-// Probability of the first of two lobes that reflect this much: a lobe that exists is never starved, so that
-// light it alone carries is found.
-inline Lane lobeProbability(Lane first, Lane second) {
-  const Lane p = std::clamp(first / (first + second), kLeastLobeProbability, 1 - kLeastLobeProbability);
-  return select(first <= 0, Lane(0), select(second <= 0, Lane(1), p));
+// The probability of the first of two lobes that reflect this much. No lobe that reflects light gets too low
+// a probability, because it may be the only one to carry some light.
+inline float lobeProbability(float first, float second) {
+  const float p = std::clamp(first / (first + second), kLeastLobeProbability, 1 - kLeastLobeProbability);
+  return first <= 0 ? 0.f : second <= 0 ? 1.f : p;
 }
 
 }  // namespace saccade

@@ -6,7 +6,7 @@
 namespace saccade {
 namespace {
 
-// Over the sphere: a row of pixels covers cos(theta) from its upper edge to its lower one.
+// The mean over the sphere. A row of pixels covers cos(theta) from its upper edge to its lower one.
 Rgb meanOf(const Picture& picture) {
   Vec3d sum;
   const auto edge = [&](int row) { return std::cos(std::numbers::pi * row / picture.height); };

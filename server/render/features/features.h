@@ -1,4 +1,4 @@
-// The parts of a model, one file each: whether a scene has it, and the scene without it.
+// The features of a model, one file each: whether a scene has it, and the scene without it.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace saccade {
 
-// Of the colours. Heights and opacities belong to bump maps and masks.
+// Textures of colours. Heights and opacities belong to bump maps and masks.
 bool hasTextures(const Scene& scene);
 void leaveOutTextures(Scene& scene);
 
@@ -26,9 +26,9 @@ void leaveOutEnvironmentPicture(Scene& scene);
 bool hasMips(const Scene& scene);
 void leaveOutMips(Scene& scene);
 
-// What they share.
+// Functions that several features use.
 
-// Over one period of its texture.
+// The mean over one period of the texture.
 Rgb meanOf(const Scene& scene, const SurfaceColor& c);
 
 template <class Test>
@@ -36,7 +36,7 @@ bool anyMaterial(const Scene& scene, Test test) {
   return std::any_of(scene.materials.begin(), scene.materials.end(), test);
 }
 
-// Erases the shapes of the materials that `gone` has set. Lamps among them stay, and reflect nothing.
+// Erases the shapes of the materials that `gone` has set. Lamps of these materials stay, and reflect nothing.
 void removeSurfaces(Scene& scene, const std::vector<bool>& gone);
 
 }  // namespace saccade

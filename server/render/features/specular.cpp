@@ -10,7 +10,7 @@ bool isSpecular(const Material& m) {
   return m.model.kind != BsdfKind::kDiffuse;
 }
 
-// change(colour) at each place of `c`. A changed bitmap becomes a new texture.
+// Applies change(colour) at each point of `c`. A changed bitmap becomes a new texture.
 template <class Change>
 SurfaceColor mapped(Scene& scene, SurfaceColor c, Change change) {
   c.color0 = change(c.color0), c.color1 = change(c.color1);
@@ -23,8 +23,8 @@ SurfaceColor mapped(Scene& scene, SurfaceColor c, Change change) {
   return c;
 }
 
-// The albedo of plastic or metal seen at a right angle, over the surface. Where both its colours vary, the
-// base does, under the mean of the interface.
+// The albedo of plastic or metal at a right angle, over the surface. If both its colours vary, the result has
+// the colours of the base and the mean of the interface.
 SurfaceColor albedoAcross(Scene& scene, const Material& m) {
   const BsdfTables tables(m.model);
   Bsdf b{.tables = &tables, .diffuse = meanOf(scene, m.reflectance), .specular = meanOf(scene, m.specular)};
@@ -41,8 +41,8 @@ bool hasSpecular(const Scene& scene) {
   return anyMaterial(scene, isSpecular);
 }
 
-// Glass goes: nearly all light goes through it, and whatever is opaque in its place would hide what is
-// behind.
+// Glass is removed. It transmits nearly all light, and an opaque surface in its place would hide the scene
+// behind it.
 void leaveOutSpecular(Scene& scene) {
   std::vector<bool> glass;
   for (Material& m : scene.materials) {

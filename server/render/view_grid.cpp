@@ -1,0 +1,45 @@
+#include "render/view_grid.h"
+
+#include <limits>
+
+namespace saccade {
+namespace {
+
+// The centre of cell i of `count` cells that cover `size` pixels. Pixel centres are whole numbers.
+float cellCentre(int i, int count, int size) {
+  return (static_cast<float>(i) + 0.5f) * static_cast<float>(size) / static_cast<float>(count) - 0.5f;
+}
+
+// Calls f(hit, direction) for each hit of viewHits(). `direction` is that of the ray, 1 along the viewing
+// axis.
+template <class F>
+void forEachHit(const RenderScene& scene, const Camera& camera, const ViewGrid& grid, const F& f) {
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const float x = cellCentre(column, grid.columns, grid.width);
+      const float y = cellCentre(row, grid.rows, grid.height);
+      const Vec3 d = camera.direction(x, y);
+      const Hit hit = scene.geometry().intersect({camera.origin, d, std::numeric_limits<float>::infinity()});
+      if (hit.valid) f(ViewHit{x, y, hit.t}, d);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<ViewHit> viewHits(const RenderScene& scene, const Camera& camera, const ViewGrid& grid) {
+  std::vector<ViewHit> hits;
+  forEachHit(scene, camera, grid, [&](ViewHit hit, Vec3) { hits.push_back(hit); });
+  return hits;
+}
+
+std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, double fov_x_deg) {
+  constexpr int kWidth = 64, kHeight = 48;
+  const Camera camera(T_world_camera, fov_x_deg, kWidth, kHeight);
+  std::vector<Vec3> points;
+  forEachHit(scene, camera, {kWidth, kHeight, kWidth, kHeight},
+             [&](ViewHit hit, Vec3 direction) { points.push_back(camera.origin + direction * hit.z); });
+  return points;
+}
+
+}  // namespace saccade
