@@ -27,6 +27,7 @@ float ownShare(const Placement& at, const GridPoint& p, int slot) {
   return sum;
 }
 
+constexpr int kAhead = 4;              // pixels whose values are on their way from memory
 constexpr int kTop = kGridLevels - 1;  // the slot of the coarsest level
 
 // One kind of light at a point, from coarse to fine: E += alpha (E_k - E), with alpha the share of the detail
@@ -54,7 +55,7 @@ struct Channel {
   }
 };
 
-// Evidence is the sums of x, x^2, squared residuals, and 1.
+// Evidence is the sums of x, x^2, squared residuals, and the weights of samples.
 struct Share {
   float alpha = 0, noise = 0;
 };
@@ -71,6 +72,7 @@ Share shareOf(float x, float x2, float residual2, float count, float samples, co
 struct SurfaceGrid::Chain {
   Channel rest, visibility;
   std::array<Quad, kGridLevels> light;  // gathered, by slot
+  bool judged = false;                  // whether there is evidence for slot 1
 
   Chain(const SurfaceGrid& grid, const Placement& at, const GridPoint& p) {
     visibility.value = 1;
@@ -80,9 +82,16 @@ struct SurfaceGrid::Chain {
     for (int k = kTop - 1; k >= 0; --k) {
       const Quad l = light[k] = gather(grid.level(p.level + k).light, at, p, k);
       const auto e = gather(grid.level(p.level + k + kPoolSteps).evidence, at, p, k + kPoolSteps);
+      if (k == 1) judged = e[3] > 0;
       refine(rest, k, l[1], l[0], shareOf(e[0], e[1], e[2], e[3], l[0], grid.params_), p.fraction);
       refine(visibility, k, l[2], l[3], shareOf(e[4], e[5], e[6], e[7], l[3], grid.params_), p.fraction);
     }
+  }
+  // Standard deviation of what the level of slot 1 says, its detail believed or not; kUnknown before it has said
+  // anything.
+  float uncertainty(float U) const {
+    if (light[1][0] <= 0 || !judged) return GridEstimate::kUnknown;
+    return std::sqrt(rest.level_variance[1] + U * U * visibility.level_variance[1]);
   }
   // The finest level fades out, and the coarsest fades in, as the point moves away.
   static void refine(Channel& c, int k, float sum, float samples, Share share, float fraction) {
@@ -111,16 +120,14 @@ void SurfaceGrid::findVertices(const SurfaceSamples& on, int l, Placement& out) 
     std::array<VertexKey, 4> keys;
     Taps* taps;
   };
-  std::array<Wanted, kAhead> wanted;
+  std::array<Wanted, kAhead> wanted{};
   Level& lev = level(l);
   std::uint32_t count = 0;
   Wanted last{};
   const auto resolve = [&](const Wanted& w) {
-    if (w.keys == last.keys) {
-      w.taps->vertex = last.taps->vertex;
-      return;
-    }
-    for (int c = 0; c < 4; ++c) w.taps->vertex[c] = lev.table.findOrAdd(w.keys[c]);
+    for (int c = 0; c < 4; ++c)
+      w.taps->vertex[c] =
+          last.taps && w.keys[c] == last.keys[c] ? last.taps->vertex[c] : lev.table.findOrAdd(w.keys[c]);
     last = w;
   };
   const double inv_h = std::ldexp(1.0, -l);
@@ -136,8 +143,9 @@ void SurfaceGrid::findVertices(const SurfaceSamples& on, int l, Placement& out) 
         if (count >= kAhead) resolve(w);
         w = {corners.key, &out.taps[slot][t]};
         for (int c = 0; c < 4; ++c) w.taps->weight[c] = corners.weight[c] * out.bin_weights[t];
-        if (w.keys != wanted[(count + kAhead - 1) % kAhead].keys)
-          for (const VertexKey key : w.keys) lev.table.prefetch(key);
+        const auto& before = wanted[(count + kAhead - 1) % kAhead].keys;
+        for (int c = 0; c < 4; ++c)
+          if (w.keys[c] != before[c]) lev.table.prefetch(w.keys[c]);
         ++count;
       }
     }
@@ -160,9 +168,10 @@ SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at
   samples_.resize(at.points.size());
   const Time time = pool.forEachRow(on.x.height(), [&](int y) {
     for (int x = 0; x < on.x.width(); ++x) {
-      const float U = on.unoccluded.at(x, y), inv = U > 0 ? 1 / U : 0;
-      samples_[static_cast<std::size_t>(y) * on.x.width() + x] =
-          Quad{1, on.rest.at(x, y), on.visible_sample.at(x, y) * inv, on.unoccluded_sample.at(x, y) * inv};
+      const auto n = static_cast<float>(on.paths.at(x, y));
+      const float U = on.unoccluded.at(x, y), inv = U > 0 ? n / U : 0;
+      samples_[static_cast<std::size_t>(y) * on.x.width() + x] = Quad{
+          n, n * on.rest.at(x, y), on.visible_sample.at(x, y) * inv, on.unoccluded_sample.at(x, y) * inv};
     }
   });
   return time +
@@ -174,7 +183,7 @@ void SurfaceGrid::addLight(const Placement& at, int l) {
   for (std::size_t pixel = 0; pixel < at.points.size(); ++pixel) {
     const GridPoint& p = at.points[pixel];
     const int slot = l - p.level;
-    if (!p.inSlot(slot) || slot > kTop) continue;
+    if (!p.inSlot(slot) || slot > kTop || samples_[pixel][0] == 0) continue;
     for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
       const Taps& taps = at.taps[slot][t];
       for (int i = 0; i < 4; ++i) light[taps.vertex[i]] += samples_[pixel] * taps.weight[i];
@@ -202,14 +211,26 @@ SurfaceGrid::Time SurfaceGrid::forEachPoint(const SurfaceSamples& on, const GBuf
     for (int x = 0; x < on.x.width(); ++x) {
       const std::size_t pixel = static_cast<std::size_t>(y) * on.x.width() + x;
       const GridPoint& p = at.points[pixel];
-      out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = 0;
+      out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = out.uncertainty.at(x, y) = 0;
+      if (x + kAhead < on.x.width()) prefetch(at, at.points[pixel + kAhead]);
       if (p.count == 0) continue;
       const Chain chain(*this, at, p);
       const float px = std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y)) / params_.finest_px;
       store(chain.rest, chain.visibility, p, on.unoccluded.at(x, y), px, x, y, out);
+      out.uncertainty.at(x, y) = chain.uncertainty(on.unoccluded.at(x, y));
       each(chain, pixel);
     }
   });
+}
+
+void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
+  constexpr int kFine = 4;  // coarser levels are at hand: pixels share them
+  if (p.count == 0) return;
+  for (int k = 0; k < kFine; ++k) {
+    for (const std::uint32_t v : at.taps[k][p.first].vertex) __builtin_prefetch(&level(p.level + k).light[v]);
+    for (const std::uint32_t v : at.taps[k + kPoolSteps][p.first].vertex)
+      __builtin_prefetch(&level(p.level + k + kPoolSteps).evidence[v]);
+  }
 }
 
 SurfaceGrid::Time SurfaceGrid::read(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
@@ -230,7 +251,7 @@ SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer
 SurfaceGrid::Finding SurfaceGrid::compare(const Chain& chain, const Placement& at, std::size_t pixel) const {
   constexpr float kLeastSamples = 1e-3f;
   Finding f{};
-  const Quad sample = samples_[pixel];
+  const Quad sample = samples_[pixel];  // sums over its paths
   float rest = 0, visibility = 1;
   for (int k = kTop; k >= 0; --k) {
     const Quad others = chain.light[k] - sample * ownShare(at, at.points[pixel], k);
@@ -240,14 +261,15 @@ SurfaceGrid::Finding SurfaceGrid::compare(const Chain& chain, const Placement& a
       rest = level_rest, visibility = level_visibility;
       continue;
     }
-    f.rest[k] = (sample[1] - rest) * (level_rest - rest);
-    f.visibility[k] = (sample[2] - visibility * sample[3]) * (level_visibility - visibility) * sample[3];
+    f.rest[k] = (sample[1] - rest * sample[0]) * (level_rest - rest);
+    f.visibility[k] = (sample[2] - visibility * sample[3]) * (level_visibility - visibility);
     rest += chain.rest.alpha[k] * (level_rest - rest);
     visibility += chain.visibility.alpha[k] * (level_visibility - visibility);
   }
-  const float r = sample[1] - rest, s = sample[2] - visibility * sample[3];
-  f.residual_rest = r * r, f.residual_visibility = s * s;
-  f.visibility_weight = sample[3] > 0 ? 1.f : 0.f;
+  f.residual_rest = sample[1] - rest * sample[0];
+  f.residual_visibility = sample[2] - visibility * sample[3];
+  f.paths = sample[0];
+  f.unoccluded = sample[3];
   return f;
 }
 
@@ -263,14 +285,10 @@ void SurfaceGrid::addEvidence(const Placement& at, int l) {
     const int slot = l - p.level, k = slot - kPoolSteps;
     if (!p.inSlot(slot) || k < 0) continue;
     const Finding& f = findings_[pixel];
-    const Octet e{f.rest[k],
-                  f.rest[k] * f.rest[k],
-                  f.residual_rest,
-                  1,
-                  f.visibility[k],
-                  f.visibility[k] * f.visibility[k],
-                  f.residual_visibility,
-                  f.visibility_weight};
+    if (f.paths == 0) continue;
+    const auto square = [](float v) { return v * v; };
+    const Octet e{f.rest[k],       square(f.rest[k]),       square(f.residual_rest),       f.paths,
+                  f.visibility[k], square(f.visibility[k]), square(f.residual_visibility), f.unoccluded};
     for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
       const Taps& taps = at.taps[slot][t];
       for (int i = 0; i < 4; ++i) evidence[taps.vertex[i]] += e * taps.weight[i];

@@ -22,10 +22,12 @@ struct GridParams {
 
 // What the grid says at each pixel. Planes of the size of the frame.
 struct GridEstimate {
-  GridEstimate(int w, int h) : i(w, h), var_i(w, h), var_step(w, h) {}
-  ImageF i;         // illumination, 0 where the pixel is not in the grid
-  ImageF var_i;     // its variance
-  ImageF var_step;  // the variance of its change from here to where the pixel's motion vector points
+  GridEstimate(int w, int h) : i(w, h), var_i(w, h), var_step(w, h), uncertainty(w, h) {}
+  static constexpr float kUnknown = 1e9f;
+  ImageF i;            // illumination, 0 where the pixel is not in the grid
+  ImageF var_i;        // its variance
+  ImageF var_step;     // the variance of its change from here to where the pixel's motion vector points
+  ImageF uncertainty;  // standard deviation of the mean over a cell of about a pixel, or kUnknown
 };
 
 class SurfaceGrid {
@@ -62,7 +64,8 @@ class SurfaceGrid {
   struct Chain;
   struct Finding {  // what a pixel's sample says of each level's detail
     std::array<float, kGridLevels - 1> rest, visibility;
-    float residual_rest, residual_visibility, visibility_weight;
+    float residual_rest, residual_visibility;
+    float paths, unoccluded;  // the weights of both
   };
 
   Level& level(int l) { return *levels_[l - kLeastLevel]; }
@@ -70,6 +73,7 @@ class SurfaceGrid {
   template <class Each>  // of each point: each(its chain, its pixel)
   Time forEachPoint(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
                     GridEstimate& out, const Each& each) const;
+  void prefetch(const Placement& at, const GridPoint& p) const;
   void findVertices(const SurfaceSamples& on, int l, Placement& out);
   void addLight(const Placement& at, int l);
   void addEvidence(const Placement& at, int l);

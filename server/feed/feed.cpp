@@ -69,6 +69,7 @@ void Feed::render(const PoolHandle& pool) {
   const Camera camera(path_.at(frame.time), config_.fov_x_deg, config_.width, config_.height);
   const Camera prev(path_.at(time_prev), config_.fov_x_deg, config_.width, config_.height);
   const SeedPlan seeds = makeSeedPlan(seed_reuse_, config_.seed, frame.index, config_.spp);
+  if (frame.surfaces) method_->plan(config_.spp, *frame.surfaces);
   times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, pool, frame);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <utility>
 
 #include "base/units.h"
@@ -63,7 +63,8 @@ enum class SurfaceKind : std::uint32_t {
 // Where there is no such light, `unoccluded` is 0 and all light is in `rest`.
 struct SurfaceSamples {
   SurfaceSamples(int w, int h)
-      : kind(w, h),
+      : paths(w, h),
+        kind(w, h),
         x(w, h),
         y(w, h),
         z(w, h),
@@ -72,11 +73,13 @@ struct SurfaceSamples {
         unoccluded_sample(w, h),
         visible_sample(w, h),
         rest(w, h) {}
-  Image<SurfaceKind> kind;   // kNone: the other planes mean nothing
+  Image<std::uint32_t>
+      paths;                 // given to the renderer: how many a pixel gets; kNone pixels get the frame's spp
+  Image<SurfaceKind> kind;   // kNone: the planes below mean nothing
   ImageF x, y, z;            // where the surface seems to be, world space
   ImageF footprint;          // width of a pixel there, seen at a right angle, scene units
   ImageF unoccluded;         // in closed form, as if nothing cast a shadow
-  ImageF unoccluded_sample;  // an estimate of the same by paths
+  ImageF unoccluded_sample;  // an estimate of the same, mean over the paths; without any it means nothing
   ImageF visible_sample;     // what of that estimate nothing stands in the way of
   ImageF rest;               // an estimate of all other light
 };
@@ -84,7 +87,7 @@ struct SurfaceSamples {
 // With `on_surfaces` also as SurfaceSamples.
 struct Frame {
   Frame(int width, int height, bool on_surfaces = false) : g(width, height), samples(width, height) {
-    if (on_surfaces) surfaces.emplace(width, height);
+    if (on_surfaces) surfaces = std::make_unique<SurfaceSamples>(width, height);
   }
   int width() const { return g.z.width(); }
   int height() const { return g.z.height(); }
@@ -93,7 +96,7 @@ struct Frame {
   bool light_changed = false;  // the strength of an emitter, since the frame before
   GBuffer g;
   FrameSamples samples;
-  std::optional<SurfaceSamples> surfaces;
+  std::unique_ptr<SurfaceSamples> surfaces;  // nullptr where no method asks
 };
 
 // Two consecutive frames. A view; never stored.

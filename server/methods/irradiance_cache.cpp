@@ -1,7 +1,9 @@
 #include "methods/irradiance_cache.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "base/hash_rng.h"
 #include "filter/demodulation.h"
 #include "methods/param_fields.h"
 
@@ -20,6 +22,9 @@ const std::vector<ParamField<P>>& fields() {
        "luminance tolerance of the primal, standard deviations of the mean", "[ours]"},
       {"sigma_l_diff", &P::sigma_l_diff, 0.01, 1000, "luminance tolerance of the difference, likewise",
        "[ours]"},
+      {"target", &P::target, 0.0001, 10, "relative error of light below which a pixel gets fewer paths",
+       "[ours]"},
+      {"paths", &P::paths, 0.01, 1, "paths per pixel, as a share of those asked", "[ours]"},
       {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
       {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
   };
@@ -29,6 +34,14 @@ const std::vector<ParamField<P>>& fields() {
 // Whether a pixel shows a surface that the grid does not hold.
 bool isElsewhere(const Frame& frame, int x, int y) {
   return frame.g.albedo.at(x, y) > 0 && frame.surfaces->kind.at(x, y) == SurfaceKind::kNone;
+}
+
+// In [0, 1), spread evenly over any few neighbours in space and time: the R2 sequence (Roberts 2018) in x and
+// y, moved on by the golden ratio in every frame.
+float ditherAt(int x, int y, std::uint32_t frame) {
+  const std::uint32_t bits = static_cast<std::uint32_t>(x) * 0xc13fa9a9u +
+                             static_cast<std::uint32_t>(y) * 0x91e10da5u + frame * 0x9e3779b9u;
+  return toUnit(bits);
 }
 
 }  // namespace
@@ -57,6 +70,19 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
       i_prev_(w, h),
       var_i_prev_(w, h),
       elsewhere_(w, h) {}
+
+// A pixel whose light is as well known as `target` gets fewer paths, and the fewer the better it is known.
+void IrradianceCache::plan(int spp, SurfaceSamples& next) {
+  const float asked = static_cast<float>(spp) * params_.paths;
+  const bool first = frames_++ == 0;
+  for (int y = 0; y < next.paths.height(); ++y) {
+    for (int x = 0; x < next.paths.width(); ++x) {
+      const float error = now_.uncertainty.at(x, y) / std::max(now_.i.at(x, y), 1e-6f);
+      const float share = first ? asked : asked * std::min(1.f, error / params_.target);
+      next.paths.at(x, y) = static_cast<std::uint32_t>(share + ditherAt(x, y, frames_));
+    }
+  }
+}
 
 void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
   StageTimes unused;
@@ -96,9 +122,9 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
       for (int x = 0; x < width && !any; ++x) any = needed(x, y);
     if (!any) return;
     svgf_ = std::make_unique<Svgf>(SvgfParams{}, width, height);
-    svgf_->start(frames.prev, pool);
+    svgf_->start(frames.prev, before_.i, pool);
   }
-  svgf_->estimate(frames, pool, elsewhere_, times);
+  svgf_->estimate(frames, now_.i, pool, elsewhere_, times);
   times[Stage::kModulate] += pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       if (!needed(x, y)) continue;

@@ -12,12 +12,14 @@ namespace saccade {
 
 // irradiance_cache.cpp states the range and the source of each parameter.
 struct IrradianceCacheParams {
-  float finest = 0.5f;
+  float finest = 0.7f;
   float tau = 1;
   float noise = 0.23f;
   int iterations = 3;
   float sigma_l = 3;
-  float sigma_l_diff = 3;
+  float sigma_l_diff = 6;
+  float target = 0.05f;
+  float paths = 1;
   float sigma_n = 128;
   float sigma_z = 1;
 };
@@ -27,6 +29,7 @@ class IrradianceCache final : public Method {
   IrradianceCache(const IrradianceCacheParams& params, int width, int height);
   static MethodInfo info();
 
+  void plan(int spp, SurfaceSamples& next) override;
   void start(const Frame& first, const PoolHandle& pool) override;
   void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                 StageTimes& times) override;
@@ -45,6 +48,7 @@ class IrradianceCache final : public Method {
   GridEstimate now_, before_;
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_, var_i_prev_;
+  std::uint32_t frames_ = 0;  // planned so far
   // SVGF's estimate, for what the grid does not hold; from the first frame on that needs it.
   std::unique_ptr<Svgf> svgf_;
   IntensityChange elsewhere_;

@@ -23,9 +23,18 @@ class Svgf final : public Method {
   void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                 StageTimes& times) override;
 
+  // The same for frames whose illumination is known better than by their samples, at the pixels of the grid
+  // (SurfaceSamples). `known` is in place of those samples.
+  void start(const Frame& first, const ImageF& known, const PoolHandle& pool);
+  void estimate(const FramePair& frames, const ImageF& known, const PoolHandle& pool, IntensityChange& out,
+                StageTimes& times);
+
  private:
+  void startFrom(const Frame& first, const ImageF* known, const PoolHandle& pool);
+  void estimateFrom(const FramePair& frames, const ImageF* known, const PoolHandle& pool,
+                    IntensityChange& out, StageTimes& times);
   // Accumulates and filters into filtered_.
-  void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+  void filter(const FramePair& frames, const ImageF* known, const PoolHandle& pool, StageTimes& times);
   // I = A D[i] + E, and its variance.
   std::chrono::nanoseconds remodulate(const Frame& frame, const PoolHandle& pool, ImageF& I,
                                       ImageF& variance) const;

@@ -21,9 +21,12 @@ struct Polygon {
 
 // The part of a polygon, seen from the origin, that is above the plane with normal n.
 Polygon above(const Polygon& in, Vec3 n) {
+  bool all = true;
+  for (std::size_t i = 0; i < in.count; ++i) all = all && dot(in.corners[i], n) > 0;
+  if (all) return in;
   Polygon out;
   for (std::size_t i = 0; i < in.count; ++i) {
-    const Vec3 a = in.corners[i], b = in.corners[(i + 1) % in.count];
+    const Vec3 a = in.corners[i], b = in.corners[i + 1 < in.count ? i + 1 : 0];
     const float height_a = dot(a, n), height_b = dot(b, n);
     if (height_a > 0) out.add(a);
     if ((height_a > 0) != (height_b > 0)) out.add(a + (b - a) * (height_a / (height_a - height_b)));
@@ -31,15 +34,39 @@ Polygon above(const Polygon& in, Vec3 n) {
   return out;
 }
 
+// angle / sin(angle) of an angle with this cosine, to 5e-7: a polynomial fitted to acos(c) / sqrt(1 - c^2) on
+// [0, 1].
+float angleOverSine(float cosine) {
+  const float c = std::abs(cosine);
+  float f = -0.02735403f;
+  for (const float k : {0.1384896f, -0.327471f, 0.5115087f, -0.6495042f, 0.7834481f, -0.9999133f, 1.570796f})
+    f = f * c + k;
+  return cosine >= 0 ? f : std::numbers::pi_v<float> / std::sqrt(std::max(1e-12f, 1 - c * c)) - f;
+}
+
 // Share of the cosine-weighted hemisphere about n that a polygon above the horizon covers [Lambert 1760].
 float formFactor(const Polygon& polygon, Vec3 n) {
+  std::array<Vec3, kMaxCorners> unit;
+  for (std::size_t i = 0; i < polygon.count; ++i) unit[i] = normalize(polygon.corners[i]);
   float sum = 0;
   for (std::size_t i = 0; i < polygon.count; ++i) {
-    const Vec3 a = polygon.corners[i], b = polygon.corners[(i + 1) % polygon.count], edge = cross(a, b);
-    const float sine = length(edge);
-    if (sine > 0) sum += std::atan2(sine, dot(a, b)) * dot(n, edge) / sine;
+    const Vec3 a = unit[i], b = unit[i + 1 < polygon.count ? i + 1 : 0];
+    sum += angleOverSine(dot(a, b)) * dot(n, cross(a, b));
   }
   return std::abs(sum) * (0.5f * std::numbers::inv_pi_v<float>);
+}
+
+// Whether the second triangle goes on where the first ends, in its plane: (a, b, c) and (a, c, d), as of a
+// rectangle.
+bool isQuad(const Mesh& mesh, std::size_t i) {
+  if (i + 1 >= mesh.triangles.size()) return false;
+  const auto &s = mesh.triangles[i], &t = mesh.triangles[i + 1];
+  if (t[0] != s[0] || t[1] != s[2]) return false;
+  const auto normal = [&](const auto& v) {
+    return cross(mesh.positions[v[1]] - mesh.positions[v[0]], mesh.positions[v[2]] - mesh.positions[v[0]]);
+  };
+  const Vec3 m = normal(s), n = normal(t);
+  return dot(m, n) > 0.99999f * length(m) * length(n);
 }
 
 }  // namespace
@@ -63,6 +90,7 @@ void AnalyticLight::addSides(const Mesh& mesh, std::uint32_t geometry) {
     const Vec3 normal = cross(side.corners[1] - side.corners[0], side.corners[2] - side.corners[0]);
     if (dot(normal, normal) == 0) continue;
     side.normal = normalize(normal);
+    if (isQuad(mesh, i)) side.corners.push_back(mesh.positions[mesh.triangles[++i][2]]);
     sides_.push_back(std::move(side));
   }
 }

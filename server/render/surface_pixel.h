@@ -63,15 +63,17 @@ void renderSurfacePixel(const PixelContext& view, const SeedPlan& seeds, int bou
   out.samples.I2.at(x, y) = out.g.emission.at(x, y);
   if (!primary.valid) return;
 
-  const DiffuseBase base = diffuseBaseOf<S>(view, primary.start);
-  const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
-  const auto light = meanReflectedParts<S, Channels>(view.scene, view.strengths, primary.start, base.albedo,
-                                                     seeds.seed2, pixel, seeds.spp2, bounces);
-  out.samples.I2.at(x, y) += static_cast<float>(light.all);
-
   const Guide& guide = primary.guide;
   const float A = out.g.albedo.at(x, y);
-  if (!guide.hit || !guide.has_base || A <= kLeastSurfaceAlbedo) return;
+  const bool shared = guide.hit && guide.has_base && A > kLeastSurfaceAlbedo;
+  const DiffuseBase base = diffuseBaseOf<S>(view, primary.start);
+  const int spp = shared ? static_cast<int>(on.paths.at(x, y)) : seeds.spp2;
+  const auto light =
+      meanReflectedParts<S, Channels>(view.scene, view.strengths, primary.start, base.albedo, seeds.seed2,
+                                      static_cast<std::uint32_t>(y * out.width() + x), spp, bounces);
+  out.samples.I2.at(x, y) += static_cast<float>(light.all);
+  if (!shared) return;
+
   on.kind.at(x, y) = base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
   on.x.at(x, y) = guide.point.x, on.y.at(x, y) = guide.point.y, on.z.at(x, y) = guide.point.z;
   on.footprint.at(x, y) = view.camera.pixel * guide.t;

@@ -26,6 +26,7 @@ struct Wall {
       for (int x = 0; x < kW; ++x) {
         const float at = (static_cast<float>(x) + shift_px) * kPixel;
         on.kind.at(x, y) = SurfaceKind::kDiffuse;
+        on.paths.at(x, y) = 1;
         on.x.at(x, y) = at, on.y.at(x, y) = static_cast<float>(y) * kPixel, on.z.at(x, y) = 0;
         on.footprint.at(x, y) = kPixel;
         on.rest.at(x, y) = light(at) + noise * (2 * test::randomAt(seed, x, y) - 1);

@@ -34,6 +34,8 @@ Frame render(const Scene& scene, int spp, int channels = 1) {
   const auto s = std::make_shared<RenderScene>(scene);
   TilePool pool(2);
   Frame frame(kSize, kSize, true);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) frame.surfaces->paths.at(x, y) = static_cast<std::uint32_t>(spp);
   const Camera camera(s->description().T_world_camera, s->description().fov_x_deg, kSize, kSize);
   Renderer(s, {2, channels}).render(camera, camera, SeedPlan::independent(1, 0, spp), pool, frame);
   return frame;
