@@ -32,6 +32,15 @@ struct Placement {
   // Fills all but `taps`. `finest_px`: edge of the finest cells, pixels.
   void place(const SurfaceSamples& on, const GBuffer& g, float finest_px);
 
+  // The share of a pixel's own sample in what it gathers in a slot.
+  float ownShare(const GridPoint& p, int slot) const {
+    float sum = 0;
+    for (std::uint32_t t = p.first; t < p.first + p.count; ++t)
+      for (const float w : taps[slot][t].weight) sum += w * w;
+    return sum;
+  }
+  bool empty() const { return most_level < least_level; }
+
   std::vector<GridPoint> points;               // row-major
   std::vector<int> bins;                       // of each tap
   std::vector<float> bin_weights;              // likewise

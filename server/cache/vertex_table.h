@@ -8,19 +8,26 @@ namespace saccade {
 
 class VertexTable {
  public:
-  // Brings the place of a key closer: call it some keys ahead.
+  // Brings the place of a key closer. Call it some keys ahead.
   void prefetch(std::uint64_t key) const { __builtin_prefetch(&slots_[home(key)]); }
-  // The index of a vertex; the next free one if it is new. Key 0 is not valid.
-  std::uint32_t findOrAdd(std::uint64_t key) {
-    const Slot& slot = slots_[find(key)];
-    return slot.key == key ? slot.index : add(key);
+  // The index of a vertex that is used in frame `now`; the next free index if it is new. Key 0 is not valid.
+  std::uint32_t findOrAdd(std::uint64_t key, std::uint32_t now) {
+    Slot& slot = slots_[find(key)];
+    if (slot.key != key) return add(key, now);
+    slot.used = now;
+    return slot.index;
   }
   std::uint32_t size() const { return size_; }
+
+  // The frame in which each vertex was used last, by index.
+  std::vector<std::uint32_t> lastUses() const;
+  // Keeps the vertices whose `kept` is true, in their order.
+  void keep(const std::vector<bool>& kept);
 
  private:
   struct Slot {
     std::uint64_t key = 0;  // 0: free
-    std::uint32_t index = 0;
+    std::uint32_t index = 0, used = 0;
   };
   static constexpr int kFirstBits = 10;
 
@@ -30,7 +37,7 @@ class VertexTable {
     while (slots_[i].key != 0 && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
     return i;
   }
-  std::uint32_t add(std::uint64_t key);
+  std::uint32_t add(std::uint64_t key, std::uint32_t now);
 
   int bits_ = kFirstBits;
   std::vector<Slot> slots_{std::size_t{1} << kFirstBits};  // at most half full

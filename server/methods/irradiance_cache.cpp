@@ -25,6 +25,7 @@ const std::vector<ParamField<P>>& fields() {
       {"target", &P::target, 0.0001, 10, "relative error of light below which a pixel gets fewer paths",
        "[ours]"},
       {"paths", &P::paths, 0.01, 1, "paths per pixel, as a share of those asked", "[ours]"},
+      {"memory", &P::memory, 1, 65536, "MiB of the grid; at least what two frames need", "[ours]"},
       {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
       {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
   };
@@ -62,7 +63,9 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
     : params_(p),
       atrous_{
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
-      grid_({.finest_px = p.finest, .tau = p.tau, .noise = p.noise}),
+      grid_({.finest_px = p.finest,
+             .blend = {.tau = p.tau, .noise = p.noise},
+             .max_vertices = static_cast<std::size_t>(p.memory) * (1 << 20) / SurfaceGrid::kBytesPerVertex}),
       now_(w, h),
       before_(w, h),
       filtered_(w, h),
@@ -77,7 +80,7 @@ void IrradianceCache::plan(int spp, SurfaceSamples& next) {
   const bool first = frames_++ == 0;
   for (int y = 0; y < next.paths.height(); ++y) {
     for (int x = 0; x < next.paths.width(); ++x) {
-      const float error = now_.uncertainty.at(x, y) / std::max(now_.i.at(x, y), 1e-6f);
+      const float error = std::sqrt(now_.uncertainty.at(x, y)) / std::max(now_.i.at(x, y), 1e-6f);
       const float share = first ? asked : asked * std::min(1.f, error / params_.target);
       next.paths.at(x, y) = static_cast<std::uint32_t>(share + ditherAt(x, y, frames_));
     }
@@ -93,7 +96,7 @@ void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
 void IrradianceCache::learn(const Frame& frame, const PoolHandle& pool, StageTimes& times) {
   std::swap(at_, at_prev_);
   if (frame.light_changed) grid_.forget();
-  times[Stage::kTemporal] += grid_.place(*frame.surfaces, frame.g, pool, at_);
+  times[Stage::kTemporal] += grid_.place(*frame.surfaces, frame.g, pool, at_prev_, at_);
   times[Stage::kTemporal] += grid_.add(*frame.surfaces, at_, pool);
 }
 

@@ -47,7 +47,8 @@ struct View {
   // Adds a view of the wall; the estimate there is in `now`.
   void look(Wall& wall, float shift_px, std::uint64_t seed) {
     wall.show(shift_px, seed);
-    grid.place(*wall.frame.surfaces, wall.frame.g, pool, at);
+    std::swap(at, prev);
+    grid.place(*wall.frame.surfaces, wall.frame.g, pool, prev, at);
     grid.add(*wall.frame.surfaces, at, pool);
     grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
     grid.learn(at, pool);
@@ -66,7 +67,7 @@ struct View {
 
   TilePool pool;
   SurfaceGrid grid{{}};
-  Placement at;
+  Placement at, prev;
   GridEstimate now{kW, kH};
 };
 
@@ -181,12 +182,43 @@ TEST_F(SurfaceGridTest, ForgetsLightThatHasChanged) {
   EXPECT_LT(errors(wall, wall.light).first, 1e-4);
 }
 
+// A long flight in a bounded grid: what was not used for longest goes, and what is in view stays true.
+TEST_F(SurfaceGridTest, DropsWhatWasNotUsedForLongest) {
+  const auto fly = [](View& view, int frames) {
+    Wall wall;
+    wall.light = [](float x) { return 1 + x; };
+    for (int t = 0; t < frames; ++t) view.look(wall, 10.f * t, t);
+    return wall;
+  };
+  View free;
+  fly(free, 60);
+  EXPECT_EQ(free.grid.dropped(), 0u);
+  grid = SurfaceGrid({.max_vertices = free.grid.vertices() / 3});
+  const Wall wall = fly(*this, 60);
+  EXPECT_GT(grid.dropped(), 0u);
+  EXPECT_LT(grid.vertices(), free.grid.vertices() / 2);
+  EXPECT_LT(errors(wall, wall.light).first, 0.02);
+}
+
+// The frame before is read after vertices have gone.
+TEST_F(SurfaceGridTest, DroppingLeavesTheFrameBeforeReadable) {
+  Wall wall;
+  grid = SurfaceGrid({.max_vertices = 1});
+  for (int t = 0; t < 5; ++t) {
+    look(wall, 3.f * t, t);
+    if (t == 0) continue;
+    GridEstimate before(kW, kH);
+    grid.read(*wall.frame.surfaces, wall.frame.g, prev, pool, before);
+    for (int x = 0; x < kW; ++x) EXPECT_NEAR(before.i.at(x, 9), 1, 1e-5);
+  }
+}
+
 TEST_F(SurfaceGridTest, PixelsWithoutASurfaceAreLeftOut) {
   Wall wall;
   wall.show(0, 1);
   for (int y = 0; y < kH; ++y)
     for (int x = 0; x < kW; ++x) wall.frame.surfaces->kind.at(x, y) = SurfaceKind::kNone;
-  grid.place(*wall.frame.surfaces, wall.frame.g, pool, at);
+  grid.place(*wall.frame.surfaces, wall.frame.g, pool, prev, at);
   grid.add(*wall.frame.surfaces, at, pool);
   grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
   grid.learn(at, pool);

@@ -1,0 +1,71 @@
+// What the grid keeps: on each level its vertices, and at each vertex sums of samples.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "base/check.h"
+#include "cache/placement.h"
+#include "cache/vertex_table.h"
+
+namespace saccade {
+
+using Quad = float __attribute__((vector_size(16)));
+using Octet = float __attribute__((vector_size(32)));
+
+struct GridLevel {
+  VertexTable table;
+  // Sums over samples of weight, rest, visible / U and unoccluded / U (the two estimates by paths).
+  std::vector<Quad> light;
+  // Evidence of the level kPoolSteps below, for `rest` and then for visibility: sums of x, x^2, squared
+  // residuals, and the weights of samples. evidence.h says what x is.
+  std::vector<Octet> evidence;
+};
+
+// All levels, by the exponent of their cells' edge.
+class GridLevels {
+ public:
+  GridLevel& operator[](int l) { return *levels_[l - kLeast]; }
+  const GridLevel& operator[](int l) const { return *levels_[l - kLeast]; }
+  // Makes those of [first, last] that do not exist.
+  void makeAll(int first, int last) {
+    SACCADE_CHECK(first >= kLeast && last <= kMost);
+    for (int l = first; l <= last; ++l)
+      if (!levels_[l - kLeast]) levels_[l - kLeast] = std::make_unique<GridLevel>();
+  }
+  template <class F>  // f(the exponent, the level), from fine to coarse
+  void forEach(const F& f) const {
+    for (int l = kLeast; l <= kMost; ++l)
+      if (levels_[l - kLeast]) f(l, *levels_[l - kLeast]);
+  }
+
+ private:
+  static constexpr int kLeast = -64, kMost = 63;
+  std::array<std::unique_ptr<GridLevel>, kMost - kLeast + 1> levels_;
+};
+
+// The weighted sum over a pixel's taps in one slot.
+template <class V>
+V gather(const std::vector<V>& values, const Placement& at, const GridPoint& p, int slot) {
+  V sum{};
+  for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
+    const Taps& taps = at.taps[slot][t];
+    for (int i = 0; i < 4; ++i) sum += values[taps.vertex[i]] * taps.weight[i];
+  }
+  return sum;
+}
+
+// Adds a sample to the vertices of a pixel in one slot, where `open` says that a vertex takes more.
+template <class V, class Open>
+void scatter(const V& sample, const Placement& at, const GridPoint& p, int slot, std::vector<V>& sums,
+             const Open& open) {
+  for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
+    const Taps& taps = at.taps[slot][t];
+    for (int i = 0; i < 4; ++i) {
+      V& sum = sums[taps.vertex[i]];
+      if (open(sum)) sum += sample * taps.weight[i];
+    }
+  }
+}
+
+}  // namespace saccade

@@ -1,0 +1,85 @@
+// Blends what the levels of the grid say at a point.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "cache/grid_levels.h"
+
+namespace saccade {
+
+struct BlendParams {
+  float tau;    // standard deviations that a level's detail must exceed its noise by
+  float noise;  // variance of an interpolated mean, of that of one sample, at a density of one
+};
+
+inline constexpr int kTop = kGridLevels - 1;  // the slot of the coarsest level
+
+// One kind of light, from coarse to fine: E += alpha_k (E_k - E), with alpha_k the share of the detail of
+// level k that is not noise [ours].
+struct BlendedLight {
+  float value = 0, variance = 0;             // of the estimate so far
+  std::array<float, kTop> alpha{}, noise{};  // of each level: alpha_k, and the variance of E_k
+
+  // `sum` of samples of the weight `samples`. alpha = energy / (energy + noise): what evidence says of the
+  // energy of the detail, against the variance of the level's mean.
+  void refine(int k, float sum, float samples, float x, float x2, float residual2, float weight,
+              float fraction, const BlendParams& p) {
+    if (samples <= 0) return;
+    const float energy = weight > 0 ? std::max(0.f, x - p.tau * std::sqrt(x2)) / weight : 0;
+    noise[k] = weight > 0 ? p.noise * residual2 / (weight * samples) : 0;
+    float a = energy > 0 ? energy / (energy + noise[k]) : 0;
+    // The coarsest level fades in, and the finest fades out, as the point moves away.
+    if (k == kTop - 1) a += (1 - fraction) * (1 - a);
+    if (k == 0) a *= 1 - fraction;
+    alpha[k] = a;
+    value += a * (sum / samples - value);
+    variance = (1 - a) * (1 - a) * variance + a * a * noise[k];
+  }
+
+  // Variance of the change over a step of `cells` finest cells: the weights of vertices change by as much.
+  float stepVariance(float cells) const {
+    float sum = 0, left = 1;
+    for (int k = 0; k < kTop; ++k, cells *= 0.5f) {
+      const float w = alpha[k] * left;
+      sum += w * w * std::min(2.f, 2 * cells * cells) * noise[k];
+      left *= 1 - alpha[k];
+    }
+    return sum;
+  }
+};
+
+struct LevelBlend {
+  LevelBlend(const GridLevels& levels, const Placement& at, const GridPoint& p, const BlendParams& params) {
+    visibility.value = 1;
+    light[kTop] = gather(levels[p.level + kTop].light, at, p, kTop);
+    if (light[kTop][0] > 0) rest.value = light[kTop][1] / light[kTop][0];
+    if (light[kTop][3] > 0) visibility.value = light[kTop][2] / light[kTop][3];
+    for (int k = kTop - 1; k >= 0; --k) {
+      const Quad l = light[k] = gather(levels[p.level + k].light, at, p, k);
+      const Octet e = gather(levels[p.level + k + kPoolSteps].evidence, at, p, k + kPoolSteps);
+      if (k == kJudged) judged = l[0] > 0 && e[3] > 0;
+      rest.refine(k, l[1], l[0], e[0], e[1], e[2], e[3], p.fraction, params);
+      visibility.refine(k, l[2], l[3], e[4], e[5], e[6], e[7], p.fraction, params);
+    }
+  }
+
+  // i = U V + rest, with U the unoccluded direct light.
+  float value(float U) const { return rest.value + U * visibility.value; }
+  float variance(float U) const { return rest.variance + U * U * visibility.variance; }
+  float stepVariance(float U, float cells) const {
+    return rest.stepVariance(cells) + U * U * visibility.stepVariance(cells);
+  }
+  // Variance of the mean over a cell of about a pixel, whether its detail is believed or not; where nothing
+  // is known yet, `unknown`.
+  float cellVariance(float U, float unknown) const {
+    return judged ? rest.noise[kJudged] + U * U * visibility.noise[kJudged] : unknown;
+  }
+
+  static constexpr int kJudged = 1;  // the slot of cells of about a pixel
+  BlendedLight rest, visibility;
+  std::array<Quad, kGridLevels> light;  // gathered, by slot
+  bool judged = false;                  // whether there are samples and evidence in slot kJudged
+};
+
+}  // namespace saccade
