@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   saccade::eval::addCompareCommand(app);
   saccade::eval::addCompareRendersCommand(app);
   saccade::eval::addChartCommand(app);
+  saccade::eval::addCellsCommand(app);
   saccade::eval::addFigureCommand(app);
   saccade::eval::addSimplificationCommand(app);
   saccade::eval::requireSubcommand(app, "command");

@@ -54,6 +54,25 @@ TEST(ParseSize, NamesTheFlagAndWhatWouldBeValid) {
   }
 }
 
+TEST(FrameRange, HasAFirstHalf) {
+  EXPECT_EQ(FrameRange({17, 21}).firstHalf().last, 19);
+  EXPECT_EQ(FrameRange({21, 21}).firstHalf().last, 21);
+  EXPECT_EQ(FrameRange({20, 21}).firstHalf().first, 20);
+}
+
+TEST(ParseSetting, IsAMethodAtItsPaths) {
+  const Setting setting = parseSetting("--baselines", "svgf:as_falcor=1@4");
+  EXPECT_EQ(setting.method.text, "svgf:as_falcor=1");
+  EXPECT_EQ(setting.spp, 4);
+  EXPECT_EQ(setting.text(), "svgf:as_falcor=1@4");
+  const auto read = [](const std::string& text) { parseSetting("--baselines", text); };
+  for (const char* text : {"svgf", "svgf@", "svgf@0", "svgf@2x", "@", "svgf@65537"})
+    for (const std::string part : {"--baselines", "METHOD@SPP", text})
+      expectContains(faultOf(read, text), part);
+  expectContains(faultOf(read, "event_svgf@3"), "event_svgf@3: the paths must be even");
+  expectContains(faultOf(read, "svfg@2"), "svgf");  // what there is
+}
+
 TEST(CheckSpp, RefusesPathsThatTwoPassesCannotShare) {
   for (const int spp : {1, 2, 3}) EXPECT_NO_THROW(checkSpp(parseMethod("pt"), spp));
   const MethodSpec method = parseMethod("event_svgf:alpha=0.2");

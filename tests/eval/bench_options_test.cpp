@@ -66,6 +66,25 @@ TEST(BenchOptions, TakeTheFlagsOfRecord) {
   EXPECT_EQ(parsed("--trajectory orbit:10").setup.trajectory, "orbit:10");
 }
 
+// Where the command moves the camera, neither the flags nor the text tell a path.
+TEST(BenchOptions, LeaveTheCameraToTheCommand) {
+  BenchOptions o;
+  o.camera = false;
+  CLI::App app;
+  addBenchOptions(app, o);
+  app.parse("--quick");
+  resolve(o);
+  EXPECT_EQ(o.setup.width, 64);
+  EXPECT_EQ(o.setup.last, 21);
+  EXPECT_EQ(o.setup.frame_rate_hz, 250);
+  for (const char* flag : {"--rate", "--motion", "--frames"})
+    EXPECT_EQ(app.get_option_no_throw(flag), nullptr) << flag;
+  const std::string text = o.text();
+  o.setup.trajectory = "orbit", o.setup.px_per_frame = 3, o.setup.first = 7;
+  EXPECT_EQ(o.text(), text);
+  EXPECT_NE(text.find(" size=64x64 bounces=3 "), std::string::npos) << text;
+}
+
 TEST(BenchOptions, QuickLeavesSomethingToScore) {
   BenchOptions o;
   o.size = "1x1", o.frames = "5", o.quick = true, o.setup.reference_spp = 100;

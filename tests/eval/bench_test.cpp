@@ -88,7 +88,8 @@ TEST_F(BenchTest, TheTruthIsOfTheFramesThatAreScored) {
 TEST_F(BenchTest, PassesTheScenesOwnPoseAtTheLastFrameWithTheSpeedAskedFor) {
   const ImageF home = luminance(scene->description().T_world_camera);
   // After a long way forward, the image is no longer as fast as at the end of a frame.
-  const std::pair<const char*, double> asked[] = {{"right", 0.25}, {"right", 4}, {"forward", 0.25}};
+  const std::pair<const char*, double> asked[] = {
+      {"right", 0.25}, {"right", 4}, {"forward", 0.25}, {"orbit", 0.5}, {"orbit", 4}};
   for (const auto& [motion, px] : asked) {
     setup.trajectory = motion, setup.px_per_frame = px;
     const Bench bench(setup, pool);
@@ -97,6 +98,28 @@ TEST_F(BenchTest, PassesTheScenesOwnPoseAtTheLastFrameWithTheSpeedAskedFor) {
     EXPECT_LT(relativeL1(last.I_now, home), 1e-3) << motion << " at " << px;
     EXPECT_GT(relativeL1(last.I_prev, home), 1e-2) << motion << " at " << px;
   }
+}
+
+TEST_F(BenchTest, ShakesAsTheMotionDoesAtTheRateOfTheSpeed) {
+  setup.trajectory = "shake", setup.px_per_frame = 0.5;
+  const Bench bench(setup, pool);
+  const double rate_hz = kMotionRateHz * kMotionPxPerFrame / 0.5 * (kW / kMotionWidth);
+  EXPECT_DOUBLE_EQ(bench.setup().frame_rate_hz, rate_hz);
+  const Trajectory path = openTrajectory("cornell-box", "shake", *scene, {});
+  expectEqual(bench.truth().back().change.I_now, luminance(path.at(frameTime(4, rate_hz))));
+}
+
+TEST_F(BenchTest, TellsWhatIsInView) {
+  setup.reference_spp = 0, setup.px_per_frame = 0.5;
+  const BenchView view = Bench(setup, scene, pool).view();
+  EXPECT_GT(view.surface, 0.9);
+  EXPECT_NEAR(view.px_per_frame, 0.5, 0.03);
+  setup.trajectory = "still", setup.px_per_frame = 0;
+  EXPECT_EQ(Bench(setup, scene, pool).view().px_per_frame, 0);
+  Scene empty;
+  const BenchView nothing = Bench(setup, std::make_shared<RenderScene>(empty), pool).view();
+  EXPECT_EQ(nothing.surface, 0);
+  EXPECT_EQ(nothing.px_per_frame, 0);
 }
 
 TEST_F(BenchTest, TakesItsReferencesFromTheCacheTheSecondTime) {

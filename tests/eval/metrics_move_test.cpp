@@ -88,7 +88,7 @@ const std::vector<Case>& cases() {
        addNoise,
        {&S::dI_l1, &S::dI_mape, &S::dL_l1, &S::dL_mape, &S::false_events, &S::false_smooth, &S::false_curved,
         &S::false_changed, &S::sigma_dL, &S::noise_dL, &S::rms_dL, &S::rms_smooth, &S::rms_curved,
-        &S::rms_changed, &S::count_error, &S::voxel_error, &S::time_error_ms},
+        &S::rms_changed, &S::count_error, &S::voxel_error, &S::time_error_ms, &S::phase_error},
        {},
        {&S::bias_dL},
        0.1},

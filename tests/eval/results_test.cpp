@@ -51,6 +51,22 @@ TEST_F(Fixture, RowsOfOtherSettingsAreNotMixedIn) {
   }
 }
 
+// Rows from before a column was added would be read into the wrong columns.
+TEST_F(Fixture, RowsOfOtherColumnsAreNotRead) {
+  ResultTable(path, "128x128").add(makeResult());
+  std::string text;
+  std::getline(std::ifstream(path), text, '\0');
+  const std::string newest = std::string(",") + kScoreColumns.back().name;
+  text.erase(text.find(newest), newest.size());
+  std::ofstream(path) << text;
+  try {
+    ResultTable(path, "128x128");
+    FAIL();
+  } catch (const std::runtime_error& fault) {
+    EXPECT_NE(std::string(fault.what()).find("has other columns"), std::string::npos);
+  }
+}
+
 TEST_F(Fixture, AHalfWrittenRowIsNamed) {
   ResultTable(path, "128x128").add(makeResult());
   std::ofstream(path, std::ios::app) << "box,pt,4,1.5";

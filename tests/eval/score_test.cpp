@@ -63,8 +63,9 @@ constexpr double kTolerance = 1e-6, kInfinity = std::numeric_limits<double>::inf
 
 TEST(Score, OfTheTruthItselfIsZeroInEveryColumn) {
   const ImageF dL = plane({0.5f, -0.4f, 0.3f, 0.6f});
-  const auto truth = listOf(truthOf(dL, {kSmooth, kCurved, kChanged, kSmooth}));
-  const Score score = scoreOf(truth, listOf(runOf(dL), runOf(dL)), kBias, kC);
+  const std::vector<std::uint32_t> regions{kSmooth, kCurved, kChanged, kSmooth};
+  const auto truth = listOf(truthOf(dL, regions, 1), truthOf(dL, regions, 2));
+  const Score score = scoreOf(truth, listOf(runOf(dL, dL), runOf(dL, dL)), kBias, kC);
   for (const ScoreColumn& column : kScoreColumns)
     EXPECT_NEAR(score.*column.value, 0, kTolerance) << column.name;
 }
@@ -136,6 +137,28 @@ TEST(Score, OfALateRunIsWrongInTimeAlone) {
   EXPECT_EQ(half.time_error_ms, 2.5);
   // A repeat without an event has no time.
   EXPECT_EQ(scoreOf(truth, listOf(late(), runOf(none, none, none)), kBias, kC).time_error_ms, 5);
+}
+
+// After a rise by 2 C all levels lie in [0, C), evenly. To rise by C gives each pixel an event, at even
+// phases. To fall by 2 C gives each an event in the second half, since the OFF threshold lies C below 0: half
+// of the events are in another tenth.
+TEST(Score, TellsPhasesAfterTheFirstFrame) {
+  constexpr int kWidth = 5'000;
+  const auto everywhere = [](float dL) {
+    ImageF image(kWidth, 1);
+    image.fill(dL);
+    return image;
+  };
+  const ImageF rise = everywhere(0.4f), on = everywhere(0.2f), turn = everywhere(-0.4f);
+  const std::vector<std::uint32_t> regions(kWidth, kSmooth);
+  const auto truth = listOf(truthOf(rise, regions, 1), truthOf(on, regions, 2));
+  EXPECT_NEAR(scoreOf(truth, listOf(runOf(rise, turn)), kBias, kC).phase_error, 0.5, 0.02);
+  // In the mean of squares with a repeat that is right.
+  const auto half = listOf(runOf(rise, turn), runOf(rise, on));
+  EXPECT_NEAR(scoreOf(truth, half, kBias, kC).phase_error, std::sqrt(0.25 / 2), 0.02);
+  // The start of the sensor spreads the events of a single frame, whatever the method.
+  const auto single = listOf(truthOf(on, regions, 1));
+  EXPECT_TRUE(std::isnan(scoreOf(single, listOf(runOf(turn)), kBias, kC).phase_error));
 }
 
 TEST(Score, HasNoNoiseOfASingleRepeat) {

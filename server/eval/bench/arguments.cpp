@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/names.h"
+#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
@@ -54,6 +55,19 @@ double parseTolerance(const std::string& text) {
   if (whole && percent > 0 && percent <= 100) return percent / 100;
   throw CLI::ValidationError("--tolerance",
                              "must be a share of the events, over 0% and up to 100%, not " + text);
+}
+
+Setting parseSetting(const std::string& flag, const std::string& text) {
+  const std::size_t at = text.rfind('@');
+  const auto spp =
+      at == text.npos ? std::nullopt : number(std::string_view(text).substr(at + 1), ranges::kSpp.max);
+  if (!spp) {
+    throw CLI::ValidationError(flag, "must be METHOD@SPP with 1 to " + std::to_string(ranges::kSpp.max) +
+                                         " paths per pixel and frame, such as svgf@2, not " + text);
+  }
+  const Setting setting{parseMethod(text.substr(0, at)), *spp};
+  if (setting.method.takes(*spp)) return setting;
+  throw CLI::ValidationError(flag, text + ": the paths must be even, half of them for each pass");
 }
 
 void checkSpp(const MethodSpec& method, int spp) {

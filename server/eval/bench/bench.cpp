@@ -1,25 +1,17 @@
 #include "eval/bench/bench.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/quantile.h"
 #include "eval/bench/interrupt.h"
 #include "eval/bench/open_scene.h"
+#include "eval/bench/steady_path.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "render/simplify.h"
 
 namespace saccade::eval {
 namespace {
-
-// Moves straight with the velocity of `motion` at its start, and passes its start pose at time `at`.
-Trajectory straightThrough(const Trajectory& motion, TimeNs at) {
-  constexpr TimeNs kStep{1'000'000};
-  Pose early = motion.at(TimeNs{0}), late = early;
-  const Vec3d way = (motion.at(kStep).position - early.position) * (seconds(at) / seconds(kStep));
-  early.position = early.position - way;
-  late.position = late.position + way;
-  return Trajectory({{TimeNs{0}, early}, {2 * at, late}});
-}
 
 double medianMotion(const GBuffer& g) {
   std::vector<double> lengths;
@@ -27,6 +19,12 @@ double medianMotion(const GBuffer& g) {
     if (g.z.at(x, y) < kMissDepth) lengths.push_back(std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y)));
   });
   return lengths.empty() ? 0 : quantile(lengths, 0.5);
+}
+
+double surfaceShare(const GBuffer& g) {
+  double hits = 0;
+  forEachPixel(g.z, [&](int x, int y) { hits += g.z.at(x, y) < kMissDepth; });
+  return hits / (static_cast<double>(g.z.width()) * g.z.height());
 }
 
 std::shared_ptr<const RenderScene> openSceneOf(const BenchSetup& setup) {
@@ -37,16 +35,22 @@ std::shared_ptr<const RenderScene> openSceneOf(const BenchSetup& setup) {
 
 }  // namespace
 
-Bench::Bench(const BenchSetup& setup, TilePool& pool)
+Bench::Bench(const BenchSetup& setup, TilePool& pool) : Bench(setup, openSceneOf(setup), pool) {}
+
+Bench::Bench(const BenchSetup& setup, std::shared_ptr<const RenderScene> scene, TilePool& pool)
     : setup_(setup),
       pool_(pool),
-      scene_(openSceneOf(setup)),
+      scene_(std::move(scene)),
       path_(openTrajectory(setup.scene, setup.trajectory, *scene_, feedConfig())) {
   SACCADE_CHECK(setup.first >= 1 && setup.first <= setup.last);
   if (setup.px_per_frame > 0) {
     setup_.frame_rate_hz =
         kMotionRateHz * kMotionPxPerFrame / setup.px_per_frame * (setup.width / kMotionWidth);
-    path_ = straightThrough(path_, frameTime(static_cast<FrameIndex>(setup.last), setup_.frame_rate_hz));
+    const TimeNs at = frameTime(static_cast<FrameIndex>(setup.last), setup_.frame_rate_hz);
+    if (setup.trajectory == "orbit")
+      path_ = turningThrough(path_, at);
+    else if (setup.trajectory != "shake")
+      path_ = straightThrough(path_, at);
   }
   if (setup_.reference_spp > 0) renderTruth();
 }
@@ -63,6 +67,25 @@ Bench::Bench(const Bench& other, bool jitter)
   if (setup_.reference_spp > 0) renderTruth();
 }
 
+// A feed of a single path per pixel gives the features: its frames know where surfaces were.
+Feed Bench::features() const {
+  FeedConfig config = feedConfig();
+  config.method = "pt", config.spp = 1, config.bounces = 0;
+  return Feed(scene_, path_, config, pool_);
+}
+
+BenchView Bench::view() const {
+  Feed features = this->features();
+  BenchView view;
+  for (int t = 1; t <= setup_.last; ++t) {
+    features.step(pool_);
+    if (t >= setup_.first) view.surface = std::min(view.surface, surfaceShare(features.frames().cur.g));
+    if (interrupted()) throw Interrupted{};
+  }
+  view.px_per_frame = medianMotion(features.frames().cur.g);
+  return view;
+}
+
 void Bench::renderTruth() {
   const int w = setup_.width, h = setup_.height;
   const double fov = scene_->description().fov_x_deg;
@@ -70,10 +93,7 @@ void Bench::renderTruth() {
                               setup_.cache, pool_);
   Progress progress("reference of " + setup_.scene,
                     static_cast<double>(setup_.last - setup_.first + 2) * setup_.reference_spp);
-  // A feed of a single path per pixel gives the features: its frames know where surfaces were.
-  FeedConfig config = feedConfig();
-  config.method = "pt", config.spp = 1, config.bounces = 0;
-  Feed features(scene_, path_, config, pool_);
+  Feed features = this->features();
   for (int t = 1; t < setup_.first; ++t) features.step(pool_);
   const auto frame = [&](int t) {
     const TimeNs time = frameTime(static_cast<FrameIndex>(t), setup_.frame_rate_hz);

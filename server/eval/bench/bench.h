@@ -18,8 +18,9 @@ struct BenchSetup {
   std::string trajectory = "right";   // likewise
   int width = 128, height = 128;
   double frame_rate_hz = 250;
-  // > 0: `right` or `forward` moves straight, passes its start at frame `last`, and moves the images by this
-  // much (median at the start); this sets frame_rate_hz. 0: the trajectory is taken as it is.
+  // > 0: a motion by name moves the images by this much (median at the start); this sets frame_rate_hz.
+  // `right`, `forward` and `orbit` move on steadily, and pass their start at frame `last`. `shake` begins
+  // there, and has this median over its period. 0: the trajectory is taken as it is.
   double px_per_frame = 0;
   int bounces = 3;
   bool jitter = false;        // of the methods; the truth is then the mean over the whole pixel
@@ -34,6 +35,12 @@ struct Truth : ReferenceChange {
   RegionMap regions;
 };
 
+// What the scored frames show.
+struct BenchView {
+  double surface = 1;       // the share of pixels that show one, in the frame with the least
+  double px_per_frame = 0;  // median motion of the images of surfaces, into the last frame; 0: none in view
+};
+
 // The estimates of a method for the scored frames.
 struct BenchRun {
   std::vector<IntensityChange> changes;  // one for each Truth
@@ -45,6 +52,8 @@ class Bench {
  public:
   // Opens the scene and renders the truth, with progress on stderr. Throws SceneError, Interrupted.
   Bench(const BenchSetup& setup, TilePool& pool);
+  // On `scene`, which is open already; it has mips or not.
+  Bench(const BenchSetup& setup, std::shared_ptr<const RenderScene> scene, TilePool& pool);
   // The camera of `other` on another scene with so many bounces, or with other jitter; renders the truth
   // anew.
   Bench(const Bench& other, std::shared_ptr<const RenderScene> scene, int bounces);
@@ -55,12 +64,14 @@ class Bench {
   const std::vector<Truth>& truth() const { return truth_; }  // of frames first to last
   double referenceError() const;  // of the truth's dI, relative L1, mean over the frames
   double medianPxPerFrame() const { return median_px_; }  // of the images of surfaces, into the last frame
+  BenchView view() const;                                 // renders features, and no truth
   // Passes the changes of all frames from 1 on to `each`, if given. Throws Interrupted.
   BenchRun run(const MethodSpec& method, int spp, std::uint64_t seed,
                const std::function<void(const IntensityChange&)>& each = {}) const;
 
  private:
   FeedConfig feedConfig() const;
+  Feed features() const;
   void renderTruth();
 
   BenchSetup setup_;

@@ -12,15 +12,30 @@
 
 namespace saccade::eval {
 
+namespace {
+
+void addCameraOptions(CLI::App& app, BenchOptions& o) {
+  app.add_option(kTrajectoryFlag, o.setup.trajectory, trajectoryHelp())->capture_default_str();
+  app.add_option("--rate", o.setup.frame_rate_hz, "frames per second")
+      ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
+      ->capture_default_str();
+  app.add_option("--frames", o.frames, "A:B, the frames to score; every run starts at 0")
+      ->capture_default_str();
+}
+
+}  // namespace
+
 std::string BenchOptions::text() const {
   std::ostringstream text;
-  text << "cpu=\"" << cpuName() << "\" trajectory=\"" << setup.trajectory << "\" size=" << setup.width << 'x'
-       << setup.height;
-  if (setup.px_per_frame > 0)
+  text << "cpu=\"" << cpuName() << '"';
+  if (camera) text << " trajectory=\"" << setup.trajectory << '"';
+  text << " size=" << setup.width << 'x' << setup.height;
+  if (camera && setup.px_per_frame > 0)
     text << " px_per_frame=" << setup.px_per_frame;
-  else
+  else if (camera)
     text << " rate_hz=" << setup.frame_rate_hz;
-  text << " frames=" << setup.first << ':' << setup.last << " bounces=" << setup.bounces;
+  if (camera) text << " frames=" << setup.first << ':' << setup.last;
+  text << " bounces=" << setup.bounces;
   if (setup.jitter) text << " jitter=1";
   if (threshold > 0) text << " threshold=" << threshold;
   text << " bias=" << bias << " reference_spp=" << setup.reference_spp;
@@ -31,13 +46,8 @@ std::string BenchOptions::text() const {
 void addBenchOptions(CLI::App& app, BenchOptions& o) {
   o.parsed = &app;
   o.setup.cache = defaultCache();
-  app.add_option(kTrajectoryFlag, o.setup.trajectory, trajectoryHelp())->capture_default_str();
+  if (o.camera) addCameraOptions(app, o);
   app.add_option("--size", o.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
-  app.add_option("--rate", o.setup.frame_rate_hz, "frames per second")
-      ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
-      ->capture_default_str();
-  app.add_option("--frames", o.frames, "A:B, the frames to score; every run starts at 0")
-      ->capture_default_str();
   app.add_flag(
       "--jitter", o.setup.jitter,
       "start paths anywhere in the pixel, not at its centre; the reference is the mean over the pixel");
@@ -62,9 +72,10 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
       ->check(CLI::Range(ranges::kBias.min, ranges::kBias.max))
       ->capture_default_str();
   app.add_option("--cache", o.setup.cache, "folder for reference frames")->capture_default_str();
-  app.add_flag(
-      "--quick", o.quick,
-      "half the size and rate, fewer frames, a quarter of the reference's paths; flags that you give stay");
+  app.add_flag("--quick", o.quick,
+               std::string(o.camera ? "half the size and rate, fewer frames, "
+                                    : "half the size, fewer frames and speeds, ") +
+                   "a quarter of the reference's paths; flags that you give stay");
 }
 
 void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vector<int>& spp) {
@@ -78,19 +89,22 @@ void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vec
       ->capture_default_str();
 }
 
+bool isFree(const BenchOptions& o, const char* flag) {
+  return !o.parsed || o.parsed->count(flag) == 0;
+}
+
 void resolve(BenchOptions& o) {
   const Size size = parseSize(o.size);
   const FrameRange range = parseFrameRange(o.frames);
   o.setup.width = size.width, o.setup.height = size.height;
   o.setup.first = range.first, o.setup.last = range.last;
   if (!o.quick) return;
-  const auto isFree = [&](const char* flag) { return !o.parsed || o.parsed->count(flag) == 0; };
-  if (isFree("--size")) {
+  if (isFree(o, "--size")) {
     o.setup.width = std::max(1, size.width / 2), o.setup.height = std::max(1, size.height / 2);
-    if (isFree("--rate")) o.setup.frame_rate_hz /= 2;
+    if (o.camera && isFree(o, "--rate")) o.setup.frame_rate_hz /= 2;
   }
-  if (isFree("--frames")) o.setup.last = range.first + (range.last - range.first) / 2;
-  if (isFree("--reference")) o.setup.reference_spp = std::max(64, o.setup.reference_spp / 4);
+  if (o.camera && isFree(o, "--frames")) o.setup.last = range.firstHalf().last;
+  if (isFree(o, "--reference")) o.setup.reference_spp = std::max(64, o.setup.reference_spp / 4);
 }
 
 }  // namespace saccade::eval

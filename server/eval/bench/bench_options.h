@@ -15,6 +15,7 @@ struct BenchOptions {
   int repeats = 2;         // 0: the command runs once and has no --repeats
   double threshold = 0.2;  // 0: the command has no --threshold
   double bias = 1e-3;
+  bool camera = true;  // false: the command moves the camera, and has no --motion, --rate and --frames
   bool quick = false;
   const CLI::App* parsed = nullptr;  // tells which flags were given
 
@@ -27,6 +28,9 @@ void addBenchOptions(CLI::App& app, BenchOptions& o);
 
 // Adds --methods and --spp: the lists of what a command compares.
 void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vector<int>& spp);
+
+// Whether the command line left this flag out; true where none was parsed.
+bool isFree(const BenchOptions& o, const char* flag);
 
 // Reads the texts after parsing. --quick halves the sides of the picture, with them the frame rate (motion
 // keeps its pixels per frame), and reduces frames and reference; it leaves flags that were given. Throws

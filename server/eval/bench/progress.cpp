@@ -16,6 +16,10 @@ Progress::Progress(std::string what, double total)
       printed_(start_) {}
 
 Progress::~Progress() {
+  clear();
+}
+
+void Progress::clear() const {
   if (terminal_) std::fprintf(stderr, "\r\033[K");
 }
 

@@ -12,6 +12,7 @@ class Progress {
   Progress(std::string what, double total);
   ~Progress();
   void add(double done);
+  void clear() const;  // takes the line off a terminal, before others write there
 
  private:
   void print();

@@ -8,6 +8,7 @@
 #include "eval/bench/sequence.h"
 #include "eval/metrics/brightness_change.h"
 #include "eval/metrics/error_parts.h"
+#include "eval/metrics/event_phases.h"
 #include "eval/metrics/event_rates.h"
 #include "eval/metrics/event_streams.h"
 #include "eval/metrics/for_each_pixel.h"
@@ -43,8 +44,8 @@ struct Mean {
   double value() const { return count > 0 ? sum / count : kNaN; }
 };
 
-// The mean of squares over frames. error_parts.h gives the root of a negative square as negative, and NaN for
-// a frame without such pixels.
+// The mean of squares. error_parts.h and event_phases.h give the root of a negative square as negative, and
+// NaN where there is nothing to measure.
 struct MeanSquare {
   Mean mean;
   void add(double root) {
@@ -110,18 +111,31 @@ void scoreNoise(const std::vector<ScoredFrame>& frames, Score& score) {
   score.sigma_dL = sigma.value(), score.bias_dL = bias.root(), score.noise_dL = noise.root();
 }
 
+// The times of all frames but the first. Events of the first come from the sensor's random start, not from
+// the motion before it.
+FrameIntervals intervalsOf(const ChangeSequence& changes) {
+  FrameIntervals intervals;
+  for (std::size_t f = 1; f < changes.size(); ++f)
+    intervals.push_back({changes[f]->t0.count(), changes[f]->t1.count()});
+  return intervals;
+}
+
 void scoreEvents(const std::vector<Truth>& truth, std::span<const BenchRun> repeats, double bias, double C,
                  Score& score) {
   const SensorConfig sensor{.threshold = C, .threshold_off = C, .bias = bias, .reconstruction = "direct"};
   const Events ref = eventsOf(sequenceOf(truth), sensor);
+  const PhasedEvents ref_phases = phasesOf(ref, intervalsOf(sequenceOf(truth)));
   Mean count, voxel, time;
+  MeanSquare phase;
   for (const BenchRun& run : repeats) {
     const Events events = eventsOf(sequenceOf(run), sensor);
     count.add(countError(events, ref));
     voxel.add(voxelError(events, ref));
     if (!events.empty()) time.add(nearestTimeError(events, ref).mean_ns / 1e6);
+    phase.add(phaseError(phasesOf(events, intervalsOf(sequenceOf(run))), ref_phases));
   }
   score.count_error = count.value(), score.voxel_error = voxel.value(), score.time_error_ms = time.value();
+  score.phase_error = phase.root();
 }
 
 }  // namespace

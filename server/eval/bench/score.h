@@ -21,13 +21,14 @@ struct Score {
   double rms_smooth, rms_curved, rms_changed;  // of dL in a region
   double count_error, voxel_error;  // event_streams.h, over all scored frames; sensors that believe dL alone
   double time_error_ms;             // mean distance of an event to the nearest of the truth, at most 5
+  double phase_error;               // event_phases.h, a root like those of rms; NaN for a single frame
 };
 
 struct ScoreColumn {
   const char *name, *label;  // in tables; in charts
   double Score::*value;
 };
-inline constexpr std::array<ScoreColumn, 22> kScoreColumns{{
+inline constexpr std::array<ScoreColumn, 23> kScoreColumns{{
     {"dI_l1", "relative L1 of dI", &Score::dI_l1},
     {"dI_mape", "MAPE of dI", &Score::dI_mape},
     {"dL_l1", "relative L1 of dL", &Score::dL_l1},
@@ -50,6 +51,7 @@ inline constexpr std::array<ScoreColumn, 22> kScoreColumns{{
     {"count_error", "count error of events", &Score::count_error},
     {"voxel_error", "voxel error of events, 5 ms", &Score::voxel_error},
     {"time_error_ms", "time error of events, ms", &Score::time_error_ms},
+    {"phase_error", "phase error of events", &Score::phase_error},
 }};
 
 const ScoreColumn& columnOf(double Score::*value);

@@ -9,6 +9,7 @@ void addRenderCommand(CLI::App& app);
 void addFramesCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
 void addCompareRendersCommand(CLI::App& app);
+void addCellsCommand(CLI::App& app);
 void addChartCommand(CLI::App& app);
 void addFigureCommand(CLI::App& app);
 void addSimplificationCommand(CLI::App& app);
