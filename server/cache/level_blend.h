@@ -58,7 +58,6 @@ struct LevelBlend {
     for (int k = kTop - 1; k >= 0; --k) {
       const Quad l = light[k] = gather(levels[p.level + k].light, at, p, k);
       const Octet e = gather(levels[p.level + k + kPoolSteps].evidence, at, p, k + kPoolSteps);
-      if (k == kJudged) judged = l[0] > 0 && e[3] > 0;
       rest.refine(k, l[1], l[0], e[0], e[1], e[2], e[3], p.fraction, params);
       visibility.refine(k, l[2], l[3], e[4], e[5], e[6], e[7], p.fraction, params);
     }
@@ -70,16 +69,8 @@ struct LevelBlend {
   float stepVariance(float U, float cells) const {
     return rest.stepVariance(cells) + U * U * visibility.stepVariance(cells);
   }
-  // Variance of the mean over a cell of about a pixel, whether its detail is believed or not; where nothing
-  // is known yet, `unknown`.
-  float cellVariance(float U, float unknown) const {
-    return judged ? rest.noise[kJudged] + U * U * visibility.noise[kJudged] : unknown;
-  }
-
-  static constexpr int kJudged = 1;  // the slot of cells of about a pixel
   BlendedLight rest, visibility;
   std::array<Quad, kGridLevels> light;  // gathered, by slot
-  bool judged = false;                  // whether there are samples and evidence in slot kJudged
 };
 
 }  // namespace saccade

@@ -116,38 +116,71 @@ void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
   }
 }
 
-template <class Each>
-SurfaceGrid::Time SurfaceGrid::forEachPoint(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
-                                            const PoolHandle& pool, GridEstimate& out,
-                                            const Each& each) const {
+SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Placement& at,
+                                           const PoolHandle& pool, ImageF& out) const {
+  constexpr int kSlot = 1;  // of cells of about a pixel
   return pool.forEachRow(on.x.height(), [&](int y) {
     for (int x = 0; x < on.x.width(); ++x) {
-      const std::size_t pixel = static_cast<std::size_t>(y) * on.x.width() + x;
-      const GridPoint& p = at.points[pixel];
-      out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = out.uncertainty.at(x, y) = 0;
-      if (x + kAhead < on.x.width()) prefetch(at, at.points[pixel + kAhead]);
+      const GridPoint& p = at.points[static_cast<std::size_t>(y) * on.x.width() + x];
+      out.at(x, y) = 0;
       if (p.count == 0) continue;
-      const LevelBlend blend(levels_, at, p, params_.blend);
-      const float U = on.unoccluded.at(x, y), px = std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y));
-      out.i.at(x, y) = blend.value(U);
-      out.var_i.at(x, y) = blend.variance(U);
-      out.var_step.at(x, y) = blend.stepVariance(U, px * std::exp2(p.fraction) / params_.finest_px);
-      out.uncertainty.at(x, y) = blend.cellVariance(U, GridEstimate::kUnknown);
-      each(blend, pixel);
+      const Quad l = gather(levels_[p.level + kSlot].light, at, p, kSlot);
+      const Octet e = gather(levels_[p.level + kSlot + kPoolSteps].evidence, at, p, kSlot + kPoolSteps);
+      const bool known = l[0] > 0 && e[3] > 0, shadows = l[3] > 0 && e[7] > 0;
+      const float U = on.unoccluded.at(x, y), noise = params_.blend.noise;
+      const float variance = noise * (e[2] / (e[3] * l[0]) + (shadows ? U * U * e[6] / (e[7] * l[3]) : 0));
+      const float i = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
+      out.at(x, y) = known ? std::sqrt(variance) / std::max(i, 1e-6f) : kUnknown;
     }
   });
 }
 
+// Reads the pixels of a row for which wanted(pixel), and calls each(blend, pixel).
+void SurfaceGrid::readRow(const SurfaceSamples& on, const GBuffer& g, const Placement& at, int y,
+                          const auto& wanted, const auto& each, GridEstimate& out) const {
+  for (int x = 0; x < on.x.width(); ++x) {
+    const std::size_t pixel = static_cast<std::size_t>(y) * on.x.width() + x;
+    const GridPoint& p = at.points[pixel];
+    if (!wanted(pixel)) continue;
+    out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = 0;
+    if (x + kAhead < on.x.width()) prefetch(at, at.points[pixel + kAhead]);
+    if (p.count == 0) continue;
+    const LevelBlend blend(levels_, at, p, params_.blend);
+    const float U = on.unoccluded.at(x, y), px = std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y));
+    out.i.at(x, y) = blend.value(U);
+    out.var_i.at(x, y) = blend.variance(U);
+    out.var_step.at(x, y) = blend.stepVariance(U, px * std::exp2(p.fraction) / params_.finest_px);
+    each(blend, pixel);
+  }
+}
+
 SurfaceGrid::Time SurfaceGrid::read(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                     const PoolHandle& pool, GridEstimate& out) const {
-  return forEachPoint(on, g, at, pool, out, [](const LevelBlend&, std::size_t) {});
+  return pool.forEachRow(on.x.height(), [&](int y) {
+    readRow(
+        on, g, at, y, [](std::size_t) { return true; }, [](const LevelBlend&, std::size_t) {}, out);
+  });
 }
 
 SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                          const PoolHandle& pool, GridEstimate& out) {
   evidence_.resize(at.points.size());
-  return forEachPoint(on, g, at, pool, out, [&](const LevelBlend& blend, std::size_t pixel) {
+  const auto compare = [&](const LevelBlend& blend, std::size_t pixel) {
     evidence_[pixel] = evidenceOf(blend, samples_[pixel], at, at.points[pixel]);
+  };
+  return pool.forEachRow(on.x.height(), [&](int y) {
+    readRow(
+        on, g, at, y, [](std::size_t) { return true; }, compare, out);
+  });
+}
+
+SurfaceGrid::Time SurfaceGrid::readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
+                                         const PoolHandle& pool, const std::vector<char>& again,
+                                         GridEstimate& out) const {
+  return pool.forEachRow(on.x.height(), [&](int y) {
+    readRow(
+        on, g, at, y, [&](std::size_t pixel) { return again[pixel] != 0; },
+        [](const LevelBlend&, std::size_t) {}, out);
   });
 }
 

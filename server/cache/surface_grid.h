@@ -23,17 +23,16 @@ struct GridParams {
 
 // What the grid says at each pixel. Planes of the size of the frame.
 struct GridEstimate {
-  GridEstimate(int w, int h) : i(w, h), var_i(w, h), var_step(w, h), uncertainty(w, h) {}
-  static constexpr float kUnknown = 1e18f;
-  ImageF i;            // illumination, 0 where the pixel is not in the grid
-  ImageF var_i;        // its variance
-  ImageF var_step;     // the variance of its change from here to where the pixel's motion vector points
-  ImageF uncertainty;  // variance of the mean over a cell of about a pixel, or kUnknown
+  GridEstimate(int w, int h) : i(w, h), var_i(w, h), var_step(w, h) {}
+  ImageF i;         // illumination, 0 where the pixel is not in the grid
+  ImageF var_i;     // its variance
+  ImageF var_step;  // the variance of its change from here to where the pixel's motion vector points
 };
 
 class SurfaceGrid {
  public:
   using Time = std::chrono::nanoseconds;  // CPU time, over all threads
+  static constexpr float kUnknown = 1e18f;
   static constexpr std::size_t kBytesPerVertex = 128;
 
   explicit SurfaceGrid(const GridParams& params) : params_(params) {}
@@ -43,6 +42,9 @@ class SurfaceGrid {
   // uses.
   Time place(const SurfaceSamples& on, const GBuffer& g, const PoolHandle& pool, Placement& prev,
              Placement& out);
+  // Relative standard deviation of the mean over a cell of about a pixel, whether its detail is believed or
+  // not, at the points of a frame; kUnknown where nothing is known yet, and 0 where there is no point.
+  Time uncertainty(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool, ImageF& out) const;
   // Adds a frame's samples, which `at` has placed.
   Time add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool);
   // Reads at the points of a frame.
@@ -53,6 +55,9 @@ class SurfaceGrid {
                  GridEstimate& out);
   // Learns from that comparison which levels to believe.
   Time learn(const Placement& at, const PoolHandle& pool);
+  // Reads again where `again` is not 0, by pixel.
+  Time readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
+                 const std::vector<char>& again, GridEstimate& out) const;
   // Forgets all light: it has changed.
   void forget();
 
@@ -63,9 +68,8 @@ class SurfaceGrid {
   void drop(Placement& prev);
   void findVertices(const SurfaceSamples& on, int l, Placement& out);
   void prefetch(const Placement& at, const GridPoint& p) const;
-  template <class Each>  // of each point: each(its blend, its pixel)
-  Time forEachPoint(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
-                    GridEstimate& out, const Each& each) const;
+  void readRow(const SurfaceSamples& on, const GBuffer& g, const Placement& at, int y, const auto& wanted,
+               const auto& each, GridEstimate& out) const;
 
   GridParams params_;
   GridLevels levels_;

@@ -69,8 +69,13 @@ void Feed::render(const PoolHandle& pool) {
   const Camera camera(path_.at(frame.time), config_.fov_x_deg, config_.width, config_.height);
   const Camera prev(path_.at(time_prev), config_.fov_x_deg, config_.width, config_.height);
   const SeedPlan seeds = makeSeedPlan(seed_reuse_, config_.seed, frame.index, config_.spp);
-  if (frame.surfaces) method_->plan(config_.spp, *frame.surfaces);
-  times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, pool, frame);
+  if (!frame.surfaces) {
+    times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, pool, frame);
+    return;
+  }
+  times_[Stage::kTrace] += renderer_.renderSurfaces(camera, prev, pool, frame);
+  method_->plan(config_.spp, pool, frame, times_);
+  times_[Stage::kTrace] += renderer_.renderPaths(camera, seeds, pool, frame);
 }
 
 PixelSpeed Feed::pixelSpeed(FrameIndex frames) const {

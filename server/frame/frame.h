@@ -73,15 +73,14 @@ struct SurfaceSamples {
         unoccluded_sample(w, h),
         visible_sample(w, h),
         rest(w, h) {}
-  Image<std::uint32_t>
-      paths;                 // given to the renderer: how many a pixel gets; kNone pixels get the frame's spp
-  Image<SurfaceKind> kind;   // kNone: the planes below mean nothing
-  ImageF x, y, z;            // where the surface seems to be, world space
-  ImageF footprint;          // width of a pixel there, seen at a right angle, scene units
-  ImageF unoccluded;         // in closed form, as if nothing cast a shadow
-  ImageF unoccluded_sample;  // an estimate of the same, mean over the paths; without any it means nothing
-  ImageF visible_sample;     // what of that estimate nothing stands in the way of
-  ImageF rest;               // an estimate of all other light
+  Image<std::uint32_t> paths;  // that a pixel gets, as the method plans; of kNone the spp of the frame
+  Image<SurfaceKind> kind;     // kNone: the planes below mean nothing
+  ImageF x, y, z;              // where the surface seems to be, world space
+  ImageF footprint;            // width of a pixel there, seen at a right angle, scene units
+  ImageF unoccluded;           // in closed form, as if nothing cast a shadow
+  ImageF unoccluded_sample;    // an estimate of the same, mean over the paths; without any it means nothing
+  ImageF visible_sample;       // what of that estimate nothing stands in the way of
+  ImageF rest;                 // an estimate of all other light
 };
 
 // With `on_surfaces` also as SurfaceSamples.

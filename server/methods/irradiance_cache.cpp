@@ -68,46 +68,45 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
              .max_vertices = static_cast<std::size_t>(p.memory) * (1 << 20) / SurfaceGrid::kBytesPerVertex}),
       now_(w, h),
       before_(w, h),
+      uncertainty_(w, h),
+      uncertainty_prev_(w, h),
       filtered_(w, h),
       scratch_(w, h),
       i_prev_(w, h),
-      var_i_prev_(w, h),
       elsewhere_(w, h) {}
 
 // A pixel whose light is as well known as `target` gets fewer paths, and the fewer the better it is known.
-void IrradianceCache::plan(int spp, SurfaceSamples& next) {
+void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) {
+  SurfaceSamples& on = *next.surfaces;
+  std::swap(at_, at_prev_);
+  std::swap(uncertainty_, uncertainty_prev_);
+  if (next.light_changed) grid_.forget();
+  times[Stage::kTemporal] += grid_.place(on, next.g, pool, at_prev_, at_);
+  times[Stage::kTemporal] += grid_.uncertainty(on, at_, pool, uncertainty_);
   const float asked = static_cast<float>(spp) * params_.paths;
-  const bool first = frames_++ == 0;
-  for (int y = 0; y < next.paths.height(); ++y) {
-    for (int x = 0; x < next.paths.width(); ++x) {
-      const float error = std::sqrt(now_.uncertainty.at(x, y)) / std::max(now_.i.at(x, y), 1e-6f);
-      const float share = first ? asked : asked * std::min(1.f, error / params_.target);
-      next.paths.at(x, y) = static_cast<std::uint32_t>(share + ditherAt(x, y, frames_));
+  ++frames_;
+  for (int y = 0; y < next.height(); ++y) {
+    for (int x = 0; x < next.width(); ++x) {
+      const float share = asked * std::min(1.f, uncertainty_.at(x, y) / params_.target);
+      on.paths.at(x, y) = static_cast<std::uint32_t>(share + ditherAt(x, y, frames_));
     }
   }
 }
 
 void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
   StageTimes unused;
-  learn(first, pool, unused);
   filter({first, first}, pool, unused);
-}
-
-void IrradianceCache::learn(const Frame& frame, const PoolHandle& pool, StageTimes& times) {
-  std::swap(at_, at_prev_);
-  if (frame.light_changed) grid_.forget();
-  times[Stage::kTemporal] += grid_.place(*frame.surfaces, frame.g, pool, at_prev_, at_);
-  times[Stage::kTemporal] += grid_.add(*frame.surfaces, at_, pool);
 }
 
 void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                                StageTimes& times) {
-  std::swap(i_prev_, filtered_.i);
-  std::swap(var_i_prev_, filtered_.var_i);
-  learn(frames.cur, pool, times);
   filter(frames, pool, times);
+  // D[i_{t-1}] is what today's grid says of the frame before, not what was said then.
+  times[Stage::kModulate] += pool.forEachRow(i_prev_.height(), [&](int y) {
+    for (int x = 0; x < i_prev_.width(); ++x) i_prev_.at(x, y) = filtered_.i.at(x, y) - filtered_.d.at(x, y);
+  });
   times[Stage::kModulate] +=
-      modulate(frames, Demodulation::kAlbedo, 1, filtered_, i_prev_, var_i_prev_, pool, out);
+      modulate(frames, Demodulation::kAlbedo, 1, filtered_, i_prev_, filtered_.var_i, pool, out);
 
   fillIn(frames, pool, out, times);
 }
@@ -138,12 +137,30 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
   });
 }
 
-void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
-  times[Stage::kVariance] += grid_.readAdded(*frames.cur.surfaces, frames.cur.g, at_, pool, now_);
+void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
+  const SurfaceSamples &on = *frames.cur.surfaces, &on_prev = *frames.prev.surfaces;
   const bool first = &frames.cur == &frames.prev;
-  if (!first)
-    times[Stage::kVariance] += grid_.read(*frames.prev.surfaces, frames.prev.g, at_prev_, pool, before_);
+  times[Stage::kTemporal] += grid_.add(on, at_, pool);
+  times[Stage::kVariance] += grid_.readAdded(on, frames.cur.g, at_, pool, now_);
+  if (!first) times[Stage::kVariance] += grid_.read(on_prev, frames.prev.g, at_prev_, pool, before_);
   times[Stage::kTemporal] += grid_.learn(at_, pool);
+  // What is seen for the first time has only now been judged.
+  again_.assign(at_.points.size(), 0);
+  for (int y = 0; y < now_.i.height(); ++y) {
+    for (int x = 0; x < now_.i.width(); ++x) {
+      const bool unknown = uncertainty_.at(x, y) == SurfaceGrid::kUnknown ||
+                           uncertainty_prev_.at(x, y) == SurfaceGrid::kUnknown;
+      again_[static_cast<std::size_t>(y) * now_.i.width() + x] = unknown;
+    }
+  }
+  times[Stage::kVariance] += grid_.readAgain(on, frames.cur.g, at_, pool, again_, now_);
+  if (!first)
+    times[Stage::kVariance] += grid_.readAgain(on_prev, frames.prev.g, at_prev_, pool, again_, before_);
+}
+
+void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
+  const bool first = &frames.cur == &frames.prev;
+  read(frames, pool, times);
   times[Stage::kVariance] += pool.forEachRow(now_.i.height(), [&](int y) {
     for (int x = 0; x < now_.i.width(); ++x) {
       filtered_.i.at(x, y) = now_.i.at(x, y);

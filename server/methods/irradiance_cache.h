@@ -30,14 +30,15 @@ class IrradianceCache final : public Method {
   IrradianceCache(const IrradianceCacheParams& params, int width, int height);
   static MethodInfo info();
 
-  void plan(int spp, SurfaceSamples& next) override;
+  void plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) override;
   void start(const Frame& first, const PoolHandle& pool) override;
   void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                 StageTimes& times) override;
 
  private:
-  void learn(const Frame& frame, const PoolHandle& pool, StageTimes& times);
-  // Reads both frames' points and filters into filtered_.
+  // Reads both frames' points from one state of the grid.
+  void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+  // The same, filtered into filtered_.
   void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Replaces what the grid cannot know.
   void fillIn(const FramePair& frames, const PoolHandle& pool, IntensityChange& out, StageTimes& times);
@@ -47,8 +48,10 @@ class IrradianceCache final : public Method {
   SurfaceGrid grid_;
   Placement at_, at_prev_;
   GridEstimate now_, before_;
+  ImageF uncertainty_, uncertainty_prev_;
+  std::vector<char> again_;  // pixels to read again, once the grid has learned from the frame
   FilterPlanes filtered_, scratch_;
-  ImageF i_prev_, var_i_prev_;
+  ImageF i_prev_;             // D[i_{t-1}]
   std::uint32_t frames_ = 0;  // planned so far
   // SVGF's estimate, for what the grid does not hold; from the first frame on that needs it.
   std::unique_ptr<Svgf> svgf_;

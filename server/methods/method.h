@@ -41,9 +41,10 @@ class Method {
   virtual ~Method() = default;
   // Takes the first frame of a feed, which has no difference yet. Called once, before estimate().
   virtual void start(const Frame& first, const PoolHandle& pool) = 0;
-  // Says how many paths each pixel of the next frame gets, `spp` in the mean: SurfaceSamples::paths. Called
-  // before each frame if the method takes samples on surfaces.
-  virtual void plan(int /*spp*/, SurfaceSamples& /*next*/) {}
+  // Says how many paths each pixel of a frame gets, about `spp` in the mean: fills next.surfaces->paths, with
+  // the frame's features and surfaces known. Called for each frame, the first too, if the method takes
+  // samples on surfaces.
+  virtual void plan(int /*spp*/, const PoolHandle& /*pool*/, Frame& /*next*/, StageTimes& /*times*/) {}
   // Fills `out`, which has the size of the frames, but for t0, t1 and frame. Called from the second frame on.
   virtual void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                         StageTimes& times) = 0;

@@ -11,12 +11,26 @@ namespace {
 template <Shading S, int Channels>
 void renderTile(const PixelContext& view, const SeedPlan& seeds, const RenderSettings& settings, Tile tile,
                 Frame& out) {
-  const auto pixel = out.surfaces      ? renderSurfacePixel<S, Channels>
-                     : settings.jitter ? renderJitteredPixel<S, Channels>
-                                       : renderPixel<S, Channels>;
+  const auto pixel = settings.jitter ? renderJitteredPixel<S, Channels> : renderPixel<S, Channels>;
   for (int y = tile.y0; y < tile.y1; ++y) {
     TilePool::yieldToHighPriority();
     for (int x = tile.x0; x < tile.x1; ++x) pixel(view, seeds, settings.bounces, x, y, out);
+  }
+}
+
+template <Shading S>
+void renderSurfaceTile(const PixelContext& view, Tile tile, std::vector<SurfaceStart>& starts, Frame& out) {
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1; ++x) renderSurface<S>(view, x, y, starts[y * out.width() + x], out);
+}
+
+template <Shading S, int Channels>
+void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile,
+                    const std::vector<SurfaceStart>& starts, Frame& out) {
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    TilePool::yieldToHighPriority();
+    for (int x = tile.x0; x < tile.x1; ++x)
+      renderSurfacePaths<S, Channels>(view, seeds, bounces, starts[y * out.width() + x], x, y, out);
   }
 }
 
@@ -57,6 +71,28 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds, settings_.bounces),
                           [&](Tile t) { tile(view, seeds, settings_, t, out); });
+}
+
+std::chrono::nanoseconds Renderer::renderSurfaces(const Camera& camera, const Camera& prev,
+                                                  const PoolHandle& pool, Frame& out) {
+  out.light_changed = strengths_.setTime(out.time);
+  starts_.resize(static_cast<std::size_t>(out.width()) * out.height());
+  const PixelContext view{*scene_, strengths_, camera, prev};
+  const auto tile = withKernel(scene_->shading(), []<Shading S>() { return renderSurfaceTile<S>; });
+  return pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
+                          [&](Tile t) { tile(view, t, starts_, out); });
+}
+
+std::chrono::nanoseconds Renderer::renderPaths(const Camera& camera, const SeedPlan& seeds,
+                                               const PoolHandle& pool, Frame& out) {
+  out.samples.spp1 = seeds.spp1;
+  out.samples.spp2 = seeds.spp2;
+  const PixelContext view{*scene_, strengths_, camera, camera};
+  const auto tile = withKernel(scene_->shading(), [this]<Shading S>() {
+    return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
+  });
+  return pool.forEachTile(out.width(), out.height(), tileEdge(seeds, settings_.bounces),
+                          [&](Tile t) { tile(view, seeds, settings_.bounces, t, starts_, out); });
 }
 
 void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, const PoolHandle& pool,

@@ -9,6 +9,7 @@
 #include "render/camera.h"
 #include "render/render_scene.h"
 #include "render/seed_plan.h"
+#include "render/surface_start.h"
 #include "scene/emitter_strengths.h"
 
 namespace saccade {
@@ -30,6 +31,13 @@ class Renderer {
   std::chrono::nanoseconds render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
                                   const PoolHandle& pool, Frame& out);
 
+  // The same for frames with SurfaceSamples, in two steps. First features, and the surfaces that samples are
+  // of; then as many paths as out.surfaces->paths says, of pass 2 alone.
+  std::chrono::nanoseconds renderSurfaces(const Camera& camera, const Camera& prev, const PoolHandle& pool,
+                                          Frame& out);
+  std::chrono::nanoseconds renderPaths(const Camera& camera, const SeedPlan& seeds, const PoolHandle& pool,
+                                       Frame& out);
+
   // Renders one picture in colour at out.time, into three planes. All of the `spp` paths per pixel start at
   // its centre. Features go to `out.g`; `out.samples` does not change.
   void renderStill(const Camera& camera, std::uint64_t seed, int spp, const PoolHandle& pool, Frame& out,
@@ -39,6 +47,7 @@ class Renderer {
   std::shared_ptr<const RenderScene> scene_;
   EmitterStrengths strengths_;  // at the time of the current frame
   RenderSettings settings_;
+  std::vector<SurfaceStart> starts_;  // by pixel, of renderSurfaces()
 };
 
 }  // namespace saccade

@@ -3,6 +3,7 @@
 
 #include "render/pixel.h"
 #include "render/scatter.h"
+#include "render/surface_start.h"
 
 namespace saccade {
 
@@ -33,12 +34,6 @@ ReflectedParts meanReflectedParts(const RenderScene& scene, const EmitterStrengt
   return sum;
 }
 
-// What of a surface is seen directly and reflects alike into all directions.
-struct DiffuseBase {
-  Rgb albedo;        // 0: there is none
-  Rgb unoccluded;    // the light that it reflects in closed form
-  bool all = false;  // the surface is nothing else
-};
 template <Shading S>
 DiffuseBase diffuseBaseOf(const PixelContext& view, const PathStart& start) {
   const Surface& s = start.surface;
@@ -51,36 +46,43 @@ DiffuseBase diffuseBaseOf(const PixelContext& view, const PathStart& start) {
       scatter.isDiffuse()};
 }
 
-// From the pixel's centre, of pass 2 alone.
-template <Shading S, int Channels>
-void renderSurfacePixel(const PixelContext& view, const SeedPlan& seeds, int bounces, int x, int y,
-                        Frame& out) {
+// The features of a pixel, from its centre, and where its samples will lie.
+template <Shading S>
+void renderSurface(const PixelContext& view, int x, int y, SurfaceStart& start, Frame& out) {
   const PrimaryHit primary =
       tracePrimary<S>(view.scene, view.strengths, view.camera, static_cast<float>(x), static_cast<float>(y));
   writeFeatures(primary, view.camera, view.prev, x, y, out.g);
+  start.valid = primary.valid;
   SurfaceSamples& on = *out.surfaces;
   on.kind.at(x, y) = SurfaceKind::kNone;
-  out.samples.I2.at(x, y) = out.g.emission.at(x, y);
   if (!primary.valid) return;
-
+  start.path = primary.start;
+  start.base = diffuseBaseOf<S>(view, primary.start);
   const Guide& guide = primary.guide;
   const float A = out.g.albedo.at(x, y);
-  const bool shared = guide.hit && guide.has_base && A > kLeastSurfaceAlbedo;
-  const DiffuseBase base = diffuseBaseOf<S>(view, primary.start);
-  const int spp = shared ? static_cast<int>(on.paths.at(x, y)) : seeds.spp2;
-  const auto light =
-      meanReflectedParts<S, Channels>(view.scene, view.strengths, primary.start, base.albedo, seeds.seed2,
-                                      static_cast<std::uint32_t>(y * out.width() + x), spp, bounces);
-  out.samples.I2.at(x, y) += static_cast<float>(light.all);
-  if (!shared) return;
-
-  on.kind.at(x, y) = base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
+  if (!guide.hit || !guide.has_base || A <= kLeastSurfaceAlbedo) return;
+  on.kind.at(x, y) = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
   on.x.at(x, y) = guide.point.x, on.y.at(x, y) = guide.point.y, on.z.at(x, y) = guide.point.z;
   on.footprint.at(x, y) = view.camera.pixel * guide.t;
+  on.unoccluded.at(x, y) = luminance(start.base.unoccluded) / A;
+}
+
+// Its samples, of pass 2 alone.
+template <Shading S, int Channels>
+void renderSurfacePaths(const PixelContext& view, const SeedPlan& seeds, int bounces,
+                        const SurfaceStart& start, int x, int y, Frame& out) {
+  SurfaceSamples& on = *out.surfaces;
+  const bool shared = on.kind.at(x, y) != SurfaceKind::kNone;
+  const int spp = !start.valid ? 0 : shared ? static_cast<int>(on.paths.at(x, y)) : seeds.spp2;
+  const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
+  const auto light = meanReflectedParts<S, Channels>(view.scene, view.strengths, start.path,
+                                                     start.base.albedo, seeds.seed2, pixel, spp, bounces);
+  out.samples.I2.at(x, y) = out.g.emission.at(x, y) + static_cast<float>(light.all);
+  if (!shared) return;
   // Of a diffuse surface the path's own estimate of such light goes: what is left has the least noise. Of a
   // plastic that estimate holds other light too.
-  const double direct = base.all ? light.weighed : light.visible;
-  on.unoccluded.at(x, y) = luminance(base.unoccluded) / A;
+  const double direct = start.base.all ? light.weighed : light.visible;
+  const float A = out.g.albedo.at(x, y);
   on.unoccluded_sample.at(x, y) = static_cast<float>(light.unoccluded) / A;
   on.visible_sample.at(x, y) = static_cast<float>(light.visible) / A;
   on.rest.at(x, y) = static_cast<float>(light.all - direct) / A;

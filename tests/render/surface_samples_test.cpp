@@ -37,7 +37,9 @@ Frame render(const Scene& scene, int spp, int channels = 1) {
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) frame.surfaces->paths.at(x, y) = static_cast<std::uint32_t>(spp);
   const Camera camera(s->description().T_world_camera, s->description().fov_x_deg, kSize, kSize);
-  Renderer(s, {2, channels}).render(camera, camera, SeedPlan::independent(1, 0, spp), pool, frame);
+  Renderer renderer(s, {2, channels});
+  renderer.renderSurfaces(camera, camera, pool, frame);
+  renderer.renderPaths(camera, SeedPlan::independent(1, 0, spp), pool, frame);
   return frame;
 }
 

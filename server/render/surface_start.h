@@ -1,0 +1,21 @@
+// Where the paths of a pixel start, for SurfaceSamples.
+#pragma once
+
+#include "render/path_tracer.h"
+
+namespace saccade {
+
+// What of a surface is seen directly and reflects alike into all directions.
+struct DiffuseBase {
+  Rgb albedo;        // 0: there is none
+  Rgb unoccluded;    // the light that it reflects in closed form
+  bool all = false;  // the surface is nothing else
+};
+// Where the paths of a pixel start.
+struct SurfaceStart {
+  bool valid = false;
+  PathStart path;
+  DiffuseBase base;
+};
+
+}  // namespace saccade
