@@ -15,6 +15,11 @@ struct BlendParams {
 
 inline constexpr int kTop = kGridLevels - 1;  // the slot of the coarsest level
 
+// Of the mean of samples of that weight, by the squared residuals of others.
+inline float varianceOf(float residual2, float weight, float samples, const BlendParams& p) {
+  return weight > 0 && samples > 0 ? p.noise * residual2 / (weight * samples) : 0;
+}
+
 // One kind of light, from coarse to fine: E += alpha_k (E_k - E), with alpha_k the share of the detail of
 // level k that is not noise [ours].
 struct BlendedLight {
@@ -27,7 +32,7 @@ struct BlendedLight {
               float fraction, const BlendParams& p) {
     if (samples <= 0) return;
     const float energy = weight > 0 ? std::max(0.f, x - p.tau * std::sqrt(x2)) / weight : 0;
-    noise[k] = weight > 0 ? p.noise * residual2 / (weight * samples) : 0;
+    noise[k] = varianceOf(residual2, weight, samples, p);
     float a = energy > 0 ? energy / (energy + noise[k]) : 0;
     // The coarsest level fades in, and the finest fades out, as the point moves away.
     if (k == kTop - 1) a += (1 - fraction) * (1 - a);
@@ -58,6 +63,10 @@ struct LevelBlend {
     for (int k = kTop - 1; k >= 0; --k) {
       const Quad l = light[k] = gather(levels[p.level + k].light, at, p, k);
       const Octet e = gather(levels[p.level + k + kPoolSteps].evidence, at, p, k + kPoolSteps);
+      if (k == kTop - 1) {  // of the coarsest level there is no evidence of its own
+        rest.variance = varianceOf(e[2], e[3], light[kTop][0], params);
+        visibility.variance = varianceOf(e[6], e[7], light[kTop][3], params);
+      }
       rest.refine(k, l[1], l[0], e[0], e[1], e[2], e[3], p.fraction, params);
       visibility.refine(k, l[2], l[3], e[4], e[5], e[6], e[7], p.fraction, params);
     }

@@ -173,6 +173,10 @@ void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, St
     times[Stage::kAtrous] += atrousIteration(frames, atrous_, 1 << k, filtered_, pool, scratch_);
     std::swap(filtered_, scratch_);
   }
+  // The filter takes the errors of neighbours for independent, but they share vertices: it lessens them by
+  // little.
+  filtered_.var_i.copyFrom(now_.var_i);
+  filtered_.var_d.copyFrom(now_.var_step);
 }
 
 }  // namespace saccade
