@@ -185,9 +185,15 @@ TEST(StrictPeers, ConnectionsAreBounded) {
   EXPECT_TRUE(ZmtpPeer(router.endpoint()).closed(kBeforeHeartbeats));
   peers.pop_back();
   ASSERT_TRUE(router.gone(1));
-  ZmtpPeer late(router.endpoint());
-  late.say(zmtp::part("hello"));
-  EXPECT_TRUE(router.heard(5));
+  // The end of a connection is told before its place is free: until then others are closed.
+  const std::string hello = zmtp::part("hello");
+  std::string answer;
+  for (int i = 0; i < 1000 && answer != hello; ++i) {
+    ZmtpPeer late(router.endpoint());
+    late.say(hello);
+    answer = late.hear(hello.size());
+  }
+  EXPECT_EQ(answer, hello);
 }
 
 TEST(StrictPeers, ConnectionsOfOneAddressAreBounded) {
