@@ -33,13 +33,16 @@ class GridLevels {
     for (int l = first; l <= last; ++l)
       if (!levels_[l - kLeast]) levels_[l - kLeast] = std::make_unique<GridLevel>();
   }
-  template <class F>  // f(the exponent, the level), from fine to coarse
-  void forEach(const F& f) const {
-    for (int l = kLeast; l <= kMost; ++l)
-      if (levels_[l - kLeast]) f(l, *levels_[l - kLeast]);
-  }
+  // f(the exponent, the level), from fine to coarse.
+  void forEach(const auto& f) { forEach(*this, f); }
+  void forEach(const auto& f) const { forEach(*this, f); }
 
  private:
+  static void forEach(auto& levels, const auto& f) {
+    for (int l = kLeast; l <= kMost; ++l)
+      if (levels.levels_[l - kLeast]) f(l, levels[l]);
+  }
+
   static constexpr int kLeast = -64, kMost = 63;
   std::array<std::unique_ptr<GridLevel>, kMost - kLeast + 1> levels_;
 };

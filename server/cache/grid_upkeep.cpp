@@ -42,8 +42,7 @@ std::size_t SurfaceGrid::vertices() const {
 void SurfaceGrid::drop(Placement& prev) {
   const std::size_t before = vertices();
   const std::uint32_t longest = longestUnused(levels_, now_, params_.max_vertices / 2);
-  levels_.forEach([&](int l, const GridLevel&) {
-    GridLevel& level = levels_[l];
+  levels_.forEach([&](int l, GridLevel& level) {
     const std::vector<std::uint32_t> uses = level.table.lastUses();
     std::vector<bool> kept(uses.size());
     std::vector<std::uint32_t> moved(uses.size());
@@ -64,9 +63,9 @@ void SurfaceGrid::drop(Placement& prev) {
 }
 
 void SurfaceGrid::forget() {
-  levels_.forEach([&](int l, const GridLevel&) {
-    std::fill(levels_[l].light.begin(), levels_[l].light.end(), Quad{});
-    std::fill(levels_[l].evidence.begin(), levels_[l].evidence.end(), Octet{});
+  levels_.forEach([](int, GridLevel& level) {
+    std::fill(level.light.begin(), level.light.end(), Quad{});
+    std::fill(level.evidence.begin(), level.evidence.end(), Octet{});
   });
 }
 

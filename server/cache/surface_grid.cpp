@@ -127,21 +127,22 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Place
       const Quad l = gather(levels_[p.level + kSlot].light, at, p, kSlot);
       const Octet e = gather(levels_[p.level + kSlot + kPoolSteps].evidence, at, p, kSlot + kPoolSteps);
       const bool known = l[0] > 0 && e[3] > 0, shadows = l[3] > 0 && e[7] > 0;
-      const float U = on.unoccluded.at(x, y), noise = params_.blend.noise;
-      const float variance = noise * (e[2] / (e[3] * l[0]) + (shadows ? U * U * e[6] / (e[7] * l[3]) : 0));
+      const float U = on.unoccluded.at(x, y);
+      const float variance =
+          varianceOf(e[2], e[3], l[0], params_.blend) + U * U * varianceOf(e[6], e[7], l[3], params_.blend);
       const float i = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
       out.at(x, y) = known ? std::sqrt(variance) / std::max(i, 1e-6f) : kUnknown;
     }
   });
 }
 
-// Reads the pixels of a row for which wanted(pixel), and calls each(blend, pixel).
+// Reads the pixels of a row for which wanted(x), and calls each(blend, pixel).
 void SurfaceGrid::readRow(const SurfaceSamples& on, const GBuffer& g, const Placement& at, int y,
                           const auto& wanted, const auto& each, GridEstimate& out) const {
   for (int x = 0; x < on.x.width(); ++x) {
     const std::size_t pixel = static_cast<std::size_t>(y) * on.x.width() + x;
     const GridPoint& p = at.points[pixel];
-    if (!wanted(pixel)) continue;
+    if (!wanted(x)) continue;
     out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = 0;
     if (x + kAhead < on.x.width()) prefetch(at, at.points[pixel + kAhead]);
     if (p.count == 0) continue;
@@ -158,7 +159,7 @@ SurfaceGrid::Time SurfaceGrid::read(const SurfaceSamples& on, const GBuffer& g, 
                                     const PoolHandle& pool, GridEstimate& out) const {
   return pool.forEachRow(on.x.height(), [&](int y) {
     readRow(
-        on, g, at, y, [](std::size_t) { return true; }, [](const LevelBlend&, std::size_t) {}, out);
+        on, g, at, y, [](int) { return true; }, [](const LevelBlend&, std::size_t) {}, out);
   });
 }
 
@@ -170,17 +171,19 @@ SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer
   };
   return pool.forEachRow(on.x.height(), [&](int y) {
     readRow(
-        on, g, at, y, [](std::size_t) { return true; }, compare, out);
+        on, g, at, y, [](int) { return true; }, compare, out);
   });
 }
 
 SurfaceGrid::Time SurfaceGrid::readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
-                                         const PoolHandle& pool, const std::vector<char>& again,
-                                         GridEstimate& out) const {
+                                         const PoolHandle& pool, const ImageF& uncertainty,
+                                         const ImageF& uncertainty_prev, GridEstimate& out) const {
   return pool.forEachRow(on.x.height(), [&](int y) {
+    const auto unknown = [&](int x) {
+      return uncertainty.at(x, y) == kUnknown || uncertainty_prev.at(x, y) == kUnknown;
+    };
     readRow(
-        on, g, at, y, [&](std::size_t pixel) { return again[pixel] != 0; },
-        [](const LevelBlend&, std::size_t) {}, out);
+        on, g, at, y, unknown, [](const LevelBlend&, std::size_t) {}, out);
   });
 }
 

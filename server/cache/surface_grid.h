@@ -55,9 +55,9 @@ class SurfaceGrid {
                  GridEstimate& out);
   // Learns from that comparison which levels to believe.
   Time learn(const Placement& at, const PoolHandle& pool);
-  // Reads again where `again` is not 0, by pixel.
+  // Reads again where uncertainty() of either frame was kUnknown.
   Time readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
-                 const std::vector<char>& again, GridEstimate& out) const;
+                 const ImageF& uncertainty, const ImageF& uncertainty_prev, GridEstimate& out) const;
   // Forgets all light: it has changed.
   void forget();
 

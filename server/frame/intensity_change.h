@@ -1,6 +1,8 @@
 // A method's output for the sensors: the change of intensity over one frame interval. Pure data.
 #pragma once
 
+#include <array>
+
 #include "base/units.h"
 #include "frame/image.h"
 
@@ -20,12 +22,14 @@ struct IntensityChange {
   ImageF var_I_prev;     // variance of I_prev, >= 0; 0 if the method does not estimate it
 };
 
+// All planes.
+inline constexpr std::array kChangePlanes{&IntensityChange::dI, &IntensityChange::I_prev,
+                                          &IntensityChange::I_now, &IntensityChange::var_dI,
+                                          &IntensityChange::var_I_prev};
+
 inline void IntensityChange::copyFrom(const IntensityChange& other) {
   t0 = other.t0, t1 = other.t1, frame = other.frame;
-  for (const auto plane : {&IntensityChange::dI, &IntensityChange::I_prev, &IntensityChange::I_now,
-                           &IntensityChange::var_dI, &IntensityChange::var_I_prev}) {
-    (this->*plane).copyFrom(other.*plane);
-  }
+  for (const auto plane : kChangePlanes) (this->*plane).copyFrom(other.*plane);
 }
 
 }  // namespace saccade

@@ -72,8 +72,7 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
       uncertainty_prev_(w, h),
       filtered_(w, h),
       scratch_(w, h),
-      i_prev_(w, h),
-      elsewhere_(w, h) {}
+      i_prev_(w, h) {}
 
 // A pixel whose light is as well known as `target` gets fewer paths, and the fewer the better it is known.
 void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) {
@@ -85,12 +84,12 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
   times[Stage::kTemporal] += grid_.uncertainty(on, at_, pool, uncertainty_);
   const float asked = static_cast<float>(spp) * params_.paths;
   ++frames_;
-  for (int y = 0; y < next.height(); ++y) {
+  times[Stage::kTemporal] += pool.forEachRow(next.height(), [&](int y) {
     for (int x = 0; x < next.width(); ++x) {
       const float share = asked * std::min(1.f, uncertainty_.at(x, y) / params_.target);
       on.paths.at(x, y) = static_cast<std::uint32_t>(share + ditherAt(x, y, frames_));
     }
-  }
+  });
 }
 
 void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
@@ -124,15 +123,14 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
       for (int x = 0; x < width && !any; ++x) any = needed(x, y);
     if (!any) return;
     svgf_ = std::make_unique<Svgf>(SvgfParams{}, width, height);
-    svgf_->start(frames.prev, before_.i, pool);
+    elsewhere_ = std::make_unique<IntensityChange>(width, height);
+    svgf_->start(frames.prev, &before_.i, pool);
   }
-  svgf_->estimate(frames, now_.i, pool, elsewhere_, times);
+  svgf_->estimate(frames, &now_.i, pool, *elsewhere_, times);
   times[Stage::kModulate] += pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       if (!needed(x, y)) continue;
-      for (const auto plane : {&IntensityChange::dI, &IntensityChange::I_prev, &IntensityChange::I_now,
-                               &IntensityChange::var_dI, &IntensityChange::var_I_prev})
-        (out.*plane).at(x, y) = (elsewhere_.*plane).at(x, y);
+      for (const auto plane : kChangePlanes) (out.*plane).at(x, y) = (*elsewhere_.*plane).at(x, y);
     }
   });
 }
@@ -145,17 +143,12 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   if (!first) times[Stage::kVariance] += grid_.read(on_prev, frames.prev.g, at_prev_, pool, before_);
   times[Stage::kTemporal] += grid_.learn(at_, pool);
   // What is seen for the first time has only now been judged.
-  again_.assign(at_.points.size(), 0);
-  for (int y = 0; y < now_.i.height(); ++y) {
-    for (int x = 0; x < now_.i.width(); ++x) {
-      const bool unknown = uncertainty_.at(x, y) == SurfaceGrid::kUnknown ||
-                           uncertainty_prev_.at(x, y) == SurfaceGrid::kUnknown;
-      again_[static_cast<std::size_t>(y) * now_.i.width() + x] = unknown;
-    }
-  }
-  times[Stage::kVariance] += grid_.readAgain(on, frames.cur.g, at_, pool, again_, now_);
-  if (!first)
-    times[Stage::kVariance] += grid_.readAgain(on_prev, frames.prev.g, at_prev_, pool, again_, before_);
+  const auto again = [&](const SurfaceSamples& points, const GBuffer& g, const Placement& at,
+                         GridEstimate& out) {
+    times[Stage::kVariance] += grid_.readAgain(points, g, at, pool, uncertainty_, uncertainty_prev_, out);
+  };
+  again(on, frames.cur.g, at_, now_);
+  if (!first) again(on_prev, frames.prev.g, at_prev_, before_);
 }
 
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {

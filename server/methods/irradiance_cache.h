@@ -49,13 +49,12 @@ class IrradianceCache final : public Method {
   Placement at_, at_prev_;
   GridEstimate now_, before_;
   ImageF uncertainty_, uncertainty_prev_;
-  std::vector<char> again_;  // pixels to read again, once the grid has learned from the frame
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;             // D[i_{t-1}]
   std::uint32_t frames_ = 0;  // planned so far
   // SVGF's estimate, for what the grid does not hold; from the first frame on that needs it.
   std::unique_ptr<Svgf> svgf_;
-  IntensityChange elsewhere_;
+  std::unique_ptr<IntensityChange> elsewhere_;
 };
 
 }  // namespace saccade

@@ -34,10 +34,12 @@ const Variant& variantOf(const P& params) {
   return params.as_falcor ? kFalcor : kCorrected;
 }
 
-void replaceKnown(const Frame& frame, const ImageF& known, ImageF& i) {
-  for (int y = 0; y < frame.height(); ++y)
+std::chrono::nanoseconds replaceKnown(const Frame& frame, const ImageF& known, const PoolHandle& pool,
+                                      ImageF& i) {
+  return pool.forEachRow(frame.height(), [&](int y) {
     for (int x = 0; x < frame.width(); ++x)
       if (frame.surfaces->kind.at(x, y) != SurfaceKind::kNone) i.at(x, y) = known.at(x, y);
+  });
 }
 
 }  // namespace
@@ -76,28 +78,21 @@ Svgf::Svgf(const SvgfParams& p, int w, int h)
       var_I_prev_(w, h) {}
 
 void Svgf::start(const Frame& first, const PoolHandle& pool) {
-  startFrom(first, nullptr, pool);
-}
-void Svgf::start(const Frame& first, const ImageF& known, const PoolHandle& pool) {
-  startFrom(first, &known, pool);
+  start(first, nullptr, pool);
 }
 void Svgf::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                     StageTimes& times) {
-  estimateFrom(frames, nullptr, pool, out, times);
-}
-void Svgf::estimate(const FramePair& frames, const ImageF& known, const PoolHandle& pool,
-                    IntensityChange& out, StageTimes& times) {
-  estimateFrom(frames, &known, pool, out, times);
+  estimate(frames, nullptr, pool, out, times);
 }
 
-void Svgf::startFrom(const Frame& first, const ImageF* known, const PoolHandle& pool) {
+void Svgf::start(const Frame& first, const ImageF* known, const PoolHandle& pool) {
   StageTimes unused;
   filter({first, first}, known, pool, unused);
   remodulate(first, pool, I_prev_, var_I_prev_);
 }
 
-void Svgf::estimateFrom(const FramePair& frames, const ImageF* known, const PoolHandle& pool,
-                        IntensityChange& out, StageTimes& times) {
+void Svgf::estimate(const FramePair& frames, const ImageF* known, const PoolHandle& pool,
+                    IntensityChange& out, StageTimes& times) {
   filter(frames, known, pool, times);
   std::swap(out.I_prev, I_prev_);
   std::swap(out.var_I_prev, var_I_prev_);
@@ -117,7 +112,7 @@ void Svgf::estimateFrom(const FramePair& frames, const ImageF* known, const Pool
 
 void Svgf::filter(const FramePair& frames, const ImageF* known, const PoolHandle& pool, StageTimes& times) {
   times[Stage::kModulate] += demodulate(frames, variantOf(params_).demodulation, pool, samples_);
-  if (known) replaceKnown(frames.cur, *known, samples_.i);
+  if (known) times[Stage::kModulate] += replaceKnown(frames.cur, *known, pool, samples_.i);
   std::swap(history_, history_prev_);
   times[Stage::kTemporal] +=
       accumulate(frames, samples_, accumulation_, history_prev_, nullptr, pool, history_);

@@ -23,16 +23,13 @@ class Svgf final : public Method {
   void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                 StageTimes& times) override;
 
-  // The same for frames whose illumination is known better than by their samples, at the pixels of the grid
-  // (SurfaceSamples). `known` is in place of those samples.
-  void start(const Frame& first, const ImageF& known, const PoolHandle& pool);
-  void estimate(const FramePair& frames, const ImageF& known, const PoolHandle& pool, IntensityChange& out,
+  // The same, where the illumination of the pixels with SurfaceSamples is known better than by their samples;
+  // nullptr: it is not.
+  void start(const Frame& first, const ImageF* known, const PoolHandle& pool);
+  void estimate(const FramePair& frames, const ImageF* known, const PoolHandle& pool, IntensityChange& out,
                 StageTimes& times);
 
  private:
-  void startFrom(const Frame& first, const ImageF* known, const PoolHandle& pool);
-  void estimateFrom(const FramePair& frames, const ImageF* known, const PoolHandle& pool,
-                    IntensityChange& out, StageTimes& times);
   // Accumulates and filters into filtered_.
   void filter(const FramePair& frames, const ImageF* known, const PoolHandle& pool, StageTimes& times);
   // I = A D[i] + E, and its variance.

@@ -11,7 +11,7 @@ struct DiffuseBase {
   Rgb unoccluded;    // the light that it reflects in closed form
   bool all = false;  // the surface is nothing else
 };
-// Where the paths of a pixel start.
+
 struct SurfaceStart {
   bool valid = false;
   PathStart path;

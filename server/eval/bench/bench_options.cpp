@@ -78,6 +78,13 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
                    "a quarter of the reference's paths; flags that you give stay");
 }
 
+void addScenesOption(CLI::App& app, std::vector<std::string>& scenes) {
+  app.add_option(
+      "scenes", scenes,
+      "scenes by name, or by the path of a scene.xml or its folder; the table holds the name alone, or "
+      "that of the folder. Default: all that can be opened here");
+}
+
 void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vector<int>& spp) {
   app.add_option("--methods", methods,
                  "methods, with settings where they differ from the defaults: svgf:as_falcor=1")

@@ -26,6 +26,9 @@ struct BenchOptions {
 // Adds the flags, with what stands in `o` as their defaults.
 void addBenchOptions(CLI::App& app, BenchOptions& o);
 
+// Adds the scenes of a command that fills a table.
+void addScenesOption(CLI::App& app, std::vector<std::string>& scenes);
+
 // Adds --methods and --spp: the lists of what a command compares.
 void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vector<int>& spp);
 

@@ -87,10 +87,7 @@ void addCellsCommand(CLI::App& app) {
   auto* c = app.add_subcommand("cells",
                                "compare methods with baselines over scenes, motions and speeds; after an "
                                "interruption the same command continues");
-  c->add_option("scenes", o->grid.scenes,
-                "scenes by name, or by the path of a scene.xml or its folder; the table holds the name "
-                "alone, or that of the folder. "
-                "Default: all that can be opened here");
+  addScenesOption(*c, o->grid.scenes);
   addSettings(*c, "--candidates", o->candidates,
               "METHOD@SPP: what is compared, at these paths per pixel and frame");
   addSettings(*c, "--baselines", o->baselines, "METHOD@SPP: each figure is compared with the best of these");

@@ -115,10 +115,7 @@ void addChartCommand(CLI::App& app) {
   auto* c = app.add_subcommand(
       "chart",
       "measure accuracy against CPU time for every method; after an interruption the same command continues");
-  c->add_option("scenes", o->scenes,
-                "scenes by name, or by the path of a scene.xml or its folder; the table holds the name "
-                "alone, or that of the folder. "
-                "Default: all that can be opened here");
+  addScenesOption(*c, o->scenes);
   addMethodOptions(*c, o->methods, o->spp);
   c->add_option("--metrics", o->metrics, "columns of results.csv to draw")
       ->delimiter(',')

@@ -125,10 +125,7 @@ void addSimplificationCommand(CLI::App& app) {
   o->bench.repeats = 0;
   auto* c = app.add_subcommand("simplification",
                                "measure what each feature of a scene costs, and how many events it changes");
-  c->add_option("scenes", o->scenes,
-                "scenes by name, or by the path of a scene.xml or its folder; the table holds the name "
-                "alone, or that of the folder. "
-                "Default: all that can be opened here");
+  addScenesOption(*c, o->scenes);
   addBenchOptions(*c, o->bench);
   c->add_option("--method", o->method,
                 "method whose frame times are measured; events are compared on references")
