@@ -8,6 +8,8 @@ namespace saccade {
 
 class VertexTable {
  public:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
   // Brings the place of a key closer. Call it some keys ahead.
   void prefetch(std::uint64_t key) const { __builtin_prefetch(&slots_[home(key)]); }
   // The index of a vertex that is used in frame `now`; the next free index if it is new. Key 0 is not valid.
@@ -16,6 +18,11 @@ class VertexTable {
     if (slot.key != key) return add(key, now);
     slot.used = now;
     return slot.index;
+  }
+  // The index of a vertex, kNone if there is none.
+  std::uint32_t indexOf(std::uint64_t key) const {
+    const Slot& slot = slots_[find(key)];
+    return slot.key == key ? slot.index : kNone;
   }
   std::uint32_t size() const { return size_; }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/units.h"
+#include "base/vec.h"
 #include "frame/image.h"
 
 namespace saccade {
@@ -56,6 +57,13 @@ enum class SurfaceKind : std::uint32_t {
   kMixed,    // nearly so: a plastic, or a surface seen in a mirror or through glass
 };
 
+// What a path has found from its second vertex on.
+struct BounceSample {
+  std::uint64_t cell = 0;  // that the vertex lies in, BounceCell::key; 0: there is no sample
+  Rgb light;               // reflected radiance over albedo, of each colour
+};
+class BounceGrid;
+
 // The same samples for methods that keep light on surfaces rather than in pixels: where they lie, and their
 // light in parts. All light is demodulated: a part of I - E, divided by the luminance of the albedo.
 // Direct light that a diffuse base reflects has a closed form but for shadows, where lamps are simple:
@@ -72,7 +80,8 @@ struct SurfaceSamples {
         unoccluded(w, h),
         unoccluded_sample(w, h),
         visible_sample(w, h),
-        rest(w, h) {}
+        rest(w, h),
+        bounce(w, h) {}
   Image<std::uint32_t> paths;  // that a pixel gets, as the method plans; of kNone the spp of the frame
   Image<SurfaceKind> kind;     // kNone: the planes below mean nothing
   ImageF x, y, z;              // where the surface seems to be, world space
@@ -81,6 +90,9 @@ struct SurfaceSamples {
   ImageF unoccluded_sample;    // an estimate of the same, mean over the paths; without any it means nothing
   ImageF visible_sample;       // what of that estimate nothing stands in the way of
   ImageF rest;                 // an estimate of all other light
+
+  const BounceGrid* bounces = nullptr;  // light that ends paths at their second vertex, as the method has it
+  Image<BounceSample> bounce;           // of the last of a pixel's paths that did not end there
 };
 
 // With `on_surfaces` also as SurfaceSamples.

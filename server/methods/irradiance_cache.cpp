@@ -66,6 +66,7 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
       grid_({.finest_px = p.finest,
              .blend = {.tau = p.tau, .noise = p.noise},
              .max_vertices = static_cast<std::size_t>(p.memory) * (1 << 20) / SurfaceGrid::kBytesPerVertex}),
+      bounces_(static_cast<std::size_t>(p.memory) * (1 << 20) / 16 / BounceGrid::kBytesPerCell),
       now_(w, h),
       before_(w, h),
       uncertainty_(w, h),
@@ -79,7 +80,8 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
   SurfaceSamples& on = *next.surfaces;
   std::swap(at_, at_prev_);
   std::swap(uncertainty_, uncertainty_prev_);
-  if (next.light_changed) grid_.forget();
+  if (next.light_changed) grid_.forget(), bounces_.forget();
+  on.bounces = &bounces_;
   times[Stage::kTemporal] += grid_.place(on, next.g, pool, at_prev_, at_);
   times[Stage::kTemporal] += grid_.uncertainty(on, at_, pool, uncertainty_);
   const float asked = static_cast<float>(spp) * params_.paths;
@@ -139,6 +141,7 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   const SurfaceSamples &on = *frames.cur.surfaces, &on_prev = *frames.prev.surfaces;
   const bool first = &frames.cur == &frames.prev;
   times[Stage::kTemporal] += grid_.add(on, at_, pool);
+  bounces_.add(on.bounce);
   times[Stage::kVariance] += grid_.readAdded(on, frames.cur.g, at_, pool, now_);
   if (!first) times[Stage::kVariance] += grid_.read(on_prev, frames.prev.g, at_prev_, pool, before_);
   times[Stage::kTemporal] += grid_.learn(at_, pool);

@@ -2,6 +2,7 @@
 // state of it at both frames' points. README.md is the section of a paper on it.
 #pragma once
 
+#include "cache/bounce_grid.h"
 #include "cache/surface_grid.h"
 #include "filter/atrous.h"
 #include "filter/filter_planes.h"
@@ -46,6 +47,7 @@ class IrradianceCache final : public Method {
   IrradianceCacheParams params_;
   AtrousParams atrous_;
   SurfaceGrid grid_;
+  BounceGrid bounces_;
   Placement at_, at_prev_;
   GridEstimate now_, before_;
   ImageF uncertainty_, uncertainty_prev_;

@@ -16,6 +16,6 @@
                               const PathStart&);
 
 // The same paths for SurfaceSamples.
-#define SACCADE_COMPILE_PARTS(S)              \
-  SACCADE_COMPILE_PATHS(S, 1, DirectParts<1>) \
-  SACCADE_COMPILE_PATHS(S, 3, DirectParts<3>)
+#define SACCADE_COMPILE_PARTS(S)            \
+  SACCADE_COMPILE_PATHS(S, 1, PathParts<1>) \
+  SACCADE_COMPILE_PATHS(S, 3, PathParts<3>)

@@ -2,7 +2,7 @@
 // and multiple importance sampling.
 #pragma once
 
-#include "render/color.h"
+#include "render/path_parts.h"
 #include "render/path_sampler.h"
 #include "render/render_scene.h"
 #include "scene/emitter_strengths.h"
@@ -18,18 +18,6 @@ struct PathStart {
 
 // The most mirrors, panes and masks between a pixel and the surface that guides the filter.
 inline constexpr int kMaxViewDepth = 8;
-
-// What traceReflected() tells besides its estimate: nothing, or the direct light at the first vertex that has
-// a closed form but for shadows (analytic_light.h).
-struct NoParts {
-  static constexpr bool kKept = false;
-};
-template <int Channels>
-struct DirectParts {
-  static constexpr bool kKept = true;
-  Color<Channels> unoccluded, visible;  // what a white diffuse surface would reflect of a sample
-  Color<Channels> weighed;              // what of the path's own estimate is such light
-};
 
 // One estimate of the radiance that leaves `start` after at most `bounces` indirect bounces off rough
 // surfaces. 0 bounces are direct light only.

@@ -13,6 +13,7 @@ namespace detail {
 // Every vertex has its own random dimensions. So two paths that part at one vertex share the numbers of the
 // next.
 enum Dimension { kLight, kBounce = kLight + 3, kLobe = kBounce + 2, kDimensions };
+inline constexpr int kGoOn = 1 << 16;  // of the choice to go on from light that is known
 
 inline constexpr int kMaxDeltas = 16;  // reflections and refractions that do not count as bounces
 
@@ -34,7 +35,7 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
                                Parts& parts) {
   Color<Channels> radiance, throughput(1.f);
   const Lights& lights = scene.lights();
-  if (lights.empty()) return radiance;
+  if (lights.empty()) return parts.tail.end(radiance);
   Surface s = start.surface;
   Vec3 arriving = start.direction;
   RayCone cone = start.cone;
@@ -60,9 +61,9 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
         scatter.sample(sampler.u(dimension + detail::kLobe), sampler.u(dimension + detail::kBounce),
                        sampler.u(dimension + detail::kBounce + 1));
     throughput = throughput * Color<Channels>(next.weight);
-    if (next.pdf <= 0 || throughput.luminance() <= 0) return radiance;
+    if (next.pdf <= 0 || throughput.luminance() <= 0) return parts.tail.end(radiance);
     const bool straight = S.extras && scatter.isStraight(next);
-    if (spent && !straight) return radiance;
+    if (spent && !straight) return parts.tail.end(radiance);
     if (straight)
       choice.pdf *= scatter.straightTransmittance().probability;
     else
@@ -78,7 +79,7 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
         if (!in_view)
           radiance += throughput * Color<Channels>(lights.distantRadiance(next.wi)) *
                       choice.weight(lights.distantPdf(next.wi));
-      return radiance;
+      return parts.tail.end(radiance);
     }
     cone.width = cone.at(hit.t);
     s = surfaceAt<S>(scene, ray, hit, cone.width);
@@ -95,9 +96,15 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
     }
     bounce += !next.delta;
     // With such surfaces the last ray goes on, because shadow rays do.
-    if (bounce > bounces && !transmission) return radiance;
+    if (bounce > bounces && !transmission) return parts.tail.end(radiance);
+    if constexpr (Parts::kKept) {
+      if (vertex > 0 || next.delta) continue;
+      const auto known = parts.tail.template begin<S>(s, arriving, cone.width, sampler.u(detail::kGoOn),
+                                                      radiance, throughput);
+      if (known) return radiance += throughput * *known;
+    }
   }
-  return radiance;
+  return parts.tail.end(radiance);
 }
 
 }  // namespace saccade

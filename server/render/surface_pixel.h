@@ -12,15 +12,16 @@ inline constexpr float kLeastSurfaceAlbedo = 1e-4f;  // darker surfaces have no 
 // Mean luminance of `spp` paths and of their parts. `base`: the albedo of the diffuse base.
 struct ReflectedParts {
   double all = 0, unoccluded = 0, visible = 0, weighed = 0;
+  BounceSample bounce;  // of the last path that has one
 };
 template <Shading S, int Channels>
 ReflectedParts meanReflectedParts(const RenderScene& scene, const EmitterStrengths& strengths,
-                                  const PathStart& start, Rgb base, std::uint64_t seed, std::uint32_t pixel,
-                                  int spp, int bounces) {
+                                  const KnownBounces& known, const PathStart& start, Rgb base,
+                                  std::uint64_t seed, std::uint32_t pixel, int spp, int bounces) {
   ReflectedParts sum;
   for (int i = 0; i < spp; ++i) {
     if (i % kPathsAtOnce == kPathsAtOnce - 1) TilePool::yieldToHighPriority();
-    DirectParts<Channels> parts;
+    PathParts<Channels> parts(known);
     const float path =
         traceReflected<S, Channels>(scene, strengths, start, PathSampler(seed, pixel, i), bounces, parts)
             .luminance();
@@ -30,6 +31,7 @@ ReflectedParts meanReflectedParts(const RenderScene& scene, const EmitterStrengt
     sum.unoccluded += unoccluded / spp;
     sum.visible += (Color<Channels>(base) * parts.visible).luminance() / spp;
     sum.weighed += parts.weighed.luminance() / spp;
+    if (parts.tail.sample().cell != 0) sum.bounce = parts.tail.sample();
   }
   return sum;
 }
@@ -75,8 +77,10 @@ void renderSurfacePaths(const PixelContext& view, const SeedPlan& seeds, int bou
   const bool shared = on.kind.at(x, y) != SurfaceKind::kNone;
   const int spp = !start.valid ? 0 : shared ? static_cast<int>(on.paths.at(x, y)) : seeds.spp2;
   const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
-  const auto light = meanReflectedParts<S, Channels>(view.scene, view.strengths, start.path,
+  const KnownBounces known{on.bounces, view.camera.origin, view.camera.pixel};
+  const auto light = meanReflectedParts<S, Channels>(view.scene, view.strengths, known, start.path,
                                                      start.base.albedo, seeds.seed2, pixel, spp, bounces);
+  on.bounce.at(x, y) = light.bounce;
   out.samples.I2.at(x, y) = out.g.emission.at(x, y) + static_cast<float>(light.all);
   if (!shared) return;
   // Of a diffuse surface the path's own estimate of such light goes: what is left has the least noise. Of a

@@ -9,7 +9,7 @@ ROOMS = {
     "frame": "base",
     "scene": "base",
     "wire": "",
-    "render": "scene frame base",
+    "render": "cache scene frame base",
     "filter": "frame base",
     "cache": "frame base",
     "methods": "cache filter frame base",

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "cache/bounce_grid.h"
 #include "render/renderer.h"
 #include "render/test_scenes.h"
 
@@ -30,16 +31,18 @@ Scene lampRoom(const Material& material) {
   return s;
 }
 
-Frame render(const Scene& scene, int spp, int channels = 1) {
+Frame render(const Scene& scene, int spp, int channels = 1, std::uint64_t seed = 1,
+             const BounceGrid* bounces = nullptr) {
   const auto s = std::make_shared<RenderScene>(scene);
   TilePool pool(2);
   Frame frame(kSize, kSize, true);
+  frame.surfaces->bounces = bounces;
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) frame.surfaces->paths.at(x, y) = static_cast<std::uint32_t>(spp);
   const Camera camera(s->description().T_world_camera, s->description().fov_x_deg, kSize, kSize);
   Renderer renderer(s, {2, channels});
   renderer.renderSurfaces(camera, camera, pool, frame);
-  renderer.renderPaths(camera, SeedPlan::independent(1, 0, spp), pool, frame);
+  renderer.renderPaths(camera, SeedPlan::independent(seed, 0, spp), pool, frame);
   return frame;
 }
 
@@ -97,6 +100,31 @@ TEST(SurfaceSamples, TellWhereShadowsAre) {
   EXPECT_GT(shadowed, 5);
   EXPECT_NEAR(on.z.at(1, 1), 0, 1e-5);
   EXPECT_LT(on.x.at(1, 12), on.x.at(20, 12));
+}
+
+// Light that is known ends paths, and does not change what they find: no bounce is lost or counted twice.
+TEST(SurfaceSamples, EndedPathsFindTheSameLight) {
+  Scene scene = lampRoom(test::grey(0.5f));
+  scene.fov_x_deg = 12;  // cells are small
+  BounceGrid known(10000);
+  double all = 0, ended = 0;
+  int kept = 0, kept_at_first = 0;
+  constexpr std::uint64_t kFrames = 48, kLearning = 16;
+  for (std::uint64_t seed = 0; seed < kFrames; ++seed) {
+    const auto rest = [&](const BounceGrid* bounces) {
+      const Frame frame = render(scene, 16, 3, seed, bounces);
+      if (bounces) known.add(frame.surfaces->bounce);
+      kept = 0;
+      for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) kept += frame.surfaces->bounce.at(x, y).cell != 0;
+      return mean([&](int x, int y) { return frame.surfaces->rest.at(x, y); });
+    };
+    const double without = rest(nullptr), with = rest(&known);
+    if (seed >= kLearning) all += without, ended += with;
+    if (seed == 0) kept_at_first = kept;
+  }
+  EXPECT_LT(kept, kept_at_first / 2);
+  EXPECT_NEAR(ended, all, 0.01 * all);
 }
 
 // Without shadows and without other surfaces nothing is left over.

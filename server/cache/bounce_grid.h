@@ -1,0 +1,47 @@
+// Light at the second vertices of paths, kept on surfaces: a path that reaches a cell whose light is known
+// ends there, so that most paths are short, and what they find has less noise [ours, after NVIDIA's SHaRC].
+//
+// A sample is what a path of full length finds from its second vertex on. So a path that ends there counts as
+// many bounces as one that goes on. Cells are cubes of 8 to 16 pixels as the camera sees them, and the six
+// directions of normals have cells of their own.
+#pragma once
+
+#include <optional>
+
+#include "cache/vertex_table.h"
+#include "frame/frame.h"
+
+namespace saccade {
+
+struct BounceCell {
+  // `pixel`: the width of a pixel at the distance of the point, scene units.
+  BounceCell(Vec3 point, Vec3 normal, float pixel);
+  std::uint64_t key;
+  float edge;  // scene units
+};
+
+class BounceGrid {
+ public:
+  static constexpr std::size_t kBytesPerCell = 64;
+
+  explicit BounceGrid(std::size_t max_cells) : max_cells_(max_cells) {}
+
+  // The light that arrives in a cell, as BounceSample has it, where it is known. `u` in [0, 1) is a random
+  // number: some paths go on although it is known, so that it is known better.
+  std::optional<Rgb> find(const BounceCell& cell, float u) const;
+  // Adds a frame's samples, in order.
+  void add(const Image<BounceSample>& samples);
+  // Forgets all light: it has changed.
+  void forget();
+
+  std::size_t cells() const { return light_.size(); }
+
+ private:
+  using Quad = float __attribute__((vector_size(16)));
+
+  std::size_t max_cells_;  // beyond, no new ones are kept, and their paths go on
+  VertexTable table_;
+  std::vector<Quad> light_;  // by cell: the number of samples, and their sum for each colour
+};
+
+}  // namespace saccade

@@ -1,0 +1,69 @@
+#include "cache/bounce_grid.h"
+
+#include <gtest/gtest.h>
+
+namespace saccade {
+namespace {
+
+constexpr float kPixel = 1.f / 16;  // cells of edge 1
+constexpr float kStay = 0.9f;       // a random number that does not make a path go on
+
+BounceCell at(Vec3 point, Vec3 normal = {0, 0, 1}) {
+  return BounceCell(point, normal, kPixel);
+}
+
+// Adds `count` samples of the light (red, 1, 1) in one cell.
+void add(BounceGrid& grid, const BounceCell& cell, int count, float red = 1) {
+  Image<BounceSample> samples(count, 1);
+  for (int i = 0; i < count; ++i) samples.at(i, 0) = {cell.key, {red, 1, 1}};
+  grid.add(samples);
+}
+
+TEST(BounceCell, IsACubeWithASide) {
+  const BounceCell cell = at({0.5f, 0.5f, 0.5f});
+  EXPECT_EQ(cell.edge, 1);
+  EXPECT_EQ(at({0.9f, 0.1f, 0.2f}, {0.2f, 0.1f, 0.9f}).key, cell.key);
+  EXPECT_NE(at({1.1f, 0.5f, 0.5f}).key, cell.key);
+  EXPECT_NE(at({-0.5f, 0.5f, 0.5f}).key, cell.key);
+  EXPECT_NE(at({0.5f, 0.5f, 0.5f}, {0, 0, -1}).key, cell.key);
+  EXPECT_NE(at({0.5f, 0.5f, 0.5f}, {1, 0, 0}).key, cell.key);
+  EXPECT_NE(BounceCell({0.5f, 0.5f, 0.5f}, {0, 0, 1}, 2 * kPixel).key, cell.key);
+}
+
+TEST(BounceGrid, KnowsTheMeanOfEnoughSamples) {
+  BounceGrid grid(100);
+  const BounceCell cell = at({});
+  add(grid, cell, 8, 1);
+  EXPECT_FALSE(grid.find(cell, kStay));
+  add(grid, cell, 24, 3);
+  const auto light = grid.find(cell, kStay);
+  ASSERT_TRUE(light);
+  EXPECT_FLOAT_EQ(light->x, 2.5f);  // (8 * 1 + 24 * 3) / 32
+  EXPECT_FLOAT_EQ(light->y, 1);
+  EXPECT_FALSE(grid.find(at({5, 5, 5}), kStay));
+}
+
+TEST(BounceGrid, SomePathsGoOnUntilItKnowsEnough) {
+  BounceGrid grid(100);
+  const BounceCell cell = at({});
+  add(grid, cell, 100);
+  int gone = 0;
+  for (int i = 0; i < 1000; ++i) gone += !grid.find(cell, static_cast<float>(i) / 1000);
+  EXPECT_GT(gone, 10);
+  EXPECT_LT(gone, 200);
+  add(grid, cell, 2000);
+  EXPECT_TRUE(grid.find(cell, 0));
+}
+
+TEST(BounceGrid, ForgetsAndIsBounded) {
+  BounceGrid grid(2);
+  for (float x = 0; x < 5; ++x) add(grid, at({x, 0, 0}), 50);
+  EXPECT_EQ(grid.cells(), 2u);
+  EXPECT_TRUE(grid.find(at({1, 0, 0}), kStay));
+  EXPECT_FALSE(grid.find(at({2, 0, 0}), kStay));
+  grid.forget();
+  EXPECT_FALSE(grid.find(at({1, 0, 0}), kStay));
+}
+
+}  // namespace
+}  // namespace saccade
