@@ -38,7 +38,7 @@ BounceCell::BounceCell(Vec3 p, Vec3 normal, float pixel) {
 
 std::optional<Rgb> BounceGrid::find(const BounceCell& cell, float u) const {
   const std::uint32_t i = table_.indexOf(cell.key);
-  if (i == VertexTable::kNone || light_[i][0] < kLeastSamples) return {};
+  if (i == IndexTable::kNone || light_[i][0] < kLeastSamples) return {};
   const Quad& sum = light_[i];
   if (u < kGoOn && sum[0] < kMostSamples) return {};
   return Rgb{sum[1], sum[2], sum[3]} * (1 / sum[0]);
@@ -49,7 +49,7 @@ void BounceGrid::add(const Image<BounceSample>& samples) {
     for (int x = 0; x < samples.width(); ++x) {
       const BounceSample& s = samples.at(x, y);
       if (s.cell == 0) continue;
-      if (cells() >= max_cells_ && table_.indexOf(s.cell) == VertexTable::kNone) continue;
+      if (cells() >= max_cells_ && table_.indexOf(s.cell) == IndexTable::kNone) continue;
       const std::uint32_t i = table_.findOrAdd(s.cell, 0);
       light_.resize(table_.size());
       if (light_[i][0] < kMostSamples) light_[i] += Quad{1, s.light.x, s.light.y, s.light.z};

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "cache/vertex_table.h"
+#include "cache/index_table.h"
 #include "frame/frame.h"
 
 namespace saccade {
@@ -40,7 +40,7 @@ class BounceGrid {
   using Quad = float __attribute__((vector_size(16)));
 
   std::size_t max_cells_;  // beyond, no new ones are kept, and their paths go on
-  VertexTable table_;
+  IndexTable table_;
   std::vector<Quad> light_;  // by cell: the number of samples, and their sum for each colour
 };
 

@@ -18,7 +18,11 @@ void Placement::place(const SurfaceSamples& on, const GBuffer& g, float finest_p
       if (on.kind.at(x, y) == SurfaceKind::kNone) continue;
       const float level = std::log2(finest_px * on.footprint.at(x, y)), floor = std::floor(level);
       const NormalBins normal({g.nx.at(x, y), g.ny.at(x, y), g.nz.at(x, y)});
-      point = {static_cast<int>(floor), level - floor, next, static_cast<std::uint32_t>(normal.count)};
+      point = {{on.x.at(x, y), on.y.at(x, y), on.z.at(x, y)},
+               static_cast<int>(floor),
+               level - floor,
+               next,
+               static_cast<std::uint32_t>(normal.count)};
       for (int b = 0; b < normal.count; ++b, ++next) {
         bins[next] = normal.bin[b] + (on.kind.at(x, y) == SurfaceKind::kMixed ? kMixed : 0);
         bin_weights[next] = normal.weight[b];

@@ -15,6 +15,7 @@ inline constexpr int kSlots = kGridLevels - 1 + kPoolSteps;  // levels of a poin
 
 // A pixel's place in the grid.
 struct GridPoint {
+  Vec3 position;
   std::int32_t level = 0;   // of slot 0
   float fraction = 0;       // of the way to the next level, [0, 1)
   std::uint32_t first = 0;  // of its taps, in each slot

@@ -33,44 +33,38 @@ SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const GBuffer& g,
   if (vertices() > params_.max_vertices) drop(prev);
   const Time time = pool.run(1, [&](int) { out.place(on, g, params_.finest_px); });
   if (!out.empty()) levels_.makeAll(out.least_level, out.most_level);
-  return time + forEachLevel(out, pool, [&](int l) { findVertices(on, l, out); });
+  return time + forEachLevel(out, pool, [&](int l) { findVertices(l, out); });
 }
 
-void SurfaceGrid::findVertices(const SurfaceSamples& on, int l, Placement& out) {
-  struct Wanted {
-    std::array<VertexKey, 4> keys;
+void SurfaceGrid::findVertices(int l, Placement& out) {
+  struct Found {
+    std::array<VertexTable::Place, 4> places;
     Taps* taps = nullptr;
   };
-  constexpr std::uint32_t kOnTheWay = 16;
-  std::array<Wanted, kOnTheWay> wanted{};
-  Wanted last{};
+  constexpr std::uint32_t kOnTheWay = 8;
+  std::array<Found, kOnTheWay> found{};
   std::uint32_t count = 0;
   GridLevel& level = levels_[l];
-  const auto find = [&](const Wanted& w) {
-    for (int c = 0; c < 4; ++c) {
-      const bool again = last.taps && w.keys[c] == last.keys[c];
-      w.taps->vertex[c] = again ? last.taps->vertex[c] : level.table.findOrAdd(w.keys[c], now_);
-    }
-    last = w;
+  VertexTable::Finder finder(level.table, now_);
+  const auto finish = [&](const Found& f) {
+    for (int c = 0; c < 4; ++c) f.taps->vertex[c] = level.table.indexAt(f.places[c]);
   };
   const double inv_h = std::ldexp(1.0, -l);
-  const auto width = static_cast<std::size_t>(on.x.width());
-  forEachPointOf(out, l, [&](std::size_t pixel, const GridPoint& p, int slot) {
-    const auto x = static_cast<int>(pixel % width), y = static_cast<int>(pixel / width);
-    const Vec3d q{on.x.at(x, y) * inv_h, on.y.at(x, y) * inv_h, on.z.at(x, y) * inv_h};
+  forEachPointOf(out, l, [&](std::size_t, const GridPoint& p, int slot) {
+    const Vec3d q = toDouble(p.position) * inv_h;
     for (std::uint32_t t = p.first; t < p.first + p.count; ++t, ++count) {
       const Tetrahedron corners(q, out.bins[t]);
-      Wanted& w = wanted[count % kOnTheWay];
-      if (count >= kOnTheWay) find(w);
-      w = {corners.key, &out.taps[slot][t]};
-      for (int c = 0; c < 4; ++c) w.taps->weight[c] = corners.weight[c] * out.bin_weights[t];
-      const auto& before = wanted[(count + kOnTheWay - 1) % kOnTheWay].keys;
-      for (int c = 0; c < 4; ++c)
-        if (w.keys[c] != before[c]) level.table.prefetch(w.keys[c]);
+      Found& f = found[count % kOnTheWay];
+      if (count >= kOnTheWay) finish(f);
+      f.taps = &out.taps[slot][t];
+      for (int c = 0; c < 4; ++c) {
+        f.places[c] = finder.find(corners.key[c]);
+        f.taps->weight[c] = corners.weight[c] * out.bin_weights[t];
+      }
     }
   });
   for (std::uint32_t i = count > kOnTheWay ? count - kOnTheWay : 0; i < count; ++i)
-    find(wanted[i % kOnTheWay]);
+    finish(found[i % kOnTheWay]);
   level.light.resize(level.table.size());
   level.evidence.resize(level.table.size());
 }

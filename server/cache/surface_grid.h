@@ -66,7 +66,7 @@ class SurfaceGrid {
 
  private:
   void drop(Placement& prev);
-  void findVertices(const SurfaceSamples& on, int l, Placement& out);
+  void findVertices(int l, Placement& out);
   void prefetch(const Placement& at, const GridPoint& p) const;
   void readRow(const SurfaceSamples& on, const GBuffer& g, const Placement& at, int y, const auto& wanted,
                const auto& each, GridEstimate& out) const;

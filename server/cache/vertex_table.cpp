@@ -1,36 +1,39 @@
 #include "cache/vertex_table.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace saccade {
 
-std::uint32_t VertexTable::add(std::uint64_t key, std::uint32_t now) {
-  if (2 * (size_ + 1ull) > slots_.size()) {
-    std::vector<Slot> old(2 * slots_.size());
-    std::swap(old, slots_);
-    ++bits_;
-    for (const Slot& slot : old)
-      if (slot.key != 0) slots_[find(slot.key)] = slot;
-  }
-  slots_[find(key)] = {key, size_, now};
-  return size_++;
+std::uint32_t VertexTable::blockAt(VertexKey key, std::uint32_t now) {
+  const std::uint32_t block = blocks_.findOrAdd(key, now);
+  if (block == indices_.size()) indices_.emplace_back().fill(kNone);
+  return block;
 }
 
 std::vector<std::uint32_t> VertexTable::lastUses() const {
+  const std::vector<std::uint32_t> of_blocks = blocks_.lastUses();
   std::vector<std::uint32_t> uses(size_);
-  for (const Slot& slot : slots_)
-    if (slot.key != 0) uses[slot.index] = slot.used;
+  for (std::size_t b = 0; b < indices_.size(); ++b)
+    for (const std::uint32_t index : indices_[b])
+      if (index != kNone) uses[index] = of_blocks[b];
   return uses;
 }
 
 void VertexTable::keep(const std::vector<bool>& kept) {
-  std::vector<Slot> by_index(size_);
-  for (const Slot& slot : slots_)
-    if (slot.key != 0) by_index[slot.index] = slot;
-  slots_.assign(slots_.size(), Slot{});
+  std::vector<std::uint32_t> moved(size_, kNone);
   size_ = 0;
-  for (const Slot& slot : by_index)
-    if (kept[slot.index]) slots_[find(slot.key)] = {slot.key, size_++, slot.used};
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (kept[i]) moved[i] = size_++;
+  std::vector<bool> kept_blocks(indices_.size());
+  std::size_t next = 0;
+  for (std::size_t b = 0; b < indices_.size(); ++b) {
+    for (std::uint32_t& index : indices_[b])
+      if (index != kNone) index = moved[index];
+    kept_blocks[b] = std::any_of(indices_[b].begin(), indices_[b].end(), [](auto i) { return i != kNone; });
+    if (kept_blocks[b]) indices_[next++] = indices_[b];
+  }
+  indices_.resize(next);
+  blocks_.keep(kept_blocks);
 }
 
 }  // namespace saccade

@@ -1,53 +1,76 @@
-// A hash table from the keys of vertices to consecutive indices, in the order in which they are added.
+// The vertices of a level, as consecutive indices in the order in which they are added. They are found by
+// blocks of 4 x 4 x 4: most vertices lie in the block of the one that was asked for before.
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include <array>
+
+#include "cache/index_table.h"
+#include "cache/lattice.h"
 
 namespace saccade {
 
 class VertexTable {
  public:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  // Where a vertex is.
+  struct Place {
+    std::uint32_t block, cell;
+  };
+  // Finds places in frame `now`, and remembers blocks. The table must outlive it, and change through it
+  // alone.
+  class Finder {
+   public:
+    Finder(VertexTable& table, std::uint32_t now) : table_(table), now_(now) {}
+    // Brings what indexAt() needs closer. Call it some vertices ahead.
+    Place find(VertexKey key) {
+      Known& known = known_[entryOf(key)];
+      if (known.key != blockOf(key)) known = {blockOf(key), table_.blockAt(blockOf(key), now_)};
+      const Place place{known.block, cellOf(key)};
+      __builtin_prefetch(&table_.indices_[place.block][place.cell]);
+      return place;
+    }
 
-  // Brings the place of a key closer. Call it some keys ahead.
-  void prefetch(std::uint64_t key) const { __builtin_prefetch(&slots_[home(key)]); }
-  // The index of a vertex that is used in frame `now`; the next free index if it is new. Key 0 is not valid.
-  std::uint32_t findOrAdd(std::uint64_t key, std::uint32_t now) {
-    Slot& slot = slots_[find(key)];
-    if (slot.key != key) return add(key, now);
-    slot.used = now;
-    return slot.index;
-  }
-  // The index of a vertex, kNone if there is none.
-  std::uint32_t indexOf(std::uint64_t key) const {
-    const Slot& slot = slots_[find(key)];
-    return slot.key == key ? slot.index : kNone;
+   private:
+    struct Known {
+      VertexKey key = 0;
+      std::uint32_t block = 0;
+    };
+    VertexTable& table_;
+    std::uint32_t now_;
+    std::array<Known, 128> known_{};  // neighbours have entries of their own, and so have bins
+  };
+
+  // The index of the vertex at a place; the next free index if it is new.
+  std::uint32_t indexAt(Place place) {
+    std::uint32_t& index = indices_[place.block][place.cell];
+    if (index == kNone) index = size_++;
+    return index;
   }
   std::uint32_t size() const { return size_; }
 
-  // The frame in which each vertex was used last, by index.
+  // The frame in which the block of each vertex was used last, by index.
   std::vector<std::uint32_t> lastUses() const;
   // Keeps the vertices whose `kept` is true, in their order.
   void keep(const std::vector<bool>& kept);
 
  private:
-  struct Slot {
-    std::uint64_t key = 0;  // 0: free
-    std::uint32_t index = 0, used = 0;
-  };
-  static constexpr int kFirstBits = 10;
+  static constexpr std::uint32_t kNone = IndexTable::kNone;
+  static constexpr int kX = 0, kY = 20, kZ = 40, kBin = 60;  // bits of VertexKey
+  using Block = std::array<std::uint32_t, 64>;
 
-  std::size_t home(std::uint64_t key) const { return key * 0x9e3779b97f4a7c15ull >> (64 - bits_); }
-  std::size_t find(std::uint64_t key) const {  // where it is, or belongs
-    std::size_t i = home(key);
-    while (slots_[i].key != 0 && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
-    return i;
+  static VertexKey blockOf(VertexKey key) {
+    constexpr VertexKey kCell = VertexKey{3} << kX | VertexKey{3} << kY | VertexKey{3} << kZ;
+    return key & ~kCell;
   }
-  std::uint32_t add(std::uint64_t key, std::uint32_t now);
+  static std::uint32_t cellOf(VertexKey key) {
+    return static_cast<std::uint32_t>((key >> kX & 3) | (key >> kY & 3) << 2 | (key >> kZ & 3) << 4);
+  }
+  static std::size_t entryOf(VertexKey key) {
+    return (key >> (kX + 2) & 1) | (key >> (kY + 2) & 1) << 1 | (key >> (kZ + 2) & 1) << 2 | key >> kBin << 3;
+  }
+  std::uint32_t blockAt(VertexKey key, std::uint32_t now);
 
-  int bits_ = kFirstBits;
-  std::vector<Slot> slots_{std::size_t{1} << kFirstBits};  // at most half full
+  IndexTable blocks_;
+  std::vector<Block> indices_;  // of the vertices of each block
   std::uint32_t size_ = 0;
 };
 

@@ -7,34 +7,55 @@
 namespace saccade {
 namespace {
 
-TEST(VertexTable, GivesEachKeyOneIndexInTheOrderOfTheirFirstUse) {
-  VertexTable table;
-  constexpr std::uint32_t kKeys = 5000;  // grows several times
-  for (std::uint32_t i = 0; i < kKeys; ++i) {
-    EXPECT_EQ(table.findOrAdd(mix64(i + 1), 0), i);
-    EXPECT_EQ(table.findOrAdd(mix64(i / 2 + 1), 0), i / 2);
-  }
-  EXPECT_EQ(table.size(), kKeys);
-  for (std::uint32_t i = 0; i < kKeys; ++i) ASSERT_EQ(table.findOrAdd(mix64(i + 1), 0), i);
+std::uint32_t indexOf(VertexTable& table, VertexKey key, std::uint32_t now = 0) {
+  return table.indexAt(VertexTable::Finder(table, now).find(key));
 }
 
-// Keys of vertices are far from random: rows of consecutive numbers.
-TEST(VertexTable, KeysInARowHaveIndicesOfTheirOwn) {
+VertexKey keyAt(VertexKey x, VertexKey y, VertexKey z, VertexKey bin = 1) {
+  return x | y << 20 | z << 40 | bin << 60;
+}
+
+TEST(VertexTable, GivesEachKeyOneIndexInTheOrderOfTheirFirstUse) {
   VertexTable table;
-  for (std::uint64_t key = 1; key <= 3000; ++key) ASSERT_EQ(table.findOrAdd(key << 40, 0), key - 1);
+  VertexTable::Finder finder(table, 0);
+  const auto key = [](std::uint64_t i) { return mix64(i) | VertexKey{1} << 60; };
+  constexpr std::uint32_t kKeys = 5000;  // grows several times
+  for (std::uint32_t i = 0; i < kKeys; ++i) {
+    ASSERT_EQ(table.indexAt(finder.find(key(i))), i);
+    ASSERT_EQ(table.indexAt(finder.find(key(i / 2))), i / 2);
+  }
+  EXPECT_EQ(table.size(), kKeys);
+}
+
+// All vertices of a region, of two bins, so that blocks meet at all their sides.
+TEST(VertexTable, NeighboursHaveIndicesOfTheirOwn) {
+  VertexTable table;
+  VertexTable::Finder finder(table, 0);
+  for (int round = 0; round < 2; ++round) {
+    std::uint32_t next = 0;
+    for (VertexKey x = 100; x < 120; ++x)
+      for (VertexKey y = 50; y < 60; ++y)
+        for (VertexKey z = 1; z < 12; ++z)
+          for (VertexKey bin = 1; bin <= 12; bin += 11)
+            ASSERT_EQ(table.indexAt(finder.find(keyAt(x, y, z, bin))), next++);
+  }
 }
 
 TEST(VertexTable, KeepsWhatItIsToldToInItsOrder) {
   VertexTable table;
-  for (std::uint64_t key = 1; key <= 100; ++key) table.findOrAdd(key, static_cast<std::uint32_t>(key % 3));
+  for (VertexKey block = 0; block < 9; ++block)
+    for (VertexKey x = 0; x < 2; ++x) indexOf(table, keyAt(4 * block + x, 0, 0), block % 3);
   const std::vector<std::uint32_t> uses = table.lastUses();
+  ASSERT_EQ(uses.size(), 18u);
   std::vector<bool> kept;
   for (const std::uint32_t used : uses) kept.push_back(used == 1);
   table.keep(kept);
-  EXPECT_EQ(table.size(), 34u);  // 1, 4, 7, ... 100
-  for (std::uint32_t i = 0; i < 34; ++i) EXPECT_EQ(table.findOrAdd(3 * i + 1, 5), i);
-  EXPECT_EQ(table.findOrAdd(2, 5), 34u);
-  EXPECT_EQ(table.lastUses(), std::vector<std::uint32_t>(35, 5));
+  EXPECT_EQ(table.size(), 6u);  // blocks 1, 4 and 7
+  for (VertexKey i = 0; i < 3; ++i)
+    for (VertexKey x = 0; x < 2; ++x)
+      EXPECT_EQ(indexOf(table, keyAt(4 * (3 * i + 1) + x, 0, 0), 5), 2 * i + x);
+  EXPECT_EQ(indexOf(table, keyAt(0, 0, 0), 5), 6u);
+  EXPECT_EQ(table.lastUses(), std::vector<std::uint32_t>(7, 5));
 }
 
 }  // namespace
