@@ -44,10 +44,10 @@ std::optional<Rgb> BounceGrid::find(const BounceCell& cell, float u) const {
   return Rgb{sum[1], sum[2], sum[3]} * (1 / sum[0]);
 }
 
-void BounceGrid::add(const Image<BounceSample>& samples) {
-  for (int y = 0; y < samples.height(); ++y) {
-    for (int x = 0; x < samples.width(); ++x) {
-      const BounceSample& s = samples.at(x, y);
+void BounceGrid::add(const SurfaceSamples& on) {
+  for (int y = 0; y < on.height(); ++y) {
+    for (const SurfacePoint& p : on.row(y)) {
+      const BounceSample& s = p.bounce;
       if (s.cell == 0) continue;
       if (cells() >= max_cells_ && table_.indexOf(s.cell) == IndexTable::kNone) continue;
       const std::uint32_t i = table_.findOrAdd(s.cell, 0);

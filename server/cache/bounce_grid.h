@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "cache/index_table.h"
-#include "frame/frame.h"
+#include "frame/surface_samples.h"
 
 namespace saccade {
 
@@ -30,7 +30,7 @@ class BounceGrid {
   // number: some paths go on although it is known, so that it is known better.
   std::optional<Rgb> find(const BounceCell& cell, float u) const;
   // Adds a frame's samples, in order.
-  void add(const Image<BounceSample>& samples);
+  void add(const SurfaceSamples& on);
   // Forgets all light: it has changed.
   void forget();
 

@@ -54,7 +54,7 @@ void SurfaceGrid::drop(Placement& prev) {
     keepOnly(kept, level.evidence);
     for (GridPoint& p : prev.points) {
       const int slot = l - p.level;
-      if (!p.inSlot(slot)) continue;
+      if (!GridPoint::isSlot(slot)) continue;
       for (std::uint32_t t = p.first; t < p.first + p.count; ++t)
         for (std::uint32_t& v : prev.taps[slot][t].vertex) v = moved[v];
     }

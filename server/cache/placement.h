@@ -1,11 +1,12 @@
-// The vertices around every pixel's surface point, on all levels that it takes part in.
+// The vertices around every surface point of a frame, on all levels that it takes part in.
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "cache/lattice.h"
-#include "frame/frame.h"
+#include "frame/surface_samples.h"
 
 namespace saccade {
 
@@ -13,40 +14,44 @@ inline constexpr int kGridLevels = 7;  // that an estimate blends
 inline constexpr int kPoolSteps = 2;   // evidence for a level is pooled that many levels up
 inline constexpr int kSlots = kGridLevels - 1 + kPoolSteps;  // levels of a point; slot 0 is the finest
 
-// A pixel's place in the grid.
+// A surface point's place in the grid.
 struct GridPoint {
-  Vec3 position;
+  std::uint32_t index = 0;  // of the point, SurfaceSamples::indexOf()
   std::int32_t level = 0;   // of slot 0
   float fraction = 0;       // of the way to the next level, [0, 1)
-  std::uint32_t first = 0;  // of its taps, in each slot
-  std::uint32_t count = 0;  // of taps; 0: the pixel is not in the grid
-  bool inSlot(int slot) const { return count > 0 && slot >= 0 && slot < kSlots; }
+  Vec3 position;
+  std::uint32_t first = 0, count = 0;  // its taps, in each slot
+  static bool isSlot(int slot) { return slot >= 0 && slot < kSlots; }
 };
 
 // Four vertices of one bin.
 struct Taps {
   std::array<std::uint32_t, 4> vertex;
-  std::array<float, 4> weight;  // of all taps of a pixel in a slot the sum is 1
+  std::array<float, 4> weight;  // of all taps of a point in a slot the sum is 1
 };
 
 struct Placement {
-  // Fills all but `taps`. `finest_px`: edge of the finest cells, pixels.
-  void place(const SurfaceSamples& on, const GBuffer& g, float finest_px);
+  // Takes the points of a frame that can share light. Fills all but `taps`. `finest_px`: edge of the finest
+  // cells, pixels.
+  void place(const SurfaceSamples& on, float finest_px);
 
-  // The share of a pixel's own sample in what it gathers in a slot.
+  // The share of a point's own sample in what it gathers in a slot.
   float ownShare(const GridPoint& p, int slot) const {
     float sum = 0;
     for (std::uint32_t t = p.first; t < p.first + p.count; ++t)
       for (const float w : taps[slot][t].weight) sum += w * w;
     return sum;
   }
-  bool empty() const { return most_level < least_level; }
+  bool empty() const { return points.empty(); }
+  // The points of row y: first and last + 1.
+  std::pair<std::size_t, std::size_t> ofRow(int y) const { return {row_ends[y], row_ends[y + 1]}; }
 
-  std::vector<GridPoint> points;               // row-major
+  std::vector<GridPoint> points;               // in the order of their indices
+  std::vector<std::size_t> row_ends;           // their number up to each row; the first is 0
   std::vector<int> bins;                       // of each tap
   std::vector<float> bin_weights;              // likewise
   std::array<std::vector<Taps>, kSlots> taps;  // by slot
-  int least_level = 0, most_level = -1;        // of any slot; most < least: no point is in the grid
+  int least_level = 0, most_level = -1;        // of any slot
 };
 
 }  // namespace saccade

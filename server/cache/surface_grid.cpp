@@ -1,5 +1,6 @@
 #include "cache/surface_grid.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace saccade {
@@ -16,22 +17,22 @@ SurfaceGrid::Time forEachLevel(const Placement& at, const PoolHandle& pool, cons
   return pool.run(at.most_level - at.least_level + 1, [&](int i) { f(at.least_level + i); });
 }
 
-// f(pixel, point, slot) for the points that take part in level l, in order.
+// f(index, point, slot) for the points that take part in level l, in order.
 template <class F>
 void forEachPointOf(const Placement& at, int l, const F& f) {
-  for (std::size_t pixel = 0; pixel < at.points.size(); ++pixel) {
-    const GridPoint& p = at.points[pixel];
-    if (const int slot = l - p.level; p.inSlot(slot)) f(pixel, p, slot);
+  for (std::size_t i = 0; i < at.points.size(); ++i) {
+    const GridPoint& p = at.points[i];
+    if (const int slot = l - p.level; GridPoint::isSlot(slot)) f(i, p, slot);
   }
 }
 
 }  // namespace
 
-SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const GBuffer& g, const PoolHandle& pool,
-                                     Placement& prev, Placement& out) {
+SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const PoolHandle& pool, Placement& prev,
+                                     Placement& out) {
   ++now_;
   if (vertices() > params_.max_vertices) drop(prev);
-  const Time time = pool.run(1, [&](int) { out.place(on, g, params_.finest_px); });
+  const Time time = pool.run(1, [&](int) { out.place(on, params_.finest_px); });
   if (!out.empty()) levels_.makeAll(out.least_level, out.most_level);
   return time + forEachLevel(out, pool, [&](int l) { findVertices(l, out); });
 }
@@ -71,19 +72,20 @@ void SurfaceGrid::findVertices(int l, Placement& out) {
 
 SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool) {
   samples_.resize(at.points.size());
-  const Time time = pool.forEachRow(on.x.height(), [&](int y) {
-    for (int x = 0; x < on.x.width(); ++x) {
-      const auto n = static_cast<float>(on.paths.at(x, y));
-      const float U = on.unoccluded.at(x, y), inv = U > 0 ? n / U : 0;
-      samples_[static_cast<std::size_t>(y) * on.x.width() + x] = Quad{
-          n, n * on.rest.at(x, y), on.visible_sample.at(x, y) * inv, on.unoccluded_sample.at(x, y) * inv};
+  const Time time = pool.forEachRow(on.height(), [&](int y) {
+    const auto [first, end] = at.ofRow(y);
+    for (std::size_t i = first; i < end; ++i) {
+      const SurfacePoint& p = on[at.points[i].index];
+      const auto n = static_cast<float>(p.paths);
+      const float inv = p.unoccluded > 0 ? n / p.unoccluded : 0;
+      samples_[i] = Quad{n, n * p.rest, p.visible_sample * inv, p.unoccluded_sample * inv};
     }
   });
   return time + forEachLevel(at, pool, [&](int l) {
            auto& light = levels_[l].light;
-           forEachPointOf(at, l, [&](std::size_t pixel, const GridPoint& p, int slot) {
-             if (slot > kTop || samples_[pixel][0] == 0) return;
-             scatter(samples_[pixel], at, p, slot, light, [](const Quad& sum) { return sum[0] < kEnough; });
+           forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
+             if (slot > kTop || samples_[i][0] == 0) return;
+             scatter(samples_[i], at, p, slot, light, [](const Quad& sum) { return sum[0] < kEnough; });
            });
          });
 }
@@ -91,9 +93,9 @@ SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at
 SurfaceGrid::Time SurfaceGrid::learn(const Placement& at, const PoolHandle& pool) {
   return forEachLevel(at, pool, [&](int l) {
     auto& evidence = levels_[l].evidence;
-    forEachPointOf(at, l, [&](std::size_t pixel, const GridPoint& p, int slot) {
-      if (slot < kPoolSteps || samples_[pixel][0] == 0) return;
-      scatter(evidence_[pixel].ofSlot(slot - kPoolSteps), at, p, slot, evidence,
+    forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
+      if (slot < kPoolSteps || samples_[i][0] == 0) return;
+      scatter(evidence_[i].ofSlot(slot - kPoolSteps), at, p, slot, evidence,
               [](const Octet& sum) { return sum[3] < kEnough; });
     });
   });
@@ -101,7 +103,6 @@ SurfaceGrid::Time SurfaceGrid::learn(const Placement& at, const PoolHandle& pool
 
 void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
   constexpr int kFine = 4;  // coarser levels are at hand: pixels share them
-  if (p.count == 0) return;
   for (int k = 0; k < kFine; ++k) {
     const int pool = k + kPoolSteps;
     for (const auto v : at.taps[k][p.first].vertex) __builtin_prefetch(&levels_[p.level + k].light[v]);
@@ -113,45 +114,48 @@ void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
 SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Placement& at,
                                            const PoolHandle& pool, ImageF& out) const {
   constexpr int kSlot = 1;  // of cells of about a pixel
-  return pool.forEachRow(on.x.height(), [&](int y) {
-    for (int x = 0; x < on.x.width(); ++x) {
-      const GridPoint& p = at.points[static_cast<std::size_t>(y) * on.x.width() + x];
-      out.at(x, y) = 0;
-      if (p.count == 0) continue;
+  return pool.forEachRow(on.height(), [&](int y) {
+    std::fill_n(out.row(y), out.width(), 0.f);
+    const auto [first, end] = at.ofRow(y);
+    for (std::size_t i = first; i < end; ++i) {
+      const GridPoint& p = at.points[i];
       const Quad l = gather(levels_[p.level + kSlot].light, at, p, kSlot);
       const Octet e = gather(levels_[p.level + kSlot + kPoolSteps].evidence, at, p, kSlot + kPoolSteps);
       const bool known = l[0] > 0 && e[3] > 0, shadows = l[3] > 0 && e[7] > 0;
-      const float U = on.unoccluded.at(x, y);
+      const float U = on[p.index].unoccluded;
       const float variance =
           varianceOf(e[2], e[3], l[0], params_.blend) + U * U * varianceOf(e[6], e[7], l[3], params_.blend);
-      const float i = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
-      out.at(x, y) = known ? std::sqrt(variance) / std::max(i, 1e-6f) : kUnknown;
+      const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
+      out.at(on.columnOf(p.index), y) = known ? std::sqrt(variance) / std::max(light, 1e-6f) : kUnknown;
     }
   });
 }
 
-// Reads the pixels of a row for which wanted(x), and calls each(blend, pixel).
+// Reads the pixels of a row for which wanted(x), and calls each(blend, point of `at`).
 void SurfaceGrid::readRow(const SurfaceSamples& on, const GBuffer& g, const Placement& at, int y,
                           const auto& wanted, const auto& each, GridEstimate& out) const {
-  for (int x = 0; x < on.x.width(); ++x) {
-    const std::size_t pixel = static_cast<std::size_t>(y) * on.x.width() + x;
-    const GridPoint& p = at.points[pixel];
+  for (int x = 0; x < out.i.width(); ++x)
+    if (wanted(x)) out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = 0;
+  const auto [first, end] = at.ofRow(y);
+  for (std::size_t i = first; i < end; ++i) {
+    const GridPoint& p = at.points[i];
+    const int x = on.columnOf(p.index) / on.perPixel();
     if (!wanted(x)) continue;
-    out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = 0;
-    if (x + kAhead < on.x.width()) prefetch(at, at.points[pixel + kAhead]);
-    if (p.count == 0) continue;
+    if (i + kAhead < end) prefetch(at, at.points[i + kAhead]);
     const LevelBlend blend(levels_, at, p, params_.blend);
-    const float U = on.unoccluded.at(x, y), px = std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y));
-    out.i.at(x, y) = blend.value(U);
-    out.var_i.at(x, y) = blend.variance(U);
-    out.var_step.at(x, y) = blend.stepVariance(U, px * std::exp2(p.fraction) / params_.finest_px);
-    each(blend, pixel);
+    const SurfacePoint& s = on[p.index];
+    const float px = std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y));
+    out.i.at(x, y) += s.share * blend.value(s.unoccluded);
+    out.var_i.at(x, y) += s.share * s.share * blend.variance(s.unoccluded);
+    out.var_step.at(x, y) +=
+        s.share * s.share * blend.stepVariance(s.unoccluded, px * std::exp2(p.fraction) / params_.finest_px);
+    each(blend, i);
   }
 }
 
 SurfaceGrid::Time SurfaceGrid::read(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                     const PoolHandle& pool, GridEstimate& out) const {
-  return pool.forEachRow(on.x.height(), [&](int y) {
+  return pool.forEachRow(on.height(), [&](int y) {
     readRow(
         on, g, at, y, [](int) { return true; }, [](const LevelBlend&, std::size_t) {}, out);
   });
@@ -160,10 +164,10 @@ SurfaceGrid::Time SurfaceGrid::read(const SurfaceSamples& on, const GBuffer& g, 
 SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                          const PoolHandle& pool, GridEstimate& out) {
   evidence_.resize(at.points.size());
-  const auto compare = [&](const LevelBlend& blend, std::size_t pixel) {
-    evidence_[pixel] = evidenceOf(blend, samples_[pixel], at, at.points[pixel]);
+  const auto compare = [&](const LevelBlend& blend, std::size_t i) {
+    evidence_[i] = evidenceOf(blend, samples_[i], at, at.points[i]);
   };
-  return pool.forEachRow(on.x.height(), [&](int y) {
+  return pool.forEachRow(on.height(), [&](int y) {
     readRow(
         on, g, at, y, [](int) { return true; }, compare, out);
   });
@@ -172,9 +176,11 @@ SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer
 SurfaceGrid::Time SurfaceGrid::readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                          const PoolHandle& pool, const ImageF& uncertainty,
                                          const ImageF& uncertainty_prev, GridEstimate& out) const {
-  return pool.forEachRow(on.x.height(), [&](int y) {
+  return pool.forEachRow(on.height(), [&](int y) {
     const auto unknown = [&](int x) {
-      return uncertainty.at(x, y) == kUnknown || uncertainty_prev.at(x, y) == kUnknown;
+      for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
+        if (uncertainty.at(column, y) == kUnknown || uncertainty_prev.at(column, y) == kUnknown) return true;
+      return false;
     };
     readRow(
         on, g, at, y, unknown, [](const LevelBlend&, std::size_t) {}, out);

@@ -12,6 +12,7 @@
 
 #include "base/pool_handle.h"
 #include "cache/evidence.h"
+#include "frame/frame.h"
 
 namespace saccade {
 
@@ -21,10 +22,11 @@ struct GridParams {
   std::size_t max_vertices = 2'000'000;  // beyond, those go that were not used for longest
 };
 
-// What the grid says at each pixel. Planes of the size of the frame.
+// What the grid says of each pixel: the sum over its points, by their shares. Planes of the size of the
+// frame.
 struct GridEstimate {
   GridEstimate(int w, int h) : i(w, h), var_i(w, h), var_step(w, h) {}
-  ImageF i;         // illumination, 0 where the pixel is not in the grid
+  ImageF i;         // illumination, 0 where no point is in the grid
   ImageF var_i;     // its variance
   ImageF var_step;  // the variance of its change from here to where the pixel's motion vector points
 };
@@ -40,10 +42,10 @@ class SurfaceGrid {
   // Finds the vertices around the points of a frame, and adds those that are missing. The frame before it is
   // at `prev`, and stays valid: where the grid has become too large, it drops vertices that neither of them
   // uses.
-  Time place(const SurfaceSamples& on, const GBuffer& g, const PoolHandle& pool, Placement& prev,
-             Placement& out);
+  Time place(const SurfaceSamples& on, const PoolHandle& pool, Placement& prev, Placement& out);
   // Relative standard deviation of the mean over a cell of about a pixel, whether its detail is believed or
-  // not, at the points of a frame; kUnknown where nothing is known yet, and 0 where there is no point.
+  // not, at the points of a frame; kUnknown where nothing is known yet, and 0 where there is no point. `out`
+  // has the columns of `on`.
   Time uncertainty(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool, ImageF& out) const;
   // Adds a frame's samples, which `at` has placed.
   Time add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool);
@@ -75,7 +77,7 @@ class SurfaceGrid {
   GridLevels levels_;
   std::uint32_t now_ = 0;  // frames placed so far
   std::uint64_t dropped_ = 0;
-  std::vector<Quad> samples_;       // of the frame, by pixel, as GridLevel::light adds them up
+  std::vector<Quad> samples_;       // of the frame, by point, as GridLevel::light adds them up
   std::vector<Evidence> evidence_;  // of them
 };
 

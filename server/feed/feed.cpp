@@ -2,6 +2,7 @@
 
 #include "base/quantile.h"
 #include "base/thread_time.h"
+#include "render/sub_pixel.h"
 
 namespace saccade {
 namespace {
@@ -40,7 +41,7 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
       renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}),
       method_(std::move(method)),
       seed_reuse_(samples.reuse),
-      frames_(config.width, config.height, samples.on_surfaces),
+      frames_(config.width, config.height, samples.on_surfaces ? (config.jitter ? kSubPixels : 1) : 0),
       changes_{IntensityChange(config.width, config.height), IntensityChange(config.width, config.height)} {
   render(pool);
   method_->start(frames_.current(), pool);

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/units.h"
-#include "base/vec.h"
 #include "frame/image.h"
+#include "frame/surface_samples.h"
 
 namespace saccade {
 
@@ -50,55 +50,10 @@ struct FrameSamples {
   int spp1 = 0, spp2 = 0;  // paths per pixel in each pass; a pass with none leaves its plane at 0
 };
 
-// What light a pixel's surface point can share with the points around it.
-enum class SurfaceKind : std::uint32_t {
-  kNone,     // nothing: no surface, or one whose light depends on the view, such as metal
-  kDiffuse,  // reflects alike into all directions
-  kMixed,    // nearly so: a plastic, or a surface seen in a mirror or through glass
-};
-
-// What a path has found from its second vertex on.
-struct BounceSample {
-  std::uint64_t cell = 0;  // that the vertex lies in, BounceCell::key; 0: there is no sample
-  Rgb light;               // reflected radiance over albedo, of each colour
-};
-class BounceGrid;
-
-// The same samples for methods that keep light on surfaces rather than in pixels: where they lie, and their
-// light in parts. All light is demodulated: a part of I - E, divided by the luminance of the albedo.
-// Direct light that a diffuse base reflects has a closed form but for shadows, where lamps are simple:
-//   i = unoccluded * visibility + rest,   visibility = visible_sample / unoccluded_sample in the mean.
-// Where there is no such light, `unoccluded` is 0 and all light is in `rest`.
-struct SurfaceSamples {
-  SurfaceSamples(int w, int h)
-      : paths(w, h),
-        kind(w, h),
-        x(w, h),
-        y(w, h),
-        z(w, h),
-        footprint(w, h),
-        unoccluded(w, h),
-        unoccluded_sample(w, h),
-        visible_sample(w, h),
-        rest(w, h),
-        bounce(w, h) {}
-  Image<std::uint32_t> paths;  // that a pixel gets, as the method plans; of kNone the spp of the frame
-  Image<SurfaceKind> kind;     // kNone: the planes below mean nothing
-  ImageF x, y, z;              // where the surface seems to be, world space
-  ImageF footprint;            // width of a pixel there, seen at a right angle, scene units
-  ImageF unoccluded;           // in closed form, as if nothing cast a shadow
-  ImageF unoccluded_sample;    // an estimate of the same, mean over the paths; without any it means nothing
-  ImageF visible_sample;       // what of that estimate nothing stands in the way of
-  ImageF rest;                 // an estimate of all other light
-
-  const BounceGrid* bounces = nullptr;  // light that ends paths at their second vertex, as the method has it
-  Image<BounceSample> bounce;           // of the last of a pixel's paths that did not end there
-};
-
-// With `on_surfaces` also as SurfaceSamples.
+// With SurfaceSamples too, if a pixel has `points`.
 struct Frame {
-  Frame(int width, int height, bool on_surfaces = false) : g(width, height), samples(width, height) {
-    if (on_surfaces) surfaces = std::make_unique<SurfaceSamples>(width, height);
+  Frame(int width, int height, int points = 0) : g(width, height), samples(width, height) {
+    if (points > 0) surfaces = std::make_unique<SurfaceSamples>(width, height, points);
   }
   int width() const { return g.z.width(); }
   int height() const { return g.z.height(); }
@@ -119,8 +74,7 @@ struct FramePair {
 // The two newest frames of a feed. swap() makes the current frame the previous one.
 class FrameRing {
  public:
-  FrameRing(int width, int height, bool on_surfaces)
-      : cur_(width, height, on_surfaces), prev_(width, height, on_surfaces) {}
+  FrameRing(int width, int height, int points) : cur_(width, height, points), prev_(width, height, points) {}
   Frame& current() { return cur_; }
   FramePair pair() const { return {cur_, prev_}; }
   void swap() { std::swap(cur_, prev_); }

@@ -32,11 +32,6 @@ const std::vector<ParamField<P>>& fields() {
   return table;
 }
 
-// Whether a pixel shows a surface that the grid does not hold.
-bool isElsewhere(const Frame& frame, int x, int y) {
-  return frame.g.albedo.at(x, y) > 0 && frame.surfaces->kind.at(x, y) == SurfaceKind::kNone;
-}
-
 // In [0, 1), spread evenly over any few neighbours in space and time: the R2 sequence (Roberts 2018) in x and
 // y, moved on by the golden ratio in every frame.
 float ditherAt(int x, int y, std::uint32_t frame) {
@@ -69,8 +64,6 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
       bounces_(static_cast<std::size_t>(p.memory) * (1 << 20) / 16 / BounceGrid::kBytesPerCell),
       now_(w, h),
       before_(w, h),
-      uncertainty_(w, h),
-      uncertainty_prev_(w, h),
       filtered_(w, h),
       scratch_(w, h),
       i_prev_(w, h) {}
@@ -82,14 +75,18 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
   std::swap(uncertainty_, uncertainty_prev_);
   if (next.light_changed) grid_.forget(), bounces_.forget();
   on.bounces = &bounces_;
-  times[Stage::kTemporal] += grid_.place(on, next.g, pool, at_prev_, at_);
+  if (frames_++ == 0)
+    for (ImageF* plane : {&uncertainty_, &uncertainty_prev_}) *plane = ImageF(on.columns(), on.height());
+  times[Stage::kTemporal] += grid_.place(on, pool, at_prev_, at_);
   times[Stage::kTemporal] += grid_.uncertainty(on, at_, pool, uncertainty_);
   const float asked = static_cast<float>(spp) * params_.paths;
-  ++frames_;
   times[Stage::kTemporal] += pool.forEachRow(next.height(), [&](int y) {
-    for (int x = 0; x < next.width(); ++x) {
-      const float share = asked * std::min(1.f, uncertainty_.at(x, y) / params_.target);
-      on.paths.at(x, y) = static_cast<std::uint32_t>(share + ditherAt(x, y, frames_));
+    for (int column = 0; column < on.columns(); ++column) {
+      SurfacePoint& p = on.at(column, y);
+      const float wanted = asked * p.share * std::min(1.f, uncertainty_.at(column, y) / params_.target);
+      // The whole pixel is sampled, if another method is to estimate it.
+      const std::uint32_t least = on.showsOthers(column / on.perPixel(), y);
+      p.paths = std::max(least, static_cast<std::uint32_t>(wanted + ditherAt(column, y, frames_)));
     }
   });
 }
@@ -117,7 +114,7 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
   const int width = out.dI.width(), height = out.dI.height();
   const bool all = frames.cur.light_changed;
   const auto needed = [&](int x, int y) {
-    return all || isElsewhere(frames.cur, x, y) || isElsewhere(frames.prev, x, y);
+    return all || frames.cur.surfaces->showsOthers(x, y) || frames.prev.surfaces->showsOthers(x, y);
   };
   if (!svgf_) {
     bool any = all;
@@ -141,7 +138,7 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   const SurfaceSamples &on = *frames.cur.surfaces, &on_prev = *frames.prev.surfaces;
   const bool first = &frames.cur == &frames.prev;
   times[Stage::kTemporal] += grid_.add(on, at_, pool);
-  bounces_.add(on.bounce);
+  bounces_.add(on);
   times[Stage::kVariance] += grid_.readAdded(on, frames.cur.g, at_, pool, now_);
   if (!first) times[Stage::kVariance] += grid_.read(on_prev, frames.prev.g, at_prev_, pool, before_);
   times[Stage::kTemporal] += grid_.learn(at_, pool);

@@ -19,7 +19,7 @@ struct IrradianceCacheParams {
   int iterations = 3;
   float sigma_l = 3;
   float sigma_l_diff = 6;
-  float target = 0.05f;
+  float target = 0.15f;
   float paths = 1;
   int memory = 256;
   float sigma_n = 128;
@@ -50,7 +50,7 @@ class IrradianceCache final : public Method {
   BounceGrid bounces_;
   Placement at_, at_prev_;
   GridEstimate now_, before_;
-  ImageF uncertainty_, uncertainty_prev_;
+  ImageF uncertainty_, uncertainty_prev_;  // with the columns of SurfaceSamples
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;             // D[i_{t-1}]
   std::uint32_t frames_ = 0;  // planned so far

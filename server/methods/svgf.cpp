@@ -38,7 +38,7 @@ std::chrono::nanoseconds replaceKnown(const Frame& frame, const ImageF& known, c
                                       ImageF& i) {
   return pool.forEachRow(frame.height(), [&](int y) {
     for (int x = 0; x < frame.width(); ++x)
-      if (frame.surfaces->kind.at(x, y) != SurfaceKind::kNone) i.at(x, y) = known.at(x, y);
+      if (!frame.surfaces->showsOthers(x, y)) i.at(x, y) = known.at(x, y);
   });
 }
 

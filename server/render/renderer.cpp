@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/surface_pixel.h"
+#include "render/surface_points.h"
 
 namespace saccade {
 namespace {
@@ -20,8 +21,9 @@ void renderTile(const PixelContext& view, const SeedPlan& seeds, const RenderSet
 
 template <Shading S>
 void renderSurfaceTile(const PixelContext& view, Tile tile, std::vector<SurfaceStart>& starts, Frame& out) {
+  const auto pixel = out.surfaces->perPixel() > 1 ? renderJitteredSurface<S> : renderSurface<S>;
   for (int y = tile.y0; y < tile.y1; ++y)
-    for (int x = tile.x0; x < tile.x1; ++x) renderSurface<S>(view, x, y, starts[y * out.width() + x], out);
+    for (int x = tile.x0; x < tile.x1; ++x) pixel(view, x, y, starts, out);
 }
 
 template <Shading S, int Channels>
@@ -30,7 +32,7 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces
   for (int y = tile.y0; y < tile.y1; ++y) {
     TilePool::yieldToHighPriority();
     for (int x = tile.x0; x < tile.x1; ++x)
-      renderSurfacePaths<S, Channels>(view, seeds, bounces, starts[y * out.width() + x], x, y, out);
+      renderSurfacePaths<S, Channels>(view, seeds, bounces, starts, x, y, out);
   }
 }
 
@@ -76,7 +78,7 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
 std::chrono::nanoseconds Renderer::renderSurfaces(const Camera& camera, const Camera& prev,
                                                   const PoolHandle& pool, Frame& out) {
   out.light_changed = strengths_.setTime(out.time);
-  starts_.resize(static_cast<std::size_t>(out.width()) * out.height());
+  starts_.resize(out.surfaces->indexOf(0, out.height()));
   const PixelContext view{*scene_, strengths_, camera, prev};
   const auto tile = withKernel(scene_->shading(), []<Shading S>() { return renderSurfaceTile<S>; });
   return pool.forEachTile(out.width(), out.height(), kMaxTileEdge,

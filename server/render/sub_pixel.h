@@ -32,4 +32,15 @@ inline constexpr auto kSubPixelOffsets = [] {
   return points;
 }();
 
+// The same for pixels on edges: a Hammersley set, which tells how much of a pixel lies on one side of an
+// upright or level edge to 1/32.
+inline constexpr std::uint32_t kEdgeSubPixels = 16;
+inline constexpr auto kEdgeSubPixelOffsets = [] {
+  std::array<Vec2, kEdgeSubPixels> points{};
+  constexpr float kHalf = 0.5f / kEdgeSubPixels;
+  for (std::uint32_t i = 0; i < kEdgeSubPixels; ++i)
+    points[i] = {static_cast<float>(i) / kEdgeSubPixels + kHalf - 0.5f, halton(i, 2) + kHalf - 0.5f};
+  return points;
+}();
+
 }  // namespace saccade

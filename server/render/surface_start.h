@@ -13,9 +13,10 @@ struct DiffuseBase {
 };
 
 struct SurfaceStart {
-  bool valid = false;
+  bool valid = false;  // whether there is a surface
   PathStart path;
   DiffuseBase base;
+  float albedo = 0;  // luminance
 };
 
 }  // namespace saccade

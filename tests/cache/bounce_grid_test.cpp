@@ -14,9 +14,9 @@ BounceCell at(Vec3 point, Vec3 normal = {0, 0, 1}) {
 
 // Adds `count` samples of the light (red, 1, 1) in one cell.
 void add(BounceGrid& grid, const BounceCell& cell, int count, float red = 1) {
-  Image<BounceSample> samples(count, 1);
-  for (int i = 0; i < count; ++i) samples.at(i, 0) = {cell.key, {red, 1, 1}};
-  grid.add(samples);
+  SurfaceSamples on(count, 1, 1);
+  for (SurfacePoint& p : on.row(0)) p.bounce = {cell.key, {red, 1, 1}};
+  grid.add(on);
 }
 
 TEST(BounceCell, IsACubeWithASide) {

@@ -14,27 +14,26 @@ constexpr float kPixel = 0.01f;  // on the wall
 
 // A camera slides along a wall z = 0, pixel by pixel of kPixel. Samples of `light` with noise.
 struct Wall {
-  Frame frame{kW, kH, true};
+  Frame frame{kW, kH, 1};
   float noise = 0, unoccluded = 0;
   std::function<float(float)> light = [](float) { return 1.f; };       // of x
   std::function<float(float)> visibility = [](float) { return 1.f; };  // of x
   Vec3 normal{0, 0, 1};
 
   void show(float shift_px, std::uint64_t seed) {
-    SurfaceSamples& on = *frame.surfaces;
     for (int y = 0; y < kH; ++y) {
       for (int x = 0; x < kW; ++x) {
         const float at = (static_cast<float>(x) + shift_px) * kPixel;
-        on.kind.at(x, y) = SurfaceKind::kDiffuse;
-        on.paths.at(x, y) = 1;
-        on.x.at(x, y) = at, on.y.at(x, y) = static_cast<float>(y) * kPixel, on.z.at(x, y) = 0;
-        on.footprint.at(x, y) = kPixel;
-        on.rest.at(x, y) = light(at) + noise * (2 * test::randomAt(seed, x, y) - 1);
-        on.unoccluded.at(x, y) = unoccluded;
-        on.unoccluded_sample.at(x, y) = unoccluded * (0.5f + test::randomAt(seed + 77, x, y));
-        on.visible_sample.at(x, y) =
-            test::randomAt(seed + 99, x, y) < visibility(at) ? on.unoccluded_sample.at(x, y) : 0;
-        frame.g.nx.at(x, y) = normal.x, frame.g.ny.at(x, y) = normal.y, frame.g.nz.at(x, y) = normal.z;
+        SurfacePoint& p = frame.surfaces->at(x, y);
+        p.kind = SurfaceKind::kDiffuse;
+        p.share = 1, p.paths = 1;
+        p.position = {at, static_cast<float>(y) * kPixel, 0};
+        p.normal = normal;
+        p.footprint = kPixel;
+        p.rest = light(at) + noise * (2 * test::randomAt(seed, x, y) - 1);
+        p.unoccluded = unoccluded;
+        p.unoccluded_sample = unoccluded * (0.5f + test::randomAt(seed + 77, x, y));
+        p.visible_sample = test::randomAt(seed + 99, x, y) < visibility(at) ? p.unoccluded_sample : 0;
         frame.g.motion_x.at(x, y) = 1;
       }
     }
@@ -48,7 +47,7 @@ struct View {
   void look(Wall& wall, float shift_px, std::uint64_t seed) {
     wall.show(shift_px, seed);
     std::swap(at, prev);
-    grid.place(*wall.frame.surfaces, wall.frame.g, pool, prev, at);
+    grid.place(*wall.frame.surfaces, pool, prev, at);
     grid.add(*wall.frame.surfaces, at, pool);
     grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
     grid.learn(at, pool);
@@ -58,7 +57,7 @@ struct View {
     double sum = 0, variance = 0;
     for (int y = 0; y < kH; ++y) {
       for (int x = 0; x < kW; ++x) {
-        sum += std::pow(now.i.at(x, y) - f(wall.frame.surfaces->x.at(x, y)), 2);
+        sum += std::pow(now.i.at(x, y) - f(wall.frame.surfaces->at(x, y).position.x), 2);
         variance += now.var_i.at(x, y);
       }
     }
@@ -217,8 +216,8 @@ TEST_F(SurfaceGridTest, PixelsWithoutASurfaceAreLeftOut) {
   Wall wall;
   wall.show(0, 1);
   for (int y = 0; y < kH; ++y)
-    for (int x = 0; x < kW; ++x) wall.frame.surfaces->kind.at(x, y) = SurfaceKind::kNone;
-  grid.place(*wall.frame.surfaces, wall.frame.g, pool, prev, at);
+    for (int x = 0; x < kW; ++x) wall.frame.surfaces->at(x, y).kind = SurfaceKind::kNone;
+  grid.place(*wall.frame.surfaces, pool, prev, at);
   grid.add(*wall.frame.surfaces, at, pool);
   grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
   grid.learn(at, pool);

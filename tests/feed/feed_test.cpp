@@ -36,8 +36,9 @@ Trajectory path(bool moving) {
   return Trajectory({{TimeNs(0), home}, {TimeNs(1'000'000'000), Pose{{moving ? 0.5 : 0, 0, -0.9}, {}}}});
 }
 
-FeedConfig config(const std::string& method) {
+FeedConfig config(const std::string& method, bool jitter = false) {
   FeedConfig c;
+  c.jitter = jitter;
   c.width = kW, c.height = kH, c.fov_x_deg = 80, c.frame_rate_hz = 100, c.method = method, c.seed = 3;
   std::string name;
   EXPECT_EQ(resolveParams(*findMethod(method), {}, c.params, name), "");
@@ -56,13 +57,14 @@ double largestChange(const IntensityChange& change) {
 // first frame on.
 TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
   TilePool pool(2);
-  for (const char* method : {"event_svgf", "irradiance_cache", "pt-correlated"}) {
-    Feed feed(room(), path(false), config(method), pool);
+  for (const FeedConfig& c : {config("event_svgf"), config("irradiance_cache"),
+                              config("irradiance_cache", true), config("pt-correlated")}) {
+    Feed feed(room(), path(false), c, pool);
     Sensor sensor({.threshold = 0.01, .threshold_off = 0.01, .bias = 1e-8}, kW, kH);
     SensorOutput out;
     for (int t = 1; t <= 300; ++t) {
       const IntensityChange& change = feed.step(pool);
-      ASSERT_EQ(largestChange(change), 0) << method << " frame " << t;
+      ASSERT_EQ(largestChange(change), 0) << c.method << " frame " << t;
       sensor.generate(change, out);
       ASSERT_TRUE(out.events.empty());
       ASSERT_GT(change.I_prev.at(kW / 2, kH / 2), 0);
@@ -128,9 +130,17 @@ TEST(Feed, ASurfaceThatAppearsIsFiltered) {
   EXPECT_LT(noiseOf("event_svgf"), 0.3 * noiseOf("pt-correlated"));
 }
 
-TEST(Feed, IsTheSameForAnyNumberOfThreads) {
+class FeedOf : public testing::TestWithParam<FeedConfig> {};
+INSTANTIATE_TEST_SUITE_P(, FeedOf,
+                         testing::Values(config("event_svgf"), config("irradiance_cache"),
+                                         config("irradiance_cache", true)),
+                         [](const auto& info) {
+                           return info.param.method + (info.param.jitter ? "_jittered" : "");
+                         });
+
+TEST_P(FeedOf, IsTheSameForAnyNumberOfThreads) {
   TilePool one(1), three(3);
-  Feed a(room(), path(true), config("event_svgf"), one), b(room(), path(true), config("event_svgf"), three);
+  Feed a(room(), path(true), GetParam(), one), b(room(), path(true), GetParam(), three);
   for (int t = 1; t <= 6; ++t) {
     const IntensityChange &x = a.step(one), &y = b.step(three);
     for (int row = 0; row < kH; ++row) {

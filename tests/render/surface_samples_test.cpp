@@ -5,6 +5,7 @@
 
 #include "cache/bounce_grid.h"
 #include "render/renderer.h"
+#include "render/sub_pixel.h"
 #include "render/test_scenes.h"
 
 namespace saccade {
@@ -32,16 +33,16 @@ Scene lampRoom(const Material& material) {
 }
 
 Frame render(const Scene& scene, int spp, int channels = 1, std::uint64_t seed = 1,
-             const BounceGrid* bounces = nullptr) {
+             const BounceGrid* bounces = nullptr, int points = 1) {
   const auto s = std::make_shared<RenderScene>(scene);
   TilePool pool(2);
-  Frame frame(kSize, kSize, true);
+  Frame frame(kSize, kSize, points);
   frame.surfaces->bounces = bounces;
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) frame.surfaces->paths.at(x, y) = static_cast<std::uint32_t>(spp);
   const Camera camera(s->description().T_world_camera, s->description().fov_x_deg, kSize, kSize);
   Renderer renderer(s, {2, channels});
   renderer.renderSurfaces(camera, camera, pool, frame);
+  for (int y = 0; y < kSize; ++y)
+    for (SurfacePoint& p : frame.surfaces->row(y)) p.paths = static_cast<std::uint32_t>(spp);
   renderer.renderPaths(camera, SeedPlan::independent(seed, 0, spp), pool, frame);
   return frame;
 }
@@ -76,15 +77,15 @@ INSTANTIATE_TEST_SUITE_P(, SurfaceSamplesOf,
 TEST_P(SurfaceSamplesOf, PartsAddUp) {
   const Frame frame = render(lampRoom(GetParam().material), 256, 3);
   const SurfaceSamples& on = *frame.surfaces;
-  const double U = mean([&](int x, int y) { return on.unoccluded.at(x, y); });
+  const double U = mean([&](int x, int y) { return on.at(x, y).unoccluded; });
   EXPECT_GT(U, 0.1);
-  EXPECT_NEAR(mean([&](int x, int y) { return on.unoccluded_sample.at(x, y); }), U, 0.01 * U);
+  EXPECT_NEAR(mean([&](int x, int y) { return on.at(x, y).unoccluded_sample; }), U, 0.01 * U);
   const double whole = mean([&](int x, int y) {
     return (frame.samples.I2.at(x, y) - frame.g.emission.at(x, y)) / frame.g.albedo.at(x, y);
   });
   const double parts = mean([&](int x, int y) {
-    return on.unoccluded.at(x, y) * on.visible_sample.at(x, y) / on.unoccluded_sample.at(x, y) +
-           on.rest.at(x, y);
+    return on.at(x, y).unoccluded * on.at(x, y).visible_sample / on.at(x, y).unoccluded_sample +
+           on.at(x, y).rest;
   });
   EXPECT_NEAR(parts, whole, 0.01 * whole);
 }
@@ -92,14 +93,14 @@ TEST_P(SurfaceSamplesOf, PartsAddUp) {
 TEST(SurfaceSamples, TellWhereShadowsAre) {
   const Frame frame = render(lampRoom(test::grey(0.5f)), 16);
   const SurfaceSamples& on = *frame.surfaces;
-  EXPECT_EQ(on.kind.at(1, 1), SurfaceKind::kDiffuse);
-  EXPECT_EQ(on.visible_sample.at(1, 1), on.unoccluded_sample.at(1, 1));  // far from the box
+  EXPECT_EQ(on.at(1, 1).kind, SurfaceKind::kDiffuse);
+  EXPECT_EQ(on.at(1, 1).visible_sample, on.at(1, 1).unoccluded_sample);  // far from the box
   int shadowed = 0;
   for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) shadowed += on.visible_sample.at(x, y) == 0;
+    for (int x = 0; x < kSize; ++x) shadowed += on.at(x, y).visible_sample == 0;
   EXPECT_GT(shadowed, 5);
-  EXPECT_NEAR(on.z.at(1, 1), 0, 1e-5);
-  EXPECT_LT(on.x.at(1, 12), on.x.at(20, 12));
+  EXPECT_NEAR(on.at(1, 1).position.z, 0, 1e-5);
+  EXPECT_LT(on.at(1, 12).position.x, on.at(20, 12).position.x);
 }
 
 // Light that is known ends paths, and does not change what they find: no bounce is lost or counted twice.
@@ -113,11 +114,11 @@ TEST(SurfaceSamples, EndedPathsFindTheSameLight) {
   for (std::uint64_t seed = 0; seed < kFrames; ++seed) {
     const auto rest = [&](const BounceGrid* bounces) {
       const Frame frame = render(scene, 16, 3, seed, bounces);
-      if (bounces) known.add(frame.surfaces->bounce);
+      if (bounces) known.add(*frame.surfaces);
       kept = 0;
       for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) kept += frame.surfaces->bounce.at(x, y).cell != 0;
-      return mean([&](int x, int y) { return frame.surfaces->rest.at(x, y); });
+        for (int x = 0; x < kSize; ++x) kept += frame.surfaces->at(x, y).bounce.cell != 0;
+      return mean([&](int x, int y) { return frame.surfaces->at(x, y).rest; });
     };
     const double without = rest(nullptr), with = rest(&known);
     if (seed >= kLearning) all += without, ended += with;
@@ -135,13 +136,13 @@ TEST(SurfaceSamples, AllOfDirectLightIsInClosedForm) {
   s.materials[1] = test::grey(0);                              // of the lamp
   const Frame frame = render(s, 4);
   for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) ASSERT_NEAR(frame.surfaces->rest.at(x, y), 0, 1e-5);
+    for (int x = 0; x < kSize; ++x) ASSERT_NEAR(frame.surfaces->at(x, y).rest, 0, 1e-5);
 }
 
 TEST(SurfaceSamples, MetalSharesNoLight) {
   Material metal = test::grey(0.5f);
   metal.model.kind = BsdfKind::kRoughConductor;
-  EXPECT_EQ(render(lampRoom(metal), 1).surfaces->kind.at(1, 1), SurfaceKind::kNone);
+  EXPECT_EQ(render(lampRoom(metal), 1).surfaces->at(1, 1).kind, SurfaceKind::kNone);
 }
 
 TEST(SurfaceSamples, WhatAMirrorShowsLiesBehindIt) {
@@ -150,9 +151,58 @@ TEST(SurfaceSamples, WhatAMirrorShowsLiesBehindIt) {
   Scene s = lampRoom(mirror);
   s.meshes.push_back(test::quad({-2, -2, 3.8f}, {0, 4, 0}, {4, 0, 0}, 1));  // a ceiling
   const Frame frame = render(s, 1);
-  EXPECT_EQ(frame.surfaces->kind.at(2, 12), SurfaceKind::kMixed);
-  EXPECT_LT(frame.surfaces->z.at(2, 12), -0.1f);
-  EXPECT_EQ(frame.surfaces->unoccluded.at(2, 12), 0);
+  EXPECT_EQ(frame.surfaces->at(2, 12).kind, SurfaceKind::kMixed);
+  EXPECT_LT(frame.surfaces->at(2, 12).position.z, -0.1f);
+  EXPECT_EQ(frame.surfaces->at(2, 12).unoccluded, 0);
+}
+
+// With jitter a pixel has a point for each surface that it shows.
+TEST(SurfaceSamples, APixelOnOneSurfaceHasOnePoint) {
+  const Scene scene = lampRoom(test::grey(0.5f));
+  const Frame centres = render(scene, 1), frame = render(scene, 1, 1, 1, nullptr, kSubPixels);
+  const SurfacePoint &centre = centres.surfaces->at(3, 3), &point = frame.surfaces->of(3, 3)[0];
+  EXPECT_FLOAT_EQ(point.share, 1);
+  EXPECT_EQ(point.position.x, centre.position.x);
+  EXPECT_EQ(point.unoccluded, centre.unoccluded);
+  for (std::size_t i = 1; i < kSubPixels; ++i) EXPECT_EQ(frame.surfaces->of(3, 3)[i].share, 0);
+}
+
+TEST(SurfaceSamples, APixelOnAnEdgeHasAPointForEachSurface) {
+  const Frame frame = render(lampRoom(test::grey(0.5f)), 1, 1, 1, nullptr, kSubPixels);
+  int edges = 0;
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      float shares = 0, least = 10, most = -10;
+      for (const SurfacePoint& p : frame.surfaces->of(x, y)) {
+        shares += p.share;
+        if (p.share > 0) least = std::min(least, p.position.z), most = std::max(most, p.position.z);
+      }
+      ASSERT_NEAR(shares, 1, 1e-5);
+      edges += least < 0.01f && most > 0.99f;  // floor and box
+    }
+  }
+  EXPECT_GT(edges, 3);
+}
+
+// The points of a pixel show the light of all of it, as a picture of 16 times the resolution does.
+TEST(SurfaceSamples, PointsShowTheLightOfTheWholePixel) {
+  constexpr int kFine = 16, kFineSize = kFine * kSize;
+  const Scene scene = lampRoom(test::grey(0.05f));
+  const auto s = std::make_shared<RenderScene>(scene);
+  const Camera camera(scene.T_world_camera, scene.fov_x_deg, kFineSize, kFineSize);
+  TilePool pool(2);
+  Frame fine(kFineSize, kFineSize);
+  Renderer(s, {2, 1}).render(camera, camera, SeedPlan::independent(7, 0, 8), pool, fine);
+  const auto error = [&](int points) {
+    const Frame frame = render(scene, 512, 1, 3, nullptr, points);
+    return mean([&](int x, int y) {
+      double whole = 0;
+      for (int i = 0; i < kFine * kFine; ++i)
+        whole += fine.samples.I2.at(kFine * x + i % kFine, kFine * y + i / kFine) / (kFine * kFine);
+      return std::abs(frame.samples.I2.at(x, y) - whole);
+    });
+  };
+  EXPECT_LT(error(kSubPixels), 0.5 * error(1));
 }
 
 }  // namespace

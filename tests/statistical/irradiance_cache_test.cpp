@@ -11,20 +11,25 @@ namespace {
 
 constexpr int kSize = 48;
 
-BenchSetup setup(int reference_spp) {
+BenchSetup setup(int reference_spp, bool jitter = false) {
   return {.width = kSize,
           .height = kSize,
           .px_per_frame = 0.5,
+          .jitter = jitter,
           .first = 15,
           .last = 16,
           .reference_spp = reference_spp,
           .cache = ::testing::TempDir() + "saccade-irradiance-cache"};
 }
 
+class IrradianceCacheOf : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(, IrradianceCacheOf, testing::Bool(),
+                         [](const auto& info) { return info.param ? "WholePixels" : "PixelCentres"; });
+
 // With half the paths of the better of both.
-TEST(IrradianceCache, ErrsFarLessThanMethodsThatKeepLightInThePicture) {
+TEST_P(IrradianceCacheOf, ErrsFarLessThanMethodsThatKeepLightInThePicture) {
   TilePool pool(2);
-  const Bench bench(setup(512), pool);
+  const Bench bench(setup(512, GetParam()), pool);
   const auto score = [&](const char* method, int spp) {
     const BenchRun run = bench.run(parseMethod(method), spp, 1);
     return scoreOf(bench.truth(), {&run, 1}, 1e-3, 0.2);

@@ -1,0 +1,78 @@
+// The surfaces that a pixel shows, and how much of it each of them covers.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+
+#include "render/pixel.h"
+
+namespace saccade {
+
+// Whether two points of a pixel lie on one smooth piece of surface, whose light they share.
+inline bool isOneSurface(const PrimaryHit& a, const PrimaryHit& b, float pixel) {
+  constexpr float kLeastCosine = 0.9f, kMostOffset = 0.25f;  // the latter in pixels
+  const Guide &g = a.guide, &h = b.guide;
+  if (luminance(g.emission) != luminance(h.emission)) return false;
+  if (!g.hit || !h.hit || g.has_base != h.has_base) return g.hit == h.hit && !g.hit;
+  const float offset = std::abs(dot(g.plane_normal, h.point - g.point));
+  return dot(g.normal, h.normal) > kLeastCosine && offset < kMostOffset * pixel * g.t;
+}
+
+// What the sub-pixels of a pixel show: kSubPixels of them, or kEdgeSubPixels where they lie on several
+// surfaces.
+template <Shading S>
+class SubPixels {
+ public:
+  SubPixels(const PixelContext& view, int x, int y) : view_(view), x_(x), y_(y) {
+    trace(kSubPixelOffsets);
+    const auto others = std::find_if_not(hits_.begin() + 1, hits_.begin() + count_, [this](const auto& hit) {
+      return isOneSurface(hits_[0], hit, view_.camera.pixel);
+    });
+    if (others != hits_.begin() + count_) trace(kEdgeSubPixelOffsets);
+    for (std::uint32_t i = 0; i < count_; ++i) albedo_[i] = luminance(hits_[i].guide.albedo) / count_;
+  }
+
+  float albedo() const { return std::accumulate(albedo_.begin(), albedo_.begin() + count_, 0.f); }
+  float emission() const {
+    float E = 0;
+    for (std::uint32_t i = 0; i < count_; ++i) E += luminance(hits_[i].guide.emission) / count_;
+    return E;
+  }
+  // The surfaces that they show, kSubPixels at most: what is left belongs to the last one.
+  // f(its brightest sub-pixel, the albedo of all that show it).
+  void forEachSurface(const auto& f) const {
+    std::array<bool, kEdgeSubPixels> told{};
+    std::uint32_t surfaces = 0;
+    for (std::uint32_t i = 0; i < count_; ++i) {
+      if (told[i]) continue;
+      const bool last = ++surfaces == kSubPixels;
+      std::uint32_t shown = i;
+      float A = 0;
+      for (std::uint32_t j = i; j < count_; ++j) {
+        if (told[j] || (j > i && !last && !isOneSurface(hits_[i], hits_[j], view_.camera.pixel))) continue;
+        told[j] = true;
+        A += albedo_[j];
+        if (albedo_[j] > albedo_[shown]) shown = j;
+      }
+      f(hits_[shown], A);
+    }
+  }
+
+ private:
+  template <std::size_t kCount>
+  void trace(const std::array<Vec2, kCount>& offsets) {
+    count_ = kCount;
+    for (std::uint32_t i = 0; i < kCount; ++i)
+      hits_[i] =
+          tracePrimary<S>(view_.scene, view_.strengths, view_.camera, static_cast<float>(x_) + offsets[i].x,
+                          static_cast<float>(y_) + offsets[i].y);
+  }
+
+  const PixelContext& view_;
+  int x_, y_;
+  std::uint32_t count_ = 0;
+  std::array<PrimaryHit, kEdgeSubPixels> hits_;
+  std::array<float, kEdgeSubPixels> albedo_{};
+};
+
+}  // namespace saccade
