@@ -1,0 +1,30 @@
+// The cases of errors that time may add up.
+#include "stability/cases.h"
+
+namespace saccade::test {
+
+std::vector<StabilityCase> longCases(bool full) {
+  return {
+      {.name = "drift",
+       .why = "changes of brightness, added up: small errors of one sign add up too",
+       .rate_hz = 300,
+       .width = full ? 64 : 48,
+       .height = full ? 64 : 48,
+       .last = full ? 2000 : 200,
+       .scored = 1,
+       .judged = &Figures::drift,
+       .claims = {{"event_svgf", 0.31}, {"irradiance_cache", 0.076}}},
+      {.name = "standing",
+       .why = "nothing changes, so that every event is false; seen by the most sensitive of sensors",
+       .scene = "textured-cornell-box",
+       .trajectory = "still",
+       .last = full ? 500 : 60,
+       .scored = 0,
+       .threshold = 0.01,
+       .bias = 1e-8,
+       .judged = &Figures::events,
+       .claims = {{"event_svgf", 0}, {"irradiance_cache", 0}, {"pt-correlated", 0}}},
+  };
+}
+
+}  // namespace saccade::test
