@@ -24,10 +24,11 @@ struct StabilityCase {
   std::string scene = "cornell-box", trajectory = "right";
   double px_per_frame = 0;  // > 0: as in BenchSetup; 0: the trajectory as it is, at rate_hz
   double rate_hz = 250;
-  bool jitter = false, mips = true;     // as in BenchSetup
-  int width = 0, height = 0;            // 0: as wide and high as most cases of the form
-  int last = 16, scored = 2;            // frames run from 0 to last; the last `scored` of them have a truth
-  double threshold = 0.2, bias = 1e-3;  // C, natural log units; I_eps, scene luminance
+  bool jitter = false, mips = true;  // as in BenchSetup
+  int width = 0, height = 0;         // 0: as wide and high as most cases of the form
+  int last = 16, scored = 2;         // frames run from 0 to last; the last `scored` of them have a truth
+  int truth_paths = 1;               // of the truth, in those of the form: more where light is hard to find
+  double threshold = 0.2, bias = 1e-3;               // C, natural log units; I_eps, scene luminance
   double Figures::*judged = &Figures::wrong_events;  // lower is better
   bool suppresses = false;                           // every method makes more events than a sensor sends
   std::vector<Claim> claims{};
