@@ -77,8 +77,8 @@ std::string ownTrajectory(const std::string& name) {
 
 std::vector<StabilityCase> stabilityCases(bool full) {
   std::vector<StabilityCase> all;
-  for (const auto& some :
-       {motionCases(), sceneCases(), lightCases(), longCases(full), sensorCases(), sizeCases(full)})
+  for (const auto& some : {motionCases(), placeCases(), sceneCases(), lightCases(), longCases(full),
+                           sensorCases(), sizeCases(full)})
     all.insert(all.end(), some.begin(), some.end());
   for (StabilityCase& c : all)
     if (c.width == 0) c.width = c.height = full ? 128 : 48;

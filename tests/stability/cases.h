@@ -41,6 +41,7 @@ struct StabilityCase {
 std::vector<StabilityCase> stabilityCases(bool full);
 // Parts of that list:
 std::vector<StabilityCase> motionCases();         // how the camera moves
+std::vector<StabilityCase> placeCases();          // where surfaces stand to each other, and to the camera
 std::vector<StabilityCase> sceneCases();          // what the surfaces are like
 std::vector<StabilityCase> lightCases();          // what the light is like
 std::vector<StabilityCase> longCases(bool full);  // errors that time may add up
