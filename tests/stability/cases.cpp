@@ -75,6 +75,14 @@ std::string ownTrajectory(const std::string& name) {
   return ownFile("trajectories/" + name + ".csv");
 }
 
+StabilityCase lapBefore(StabilityCase c) {
+  c.name += "_lap_before";
+  c.why = "the same views, a lap earlier";
+  c.last -= c.lap;
+  c.claims.clear();
+  return c;
+}
+
 std::vector<StabilityCase> stabilityCases(bool full) {
   std::vector<StabilityCase> all;
   for (const auto& some : {motionCases(), placeCases(), sceneCases(), lightCases(), longCases(full),

@@ -16,6 +16,7 @@ struct Claim {
   // Rivals that may be clearly better, and the reason.
   std::vector<std::string> beaten_by{};
   const char* why = "";
+  double lap_ratio = 1.1;  // of a figure to the same of a lap before, at most; chance moves it by a tenth
 };
 
 struct StabilityCase {
@@ -28,6 +29,7 @@ struct StabilityCase {
   int width = 0, height = 0;         // 0: as wide and high as most cases of the form
   int last = 16, scored = 2;         // frames run from 0 to last; the last `scored` of them have a truth
   int truth_paths = 1;               // of the truth, in those of the form: more where light is hard to find
+  int lap = 0;                       // > 0: the trajectory comes back to the same views after so many frames
   double threshold = 0.2, bias = 1e-3;               // C, natural log units; I_eps, scene luminance
   double Figures::*judged = &Figures::wrong_events;  // lower is better
   bool suppresses = false;                           // every method makes more events than a sensor sends
@@ -45,6 +47,9 @@ std::vector<StabilityCase> placeCases();          // where surfaces stand to eac
 std::vector<StabilityCase> sceneCases();          // what the surfaces are like
 std::vector<StabilityCase> lightCases();          // what the light is like
 std::vector<StabilityCase> longCases(bool full);  // errors that time may add up
+
+// The same views a lap earlier, where nothing is claimed.
+StabilityCase lapBefore(StabilityCase c);
 
 // The paths of the suite's own files.
 std::string ownScene(const std::string& name);

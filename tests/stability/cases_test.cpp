@@ -26,6 +26,14 @@ TEST_P(StabilityCases, GiveAReasonForEveryLoss) {
       EXPECT_EQ(claim.beaten_by.empty(), !*claim.why) << claim.method << " in " << c;
 }
 
+TEST_P(StabilityCases, HaveRoomForTheLapBefore) {
+  for (const StabilityCase& c : stabilityCases(GetParam())) {
+    if (c.lap == 0) continue;
+    EXPECT_GE(c.lap, c.scored) << c;
+    EXPECT_GE(lapBefore(c).last, c.scored) << c;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Forms, StabilityCases, ::testing::Bool());
 
 }  // namespace

@@ -38,6 +38,14 @@ std::vector<StabilityCase> motionCases() {
                    "where no history is left it has the difference of two single paths to filter, svgf two "
                    "pictures"},
                   {"irradiance_cache", 0.013}}},
+      {.name = "teleports",
+       .why = "the same with places that were seen before, which a history of the last frame has forgotten",
+       .trajectory = ownTrajectory("teleports"),
+       .last = 29,
+       .scored = 10,
+       .lap = 15,
+       .claims = {{.method = "event_svgf", .bound = 0.195},
+                  {.method = "irradiance_cache", .bound = 0.072, .lap_ratio = 1}}},
   };
 }
 

@@ -38,4 +38,13 @@ void expectKept(const Claim& claim, const StabilityCase& c, const MethodFigures&
   }
 }
 
+void expectNoWorse(const Claim& claim, const StabilityCase& c, const MethodFigures& figures,
+                   const MethodFigures& before) {
+  for (const auto figure : {&Figures::wrong_events, c.judged}) {
+    const double was = figuresOf(claim.method, before).*figure;
+    EXPECT_LE(figuresOf(claim.method, figures).*figure, claim.lap_ratio * was)
+        << claim.method << " is worse than a lap before";
+  }
+}
+
 }  // namespace saccade::test

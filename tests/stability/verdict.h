@@ -13,4 +13,8 @@ void expectSound(const StabilityCase& c, const MethodFigures& figures);
 // table of methods: the suite only reports where it wins.
 void expectKept(const Claim& claim, const StabilityCase& c, const MethodFigures& figures);
 
+// Of the method of a claim: it is no worse than `before`, when the camera saw the same a lap earlier.
+void expectNoWorse(const Claim& claim, const StabilityCase& c, const MethodFigures& figures,
+                   const MethodFigures& before);
+
 }  // namespace saccade::test
