@@ -27,7 +27,7 @@ BenchSetup setupOf(const StabilityCase& c, const StabilityForm& form) {
           .mips = c.mips,
           .first = c.last + 1 - std::max(1, c.scored),
           .last = c.last,
-          .reference_spp = c.scored > 0 ? form.reference_spp : 0,
+          .reference_spp = c.scored > 0 ? form.reference_spp * c.truth_paths : 0,
           .cache = form.cache};
 }
 

@@ -28,34 +28,50 @@ const char* nameOf(double Figures::*figure) {
   return column->name;
 }
 
+// The judged figure, with its bound where one is claimed; the least is bold.
+std::string cell(const StabilityCase& c, const std::string& method, double figure, double least) {
+  std::string text = number(figure);
+  if (figure == least) text = "**" + text + "**";
+  if (const Claim* claim = claimOf(c, method)) text += " ≤ " + number(claim->bound);
+  return text;
+}
+
 double least(const StabilityCase& c, const MethodFigures& figures) {
   double best = INFINITY;
   for (const auto& [method, f] : figures) best = std::min(best, f.*c.judged);
   return best;
 }
 
-}  // namespace
-
-std::vector<std::string> betterThanOurs(const StabilityCase& c, const MethodFigures& figures) {
-  const auto ours =
-      std::find_if(figures.begin(), figures.end(), [](const auto& f) { return f.first == kOurs; });
-  SACCADE_CHECK(ours != figures.end());
-  std::vector<std::string> better;
-  for (const auto& [method, f] : figures)
-    if (f.*c.judged < kClearly * (ours->second.*c.judged)) better.push_back(method);
-  return better;
+// "event_svgf: svgf, pt; irradiance_cache: svgf"
+std::string losses(const StabilityCase& c, const MethodFigures& figures) {
+  std::vector<std::string> all;
+  for (const Claim& claim : c.claims) {
+    const auto better = betterThan(claim.method, c, figures);
+    if (!better.empty()) all.push_back(claim.method + ": " + joined(better, ", "));
+  }
+  return joined(all, "; ");
 }
 
+std::string reasons(const StabilityCase& c) {
+  std::string text = "- " + c.name + ": " + c.why + ".";
+  for (const Claim& claim : c.claims)
+    if (*claim.why) text += " " + claim.method + ": " + claim.why + ".";
+  return text + "\n";
+}
+
+}  // namespace
+
 std::string StabilityTable::csv() const {
-  std::string text = "# " + settings_ + "\ncase,judged,bound,method";
+  std::string text = "# " + settings_ + "\ncase,judged,method,bound";
   for (const FigureColumn& column : kFigureColumns) text += std::string(",") + column.name;
-  text += ",better_than_ours\n";
+  text += ",clearly_better\n";
   for (const Row& row : rows_) {
-    const auto better = betterThanOurs(row.of, row.figures);
     for (const auto& [method, f] : row.figures) {
-      text += row.of.name + "," + nameOf(row.of.judged) + "," + number(row.of.bound) + "," + method;
+      const Claim* claim = claimOf(row.of, method);
+      text += row.of.name + "," + nameOf(row.of.judged) + "," + method + "," +
+              (claim ? number(claim->bound) : "-");
       for (const FigureColumn& column : kFigureColumns) text += "," + number(f.*column.value);
-      text += std::find(better.begin(), better.end(), method) == better.end() ? ",0\n" : ",1\n";
+      text += "," + joined(betterThan(method, row.of, row.figures), " ") + "\n";
     }
   }
   return text;
@@ -64,23 +80,20 @@ std::string StabilityTable::csv() const {
 std::string StabilityTable::markdown() const {
   if (rows_.empty()) return {};
   std::string text = "# Stability\n\n" + settings_ +
-                     "\n\nLess is better; the best is bold. Events are per pixel-frame, drift is in log "
-                     "units.\n\n| case | figure | ours at most |";
+                     "\n\nLess is better; the best is bold, and bounds stand behind ≤. Events are per "
+                     "pixel-frame, drift is in log units.\n\n| case | figure |";
   for (const auto& [method, f] : rows_.front().figures) text += " " + method + " |";
-  text += " ours is worse than |\n|---|---|---|";
+  text += " clearly better |\n|---|---|";
   for (std::size_t i = 0; i <= rows_.front().figures.size(); ++i) text += "---|";
   for (const Row& row : rows_) {
-    text += "\n| " + row.of.name + " | " + nameOf(row.of.judged) + " | " + number(row.of.bound) + " |";
-    for (const auto& [method, f] : row.figures) {
-      const std::string value = number(f.*row.of.judged);
-      text += f.*row.of.judged == least(row.of, row.figures) ? " **" + value + "** |" : " " + value + " |";
-    }
-    text += " " + joined(betterThanOurs(row.of, row.figures), ", ") + " |";
+    text += "\n| " + row.of.name + " | " + nameOf(row.of.judged) + " |";
+    const double best = least(row.of, row.figures);
+    for (const auto& [method, f] : row.figures)
+      text += " " + cell(row.of, method, f.*row.of.judged, best) + " |";
+    text += " " + losses(row.of, row.figures) + " |";
   }
-  text += "\n\nWhy methods fail there:\n\n";
-  for (const Row& row : rows_)
-    text += "- " + row.of.name + ": " + row.of.why + (*row.of.beaten_why ? ". Ours: " : "") +
-            row.of.beaten_why + ".\n";
+  text += "\n\nWhy methods fail there, and why claimed methods lose:\n\n";
+  for (const Row& row : rows_) text += reasons(row.of);
   return text;
 }
 

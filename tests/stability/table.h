@@ -5,17 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "stability/cases.h"
+#include "stability/comparison.h"
 
 namespace saccade::test {
-
-inline const std::string kOurs = "event_svgf";
-
-using MethodFigures = std::vector<std::pair<std::string, Figures>>;  // by method, ours among them
-
-// The methods whose judged figure is below kClearly times ours.
-inline constexpr double kClearly = 0.9;
-std::vector<std::string> betterThanOurs(const StabilityCase& c, const MethodFigures& figures);
 
 class StabilityTable {
  public:
