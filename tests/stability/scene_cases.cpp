@@ -36,7 +36,7 @@ std::vector<StabilityCase> sceneCases() {
        .scene = "textured-cornell-box",
        .px_per_frame = 1,
        .jitter = true,
-       .claims = {{"event_svgf", 0.49}, {"irradiance_cache", 0.4}}},
+       .claims = {{"event_svgf", 0.49}, {"irradiance_cache", 0.185}}},
       {.name = "glass_and_mirror",
        .why = "what is seen in a mirror or through glass moves unlike their surfaces",
        .scene = ownScene("glass_and_mirror"),
