@@ -33,6 +33,7 @@ class BounceGrid {
   void add(const SurfaceSamples& on);
   // Forgets all light: it has changed.
   void forget();
+  void limit(std::size_t max_cells) { max_cells_ = max_cells; }
 
   std::size_t cells() const { return light_.size(); }
 

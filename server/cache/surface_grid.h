@@ -62,6 +62,8 @@ class SurfaceGrid {
                  const ImageF& uncertainty, const ImageF& uncertainty_prev, GridEstimate& out) const;
   // Forgets all light: it has changed.
   void forget();
+  // Changes GridParams::max_vertices.
+  void limit(std::size_t max_vertices) { params_.max_vertices = max_vertices; }
 
   std::size_t vertices() const;
   std::uint64_t dropped() const { return dropped_; }  // vertices, so far

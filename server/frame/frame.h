@@ -59,7 +59,7 @@ struct Frame {
   int height() const { return g.z.height(); }
   FrameIndex index = 0;
   TimeNs time{0};
-  bool light_changed = false;  // the strength of an emitter, since the frame before
+  std::uint64_t light = 0;  // the strengths of all emitters: equal numbers mean equal strengths
   GBuffer g;
   FrameSamples samples;
   std::unique_ptr<SurfaceSamples> surfaces;  // nullptr where no method asks

@@ -58,10 +58,8 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
     : params_(p),
       atrous_{
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
-      grid_({.finest_px = p.finest,
-             .blend = {.tau = p.tau, .noise = p.noise},
-             .max_vertices = static_cast<std::size_t>(p.memory) * (1 << 20) / SurfaceGrid::kBytesPerVertex}),
-      bounces_(static_cast<std::size_t>(p.memory) * (1 << 20) / 16 / BounceGrid::kBytesPerCell),
+      light_({.finest_px = p.finest, .blend = {.tau = p.tau, .noise = p.noise}},
+             static_cast<std::size_t>(p.memory) * (1 << 20)),
       now_(w, h),
       before_(w, h),
       filtered_(w, h),
@@ -73,12 +71,14 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
   SurfaceSamples& on = *next.surfaces;
   std::swap(at_, at_prev_);
   std::swap(uncertainty_, uncertainty_prev_);
-  if (next.light_changed) grid_.forget(), bounces_.forget();
-  on.bounces = &bounces_;
+  light_.enter(next.light, frames_);
+  SurfaceGrid& grid = light_.current().grid;
+  on.bounces = &light_.current().bounces;
   if (frames_++ == 0)
     for (ImageF* plane : {&uncertainty_, &uncertainty_prev_}) *plane = ImageF(on.columns(), on.height());
-  times[Stage::kTemporal] += grid_.place(on, pool, at_prev_, at_);
-  times[Stage::kTemporal] += grid_.uncertainty(on, at_, pool, uncertainty_);
+  Placement none;
+  times[Stage::kTemporal] += grid.place(on, pool, light_.changed() ? none : at_prev_, at_);
+  times[Stage::kTemporal] += grid.uncertainty(on, at_, pool, uncertainty_);
   const float asked = static_cast<float>(spp) * params_.paths;
   times[Stage::kTemporal] += pool.forEachRow(next.height(), [&](int y) {
     for (int column = 0; column < on.columns(); ++column) {
@@ -112,7 +112,7 @@ void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, 
 void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                              StageTimes& times) {
   const int width = out.dI.width(), height = out.dI.height();
-  const bool all = frames.cur.light_changed;
+  const bool all = light_.isNew();
   const auto needed = [&](int x, int y) {
     return all || frames.cur.surfaces->showsOthers(x, y) || frames.prev.surfaces->showsOthers(x, y);
   };
@@ -137,18 +137,20 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
 void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   const SurfaceSamples &on = *frames.cur.surfaces, &on_prev = *frames.prev.surfaces;
   const bool first = &frames.cur == &frames.prev;
-  times[Stage::kTemporal] += grid_.add(on, at_, pool);
-  bounces_.add(on);
-  times[Stage::kVariance] += grid_.readAdded(on, frames.cur.g, at_, pool, now_);
-  if (!first) times[Stage::kVariance] += grid_.read(on_prev, frames.prev.g, at_prev_, pool, before_);
-  times[Stage::kTemporal] += grid_.learn(at_, pool);
+  SurfaceGrid &grid = light_.current().grid, &grid_prev = light_.previous().grid;
+  times[Stage::kTemporal] += grid.add(on, at_, pool);
+  light_.current().bounces.add(on);
+  times[Stage::kVariance] += grid.readAdded(on, frames.cur.g, at_, pool, now_);
+  if (!first) times[Stage::kVariance] += grid_prev.read(on_prev, frames.prev.g, at_prev_, pool, before_);
+  times[Stage::kTemporal] += grid.learn(at_, pool);
   // What is seen for the first time has only now been judged.
-  const auto again = [&](const SurfaceSamples& points, const GBuffer& g, const Placement& at,
+  const auto again = [&](const SurfaceGrid& from, const Frame& frame, const Placement& at,
                          GridEstimate& out) {
-    times[Stage::kVariance] += grid_.readAgain(points, g, at, pool, uncertainty_, uncertainty_prev_, out);
+    times[Stage::kVariance] +=
+        from.readAgain(*frame.surfaces, frame.g, at, pool, uncertainty_, uncertainty_prev_, out);
   };
-  again(on, frames.cur.g, at_, now_);
-  if (!first) again(on_prev, frames.prev.g, at_prev_, before_);
+  again(grid, frames.cur, at_, now_);
+  if (!first) again(grid_prev, frames.prev, at_prev_, before_);
 }
 
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
@@ -159,6 +161,8 @@ void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, St
       filtered_.i.at(x, y) = now_.i.at(x, y);
       filtered_.var_i.at(x, y) = now_.var_i.at(x, y);
       filtered_.d.at(x, y) = first ? 0 : now_.i.at(x, y) - before_.i.at(x, y);
+      // The errors of two states of the light have nothing in common.
+      if (light_.changed()) now_.var_step.at(x, y) = now_.var_i.at(x, y) + before_.var_i.at(x, y);
       filtered_.var_d.at(x, y) = now_.var_step.at(x, y);
     }
   });

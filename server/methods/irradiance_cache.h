@@ -2,8 +2,7 @@
 // state of it at both frames' points. README.md is the section of a paper on it.
 #pragma once
 
-#include "cache/bounce_grid.h"
-#include "cache/surface_grid.h"
+#include "cache/light_states.h"
 #include "filter/atrous.h"
 #include "filter/filter_planes.h"
 #include "methods/method.h"
@@ -46,8 +45,7 @@ class IrradianceCache final : public Method {
 
   IrradianceCacheParams params_;
   AtrousParams atrous_;
-  SurfaceGrid grid_;
-  BounceGrid bounces_;
+  LightStates light_;
   Placement at_, at_prev_;
   GridEstimate now_, before_;
   ImageF uncertainty_, uncertainty_prev_;  // with the columns of SurfaceSamples

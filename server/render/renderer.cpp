@@ -64,7 +64,7 @@ int tileEdge(const SeedPlan& seeds, int bounces) {
 
 std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
                                           const PoolHandle& pool, Frame& out) {
-  out.light_changed = strengths_.setTime(out.time);
+  strengths_.setTime(out.time);
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
   const PixelContext view{*scene_, strengths_, camera, prev};
@@ -77,7 +77,8 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
 
 std::chrono::nanoseconds Renderer::renderSurfaces(const Camera& camera, const Camera& prev,
                                                   const PoolHandle& pool, Frame& out) {
-  out.light_changed = strengths_.setTime(out.time);
+  strengths_.setTime(out.time);
+  out.light = strengths_.state();
   starts_.resize(out.surfaces->indexOf(0, out.height()));
   const PixelContext view{*scene_, strengths_, camera, prev};
   const auto tile = withKernel(scene_->shading(), []<Shading S>() { return renderSurfaceTile<S>; });

@@ -1,7 +1,9 @@
 #include "scene/emitter_strengths.h"
 
 #include <algorithm>
-#include <utility>
+#include <bit>
+
+#include "base/hash_rng.h"
 
 namespace saccade {
 
@@ -14,13 +16,14 @@ EmitterStrengths::EmitterStrengths(const Scene& scene) {
   setTime(TimeNs{0});
 }
 
-bool EmitterStrengths::setTime(TimeNs t) {
-  bool changed = false;
-  for (std::size_t i = 0; i < strengths_.size(); ++i) {
-    const float before = std::exchange(factors_[i], strengths_[i]->at(t));
-    changed = changed || factors_[i] != before;
-  }
-  return changed;
+void EmitterStrengths::setTime(TimeNs t) {
+  for (std::size_t i = 0; i < strengths_.size(); ++i) factors_[i] = strengths_[i]->at(t);
+}
+
+std::uint64_t EmitterStrengths::state() const {
+  std::uint64_t hash = 0;
+  for (const float factor : factors_) hash = hashKey(hash, std::bit_cast<std::uint32_t>(factor));
+  return hash;
 }
 
 }  // namespace saccade

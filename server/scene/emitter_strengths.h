@@ -14,8 +14,9 @@ class EmitterStrengths {
  public:
   explicit EmitterStrengths(const Scene& scene);  // at time 0; keeps pointers into `scene`
 
-  // Stream time, at least 0. Returns whether any strength differs from before. Allocates nothing.
-  bool setTime(TimeNs t);
+  void setTime(TimeNs t);  // stream time, at least 0; allocates nothing
+  // A number for all of them together: a hash, so that equal strengths have equal numbers.
+  std::uint64_t state() const;
   float operator[](std::size_t geometry) const { return factors_.empty() ? 1.f : factors_[geometry]; }
   const std::vector<float>& factors() const { return factors_; }
 

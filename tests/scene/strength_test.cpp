@@ -52,10 +52,12 @@ TEST(EmitterStrengths, StandsByGeometryAndIsEmptyWhereAllAreSteady) {
   scene.spheres[1].strength = Strength({{0s, 3}});
   EmitterStrengths strengths(scene);
   EXPECT_EQ(strengths.factors(), (std::vector<float>{1, 0.5f, 1, 3}));
-  EXPECT_FALSE(strengths.setTime(0s));
-  EXPECT_TRUE(strengths.setTime(1s));
-  EXPECT_FALSE(strengths.setTime(1s));
+  const auto at_first = strengths.state();
+  strengths.setTime(1s);
   EXPECT_EQ(strengths.factors(), (std::vector<float>{1, 0.25f, 1, 3}));
+  EXPECT_NE(strengths.state(), at_first);
+  strengths.setTime(0s);
+  EXPECT_EQ(strengths.state(), at_first);
 }
 
 Scene lampScene(const std::string& shape, const std::string& strength) {

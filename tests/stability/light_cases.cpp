@@ -56,14 +56,14 @@ std::vector<StabilityCase> lightCases() {
              {"pt-correlated"},
              "a tenth of the change shows at once, the rest as false events over the next twenty frames; "
              "pt-correlated remembers nothing"},
-            {"irradiance_cache", 0.053}}},
+            {"irradiance_cache", 0.02}}},
       {.name = "flickering_lamp",
        .why = "the same in every frame, up and down: its mean over time is no change",
        .scene = ownScene("flickering_lamp"),
        .trajectory = "still",
        .last = 29,
        .scored = 10,
-       .claims = {{"event_svgf", 0.68}, {"irradiance_cache", 0.68}}},
+       .claims = {{"event_svgf", 0.68}, {"irradiance_cache", 0.15}}},
   };
 }
 
