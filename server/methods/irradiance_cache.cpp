@@ -24,7 +24,9 @@ const std::vector<ParamField<P>>& fields() {
        "[ours]"},
       {"target", &P::target, 0.0001, 10, "relative error of light below which a pixel gets fewer paths",
        "[ours]"},
-      {"paths", &P::paths, 0.01, 1, "paths per pixel, as a share of those asked", "[ours]"},
+      {"grid_paths", &P::grid_paths, 0, 64,
+       "paths per pixel whose time the grid takes: as many of those asked are left out, half of them at most",
+       "[ours]"},
       {"memory", &P::memory, 1, 65536, "MiB of the grid; at least what two frames need", "[ours]"},
       {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
       {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
@@ -79,11 +81,11 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
   Placement none;
   times[Stage::kTemporal] += grid.place(on, pool, light_.changed() ? none : at_prev_, at_);
   times[Stage::kTemporal] += grid.uncertainty(on, at_, pool, uncertainty_);
-  const float asked = static_cast<float>(spp) * params_.paths;
+  const auto asked = static_cast<float>(spp), most = std::max(asked - params_.grid_paths, 0.5f * asked);
   times[Stage::kTemporal] += pool.forEachRow(next.height(), [&](int y) {
     for (int column = 0; column < on.columns(); ++column) {
       SurfacePoint& p = on.at(column, y);
-      const float wanted = asked * p.share * std::min(1.f, uncertainty_.at(column, y) / params_.target);
+      const float wanted = most * p.share * std::min(1.f, uncertainty_.at(column, y) / params_.target);
       // The whole pixel is sampled, if another method is to estimate it.
       const std::uint32_t least = on.showsOthers(column / on.perPixel(), y);
       p.paths = std::max(least, static_cast<std::uint32_t>(wanted + ditherAt(column, y, frames_)));

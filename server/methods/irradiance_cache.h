@@ -19,7 +19,7 @@ struct IrradianceCacheParams {
   float sigma_l = 3;
   float sigma_l_diff = 6;
   float target = 0.15f;
-  float paths = 1;
+  float grid_paths = 1;
   int memory = 256;
   float sigma_n = 128;
   float sigma_z = 1;

@@ -18,7 +18,7 @@ struct CellsCommand : testing::Test {
   int cells(const std::string& arguments) {
     const std::string command = std::string(SACCADE_EVAL) + " cells " + arguments +
                                 " --size 24x24 --bounces 1 --reference 64 --baselines pt@1,svgf@2"
-                                " --candidates irradiance_cache@1 --cache " +
+                                " --candidates irradiance_cache@2 --cache " +
                                 files.path("cache") + " -o " + files.path("out") + " > " + files.path("log") +
                                 " 2>&1";
     return WEXITSTATUS(std::system(command.c_str()));
@@ -34,13 +34,13 @@ TEST_F(CellsCommand, ComparesCandidatesInEachCell) {
   ASSERT_EQ(cells("cornell-box --motions right,shake --speeds 0.67 --frames 2:3"), 0) << text("log");
   const std::string log = text("log");
   for (const char* part : {"cornell-box right 0.67px 2:3: 0.", "cornell-box shake 0.67px 2:3: ", "\n  pt@1 ",
-                           "\n  svgf@2 ", "\n  irradiance_cache@1 ", "\n    over the better baseline ",
-                           "\nirradiance_cache@1\n  cpu_ms ", "ratios.csv"})
+                           "\n  svgf@2 ", "\n  irradiance_cache@2 ", "\n    over the better baseline ",
+                           "\nirradiance_cache@2\n  cpu_ms ", "ratios.csv"})
     expectContains(log, part);
   expectContains(text("out/results.csv"), "\ncornell-box right 0.67px 2:3,pt,1,");
   const std::string ratios = text("out/ratios.csv");
   expectContains(ratios, "\ncornell-box,right,0.67,2:3,");
-  expectContains(ratios, ",irradiance_cache@1,phase_error,");
+  expectContains(ratios, ",irradiance_cache@2,phase_error,");
 
   // Nothing that stands is measured again, and other frames are other rows.
   const std::string results = text("out/results.csv");

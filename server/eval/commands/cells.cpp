@@ -20,7 +20,7 @@ struct CellsOptions {
   CellGrid grid;
   std::vector<std::string> frames{"17:21"};
   std::vector<std::string> baselines{"event_svgf@2", "svgf@2"};
-  std::vector<std::string> candidates{"irradiance_cache@1", "irradiance_cache@2"};
+  std::vector<std::string> candidates{"irradiance_cache@2"};
   std::string output = "out/cells";
 
   std::string path(const char* file) const { return (std::filesystem::path(output) / file).string(); }
