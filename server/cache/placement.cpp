@@ -4,8 +4,16 @@
 
 namespace saccade {
 
-void Placement::place(const SurfaceSamples& on, const GBuffer& g, float finest_px) {
-  constexpr int kMaxBins = 3, kMixed = 6;
+GridPoint pointAt(const SurfaceSamples& on, int x, int y, float finest_px) {
+  const float level = std::log2(finest_px * on.footprint.at(x, y)), floor = std::floor(level);
+  return {.position = {on.x.at(x, y), on.y.at(x, y), on.z.at(x, y)},
+          .level = static_cast<int>(floor),
+          .fraction = level - floor};
+}
+
+void Placement::place(const SurfaceSamples& on, const GBuffer& g, float finest_px,
+                      const Image<std::uint32_t>* left_out) {
+  constexpr int kMaxBins = 3;
   const int width = g.z.width(), height = g.z.height();
   const std::size_t pixels = static_cast<std::size_t>(width) * height;
   points.resize(pixels), bins.resize(pixels * kMaxBins), bin_weights.resize(pixels * kMaxBins);
@@ -15,16 +23,13 @@ void Placement::place(const SurfaceSamples& on, const GBuffer& g, float finest_p
     for (int x = 0; x < width; ++x) {
       GridPoint& point = points[static_cast<std::size_t>(y) * width + x];
       point = {};
-      if (on.kind.at(x, y) == SurfaceKind::kNone) continue;
-      const float level = std::log2(finest_px * on.footprint.at(x, y)), floor = std::floor(level);
+      const SurfaceKind kind = on.kind.at(x, y);
+      if (kind == SurfaceKind::kNone || (left_out && left_out->at(x, y) != 0)) continue;
       const NormalBins normal({g.nx.at(x, y), g.ny.at(x, y), g.nz.at(x, y)});
-      point = {{on.x.at(x, y), on.y.at(x, y), on.z.at(x, y)},
-               static_cast<int>(floor),
-               level - floor,
-               next,
-               static_cast<std::uint32_t>(normal.count)};
+      point = pointAt(on, x, y, finest_px);
+      point.first = next, point.count = static_cast<std::uint32_t>(normal.count);
       for (int b = 0; b < normal.count; ++b, ++next) {
-        bins[next] = normal.bin[b] + (on.kind.at(x, y) == SurfaceKind::kMixed ? kMixed : 0);
+        bins[next] = vertexBin(normal.bin[b], kind);
         bin_weights[next] = normal.weight[b];
       }
       least_level = std::min(least_level, point.level);

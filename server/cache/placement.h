@@ -23,6 +23,14 @@ struct GridPoint {
   bool inSlot(int slot) const { return count > 0 && slot >= 0 && slot < kSlots; }
 };
 
+// The place of a pixel's surface, without taps. `finest_px`: edge of the finest cells, pixels.
+GridPoint pointAt(const SurfaceSamples& on, int x, int y, float finest_px);
+// The bin of vertices for one of a normal's.
+inline int vertexBin(int bin_of_normal, SurfaceKind kind) {
+  constexpr int kMixed = 6;
+  return bin_of_normal + (kind == SurfaceKind::kMixed ? kMixed : 0);
+}
+
 // Four vertices of one bin.
 struct Taps {
   std::array<std::uint32_t, 4> vertex;
@@ -30,8 +38,9 @@ struct Taps {
 };
 
 struct Placement {
-  // Fills all but `taps`. `finest_px`: edge of the finest cells, pixels.
-  void place(const SurfaceSamples& on, const GBuffer& g, float finest_px);
+  // Fills all but `taps`. Where `left_out` is not 0 a pixel is not in the grid; nullptr: nowhere.
+  void place(const SurfaceSamples& on, const GBuffer& g, float finest_px,
+             const Image<std::uint32_t>* left_out);
 
   // The share of a pixel's own sample in what it gathers in a slot.
   float ownShare(const GridPoint& p, int slot) const {

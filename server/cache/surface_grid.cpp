@@ -28,10 +28,10 @@ void forEachPointOf(const Placement& at, int l, const F& f) {
 }  // namespace
 
 SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const GBuffer& g, const PoolHandle& pool,
-                                     Placement& prev, Placement& out) {
+                                     Placement& prev, Placement& out, const Image<std::uint32_t>* left_out) {
   ++now_;
   if (vertices() > params_.max_vertices) drop(prev);
-  const Time time = pool.run(1, [&](int) { out.place(on, g, params_.finest_px); });
+  const Time time = pool.run(1, [&](int) { out.place(on, g, params_.finest_px, left_out); });
   if (!out.empty()) levels_.makeAll(out.least_level, out.most_level);
   return time + forEachLevel(out, pool, [&](int l) { findVertices(l, out); });
 }

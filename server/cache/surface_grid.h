@@ -39,9 +39,9 @@ class SurfaceGrid {
 
   // Finds the vertices around the points of a frame, and adds those that are missing. The frame before it is
   // at `prev`, and stays valid: where the grid has become too large, it drops vertices that neither of them
-  // uses.
+  // uses. Pixels where `left_out` is not 0 stay out of the grid.
   Time place(const SurfaceSamples& on, const GBuffer& g, const PoolHandle& pool, Placement& prev,
-             Placement& out);
+             Placement& out, const Image<std::uint32_t>* left_out = nullptr);
   // Relative standard deviation of the mean over a cell of about a pixel, whether its detail is believed or
   // not, at the points of a frame; kUnknown where nothing is known yet, and 0 where there is no point.
   Time uncertainty(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool, ImageF& out) const;
@@ -61,6 +61,9 @@ class SurfaceGrid {
   // Forgets all light: it has changed.
   void forget();
 
+  // What it keeps. A grid with the levels of another goes on as that would.
+  const GridLevels& levels() const { return levels_; }
+  GridLevels& levels() { return levels_; }
   std::size_t vertices() const;
   std::uint64_t dropped() const { return dropped_; }  // vertices, so far
 

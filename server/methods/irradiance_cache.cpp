@@ -54,12 +54,15 @@ MethodInfo IrradianceCache::info() {
           [](const ParamValues&) {
             return SampleRequest{SeedReuse::kIndependent, true};
           },
-          [](const ParamValues& values, int width, int height) -> std::unique_ptr<Method> {
-            return std::make_unique<IrradianceCache>(makeParams(fields(), values), width, height);
-          }};
+          [](const MethodSetup& setup) -> std::unique_ptr<Method> {
+            return std::make_unique<IrradianceCache>(makeParams(fields(), setup.params), setup.width,
+                                                     setup.height, setup.baked);
+          },
+          true};
 }
 
-IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
+IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
+                                 std::shared_ptr<const BakedLight> baked)
     : params_(p),
       atrous_{
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
@@ -73,16 +76,21 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
       uncertainty_prev_(w, h),
       filtered_(w, h),
       scratch_(w, h),
-      i_prev_(w, h) {}
+      i_prev_(w, h) {
+  if (baked) baked_.emplace(std::move(baked), w, h);
+}
 
 // A pixel whose light is as well known as `target` gets fewer paths, and the fewer the better it is known.
+// One that the bake knows gets none.
 void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) {
   SurfaceSamples& on = *next.surfaces;
   std::swap(at_, at_prev_);
   std::swap(uncertainty_, uncertainty_prev_);
-  if (next.light_changed) grid_.forget(), bounces_.forget();
+  if (next.light_changed) grid_.forget(), bounces_.forget(), baked_.reset();
   on.bounces = &bounces_;
-  times[Stage::kTemporal] += grid_.place(on, next.g, pool, at_prev_, at_);
+  if (baked_) times[Stage::kTemporal] += baked_->look(on, next.g, pool);
+  times[Stage::kTemporal] +=
+      grid_.place(on, next.g, pool, at_prev_, at_, baked_ ? &baked_->known() : nullptr);
   times[Stage::kTemporal] += grid_.uncertainty(on, at_, pool, uncertainty_);
   const float asked = static_cast<float>(spp) * params_.paths;
   ++frames_;
@@ -152,6 +160,7 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   };
   again(on, frames.cur.g, at_, now_);
   if (!first) again(on_prev, frames.prev.g, at_prev_, before_);
+  if (baked_) times[Stage::kVariance] += baked_->overwrite(pool, now_, before_);
 }
 
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
