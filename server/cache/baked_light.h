@@ -1,10 +1,11 @@
 // Light that was computed ahead: what a grid has learned, blended once at each of its vertices. It never
 // changes, so that any number of feeds can share it, and reading it is cheap [ours].
 //
-// takes    the levels of a grid, when it has learned
+// takes    the levels of a grid that has learned
 // returns  illumination at points whose surroundings the grid knows, and its variance
 #pragma once
 
+#include "cache/baked_blend.h"
 #include "cache/surface_grid.h"
 
 namespace saccade {
@@ -13,7 +14,7 @@ class BakedLight {
  public:
   using Time = SurfaceGrid::Time;
 
-  BakedLight(GridLevels grid, const GridParams& params, const PoolHandle& pool);
+  BakedLight(const GridLevels& grid, const GridParams& params, const PoolHandle& pool);
 
   // Reads at the points of a frame. Where the light is known, `known` is 1 and `out` has it. Elsewhere all
   // of them are 0.
@@ -22,22 +23,29 @@ class BakedLight {
   std::size_t vertices() const { return vertices_; }  // whose light is known
 
  private:
-  // The light at a vertex that is the finest around: 1, rest, visibility, their variances, and those of a
-  // step over the length of a cell if they went on growing with its square. All are 0 where it is not known.
-  enum Lane { kKnown, kRest, kVisibility, kVarRest, kVarVisibility, kStepRest, kStepVisibility };
-  struct Level {
-    VertexTable table;
-    std::vector<Octet> light;  // by vertex
+  struct Tap {
+    const Octet* light;
+    float weight;
   };
-  class Readers;
+  // The vertices around a point whose light is known.
+  struct Taps {
+    Octet sum() const;  // weighted
+    std::array<Tap, 12> tap;
+    int count = 0;
+  };
+  struct Found {
+    GridPoint at;
+    std::array<Taps, 2> slots;
+  };
+  class Finder;
 
-  bool readPixel(const SurfaceSamples& on, const GBuffer& g, int x, int y, Readers& readers,
-                 GridEstimate& out) const;
-  Octet lightAt(const GridPoint& p, const NormalBins& normal, int slot, Readers& readers) const;
+  // Reads a pixel; returns whether its light is known.
+  bool write(const Found& found, const SurfaceSamples& on, const GBuffer& g, int x, int y,
+             GridEstimate& out) const;
 
   GridParams params_;
-  int first_ = 0;              // the exponent of the finest level
-  std::vector<Level> levels_;  // from fine to coarse
+  int first_ = 0;                   // the exponent of the finest level
+  std::vector<BakedLevel> levels_;  // from fine to coarse
   std::size_t vertices_ = 0;
 };
 

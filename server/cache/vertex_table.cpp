@@ -16,7 +16,7 @@ std::vector<VertexKey> VertexTable::keys() const {
   for (std::size_t b = 0; b < indices_.size(); ++b)
     for (std::uint32_t cell = 0; cell < indices_[b].size(); ++cell)
       if (const std::uint32_t index = indices_[b][cell]; index != kNone)
-        keys[index] = of_blocks[b] | keyOfCell(cell);
+        keys[index] = vertexOf(of_blocks[b], cell);
   return keys;
 }
 

@@ -1,11 +1,10 @@
-// The vertices of a level, as consecutive indices in the order in which they are added. They are found by
-// blocks of 4 x 4 x 4: most vertices lie in the block of the one that was asked for before.
+// The vertices of a level, as consecutive indices in the order in which they are added.
 #pragma once
 
 #include <array>
 
 #include "cache/index_table.h"
-#include "cache/lattice.h"
+#include "cache/vertex_block.h"
 
 namespace saccade {
 
@@ -15,23 +14,6 @@ class VertexTable {
   struct Place {
     std::uint32_t block, cell;
   };
-  // Remembers blocks.
-  class Memo {
-   public:
-    // find(key of a block) says where the block of a vertex is.
-    std::uint32_t blockOf(VertexKey vertex, const auto& find) {
-      Known& known = known_[entryOf(vertex)];
-      if (const VertexKey key = keyOf(vertex); known.key != key) known = {key, find(key)};
-      return known.block;
-    }
-
-   private:
-    struct Known {
-      VertexKey key = 0;
-      std::uint32_t block = 0;
-    };
-    std::array<Known, 128> known_{};  // neighbours have entries of their own, and so have bins
-  };
   // Finds places in frame `now`. The table must outlive it, and change through it alone.
   class Finder {
    public:
@@ -39,7 +21,7 @@ class VertexTable {
     // Brings what indexAt() needs closer. Call it some vertices ahead.
     Place find(VertexKey key) {
       const auto find = [this](VertexKey block) { return table_.blockAt(block, now_); };
-      const Place place{memo_.blockOf(key, find), cellOf(key)};
+      const Place place{memo_.of(key, find), cellOf(key)};
       __builtin_prefetch(&table_.indices_[place.block][place.cell]);
       return place;
     }
@@ -47,7 +29,7 @@ class VertexTable {
    private:
     VertexTable& table_;
     std::uint32_t now_;
-    Memo memo_;
+    BlockMemo<std::uint32_t> memo_;
   };
   // Looks up vertices in a table that stays as it is, and outlives it.
   class Reader {
@@ -56,13 +38,13 @@ class VertexTable {
     // The index of a vertex; kNone if there is none.
     std::uint32_t indexOf(VertexKey key) {
       const auto find = [this](VertexKey block) { return table_->blocks_.indexOf(block); };
-      const std::uint32_t block = memo_.blockOf(key, find);
+      const std::uint32_t block = memo_.of(key, find);
       return block == kNone ? kNone : table_->indices_[block][cellOf(key)];
     }
 
    private:
     const VertexTable* table_;
-    Memo memo_;
+    BlockMemo<std::uint32_t> memo_;
   };
   static constexpr std::uint32_t kNone = IndexTable::kNone;
 
@@ -81,22 +63,8 @@ class VertexTable {
   void keep(const std::vector<bool>& kept);
 
  private:
-  static constexpr int kX = 0, kY = 20, kZ = 40, kBin = 60;  // bits of VertexKey
-  using Block = std::array<std::uint32_t, 64>;
+  using Block = std::array<std::uint32_t, kBlockCells>;
 
-  static VertexKey keyOf(VertexKey key) {  // of its block
-    constexpr VertexKey kCell = VertexKey{3} << kX | VertexKey{3} << kY | VertexKey{3} << kZ;
-    return key & ~kCell;
-  }
-  static std::uint32_t cellOf(VertexKey key) {
-    return static_cast<std::uint32_t>((key >> kX & 3) | (key >> kY & 3) << 2 | (key >> kZ & 3) << 4);
-  }
-  static VertexKey keyOfCell(std::uint32_t cell) {  // the bits that keyOf() leaves out
-    return VertexKey{cell & 3} << kX | VertexKey{cell >> 2 & 3} << kY | VertexKey{cell >> 4} << kZ;
-  }
-  static std::size_t entryOf(VertexKey key) {
-    return (key >> (kX + 2) & 1) | (key >> (kY + 2) & 1) << 1 | (key >> (kZ + 2) & 1) << 2 | key >> kBin << 3;
-  }
   std::uint32_t blockAt(VertexKey key, std::uint32_t now);
 
   IndexTable blocks_;

@@ -37,7 +37,7 @@ Bake bake(std::shared_ptr<const RenderScene> scene, const BakePlan& plan, const 
   }
   bake.known = baker.known(), bake.passes = baker.passes(), bake.poses = baker.poses();
   bake.full = baker.isFull();
-  bake.light = baker.finish(pool);
+  bake.light = baker.light(pool);
   return bake;
 }
 

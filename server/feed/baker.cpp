@@ -110,8 +110,8 @@ void Baker::restore(std::string_view state) {
   readBounces(in, bounces_);
 }
 
-std::shared_ptr<const BakedLight> Baker::finish(const PoolHandle& pool) {
-  return std::make_shared<const BakedLight>(std::move(grid_.levels()), kGrid, pool);
+std::shared_ptr<const BakedLight> Baker::light(const PoolHandle& pool) const {
+  return std::make_shared<const BakedLight>(grid_.levels(), kGrid, pool);
 }
 
 }  // namespace saccade

@@ -33,8 +33,8 @@ class Baker {
   std::string state() const;
   void restore(std::string_view state);
 
-  // What feeds read. Nothing may follow.
-  std::shared_ptr<const BakedLight> finish(const PoolHandle& pool);
+  // What feeds read.
+  std::shared_ptr<const BakedLight> light(const PoolHandle& pool) const;
 
  private:
   Camera cameraAt(std::size_t pose) const;
