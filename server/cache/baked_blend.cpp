@@ -8,7 +8,7 @@ namespace saccade {
 namespace {
 
 constexpr int kChunk = 1024;         // vertices of a piece
-constexpr float kLeastSamples = 8;   // around a vertex, in cells of about a pixel
+constexpr float kLeastSamples = 2;   // around a vertex, in cells of about a pixel
 constexpr float kSmallStep = 1e-3f;  // cells: the variance of steps so small grows with their square
 
 // Looks up what a grid has around a vertex, on its level and those above.

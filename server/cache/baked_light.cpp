@@ -9,6 +9,8 @@ namespace {
 
 constexpr int kAhead = 4;            // pixels whose values are on their way from memory
 constexpr float kLeastShare = 0.5f;  // of a point's weights, on vertices whose light is known
+// From a level to the one below: a step is half as many cells there, and a quarter of the variance.
+constexpr Octet kToFine{1, 1, 1, 1, 1, 0.25f, 0.25f, 0};
 
 }  // namespace
 
@@ -99,7 +101,7 @@ bool BakedLight::write(const Found& found, const SurfaceSamples& on, const GBuff
   const Octet fine = found.slots[0].sum(), coarse = found.slots[1].sum();
   if (fine[kKnown] < kLeastShare || coarse[kKnown] < kLeastShare) return false;
   const float fraction = found.at.fraction;
-  const Octet v = fine * ((1 - fraction) / fine[kKnown]) + coarse * (fraction / coarse[kKnown]);
+  const Octet v = fine * ((1 - fraction) / fine[kKnown]) + coarse * kToFine * (fraction / coarse[kKnown]);
   const float U = on.unoccluded.at(x, y), px = std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y));
   const float cells = px * std::exp2(fraction) / params_.finest_px;
   const auto variance = [U](float rest, float visibility) { return rest + U * U * visibility; };

@@ -9,9 +9,9 @@
 namespace saccade {
 namespace {
 
-constexpr int kSpp = 8;  // of a pixel in each pass, until its light is known
-constexpr int kLeastPasses = 4, kMostPasses = 64;
-constexpr double kEnough = 0.99;  // of the pixels of a pass
+constexpr int kSpp = 8;                            // of a pixel in each pass, until its light is known
+constexpr int kLeastPasses = 4, kMostPasses = 64;  // the first ones give a path to each pixel
+constexpr double kEnough = 0.99;                   // of the pixels of a pass
 constexpr std::size_t kMiB = 1 << 20;
 // Of the Baker's grid, which never drops vertices.
 const GridParams kGrid{.max_vertices = std::numeric_limits<std::size_t>::max()};
@@ -77,7 +77,7 @@ bool Baker::look(std::size_t pose, const PoolHandle& pool) {
     pass_.poses = pose;
     return false;
   }
-  pass_.full = vertices() > max_vertices_;
+  pass_.full = passes() > 0 && vertices() > max_vertices_;
   grid_.uncertainty(on, at_, pool, uncertainty_);
   planPaths();
   return true;
@@ -88,7 +88,7 @@ void Baker::planPaths() {
   for (int y = 0; y < frame_.height(); ++y) {
     for (int x = 0; x < frame_.width(); ++x) {
       const float u = uncertainty_.at(x, y);
-      on.paths.at(x, y) = u > plan_.error ? kSpp : 0;
+      on.paths.at(x, y) = u > plan_.error ? kSpp : passes() < kLeastPasses ? 1 : 0;
       if (on.kind.at(x, y) == SurfaceKind::kNone) continue;
       const float share = plan_.error / std::max(u, plan_.error);
       pixels_ += 1, below_ += u <= plan_.error, progress_ += share * share;
