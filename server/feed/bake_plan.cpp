@@ -16,8 +16,8 @@ constexpr double kPixelsBetweenPoses = 4;  // at most, of the fastest percent of
 
 }  // namespace
 
-BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedConfig& feed,
-                  FrameIndex frames) {
+BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedConfig& feed, FrameIndex frames,
+                  double error) {
   if (!EmitterStrengths(scene.description()).factors().empty())
     throw std::runtime_error(
         "the light of this scene changes over time, so that it cannot be computed ahead");
@@ -30,7 +30,7 @@ BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedCo
                 .fov_x_deg = feed.fov_x_deg,
                 .bounces = feed.bounces,
                 .channels = feed.monochrome ? 1 : scene.channels(),
-                .seed = feed.seed};
+                .error = static_cast<float>(error)};
   const auto add = [&](FrameIndex t) { plan.poses.push_back(path.at(frameTime(t, feed.frame_rate_hz))); };
   for (FrameIndex t = 0; t < frames; t += step) add(t);
   add(frames);
@@ -42,7 +42,7 @@ std::uint64_t digestOf(const RenderScene& scene, const BakePlan& plan) {
   h.add(kVersion), h.add(hashScene(scene.description()));
   for (const Pose& pose : plan.poses) h.add(pose.position), h.add(pose.rotation);
   h.add(plan.width), h.add(plan.height), h.add(plan.fov_x_deg), h.add(plan.bounces), h.add(plan.channels);
-  h.add(plan.seed), h.add(plan.error), h.add(plan.memory);
+  h.add(plan.error), h.add(plan.memory);
   return h.value;
 }
 

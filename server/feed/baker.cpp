@@ -12,6 +12,7 @@ namespace {
 constexpr int kSpp = 8;                            // of a pixel in each pass, until its light is known
 constexpr int kLeastPasses = 4, kMostPasses = 64;  // the first ones give a path to each pixel
 constexpr double kEnough = 0.99;                   // of the pixels of a pass
+constexpr std::uint64_t kSeed = 0xba4e;
 constexpr std::size_t kMiB = 1 << 20;
 // Of the Baker's grid, which never drops vertices.
 const GridParams kGrid{.max_vertices = std::numeric_limits<std::size_t>::max()};
@@ -46,7 +47,7 @@ void Baker::pass(const PoolHandle& pool) {
   pixels_ = below_ = progress_ = 0;
   for (std::size_t pose = 0; pose < pass_.poses && pass_.full == 0; ++pose) {
     if (!look(pose, pool)) break;
-    const SeedPlan seeds = SeedPlan::independent(hashKey(plan_.seed, pass_.count), pose, 0);
+    const SeedPlan seeds = SeedPlan::independent(hashKey(kSeed, pass_.count), pose, 0);
     renderer_.renderPaths(cameraAt(pose), seeds, pool, frame_);
     grid_.add(*frame_.surfaces, at_, pool);
     grid_.readAdded(*frame_.surfaces, frame_.g, at_, pool, estimate_);
@@ -55,7 +56,7 @@ void Baker::pass(const PoolHandle& pool) {
   }
   ++pass_.count;
   pass_.known = pixels_ > 0 ? below_ / pixels_ : 1;
-  pass_.done = pixels_ > 0 ? progress_ / pixels_ : 1;
+  pass_.done = std::max(pass_.done, pixels_ > 0 ? progress_ / pixels_ : 1);
 }
 
 // Every pass shifts the pixels, so that all vertices between them are reached.

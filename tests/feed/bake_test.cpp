@@ -37,9 +37,7 @@ FeedConfig config() {
 }
 
 BakePlan plan(float error = 0.2f) {
-  BakePlan plan = planBake(*room(), path(), config(), 20);
-  plan.error = error;
-  return plan;
+  return planBake(*room(), path(), config(), 20, error);
 }
 
 struct BakeTest : testing::Test {
@@ -75,7 +73,6 @@ TEST_F(BakeTest, ItsPlanHasADigestThatCoversAll) {
   add([](BakePlan& p) { p.fov_x_deg += 1e-9; });
   add([](BakePlan& p) { ++p.bounces; });
   add([](BakePlan& p) { p.channels = p.channels == 1 ? 3 : 1; });
-  add([](BakePlan& p) { ++p.seed; });
   add([](BakePlan& p) { p.error += 1e-3f; });
   add([](BakePlan& p) { ++p.memory; });
   digests.push_back(digestOf(RenderScene(test::furnace(0.6f, 0)), plan()));
@@ -85,7 +82,7 @@ TEST_F(BakeTest, ItsPlanHasADigestThatCoversAll) {
 
 TEST_F(BakeTest, RefusesLightThatChanges) {
   const auto flickering = room(Strength({{0ms, 1}, {50ms, 0}}));
-  EXPECT_THROW(planBake(*flickering, path(), config(), 20), std::runtime_error);
+  EXPECT_THROW(planBake(*flickering, path(), config(), 20, 0.2), std::runtime_error);
 }
 
 TEST_F(BakeTest, EndsWhenItsErrorIsReached) {
@@ -135,8 +132,8 @@ TEST_F(BakeTest, IsTheSameForAnyNumberOfThreads) {
 TEST_F(BakeTest, KeepsToItsMemory) {
   FeedConfig large = config();
   large.width = 96, large.height = 72;
-  BakePlan small = planBake(*room(), path(), large, 20);
-  small.error = 0.2f, small.memory = 8;
+  BakePlan small = planBake(*room(), path(), large, 20, 0.2);
+  small.memory = 8;
   Baker baker(room(), small);
   baker.pass(pool);
   EXPECT_GE(baker.poses(), 1u);

@@ -130,8 +130,8 @@ FeedConfig Bench::feedConfig() const {
 
 std::shared_ptr<const BakedLight> Bench::baked() const {
   if (!baked_) {
-    BakePlan plan = planBake(*scene_, path_, feedConfig(), static_cast<FrameIndex>(setup_.last));
-    plan.error = static_cast<float>(setup_.bake_error);
+    const BakePlan plan =
+        planBake(*scene_, path_, feedConfig(), static_cast<FrameIndex>(setup_.last), setup_.bake_error);
     baked_ = keptBake(scene_, plan, setup_.cache, setup_.scene, pool_).light;
   }
   return baked_;

@@ -4,7 +4,6 @@
 
 #include "eval/bench/arguments.h"
 #include "eval/bench/open_scene.h"
-#include "feed/bake_plan.h"
 #include "wire/ranges.h"
 
 namespace saccade::eval {
@@ -20,7 +19,6 @@ void addFeedOptions(CLI::App& app, FeedOptions& o) {
   app.add_option("--bounces", o.feed.bounces, "indirect bounces")
       ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
-  app.add_option("--seed", o.feed.seed, "seed of the random numbers")->capture_default_str();
   app.add_option("--threads", o.threads, "threads that render")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
@@ -30,7 +28,7 @@ void addBakeOption(CLI::App& app, double& error) {
   app.add_option("--bake", error,
                  "compute light ahead to this relative error, for methods that can use it; the bake is kept "
                  "beside the reference frames")
-      ->check(CLI::Range(kLeastBakeError, kMostBakeError));
+      ->check(CLI::Range(ranges::kBakeError.min, ranges::kBakeError.max));
 }
 
 OpenedFeed open(FeedOptions& o) {

@@ -9,13 +9,14 @@
 #include "eval/bench/open_scene.h"
 #include "eval/commands/commands.h"
 #include "feed/bake_file.h"
+#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
 
 struct BakeOptions : FeedOptions {
   FrameIndex frames = 0;
-  float error = 0.02f;
+  double error = 0.02;
   int memory = 256;
   std::string output = defaultCache();
 };
@@ -32,8 +33,8 @@ void print(const BakePlan& plan, const Bake& bake, const std::string& path) {
 
 void runBake(BakeOptions& o) {
   const auto [scene, path] = open(o);
-  BakePlan plan = planBake(*scene, path, o.feed, o.frames);
-  plan.error = o.error, plan.memory = o.memory;
+  BakePlan plan = planBake(*scene, path, o.feed, o.frames, o.error);
+  plan.memory = o.memory;
   TilePool pool(o.threads);
   watchInterrupt();
   try {
@@ -56,7 +57,7 @@ void addBakeCommand(CLI::App& app) {
                 "the last frame; 0: all until the camera stands, one period, or a minute")
       ->capture_default_str();
   c->add_option("--error", o->error, "relative error of the light of about a pixel")
-      ->check(CLI::Range(kLeastBakeError, kMostBakeError))
+      ->check(CLI::Range(ranges::kBakeError.min, ranges::kBakeError.max))
       ->capture_default_str();
   c->add_option("--memory", o->memory, "MiB of the grid while it is made")
       ->check(CLI::Range(1, 65536))

@@ -62,8 +62,7 @@ void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene,
                TilePool& pool) {
   FeedConfig config = o.feed;
   if (o.bake_error > 0 && findMethod(config.method)->takes_baked) {
-    BakePlan plan = planBake(*scene, path, config, static_cast<FrameIndex>(o.last));
-    plan.error = static_cast<float>(o.bake_error);
+    const BakePlan plan = planBake(*scene, path, config, static_cast<FrameIndex>(o.last), o.bake_error);
     config.baked = keptBake(scene, plan, o.cache, sceneName(o.scene), pool).light;
   }
   Feed feed(scene, path, config, pool);
@@ -144,6 +143,7 @@ void addFramesCommand(CLI::App& app) {
   c->add_option("--reference", o->reference,
                 "render the reference instead: paths per pixel, rounded up to a multiple of 64")
       ->check(CLI::Range(1, 1 << 20));
+  c->add_option("--seed", o->feed.seed, "seed of the random numbers")->capture_default_str();
   addBakeOption(*c, o->bake_error);
   c->add_option("--cache", o->cache, "folder for reference frames and bakes")->capture_default_str();
   c->callback([o] { runFrames(*o); });
