@@ -45,6 +45,7 @@ v1::Quality makeQuality(const RecordOptions& options) {
   v1::Quality quality;
   if (options.bounces) quality.set_bounces(*options.bounces);
   quality.set_jitter(options.jitter);
+  if (options.bake_error) quality.set_bake_error(*options.bake_error);
   if (options.budget_ms) quality.set_budget_ms(*options.budget_ms);
   if (options.max_false_rate) quality.set_max_false_rate(*options.max_false_rate);
   if (!options.max_event_change.empty())

@@ -23,6 +23,7 @@ void sayRanges(CLI::App& record) {
   say("--duration", ranges::kDuration);
   say("--spp", ranges::kSpp);
   say("--bounces", ranges::kBounces);
+  say("--bake-error", ranges::kBakeError);
   say("--budget-ms", ranges::kBudget);
   say("--max-false-rate", ranges::kMaxFalseRate);
 }

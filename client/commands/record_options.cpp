@@ -100,6 +100,9 @@ void addQualityOptions(CLI::App& command, RecordOptions& o) {
           ->delimiter(',');
   command.add_flag("--jitter", o.jitter,
                    "start paths anywhere in the pixel, not at its centre: less aliasing, more time");
+  command.add_option("--bake-error", o.bake_error,
+                     "let the server compute the light ahead, to this relative error; with --method "
+                     "irradiance_cache");
   CLI::Option* set =
       command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")
           ->allow_extra_args(false);

@@ -31,7 +31,7 @@ struct RecordOptions {
   std::string method;
   std::optional<std::uint32_t> spp, bounces;
   bool jitter = false;
-  std::optional<double> budget_ms, max_false_rate;
+  std::optional<double> bake_error, budget_ms, max_false_rate;
   std::string max_event_change;                // "2%"
   std::vector<std::string> disabled_features;  // see `saccade info`
   std::vector<std::string> params;             // name=value

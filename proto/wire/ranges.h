@@ -26,6 +26,7 @@ inline constexpr Range<int> kBounces{0, 64};              // Quality.bounces: in
 inline constexpr Range<double> kBudget{1e-3, 1e6};        // Quality.budget_ms: CPU ms per frame
 inline constexpr Range<double> kMaxFalseRate{0, 1e3};     // Quality.max_false_rate: per pixel-frame
 inline constexpr Range<double> kMaxEventChange{1e-6, 1};  // Quality.max_event_change: share of the events
+inline constexpr Range<double> kBakeError{1e-3, 1};       // Quality.bake_error: relative, of light
 inline constexpr Range<int> kSensors{1, 64};              // OpenStream.sensors: how many
 inline constexpr Range<double> kThreshold{1e-3, 10};      // Sensor.threshold, Sensor.threshold_off: log units
 inline constexpr Range<double> kBias{1e-12, 1e6};         // Sensor.bias: scene luminance

@@ -19,6 +19,7 @@ App::App(const Config& config)
       quota_(config.limits),
       pool_(config.threads),
       scenes_(config.scenes, config.limits, config.meshes),
+      bakes_(config.bakes, config.limits),
       sessions_(epoch_),
       control_({.endpoint = config.control,
                 .request_bytes = static_cast<std::int64_t>(config.limits.bytes(Limit::kMessage)),
@@ -28,7 +29,7 @@ App::App(const Config& config)
       data_(config.data, sessions_, static_cast<std::int64_t>(config.limits.bytes(Limit::kCredit)), access_),
       broadcast_(config.broadcast, sessions_, access_),
       streams_(sessions_, client_log_, StreamRegistry::Lease(config.lease_s)),
-      opener_({scenes_, tables_, pool_, quota_, streams_, data_.wake(), broadcast_.wake(), totals_,
+      opener_({scenes_, bakes_, tables_, pool_, quota_, streams_, data_.wake(), broadcast_.wake(), totals_,
                client_log_, epoch_}),
       service_(scenes_, quota_, streams_, opener_, client_log_, describe(config)) {
   data_.start();

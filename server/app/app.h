@@ -57,6 +57,7 @@ class App {
   ClientLog client_log_;
   TilePool pool_;
   SceneCache scenes_;
+  BakeStore bakes_;
   SessionDirectory sessions_;
   ControlServer control_;
   DataServer data_;

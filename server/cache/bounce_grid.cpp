@@ -57,6 +57,13 @@ void BounceGrid::add(const SurfaceSamples& on) {
   }
 }
 
+bool BounceGrid::restore(const std::vector<std::uint64_t>& keys, const std::vector<Quad>& light) {
+  light_ = light;
+  for (std::uint32_t i = 0; i < keys.size(); ++i)
+    if (keys[i] == 0 || table_.findOrAdd(keys[i], 0) != i) return false;
+  return true;
+}
+
 void BounceGrid::forget() {
   std::fill(light_.begin(), light_.end(), Quad{});
 }

@@ -37,9 +37,14 @@ class BounceGrid {
 
   std::size_t cells() const { return light_.size(); }
 
- private:
+  // What it keeps, by cell.
   using Quad = float __attribute__((vector_size(16)));
+  std::vector<std::uint64_t> keys() const { return table_.keys(); }
+  const std::vector<Quad>& light() const { return light_; }
+  // Fills an empty grid with that. False if a key is not valid or stands twice.
+  bool restore(const std::vector<std::uint64_t>& keys, const std::vector<Quad>& light);
 
+ private:
   std::size_t max_cells_;  // beyond, no new ones are kept, and their paths go on
   IndexTable table_;
   std::vector<Quad> light_;  // by cell: the number of samples, and their sum for each colour

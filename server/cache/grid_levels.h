@@ -27,9 +27,12 @@ class GridLevels {
  public:
   GridLevel& operator[](int l) { return *levels_[l - kLeast]; }
   const GridLevel& operator[](int l) const { return *levels_[l - kLeast]; }
+  static bool has(int l) { return l >= kLeast && l <= kMost; }
+  // nullptr where there is none.
+  const GridLevel* find(int l) const { return has(l) ? levels_[l - kLeast].get() : nullptr; }
   // Makes those of [first, last] that do not exist.
   void makeAll(int first, int last) {
-    SACCADE_CHECK(first >= kLeast && last <= kMost);
+    SACCADE_CHECK(has(first) && has(last));
     for (int l = first; l <= last; ++l)
       if (!levels_[l - kLeast]) levels_[l - kLeast] = std::make_unique<GridLevel>();
   }

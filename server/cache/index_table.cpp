@@ -16,6 +16,13 @@ std::uint32_t IndexTable::add(std::uint64_t key, std::uint32_t now) {
   return size_++;
 }
 
+std::vector<std::uint64_t> IndexTable::keys() const {
+  std::vector<std::uint64_t> keys(size_);
+  for (const Slot& slot : slots_)
+    if (slot.key != 0) keys[slot.index] = slot.key;
+  return keys;
+}
+
 std::vector<std::uint32_t> IndexTable::lastUses() const {
   std::vector<std::uint32_t> uses(size_);
   for (const Slot& slot : slots_)

@@ -24,6 +24,7 @@ class IndexTable {
   }
   std::uint32_t size() const { return size_; }
 
+  std::vector<std::uint64_t> keys() const;  // by index
   // The frame in which each key was used last, by index.
   std::vector<std::uint32_t> lastUses() const;
   // Keeps the keys whose `kept` is true, in their order.

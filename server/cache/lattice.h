@@ -39,11 +39,21 @@ struct Tetrahedron {
   std::array<VertexKey, 4> key;
   std::array<float, 4> weight;
 
+  // Where the vertex of a key is, of those that share it the one nearest to the origin; and its bin.
+  static Vec3d placeOf(VertexKey key) {
+    return {coordinate(key), coordinate(key >> 20), coordinate(key >> 40)};
+  }
+  static int binOf(VertexKey key) { return static_cast<int>(key >> 60) - 1; }
+
  private:
   static constexpr VertexKey kX = 1, kY = VertexKey{1} << 20, kZ = VertexKey{1} << 40;
+  static constexpr std::int64_t kCentre = 1 << 19, kMask = (1 << 20) - 1;
   // Centred, so that no coordinate near 0 overflows into the next one.
   static VertexKey address(double c) {
-    return static_cast<VertexKey>(static_cast<std::int64_t>(c) + (1 << 19)) & ((1 << 20) - 1);
+    return static_cast<VertexKey>((static_cast<std::int64_t>(c) + kCentre) & kMask);
+  }
+  static double coordinate(VertexKey address) {
+    return static_cast<double>((static_cast<std::int64_t>(address) & kMask) - kCentre);
   }
 };
 

@@ -55,20 +55,26 @@ struct BlendedLight {
 };
 
 struct LevelBlend {
-  LevelBlend(const GridLevels& levels, const Placement& at, const GridPoint& p, const BlendParams& params) {
+  LevelBlend(const GridLevels& levels, const Placement& at, const GridPoint& p, const BlendParams& params)
+      : LevelBlend([&](int k) { return gather(levels[p.level + k].light, at, p, k); },
+                   [&](int k) { return gather(levels[p.level + k].evidence, at, p, k); }, p.fraction,
+                   params) {}
+
+  // lightAt(slot) and evidenceAt(slot) gather what a point needs.
+  LevelBlend(const auto& lightAt, const auto& evidenceAt, float fraction, const BlendParams& params) {
     visibility.value = 1;
-    light[kTop] = gather(levels[p.level + kTop].light, at, p, kTop);
+    light[kTop] = lightAt(kTop);
     if (light[kTop][0] > 0) rest.value = light[kTop][1] / light[kTop][0];
     if (light[kTop][3] > 0) visibility.value = light[kTop][2] / light[kTop][3];
     for (int k = kTop - 1; k >= 0; --k) {
-      const Quad l = light[k] = gather(levels[p.level + k].light, at, p, k);
-      const Octet e = gather(levels[p.level + k + kPoolSteps].evidence, at, p, k + kPoolSteps);
+      const Quad l = light[k] = lightAt(k);
+      const Octet e = evidenceAt(k + kPoolSteps);
       if (k == kTop - 1) {  // of the coarsest level there is no evidence of its own
         rest.variance = varianceOf(e[2], e[3], light[kTop][0], params);
         visibility.variance = varianceOf(e[6], e[7], light[kTop][3], params);
       }
-      rest.refine(k, l[1], l[0], e[0], e[1], e[2], e[3], p.fraction, params);
-      visibility.refine(k, l[2], l[3], e[4], e[5], e[6], e[7], p.fraction, params);
+      rest.refine(k, l[1], l[0], e[0], e[1], e[2], e[3], fraction, params);
+      visibility.refine(k, l[2], l[3], e[4], e[5], e[6], e[7], fraction, params);
     }
   }
 

@@ -4,8 +4,13 @@
 
 namespace saccade {
 
+GridPoint gridPoint(const SurfacePoint& point, float finest_px) {
+  const float level = std::log2(finest_px * point.footprint), floor = std::floor(level);
+  return {.level = static_cast<int>(floor), .fraction = level - floor, .position = point.position};
+}
+
 void Placement::place(const SurfaceSamples& on, float finest_px) {
-  constexpr int kMaxBins = 3, kMixed = 6;
+  constexpr int kMaxBins = 3;
   const std::size_t most = on.indexOf(0, on.height());
   points.clear(), points.reserve(most);
   row_ends.assign(1, 0);
@@ -14,14 +19,14 @@ void Placement::place(const SurfaceSamples& on, float finest_px) {
   std::uint32_t next = 0;
   for (int y = 0; y < on.height(); ++y) {
     for (const SurfacePoint& s : on.row(y)) {
-      if (s.kind == SurfaceKind::kNone) continue;
-      const float level = std::log2(finest_px * s.footprint), floor = std::floor(level);
+      if (s.kind == SurfaceKind::kNone || s.baked) continue;
       const NormalBins normal(s.normal);
-      const auto index = static_cast<std::uint32_t>(&s - &on.at(0, 0));
-      points.push_back({index, static_cast<int>(floor), level - floor, s.position, next,
-                        static_cast<std::uint32_t>(normal.count)});
+      GridPoint point = gridPoint(s, finest_px);
+      point.index = static_cast<std::uint32_t>(&s - &on.at(0, 0));
+      point.first = next, point.count = static_cast<std::uint32_t>(normal.count);
+      points.push_back(point);
       for (int b = 0; b < normal.count; ++b, ++next) {
-        bins[next] = normal.bin[b] + (s.kind == SurfaceKind::kMixed ? kMixed : 0);
+        bins[next] = vertexBin(normal.bin[b], s.kind);
         bin_weights[next] = normal.weight[b];
       }
       least_level = std::min(least_level, points.back().level);

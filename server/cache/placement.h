@@ -24,6 +24,14 @@ struct GridPoint {
   static bool isSlot(int slot) { return slot >= 0 && slot < kSlots; }
 };
 
+// The place of a point, without taps. `finest_px`: edge of the finest cells, pixels.
+GridPoint gridPoint(const SurfacePoint& point, float finest_px);
+// The bin of vertices for one of a normal's.
+inline int vertexBin(int bin_of_normal, SurfaceKind kind) {
+  constexpr int kMixed = 6;
+  return bin_of_normal + (kind == SurfaceKind::kMixed ? kMixed : 0);
+}
+
 // Four vertices of one bin.
 struct Taps {
   std::array<std::uint32_t, 4> vertex;
@@ -31,7 +39,8 @@ struct Taps {
 };
 
 struct Placement {
-  // Takes the points of a frame that can share light. Fills all but `taps`. `finest_px`: edge of the finest
+  // Takes the points of a frame that can share light, and whose light is not known ahead. Fills all but
+  // `taps`. `finest_px`: edge of the finest
   // cells, pixels.
   void place(const SurfaceSamples& on, float finest_px);
 

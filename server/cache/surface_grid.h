@@ -65,6 +65,9 @@ class SurfaceGrid {
   // Changes GridParams::max_vertices.
   void limit(std::size_t max_vertices) { params_.max_vertices = max_vertices; }
 
+  // What it keeps. A grid with the levels of another goes on as that would.
+  const GridLevels& levels() const { return levels_; }
+  GridLevels& levels() { return levels_; }
   std::size_t vertices() const;
   std::uint64_t dropped() const { return dropped_; }  // vertices, so far
 

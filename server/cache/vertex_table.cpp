@@ -10,6 +10,16 @@ std::uint32_t VertexTable::blockAt(VertexKey key, std::uint32_t now) {
   return block;
 }
 
+std::vector<VertexKey> VertexTable::keys() const {
+  const std::vector<VertexKey> of_blocks = blocks_.keys();
+  std::vector<VertexKey> keys(size_);
+  for (std::size_t b = 0; b < indices_.size(); ++b)
+    for (std::uint32_t cell = 0; cell < indices_[b].size(); ++cell)
+      if (const std::uint32_t index = indices_[b][cell]; index != kNone)
+        keys[index] = vertexOf(of_blocks[b], cell);
+  return keys;
+}
+
 std::vector<std::uint32_t> VertexTable::lastUses() const {
   const std::vector<std::uint32_t> of_blocks = blocks_.lastUses();
   std::vector<std::uint32_t> uses(size_);

@@ -1,11 +1,10 @@
-// The vertices of a level, as consecutive indices in the order in which they are added. They are found by
-// blocks of 4 x 4 x 4: most vertices lie in the block of the one that was asked for before.
+// The vertices of a level, as consecutive indices in the order in which they are added.
 #pragma once
 
 #include <array>
 
 #include "cache/index_table.h"
-#include "cache/lattice.h"
+#include "cache/vertex_block.h"
 
 namespace saccade {
 
@@ -15,29 +14,39 @@ class VertexTable {
   struct Place {
     std::uint32_t block, cell;
   };
-  // Finds places in frame `now`, and remembers blocks. The table must outlive it, and change through it
-  // alone.
+  // Finds places in frame `now`. The table must outlive it, and change through it alone.
   class Finder {
    public:
     Finder(VertexTable& table, std::uint32_t now) : table_(table), now_(now) {}
     // Brings what indexAt() needs closer. Call it some vertices ahead.
     Place find(VertexKey key) {
-      Known& known = known_[entryOf(key)];
-      if (known.key != blockOf(key)) known = {blockOf(key), table_.blockAt(blockOf(key), now_)};
-      const Place place{known.block, cellOf(key)};
+      const auto find = [this](VertexKey block) { return table_.blockAt(block, now_); };
+      const Place place{memo_.of(key, find), cellOf(key)};
       __builtin_prefetch(&table_.indices_[place.block][place.cell]);
       return place;
     }
 
    private:
-    struct Known {
-      VertexKey key = 0;
-      std::uint32_t block = 0;
-    };
     VertexTable& table_;
     std::uint32_t now_;
-    std::array<Known, 128> known_{};  // neighbours have entries of their own, and so have bins
+    BlockMemo<std::uint32_t> memo_;
   };
+  // Looks up vertices in a table that stays as it is, and outlives it.
+  class Reader {
+   public:
+    explicit Reader(const VertexTable& table) : table_(&table) {}
+    // The index of a vertex; kNone if there is none.
+    std::uint32_t indexOf(VertexKey key) {
+      const auto find = [this](VertexKey block) { return table_->blocks_.indexOf(block); };
+      const std::uint32_t block = memo_.of(key, find);
+      return block == kNone ? kNone : table_->indices_[block][cellOf(key)];
+    }
+
+   private:
+    const VertexTable* table_;
+    BlockMemo<std::uint32_t> memo_;
+  };
+  static constexpr std::uint32_t kNone = IndexTable::kNone;
 
   // The index of the vertex at a place; the next free index if it is new.
   std::uint32_t indexAt(Place place) {
@@ -47,26 +56,15 @@ class VertexTable {
   }
   std::uint32_t size() const { return size_; }
 
+  std::vector<VertexKey> keys() const;  // by index
   // The frame in which the block of each vertex was used last, by index.
   std::vector<std::uint32_t> lastUses() const;
   // Keeps the vertices whose `kept` is true, in their order.
   void keep(const std::vector<bool>& kept);
 
  private:
-  static constexpr std::uint32_t kNone = IndexTable::kNone;
-  static constexpr int kX = 0, kY = 20, kZ = 40, kBin = 60;  // bits of VertexKey
-  using Block = std::array<std::uint32_t, 64>;
+  using Block = std::array<std::uint32_t, kBlockCells>;
 
-  static VertexKey blockOf(VertexKey key) {
-    constexpr VertexKey kCell = VertexKey{3} << kX | VertexKey{3} << kY | VertexKey{3} << kZ;
-    return key & ~kCell;
-  }
-  static std::uint32_t cellOf(VertexKey key) {
-    return static_cast<std::uint32_t>((key >> kX & 3) | (key >> kY & 3) << 2 | (key >> kZ & 3) << 4);
-  }
-  static std::size_t entryOf(VertexKey key) {
-    return (key >> (kX + 2) & 1) | (key >> (kY + 2) & 1) << 1 | (key >> (kZ + 2) & 1) << 2 | key >> kBin << 3;
-  }
   std::uint32_t blockAt(VertexKey key, std::uint32_t now);
 
   IndexTable blocks_;

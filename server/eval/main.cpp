@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   saccade::eval::addFramesCommand(app);
   saccade::eval::addCompareCommand(app);
   saccade::eval::addCompareRendersCommand(app);
+  saccade::eval::addBakeCommand(app);
   saccade::eval::addChartCommand(app);
   saccade::eval::addCellsCommand(app);
   saccade::eval::addFigureCommand(app);

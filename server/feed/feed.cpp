@@ -30,7 +30,7 @@ const MethodInfo& methodOf(const FeedConfig& config) {
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
            const PoolHandle& pool)
     : Feed(std::move(scene), std::move(path), config,
-           methodOf(config).make(config.params, config.width, config.height),
+           methodOf(config).make({config.params, config.width, config.height, config.baked}),
            methodOf(config).samples(config.params), pool) {}
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,

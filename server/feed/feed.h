@@ -27,6 +27,7 @@ struct FeedConfig {
   bool jitter = false;                // RenderSettings::jitter
   bool monochrome = false;
   std::uint64_t seed = 0;
+  std::shared_ptr<const BakedLight> baked = {};  // of this scene; nullptr: the method knows nothing ahead
 };
 
 class Feed {

@@ -25,13 +25,13 @@ VisiblePoints gridView(const RenderScene& scene, const Camera& camera, const Fee
   return view;
 }
 
+}  // namespace
+
 FrameIndex framesToLookAt(const Trajectory& path, double rate_hz, FrameIndex frames) {
   const double span_s = seconds(std::clamp(path.lastTime(), TimeNs{0}, kLongest));
   const auto moving = std::max(FrameIndex{1}, static_cast<FrameIndex>(std::ceil(span_s * rate_hz)));
   return frames == 0 ? moving : std::min(frames, moving);
 }
-
-}  // namespace
 
 PixelSpeed measurePixelSpeed(const RenderScene& scene, const Trajectory& path, const FeedConfig& config,
                              FrameIndex frames) {

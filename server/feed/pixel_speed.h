@@ -14,8 +14,11 @@ struct PixelSpeed {
   double p50 = 0, p99 = 0;
 };
 
-// Samples a grid of pixels in up to 16 of the first `frames` frames (0: all) within the path's duration, or
-// its first period, or a minute. 0 where no surface is ever in view.
+// Of the first `frames` frames (0: all) those within the path's duration, or its first period, or a minute;
+// at least one.
+FrameIndex framesToLookAt(const Trajectory& path, double rate_hz, FrameIndex frames);
+
+// Samples a grid of pixels in up to 16 of framesToLookAt(). 0 where no surface is ever in view.
 PixelSpeed measurePixelSpeed(const RenderScene& scene, const Trajectory& path, const FeedConfig& config,
                              FrameIndex frames);
 

@@ -40,8 +40,8 @@ MethodInfo EventSvgf::info() {
             return {makeParams(fields(), values).correlated ? SeedReuse::kCorrelated
                                                             : SeedReuse::kIndependentPairs};
           },
-          [](const ParamValues& values, int width, int height) -> std::unique_ptr<Method> {
-            return std::make_unique<EventSvgf>(makeParams(fields(), values), width, height);
+          [](const MethodSetup& setup) -> std::unique_ptr<Method> {
+            return std::make_unique<EventSvgf>(makeParams(fields(), setup.params), setup.width, setup.height);
           }};
 }
 

@@ -51,12 +51,15 @@ MethodInfo IrradianceCache::info() {
           [](const ParamValues&) {
             return SampleRequest{SeedReuse::kIndependent, true};
           },
-          [](const ParamValues& values, int width, int height) -> std::unique_ptr<Method> {
-            return std::make_unique<IrradianceCache>(makeParams(fields(), values), width, height);
-          }};
+          [](const MethodSetup& setup) -> std::unique_ptr<Method> {
+            return std::make_unique<IrradianceCache>(makeParams(fields(), setup.params), setup.width,
+                                                     setup.height, setup.baked);
+          },
+          true};
 }
 
-IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
+IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
+                                 std::shared_ptr<const BakedLight> baked)
     : params_(p),
       atrous_{
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
@@ -66,9 +69,12 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h)
       before_(w, h),
       filtered_(w, h),
       scratch_(w, h),
-      i_prev_(w, h) {}
+      i_prev_(w, h) {
+  if (baked) baked_.emplace(std::move(baked), w, h);
+}
 
 // A pixel whose light is as well known as `target` gets fewer paths, and the fewer the better it is known.
+// One that the bake knows gets none.
 void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) {
   SurfaceSamples& on = *next.surfaces;
   std::swap(at_, at_prev_);
@@ -76,6 +82,8 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
   light_.enter(next.light, frames_);
   SurfaceGrid& grid = light_.current().grid;
   on.bounces = &light_.current().bounces;
+  if (light_.changed()) baked_.reset();
+  if (baked_) times[Stage::kTemporal] += baked_->look(on, next.g, pool);
   if (frames_++ == 0)
     for (ImageF* plane : {&uncertainty_, &uncertainty_prev_}) *plane = ImageF(on.columns(), on.height());
   Placement none;
@@ -153,6 +161,7 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   };
   again(grid, frames.cur, at_, now_);
   if (!first) again(grid_prev, frames.prev, at_prev_, before_);
+  if (baked_) times[Stage::kVariance] += baked_->add(pool, now_, before_);
 }
 
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {

@@ -2,9 +2,12 @@
 // state of it at both frames' points. README.md is the section of a paper on it.
 #pragma once
 
+#include <optional>
+
 #include "cache/light_states.h"
 #include "filter/atrous.h"
 #include "filter/filter_planes.h"
+#include "methods/baked_frames.h"
 #include "methods/method.h"
 #include "methods/svgf.h"
 
@@ -27,7 +30,9 @@ struct IrradianceCacheParams {
 
 class IrradianceCache final : public Method {
  public:
-  IrradianceCache(const IrradianceCacheParams& params, int width, int height);
+  // `baked`: light that is known ahead; may be nullptr. A change of the scene's light ends its use.
+  IrradianceCache(const IrradianceCacheParams& params, int width, int height,
+                  std::shared_ptr<const BakedLight> baked = nullptr);
   static MethodInfo info();
 
   void plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) override;
@@ -46,6 +51,7 @@ class IrradianceCache final : public Method {
   IrradianceCacheParams params_;
   AtrousParams atrous_;
   LightStates light_;
+  std::optional<BakedFrames> baked_;
   Placement at_, at_prev_;
   GridEstimate now_, before_;
   ImageF uncertainty_, uncertainty_prev_;  // with the columns of SurfaceSamples

@@ -50,12 +50,22 @@ class Method {
                         StageTimes& times) = 0;
 };
 
-// A row of the table of methods. Both functions take what resolveParams() returned.
+class BakedLight;
+
+// What a method is made for.
+struct MethodSetup {
+  ParamValues params;  // what resolveParams() returned
+  int width, height;
+  std::shared_ptr<const BakedLight> baked = nullptr;  // light of this scene that is known ahead, if any is
+};
+
+// A row of the table of methods. samples() too takes what resolveParams() returned.
 struct MethodInfo {
   std::string name, description;
   std::vector<ParamSpec> params;
   SampleRequest (*samples)(const ParamValues& params);
-  std::unique_ptr<Method> (*make)(const ParamValues& params, int width, int height);
+  std::unique_ptr<Method> (*make)(const MethodSetup& setup);
+  bool takes_baked = false;  // whether it makes use of a bake
 };
 
 // THE list of methods, method_table.cpp. The first is the default.

@@ -7,7 +7,7 @@ MethodInfo PathTraced::independentInfo() {
           "path tracing, fresh seeds in every frame, no filter",
           {},
           [](const ParamValues&) { return SampleRequest{SeedReuse::kIndependent}; },
-          [](const ParamValues&, int, int) -> std::unique_ptr<Method> {
+          [](const MethodSetup&) -> std::unique_ptr<Method> {
             return std::make_unique<PathTraced>(SeedReuse::kIndependent);
           }};
 }
@@ -17,7 +17,7 @@ MethodInfo PathTraced::correlatedInfo() {
           "path tracing, seeds of the previous frame reused for the difference, no filter",
           {},
           [](const ParamValues&) { return SampleRequest{SeedReuse::kCorrelated}; },
-          [](const ParamValues&, int, int) -> std::unique_ptr<Method> {
+          [](const MethodSetup&) -> std::unique_ptr<Method> {
             return std::make_unique<PathTraced>(SeedReuse::kCorrelated);
           }};
 }

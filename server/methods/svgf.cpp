@@ -47,8 +47,8 @@ std::chrono::nanoseconds replaceKnown(const Frame& frame, const ImageF& known, c
 MethodInfo Svgf::info() {
   return {"svgf", "SVGF: fresh seeds, filters each frame by itself, then takes the difference",
           paramSpecs(fields()), [](const ParamValues&) { return SampleRequest{SeedReuse::kIndependent}; },
-          [](const ParamValues& values, int width, int height) -> std::unique_ptr<Method> {
-            return std::make_unique<Svgf>(makeParams(fields(), values), width, height);
+          [](const MethodSetup& setup) -> std::unique_ptr<Method> {
+            return std::make_unique<Svgf>(makeParams(fields(), setup.params), setup.width, setup.height);
           }};
 }
 

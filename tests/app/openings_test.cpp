@@ -19,6 +19,10 @@ TEST(Openings, AreListedToTheirOwnerUntilTheyGo) {
   EXPECT_EQ(all.list("alice")[0].request_id(), 7u);
   EXPECT_EQ(all.list("alice")[0].scene(), std::string(64, 'x') + "...");
   EXPECT_EQ(all.list("alice")[0].doing(), "waiting");
+  all.setDone(*one, 0.25);
+  EXPECT_EQ(all.list("alice")[0].done(), 0.25);
+  all.begin(*one, "doing another thing");
+  EXPECT_EQ(all.list("alice")[0].done(), 0);
   EXPECT_TRUE(all.list("bob").empty());
   one.reset();
   EXPECT_TRUE(all.list("alice").empty());

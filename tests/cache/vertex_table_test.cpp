@@ -58,5 +58,26 @@ TEST(VertexTable, KeepsWhatItIsToldToInItsOrder) {
   EXPECT_EQ(table.lastUses(), std::vector<std::uint32_t>(7, 5));
 }
 
+TEST(VertexTable, TellsTheKeysOfItsVertices) {
+  VertexTable table;
+  std::vector<VertexKey> keys;
+  for (VertexKey i = 0; i < 300; ++i) {
+    keys.push_back(keyAt(100 + i % 7, 50 + i / 7 % 6, 1 + i / 42, 12));
+    indexOf(table, keys.back());
+  }
+  EXPECT_EQ(table.keys(), keys);
+}
+
+TEST(VertexTable, AReaderAddsNothing) {
+  VertexTable table;
+  indexOf(table, keyAt(4, 4, 4));
+  indexOf(table, keyAt(5, 4, 4));
+  VertexTable::Reader reader(table);
+  EXPECT_EQ(reader.indexOf(keyAt(5, 4, 4)), 1u);
+  EXPECT_EQ(reader.indexOf(keyAt(6, 4, 4)), VertexTable::kNone);    // of the same block
+  EXPECT_EQ(reader.indexOf(keyAt(400, 4, 4)), VertexTable::kNone);  // of none
+  EXPECT_EQ(table.size(), 2u);
+}
+
 }  // namespace
 }  // namespace saccade

@@ -75,5 +75,22 @@ TEST(IrradianceCache, ItsVariancesAreThoseOfRepeats) {
   check(&IntensityChange::dI, &IntensityChange::var_dI);
 }
 
+// In the first frames, with no path of its own. The error that is left is one of smoothing.
+TEST(IrradianceCache, StartsConvergedWithABake) {
+  TilePool pool(2);
+  BenchSetup start = setup(512);
+  start.first = 1, start.last = 2;
+  const Bench without(start, pool);
+  start.bake_error = 0.02;
+  const Bench with(start, pool);
+  const auto score = [](const Bench& bench) {
+    const BenchRun run = bench.run(parseMethod("irradiance_cache"), 1, 1);
+    return scoreOf(bench.truth(), {&run, 1}, 1e-3, 0.2);
+  };
+  const Score cold = score(without), baked = score(with);
+  EXPECT_LT(baked.dI_l1, 0.7 * cold.dI_l1);
+  EXPECT_LT(baked.false_events + baked.missed_events, 0.7 * (cold.false_events + cold.missed_events));
+}
+
 }  // namespace
 }  // namespace saccade::eval

@@ -39,8 +39,10 @@ enum class Limit {
   kPixelRays,
   kEvents,
   kScenes,
+  kBakes,
+  kBakeFiles,
 };
-inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kScenes) + 1;
+inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kBakeFiles) + 1;
 
 struct LimitRow {
   Limit limit;

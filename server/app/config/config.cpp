@@ -9,6 +9,7 @@
 
 #include "app/config/config_sources.h"
 #include "app/config/keys.h"
+#include "base/default_cache.h"
 #include "base/range.h"
 #include "base/tile_pool.h"
 #include "tables/accuracy_table.h"
@@ -88,6 +89,7 @@ Config defaultConfig() {
   Config config;
   config.http = "http://127.0.0.1:5773";
   config.scenes = findScenes();
+  config.bakes = defaultCache() + "/bakes";
   config.accuracy = ifThere(defaultAccuracyTable());
   config.simplification = ifThere(defaultSimplificationTable());
   return config;
@@ -140,6 +142,9 @@ void addOptions(CLI::App& app, Config& config) {
                      defaultSimplificationTable() + ", if it is there")
       ->check(CLI::ExistingFile)
       ->default_str(config.simplification);
+  app.add_option("--bakes", config.bakes,
+                 "folder for light that streams let the server compute ahead; empty: they cannot")
+      ->capture_default_str();
   app.add_option("--log-level", config.log_level, "least severity that is logged")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}))
       ->capture_default_str();

@@ -28,6 +28,7 @@ struct Config {
   std::string meshes = kDefaultMeshes;  // folders of meshes that scenes do not hold, see splitFolders()
   std::string accuracy;                 // file of saccade-eval chart, see AccuracySource; empty: none
   std::string simplification;  // file of saccade-eval simplification, see SimplificationSource; empty: none
+  std::string bakes;           // folder of bakes, see BakeStore; empty: streams cannot have one
   Limits limits;
   std::string log_level = "info";   // trace, debug, info, warning, error, critical, off
   std::string log_format = "text";  // text, json

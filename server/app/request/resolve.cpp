@@ -70,6 +70,10 @@ void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
   stream.feed.monochrome = quality.monochrome();
   stream.disabled_features = resolveDisabledFeatures(quality);
   stream.feed.jitter = quality.jitter();
+  if (!quality.has_bake_error()) return;
+  checkRange("quality.bake_error", quality.bake_error(), ranges::kBakeError);
+  if (!findMethod(stream.feed.method)->takes_baked)
+    refuse("quality.bake_error", stream.feed.method + " has no use for light that is computed ahead");
 }
 
 void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors) {

@@ -25,7 +25,12 @@ void Openings::setScene(Opening& opening, const std::string& scene) {
 void Openings::begin(Opening& opening, const char* doing) {
   if (opening.stop.stop_requested()) throw Cancelled();
   std::lock_guard lock(mutex_);
-  opening.doing = doing;
+  opening.doing = doing, opening.done = 0;
+}
+
+void Openings::setDone(Opening& opening, double share) {
+  std::lock_guard lock(mutex_);
+  opening.done = share;
 }
 
 std::vector<v1::OpeningInfo> Openings::list(const std::string& user) const {
@@ -39,6 +44,7 @@ std::vector<v1::OpeningInfo> Openings::list(const std::string& user) const {
     info.set_scene(opening->scene);
     info.set_elapsed_s(std::chrono::duration<double>(now - opening->began).count());
     info.set_doing(opening->doing);
+    info.set_done(opening->done);
   }
   return infos;
 }

@@ -20,6 +20,7 @@ struct Opening {
   std::stop_source stop{};
   std::string scene{};                        // empty until the request is read
   const char* doing = "reading the request";  // for people
+  double done = 0;                            // of that step
 };
 
 // All members may be called from any thread.
@@ -30,6 +31,7 @@ class Openings {
   void setScene(Opening& opening, const std::string& scene);
   // Notes the next step. Throws Cancelled where the opening was cancelled.
   void begin(Opening& opening, const char* doing);
+  void setDone(Opening& opening, double share);  // of that step
 
   std::vector<v1::OpeningInfo> list(const std::string& user) const;  // those of a user
   bool cancel(const Peer& peer, std::uint64_t request_id);           // false: there is none; see CancelOpen

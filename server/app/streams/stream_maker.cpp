@@ -19,6 +19,14 @@ CpuCost costOfJoining(const CpuCost& frame) {
   return {0, frame.sensors, 0, frame.longest};
 }
 
+BakePlan bakePlanOf(const ResolvedStream& stream, const RenderScene& scene, const Trajectory& path) {
+  try {
+    return planBake(scene, path, stream.feed, stream.frames, stream.request.quality().bake_error());
+  } catch (const std::runtime_error& fault) {
+    throw Refusal(v1::CODE_INVALID_ARGUMENT, "quality.bake_error", fault.what());
+  }
+}
+
 }  // namespace
 
 v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
@@ -38,7 +46,9 @@ v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
   resources_.log.info(stream.user, "stream " + stream.session->id() +
                                        " opened: " + cutText(stream.request.ShortDebugString(), kMaxLogged));
   const int channels = resolved.feed.monochrome ? 1 : plan.scene->channels();
-  return describeOpened(std::move(resolved), stream, resources_.epoch, channels);
+  v1::StreamOpened opened = describeOpened(std::move(resolved), stream, resources_.epoch, channels);
+  if (plan.bake) opened.set_bake_digest(plan.bake->digest);
+  return opened;
 }
 
 SceneEntry StreamMaker::findScene(const std::string& name) const {
@@ -72,10 +82,20 @@ void StreamMaker::loadScenes(Plan& plan, Opening& opening) {
   plan.scene = resources_.scenes.simplify(name, plan.whole, plan.resolved.disabled_features);
 }
 
+void StreamMaker::bakeLight(Plan& plan, const Trajectory& path, Opening& opening) {
+  if (!plan.resolved.request.quality().has_bake_error()) return;
+  openings_.begin(opening, "computing light ahead");
+  plan.bake = resources_.bakes.get(plan.scene, bakePlanOf(plan.resolved, *plan.scene, path), poolFor(opening),
+                                   opening.stop.get_token(),
+                                   [&](double share) { openings_.setDone(opening, share); });
+  plan.resolved.feed.baked = {plan.bake, plan.bake->light.get()};
+}
+
 // The slow steps, a measurement and the first frame of a feed, come before the lock that others wait for.
 void StreamMaker::openFeed(Plan& plan, Opening& opening, Stream& stream) {
   const ResolvedStream& resolved = plan.resolved;
   const Trajectory path = resolveTrajectory(resolved, *plan.whole, resources_.scenes.library());
+  bakeLight(plan, path, opening);
   openings_.begin(opening, "measuring the first frames");
   if (keepsPace(resolved)) plan.frame = measure(plan, path, opening);
   const auto running = shared_.find(resolved);

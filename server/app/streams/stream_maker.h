@@ -26,11 +26,13 @@ class StreamMaker {
   struct Plan {
     ResolvedStream resolved;
     SceneCache::ScenePtr whole = {}, scene = {};  // `scene` lacks what the stream disables
+    std::shared_ptr<const Bake> bake = {};        // where the stream asks for one
     CpuCost frame = {};                           // of a frame, where the stream keeps a pace
   };
   SceneEntry findScene(const std::string& name) const;
   std::shared_ptr<void> reserve(const std::string& user, const ResolvedStream& resolved);
   void loadScenes(Plan& plan, Opening& opening);
+  void bakeLight(Plan& plan, const Trajectory& path, Opening& opening);
   void openFeed(Plan& plan, Opening& opening, Stream& stream);
   bool enter(const Plan& plan, const std::shared_ptr<FeedRunner>& own, Stream& stream);
   PoolHandle poolFor(const Opening& opening) const;

@@ -5,6 +5,7 @@
 
 #include "app/admission/resource_quota.h"
 #include "app/request/measured_source.h"
+#include "app/streams/bake_store.h"
 #include "app/streams/scene_cache.h"
 #include "app/streams/stream_registry.h"
 #include "app/streams/totals.h"
@@ -17,6 +18,7 @@ namespace saccade {
 // References to what must outlive the streams.
 struct StreamResources {
   SceneCache& scenes;
+  BakeStore& bakes;
   const MeasuredTables& tables;
   TilePool& pool;
   ResourceQuota& quota;

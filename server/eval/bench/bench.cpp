@@ -5,6 +5,7 @@
 
 #include "base/quantile.h"
 #include "eval/bench/interrupt.h"
+#include "eval/bench/kept_bake.h"
 #include "eval/bench/open_scene.h"
 #include "eval/bench/steady_path.h"
 #include "eval/metrics/for_each_pixel.h"
@@ -127,10 +128,20 @@ FeedConfig Bench::feedConfig() const {
   return config;
 }
 
+std::shared_ptr<const BakedLight> Bench::baked() const {
+  if (!baked_) {
+    const BakePlan plan =
+        planBake(*scene_, path_, feedConfig(), static_cast<FrameIndex>(setup_.last), setup_.bake_error);
+    baked_ = keptBake(scene_, plan, setup_.cache, setup_.scene, pool_).light;
+  }
+  return baked_;
+}
+
 BenchRun Bench::run(const MethodSpec& method, int spp, std::uint64_t seed,
                     const std::function<void(const IntensityChange&)>& each) const {
   FeedConfig config = feedConfig();
   config.method = method.name, config.params = method.params, config.spp = spp, config.seed = seed;
+  if (setup_.bake_error > 0 && findMethod(method.name)->takes_baked) config.baked = baked();
   Feed feed(scene_, path_, config, pool_);
   StageTimes total;
   BenchRun run;

@@ -27,7 +27,8 @@ struct BenchSetup {
   bool mips = true;           // false: textures have only their finest level
   int first = 21, last = 21;  // the frames that are scored, 1 <= first <= last; the feed runs from 0
   int reference_spp = 4096;   // 0: no truth
-  std::string cache;          // folder of reference frames
+  std::string cache;          // folder of reference frames, and of bakes
+  double bake_error = 0;      // > 0: methods that take a bake get one of this error, over frames 0 to `last`
 };
 
 // The true change from one frame to the next, with its times.
@@ -72,6 +73,7 @@ class Bench {
  private:
   FeedConfig feedConfig() const;
   Feed features() const;
+  std::shared_ptr<const BakedLight> baked() const;
   void renderTruth();
 
   BenchSetup setup_;
@@ -80,6 +82,7 @@ class Bench {
   Trajectory path_;
   std::vector<Truth> truth_;
   double median_px_ = 0;
+  mutable std::shared_ptr<const BakedLight> baked_;  // from the first run on that takes it
 };
 
 }  // namespace saccade::eval

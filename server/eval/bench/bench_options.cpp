@@ -7,6 +7,7 @@
 #include "base/cpu_name.h"
 #include "base/default_cache.h"
 #include "eval/bench/arguments.h"
+#include "eval/bench/feed_options.h"
 #include "eval/bench/open_scene.h"
 #include "wire/ranges.h"
 
@@ -37,6 +38,7 @@ std::string BenchOptions::text() const {
   if (camera) text << " frames=" << setup.first << ':' << setup.last;
   text << " bounces=" << setup.bounces;
   if (setup.jitter) text << " jitter=1";
+  if (setup.bake_error > 0) text << " bake=" << setup.bake_error;
   if (threshold > 0) text << " threshold=" << threshold;
   text << " bias=" << bias << " reference_spp=" << setup.reference_spp;
   if (repeats > 0) text << " repeats=" << repeats;
@@ -71,7 +73,8 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
   app.add_option("--bias", o.bias, "I_eps, scene luminance")
       ->check(CLI::Range(ranges::kBias.min, ranges::kBias.max))
       ->capture_default_str();
-  app.add_option("--cache", o.setup.cache, "folder for reference frames")->capture_default_str();
+  addBakeOption(app, o.setup.bake_error);
+  app.add_option("--cache", o.setup.cache, "folder for reference frames and bakes")->capture_default_str();
   app.add_flag("--quick", o.quick,
                std::string(o.camera ? "half the size and rate, fewer frames, "
                                     : "half the size, fewer frames and speeds, ") +

@@ -2,14 +2,14 @@
 
 #include <filesystem>
 
-#include "eval/bench/content_hash.h"
+#include "base/content_hash.h"
 #include "eval/bench/interrupt.h"
-#include "eval/bench/scene_hash.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "eval/metrics/plane_error.h"
 #include "eval/pictures/exr.h"
 #include "eval/pictures/text.h"
 #include "render/sub_pixel.h"
+#include "scene/scene_hash.h"
 
 namespace saccade::eval {
 namespace {

@@ -5,6 +5,7 @@
 
 namespace saccade::eval {
 
+void addBakeCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addFramesCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);

@@ -6,7 +6,9 @@
 
 #include "base/default_cache.h"
 #include "eval/bench/arguments.h"
+#include "eval/bench/feed_options.h"
 #include "eval/bench/interrupt.h"
+#include "eval/bench/kept_bake.h"
 #include "eval/bench/open_scene.h"
 #include "eval/bench/reference.h"
 #include "eval/commands/commands.h"
@@ -19,12 +21,11 @@
 namespace saccade::eval {
 namespace {
 
-struct FramesOptions {
-  std::string scene, trajectory = "right", size = "256x256", frames = "1:21", dump, cache;
-  FeedConfig feed;
+struct FramesOptions : FeedOptions {
+  std::string frames = "1:21", dump, cache;
   std::vector<std::string> set;
   int reference = 0;
-  int threads = hardwareThreads();
+  double bake_error = 0;
   int first = 0, last = 0;
 };
 
@@ -59,7 +60,12 @@ void printTimes(const StageTimes& total, double frames) {
 
 void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene, const Trajectory& path,
                TilePool& pool) {
-  Feed feed(scene, path, o.feed, pool);
+  FeedConfig config = o.feed;
+  if (o.bake_error > 0 && findMethod(config.method)->takes_baked) {
+    const BakePlan plan = planBake(*scene, path, config, static_cast<FrameIndex>(o.last), o.bake_error);
+    config.baked = keptBake(scene, plan, o.cache, sceneName(o.scene), pool).light;
+  }
+  Feed feed(scene, path, config, pool);
   StageTimes total;
   Progress progress(o.feed.method, static_cast<double>(o.last));
   for (int t = 1; t <= o.last; ++t) {
@@ -103,11 +109,7 @@ void runFrames(FramesOptions& o) {
   const FrameRange range = parseFrameRange(o.frames);
   o.first = range.first, o.last = range.last;
   resolveMethod(o);
-  const Size size = parseSize(o.size);
-  o.feed.width = size.width, o.feed.height = size.height;
-  const auto scene = openScene(o.scene);
-  o.feed.fov_x_deg = scene->description().fov_x_deg;
-  const Trajectory path = openTrajectory(o.scene, o.trajectory, *scene, o.feed);
+  const auto [scene, path] = open(o);
   TilePool pool(o.threads);
   watchInterrupt();
   try {
@@ -126,9 +128,7 @@ void addFramesCommand(CLI::App& app) {
   o->cache = defaultCache();
   auto* c = app.add_subcommand(
       "frames", "run a method or render the reference, and write dI, I_prev and their variances");
-  c->add_option("scene", o->scene, "a scene by name, or by the path of a scene.xml or its folder")
-      ->required();
-  c->add_option(kTrajectoryFlag, o->trajectory, trajectoryHelp())->capture_default_str();
+  addFeedOptions(*c, *o);
   c->add_option("--method", o->feed.method, "one of: " + methodNames())->capture_default_str();
   c->add_option("--spp", o->feed.spp, "paths per pixel and frame, over both passes")
       ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
@@ -136,25 +136,16 @@ void addFramesCommand(CLI::App& app) {
   c->add_option("--frames", o->frames,
                 "A:B, the frames to write; the change of frame 1 is since frame 0. Every run starts at 0")
       ->capture_default_str();
-  c->add_option("--size", o->size, "WIDTHxHEIGHT, pixels")->capture_default_str();
-  c->add_option("--rate", o->feed.frame_rate_hz, "frames per second")
-      ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
-      ->capture_default_str();
   c->add_flag("--jitter", o->feed.jitter, "start paths anywhere in the pixel, not at its centre");
-  c->add_option("--bounces", o->feed.bounces, "indirect bounces")
-      ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
-      ->capture_default_str();
-  c->add_option("--seed", o->feed.seed, "seed of the random numbers")->capture_default_str();
   c->add_option("--set", o->set, "NAME=NUMBER, a parameter of the method; may be given again");
-  c->add_option("--threads", o->threads, "threads that render")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
   c->add_option("--dump", o->dump,
                 "folder for dI_N.exr (change into frame N), Iprev_N.exr (frame N - 1) and variance_N.exr");
   c->add_option("--reference", o->reference,
                 "render the reference instead: paths per pixel, rounded up to a multiple of 64")
       ->check(CLI::Range(1, 1 << 20));
-  c->add_option("--cache", o->cache, "folder for reference frames")->capture_default_str();
+  c->add_option("--seed", o->feed.seed, "seed of the random numbers")->capture_default_str();
+  addBakeOption(*c, o->bake_error);
+  c->add_option("--cache", o->cache, "folder for reference frames and bakes")->capture_default_str();
   c->callback([o] { runFrames(*o); });
 }
 

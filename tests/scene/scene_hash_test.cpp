@@ -1,11 +1,11 @@
-#include "eval/bench/scene_hash.h"
+#include "scene/scene_hash.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <set>
 
-namespace saccade::eval {
+namespace saccade {
 namespace {
 
 Scene shinyScene() {
@@ -73,4 +73,4 @@ TEST(SceneHash, TellsATextureFromItselfWithoutMips) {
 }
 
 }  // namespace
-}  // namespace saccade::eval
+}  // namespace saccade

@@ -1,4 +1,4 @@
-// A hash of plain values, for the names of cached files.
+// A hash of plain values.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 #include "base/hash_rng.h"
 
-namespace saccade::eval {
+namespace saccade {
 
 // Add everything that the cached value depends on.
 struct ContentHash {
@@ -34,4 +34,4 @@ struct ContentHash {
   }
 };
 
-}  // namespace saccade::eval
+}  // namespace saccade

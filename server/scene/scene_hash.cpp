@@ -1,8 +1,8 @@
-#include "eval/bench/scene_hash.h"
+#include "scene/scene_hash.h"
 
-#include "eval/bench/content_hash.h"
+#include "base/content_hash.h"
 
-namespace saccade::eval {
+namespace saccade {
 namespace {
 
 void add(ContentHash& h, const SurfaceColor& c) {
@@ -54,4 +54,4 @@ std::uint64_t hashScene(const Scene& scene) {
   return h.value;
 }
 
-}  // namespace saccade::eval
+}  // namespace saccade

@@ -1,0 +1,84 @@
+#include "cache/baked_blend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace saccade {
+namespace {
+
+constexpr int kChunk = 1024;         // vertices of a piece
+constexpr float kLeastSamples = 2;   // around a vertex, in cells of about a pixel
+constexpr float kSmallStep = 1e-3f;  // cells: the variance of steps so small grows with their square
+
+// Looks up what a grid has around a vertex, on its level and those above.
+class Surroundings {
+ public:
+  Surroundings(const GridLevels& grid, int l) {
+    for (int slot = 0; slot < kSlots; ++slot)
+      if (const GridLevel* level = grid.find(l + slot))
+        levels_[slot] = level, readers_[slot].emplace(level->table);
+  }
+  void lookFrom(VertexKey vertex) {
+    place_ = Tetrahedron::placeOf(vertex), bin_ = Tetrahedron::binOf(vertex);
+  }
+  Quad light(int slot) { return gather(slot, &GridLevel::light); }
+  Octet evidence(int slot) { return gather(slot, &GridLevel::evidence); }
+
+ private:
+  template <class V>
+  V gather(int slot, std::vector<V> GridLevel::*values) {
+    V sum{};
+    if (!levels_[slot]) return sum;
+    const Tetrahedron corners(place_ * std::ldexp(1.0, -slot), bin_);
+    for (int c = 0; c < 4; ++c) {
+      if (corners.weight[c] == 0) continue;
+      const std::uint32_t v = readers_[slot]->indexOf(corners.key[c]);
+      if (v != VertexTable::kNone) sum += (levels_[slot]->*values)[v] * corners.weight[c];
+    }
+    return sum;
+  }
+
+  std::array<const GridLevel*, kSlots> levels_{};
+  std::array<std::optional<VertexTable::Reader>, kSlots> readers_;
+  Vec3d place_;  // cells of the vertex' level
+  int bin_ = 0;
+};
+
+Octet blendAround(Surroundings& around, const BlendParams& params) {
+  const LevelBlend blend([&](int slot) { return around.light(slot); },
+                         [&](int slot) { return around.evidence(slot); }, 0, params);
+  if (blend.light[1][0] < kLeastSamples || blend.light[kTop - 1][0] == 0) return Octet{};
+  const auto step = [](const BlendedLight& light) {
+    return light.stepVariance(kSmallStep) / (kSmallStep * kSmallStep);
+  };
+  return Octet{1,
+               blend.rest.value,
+               blend.visibility.value,
+               blend.rest.variance,
+               blend.visibility.variance,
+               step(blend.rest),
+               step(blend.visibility)};
+}
+
+}  // namespace
+
+BakedLevel blendAtVertices(const GridLevels& grid, int l, const BlendParams& params, const PoolHandle& pool) {
+  std::vector<VertexKey> keys = grid[l].table.keys();
+  std::vector<Octet> light(keys.size());
+  pool.run((static_cast<int>(keys.size()) + kChunk - 1) / kChunk, [&](int chunk) {
+    Surroundings around(grid, l);
+    const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
+    for (std::size_t v = begin; v < std::min(begin + kChunk, keys.size()); ++v) {
+      around.lookFrom(keys[v]);
+      light[v] = blendAround(around, params);
+    }
+  });
+  std::size_t known = 0;
+  for (std::size_t v = 0; v < keys.size(); ++v)
+    if (light[v][kKnown] > 0) keys[known] = keys[v], light[known++] = light[v];
+  keys.resize(known), light.resize(known);
+  return {keys, light};
+}
+
+}  // namespace saccade

@@ -1,0 +1,54 @@
+#include "cache/grid_bytes.h"
+
+namespace saccade {
+namespace {
+
+void require(bool holds, const char* fault) {
+  if (!holds) throw std::runtime_error(fault);
+}
+
+void readLevel(ByteReader& in, GridLevel& level) {
+  const auto keys = in.getVector<VertexKey>();
+  level.light = in.getVector<Quad>(), level.evidence = in.getVector<Octet>();
+  require(level.light.size() == keys.size() && level.evidence.size() == keys.size(),
+          "a level has vertices without values");
+  VertexTable::Finder finder(level.table, 0);
+  for (std::uint32_t v = 0; v < keys.size(); ++v)
+    require(keys[v] != 0 && level.table.indexAt(finder.find(keys[v])) == v, "a vertex stands twice");
+}
+
+}  // namespace
+
+void writeLevels(const GridLevels& levels, ByteWriter& out) {
+  std::uint32_t count = 0;
+  levels.forEach([&](int, const GridLevel&) { ++count; });
+  out.add(count);
+  levels.forEach([&](int l, const GridLevel& level) {
+    out.add(static_cast<std::int32_t>(l));
+    out.add(level.table.keys()), out.add(level.light), out.add(level.evidence);
+  });
+}
+
+GridLevels readLevels(ByteReader& in) {
+  GridLevels levels;
+  for (auto count = in.get<std::uint32_t>(); count > 0; --count) {
+    const auto l = in.get<std::int32_t>();
+    require(GridLevels::has(l) && !levels.find(l), "a level is out of range");
+    levels.makeAll(l, l);
+    readLevel(in, levels[l]);
+  }
+  return levels;
+}
+
+void writeBounces(const BounceGrid& bounces, ByteWriter& out) {
+  out.add(bounces.keys()), out.add(bounces.light());
+}
+
+void readBounces(ByteReader& in, BounceGrid& bounces) {
+  const auto keys = in.getVector<std::uint64_t>();
+  const auto light = in.getVector<BounceGrid::Quad>();
+  require(light.size() == keys.size(), "cells without values");
+  require(bounces.restore(keys, light), "a cell stands twice");
+}
+
+}  // namespace saccade

@@ -1,0 +1,43 @@
+#include "eval/bench/feed_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "eval/bench/arguments.h"
+#include "eval/bench/open_scene.h"
+#include "wire/ranges.h"
+
+namespace saccade::eval {
+
+void addFeedOptions(CLI::App& app, FeedOptions& o) {
+  app.add_option("scene", o.scene, "a scene by name, or by the path of a scene.xml or its folder")
+      ->required();
+  app.add_option(kTrajectoryFlag, o.trajectory, trajectoryHelp())->capture_default_str();
+  app.add_option("--size", o.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
+  app.add_option("--rate", o.feed.frame_rate_hz, "frames per second")
+      ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
+      ->capture_default_str();
+  app.add_option("--bounces", o.feed.bounces, "indirect bounces")
+      ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
+      ->capture_default_str();
+  app.add_option("--threads", o.threads, "threads that render")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+}
+
+void addBakeOption(CLI::App& app, double& error) {
+  app.add_option("--bake", error,
+                 "compute light ahead to this relative error, for methods that can use it; the bake is kept "
+                 "beside the reference frames")
+      ->check(CLI::Range(ranges::kBakeError.min, ranges::kBakeError.max));
+}
+
+OpenedFeed open(FeedOptions& o) {
+  const Size size = parseSize(o.size);
+  o.feed.width = size.width, o.feed.height = size.height;
+  auto scene = openScene(o.scene);
+  o.feed.fov_x_deg = scene->description().fov_x_deg;
+  Trajectory path = openTrajectory(o.scene, o.trajectory, *scene, o.feed);
+  return {std::move(scene), std::move(path)};
+}
+
+}  // namespace saccade::eval

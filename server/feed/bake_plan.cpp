@@ -1,0 +1,49 @@
+#include "feed/bake_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/content_hash.h"
+#include "scene/emitter_strengths.h"
+#include "scene/scene_hash.h"
+
+namespace saccade {
+namespace {
+
+constexpr std::uint32_t kVersion = 1;      // of what a plan leads to: the code's part in the digest
+constexpr double kPixelsBetweenPoses = 4;  // at most, of the fastest percent of the picture
+
+}  // namespace
+
+BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedConfig& feed, FrameIndex frames,
+                  double error) {
+  if (!EmitterStrengths(scene.description()).factors().empty())
+    throw std::runtime_error(
+        "the light of this scene changes over time, so that it cannot be computed ahead");
+  frames = framesToLookAt(path, feed.frame_rate_hz, frames);
+  const double speed = measurePixelSpeed(scene, path, feed, frames).p99;
+  const auto step = std::max(
+      FrameIndex{1}, static_cast<FrameIndex>(std::min(kPixelsBetweenPoses / std::max(speed, 1e-9), 1e9)));
+  BakePlan plan{.width = feed.width,
+                .height = feed.height,
+                .fov_x_deg = feed.fov_x_deg,
+                .bounces = feed.bounces,
+                .channels = feed.monochrome ? 1 : scene.channels(),
+                .error = static_cast<float>(error)};
+  const auto add = [&](FrameIndex t) { plan.poses.push_back(path.at(frameTime(t, feed.frame_rate_hz))); };
+  for (FrameIndex t = 0; t < frames; t += step) add(t);
+  add(frames);
+  return plan;
+}
+
+std::uint64_t digestOf(const RenderScene& scene, const BakePlan& plan) {
+  ContentHash h;
+  h.add(kVersion), h.add(hashScene(scene.description()));
+  for (const Pose& pose : plan.poses) h.add(pose.position), h.add(pose.rotation);
+  h.add(plan.width), h.add(plan.height), h.add(plan.fov_x_deg), h.add(plan.bounces), h.add(plan.channels);
+  h.add(plan.error), h.add(plan.memory);
+  return h.value;
+}
+
+}  // namespace saccade

@@ -1,0 +1,27 @@
+// What a bake is made from, beside the scene. Equal plans give equal bakes.
+#pragma once
+
+#include <vector>
+
+#include "feed/feed.h"
+
+namespace saccade {
+
+struct BakePlan {
+  std::vector<Pose> poses{};  // of the camera: all places that it looks from
+  int width = 256, height = 256;
+  double fov_x_deg = 45;
+  int bounces = 3, channels = 3;
+  float error = 0.02f;  // relative, of the light of about a pixel, that is asked for
+  int memory = 256;     // MiB, of the grid while it is made
+};
+
+// For the frames 0 to framesToLookAt() of a feed. Its poses are some pixels apart. Throws std::runtime_error
+// where the light of the scene changes over time.
+BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedConfig& feed, FrameIndex frames,
+                  double error);
+
+// Of all that the bake depends on.
+std::uint64_t digestOf(const RenderScene& scene, const BakePlan& plan);
+
+}  // namespace saccade

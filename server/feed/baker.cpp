@@ -1,0 +1,119 @@
+#include "feed/baker.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "cache/grid_bytes.h"
+#include "render/sub_pixel.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kSpp = 8;                            // of a pixel in each pass, until its light is known
+constexpr int kLeastPasses = 4, kMostPasses = 64;  // the first ones give a path to each pixel
+constexpr double kEnough = 0.99;                   // of the pixels of a pass
+constexpr std::uint64_t kSeed = 0xba4e;
+constexpr std::size_t kMiB = 1 << 20;
+// Of the Baker's grid, which never drops vertices.
+const GridParams kGrid{.max_vertices = std::numeric_limits<std::size_t>::max()};
+
+// Vertices of surfaces that no pass has seen yet may take half of the memory. The rest is for what the gaps
+// between the pixels show.
+constexpr std::size_t kFirstPassShare = 2;
+
+}  // namespace
+
+Baker::Baker(std::shared_ptr<const RenderScene> scene, BakePlan plan)
+    : scene_(std::move(scene)),
+      plan_(std::move(plan)),
+      renderer_(scene_, {plan_.bounces, plan_.channels}),
+      max_vertices_(static_cast<std::size_t>(plan_.memory) * kMiB / SurfaceGrid::kBytesPerVertex),
+      grid_(kGrid),
+      bounces_(static_cast<std::size_t>(plan_.memory) * kMiB / 16 / BounceGrid::kBytesPerCell),
+      frame_(plan_.width, plan_.height, 1),
+      estimate_(plan_.width, plan_.height),
+      uncertainty_(plan_.width, plan_.height),
+      pass_{.poses = plan_.poses.size()} {}
+
+bool Baker::isDone() const {
+  return pass_.full != 0 || passes() >= kMostPasses || (passes() >= kLeastPasses && known() >= kEnough);
+}
+
+double Baker::share() const {
+  return isDone() ? 1 : std::max(static_cast<double>(passes()) / kMostPasses, pass_.done);
+}
+
+void Baker::pass(const PoolHandle& pool) {
+  pixels_ = below_ = progress_ = 0;
+  for (std::size_t pose = 0; pose < pass_.poses && pass_.full == 0; ++pose) {
+    if (!look(pose, pool)) break;
+    const SeedPlan seeds = SeedPlan::independent(hashKey(kSeed, pass_.count), pose, 0);
+    renderer_.renderPaths(cameraAt(pose), seeds, pool, frame_);
+    grid_.add(*frame_.surfaces, at_, pool);
+    grid_.readAdded(*frame_.surfaces, frame_.g, at_, pool, estimate_);
+    grid_.learn(at_, pool);
+    bounces_.add(*frame_.surfaces);
+  }
+  ++pass_.count;
+  pass_.known = pixels_ > 0 ? below_ / pixels_ : 1;
+  pass_.done = std::max(pass_.done, pixels_ > 0 ? progress_ / pixels_ : 1);
+}
+
+// Every pass shifts the pixels, so that all vertices between them are reached.
+Camera Baker::cameraAt(std::size_t pose) const {
+  Camera camera(plan_.poses[pose], plan_.fov_x_deg, plan_.width, plan_.height);
+  const auto i = static_cast<std::uint32_t>(passes());
+  camera.cx += 0.5f - halton(i + 1, 2), camera.cy += 0.5f - halton(i + 1, 3);
+  return camera;
+}
+
+// Finds the surfaces, and plans their paths. False where the memory does not suffice for them.
+bool Baker::look(std::size_t pose, const PoolHandle& pool) {
+  const Camera camera = cameraAt(pose);
+  renderer_.renderSurfaces(camera, camera, pool, frame_);
+  SurfaceSamples& on = *frame_.surfaces;
+  on.bounces = &bounces_;
+  grid_.place(on, pool, none_, at_);
+  if (passes() == 0 && pose > 0 && vertices() > max_vertices_ / kFirstPassShare) {
+    pass_.poses = pose;
+    return false;
+  }
+  pass_.full = passes() > 0 && vertices() > max_vertices_;
+  grid_.uncertainty(on, at_, pool, uncertainty_);
+  planPaths();
+  return true;
+}
+
+void Baker::planPaths() {
+  SurfaceSamples& on = *frame_.surfaces;
+  for (int y = 0; y < frame_.height(); ++y) {
+    for (int x = 0; x < frame_.width(); ++x) {
+      const float u = uncertainty_.at(x, y);
+      SurfacePoint& point = on.at(x, y);
+      point.paths = u > plan_.error ? kSpp : passes() < kLeastPasses ? 1 : 0;
+      if (point.kind == SurfaceKind::kNone) continue;
+      const float share = plan_.error / std::max(u, plan_.error);
+      pixels_ += 1, below_ += u <= plan_.error, progress_ += share * share;
+    }
+  }
+}
+
+std::string Baker::state() const {
+  ByteWriter out;
+  out.add(pass_), writeLevels(grid_.levels(), out), writeBounces(bounces_, out);
+  return out.take();
+}
+
+void Baker::restore(std::string_view state) {
+  ByteReader in(state);
+  pass_ = in.get<Passes>();
+  if (pass_.poses > plan_.poses.size()) throw std::runtime_error("it has more poses than its plan");
+  grid_.levels() = readLevels(in);
+  readBounces(in, bounces_);
+}
+
+std::shared_ptr<const BakedLight> Baker::light(const PoolHandle& pool) const {
+  return std::make_shared<const BakedLight>(grid_.levels(), kGrid, pool);
+}
+
+}  // namespace saccade

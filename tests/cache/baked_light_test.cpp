@@ -1,0 +1,118 @@
+#include "cache/baked_light.h"
+
+#include <gtest/gtest.h>
+
+#include "cache/wall.h"
+
+namespace saccade {
+namespace {
+
+using namespace test;
+
+// A wall with light, shadow and noise, seen from many places.
+struct BakedLightTest : testing::Test, View {
+  BakedLightTest() {
+    wall.noise = 0.5f, wall.unoccluded = 1;
+    wall.light = [](float x) { return 1 + 0.5f * std::sin(x / (8 * kPixel)); };
+    wall.visibility = [](float x) { return x < 30 * kPixel ? 1.f : 0.f; };
+    for (int t = 0; t < 60; ++t) look(wall, 0.37f * t, t);
+  }
+  static float truth(const Wall& wall, float x) { return wall.light(x) + wall.visibility(x); }
+
+  struct Read {
+    GridEstimate light{kW, kH};
+    Image<std::uint32_t> known{kW, kH};
+    int count() const {
+      int sum = 0;
+      for (int y = 0; y < kH; ++y)
+        for (int x = 0; x < kW; ++x) sum += static_cast<int>(known.at(x, y));
+      return sum;
+    }
+  };
+  Read read(const BakedLight& baked) {
+    Read read;
+    baked.read(*wall.frame.surfaces, wall.frame.g, pool, read.light);
+    for (int y = 0; y < kH; ++y)
+      for (int x = 0; x < kW; ++x) read.known.at(x, y) = wall.frame.surfaces->at(x, y).baked;
+    return read;
+  }
+  // Root of the mean square error where the light is known, and of what `light` says of it.
+  std::pair<double, double> errorsOf(const GridEstimate& light, const Read& where) const {
+    double sum = 0, variance = 0;
+    for (int y = 0; y < kH; ++y) {
+      for (int x = 0; x < kW; ++x) {
+        if (where.known.at(x, y) == 0) continue;
+        sum += std::pow(light.i.at(x, y) - truth(wall, wall.frame.surfaces->at(x, y).position.x), 2);
+        variance += light.var_i.at(x, y);
+      }
+    }
+    return {std::sqrt(sum / where.count()), std::sqrt(variance / where.count())};
+  }
+
+  Wall wall;
+};
+
+TEST_F(BakedLightTest, IsAsTrueAsItsGrid) {
+  const BakedLight baked(grid.levels(), {}, pool);
+  const Read from_bake = read(baked);
+  EXPECT_GT(from_bake.count(), 0.9 * kW * kH);
+  const auto [error_of_grid, claimed_by_grid] = errorsOf(now, from_bake);
+  const auto [error, claimed] = errorsOf(from_bake.light, from_bake);
+  EXPECT_LT(error, 1.1 * error_of_grid);
+  EXPECT_NEAR(claimed, claimed_by_grid, 0.3 * claimed_by_grid);
+}
+
+// Steps of a fraction of a pixel: the variance of the change grows with their square, as the grid's does.
+TEST_F(BakedLightTest, KnowsTheVarianceOfSteps) {
+  const BakedLight baked(grid.levels(), {}, pool);
+  for (const float px : {0.1f, 0.4f, 20.f}) {
+    wall.frame.g.motion_x.fill(px);
+    GridEstimate from_grid(kW, kH);
+    grid.read(*wall.frame.surfaces, wall.frame.g, at, pool, from_grid);
+    const Read from_bake = read(baked);
+    double sum = 0, expected = 0;
+    for (int y = 0; y < kH; ++y)
+      for (int x = 0; x < kW; ++x)
+        if (from_bake.known.at(x, y) != 0)
+          sum += from_bake.light.var_step.at(x, y), expected += from_grid.var_step.at(x, y);
+    EXPECT_NEAR(sum, expected, 0.5 * expected) << px;
+  }
+}
+
+TEST_F(BakedLightTest, LeavesOutWhatItDoesNotKnow) {
+  const BakedLight baked(grid.levels(), {}, pool);
+  wall.show(1000, 1);  // another part of the wall
+  EXPECT_EQ(read(baked).count(), 0);
+  wall.show(10, 1);
+  EXPECT_EQ(read(baked).count(), kW * kH);
+  for (int y = 0; y < kH; ++y)
+    for (SurfacePoint& p : wall.frame.surfaces->row(y)) p.footprint = kPixel / 8;  // from nearby
+  const Read near = read(baked);
+  EXPECT_EQ(near.count(), 0);
+  EXPECT_EQ(near.light.i.at(9, 9), 0);
+  wall.show(10, 1);
+  for (int y = 0; y < kH; ++y)
+    for (SurfacePoint& p : wall.frame.surfaces->row(y)) p.kind = SurfaceKind::kNone;
+  EXPECT_EQ(read(baked).count(), 0);
+}
+
+// One look is no knowledge.
+TEST_F(BakedLightTest, LeavesOutVerticesWithFewSamples) {
+  View other;
+  other.look(wall, 0, 0);
+  EXPECT_EQ(read(BakedLight(other.grid.levels(), {}, pool)).count(), 0);
+}
+
+TEST_F(BakedLightTest, IsTheSameForAnyNumberOfThreads) {
+  const BakedLight baked(grid.levels(), {}, pool);
+  const Read expected = read(baked);
+  TilePool one(1);
+  const BakedLight other(grid.levels(), {}, one);
+  EXPECT_EQ(other.vertices(), baked.vertices());
+  const Read found = read(other);
+  for (int y = 0; y < kH; ++y)
+    for (int x = 0; x < kW; ++x) ASSERT_EQ(found.light.i.at(x, y), expected.light.i.at(x, y));
+}
+
+}  // namespace
+}  // namespace saccade

@@ -1,0 +1,72 @@
+// A wall, and a grid that looks at it.
+#pragma once
+
+#include <functional>
+
+#include "cache/surface_grid.h"
+#include "filter/synthetic.h"
+
+namespace saccade::test {
+
+inline constexpr int kW = 48, kH = 40;
+inline constexpr float kPixel = 0.01f;  // on the wall
+
+// A camera slides along a wall z = 0, pixel by pixel of kPixel. Samples of `light` with noise.
+struct Wall {
+  Frame frame{kW, kH, 1};
+  float noise = 0, unoccluded = 0;
+  std::function<float(float)> light = [](float) { return 1.f; };       // of x
+  std::function<float(float)> visibility = [](float) { return 1.f; };  // of x
+  Vec3 normal{0, 0, 1};
+
+  void show(float shift_px, std::uint64_t seed) {
+    for (int y = 0; y < kH; ++y) {
+      for (int x = 0; x < kW; ++x) {
+        const float at = (static_cast<float>(x) + shift_px) * kPixel;
+        SurfacePoint& p = frame.surfaces->at(x, y);
+        p.kind = SurfaceKind::kDiffuse;
+        p.share = 1, p.paths = 1;
+        p.position = {at, static_cast<float>(y) * kPixel, 0};
+        p.normal = normal;
+        p.footprint = kPixel;
+        p.rest = light(at) + noise * (2 * randomAt(seed, x, y) - 1);
+        p.unoccluded = unoccluded;
+        p.unoccluded_sample = unoccluded * (0.5f + randomAt(seed + 77, x, y));
+        p.visible_sample = randomAt(seed + 99, x, y) < visibility(at) ? p.unoccluded_sample : 0;
+        frame.g.motion_x.at(x, y) = 1;
+      }
+    }
+  }
+};
+
+struct View {
+  explicit View(int threads = 2) : pool(threads) {}
+
+  // Adds a view of the wall; the estimate there is in `now`.
+  void look(Wall& wall, float shift_px, std::uint64_t seed) {
+    wall.show(shift_px, seed);
+    std::swap(at, prev);
+    grid.place(*wall.frame.surfaces, pool, prev, at);
+    grid.add(*wall.frame.surfaces, at, pool);
+    grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
+    grid.learn(at, pool);
+  }
+  // Root of the mean square of now.i - f(x), and of what the grid says of it.
+  std::pair<double, double> errors(const Wall& wall, const std::function<float(float)>& f) const {
+    double sum = 0, variance = 0;
+    for (int y = 0; y < kH; ++y) {
+      for (int x = 0; x < kW; ++x) {
+        sum += std::pow(now.i.at(x, y) - f(wall.frame.surfaces->at(x, y).position.x), 2);
+        variance += now.var_i.at(x, y);
+      }
+    }
+    return {std::sqrt(sum / (kW * kH)), std::sqrt(variance / (kW * kH))};
+  }
+
+  TilePool pool;
+  SurfaceGrid grid{{}};
+  Placement at, prev;
+  GridEstimate now{kW, kH};
+};
+
+}  // namespace saccade::test
