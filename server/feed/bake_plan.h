@@ -13,7 +13,7 @@ struct BakePlan {
   double fov_x_deg = 45;
   int bounces = 3, channels = 3;
   float error = 0.02f;  // relative, of the light of about a pixel, that is asked for
-  int memory = 256;     // MiB, of the grid while it is made
+  int memory = 512;     // MiB, of the grid while it is made
 };
 
 // For the frames 0 to framesToLookAt() of a feed. Its poses are some pixels apart. Throws std::runtime_error

@@ -36,7 +36,7 @@ Baker::Baker(std::shared_ptr<const RenderScene> scene, BakePlan plan)
       pass_{.poses = plan_.poses.size()} {}
 
 bool Baker::isDone() const {
-  return pass_.full != 0 || passes() >= kMostPasses || (passes() >= kLeastPasses && known() >= kEnough);
+  return passes() >= kMostPasses || (passes() >= kLeastPasses && known() >= kEnough);
 }
 
 double Baker::share() const {
@@ -45,7 +45,7 @@ double Baker::share() const {
 
 void Baker::pass(const PoolHandle& pool) {
   pixels_ = below_ = progress_ = 0;
-  for (std::size_t pose = 0; pose < pass_.poses && pass_.full == 0; ++pose) {
+  for (std::size_t pose = 0; pose < pass_.poses; ++pose) {
     if (!look(pose, pool)) break;
     const SeedPlan seeds = SeedPlan::independent(hashKey(kSeed, pass_.count), pose, 0);
     renderer_.renderPaths(cameraAt(pose), seeds, pool, frame_);
@@ -55,19 +55,21 @@ void Baker::pass(const PoolHandle& pool) {
     bounces_.add(*frame_.surfaces);
   }
   ++pass_.count;
-  pass_.known = pixels_ > 0 ? below_ / pixels_ : 1;
-  pass_.done = std::max(pass_.done, pixels_ > 0 ? progress_ / pixels_ : 1);
+  if (pixels_ > 0)
+    pass_.known = below_ / pixels_, pass_.done = std::max(pass_.done, progress_ / pixels_);
+  else if (!isFull())
+    pass_.known = pass_.done = 1;  // there is nothing to see
 }
 
-// Every pass shifts the pixels, so that all vertices between them are reached.
+// Every pass shifts the pixels, so that all vertices between them are reached. Once memory is full, passes
+// repeat the shifts whose vertices are there.
 Camera Baker::cameraAt(std::size_t pose) const {
   Camera camera(plan_.poses[pose], plan_.fov_x_deg, plan_.width, plan_.height);
-  const auto i = static_cast<std::uint32_t>(passes());
+  const auto i = static_cast<std::uint32_t>(isFull() ? pass_.count % pass_.shifts : pass_.count);
   camera.cx += 0.5f - halton(i + 1, 2), camera.cy += 0.5f - halton(i + 1, 3);
   return camera;
 }
 
-// Finds the surfaces, and plans their paths. False where the memory does not suffice for them.
 bool Baker::look(std::size_t pose, const PoolHandle& pool) {
   const Camera camera = cameraAt(pose);
   renderer_.renderSurfaces(camera, camera, pool, frame_);
@@ -78,7 +80,10 @@ bool Baker::look(std::size_t pose, const PoolHandle& pool) {
     pass_.poses = pose;
     return false;
   }
-  pass_.full = passes() > 0 && vertices() > max_vertices_;
+  if (passes() > 0 && !isFull() && vertices() > max_vertices_) {
+    pass_.shifts = pass_.count;
+    return false;
+  }
   grid_.uncertainty(on, at_, pool, uncertainty_);
   planPaths();
   return true;

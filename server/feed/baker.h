@@ -25,7 +25,7 @@ class Baker {
   int passes() const { return static_cast<int>(pass_.count); }
   // Of the plan's poses, those before the first for which memory did not suffice.
   std::size_t poses() const { return pass_.poses; }
-  bool isFull() const { return pass_.full != 0; }  // memory did not suffice for the rest of the passes
+  bool isFull() const { return pass_.shifts != 0; }  // memory sufficed for nothing new after some passes
   std::size_t vertices() const { return grid_.vertices(); }
 
   // The state between two passes. A new Baker of the same plan goes on from there as this one would. Throws
@@ -38,6 +38,7 @@ class Baker {
 
  private:
   Camera cameraAt(std::size_t pose) const;
+  // Finds the surfaces, and plans their paths. False where memory does not suffice for them.
   bool look(std::size_t pose, const PoolHandle& pool);
   void planPaths();
 
@@ -52,7 +53,8 @@ class Baker {
   GridEstimate estimate_;
   ImageF uncertainty_;
   struct Passes {
-    std::uint64_t count = 0, poses = 0, full = 0;
+    std::uint64_t count = 0, poses = 0;
+    std::uint64_t shifts = 0;  // of the pixels, for which memory sufficed; 0: for all so far
     double known = 0, done = 0;
   } pass_;
   double pixels_ = 0, below_ = 0, progress_ = 0;  // of a pass: sums over the pixels that show a surface

@@ -145,6 +145,20 @@ TEST_F(BakeTest, KeepsToItsMemory) {
   EXPECT_EQ(made.full, baker.isFull());
 }
 
+TEST_F(BakeTest, GoesOnWithWhatItHasWhenMemoryIsFull) {
+  BakePlan small = plan(0.05f);
+  small.width = 48, small.height = 36, small.memory = 2;
+  Baker baker(room(), small);
+  while (!baker.isFull() && !baker.isDone()) baker.pass(pool);
+  ASSERT_TRUE(baker.isFull());
+  ASSERT_FALSE(baker.isDone());
+  const std::size_t vertices = baker.vertices();
+  EXPECT_LT(baker.known(), 0.99);
+  while (!baker.isDone()) baker.pass(pool);
+  EXPECT_EQ(baker.vertices(), vertices);
+  EXPECT_GE(baker.known(), 0.99);
+}
+
 TEST_F(BakeTest, ADamagedFileIsNamed) {
   make(plan());
   const std::string file = bakePath(folder, digestOf(*room(), plan()));
@@ -157,16 +171,33 @@ TEST_F(BakeTest, ADamagedFileIsNamed) {
   }
 }
 
-// Its pixels get no paths.
+// The pixels of the current frame that get paths.
+int tracedBy(const Feed& feed) {
+  int traced = 0;
+  for (int y = 0; y < kH; ++y)
+    for (const SurfacePoint& p : feed.frames().cur.surfaces->row(y)) traced += p.paths > 0;
+  return traced;
+}
+
 TEST_F(BakeTest, AFeedThatHasOneTracesHardlyAnyPath) {
   FeedConfig with = config();
   with.baked = make(plan()).light;
   Feed feed(room(), path(), with, pool);
   for (int t = 0; t < 5; ++t) feed.step(pool);
-  int traced = 0;
-  for (int y = 0; y < kH; ++y)
-    for (const SurfacePoint& p : feed.frames().cur.surfaces->row(y)) traced += p.paths > 0;
-  EXPECT_LT(traced, kW * kH / 20);
+  EXPECT_LT(tracedBy(feed), kW * kH / 20);
+  for (int x = 0; x < kW; ++x) EXPECT_GT(feed.change().I_now.at(x, kH / 2), 0);
+}
+
+// A camera that looks between the pixels of the bake's only pose.
+TEST_F(BakeTest, ReachesAllVerticesThatPixelsLieBetween) {
+  BakePlan one = plan();
+  one.poses.resize(1);
+  FeedConfig with = config();
+  with.baked = make(one).light;
+  constexpr double kHalfPixel = 0.035;  // rad
+  const Pose aside{one.poses[0].position, axisAngle({kHalfPixel, kHalfPixel, 0})};
+  const Feed feed(room(), Trajectory({{0ms, aside}}), with, pool);
+  EXPECT_LT(tracedBy(feed), kW * kH / 8);
 }
 
 TEST_F(BakeTest, FeedsThatShareItAreTheSameForAnyNumberOfThreads) {

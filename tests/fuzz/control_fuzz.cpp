@@ -42,7 +42,8 @@ struct World {
   SessionDirectory sessions;
   StreamRegistry streams{sessions, log, std::chrono::seconds(30)};
   ResourceQuota budget{Limits()};
-  StreamOpener opener{{scenes, tables, pool, budget, streams, data, broadcast, totals, log, 1}};
+  BakeStore bakes{"", Limits()};
+  StreamOpener opener{{scenes, bakes, tables, pool, budget, streams, data, broadcast, totals, log, 1}};
   Service service{scenes, budget, streams, opener, log, {}};
 };
 

@@ -81,7 +81,7 @@ TEST_F(BakedStreams, RefusesWhatCannotBe) {
 
 TEST_F(BakedStreams, KeepToTheirMemory) {
   Config small = config();
-  small.limits[Limit::kBakes] = 256;
+  small.limits[Limit::kBakes] = 512;
   TestServer server(small);
   const v1::StreamOpened opened = server.client().open(baked());
   EXPECT_EQ(server.client().tryOpen(baked()).code(), v1::CODE_OK);  // shares it
@@ -92,7 +92,7 @@ TEST_F(BakedStreams, KeepToTheirMemory) {
 
 TEST_F(BakedStreams, OldFilesGoWhereOthersNeedTheirPlace) {
   Config small = config();
-  small.limits[Limit::kBakeFiles] = 256;  // what one may need
+  small.limits[Limit::kBakeFiles] = 512;  // what one may need
   TestServer server(small);
   server.client().open(baked());
   EXPECT_EQ(files(), 1);

@@ -46,7 +46,7 @@ const std::array<LimitRow, kLimits>& limitTable() {
        "events of one stream in one frame; each sensor has an equal share"},
       {Limit::kScenes, "scenes", 4096, 1.0 / 16, "MiB",
        "scenes in memory; unused ones are evicted for others"},
-      {Limit::kBakes, "bakes", 2048, 0, "MiB", "memory of bakes in use or being made, 256 MiB for each"},
+      {Limit::kBakes, "bakes", 4096, 0, "MiB", "memory of bakes in use or being made, 512 MiB for each"},
       {Limit::kBakeFiles, "bake-files", 16384, 1, "MiB",
        "files of bakes; the least recently used are removed for others"},
   }};

@@ -17,7 +17,7 @@ namespace {
 struct BakeOptions : FeedOptions {
   FrameIndex frames = 0;
   double error = 0.02;
-  int memory = 256;
+  int memory = BakePlan().memory;
   std::string output = defaultCache();
 };
 
@@ -26,7 +26,7 @@ void print(const BakePlan& plan, const Bake& bake, const std::string& path) {
               bake.light->vertices(), static_cast<unsigned long long>(bake.digest));
   if (bake.poses < plan.poses.size())
     std::printf("memory sufficed for the first %zu poses; the others start without it\n", bake.poses);
-  if (bake.full) std::printf("memory sufficed for no more passes\n");
+  if (bake.full) std::printf("memory sufficed for a part of the surface between the pixels\n");
   std::printf("the error is %g or less at %.2f %% of the pixels, after %d passes\n",
               static_cast<double>(plan.error), 100 * bake.known, bake.passes);
 }
