@@ -91,7 +91,7 @@ TEST_F(Fixture, WhereNothingIsHitStandsOneFarSurface) {
   const GBuffer& g = frame.g;
   for (int y = 0; y < kH; ++y) {
     for (int x = 0; x < kW; ++x) {
-      ASSERT_EQ(Vec3(g.nx.at(x, y), g.ny.at(x, y), g.nz.at(x, y)), Vec3(0, 0, 1));
+      ASSERT_EQ((Vec3{g.nx.at(x, y), g.ny.at(x, y), g.nz.at(x, y)}), (Vec3{0, 0, 1}));
       ASSERT_EQ(g.z.at(x, y), kMissDepth);
       ASSERT_EQ(g.z_in_prev.at(x, y), kMissDepth);
       ASSERT_EQ(frame.samples.I1.at(x, y) + frame.samples.I2.at(x, y) + g.albedo.at(x, y), 0);
