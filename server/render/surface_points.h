@@ -27,9 +27,8 @@ template <Shading S>
 void setPoint(const PixelContext& view, const PrimaryHit& hit, float share, SurfaceStart& start,
               SurfacePoint& out) {
   out = {};
-  start.valid = hit.valid;
-  if (!hit.valid) return;
   const Guide& guide = hit.guide;
+  if (!hit.valid || luminance(guide.albedo) <= 0) return;
   start.path = hit.start;
   start.base = diffuseBaseOf<S>(view, hit.start);
   start.albedo = luminance(guide.albedo);

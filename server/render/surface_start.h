@@ -13,7 +13,6 @@ struct DiffuseBase {
 };
 
 struct SurfaceStart {
-  bool valid = false;  // whether there is a surface
   PathStart path;
   DiffuseBase base;
   float albedo = 0;  // luminance

@@ -145,6 +145,14 @@ TEST(SurfaceSamples, MetalSharesNoLight) {
   EXPECT_EQ(render(lampRoom(metal), 1).surfaces->at(1, 1).kind, SurfaceKind::kNone);
 }
 
+// A black surface reflects nothing: it has no point, and no other method need estimate its light.
+TEST(SurfaceSamples, ABlackSurfaceHasNoPoint) {
+  const Frame frame = render(lampRoom(test::grey(0)), 1);
+  EXPECT_EQ(frame.surfaces->at(1, 1).share, 0);
+  EXPECT_FALSE(frame.surfaces->showsOthers(1, 1));
+  EXPECT_EQ(frame.samples.I2.at(1, 1), 0);
+}
+
 TEST(SurfaceSamples, WhatAMirrorShowsLiesBehindIt) {
   Material mirror = test::grey(0.5f);
   mirror.model.kind = BsdfKind::kConductor;
