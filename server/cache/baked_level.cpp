@@ -2,7 +2,7 @@
 
 namespace saccade {
 
-BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<Light>& light)
+BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<Octet>& light)
     : light_(light.size()) {
   for (const VertexKey key : keys) {
     const std::uint32_t block = blocks_.findOrAdd(blockOf(key), 0);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cache/index_table.h"
+#include "cache/lanes.h"
 #include "cache/vertex_block.h"
 
 namespace saccade {
@@ -21,11 +22,9 @@ class BakedLevel {
   };
 
  public:
-  using Light = float __attribute__((vector_size(32)));
-
   BakedLevel() = default;
   // `light` is that of vertices with different keys.
-  BakedLevel(const std::vector<VertexKey>& keys, const std::vector<Light>& light);
+  BakedLevel(const std::vector<VertexKey>& keys, const std::vector<Octet>& light);
 
   std::size_t vertices() const { return light_.size(); }
 
@@ -34,7 +33,7 @@ class BakedLevel {
    public:
     explicit Reader(const BakedLevel& level) : level_(&level) {}
     // nullptr if there is no such vertex.
-    const Light* find(VertexKey key) {
+    const Octet* find(VertexKey key) {
       const Run run = memo_.of(key, [this](VertexKey block) { return level_->runOf(block); });
       return run.has(cellOf(key)) ? &level_->light_[run.indexOf(cellOf(key))] : nullptr;
     }
@@ -52,7 +51,7 @@ class BakedLevel {
 
   IndexTable blocks_;
   std::vector<Run> runs_;  // by block
-  std::vector<Light> light_;
+  std::vector<Octet> light_;
 };
 
 }  // namespace saccade

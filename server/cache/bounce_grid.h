@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cache/index_table.h"
+#include "cache/lanes.h"
 #include "frame/surface_samples.h"
 
 namespace saccade {
@@ -22,7 +23,8 @@ struct BounceCell {
 
 class BounceGrid {
  public:
-  static constexpr std::size_t kBytesPerCell = 64;
+  // How many cells are kept beside a grid of so many bytes: they take a sixteenth of that.
+  static constexpr std::size_t cellsBeside(std::size_t bytes) { return bytes / 16 / kBytesPerCell; }
 
   explicit BounceGrid(std::size_t max_cells) : max_cells_(max_cells) {}
 
@@ -38,13 +40,14 @@ class BounceGrid {
   std::size_t cells() const { return light_.size(); }
 
   // What it keeps, by cell.
-  using Quad = float __attribute__((vector_size(16)));
   std::vector<std::uint64_t> keys() const { return table_.keys(); }
   const std::vector<Quad>& light() const { return light_; }
   // Fills an empty grid with that. False if a key is not valid or stands twice.
   bool restore(const std::vector<std::uint64_t>& keys, const std::vector<Quad>& light);
 
  private:
+  static constexpr std::size_t kBytesPerCell = 64;
+
   std::size_t max_cells_;  // beyond, no new ones are kept, and their paths go on
   IndexTable table_;
   std::vector<Quad> light_;  // by cell: the number of samples, and their sum for each colour

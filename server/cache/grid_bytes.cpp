@@ -46,7 +46,7 @@ void writeBounces(const BounceGrid& bounces, ByteWriter& out) {
 
 void readBounces(ByteReader& in, BounceGrid& bounces) {
   const auto keys = in.getVector<std::uint64_t>();
-  const auto light = in.getVector<BounceGrid::Quad>();
+  const auto light = in.getVector<Quad>();
   require(light.size() == keys.size(), "cells without values");
   require(bounces.restore(keys, light), "a cell stands twice");
 }

@@ -5,13 +5,11 @@
 #include <memory>
 
 #include "base/check.h"
+#include "cache/lanes.h"
 #include "cache/placement.h"
 #include "cache/vertex_table.h"
 
 namespace saccade {
-
-using Quad = float __attribute__((vector_size(16)));
-using Octet = float __attribute__((vector_size(32)));
 
 struct GridLevel {
   VertexTable table;

@@ -27,11 +27,10 @@ LightState& LightStates::find(std::uint64_t strengths) {
 }
 
 void LightStates::share() {
-  constexpr std::size_t kOfBounces = 16;  // their share of the memory is one in so many
   for (const auto& state : states_) {
     const std::size_t bytes = memory_ / states_.size();
     state->grid.limit(bytes / SurfaceGrid::kBytesPerVertex);
-    state->bounces.limit(bytes / kOfBounces / BounceGrid::kBytesPerCell);
+    state->bounces.limit(BounceGrid::cellsBeside(bytes));
   }
 }
 

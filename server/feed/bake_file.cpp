@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -33,10 +34,9 @@ std::uint64_t digestOf(const std::string& state) {
 }  // namespace
 
 std::string bakePath(const std::string& folder, std::uint64_t plan) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string name(16, '0');
-  for (int i = 0; i < 16; ++i) name[i] = kDigits[plan >> (60 - 4 * i) & 15];
-  return (fs::path(folder) / (name + ".bake")).string();
+  std::array<char, 32> name;
+  std::snprintf(name.data(), name.size(), "%016llx.bake", static_cast<unsigned long long>(plan));
+  return (fs::path(folder) / name.data()).string();
 }
 
 std::optional<KeptBake> readBake(const std::string& path, std::uint64_t plan) {

@@ -29,7 +29,7 @@ Baker::Baker(std::shared_ptr<const RenderScene> scene, BakePlan plan)
       renderer_(scene_, {plan_.bounces, plan_.channels}),
       max_vertices_(static_cast<std::size_t>(plan_.memory) * kMiB / SurfaceGrid::kBytesPerVertex),
       grid_(kGrid),
-      bounces_(static_cast<std::size_t>(plan_.memory) * kMiB / 16 / BounceGrid::kBytesPerCell),
+      bounces_(BounceGrid::cellsBeside(static_cast<std::size_t>(plan_.memory) * kMiB)),
       frame_(plan_.width, plan_.height, 1),
       estimate_(plan_.width, plan_.height),
       uncertainty_(plan_.width, plan_.height),

@@ -12,7 +12,7 @@ VertexKey keyAt(VertexKey x, VertexKey y, VertexKey z) {
 // Every second vertex of a region that spans blocks.
 TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   std::vector<VertexKey> keys;
-  std::vector<BakedLevel::Light> light;
+  std::vector<Octet> light;
   const auto each = [](const auto& f) {
     for (VertexKey x = 9; x > 0; --x)
       for (VertexKey y = 5; y < 14; ++y)
@@ -20,7 +20,7 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   };
   each([&](VertexKey key, bool held) {
     if (!held) return;
-    light.push_back(BakedLevel::Light{static_cast<float>(keys.size())});
+    light.push_back(Octet{static_cast<float>(keys.size())});
     keys.push_back(key);
   });
   const BakedLevel level(keys, light);
@@ -28,7 +28,7 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   BakedLevel::Reader reader(level);
   float next = 0;
   each([&](VertexKey key, bool held) {
-    const BakedLevel::Light* found = reader.find(key);
+    const Octet* found = reader.find(key);
     ASSERT_EQ(found != nullptr, held);
     if (held) {
       ASSERT_EQ((*found)[0], next++);

@@ -5,23 +5,15 @@
 #include <filesystem>
 
 #include "feed/bake_file.h"
-#include "render/test_scenes.h"
+#include "feed/room.h"
 
 namespace saccade {
 namespace {
 
 using namespace std::chrono_literals;
+using test::room;
 
 constexpr int kW = 24, kH = 18;
-
-// Walls of different brightness, and a ball that casts a shadow.
-std::shared_ptr<const RenderScene> room(const Strength& lamp = {}) {
-  Scene s = test::furnace(0.6f, 0);
-  s.meshes.push_back(test::quad({-0.3f, -0.95f, -0.3f}, {0, 0, 0.6f}, {0.6f, 0, 0}, 0, {9, 9, 9}));
-  s.meshes.back().strength = lamp;
-  s.spheres.push_back({"ball", {0.2f, 0.5f, 0.5f}, 0.3f, 0, {}});
-  return std::make_shared<RenderScene>(std::move(s));
-}
 
 Trajectory path() {
   return Trajectory({{0ms, Pose{{0, 0, -0.9}, {}}}, {200ms, Pose{{0.6, 0, -0.9}, {}}}});

@@ -7,23 +7,16 @@
 
 #include "base/counting_new.h"
 #include "events/sensor.h"
+#include "feed/room.h"
 #include "render/test_scenes.h"
 
 namespace saccade {
 namespace {
 
 using namespace std::chrono_literals;
+using test::room;
 
 constexpr int kW = 40, kH = 30;
-
-std::shared_ptr<const RenderScene> room(const Strength& lamp = {}) {
-  Scene s = test::furnace(0.6f, 0);
-  s.meshes.push_back(test::quad({-0.3f, -0.95f, -0.3f}, {0, 0, 0.6f}, {0.6f, 0, 0}, 0, {9, 9, 9}));
-  s.meshes.back().strength = lamp;
-  s.spheres.push_back({"ball", {0.2f, 0.5f, 0.5f}, 0.4f, 0, {}});
-  s.T_world_camera.position = {0, 0, -0.9};
-  return std::make_shared<RenderScene>(std::move(s));
-}
 
 // A lamp that is off from frame 3 to frame 5.
 Strength blinking() {
