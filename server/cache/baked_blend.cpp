@@ -8,7 +8,7 @@ namespace saccade {
 namespace {
 
 constexpr int kChunk = 1024;         // vertices of a piece
-constexpr float kLeastSamples = 2;   // around a vertex, in cells of about a pixel
+constexpr float kLeastSamples = 2;   // around a vertex, in cells of about two pixels
 constexpr float kSmallStep = 1e-3f;  // cells: the variance of steps so small grows with their square
 
 // Looks up what a grid has around a vertex, on its level and those above.
@@ -45,10 +45,10 @@ class Surroundings {
   int bin_ = 0;
 };
 
-Octet blendAround(Surroundings& around, const BlendParams& params) {
+Octet blendAround(Surroundings& around, const GridParams& params) {
   const LevelBlend blend([&](int slot) { return around.light(slot); },
-                         [&](int slot) { return around.evidence(slot); }, 0, params);
-  if (blend.light[1][0] < kLeastSamples || blend.light[kTop - 1][0] == 0) return Octet{};
+                         [&](int slot) { return around.evidence(slot); }, 0, params.blend);
+  if (blend.light[params.pixelSlot()][0] < kLeastSamples || blend.light[kTop - 1][0] == 0) return Octet{};
   const auto step = [](const BlendedLight& light) {
     return light.stepVariance(kSmallStep) / (kSmallStep * kSmallStep);
   };
@@ -63,7 +63,7 @@ Octet blendAround(Surroundings& around, const BlendParams& params) {
 
 }  // namespace
 
-BakedLevel blendAtVertices(const GridLevels& grid, int l, const BlendParams& params, const PoolHandle& pool) {
+BakedLevel blendAtVertices(const GridLevels& grid, int l, const GridParams& params, const PoolHandle& pool) {
   std::vector<VertexKey> keys = grid[l].table.keys();
   std::vector<Octet> light(keys.size());
   pool.run((static_cast<int>(keys.size()) + kChunk - 1) / kChunk, [&](int chunk) {

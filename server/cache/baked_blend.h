@@ -3,7 +3,7 @@
 
 #include "base/pool_handle.h"
 #include "cache/baked_level.h"
-#include "cache/level_blend.h"
+#include "cache/surface_grid.h"
 
 namespace saccade {
 
@@ -12,6 +12,6 @@ namespace saccade {
 enum BakedLane { kKnown, kRest, kVisibility, kVarRest, kVarVisibility, kStepRest, kStepVisibility };
 
 // Blends the levels above level l at each of its vertices, of those with samples enough around them.
-BakedLevel blendAtVertices(const GridLevels& grid, int l, const BlendParams& params, const PoolHandle& pool);
+BakedLevel blendAtVertices(const GridLevels& grid, int l, const GridParams& params, const PoolHandle& pool);
 
 }  // namespace saccade

@@ -8,7 +8,7 @@ namespace saccade {
 namespace {
 
 constexpr int kAhead = 4;            // points whose values are on their way from memory
-constexpr float kLeastShare = 0.5f;  // of a point's weights, on vertices whose light is known
+constexpr float kLeastShare = 0.5f;  // of a point's weights, on known vertices of its coarser level
 // From a level to the one below: a step is half as many cells there, and a quarter of the variance.
 constexpr Octet kToFine{1, 1, 1, 1, 1, 0.25f, 0.25f, 0};
 
@@ -19,7 +19,7 @@ BakedLight::BakedLight(const GridLevels& grid, const GridParams& params, const P
   grid.forEach([&](int l, const GridLevel&) {
     if (levels_.empty()) first_ = l;
     levels_.resize(l - first_);
-    levels_.push_back(blendAtVertices(grid, l, params.blend, pool));
+    levels_.push_back(blendAtVertices(grid, l, params, pool));
     vertices_ += levels_.back().vertices();
   });
 }
@@ -100,10 +100,11 @@ Octet BakedLight::Taps::sum() const {
 void BakedLight::add(const Found& found, SurfacePoint& point, const GBuffer& g, int x, int y,
                      GridEstimate& out) const {
   const Octet fine = found.slots[0].sum(), coarse = found.slots[1].sum();
-  point.baked = fine[kKnown] >= kLeastShare && coarse[kKnown] >= kLeastShare;
+  point.baked = coarse[kKnown] >= kLeastShare;
   if (!point.baked) return;
-  const float fraction = found.at.fraction;
-  const Octet v = fine * ((1 - fraction) / fine[kKnown]) + coarse * kToFine * (fraction / coarse[kKnown]);
+  const float fraction = found.at.fraction, of_fine = 1 - fraction;
+  const float of_coarse = (1 - of_fine * fine[kKnown]) / coarse[kKnown];  // also what no fine vertex knows
+  const Octet v = fine * of_fine + coarse * kToFine * of_coarse;
   const float U = point.unoccluded, px = std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y));
   const float cells = px * std::exp2(fraction) / params_.finest_px, share2 = point.share * point.share;
   const auto variance = [U](float rest, float visibility) { return rest + U * U * visibility; };

@@ -9,8 +9,9 @@
 namespace saccade {
 
 struct BlendParams {
-  float tau;    // standard deviations that a level's detail must exceed its noise by
-  float noise;  // variance of an interpolated mean, of that of one sample, at a density of one
+  float tau;      // standard deviations that a level's detail must exceed its noise by
+  float noise;    // variance of an interpolated mean, of that of one sample, at a density of one
+  float caution;  // how many times the noise of detail counts, beside its energy
 };
 
 inline constexpr int kTop = kGridLevels - 1;  // the slot of the coarsest level
@@ -23,26 +24,28 @@ inline float varianceOf(float residual2, float weight, float samples, const Blen
 // One kind of light, from coarse to fine: E += alpha_k (E_k - E), with alpha_k the share of the detail of
 // level k that is not noise [ours].
 struct BlendedLight {
-  float value = 0, variance = 0;             // of the estimate so far
+  float value = 0, variance = 0;             // of the estimate so far, with the detail that it leaves out
   std::array<float, kTop> alpha{}, noise{};  // of each level: alpha_k, and the variance of E_k
 
-  // `sum` of samples of the weight `samples`. alpha = energy / (energy + noise): what evidence says of the
-  // energy of the detail, against the variance of the level's mean.
+  // `sum` of samples of the weight `samples`. alpha = energy / (energy + caution * noise): what evidence
+  // says of the energy of the detail, against the variance of the level's mean.
   void refine(int k, float sum, float samples, float x, float x2, float residual2, float weight,
               float fraction, const BlendParams& p) {
     if (samples <= 0) return;
     const float energy = weight > 0 ? std::max(0.f, x - p.tau * std::sqrt(x2)) / weight : 0;
     noise[k] = varianceOf(residual2, weight, samples, p);
-    float a = energy > 0 ? energy / (energy + noise[k]) : 0;
+    float a = energy > 0 ? energy / (energy + p.caution * noise[k]) : 0;
+    const float left_out = (1 - a) * (1 - a) * energy;
     // The coarsest level fades in, and the finest fades out, as the point moves away.
     if (k == kTop - 1) a += (1 - fraction) * (1 - a);
     if (k == 0) a *= 1 - fraction;
     alpha[k] = a;
     value += a * (sum / samples - value);
-    variance = (1 - a) * (1 - a) * variance + a * a * noise[k];
+    variance = (1 - a) * (1 - a) * variance + a * a * noise[k] + left_out;
   }
 
-  // Variance of the change over a step of `cells` finest cells: the weights of vertices change by as much.
+  // Variance of the change over a step, without the detail that is left out of `cells` finest cells: the
+  // weights of vertices change by as much.
   float stepVariance(float cells) const {
     float sum = 0, left = 1;
     for (int k = 0; k < kTop; ++k, cells *= 0.5f) {

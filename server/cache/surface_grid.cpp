@@ -28,6 +28,10 @@ void forEachPointOf(const Placement& at, int l, const F& f) {
 
 }  // namespace
 
+int GridParams::pixelSlot() const {
+  return std::clamp(static_cast<int>(std::lround(std::log2(1.4f / finest_px))), 0, kTop - 1);
+}
+
 SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const PoolHandle& pool, Placement& prev,
                                      Placement& out) {
   ++now_;
@@ -113,14 +117,14 @@ void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
 
 SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Placement& at,
                                            const PoolHandle& pool, ImageF& out) const {
-  constexpr int kSlot = 1;  // of cells of about a pixel
+  const int slot = params_.pixelSlot();
   return pool.forEachRow(on.height(), [&](int y) {
     std::fill_n(out.row(y), out.width(), 0.f);
     const auto [first, end] = at.ofRow(y);
     for (std::size_t i = first; i < end; ++i) {
       const GridPoint& p = at.points[i];
-      const Quad l = gather(levels_[p.level + kSlot].light, at, p, kSlot);
-      const Octet e = gather(levels_[p.level + kSlot + kPoolSteps].evidence, at, p, kSlot + kPoolSteps);
+      const Quad l = gather(levels_[p.level + slot].light, at, p, slot);
+      const Octet e = gather(levels_[p.level + slot + kPoolSteps].evidence, at, p, slot + kPoolSteps);
       const bool known = l[0] > 0 && e[3] > 0, shadows = l[3] > 0 && e[7] > 0;
       const float U = on[p.index].unoccluded;
       const float variance =

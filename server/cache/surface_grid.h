@@ -18,8 +18,10 @@ namespace saccade {
 
 struct GridParams {
   float finest_px = 0.7f;  // edge of the finest cells, pixels
-  BlendParams blend{.tau = 1, .noise = 0.23f};
+  BlendParams blend{.tau = 1, .noise = 0.23f, .caution = 3};
   std::size_t max_vertices = 2'000'000;  // beyond, those go that were not used for longest
+  // Of cells of about two pixels.
+  int pixelSlot() const;
 };
 
 // What the grid says of each pixel: the sum over its points, by their shares. Planes of the size of the
@@ -43,9 +45,9 @@ class SurfaceGrid {
   // at `prev`, and stays valid: where the grid has become too large, it drops vertices that neither of them
   // uses.
   Time place(const SurfaceSamples& on, const PoolHandle& pool, Placement& prev, Placement& out);
-  // Relative standard deviation of the mean over a cell of about a pixel, whether its detail is believed or
-  // not, at the points of a frame; kUnknown where nothing is known yet, and 0 where there is no point. `out`
-  // has the columns of `on`.
+  // Relative standard deviation of the mean over a cell of about two pixels, whether its detail is believed
+  // or not, at the points of a frame; kUnknown where nothing is known yet, and 0 where there is no point.
+  // `out` has the columns of `on`.
   Time uncertainty(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool, ImageF& out) const;
   // Adds a frame's samples, which `at` has placed.
   Time add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool);

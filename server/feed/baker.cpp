@@ -14,8 +14,11 @@ constexpr int kLeastPasses = 4, kMostPasses = 64;  // the first ones give a path
 constexpr double kEnough = 0.99;                   // of the pixels of a pass
 constexpr std::uint64_t kSeed = 0xba4e;
 constexpr std::size_t kMiB = 1 << 20;
-// Of the Baker's grid, which never drops vertices.
-const GridParams kGrid{.max_vertices = std::numeric_limits<std::size_t>::max()};
+
+// Finest cells of half the size of a feed's, or of the same. It never drops vertices.
+GridParams gridOf(bool larger_cells) {
+  return {.finest_px = larger_cells ? 0.7f : 0.35f, .max_vertices = std::numeric_limits<std::size_t>::max()};
+}
 
 // Vertices of surfaces that no pass has seen yet may take half of the memory. The rest is for what the gaps
 // between the pixels show.
@@ -27,13 +30,13 @@ Baker::Baker(std::shared_ptr<const RenderScene> scene, BakePlan plan)
     : scene_(std::move(scene)),
       plan_(std::move(plan)),
       renderer_(scene_, {plan_.bounces, plan_.channels}),
+      pass_{.poses = plan_.poses.size()},
       max_vertices_(static_cast<std::size_t>(plan_.memory) * kMiB / SurfaceGrid::kBytesPerVertex),
-      grid_(kGrid),
+      grid_(gridOf(pass_.larger_cells)),
       bounces_(BounceGrid::cellsBeside(static_cast<std::size_t>(plan_.memory) * kMiB)),
       frame_(plan_.width, plan_.height, 1),
       estimate_(plan_.width, plan_.height),
-      uncertainty_(plan_.width, plan_.height),
-      pass_{.poses = plan_.poses.size()} {}
+      uncertainty_(plan_.width, plan_.height) {}
 
 bool Baker::isDone() const {
   return passes() >= kMostPasses || (passes() >= kLeastPasses && known() >= kEnough);
@@ -46,7 +49,10 @@ double Baker::share() const {
 void Baker::pass(const PoolHandle& pool) {
   pixels_ = below_ = progress_ = 0;
   for (std::size_t pose = 0; pose < pass_.poses; ++pose) {
-    if (!look(pose, pool)) break;
+    if (!look(pose, pool)) {
+      if (useLargerCells()) return pass(pool);
+      break;
+    }
     const SeedPlan seeds = SeedPlan::independent(hashKey(kSeed, pass_.count), pose, 0);
     renderer_.renderPaths(cameraAt(pose), seeds, pool, frame_);
     grid_.add(*frame_.surfaces, at_, pool);
@@ -68,6 +74,13 @@ Camera Baker::cameraAt(std::size_t pose) const {
   const auto i = static_cast<std::uint32_t>(isFull() ? pass_.count % pass_.shifts : pass_.count);
   camera.cx += 0.5f - halton(i + 1, 2), camera.cy += 0.5f - halton(i + 1, 3);
   return camera;
+}
+
+bool Baker::useLargerCells() {
+  if (passes() > 0 || pass_.larger_cells) return false;
+  pass_.larger_cells = 1, pass_.poses = plan_.poses.size();
+  grid_ = SurfaceGrid(gridOf(pass_.larger_cells));
+  return true;
 }
 
 bool Baker::look(std::size_t pose, const PoolHandle& pool) {
@@ -95,8 +108,8 @@ void Baker::planPaths() {
     for (int x = 0; x < frame_.width(); ++x) {
       const float u = uncertainty_.at(x, y);
       SurfacePoint& point = on.at(x, y);
-      point.paths = u > plan_.error ? kSpp : passes() < kLeastPasses ? 1 : 0;
       if (point.kind == SurfaceKind::kNone) continue;
+      point.paths = u > plan_.error ? kSpp : passes() < kLeastPasses ? 1 : 0;
       const float share = plan_.error / std::max(u, plan_.error);
       pixels_ += 1, below_ += u <= plan_.error, progress_ += share * share;
     }
@@ -113,12 +126,13 @@ void Baker::restore(std::string_view state) {
   ByteReader in(state);
   pass_ = in.get<Passes>();
   if (pass_.poses > plan_.poses.size()) throw std::runtime_error("it has more poses than its plan");
+  grid_ = SurfaceGrid(gridOf(pass_.larger_cells));
   grid_.levels() = readLevels(in);
   readBounces(in, bounces_);
 }
 
 std::shared_ptr<const BakedLight> Baker::light(const PoolHandle& pool) const {
-  return std::make_shared<const BakedLight>(grid_.levels(), kGrid, pool);
+  return std::make_shared<const BakedLight>(grid_.levels(), gridOf(pass_.larger_cells), pool);
 }
 
 }  // namespace saccade

@@ -41,10 +41,18 @@ class Baker {
   // Finds the surfaces, and plans their paths. False where memory does not suffice for them.
   bool look(std::size_t pose, const PoolHandle& pool);
   void planPaths();
+  // Starts again with cells of twice the size, if the first pass found too little memory for them all.
+  bool useLargerCells();
 
   std::shared_ptr<const RenderScene> scene_;
   BakePlan plan_;
   Renderer renderer_;
+  struct Passes {
+    std::uint64_t count = 0, poses = 0;
+    std::uint64_t shifts = 0;        // of the pixels, for which memory sufficed; 0: for all so far
+    std::uint64_t larger_cells = 0;  // whether memory did not suffice for the finest
+    double known = 0, done = 0;
+  } pass_;
   std::size_t max_vertices_;
   SurfaceGrid grid_;
   BounceGrid bounces_;
@@ -52,11 +60,6 @@ class Baker {
   Placement at_, none_;
   GridEstimate estimate_;
   ImageF uncertainty_;
-  struct Passes {
-    std::uint64_t count = 0, poses = 0;
-    std::uint64_t shifts = 0;  // of the pixels, for which memory sufficed; 0: for all so far
-    double known = 0, done = 0;
-  } pass_;
   double pixels_ = 0, below_ = 0, progress_ = 0;  // of a pass: sums over the pixels that show a surface
 };
 

@@ -26,7 +26,7 @@ std::vector<StabilityCase> lightCases() {
        .scene = ownScene("black"),
        .px_per_frame = 1,
        .bias = 1e-8,
-       .claims = {{"event_svgf", 0.135}, {"irradiance_cache", 0.022}}},
+       .claims = {{"event_svgf", 0.135}, {"irradiance_cache", 0.0275}}},
       {.name = "dark",
        .why = "I is far below I_eps: there is nothing to be seen",
        .scene = ownScene("dark"),
