@@ -36,7 +36,7 @@ struct SurfacePoint {
   Vec3 normal;                            // unit shading normal, towards the camera
   float footprint = 0;                    // width of a pixel there, seen at a right angle, scene units
   float unoccluded = 0;                   // in closed form, as if nothing cast a shadow
-  std::uint32_t paths = 0;                // that it gets, as the method plans; of kNone the spp of the frame
+  std::uint32_t paths = 0;                // that it gets, as the method plans
   bool baked = false;                     // whether its light is known ahead, as the method finds
 
   float unoccluded_sample = 0;  // an estimate of `unoccluded`, mean over the paths

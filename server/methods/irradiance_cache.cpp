@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/hash_rng.h"
 #include "filter/demodulation.h"
 #include "methods/param_fields.h"
+#include "methods/path_plan.h"
 
 namespace saccade {
 namespace {
@@ -17,6 +17,7 @@ const std::vector<ParamField<P>>& fields() {
       {"finest", &P::finest, 0.1, 16, "edge of the finest cells, pixels", "[ours]"},
       {"tau", &P::tau, 0, 10, "standard deviations by which detail must exceed its noise", "[ours]"},
       {"noise", &P::noise, 0.001, 100, "variance of an interpolated mean, of that of one sample", "[ours]"},
+      {"caution", &P::caution, 0, 100, "times that the noise of detail counts, beside its energy", "[ours]"},
       {"iterations", &P::iterations, 0, 5, "a-trous iterations, of spacing 1, 2, 4, ...", "[ours]"},
       {"sigma_l", &P::sigma_l, 0.01, 1000,
        "luminance tolerance of the primal, standard deviations of the mean", "[ours]"},
@@ -25,21 +26,15 @@ const std::vector<ParamField<P>>& fields() {
       {"target", &P::target, 0.0001, 10, "relative error of light below which a pixel gets fewer paths",
        "[ours]"},
       {"grid_paths", &P::grid_paths, 0, 64,
-       "paths per pixel whose time the grid takes: as many of those asked are left out, half of them at most",
+       "paths per pixel whose time the grid takes: as many of those asked are left out, half at most, where "
+       "light is "
+       "not far from `target`",
        "[ours]"},
       {"memory", &P::memory, 1, 65536, "MiB of the grid; at least what two frames need", "[ours]"},
       {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
       {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
   };
   return table;
-}
-
-// In [0, 1), spread evenly over any few neighbours in space and time: the R2 sequence (Roberts 2018) in x and
-// y, moved on by the golden ratio in every frame.
-float ditherAt(int x, int y, std::uint32_t frame) {
-  const std::uint32_t bits = static_cast<std::uint32_t>(x) * 0xc13fa9a9u +
-                             static_cast<std::uint32_t>(y) * 0x91e10da5u + frame * 0x9e3779b9u;
-  return toUnit(bits);
 }
 
 }  // namespace
@@ -63,7 +58,7 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
     : params_(p),
       atrous_{
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
-      light_({.finest_px = p.finest, .blend = {.tau = p.tau, .noise = p.noise}},
+      light_({.finest_px = p.finest, .blend = {.tau = p.tau, .noise = p.noise, .caution = p.caution}},
              static_cast<std::size_t>(p.memory) * (1 << 20)),
       now_(w, h),
       before_(w, h),
@@ -73,8 +68,6 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
   if (baked) baked_.emplace(std::move(baked), w, h);
 }
 
-// A pixel whose light is as well known as `target` gets fewer paths, and the fewer the better it is known.
-// One that the bake knows gets none.
 void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) {
   SurfaceSamples& on = *next.surfaces;
   std::swap(at_, at_prev_);
@@ -89,16 +82,9 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
   Placement none;
   times[Stage::kTemporal] += grid.place(on, pool, light_.changed() ? none : at_prev_, at_);
   times[Stage::kTemporal] += grid.uncertainty(on, at_, pool, uncertainty_);
-  const auto asked = static_cast<float>(spp), most = std::max(asked - params_.grid_paths, 0.5f * asked);
-  times[Stage::kTemporal] += pool.forEachRow(next.height(), [&](int y) {
-    for (int column = 0; column < on.columns(); ++column) {
-      SurfacePoint& p = on.at(column, y);
-      const float wanted = most * p.share * std::min(1.f, uncertainty_.at(column, y) / params_.target);
-      // The whole pixel is sampled, if another method is to estimate it.
-      const std::uint32_t least = on.showsOthers(column / on.perPixel(), y);
-      p.paths = std::max(least, static_cast<std::uint32_t>(wanted + ditherAt(column, y, frames_)));
-    }
-  });
+  const auto asked = static_cast<float>(spp);
+  const PathPlan paths{asked, std::max(asked - params_.grid_paths, 0.5f * asked), params_.target};
+  times[Stage::kTemporal] += planPaths(paths, uncertainty_, frames_, pool, on);
 }
 
 void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {

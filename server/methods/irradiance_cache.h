@@ -18,6 +18,7 @@ struct IrradianceCacheParams {
   float finest = 0.7f;
   float tau = 1;
   float noise = 0.23f;
+  float caution = 3;
   int iterations = 3;
   float sigma_l = 3;
   float sigma_l_diff = 6;

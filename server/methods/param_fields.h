@@ -19,7 +19,7 @@ struct ParamField {
 template <class Params>
 std::vector<ParamSpec> paramSpecs(const std::vector<ParamField<Params>>& fields) {
   std::vector<ParamSpec> specs;
-  const Params defaults;
+  static const Params defaults{};
   for (const auto& f : fields) {
     const bool whole = !std::holds_alternative<float Params::*>(f.member);
     const double fallback = std::visit([&](auto m) { return static_cast<double>(defaults.*m); }, f.member);

@@ -61,9 +61,8 @@ void renderSurfacePaths(const PixelContext& view, const SeedPlan& seeds, int bou
     SurfacePoint& p = on.at(column, y);
     const std::size_t i = on.indexOf(column, y);
     if (p.share <= 0) continue;
-    const int spp = p.kind == SurfaceKind::kNone ? seeds.spp2 : static_cast<int>(p.paths);
     I += renderPointPaths<S, Channels>(view, known, starts[i], seeds.seed2, static_cast<std::uint32_t>(i),
-                                       spp, bounces, p) *
+                                       static_cast<int>(p.paths), bounces, p) *
          p.share * out.g.albedo.at(x, y);
   }
   out.samples.I2.at(x, y) = static_cast<float>(I);

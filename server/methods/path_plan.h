@@ -1,0 +1,25 @@
+// How many paths each point gets, by how well its light is known [ours].
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "base/pool_handle.h"
+#include "frame/image.h"
+#include "frame/surface_samples.h"
+
+namespace saccade {
+
+struct PathPlan {
+  float asked;   // paths per pixel: the mean over the picture is no larger
+  float usual;   // of a pixel whose relative error is between `target` and twice that; in [0, asked]
+  float target;  // relative error below which a pixel gets fewer
+};
+
+// Sets SurfacePoint::paths. The more is known the fewer they are, and none where the light is baked. What is
+// left over goes to points of kNone. `error`: relative, with the columns of `on`. `frame` moves the rounding
+// on.
+std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, std::uint32_t frame,
+                                   const PoolHandle& pool, SurfaceSamples& on);
+
+}  // namespace saccade

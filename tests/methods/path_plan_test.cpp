@@ -1,0 +1,82 @@
+#include "methods/path_plan.h"
+
+#include <gtest/gtest.h>
+
+#include "base/tile_pool.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kW = 32, kH = 24;
+constexpr PathPlan kPlan{.asked = 8, .usual = 6, .target = 0.1f};
+
+struct PathPlanTest : testing::Test {
+  PathPlanTest() {
+    for (int y = 0; y < kH; ++y)
+      for (SurfacePoint& p : on.row(y)) p.share = 1, p.kind = SurfaceKind::kDiffuse;
+  }
+  void plan(std::uint32_t frame = 0) { planPaths(kPlan, error, frame, pool, on); }
+  double mean() const {
+    double sum = 0;
+    for (int y = 0; y < kH; ++y)
+      for (const SurfacePoint& p : on.row(y)) sum += p.paths;
+    return sum / (kW * kH);
+  }
+
+  TilePool pool{2};
+  SurfaceSamples on{kW, kH, 1};
+  ImageF error{kW, kH};
+};
+
+TEST_F(PathPlanTest, TheBetterLightIsKnownTheFewerPaths) {
+  const std::pair<float, double> expected[]{{0, 0},     {0.01f, 0.6}, {0.05f, 3}, {0.1f, 6},
+                                            {0.15f, 6}, {0.24f, 7.2}, {1e18f, 8}};
+  for (const auto& [relative, paths] : expected) {
+    error.fill(relative);
+    plan();
+    EXPECT_NEAR(mean(), paths, 0.02 * paths) << relative;
+  }
+}
+
+// Fractions of a path are rounded up in one frame and down in another.
+TEST_F(PathPlanTest, FractionsAreSpreadOverFrames) {
+  error.fill(0.005f);  // 0.3 paths
+  int sum = 0;
+  for (std::uint32_t frame = 0; frame < 100; ++frame) {
+    plan(frame);
+    sum += static_cast<int>(on.at(7, 7).paths);
+  }
+  EXPECT_NEAR(sum, 30, 2);
+}
+
+TEST_F(PathPlanTest, WhatIsLeftGoesToSurfacesThatShareNoLight) {
+  const int others = kW * kH / 4;
+  for (int i = 0; i < others; ++i) on[static_cast<std::size_t>(i)].kind = SurfaceKind::kNone;
+  error.fill(0.05f);
+  plan();  // 3 paths for three quarters of the pixels, of 6 for each
+  EXPECT_EQ(on[0].paths, 15u);
+  EXPECT_LE(mean(), kPlan.usual);
+
+  error.fill(1);  // nothing is left
+  plan();
+  EXPECT_EQ(on[0].paths, 8u);
+
+  error.fill(0);
+  for (std::size_t i = 1; i < static_cast<std::size_t>(others); ++i) on[i].kind = SurfaceKind::kDiffuse;
+  plan();
+  EXPECT_EQ(on[0].paths, 64u);
+}
+
+TEST_F(PathPlanTest, PointsBesideSuchASurfaceAreSampled) {
+  SurfaceSamples two(kW, kH, 2);
+  ImageF known(two.columns(), kH);
+  for (SurfacePoint& p : two.of(3, 4)) p.share = 0.5f, p.kind = SurfaceKind::kDiffuse;
+  planPaths(kPlan, known, 0, pool, two);
+  EXPECT_EQ(two.of(3, 4)[0].paths, 0u);
+  two.of(3, 4)[1].kind = SurfaceKind::kNone;
+  planPaths(kPlan, known, 0, pool, two);
+  EXPECT_EQ(two.of(3, 4)[0].paths, 1u);
+}
+
+}  // namespace
+}  // namespace saccade
