@@ -1,6 +1,7 @@
 #include "methods/irradiance_cache.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "filter/demodulation.h"
@@ -23,7 +24,8 @@ const std::vector<ParamField<P>>& fields() {
        "luminance tolerance of the primal, standard deviations of the mean", "[ours]"},
       {"sigma_l_diff", &P::sigma_l_diff, 0.01, 1000, "luminance tolerance of the difference, likewise",
        "[ours]"},
-      {"target", &P::target, 0.0001, 10, "relative error of light below which a pixel gets fewer paths",
+      {"target", &P::target, 0.0001, 10,
+       "relative error of light below which a pixel gets fewer of 2 paths; of n paths, sqrt(2 / n) times it",
        "[ours]"},
       {"grid_paths", &P::grid_paths, 0, 64,
        "paths per pixel whose time the grid takes: as many of those asked are left out, half at most, where "
@@ -83,7 +85,9 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
   times[Stage::kTemporal] += grid.place(on, pool, light_.changed() ? none : at_prev_, at_);
   times[Stage::kTemporal] += grid.uncertainty(on, at_, pool, uncertainty_);
   const auto asked = static_cast<float>(spp);
-  const PathPlan paths{asked, std::max(asked - params_.grid_paths, 0.5f * asked), params_.target};
+  const PathPlan paths{.asked = asked,
+                       .usual = std::max(asked - params_.grid_paths, 0.5f * asked),
+                       .target = params_.target * std::sqrt(2 / asked)};
   times[Stage::kTemporal] += planPaths(paths, uncertainty_, frames_, pool, on);
 }
 
