@@ -43,6 +43,9 @@ struct SurfacePoint {
   float visible_sample = 0;     // what of that estimate nothing stands in the way of
   float rest = 0;               // an estimate of all other light
   BounceSample bounce;          // of the last of the paths that did not end at known light
+
+  // Whether it reflects light but cannot share it.
+  bool isOther() const { return share > 0 && kind == SurfaceKind::kNone; }
 };
 
 class BounceGrid;
@@ -73,10 +76,7 @@ class SurfaceSamples {
   std::span<const SurfacePoint> of(int x, int y) const { return row(y).subspan(x * per_pixel_, per_pixel_); }
 
   // Whether a pixel shows something that reflects light but cannot share it.
-  bool showsOthers(int x, int y) const {
-    return std::ranges::any_of(
-        of(x, y), [](const SurfacePoint& p) { return p.share > 0 && p.kind == SurfaceKind::kNone; });
-  }
+  bool showsOthers(int x, int y) const { return std::ranges::any_of(of(x, y), &SurfacePoint::isOther); }
 
   const BounceGrid* bounces = nullptr;  // light that ends paths at their second vertex, as the method has it
 

@@ -1,6 +1,7 @@
 #include "methods/path_plan.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "base/hash_rng.h"
 
@@ -17,50 +18,46 @@ float ditherAt(int x, int y, std::uint32_t frame) {
   return toUnit(bits);
 }
 
-bool isOther(const SurfacePoint& p) {
-  return p.share > 0 && p.kind == SurfaceKind::kNone;
-}
-
 float wantedPaths(const PathPlan& plan, float error) {
   const float r = error / plan.target;
   return std::min(plan.asked, plan.usual * std::max(std::min(1.f, r), 0.5f * r));
 }
 
-// What every point of kNone gets.
-std::uint32_t pathsForOthers(const PathPlan& plan, const SurfaceSamples& on) {
-  double others = 0, planned = 0;
-  for (int y = 0; y < on.height(); ++y) {
-    for (const SurfacePoint& p : on.row(y)) {
-      if (isOther(p))
-        ++others;
-      else
-        planned += p.paths;
-    }
-  }
-  if (others == 0) return 0;
-  const double left = double(plan.usual) * (on.columns() / on.perPixel()) * on.height() - planned;
-  return static_cast<std::uint32_t>(
-      std::clamp(left / others, double(plan.asked), double(kMostForOthers * plan.asked)));
+// What each of `others` points of kNone gets, once `planned` paths are those of all other points.
+std::uint32_t pathsForOthers(const PathPlan& plan, const SurfaceSamples& on, std::uint64_t others,
+                             std::uint64_t planned) {
+  const double pixels = static_cast<double>(on.columns() / on.perPixel()) * on.height();
+  const double left = plan.usual * pixels - static_cast<double>(planned);
+  return static_cast<std::uint32_t>(std::clamp(left / static_cast<double>(others), double{plan.asked},
+                                               double{kMostForOthers * plan.asked}));
 }
 
 }  // namespace
 
 std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, std::uint32_t frame,
                                    const PoolHandle& pool, SurfaceSamples& on) {
-  auto time = pool.forEachRow(on.height(), [&](int y) {
+  std::atomic<std::uint64_t> others = 0, planned = 0;
+  const auto time = pool.forEachRow(on.height(), [&](int y) {
+    std::uint64_t row_others = 0, row_planned = 0;
     for (int column = 0; column < on.columns(); ++column) {
       SurfacePoint& p = on.at(column, y);
+      if (p.isOther()) {
+        ++row_others;
+        continue;
+      }
       const float wanted = p.share * wantedPaths(plan, error.at(column, y));
       // The whole pixel is sampled, if another method is to estimate it.
-      const std::uint32_t least = !isOther(p) && on.showsOthers(column / on.perPixel(), y);
+      const std::uint32_t least = on.showsOthers(column / on.perPixel(), y);
       p.paths = std::max(least, static_cast<std::uint32_t>(wanted + ditherAt(column, y, frame)));
+      row_planned += p.paths;
     }
+    others += row_others, planned += row_planned;
   });
-  return time + pool.run(1, [&](int) {
-    const std::uint32_t paths = pathsForOthers(plan, on);
-    for (int y = 0; y < on.height(); ++y)
-      for (SurfacePoint& p : on.row(y))
-        if (isOther(p)) p.paths = paths;
+  if (others == 0) return time;
+  const std::uint32_t paths = pathsForOthers(plan, on, others, planned);
+  return time + pool.forEachRow(on.height(), [&](int y) {
+    for (SurfacePoint& p : on.row(y))
+      if (p.isOther()) p.paths = paths;
   });
 }
 

@@ -11,7 +11,7 @@
 namespace saccade {
 
 struct PathPlan {
-  float asked;   // paths per pixel: the mean over the picture is no larger
+  float asked;   // paths per pixel: the mean over a picture of one point per pixel is no larger
   float usual;   // of a pixel whose relative error is between `target` and twice that; in [0, asked]
   float target;  // relative error below which a pixel gets fewer
 };
