@@ -44,7 +44,7 @@ struct BlendedLight {
     variance = (1 - a) * (1 - a) * variance + a * a * noise[k] + left_out;
   }
 
-  // Variance of the change over a step, without the detail that is left out of `cells` finest cells: the
+  // Variance of the change over a step of `cells` finest cells, without the detail that is left out: the
   // weights of vertices change by as much.
   float stepVariance(float cells) const {
     float sum = 0, left = 1;

@@ -27,9 +27,8 @@ class LightStates {
   void enter(std::uint64_t strengths, std::uint32_t frame);
 
   LightState& current() { return *current_; }
-  LightState& previous() {
-    return *previous_;
-  }  // that of the frame before; of the first frame, the current one
+  // That of the frame before; of the first frame, the current one.
+  LightState& previous() { return *previous_; }
   bool changed() const { return current_ != previous_; }
   bool isNew() const { return current_->frames == 1; }
 

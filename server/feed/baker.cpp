@@ -17,7 +17,8 @@ constexpr std::size_t kMiB = 1 << 20;
 
 // Finest cells of half the size of a feed's, or of the same. It never drops vertices.
 GridParams gridOf(bool larger_cells) {
-  return {.finest_px = larger_cells ? 0.7f : 0.35f, .max_vertices = std::numeric_limits<std::size_t>::max()};
+  return {.finest_px = GridParams{}.finest_px * (larger_cells ? 1.f : 0.5f),
+          .max_vertices = std::numeric_limits<std::size_t>::max()};
 }
 
 // Vertices of surfaces that no pass has seen yet may take half of the memory. The rest is for what the gaps

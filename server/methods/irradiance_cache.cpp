@@ -28,9 +28,7 @@ const std::vector<ParamField<P>>& fields() {
        "relative error of light below which a pixel gets fewer of 2 paths; of n paths, sqrt(2 / n) times it",
        "[ours]"},
       {"grid_paths", &P::grid_paths, 0, 64,
-       "paths per pixel whose time the grid takes: as many of those asked are left out, half at most, where "
-       "light is "
-       "not far from `target`",
+       "paths per pixel whose time the grid takes: so many are left out, half of those asked at most",
        "[ours]"},
       {"memory", &P::memory, 1, 65536, "MiB of the grid; at least what two frames need", "[ours]"},
       {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},

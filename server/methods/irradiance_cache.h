@@ -15,10 +15,10 @@ namespace saccade {
 
 // irradiance_cache.cpp states the range and the source of each parameter.
 struct IrradianceCacheParams {
-  float finest = 0.7f;
-  float tau = 1;
-  float noise = 0.23f;
-  float caution = 3;
+  float finest = GridParams{}.finest_px;
+  float tau = GridParams{}.blend.tau;
+  float noise = GridParams{}.blend.noise;
+  float caution = GridParams{}.blend.caution;
   int iterations = 3;
   float sigma_l = 3;
   float sigma_l_diff = 6;
