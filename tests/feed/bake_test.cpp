@@ -137,6 +137,17 @@ TEST_F(BakeTest, KeepsToItsMemory) {
   EXPECT_EQ(made.full, baker.isFull());
 }
 
+// Where memory does not suffice for cells of half the size, a bake that was interrupted keeps to the others.
+TEST_F(BakeTest, ResumesWithTheCellsThatItHad) {
+  BakePlan small = plan();
+  small.memory = 2;
+  Baker whole(room(), small), interrupted(room(), small), resumed(room(), small);
+  whole.pass(pool), interrupted.pass(pool);
+  resumed.restore(interrupted.state());
+  whole.pass(pool), resumed.pass(pool);
+  EXPECT_EQ(resumed.state(), whole.state());
+}
+
 TEST_F(BakeTest, GoesOnWithWhatItHasWhenMemoryIsFull) {
   BakePlan small = plan(0.05f);
   small.width = 48, small.height = 36, small.memory = 2;
