@@ -30,11 +30,25 @@ const std::vector<ParamField<P>>& fields() {
       {"grid_paths", &P::grid_paths, 0, 64,
        "paths per pixel whose time the grid takes: so many are left out, half of those asked at most",
        "[ours]"},
-      {"memory", &P::memory, 1, 65536, "MiB of the grid; at least what two frames need", "[ours]"},
+      {"memory", &P::memory, 1, 65536,
+       "MiB of the grid, which has at most 10 kB per pixel; at least what two frames need", "[ours]"},
       {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
       {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
   };
   return table;
+}
+
+// Bytes of a grid: what `memory` allows, but no more than 32 pictures show that have nothing in common.
+double gridBytes(int memory, double pixels) {
+  constexpr double kMostPerPixel = 10'000;
+  return std::min(memory * double(1 << 20), kMostPerPixel * pixels);
+}
+
+// Measured with the least `memory` on pictures of 512x512 that show curved meshes all over.
+double mostBytes(const ParamValues& params, double pixels, bool jitter) {
+  constexpr double kPlaces = 1800, kMorePlaces = 1400, kTwoFrames = 1200;  // per pixel
+  return pixels * (jitter ? kPlaces + kMorePlaces : kPlaces) +
+         std::max(pixels * kTwoFrames, gridBytes(static_cast<int>(params.at("memory")), pixels));
 }
 
 }  // namespace
@@ -50,7 +64,8 @@ MethodInfo IrradianceCache::info() {
             return std::make_unique<IrradianceCache>(makeParams(fields(), setup.params), setup.width,
                                                      setup.height, setup.baked);
           },
-          true};
+          true,
+          mostBytes};
 }
 
 IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
@@ -59,7 +74,7 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
       atrous_{
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
       light_({.finest_px = p.finest, .blend = {.tau = p.tau, .noise = p.noise, .caution = p.caution}},
-             static_cast<std::size_t>(p.memory) * (1 << 20)),
+             static_cast<std::size_t>(gridBytes(p.memory, 1. * w * h))),
       now_(w, h),
       before_(w, h),
       filtered_(w, h),

@@ -39,6 +39,15 @@ v1::OpenStream withPoses(int keys, int csv_lines) {
 }
 
 // Room for one stream of tinyRequest() and not for a second, which may come later.
+TEST(Limits, TheGridOfAMethodCountsAsMemory) {
+  TestServer server(withLimit(Limit::kMemory, 10));
+  v1::OpenStream request = tinyRequest();
+  request.mutable_method()->set_name("irradiance_cache");
+  expectReached(server.client().tryOpen(request), Limit::kMemory, "view");
+  (*request.mutable_method()->mutable_params())["memory"] = 1;
+  EXPECT_EQ(server.client().tryOpen(request).code(), v1::CODE_OK);
+}
+
 TEST(Limits, OneMoreThanAllMayHaveIsRefused) {
   const struct {
     Limit limit;

@@ -24,9 +24,10 @@ double streamMemory(const ResolvedStream& stream) {
   constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
   constexpr double kPacketBytes = 640;                   // per packet, without its events
   const FeedConfig& feed = stream.feed;
+  const double view = static_cast<double>(feed.width) * feed.height;
   const double pixels = (feed.width + 2.0 * ImageF::kBorder) * (feed.height + 2.0 * ImageF::kBorder);
   const double packets = 1 + 1e9 / kPacketTimeNs / feed.frame_rate_hz;
-  double bytes = pixels * kFeedBytes;
+  double bytes = pixels * kFeedBytes + findMethod(feed.method)->memory(feed.params, view, feed.jitter);
   for (const SensorConfig& sensor : stream.sensors) {
     const double events = 1.0 * feed.width * feed.height * sensor.max_events_per_pixel_frame;
     bytes += pixels * kSensorBytes + packets * kPacketBytes +
