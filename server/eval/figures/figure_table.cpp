@@ -3,7 +3,8 @@
 namespace saccade::eval {
 namespace {
 
-const std::vector<std::string> kMethods{"pt", "pt-correlated", "svgf", "svgf:as_falcor=1", "event_svgf"};
+const std::vector<std::string> kMethods{"pt",         "pt-correlated",   "svgf", "svgf:as_falcor=1",
+                                        "event_svgf", "irradiance_cache"};
 
 BenchOptions frames(const char* range, int repeats) {
   BenchOptions o;
@@ -13,8 +14,8 @@ BenchOptions frames(const char* range, int repeats) {
 }
 
 // The first lies on top in charts, and Figure 7 shows it through every reconstruction.
-const std::vector<std::string> kSequenceMethods{"event_svgf", "svgf", "svgf:as_falcor=1", "pt-correlated",
-                                                "pt"};
+const std::vector<std::string> kSequenceMethods{"irradiance_cache", "event_svgf",    "svgf",
+                                                "svgf:as_falcor=1", "pt-correlated", "pt"};
 
 // A small picture for many frames, which `right` moves by about a third of a pixel each, there and back every
 // 100.
@@ -60,7 +61,7 @@ const std::vector<Figure>& figureTable() {
       {{10,
         frames("21", 4),
         {"cornell-bunny"},
-        {"event_svgf", "svgf", "svgf:as_falcor=1"},
+        {"irradiance_cache", "event_svgf", "svgf", "svgf:as_falcor=1"},
         {2},
         {0.1, 0.25, 0.33, 0.67, 1, 1.5, 2, 4, 8, 16}},
        "errors against the speed of the camera, to the right and forward",
@@ -68,7 +69,11 @@ const std::vector<Figure>& figureTable() {
       {{11, frames("17:21", 2), {"cornell-bunny"}, sweepSigmaL(), {2}},
        "EventSVGF with other luminance tolerances",
        runComparison},
-      {{12, frames("17:21", 2), {"textured-cornell-box"}, {"event_svgf", "svgf", "pt-correlated"}, {2}},
+      {{12,
+        frames("17:21", 2),
+        {"textured-cornell-box"},
+        {"irradiance_cache", "event_svgf", "svgf", "pt-correlated"},
+        {2}},
        "fine texture: pixel centres without and with mips, and paths from all over the pixel",
        runSampling},
   };
