@@ -45,7 +45,7 @@ RTCRay toEmbree(const Ray& ray) {
 
 }  // namespace
 
-EmbreeScene::EmbreeScene(const Scene& scene) {
+EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes) {
   // One thread: Embree builds in the calling thread, and its own threads never compete with the tile pool.
   device_ = rtcNewDevice("threads=1,set_affinity=0");
   if (!device_)
@@ -53,13 +53,16 @@ EmbreeScene::EmbreeScene(const Scene& scene) {
   rtcSetDeviceMemoryMonitorFunction(device_, countMemory, &bytes_);
   scene_ = rtcNewScene(device_);
   unsigned id = 0;
-  const auto attach = [&](RTCGeometry geometry) {
+  const auto attach = [&](const auto& shape, auto make) {
+    const unsigned its_id = id++;
+    if (shapes == Shapes::kEmitters && luminance(shape.radiance) <= 0) return;
+    RTCGeometry geometry = make(device_, shape);
     rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene_, geometry, id++);
+    rtcAttachGeometryByID(scene_, geometry, its_id);
     rtcReleaseGeometry(geometry);
   };
-  for (const Mesh& mesh : scene.meshes) attach(makeMesh(device_, mesh));
-  for (const Sphere& sphere : scene.spheres) attach(makeSphere(device_, sphere));
+  for (const Mesh& mesh : scene.meshes) attach(mesh, makeMesh);
+  for (const Sphere& sphere : scene.spheres) attach(sphere, makeSphere);
   rtcCommitScene(scene_);
   RTCBounds b;
   rtcGetSceneBounds(scene_, &b);

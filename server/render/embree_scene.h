@@ -30,7 +30,9 @@ struct Hit {
 // meshes of `scene`.
 class EmbreeScene {
  public:
-  explicit EmbreeScene(const Scene& scene);
+  // kEmitters: only those that emit; the ids stay.
+  enum class Shapes { kAll, kEmitters };
+  explicit EmbreeScene(const Scene& scene, Shapes shapes = Shapes::kAll);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;

@@ -71,6 +71,10 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
     if constexpr (S.extras) in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
     if (!next.delta) cone.spread = RayCone::lobeSpread(next.pdf);
     const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
+    bounce += !next.delta;
+    // With such surfaces the last ray goes on, because shadow rays do. Else it can only find light.
+    const bool last = bounce > bounces && !transmission;
+    if (last && !scene.mayFindLight(ray)) return parts.tail.end(radiance);
     const Hit hit = scene.geometry().intersect(ray);
 
     // The path has hit an emitter. That is direct light of the vertex before.
@@ -94,9 +98,7 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
       if constexpr (Parts::kKept)
         if (from_start && scene.analyticLight().holds(hit.geometry)) parts.weighed += found;
     }
-    bounce += !next.delta;
-    // With such surfaces the last ray goes on, because shadow rays do.
-    if (bounce > bounces && !transmission) return parts.tail.end(radiance);
+    if (last) return parts.tail.end(radiance);
     if constexpr (Parts::kKept) {
       if (vertex > 0 || next.delta) continue;
       const auto known = parts.tail.template begin<S>(s, arriving, cone.width, sampler.u(detail::kGoOn),

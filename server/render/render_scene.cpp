@@ -18,6 +18,7 @@ bool transmitsStraight(const Material& m) {
 RenderScene::RenderScene(Scene scene)
     : scene_(std::move(scene)),
       geometry_(scene_),
+      emitters_(scene_, EmbreeScene::Shapes::kEmitters),
       lights_(scene_, geometry_.diagonal() / 2),
       analytic_light_(scene_),
       shading_(shadingOf(scene_)),
@@ -30,7 +31,7 @@ RenderScene::RenderScene(Scene scene)
 
 std::size_t RenderScene::bytes() const {
   const SceneStats stats = statsOf(scene_);
-  return stats.geometry_bytes + geometry_.bytes() + stats.texture_bytes;
+  return stats.geometry_bytes + geometry_.bytes() + emitters_.bytes() + stats.texture_bytes;
 }
 
 }  // namespace saccade

@@ -19,6 +19,8 @@ class RenderScene {
   const Scene& description() const { return scene_; }
   const EmbreeScene& geometry() const { return geometry_; }
   const Lights& lights() const { return lights_; }
+  // Whether a ray may find light, if nothing is in its way. No is much cheaper than intersect().
+  bool mayFindLight(const Ray& ray) const { return scene_.environment || emitters_.occluded(ray); }
   const AnalyticLight& analyticLight() const { return analytic_light_; }
   Shading shading() const { return shading_; }  // what the scene has
   int channels() const { return channels_; }
@@ -38,7 +40,7 @@ class RenderScene {
 
  private:
   Scene scene_;
-  EmbreeScene geometry_;
+  EmbreeScene geometry_, emitters_;
   Lights lights_;
   AnalyticLight analytic_light_;
   Shading shading_;

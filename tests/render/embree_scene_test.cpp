@@ -34,5 +34,20 @@ TEST(EmbreeScene, HitsTrianglesAndSpheresFromBothSides) {
   EXPECT_FALSE(e.intersect({{0, 0, -2}, {0, 0, -1}, 100}).valid);
 }
 
+TEST(EmbreeScene, OfEmittersHasNothingElse) {
+  Scene s;
+  s.materials = {test::grey(0.5f)};
+  s.meshes = {test::quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, 0),
+              test::quad({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}, 0)};
+  s.meshes[1].radiance = {1, 1, 1};
+  s.spheres = {{"ball", {5, 0, 5}, 1, 0, {}}, {"lamp", {0, 0, 9}, 1, 0, {1, 1, 1}}};
+  const EmbreeScene e(s, EmbreeScene::Shapes::kEmitters);
+  const Ray along{{0, 0, -2}, {0, 0, 1}, 100}, back{{0, 0, 20}, {0, 0, -1}, 100};
+  EXPECT_EQ(e.intersect(along).geometry, 1u);
+  EXPECT_EQ(e.intersect(back).geometry, 3u);
+  EXPECT_FALSE(e.occluded({{0, 0, -2}, {0, 0, 1}, 2.5f}));
+  EXPECT_FALSE(e.occluded({{5, 0, -2}, {0, 0, 1}, 100}));
+}
+
 }  // namespace
 }  // namespace saccade
