@@ -67,8 +67,9 @@ struct MethodInfo {
   std::unique_ptr<Method> (*make)(const MethodSetup& setup);
   bool takes_baked = false;  // whether it makes use of a bake
   // Bytes that it takes at most for a view, beside what every method takes.
-  double (*memory)(const ParamValues& params, double pixels, bool jitter) = [](const ParamValues&, double,
-                                                                               bool) { return 0.; };
+  double (*memory)(const ParamValues& params, double pixels, bool jitter) = noMore;
+
+  static double noMore(const ParamValues&, double, bool) { return 0; }
 };
 
 // THE list of methods, method_table.cpp. The first is the default.

@@ -77,7 +77,7 @@ AnalyticLight::AnalyticLight(const Scene& scene)
       directional_lights_(scene.directional_lights) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Mesh& mesh = scene.meshes[i];
-    if (luminance(mesh.radiance) > 0 && sides_.size() + mesh.triangles.size() <= kMaxSides)
+    if (emits(mesh) && sides_.size() + mesh.triangles.size() <= kMaxSides)
       addSides(mesh, static_cast<std::uint32_t>(i));
   }
 }

@@ -55,7 +55,7 @@ EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes) {
   unsigned id = 0;
   const auto attach = [&](const auto& shape, auto make) {
     const unsigned its_id = id++;
-    if (shapes == Shapes::kEmitters && luminance(shape.radiance) <= 0) return;
+    if (shapes == Shapes::kEmitters && !emits(shape)) return;
     RTCGeometry geometry = make(device_, shape);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene_, geometry, its_id);

@@ -39,7 +39,7 @@ void Lights::addAreaLights(const Scene& scene) {
   std::uint32_t geometry = 0;  // counted as EmbreeScene does
   for (const Mesh& mesh : scene.meshes) {
     const std::uint32_t id = geometry++;
-    if (luminance(mesh.radiance) <= 0) continue;
+    if (!emits(mesh)) continue;
     for (const auto& t : mesh.triangles) {
       const Vec3 a = mesh.positions[t[0]], e1 = mesh.positions[t[1]] - a, e2 = mesh.positions[t[2]] - a;
       add({a, e1, e2, 0, mesh.radiance, id}, length(cross(e1, e2)) / 2);
@@ -47,7 +47,7 @@ void Lights::addAreaLights(const Scene& scene) {
   }
   for (const Sphere& sphere : scene.spheres) {
     const std::uint32_t id = geometry++;
-    if (luminance(sphere.radiance) <= 0) continue;
+    if (!emits(sphere)) continue;
     const float area = 4 * std::numbers::pi_v<float> * sphere.radius * sphere.radius;
     add({sphere.center, {}, {}, sphere.radius, sphere.radiance, id}, area);
   }

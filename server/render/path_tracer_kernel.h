@@ -72,7 +72,8 @@ Color<Channels> traceReflected(const RenderScene& scene, const EmitterStrengths&
     if (!next.delta) cone.spread = RayCone::lobeSpread(next.pdf);
     const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
     bounce += !next.delta;
-    // With such surfaces the last ray goes on, because shadow rays do. Else it can only find light.
+    // Where surfaces let light straight through, the last ray goes on, because shadow rays do. Else it can
+    // only find light.
     const bool last = bounce > bounces && !transmission;
     if (last && !scene.mayFindLight(ray)) return parts.tail.end(radiance);
     const Hit hit = scene.geometry().intersect(ray);

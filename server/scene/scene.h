@@ -37,6 +37,11 @@ struct Sphere {
   Strength strength = {};  // of radiance, over time
 };
 
+// Whether a mesh or a sphere is a light.
+inline bool emits(const auto& shape) {
+  return luminance(shape.radiance) > 0;
+}
+
 struct Scene {
   std::string name;
   std::vector<Material> materials;

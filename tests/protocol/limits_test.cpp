@@ -38,7 +38,6 @@ v1::OpenStream withPoses(int keys, int csv_lines) {
   return request;
 }
 
-// Room for one stream of tinyRequest() and not for a second, which may come later.
 TEST(Limits, TheGridOfAMethodCountsAsMemory) {
   TestServer server(withLimit(Limit::kMemory, 10));
   v1::OpenStream request = tinyRequest();
@@ -48,6 +47,7 @@ TEST(Limits, TheGridOfAMethodCountsAsMemory) {
   EXPECT_EQ(server.client().tryOpen(request).code(), v1::CODE_OK);
 }
 
+// Room for one stream of tinyRequest() and not for a second, which may come later.
 TEST(Limits, OneMoreThanAllMayHaveIsRefused) {
   const struct {
     Limit limit;

@@ -29,7 +29,7 @@ double streamMemory(const ResolvedStream& stream) {
   const double packets = 1 + 1e9 / kPacketTimeNs / feed.frame_rate_hz;
   double bytes = pixels * kFeedBytes + findMethod(feed.method)->memory(feed.params, view, feed.jitter);
   for (const SensorConfig& sensor : stream.sensors) {
-    const double events = 1.0 * feed.width * feed.height * sensor.max_events_per_pixel_frame;
+    const double events = view * sensor.max_events_per_pixel_frame;
     bytes += pixels * kSensorBytes + packets * kPacketBytes +
              kEventBytes * std::min(events, static_cast<double>(sensor.max_events_per_frame));
   }
