@@ -18,8 +18,10 @@ constexpr std::uint64_t hashKey(std::uint64_t seed, std::uint64_t address) {
   return mix64(seed ^ mix64(address + 0x9e3779b97f4a7c15ull));
 }
 
-// A bijective 32-bit mixer. It is cheap enough for one call per random number.
-constexpr std::uint32_t mix32(std::uint32_t v) {
+// A bijective 32-bit mixer, of numbers or of lanes of them. It is cheap enough for one call per random
+// number.
+template <class Bits = std::uint32_t>
+constexpr Bits mix32(Bits v) {
   v = (v ^ (v >> 16)) * 0x21f0aaadu;
   v = (v ^ (v >> 15)) * 0xd35a2d97u;
   return v ^ (v >> 15);

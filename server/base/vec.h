@@ -13,7 +13,7 @@ template <class T>
 struct Vec3T {
   T x{}, y{}, z{};
 
-  friend constexpr bool operator==(const Vec3T&, const Vec3T&) = default;
+  friend bool operator==(const Vec3T&, const Vec3T&) = default;
 };
 using Vec3 = Vec3T<float>;
 using Vec3d = Vec3T<double>;
@@ -74,8 +74,12 @@ inline Vec3d toDouble(Vec3 a) {
 using Rgb = Vec3;
 
 // Rec. 709 luminance of a linear colour.
-inline float luminance(Rgb c) {
+template <class F>
+F luminance(Vec3T<F> c) {
   return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;
+}
+inline float luminance(Rgb c) {
+  return luminance<float>(c);
 }
 
 }  // namespace saccade
