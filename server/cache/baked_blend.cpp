@@ -46,10 +46,10 @@ class Surroundings {
 };
 
 Octet blendAround(Surroundings& around, const GridParams& params) {
-  const LevelBlend blend([&](int slot) { return around.light(slot); },
-                         [&](int slot) { return around.evidence(slot); }, 0, params.blend);
+  const LevelBlend<float> blend([&](int slot) { return around.light(slot); },
+                                [&](int slot) { return around.evidence(slot); }, 0, params.blend);
   if (blend.light[params.pixelSlot()][0] < kLeastSamples || blend.light[kTop - 1][0] == 0) return Octet{};
-  const auto step = [](const BlendedLight& light) {
+  const auto step = [](const BlendedLight<float>& light) {
     return light.stepVariance(kSmallStep) / (kSmallStep * kSmallStep);
   };
   return Octet{1,

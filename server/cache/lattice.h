@@ -26,14 +26,22 @@ struct Tetrahedron {
     const auto x = static_cast<float>(q.x - low.x), y = static_cast<float>(q.y - low.y),
                z = static_cast<float>(q.z - low.z);
     // From the lowest corner to the highest, along the axis of the largest fraction first.
-    const bool xy = x >= y, xz = x >= z, yz = y >= z;
-    const VertexKey most = xy && xz ? kX : !xy && yz ? kY : kZ, least = xz && yz ? kZ : xy && !yz ? kY : kX;
+    const unsigned order = unsigned(x >= y) | unsigned(x >= z) << 1 | unsigned(y >= z) << 2;
     const float a = std::max({x, y, z}), c = std::min({x, y, z}),
                 b = std::max(std::min(x, y), std::min(std::max(x, y), z));
-    const VertexKey base =
-        address(low.x) | address(low.y) << 20 | address(low.z) << 40 | static_cast<VertexKey>(bin + 1) << 60;
-    key = {base, base + most, base + kX + kY + kZ - least, base + kX + kY + kZ};
+    const auto whole = [](double c) { return static_cast<std::int64_t>(c); };
+    key = corners(lowest(whole(low.x), whole(low.y), whole(low.z), bin), order);
     weight = {1 - a, a - b, b - c, c};
+  }
+
+  // The key of the lowest corner, from its coordinates.
+  static VertexKey lowest(std::int64_t x, std::int64_t y, std::int64_t z, int bin) {
+    return address(x) | address(y) << 20 | address(z) << 40 | static_cast<VertexKey>(bin + 1) << 60;
+  }
+  // The keys of all corners. `order`: a bit each for x >= y, x >= z, y >= z of the fractions.
+  static std::array<VertexKey, 4> corners(VertexKey lowest, unsigned order) {
+    const auto& [most, least] = kOrders[order];  // a table, because no processor can guess the order
+    return {lowest, lowest + most, lowest + kX + kY + kZ - least, lowest + kX + kY + kZ};
   }
 
   std::array<VertexKey, 4> key;
@@ -47,11 +55,20 @@ struct Tetrahedron {
 
  private:
   static constexpr VertexKey kX = 1, kY = VertexKey{1} << 20, kZ = VertexKey{1} << 40;
+  struct Order {
+    VertexKey most, least;  // the axes of the largest and of the smallest fraction
+  };
+  static constexpr auto kOrders = [] {
+    std::array<Order, 8> orders{};
+    for (unsigned i = 0; i < 8; ++i) {
+      const bool xy = i & 1, xz = i & 2, yz = i & 4;
+      orders[i] = {xy && xz ? kX : !xy && yz ? kY : kZ, xz && yz ? kZ : xy && !yz ? kY : kX};
+    }
+    return orders;
+  }();
   static constexpr std::int64_t kCentre = 1 << 19, kMask = (1 << 20) - 1;
   // Centred, so that no coordinate near 0 overflows into the next one.
-  static VertexKey address(double c) {
-    return static_cast<VertexKey>((static_cast<std::int64_t>(c) + kCentre) & kMask);
-  }
+  static VertexKey address(std::int64_t c) { return static_cast<VertexKey>((c + kCentre) & kMask); }
   static double coordinate(VertexKey address) {
     return static_cast<double>((static_cast<std::int64_t>(address) & kMask) - kCentre);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/wide.h"
 #include "cache/grid_levels.h"
 
 namespace saccade {
@@ -16,65 +17,68 @@ struct BlendParams {
 
 inline constexpr int kTop = kGridLevels - 1;  // the slot of the coarsest level
 
-// Of the mean of samples of that weight, by the squared residuals of others.
-inline float varianceOf(float residual2, float weight, float samples, const BlendParams& p) {
-  return weight > 0 && samples > 0 ? p.noise * residual2 / (weight * samples) : 0;
+// Variance of the mean of samples of that weight, by the squared residuals of others.
+template <class F>
+F varianceOf(F residual2, F weight, F samples, const BlendParams& p) {
+  return select(weight > 0.f && samples > 0.f, p.noise * residual2 / (weight * samples), F(0.f));
 }
 
 // One kind of light, from coarse to fine: E += alpha_k (E_k - E), with alpha_k the share of the detail of
-// level k that is not noise [ours].
+// level k that is not noise [ours]. Of one point, or of a point in each lane (F is Floats then).
+template <class F>
 struct BlendedLight {
-  float value = 0, variance = 0;             // of the estimate so far, with the detail that it leaves out
-  std::array<float, kTop> alpha{}, noise{};  // of each level: alpha_k, and the variance of E_k
+  F value = 0.f, variance = 0.f;         // of the estimate so far, with the detail that it leaves out
+  std::array<F, kTop> alpha{}, noise{};  // of each level: alpha_k, and the variance of E_k
 
   // `sum` of samples of the weight `samples`. alpha = energy / (energy + caution * noise): what evidence
   // says of the energy of the detail, against the variance of the level's mean.
-  void refine(int k, float sum, float samples, float x, float x2, float residual2, float weight,
-              float fraction, const BlendParams& p) {
-    if (samples <= 0) return;
-    const float energy = weight > 0 ? std::max(0.f, x - p.tau * std::sqrt(x2)) / weight : 0;
-    noise[k] = varianceOf(residual2, weight, samples, p);
-    float a = energy > 0 ? energy / (energy + p.caution * noise[k]) : 0;
-    const float left_out = (1 - a) * (1 - a) * energy;
+  void refine(int k, F sum, F samples, F x, F x2, F residual2, F weight, F fraction, const BlendParams& p) {
+    using std::max, std::sqrt;
+    const auto known = samples > 0.f;
+    const F energy = select(weight > 0.f, max(F(0.f), F(x - p.tau * sqrt(x2))) / weight, F(0.f));
+    noise[k] = varianceOf<F>(residual2, weight, samples, p);
+    F a = select(energy > 0.f, energy / (energy + p.caution * noise[k]), F(0.f));
+    const F left_out = (1.f - a) * (1.f - a) * energy;
     // The coarsest level fades in, and the finest fades out, as the point moves away.
-    if (k == kTop - 1) a += (1 - fraction) * (1 - a);
-    if (k == 0) a *= 1 - fraction;
-    alpha[k] = a;
-    value += a * (sum / samples - value);
-    variance = (1 - a) * (1 - a) * variance + a * a * noise[k] + left_out;
+    if (k == kTop - 1) a += (1.f - fraction) * (1.f - a);
+    if (k == 0) a *= 1.f - fraction;
+    alpha[k] = select(known, a, F(0.f));
+    value = select(known, F(value + a * (sum / samples - value)), value);
+    variance = select(known, F((1.f - a) * (1.f - a) * variance + a * a * noise[k] + left_out), variance);
   }
 
   // Variance of the change over a step of `cells` finest cells, without the detail that is left out: the
   // weights of vertices change by as much.
-  float stepVariance(float cells) const {
-    float sum = 0, left = 1;
+  F stepVariance(F cells) const {
+    using std::min;
+    F sum = 0.f, left = 1.f;
     for (int k = 0; k < kTop; ++k, cells *= 0.5f) {
-      const float w = alpha[k] * left;
-      sum += w * w * std::min(2.f, 2 * cells * cells) * noise[k];
-      left *= 1 - alpha[k];
+      const F w = alpha[k] * left;
+      sum += w * w * min(F(2.f), F(2.f * cells * cells)) * noise[k];
+      left *= 1.f - alpha[k];
     }
     return sum;
   }
 };
 
+template <class F>
 struct LevelBlend {
-  LevelBlend(const GridLevels& levels, const Placement& at, const GridPoint& p, const BlendParams& params)
-      : LevelBlend([&](int k) { return gather(levels[p.level + k].light, at, p, k); },
-                   [&](int k) { return gather(levels[p.level + k].evidence, at, p, k); }, p.fraction,
-                   params) {}
-
-  // lightAt(slot) and evidenceAt(slot) gather what a point needs.
-  LevelBlend(const auto& lightAt, const auto& evidenceAt, float fraction, const BlendParams& params) {
-    visibility.value = 1;
-    light[kTop] = lightAt(kTop);
-    if (light[kTop][0] > 0) rest.value = light[kTop][1] / light[kTop][0];
-    if (light[kTop][3] > 0) visibility.value = light[kTop][2] / light[kTop][3];
+  // lightAt(slot) and evidenceAt(slot) give what GridLevel has at a point: four and eight values.
+  LevelBlend(const auto& lightAt, const auto& evidenceAt, F fraction, const BlendParams& params) {
+    const auto setLight = [&](int k) {
+      const auto l = lightAt(k);
+      light[k] = {l[0], l[1], l[2], l[3]};
+    };
+    setLight(kTop);
+    rest.value = select(light[kTop][0] > 0.f, light[kTop][1] / light[kTop][0], F(0.f));
+    visibility.value = select(light[kTop][3] > 0.f, light[kTop][2] / light[kTop][3], F(1.f));
     for (int k = kTop - 1; k >= 0; --k) {
-      const Quad l = light[k] = lightAt(k);
-      const Octet e = evidenceAt(k + kPoolSteps);
+      setLight(k);
+      const auto& l = light[k];
+      const auto e = evidenceAt(k + kPoolSteps);
       if (k == kTop - 1) {  // of the coarsest level there is no evidence of its own
-        rest.variance = varianceOf(e[2], e[3], light[kTop][0], params);
-        visibility.variance = varianceOf(e[6], e[7], light[kTop][3], params);
+        rest.variance = varianceOf<F>(e[2], e[3], light[kTop][0], params);
+        visibility.variance = varianceOf<F>(e[6], e[7], light[kTop][3], params);
       }
       rest.refine(k, l[1], l[0], e[0], e[1], e[2], e[3], fraction, params);
       visibility.refine(k, l[2], l[3], e[4], e[5], e[6], e[7], fraction, params);
@@ -82,13 +86,13 @@ struct LevelBlend {
   }
 
   // i = U V + rest, with U the unoccluded direct light.
-  float value(float U) const { return rest.value + U * visibility.value; }
-  float variance(float U) const { return rest.variance + U * U * visibility.variance; }
-  float stepVariance(float U, float cells) const {
+  F value(F U) const { return rest.value + U * visibility.value; }
+  F variance(F U) const { return rest.variance + U * U * visibility.variance; }
+  F stepVariance(F U, F cells) const {
     return rest.stepVariance(cells) + U * U * visibility.stepVariance(cells);
   }
-  BlendedLight rest, visibility;
-  std::array<Quad, kGridLevels> light;  // gathered, by slot
+  BlendedLight<F> rest, visibility;
+  std::array<std::array<F, 4>, kGridLevels> light;  // by slot
 };
 
 }  // namespace saccade

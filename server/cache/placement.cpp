@@ -6,7 +6,11 @@ namespace saccade {
 
 GridPoint gridPoint(const SurfacePoint& point, float finest_px) {
   const float level = std::log2(finest_px * point.footprint), floor = std::floor(level);
-  return {.level = static_cast<int>(floor), .fraction = level - floor, .position = point.position};
+  const int whole = static_cast<int>(floor);
+  return {.level = whole,
+          .fraction = level - floor,
+          .scale = std::ldexp(finest_px * point.footprint, -whole),
+          .position = point.position};
 }
 
 void Placement::place(const SurfaceSamples& on, float finest_px) {

@@ -19,6 +19,7 @@ struct GridPoint {
   std::uint32_t index = 0;  // of the point, SurfaceSamples::indexOf()
   std::int32_t level = 0;   // of slot 0
   float fraction = 0;       // of the way to the next level, [0, 1)
+  float scale = 1;          // 2^fraction
   Vec3 position;
   std::uint32_t first = 0, count = 0;  // its taps, in each slot
   static bool isSlot(int slot) { return slot >= 0 && slot < kSlots; }
@@ -26,9 +27,10 @@ struct GridPoint {
 
 // The place of a point, without taps. `finest_px`: edge of the finest cells, pixels.
 GridPoint gridPoint(const SurfacePoint& point, float finest_px);
+inline constexpr int kVertexBins = 12;
 // The bin of vertices for one of a normal's.
 inline int vertexBin(int bin_of_normal, SurfaceKind kind) {
-  constexpr int kMixed = 6;
+  constexpr int kMixed = kVertexBins / 2;
   return bin_of_normal + (kind == SurfaceKind::kMixed ? kMixed : 0);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cache/vertex_search.h"
+
 namespace saccade {
 namespace {
 
@@ -26,6 +28,34 @@ void forEachPointOf(const Placement& at, int l, const F& f) {
   }
 }
 
+constexpr auto kAll = [](int) { return true; };
+constexpr auto kNothingElse = [](const auto&, const PointLanes&) {};
+
+// Adds what the grid says of a few points to their pixels.
+void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes, const SurfaceSamples& on,
+                  const GBuffer& g, const Placement& at, int y, float finest_px, GridEstimate& out) {
+  LaneMemory<2> of_points;  // unoccluded light, and motion in finest cells
+  std::array<int, kPointLanes> x;
+  for (int i = 0; i < lanes.count; ++i) {
+    const GridPoint& p = at.points[lanes.points[i]];
+    x[i] = on.columnOf(p.index) / on.perPixel();
+    const float mx = g.motion_x.at(x[i], y), my = g.motion_y.at(x[i], y);
+    of_points.values[0][i] = on[p.index].unoccluded;
+    of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / finest_px;
+  }
+  const auto [U, cells] = of_points.lanes();
+  LaneMemory<3> said;
+  store(blend.value(U), said.values[0]);
+  store(blend.variance(U), said.values[1]);
+  store(blend.stepVariance(U, cells), said.values[2]);
+  for (int i = 0; i < lanes.count; ++i) {
+    const float share = on[at.points[lanes.points[i]].index].share;
+    out.i.at(x[i], y) += share * said.values[0][i];
+    out.var_i.at(x[i], y) += share * share * said.values[1][i];
+    out.var_step.at(x[i], y) += share * share * said.values[2][i];
+  }
+}
+
 }  // namespace
 
 int GridParams::pixelSlot() const {
@@ -42,34 +72,10 @@ SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const PoolHandle&
 }
 
 void SurfaceGrid::findVertices(int l, Placement& out) {
-  struct Found {
-    std::array<VertexTable::Place, 4> places;
-    Taps* taps = nullptr;
-  };
-  constexpr std::uint32_t kOnTheWay = 8;
-  std::array<Found, kOnTheWay> found{};
-  std::uint32_t count = 0;
   GridLevel& level = levels_[l];
-  VertexTable::Finder finder(level.table, now_);
-  const auto finish = [&](const Found& f) {
-    for (int c = 0; c < 4; ++c) f.taps->vertex[c] = level.table.indexAt(f.places[c]);
-  };
-  const double inv_h = std::ldexp(1.0, -l);
-  forEachPointOf(out, l, [&](std::size_t, const GridPoint& p, int slot) {
-    const Vec3d q = toDouble(p.position) * inv_h;
-    for (std::uint32_t t = p.first; t < p.first + p.count; ++t, ++count) {
-      const Tetrahedron corners(q, out.bins[t]);
-      Found& f = found[count % kOnTheWay];
-      if (count >= kOnTheWay) finish(f);
-      f.taps = &out.taps[slot][t];
-      for (int c = 0; c < 4; ++c) {
-        f.places[c] = finder.find(corners.key[c]);
-        f.taps->weight[c] = corners.weight[c] * out.bin_weights[t];
-      }
-    }
-  });
-  for (std::uint32_t i = count > kOnTheWay ? count - kOnTheWay : 0; i < count; ++i)
-    finish(found[i % kOnTheWay]);
+  VertexSearch search(level, l, now_, out);
+  forEachPointOf(out, l, [&](std::size_t, const GridPoint& p, int slot) { search.add(p, slot); });
+  search.finish();
   level.light.resize(level.table.size());
   level.evidence.resize(level.table.size());
 }
@@ -127,54 +133,49 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Place
       const Octet e = gather(levels_[p.level + slot + kPoolSteps].evidence, at, p, slot + kPoolSteps);
       const bool known = l[0] > 0 && e[3] > 0, shadows = l[3] > 0 && e[7] > 0;
       const float U = on[p.index].unoccluded;
-      const float variance =
-          varianceOf(e[2], e[3], l[0], params_.blend) + U * U * varianceOf(e[6], e[7], l[3], params_.blend);
+      const float variance = varianceOf<float>(e[2], e[3], l[0], params_.blend) +
+                             U * U * varianceOf<float>(e[6], e[7], l[3], params_.blend);
       const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
       out.at(on.columnOf(p.index), y) = known ? std::sqrt(variance) / std::max(light, 1e-6f) : kUnknown;
     }
   });
 }
 
-// Reads the pixels of a row for which wanted(x), and calls each(blend, point of `at`).
+// Reads the pixels of a row for which wanted(x), and calls each(blend, lanes) for a few of its points at
+// once.
 void SurfaceGrid::readRow(const SurfaceSamples& on, const GBuffer& g, const Placement& at, int y,
                           const auto& wanted, const auto& each, GridEstimate& out) const {
   for (int x = 0; x < out.i.width(); ++x)
     if (wanted(x)) out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = 0;
+  PointLanes lanes;
+  const auto finish = [&] {
+    const LevelBlend<PointFloats> blend = lanes.blend(params_.blend);
+    addEstimates(blend, lanes, on, g, at, y, params_.finest_px, out);
+    each(blend, lanes);
+    lanes.count = 0;
+  };
   const auto [first, end] = at.ofRow(y);
   for (std::size_t i = first; i < end; ++i) {
-    const GridPoint& p = at.points[i];
-    const int x = on.columnOf(p.index) / on.perPixel();
-    if (!wanted(x)) continue;
+    if (!wanted(on.columnOf(at.points[i].index) / on.perPixel())) continue;
     if (i + kAhead < end) prefetch(at, at.points[i + kAhead]);
-    const LevelBlend blend(levels_, at, p, params_.blend);
-    const SurfacePoint& s = on[p.index];
-    const float px = std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y));
-    out.i.at(x, y) += s.share * blend.value(s.unoccluded);
-    out.var_i.at(x, y) += s.share * s.share * blend.variance(s.unoccluded);
-    out.var_step.at(x, y) +=
-        s.share * s.share * blend.stepVariance(s.unoccluded, px * std::exp2(p.fraction) / params_.finest_px);
-    each(blend, i);
+    lanes.add(levels_, at, i);
+    if (lanes.full()) finish();
   }
+  if (lanes.count > 0) finish();
 }
 
 SurfaceGrid::Time SurfaceGrid::read(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                     const PoolHandle& pool, GridEstimate& out) const {
-  return pool.forEachRow(on.height(), [&](int y) {
-    readRow(
-        on, g, at, y, [](int) { return true; }, [](const LevelBlend&, std::size_t) {}, out);
-  });
+  return pool.forEachRow(on.height(), [&](int y) { readRow(on, g, at, y, kAll, kNothingElse, out); });
 }
 
 SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                          const PoolHandle& pool, GridEstimate& out) {
   evidence_.resize(at.points.size());
-  const auto compare = [&](const LevelBlend& blend, std::size_t i) {
-    evidence_[i] = evidenceOf(blend, samples_[i], at, at.points[i]);
+  const auto compare = [&](const auto& blend, const PointLanes& lanes) {
+    findEvidence(blend, lanes, samples_, at, evidence_);
   };
-  return pool.forEachRow(on.height(), [&](int y) {
-    readRow(
-        on, g, at, y, [](int) { return true; }, compare, out);
-  });
+  return pool.forEachRow(on.height(), [&](int y) { readRow(on, g, at, y, kAll, compare, out); });
 }
 
 SurfaceGrid::Time SurfaceGrid::readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
@@ -186,8 +187,7 @@ SurfaceGrid::Time SurfaceGrid::readAgain(const SurfaceSamples& on, const GBuffer
         if (uncertainty.at(column, y) == kUnknown || uncertainty_prev.at(column, y) == kUnknown) return true;
       return false;
     };
-    readRow(
-        on, g, at, y, unknown, [](const LevelBlend&, std::size_t) {}, out);
+    readRow(on, g, at, y, unknown, kNothingElse, out);
   });
 }
 
