@@ -2,12 +2,19 @@
 // and directions.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "render/lights.h"
 #include "scene/emitter_strengths.h"
 
 namespace saccade {
+
+struct LitPoint {
+  Vec3 point;
+  Vec3 normal;            // unit, for shading
+  Vec3 geometric_normal;  // unit; light comes from its side alone
+};
 
 class AnalyticLight {
  public:
@@ -17,9 +24,10 @@ class AnalyticLight {
   bool holds(std::uint32_t geometry) const { return geometry < held_.size() && held_[geometry]; }
   bool holds(const IncidentLight& light) const { return light.delta || holds(light.geometry); }
 
-  // Radiance that a white diffuse surface would reflect: irradiance / pi. `normal` is the shading normal;
-  // light comes only from the side of `geometric_normal`. Both unit.
-  Rgb at(Vec3 point, Vec3 normal, Vec3 geometric_normal, const EmitterStrengths& strengths) const;
+  // Radiance that a white diffuse surface would reflect: irradiance / pi.
+  Rgb at(const LitPoint& p, const EmitterStrengths& strengths) const;
+  // The same for several points, as many as there are results.
+  void at(std::span<const LitPoint> points, const EmitterStrengths& strengths, std::span<Rgb> results) const;
 
  private:
   struct Side {
@@ -29,6 +37,8 @@ class AnalyticLight {
     std::uint32_t geometry;
   };
   void addSides(const Mesh& mesh, std::uint32_t geometry);
+  static Rgb from(const Side& side, const LitPoint& p, float strength);
+  Rgb fromPointsAndDirections(const LitPoint& p) const;
 
   std::vector<Side> sides_;
   std::vector<char> held_;  // by geometry id

@@ -2,10 +2,14 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
 #include "base/check.h"
+#include "base/instruction_set.h"
 
 namespace saccade {
 namespace {
@@ -47,7 +51,8 @@ RTCRay toEmbree(const Ray& ray) {
 
 EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes) {
   // One thread: Embree builds in the calling thread, and its own threads never compete with the tile pool.
-  device_ = rtcNewDevice("threads=1,set_affinity=0");
+  const bool wide = instructionSet() == InstructionSet::kAvx512;
+  device_ = rtcNewDevice(wide ? "threads=1,set_affinity=0" : "threads=1,set_affinity=0,isa=avx2");
   if (!device_)
     throw std::runtime_error("Embree cannot start: error " + std::to_string(rtcGetDeviceError(nullptr)));
   rtcSetDeviceMemoryMonitorFunction(device_, countMemory, &bytes_);
@@ -55,8 +60,11 @@ EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes) {
   unsigned id = 0;
   const auto attach = [&](const auto& shape, auto make) {
     const unsigned its_id = id++;
+    const bool straight = transmitsStraight(scene.materials[static_cast<std::size_t>(shape.material)]);
     if (shapes == Shapes::kEmitters && !emits(shape)) return;
+    if (shapes == Shapes::kStraight && !straight) return;
     RTCGeometry geometry = make(device_, shape);
+    if (shapes == Shapes::kAll) rtcSetGeometryMask(geometry, straight ? kStraightMask : kBlockingMask);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene_, geometry, its_id);
     rtcReleaseGeometry(geometry);
@@ -85,6 +93,90 @@ Hit EmbreeScene::intersect(const Ray& ray) const {
   if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return {r.ray.tfar, {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z}, r.hit.u, r.hit.v, r.hit.geomID, r.hit.primID,
           true};
+}
+
+// Of the functions of one width.
+template <int W>
+struct PacketCalls;
+template <>
+struct PacketCalls<8> {
+  using RayHit = RTCRayHit8;
+  static constexpr auto intersect = rtcIntersect8;
+  static constexpr auto occluded = rtcOccluded8;
+};
+template <>
+struct PacketCalls<16> {
+  using RayHit = RTCRayHit16;
+  static constexpr auto intersect = rtcIntersect16;
+  static constexpr auto occluded = rtcOccluded16;
+};
+
+template <int W>
+struct alignas(64) Valid {
+  explicit Valid(std::uint32_t bits) {
+    for (int i = 0; i < W; ++i) lanes[i] = -static_cast<int>(bits >> i & 1);
+  }
+  int lanes[W];
+};
+
+// Calls call(lanes as Embree wants them).
+template <int W>
+void EmbreeScene::trace(std::uint32_t lanes, const auto& call) const {
+  const Valid<W> valid(lanes);
+  PacketCounts* counts = counts_.load(std::memory_order_relaxed);
+  if (!counts) return call(valid.lanes);
+  const auto begin = std::chrono::steady_clock::now();
+  call(valid.lanes);
+  counts->time += std::chrono::steady_clock::now() - begin;
+  counts->rays += static_cast<std::uint64_t>(std::popcount(lanes)), counts->lanes += W;
+}
+
+template <int W>
+void EmbreeScene::intersect(RayPacket<W>& packet, std::uint32_t lanes, Rays rays) const {
+  using RayHit = typename PacketCalls<W>::RayHit;
+  static_assert(sizeof(RayPacket<W>) == sizeof(RayHit) && offsetof(RayHit, hit) == 12 * 4 * W);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  if (rays == Rays::kCoherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  std::fill_n(packet.geometry, W, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(packet.instance, W, RTC_INVALID_GEOMETRY_ID);
+  trace<W>(lanes, [&](const int* valid) {
+    PacketCalls<W>::intersect(valid, scene_, &context, reinterpret_cast<RayHit*>(&packet));
+  });
+}
+
+template <int W>
+void EmbreeScene::occluded(RayPacket<W>& packet, std::uint32_t lanes) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  trace<W>(lanes, [&](const int* valid) {
+    PacketCalls<W>::occluded(valid, scene_, &context,
+                             &reinterpret_cast<typename PacketCalls<W>::RayHit*>(&packet)->ray);
+  });
+}
+
+template <int W>
+void intersectCoherent(const EmbreeScene& scene, std::span<const Ray> rays, std::span<Hit> hits) {
+  RayPacket<W> packet;
+  for (std::size_t first = 0; first < hits.size(); first += W) {
+    const int count = static_cast<int>(std::min<std::size_t>(W, hits.size() - first));
+    for (int i = 0; i < count; ++i) packet.set(i, rays[first + static_cast<std::size_t>(i)]);
+    scene.intersect(packet, (1u << count) - 1, EmbreeScene::Rays::kCoherent);
+    for (int i = 0; i < count; ++i) hits[first + static_cast<std::size_t>(i)] = packet.hit(i);
+  }
+}
+
+#define INSTANTIATE(W)                                                                            \
+  template void EmbreeScene::intersect<W>(RayPacket<W>&, std::uint32_t, EmbreeScene::Rays) const; \
+  template void EmbreeScene::occluded<W>(RayPacket<W>&, std::uint32_t) const;
+INSTANTIATE(8)
+INSTANTIATE(16)
+
+void EmbreeScene::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
+  if (instructionSet() == InstructionSet::kAvx512)
+    intersectCoherent<16>(*this, rays, hits);
+  else
+    intersectCoherent<8>(*this, rays, hits);
 }
 
 bool EmbreeScene::occluded(const Ray& ray) const {

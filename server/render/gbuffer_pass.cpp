@@ -1,5 +1,6 @@
 #include "render/gbuffer_pass.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -39,27 +40,35 @@ void setFar(const Camera& camera, const Camera& prev, Vec3 direction, int x, int
   g.dz.at(x, y) = 0;
 }
 
-}  // namespace
-
 template <Shading S>
-PrimaryHit tracePrimary(const RenderScene& scene, const EmitterStrengths& strengths, const Camera& camera,
-                        float x, float y) {
+PrimaryHit primaryAt(const PixelContext& view, const Ray& ray, const Hit& hit) {
   PrimaryHit primary{};
-  primary.direction = camera.direction(x, y);
-  const Ray ray{camera.origin, primary.direction, std::numeric_limits<float>::infinity()};
-  const Hit hit = scene.geometry().intersect(ray);
+  primary.direction = ray.direction;
   primary.valid = hit.valid;
   const Vec3 unit = normalize(primary.direction);
   if (!hit.valid) {
     primary.guide.hit = false;
-    if constexpr (S.extras) primary.guide.emission = scene.lights().distantRadiance(unit);
+    if constexpr (S.extras) primary.guide.emission = view.scene.lights().distantRadiance(unit);
     return primary;
   }
-  RayCone cone{0, camera.pixel};
+  RayCone cone{0, view.camera.pixel};
   cone.width = cone.at(hit.t);
-  primary.start = {surfaceAt<S>(scene, ray, hit, cone.width), unit, cone};
-  primary.guide = findGuide<S>(scene, strengths, ray, hit, primary.start);
+  primary.start = {surfaceAt<S>(view.scene, ray, hit, cone.width), unit, cone};
+  primary.guide = findGuide<S>(view.scene, view.strengths, ray, hit, primary.start);
   return primary;
+}
+
+}  // namespace
+
+template <Shading S>
+void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std::span<PrimaryHit> hits) {
+  std::array<Ray, kMostPoints> rays;
+  std::array<Hit, kMostPoints> found;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    rays[i] = {view.camera.origin, view.camera.direction(points[i].x, points[i].y),
+               std::numeric_limits<float>::infinity()};
+  view.scene.geometry().intersect(rays, std::span(found).first(hits.size()));
+  for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = primaryAt<S>(view, rays[i], found[i]);
 }
 
 void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,
@@ -75,9 +84,8 @@ void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera
       planeSlope(camera, primary.direction, guide.point - camera.origin, guide.plane_normal, guide.t);
 }
 
-#define INSTANTIATE(S)                                                                                   \
-  template PrimaryHit tracePrimary<S>(const RenderScene&, const EmitterStrengths&, const Camera&, float, \
-                                      float);
+#define INSTANTIATE(S) \
+  template void tracePrimaries<S>(const PixelContext&, std::span<const Vec2>, std::span<PrimaryHit>);
 INSTANTIATE(kPlainDiffuse)
 INSTANTIATE(kTexturedDiffuse)
 INSTANTIATE(kPlastics)

@@ -1,6 +1,8 @@
 // The primary hit of a pixel, and the features of that pixel that guide the filter.
 #pragma once
 
+#include <span>
+
 #include "frame/frame.h"
 #include "render/camera.h"
 #include "render/guide.h"
@@ -14,10 +16,19 @@ struct PrimaryHit {
   bool valid = false;  // whether a surface is hit
 };
 
-// Traces the ray through the point (x, y) in pixels. Pixel centres are whole numbers.
+// A frame's view, as the passes over its pixels read it.
+struct PixelContext {
+  const RenderScene& scene;
+  const EmitterStrengths& strengths;
+  const Camera &camera, &prev;
+};
+
+inline constexpr std::size_t kMostPoints = 16;  // at once
+
+// Traces the rays through points (x, y) in pixels, as many as there are hits. Pixel centres are whole
+// numbers. Neighbours should follow each other, because packets of rays are traced together.
 template <Shading S>
-PrimaryHit tracePrimary(const RenderScene& scene, const EmitterStrengths& strengths, const Camera& camera,
-                        float x, float y);
+void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std::span<PrimaryHit> hits);
 
 // Writes the features of a hit to pixel (x, y) of `g`. `prev` is the camera of the previous frame.
 void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,

@@ -2,7 +2,9 @@
 // surfaces.
 #pragma once
 
-#include "render/path_tracer.h"
+#include "render/path_start.h"
+#include "render/render_scene.h"
+#include "scene/emitter_strengths.h"
 
 namespace saccade {
 

@@ -25,6 +25,13 @@ struct IncidentLight {
   static constexpr std::uint32_t kNoGeometry = 0xffffffffu;
 };
 
+struct AreaLight {
+  Vec3 corner, edge1, edge2;  // triangle; sphere: corner is the centre
+  float radius;               // 0 for a triangle
+  Rgb radiance;
+  std::uint32_t geometry;
+};
+
 class Lights {
  public:
   // Keeps a pointer to the pixels of the scene's environment. `radius` is that of the scene.
@@ -44,13 +51,11 @@ class Lights {
   Rgb distantRadiance(Vec3 direction) const;
   float distantPdf(Vec3 direction) const;
 
+  // The first lights. All lights are chosen by the running sums of their probabilities, which rise to 1.
+  const std::vector<AreaLight>& areaLights() const { return area_lights_; }
+  const std::vector<float>& cdf() const { return cdf_; }
+
  private:
-  struct AreaLight {
-    Vec3 corner, edge1, edge2;  // triangle; sphere: corner is the centre
-    float radius;               // 0 for a triangle
-    Rgb radiance;
-    std::uint32_t geometry;
-  };
   void addAreaLights(const Scene& scene);
   void add(const AreaLight& light, float area);
   void choose(float power);

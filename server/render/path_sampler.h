@@ -6,19 +6,21 @@
 
 namespace saccade {
 
-class PathSampler {
- public:
+struct PathSampler {
   PathSampler(std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample)
-      : key_(hashKey(seed, (static_cast<std::uint64_t>(sample) << 32) | pixel)) {}
+      : PathSampler(hashKey(seed, (static_cast<std::uint64_t>(sample) << 32) | pixel)) {}
+  PathSampler(std::uint32_t key_low, std::uint32_t key_high) : low(key_low), high(key_high) {}
 
   // Uniform in [0, 1).
   float u(std::uint32_t dimension) const {
-    const auto low = static_cast<std::uint32_t>(key_), high = static_cast<std::uint32_t>(key_ >> 32);
     return toUnit(mix32(low ^ mix32(high + dimension * 0x9e3779b9u)));
   }
 
+  std::uint32_t low, high;  // of its key
+
  private:
-  std::uint64_t key_;
+  explicit PathSampler(std::uint64_t key)
+      : low(static_cast<std::uint32_t>(key)), high(static_cast<std::uint32_t>(key >> 32)) {}
 };
 
 }  // namespace saccade

@@ -9,18 +9,17 @@ namespace {
 
 constexpr float kRelativeEpsilon = 2e-5f;  // of the scene's diagonal: some hundred ulps of its coordinates
 
-bool transmitsStraight(const Material& m) {
-  return traitsOf(m.model.kind).transmits_straight || !isOpaque(m);
-}
-
 }  // namespace
 
 RenderScene::RenderScene(Scene scene)
     : scene_(std::move(scene)),
       geometry_(scene_),
       emitters_(scene_, EmbreeScene::Shapes::kEmitters),
+      straight_(scene_, EmbreeScene::Shapes::kStraight),
       lights_(scene_, geometry_.diagonal() / 2),
       analytic_light_(scene_),
+      light_columns_(lights_, analytic_light_),
+      shape_rows_(saccade::shapeRows(scene_)),
       shading_(shadingOf(scene_)),
       channels_(colorChannels(scene_)),
       has_straight_transmission_(
@@ -31,7 +30,8 @@ RenderScene::RenderScene(Scene scene)
 
 std::size_t RenderScene::bytes() const {
   const SceneStats stats = statsOf(scene_);
-  return stats.geometry_bytes + geometry_.bytes() + emitters_.bytes() + stats.texture_bytes;
+  return stats.geometry_bytes + geometry_.bytes() + emitters_.bytes() + straight_.bytes() +
+         stats.texture_bytes;
 }
 
 }  // namespace saccade

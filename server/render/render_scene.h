@@ -7,6 +7,8 @@
 #include "render/analytic_light.h"
 #include "render/embree_scene.h"
 #include "render/lights.h"
+#include "render/paths/light_columns.h"
+#include "render/paths/shape_rows.h"
 #include "render/surface.h"
 #include "scene/scene.h"
 
@@ -19,8 +21,13 @@ class RenderScene {
   const Scene& description() const { return scene_; }
   const EmbreeScene& geometry() const { return geometry_; }
   const Lights& lights() const { return lights_; }
-  // Whether a ray may find light, if nothing is in its way. No is much cheaper than intersect().
-  bool mayFindLight(const Ray& ray) const { return scene_.environment || emitters_.occluded(ray); }
+  // The shapes that emit, alone: rays that meet none of them find no light, unless it may be anywhere.
+  const EmbreeScene& emitters() const { return emitters_; }
+  // The shapes that let light straight through, alone.
+  const EmbreeScene& straight() const { return straight_; }
+  bool lightMayBeAnywhere() const { return scene_.environment.has_value(); }
+  const LightColumns& lightColumns() const { return light_columns_; }
+  const std::vector<ShapeRow>& shapeRows() const { return shape_rows_; }
   const AnalyticLight& analyticLight() const { return analytic_light_; }
   Shading shading() const { return shading_; }  // what the scene has
   int channels() const { return channels_; }
@@ -34,15 +41,18 @@ class RenderScene {
 
   // The origin of a ray that leaves the surface. It is moved off the surface, so that the ray does not hit it
   // again. It lies on the side that the last ray came from, or on the other side for `through`.
+  float epsilon() const { return epsilon_; }
   Vec3 leave(const Surface& s, bool through = false) const {
     return s.point + s.geometric_normal * (through ? -epsilon_ : epsilon_);
   }
 
  private:
   Scene scene_;
-  EmbreeScene geometry_, emitters_;
+  EmbreeScene geometry_, emitters_, straight_;
   Lights lights_;
   AnalyticLight analytic_light_;
+  LightColumns light_columns_;
+  std::vector<ShapeRow> shape_rows_;
   Shading shading_;
   int channels_;
   bool has_straight_transmission_;

@@ -16,7 +16,7 @@ class Scatter {
       : s_(s), arriving_(arriving), frame_(kTransmits && s.inside ? -s.shading_normal : s.shading_normal) {
     if constexpr (!S.diffuseOnly()) {  // on the side of the geometric normal
       wo_ = frame_.toLocal(-arriving);
-      wo_.z = s.inside ? std::min(wo_.z, -kGrazing) : std::max(wo_.z, kGrazing);
+      wo_.z = s.inside ? std::min(wo_.z, -kGrazingCosine) : std::max(wo_.z, kGrazingCosine);
     }
   }
 
@@ -78,14 +78,13 @@ class Scatter {
 
  private:
   static constexpr bool kTransmits = S.has(&BsdfTraits::transmits);
-  static constexpr float kGrazing = 1e-3f;
   const BsdfTraits& traits() const {
     return traitsOf(S.diffuseOnly() ? BsdfKind::kDiffuse : s_.bsdf.tables->model.kind);
   }
 
   const Surface& s_;
   Vec3 arriving_;
-  ShadingFrame frame_;
+  ShadingFrame<float> frame_;
   Vec3 wo_{0, 0, 1};  // diffuse surfaces do not use it
 };
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "render/pixel.h"
+#include "render/blocks.h"
+#include "render/sub_pixel.h"
 
 namespace saccade {
 
@@ -62,10 +63,7 @@ class SubPixels {
   template <std::size_t kCount>
   void trace(const std::array<Vec2, kCount>& offsets) {
     count_ = kCount;
-    for (std::uint32_t i = 0; i < kCount; ++i)
-      hits_[i] =
-          tracePrimary<S>(view_.scene, view_.strengths, view_.camera, static_cast<float>(x_) + offsets[i].x,
-                          static_cast<float>(y_) + offsets[i].y);
+    std::ranges::copy(traceSubPixels<S>(view_, x_, y_, offsets), hits_.begin());
   }
 
   const PixelContext& view_;

@@ -19,6 +19,9 @@ struct Surface {
   float opacity;  // the rest of the light goes straight on
 };
 
+// The least cosine of the direction that a path came from, for surfaces that are not diffuse.
+inline constexpr float kGrazingCosine = 1e-3f;
+
 // The width of the region that one path stands for, along a ray and at a right angle to it. Textures are
 // averaged over this width. Widths are in scene units [Akenine-Moller 2021].
 struct RayCone {

@@ -12,6 +12,12 @@ Rgb colorAt(const Scene& scene, const SurfaceColor& c, TexturePoint at) {
   return lookUp(scene, c, at);
 }
 
+// `footprint`: at a right angle to a ray that makes an angle of this cosine with the surface.
+inline TexturePoint texturePoint(const TexturePatch& patch, float cosine, float footprint) {
+  const float across = footprint / std::max(std::abs(cosine), 0.05f);  // grazing: blur along both axes
+  return {patch.uv, across * patch.uv_per_length};
+}
+
 template <Shading S>
 Bsdf bsdfAt(const Scene& scene, const Material& m, TexturePoint at) {
   Bsdf b{nullptr, colorAt<S>(scene, m.reflectance, at)};
@@ -20,27 +26,30 @@ Bsdf bsdfAt(const Scene& scene, const Material& m, TexturePoint at) {
   return b;
 }
 
-// `footprint` is the width of the region that one path stands for, at a right angle to the ray, in scene
-// units. S must cover scene.shading().
-template <Shading S>
-Surface surfaceAt(const RenderScene& render_scene, const Ray& ray, const Hit& hit, float footprint) {
-  const Scene& scene = render_scene.description();
-  const Vec3 n = normalize(hit.normal);
-  const float cosine = -dot(n, ray.direction) / length(ray.direction);
-  const bool front = cosine > 0;
+// The shape that a hit lies on: one of both is nullptr.
+struct HitShape {
+  HitShape(const Scene& scene, const Hit& hit)
+      : mesh(hit.geometry < scene.meshes.size() ? &scene.meshes[hit.geometry] : nullptr),
+        sphere(mesh ? nullptr : &scene.spheres[hit.geometry - scene.meshes.size()]) {}
+  const Mesh* mesh;
+  const Sphere* sphere;
+};
 
-  const Mesh* mesh = hit.geometry < scene.meshes.size() ? &scene.meshes[hit.geometry] : nullptr;
-  const Sphere* sphere = mesh ? nullptr : &scene.spheres[hit.geometry - scene.meshes.size()];
+// `n` is the unit geometric normal as wound, and `cosine` that between it and the ray's reverse. `footprint`
+// is the width of the region that one path stands for, at a right angle to the ray, in scene units. S must
+// cover scene.shading().
+template <Shading S>
+Surface surfaceOf(const RenderScene& render_scene, const Hit& hit, const Patch& patch, Vec3 n, float cosine,
+                  float footprint) {
+  const Scene& scene = render_scene.description();
+  const bool front = cosine > 0;
+  const auto [mesh, sphere] = HitShape(scene, hit);
   const int id = mesh ? mesh->material : sphere->material;
   const Material& material = scene.materials[id];
-  const Patch patch = mesh ? patchAt(*mesh, hit, n) : patchAt(*sphere, n);
   TexturePatch texture;
-  float across = 0;
-  if (S.diffuseOnly() ? S.textures && isTextured(material.reflectance) : isTextured(material)) {
+  if (S.diffuseOnly() ? S.textures && isTextured(material.reflectance) : isTextured(material))
     texture = mesh ? texturePatchAt(*mesh, hit) : texturePatchAt(*sphere, n);
-    across = footprint / std::max(std::abs(cosine), 0.05f);  // grazing: blur along both axes
-  }
-  const TexturePoint at{texture.uv, across * texture.uv_per_length};
+  const TexturePoint at = texturePoint(texture, cosine, footprint);
 
   Vec3 ns = patch.shading_normal;
   const Rgb radiance = mesh ? mesh->radiance : sphere->radiance;
@@ -60,6 +69,14 @@ Surface surfaceAt(const RenderScene& render_scene, const Ray& ray, const Hit& hi
   s.shading_normal = dot(ns, s.geometric_normal) < 0 ? -ns : ns;
   if (black) s.bsdf.diffuse = s.bsdf.specular = {};
   return s;
+}
+
+template <Shading S>
+Surface surfaceAt(const RenderScene& scene, const Ray& ray, const Hit& hit, float footprint) {
+  const Vec3 n = normalize(hit.normal);
+  const auto [mesh, sphere] = HitShape(scene.description(), hit);
+  const Patch patch = mesh ? patchAt(*mesh, hit, n) : patchAt(*sphere, n);
+  return surfaceOf<S>(scene, hit, patch, n, -dot(n, ray.direction) / length(ray.direction), footprint);
 }
 
 }  // namespace saccade

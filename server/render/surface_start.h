@@ -1,7 +1,7 @@
 // Where the paths of a pixel start, for SurfaceSamples.
 #pragma once
 
-#include "render/path_tracer.h"
+#include "render/path_start.h"
 
 namespace saccade {
 

@@ -48,6 +48,10 @@ inline bool isTextured(const Material& m) {
 inline bool isOpaque(const Material& m) {
   return !isTextured(m.opacity) && m.opacity.color0 == Rgb{1, 1, 1};
 }
+// Whether some light goes straight through, so that shadow rays go on.
+inline bool transmitsStraight(const Material& m) {
+  return traitsOf(m.model.kind).transmits_straight || !isOpaque(m);
+}
 inline bool isBumpy(const Material& m) {
   return isTextured(m.height) && m.height_scale != 0;
 }

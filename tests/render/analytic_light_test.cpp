@@ -12,7 +12,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 
 float luminanceAt(const Scene& scene, Vec3 point, Vec3 normal) {
-  return luminance(AnalyticLight(scene).at(point, normal, normal, EmitterStrengths(scene)));
+  return luminance(AnalyticLight(scene).at({point, normal, normal}, EmitterStrengths(scene)));
 }
 
 // A lamp of radiance 1 at height h that faces down, with a corner above the origin.
@@ -50,7 +50,7 @@ TEST(AnalyticLight, IsNothingBehindALampAndOnTheFarSideOfASurface) {
   EXPECT_EQ(luminanceAt(s, {0, 0, 2}, {0, 0, -1}), 0);
   EXPECT_EQ(luminanceAt(s, {}, {0, 0, -1}), 0);
   const Vec3 tilted = normalize(Vec3{0.3f, 0, 1});  // a shading normal that sees the lamp
-  EXPECT_EQ(luminance(AnalyticLight(s).at({}, tilted, {0, 0, -1}, EmitterStrengths(s))), 0);
+  EXPECT_EQ(luminance(AnalyticLight(s).at({{}, tilted, {0, 0, -1}}, EmitterStrengths(s))), 0);
 }
 
 TEST(AnalyticLight, OfAPointAndADirectionIsTheLawOfCosines) {
@@ -77,6 +77,29 @@ TEST(AnalyticLight, HoldsOnlyLampsOfFewSides) {
     s.meshes[0].triangles.insert(s.meshes[0].triangles.end(), {{0, 1, 2}, {0, 2, 3}});
   EXPECT_FALSE(AnalyticLight(s).holds(0u));
   EXPECT_EQ(luminanceAt(s, {}, {0, 0, 1}), 0);
+}
+
+// In lanes as one by one: points that see all of a lamp, a part of it, and nothing.
+TEST(AnalyticLight, IsTheSameForManyPoints) {
+  Scene s = lampAbove(2, 3, 1);
+  s.meshes.push_back(test::quad({1, -1, -5}, {0, 0, 10}, {0, 2, 0}, 0, {3, 2, 1}));
+  s.point_lights = {{{0, 3, 4}, {10, 10, 10}}};
+  const AnalyticLight light(s);
+  std::vector<LitPoint> points;
+  for (int i = 0; i < 50; ++i) {
+    const float a = 0.7f * static_cast<float>(i), h = 0.08f * static_cast<float>(i) - 1.5f;
+    const Vec3 n = normalize(Vec3{std::cos(a), std::sin(a), 0.5f});
+    points.push_back({{0.3f, std::sin(a), h}, n, i % 3 == 0 ? n : normalize(n + Vec3{0.2f, 0, 0})});
+  }
+  std::vector<Rgb> together(points.size());
+  light.at(points, EmitterStrengths(s), together);
+  int lit = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float one = luminance(light.at(points[i], EmitterStrengths(s)));
+    EXPECT_NEAR(luminance(together[i]), one, 1e-5f * (1 + one)) << i;
+    lit += one > 0.4f;
+  }
+  EXPECT_GT(lit, 10);
 }
 
 }  // namespace

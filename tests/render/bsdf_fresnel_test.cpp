@@ -7,7 +7,7 @@ namespace {
 
 TEST(DielectricFresnel, AtNormalIncidence) {
   for (const float n : {0.5f, 1 / 1.5f, 1.33f, 1.5f, 2.4f})
-    EXPECT_NEAR(fresnelDielectric(1, n).reflectance, std::pow((n - 1) / (n + 1), 2), 1e-6) << n;
+    EXPECT_NEAR(fresnelDielectric(1.f, n).reflectance, std::pow((n - 1) / (n + 1), 2), 1e-6) << n;
 }
 
 // Brewster: at tan(i) = n nothing of the one polarisation is reflected, and (n^2-1)^2 / (n^2+1)^2 of the
@@ -15,7 +15,7 @@ TEST(DielectricFresnel, AtNormalIncidence) {
 TEST(DielectricFresnel, AtBrewstersAngle) {
   for (const double n : {1 / 1.5, 1.33, 1.5, 2.4}) {
     const double cos_i = 1 / std::sqrt(1 + n * n), other = std::pow((n * n - 1) / (n * n + 1), 2);
-    const Refraction r = fresnelDielectric(static_cast<float>(cos_i), static_cast<float>(n));
+    const auto r = fresnelDielectric(static_cast<float>(cos_i), static_cast<float>(n));
     EXPECT_NEAR(r.reflectance, other / 2, 1e-6) << n;
     EXPECT_NEAR(r.cos_t, std::sqrt(1 - cos_i * cos_i), 1e-6) << n;  // at a right angle to what is reflected
   }
@@ -31,13 +31,13 @@ TEST(DielectricFresnel, AtTheCriticalAngle) {
 }
 
 TEST(DielectricFresnel, AlongTheSurfaceAllIsReflected) {
-  for (const float n : {0.5f, 1 / 1.5f, 1.f, 1.5f}) EXPECT_EQ(fresnelDielectric(0, n).reflectance, 1) << n;
+  for (const float n : {0.5f, 1 / 1.5f, 1.f, 1.5f}) EXPECT_EQ(fresnelDielectric(0.f, n).reflectance, 1) << n;
 }
 
 // From either side of an interface the same fraction is reflected (Stokes).
 TEST(DielectricFresnel, IsTheSameFromBothSides) {
   for (float cos_i = 0.05f; cos_i <= 1; cos_i += 0.05f) {
-    const Refraction in = fresnelDielectric(cos_i, 1.5f), out = fresnelDielectric(in.cos_t, 1 / 1.5f);
+    const auto in = fresnelDielectric(cos_i, 1.5f), out = fresnelDielectric(in.cos_t, 1 / 1.5f);
     EXPECT_NEAR(in.reflectance, out.reflectance, 1e-5);
     EXPECT_NEAR(out.cos_t, cos_i, 1e-5);
   }

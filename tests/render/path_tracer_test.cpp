@@ -1,5 +1,4 @@
 // Light against closed forms.
-#include "render/path_tracer.h"
 
 #include <gtest/gtest.h>
 

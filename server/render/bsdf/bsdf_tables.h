@@ -21,6 +21,9 @@ class CosineTable {
       values_[i] = at(root * root);
     }
   }
+  static constexpr int kSize = 32;
+  const std::array<T, kSize>& values() const { return values_; }
+
   T operator()(float cosine) const {
     const float x = std::sqrt(std::clamp(cosine, 0.f, 1.f)) * (kSize - 1);
     const int i = std::min(static_cast<int>(x), kSize - 2);
@@ -29,7 +32,6 @@ class CosineTable {
   }
 
  private:
-  static constexpr int kSize = 32;
   std::array<T, kSize> values_{};
 };
 

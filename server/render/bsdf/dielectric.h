@@ -53,7 +53,7 @@ struct Dielectric {
   static float iorAcross(const Bsdf& b, float cos_o) {
     return cos_o > 0 ? b.tables->model.ior : 1 / b.tables->model.ior;
   }
-  static Refraction refraction(const Bsdf& b, float cos_o) {
+  static Refraction<float> refraction(const Bsdf& b, float cos_o) {
     return fresnelDielectric(std::min(1.f, std::abs(cos_o)), iorAcross(b, cos_o));
   }
 };

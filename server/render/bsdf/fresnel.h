@@ -5,23 +5,27 @@
 #include <cmath>
 
 #include "base/vec.h"
+#include "base/wide.h"
 
 namespace saccade {
 
+template <class F>
 struct Refraction {
-  float reflectance;  // in [0, 1]
-  float cos_t;        // of the refracted direction, in [0, 1]; 0 where all is reflected
+  F reflectance;  // in [0, 1]
+  F cos_t;        // of the refracted direction, in [0, 1]; 0 where all is reflected
 };
 
 // The reflectance of a dielectric, for light from cosine cos_i in [0, 1]. `ior` is the index of the other
 // side over that of the light's side.
-inline Refraction fresnelDielectric(float cos_i, float ior) {
-  const float cos2_t = 1 - (1 - cos_i * cos_i) / (ior * ior);  // Snell
-  const float cos_t = std::sqrt(std::max(0.f, cos2_t));
-  const float s = (cos_i - ior * cos_t) / (cos_i + ior * cos_t);
-  const float p = (ior * cos_i - cos_t) / (ior * cos_i + cos_t);
-  const float mean = (s * s + p * p) / 2;
-  return {cos2_t > 0 ? mean : 1.f, cos_t};
+template <class F>
+Refraction<F> fresnelDielectric(F cos_i, F ior) {
+  using std::max, std::sqrt;
+  const F cos2_t = 1.f - (1.f - cos_i * cos_i) / (ior * ior);  // Snell
+  const F cos_t = sqrt(max(F(0.f), cos2_t));
+  const F s = (cos_i - ior * cos_t) / (cos_i + ior * cos_t);
+  const F p = (ior * cos_i - cos_t) / (ior * cos_i + cos_t);
+  const F mean = (s * s + p * p) * 0.5f;
+  return {select(cos2_t > 0.f, mean, F(1.f)), cos_t};
 }
 
 // The reflectance of a conductor. Its index eta + ik is relative to that of the light's side [Born and Wolf,

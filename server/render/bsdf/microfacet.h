@@ -14,33 +14,52 @@ struct Microfacets {
 };
 inline constexpr float kLeastAlpha = 1e-4f;
 
+// GGX, for floats and for lanes. normalDensity(), visibleFraction() and sampleVisibleNormal() say what these
+// are.
+template <class F>
+F ggxDensity(F alpha, Vec3T<F> m) {
+  using std::max;
+  const F cos2 = max(F(1e-12f), m.z * m.z), inv_alpha2 = 1.f / (alpha * alpha);
+  const F sum = cos2 + (m.x * m.x + m.y * m.y) * inv_alpha2;
+  return kInvPi * inv_alpha2 / (sum * sum);
+}
+template <class F>
+F ggxVisible(F alpha, Vec3T<F> v) {
+  using std::abs, std::sqrt;
+  const F slope = alpha * sqrt(v.x * v.x + v.y * v.y) / abs(v.z);
+  return 2.f / (1.f + sqrt(1.f + slope * slope));
+}
+// The normal is a point of the visible cap [Dupuy and Benyoub 2023].
+template <class F>
+Vec3T<F> sampleGgxNormal(F alpha, Vec3T<F> v, F u1, F u2) {
+  using std::max, std::sqrt;
+  const auto unit = [](const Vec3T<F>& a) { return a * F(1.f / sqrt(dot(a, a))); };
+  const Vec3T<F> s = unit({alpha * v.x, alpha * v.y, max(F(1e-7f), v.z)});
+  const F height = (1.f - u1) * (1.f + s.z), z = height - s.z;
+  const F r = sqrt(max(F(0.f), 1.f - z * z));
+  const auto [sine, cosine] = sinCosOfTurn(u2);
+  return unit({alpha * (s.x + r * cosine), alpha * (s.y + r * sine), height});
+}
+
 // D: the area of microfacets of normal m, per area and solid angle [Walter 2007 (25), (33)].
 inline float normalDensity(const Microfacets& f, Vec3 m) {
+  if (f.kind == MicrofacetKind::kGgx) return ggxDensity(f.alpha, m);
   const float cos2 = std::max(1e-12f, m.z * m.z), inv_alpha2 = 1 / (f.alpha * f.alpha);
   const float e = (m.x * m.x + m.y * m.y) * inv_alpha2;
-  const float inv_shape =
-      f.kind == MicrofacetKind::kGgx ? 1 / ((cos2 + e) * (cos2 + e)) : std::exp(-e / cos2) / (cos2 * cos2);
-  return kInvPi * inv_alpha2 * inv_shape;
+  return kInvPi * inv_alpha2 * std::exp(-e / cos2) / (cos2 * cos2);
 }
 
 // G1: of the microfacets that face v, the fraction that is visible from v [Walter 2007 (34)]. Beckmann's is
 // in closed form [Heitz 2014]. Mitsuba has a fit with an error of 0.4 %.
 inline float visibleFraction(const Microfacets& f, Vec3 v) {
+  if (f.kind == MicrofacetKind::kGgx) return ggxVisible(f.alpha, v);
   const float slope = f.alpha * std::sqrt(v.x * v.x + v.y * v.y) / std::abs(v.z);
-  if (f.kind == MicrofacetKind::kGgx) return 2 / (1 + std::sqrt(1 + slope * slope));
   const float a = 1 / std::max(1e-6f, slope);
   const float tail = std::exp(-a * a) * std::numbers::inv_sqrtpi_v<float> / a;
   return 2 / (2 + tail - std::erfc(a));
 }
 
-// Samples a normal that is visible from v at roughness 1. It has any length. It is a point of the visible cap
-// [Dupuy and Benyoub 2023].
-inline Vec3 sampleGgxNormal(Vec3 v, float u1, float u2) {
-  const float height = (1 - u1) * (1 + v.z), z = height - v.z;
-  const float r = std::sqrt(std::max(0.f, 1 - z * z)), phi = 2 * std::numbers::pi_v<float> * u2;
-  return {v.x + r * std::cos(phi), v.y + r * std::sin(phi), height};
-}
-
+// Samples a normal that is visible from v at roughness 1. It has any length.
 inline Vec3 sampleBeckmannNormal(Vec3 v, float u1, float u2) {
   const Slope s = sampleBeckmannSlope(v.z, u1, u2);
   const float sin_v = std::sqrt(v.x * v.x + v.y * v.y);
@@ -51,9 +70,9 @@ inline Vec3 sampleBeckmannNormal(Vec3 v, float u1, float u2) {
 // Samples a unit normal with the density of visible normals, D G1 max(0, v.m) / v.z, for v.z > 0. The
 // roughness becomes 1 where v is stretched, and the normal is stretched back [Heitz 2014].
 inline Vec3 sampleVisibleNormal(const Microfacets& f, Vec3 v, float u1, float u2) {
+  if (f.kind == MicrofacetKind::kGgx) return sampleGgxNormal(f.alpha, v, u1, u2);
   const Vec3 stretched = normalize(Vec3{f.alpha * v.x, f.alpha * v.y, std::max(1e-7f, v.z)});
-  const Vec3 m = f.kind == MicrofacetKind::kGgx ? sampleGgxNormal(stretched, u1, u2)
-                                                : sampleBeckmannNormal(stretched, u1, u2);
+  const Vec3 m = sampleBeckmannNormal(stretched, u1, u2);
   return normalize(Vec3{f.alpha * m.x, f.alpha * m.y, m.z});
 }
 

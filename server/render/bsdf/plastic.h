@@ -96,7 +96,6 @@ struct RoughPlastic {
     return plasticBase(b) * (cos_o > 0 ? at(b, cos_o).transmittance : 0.f);
   }
 
- private:
   static Interface at(const Bsdf& b, float cosine) {
     return {b.tables->reflectance(cosine).x, b.tables->transmittance(cosine)};
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/turn.h"
 #include "base/vec.h"
 
 namespace saccade {
@@ -12,14 +13,19 @@ inline constexpr float kInvPi = std::numbers::inv_pi_v<float>;
 inline constexpr float kLeastLobeProbability = 0.05f;
 
 // Cosine-weighted over the upper hemisphere: polar map to the disk.
-inline Vec3 cosineHemisphere(float u1, float u2) {
-  const float r = std::sqrt(u1), phi = 2 * std::numbers::pi_v<float> * u2;
-  return {r * std::cos(phi), r * std::sin(phi), std::sqrt(std::max(0.f, 1 - u1))};
+template <class F>
+Vec3T<F> cosineHemisphere(F u1, F u2) {
+  using std::sqrt;
+  const F r = sqrt(u1);
+  const auto [sine, cosine] = sinCosOfTurn(u2);
+  return {r * cosine, r * sine, sqrt(1.f - u1)};
 }
 
 // pdf per solid angle of a cosine-weighted direction at cosine cos_n.
-inline float cosinePdf(float cos_n) {
-  return std::max(0.f, cos_n) * kInvPi;
+template <class F>
+F cosinePdf(F cos_n) {
+  using std::max;
+  return max(F(0), cos_n) * kInvPi;
 }
 
 // w mirrored about the normal.

@@ -1,0 +1,129 @@
+// The rays of a packet have come to their end: light found there is added, and paths that go on are moved to
+// the next vertex.
+#pragma once
+
+#include "render/paths/found_light.h"
+#include "render/paths/surface_lanes.h"
+
+namespace saccade {
+
+// Paths that miss, and those at surfaces of other kinds.
+template <int W, int C>
+void arriveOneByOne(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t lanes,
+                    const SurfaceLanes<W>& s, const Uints<W>& path) {
+  forEachLane(lanes, [&](int i) {
+    b.stages.arrive(b.t, b.vertex, *b.now, path[i],
+                    {packet.ray(i).direction,
+                     packet.hit(i),
+                     {laneOf(s.point, i), laneOf(s.shading_normal, i)},
+                     laneOf(s.normal, i),
+                     s.cosine[i]},
+                    *b.next, b.results);
+  });
+}
+
+// Of a path that has met diffuse surfaces alone, and has left this vertex.
+inline PathState diffuseState(int vertex) {
+  return {vertex + 1, false, false, vertex == 0, false, ShadedAs::kDiffuse};
+}
+
+// Of diffuse surfaces: reflectances, at the hits of `lanes`.
+template <int W, int C>
+std::array<Floats<W>, C> reflectances(const Batch<C>& b, const RayPacket<W>& packet, const SurfaceLanes<W>& s,
+                                      const Floats<W>& footprint, std::uint32_t lanes) {
+  std::array<Floats<W>, C> reflectance{};
+  const std::uint32_t front = bitsOf(s.front());
+  forEachLane(lanes, [&](int i) {
+    const ShapeRow& row = b.t.scene.shapeRows()[packet.geometry[i]];
+    if (!row.twosided && !(front >> i & 1)) return;
+    setLane(reflectance, i,
+            row.textured ? b.stages.color(b.t, packet.hit(i), s.cosine[i], footprint[i])
+                         : Color<C>(row.reflectance));
+  });
+  return reflectance;
+}
+
+// Paths at surfaces that are diffuse and opaque.
+template <int W, int C, bool kMixed, bool kParts>
+void arriveTogether(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t hits,
+                    const SurfaceLanes<W>& s, const Uints<W>& path) {
+  using F = Floats<W>;
+  const LivePaths<C>& from = *b.now;
+  LivePaths<C>& to = *b.next;
+  const std::uint32_t front = bitsOf(s.front());
+  forEachLane(hits & front, [&](int i) {
+    const std::uint32_t geometry = packet.geometry[i], p = path[i];
+    if (!b.t.scene.shapeRows()[geometry].emits) return;
+    const PathState state = kMixed ? PathState::unpack(from.state[p]) : diffuseState(b.vertex);
+    if (state.in_view) return;
+    const auto [mesh, sphere] = HitShape(b.t.scene.description(), packet.hit(i));
+    const Found found{from.slot[p], geometry, packet.far[i] + (kMixed ? from.distance[p] : 0), s.cosine[i],
+                      mesh ? mesh->radiance : sphere->radiance};
+    addFound<C, kParts>(b.t, found, from.throughput.at(p), state.delta ? kDeltaPdf : from.pdf[p],
+                        state.from_start, b.results);
+  });
+  Uints<W> state = 0;
+  if constexpr (kMixed) {
+    state = (gather(&from.state[0], path) & ~PathState::kSurface) | std::uint32_t(ShadedAs::kDiffuse);
+    if (!b.t.scene.hasStraightTransmission())
+      hits &= bitsOf(toFloats(Uints<W>(state >> 8)) <= static_cast<float>(b.t.bounces));
+    if (b.vertex >= b.t.bounces + kMaxDeltas) return;
+  } else if (b.vertex >= b.t.bounces) {
+    return;
+  }
+  const F spread = gather(&from.spread[0], path);
+  const F width = gather(&from.width[0], path) + spread * load<W>(packet.far);
+  const auto reflectance = reflectances<W, C>(b, packet, s, width, hits);
+  const Vec3T<F> ng = selectLanes(s.front(), s.normal, -s.normal);
+  const Vec3T<F> ns = selectLanes(dot(s.shading_normal, ng) < 0.f, -s.shading_normal, s.shading_normal);
+  std::array<F, C> throughput;
+  for (int k = 0; k < C; ++k) throughput[k] = gather(&from.throughput.of[k][0], path);
+  std::uint32_t going = hits;
+  if constexpr (kParts)
+    if (b.vertex == 0)
+      forEachLane(kMixed ? hits & bitsOf(toFloats(Uints<W>(state & PathState::kDeltaLast)) == 0.f) : hits,
+                  [&](int i) {
+                    Color<C> carried = colorOf(throughput, i);
+                    const PathSampler sampler(from.key_low[path[i]], from.key_high[path[i]]);
+                    if (endsAtKnownLight<C>(
+                            b.t, {laneOf(s.point, i), laneOf(ng, i), colorOf(reflectance, i).rgb(), width[i]},
+                            sampler, from.slot[path[i]], carried, b.results))
+                      going &= ~(1u << i);
+                    setLane(throughput, i, carried);
+                  });
+  const auto at = static_cast<std::size_t>(to.count);
+  const auto keep = [&](const auto& lanes, auto& plane) { compress(going, lanes, &plane[at]); };
+  const auto keepVector = [&](const Vec3T<F>& lanes, VectorPlanes& planes) {
+    keep(lanes.x, planes.x), keep(lanes.y, planes.y), keep(lanes.z, planes.z);
+  };
+  keepVector(s.point, to.point), keepVector(ng, to.geometric_normal), keepVector(ns, to.shading_normal);
+  for (int k = 0; k < C; ++k) {
+    keep(reflectance[k], to.reflectance.of[k]);
+    keep(throughput[k], to.throughput.of[k]);
+  }
+  keep(width, to.width), keep(spread, to.spread);
+  keep(gather(&from.key_low[0], path), to.key_low), keep(gather(&from.key_high[0], path), to.key_high);
+  keep(gather(&from.slot[0], path), to.slot);
+  if constexpr (kMixed) {
+    keep(state, to.state), keep(gather(&from.pdf[0], path), to.pdf);
+    keep(gather(&from.distance[0], path) + load<W>(packet.far), to.distance);
+  }
+  to.count += std::popcount(going);
+}
+
+// `path`: the places of the packet's first `count` paths among those at their vertex.
+template <int W, int C, bool kMixed, bool kParts>
+[[gnu::always_inline]] inline void arrive(const Batch<C>& b, const RayPacket<W>& packet, int count,
+                                          const Uints<W>& path) {
+  std::uint32_t hits = 0, plain = 0;
+  for (int i = 0; i < count; ++i) {
+    if (packet.geometry[i] == RayPacket<W>::kNone) continue;
+    hits |= 1u << i;
+    plain |= (!kMixed || b.t.scene.shapeRows()[packet.geometry[i]].plain ? 1u : 0u) << i;
+  }
+  const SurfaceLanes<W> s = surfacesAt<W>(b.t.scene, packet, hits);
+  if (plain != 0) arriveTogether<W, C, kMixed, kParts>(b, packet, plain, s, path);
+  if constexpr (kMixed) arriveOneByOne<W, C>(b, packet, ((1u << count) - 1) & ~plain, s, path);
+}
+
+}  // namespace saccade

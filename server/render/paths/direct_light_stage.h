@@ -1,0 +1,78 @@
+// Direct light: one sample of the lights for each path, at its vertex. Its weight is its share in the balance
+// heuristic.
+#pragma once
+
+#include "render/paths/light_samples.h"
+#include "render/paths/plastic_lanes.h"
+#include "render/paths/shadow_rays.h"
+
+namespace saccade {
+
+// What surfaces scatter of light from `direction`, at this cosine with their shading normals.
+template <int W, int C, bool kMixed>
+[[gnu::always_inline]] inline ScatteredLanes<W, C> evaluateLanes(const Batch<C>& b, int first,
+                                                                 const Vec3T<Floats<W>>& direction,
+                                                                 const Vec3T<Floats<W>>& ns,
+                                                                 const Floats<W>& cosine,
+                                                                 std::uint32_t lanes) {
+  ScatteredLanes<W, C> f;
+  f.pdf = cosinePdf(cosine);
+  f.value = colorLanes<W>(b.now->reflectance, first);
+  for (int k = 0; k < C; ++k) f.value[k] *= f.pdf;
+  if constexpr (kMixed) {
+    if (const std::uint32_t plastic = lanesShadedAs<W>(ShadedAs::kPlastic, *b.now, first, lanes)) {
+      const ShadingFrame<Floats<W>> frame(ns);
+      mergeLanes(plastic,
+                 PlasticLanes<W, C>(*b.now, first, frame, plastic).evaluate(frame.toLocal(direction)), f);
+    }
+    forEachLane(lanesShadedAs<W>(ShadedAs::kOther, *b.now, first, lanes), [&](int i) {
+      const BsdfValue one =
+          b.stages.evaluate(*b.now, static_cast<std::uint32_t>(first + i), laneOf(direction, i));
+      setLane(f.value, i, Color<C>(one.value));
+      f.pdf[i] = one.pdf;
+    });
+  }
+  return f;
+}
+
+// kParts: of the first vertex, whose direct light is told in parts.
+template <int W, int C, bool kMixed, bool kParts>
+void directLight(const Batch<C>& b) {
+  using F = Floats<W>;
+  const LivePaths<C>& p = *b.now;
+  ShadowRays<W, C, kMixed, kParts> shadow_rays(b);
+  for (int first = 0; first < p.count; first += W) {
+    auto lanes = firstLanes<W>(p.count - first);
+    if constexpr (kMixed)  // what is spent only goes straight on, see PathState
+      lanes = lanes && toFloats(Uints<W>(load<W>(&p.state[first]) >> 8)) <= static_cast<float>(b.t.bounces);
+    const Vec3T<F> ng = p.geometric_normal.template lanes<W>(first);
+    const Vec3T<F> ns = p.shading_normal.template lanes<W>(first);
+    typename ShadowRays<W, C, kMixed, kParts>::Lanes ray;
+    ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.epsilon());
+    const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
+    const auto light = sampleLights<W, C>(b.t, ray.origin, numbers.u(b.dimension(kLight)),
+                                          numbers.u(b.dimension(Dimension(kLight + 1))),
+                                          numbers.u(b.dimension(Dimension(kLight + 2))), bitsOf(lanes));
+    lanes = lanes && light.pdf > 0.f && dot(light.direction, ng) > 0.f;
+    const F cosine = dot(light.direction, ns);
+    const auto f = evaluateLanes<W, C, kMixed>(b, first, light.direction, ns, cosine, bitsOf(lanes));
+    lanes = lanes && f.pdf > 0.f;
+    ray.segment = light.segment, ray.reach = light.reach;
+    ray.slot = load<W>(&p.slot[first]);
+    ray.pdf_light = light.pdf, ray.pdf_bsdf = select(light.delta > 0.f, 0.f, f.pdf);
+    const auto throughput = colorLanes<W>(p.throughput, first);
+    for (int k = 0; k < C; ++k) ray.light[k] = throughput[k] * light.radiance[k] * f.value[k] / light.pdf;
+    if constexpr (kParts) {
+      ray.held = light.held;
+      for (int k = 0; k < C; ++k)
+        ray.unoccluded[k] = light.radiance[k] * light.held * cosinePdf(cosine) / light.pdf;
+      forEachLane(bitsOf(lanes), [&](int i) {
+        for (int k = 0; k < C; ++k) b.results.unoccluded.of[k][ray.slot[i]] = ray.unoccluded[k][i];
+      });
+    }
+    shadow_rays.add(bitsOf(lanes), ray);
+  }
+  shadow_rays.finish();
+}
+
+}  // namespace saccade

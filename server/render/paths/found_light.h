@@ -1,0 +1,41 @@
+// Light that paths find where their rays end.
+#pragma once
+
+#include <limits>
+
+#include "render/path_sampler.h"
+#include "render/paths/path_planes.h"
+#include "render/paths/tracing.h"
+
+namespace saccade {
+
+// An emitter that a path has hit. That is direct light of the vertex before.
+struct Found {
+  std::uint32_t slot, geometry;
+  float distance, cosine;  // from the vertex that could have sampled it; at the emitter
+  Rgb radiance;
+};
+
+inline constexpr float kDeltaPdf =
+    std::numeric_limits<float>::infinity();  // samples of the lights cannot find it
+
+// Adds it to what a path has found, whose direction was sampled with `pdf`. With light in parts, `from_start`
+// tells whether the first vertex chose that direction.
+template <int C, bool kParts>
+void addFound(const Tracing& t, const Found& found, Color<C> throughput, float pdf, bool from_start,
+              PathResults<C>& results);
+
+// The second vertex of a path, off an opaque surface with a diffuse base.
+struct SecondVertex {
+  Vec3 point, normal;
+  Rgb albedo;
+  float width;  // of the cone
+};
+
+// Light that is known there ends the path. Returns whether it does. If not, but the light can be kept, the
+// rest of the path is told apart: its light begins anew.
+template <int C>
+bool endsAtKnownLight(const Tracing& t, const SecondVertex& v, const PathSampler& sampler, std::uint32_t slot,
+                      Color<C>& throughput, PathResults<C>& results);
+
+}  // namespace saccade

@@ -1,0 +1,20 @@
+// The random numbers of W paths, those that PathSampler has for each.
+#pragma once
+
+#include "base/hash_rng.h"
+#include "base/wide.h"
+
+namespace saccade {
+
+template <int W>
+struct PathNumbers {
+  Uints<W> key_low, key_high;
+
+  // Uniform in [0, 1).
+  [[gnu::always_inline]] Floats<W> u(std::uint32_t dimension) const {
+    const Uints<W> bits = mix32(key_low ^ mix32(Uints<W>(key_high + dimension * 0x9e3779b9u)));
+    return toFloats(Uints<W>(bits >> 8)) * 0x1p-24f;
+  }
+};
+
+}  // namespace saccade

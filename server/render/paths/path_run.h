@@ -1,0 +1,65 @@
+// The paths of a tile, traced batch by batch.
+#pragma once
+
+#include "base/instruction_set.h"
+#include "base/scratch.h"
+#include "base/tile_pool.h"
+#include "render/paths/trace_batch.h"
+
+namespace saccade {
+
+template <int C>
+struct PathMemory {
+  LivePaths<C> now, next;
+  PathResults<C> results;
+  std::array<std::uint32_t, kBatchPaths> owners;
+};
+
+// Takes paths, and tells what each has found in the order in which they were added.
+template <Shading S, int C, bool kParts, class OnPath>
+class PathRun {
+ public:
+  // on_path(owner, results, slot) is called once for each path.
+  PathRun(const Tracing& t, const OnPath& on_path) : t_(t), on_path_(on_path) { memory_->now.count = 0; }
+
+  void add(const PathStart& start, const PathSampler& sampler, std::uint32_t owner) {
+    const auto slot = static_cast<std::uint32_t>(memory_->now.count);
+    memory_->owners[slot] = owner;
+    clear(slot);
+    stages_.begin(start, sampler, slot, memory_->now);
+    if (memory_->now.count == kBatchPaths) finish();
+  }
+
+  // Traces those that have not been. Lets urgent work in.
+  void finish() {
+    const auto count = static_cast<std::uint32_t>(memory_->now.count);
+    if (count == 0) return;
+    if (!t_.scene.lights().empty()) tracer()(t_, stages_, memory_->now, memory_->next, memory_->results);
+    for (std::uint32_t slot = 0; slot < count; ++slot)
+      on_path_(memory_->owners[slot], memory_->results, slot);
+    memory_->now.count = 0;
+    TilePool::yieldToHighPriority();
+  }
+
+ private:
+  static TraceBatch<C> tracer() {
+    return instructionSet() == InstructionSet::kAvx512 ? batchTracerAvx512<C>(S.extras, kParts)
+                                                       : batchTracerAvx2<C>(S.extras, kParts);
+  }
+  void clear(std::uint32_t slot) {
+    PathResults<C>& r = memory_->results;
+    const Color<C> black;
+    r.radiance.set(slot, black);
+    if constexpr (kParts) {
+      r.unoccluded.set(slot, black), r.visible.set(slot, black), r.weighed.set(slot, black);
+      r.tail_cell[slot] = 0;
+    }
+  }
+
+  const Tracing& t_;
+  const SurfaceStages<C> stages_ = surfaceStages<S, C, kParts>();
+  const OnPath& on_path_;
+  Scratch<PathMemory<C>> memory_;
+};
+
+}  // namespace saccade

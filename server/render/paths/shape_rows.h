@@ -1,0 +1,23 @@
+// What lanes read of the shapes that rays hit: a row for each, by its geometry id.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace saccade {
+
+struct alignas(64) ShapeRow {
+  // Of a sphere: no triangles.
+  const std::array<std::uint32_t, 3>* triangles = nullptr;
+  const Vec3* positions = nullptr;
+  const Vec3* normals = nullptr;  // nullptr: as the triangles lie
+  Rgb reflectance;                // of a diffuse surface without texture
+  bool textured, twosided, emits;
+  bool plain;  // diffuse and opaque, without a bump map
+};
+
+std::vector<ShapeRow> shapeRows(const Scene& scene);
+
+}  // namespace saccade

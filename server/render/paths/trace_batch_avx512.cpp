@@ -1,0 +1,14 @@
+#include "render/paths/trace_batch_kernel.h"
+
+namespace saccade {
+
+template <>
+TraceBatch<1> batchTracerAvx512<1>(bool mixed, bool parts) {
+  return detail::batchTracer<16, 1>(mixed, parts);
+}
+template <>
+TraceBatch<3> batchTracerAvx512<3>(bool mixed, bool parts) {
+  return detail::batchTracer<16, 3>(mixed, parts);
+}
+
+}  // namespace saccade

@@ -1,0 +1,37 @@
+// What all stages of a tile's paths read.
+#pragma once
+
+#include "cache/bounce_grid.h"
+#include "render/render_scene.h"
+#include "scene/emitter_strengths.h"
+
+namespace saccade {
+
+// Light that ends paths at their second vertex.
+struct KnownBounces {
+  const BounceGrid* grid = nullptr;  // nullptr: there is none
+  Vec3 eye;                          // of the camera
+  float pixel = 0;                   // width of its pixels at the distance 1
+};
+
+struct Tracing {
+  const RenderScene& scene;
+  const EmitterStrengths& strengths;
+  int bounces;  // indirect, off rough surfaces; 0: direct light only
+  KnownBounces known;
+};
+
+// Every vertex has its own random dimensions. So two paths that part at one vertex share the numbers of the
+// next.
+enum Dimension : std::uint32_t { kLight, kBounce = kLight + 3, kLobe = kBounce + 2, kDimensions };
+inline constexpr std::uint32_t kGoOn = 1 << 16;  // of the choice to go on from light that is known
+
+inline constexpr int kMaxDeltas = 16;  // reflections and refractions that do not count as bounces
+
+// Balance heuristic (Veach 1995).
+template <class F>
+F balance(F pdf, F other) {
+  return pdf / (pdf + other);
+}
+
+}  // namespace saccade

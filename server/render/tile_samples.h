@@ -1,0 +1,112 @@
+// The samples of a tile's pixels, in both passes.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "render/blocks.h"
+#include "render/paths/path_run.h"
+#include "render/seed_plan.h"
+#include "render/sub_pixel.h"
+
+namespace saccade {
+
+inline constexpr int kMaxTileEdge = 32;
+inline constexpr float kLeastAlbedo = 1e-3f;  // of a point that shows illumination, over the pixel's average
+
+// What the paths of each pixel of a tile have found, pass by pass.
+class TileSums {
+ public:
+  TileSums(Tile tile, const SeedPlan& seeds) : tile_(tile), spp_{seeds.spp1, seeds.spp2} {}
+
+  std::uint32_t owner(int x, int y, int pass) const {
+    return static_cast<std::uint32_t>(((y - tile_.y0) * kMaxTileEdge + x - tile_.x0) * 2 + pass);
+  }
+  // A path without a finite estimate counts as black. Such a path is rare: its light sample is the very point
+  // that it lights, or its lamp is too bright for floats.
+  void add(std::uint32_t owner, float light) {
+    if (std::isfinite(light)) sums_[owner] += light;
+  }
+  float mean(int x, int y, int pass) const {
+    return spp_[pass] > 0 ? static_cast<float>(sums_[owner(x, y, pass)] / spp_[pass]) : 0;
+  }
+
+ private:
+  Tile tile_;
+  std::array<int, 2> spp_;
+  std::array<double, 2 * kMaxTileEdge * kMaxTileEdge> sums_{};
+};
+
+// All paths start at the centre of the pixel.
+template <Shading S, int C>
+void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile, Frame& out) {
+  TileSums sums(tile, seeds);
+  const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
+    sums.add(owner, found.radiance.at(slot).luminance());
+  };
+  const Tracing tracing{view.scene, view.strengths, bounces, {}};
+  PathRun<S, C, false, decltype(onPath)> run(tracing, onPath);
+  const auto addPaths = [&](const PathStart& start, int x, int y, int pass, std::uint64_t seed, int spp) {
+    const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
+    for (int i = 0; i < spp; ++i)
+      run.add(start, PathSampler(seed, pixel, static_cast<std::uint32_t>(i)), sums.owner(x, y, pass));
+  };
+  forEachPrimary<S>(view, tile, [&](int x, int y, const PrimaryHit& primary) {
+    writeFeatures(primary, view.camera, view.prev, x, y, out.g);
+    if (!primary.valid) return;
+    addPaths(primary.start, x, y, 0, seeds.seed1, seeds.spp1);
+    addPaths(primary.start, x, y, 1, seeds.seed2, seeds.spp2);
+  });
+  run.finish();
+  forEachPixel(tile, [&](int x, int y) {
+    const float E = out.g.emission.at(x, y);
+    out.samples.I1.at(x, y) = seeds.spp1 > 0 ? E + sums.mean(x, y, 0) : 0;
+    out.samples.I2.at(x, y) = seeds.spp2 > 0 ? E + sums.mean(x, y, 1) : 0;
+  });
+}
+
+// The paths of each pass start at its own point of the pixel.
+// A sample is scaled as if it came off the average albedo of the pixel. For the filter smooths illumination,
+// and the average is without noise [paper, 5.5]. Guides are of the centre.
+template <Shading S, int C>
+void renderJitteredTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile, Frame& out) {
+  TileSums sums(tile, seeds);
+  std::array<float, 2 * kMaxTileEdge * kMaxTileEdge> scale{};  // by owner
+  const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
+    sums.add(owner, found.radiance.at(slot).luminance());
+  };
+  const Tracing tracing{view.scene, view.strengths, bounces, {}};
+  PathRun<S, C, false, decltype(onPath)> run(tracing, onPath);
+  forEachPrimary<S>(view, tile, [&](int x, int y, const PrimaryHit& centre) {
+    writeFeatures(centre, view.camera, view.prev, x, y, out.g);
+    const auto hits = traceSubPixels<S>(view, x, y, kSubPixelOffsets);
+    std::array<float, kSubPixels> albedo;
+    float A = 0, E = 0;
+    for (std::size_t i = 0; i < kSubPixels; ++i) {
+      albedo[i] = luminance(hits[i].guide.albedo);
+      A += albedo[i] / kSubPixels, E += luminance(hits[i].guide.emission) / kSubPixels;
+    }
+    out.g.albedo.at(x, y) = A, out.g.emission.at(x, y) = E;
+    if (A <= 0) return;
+    const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
+    const auto addPaths = [&](int pass, std::uint64_t seed, int spp, FrameIndex jitter) {
+      std::size_t i = jitter % kSubPixels;
+      while (albedo[i] < kLeastAlbedo * A) i = (i + 1) % kSubPixels;  // a black point shows no illumination
+      const std::uint32_t owner = sums.owner(x, y, pass);
+      scale[owner] = A / albedo[i];
+      for (int path = 0; path < spp; ++path)
+        run.add(hits[i].start, PathSampler(seed, pixel, static_cast<std::uint32_t>(path)), owner);
+    };
+    addPaths(0, seeds.seed1, seeds.spp1, seeds.jitter1);
+    addPaths(1, seeds.seed2, seeds.spp2, seeds.jitter2);
+  });
+  run.finish();
+  forEachPixel(tile, [&](int x, int y) {
+    const float E = out.g.emission.at(x, y);
+    const auto sample = [&](int pass) { return E + sums.mean(x, y, pass) * scale[sums.owner(x, y, pass)]; };
+    out.samples.I1.at(x, y) = seeds.spp1 > 0 ? sample(0) : 0;
+    out.samples.I2.at(x, y) = seeds.spp2 > 0 ? sample(1) : 0;
+  });
+}
+
+}  // namespace saccade
