@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/app.h"
+#include "base/instruction_set.h"
 #include "ops/log.h"
 
 namespace {
@@ -55,6 +56,7 @@ sigset_t blockSignals() {
 int serve(const saccade::Config& config) {
   const sigset_t signals = blockSignals();  // before the threads that inherit it
   try {
+    if (config.instructions != "auto") saccade::useInstructionSet(config.instructions);
     saccade::App app(config);
     int signal = 0;
     while (sigwait(&signals, &signal) == 0 && signal == SIGHUP) app.reloadKeys();

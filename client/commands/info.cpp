@@ -28,8 +28,8 @@ void printBudgets(const char* name, const char* options, const v1::BudgetInfo& b
 }
 
 void printServer(const v1::ServerDescription& server) {
-  std::printf("saccaded %s, protocol %u, %u threads\n", server.version().c_str(), server.protocol_version(),
-              server.threads());
+  std::printf("saccaded %s, protocol %u, %u threads, %s\n", server.version().c_str(),
+              server.protocol_version(), server.threads(), server.instruction_set().c_str());
   std::printf("data %s, broadcast %s\n", server.data_endpoint().c_str(), server.broadcast_endpoint().c_str());
   printBudgets("budgets", "--budget-ms, --max-false-rate", server.budgets());
   printBudgets("simplification", "--max-event-change", server.simplification());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/metrics.h"
+#include "base/instruction_set.h"
 #include "wire/protocol.h"
 
 namespace saccade {
@@ -42,9 +43,9 @@ App::App(const Config& config)
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
   if (config.http != "off") http_.emplace(config.http, pages());
   manager_.tell("READY=1");
-  spdlog::info("ready: control {} data {} broadcast {} http {}, {} threads, scenes in {}",
+  spdlog::info("ready: control {} data {} broadcast {} http {}, {} threads, {}, scenes in {}",
                control_.endpoint(), data_.endpoint(), broadcast_.endpoint(), httpEndpoint(), config.threads,
-               config.scenes);
+               instructionSetName(), config.scenes);
 }
 
 App::~App() {
@@ -67,6 +68,7 @@ v1::ServerDescription App::describe(const Config& config) const {
   description.set_protocol_version(kProtocolVersion);
   description.set_epoch(epoch_);
   description.set_threads(static_cast<std::uint32_t>(config.threads));
+  description.set_instruction_set(instructionSetName());
   description.set_data_endpoint(data_.endpoint());
   description.set_broadcast_endpoint(broadcast_.endpoint());
   describeMethods(description);

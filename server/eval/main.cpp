@@ -2,6 +2,7 @@
 // server.
 #include <cstdio>
 
+#include "base/instruction_set.h"
 #include "base/names.h"
 #include "eval/commands/commands.h"
 
@@ -35,6 +36,10 @@ int main(int argc, char** argv) {
   saccade::eval::addFigureCommand(app);
   saccade::eval::addSimplificationCommand(app);
   saccade::eval::requireSubcommand(app, "command");
+  app.add_option_function<std::string>("--instructions", saccade::useInstructionSet,
+                                       "vector instructions to render with; default: the widest of this "
+                                       "processor")
+      ->check(CLI::IsMember(saccade::kInstructionSetNames));
   app.footer(
       "Scenes: the environment variable SACCADE_SCENES names a folder to use instead of the built-in one.");
   try {

@@ -126,6 +126,10 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--threads", config.threads, "threads that render; 0: one per CPU that this process may use")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  app.add_option("--instructions", config.instructions,
+                 "vector instructions to render with; auto: the widest of this processor")
+      ->check(CLI::IsMember({"auto", "avx2", "avx512"}))
+      ->capture_default_str();
   app.add_option("--scenes", config.scenes, "folder of the scenes")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();

@@ -24,7 +24,8 @@ struct Config {
   std::string client_keys;   // file of the clients' keys, see ClientKeys; given where secret_key is
   bool insecure = false;     // whether other machines may connect without keys
   int threads = 0;           // [1, 1024]; 0: one per core
-  std::string scenes;        // folder with a folder for each scene; empty: findScenes()
+  std::string instructions = "auto";    // "avx2", "avx512"; "auto": the widest of this processor
+  std::string scenes;                   // folder with a folder for each scene; empty: findScenes()
   std::string meshes = kDefaultMeshes;  // folders of meshes that scenes do not hold, see splitFolders()
   std::string accuracy;                 // file of saccade-eval chart, see AccuracySource; empty: none
   std::string simplification;  // file of saccade-eval simplification, see SimplificationSource; empty: none
