@@ -1,0 +1,108 @@
+// What sensors and their packets cost:
+//   build/dev/bin/event_speed [SCENE [TRAJECTORY]]
+// Renders some frames once with the default method. Gives them to sensors of each event model and
+// reconstruction, at a coarse and a fine contrast threshold. Prints for each the events per pixel and frame;
+// million events per second and core, from the change of intensity to the packet; and the cost of 64 such
+// sensors and the frame, in frames. Times are CPU times of one thread, the best of some rounds in turn.
+#include <cstdio>
+#include <limits>
+
+#include "app/streams/sensor_channel.h"
+#include "eval/bench/open_scene.h"
+#include "events/event_model.h"
+#include "events/reconstruction.h"
+#include "methods/method_spec.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kWarmUp = 8, kFrames = 24, kRounds = 7, kSensors = 64;
+
+double ms(std::chrono::nanoseconds time) {
+  return std::chrono::duration<double, std::milli>(time).count();
+}
+
+struct Recording {
+  std::vector<IntensityChange> changes;
+  double frame_ms = std::numeric_limits<double>::infinity();  // of the cheapest
+  FeedConfig feed;
+};
+
+Recording record(const std::string& scene_name, const std::string& trajectory) {
+  Recording r;
+  const MethodSpec method = parseMethod(r.feed.method);
+  r.feed.params = method.params;
+  r.feed.width = 346, r.feed.height = 260;
+  const auto scene = eval::openScene(scene_name);
+  r.feed.fov_x_deg = scene->description().fov_x_deg;
+  TilePool pool(1);
+  Feed feed(scene, eval::openTrajectory(scene_name, trajectory, *scene, r.feed), r.feed, pool);
+  for (int i = 0; i < kWarmUp + kFrames; ++i) {
+    const IntensityChange& change = feed.step(pool);
+    r.frame_ms = std::min(r.frame_ms, ms(feed.lastTimes().total()));
+    if (i < kWarmUp) continue;
+    r.changes.emplace_back(r.feed.width, r.feed.height);
+    r.changes.back().copyFrom(change);
+  }
+  return r;
+}
+
+struct Cost {
+  std::uint64_t events = 0;
+  double ms = std::numeric_limits<double>::infinity();  // of all frames
+};
+
+// One run of a new sensor over the frames.
+void measure(const Recording& r, const SensorConfig& config, Cost& best) {
+  const PacketCutter::Source source{.stream_id = "s",
+                                    .width = static_cast<std::uint32_t>(r.feed.width),
+                                    .height = static_cast<std::uint32_t>(r.feed.height)};
+  SensorChannel channel(config, source, 0);
+  std::chrono::nanoseconds time{0};
+  for (const IntensityChange& change : r.changes) {
+    channel.process(change);
+    time += channel.cost();
+  }
+  best.ms = std::min(best.ms, ms(time));
+  best.events = channel.events();
+}
+
+void measureAll(const std::string& scene, const std::string& trajectory) {
+  const Recording r = record(scene, trajectory);
+  std::printf("%s, %s, %d x %d: a frame takes %.1f ms\n", scene.c_str(), trajectory.c_str(), r.feed.width,
+              r.feed.height, r.frame_ms);
+  std::vector<SensorConfig> configs;
+  for (const EventModelInfo& model : eventModelTable())
+    for (const ReconstructionInfo& reconstruction : reconstructionTable())
+      for (const double C : {0.2, 0.02}) {
+        SensorConfig& config = configs.emplace_back();
+        config.threshold = config.threshold_off = C;
+        config.model = model.name, config.reconstruction = reconstruction.name;
+      }
+  std::vector<Cost> best(configs.size());
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t i = 0; i < configs.size(); ++i) measure(r, configs[i], best[i]);
+
+  std::printf("%-14s %-14s %5s %12s %9s %15s\n", "model", "reconstruction", "C", "events/pixel", "million/s",
+              "frame with 64");
+  for (std::size_t i = 0; i < configs.size(); ++i) {
+    const SensorConfig& config = configs[i];
+    const auto events = static_cast<double>(best[i].events);
+    std::printf("%-14s %-14s %5.2f %12.3f %9.1f %15.2f\n", config.model.c_str(),
+                config.reconstruction.c_str(), config.threshold,
+                events / kFrames / (r.feed.width * r.feed.height), events / best[i].ms / 1e3,
+                1 + kSensors * best[i].ms / kFrames / r.frame_ms);
+  }
+}
+
+}  // namespace
+}  // namespace saccade
+
+int main(int argc, char** argv) {
+  try {
+    saccade::measureAll(argc > 1 ? argv[1] : "cornell-bunny", argc > 2 ? argv[2] : "truck:2px");
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "event_speed: %s\n", fault.what());
+    return 1;
+  }
+}
