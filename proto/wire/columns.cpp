@@ -45,20 +45,19 @@ std::string checkEvent(const Event& e, const v1::PacketHeader& h) {
 
 }  // namespace
 
-std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns, std::uint32_t dt_unit_ns) {
-  const Offsets at(events.size());
-  std::string payload(events.size() * kColumnsBytesPerEvent, '\0');
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    const Event& e = events[i];
-    const std::int64_t dt = (e.t_ns - t0_ns) / dt_unit_ns;
-    if (e.t_ns < t0_ns || dt > std::numeric_limits<std::uint32_t>::max()) {
-      throw std::out_of_range("an event lies outside the times its packet can express");
-    }
-    store(payload.data(), i, static_cast<std::uint32_t>(dt));
-    store(payload.data() + at.x, i, e.x);
-    store(payload.data() + at.y, i, e.y);
-    store(payload.data() + at.p, i, e.p);
-  }
+std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns) {
+  const std::size_t n = events.size();
+  const auto units = [&](const Event& e) { return static_cast<std::uint64_t>(e.t_ns - t0_ns) / kTimeUnitNs; };
+  if (n > 0 &&
+      (events.front().t_ns < t0_ns || units(events.back()) > std::numeric_limits<std::uint32_t>::max()))
+    throw std::out_of_range("an event lies outside the times its packet can express");
+  const Offsets at(n);
+  std::string payload(n * kColumnsBytesPerEvent, '\0');
+  char* bytes = payload.data();
+  for (std::size_t i = 0; i < n; ++i) store(bytes, i, static_cast<std::uint32_t>(units(events[i])));
+  for (std::size_t i = 0; i < n; ++i) store(bytes + at.x, i, events[i].x);
+  for (std::size_t i = 0; i < n; ++i) store(bytes + at.y, i, events[i].y);
+  for (std::size_t i = 0; i < n; ++i) store(bytes + at.p, i, events[i].p);
   return payload;
 }
 

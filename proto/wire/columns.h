@@ -14,9 +14,9 @@ namespace saccade {
 
 inline constexpr std::size_t kColumnsBytesPerEvent = 9;
 
-// Encodes `events`, their times floored to dt_unit_ns. Throws std::out_of_range where an event lies before
-// t0_ns, or 2^32 units or more after it.
-std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns, std::uint32_t dt_unit_ns);
+// Encodes `events` with a dt_unit_ns of kTimeUnitNs, to which their times are floored. Throws
+// std::out_of_range where an event lies before t0_ns, or 2^32 units or more after it.
+std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns);
 
 // Decodes a payload of any content into `out`, as its header describes it. Returns an empty text, or what is
 // wrong:

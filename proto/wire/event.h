@@ -7,8 +7,10 @@
 
 namespace saccade {
 
+inline constexpr std::uint32_t kTimeUnitNs = 1000;  // of all event times and packet bounds
+
 struct Event {
-  std::int64_t t_ns;   // stream time, a multiple of 1000
+  std::int64_t t_ns;   // stream time
   std::uint16_t x, y;  // pixel, (0, 0) is top left
   std::uint8_t p;      // polarity: 1 ON (brighter), 0 OFF
 

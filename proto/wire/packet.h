@@ -14,7 +14,6 @@ namespace saccade {
 
 inline constexpr std::uint32_t kMaxPacketEvents = 32768;
 inline constexpr std::uint64_t kMaxSnapshotPixels = 4 << 20;
-inline constexpr std::uint32_t kTimeUnitNs = 1000;  // event times and packet bounds are multiples of it
 
 struct Packet {
   v1::PacketHeader header;

@@ -93,7 +93,7 @@ Packet PacketCutter::take(std::span<const Event> events, std::int64_t t1_ns) {
   header.set_count(static_cast<std::uint32_t>(events.size()));
   header.set_suppressed(std::exchange(suppressed_, 0));
   header_.set_first_event_index(header_.first_event_index() + events.size());
-  std::string columns = encodeColumns(events, t0_ns_, kTimeUnitNs);
+  std::string columns = encodeColumns(events, t0_ns_);
   t0_ns_ = t1_ns;
   return sealPacket(std::move(header), codec_.encode(std::move(columns)));
 }

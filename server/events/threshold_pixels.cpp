@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "base/wide.h"
 
 namespace saccade {
 namespace {
@@ -57,6 +58,23 @@ bool ThresholdPixels::wakes(Blindness& blindness, double change, double& start) 
   suppressed_ += wholeThresholds(seen, threshold(seen));
   blindness = {};
   return true;
+}
+
+void ThresholdPixels::advanceRow(int y, const float* dL, float* v, Events& events) {
+  constexpr int kLanes = 8;
+  using F = Floats<kLanes>;
+  for (int x0 = 0; x0 < width_; x0 += kLanes) {
+    const F change = load<kLanes>(dL + x0), level = load<kLanes>(v + x0), moved = level + change;
+    const auto changes = change != 0.f;
+    // Strictly between the rounded thresholds is between the thresholds, as advance() sees them.
+    const auto quiet = changes && moved > low_ && moved < high_;
+    const std::uint32_t loud = bitsOf(changes) & (blindness_.empty() ? ~bitsOf(quiet) : ~0u);
+    if (blindness_.empty()) store(select(quiet, moved, level), v + x0);
+    forEachLane(loud, [&](int lane) {
+      const int x = x0 + lane;
+      v[x] = advance(x, y, v[x], dL[x], events);
+    });
+  }
 }
 
 float ThresholdPixels::advanceInFull(int x, int y, double v, double change, Events& events) {

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <vector>
 
-#include "base/tile_pool.h"
 #include "events/event_model.h"
 
 namespace saccade {
@@ -39,6 +37,10 @@ class ThresholdPixels {
     const bool quiet = moved > -off_ && moved < on_ && blindness_.empty();  // the most frequent case
     return quiet ? inside(moved) : advanceInFull(x, y, v, change, events);
   }
+
+  // The same for the pixels of row y whose change is not 0, by their levels `v`. Both rows may be read beyond
+  // the width, up to a multiple of 16, where there is no change.
+  void advanceRow(int y, const float* dL, float* v, Events& events);
 
   std::uint64_t suppressed() const { return suppressed_; }  // since begin()
 
@@ -77,24 +79,5 @@ class ThresholdPixels {
   double length_ns_ = 0;
   std::uint64_t suppressed_ = 0;
 };
-
-// Calls f(x, y, dL) where dL is not 0, row by row. Blocks without a change are skipped fast.
-template <class F>
-void forEachChange(const ImageF& dL, F&& f) {
-  constexpr int kBlock = 16;
-  for (int y = 0; y < dL.height(); ++y) {
-    TilePool::yieldToHighPriority();
-    const float* row = dL.row(y);
-    // The last block may reach into the border, which is 0.
-    for (int x0 = 0; x0 < dL.width(); x0 += kBlock) {
-      std::uint32_t bits = 0;
-      for (int i = 0; i < kBlock; ++i) bits |= std::bit_cast<std::uint32_t>(row[x0 + i]);
-      if (bits == 0) continue;
-      for (int x = x0; x < x0 + kBlock; ++x) {
-        if (row[x] != 0) f(x, y, row[x]);
-      }
-    }
-  }
-}
 
 }  // namespace saccade

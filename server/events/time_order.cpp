@@ -10,7 +10,7 @@ constexpr int kDigitBits = 11;
 constexpr std::uint64_t kDigits = 1 << kDigitBits;
 
 std::uint64_t ticks(TimeNs t) {
-  return static_cast<std::uint64_t>(t / kEventTimeUnit);
+  return static_cast<std::uint64_t>(t.count()) / kEventTimeUnit.count();
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ void TimeOrder::sort(Events& events, const Interval& interval) {
       return ticks(TimeNs(e.t_ns) - interval.t0) >> shift & (kDigits - 1);
     };
     // Where the events of each digit begin.
-    std::array<std::size_t, kDigits + 1> begin{};
+    std::array<std::uint32_t, kDigits + 1> begin{};
     for (const Event& e : events) ++begin[digit(e) + 1];
     for (std::size_t i = 0; i < kDigits; ++i) begin[i + 1] += begin[i];
     for (const Event& e : events) scratch_[begin[digit(e)]++] = e;

@@ -1,5 +1,6 @@
 // Direct accumulation [E (22)]: a pixel keeps v = L - L_ref, in (-C-, C+).
 #include "base/hash_rng.h"
+#include "base/tile_pool.h"
 #include "events/models/models.h"
 #include "events/threshold_pixels.h"
 
@@ -21,10 +22,10 @@ class Accumulating final : public EventModel {
 
   std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) override {
     pixels_.begin(interval);
-    forEachChange(dL, [&](int x, int y, float change) {
-      float& v = v_.row(y)[x];
-      v = pixels_.advance(x, y, v, change, events);
-    });
+    for (int y = 0; y < dL.height(); ++y) {
+      TilePool::yieldToHighPriority();
+      pixels_.advanceRow(y, dL.row(y), v_.row(y), events);
+    }
     return pixels_.suppressed();
   }
 

@@ -1,11 +1,33 @@
 // Stochastic generation (paper, 4.6): a threshold phase uniform in [0, C), fresh for every pixel and frame,
 // so that E[K] = |dL| / C [E (31)]. Between frames it keeps only which pixels are blind.
+#include <bit>
+
 #include "base/hash_rng.h"
+#include "base/tile_pool.h"
 #include "events/models/models.h"
 #include "events/threshold_pixels.h"
 
 namespace saccade {
 namespace {
+
+// Calls f(x, y, dL) where dL is not 0, row by row. Blocks without a change are skipped fast.
+template <class F>
+void forEachChange(const ImageF& dL, F&& f) {
+  constexpr int kBlock = 16;
+  for (int y = 0; y < dL.height(); ++y) {
+    TilePool::yieldToHighPriority();
+    const float* row = dL.row(y);
+    // The last block may reach into the border, which is 0.
+    for (int x0 = 0; x0 < dL.width(); x0 += kBlock) {
+      std::uint32_t bits = 0;
+      for (int i = 0; i < kBlock; ++i) bits |= std::bit_cast<std::uint32_t>(row[x0 + i]);
+      if (bits == 0) continue;
+      for (int x = x0; x < x0 + kBlock; ++x) {
+        if (row[x] != 0) f(x, y, row[x]);
+      }
+    }
+  }
+}
 
 class Probabilistic final : public EventModel {
  public:
