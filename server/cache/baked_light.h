@@ -6,6 +6,7 @@
 #pragma once
 
 #include "cache/baked_blend.h"
+#include "cache/baked_points.h"
 #include "cache/surface_grid.h"
 
 namespace saccade {
@@ -22,28 +23,14 @@ class BakedLight {
   std::size_t vertices() const { return vertices_; }  // whose light is known
 
  private:
-  struct Tap {
-    const Octet* light;
-    float weight;
-  };
-  // The vertices around a point whose light is known.
-  struct Taps {
-    Octet sum() const;  // weighted
-    std::array<Tap, 12> tap;
-    int count = 0;
-  };
-  struct Found {
-    GridPoint at;
-    std::array<Taps, 2> slots;
-  };
-  class Finder;
-
-  // Reads a point of pixel (x, y), and adds it to the pixel.
-  void add(const Found& found, SurfacePoint& point, const GBuffer& g, int x, int y, GridEstimate& out) const;
+  // Reads points, and adds them to their pixels.
+  void add(const BakedPoints& points, int per_pixel, const GBuffer& g, GridEstimate& out) const;
+  // The same for a point of column x, by the sums over the vertices around it on its two levels.
+  void add(const BakedPoints::Point& found, Octet fine, Octet coarse, int x, const GBuffer& g,
+           GridEstimate& out) const;
 
   GridParams params_;
-  int first_ = 0;                   // the exponent of the finest level
-  std::vector<BakedLevel> levels_;  // from fine to coarse
+  BakedLevels levels_;
   std::size_t vertices_ = 0;
 };
 

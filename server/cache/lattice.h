@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -18,6 +19,11 @@ namespace saccade {
 // Address of a vertex in its level: 20 bits for each coordinate, 4 for the bin. Vertices 2^20 cells apart
 // share an address; cells are so small only near the camera, and what is so far away has larger ones.
 using VertexKey = std::uint64_t;
+
+// 2^exponent, from -126 to 127.
+inline float powerOfTwo(int exponent) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(127 + exponent) << 23);
+}
 
 // The tetrahedron around a point, q = point / edge of a cell: keys and weights of its corners.
 struct Tetrahedron {
@@ -76,6 +82,7 @@ struct Tetrahedron {
 
 // The bins of a unit normal: axis 0, 1 or 2, plus 3 where it points to the negative side.
 struct NormalBins {
+  NormalBins() = default;
   explicit NormalBins(Vec3 n) {
     const std::array<float, 3> v{n.x, n.y, n.z};
     std::array<float, 3> w;

@@ -1,15 +1,22 @@
 #include "cache/placement.h"
 
+#include <bit>
+#include <cmath>
 #include <limits>
 
 namespace saccade {
+namespace {
+
+constexpr std::uint32_t kOneBits = 0x3f800000;  // of the float 1
+
+}  // namespace
 
 GridPoint gridPoint(const SurfacePoint& point, float finest_px) {
-  const float level = std::log2(finest_px * point.footprint), floor = std::floor(level);
-  const int whole = static_cast<int>(floor);
-  return {.level = whole,
-          .fraction = level - floor,
-          .scale = std::ldexp(finest_px * point.footprint, -whole),
+  const auto bits = std::bit_cast<std::uint32_t>(finest_px * point.footprint);
+  const float scale = std::bit_cast<float>((bits & 0x7fffff) | kOneBits);
+  return {.level = static_cast<int>(bits >> 23) - 127,
+          .fraction = std::log2(scale),
+          .scale = scale,
           .position = point.position};
 }
 

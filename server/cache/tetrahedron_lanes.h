@@ -14,9 +14,9 @@ class TetrahedronLanes {
   void setPoint(int lane, Vec3 position) {
     position_[0][lane] = position.x, position_[1][lane] = position.y, position_[2][lane] = position.z;
   }
-  // Of all points that have been set. Cells have the edge 1 / `inv_h`, a power of two: nothing is rounded but
+  // Of all points that have been set. Cells have the edge 1 / `inv_h`, powers of two: nothing is rounded but
   // the fraction of a negative number, as in Tetrahedron.
-  void find(float inv_h) {
+  void find(const F& inv_h) {
     std::array<F, 3> within;
     for (int axis = 0; axis < 3; ++axis) {
       const F q = load<kLanes>(position_[axis]) * inv_h, low = floor(q);

@@ -30,6 +30,13 @@ inline VertexKey vertexOf(VertexKey block, std::uint32_t cell) {
   return block | VertexKey{cell & 3} << kX | VertexKey{cell >> 2 & 3} << kY | VertexKey{cell >> 4} << kZ;
 }
 
+// The bits of a block's key in which the blocks of a cube of 4 x 4 x 4 differ.
+inline constexpr int kNeighbourBits = 6;
+inline constexpr VertexKey kNeighbours = [] {
+  using namespace vertex_bits;
+  return VertexKey{12} << kX | VertexKey{12} << kY | VertexKey{12} << kZ;
+}();
+
 // Remembers what was found for blocks.
 template <class Found>
 class BlockMemo {

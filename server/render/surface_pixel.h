@@ -32,9 +32,9 @@ void addPath(const PathResults<C>& found, std::uint32_t slot, Rgb base, Reflecte
   sum.bounce = {found.tail_cell[slot], {light.x / albedo.x, light.y / albedo.y, light.z / albedo.z}};
 }
 
-// Tells a point its samples. Returns the light that leaves it, over its albedo.
+// Tells a point with paths its samples. Returns the light that leaves it, over its albedo.
 inline double setSamples(const ReflectedParts& sum, const SurfaceStart& start, SurfacePoint& out) {
-  const double paths = out.paths > 0 ? out.paths : 1;
+  const auto paths = static_cast<double>(out.paths);
   // Of a diffuse surface the path's own estimate of such light goes: what is left has the least noise. Of a
   // plastic that estimate holds other light too.
   const double direct = start.base.all ? sum.weighed : sum.visible;
@@ -43,6 +43,11 @@ inline double setSamples(const ReflectedParts& sum, const SurfaceStart& start, S
   out.rest = static_cast<float>((sum.all - direct) / paths) / start.albedo;
   out.bounce = sum.bounce;
   return sum.all / paths / start.albedo;
+}
+
+inline void setNoSamples(SurfacePoint& out) {
+  out.unoccluded_sample = out.visible_sample = out.rest = 0;
+  out.bounce = {};
 }
 
 // The samples of a tile's points, of pass 2 alone.
@@ -77,7 +82,9 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces
   count = 0;
   forEachPoint([&](int x, int y, int column) {
     SurfacePoint& p = on.at(column, y);
-    const double light = setSamples((*sums)[count++], starts[on.indexOf(column, y)], p);
+    const ReflectedParts& sum = (*sums)[count++];
+    if (p.paths == 0) return setNoSamples(p);
+    const double light = setSamples(sum, starts[on.indexOf(column, y)], p);
     out.samples.I2.at(x, y) += static_cast<float>(light * p.share * out.g.albedo.at(x, y));
   });
 }

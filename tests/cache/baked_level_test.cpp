@@ -25,10 +25,9 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   });
   const BakedLevel level(keys, light);
   EXPECT_EQ(level.vertices(), keys.size());
-  BakedLevel::Reader reader(level);
   float next = 0;
   each([&](VertexKey key, bool held) {
-    const Octet* found = reader.find(key);
+    const Octet* found = level.find(key);
     ASSERT_EQ(found != nullptr, held);
     if (held) {
       ASSERT_EQ((*found)[0], next++);
@@ -37,8 +36,7 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
 }
 
 TEST(BakedLevel, MayBeEmpty) {
-  const BakedLevel level;
-  EXPECT_EQ(BakedLevel::Reader(level).find(keyAt(1, 2, 3)), nullptr);
+  EXPECT_EQ(BakedLevel().find(keyAt(1, 2, 3)), nullptr);
 }
 
 }  // namespace
