@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/instruction_set.h"
 #include "filter/edge_stopping.h"
 #include "filter/synthetic.h"
 
@@ -151,6 +152,20 @@ TEST_F(Fixture, TheDifferenceHeedsEdgesOfThePreviousFrame) {
   EXPECT_LT(out.d.at(17, 10), 1e-6f);
   atrousIteration({cur, prev}, {.use_prev = false}, 1, in, pool, out);
   EXPECT_GT(out.d.at(17, 10), 0.2f);
+}
+
+TEST_F(Fixture, IsTheSameWithAnyLanes) {
+  const std::string widest = instructionSetName();
+  if (widest == "avx2") GTEST_SKIP() << "this processor has one set of instructions";
+  FilterPlanes narrow(kW, kH);
+  useInstructionSet("avx2");
+  atrousIteration({cur, prev}, {}, 2, in, pool, narrow);
+  useInstructionSet(widest);
+  atrousIteration({cur, prev}, {}, 2, in, pool, out);
+  for (const auto plane : {&FilterPlanes::i, &FilterPlanes::var_i, &FilterPlanes::d, &FilterPlanes::var_d})
+    for (int y = 0; y < kH; ++y)
+      for (int x = 0; x < kW; ++x)
+        ASSERT_EQ((out.*plane).at(x, y), (narrow.*plane).at(x, y)) << x << ", " << y;
 }
 
 }  // namespace

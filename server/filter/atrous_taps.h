@@ -1,0 +1,124 @@
+// The taps of the a-trous filter, compiled for one width of lanes. A result does not depend on the width.
+#pragma once
+
+#include "filter/atrous_chunk.h"
+
+namespace saccade::detail {
+
+constexpr float kKernel[3] = {1, 2.f / 3, 1.f / 6};  // h(q), separable, by distance
+
+struct Tap {
+  std::ptrdiff_t o;  // from the centre
+  float h, inv_distance;
+};
+using Taps = std::array<Tap, 24>;  // all but the centre
+
+template <int W>
+[[gnu::always_inline]] inline Floats<W> loadAnywhere(const float* p) {
+  return Floats<W>(p, stdx::element_aligned);
+}
+
+// fastExp2() of lanes.
+template <int W>
+[[gnu::always_inline]] inline Floats<W> exp2OfLanes(Floats<W> x) {
+  x = max(x, Floats<W>(-126.f));
+  const Floats<W> whole = floor(x), f = x - whole;
+  const auto exponent = (stdx::static_simd_cast<Ints<W>>(whole) + 127) << 23;
+  return std::bit_cast<Floats<W>>(exponent) * (1.f + f * (0.6565f + f * 0.3435f));
+}
+
+// Of the pixels of some lanes: their features in one frame.
+template <int W>
+struct Centre {
+  using F = Floats<W>;
+  [[gnu::always_inline]] Centre(const AtrousFeatures& f, int x, float s_n)
+      : at(f),
+        x(x),
+        s_n(s_n),
+        nx(loadAnywhere<W>(f.nx + x)),
+        ny(loadAnywhere<W>(f.ny + x)),
+        nz(loadAnywhere<W>(f.nz + x)),
+        z(loadAnywhere<W>(f.z + x)),
+        r_z(load<W>(f.r_z + x)) {}
+
+  // e_z + e_n between each pixel and its neighbour at the tap.
+  [[gnu::always_inline]] F exponent(const Tap& tap) const {
+    const std::ptrdiff_t q = x + tap.o;
+    const F cosine =
+        nx * loadAnywhere<W>(at.nx + q) + ny * loadAnywhere<W>(at.ny + q) + nz * loadAnywhere<W>(at.nz + q);
+    return s_n * (1.f - cosine) + abs(z - loadAnywhere<W>(at.z + q)) * (r_z * tap.inv_distance);
+  }
+
+  const AtrousFeatures& at;
+  int x;
+  float s_n;  // sigma_n log2 e
+  F nx, ny, nz, z, r_z;
+};
+
+// The sums of one signal over the taps. The centre counts fully.
+template <int W>
+struct Sums {
+  using F = Floats<W>;
+  [[gnu::always_inline]] Sums(const AtrousChannel& s, int x)
+      : at(s),
+        x(x),
+        centre(loadAnywhere<W>(s.c + x)),
+        r_l(load<W>(s.r_l + x)),
+        w(1.f),
+        c(centre),
+        v(loadAnywhere<W>(s.v + x)) {}
+
+  [[gnu::always_inline]] void add(const Tap& tap, const F& exponent) {
+    const F c_q = loadAnywhere<W>(at.c + x + tap.o), v_q = loadAnywhere<W>(at.v + x + tap.o);
+    const F weight = tap.h * exp2OfLanes<W>(-(exponent + abs(centre - c_q) * r_l));
+    w += weight;
+    c += weight * c_q;
+    v += weight * weight * v_q;
+  }
+  [[gnu::always_inline]] void store(AtrousChannel& out) const {
+    const F inv = 1.f / w;
+    saccade::store(F(c * inv), out.filtered + x);
+    saccade::store(F(v * inv * inv), out.filtered_v + x);
+  }
+
+  const AtrousChannel& at;
+  int x;
+  F centre, r_l, w, c, v;
+};
+
+template <int W, AtrousSignal What>
+void filterChunk(const AtrousChunk& chunk, const Taps& taps) {
+  const float s_n = chunk.sigma_n * kLog2E;
+  for (int x = 0; x < chunk.n; x += W) {
+    const Centre<W> cur(chunk.cur, x, s_n), prev(chunk.prev, x, s_n);
+    Sums<W> primal(chunk.primal, x), difference(chunk.difference, x);
+    for (const Tap& tap : taps) {
+      const Floats<W> e = cur.exponent(tap);
+      primal.add(tap, e);
+      if constexpr (What == AtrousSignal::kBoth) difference.add(tap, e);
+      if constexpr (What == AtrousSignal::kBothHeedingPrev) difference.add(tap, e + prev.exponent(tap));
+    }
+    primal.store(chunk.primal);
+    if constexpr (What != AtrousSignal::kPrimal) difference.store(chunk.difference);
+  }
+}
+
+template <int W>
+void filterChunk(AtrousSignal signal, const AtrousChunk& chunk) {
+  Taps taps;
+  std::size_t next = 0;
+  for (int dy = -2; dy <= 2; ++dy) {
+    for (int dx = -2; dx <= 2; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      const float distance = std::sqrt(static_cast<float>(dx * dx + dy * dy));
+      taps[next++] = {chunk.step * (dy * chunk.stride + dx),
+                      kKernel[dx < 0 ? -dx : dx] * kKernel[dy < 0 ? -dy : dy],
+                      1 / (static_cast<float>(chunk.step) * distance)};
+    }
+  }
+  if (signal == AtrousSignal::kPrimal) return filterChunk<W, AtrousSignal::kPrimal>(chunk, taps);
+  if (signal == AtrousSignal::kBoth) return filterChunk<W, AtrousSignal::kBoth>(chunk, taps);
+  filterChunk<W, AtrousSignal::kBothHeedingPrev>(chunk, taps);
+}
+
+}  // namespace saccade::detail
