@@ -13,8 +13,8 @@ BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<Oct
     if (i == blocks.size()) blocks.push_back({.key = blockOf(key)});
     blocks[i].cells |= std::uint64_t{1} << cellOf(key);
   }
-  while ((std::size_t{1} << (bits_ + kNeighbourBits)) < 2 * blocks.size()) ++bits_;
-  blocks_.resize(std::size_t{1} << (bits_ + kNeighbourBits));
+  while ((std::size_t{1} << bits_) < 2 * blocks.size()) ++bits_;
+  blocks_.resize(std::size_t{1} << bits_);
   for (const Block& block : blocks) blocks_[slotOf(block.key)] = block;
   std::uint32_t next = 0;
   for (Block& block : blocks_) block.first = next, next += std::popcount(block.cells);

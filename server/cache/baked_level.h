@@ -1,8 +1,6 @@
 // Light that was computed ahead, of one level. It lies in memory by blocks.
 #pragma once
 
-#include <immintrin.h>
-
 #include <vector>
 
 #include "base/check.h"
@@ -20,7 +18,7 @@ class BakedLevel {
   std::size_t vertices() const { return light_.size(); }
 
   // Brings what find() needs closer.
-  void prefetch(VertexKey vertex) const { __builtin_prefetch(&blocks_[home(blockOf(vertex))]); }
+  void prefetch(VertexKey vertex) const { __builtin_prefetch(&blocks_[homeOf(blockOf(vertex), bits_)]); }
   // nullptr if there is no such vertex.
   const Octet* find(VertexKey vertex) const { return find(blockAt(vertex), vertex); }
   // The same for the corners of a tetrahedron, most of which share a block.
@@ -53,19 +51,14 @@ class BakedLevel {
     return (block->cells >> cell & 1) != 0 ? &light_[block->indexOf(cell)] : nullptr;
   }
 
-  // Neighbours lie together.
-  std::size_t home(VertexKey block) const {
-    const std::uint64_t hash = (block & ~kNeighbours) * 0x9e3779b97f4a7c15ull;
-    return hash >> (64 - bits_) << kNeighbourBits | _pext_u64(block, kNeighbours);
-  }
   std::size_t slotOf(VertexKey block) const {
-    std::size_t i = home(block);
+    std::size_t i = homeOf(block, bits_);
     while (blocks_[i].key != block && blocks_[i].key != 0) i = (i + 1) & (blocks_.size() - 1);
     return i;
   }
 
-  int bits_ = 1;                                                 // of the hash
-  std::vector<Block> blocks_{std::size_t{2} << kNeighbourBits};  // a hash table, at most half full
+  int bits_ = 7;
+  std::vector<Block> blocks_{std::size_t{1} << bits_};  // a hash table, at most half full
   std::vector<Octet> light_;
 };
 

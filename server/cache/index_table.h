@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "cache/vertex_block.h"
+
 namespace saccade {
 
 class IndexTable {
@@ -37,7 +39,7 @@ class IndexTable {
   };
   static constexpr int kFirstBits = 10;
 
-  std::size_t home(std::uint64_t key) const { return key * 0x9e3779b97f4a7c15ull >> (64 - bits_); }
+  std::size_t home(std::uint64_t key) const { return homeOf(key, bits_); }
   std::size_t find(std::uint64_t key) const {  // where it is, or belongs
     std::size_t i = home(key);
     while (slots_[i].key != 0 && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);

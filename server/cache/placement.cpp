@@ -1,8 +1,11 @@
 #include "cache/placement.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+
+#include "base/pool_handle.h"
 
 namespace saccade {
 namespace {
@@ -24,29 +27,38 @@ void Placement::place(const SurfaceSamples& on, float finest_px) {
   constexpr int kMaxBins = 3;
   const std::size_t most = on.indexOf(0, on.height());
   points.clear(), points.reserve(most);
-  row_ends.assign(1, 0);
-  bins.resize(most * kMaxBins), bin_weights.resize(most * kMaxBins);
+  band_ends.assign(1, 0);
+  bins.clear(), bins.reserve(most * kMaxBins);
+  bin_weights.clear(), bin_weights.reserve(most * kMaxBins);
   least_level = std::numeric_limits<int>::max(), most_level = std::numeric_limits<int>::min();
-  std::uint32_t next = 0;
-  for (int y = 0; y < on.height(); ++y) {
-    for (const SurfacePoint& s : on.row(y)) {
-      if (s.kind == SurfaceKind::kNone || s.baked) continue;
-      const NormalBins normal(s.normal);
-      GridPoint point = gridPoint(s, finest_px);
-      point.index = static_cast<std::uint32_t>(&s - &on.at(0, 0));
-      point.first = next, point.count = static_cast<std::uint32_t>(normal.count);
-      points.push_back(point);
-      for (int b = 0; b < normal.count; ++b, ++next) {
-        bins[next] = vertexBin(normal.bin[b], s.kind);
-        bin_weights[next] = normal.weight[b];
-      }
-      least_level = std::min(least_level, points.back().level);
-      most_level = std::max(most_level, points.back().level + kSlots - 1);
+  const int square = kBandRows * on.perPixel();
+  for (int y0 = 0; y0 < on.height(); y0 += kBandRows) {
+    const int y1 = std::min(y0 + kBandRows, on.height());
+    for (int x0 = 0; x0 < on.columns(); x0 += square) {
+      const int x1 = std::min(x0 + square, on.columns());
+      for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x)
+          add(on.at(x, y), static_cast<std::uint32_t>(on.indexOf(x, y)), finest_px);
     }
-    row_ends.push_back(points.size());
+    band_ends.push_back(points.size());
   }
   for (auto& slot : taps)
-    if (slot.size() < next) slot.resize(next);
+    if (slot.size() < bins.size()) slot.resize(bins.size());
+}
+
+void Placement::add(const SurfacePoint& s, std::uint32_t index, float finest_px) {
+  if (s.kind == SurfaceKind::kNone || s.baked) return;
+  const NormalBins normal(s.normal);
+  GridPoint& point = points.emplace_back(gridPoint(s, finest_px));
+  point.index = index;
+  point.first = static_cast<std::uint32_t>(bins.size()),
+  point.count = static_cast<std::uint32_t>(normal.count);
+  for (int b = 0; b < normal.count; ++b) {
+    bins.push_back(vertexBin(normal.bin[b], s.kind));
+    bin_weights.push_back(normal.weight[b]);
+  }
+  least_level = std::min(least_level, point.level);
+  most_level = std::max(most_level, point.level + kSlots - 1);
 }
 
 }  // namespace saccade

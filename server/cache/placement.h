@@ -42,8 +42,7 @@ struct Taps {
 
 struct Placement {
   // Takes the points of a frame that can share light, and whose light is not known ahead. Fills all but
-  // `taps`. `finest_px`: edge of the finest
-  // cells, pixels.
+  // `taps`. `finest_px`: edge of the finest cells, pixels.
   void place(const SurfaceSamples& on, float finest_px);
 
   // The share of a point's own sample in what it gathers in a slot.
@@ -54,15 +53,20 @@ struct Placement {
     return sum;
   }
   bool empty() const { return points.empty(); }
-  // The points of row y: first and last + 1.
-  std::pair<std::size_t, std::size_t> ofRow(int y) const { return {row_ends[y], row_ends[y + 1]}; }
+  // The points of a band of kBandRows rows: first and last + 1.
+  std::pair<std::size_t, std::size_t> ofBand(int band) const {
+    return {band_ends[band], band_ends[band + 1]};
+  }
 
-  std::vector<GridPoint> points;               // in the order of their indices
-  std::vector<std::size_t> row_ends;           // their number up to each row; the first is 0
-  std::vector<int> bins;                       // of each tap
-  std::vector<float> bin_weights;              // likewise
+  std::vector<GridPoint> points;       // band by band, and by squares within: neighbours share vertices
+  std::vector<std::size_t> band_ends;  // their number up to each band; the first is 0
+  std::vector<int> bins;               // of each tap
+  std::vector<float> bin_weights;      // likewise
   std::array<std::vector<Taps>, kSlots> taps;  // by slot
   int least_level = 0, most_level = -1;        // of any slot
+
+ private:
+  void add(const SurfacePoint& s, std::uint32_t index, float finest_px);
 };
 
 }  // namespace saccade

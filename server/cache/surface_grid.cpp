@@ -28,18 +28,26 @@ void forEachPointOf(const Placement& at, int l, const F& f) {
   }
 }
 
-constexpr auto kAll = [](int) { return true; };
+constexpr auto kAll = [](int, int) { return true; };
 constexpr auto kNothingElse = [](const auto&, const PointLanes&) {};
+
+// Calls f(band, y0, y1) for each band of rows, y0 to y1 - 1.
+template <class F>
+SurfaceGrid::Time forEachBand(const SurfaceSamples& on, const PoolHandle& pool, const F& f) {
+  return pool.run((on.height() + kBandRows - 1) / kBandRows, [&](int band) {
+    f(band, band * kBandRows, std::min((band + 1) * kBandRows, on.height()));
+  });
+}
 
 // Adds what the grid says of a few points to their pixels.
 void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes, const SurfaceSamples& on,
-                  const GBuffer& g, const Placement& at, int y, float finest_px, GridEstimate& out) {
+                  const GBuffer& g, const Placement& at, float finest_px, GridEstimate& out) {
   LaneMemory<2> of_points;  // unoccluded light, and motion in finest cells
-  std::array<int, kPointLanes> x;
+  std::array<int, kPointLanes> x, y;
   for (int i = 0; i < lanes.count; ++i) {
     const GridPoint& p = at.points[lanes.points[i]];
-    x[i] = on.columnOf(p.index) / on.perPixel();
-    const float mx = g.motion_x.at(x[i], y), my = g.motion_y.at(x[i], y);
+    x[i] = on.columnOf(p.index) / on.perPixel(), y[i] = on.rowOf(p.index);
+    const float mx = g.motion_x.at(x[i], y[i]), my = g.motion_y.at(x[i], y[i]);
     of_points.values[0][i] = on[p.index].unoccluded;
     of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / finest_px;
   }
@@ -50,9 +58,9 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
   store(blend.stepVariance(U, cells), said.values[2]);
   for (int i = 0; i < lanes.count; ++i) {
     const float share = on[at.points[lanes.points[i]].index].share;
-    out.i.at(x[i], y) += share * said.values[0][i];
-    out.var_i.at(x[i], y) += share * share * said.values[1][i];
-    out.var_step.at(x[i], y) += share * share * said.values[2][i];
+    out.i.at(x[i], y[i]) += share * said.values[0][i];
+    out.var_i.at(x[i], y[i]) += share * share * said.values[1][i];
+    out.var_step.at(x[i], y[i]) += share * share * said.values[2][i];
   }
 }
 
@@ -82,8 +90,8 @@ void SurfaceGrid::findVertices(int l, Placement& out) {
 
 SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool) {
   samples_.resize(at.points.size());
-  const Time time = pool.forEachRow(on.height(), [&](int y) {
-    const auto [first, end] = at.ofRow(y);
+  const Time time = forEachBand(on, pool, [&](int band, int, int) {
+    const auto [first, end] = at.ofBand(band);
     for (std::size_t i = first; i < end; ++i) {
       const SurfacePoint& p = on[at.points[i].index];
       const auto n = static_cast<float>(p.paths);
@@ -124,9 +132,9 @@ void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
 SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Placement& at,
                                            const PoolHandle& pool, ImageF& out) const {
   const int slot = params_.pixelSlot();
-  return pool.forEachRow(on.height(), [&](int y) {
-    std::fill_n(out.row(y), out.width(), 0.f);
-    const auto [first, end] = at.ofRow(y);
+  return forEachBand(on, pool, [&](int band, int y0, int y1) {
+    for (int y = y0; y < y1; ++y) std::fill_n(out.row(y), out.width(), 0.f);
+    const auto [first, end] = at.ofBand(band);
     for (std::size_t i = first; i < end; ++i) {
       const GridPoint& p = at.points[i];
       const Quad l = gather(levels_[p.level + slot].light, at, p, slot);
@@ -136,37 +144,43 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Place
       const float variance = varianceOf<float>(e[2], e[3], l[0], params_.blend) +
                              U * U * varianceOf<float>(e[6], e[7], l[3], params_.blend);
       const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
-      out.at(on.columnOf(p.index), y) = known ? std::sqrt(variance) / std::max(light, 1e-6f) : kUnknown;
+      out.at(on.columnOf(p.index), on.rowOf(p.index)) =
+          known ? std::sqrt(variance) / std::max(light, 1e-6f) : kUnknown;
     }
   });
 }
 
-// Reads the pixels of a row for which wanted(x), and calls each(blend, lanes) for a few of its points at
-// once.
-void SurfaceGrid::readRow(const SurfaceSamples& on, const GBuffer& g, const Placement& at, int y,
-                          const auto& wanted, const auto& each, GridEstimate& out) const {
-  for (int x = 0; x < out.i.width(); ++x)
-    if (wanted(x)) out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = 0;
-  PointLanes lanes;
-  const auto finish = [&] {
-    const LevelBlend<PointFloats> blend = lanes.blend(params_.blend);
-    addEstimates(blend, lanes, on, g, at, y, params_.finest_px, out);
-    each(blend, lanes);
-    lanes.count = 0;
-  };
-  const auto [first, end] = at.ofRow(y);
-  for (std::size_t i = first; i < end; ++i) {
-    if (!wanted(on.columnOf(at.points[i].index) / on.perPixel())) continue;
-    if (i + kAhead < end) prefetch(at, at.points[i + kAhead]);
-    lanes.add(levels_, at, i);
-    if (lanes.full()) finish();
-  }
-  if (lanes.count > 0) finish();
+// Reads the pixels of each band for which wanted(x, y), and calls each(blend, lanes) for a few of its points
+// at once.
+SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
+                                         const PoolHandle& pool, const auto& wanted, const auto& each,
+                                         GridEstimate& out) const {
+  return forEachBand(on, pool, [&](int band, int y0, int y1) {
+    for (int y = y0; y < y1; ++y)
+      for (int x = 0; x < out.i.width(); ++x)
+        if (wanted(x, y)) out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = 0;
+    PointLanes lanes;
+    const auto finish = [&] {
+      const LevelBlend<PointFloats> blend = lanes.blend(params_.blend);
+      addEstimates(blend, lanes, on, g, at, params_.finest_px, out);
+      each(blend, lanes);
+      lanes.count = 0;
+    };
+    const auto [first, end] = at.ofBand(band);
+    for (std::size_t i = first; i < end; ++i) {
+      const std::uint32_t index = at.points[i].index;
+      if (!wanted(on.columnOf(index) / on.perPixel(), on.rowOf(index))) continue;
+      if (i + kAhead < end) prefetch(at, at.points[i + kAhead]);
+      lanes.add(levels_, at, i);
+      if (lanes.full()) finish();
+    }
+    if (lanes.count > 0) finish();
+  });
 }
 
 SurfaceGrid::Time SurfaceGrid::read(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                     const PoolHandle& pool, GridEstimate& out) const {
-  return pool.forEachRow(on.height(), [&](int y) { readRow(on, g, at, y, kAll, kNothingElse, out); });
+  return readBands(on, g, at, pool, kAll, kNothingElse, out);
 }
 
 SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
@@ -175,20 +189,18 @@ SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer
   const auto compare = [&](const auto& blend, const PointLanes& lanes) {
     findEvidence(blend, lanes, samples_, at, evidence_);
   };
-  return pool.forEachRow(on.height(), [&](int y) { readRow(on, g, at, y, kAll, compare, out); });
+  return readBands(on, g, at, pool, kAll, compare, out);
 }
 
 SurfaceGrid::Time SurfaceGrid::readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                          const PoolHandle& pool, const ImageF& uncertainty,
                                          const ImageF& uncertainty_prev, GridEstimate& out) const {
-  return pool.forEachRow(on.height(), [&](int y) {
-    const auto unknown = [&](int x) {
-      for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
-        if (uncertainty.at(column, y) == kUnknown || uncertainty_prev.at(column, y) == kUnknown) return true;
-      return false;
-    };
-    readRow(on, g, at, y, unknown, kNothingElse, out);
-  });
+  const auto unknown = [&](int x, int y) {
+    for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
+      if (uncertainty.at(column, y) == kUnknown || uncertainty_prev.at(column, y) == kUnknown) return true;
+    return false;
+  };
+  return readBands(on, g, at, pool, unknown, kNothingElse, out);
 }
 
 }  // namespace saccade

@@ -77,8 +77,8 @@ class SurfaceGrid {
   void drop(Placement& prev);
   void findVertices(int l, Placement& out);
   void prefetch(const Placement& at, const GridPoint& p) const;
-  void readRow(const SurfaceSamples& on, const GBuffer& g, const Placement& at, int y, const auto& wanted,
-               const auto& each, GridEstimate& out) const;
+  Time readBands(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
+                 const auto& wanted, const auto& each, GridEstimate& out) const;
 
   GridParams params_;
   GridLevels levels_;

@@ -2,6 +2,8 @@
 // for before.
 #pragma once
 
+#include <immintrin.h>
+
 #include <array>
 #include <bit>
 
@@ -30,12 +32,15 @@ inline VertexKey vertexOf(VertexKey block, std::uint32_t cell) {
   return block | VertexKey{cell & 3} << kX | VertexKey{cell >> 2 & 3} << kY | VertexKey{cell >> 4} << kZ;
 }
 
-// The bits of a block's key in which the blocks of a cube of 4 x 4 x 4 differ.
-inline constexpr int kNeighbourBits = 6;
-inline constexpr VertexKey kNeighbours = [] {
+// Where a hash table of 2^bits slots, more than 64, keeps a key at first. Blocks of a cube of 4 x 4 x 4 lie
+// together: neighbours are wanted one after another.
+inline std::size_t homeOf(VertexKey block, int bits) {
   using namespace vertex_bits;
-  return VertexKey{12} << kX | VertexKey{12} << kY | VertexKey{12} << kZ;
-}();
+  constexpr VertexKey kNeighbours = VertexKey{12} << kX | VertexKey{12} << kY | VertexKey{12} << kZ;
+  constexpr int kNeighbourBits = 6;
+  const std::uint64_t hash = (block & ~kNeighbours) * 0x9e3779b97f4a7c15ull;
+  return hash >> (64 + kNeighbourBits - bits) << kNeighbourBits | _pext_u64(block, kNeighbours);
+}
 
 // Remembers what was found for blocks.
 template <class Found>

@@ -68,8 +68,12 @@ class SurfaceSamples {
   std::span<const SurfacePoint> row(int y) const { return {&at(0, y), std::size_t(columns_)}; }
   SurfacePoint& operator[](std::size_t index) { return points_[index]; }
   const SurfacePoint& operator[](std::size_t index) const { return points_[index]; }
+  // Of the point at a place.
   int columnOf(std::uint32_t index) const {
     return static_cast<int>(index % static_cast<std::uint32_t>(columns_));
+  }
+  int rowOf(std::uint32_t index) const {
+    return static_cast<int>(index / static_cast<std::uint32_t>(columns_));
   }
   // Those of one pixel. Some may not be there.
   std::span<SurfacePoint> of(int x, int y) { return row(y).subspan(x * per_pixel_, per_pixel_); }
