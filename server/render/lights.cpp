@@ -8,7 +8,6 @@
 namespace saccade {
 namespace {
 
-constexpr float kShadowEnd = 1 - 1e-4f;  // shadow rays stop just before the light
 constexpr float kEndless = std::numeric_limits<float>::infinity();
 
 IncidentLight distant(Vec3 direction, Rgb radiance, float pdf, bool delta) {

@@ -13,6 +13,8 @@
 
 namespace saccade {
 
+inline constexpr float kShadowEnd = 1 - 1e-4f;  // shadow rays stop just before the light
+
 // Light that reaches a point unless something blocks it.
 struct IncidentLight {
   Vec3 direction;                        // to the light, unit

@@ -15,8 +15,6 @@ struct LightSamples {
   Floats<W> delta, held;              // 1 or 0; held: see AnalyticLight
 };
 
-inline constexpr float kShadowEnd = 1 - 1e-4f;  // shadow rays stop just before the light
-
 // Uniform points on triangles, by the square-root map.
 template <int W, int C>
 [[gnu::always_inline]] inline LightSamples<W, C> sampleTriangles(const LightColumns& lights,
