@@ -18,13 +18,10 @@ namespace {
 bool cpuSuffices() {
   const std::string_view arch = SACCADE_ARCH;
   __builtin_cpu_init();
-  // One feature at a time: Clang 14 does not know the levels by name.
   const bool v3 =
       __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
   if (arch != "x86-64-v4") return v3;
-  return v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
-         __builtin_cpu_supports("avx512vl");
+  return v3 && saccade::widestInstructionSet() == saccade::InstructionSet::kAvx512;
 }
 
 // Each connection takes a file descriptor.
