@@ -18,15 +18,6 @@ template <int W>
   return Floats<W>(p, stdx::element_aligned);
 }
 
-// fastExp2() of lanes.
-template <int W>
-[[gnu::always_inline]] inline Floats<W> exp2OfLanes(Floats<W> x) {
-  x = max(x, Floats<W>(-126.f));
-  const Floats<W> whole = floor(x), f = x - whole;
-  const auto exponent = (stdx::static_simd_cast<Ints<W>>(whole) + 127) << 23;
-  return std::bit_cast<Floats<W>>(exponent) * (1.f + f * (0.6565f + f * 0.3435f));
-}
-
 // Of the pixels of some lanes: their features in one frame.
 template <int W>
 struct Centre {
@@ -70,7 +61,7 @@ struct Sums {
 
   [[gnu::always_inline]] void add(const Tap& tap, const F& exponent) {
     const F c_q = loadAnywhere<W>(at.c + x + tap.o), v_q = loadAnywhere<W>(at.v + x + tap.o);
-    const F weight = tap.h * exp2OfLanes<W>(-(exponent + abs(centre - c_q) * r_l));
+    const F weight = tap.h * fastExp2(F(-(exponent + abs(centre - c_q) * r_l)));
     w += weight;
     c += weight * c_q;
     v += weight * weight * v_q;

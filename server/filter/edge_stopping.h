@@ -16,16 +16,33 @@
 #include <cstdint>
 #include <numbers>
 
+#include "base/wide.h"
+
 namespace saccade {
 
 inline constexpr float kLog2E = std::numbers::log2e_v<float>;
 
+// 2^whole, for whole numbers from -126 to 127; of floats or lanes.
+inline float powerOfTwo(float whole) {
+  return std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) << 23);
+}
+template <class Abi>
+[[gnu::always_inline]] inline auto powerOfTwo(const stdx::simd<float, Abi>& whole) {
+  using F = stdx::simd<float, Abi>;
+  using I = stdx::rebind_simd_t<std::int32_t, F>;
+  return std::bit_cast<F>((stdx::static_simd_cast<I>(whole) + 127) << 23);
+}
+
 // 2^x for x <= 0, to 0.35 %; 2^-126 below -126. Two additions, two products and a shift: it vectorises.
+template <class F>
+requires(!std::is_integral_v<F>) [[gnu::always_inline]] inline F fastExp2(F x) {
+  using std::floor, std::max;
+  x = max(x, F(-126.f));
+  const F whole = floor(x), f = x - whole;
+  return powerOfTwo(whole) * (1.f + f * (0.6565f + f * 0.3435f));
+}
 inline float fastExp2(float x) {
-  x = std::max(x, -126.f);
-  const float whole = std::floor(x), f = x - whole;
-  const float scale = std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) << 23);
-  return scale * (1 + f * (0.6565f + f * 0.3435f));
+  return fastExp2<float>(x);
 }
 
 // The least slope of a surface, as a share of its depth per pixel. A wall seen head-on has dz = 0 up to
