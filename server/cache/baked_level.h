@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "base/check.h"
 #include "cache/lanes.h"
 #include "cache/vertex_block.h"
 
@@ -19,9 +18,8 @@ class BakedLevel {
 
   // Brings what find() needs closer.
   void prefetch(VertexKey vertex) const { __builtin_prefetch(&blocks_[homeOf(blockOf(vertex), bits_)]); }
-  // nullptr if there is no such vertex.
-  const Octet* find(VertexKey vertex) const { return find(blockAt(vertex), vertex); }
-  // The same for the corners of a tetrahedron, most of which share a block.
+  // The light at the corners of a tetrahedron, most of which share a block; nullptr where there is no such
+  // vertex.
   std::array<const Octet*, 4> find(const std::array<VertexKey, 4>& corners) const {
     std::array<const Octet*, 4> found;
     const Block* block = blockAt(corners[0]);

@@ -9,6 +9,10 @@ VertexKey keyAt(VertexKey x, VertexKey y, VertexKey z) {
   return x | y << 20 | z << 40 | VertexKey{3} << 60;
 }
 
+const Octet* find(const BakedLevel& level, VertexKey key) {
+  return level.find({key, key, key, key})[3];
+}
+
 // Every second vertex of a region that spans blocks.
 TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   std::vector<VertexKey> keys;
@@ -27,7 +31,7 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   EXPECT_EQ(level.vertices(), keys.size());
   float next = 0;
   each([&](VertexKey key, bool held) {
-    const Octet* found = level.find(key);
+    const Octet* found = find(level, key);
     ASSERT_EQ(found != nullptr, held);
     if (held) {
       ASSERT_EQ((*found)[0], next++);
@@ -36,7 +40,7 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
 }
 
 TEST(BakedLevel, MayBeEmpty) {
-  EXPECT_EQ(BakedLevel().find(keyAt(1, 2, 3)), nullptr);
+  EXPECT_EQ(find(BakedLevel(), keyAt(1, 2, 3)), nullptr);
 }
 
 }  // namespace
