@@ -19,10 +19,6 @@ constexpr int kWarmUp = 4, kFrames = 16, kRounds = 5, kTile = 32, kEdge = 4;
 constexpr double kBakeError = 0.05;
 const FrameIndex kAll = kWarmUp + kFrames;
 
-double ms(std::chrono::nanoseconds time) {
-  return std::chrono::duration<double, std::milli>(time).count();
-}
-
 void traceRays(const RenderScene& scene, const Camera& camera, Tile block) {
   std::array<Ray, kEdge * kEdge> rays;
   std::array<Hit, kEdge * kEdge> hits;
@@ -66,12 +62,12 @@ void measure(const std::string& name) {
       if (feed.lastTimes().total() < best.total()) best = feed.lastTimes();
       const Camera camera(path.at(frameTime(t, config.frame_rate_hz)), config.fov_x_deg, config.width,
                           config.height);
-      rays_ms = std::min(rays_ms, ms(tracePrimaryRays(*scene, camera, config, one)));
+      rays_ms = std::min(rays_ms, 1e3 * seconds(tracePrimaryRays(*scene, camera, config, one)));
     }
   }
   std::printf("%-16s %8.2f", eval::sceneName(name).c_str(), rays_ms);
-  for (const auto time : best.cpu) std::printf(" %8.2f", ms(time));
-  std::printf(" %8.2f %8.2f\n", ms(best.total()), ms(best.total()) / rays_ms);
+  for (const auto time : best.cpu) std::printf(" %8.2f", 1e3 * seconds(time));
+  std::printf(" %8.2f %8.2f\n", 1e3 * seconds(best.total()), 1e3 * seconds(best.total()) / rays_ms);
 }
 
 }  // namespace

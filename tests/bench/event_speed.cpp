@@ -18,10 +18,6 @@ namespace {
 
 constexpr int kWarmUp = 8, kFrames = 24, kRounds = 7, kSensors = 64;
 
-double ms(std::chrono::nanoseconds time) {
-  return std::chrono::duration<double, std::milli>(time).count();
-}
-
 struct Recording {
   std::vector<IntensityChange> changes;
   double frame_ms = std::numeric_limits<double>::infinity();  // of the cheapest
@@ -39,7 +35,7 @@ Recording record(const std::string& scene_name, const std::string& trajectory) {
   Feed feed(scene, eval::openTrajectory(scene_name, trajectory, *scene, r.feed), r.feed, pool);
   for (int i = 0; i < kWarmUp + kFrames; ++i) {
     const IntensityChange& change = feed.step(pool);
-    r.frame_ms = std::min(r.frame_ms, ms(feed.lastTimes().total()));
+    r.frame_ms = std::min(r.frame_ms, 1e3 * seconds(feed.lastTimes().total()));
     if (i < kWarmUp) continue;
     r.changes.emplace_back(r.feed.width, r.feed.height);
     r.changes.back().copyFrom(change);
@@ -63,7 +59,7 @@ void measure(const Recording& r, const SensorConfig& config, Cost& best) {
     channel.process(change);
     time += channel.cost();
   }
-  best.ms = std::min(best.ms, ms(time));
+  best.ms = std::min(best.ms, 1e3 * seconds(time));
   best.events = channel.events();
 }
 
