@@ -32,6 +32,9 @@ int run(int argc, char** argv) {
   addListCommand(app);
   addInfoCommand(app);
   addRecordCommand(app);
+  addReplayCommand(app);
+  addConvertCommand(app);
+  addVerifyCommand(app);
   addKeygenCommand(app);
   const std::string fault = usageFault(app, {argv + 1, argv + argc});
   if (!fault.empty()) return fail(fault + "; see --help", 2);

@@ -2,8 +2,24 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 namespace saccade::client {
+namespace {
+
+v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescription& server, int sensor) {
+  v1::Recording about;
+  about.set_width(stream.resolved().view().width());
+  about.set_height(stream.resolved().view().height());
+  *about.mutable_request() = stream.resolved();
+  about.set_sensor(static_cast<std::uint32_t>(sensor));
+  about.set_bake_digest(stream.bake_digest());
+  about.set_server_version(server.version());
+  about.set_instruction_set(server.instruction_set());
+  return about;
+}
+
+}  // namespace
 
 std::vector<std::string> outputFiles(const std::string& path, int sensors) {
   if (sensors == 1) return {path};
@@ -15,45 +31,53 @@ std::vector<std::string> outputFiles(const std::string& path, int sensors) {
   return files;
 }
 
-Recorder::Recorder(const std::string& path, const v1::StreamOpened& stream) {
-  const WriterInfo& format = writerFor(path);
+Recorder::Recorder(const std::string& path, const WriterInfo& format, const v1::StreamOpened& stream,
+                   const v1::ServerDescription& server) {
   for (const std::string& file : outputFiles(path, stream.resolved().sensors_size())) {
-    const std::string now = file == kStandardOutput ? file : file + ".partial";
-    outputs_.push_back({file, now, format.make(now, stream, static_cast<int>(outputs_.size()))});
+    const int sensor = static_cast<int>(outputs_.size());
+    outputs_.push_back({std::make_unique<RecordingFile>(file, format, describe(stream, server, sensor))});
   }
 }
 
 void Recorder::add(const Batch& batch) {
-  if (batch.header.sensor() >= outputs_.size())
+  const v1::PacketHeader& header = batch.header;
+  if (header.sensor() >= outputs_.size())
     throw StreamFault("a packet is of a sensor that the stream does not have");
-  if (batch.header.kind() == v1::KIND_HEARTBEAT)
-    return;  // its time is that of rendering, not of what has arrived
-  if (!begin_ns_) begin_ns_ = batch.header.t0_ns();
-  Output& output = outputs_[batch.header.sensor()];
-  output.writer->write(batch.events);
-  output.time_ns = std::max(output.time_ns, batch.header.t1_ns());
-  output.ended |= batch.header.kind() == v1::KIND_END;
-  events_ += batch.events.size();
-  suppressed_ += batch.header.suppressed();
+  if (header.kind() == v1::KIND_HEARTBEAT) return;  // its time is that of rendering, not of what has arrived
+  if (!begin_ns_) begin_ns_ = header.t0_ns();
+  Output& output = outputs_[header.sensor()];
+  output.file->write(batch.events, header.t0_ns(), header.t1_ns());
+  output.file->about().set_suppressed(output.file->about().suppressed() + header.suppressed());
+  output.ended |= header.kind() == v1::KIND_END;
 }
 
 bool Recorder::complete() const {
   return std::all_of(outputs_.begin(), outputs_.end(), [](const Output& o) { return o.ended; });
 }
 
-void Recorder::commit() {
+void Recorder::commit(std::uint64_t lost_events) {
   for (Output& output : outputs_) {
-    output.writer->finish();
-    if (output.now == output.file) continue;
-    std::filesystem::rename(output.now, output.file);
-    output.now = output.file;
+    output.file->about().set_lost_events(lost_events);
+    output.file->close();
+    output.file->commit();
   }
 }
 
+std::uint64_t Recorder::events() const {
+  return std::accumulate(outputs_.begin(), outputs_.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const Output& o) { return sum + o.file->about().events(); });
+}
+
+std::uint64_t Recorder::suppressed() const {
+  return std::accumulate(
+      outputs_.begin(), outputs_.end(), std::uint64_t{0},
+      [](std::uint64_t sum, const Output& o) { return sum + o.file->about().suppressed(); });
+}
+
 std::int64_t Recorder::time_ns() const {
-  return std::min_element(outputs_.begin(), outputs_.end(),
-                          [](const Output& a, const Output& b) { return a.time_ns < b.time_ns; })
-      ->time_ns;
+  std::int64_t time_ns = outputs_.front().file->about().end_ns();
+  for (const Output& output : outputs_) time_ns = std::min(time_ns, output.file->about().end_ns());
+  return time_ns;
 }
 
 std::int64_t Recorder::duration_ns() const {
@@ -62,7 +86,7 @@ std::int64_t Recorder::duration_ns() const {
 
 std::vector<std::string> Recorder::files() const {
   std::vector<std::string> names;
-  for (const Output& output : outputs_) names.push_back(output.now);
+  for (const Output& output : outputs_) names.push_back(output.file->name());
   return names;
 }
 

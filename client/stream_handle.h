@@ -27,6 +27,7 @@ class StreamHandle {
               const Waiting& waiting = {});
 
   const v1::StreamOpened& opened() const { return opened_; }
+  const v1::ServerDescription& server() const { return server_; }
   v1::Delivery delivery() const { return opened_.resolved().delivery(); }
 
   // Connects to the stream as its delivery demands; `from_seqs` as in Subscriber::Attachment.

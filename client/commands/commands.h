@@ -11,9 +11,12 @@ namespace saccade::client {
 void addListCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addRecordCommand(CLI::App& app);
+void addReplayCommand(CLI::App& app);
+void addConvertCommand(CLI::App& app);
+void addVerifyCommand(CLI::App& app);
 void addKeygenCommand(CLI::App& app);
 
-// The options of all commands but keygen.
+// The options of all commands that speak to a server.
 struct ServerOptions {
   std::string control = "tcp://127.0.0.1:5770";
   std::string secret_key, server_key;  // files

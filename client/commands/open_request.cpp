@@ -8,14 +8,10 @@ namespace saccade::client {
 namespace {
 
 v1::View makeView(const RecordOptions& options) {
-  const auto [left, right] = splitAt(options.size, 'x');
-  const auto width = parseNumber<std::uint32_t>(left), height = parseNumber<std::uint32_t>(right);
-  if (!width || !height) {
-    throw std::invalid_argument("--size: '" + options.size + "' is not WIDTHxHEIGHT, such as 346x260");
-  }
+  const ImageSize size = parseSize("--size", options.size);
   v1::View view;
-  view.set_width(*width);
-  view.set_height(*height);
+  view.set_width(size.width);
+  view.set_height(size.height);
   if (options.fov_x_deg) view.set_fov_x_deg(*options.fov_x_deg);
   return view;
 }

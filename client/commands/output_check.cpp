@@ -6,13 +6,14 @@
 #include <stdexcept>
 
 #include "client/recorder.h"
+#include "client/sidecar.h"
 
 namespace saccade::client {
-namespace {
 
 namespace fs = std::filesystem;
 
-void checkFile(const std::string& option, const fs::path& file, bool force) {
+void checkOutput(const std::string& option, const std::string& path, bool force) {
+  const fs::path file = path;
   const auto fail = [&](const std::string& what) { throw std::invalid_argument(option + ": " + what); };
   const std::string name = "'" + file.string() + "'";
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -27,18 +28,16 @@ void checkFile(const std::string& option, const fs::path& file, bool force) {
   if (!force) fail(name + " exists; --force replaces it");
 }
 
-}  // namespace
-
-void checkOutputs(const RecordOptions& options, int sensors) {
-  writerFor(options.output);
-  if (!options.preview.empty()) checkFile("--preview", options.preview, options.force);
-  if (options.output == kStandardOutput) {
+void checkOutputs(const std::string& output, int sensors, bool force) {
+  if (output == kStandardOutput) {
     if (sensors > 1)
       throw std::invalid_argument("--output: standard output takes the events of one sensor only");
     return;
   }
-  for (const std::string& file : outputFiles(options.output, sensors))
-    checkFile("--output", file, options.force);
+  for (const std::string& file : outputFiles(output, sensors)) {
+    checkOutput("--output", file, force);
+    checkOutput("--output", sidecarOf(file), force);
+  }
 }
 
 }  // namespace saccade::client

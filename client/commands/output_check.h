@@ -1,12 +1,14 @@
-// Checks the files of a recording before its stream is opened.
+// Finds before any work that files cannot be written, or would be replaced.
 #pragma once
 
-#include "client/commands/record_options.h"
+#include <string>
 
 namespace saccade::client {
 
-// Throws std::invalid_argument with the option at fault: an unknown format, no such folder, a folder that
-// cannot be written, a file that exists (unless options.force), or several sensors on standard output.
-void checkOutputs(const RecordOptions& options, int sensors);
+// Throws std::invalid_argument with `option` and the reason. `force`: an existing file may be replaced.
+void checkOutput(const std::string& option, const std::string& path, bool force);
+
+// The same for the files of a recording of `sensors` sensors at `output`, and their JSON; for --output.
+void checkOutputs(const std::string& output, int sensors, bool force);
 
 }  // namespace saccade::client

@@ -1,120 +1,24 @@
 // saccade record: opens a stream and writes its events to files.
-#include <cmath>
-#include <csignal>
-#include <cstdio>
 #include <memory>
-#include <optional>
-#include <stdexcept>
-#include <system_error>
 
 #include "client/commands/commands.h"
-#include "client/commands/interrupt.h"
 #include "client/commands/output_check.h"
-#include "client/commands/receive_all.h"
 #include "client/commands/record_options.h"
-#include "client/commands/summary.h"
-#include "client/commands/trajectory_length.h"
+#include "client/commands/record_stream.h"
 
 namespace saccade::client {
 namespace {
 
-constexpr double kNsPerSecond = 1e9;
-
-std::optional<Preview> makePreview(const std::string& path, const v1::Timing& timing) {
-  if (path.empty()) return std::nullopt;
-  const double third_s = timing.duration_s() > 0 ? timing.duration_s() / 3 : 1;
-  return Preview(path, std::llround(third_s * kNsPerSecond),
-                 std::llround(kNsPerSecond / timing.frame_rate_hz()));
-}
-
-double streamSeconds(const v1::StreamOpened& opened) {
-  return static_cast<double>(opened.frames()) / opened.resolved().timing().frame_rate_hz();
-}
-
-std::chrono::milliseconds secondsOf(double time_s) {
-  return std::chrono::milliseconds(std::llround(time_s * 1e3));
-}
-
-std::string keptText(const Recorder& recorder, const std::string& output) {
-  const std::string events = "; " + std::to_string(recorder.events()) + " events";
-  if (output == kStandardOutput) return events + " were written";
-  std::string text = events + " are kept in";
-  for (const std::string& file : recorder.files()) text += " " + file;
-  return text;
-}
-
-Recorder startRecorder(const std::string& path, const v1::StreamOpened& opened) {
-  try {
-    return Recorder(path, opened);
-  } catch (const std::system_error& error) {
-    throw std::invalid_argument(std::string("--output: ") + error.what());
-  }
-}
-
-// A fault in the trajectory's text becomes one of the user's file.
-StreamHandle openStream(ControlClient& control, const v1::OpenStream& request,
-                        const std::string& trajectory) {
-  try {
-    return StreamHandle(control, request);
-  } catch (const Refused& refused) {
-    if (refused.field != "trajectory.csv") throw;
-    throw std::invalid_argument(trajectory + ": " + refused.message);
-  }
-}
-
-void warn(const v1::OpenStream& request, const v1::StreamOpened& opened) {
-  warnOfFastPicture(opened);
-  if (!request.trajectory().has_csv()) return;
-  const std::string warning = trajectoryWarning(request.trajectory().csv(), streamSeconds(opened));
-  if (!warning.empty()) std::fprintf(stderr, "saccade: warning: %s\n", warning.c_str());
-}
-
-void printStagesOf(std::FILE* out, StreamHandle& stream) {
-  try {
-    if (const auto info = stream.info()) printStages(out, *info);
-  } catch (const NoAnswer&) {
-    // The recording is complete, though the server has gone.
-  }
-}
-
 void runRecord(const RecordOptions& options) {
-  const v1::OpenStream request = makeOpenStream(options);
-  checkOutputs(options, request.sensors_size());
-  std::FILE* out = options.output == kStandardOutput ? stderr : stdout;
-  watchInterrupt();
-  std::signal(SIGPIPE, SIG_IGN);  // a pipe that is closed makes write() fail
-
-  zmq::context_t context;
-  ControlClient control = connectTo(context, options.server);
-  StreamHandle stream = openStream(control, request, options.trajectory);
-  const v1::StreamOpened opened = stream.opened();
-  printChoice(out, opened);
-  printModel(out, opened);
-  printPixelSpeed(out, opened);
-  warn(request, opened);
-  Recorder recorder = startRecorder(options.output, opened);
-  auto preview = makePreview(options.preview, opened.resolved().timing());
-  Progress progress(streamSeconds(opened));
-  const double retry_s = options.retry_time_s;
-  Subscription subscription(
-      context, stream,
-      {.retry_time = secondsOf(retry_s),
-       .waiting = [&progress] { showWaiting(progress); },
-       .lost = [&progress, retry_s](const std::string& loss) { tellLoss(progress, loss, retry_s); }});
-  try {
-    receiveAll(subscription, stream, recorder, preview, progress);
-  } catch (const std::exception& error) {
-    progress.finish();
-    throw std::runtime_error(error.what() + keptText(recorder, options.output));
-  }
-  progress.finish();
-  const double wall_s = progress.elapsed_s();
-  recorder.commit();
-  printFiles(out, recorder.files(), preview && preview->written() ? options.preview : "");
-  printRates(out, recorder, wall_s);
-  printSuppressed(out, recorder, opened.resolved());
-  printLosses(out, subscription.losses());
-  printStagesOf(out, stream);
+  const RecordJob job{.request = makeOpenStream(options),
+                      .output = options.output,
+                      .format = &writerFor(options.output, options.format),
+                      .preview = options.preview,
+                      .trajectory = options.trajectory,
+                      .retry_time_s = options.retry_time_s};
+  checkOutputs(options.output, job.request.sensors_size(), options.force);
+  if (!options.preview.empty()) checkOutput("--preview", options.preview, options.force);
+  recordStream(options.server, job);
 }
 
 }  // namespace

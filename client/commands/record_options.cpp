@@ -139,6 +139,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
                   "file to write, in the format of its extension: " + writerNames() +
                       "; - writes CSV to standard output")
       ->required();
+  command.add_option("--format", o.format, "name of the format, where an extension has several");
   command.add_flag("--force", o.force, "replace files that exist");
   command
       .add_option("--preview", o.preview,

@@ -15,7 +15,7 @@ namespace saccade::client {
 // Options that are not given are left to the server's defaults.
 struct RecordOptions {
   ServerOptions server;
-  std::string scene, output, preview;
+  std::string scene, output, format, preview;
   bool force = false;      // replace existing files
   std::string trajectory;  // a name, a file, or KIND:SPEED
   std::optional<double> turn_s;

@@ -38,4 +38,12 @@ int enumNumber(const google::protobuf::EnumDescriptor& names, const std::string&
   return names.value(1 + static_cast<int>(at - words.begin()))->number();
 }
 
+ImageSize parseSize(const std::string& option, const std::string& text) {
+  const auto [left, right] = splitAt(text, 'x');
+  const auto width = parseNumber<std::uint32_t>(left), height = parseNumber<std::uint32_t>(right);
+  if (!width || !height)
+    throw std::invalid_argument(option + ": '" + text + "' is not WIDTHxHEIGHT, such as 346x260");
+  return {*width, *height};
+}
+
 }  // namespace saccade::client

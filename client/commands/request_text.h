@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "client/readers/reader.h"
+
 namespace saccade::client {
 
 // The words for an enum of the schema, ", " between them: "lossless, live, broadcast" for Delivery.
@@ -38,6 +40,9 @@ std::optional<T> parseNumber(std::string_view text) {
   if (error != std::errc() || rest != text.data() + text.size()) return std::nullopt;
   return value;
 }
+
+// Reads WIDTHxHEIGHT. Throws std::invalid_argument with `option`.
+ImageSize parseSize(const std::string& option, const std::string& text);
 
 // The parts before and after the first `separator`; without one, the second is empty.
 inline std::pair<std::string, std::string> splitAt(const std::string& text, char separator) {

@@ -13,12 +13,12 @@ void appendLine(std::string& text, const Event& event) {
   text += '\n';
 }
 
-std::unique_ptr<Writer> make(const std::string& path, const v1::StreamOpened&, int) {
+std::unique_ptr<Writer> make(const std::string& path, const v1::Recording&) {
   return std::make_unique<TextWriter>(path, "t_us,x,y,p\n", appendLine);
 }
 
 }  // namespace
 
-const WriterInfo kCsvWriter{".csv", "t_us,x,y,p with a heading", make};
+const WriterInfo kCsvWriter{"csv", ".csv", "t_us,x,y,p with a heading", make, true};
 
 }  // namespace saccade::client

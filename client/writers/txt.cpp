@@ -19,14 +19,14 @@ void appendLine(std::string& text, const Event& event) {
   text += '\n';
 }
 
-std::unique_ptr<Writer> make(const std::string& path, const v1::StreamOpened& stream, int) {
-  const v1::View& view = stream.resolved().view();
-  const std::string size = std::to_string(view.width()) + " " + std::to_string(view.height()) + "\n";
+std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {
+  const std::string size = std::to_string(about.width()) + " " + std::to_string(about.height()) + "\n";
   return std::make_unique<TextWriter>(path, size, appendLine);
 }
 
 }  // namespace
 
-const WriterInfo kTxtWriter{".txt", "a line \"width height\", then t[s] x y p, as rpg_e2vid reads it", make};
+const WriterInfo kTxtWriter{"txt", ".txt", "a line \"width height\", then t[s] x y p, as rpg_e2vid reads it",
+                            make, true};
 
 }  // namespace saccade::client

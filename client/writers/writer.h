@@ -5,41 +5,41 @@
 #include <string>
 #include <vector>
 
-#include "saccade/v1/control.pb.h"
+#include "client/writers/output_file.h"
+#include "saccade/v1/recording.pb.h"
 #include "wire/event.h"
 
 namespace saccade::client {
-
-// As a path: standard output.
-inline constexpr const char* kStandardOutput = "-";
 
 // Every call throws std::system_error with the file's name when the file cannot be written.
 class Writer {
  public:
   virtual ~Writer() = default;
-  // Adds a batch; batches come in time order. If this throws, the file holds the earlier batches and no part
-  // of this one.
-  virtual void write(const Events& events) = 0;
+  // Adds a batch, and says that no event before `until_ns` will follow. Batches come in time order, and their
+  // events lie within the image. If this throws, readers find the earlier batches and no part of this one.
+  virtual void write(const Events& events, std::int64_t until_ns) = 0;
   virtual void finish() = 0;  // the last call: the file is complete and closed
 };
 
 struct WriterInfo {
-  const char* extension;  // ".csv"
+  const char* name;       // "evt3"
+  const char* extension;  // ".raw"
   const char* description;
-  // Starts a file at `path`, which may have any extension, or at kStandardOutput. `stream` is the server's
-  // reply to open_stream: a header can have the size of the view, the epoch and the settings of `sensor`, an
-  // index of the resolved sensors.
-  std::unique_ptr<Writer> (*make)(const std::string& path, const v1::StreamOpened& stream, int sensor);
+  // Starts a file at `path`, which may have any extension. `about` says what is known before the first event:
+  // the size of the image, and the request where there is one. Throws std::invalid_argument if the format
+  // cannot hold such events.
+  std::unique_ptr<Writer> (*make)(const std::string& path, const v1::Recording& about);
+  bool pipe = false;  // whether `path` may be kStandardOutput
 };
 
 extern const WriterInfo kCsvWriter, kTxtWriter;
 
-// All file formats.
+// All file formats. The first of an extension is the one that it stands for.
 const std::vector<const WriterInfo*>& writerTable();
 std::string writerNames();  // ".csv (what it is), ..." for messages
 
-// The format for the extension of `path`; CSV for kStandardOutput. Throws std::invalid_argument with the
-// known extensions.
-const WriterInfo& writerFor(const std::string& path);
+// The format `name`, or without a name that of the extension of `path`; CSV for kStandardOutput. Throws
+// std::invalid_argument with the known formats.
+const WriterInfo& writerFor(const std::string& path, const std::string& name = "");
 
 }  // namespace saccade::client

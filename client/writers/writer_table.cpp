@@ -4,6 +4,16 @@
 #include "client/writers/writer.h"
 
 namespace saccade::client {
+namespace {
+
+const WriterInfo* find(const char* WriterInfo::*key, const std::string& value) {
+  for (const WriterInfo* writer : writerTable()) {
+    if (value == writer->*key) return writer;
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 const std::vector<const WriterInfo*>& writerTable() {
   static const std::vector<const WriterInfo*> table{&kCsvWriter, &kTxtWriter};
@@ -13,18 +23,25 @@ const std::vector<const WriterInfo*>& writerTable() {
 std::string writerNames() {
   std::string names;
   for (const WriterInfo* writer : writerTable()) {
-    names += (names.empty() ? "" : ", ") + std::string(writer->extension) + " (" + writer->description + ")";
+    names += (names.empty() ? "" : ", ") + std::string(writer->extension) + " " + writer->name + " (" +
+             writer->description + ")";
   }
   return names;
 }
 
-const WriterInfo& writerFor(const std::string& path) {
-  if (path == kStandardOutput) return kCsvWriter;
-  const std::string extension = std::filesystem::path(path).extension();
-  for (const WriterInfo* writer : writerTable()) {
-    if (extension == writer->extension) return *writer;
-  }
-  throw std::invalid_argument("'" + path + "' has no known extension; known are " + writerNames());
+const WriterInfo& writerFor(const std::string& path, const std::string& name) {
+  const bool pipe = path == kStandardOutput;
+  const std::string extension =
+      pipe ? kCsvWriter.extension : std::filesystem::path(path).extension().string();
+  const WriterInfo* writer =
+      name.empty() ? find(&WriterInfo::extension, extension) : find(&WriterInfo::name, name);
+  if (!writer && name.empty())
+    throw std::invalid_argument("'" + path + "' has no known extension; known are " + writerNames());
+  if (!writer)
+    throw std::invalid_argument("--format: '" + name + "' is not known; known are " + writerNames());
+  if (pipe && !writer->pipe)
+    throw std::invalid_argument("--format: " + name + " cannot be written to standard output");
+  return *writer;
 }
 
 }  // namespace saccade::client

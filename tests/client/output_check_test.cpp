@@ -15,11 +15,8 @@ namespace {
 class OutputCheck : public testing::Test {
  protected:
   std::string faultOf(const std::string& output, int sensors = 1, bool force = false) const {
-    RecordOptions options;
-    options.output = output;
-    options.force = force;
     try {
-      checkOutputs(options, sensors);
+      checkOutputs(output, sensors, force);
     } catch (const std::invalid_argument& fault) {
       return fault.what();
     }
@@ -61,11 +58,9 @@ TEST_F(OutputCheck, StandardOutputHasOneSensor) {
   EXPECT_NE(faultOf("-", 2).find("one sensor"), std::string::npos);
 }
 
-TEST_F(OutputCheck, ThePreviewIsCheckedToo) {
-  RecordOptions options;
-  options.output = folder_.at("a.csv");
-  options.preview = touch("a.png");
-  EXPECT_THROW(checkOutputs(options, 1), std::invalid_argument);
+TEST_F(OutputCheck, TheJsonOfAFileIsCheckedToo) {
+  const std::string json = touch("a.csv.json");
+  EXPECT_EQ(faultOf(folder_.at("a.csv")), "--output: '" + json + "' exists; --force replaces it");
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ v1::StreamOpened streamOf(int sensors) {
 const Events kEvents{{0, 1, 2, 1}, {1'234'567'000, 345, 259, 0}, {2'000'000'000, 0, 0, 1}};
 
 TEST_F(RecorderTest, WritesCsv) {
-  Recorder recorder(at("a.csv"), streamOf(1));
+  Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(1));
   recorder.add(batchOf(0, v1::KIND_EVENTS, kEvents));
   recorder.add(batchOf(0, v1::KIND_END, {}));
   recorder.commit();
@@ -57,7 +57,7 @@ TEST_F(RecorderTest, WritesCsv) {
 }
 
 TEST_F(RecorderTest, WritesTxtWithTheSizeFirst) {
-  Recorder recorder(at("a.txt"), streamOf(1));
+  Recorder recorder(at("a.txt"), writerFor("a.txt"), streamOf(1));
   recorder.add(batchOf(0, v1::KIND_EVENTS, kEvents));
   recorder.add(batchOf(0, v1::KIND_END, {}));
   recorder.commit();
@@ -65,7 +65,7 @@ TEST_F(RecorderTest, WritesTxtWithTheSizeFirst) {
 }
 
 TEST_F(RecorderTest, FileGetsItsNameAtACompleteEnd) {
-  Recorder recorder(at("a.csv"), streamOf(1));
+  Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(1));
   recorder.add(batchOf(0, v1::KIND_EVENTS, kEvents));
   EXPECT_FALSE(recorder.complete());
   EXPECT_FALSE(fs::exists(at("a.csv")));
@@ -79,14 +79,14 @@ TEST_F(RecorderTest, FileGetsItsNameAtACompleteEnd) {
 
 TEST_F(RecorderTest, EventsBeforeAFaultAreKept) {
   {
-    Recorder recorder(at("a.csv"), streamOf(1));
+    Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(1));
     recorder.add(batchOf(0, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
   }
   EXPECT_EQ(textOf("a.csv.partial"), "t_us,x,y,p\n5,1,2,0\n");
 }
 
 TEST_F(RecorderTest, SeveralSensorsHaveAFileEach) {
-  Recorder recorder(at("a.b.csv"), streamOf(2));
+  Recorder recorder(at("a.b.csv"), writerFor("a.b.csv"), streamOf(2));
   recorder.add(batchOf(1, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
   recorder.add(batchOf(1, v1::KIND_END, {}));
   EXPECT_FALSE(recorder.complete());
@@ -100,13 +100,13 @@ TEST_F(RecorderTest, SeveralSensorsHaveAFileEach) {
 }
 
 TEST_F(RecorderTest, ASensorNobodyAskedForIsAFault) {
-  Recorder recorder(at("a.csv"), streamOf(1));
+  Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(1));
   EXPECT_THROW(recorder.add(batchOf(1, v1::KIND_EVENTS, {})), StreamFault);
 }
 
 TEST_F(RecorderTest, UnknownFormatNamesTheKnown) {
   try {
-    Recorder recorder(at("a.xyz"), streamOf(1));
+    Recorder recorder(at("a.xyz"), writerFor("a.xyz"), streamOf(1));
     FAIL() << "a writer for .xyz";
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
@@ -115,7 +115,7 @@ TEST_F(RecorderTest, UnknownFormatNamesTheKnown) {
 }
 
 TEST_F(RecorderTest, ARecordingMayBeginInTheMiddleOfAFeed) {
-  Recorder recorder(at("a.csv"), streamOf(2));
+  Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(2));
   EXPECT_EQ(recorder.duration_ns(), 0);
   Batch batch = batchOf(0, v1::KIND_EVENTS, {});
   batch.header.set_t0_ns(2'900'000'000);
@@ -128,7 +128,7 @@ TEST_F(RecorderTest, ARecordingMayBeginInTheMiddleOfAFeed) {
 }
 
 TEST_F(RecorderTest, SnapshotsAndHeartbeatsLeaveNoTrace) {
-  Recorder recorder(at("a.csv"), streamOf(1));
+  Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(1));
   Batch snapshot = batchOf(0, v1::KIND_SNAPSHOT, {});
   snapshot.header.set_t0_ns(3'000'000'000);
   snapshot.pixels = {{0.5f}, {0.25f}};
@@ -145,7 +145,7 @@ TEST_F(RecorderTest, SnapshotsAndHeartbeatsLeaveNoTrace) {
 
 // A folder of the final name makes the renaming of that sensor's file fail.
 TEST_F(RecorderTest, AFileThatCannotGetItsNameStaysPartialAsDoTheLaterOnes) {
-  Recorder recorder(at("a.csv"), streamOf(3));
+  Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(3));
   for (std::uint32_t sensor : {0, 1, 2}) {
     recorder.add(batchOf(sensor, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
     recorder.add(batchOf(sensor, v1::KIND_END, {}));
@@ -161,7 +161,7 @@ TEST_F(RecorderTest, AFileThatCannotGetItsNameStaysPartialAsDoTheLaterOnes) {
 
 TEST_F(RecorderTest, StandardOutputGetsCsvAndKeepsItsName) {
   testing::internal::CaptureStdout();
-  Recorder recorder(kStandardOutput, streamOf(1));
+  Recorder recorder(kStandardOutput, writerFor(kStandardOutput), streamOf(1));
   recorder.add(batchOf(0, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
   recorder.add(batchOf(0, v1::KIND_END, {}));
   recorder.commit();
@@ -171,7 +171,7 @@ TEST_F(RecorderTest, StandardOutputGetsCsvAndKeepsItsName) {
 
 TEST_F(RecorderTest, AFolderThatIsNotThereIsNamed) {
   try {
-    Recorder recorder(at("none/a.csv"), streamOf(1));
+    Recorder recorder(at("none/a.csv"), writerFor("none/a.csv"), streamOf(1));
     FAIL() << "there is no folder";
   } catch (const std::system_error& error) {
     EXPECT_NE(std::string(error.what()).find("none/a.csv"), std::string::npos);
@@ -197,7 +197,7 @@ class FileSizeLimit {
 };
 
 TEST_F(RecorderTest, AFullDiskLeavesWholeLinesAndAsManyAsAreTold) {
-  Recorder recorder(at("a.csv"), streamOf(1));
+  Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(1));
   const Batch batch = batchOf(0, v1::KIND_EVENTS, kEvents);
   {
     const FileSizeLimit limit(100'001);

@@ -1,0 +1,92 @@
+// saccade convert: reads a file of events and writes it in another format.
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "client/commands/commands.h"
+#include "client/commands/interrupt.h"
+#include "client/commands/output_check.h"
+#include "client/commands/progress.h"
+#include "client/commands/source_file.h"
+#include "client/commands/summary.h"
+#include "client/recording_file.h"
+
+namespace saccade::client {
+namespace {
+
+constexpr double kNsPerSecond = 1e9;
+constexpr std::int64_t kNsPerUs = 1000;
+
+struct ConvertOptions {
+  std::string input, output, format, size;
+  bool force = false;
+};
+
+// What is known of the events before the first is read.
+v1::Recording aboutEvents(const SourceFile& source) {
+  v1::Recording about = source.recording().value_or(v1::Recording());
+  about.clear_begin_ns();
+  about.clear_end_ns();
+  about.clear_events();
+  about.set_width(source.size().width);
+  about.set_height(source.size().height);
+  return about;
+}
+
+void copyEvents(SourceFile& source, RecordingFile& file, Progress& progress) {
+  const auto& recording = source.recording();
+  std::int64_t t0_ns = recording ? recording->begin_ns() : 0;
+  std::int64_t end_ns = recording ? recording->end_ns() : 0;
+  for (Events events; source.read(events);) {
+    if (interrupted()) throw std::runtime_error("interrupted");
+    if (events.empty()) continue;
+    file.write(events, t0_ns, events.back().t_ns);  // more events may have the time of the last
+    t0_ns = events.back().t_ns;
+    end_ns = std::max(end_ns, t0_ns + kNsPerUs);
+    const double stream_s = t0_ns / kNsPerSecond;
+    progress.update(stream_s, stream_s, file.about().events());
+  }
+  file.write({}, t0_ns, end_ns);
+}
+
+void checkDigest(const SourceFile& source, const RecordingFile& file) {
+  if (!source.recording() || source.recording()->digest() == file.about().digest()) return;
+  throw std::runtime_error(source.path() + ": the events are not those that " + source.path() +
+                           ".json describes; remove that file if it is of another recording");
+}
+
+void runConvert(const ConvertOptions& options) {
+  const WriterInfo& format = writerFor(options.output, options.format);
+  checkOutputs(options.output, 1, options.force);
+  watchInterrupt();
+  SourceFile source(options.input, options.size);
+  RecordingFile file(options.output, format, aboutEvents(source));
+  Progress progress(source.recording() ? source.recording()->end_ns() / kNsPerSecond : 0);
+  copyEvents(source, file, progress);
+  progress.finish();
+  file.close();
+  checkDigest(source, file);
+  file.commit();
+  std::FILE* out = options.output == kStandardOutput ? stderr : stdout;
+  printFiles(out, {file.name()}, "");
+  std::fprintf(out, "%llu events\n", static_cast<unsigned long long>(file.about().events()));
+}
+
+}  // namespace
+
+void addConvertCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("convert", "write a file of events in another format");
+  const auto options = std::make_shared<ConvertOptions>();
+  command->add_option("input", options->input, "file to read: " + readerNames())->required();
+  command
+      ->add_option("output", options->output,
+                   "file to write: " + writerNames() + "; - writes CSV to standard output")
+      ->required();
+  command->add_option("--format", options->format, "name of the format, where an extension has several");
+  command->add_option("--size", options->size,
+                      "WIDTHxHEIGHT in pixels, where neither the input nor INPUT.json tells it");
+  command->add_flag("--force", options->force, "replace files that exist");
+  command->callback([options] { runConvert(*options); });
+}
+
+}  // namespace saccade::client

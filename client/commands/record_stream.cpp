@@ -1,0 +1,118 @@
+#include "client/commands/record_stream.h"
+
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include "client/commands/interrupt.h"
+#include "client/commands/receive_all.h"
+#include "client/commands/summary.h"
+#include "client/commands/trajectory_length.h"
+
+namespace saccade::client {
+namespace {
+
+constexpr double kNsPerSecond = 1e9;
+
+std::optional<Preview> makePreview(const std::string& path, const v1::Timing& timing) {
+  if (path.empty()) return std::nullopt;
+  const double third_s = timing.duration_s() > 0 ? timing.duration_s() / 3 : 1;
+  return Preview(path, std::llround(third_s * kNsPerSecond),
+                 std::llround(kNsPerSecond / timing.frame_rate_hz()));
+}
+
+double streamSeconds(const v1::StreamOpened& opened) {
+  return static_cast<double>(opened.frames()) / opened.resolved().timing().frame_rate_hz();
+}
+
+std::chrono::milliseconds secondsOf(double time_s) {
+  return std::chrono::milliseconds(std::llround(time_s * 1e3));
+}
+
+std::string keptText(const Recorder& recorder, const std::string& output) {
+  const std::string events = "; " + std::to_string(recorder.events()) + " events";
+  if (output == kStandardOutput) return events + " were written";
+  std::string text = events + " are kept in";
+  for (const std::string& file : recorder.files()) text += " " + file;
+  return text;
+}
+
+Recorder startRecorder(const RecordJob& job, const StreamHandle& stream) {
+  try {
+    return Recorder(job.output, *job.format, stream.opened(), stream.server());
+  } catch (const std::system_error& error) {
+    throw std::invalid_argument(std::string("--output: ") + error.what());
+  }
+}
+
+// A fault in the trajectory's text becomes one of the user's file.
+StreamHandle openStream(ControlClient& control, const v1::OpenStream& request,
+                        const std::string& trajectory) {
+  try {
+    return StreamHandle(control, request);
+  } catch (const Refused& refused) {
+    if (refused.field != "trajectory.csv") throw;
+    throw std::invalid_argument(trajectory + ": " + refused.message);
+  }
+}
+
+void warn(const v1::OpenStream& request, const v1::StreamOpened& opened) {
+  warnOfFastPicture(opened);
+  if (!request.trajectory().has_csv()) return;
+  const std::string warning = trajectoryWarning(request.trajectory().csv(), streamSeconds(opened));
+  if (!warning.empty()) std::fprintf(stderr, "saccade: warning: %s\n", warning.c_str());
+}
+
+void printStagesOf(std::FILE* out, StreamHandle& stream) {
+  try {
+    if (const auto info = stream.info()) printStages(out, *info);
+  } catch (const NoAnswer&) {
+    // The recording is complete, though the server has gone.
+  }
+}
+
+}  // namespace
+
+v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
+  std::FILE* out = job.output == kStandardOutput ? stderr : stdout;
+  watchInterrupt();
+  std::signal(SIGPIPE, SIG_IGN);  // a pipe that is closed makes write() fail
+
+  zmq::context_t context;
+  ControlClient control = connectTo(context, server);
+  StreamHandle stream = openStream(control, job.request, job.trajectory);
+  const v1::StreamOpened opened = stream.opened();
+  printChoice(out, opened);
+  printModel(out, opened);
+  printPixelSpeed(out, opened);
+  warn(job.request, opened);
+  Recorder recorder = startRecorder(job, stream);
+  auto preview = makePreview(job.preview, opened.resolved().timing());
+  Progress progress(streamSeconds(opened));
+  const double retry_s = job.retry_time_s;
+  Subscription subscription(
+      context, stream,
+      {.retry_time = secondsOf(retry_s),
+       .waiting = [&progress] { showWaiting(progress); },
+       .lost = [&progress, retry_s](const std::string& loss) { tellLoss(progress, loss, retry_s); }});
+  try {
+    receiveAll(subscription, stream, recorder, preview, progress);
+  } catch (const std::exception& error) {
+    progress.finish();
+    throw std::runtime_error(error.what() + keptText(recorder, job.output));
+  }
+  progress.finish();
+  const double wall_s = progress.elapsed_s();
+  recorder.commit(subscription.losses().events);
+  printFiles(out, recorder.files(), preview && preview->written() ? job.preview : "");
+  printRates(out, recorder, wall_s);
+  printSuppressed(out, recorder, opened.resolved());
+  printLosses(out, subscription.losses());
+  printStagesOf(out, stream);
+  return recorder.about(0);
+}
+
+}  // namespace saccade::client

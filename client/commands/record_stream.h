@@ -1,0 +1,25 @@
+// Opens a stream and writes its events to files, with all that is printed meanwhile.
+#pragma once
+
+#include <string>
+
+#include "client/commands/commands.h"
+#include "client/writers/writer.h"
+#include "saccade/v1/control.pb.h"
+
+namespace saccade::client {
+
+struct RecordJob {
+  v1::OpenStream request;
+  std::string output;  // file, or kStandardOutput
+  const WriterInfo* format;
+  std::string preview = {};     // PNG file, or none
+  std::string trajectory = {};  // what the user gave, for errors
+  double retry_time_s = 60;     // to reconnect to a lost server
+};
+
+// Returns what was recorded of sensor 0. Throws as ControlClient and Subscription do; std::invalid_argument
+// names an option at fault.
+v1::Recording recordStream(const ServerOptions& server, const RecordJob& job);
+
+}  // namespace saccade::client

@@ -1,0 +1,39 @@
+#include "client/commands/source_file.h"
+
+#include "client/commands/request_text.h"
+#include "client/sidecar.h"
+
+namespace saccade::client {
+namespace {
+
+ImageSize sizeOf(const std::string& path, const ImageSize& in_file,
+                 const std::optional<v1::Recording>& recording, const std::string& given) {
+  ImageSize size = in_file;
+  if (size.width == 0 && recording) size = {recording->width(), recording->height()};
+  if (given.empty() && size.width == 0)
+    throw std::invalid_argument("--size: '" + path +
+                                "' does not tell the size of the image; give WIDTHxHEIGHT");
+  if (given.empty()) return size;
+  const ImageSize asked = parseSize("--size", given);
+  if (size.width != 0 && (size.width != asked.width || size.height != asked.height))
+    throw std::invalid_argument("--size: '" + path + "' has " + std::to_string(size.width) + "x" +
+                                std::to_string(size.height) + " pixels");
+  return asked;
+}
+
+}  // namespace
+
+SourceFile::SourceFile(const std::string& path, const std::string& size)
+    : path_(path),
+      reader_(readerFor(path).make(path)),
+      recording_(recordingOf(path)),
+      size_(sizeOf(path, reader_->size(), recording_, size)),
+      check_(path, size_) {}
+
+bool SourceFile::read(Events& events) {
+  if (!reader_->read(events)) return false;
+  check_.check(events);
+  return true;
+}
+
+}  // namespace saccade::client

@@ -1,0 +1,36 @@
+// A file of events that a command reads, with what FILE.json says of it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "client/readers/event_check.h"
+#include "client/readers/reader.h"
+#include "saccade/v1/recording.pb.h"
+
+namespace saccade::client {
+
+class SourceFile {
+ public:
+  // `size`: of the image, where neither the file nor FILE.json tells it; "WIDTHxHEIGHT" or empty. Throws
+  // std::invalid_argument with --size if it is missing or contradicts them, and as Reader does.
+  SourceFile(const std::string& path, const std::string& size);
+
+  // Replaces `events` by the next batch; false at the end. Throws FileFault for events that no sensor of this
+  // size sends.
+  bool read(Events& events);
+
+  const std::string& path() const { return path_; }
+  const ImageSize& size() const { return size_; }
+  const std::optional<v1::Recording>& recording() const { return recording_; }  // FILE.json, if there is one
+
+ private:
+  const std::string path_;
+  std::unique_ptr<Reader> reader_;
+  std::optional<v1::Recording> recording_;
+  ImageSize size_;
+  EventCheck check_;
+};
+
+}  // namespace saccade::client

@@ -1,0 +1,48 @@
+#include "client/recording_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "client/sidecar.h"
+
+namespace saccade::client {
+
+RecordingFile::RecordingFile(const std::string& path, const WriterInfo& format, v1::Recording about)
+    : path_(path),
+      name_(path == kStandardOutput ? path : path + ".partial"),
+      about_(std::move(about)),
+      writer_(format.make(name_, about_)) {}
+
+RecordingFile::~RecordingFile() {
+  if (!writer_) return;
+  try {
+    writer_->finish();
+  } catch (const std::system_error&) {
+    // The fault that ended the recording is being told already.
+  }
+}
+
+void RecordingFile::write(const Events& events, std::int64_t t0_ns, std::int64_t until_ns) {
+  writer_->write(events, until_ns);
+  digest_.add(events);
+  if (!std::exchange(begun_, true)) about_.set_begin_ns(t0_ns);
+  about_.set_end_ns(std::max(about_.end_ns(), until_ns));
+  about_.set_events(about_.events() + events.size());
+}
+
+void RecordingFile::close() {
+  about_.set_digest(digest_.hex());
+  std::exchange(writer_, nullptr)->finish();
+}
+
+void RecordingFile::commit() {
+  if (path_ == kStandardOutput) return;
+  const std::string sidecar = sidecarOf(path_);
+  writeSidecar(sidecar, about_);
+  std::filesystem::rename(name_, path_);
+  name_ = path_;
+}
+
+}  // namespace saccade::client

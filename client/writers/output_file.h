@@ -1,0 +1,37 @@
+// A file that grows to its end, or standard output.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace saccade::client {
+
+// As a path: standard output.
+inline constexpr const char* kStandardOutput = "-";
+
+// Every call throws std::system_error with the file's name when the file cannot be written.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::string& path);  // an existing file is emptied
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  // Writes `bytes` to the end at once. If this throws, the file has no part of them.
+  void append(std::string_view bytes);
+  // Replaces bytes within the file; not of standard output.
+  void overwrite(std::uint64_t at, std::string_view bytes);
+  std::uint64_t size() const { return size_; }  // bytes
+  void close();                                 // the last call
+
+ private:
+  void takeBack();
+  [[noreturn]] void fail() const;
+
+  const std::string name_;  // for errors
+  int file_;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace saccade::client

@@ -1,0 +1,45 @@
+// Writes files of events and reads them back, for the tests of formats.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "client/readers/reader.h"
+#include "client/writers/writer.h"
+#include "scratch_folder.h"
+
+namespace saccade::client {
+
+class FormatTest : public testing::Test {
+ protected:
+  std::string at(const std::string& name) const { return folder_.at(name); }
+
+  static v1::Recording aboutOf(std::uint32_t width, std::uint32_t height) {
+    v1::Recording about;
+    about.set_width(width);
+    about.set_height(height);
+    return about;
+  }
+
+  // Writes the batches; the stream ends at `until_ns`.
+  void write(const WriterInfo& format, const std::string& file, const std::vector<Events>& batches,
+             std::int64_t until_ns, const v1::Recording& about) const {
+    const auto writer = format.make(file, about);
+    for (const Events& batch : batches) {
+      if (!batch.empty()) writer->write(batch, batch.back().t_ns);
+    }
+    writer->write({}, until_ns);
+    writer->finish();
+  }
+
+  static Events readBack(Reader& reader) {
+    Events all;
+    for (Events batch; reader.read(batch);) all.insert(all.end(), batch.begin(), batch.end());
+    return all;
+  }
+
+  const ScratchFolder folder_;
+};
+
+}  // namespace saccade::client

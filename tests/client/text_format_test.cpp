@@ -1,0 +1,96 @@
+#include <fstream>
+
+#include "client/readers/event_check.h"
+#include "format_test.h"
+
+namespace saccade::client {
+namespace {
+
+const Events kEvents{{0, 1, 2, 1}, {1'234'567'000, 345, 259, 0}, {4'000'000'001'000, 0, 0, 1}};
+
+class TextFormatTest : public FormatTest {
+ protected:
+  std::string fileOf(const std::string& name, const std::string& text) const {
+    std::ofstream(at(name)) << text;
+    return at(name);
+  }
+  std::string faultOf(const std::string& name, const std::string& text) const {
+    const std::string file = fileOf(name, text);
+    try {
+      readBack(*readerFor(file).make(file));
+    } catch (const FileFault& fault) {
+      return fault.what();
+    }
+    return "none";
+  }
+};
+
+TEST_F(TextFormatTest, CsvGivesItsEventsBackButNoSize) {
+  write(kCsvWriter, at("a.csv"), {kEvents}, 0, aboutOf(346, 260));
+  const auto reader = kCsvReader.make(at("a.csv"));
+  EXPECT_EQ(reader->size().width, 0u);
+  EXPECT_EQ(readBack(*reader), kEvents);
+}
+
+TEST_F(TextFormatTest, TxtGivesItsEventsAndSizeBack) {
+  write(kTxtWriter, at("a.txt"), {kEvents}, 0, aboutOf(346, 260));
+  const auto reader = kTxtReader.make(at("a.txt"));
+  EXPECT_EQ(reader->size().width, 346u);
+  EXPECT_EQ(reader->size().height, 260u);
+  EXPECT_EQ(readBack(*reader), kEvents);
+}
+
+TEST_F(TextFormatTest, TxtOfOtherProgramsMayHaveFewerDecimalsAndOtherLineEnds) {
+  const std::string file = fileOf("a.txt", "4 3\r\n0.5 1 2 1\r\n0.500001 3 0 0\r\n");
+  EXPECT_EQ(readBack(*kTxtReader.make(file)), (Events{{500'000'000, 1, 2, 1}, {500'001'000, 3, 0, 0}}));
+}
+
+TEST_F(TextFormatTest, MoreThanABatchIsReadInParts) {
+  Events events;
+  for (int i = 0; i < 100'000; ++i) events.push_back({i * 1000LL, 1, 2, static_cast<std::uint8_t>(i % 2)});
+  write(kCsvWriter, at("a.csv"), {events}, 0, aboutOf(4, 3));
+  const auto reader = kCsvReader.make(at("a.csv"));
+  Events first;
+  ASSERT_TRUE(reader->read(first));
+  EXPECT_LT(first.size(), events.size());
+  const Events rest = readBack(*reader);
+  first.insert(first.end(), rest.begin(), rest.end());
+  EXPECT_EQ(first, events);
+}
+
+TEST_F(TextFormatTest, AFaultNamesItsLine) {
+  EXPECT_NE(faultOf("a.csv", "t_us,x,y,p\n1,2,3,1\n1,2,3\n").find("a.csv: line 3 is not"), std::string::npos);
+  EXPECT_NE(faultOf("a.csv", "t,x,y,p\n").find("line 1 is not of the form t_us,x,y,p"), std::string::npos);
+  for (const char* line : {"1,2,3,1,", "1,2,3,1 ", "x,2,3,1", "1,-2,3,1", "1,70000,3,1", "1,2,3,1,5", "",
+                           "9223372036854775807,0,0,0"})
+    EXPECT_NE(faultOf("a.csv", std::string("t_us,x,y,p\n") + line + "\n"), "none") << line;
+  for (const char* line : {"1 2 3 1", "1.x 2 3 1", "-1.0 2 3 1", "1.0 2 3", "1.0 2 3 1 5", "1.0 2 3 300"})
+    EXPECT_NE(faultOf("a.txt", std::string("4 3\n") + line + "\n"), "none") << line;
+  EXPECT_NE(faultOf("a.txt", "4\n"), "none");
+  EXPECT_NE(faultOf("a.txt", ""), "none");
+}
+
+TEST_F(TextFormatTest, AFileThatIsNotThereIsNamed) {
+  EXPECT_THROW(kCsvReader.make(at("none.csv")), std::system_error);
+}
+
+TEST(EventCheck, NamesTheEventAtFault) {
+  const auto faultOf = [](const Event& event) -> std::string {
+    EventCheck check("a.csv", {4, 3});
+    check.check({{1000, 3, 2, 1}, {1000, 0, 0, 0}});
+    try {
+      check.check({event});
+    } catch (const FileFault& fault) {
+      return fault.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(faultOf({1000, 3, 2, 1}), "none");
+  EXPECT_EQ(faultOf({0, 0, 0, 1}), "a.csv: event 3 is earlier than the one before");
+  EXPECT_EQ(faultOf({1000, 4, 0, 1}), "a.csv: event 3 is at (4, 0), outside of 4x3 pixels");
+  EXPECT_EQ(faultOf({1000, 0, 3, 1}), "a.csv: event 3 is at (0, 3), outside of 4x3 pixels");
+  EXPECT_EQ(faultOf({1000, 0, 0, 2}), "a.csv: event 3 has a polarity other than 0 and 1");
+}
+
+}  // namespace
+}  // namespace saccade::client
