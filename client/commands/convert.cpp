@@ -5,7 +5,7 @@
 
 #include "client/commands/commands.h"
 #include "client/commands/interrupt.h"
-#include "client/commands/output_check.h"
+#include "client/commands/output_options.h"
 #include "client/commands/progress.h"
 #include "client/commands/source_file.h"
 #include "client/commands/summary.h"
@@ -18,8 +18,8 @@ constexpr double kNsPerSecond = 1e9;
 constexpr std::int64_t kNsPerUs = 1000;
 
 struct ConvertOptions {
-  std::string input, output, format, size;
-  bool force = false;
+  std::string input, size;
+  OutputOptions output;
 };
 
 // What is known of the events before the first is read.
@@ -56,18 +56,18 @@ void checkDigest(const SourceFile& source, const RecordingFile& file) {
 }
 
 void runConvert(const ConvertOptions& options) {
-  const WriterInfo& format = writerFor(options.output, options.format);
-  checkOutputs(options.output, 1, options.force);
+  const WriterInfo& format = options.output.writer();
+  checkOutputs(options.output, 1);
   watchInterrupt();
   SourceFile source(options.input, options.size);
-  RecordingFile file(options.output, format, aboutEvents(source));
+  RecordingFile file(options.output.path, format, aboutEvents(source));
   Progress progress(source.recording() ? source.recording()->end_ns() / kNsPerSecond : 0);
   copyEvents(source, file, progress);
   progress.finish();
   file.close();
   checkDigest(source, file);
   file.commit();
-  std::FILE* out = options.output == kStandardOutput ? stderr : stdout;
+  std::FILE* out = options.output.path == kStandardOutput ? stderr : stdout;
   printFiles(out, {file.name()}, "");
   std::fprintf(out, "%llu events\n", static_cast<unsigned long long>(file.about().events()));
 }
@@ -78,14 +78,9 @@ void addConvertCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("convert", "write a file of events in another format");
   const auto options = std::make_shared<ConvertOptions>();
   command->add_option("input", options->input, "file to read: " + readerNames())->required();
-  command
-      ->add_option("output", options->output,
-                   "file to write: " + writerNames() + "; - writes CSV to standard output")
-      ->required();
-  command->add_option("--format", options->format, "name of the format, where an extension has several");
+  addOutputOptions(*command, options->output, "output");
   command->add_option("--size", options->size,
                       "WIDTHxHEIGHT in pixels, where neither the input nor INPUT.json tells it");
-  command->add_flag("--force", options->force, "replace files that exist");
   command->callback([options] { runConvert(*options); });
 }
 

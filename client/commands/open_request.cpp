@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "client/commands/record_options.h"
+#include "client/commands/request_options.h"
 #include "client/commands/request_text.h"
 
 namespace saccade::client {
 namespace {
 
-v1::View makeView(const RecordOptions& options) {
+v1::View makeView(const RequestOptions& options) {
   const ImageSize size = parseSize("--size", options.size);
   v1::View view;
   view.set_width(size.width);
@@ -16,7 +16,7 @@ v1::View makeView(const RecordOptions& options) {
   return view;
 }
 
-v1::Method makeMethod(const RecordOptions& options) {
+v1::Method makeMethod(const RequestOptions& options) {
   v1::Method method;
   method.set_name(options.method);
   method.set_spp(options.spp.value_or(0));
@@ -37,7 +37,7 @@ double parseShare(const std::string& option, const std::string& text) {
   throw std::invalid_argument(option + ": '" + text + "' is not a percentage, such as 2%");
 }
 
-v1::Quality makeQuality(const RecordOptions& options) {
+v1::Quality makeQuality(const RequestOptions& options) {
   v1::Quality quality;
   if (options.bounces) quality.set_bounces(*options.bounces);
   quality.set_jitter(options.jitter);
@@ -50,7 +50,7 @@ v1::Quality makeQuality(const RecordOptions& options) {
   return quality;
 }
 
-v1::Sensor makeSensor(const RecordOptions& options, std::size_t index) {
+v1::Sensor makeSensor(const RequestOptions& options, std::size_t index) {
   v1::Sensor sensor;
   const auto& off = options.thresholds_off;
   if (!options.thresholds.empty()) sensor.set_threshold(options.thresholds[index]);
@@ -67,7 +67,7 @@ v1::Sensor makeSensor(const RecordOptions& options, std::size_t index) {
   return sensor;
 }
 
-v1::Timing makeTiming(const RecordOptions& options) {
+v1::Timing makeTiming(const RequestOptions& options) {
   v1::Timing timing;
   timing.set_frame_rate_hz(options.rate_hz);
   timing.set_duration_s(options.duration_s);
@@ -77,7 +77,7 @@ v1::Timing makeTiming(const RecordOptions& options) {
 
 }  // namespace
 
-v1::OpenStream makeOpenStream(const RecordOptions& options) {
+v1::OpenStream makeOpenStream(const RequestOptions& options) {
   const std::size_t sensors = std::max<std::size_t>(options.thresholds.size(), 1);
   if (options.thresholds_off.size() > 1 && options.thresholds_off.size() != sensors) {
     throw std::invalid_argument("--threshold-off: give one value, or one for each --threshold");

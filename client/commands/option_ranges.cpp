@@ -1,6 +1,6 @@
 #include <sstream>
 
-#include "client/commands/record_options.h"
+#include "client/commands/request_options.h"
 #include "wire/ranges.h"
 
 namespace saccade::client {

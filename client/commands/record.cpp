@@ -2,23 +2,50 @@
 #include <memory>
 
 #include "client/commands/commands.h"
-#include "client/commands/output_check.h"
-#include "client/commands/record_options.h"
+#include "client/commands/output_options.h"
 #include "client/commands/record_stream.h"
+#include "client/commands/request_options.h"
 
 namespace saccade::client {
 namespace {
 
+struct RecordOptions {
+  RequestOptions request;
+  OutputOptions output;
+  std::string preview;
+};
+
+std::string checkPng(const std::string& path) {
+  return path.ends_with(".png") ? "" : "'" + path + "' is not a .png file";
+}
+
+void addOptions(CLI::App& command, RecordOptions& options) {
+  addOutputOptions(command, options.output, "-o,--output");
+  command
+      .add_option("--preview", options.preview,
+                  "PNG of brightness, its change and the latest events, a third of the way through")
+      ->check(CLI::Validator(checkPng, "FILE.png"));
+  addRequestOptions(command, options.request);
+  command.footer(
+      std::string(kMotionHelp) +
+      " Keep the image motion below half a pixel per frame: `record` warns, and names a --rate.\n\n"
+      "Options without a default here have the server's default. FILE is called FILE.partial until it is "
+      "complete.\n"
+      "`record` reconnects to a lost server and resumes; a lossless recording misses nothing.\n"
+      "Exit codes: 0 recorded, 1 the stream or the server failed, 2 wrong usage.\n\n"
+      "Example: saccade record cornell-box --trajectory right -o events.csv --preview events.png");
+}
+
 void runRecord(const RecordOptions& options) {
-  const RecordJob job{.request = makeOpenStream(options),
-                      .output = options.output,
-                      .format = &writerFor(options.output, options.format),
+  const RecordJob job{.request = makeOpenStream(options.request),
+                      .output = options.output.path,
+                      .format = &options.output.writer(),
                       .preview = options.preview,
-                      .trajectory = options.trajectory,
-                      .retry_time_s = options.retry_time_s};
-  checkOutputs(options.output, job.request.sensors_size(), options.force);
-  if (!options.preview.empty()) checkOutput("--preview", options.preview, options.force);
-  recordStream(options.server, job);
+                      .trajectory = options.request.trajectory,
+                      .retry_time_s = options.request.retry_time_s};
+  checkOutputs(options.output, job.request.sensors_size());
+  if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
+  recordStream(options.request.server, job);
 }
 
 }  // namespace
@@ -26,7 +53,7 @@ void runRecord(const RecordOptions& options) {
 void addRecordCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("record", "open a stream and write its events to files");
   const auto options = std::make_shared<RecordOptions>();
-  addRecordOptions(*command, *options);
+  addOptions(*command, *options);
   command->callback([options] { runRecord(*options); });
 }
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
-#include "client/commands/output_check.h"
+#include "client/commands/output_options.h"
 #include "client/commands/record_stream.h"
 #include "client/sidecar.h"
 
@@ -13,8 +13,8 @@ namespace {
 
 struct ReplayOptions {
   ServerOptions server;
-  std::string recording, output, format;
-  bool force = false;
+  std::string recording;
+  OutputOptions output;
 };
 
 // The request for the one sensor of the recording, to be rendered as fast as possible and without loss.
@@ -61,9 +61,9 @@ void compare(const v1::Recording& then, const v1::Recording& now) {
 void runReplay(const ReplayOptions& options) {
   const v1::Recording recording = readSidecar(options.recording);
   const RecordJob job{.request = requestOf(options.recording, recording),
-                      .output = options.output,
-                      .format = &writerFor(options.output, options.format)};
-  checkOutputs(options.output, 1, options.force);
+                      .output = options.output.path,
+                      .format = &options.output.writer()};
+  checkOutputs(options.output, 1);
   compare(recording, recordStream(options.server, job));
 }
 
@@ -74,9 +74,7 @@ void addReplayCommand(CLI::App& app) {
   const auto options = std::make_shared<ReplayOptions>();
   command->add_option("recording", options->recording, "FILE.json, which stands beside each recording")
       ->required();
-  command->add_option("-o,--output", options->output, "file to write: " + writerNames())->required();
-  command->add_option("--format", options->format, "name of the format, where an extension has several");
-  command->add_flag("--force", options->force, "replace files that exist");
+  addOutputOptions(*command, options->output, "-o,--output");
   command->option_defaults()->group("Server");
   addServerOptions(*command, options->server);
   command->callback([options] { runReplay(*options); });

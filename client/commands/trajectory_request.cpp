@@ -2,7 +2,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "client/commands/record_options.h"
+#include "client/commands/request_options.h"
 #include "client/commands/request_text.h"
 
 namespace saccade::client {
@@ -42,7 +42,7 @@ std::string readFile(const std::string& path) {
 }
 
 // Of KIND:SPEED or KIND:SPEEDpx.
-v1::Motion makeMotion(const RecordOptions& options) {
+v1::Motion makeMotion(const RequestOptions& options) {
   const auto [name, speed] = splitAt(options.trajectory, ':');
   const bool in_pixels = speed.ends_with("px");
   const auto value =
@@ -68,7 +68,7 @@ bool isTrajectoryFile(const std::string& trajectory) {
   return trajectory.ends_with(".csv") || std::filesystem::is_regular_file(trajectory);
 }
 
-v1::Trajectory makeTrajectory(const RecordOptions& options) {
+v1::Trajectory makeTrajectory(const RequestOptions& options) {
   const bool file = isTrajectoryFile(options.trajectory);
   v1::Trajectory trajectory;
   if (!file && options.trajectory.find(':') != std::string::npos) {

@@ -22,6 +22,11 @@ TEST_F(CommandAndServer, RecordsASensorPerThreshold) {
   EXPECT_GT(fs::file_size(folder_.at("a-0.csv")), fs::file_size(folder_.at("a-1.csv")));
   EXPECT_GT(fs::file_size(picture), 100u);
 }
+TEST(Record, ThePreviewIsAPng) {
+  const Result result = run("record cornell-box --trajectory right -o a.csv --preview a.jpg");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_TRUE(holds(result, "--preview: 'a.jpg' is not a .png file")) << result.output;
+}
 TEST(CommandAndKeys, RecordsFromAServerThatWantsThem) {
   const ScratchFolder folder;
   const std::string server = folder.at("server"), alice = folder.at("alice"), file = folder.at("a.csv");

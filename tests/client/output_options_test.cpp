@@ -1,4 +1,4 @@
-#include "client/commands/output_check.h"
+#include "client/commands/output_options.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -12,11 +12,11 @@
 namespace saccade::client {
 namespace {
 
-class OutputCheck : public testing::Test {
+class OutputOptionsTest : public testing::Test {
  protected:
   std::string faultOf(const std::string& output, int sensors = 1, bool force = false) const {
     try {
-      checkOutputs(output, sensors, force);
+      checkOutputs({.path = output, .force = force}, sensors);
     } catch (const std::invalid_argument& fault) {
       return fault.what();
     }
@@ -29,12 +29,12 @@ class OutputCheck : public testing::Test {
   const ScratchFolder folder_;
 };
 
-TEST_F(OutputCheck, ANewFileIsRight) {
+TEST_F(OutputOptionsTest, ANewFileIsRight) {
   EXPECT_EQ(faultOf(folder_.at("a.csv")), "");
   EXPECT_EQ(faultOf("-"), "");
 }
 
-TEST_F(OutputCheck, AFileThatExistsIsReplacedOnlyByForce) {
+TEST_F(OutputOptionsTest, AFileThatExistsIsReplacedOnlyByForce) {
   const std::string file = touch("a.csv"), second = touch("b-1.csv");
   EXPECT_EQ(faultOf(file), "--output: '" + file + "' exists; --force replaces it");
   EXPECT_EQ(faultOf(file, 1, true), "");
@@ -42,7 +42,7 @@ TEST_F(OutputCheck, AFileThatExistsIsReplacedOnlyByForce) {
   EXPECT_EQ(faultOf(folder_.at("b.csv"), 1), "");
 }
 
-TEST_F(OutputCheck, OnlyARegularFileIsReplaced) {
+TEST_F(OutputOptionsTest, OnlyARegularFileIsReplaced) {
   const std::string folder = folder_.at("a.csv"), pipe = folder_.at("b.csv");
   std::filesystem::create_directory(folder);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -50,15 +50,15 @@ TEST_F(OutputCheck, OnlyARegularFileIsReplaced) {
   EXPECT_NE(faultOf(pipe, 1, true).find("is not a regular file; -o - writes to a pipe"), std::string::npos);
 }
 
-TEST_F(OutputCheck, TheFolderMustBeThere) {
+TEST_F(OutputOptionsTest, TheFolderMustBeThere) {
   EXPECT_NE(faultOf(folder_.at("none/a.csv")).find("there is no folder"), std::string::npos);
 }
 
-TEST_F(OutputCheck, StandardOutputHasOneSensor) {
+TEST_F(OutputOptionsTest, StandardOutputHasOneSensor) {
   EXPECT_NE(faultOf("-", 2).find("one sensor"), std::string::npos);
 }
 
-TEST_F(OutputCheck, TheJsonOfAFileIsCheckedToo) {
+TEST_F(OutputOptionsTest, TheJsonOfAFileIsCheckedToo) {
   const std::string json = touch("a.csv.json");
   EXPECT_EQ(faultOf(folder_.at("a.csv")), "--output: '" + json + "' exists; --force replaces it");
 }

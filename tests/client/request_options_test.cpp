@@ -1,4 +1,4 @@
-#include "client/commands/record_options.h"
+#include "client/commands/request_options.h"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +11,15 @@
 namespace saccade::client {
 namespace {
 
-RecordOptions parse(const std::string& line) {
+RequestOptions parse(const std::string& line) {
   CLI::App app;
-  RecordOptions options;
-  addRecordOptions(app, options);
+  RequestOptions options;
+  addRequestOptions(app, options);
   app.parse(line);
   return options;
 }
 
-const std::string kNeeded = "cornell-box --trajectory right -o a.csv ";
+const std::string kNeeded = "cornell-box --trajectory right ";
 
 v1::OpenStream openStream(const std::string& line) {
   return makeOpenStream(parse(kNeeded + line));
@@ -36,7 +36,7 @@ std::string faultOf(const std::string& line) {
   return {};
 }
 
-TEST(RecordOptions, AbsentOptionsAreLeftToTheServer) {
+TEST(RequestOptions, AbsentOptionsAreLeftToTheServer) {
   const auto open = openStream("");
   EXPECT_EQ(open.scene(), "cornell-box");
   EXPECT_EQ(open.trajectory().name(), "right");
@@ -49,7 +49,7 @@ TEST(RecordOptions, AbsentOptionsAreLeftToTheServer) {
   EXPECT_FALSE(open.quality().has_bounces() || open.view().has_fov_x_deg());
 }
 
-TEST(RecordOptions, EachThresholdIsASensor) {
+TEST(RequestOptions, EachThresholdIsASensor) {
   const auto open = openStream(
       "--threshold 0.2 --threshold 0.4 --threshold-off 0.3 --bias 0.01 --model probabilistic "
       "--reconstruction complementary --cutoff 2");
@@ -64,12 +64,12 @@ TEST(RecordOptions, EachThresholdIsASensor) {
   EXPECT_EQ(open.sensors(1).cutoff_hz(), 2);
 }
 
-TEST(RecordOptions, AValueDoesNotSwallowTheScene) {
-  const auto options = parse("--threshold 0.2 --set alpha=0.5 --trajectory right -o a.csv cornell-box");
+TEST(RequestOptions, AValueDoesNotSwallowTheScene) {
+  const auto options = parse("--threshold 0.2 --set alpha=0.5 --trajectory right cornell-box");
   EXPECT_EQ(options.scene, "cornell-box");
 }
 
-TEST(RecordOptions, RequestHoldsWhatWasGiven) {
+TEST(RequestOptions, RequestHoldsWhatWasGiven) {
   const auto open = openStream(
       "--size 64x48 --fov 50 --rate 250 --duration 1.5 --clock paced --delivery live --method pt --spp 4 "
       "--bounces 0 --set alpha=0.25 --set demodulate=0 --seed 7 --refractory 1e-3");
@@ -90,7 +90,7 @@ TEST(RecordOptions, RequestHoldsWhatWasGiven) {
   EXPECT_EQ(open.sensors(0).refractory_s(), 1e-3);
 }
 
-TEST(RecordOptions, ABudgetTakesThePlaceOfASetting) {
+TEST(RequestOptions, ABudgetTakesThePlaceOfASetting) {
   const auto within = openStream("--budget-ms 20 --method svgf");
   EXPECT_EQ(within.quality().budget_ms(), 20);
   EXPECT_FALSE(within.quality().has_max_false_rate());
@@ -108,7 +108,7 @@ TEST(RecordOptions, ABudgetTakesThePlaceOfASetting) {
   }
 }
 
-TEST(RecordOptions, AModelIsNamedOrLeftToWhatTheEventsNeed) {
+TEST(RequestOptions, AModelIsNamedOrLeftToWhatTheEventsNeed) {
   const auto named = openStream("--disable textures --disable masks,specular").quality();
   EXPECT_EQ(std::vector<std::string>(named.disabled_features().begin(), named.disabled_features().end()),
             (std::vector<std::string>{"textures", "masks", "specular"}));
@@ -122,7 +122,7 @@ TEST(RecordOptions, AModelIsNamedOrLeftToWhatTheEventsNeed) {
         << other;
 }
 
-TEST(RecordOptions, CodecsAreThoseOfTheTable) {
+TEST(RequestOptions, CodecsAreThoseOfTheTable) {
   EXPECT_EQ(openStream("").codec(), v1::CODEC_UNSPECIFIED);
   for (const CodecInfo* codec : codecTable()) {
     EXPECT_EQ(openStream(std::string("--codec ") + codec->name).codec(), codec->id);
@@ -130,17 +130,17 @@ TEST(RecordOptions, CodecsAreThoseOfTheTable) {
   EXPECT_NE(faultOf("--codec lzw").find("zstd"), std::string::npos);
 }
 
-TEST(RecordOptions, TheTimeToRetryIsAMinuteUnlessSet) {
+TEST(RequestOptions, TheTimeToRetryIsAMinuteUnlessSet) {
   EXPECT_EQ(parse(kNeeded).retry_time_s, 60);
   EXPECT_EQ(parse(kNeeded + "--retry-time 0").retry_time_s, 0);
   EXPECT_NE(faultOf("--retry-time -1").find("--retry-time"), std::string::npos);
 }
 
-TEST(RecordOptions, AFileOfPosesIsSentAsText) {
+TEST(RequestOptions, AFileOfPosesIsSentAsText) {
   const ScratchFolder folder;
   const std::string path = folder.at("path.csv");
   std::ofstream(path) << "0 0 0 0 0 0 0 1\n";
-  const auto options = parse("cornell-box -o a.csv --trajectory " + path);
+  const auto options = parse("cornell-box --trajectory " + path);
   EXPECT_EQ(makeOpenStream(options).trajectory().csv(), "0 0 0 0 0 0 0 1\n");
   std::ofstream(path, std::ios::trunc).close();
   EXPECT_THROW(makeOpenStream(options), std::invalid_argument);  // empty
@@ -155,10 +155,10 @@ TEST(RecordOptions, AFileOfPosesIsSentAsText) {
 }
 
 v1::OpenStream openMotion(const std::string& line) {
-  return makeOpenStream(parse("cornell-box -o a.csv --motion " + line));
+  return makeOpenStream(parse("cornell-box --motion " + line));
 }
 
-TEST(RecordOptions, AMotionHasASpeedPerSecondOrInPixels) {
+TEST(RequestOptions, AMotionHasASpeedPerSecondOrInPixels) {
   const v1::Motion pan = openMotion("pan:-15 --turn 0").trajectory().motion();
   EXPECT_EQ(pan.kind(), v1::MOTION_KIND_PAN);
   EXPECT_EQ(pan.speed(), -15);
@@ -170,7 +170,7 @@ TEST(RecordOptions, AMotionHasASpeedPerSecondOrInPixels) {
   EXPECT_FALSE(shake.has_turn_s());
 }
 
-TEST(RecordOptions, AFaultyMotionIsNamed) {
+TEST(RequestOptions, AFaultyMotionIsNamed) {
   const auto fault = [](const std::string& line) {
     try {
       openMotion(line);
@@ -187,10 +187,10 @@ TEST(RecordOptions, AFaultyMotionIsNamed) {
   }
 }
 
-TEST(RecordOptions, TrajectoryAndMotionTakeTheSameWords) {
+TEST(RequestOptions, TrajectoryAndMotionTakeTheSameWords) {
   for (const std::string option : {"--trajectory ", "--motion "}) {
     const auto open = [&](const std::string& word) {
-      return makeOpenStream(parse("cornell-box -o a.csv " + option + word)).trajectory();
+      return makeOpenStream(parse("cornell-box " + option + word)).trajectory();
     };
     EXPECT_EQ(open("right").name(), "right");
     EXPECT_EQ(open("orbit").name(), "orbit");
@@ -199,14 +199,14 @@ TEST(RecordOptions, TrajectoryAndMotionTakeTheSameWords) {
   }
 }
 
-TEST(RecordOptions, OneTrajectoryIsRequired) {
+TEST(RequestOptions, OneTrajectoryIsRequired) {
   EXPECT_NE(faultOf("--motion pan:1").find("--trajectory"), std::string::npos);  // the second one
   EXPECT_NE(faultOf("--turn 1").find("--motion"), std::string::npos);
   EXPECT_NE(faultOf("--motion-seed 1").find("--motion"), std::string::npos);
-  EXPECT_THROW(parse("cornell-box -o a.csv"), CLI::ParseError);
+  EXPECT_THROW(parse("cornell-box"), CLI::ParseError);
 }
 
-TEST(RecordOptions, FaultsNameTheOption) {
+TEST(RequestOptions, FaultsNameTheOption) {
   for (const std::string size : {"64", "64x", "x48", "64x48x", "-1x48", "64 x48"}) {
     EXPECT_NE(faultOf("--size '" + size + "'").find("--size"), std::string::npos) << size;
   }
@@ -219,7 +219,6 @@ TEST(RecordOptions, FaultsNameTheOption) {
     EXPECT_NE(faultOf(number).find("is not a whole number from 0 to"), std::string::npos) << number;
   EXPECT_NE(faultOf("--delivery pigeon").find("lossless"), std::string::npos);
   EXPECT_NE(faultOf("--reconstruction magic").find("kalman"), std::string::npos);
-  EXPECT_NE(faultOf("--preview a.jpg").find("--preview"), std::string::npos);
 }
 
 }  // namespace

@@ -1,17 +1,12 @@
-#include "client/commands/record_options.h"
+#include "client/commands/request_options.h"
 
 #include <limits>
 
 #include "client/commands/commands.h"
 #include "client/commands/request_text.h"
-#include "client/writers/writer.h"
 
 namespace saccade::client {
 namespace {
-
-std::string checkPng(const std::string& path) {
-  return path.ends_with(".png") ? "" : "'" + path + "' is not a .png file";
-}
 
 // CLI11 reads -1 as the largest number.
 template <class T>
@@ -20,7 +15,7 @@ std::string checkWhole(const std::string& text) {
   return "'" + text + "' is not a whole number from 0 to " + std::to_string(std::numeric_limits<T>::max());
 }
 
-void addPathOptions(CLI::App& command, RecordOptions& o) {
+void addPathOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Camera path");
   command
       .add_option(
@@ -35,7 +30,7 @@ void addPathOptions(CLI::App& command, RecordOptions& o) {
       ->check(checkWhole<std::uint64_t>);
 }
 
-void addSensorOptions(CLI::App& command, RecordOptions& o) {
+void addSensorOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Sensors");
   command
       .add_option("--threshold", o.thresholds,
@@ -57,7 +52,7 @@ void addSensorOptions(CLI::App& command, RecordOptions& o) {
                      "Hz below which --reconstruction complementary follows the picture");
 }
 
-void addStreamOptions(CLI::App& command, RecordOptions& o) {
+void addStreamOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Stream");
   command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   command.add_option("--fov", o.fov_x_deg, "horizontal field of view, degrees");
@@ -85,7 +80,7 @@ void addStreamOptions(CLI::App& command, RecordOptions& o) {
       ->capture_default_str();
 }
 
-void addQualityOptions(CLI::App& command, RecordOptions& o) {
+void addQualityOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Rendering");
   command.add_option("--method", o.method, "how the change is estimated, see `saccade info`");
   CLI::Option* spp =
@@ -132,19 +127,8 @@ void addQualityOptions(CLI::App& command, RecordOptions& o) {
 
 }  // namespace
 
-void addRecordOptions(CLI::App& command, RecordOptions& o) {
+void addRequestOptions(CLI::App& command, RequestOptions& o) {
   command.add_option("scene", o.scene, "name of a scene, see `saccade list`")->required();
-  command
-      .add_option("-o,--output", o.output,
-                  "file to write, in the format of its extension: " + writerNames() +
-                      "; - writes CSV to standard output")
-      ->required();
-  command.add_option("--format", o.format, "name of the format, where an extension has several");
-  command.add_flag("--force", o.force, "replace files that exist");
-  command
-      .add_option("--preview", o.preview,
-                  "PNG of brightness, its change and the latest events, a third of the way through")
-      ->check(CLI::Validator(checkPng, "FILE.png"));
   addPathOptions(command, o);
   addSensorOptions(command, o);
   addStreamOptions(command, o);
@@ -152,17 +136,6 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
   command.option_defaults()->group("Server");
   addServerOptions(command, o.server);
   sayRanges(command);
-  command.footer(
-      "Motions: dolly (forward), truck (right), pedestal (up) in scene units per second; pan (right), tilt "
-      "(up),\n"
-      "roll (clockwise), orbit (right), shake (hand-held) in degrees per second. A negative speed goes the "
-      "other\n"
-      "way. Keep the image motion below half a pixel per frame: `record` warns, and names a --rate.\n\n"
-      "Options without a default here have the server's default. FILE is called FILE.partial until it is "
-      "complete.\n"
-      "`record` reconnects to a lost server and resumes; a lossless recording misses nothing.\n"
-      "Exit codes: 0 recorded, 1 the stream or the server failed, 2 wrong usage.\n\n"
-      "Example: saccade record cornell-box --trajectory right -o events.csv --preview events.png");
 }
 
 }  // namespace saccade::client

@@ -1,4 +1,4 @@
-// The command line of `saccade record`, and the request that it makes.
+// The command line of the commands that open a stream, and the request that it makes.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,10 +13,9 @@
 namespace saccade::client {
 
 // Options that are not given are left to the server's defaults.
-struct RecordOptions {
+struct RequestOptions {
   ServerOptions server;
-  std::string scene, output, format, preview;
-  bool force = false;      // replace existing files
+  std::string scene;
   std::string trajectory;  // a name, a file, or KIND:SPEED
   std::optional<double> turn_s;
   std::optional<std::uint64_t> motion_seed;
@@ -38,7 +37,16 @@ struct RecordOptions {
   std::uint64_t seed = 0;
 };
 
-void addRecordOptions(CLI::App& command, RecordOptions& options);
+// The values in `options` are the defaults.
+void addRequestOptions(CLI::App& command, RequestOptions& options);
+
+// Says in the help of a command what --motion may be.
+inline constexpr const char* kMotionHelp =
+    "Motions: dolly (forward), truck (right), pedestal (up) in scene units per second; pan (right), tilt "
+    "(up),\n"
+    "roll (clockwise), orbit (right), shake (hand-held) in degrees per second. A negative speed goes the "
+    "other\n"
+    "way.";
 
 // Adds the valid range to the help of each number of the request.
 void sayRanges(CLI::App& record);
@@ -47,7 +55,7 @@ void sayRanges(CLI::App& record);
 bool isTrajectoryFile(const std::string& trajectory);
 
 // makeTrajectory() reads the trajectory's file. Both throw std::invalid_argument with the option at fault.
-v1::Trajectory makeTrajectory(const RecordOptions& options);
-v1::OpenStream makeOpenStream(const RecordOptions& options);
+v1::Trajectory makeTrajectory(const RequestOptions& options);
+v1::OpenStream makeOpenStream(const RequestOptions& options);
 
 }  // namespace saccade::client

@@ -1,4 +1,4 @@
-#include "client/commands/output_check.h"
+#include "client/commands/output_options.h"
 
 #include <unistd.h>
 
@@ -28,16 +28,26 @@ void checkOutput(const std::string& option, const std::string& path, bool force)
   if (!force) fail(name + " exists; --force replaces it");
 }
 
-void checkOutputs(const std::string& output, int sensors, bool force) {
-  if (output == kStandardOutput) {
+void checkOutputs(const OutputOptions& options, int sensors) {
+  if (options.path == kStandardOutput) {
     if (sensors > 1)
       throw std::invalid_argument("--output: standard output takes the events of one sensor only");
     return;
   }
-  for (const std::string& file : outputFiles(output, sensors)) {
-    checkOutput("--output", file, force);
-    checkOutput("--output", sidecarOf(file), force);
+  for (const std::string& file : outputFiles(options.path, sensors)) {
+    checkOutput("--output", file, options.force);
+    checkOutput("--output", sidecarOf(file), options.force);
   }
+}
+
+void addOutputOptions(CLI::App& command, OutputOptions& options, const std::string& name) {
+  command
+      .add_option(name, options.path,
+                  "file to write, in the format of its extension: " + writerNames() +
+                      "; - writes CSV to standard output")
+      ->required();
+  command.add_option("--format", options.format, "name of the format, where an extension has several");
+  command.add_flag("--force", options.force, "replace files that exist");
 }
 
 }  // namespace saccade::client
