@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   addListCommand(app);
   addInfoCommand(app);
   addRecordCommand(app);
+  addViewCommand(app);
   addReplayCommand(app);
   addConvertCommand(app);
   addVerifyCommand(app);

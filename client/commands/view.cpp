@@ -1,0 +1,81 @@
+// saccade view: shows the events of a stream in the terminal.
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "client/commands/commands.h"
+#include "client/commands/interrupt.h"
+#include "client/commands/live_view.h"
+#include "client/commands/request_options.h"
+
+namespace saccade::client {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kPollInterval{50};  // for Ctrl-C and the drawing
+
+struct ViewOptions {
+  RequestOptions request;
+  double decay_s = 0.02;
+};
+
+void throwIfInterrupted() {
+  if (interrupted()) throw StreamFault("interrupted");
+}
+
+void watch(Subscription& subscription, LiveView& view) {
+  for (bool ended = false; !ended && !interrupted();) {
+    if (const auto batch = subscription.receive(kPollInterval)) {
+      view.see(*batch);
+      ended = batch->header.kind() == v1::KIND_END;
+    }
+    view.drawIfDue(subscription.losses());
+  }
+}
+
+void runView(ViewOptions options) {
+  if (options.request.thresholds.size() > 1)
+    throw std::invalid_argument("--threshold: a view shows the events of one sensor");
+  watchInterrupt();
+  zmq::context_t context;
+  ControlClient control = connectTo(context, options.request.server);
+  const TerminalScreen screen;
+  if (options.request.size.empty()) {
+    const v1::View view = viewOf(screen.size());
+    options.request.size = std::to_string(view.width()) + "x" + std::to_string(view.height());
+  }
+  screen.showStatus("opening the stream; Ctrl-C ends");
+  StreamHandle stream(control, makeOpenStream(options.request));
+  const double retry_s = options.request.retry_time_s;
+  Subscription subscription(
+      context, stream,
+      {.retry_time = milliseconds(std::llround(retry_s * 1e3)),
+       .waiting = throwIfInterrupted,
+       .lost = [&screen](const std::string& loss) { screen.showStatus(loss + "; trying again"); }});
+  LiveView view(screen, stream.opened().resolved().view(), options.decay_s);
+  watch(subscription, view);
+}
+
+}  // namespace
+
+void addViewCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("view", "show the events of a stream in the terminal");
+  const auto options = std::make_shared<ViewOptions>();
+  options->request.size.clear();
+  options->request.duration_s = 0;
+  options->request.delivery = "live";
+  command
+      ->add_option("--decay", options->decay_s, "seconds of stream time in which an event fades to a third")
+      ->check(CLI::Range(1e-6, 1e6))
+      ->capture_default_str();
+  addRequestOptions(*command, options->request);
+  command->footer(std::string(kMotionHelp) +
+                  "\n\nWithout --size the image has the terminal's size, two pixels in each letter.\n"
+                  "The terminal must show 24-bit colours, as most do.\n\n"
+                  "Example: saccade view cornell-box --motion orbit");
+  command->callback([options] { runView(*options); });
+}
+
+}  // namespace saccade::client
