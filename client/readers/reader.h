@@ -37,6 +37,7 @@ struct ReaderInfo {
   std::unique_ptr<Reader> (*make)(const std::string& path);
 };
 
+extern const ReaderInfo kRawReader;
 extern const ReaderInfo kCsvReader, kTxtReader;
 
 // All formats that can be read.

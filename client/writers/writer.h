@@ -17,6 +17,7 @@ class Writer {
   virtual ~Writer() = default;
   // Adds a batch, and says that no event before `until_ns` will follow. Batches come in time order, and their
   // events lie within the image. If this throws, readers find the earlier batches and no part of this one.
+  // Throws std::range_error if the format cannot hold a time.
   virtual void write(const Events& events, std::int64_t until_ns) = 0;
   virtual void finish() = 0;  // the last call: the file is complete and closed
 };
@@ -32,6 +33,7 @@ struct WriterInfo {
   bool pipe = false;  // whether `path` may be kStandardOutput
 };
 
+extern const WriterInfo kEvt3Writer, kEvt2Writer;
 extern const WriterInfo kCsvWriter, kTxtWriter;
 
 // All file formats. The first of an extension is the one that it stands for.

@@ -16,7 +16,7 @@ const WriterInfo* find(const char* WriterInfo::*key, const std::string& value) {
 }  // namespace
 
 const std::vector<const WriterInfo*>& writerTable() {
-  static const std::vector<const WriterInfo*> table{&kCsvWriter, &kTxtWriter};
+  static const std::vector<const WriterInfo*> table{&kEvt3Writer, &kEvt2Writer, &kCsvWriter, &kTxtWriter};
   return table;
 }
 

@@ -1,14 +1,13 @@
 #include "client/recorder.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "file_size_limit.h"
 #include "scratch_folder.h"
 
 namespace saccade::client {
@@ -177,24 +176,6 @@ TEST_F(RecorderTest, AFolderThatIsNotThereIsNamed) {
     EXPECT_NE(std::string(error.what()).find("none/a.csv"), std::string::npos);
   }
 }
-
-// As on a full disk, no file gets longer than this while it lives.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_before_);
-  }
-
- private:
-  rlimit before_;
-  void (*signal_before_)(int) = std::signal(SIGXFSZ, SIG_IGN);
-};
 
 TEST_F(RecorderTest, AFullDiskLeavesWholeLinesAndAsManyAsAreTold) {
   Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(1));
