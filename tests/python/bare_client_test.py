@@ -12,7 +12,7 @@ ROOT, SACCADED, PROTOC = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 MISSING = [name for name in ("zmq", "numpy", "google") if importlib.util.find_spec(name) is None]
 
 
-class RecordPy(unittest.TestCase):
+class BareClient(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -37,7 +37,7 @@ class RecordPy(unittest.TestCase):
         return next(filter(None, (re.search(pattern, line) for line in self.server.stdout)))
 
     def record(self, *keys, timeout=120):
-        return subprocess.run([sys.executable, str(ROOT / "client/python/record.py"), *self.ports, *keys],
+        return subprocess.run([sys.executable, str(ROOT / "client/python/examples/bare_client.py"), *self.ports, *keys],
                               env={**os.environ, "PYTHONPATH": str(self.folder)}, capture_output=True, text=True,
                               timeout=timeout, check=False)
 

@@ -1,8 +1,8 @@
-"""Records a short stream of events and prints them: a whole client of saccaded, to copy and change.
+"""A whole client without the package saccade, to see the protocol or to port it: records a short stream and prints it.
 
 Once:  pip install pyzmq numpy protobuf
        protoc --python_out=. -I proto proto/saccade/v1/*.proto
-Then:  PYTHONPATH=. python3 client/python/record.py [CONTROL_PORT DATA_PORT [SECRET_KEY_FILE SERVER_PUBLIC_KEY_FILE]]
+Then:  PYTHONPATH=. python3 bare_client.py [CONTROL_PORT DATA_PORT [SECRET_KEY_FILE SERVER_PUBLIC_KEY_FILE]]
 """
 import sys
 
