@@ -1,0 +1,28 @@
+"""Streams of simulated events as numpy arrays, from a server `saccaded`, and readers of files of events.
+
+    import saccade
+
+    with saccade.connect() as client:
+        with client.open(scene="cornell-box", motion="right", size=(160, 120), rate_hz=500, duration_s=0.1) as stream:
+            for events in stream:
+                print(events.t0, len(events), events.p.sum())
+"""
+from saccade.client import Client, Stream, connect
+from saccade.errors import (FormatError, InvalidArgument, LimitExceeded, NoAnswer, NotFound, PacketFault,
+                            PermissionDenied, Refused, SaccadeError, StreamFault, StreamRefused, Unavailable,
+                            Unimplemented)
+from saccade.events import Events, concatenate
+from saccade.protocol.columns import Snapshot
+from saccade.protocol.retry import RetryPolicy
+from saccade.protocol.sequence import Losses
+from saccade.protocol.stream_state import Picture
+from saccade.readers import open_file, read
+from saccade.settings import Settings
+from saccade.windowing import windows
+
+__all__ = [
+    "Client", "Events", "FormatError", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer", "NotFound",
+    "PacketFault", "PermissionDenied", "Picture", "Refused", "RetryPolicy", "SaccadeError", "Settings", "Snapshot",
+    "Stream", "StreamFault", "StreamRefused", "Unavailable", "Unimplemented", "concatenate", "connect", "open_file",
+    "read", "windows",
+]

@@ -1,0 +1,82 @@
+"""The client for asyncio: saccade.aio.connect() is saccade.connect(), and everything that waits is awaited."""
+from __future__ import annotations
+
+from types import TracebackType
+from typing import TYPE_CHECKING
+
+from saccade.events import Events
+from saccade.protocol import session
+from saccade.protocol.network import AsyncNetwork
+from saccade.protocol.retry import RetryPolicy
+from saccade.protocol.sockets import Key
+from saccade.protocol.stream_state import Picture, StreamState
+from saccade.settings import Settings
+from saccade.v1 import control_pb2
+
+if TYPE_CHECKING:
+    from typing_extensions import Self, Unpack
+
+
+def connect(address: str | None = None, *, secret_key: Key | None = None, server_key: Key | None = None,
+            retry: RetryPolicy = RetryPolicy()) -> Client:
+    """As saccade.connect(). A client and its streams belong to one event loop; one task at a time calls a client."""
+    return Client(address, secret_key, server_key, retry)
+
+
+class Client:
+    """As saccade.Client, and an asynchronous context manager."""
+
+    def __init__(self, address: str | None, secret_key: Key | None, server_key: Key | None, retry: RetryPolicy) -> None:
+        self._control = session.make_control(AsyncNetwork(), address, secret_key, server_key)
+        self._retry = retry
+
+    async def scenes(self) -> list[control_pb2.SceneInfo]:
+        return await session.scenes(self._control)
+
+    async def info(self) -> control_pb2.ServerDescription:
+        return await session.info(self._control)
+
+    async def open(self, **settings: Unpack[Settings]) -> Stream:
+        return Stream(await session.open_subscription(self._control, settings, self._retry))
+
+    async def open_request(self, request: control_pb2.OpenStream) -> Stream:
+        return Stream(await session.open_subscription(self._control, request, self._retry))
+
+    def close(self) -> None:
+        self._control.close()
+
+    async def __aenter__(self) -> Self:
+        return self
+
+    async def __aexit__(self, kind: type[BaseException] | None, fault: BaseException | None,
+                        trace: TracebackType | None) -> None:
+        self.close()
+
+
+class Stream(StreamState):
+    """As saccade.Stream, for `async for` and `async with`."""
+
+    def __aiter__(self) -> Self:
+        return self
+
+    async def __anext__(self) -> Events:
+        events = await self._next_events()
+        if events is None:
+            raise StopAsyncIteration
+        return events
+
+    async def picture(self) -> Picture:
+        return await self._take_picture()
+
+    async def stop(self) -> None:
+        await self._subscription.handle.close()
+
+    async def close(self) -> None:
+        await self._close_all()
+
+    async def __aenter__(self) -> Self:
+        return self
+
+    async def __aexit__(self, kind: type[BaseException] | None, fault: BaseException | None,
+                        trace: TracebackType | None) -> None:
+        await self.close()

@@ -1,0 +1,112 @@
+"""The blocking client. A client and its streams belong to one thread."""
+from __future__ import annotations
+
+from types import TracebackType
+from typing import TYPE_CHECKING
+
+from saccade.events import Events
+from saccade.protocol import session
+from saccade.protocol.network import BlockingNetwork, run
+from saccade.protocol.retry import RetryPolicy
+from saccade.protocol.sockets import Key
+from saccade.protocol.stream_state import Picture, StreamState
+from saccade.settings import Settings
+from saccade.v1 import control_pb2
+
+if TYPE_CHECKING:
+    from typing_extensions import Self, Unpack
+
+
+def connect(address: str | None = None, *, secret_key: Key | None = None, server_key: Key | None = None,
+            retry: RetryPolicy = RetryPolicy()) -> Client:
+    """A client of the server with its control socket at `address`. Does not wait for it.
+
+    address: by default $SACCADE_SERVER, or else tcp://127.0.0.1:5770.
+    secret_key, server_key: for a server with keys. Files of your secret key and of the server's public key, as
+        `saccade keygen` writes them, or the keys as bytes. By default $SACCADE_CLIENT_KEY and $SACCADE_SERVER_KEY.
+    retry: how long streams try to go on after a loss.
+    Raises ValueError for a malformed address or key, and OSError for a key file that cannot be read.
+    """
+    return Client(address, secret_key, server_key, retry)
+
+
+class Client:
+    """Asks a server and opens streams. Made by saccade.connect(); a context manager that closes the connection.
+
+    Its calls raise saccade.NoAnswer where no server answers within 3 s, and saccade.Refused.
+    """
+
+    def __init__(self, address: str | None, secret_key: Key | None, server_key: Key | None, retry: RetryPolicy) -> None:
+        self._control = session.make_control(BlockingNetwork(), address, secret_key, server_key)
+        self._retry = retry
+
+    def scenes(self) -> list[control_pb2.SceneInfo]:
+        """The scenes of the server, with name, description, trajectories, and why one is unavailable."""
+        return run(session.scenes(self._control))
+
+    def info(self) -> control_pb2.ServerDescription:
+        """Version, limits, methods with their parameters, and scene features of the server."""
+        return run(session.info(self._control))
+
+    def open(self, **settings: Unpack[Settings]) -> Stream:
+        """Opens a stream; saccade.Settings describes the settings. Waits until the scene is loaded.
+
+        Raises TypeError or ValueError for a setting that cannot be, and InvalidArgument, NotFound, LimitExceeded or
+        another Refused where the server does not take the request.
+        """
+        return Stream(run(session.open_subscription(self._control, settings, self._retry)))
+
+    def open_request(self, request: control_pb2.OpenStream) -> Stream:
+        """Opens a stream by its message, such as the `resolved` of an earlier stream, which gives equal events."""
+        return Stream(run(session.open_subscription(self._control, request, self._retry)))
+
+    def close(self) -> None:
+        self._control.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, fault: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()
+
+
+class Stream(StreamState):
+    """An iterator over the events of all sensors, packet by packet, and a context manager that closes the stream.
+
+    Each Events covers its interval, up to 5 ms, and may be empty: nothing happened then. The Events of one sensor
+    follow each other without gaps, except for lost packets of LIVE and BROADCAST. Iteration ends after the last
+    frame. It reconnects after a loss by itself, and logs that as "saccade". It raises StreamFault if the stream cannot
+    go on.
+
+    suppressed: events that the sensors have withheld so far.
+    snapshots: by sensor, the pixels where the events begin; only of streams that joined a running feed.
+    """
+
+    def __iter__(self) -> Self:
+        return self
+
+    def __next__(self) -> Events:
+        events = run(self._next_events())
+        if events is None:
+            raise StopIteration
+        return events
+
+    def picture(self) -> Picture:
+        """The newest frame. Raises Unavailable before the first one."""
+        return run(self._take_picture())
+
+    def stop(self) -> None:
+        """Ends the stream at its next frame. Iteration still gives the events up to there."""
+        run(self._subscription.handle.close())
+
+    def close(self) -> None:
+        """Ends the stream and its connection."""
+        run(self._close_all())
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, fault: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()

@@ -1,0 +1,99 @@
+"""The exceptions of the package. All of them are SaccadeError."""
+from __future__ import annotations
+
+from saccade.v1 import control_pb2
+
+
+class SaccadeError(Exception):
+    """Base of all exceptions of this package."""
+
+
+class NoAnswer(SaccadeError, TimeoutError):
+    """The server did not answer in time. `endpoint` is the address that was asked."""
+
+    def __init__(self, endpoint: str) -> None:
+        super().__init__(f"no saccaded answers at {endpoint}: is it running, is this its control port, "
+                         "and does it want keys?")
+        self.endpoint = endpoint
+
+
+class Refused(SaccadeError):
+    """The server refused a request.
+
+    field: path of the faulty field, such as "sensors[1].threshold"; empty if no field is at fault.
+    message: the fault, and the values that are valid.
+    limit: name of the exceeded limit of the server; empty if none.
+    retry_after_s: seconds after which to try again; 0 if this would not help.
+    """
+
+    def __init__(self, status: control_pb2.Status) -> None:
+        text = f"{status.field}: {status.message}" if status.field else status.message
+        hint = f" (try again in {status.retry_after_s:g} s)" if status.retry_after_s > 0 else ""
+        super().__init__(text + hint)
+        self.code = control_pb2.Code.Name(status.code)
+        self.field = status.field
+        self.message = status.message
+        self.limit = status.limit
+        self.retry_after_s = status.retry_after_s
+
+
+class InvalidArgument(Refused, ValueError):
+    """The request cannot work; `field` names the fault."""
+
+
+class NotFound(Refused, LookupError):
+    """The server has no such scene, trajectory or stream."""
+
+
+class Unavailable(Refused):
+    """The scene cannot be opened there, a table is missing, or the server is stopping."""
+
+
+class PermissionDenied(Refused, PermissionError):
+    """The token is not that of the stream."""
+
+
+class LimitExceeded(Refused):
+    """The request exceeds a limit of the server: see `limit` and `retry_after_s`."""
+
+
+class Unimplemented(Refused, NotImplementedError):
+    """The server does not know the call, or the version of the protocol."""
+
+
+_BY_CODE = {
+    control_pb2.CODE_INVALID_ARGUMENT: InvalidArgument,
+    control_pb2.CODE_NOT_FOUND: NotFound,
+    control_pb2.CODE_UNAVAILABLE: Unavailable,
+    control_pb2.CODE_PERMISSION_DENIED: PermissionDenied,
+    control_pb2.CODE_RESOURCE_EXHAUSTED: LimitExceeded,
+    control_pb2.CODE_UNIMPLEMENTED: Unimplemented,
+}
+
+
+def refusal(status: control_pb2.Status) -> Refused:
+    """The exception for the status of a refused request."""
+    return _BY_CODE.get(status.code, Refused)(status)
+
+
+class StreamFault(SaccadeError):
+    """The stream cannot go on."""
+
+
+class PacketFault(StreamFault):
+    """A packet fails its checks and must not be used."""
+
+
+class StreamRefused(StreamFault):
+    """The server sent an error on the data socket.
+
+    names_stream: False if only this connection is at fault, and the stream itself may be sound.
+    """
+
+    def __init__(self, message: str, names_stream: bool) -> None:
+        super().__init__(message)
+        self.names_stream = names_stream
+
+
+class FormatError(SaccadeError, ValueError):
+    """A file does not hold events in the format that its extension names."""

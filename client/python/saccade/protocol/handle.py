@@ -1,0 +1,83 @@
+"""A stream that this client has opened."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from saccade.protocol.connection import BroadcastConnection, Connection
+from saccade.protocol.control import DEADLINE_S, Control
+from saccade.protocol.sockets import reachable_endpoint
+from saccade.v1 import control_pb2
+
+OPEN_DEADLINE_S = 600.0  # a large scene takes long to load
+
+
+class StreamHandle:
+    def __init__(self, control: Control) -> None:
+        self.control = control
+        self.opened = control_pb2.StreamOpened()
+        self.closed = False
+        self._server = control_pb2.ServerDescription()
+
+    @classmethod
+    async def open(cls, control: Control, request: control_pb2.OpenStream) -> StreamHandle:
+        """Raises NoAnswer or Refused."""
+        handle = cls(control)
+        await handle._open(request, OPEN_DEADLINE_S)
+        return handle
+
+    @property
+    def broadcast(self) -> bool:
+        return self.opened.resolved.delivery == control_pb2.DELIVERY_BROADCAST
+
+    @property
+    def lossless(self) -> bool:
+        return self.opened.resolved.delivery == control_pb2.DELIVERY_LOSSLESS
+
+    async def reopen(self, from_events: Sequence[int], deadline_s: float) -> None:
+        """Opens the same LOSSLESS request again, on the same server or a restarted one, from these events on.
+
+        Raises as open(), and then changes nothing.
+        """
+        request = control_pb2.OpenStream()
+        request.CopyFrom(self.opened.resolved)
+        for sensor, event in zip(request.sensors, from_events):
+            sensor.from_event = event
+        await self._open(request, deadline_s)
+
+    async def _open(self, request: control_pb2.OpenStream, deadline_s: float) -> None:
+        # server_info first, with a short deadline: the long one is for a server that is there.
+        info = control_pb2.Request(server_info=control_pb2.ServerInfo())
+        self._server = (await self.control.call(info, DEADLINE_S)).server_info
+        if self.opened.stream_id:
+            await self._tell_close()
+        self.opened = (await self.control.call(control_pb2.Request(open_stream=request), deadline_s)).open_stream
+
+    async def connect(self, from_seqs: Sequence[int]) -> Connection | BroadcastConnection:
+        """Connects to the stream as its delivery demands."""
+        network, endpoint, keys = self.control.network, self.control.endpoint, self.control.keys
+        if self.broadcast:
+            address = reachable_endpoint(self._server.broadcast_endpoint, endpoint)
+            return BroadcastConnection(network, address, keys, self.opened.topics)
+        address = reachable_endpoint(self._server.data_endpoint, endpoint)
+        return await Connection.attach(network, address, keys, self.opened, from_seqs)
+
+    async def info(self) -> control_pb2.StreamInfo | None:
+        """None if the server no longer has the stream."""
+        reply = await self.control.call(control_pb2.Request(list_streams=control_pb2.ListStreams()))
+        streams = reply.list_streams.streams
+        return next((stream for stream in streams if stream.stream_id == self.opened.stream_id), None)
+
+    async def picture(self) -> control_pb2.FramePicture:
+        """The newest frame."""
+        frame = control_pb2.GetFrame(stream_id=self.opened.stream_id, token=self.opened.token)
+        return (await self.control.call(control_pb2.Request(get_frame=frame))).get_frame
+
+    async def close(self) -> None:
+        """Ends the stream at its next frame: the packets up to there still come, and then END. Does not wait."""
+        if not self.closed:
+            self.closed = True
+            await self._tell_close()
+
+    async def _tell_close(self) -> None:
+        close = control_pb2.CloseStream(stream_id=self.opened.stream_id, token=self.opened.token)
+        await self.control.tell(control_pb2.Request(close_stream=close))

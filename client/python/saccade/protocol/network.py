@@ -1,0 +1,93 @@
+"""The two networks: sockets that block, and sockets of asyncio."""
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Coroutine
+from typing import Any, Protocol, TypeVar
+
+import zmq
+import zmq.asyncio
+
+from saccade.protocol.sockets import Keys, configure
+
+T = TypeVar("T")
+
+
+class Channel(Protocol):
+    """A connected socket."""
+
+    async def send(self, message: bytes) -> None: ...
+
+    async def receive(self, timeout_s: float) -> list[bytes] | None:
+        """The parts of the next message; None after the timeout."""
+
+    def close(self, linger_s: float = 0) -> None:
+        """Closes the socket. Messages that were just sent have `linger_s` seconds to leave."""
+
+
+class Network(Protocol):
+    def connect(self, kind: int, endpoint: str, keys: Keys | None, topics: tuple[str, ...] = ()) -> Channel:
+        """Raises ValueError for a malformed endpoint or key."""
+
+    async def sleep(self, seconds: float) -> None: ...
+
+
+def run(coroutine: Coroutine[Any, Any, T]) -> T:
+    """The result of a coroutine over BlockingNetwork, which never suspends."""
+    try:
+        coroutine.send(None)
+    except StopIteration as stop:
+        result: T = stop.value
+        return result
+    raise RuntimeError("a coroutine over a blocking network has suspended")
+
+
+class BlockingChannel:
+    def __init__(self, socket: zmq.Socket[bytes]) -> None:
+        self._socket = socket
+
+    async def send(self, message: bytes) -> None:
+        self._socket.send(message)
+
+    async def receive(self, timeout_s: float) -> list[bytes] | None:
+        # Copied into bytes: numpy then finds the columns aligned, which they are not within a message of ZeroMQ.
+        return self._socket.recv_multipart() if self._socket.poll(_milliseconds(timeout_s)) else None
+
+    def close(self, linger_s: float = 0) -> None:
+        self._socket.close(linger=_milliseconds(linger_s))
+
+
+class BlockingNetwork:
+    def connect(self, kind: int, endpoint: str, keys: Keys | None, topics: tuple[str, ...] = ()) -> BlockingChannel:
+        return BlockingChannel(configure(zmq.Context.instance().socket(kind), endpoint, keys, topics))
+
+    async def sleep(self, seconds: float) -> None:
+        time.sleep(seconds)
+
+
+class AsyncChannel:
+    def __init__(self, socket: zmq.asyncio.Socket) -> None:
+        self._socket = socket
+
+    async def send(self, message: bytes) -> None:
+        await self._socket.send(message)
+
+    async def receive(self, timeout_s: float) -> list[bytes] | None:
+        ready = await self._socket.poll(_milliseconds(timeout_s))
+        return await self._socket.recv_multipart() if ready else None
+
+    def close(self, linger_s: float = 0) -> None:
+        self._socket.close(linger=_milliseconds(linger_s))
+
+
+class AsyncNetwork:
+    def connect(self, kind: int, endpoint: str, keys: Keys | None, topics: tuple[str, ...] = ()) -> AsyncChannel:
+        return AsyncChannel(configure(zmq.asyncio.Context.instance().socket(kind), endpoint, keys, topics))
+
+    async def sleep(self, seconds: float) -> None:
+        await asyncio.sleep(seconds)
+
+
+def _milliseconds(seconds: float) -> int:
+    return max(0, round(seconds * 1000))

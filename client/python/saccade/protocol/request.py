@@ -1,0 +1,77 @@
+"""Makes the OpenStream message from the settings of a stream."""
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping
+from typing import Any
+
+from google.protobuf.internal.enum_type_wrapper import EnumTypeWrapper
+
+from saccade.protocol.trajectory import make_trajectory
+from saccade.settings import Settings
+from saccade.v1 import control_pb2 as c
+from saccade.v1 import events_pb2
+
+PER_SENSOR = ("threshold", "threshold_off", "bias", "refractory_s", "cutoff_hz")
+OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame")
+OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
+
+
+def make_request(settings: Settings) -> c.OpenStream:
+    """Raises TypeError for an unknown or missing setting, and ValueError or OSError for a faulty one.
+
+    The server checks ranges: it answers with saccade.InvalidArgument.
+    """
+    _check_names(settings)
+    s: Mapping[str, Any] = settings
+    width, height = s["size"]
+    return c.OpenStream(
+        scene=s["scene"],
+        view=c.View(width=width, height=height, **_some(s, "fov_x_deg")),
+        trajectory=make_trajectory(s),
+        timing=c.Timing(frame_rate_hz=s["rate_hz"], clock=_value(c.Clock, s, "clock"),
+                        **_some(s, "duration_s", "speed")),
+        method=c.Method(name=s.get("method", ""), **_some(s, "spp", "params")),
+        quality=c.Quality(disabled_features=s.get("disable", ()), **_some(s, *OF_QUALITY)),
+        sensors=_sensors(s),
+        delivery=_value(c.Delivery, s, "delivery"),
+        codec=_value(events_pb2.Codec, s, "codec"),
+        **_some(s, "seed"))
+
+
+def _check_names(settings: Mapping[str, Any]) -> None:
+    known = Settings.__required_keys__ | Settings.__optional_keys__
+    for name in settings.keys() - known:
+        near = difflib.get_close_matches(name, known, 1)
+        raise TypeError(f"a stream has no setting '{name}'" + (f"; did you mean '{near[0]}'?" if near else ""))
+    for name in sorted(Settings.__required_keys__ - settings.keys()):
+        raise TypeError(f"the setting '{name}' is missing")
+
+
+def _some(settings: Mapping[str, Any], *names: str) -> dict[str, Any]:
+    return {name: settings[name] for name in names if name in settings}
+
+
+def _value(enum: EnumTypeWrapper, settings: Mapping[str, Any], name: str) -> Any:
+    """The enum's value for a text such as "paced"; 0, unspecified, where the setting is absent."""
+    if name not in settings:
+        return 0
+    prefix = enum.Name(0).removesuffix("UNSPECIFIED")
+    known = {key.removeprefix(prefix).lower(): value for key, value in enum.items() if value != 0}
+    if settings[name] not in known:
+        raise ValueError(f"{name}: '{settings[name]}' is not one of {', '.join(known)}")
+    return known[settings[name]]
+
+
+def _sensors(settings: Mapping[str, Any]) -> list[c.Sensor]:
+    columns = {name: settings[name] for name in PER_SENSOR if name in settings}
+    lists = {name: list(value) for name, value in columns.items() if hasattr(value, "__len__")}
+    count = max((len(values) for values in lists.values()), default=1)
+    for name, values in lists.items():
+        if len(values) != count:
+            raise ValueError(f"{name} has {len(values)} values for {count} sensors")
+    common = _some(settings, *OF_ALL_SENSORS)
+    common["model"] = _value(c.EventModel, settings, "model")
+    common["reconstruction"] = _value(c.Reconstruction, settings, "reconstruction")
+    return [c.Sensor(**common, **{name: lists[name][i] if name in lists else value for name, value in columns.items()})
+            for i in range(count)]

@@ -1,0 +1,70 @@
+"""Options, keys and endpoints of the client's sockets."""
+from __future__ import annotations
+
+import os
+import pathlib
+from typing import Any, NamedTuple, TypeVar, Union
+
+import zmq
+
+MOST_WAITING = 20_000  # packets
+Key = Union[str, "os.PathLike[str]", bytes]
+S = TypeVar("S", bound="zmq.Socket[Any]")
+
+
+class Keys(NamedTuple):
+    """CURVE keys, 40 bytes each."""
+
+    secret: bytes  # the client's own
+    server_public: bytes
+
+
+def read_keys(secret_key: Key | None, server_key: Key | None) -> Keys | None:
+    """Keys from files that `saccade keygen` writes, or from bytes.
+
+    Raises ValueError if only one is given or one is no key, and OSError for a file that cannot be read.
+    """
+    if secret_key is None and server_key is None:
+        return None
+    if secret_key is None or server_key is None:
+        raise ValueError("give both secret_key and server_key, or neither")
+    return Keys(_read_key(secret_key), _read_key(server_key))
+
+
+def _read_key(key: Key) -> bytes:
+    text = key if isinstance(key, bytes) else pathlib.Path(key).read_bytes()
+    if len(text.strip()) != 40:
+        raise ValueError(f"{'the key' if isinstance(key, bytes) else key} is not a key: it has 40 characters")
+    return text.strip()
+
+
+def configure(socket: S, endpoint: str, keys: Keys | None, topics: tuple[str, ...]) -> S:
+    """Sets the options of a DEALER or SUB socket, and connects it. It sends heartbeats to detect a lost peer."""
+    socket.setsockopt(zmq.LINGER, 0)
+    # Credit bounds the queue of a DEALER. Heartbeats cut off a SUB with a full queue, and libzmq 4.3 may then end the
+    # program (its issue 3937). So the queue of a SUB holds most of a minute.
+    socket.setsockopt(zmq.RCVHWM, MOST_WAITING if topics else 0)
+    socket.setsockopt(zmq.HEARTBEAT_IVL, 2000)
+    socket.setsockopt(zmq.HEARTBEAT_TIMEOUT, 6000)
+    for topic in topics:
+        socket.setsockopt(zmq.SUBSCRIBE, topic.encode())
+    try:
+        if keys:
+            socket.setsockopt(zmq.CURVE_SERVERKEY, keys.server_public)
+            socket.setsockopt(zmq.CURVE_SECRETKEY, keys.secret)
+            socket.setsockopt(zmq.CURVE_PUBLICKEY, zmq.curve_public(keys.secret))
+        socket.connect(endpoint)
+    except zmq.ZMQError as fault:
+        socket.close()
+        what = "is not an endpoint such as tcp://127.0.0.1:5770, or a key is malformed"
+        raise ValueError(f"'{endpoint}' {what}") from fault
+    return socket
+
+
+def reachable_endpoint(announced: str, control_endpoint: str) -> str:
+    """An endpoint that the server announced, with the host of the control endpoint in place of a wildcard."""
+    scheme, _, address = announced.partition("://")
+    host, _, port = address.rpartition(":")
+    if scheme != "tcp" or host not in {"*", "0.0.0.0", "[::]"} or not control_endpoint.startswith("tcp://"):
+        return announced
+    return f"{control_endpoint.rpartition(':')[0]}:{port}"

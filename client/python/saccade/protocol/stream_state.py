@@ -1,0 +1,86 @@
+"""A stream as coroutines: what its blocking and its asyncio form share."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from saccade.errors import StreamFault
+from saccade.events import Events
+from saccade.protocol.columns import NS_PER_US, Snapshot
+from saccade.protocol.sequence import Losses
+from saccade.protocol.subscription import Subscription, end_text
+from saccade.v1 import control_pb2, events_pb2
+
+
+@dataclass(frozen=True)
+class Picture:
+    """The newest frame of a stream; float32 (height, width), row by row from the top.
+
+    luminance: Rec. 709, in the units of the scene's lights, at the microsecond t1.
+    brightness_change: of log brightness from t0 to t1.
+    """
+
+    t0: int
+    t1: int
+    luminance: NDArray[np.float32]
+    brightness_change: NDArray[np.float32]
+
+
+class StreamState:
+    """What a stream knows besides its events; the base of saccade.Stream and saccade.aio.Stream."""
+
+    def __init__(self, subscription: Subscription) -> None:
+        self._subscription = subscription
+        self.suppressed = 0
+        self.snapshots: dict[int, Snapshot] = {}
+
+    @property
+    def opened(self) -> control_pb2.StreamOpened:
+        """The server's reply: ids, number of frames, speed of the picture, what was chosen for a budget."""
+        return self._subscription.handle.opened
+
+    @property
+    def resolved(self) -> control_pb2.OpenStream:
+        """The request with all defaults filled in."""
+        return self.opened.resolved
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in pixels."""
+        return self.resolved.view.width, self.resolved.view.height
+
+    @property
+    def losses(self) -> Losses:
+        """Packets of a LIVE or BROADCAST stream that were lost so far."""
+        return self._subscription.sequence.losses
+
+    async def _next_events(self) -> Events | None:
+        """The next Events of any sensor; None after the end of all of them. Raises StreamFault if it came early."""
+        while not self._subscription.sequence.all_ended():
+            packet = await self._subscription.receive()
+            self.suppressed += packet.header.suppressed
+            if isinstance(packet.content, Snapshot):
+                self.snapshots[packet.header.sensor] = packet.content
+            elif packet.content is not None:
+                return packet.content
+            elif self._subscription.sequence.all_ended():
+                self._check_whole(packet.header)
+        return None
+
+    def _check_whole(self, end: events_pb2.PacketHeader) -> None:
+        frames = self._subscription.sequence.end_ns() * 1e-9 * self.resolved.timing.frame_rate_hz
+        if 0 < self.opened.frames - 0.5 > frames and not self._subscription.handle.closed:
+            raise StreamFault(end_text(end))
+
+    async def _take_picture(self) -> Picture:
+        frame = await self._subscription.handle.picture()
+        planes = (np.frombuffer(plane, "<f4").reshape(frame.height, frame.width)
+                  for plane in (frame.intensity, frame.brightness_change))
+        return Picture(frame.t0_ns // NS_PER_US, frame.t1_ns // NS_PER_US, *planes)
+
+    async def _close_all(self) -> None:
+        self._subscription.close()
+        await self._subscription.handle.close()
+        self._subscription.handle.control.close()

@@ -1,0 +1,59 @@
+"""Makes the Trajectory message from the settings `trajectory` and `motion`."""
+from __future__ import annotations
+
+import os
+import pathlib
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from saccade.v1 import control_pb2 as c
+
+
+def make_trajectory(settings: Mapping[str, Any]) -> c.Trajectory:
+    """Raises ValueError for a faulty one, TypeError for none or two, and OSError for a file that cannot be read."""
+    if ("trajectory" in settings) == ("motion" in settings):
+        raise TypeError("give either trajectory or motion")
+    moving = ":" in settings.get("motion", "")
+    for name in ("turn_s", "motion_seed"):
+        if name in settings and not moving:
+            raise TypeError(f"{name} goes with a motion KIND:SPEED, such as 'pan:-15'")
+    if moving:
+        return c.Trajectory(motion=_motion(settings))
+    if "motion" in settings:
+        return c.Trajectory(name=settings["motion"])
+    path = settings["trajectory"]
+    if not isinstance(path, (str, os.PathLike)):
+        return c.Trajectory(keyframes=_keyframes(np.asarray(path, np.float64)))
+    if isinstance(path, str) and not path.endswith((".csv", ".txt")):
+        return c.Trajectory(name=path)
+    return c.Trajectory(csv=pathlib.Path(path).read_text(encoding="utf-8"))
+
+
+def _motion(settings: Mapping[str, Any]) -> c.Motion:
+    kind, _, speed = settings["motion"].partition(":")
+    prefix = "MOTION_KIND_"
+    known = {name.removeprefix(prefix).lower(): value for name, value in c.MotionKind.items() if value != 0}
+    if kind not in known:
+        raise ValueError(f"motion: '{kind}' is not one of {', '.join(known)}")
+    motion = c.Motion(kind=known[kind], seed=settings.get("motion_seed", 0))
+    try:
+        if speed.endswith("px"):
+            motion.px_per_frame = float(speed.removesuffix("px"))
+        else:
+            motion.speed = float(speed)
+    except ValueError:
+        raise ValueError(f"motion: '{settings['motion']}' is not KIND:SPEED, such as 'pan:-15'") from None
+    if "turn_s" in settings:
+        motion.turn_s = settings["turn_s"]
+    return motion
+
+
+def _keyframes(poses: NDArray[np.float64]) -> c.Keyframes:
+    if poses.ndim != 2 or poses.shape[1] != 8:
+        raise ValueError(f"trajectory has shape {poses.shape}: poses are (n, 8), t x y z qx qy qz qw")
+    return c.Keyframes(keys=[c.Keyframe(time_s=row[0], position=c.Vector3(x=row[1], y=row[2], z=row[3]),
+                                        rotation=c.Quaternion(x=row[4], y=row[5], z=row[6], w=row[7]))
+                             for row in poses.tolist()])

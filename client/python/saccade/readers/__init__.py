@@ -1,0 +1,75 @@
+"""Reads files of events: one module for each format, and the table of all."""
+from __future__ import annotations
+
+import os
+import pathlib
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from saccade.errors import FormatError
+from saccade.events import Events, concatenate
+from saccade.readers import aedat4, dsec, npz, raw, text
+from saccade.readers.columns import events_of
+
+CHUNK = 1_000_000  # events
+NONE = np.empty(0)
+
+Chunks = Callable[[pathlib.Path, int], Iterator[Events]]
+FORMATS: dict[str, Chunks] = {
+    ".raw": raw.chunks,
+    ".aedat4": aedat4.chunks,
+    ".h5": dsec.chunks,
+    ".npz": npz.chunks,
+    ".csv": text.csv_chunks,
+    ".txt": text.txt_chunks,
+}
+
+
+def open_file(path: str | os.PathLike[str], *, size: tuple[int, int] | None = None,
+              chunk: int = CHUNK) -> Iterator[Events]:
+    """The events of a file, piece by piece, each of about `chunk` events at most. The extension names the format:
+
+    .raw: Prophesee RAW of EVT2 or EVT3. .aedat4: inivation AEDAT 4, which needs lz4 or zstandard if compressed.
+    .h5: HDF5 as DSEC has it, which needs h5py. .npz: numpy arrays t (microseconds), x, y, p.
+    .csv: lines t_us,x,y,p under a heading. .txt: lines t x y p, t in seconds, under a line `width height` or none.
+    size: width and height of the sensor, for files that do not tell them; others must agree.
+
+    Raises FormatError (a ValueError) for an unknown extension, faulty content, a pixel outside the size, and times that
+    run backwards; and OSError.
+    """
+    path = pathlib.Path(path)
+    if path.suffix not in FORMATS:
+        raise FormatError(f"{path}: the extension is not one of {', '.join(FORMATS)}")
+    return _checked(path, FORMATS[path.suffix](path, chunk), size)
+
+
+def read(path: str | os.PathLike[str], *, size: tuple[int, int] | None = None) -> Events:
+    """All events of a file, as open_file() gives them in pieces."""
+    parts = list(open_file(path, size=size))
+    return concatenate(parts) if parts else events_of(NONE, NONE, NONE, NONE, size)
+
+
+def _checked(path: pathlib.Path, chunks: Iterator[Events], size: tuple[int, int] | None) -> Iterator[Events]:
+    newest = None  # time of the last event of the chunk before
+    for events in chunks:
+        if size is not None and events.size not in (None, size):
+            raise FormatError(f"{path}: the size is {events.size}, not {size}")
+        events = replace(events, size=events.size or size)
+        fault = _fault(events, newest)
+        if fault:
+            raise FormatError(f"{path}: {fault}")
+        if len(events):
+            newest = int(events.t[-1])
+            yield events
+
+
+def _fault(events: Events, newest: int | None) -> str:
+    if len(events) == 0:
+        return ""
+    if (events.t[1:] < events.t[:-1]).any() or (newest is not None and events.t[0] < newest):
+        return "times run backwards"
+    if events.size is not None and (events.x.max() >= events.size[0] or events.y.max() >= events.size[1]):
+        return f"a pixel lies outside {events.size[0]}x{events.size[1]}"
+    return ""

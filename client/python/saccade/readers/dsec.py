@@ -1,0 +1,39 @@
+"""HDF5 as the data set DSEC has it: /events/t, x, y, p, and /t_offset, which counts for each t; microseconds."""
+from __future__ import annotations
+
+import pathlib
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from saccade.errors import FormatError
+from saccade.events import Events
+from saccade.readers.columns import events_of
+
+
+def chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
+    import h5py
+    if not h5py.is_hdf5(path):
+        path.open("rb").close()  # an OSError where it cannot be read
+        raise FormatError(f"{path}: not an HDF5 file")
+    with h5py.File(path, "r") as file:
+        names = [f"events/{name}" for name in "txyp"]
+        missing = [name for name in names if name not in file]
+        if missing:
+            raise FormatError(f"{path}: no data set '{missing[0]}', as DSEC has it")
+        columns = [file[name] for name in names]
+        offset = int(file["t_offset"][()]) if "t_offset" in file else 0
+        size = _size(file)
+        for first in range(0, max(len(column) for column in columns), chunk):
+            t, x, y, p = (column[first : first + chunk] for column in columns)
+            yield events_of(t.astype(np.int64) + offset, x, y, p, size)
+
+
+def _size(file: Any) -> tuple[int, int] | None:
+    """As evutils and RVT write it; DSEC itself does not."""
+    if {"width", "height"} <= file.attrs.keys():
+        return int(file.attrs["width"]), int(file.attrs["height"])
+    if {"width", "height"} <= file["events"].keys():
+        return int(file["events/width"][()]), int(file["events/height"][()])
+    return None

@@ -1,0 +1,79 @@
+"""The settings of a stream: the keyword arguments of Client.open()."""
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Literal, TypedDict, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+PerSensor = Union[float, Sequence[float]]
+
+
+class Needed(TypedDict):
+    """What every stream needs.
+
+    scene: one of Client.scenes(). size: width and height in pixels. rate_hz: frames per second of stream time.
+    """
+
+    scene: str
+    size: tuple[int, int]
+    rate_hz: float
+
+
+class Settings(Needed, total=False):
+    """All settings. Unset ones take the server's default; proto/PROTOCOL.md gives defaults, ranges and meaning.
+
+    One of these two says how the camera moves:
+    trajectory: a name from Client.scenes(), the path of a TUM or ESIM file (a Path, or a str that ends in .csv or
+        .txt), or poses, float (n, 8): time in seconds, position x y z, quaternion x y z w of T_world_camera.
+    motion: "KIND:SPEED" such as "pan:-15", "KIND:SPEEDpx" in pixels per frame, or a name such as "right".
+        turn_s: seconds after which it turns back, 0 for never. motion_seed: of the motion shake.
+
+    duration_s: stream time; without it the stream goes on until it is closed.
+    fov_x_deg: horizontal field of view in degrees.
+    clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed.
+    delivery: "lossless" waits for a slow client, "live" drops and counts, "broadcast" loses and shows the gap.
+    codec: "none", or "zstd", which needs the module zstandard.
+
+    Sensors: a sequence stands for one sensor per item, and a single number for all of them.
+    threshold, threshold_off: contrast threshold of ON and OFF events, natural log units.
+    bias: scene luminance. refractory_s: seconds. cutoff_hz: Hz. seed: of the stream.
+    max_events_per_pixel_frame, max_events_per_frame: further events are withheld and counted.
+
+    Rendering: method, spp, params (by name), bounces, jitter, monochrome, bake_error, disable (scene features), or a
+    budget instead: budget_ms, max_false_rate; or max_event_change, a share from 0 to 1.
+    """
+
+    trajectory: str | os.PathLike[str] | NDArray[np.float64]
+    motion: str
+    turn_s: float
+    motion_seed: int
+    duration_s: float
+    fov_x_deg: float
+    clock: Literal["fast", "paced"]
+    speed: float
+    delivery: Literal["lossless", "live", "broadcast"]
+    codec: Literal["none", "zstd"]
+    seed: int
+    threshold: PerSensor
+    threshold_off: PerSensor
+    bias: PerSensor
+    refractory_s: PerSensor
+    cutoff_hz: PerSensor
+    model: Literal["accumulating", "probabilistic"]
+    reconstruction: Literal["direct", "complementary", "kalman"]
+    max_events_per_pixel_frame: int
+    max_events_per_frame: int
+    method: str
+    spp: int
+    params: Mapping[str, float]
+    bounces: int
+    jitter: bool
+    monochrome: bool
+    bake_error: float
+    disable: Sequence[str]
+    budget_ms: float
+    max_false_rate: float
+    max_event_change: float

@@ -1,0 +1,74 @@
+"""Cuts a sequence of Events into windows of fixed duration, or of a fixed number of events."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from typing import Protocol
+
+from saccade.events import Events, concatenate
+
+
+def windows(parts: Iterable[Events], *, duration_us: int | None = None, count: int | None = None) -> Iterator[Events]:
+    """Cuts a stream, the chunks of a file or a list of Events into windows, for each sensor by itself.
+
+    duration_us: windows [t, t + duration_us), one after the other from the start of each sensor on. A window comes as
+    soon as its interval is complete, also if it has no events. The last one may be shorter.
+    count: windows of so many events. The last one may have fewer.
+    Raises ValueError unless exactly one of the two is given, and positive.
+    """
+    if (duration_us is None) == (count is None):
+        raise ValueError("give either duration_us or count")
+    if (duration_us or count or 0) <= 0:
+        raise ValueError("duration_us and count must be positive")
+    if duration_us is not None:
+        return _cut(parts, _OfDuration(duration_us))
+    return _cut(parts, _OfCount(count or 0))
+
+
+class _Cutter(Protocol):
+    def reached(self, held: list[Events]) -> bool:
+        """Whether a window is complete."""
+
+    def split(self, events: Events) -> tuple[Events, Events]:
+        """The window, and the rest."""
+
+
+class _OfDuration:
+    def __init__(self, duration_us: int) -> None:
+        self.duration_us = duration_us
+
+    def reached(self, held: list[Events]) -> bool:
+        return held[-1].t1 - held[0].t0 >= self.duration_us
+
+    def split(self, events: Events) -> tuple[Events, Events]:
+        middle = events.t0 + self.duration_us
+        return events.slice(events.t0, middle), events.slice(middle, events.t1)
+
+
+class _OfCount:
+    def __init__(self, count: int) -> None:
+        self.count = count
+
+    def reached(self, held: list[Events]) -> bool:
+        return sum(map(len, held)) >= self.count
+
+    def split(self, events: Events) -> tuple[Events, Events]:
+        first, rest = events[: self.count], events[self.count :]
+        middle = int(first.t[-1]) + 1
+        after = int(rest.t[0]) if len(rest) else middle  # another event of the same microsecond may follow
+        return replace(first, interval=(events.t0, middle)), replace(rest, interval=(after, events.t1))
+
+
+def _cut(parts: Iterable[Events], cutter: _Cutter) -> Iterator[Events]:
+    held: dict[int, list[Events]] = {}  # by sensor
+    for part in parts:
+        mine = held.setdefault(part.sensor, [])
+        mine.append(part)
+        while cutter.reached(mine):
+            window, rest = cutter.split(concatenate(mine))
+            mine[:] = [rest]
+            yield window
+    for mine in held.values():
+        rest = concatenate(mine)
+        if rest.t1 > rest.t0:
+            yield rest

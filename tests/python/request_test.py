@@ -1,0 +1,90 @@
+"""The message that settings make."""
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+
+from saccade.protocol.request import make_request
+from saccade.protocol.sockets import reachable_endpoint, read_keys
+from saccade.v1 import control_pb2 as c
+from saccade.v1 import events_pb2
+
+NEEDED = {"scene": "room", "size": (6, 4), "rate_hz": 100, "motion": "right"}
+
+
+class Request(unittest.TestCase):
+    def test_what_is_unset_is_left_to_the_server(self):
+        made = make_request(NEEDED)
+        view, timing, path = c.View(width=6, height=4), c.Timing(frame_rate_hz=100), c.Trajectory(name="right")
+        self.assertEqual(made, c.OpenStream(scene="room", view=view, timing=timing, trajectory=path, method=c.Method(),
+                                            quality=c.Quality(), sensors=[c.Sensor()]))
+
+    def test_every_setting_has_its_field(self):
+        made = make_request({**NEEDED, "motion": "shake:-3px", "turn_s": 0, "motion_seed": 9, "duration_s": 2,
+                             "speed": 0.5, "fov_x_deg": 40, "clock": "paced", "delivery": "live", "codec": "zstd",
+                             "seed": 5, "threshold": [0.1, 0.2], "threshold_off": 0.3, "bias": 1e-4,
+                             "refractory_s": 1e-3, "cutoff_hz": 2, "model": "probabilistic", "reconstruction": "direct",
+                             "max_events_per_pixel_frame": 4, "max_events_per_frame": 7, "method": "svgf", "spp": 4,
+                             "params": {"alpha": 0.5}, "bounces": 1, "jitter": True, "monochrome": True,
+                             "bake_error": 0.1, "disable": ["masks"], "budget_ms": 5, "max_false_rate": 0.25,
+                             "max_event_change": 0.5})
+        sensor = dict(threshold_off=0.3, bias=1e-4, refractory_s=1e-3, cutoff_hz=2, model=c.EVENT_MODEL_PROBABILISTIC,
+                      reconstruction=c.RECONSTRUCTION_DIRECT, max_events_per_pixel_frame=4, max_events_per_frame=7)
+        self.assertEqual(made, c.OpenStream(
+            scene="room", view=c.View(width=6, height=4, fov_x_deg=40),
+            trajectory=c.Trajectory(motion=c.Motion(kind=c.MOTION_KIND_SHAKE, px_per_frame=-3, turn_s=0, seed=9)),
+            timing=c.Timing(frame_rate_hz=100, duration_s=2, clock=c.CLOCK_PACED, speed=0.5),
+            method=c.Method(name="svgf", spp=4, params={"alpha": 0.5}),
+            quality=c.Quality(bounces=1, jitter=True, monochrome=True, bake_error=0.1, disabled_features=["masks"],
+                              budget_ms=5, max_false_rate=0.25, max_event_change=0.5),
+            sensors=[c.Sensor(threshold=0.1, **sensor), c.Sensor(threshold=0.2, **sensor)],
+            delivery=c.DELIVERY_LIVE, codec=events_pb2.CODEC_ZSTD, seed=5))
+
+    def test_trajectories(self):
+        def path(trajectory):
+            needed = {name: value for name, value in NEEDED.items() if name != "motion"}
+            return make_request({**needed, "trajectory": trajectory}).trajectory
+        self.assertEqual(path("orbit"), c.Trajectory(name="orbit"))
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "path.csv"
+            file.write_text("0 0 0 0 0 0 0 1\n")
+            self.assertEqual(path(file).csv, "0 0 0 0 0 0 0 1\n")
+            self.assertEqual(path(str(file)), path(file))
+        key = path(np.arange(16).reshape(2, 8)).keyframes.keys[1]
+        self.assertEqual(key, c.Keyframe(time_s=8, position=c.Vector3(x=9, y=10, z=11),
+                                         rotation=c.Quaternion(x=12, y=13, z=14, w=15)))
+        self.assertEqual(make_request({**NEEDED, "motion": "pan:2"}).trajectory.motion.speed, 2)
+
+    def test_faults_are_named(self):
+        faults = [(TypeError, "did you mean 'rate_hz'", {"rate": 5}), (TypeError, "either", {"trajectory": "a"}),
+                  (TypeError, "turn_s goes with", {"turn_s": 1}), (ValueError, "pan, tilt", {"motion": "jump:5"}),
+                  (ValueError, "KIND:SPEED", {"motion": "pan:fast"}),
+                  (ValueError, "lossless, live", {"delivery": "slow"}),
+                  (ValueError, "2 values for 3", {"threshold": [1, 2], "bias": [1, 2, 3]})]
+        for kind, text, wrong in faults:
+            with self.subTest(text), self.assertRaisesRegex(kind, text):
+                make_request({**NEEDED, **wrong})
+        with self.assertRaisesRegex(TypeError, "'size' is missing"):
+            make_request({"scene": "room", "rate_hz": 5})
+        with self.assertRaisesRegex(ValueError, r"\(n, 8\)"):
+            make_request({"scene": "room", "size": (1, 1), "rate_hz": 5, "trajectory": np.zeros((3, 7))})
+
+
+class Sockets(unittest.TestCase):
+    def test_a_wildcard_is_the_host_of_the_control_socket(self):
+        self.assertEqual(reachable_endpoint("tcp://0.0.0.0:5771", "tcp://render7:5770"), "tcp://render7:5771")
+        self.assertEqual(reachable_endpoint("tcp://10.0.0.1:5771", "tcp://render7:5770"), "tcp://10.0.0.1:5771")
+        self.assertEqual(reachable_endpoint("ipc://data", "tcp://render7:5770"), "ipc://data")
+
+    def test_keys_come_in_pairs_of_40_characters(self):
+        key = b"k" * 40
+        self.assertIsNone(read_keys(None, None))
+        self.assertEqual(read_keys(key, key + b"\n"), (key, key))
+        for pair in ((key, None), (None, key), (key, b"short")):
+            with self.assertRaises(ValueError):
+                read_keys(*pair)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,254 @@
+"""Streams whose connection and server come and go as a test says."""
+import asyncio
+import logging
+import unittest
+
+import saccade
+import saccade.aio
+from fake_server import MS, FakeServer, packet, packets_of, payload_of
+from saccade.protocol.connection import CREDIT
+from saccade.v1 import control_pb2, events_pb2
+
+SETTINGS = {"scene": "room", "motion": "right", "size": (346, 260), "rate_hz": 1000, "delivery": "lossless"}
+POLICY = saccade.RetryPolicy(retry_time_s=5, silence_s=0.4)
+
+
+def send_error(server, text, stream=""):
+    server.send([packet(stream, 0, 0, 0, 0, text.encode(), count=0, kind=events_pb2.KIND_ERROR)])
+
+
+class Subscription(unittest.TestCase):
+    def setUp(self):
+        logging.getLogger("saccade").setLevel(logging.ERROR)
+
+    def receive(self, script, policy=POLICY, frames_done=None, **settings):
+        """Times in ms of all events of a stream, and the stream, while the server does `script`."""
+        server = FakeServer(frames_done=frames_done)
+        server.run(script)
+        try:
+            with saccade.connect(server.control.endpoint, retry=policy) as client:
+                with client.open(**{**SETTINGS, **settings}) as stream:
+                    times = [t // 1000 for events in stream for t in events.t.tolist()]
+        finally:
+            server.join()
+        return times, stream
+
+    def expect_whole(self, script, **settings):
+        times, stream = self.receive(script, **settings)
+        self.assertEqual(times, list(range(20)))
+        self.assertEqual(stream.suppressed, 20)
+
+    def test_a_stream_from_its_beginning_to_its_end(self):
+        def script(server):
+            request = server.open("s1")
+            self.assertEqual((request.scene, request.delivery), ("room", control_pb2.DELIVERY_LOSSLESS))
+            attach = server.attached()
+            self.assertEqual((attach.stream_id, attach.token, list(attach.from_seqs)), ("s1", "t", [0]))
+            self.assertEqual(server.data.receive(events_pb2.DataRequest).credit.bytes, CREDIT)
+            server.send(packets_of("s1"))
+            close = server.control.receive(control_pb2.Request).close_stream
+            self.assertEqual((close.stream_id, close.token), ("s1", "t"))
+        self.expect_whole(script)
+
+    def test_used_credit_is_given_back_and_acknowledged(self):
+        n, packets = 32768, 9
+
+        def script(server):
+            server.open("s1")
+            server.attached()
+            server.data.receive(events_pb2.DataRequest)
+            payload = payload_of([0] * n, [0] * n, [0] * n, [0] * n)
+            sent = [packet("s1", i, n * i, i * MS, (i + 1) * MS, payload) for i in range(packets)]
+            server.send(sent)
+            ack, credit = (server.data.receive(events_pb2.DataRequest) for _ in range(2))
+            used = [header.ByteSize() + len(payload) for header, payload in sent]
+            self.assertEqual(ack.ack.seq, 7)
+            self.assertEqual(credit.credit.bytes, sum(used[:8]))
+            end = packets * MS
+            server.send([packet("s1", packets, n * packets, end, end, kind=events_pb2.KIND_END, frame=20)])
+        with self.assertRaisesRegex(saccade.StreamFault, "ended the stream at frame 20"):  # after 9 of 20 frames
+            self.receive(script)
+
+    def test_after_silence_another_connection_goes_on(self):
+        def script(server):
+            server.open("s1")
+            self.assertEqual(list(server.attached().from_seqs), [0])
+            server.send(packets_of("s1")[:2])
+            self.assertEqual(list(server.attached().from_seqs), [2])
+            server.send(packets_of("s1")[1:])  # the first of them was under way already
+        self.expect_whole(script)
+
+    def test_a_server_that_knows_nothing_of_the_connection_is_asked_again(self):
+        def script(server):
+            server.open("s1")
+            server.attached()
+            server.send(packets_of("s1")[:2])
+            send_error(server, "attach to a stream before giving credit")
+            self.assertEqual(list(server.attached().from_seqs), [2])
+            server.send(packets_of("s1")[2:])
+        self.expect_whole(script)
+
+    def test_a_lost_stream_is_opened_again_and_goes_on(self):
+        def script(server):
+            server.open("s1")
+            server.attached()
+            server.send(packets_of("s1")[:2])
+            server.attached()  # and silence: the client asks for the stream, which is unknown
+            self.assertEqual(server.open("s2").sensors[0].from_event, 10)
+            self.assertEqual(server.attached().stream_id, "s2")
+            server.send(packets_of("s2")[2:])
+        self.expect_whole(script)
+
+    def test_a_drained_stream_goes_on_within_its_last_packet(self):
+        def script(server):
+            server.open("s1")
+            server.attached()
+            server.send(packets_of("s1", 8, events_pb2.END_REASON_DRAINING))
+            self.assertEqual(server.open("s2").sensors[0].from_event, 8)
+            server.attached()
+            server.send(packets_of("s2")[1:])  # the packet of 5 to 10 ms comes again, and longer
+        self.expect_whole(script)
+
+    def test_a_stream_that_comes_out_otherwise_is_a_fault(self):
+        def script(server):
+            server.open("s1")
+            server.attached()
+            server.send(packets_of("s1", 8, events_pb2.END_REASON_DRAINING))
+            server.open("s2")
+            server.attached()
+            server.send(packets_of("s2")[3:])
+        with self.assertRaisesRegex(saccade.StreamFault, "resume at event 8, not at 15"):
+            self.receive(script)
+
+    def test_no_retries_where_none_are_wanted(self):
+        def script(server):
+            server.open("s1")
+            server.attached()
+            server.send(packets_of("s1", 8, events_pb2.END_REASON_DRAINING))
+        with self.assertRaisesRegex(saccade.StreamFault, "^the server has stopped and ended the stream at frame 8$"):
+            self.receive(script, saccade.RetryPolicy(retry_time_s=0))
+
+    def test_losses_of_live_are_counted_and_those_of_lossless_are_faults(self):
+        def script(server):
+            server.open("s1")
+            server.attached()
+            server.send(packets_of("s1")[:1] + packets_of("s1")[3:])
+        times, stream = self.receive(script, delivery="live")
+        self.assertEqual(times, [*range(5), *range(15, 20)])
+        self.assertEqual(stream.losses, saccade.Losses(gaps=1, packets=2, events=10))
+        with self.assertRaisesRegex(saccade.StreamFault, "LOSSLESS stream are missing"):
+            self.receive(script)
+
+    def test_losses_of_broadcast_are_counted(self):
+        def script(server):
+            server.open("s1")
+            server.publish(packets_of("s1")[:1] + packets_of("s1")[2:4])
+            server.list_streams(server.control.receive(control_pb2.Request))  # after silence; the socket stays
+            server.publish(packets_of("s1")[4:])
+        times, stream = self.receive(script, delivery="broadcast", frames_done=19)
+        self.assertEqual(times, [*range(5), *range(10, 20)])
+        self.assertEqual(stream.losses, saccade.Losses(gaps=1, packets=1, events=5))
+
+    def test_a_lost_end_of_a_broadcast_is_told(self):
+        def script(server):
+            server.open("s1")
+            server.publish(packets_of("s1")[:3])
+            server.list_streams(server.control.receive(control_pb2.Request))
+        with self.assertRaisesRegex(saccade.StreamFault, "the end of the stream was lost"):
+            self.receive(script, delivery="broadcast", frames_done=20)
+
+    def test_a_faulty_packet_is_never_used(self):
+        def script(server):
+            server.open("s1")
+            server.attached()
+            (header, payload), = packets_of("s1")[:1]
+            server.send([(header, payload[:-1] + b"\2")])
+        with self.assertRaisesRegex(saccade.PacketFault, "crc32"):
+            self.receive(script)
+
+    def test_packets_that_do_not_continue_are_a_fault(self):
+        def script(server):
+            server.open("s1")
+            server.attached()
+            server.send(packets_of("s1")[:1])
+            server.send([packet("s1", 1, 6, 5 * MS, 6 * MS)])
+        with self.assertRaisesRegex(saccade.StreamFault, "does not continue"):
+            self.receive(script)
+
+    def test_an_error_that_repeats_ends_the_stream(self):
+        def script(server):
+            for stream in ("s1", "s2"):
+                server.open(stream)
+                server.attached()
+                send_error(server, "the scene has gone", stream)
+        with self.assertRaisesRegex(saccade.StreamFault, "^the scene has gone$"):
+            self.receive(script)
+
+    def test_the_form_for_asyncio_is_the_same(self):
+        def script(server):
+            server.open("s1")
+            server.attached()
+            server.send(packets_of("s1")[:2])
+            server.attached()
+            server.send(packets_of("s1")[2:])
+
+        async def receive(address):
+            async with saccade.aio.connect(address, retry=POLICY) as client:
+                async with await client.open(**SETTINGS) as stream:
+                    return [t // 1000 async for events in stream for t in events.t.tolist()]
+        server = FakeServer()
+        server.run(script)
+        times = asyncio.run(receive(server.control.endpoint))
+        server.join()
+        self.assertEqual(times, list(range(20)))
+
+
+class Control(unittest.TestCase):
+    def ask(self, script, call):
+        server = FakeServer()
+        server.run(script)
+        try:
+            with saccade.connect(server.control.endpoint) as client:
+                return call(client)
+        finally:
+            server.join()
+
+    def test_a_refusal_carries_what_the_server_says(self):
+        def script(server):
+            request = server.control.receive(control_pb2.Request)
+            status = control_pb2.Status(code=control_pb2.CODE_RESOURCE_EXHAUSTED, message="64 streams are open",
+                                        field="sensors", limit="streams", retry_after_s=2.5)
+            server.control.send(control_pb2.Reply(request_id=request.request_id, status=status).SerializeToString())
+        with self.assertRaises(saccade.LimitExceeded) as caught:
+            self.ask(script, saccade.Client.scenes)
+        refused = caught.exception
+        self.assertEqual((refused.code, refused.field, refused.message, refused.limit, refused.retry_after_s),
+                         ("CODE_RESOURCE_EXHAUSTED", "sensors", "64 streams are open", "streams", 2.5))
+        self.assertEqual(str(refused), "sensors: 64 streams are open (try again in 2.5 s)")
+
+    def test_late_replies_to_other_requests_are_left_out(self):
+        def script(server):
+            request = server.control.receive(control_pb2.Request)
+            server.control.send(control_pb2.Reply(request_id=99).SerializeToString())
+            server.answer(request, server_info=control_pb2.ServerDescription(version="7"))
+        self.assertEqual(self.ask(script, saccade.Client.info).version, "7")
+
+    def test_what_is_no_reply_is_told(self):
+        for parts, text in (((b"a", b"b"), "not a control socket"), ((b"\xff",), "cannot be read")):
+            def script(server, parts=parts):
+                server.control.receive(control_pb2.Request)
+                server.control.send(*parts)
+            with self.subTest(text), self.assertRaisesRegex(saccade.SaccadeError, text):
+                self.ask(script, saccade.Client.info)
+
+    def test_a_silent_server_is_told(self):
+        with self.assertRaisesRegex(saccade.NoAnswer, "no saccaded answers at tcp://127.0.0.1"):
+            self.ask(lambda server: server.control.receive(control_pb2.Request), saccade.Client.info)
+
+    def test_a_malformed_address_is_told(self):
+        with self.assertRaisesRegex(ValueError, "'render7' is not an endpoint"):
+            saccade.connect("render7")
+
+
+if __name__ == "__main__":
+    unittest.main()
