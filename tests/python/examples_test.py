@@ -1,0 +1,56 @@
+"""The examples, run as they are against a real saccaded."""
+import importlib.util
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import saccade
+from saccaded import Server
+
+EXAMPLES = pathlib.Path(os.environ["SOURCE"]) / "client/python/examples"
+
+
+class Examples(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        server = cls.enterClassContext(Server())
+        cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        cls.environment = {**os.environ, "SACCADE_SERVER": server.address, "MPLBACKEND": "Agg",
+                           "MPLCONFIGDIR": str(cls.folder)}
+
+    def run_example(self, name, *arguments):
+        done = subprocess.run([sys.executable, "-B", EXAMPLES / name, *arguments], env=self.environment,
+                              capture_output=True, text=True, timeout=300, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def test_record_a_data_set(self):
+        told = self.run_example("record_dataset.py", self.folder / "set")
+        for motion, threshold, count in re.findall(r"(\S+), threshold (\S+): (\d+) events", told):
+            events = saccade.read(self.folder / f"set/{motion.replace(':', '')}-{threshold}.npz")
+            self.assertEqual((len(events), events.size), (int(count), (64, 48)))
+        self.assertEqual(json.loads((self.folder / "set/pan20.json").read_text())["scene"], "cornell-box")
+        self.assertEqual(len(list((self.folder / "set").iterdir())), 12)
+
+    @unittest.skipUnless(importlib.util.find_spec("torch"), "torch is not installed")
+    def test_train_on_a_live_stream(self):
+        steps = 100 if os.environ.get("SACCADE_FULL") else 10
+        told = self.run_example("train_live.py", str(steps))
+        right = re.findall(r"step \d+: loss \d\.\d+, (\d+) of the last 100 right", told)
+        self.assertEqual(len(right), steps // 10)
+        if steps == 100:
+            self.assertGreater(int(right[-1]), 90)
+
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "matplotlib is not installed")
+    def test_look_at_a_stream(self):
+        self.run_example("view.py", "cornell-box", self.folder / "view.png")
+        self.assertEqual((self.folder / "view.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
