@@ -19,10 +19,10 @@ class DataSet(unittest.TestCase):
     def setUpClass(cls):
         cls.address = cls.enterClassContext(Server()).address
 
-    def load(self, workers, **options):
+    def load(self, workers, requests=MOTIONS, **options):
         from torch.utils.data import DataLoader
         from saccade.dataset import StreamDataset
-        data = StreamDataset(MOTIONS, address=self.address, **options)
+        data = StreamDataset(requests, address=self.address, **options)
         return list(DataLoader(data, batch_size=None, num_workers=workers))
 
     def test_workers_share_the_requests(self):
@@ -41,10 +41,10 @@ class DataSet(unittest.TestCase):
         packets = self.load(0, transform=sample)
         self.assertEqual(sum(count for *_, count in packets), sum(len(columns["t"]) for columns in samples))
 
-    def test_a_refusal_comes_out_of_the_iterator(self):
-        from saccade.dataset import StreamDataset
-        with self.assertRaises(saccade.NotFound):
-            next(iter(StreamDataset([{**MOTIONS[0], "scene": "nowhere"}], address=self.address)))
+    def test_a_refusal_comes_out_of_the_workers(self):
+        for workers in (0, 1):
+            with self.assertRaisesRegex(saccade.NotFound, "no scene is named 'nowhere'"):
+                self.load(workers, [{**MOTIONS[0], "scene": "nowhere"}])
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Streams whose connection and server come and go as a test says."""
 import asyncio
 import logging
+import pickle
 import unittest
 
 import saccade
@@ -225,6 +226,8 @@ class Control(unittest.TestCase):
         self.assertEqual((refused.code, refused.field, refused.message, refused.limit, refused.retry_after_s),
                          ("CODE_RESOURCE_EXHAUSTED", "sensors", "64 streams are open", "streams", 2.5))
         self.assertEqual(str(refused), "sensors: 64 streams are open (try again in 2.5 s)")
+        again = pickle.loads(pickle.dumps(refused))
+        self.assertEqual((type(again), str(again), again.limit), (saccade.LimitExceeded, str(refused), "streams"))
 
     def test_late_replies_to_other_requests_are_left_out(self):
         def script(server):
@@ -242,8 +245,9 @@ class Control(unittest.TestCase):
                 self.ask(script, saccade.Client.info)
 
     def test_a_silent_server_is_told(self):
-        with self.assertRaisesRegex(saccade.NoAnswer, "no saccaded answers at tcp://127.0.0.1"):
+        with self.assertRaisesRegex(saccade.NoAnswer, "no saccaded answers at tcp://127.0.0.1") as caught:
             self.ask(lambda server: server.control.receive(control_pb2.Request), saccade.Client.info)
+        self.assertTrue(caught.exception.endpoint.startswith("tcp://127.0.0.1"))
 
     def test_a_malformed_address_is_told(self):
         with self.assertRaisesRegex(ValueError, "'render7' is not an endpoint"):

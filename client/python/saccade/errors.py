@@ -1,4 +1,7 @@
-"""The exceptions of the package. All of them are SaccadeError."""
+"""The exceptions of the package. All of them are SaccadeError.
+
+Each can be made of its text alone. Libraries that carry exceptions from process to process, such as torch, need that.
+"""
 from __future__ import annotations
 
 from saccade.v1 import control_pb2
@@ -11,30 +14,26 @@ class SaccadeError(Exception):
 class NoAnswer(SaccadeError, TimeoutError):
     """The server did not answer in time. `endpoint` is the address that was asked."""
 
-    def __init__(self, endpoint: str) -> None:
-        super().__init__(f"no saccaded answers at {endpoint}: is it running, is this its control port, "
-                         "and does it want keys?")
+    def __init__(self, text: str, endpoint: str = "") -> None:
+        super().__init__(text)
         self.endpoint = endpoint
 
 
 class Refused(SaccadeError):
     """The server refused a request.
 
+    code: name of the status in control.proto, such as "CODE_NOT_FOUND".
     field: path of the faulty field, such as "sensors[1].threshold"; empty if no field is at fault.
     message: the fault, and the values that are valid.
     limit: name of the exceeded limit of the server; empty if none.
     retry_after_s: seconds after which to try again; 0 if this would not help.
     """
 
-    def __init__(self, status: control_pb2.Status) -> None:
-        text = f"{status.field}: {status.message}" if status.field else status.message
-        hint = f" (try again in {status.retry_after_s:g} s)" if status.retry_after_s > 0 else ""
-        super().__init__(text + hint)
-        self.code = control_pb2.Code.Name(status.code)
-        self.field = status.field
-        self.message = status.message
-        self.limit = status.limit
-        self.retry_after_s = status.retry_after_s
+    def __init__(self, text: str, *, code: str = "", field: str = "", message: str = "", limit: str = "",
+                 retry_after_s: float = 0.0) -> None:
+        super().__init__(text)
+        self.code, self.field, self.message = code, field, message
+        self.limit, self.retry_after_s = limit, retry_after_s
 
 
 class InvalidArgument(Refused, ValueError):
@@ -73,7 +72,11 @@ _BY_CODE = {
 
 def refusal(status: control_pb2.Status) -> Refused:
     """The exception for the status of a refused request."""
-    return _BY_CODE.get(status.code, Refused)(status)
+    text = f"{status.field}: {status.message}" if status.field else status.message
+    hint = f" (try again in {status.retry_after_s:g} s)" if status.retry_after_s > 0 else ""
+    return _BY_CODE.get(status.code, Refused)(text + hint, code=control_pb2.Code.Name(status.code), field=status.field,
+                                              message=status.message, limit=status.limit,
+                                              retry_after_s=status.retry_after_s)
 
 
 class StreamFault(SaccadeError):
@@ -90,8 +93,8 @@ class StreamRefused(StreamFault):
     names_stream: False if only this connection is at fault, and the stream itself may be sound.
     """
 
-    def __init__(self, message: str, names_stream: bool) -> None:
-        super().__init__(message)
+    def __init__(self, text: str, names_stream: bool = True) -> None:
+        super().__init__(text)
         self.names_stream = names_stream
 
 

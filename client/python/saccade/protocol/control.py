@@ -50,7 +50,8 @@ class Control:
             reply = self._parse(parts)
             if reply.request_id in (request_id, UNREAD):  # others are late replies to earlier requests
                 return reply
-        raise NoAnswer(self.endpoint)
+        raise NoAnswer(f"no saccaded answers at {self.endpoint}: is it running, is this its control port, "
+                       "and does it want keys?", self.endpoint)
 
     def _parse(self, parts: list[bytes]) -> control_pb2.Reply:
         if len(parts) != 1:
