@@ -96,8 +96,8 @@ class Aedat4(unittest.TestCase):
             "holds 2 streams": header(0, -1, stereo),
             "compression 9": header(9, -1, CAMERA),
             "unclosed token": header(0, -1, "<dv"),
-            "cannot be read": whole[:20],
-            "requires a buffer": whole[:-60] + b"\xff" * 60,
+            "buffer of at least": whole[:20],
+            "at offset": whole[:-60] + b"\xff" * 60,
             "x lies outside": header(0, -1, CAMERA) + packet([(1, -2, 0, True)], plain),
         }
         for text, content in faults.items():

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from saccade.events import Events, concatenate
@@ -25,8 +25,20 @@ def windows(parts: Iterable[Events], *, duration_us: int | None = None, count: i
     return _cut(parts, _OfCount(count or 0))
 
 
+@dataclass
+class _Held:
+    """The parts of one sensor since its last window."""
+
+    parts: list[Events] = field(default_factory=list)
+    count: int = 0  # of their events
+
+    def add(self, part: Events) -> None:
+        self.parts.append(part)
+        self.count += len(part)
+
+
 class _Cutter(Protocol):
-    def reached(self, held: list[Events]) -> bool:
+    def reached(self, held: _Held) -> bool:
         """Whether a window is complete."""
 
     def split(self, events: Events) -> tuple[Events, Events]:
@@ -37,8 +49,8 @@ class _OfDuration:
     def __init__(self, duration_us: int) -> None:
         self.duration_us = duration_us
 
-    def reached(self, held: list[Events]) -> bool:
-        return held[-1].t1 - held[0].t0 >= self.duration_us
+    def reached(self, held: _Held) -> bool:
+        return held.parts[-1].t1 - held.parts[0].t0 >= self.duration_us
 
     def split(self, events: Events) -> tuple[Events, Events]:
         middle = events.t0 + self.duration_us
@@ -49,8 +61,8 @@ class _OfCount:
     def __init__(self, count: int) -> None:
         self.count = count
 
-    def reached(self, held: list[Events]) -> bool:
-        return sum(map(len, held)) >= self.count
+    def reached(self, held: _Held) -> bool:
+        return held.count >= self.count
 
     def split(self, events: Events) -> tuple[Events, Events]:
         first, rest = events[: self.count], events[self.count :]
@@ -60,15 +72,15 @@ class _OfCount:
 
 
 def _cut(parts: Iterable[Events], cutter: _Cutter) -> Iterator[Events]:
-    held: dict[int, list[Events]] = {}  # by sensor
+    held: dict[int, _Held] = {}  # by sensor
     for part in parts:
-        mine = held.setdefault(part.sensor, [])
-        mine.append(part)
+        mine = held.setdefault(part.sensor, _Held())
+        mine.add(part)
         while cutter.reached(mine):
-            window, rest = cutter.split(concatenate(mine))
-            mine[:] = [rest]
+            window, rest = cutter.split(concatenate(mine.parts))
+            mine.parts, mine.count = [rest], len(rest)
             yield window
     for mine in held.values():
-        rest = concatenate(mine)
+        rest = concatenate(mine.parts)
         if rest.t1 > rest.t0:
             yield rest

@@ -1,4 +1,7 @@
-"""Reads files of events: one module for each format, and the table of all."""
+"""Reads files of events: one module for each format, and the table of all.
+
+The modules raise what their libraries do, and FormatError; open_file() makes one FormatError of it, with the path.
+"""
 from __future__ import annotations
 
 import os
@@ -29,11 +32,12 @@ FORMATS: dict[str, Chunks] = {
 
 def open_file(path: str | os.PathLike[str], *, size: tuple[int, int] | None = None,
               chunk: int = CHUNK) -> Iterator[Events]:
-    """The events of a file, piece by piece, each of about `chunk` events at most. The extension names the format:
+    """The events of a file, piece by piece. The extension names the format:
 
     .raw: Prophesee RAW of EVT2 or EVT3. .aedat4: inivation AEDAT 4, which needs lz4 or zstandard if compressed.
     .h5: HDF5 as DSEC has it, which needs h5py. .npz: numpy arrays t (microseconds), x, y, p.
     .csv: lines t_us,x,y,p under a heading. .txt: lines t x y p, t in seconds, under a line `width height` or none.
+    chunk: events of a piece; words of a RAW file, which hold about as many.
     size: width and height of the sensor, for files that do not tell them; others must agree.
 
     Raises FormatError (a ValueError) for an unknown extension, faulty content, a pixel outside the size, and times that
@@ -53,23 +57,25 @@ def read(path: str | os.PathLike[str], *, size: tuple[int, int] | None = None) -
 
 def _checked(path: pathlib.Path, chunks: Iterator[Events], size: tuple[int, int] | None) -> Iterator[Events]:
     newest = None  # time of the last event of the chunk before
-    for events in chunks:
-        if size is not None and events.size not in (None, size):
-            raise FormatError(f"{path}: the size is {events.size}, not {size}")
-        events = replace(events, size=events.size or size)
-        fault = _fault(events, newest)
-        if fault:
-            raise FormatError(f"{path}: {fault}")
-        if len(events):
-            newest = int(events.t[-1])
-            yield events
+    try:
+        for events in chunks:
+            if size is not None and events.size not in (None, size):
+                raise FormatError(f"the size is {events.size}, not {size}")
+            events = replace(events, size=events.size or size)
+            if len(events):
+                _check(events, newest)
+                newest = int(events.t[-1])
+                yield events
+    except ImportError:
+        raise
+    except Exception as fault:
+        if isinstance(fault, OSError) and fault.errno:  # of the system; h5py raises others for content
+            raise
+        raise FormatError(f"{path}: {fault}") from fault
 
 
-def _fault(events: Events, newest: int | None) -> str:
-    if len(events) == 0:
-        return ""
+def _check(events: Events, newest: int | None) -> None:
     if (events.t[1:] < events.t[:-1]).any() or (newest is not None and events.t[0] < newest):
-        return "times run backwards"
+        raise FormatError("times run backwards")
     if events.size is not None and (events.x.max() >= events.size[0] or events.y.max() >= events.size[1]):
-        return f"a pixel lies outside {events.size[0]}x{events.size[1]}"
-    return ""
+        raise FormatError(f"a pixel lies outside {events.size[0]}x{events.size[1]}")

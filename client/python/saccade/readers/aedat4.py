@@ -16,6 +16,7 @@ from saccade.errors import FormatError
 from saccade.events import Events
 from saccade.readers.columns import events_of
 from saccade.readers.flatbuffer import Table
+from saccade.windowing import windows
 
 MAGIC = b"#!AER-DAT4.0\r\n"
 EVENT = np.dtype([("t", "<i8"), ("x", "<i2"), ("y", "<i2"), ("on", "?"), ("padding", "V3")])
@@ -49,15 +50,9 @@ class Header(NamedTuple):
 def chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
     with path.open("rb") as file:
         if file.read(len(MAGIC)) != MAGIC:
-            raise FormatError(f"{path}: not an AEDAT 4.0 file")
-        try:
-            header = _read_header(file)
-            while body := _next_body(file, header):
-                yield _events(header.decompress(body), header.size)
-        except (ImportError, OSError, FormatError):
-            raise
-        except Exception as fault:  # of struct, numpy, xml, lz4 or zstandard: each has its own
-            raise FormatError(f"{path}: it cannot be read: {fault}") from fault
+            raise FormatError("not an AEDAT 4.0 file")
+        header = _read_header(file)
+        yield from windows(_packets(file, header), count=chunk)
 
 
 def _read_header(file: BinaryIO) -> Header:
@@ -65,20 +60,20 @@ def _read_header(file: BinaryIO) -> Header:
     table = Table.root(prefix + file.read(struct.unpack("<I", prefix)[0]))
     compression = table.number(0, "i", 0)
     if not 0 <= compression < len(COMPRESSIONS):
-        raise FormatError(f"{file.name}: compression {compression} is unknown")
-    stream_id, size = _event_stream(file.name, xml.fromstring(table.text(2)))
+        raise FormatError(f"compression {compression} is unknown")
+    stream_id, size = _event_stream(xml.fromstring(table.text(2)))
     return Header(COMPRESSIONS[compression], table.number(1, "q", -1), stream_id, size)
 
 
-def _event_stream(name: str, root: xml.Element) -> tuple[int, tuple[int, int]]:
+def _event_stream(root: xml.Element) -> tuple[int, tuple[int, int]]:
     """Id and size of the one stream of events that the header describes."""
     nodes = root.findall(".//node[@name='outInfo']/node")
     streams = [node for node in nodes if _attribute(node, "typeIdentifier") == "EVTS"]
     if len(streams) != 1:
-        raise FormatError(f"{name}: it holds {len(streams)} streams of events; one can be read")
+        raise FormatError(f"it holds {len(streams)} streams of events; one can be read")
     info = streams[0].find("node[@name='info']")
     if info is None:
-        raise FormatError(f"{name}: the size of its stream is not there")
+        raise FormatError("the size of its stream is not there")
     return int(streams[0].attrib["name"]), (int(_attribute(info, "sizeX")), int(_attribute(info, "sizeY")))
 
 
@@ -86,16 +81,15 @@ def _attribute(node: xml.Element, key: str) -> str:
     return node.findtext(f"attr[@key='{key}']", "").strip()
 
 
-def _next_body(file: BinaryIO, header: Header) -> bytes:
-    """The next packet of the event stream, as it is compressed; empty at the end."""
+def _packets(file: BinaryIO, header: Header) -> Iterator[Events]:
+    """Those of the event stream."""
     while not 0 <= header.end <= file.tell() and (head := file.read(8)):
-        stream_id, size = struct.unpack("<ii", head)
+        stream_id, size = struct.unpack("<iI", head)
         body = file.read(size)
         if len(body) < size:
-            raise FormatError(f"{file.name}: the file ends within a packet")
+            raise FormatError("the file ends within a packet")
         if stream_id == header.stream_id:
-            return body
-    return b""
+            yield _events(header.decompress(body), header.size)
 
 
 def _events(table: bytes, size: tuple[int, int]) -> Events:

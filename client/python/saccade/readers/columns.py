@@ -18,15 +18,12 @@ def events_of(t: NDArray[Any], x: NDArray[Any], y: NDArray[Any], p: NDArray[Any]
               size: tuple[int, int] | None) -> Events:
     """t in microseconds; polarities above 0 are ON, so that 0 and 1 serve as well as -1 and 1.
 
-    Raises FormatError for columns of unequal length and for coordinates that are no pixels.
+    Raises FormatError for coordinates that are no pixels and other polarities, and ValueError for unequal lengths.
     """
     for name, column in (("x", x), ("y", y)):
         if column.size and not 0 <= column.min() <= column.max() < MOST_PIXELS:
             raise FormatError(f"{name} lies outside 0 to {MOST_PIXELS - 1}")
     if p.size and not np.isin(p, (-1, 0, 1)).all():
         raise FormatError("a polarity is not 0 and 1, or -1 and 1")
-    try:
-        return Events(t.astype(np.int64, copy=False), x.astype(np.uint16, copy=False), y.astype(np.uint16, copy=False),
-                      p > 0, size)
-    except ValueError as fault:
-        raise FormatError(str(fault)) from fault
+    return Events(t.astype(np.int64, copy=False), x.astype(np.uint16, copy=False), y.astype(np.uint16, copy=False),
+                  p > 0, size)

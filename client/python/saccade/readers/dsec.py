@@ -14,14 +14,11 @@ from saccade.readers.columns import events_of
 
 def chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
     import h5py
-    if not h5py.is_hdf5(path):
-        path.open("rb").close()  # an OSError where it cannot be read
-        raise FormatError(f"{path}: not an HDF5 file")
     with h5py.File(path, "r") as file:
         names = [f"events/{name}" for name in "txyp"]
         missing = [name for name in names if name not in file]
         if missing:
-            raise FormatError(f"{path}: no data set '{missing[0]}', as DSEC has it")
+            raise FormatError(f"no data set '{missing[0]}', as DSEC has it")
         columns = [file[name] for name in names]
         offset = int(file["t_offset"][()]) if "t_offset" in file else 0
         size = _size(file)

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import pathlib
-import zipfile
 from collections.abc import Iterator
 
 import numpy as np
@@ -13,16 +12,13 @@ from saccade.readers.columns import events_of
 
 
 def chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
-    try:
-        with np.load(path, allow_pickle=False) as file:
-            missing = {"t", "x", "y", "p"} - set(file.files)
-            if missing:
-                raise FormatError(f"{path}: no array '{min(missing)}'")
-            sized = {"width", "height"} <= set(file.files)
-            size = (int(file["width"]), int(file["height"])) if sized else None
-            columns = [file[name] for name in "txyp"]
-    except (ValueError, zipfile.BadZipFile) as fault:
-        raise fault if isinstance(fault, FormatError) else FormatError(f"{path}: {fault}") from fault
+    with np.load(path, allow_pickle=False) as file:
+        missing = {"t", "x", "y", "p"} - set(file.files)
+        if missing:
+            raise FormatError(f"no array '{min(missing)}'")
+        sized = {"width", "height"} <= set(file.files)
+        size = (int(file["width"]), int(file["height"])) if sized else None
+        columns = [file[name] for name in "txyp"]
     t, x, y, p = columns
     for first in range(0, max(column.size for column in columns), chunk):
         part = slice(first, first + chunk)

@@ -34,15 +34,15 @@ DECODERS: dict[str, type[Evt2Decoder] | type[Evt3Decoder]] = {"EVT2": Evt2Decode
 
 def chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
     with path.open("rb") as file:
-        name, size = _read_header(path, file)
+        name, size = _read_header(file)
         decoder: Decoder = DECODERS[name]()
         while block := file.read(chunk * decoder.WORD.itemsize):
             if len(block) % decoder.WORD.itemsize:
-                raise FormatError(f"{path}: the file ends within a word")
+                raise FormatError("the file ends within a word")
             yield Events(*decoder.decode(np.frombuffer(block, decoder.WORD)), size=size)
 
 
-def _read_header(path: pathlib.Path, file: BinaryIO) -> tuple[str, Size | None]:
+def _read_header(file: BinaryIO) -> tuple[str, Size | None]:
     """Leaves the file behind the header."""
     keys: dict[str, str] = {}
     while True:
@@ -55,14 +55,14 @@ def _read_header(path: pathlib.Path, file: BinaryIO) -> tuple[str, Size | None]:
         if key == "end":
             break
         keys[key] = value
-    return _format(path, keys), _size(keys)
+    return _format(keys), _size(keys)
 
 
-def _format(path: pathlib.Path, keys: dict[str, str]) -> str:
+def _format(keys: dict[str, str]) -> str:
     """Of `% format EVT3;height=720;width=1280`, or of `% evt 3.0`."""
     name = keys.get("format", "").partition(";")[0].upper() or "EVT" + keys.get("evt", "?").removesuffix(".0")
     if name not in DECODERS:
-        raise FormatError(f"{path}: the encoding is '{name}', not one of {', '.join(DECODERS)}")
+        raise FormatError(f"the encoding is '{name}', not one of {', '.join(DECODERS)}")
     return name
 
 

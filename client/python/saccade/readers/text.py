@@ -20,8 +20,8 @@ def csv_chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
     with path.open() as file:
         heading = file.readline().strip()
         if heading != "t_us,x,y,p":
-            raise FormatError(f"{path}: the heading is '{heading[:40]}', not 't_us,x,y,p'")
-        yield from _chunks(path, file, ",", chunk, 1.0, None)
+            raise FormatError(f"the heading is '{heading[:40]}', not 't_us,x,y,p'")
+        yield from _chunks(file, ",", chunk, 1.0, None)
 
 
 def txt_chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
@@ -33,21 +33,18 @@ def txt_chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
             size = int(first[0]), int(first[1])
         else:
             file.seek(0)
-        yield from _chunks(path, file, None, chunk, US_PER_S, size)
+        yield from _chunks(file, None, chunk, US_PER_S, size)
 
 
-def _chunks(path: pathlib.Path, file: TextIO, delimiter: str | None, chunk: int, us_per_unit: float,
+def _chunks(file: TextIO, delimiter: str | None, chunk: int, us_per_unit: float,
             size: tuple[int, int] | None) -> Iterator[Events]:
     while True:
-        try:
-            with warnings.catch_warnings():
-                warnings.filterwarnings("ignore", "loadtxt: input contained no data")
-                rows = np.loadtxt(file, np.float64, delimiter=delimiter, max_rows=chunk, ndmin=2)
-        except ValueError as fault:
-            raise FormatError(f"{path}: {fault}") from fault
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", "loadtxt: input contained no data")
+            rows = np.loadtxt(file, np.float64, delimiter=delimiter, max_rows=chunk, ndmin=2)
         if rows.size == 0:
             return
         if rows.shape[1] != 4:
-            raise FormatError(f"{path}: a line has {rows.shape[1]} numbers instead of 4")
+            raise FormatError(f"a line has {rows.shape[1]} numbers instead of 4")
         t, x, y, p = rows.T
         yield events_of(np.rint(t * us_per_unit), x, y, p, size)
