@@ -45,27 +45,26 @@ class Surroundings {
   int bin_ = 0;
 };
 
-Octet blendAround(Surroundings& around, const GridParams& params) {
+std::optional<BakedVertex> blendAround(Surroundings& around, const GridParams& params) {
   const LevelBlend<float> blend([&](int slot) { return around.light(slot); },
                                 [&](int slot) { return around.evidence(slot); }, 0, params.blend);
-  if (blend.light[params.pixelSlot()][0] < kLeastSamples || blend.light[kTop - 1][0] == 0) return Octet{};
+  if (blend.light[params.pixelSlot()][0] < kLeastSamples || blend.light[kTop - 1][0] == 0) return {};
   const auto step = [](const BlendedLight<float>& light) {
     return light.stepVariance(kSmallStep) / (kSmallStep * kSmallStep);
   };
-  return Octet{1,
-               blend.rest.value,
-               blend.visibility.value,
-               blend.rest.variance,
-               blend.visibility.variance,
-               step(blend.rest),
-               step(blend.visibility)};
+  return BakedVertex{blend.rest.value,
+                     blend.visibility.value,
+                     HalfFloat(blend.rest.variance),
+                     HalfFloat(blend.visibility.variance),
+                     HalfFloat(step(blend.rest)),
+                     HalfFloat(step(blend.visibility))};
 }
 
 }  // namespace
 
 BakedLevel blendAtVertices(const GridLevels& grid, int l, const GridParams& params, const PoolHandle& pool) {
   std::vector<VertexKey> keys = grid[l].table.keys();
-  std::vector<Octet> light(keys.size());
+  std::vector<std::optional<BakedVertex>> light(keys.size());
   pool.run((static_cast<int>(keys.size()) + kChunk - 1) / kChunk, [&](int chunk) {
     Surroundings around(grid, l);
     const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
@@ -74,11 +73,11 @@ BakedLevel blendAtVertices(const GridLevels& grid, int l, const GridParams& para
       light[v] = blendAround(around, params);
     }
   });
-  std::size_t known = 0;
+  std::vector<BakedVertex> known;
   for (std::size_t v = 0; v < keys.size(); ++v)
-    if (light[v][kKnown] > 0) keys[known] = keys[v], light[known++] = light[v];
-  keys.resize(known), light.resize(known);
-  return {keys, light};
+    if (light[v]) keys[known.size()] = keys[v], known.push_back(*light[v]);
+  keys.resize(known.size());
+  return {keys, known};
 }
 
 }  // namespace saccade

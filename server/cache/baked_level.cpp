@@ -4,7 +4,7 @@
 
 namespace saccade {
 
-BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<Octet>& light)
+BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedVertex>& light)
     : light_(light.size()) {
   IndexTable order;  // of the blocks: that of their first vertices
   std::vector<Block> blocks;

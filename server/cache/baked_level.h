@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cache/lanes.h"
+#include "cache/baked_vertex.h"
 #include "cache/vertex_block.h"
 
 namespace saccade {
@@ -12,7 +12,7 @@ class BakedLevel {
  public:
   BakedLevel() = default;
   // `light` is that of vertices with different keys.
-  BakedLevel(const std::vector<VertexKey>& keys, const std::vector<Octet>& light);
+  BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedVertex>& light);
 
   std::size_t vertices() const { return light_.size(); }
 
@@ -20,8 +20,8 @@ class BakedLevel {
   void prefetch(VertexKey vertex) const { __builtin_prefetch(&blocks_[homeOf(blockOf(vertex), bits_)]); }
   // The light at the corners of a tetrahedron, most of which share a block; nullptr where there is no such
   // vertex.
-  std::array<const Octet*, 4> find(const std::array<VertexKey, 4>& corners) const {
-    std::array<const Octet*, 4> found;
+  std::array<const BakedVertex*, 4> find(const std::array<VertexKey, 4>& corners) const {
+    std::array<const BakedVertex*, 4> found;
     const Block* block = blockAt(corners[0]);
     VertexKey of = blockOf(corners[0]);
     for (int c = 0; c < 4; ++c) {
@@ -44,7 +44,7 @@ class BakedLevel {
   };
 
   const Block* blockAt(VertexKey vertex) const { return &blocks_[slotOf(blockOf(vertex))]; }
-  const Octet* find(const Block* block, VertexKey vertex) const {
+  const BakedVertex* find(const Block* block, VertexKey vertex) const {
     const std::uint32_t cell = cellOf(vertex);
     return (block->cells >> cell & 1) != 0 ? &light_[block->indexOf(cell)] : nullptr;
   }
@@ -57,7 +57,7 @@ class BakedLevel {
 
   int bits_ = 7;
   std::vector<Block> blocks_{std::size_t{1} << bits_};  // a hash table, at most half full
-  std::vector<Octet> light_;
+  std::vector<BakedVertex> light_;
 };
 
 }  // namespace saccade

@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kLeastShare = 0.5f;  // of a point's weights, on known vertices of its coarser level
 // From a level to the one below: a step is half as many cells there, and a quarter of the variance.
-constexpr Octet kToFine{1, 1, 1, 1, 1, 0.25f, 0.25f, 0};
+constexpr Octet kToFine{1, 1, 1, 0, 1, 1, 0.25f, 0.25f};
 
 }  // namespace
 

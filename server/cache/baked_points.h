@@ -56,9 +56,9 @@ class BakedPoints {
       for (int i = 0; i < count_; ++i)
         for (int t = groups[i].first; t < groups[i].end; ++t) {
           taps_[t].light = groups[i].level->find(taps_[t].keys);
-          for (const Octet*& light : taps_[t].light) {
-            if (!light) light = &kNothing;
-            __builtin_prefetch(light);
+          for (int c = 0; c < 4; ++c) {
+            if (!taps_[t].light[c]) taps_[t].light[c] = &kNothing, taps_[t].weights[c] = 0;
+            __builtin_prefetch(taps_[t].light[c]);
           }
         }
   }
@@ -66,16 +66,16 @@ class BakedPoints {
   Octet sum(int slot, int i) const {
     Octet sum{};
     for (int t = groups_[slot][i].first; t < groups_[slot][i].end; ++t)
-      for (int c = 0; c < 4; ++c) sum += *taps_[t].light[c] * taps_[t].weights[c];
+      for (int c = 0; c < 4; ++c) sum += taps_[t].light[c]->light() * taps_[t].weights[c];
     return sum;
   }
 
  private:
   static constexpr int kSlotsRead = 2;
-  static constexpr Octet kNothing{};
+  static constexpr BakedVertex kNothing{};
   struct Tap {  // a tetrahedron of one bin
     std::array<VertexKey, 4> keys;
-    std::array<const Octet*, 4> light;
+    std::array<const BakedVertex*, 4> light;
     std::array<float, 4> weights;
   };
   struct Group {  // the taps of one point in one slot

@@ -9,14 +9,14 @@ VertexKey keyAt(VertexKey x, VertexKey y, VertexKey z) {
   return x | y << 20 | z << 40 | VertexKey{3} << 60;
 }
 
-const Octet* find(const BakedLevel& level, VertexKey key) {
+const BakedVertex* find(const BakedLevel& level, VertexKey key) {
   return level.find({key, key, key, key})[3];
 }
 
 // Every second vertex of a region that spans blocks.
 TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   std::vector<VertexKey> keys;
-  std::vector<Octet> light;
+  std::vector<BakedVertex> light;
   const auto each = [](const auto& f) {
     for (VertexKey x = 9; x > 0; --x)
       for (VertexKey y = 5; y < 14; ++y)
@@ -24,17 +24,17 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   };
   each([&](VertexKey key, bool held) {
     if (!held) return;
-    light.push_back(Octet{static_cast<float>(keys.size())});
+    light.push_back({.rest = static_cast<float>(keys.size())});
     keys.push_back(key);
   });
   const BakedLevel level(keys, light);
   EXPECT_EQ(level.vertices(), keys.size());
   float next = 0;
   each([&](VertexKey key, bool held) {
-    const Octet* found = find(level, key);
+    const BakedVertex* found = find(level, key);
     ASSERT_EQ(found != nullptr, held);
     if (held) {
-      ASSERT_EQ((*found)[0], next++);
+      ASSERT_EQ(found->rest, next++);
     }
   });
 }
