@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/huge_pages.h"
 #include "cache/baked_vertex.h"
 #include "cache/vertex_block.h"
 
@@ -56,8 +57,8 @@ class BakedLevel {
   }
 
   int bits_ = 7;
-  std::vector<Block> blocks_{std::size_t{1} << bits_};  // a hash table, at most half full
-  std::vector<BakedVertex> light_;
+  HugeVector<Block> blocks_{std::size_t{1} << bits_};  // a hash table, at most half full
+  HugeVector<BakedVertex> light_;
 };
 
 }  // namespace saccade
