@@ -13,20 +13,16 @@ namespace saccade {
 
 class BakedLight {
  public:
-  using Time = SurfaceGrid::Time;
-
   BakedLight(const GridLevels& grid, const GridParams& params, const PoolHandle& pool);
 
-  // Reads at the points of a frame, and marks those whose light is known as baked. `out` has the sum over
+  // Reads at the points of a tile, and marks those whose light is known as baked. `out` has the sum over
   // them, by their shares.
-  Time read(SurfaceSamples& on, const GBuffer& g, const PoolHandle& pool, GridEstimate& out) const;
+  void read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const;
   std::size_t vertices() const { return vertices_; }  // whose light is known
 
  private:
-  // Reads points, and adds them to their pixels.
-  void add(const BakedPoints& points, int per_pixel, const GBuffer& g, GridEstimate& out) const;
-  // The same for a point of column x, by the sums over the vertices around it on its two levels.
-  void add(const BakedPoints::Point& found, Octet fine, Octet coarse, int x, const GBuffer& g,
+  // Reads a point by the sums over the vertices around it on its two levels, and adds it to its pixel.
+  void add(const BakedPoints::Point& found, Octet fine, Octet coarse, SurfaceSamples& on, const GBuffer& g,
            GridEstimate& out) const;
 
   GridParams params_;

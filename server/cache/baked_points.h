@@ -23,9 +23,10 @@ class BakedPoints {
  public:
   static constexpr int kMost = TetrahedronLanes::kLanes;
   struct Point {
-    SurfacePoint* surface;
-    int column, y;
+    int x, y;  // of the pixel
+    SurfaceKind kind;
     GridPoint at;
+    NormalBins bins;
   };
 
   int count() const { return count_; }
@@ -33,20 +34,21 @@ class BakedPoints {
   const Point& operator[](int i) const { return points_[i]; }
 
   void clear() { count_ = 0; }
-  void add(SurfacePoint& surface, int column, int y, float finest_px) {
-    points_[count_++] = {&surface, column, y, gridPoint(surface, finest_px)};
+  // The point of pixel (x, y) with this index.
+  void add(const SurfaceSamples& on, std::size_t index, int x, int y, float finest_px) {
+    const SurfacePlace& place = on.place(index);
+    points_[count_] = {x, y, on[index].kind, gridPoint(place, finest_px), NormalBins(place.normal)};
+    points_[count_++].at.index = static_cast<std::uint32_t>(index);
   }
   void want(const BakedLevels& levels) {
     taps_end_ = 0;
-    std::array<NormalBins, kMost> bins;
-    for (int i = 0; i < count_; ++i) bins[i] = NormalBins(points_[i].surface->normal);
     for (int slot = 0; slot < kSlotsRead; ++slot) {
       findTetrahedra(slot);
       for (int i = 0; i < count_; ++i) {
         Group& group = groups_[slot][i];
         group.level = levels.find(points_[i].at.level + slot);
         group.first = taps_end_;
-        if (group.level) want(*group.level, i, bins[i]);
+        if (group.level) want(*group.level, i);
         group.end = taps_end_;
       }
     }
@@ -91,9 +93,10 @@ class BakedPoints {
     }
     lanes_.find(load<kMost>(inv_h));
   }
-  void want(const BakedLevel& level, int i, const NormalBins& bins) {
+  void want(const BakedLevel& level, int i) {
+    const NormalBins& bins = points_[i].bins;
     for (int b = 0; b < bins.count; ++b) {
-      const int bin = vertexBin(bins.bin[b], points_[i].surface->kind);
+      const int bin = vertexBin(bins.bin[b], points_[i].kind);
       Tap& tap = taps_[taps_end_++];
       tap.keys = Tetrahedron::corners(lanes_.lowest(i, bin), lanes_.order(i));
       level.prefetch(tap.keys[0]), level.prefetch(tap.keys[3]);

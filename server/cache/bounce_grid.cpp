@@ -45,15 +45,14 @@ std::optional<Rgb> BounceGrid::find(const BounceCell& cell, float u) const {
 }
 
 void BounceGrid::add(const SurfaceSamples& on) {
-  for (int y = 0; y < on.height(); ++y) {
-    for (const SurfacePoint& p : on.row(y)) {
-      const BounceSample& s = p.bounce;
-      if (s.cell == 0) continue;
-      if (cells() >= max_cells_ && table_.indexOf(s.cell) == IndexTable::kNone) continue;
-      const std::uint32_t i = table_.findOrAdd(s.cell, 0);
-      light_.resize(table_.size());
-      if (light_[i][0] < kMostSamples) light_[i] += Quad{1, s.light.x, s.light.y, s.light.z};
-    }
+  for (std::size_t index = 0; index < on.indexOf(0, on.height()); ++index) {
+    if (on[index].paths == 0) continue;
+    const BounceSample& s = on.light(index).bounce;
+    if (s.cell == 0) continue;
+    if (cells() >= max_cells_ && table_.indexOf(s.cell) == IndexTable::kNone) continue;
+    const std::uint32_t i = table_.findOrAdd(s.cell, 0);
+    light_.resize(table_.size());
+    if (light_[i][0] < kMostSamples) light_[i] += Quad{1, s.light.x, s.light.y, s.light.z};
   }
 }
 

@@ -26,6 +26,9 @@ class LightStates {
   // place of the one that was used least recently.
   void enter(std::uint64_t strengths, std::uint32_t frame);
 
+  // Whether a frame with these strengths does not change the state.
+  bool isAt(std::uint64_t strengths) const { return !current_ || current_->strengths == strengths; }
+
   LightState& current() { return *current_; }
   // That of the frame before; of the first frame, the current one.
   LightState& previous() { return *previous_; }

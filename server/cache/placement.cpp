@@ -14,13 +14,13 @@ constexpr std::uint32_t kOneBits = 0x3f800000;  // of the float 1
 
 }  // namespace
 
-GridPoint gridPoint(const SurfacePoint& point, float finest_px) {
-  const auto bits = std::bit_cast<std::uint32_t>(finest_px * point.footprint);
+GridPoint gridPoint(const SurfacePlace& place, float finest_px) {
+  const auto bits = std::bit_cast<std::uint32_t>(finest_px * place.footprint);
   const float scale = std::bit_cast<float>((bits & 0x7fffff) | kOneBits);
   return {.level = static_cast<int>(bits >> 23) - 127,
           .fraction = std::log2(scale),
           .scale = scale,
-          .position = point.position};
+          .position = place.position};
 }
 
 void Placement::place(const SurfaceSamples& on, float finest_px) {
@@ -37,8 +37,7 @@ void Placement::place(const SurfaceSamples& on, float finest_px) {
     for (int x0 = 0; x0 < on.columns(); x0 += square) {
       const int x1 = std::min(x0 + square, on.columns());
       for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x)
-          add(on.at(x, y), static_cast<std::uint32_t>(on.indexOf(x, y)), finest_px);
+        for (int x = x0; x < x1; ++x) add(on, static_cast<std::uint32_t>(on.indexOf(x, y)), finest_px);
     }
     band_ends.push_back(points.size());
   }
@@ -46,15 +45,17 @@ void Placement::place(const SurfaceSamples& on, float finest_px) {
     if (slot.size() < bins.size()) slot.resize(bins.size());
 }
 
-void Placement::add(const SurfacePoint& s, std::uint32_t index, float finest_px) {
-  if (s.kind == SurfaceKind::kNone || s.baked) return;
-  const NormalBins normal(s.normal);
-  GridPoint& point = points.emplace_back(gridPoint(s, finest_px));
+void Placement::add(const SurfaceSamples& on, std::uint32_t index, float finest_px) {
+  const SurfaceKind kind = on[index].kind;
+  if (kind == SurfaceKind::kNone || on[index].baked) return;
+  const SurfacePlace& place = on.place(index);
+  const NormalBins normal(place.normal);
+  GridPoint& point = points.emplace_back(gridPoint(place, finest_px));
   point.index = index;
   point.first = static_cast<std::uint32_t>(bins.size()),
   point.count = static_cast<std::uint32_t>(normal.count);
   for (int b = 0; b < normal.count; ++b) {
-    bins.push_back(vertexBin(normal.bin[b], s.kind));
+    bins.push_back(vertexBin(normal.bin[b], kind));
     bin_weights.push_back(normal.weight[b]);
   }
   least_level = std::min(least_level, point.level);

@@ -26,7 +26,7 @@ struct GridPoint {
 };
 
 // The place of a point, without taps. `finest_px`: edge of the finest cells, pixels.
-GridPoint gridPoint(const SurfacePoint& point, float finest_px);
+GridPoint gridPoint(const SurfacePlace& place, float finest_px);
 inline constexpr int kVertexBins = 12;
 // The bin of vertices for one of a normal's.
 inline int vertexBin(int bin_of_normal, SurfaceKind kind) {
@@ -66,7 +66,7 @@ struct Placement {
   int least_level = 0, most_level = -1;        // of any slot
 
  private:
-  void add(const SurfacePoint& s, std::uint32_t index, float finest_px);
+  void add(const SurfaceSamples& on, std::uint32_t index, float finest_px);
 };
 
 }  // namespace saccade

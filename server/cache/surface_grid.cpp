@@ -48,7 +48,7 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
     const GridPoint& p = at.points[lanes.points[i]];
     x[i] = on.columnOf(p.index) / on.perPixel(), y[i] = on.rowOf(p.index);
     const float mx = g.motion_x.at(x[i], y[i]), my = g.motion_y.at(x[i], y[i]);
-    of_points.values[0][i] = on[p.index].unoccluded;
+    of_points.values[0][i] = on.place(p.index).unoccluded;
     of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / finest_px;
   }
   const auto [U, cells] = of_points.lanes();
@@ -93,10 +93,13 @@ SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at
   const Time time = forEachBand(on, pool, [&](int band, int, int) {
     const auto [first, end] = at.ofBand(band);
     for (std::size_t i = first; i < end; ++i) {
-      const SurfacePoint& p = on[at.points[i].index];
-      const auto n = static_cast<float>(p.paths);
-      const float inv = p.unoccluded > 0 ? n / p.unoccluded : 0;
-      samples_[i] = Quad{n, n * p.rest, p.visible_sample * inv, p.unoccluded_sample * inv};
+      const std::uint32_t index = at.points[i].index;
+      samples_[i] = Quad{};
+      if (on[index].paths == 0) continue;
+      const SurfaceLight& light = on.light(index);
+      const auto n = static_cast<float>(on[index].paths);
+      const float U = on.place(index).unoccluded, inv = U > 0 ? n / U : 0;
+      samples_[i] = Quad{n, n * light.rest, light.visible * inv, light.unoccluded * inv};
     }
   });
   return time + forEachLevel(at, pool, [&](int l) {
@@ -140,7 +143,7 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Place
       const Quad l = gather(levels_[p.level + slot].light, at, p, slot);
       const Octet e = gather(levels_[p.level + slot + kPoolSteps].evidence, at, p, slot + kPoolSteps);
       const bool known = l[0] > 0 && e[3] > 0, shadows = l[3] > 0 && e[7] > 0;
-      const float U = on[p.index].unoccluded;
+      const float U = on.place(p.index).unoccluded;
       const float variance = varianceOf<float>(e[2], e[3], l[0], params_.blend) +
                              U * U * varianceOf<float>(e[6], e[7], l[3], params_.blend);
       const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);

@@ -74,7 +74,8 @@ void Feed::render(const PoolHandle& pool) {
     times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, pool, frame);
     return;
   }
-  times_[Stage::kTrace] += renderer_.renderSurfaces(camera, prev, pool, frame);
+  times_[Stage::kTrace] +=
+      renderer_.renderSurfaces(camera, prev, pool, frame, [&](Tile tile) { method_->look(tile, frame); });
   method_->plan(config_.spp, pool, frame, times_);
   times_[Stage::kTrace] += renderer_.renderPaths(camera, seeds, pool, frame);
 }

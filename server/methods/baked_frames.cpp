@@ -13,17 +13,13 @@ void addRow(const GridEstimate& from, int y, GridEstimate& to) {
 }  // namespace
 
 BakedFrames::BakedFrames(std::shared_ptr<const BakedLight> light, int width, int height)
-    : light_(std::move(light)), now_(width, height), prev_(width, height) {}
+    : light_(std::move(light)), of_{GridEstimate(width, height), GridEstimate(width, height)} {}
 
-SurfaceGrid::Time BakedFrames::look(SurfaceSamples& on, const GBuffer& g, const PoolHandle& pool) {
-  std::swap(now_, prev_);
-  return light_->read(on, g, pool, now_);
-}
-
-SurfaceGrid::Time BakedFrames::add(const PoolHandle& pool, GridEstimate& now, GridEstimate& before) const {
+SurfaceGrid::Time BakedFrames::add(FrameIndex cur, const PoolHandle& pool, GridEstimate& now,
+                                   GridEstimate& before) const {
   return pool.forEachRow(now.i.height(), [&](int y) {
-    addRow(now_, y, now);
-    addRow(prev_, y, before);
+    addRow(of_[cur % 2], y, now);
+    addRow(of_[(cur + 1) % 2], y, before);
   });
 }
 

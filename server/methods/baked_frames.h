@@ -1,4 +1,4 @@
-// What a bake knows of the two frames of a pair. It is read once for each frame: it never changes.
+// What a bake knows of the two newest frames. It is read once for each frame: it never changes.
 #pragma once
 
 #include <memory>
@@ -13,15 +13,14 @@ class BakedFrames {
 
   BakedFrames(std::shared_ptr<const BakedLight> light, int width, int height);
 
-  // Reads at the points of the next frame, and marks those that it knows. The frame that was the current one
-  // is the previous one now.
-  Time look(SurfaceSamples& on, const GBuffer& g, const PoolHandle& pool);
-  // Adds what is known of the current and of the previous frame to estimates of all other points.
-  Time add(const PoolHandle& pool, GridEstimate& now, GridEstimate& before) const;
+  // Reads at the points of a tile of the next frame, and marks those that it knows.
+  void look(Tile tile, Frame& next) { light_->read(tile, *next.surfaces, next.g, of_[next.index % 2]); }
+  // Adds what is known of frame `cur` and of the one before it to estimates of all other points.
+  Time add(FrameIndex cur, const PoolHandle& pool, GridEstimate& now, GridEstimate& before) const;
 
  private:
   std::shared_ptr<const BakedLight> light_;
-  GridEstimate now_, prev_;
+  std::array<GridEstimate, 2> of_;  // in turn
 };
 
 }  // namespace saccade

@@ -83,6 +83,10 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
   if (baked) baked_.emplace(std::move(baked), w, h);
 }
 
+void IrradianceCache::look(Tile tile, Frame& next) {
+  if (baked_ && light_.isAt(next.light)) baked_->look(tile, next);
+}
+
 void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) {
   SurfaceSamples& on = *next.surfaces;
   std::swap(at_, at_prev_);
@@ -91,7 +95,6 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
   SurfaceGrid& grid = light_.current().grid;
   on.bounces = &light_.current().bounces;
   if (light_.changed()) baked_.reset();
-  if (baked_) times[Stage::kTemporal] += baked_->look(on, next.g, pool);
   if (frames_++ == 0)
     for (ImageF* plane : {&uncertainty_, &uncertainty_prev_}) *plane = ImageF(on.columns(), on.height());
   Placement none;
@@ -164,7 +167,7 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   };
   again(grid, frames.cur, at_, now_);
   if (!first) again(grid_prev, frames.prev, at_prev_, before_);
-  if (baked_) times[Stage::kVariance] += baked_->add(pool, now_, before_);
+  if (baked_) times[Stage::kVariance] += baked_->add(frames.cur.index, pool, now_, before_);
 }
 
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {

@@ -36,6 +36,7 @@ class IrradianceCache final : public Method {
                   std::shared_ptr<const BakedLight> baked = nullptr);
   static MethodInfo info();
 
+  void look(Tile tile, Frame& next) override;
   void plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) override;
   void start(const Frame& first, const PoolHandle& pool) override;
   void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,

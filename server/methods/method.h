@@ -41,6 +41,9 @@ class Method {
   virtual ~Method() = default;
   // Takes the first frame of a feed, which has no difference yet. Called once, before estimate().
   virtual void start(const Frame& first, const PoolHandle& pool) = 0;
+  // Marks the points of a tile whose light is known ahead, with the tile's features and surfaces known: they
+  // need no paths. Called by several threads at once, for each tile of a frame before its plan().
+  virtual void look(Tile /*tile*/, Frame& /*next*/) {}
   // Says how many paths each pixel of a frame gets, about `spp` in the mean: fills next.surfaces->paths, with
   // the frame's features and surfaces known. Called for each frame, the first too, if the method takes
   // samples on surfaces.

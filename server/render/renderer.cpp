@@ -65,14 +65,14 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
 }
 
 std::chrono::nanoseconds Renderer::renderSurfaces(const Camera& camera, const Camera& prev,
-                                                  const PoolHandle& pool, Frame& out) {
+                                                  const PoolHandle& pool, Frame& out, const OnTile& on_tile) {
   strengths_.setTime(out.time);
   out.light = strengths_.state();
   starts_.resize(out.surfaces->indexOf(0, out.height()));
   const PixelContext view{*scene_, strengths_, camera, prev};
   const auto tile = withKernel(scene_->shading(), []<Shading S>() { return renderSurfaceTile<S>; });
   return pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
-                          [&](Tile t) { tile(view, t, starts_, out); });
+                          [&](Tile t) { tile(view, t, on_tile, starts_, out); });
 }
 
 std::chrono::nanoseconds Renderer::renderPaths(const Camera& camera, const SeedPlan& seeds,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 
 #include "base/pool_handle.h"
@@ -22,6 +23,8 @@ struct RenderSettings {
 
 class Renderer {
  public:
+  using OnTile = std::function<void(Tile)>;
+
   // Shares `scene`.
   Renderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings)
       : scene_(std::move(scene)), strengths_(scene_->description()), settings_(settings) {}
@@ -32,9 +35,11 @@ class Renderer {
                                   const PoolHandle& pool, Frame& out);
 
   // The same for frames with SurfaceSamples, in two steps. First features, and the surfaces that samples are
-  // of; then as many paths as out.surfaces->paths says, of pass 2 alone.
-  std::chrono::nanoseconds renderSurfaces(const Camera& camera, const Camera& prev, const PoolHandle& pool,
-                                          Frame& out);
+  // of; then as many paths as SurfacePoint::paths says, of pass 2 alone. `on_tile` is called with each tile
+  // as soon as it is known. It may mark points as baked: they get paths only if their pixel shows others.
+  std::chrono::nanoseconds renderSurfaces(
+      const Camera& camera, const Camera& prev, const PoolHandle& pool, Frame& out,
+      const OnTile& on_tile = [](Tile) {});
   std::chrono::nanoseconds renderPaths(const Camera& camera, const SeedPlan& seeds, const PoolHandle& pool,
                                        Frame& out);
 
@@ -47,7 +52,7 @@ class Renderer {
   std::shared_ptr<const RenderScene> scene_;
   EmitterStrengths strengths_;  // at the time of the current frame
   RenderSettings settings_;
-  std::vector<SurfaceStart> starts_;  // by pixel, of renderSurfaces()
+  std::vector<SurfaceStart> starts_;  // of renderSurfaces(), by index, of points that may get paths
 };
 
 }  // namespace saccade

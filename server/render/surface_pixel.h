@@ -2,12 +2,9 @@
 #pragma once
 
 #include "render/scatter.h"
-#include "render/surface_start.h"
-#include "render/tile_samples.h"
+#include "render/surface_points.h"
 
 namespace saccade {
-
-inline constexpr int kMaxTilePoints = kMaxTileEdge * kMaxTileEdge * static_cast<int>(kSubPixels);
 
 // What the paths of a point have found, and its parts: sums of luminance.
 struct ReflectedParts {
@@ -32,31 +29,23 @@ void addPath(const PathResults<C>& found, std::uint32_t slot, Rgb base, Reflecte
   sum.bounce = {found.tail_cell[slot], {light.x / albedo.x, light.y / albedo.y, light.z / albedo.z}};
 }
 
-// Tells a point with paths its samples. Returns the light that leaves it, over its albedo.
-inline double setSamples(const ReflectedParts& sum, const SurfaceStart& start, SurfacePoint& out) {
-  const auto paths = static_cast<double>(out.paths);
+// The means over the paths of a point, over its albedo.
+inline SurfaceLight lightOf(const ReflectedParts& sum, double paths, const SurfaceStart& start) {
   // Of a diffuse surface the path's own estimate of such light goes: what is left has the least noise. Of a
   // plastic that estimate holds other light too.
   const double direct = start.base.all ? sum.weighed : sum.visible;
-  out.unoccluded_sample = static_cast<float>(sum.unoccluded / paths) / start.albedo;
-  out.visible_sample = static_cast<float>(sum.visible / paths) / start.albedo;
-  out.rest = static_cast<float>((sum.all - direct) / paths) / start.albedo;
-  out.bounce = sum.bounce;
-  return sum.all / paths / start.albedo;
+  return {static_cast<float>(sum.unoccluded / paths) / start.albedo,
+          static_cast<float>(sum.visible / paths) / start.albedo,
+          static_cast<float>((sum.all - direct) / paths) / start.albedo, sum.bounce};
 }
 
-inline void setNoSamples(SurfacePoint& out) {
-  out.unoccluded_sample = out.visible_sample = out.rest = 0;
-  out.bounce = {};
-}
-
-// The samples of a tile's points, of pass 2 alone.
+// The light of a tile's points, of pass 2 alone.
 template <Shading S, int C>
 void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile,
                     const std::vector<SurfaceStart>& starts, Frame& out) {
   SurfaceSamples& on = *out.surfaces;
   const Scratch<std::array<ReflectedParts, kMaxTilePoints>> sums;
-  const Scratch<std::array<std::uint32_t, kMaxTilePoints>> points;  // by their place in the tile
+  const Scratch<std::array<std::uint32_t, kMaxTilePoints>> points;  // those with paths
   std::uint32_t count = 0;
   const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
     addPath(found, slot, starts[(*points)[owner]].base.albedo, (*sums)[owner]);
@@ -64,29 +53,26 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces
   const Tracing tracing{
       view.scene, view.strengths, bounces, {on.bounces, view.camera.origin, view.camera.pixel}};
   PathRun<S, C, true, decltype(onPath)> run(tracing, onPath);
-  const auto forEachPoint = [&](const auto& f) {
-    forEachPixel(tile, [&](int x, int y) {
-      for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
-        if (on.at(column, y).share > 0) f(x, y, column);
-    });
-  };
-  forEachPoint([&](int, int y, int column) {
-    const auto i = static_cast<std::uint32_t>(on.indexOf(column, y));
-    (*sums)[count] = {}, (*points)[count] = i;
-    for (std::uint32_t path = 0; path < on[i].paths; ++path)
-      run.add(starts[i].path, PathSampler(seeds.seed2, i, path), count);
-    ++count;
+  forEachPixel(tile, [&](int x, int y) {
+    out.samples.I2.at(x, y) = out.g.emission.at(x, y);
+    for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
+      const auto i = static_cast<std::uint32_t>(on.indexOf(column, y));
+      if (on[i].share <= 0 || on[i].paths == 0) continue;
+      (*sums)[count] = {}, (*points)[count] = i;
+      for (std::uint32_t path = 0; path < on[i].paths; ++path)
+        run.add(starts[i].path, PathSampler(seeds.seed2, i, path), count);
+      ++count;
+    }
   });
   run.finish();
-  forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
-  count = 0;
-  forEachPoint([&](int x, int y, int column) {
-    SurfacePoint& p = on.at(column, y);
-    const ReflectedParts& sum = (*sums)[count++];
-    if (p.paths == 0) return setNoSamples(p);
-    const double light = setSamples(sum, starts[on.indexOf(column, y)], p);
-    out.samples.I2.at(x, y) += static_cast<float>(light * p.share * out.g.albedo.at(x, y));
-  });
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t i = (*points)[k];
+    const int x = on.columnOf(i) / on.perPixel(), y = on.rowOf(i);
+    const double paths = on[i].paths;
+    on.light(i) = lightOf((*sums)[k], paths, starts[i]);
+    const double all = (*sums)[k].all / paths / starts[i].albedo;
+    out.samples.I2.at(x, y) += static_cast<float>(all * on[i].share * out.g.albedo.at(x, y));
+  }
 }
 
 }  // namespace saccade

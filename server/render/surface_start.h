@@ -8,7 +8,6 @@ namespace saccade {
 // What of a surface is seen directly and reflects alike into all directions.
 struct DiffuseBase {
   Rgb albedo;        // 0: there is none
-  Rgb unoccluded;    // the light that it reflects in closed form
   bool all = false;  // the surface is nothing else
 };
 

@@ -31,7 +31,7 @@ struct BakedLightTest : testing::Test, View {
   };
   Read read(const BakedLight& baked) {
     Read read;
-    baked.read(*wall.frame.surfaces, wall.frame.g, pool, read.light);
+    baked.read({0, 0, kW, kH}, *wall.frame.surfaces, wall.frame.g, read.light);
     for (int y = 0; y < kH; ++y)
       for (int x = 0; x < kW; ++x) read.known.at(x, y) = wall.frame.surfaces->at(x, y).baked;
     return read;
@@ -42,7 +42,7 @@ struct BakedLightTest : testing::Test, View {
     for (int y = 0; y < kH; ++y) {
       for (int x = 0; x < kW; ++x) {
         if (where.known.at(x, y) == 0) continue;
-        sum += std::pow(light.i.at(x, y) - truth(wall, wall.frame.surfaces->at(x, y).position.x), 2);
+        sum += std::pow(light.i.at(x, y) - truth(wall, wall.xAt(x, y)), 2);
         variance += light.var_i.at(x, y);
       }
     }
@@ -88,11 +88,12 @@ TEST_F(BakedLightTest, LeavesOutWhatItDoesNotKnow) {
   EXPECT_EQ(read(baked).count(), 0);
   wall.show(10, 1);
   EXPECT_EQ(read(baked).count(), kW * kH);
-  for (int y = 0; y < kH; ++y)
-    for (SurfacePoint& p : wall.frame.surfaces->row(y)) p.footprint = kPixel / 8;  // from nearby
+  wall.footprint_px = 1.f / 8;  // from nearby
+  wall.show(10, 1);
   const Read near = read(baked);
   EXPECT_EQ(near.count(), 0);
   EXPECT_EQ(near.light.i.at(9, 9), 0);
+  wall.footprint_px = 1;
   wall.show(10, 1);
   for (int y = 0; y < kH; ++y)
     for (SurfacePoint& p : wall.frame.surfaces->row(y)) p.kind = SurfaceKind::kNone;
@@ -104,8 +105,8 @@ TEST_F(BakedLightTest, LeavesOutWhatItDoesNotKnow) {
 TEST_F(BakedLightTest, LeavesOutVerticesWithFewSamples) {
   View other;
   other.look(wall, 0, 0);
-  for (int y = 0; y < kH; ++y)
-    for (SurfacePoint& p : wall.frame.surfaces->row(y)) p.footprint = kPixel / 2;
+  wall.footprint_px = 1.f / 2;
+  wall.show(0, 0);
   EXPECT_GT(read(BakedLight(grid.levels(), {}, pool)).count(), 0.9 * kW * kH);
   EXPECT_EQ(read(BakedLight(other.grid.levels(), {}, pool)).count(), 0);
 }

@@ -15,7 +15,8 @@ BounceCell at(Vec3 point, Vec3 normal = {0, 0, 1}) {
 // Adds `count` samples of the light (red, 1, 1) in one cell.
 void add(BounceGrid& grid, const BounceCell& cell, int count, float red = 1) {
   SurfaceSamples on(count, 1, 1);
-  for (SurfacePoint& p : on.row(0)) p.bounce = {cell.key, {red, 1, 1}};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    on[i].paths = 1, on.light(i).bounce = {cell.key, {red, 1, 1}};
   grid.add(on);
 }
 

@@ -12,9 +12,10 @@ using namespace test;
 BounceGrid someBounces() {
   BounceGrid bounces(100);
   SurfaceSamples samples(50, 2, 1);
-  for (int y = 0; y < 2; ++y)
-    for (int x = 0; x < 50; ++x)
-      samples.at(x, y).bounce = {static_cast<std::uint64_t>(1 + x % 20), {1, static_cast<float>(x), 3}};
+  for (std::size_t i = 0; i < 2 * 50; ++i) {
+    samples[i].paths = 1;
+    samples.light(i).bounce = {1 + i % 50 % 20, {1, static_cast<float>(i % 50), 3}};
+  }
   bounces.add(samples);
   return bounces;
 }

@@ -18,21 +18,21 @@ struct Wall {
   std::function<float(float)> light = [](float) { return 1.f; };       // of x
   std::function<float(float)> visibility = [](float) { return 1.f; };  // of x
   Vec3 normal{0, 0, 1};
+  float footprint_px = 1;
 
+  float xAt(int x, int y) const { return frame.surfaces->place(frame.surfaces->indexOf(x, y)).position.x; }
   void show(float shift_px, std::uint64_t seed) {
     for (int y = 0; y < kH; ++y) {
       for (int x = 0; x < kW; ++x) {
         const float at = (static_cast<float>(x) + shift_px) * kPixel;
-        SurfacePoint& p = frame.surfaces->at(x, y);
-        p.kind = SurfaceKind::kDiffuse;
-        p.share = 1, p.paths = 1;
-        p.position = {at, static_cast<float>(y) * kPixel, 0};
-        p.normal = normal;
-        p.footprint = kPixel;
-        p.rest = light(at) + noise * (2 * randomAt(seed, x, y) - 1);
-        p.unoccluded = unoccluded;
-        p.unoccluded_sample = unoccluded * (0.5f + randomAt(seed + 77, x, y));
-        p.visible_sample = randomAt(seed + 99, x, y) < visibility(at) ? p.unoccluded_sample : 0;
+        const std::size_t index = frame.surfaces->indexOf(x, y);
+        (*frame.surfaces)[index] = {.share = 1, .kind = SurfaceKind::kDiffuse, .paths = 1};
+        frame.surfaces->place(index) = {
+            {at, static_cast<float>(y) * kPixel, 0}, normal, kPixel * footprint_px, unoccluded};
+        SurfaceLight& found = frame.surfaces->light(index);
+        found.rest = light(at) + noise * (2 * randomAt(seed, x, y) - 1);
+        found.unoccluded = unoccluded * (0.5f + randomAt(seed + 77, x, y));
+        found.visible = randomAt(seed + 99, x, y) < visibility(at) ? found.unoccluded : 0;
         frame.g.motion_x.at(x, y) = 1;
       }
     }
@@ -56,7 +56,7 @@ struct View {
     double sum = 0, variance = 0;
     for (int y = 0; y < kH; ++y) {
       for (int x = 0; x < kW; ++x) {
-        sum += std::pow(now.i.at(x, y) - f(wall.frame.surfaces->at(x, y).position.x), 2);
+        sum += std::pow(now.i.at(x, y) - f(wall.xAt(x, y)), 2);
         variance += now.var_i.at(x, y);
       }
     }

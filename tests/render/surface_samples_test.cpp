@@ -47,6 +47,13 @@ Frame render(const Scene& scene, int spp, int channels = 1, std::uint64_t seed =
   return frame;
 }
 
+const SurfacePlace& placeAt(const Frame& frame, int x, int y) {
+  return frame.surfaces->place(frame.surfaces->indexOf(x, y));
+}
+const SurfaceLight& lightAt(const Frame& frame, int x, int y) {
+  return frame.surfaces->light(frame.surfaces->indexOf(x, y));
+}
+
 // Means over the picture of a function of (x, y).
 double mean(const std::function<double(int, int)>& f) {
   double sum = 0;
@@ -76,31 +83,29 @@ INSTANTIATE_TEST_SUITE_P(, SurfaceSamplesOf,
 // The closed form is the mean of its samples, and the parts add up to the whole.
 TEST_P(SurfaceSamplesOf, PartsAddUp) {
   const Frame frame = render(lampRoom(GetParam().material), 256, 3);
-  const SurfaceSamples& on = *frame.surfaces;
-  const double U = mean([&](int x, int y) { return on.at(x, y).unoccluded; });
+  const double U = mean([&](int x, int y) { return placeAt(frame, x, y).unoccluded; });
   EXPECT_GT(U, 0.1);
-  EXPECT_NEAR(mean([&](int x, int y) { return on.at(x, y).unoccluded_sample; }), U, 0.01 * U);
+  EXPECT_NEAR(mean([&](int x, int y) { return lightAt(frame, x, y).unoccluded; }), U, 0.01 * U);
   const double whole = mean([&](int x, int y) {
     return (frame.samples.I2.at(x, y) - frame.g.emission.at(x, y)) / frame.g.albedo.at(x, y);
   });
   const double parts = mean([&](int x, int y) {
-    return on.at(x, y).unoccluded * on.at(x, y).visible_sample / on.at(x, y).unoccluded_sample +
-           on.at(x, y).rest;
+    const SurfaceLight& light = lightAt(frame, x, y);
+    return placeAt(frame, x, y).unoccluded * light.visible / light.unoccluded + light.rest;
   });
   EXPECT_NEAR(parts, whole, 0.01 * whole);
 }
 
 TEST(SurfaceSamples, TellWhereShadowsAre) {
   const Frame frame = render(lampRoom(test::grey(0.5f)), 16);
-  const SurfaceSamples& on = *frame.surfaces;
-  EXPECT_EQ(on.at(1, 1).kind, SurfaceKind::kDiffuse);
-  EXPECT_EQ(on.at(1, 1).visible_sample, on.at(1, 1).unoccluded_sample);  // far from the box
+  EXPECT_EQ(frame.surfaces->at(1, 1).kind, SurfaceKind::kDiffuse);
+  EXPECT_EQ(lightAt(frame, 1, 1).visible, lightAt(frame, 1, 1).unoccluded);  // far from the box
   int shadowed = 0;
   for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) shadowed += on.at(x, y).visible_sample == 0;
+    for (int x = 0; x < kSize; ++x) shadowed += lightAt(frame, x, y).visible == 0;
   EXPECT_GT(shadowed, 5);
-  EXPECT_NEAR(on.at(1, 1).position.z, 0, 1e-5);
-  EXPECT_LT(on.at(1, 12).position.x, on.at(20, 12).position.x);
+  EXPECT_NEAR(placeAt(frame, 1, 1).position.z, 0, 1e-5);
+  EXPECT_LT(placeAt(frame, 1, 12).position.x, placeAt(frame, 20, 12).position.x);
 }
 
 // Light that is known ends paths, and does not change what they find: no bounce is lost or counted twice.
@@ -117,8 +122,8 @@ TEST(SurfaceSamples, EndedPathsFindTheSameLight) {
       if (bounces) known.add(*frame.surfaces);
       kept = 0;
       for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) kept += frame.surfaces->at(x, y).bounce.cell != 0;
-      return mean([&](int x, int y) { return frame.surfaces->at(x, y).rest; });
+        for (int x = 0; x < kSize; ++x) kept += lightAt(frame, x, y).bounce.cell != 0;
+      return mean([&](int x, int y) { return lightAt(frame, x, y).rest; });
     };
     const double without = rest(nullptr), with = rest(&known);
     if (seed >= kLearning) all += without, ended += with;
@@ -136,7 +141,7 @@ TEST(SurfaceSamples, AllOfDirectLightIsInClosedForm) {
   s.materials[1] = test::grey(0);                              // of the lamp
   const Frame frame = render(s, 4);
   for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) ASSERT_NEAR(frame.surfaces->at(x, y).rest, 0, 1e-5);
+    for (int x = 0; x < kSize; ++x) ASSERT_NEAR(lightAt(frame, x, y).rest, 0, 1e-5);
 }
 
 TEST(SurfaceSamples, MetalSharesNoLight) {
@@ -160,16 +165,17 @@ TEST(SurfaceSamples, WhatAMirrorShowsLiesBehindIt) {
   s.meshes.push_back(test::quad({-2, -2, 3.8f}, {0, 4, 0}, {4, 0, 0}, 1));  // a ceiling
   const Frame frame = render(s, 1);
   EXPECT_EQ(frame.surfaces->at(2, 12).kind, SurfaceKind::kMixed);
-  EXPECT_LT(frame.surfaces->at(2, 12).position.z, -0.1f);
-  EXPECT_EQ(frame.surfaces->at(2, 12).unoccluded, 0);
+  EXPECT_LT(placeAt(frame, 2, 12).position.z, -0.1f);
+  EXPECT_EQ(placeAt(frame, 2, 12).unoccluded, 0);
 }
 
 // With jitter a pixel has a point for each surface that it shows.
 TEST(SurfaceSamples, APixelOnOneSurfaceHasOnePoint) {
   const Scene scene = lampRoom(test::grey(0.5f));
   const Frame centres = render(scene, 1), frame = render(scene, 1, 1, 1, nullptr, kSubPixels);
-  const SurfacePoint &centre = centres.surfaces->at(3, 3), &point = frame.surfaces->of(3, 3)[0];
-  EXPECT_FLOAT_EQ(point.share, 1);
+  const SurfacePlace& centre = placeAt(centres, 3, 3);
+  const SurfacePlace& point = placeAt(frame, 3 * static_cast<int>(kSubPixels), 3);
+  EXPECT_FLOAT_EQ(frame.surfaces->of(3, 3)[0].share, 1);
   EXPECT_EQ(point.position.x, centre.position.x);
   EXPECT_NEAR(point.unoccluded, centre.unoccluded, 1e-6);  // one by one, and in lanes
   for (std::size_t i = 1; i < kSubPixels; ++i) EXPECT_EQ(frame.surfaces->of(3, 3)[i].share, 0);
@@ -181,9 +187,11 @@ TEST(SurfaceSamples, APixelOnAnEdgeHasAPointForEachSurface) {
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
       float shares = 0, least = 10, most = -10;
-      for (const SurfacePoint& p : frame.surfaces->of(x, y)) {
-        shares += p.share;
-        if (p.share > 0) least = std::min(least, p.position.z), most = std::max(most, p.position.z);
+      for (int column = x * frame.surfaces->perPixel(); column < (x + 1) * frame.surfaces->perPixel();
+           ++column) {
+        const float share = frame.surfaces->at(column, y).share, z = placeAt(frame, column, y).position.z;
+        shares += share;
+        if (share > 0) least = std::min(least, z), most = std::max(most, z);
       }
       ASSERT_NEAR(shares, 1, 1e-5);
       edges += least < 0.01f && most > 0.99f;  // floor and box
