@@ -40,22 +40,22 @@ void setFar(const Camera& camera, const Camera& prev, Vec3 direction, int x, int
   g.dz.at(x, y) = 0;
 }
 
+// Makes the parts of `out` where they lie: a copy would wait for each of its values to reach the cache.
 template <Shading S>
-PrimaryHit primaryAt(const PixelContext& view, const Ray& ray, const Hit& hit) {
-  PrimaryHit primary{};
-  primary.direction = ray.direction;
-  primary.valid = hit.valid;
-  const Vec3 unit = normalize(primary.direction);
+void setPrimary(const PixelContext& view, const Ray& ray, const Hit& hit, PrimaryHit& out) {
+  out.direction = ray.direction;
+  out.valid = hit.valid;
+  const Vec3 unit = normalize(ray.direction);
   if (!hit.valid) {
-    primary.guide.hit = false;
-    if constexpr (S.extras) primary.guide.emission = view.scene.lights().distantRadiance(unit);
-    return primary;
+    out.start = {}, out.guide = {};
+    out.guide.hit = false;
+    if constexpr (S.extras) out.guide.emission = view.scene.lights().distantRadiance(unit);
+    return;
   }
   RayCone cone{0, view.camera.pixel};
   cone.width = cone.at(hit.t);
-  primary.start = {surfaceAt<S>(view.scene, ray, hit, cone.width), unit, cone};
-  primary.guide = findGuide<S>(view.scene, view.strengths, ray, hit, primary.start);
-  return primary;
+  new (&out.start) PathStart{surfaceAt<S>(view.scene, ray, hit, cone.width), unit, cone};
+  new (&out.guide) Guide(findGuide<S>(view.scene, view.strengths, ray, hit, out.start));
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std:
     rays[i] = {view.camera.origin, view.camera.direction(points[i].x, points[i].y),
                std::numeric_limits<float>::infinity()};
   view.scene.geometry().intersect(rays, std::span(found).first(hits.size()));
-  for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = primaryAt<S>(view, rays[i], found[i]);
+  for (std::size_t i = 0; i < hits.size(); ++i) setPrimary<S>(view, rays[i], found[i], hits[i]);
 }
 
 void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,

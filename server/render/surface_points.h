@@ -18,12 +18,15 @@ inline LitPoint litPoint(const PathStart& start) {
   return {start.surface.point, start.surface.shading_normal, start.surface.geometric_normal};
 }
 
+// Sets its parts one by one: a copy of them all would wait for each of them to reach the cache.
 template <Shading S>
-DiffuseBase diffuseBaseOf(const PathStart& start) {
-  const Surface& s = start.surface;
-  const Scatter<S> scatter(s, start.direction);
-  if (!scatter.hasBase() || s.opacity < 1) return {};
-  return {scatter.diffuseAlbedo(), scatter.isDiffuse()};
+void setStart(const PathStart& path, float albedo, SurfaceStart& out) {
+  const Scatter<S> scatter(path.surface, path.direction);
+  const bool has_base = scatter.hasBase() && path.surface.opacity >= 1;
+  out.path = path;
+  out.base.albedo = has_base ? scatter.diffuseAlbedo() : Rgb{};
+  out.base.all = has_base && scatter.isDiffuse();
+  out.albedo = albedo;
 }
 
 // The points of a tile, as they are found.
@@ -84,13 +87,15 @@ class TilePoints {
     const Guide& guide = hit.guide;
     const float albedo = luminance(guide.albedo);
     if (!hit.valid || albedo <= 0) return;
-    const DiffuseBase base = diffuseBaseOf<S>(hit.start);
-    startAt(column, y) = {hit.start, base, albedo};
+    SurfaceStart& start = startAt(column, y);
+    setStart<S>(hit.start, albedo, start);
     point.share = share;
     if (!guide.hit || !guide.has_base || albedo <= kLeastSurfaceAlbedo) return;
-    point.kind = base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
-    out_.surfaces->place(out_.surfaces->indexOf(column, y)) = {
-        guide.point, guide.normal, view_.camera.pixel * guide.t, luminance(base.albedo * white) / albedo};
+    point.kind = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
+    SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(column, y));
+    place.position = guide.point, place.normal = guide.normal;
+    place.footprint = view_.camera.pixel * guide.t;
+    place.unoccluded = luminance(start.base.albedo * white) / albedo;
   }
 
   SurfaceStart& startAt(int column, int y) const {
