@@ -200,6 +200,40 @@ TEST(SurfaceSamples, APixelOnAnEdgeHasAPointForEachSurface) {
   EXPECT_GT(edges, 3);
 }
 
+// Another method estimates the whole of a pixel that shows metal, and so needs paths of all its points.
+TEST(SurfaceSamples, BakedPointsBesideOthersCanHavePaths) {
+  Scene scene = lampRoom(test::grey(0.5f));
+  scene.materials.push_back(plastic(BsdfKind::kRoughConductor));
+  scene.meshes[4].material = 2;  // the box
+  const auto s = std::make_shared<RenderScene>(scene);
+  const Camera camera(scene.T_world_camera, scene.fov_x_deg, kSize, kSize);
+  TilePool pool(2);
+  const auto renderWith = [&](bool baked) {
+    Frame frame(kSize, kSize, kSubPixels);
+    Renderer renderer(s, {2, 1, true});
+    renderer.renderSurfaces(camera, camera, pool, frame, [&](Tile tile) {
+      for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x)
+          for (SurfacePoint& p : frame.surfaces->of(x, y)) p.baked = baked && p.kind != SurfaceKind::kNone;
+    });
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x)
+        for (SurfacePoint& p : frame.surfaces->of(x, y)) p.paths = frame.surfaces->showsOthers(x, y);
+    renderer.renderPaths(camera, SeedPlan::independent(1, 0, 1), pool, frame);
+    return frame;
+  };
+  const Frame expected = renderWith(false), found = renderWith(true);
+  int edges = 0;
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      ASSERT_EQ(found.samples.I2.at(x, y), expected.samples.I2.at(x, y));
+      edges += found.surfaces->showsOthers(x, y) &&
+               std::ranges::any_of(found.surfaces->of(x, y), &SurfacePoint::baked);
+    }
+  }
+  EXPECT_GT(edges, 3);
+}
+
 // The points of a pixel show the light of all of it, as a picture of 16 times the resolution does.
 TEST(SurfaceSamples, PointsShowTheLightOfTheWholePixel) {
   constexpr int kFine = 16, kFineSize = kFine * kSize;
