@@ -8,6 +8,7 @@
 
 #include "app/metrics.h"
 #include "base/instruction_set.h"
+#include "web/page_files.h"
 #include "wire/protocol.h"
 
 namespace saccade {
@@ -41,11 +42,11 @@ App::App(const Config& config)
       },
       [this](const std::string& connection) { opener_.openings().cancelAllOf(connection); });
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
-  if (config.http != "off") http_.emplace(config.http, pages());
+  if (config.http != "off") serveHttp(config);
   manager_.tell("READY=1");
-  spdlog::info("ready: control {} data {} broadcast {} http {}, {} threads, {}, scenes in {}",
-               control_.endpoint(), data_.endpoint(), broadcast_.endpoint(), httpEndpoint(), config.threads,
-               instructionSetName(), config.scenes);
+  spdlog::info("ready: control {} data {} broadcast {} http {} viewer {}, {} threads, {}, scenes in {}",
+               control_.endpoint(), data_.endpoint(), broadcast_.endpoint(), httpEndpoint(), viewerUrl(),
+               config.threads, instructionSetName(), config.scenes);
 }
 
 App::~App() {
@@ -102,6 +103,22 @@ HttpPages App::pages() const {
   };
 }
 
+void App::serveHttp(const Config& config) {
+  HttpPages all = pages();
+  HttpUpgrades upgrades;
+  if (const auto keys = openViewer(config, access_)) {
+    viewer_.emplace(ViewerSettings{.control = reachableHere(control_.endpoint()),
+                                   .source = {.data = reachableHere(data_.endpoint()),
+                                              .broadcast = reachableHere(broadcast_.endpoint()),
+                                              .keys = *keys},
+                                   .max_viewers = static_cast<std::size_t>(config.limits[Limit::kViewers]),
+                                   .loopback_only = isLoopback(config.http)});
+    all.merge(viewerPages());
+    upgrades[ViewerGateway::kPath] = viewer_->upgrade();
+  }
+  http_.emplace(config.http, std::move(all), std::move(upgrades));
+}
+
 void App::sweep(std::stop_token stopped) {
   std::mutex mutex;
   std::condition_variable_any tick;
@@ -128,6 +145,7 @@ bool App::stop() {
   opener_.stop();
   const bool all_taken = streams_.stopAll(deadline);
   const bool all_open = opener_.wait(deadline);
+  if (viewer_) viewer_->stop();
   sweeper_ = {};
   control_.stop();
   data_.stop();

@@ -17,6 +17,8 @@
 #include "stream/broadcast_server.h"
 #include "stream/control_server.h"
 #include "stream/data_server.h"
+#include "stream/endpoint.h"
+#include "web/viewer_gateway.h"
 
 namespace saccade {
 
@@ -29,6 +31,7 @@ class App {
   ~App();  // stop()
 
   std::string controlEndpoint() const { return control_.endpoint(); }
+  std::string viewerUrl() const { return viewer_ ? reachableHere(httpEndpoint()) + "/" : "off"; }
   std::string httpEndpoint() const { return http_ ? http_->endpoint() : "off"; }
 
   void reloadKeys();  // reads the clients' keys again; on a fault it logs it and keeps the old ones
@@ -44,6 +47,7 @@ class App {
  private:
   v1::ServerDescription describe(const Config& config) const;
   HttpPages pages() const;
+  void serveHttp(const Config& config);
   void sweep(std::stop_token stopped);
   // When the socket thread that is furthest behind completed its last loop.
   ChangeNotifier::Clock::time_point oldestTurn() const;
@@ -68,6 +72,7 @@ class App {
   const ServiceManager manager_;
   std::jthread sweeper_;
   std::atomic<bool> stopping_ = false;
+  std::optional<ViewerGateway> viewer_;
   std::optional<HttpServer> http_;
 };
 

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "ops/http_respond.h"
+
 namespace saccade {
 namespace {
 
@@ -44,32 +46,6 @@ std::string withPortOf(MHD_Daemon* daemon, const std::string& endpoint) {
   return endpoint.substr(0, endpoint.rfind(':') + 1) + std::to_string(port);
 }
 
-HttpAnswer answerTo(const char* path, std::string_view method, const HttpPages& pages) {
-  if (method != "GET" && method != "HEAD") return {.status = 405, .body = "GET or HEAD\n"};
-  const auto page = pages.find(path);
-  if (page == pages.end()) return {.status = 404, .body = "Not Found\n"};
-  try {
-    return page->second();
-  } catch (const std::exception&) {
-    return {.status = 500, .body = "Internal Server Error\n"};
-  }
-}
-
-// Answers when the head of a request has come, without reading its body. The connection then closes.
-MHD_Result respond(void* pages, MHD_Connection* client, const char* path, const char* method, const char*,
-                   const char*, std::size_t*, void**) {
-  HttpAnswer answer = answerTo(path, method, *static_cast<const HttpPages*>(pages));
-  const std::unique_ptr<MHD_Response, decltype(&MHD_destroy_response)> response(
-      MHD_create_response_from_buffer(answer.body.size(), answer.body.data(), MHD_RESPMEM_MUST_COPY),
-      MHD_destroy_response);
-  if (!response) return MHD_NO;
-  MHD_add_response_header(response.get(), "Content-Type", answer.type.c_str());
-  MHD_add_response_header(response.get(), "Cache-Control", "no-store");
-  MHD_add_response_header(response.get(), "Connection", "close");
-  if (answer.status == 405) MHD_add_response_header(response.get(), "Allow", "GET, HEAD");
-  return MHD_queue_response(client, answer.status, response.get());
-}
-
 rlim_t maxClients() {
   rlimit files{};
   getrlimit(RLIMIT_NOFILE, &files);
@@ -78,8 +54,8 @@ rlim_t maxClients() {
 
 // Counts the clients, and cuts off the oldest of too many: one that sends a byte now and then is never
 // silent.
-void count(void* sockets, MHD_Connection* client, void**, MHD_ConnectionNotificationCode code) {
-  auto& clients = *static_cast<std::vector<int>*>(sockets);
+void count(void* site, MHD_Connection* client, void**, MHD_ConnectionNotificationCode code) {
+  auto& clients = static_cast<HttpSite*>(site)->clients;
   const int socket = MHD_get_connection_info(client, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
   if (code == MHD_CONNECTION_NOTIFY_CLOSED) {
     std::erase(clients, socket);
@@ -93,20 +69,23 @@ void count(void* sockets, MHD_Connection* client, void**, MHD_ConnectionNotifica
 
 }  // namespace
 
-HttpServer::HttpServer(const std::string& endpoint, HttpPages pages)
-    : pages_(std::move(pages)), daemon_(start(endpoint)), endpoint_(withPortOf(daemon_.get(), endpoint)) {}
+HttpServer::HttpServer(const std::string& endpoint, HttpPages pages, HttpUpgrades upgrades)
+    : site_{std::move(pages), std::move(upgrades)},
+      daemon_(start(endpoint)),
+      endpoint_(withPortOf(daemon_.get(), endpoint)) {}
 
 // Uses poll(): with epoll libmicrohttpd 0.9.75 misses a connection's end that comes with its last bytes.
 HttpServer::Daemon HttpServer::start(const std::string& endpoint) {
   const Addresses address = resolve(endpoint);
   const unsigned family = address->ai_family == AF_INET6 ? MHD_USE_IPv6 : MHD_NO_FLAG;
   // clang-format off
-  Daemon daemon(MHD_start_daemon(MHD_USE_POLL_INTERNAL_THREAD | family, 0, nullptr, nullptr, respond, &pages_,
+  Daemon daemon(MHD_start_daemon(MHD_USE_POLL_INTERNAL_THREAD | MHD_ALLOW_UPGRADE | family, 0, nullptr, nullptr,
+                                 respond, &site_,
                                  MHD_OPTION_SOCK_ADDR, address->ai_addr,
                                  MHD_OPTION_CONNECTION_LIMIT, kMaxConnections,
                                  MHD_OPTION_CONNECTION_MEMORY_LIMIT, kMemoryBytes,
                                  MHD_OPTION_CONNECTION_TIMEOUT, kMaxSilenceS,
-                                 MHD_OPTION_NOTIFY_CONNECTION, count, &clients_,
+                                 MHD_OPTION_NOTIFY_CONNECTION, count, &site_,
                                  MHD_OPTION_END),
                 MHD_stop_daemon);
   // clang-format on

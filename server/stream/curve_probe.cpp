@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "stream/endpoint.h"
+#include "stream/public_key.h"
 
 namespace saccade {
 namespace {
@@ -11,12 +12,11 @@ namespace {
 constexpr int kTimeoutMs = 5000;
 
 void connectStranger(zmq::socket_t& socket, const std::string& endpoint, const std::string& server_secret) {
-  char public_key[41], secret_key[41], server_key[41];
+  char public_key[41], secret_key[41];
   if (zmq_curve_keypair(public_key, secret_key) != 0) throw zmq::error_t();
-  if (zmq_curve_public(server_key, server_secret.c_str()) != 0) throw zmq::error_t();
   socket.set(zmq::sockopt::linger, 0);
   socket.set(zmq::sockopt::ipv6, endpoint.find('[') != std::string::npos);
-  socket.set(zmq::sockopt::curve_serverkey, server_key);
+  socket.set(zmq::sockopt::curve_serverkey, publicKeyOf(server_secret));
   socket.set(zmq::sockopt::curve_publickey, public_key);
   socket.set(zmq::sockopt::curve_secretkey, secret_key);
   socket.connect(endpoint);

@@ -16,9 +16,10 @@ ROOMS = {
     "events": "frame wire base",
     "stream": "wire base",
     "ops": "base",
+    "web": "wire base client ops",
     "feed": "base frame scene render filter cache methods",
     "tables": "base scene wire render methods",
-    "app": "base frame scene wire render filter cache methods feed tables events stream ops",
+    "app": "base frame scene wire render filter cache methods feed tables events stream ops web client",
     "eval": "base frame scene wire render filter cache methods feed tables events",
     "client": "wire",
 }
@@ -45,9 +46,11 @@ FOLDERS = {
 # Headers of libraries, with the only places that may include them.
 OUTSIDE = {
     "embree3/": ["server/render/embree_scene.cpp"],
-    "zmq": ["server/stream/", "client/", "tests/"],
+    "zmq": ["server/stream/", "server/web/", "client/", "tests/"],
     "prometheus/": ["server/app/metrics.cpp"],
-    "microhttpd": ["server/ops/http_server.cpp"],
+    "microhttpd": ["server/ops/http_"],
+    "wslay/": ["server/web/web_socket.cpp"],
+    "nettle/": ["server/web/web_handshake.cpp"],
     "toml++/": ["server/app/config/config_file.cpp"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)

@@ -122,7 +122,7 @@ TEST_F(Http, IsNotReadyAsSoonAsItStops) {
 }
 
 TEST_F(Http, AnswersWhatItKnows) {
-  EXPECT_EQ(get("/").status, 404);
+  EXPECT_EQ(get("/nothing").status, 404);
   EXPECT_EQ(get("/metrics/more").status, 404);
   const std::string endpoint = server_.app().httpEndpoint();
   const auto post = httpSend(endpoint, "POST /metrics HTTP/1.1\r\nContent-Length: 9\r\n\r\n");  // and no body

@@ -22,6 +22,7 @@ enum class Limit {
   kConnections,
   kClientConnections,
   kInbound,
+  kViewers,
   kRequests,
   kClientRequests,
   kMemory,

@@ -79,7 +79,7 @@ void run(const CliAction& action, const Config& config, const ConfigSources& sou
     std::fprintf(stderr, "saccaded: %s\n", warning.c_str());
   if (action.print) std::fputs(sources.describe().c_str(), stdout);
   if (action.check) {
-    openAccess(config);
+    openViewer(config, openAccess(config));
     std::fprintf(stderr, "the configuration is valid\n");
   }
   if (action.print || action.check) std::exit(0);
@@ -106,7 +106,15 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--broadcast", config.broadcast, "socket for broadcast streams")
       ->check(endpoint)
       ->capture_default_str();
-  app.add_option("--http", config.http, "address of /metrics, /healthz and /readyz; off: none")
+  app.add_option("--http", config.http, "address of the viewer, /metrics, /healthz and /readyz; off: none")
+      ->capture_default_str();
+  app.add_option(
+         "--viewer", config.viewer,
+         "whether browsers may watch at --http; auto: on loopback, and with keys only by --viewer-key")
+      ->check(CLI::IsMember({"auto", "on", "off"}))
+      ->capture_default_str();
+  app.add_option("--viewer-key", config.viewer_key,
+                 "file of the secret key that browsers use; its public key is one of --client-keys")
       ->capture_default_str();
   app.add_option("--drain-time", config.drain_s,
                  "seconds that receivers have on SIGTERM to take the packets that are left")

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "stream/endpoint.h"
+#include "stream/public_key.h"
 #include "wire/curve_key.h"
 
 namespace saccade {
@@ -34,6 +35,21 @@ std::optional<ServerKeys> openKeys(const Config& config) {
   return std::nullopt;
 }
 
+// Viewers without a key of their own would let in whoever has none.
+std::optional<client::CurveKeys> viewerKeys(const Config& config, const Access& access) {
+  if (!access.keys) {
+    if (!config.viewer_key.empty())
+      throw std::runtime_error("--viewer-key is for a server with --secret-key and --client-keys");
+    return client::CurveKeys{};
+  }
+  if (config.viewer_key.empty()) return std::nullopt;
+  const std::string secret = readCurveKey(config.viewer_key);
+  if (!access.keys->clients->allow(publicKeyOf(secret)))
+    throw std::runtime_error("--viewer-key: the public key of " + config.viewer_key +
+                             " is not one of --client-keys");
+  return client::CurveKeys{.secret = secret, .server_public = publicKeyOf(access.keys->secret)};
+}
+
 }  // namespace
 
 Access openAccess(const Config& config) {
@@ -42,6 +58,17 @@ Access openAccess(const Config& config) {
           .connections = whole(Limit::kConnections),
           .client_connections = whole(Limit::kClientConnections),
           .inbound_mib = whole(Limit::kInbound)};
+}
+
+std::optional<client::CurveKeys> openViewer(const Config& config, const Access& access) {
+  if (config.viewer == "off") return std::nullopt;
+  const std::optional<client::CurveKeys> keys = viewerKeys(config, access);
+  if (config.viewer == "on") {
+    if (config.http == "off") throw std::runtime_error("--viewer on needs an address: give --http");
+    if (!keys) throw std::runtime_error("--viewer on needs --viewer-key on a server with keys");
+    return keys;
+  }
+  return config.http != "off" && isLoopback(config.http) ? keys : std::nullopt;
 }
 
 }  // namespace saccade

@@ -1,7 +1,10 @@
-// Access rules of the sockets, from the configuration.
+// Access rules of the sockets and of the viewer, from the configuration.
 #pragma once
 
+#include <optional>
+
 #include "app/config/config.h"
+#include "client/socket.h"
 #include "stream/socket_loop.h"
 
 namespace saccade {
@@ -10,5 +13,9 @@ namespace saccade {
 // the option: only one of the two key files is given, a key file cannot be read, or an address is open to
 // other machines without keys and without `insecure`.
 Access openAccess(const Config& config);
+
+// The keys with which viewers are clients of this server; nothing: there are no viewers. Throws as
+// openAccess(), also where a viewer is wanted and cannot be.
+std::optional<client::CurveKeys> openViewer(const Config& config, const Access& access);
 
 }  // namespace saccade

@@ -1,0 +1,56 @@
+// Counts what has come, what is lost, and how late it is.
+import { Kind } from "./packet.js";
+
+const WINDOW_MS = 1000; // of rates
+const BEST_MS = 10000; // of the earliest packet, to which delays refer
+
+export class Meters {
+  constructor() {
+    this.reset();
+  }
+
+  reset(speed = 1) {
+    Object.assign(this, { speed, lost: 0, notDrawn: 0, withheld: 0, events: 0, lagMs: 0, due: null });
+    this.recent = []; // {at, events, delay} of packets
+    this.offsets = []; // {at, ms}: arrival against stream time
+    this.frames = []; // times of drawn pictures
+  }
+
+  // A packet that arrives `at`, in ms. The delay is against the earliest packet lately: how much later this one came.
+  take(packet, at) {
+    if (packet.kind !== Kind.HEARTBEAT) this.count(packet);
+    this.lagMs = packet.lagMs;
+    const ms = at - (packet.t1Ns * 1e-6) / this.speed;
+    this.offsets = this.offsets.filter((o) => o.at > at - BEST_MS && o.ms < ms).concat({ at, ms });
+    this.recent.push({ at, events: packet.count, delay: ms - this.offsets[0].ms });
+  }
+
+  // A gap of seq holds the packets that the server says it dropped.
+  count(packet) {
+    if (this.due !== null) this.lost += packet.seq - this.due;
+    this.due = packet.seq + 1;
+    this.withheld += packet.suppressed;
+    this.events += packet.count;
+  }
+
+  drawn(at) {
+    this.frames.push(at);
+  }
+
+  skipped(events) {
+    this.notDrawn += events;
+  }
+
+  // Of the last second.
+  read(now) {
+    const lately = ({ at }) => at > now - WINDOW_MS;
+    this.recent = this.recent.filter(lately);
+    this.frames = this.frames.filter((at) => at > now - WINDOW_MS);
+    const sum = (key) => this.recent.reduce((total, packet) => total + packet[key], 0);
+    return {
+      rate: (sum("events") * 1000) / WINDOW_MS,
+      delayMs: this.recent.length ? sum("delay") / this.recent.length : null,
+      pictures: this.frames.length,
+    };
+  }
+}

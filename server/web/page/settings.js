@@ -1,0 +1,52 @@
+// What the page asks for: its form, the fragment of its address, and the request to the server.
+
+export const DEFAULTS = {
+  scene: "", // the first of the server
+  stream: "", // id of a running broadcast, instead of a scene
+  sensor: 0, // of that broadcast
+  motion: "pan", // a kind of motion, or the name of a trajectory
+  px: 0.5, // pixels per frame, of a kind of motion
+  size: "160x120",
+  rate: 200, // frames per second of stream time
+  speed: 0.25, // stream seconds per second
+  C: 0.2,
+  bias: 0.001,
+  decay: 15, // ms of stream time; 0: events stay
+  colours: "orange-blue",
+};
+
+export const MOTIONS = ["pan", "tilt", "roll", "truck", "pedestal", "dolly", "orbit", "shake"];
+
+// The settings of a fragment such as #scene=cornell-box&C=0.1; what it leaves out, or says wrong, has its default.
+export function fromFragment(fragment) {
+  const settings = { ...DEFAULTS };
+  for (const [key, text] of new URLSearchParams(fragment.replace(/^#/, ""))) {
+    if (!(key in DEFAULTS)) continue;
+    const value = typeof DEFAULTS[key] === "number" ? Number(text) : text;
+    if (typeof value === "string" || (text !== "" && Number.isFinite(value))) settings[key] = value;
+  }
+  if (!/^\d{1,4}x\d{1,4}$/.test(settings.size)) settings.size = DEFAULTS.size;
+  return settings;
+}
+
+export function toFragment(settings) {
+  const said = Object.entries(settings).filter(([key, value]) => key === "scene" || value !== DEFAULTS[key]);
+  return "#" + new URLSearchParams(said.filter(([, value]) => value !== ""));
+}
+
+// An OpenStream of control.proto.
+export function openStreamOf(settings) {
+  const [width, height] = settings.size.split("x").map(Number);
+  const kind = "MOTION_KIND_" + settings.motion.toUpperCase();
+  const trajectory = MOTIONS.includes(settings.motion)
+    ? { motion: { kind, pxPerFrame: settings.px } }
+    : { name: settings.motion };
+  return {
+    scene: settings.scene,
+    view: { width, height },
+    trajectory,
+    timing: { frameRateHz: settings.rate, clock: "CLOCK_PACED", speed: settings.speed },
+    sensors: [{ threshold: settings.C, bias: settings.bias }],
+    delivery: "DELIVERY_LIVE",
+  };
+}

@@ -1,0 +1,34 @@
+// The numbers of the page, as people read them.
+
+const element = (id) => document.getElementById(id);
+
+// Three digits and a prefix: 1.23 M.
+export function amount(value) {
+  const [scale, prefix] = value >= 1e6 ? [1e6, " M"] : value >= 1e3 ? [1e3, " k"] : [1, ""];
+  const shown = value / scale;
+  return shown.toFixed(shown >= 100 || scale === 1 ? 0 : shown >= 10 ? 1 : 2) + prefix;
+}
+
+function setLoss(id, value) {
+  element(id).textContent = amount(value);
+  element(id).classList.toggle("bad", value > 0);
+}
+
+export function showMeasures(meters, { rate, delayMs, pictures }) {
+  element("m-rate").textContent = `${amount(rate)}/s`;
+  element("m-delay").textContent = delayMs === null ? "–" : `${delayMs.toFixed(0)} ms`;
+  element("m-lag").textContent = `${(meters.lagMs / 1000).toFixed(1)} s`;
+  element("m-lag").classList.toggle("bad", meters.lagMs > 0);
+  setLoss("m-lost", meters.lost);
+  setLoss("m-skipped", meters.notDrawn);
+  setLoss("m-withheld", meters.withheld);
+  element("m-drawn").textContent = `${pictures} /s`;
+}
+
+// One line about the stream.
+export function showStream({ id, resolved, opened }) {
+  if (!resolved) return void (element("about").textContent = `broadcast ${id}`);
+  const { view, timing, method } = resolved;
+  const motion = opened.pxPerFrameP50 > 0 ? `${opened.pxPerFrameP50.toPrecision(2)} px/frame` : "still";
+  element("about").textContent = [resolved.scene, `${view.width} × ${view.height}`, `${timing.frameRateHz} frames/s`, motion, method.name].join(" · ");
+}

@@ -1,0 +1,100 @@
+#include "web/viewer.h"
+
+#include <array>
+#include <utility>
+
+#include "web/viewer_json.h"
+
+namespace saccade {
+namespace {
+
+constexpr std::chrono::milliseconds kTick{100};     // to notice that it is to stop, and that time has passed
+constexpr std::chrono::milliseconds kParting{200};  // for the last requests to leave
+constexpr std::uint16_t kGoingAway = 1001;          // [RFC 6455]
+
+}  // namespace
+
+Viewer::Viewer(UpgradedSocket socket, zmq::context_t& context, const std::string& control,
+               const ViewerStream::Source& source)
+    : context_(context),
+      source_(source),
+      page_(std::move(socket), [this](std::string_view text) { take(text); }),
+      control_(client::connectSocket(context, zmq::socket_type::dealer, control, source.keys)) {}
+
+void Viewer::run(std::stop_token stopped) {
+  bool open = true;
+  while (open && !stopped.stop_requested()) {
+    wait();
+    if (stream_) stream_->forwardTo(page_);
+    forwardReplies();
+    open = page_.exchange();
+    if (stream_ && page_.queuedBytes() == 0) stream_->giveBack();
+  }
+  if (open) page_.close(kGoingAway, "the server stops");
+  closeStreams();
+}
+
+void Viewer::wait() {
+  std::array<zmq::pollitem_t, 3> items{{{nullptr, page_.fd(), page_.events(), 0},
+                                        {control_.handle(), 0, ZMQ_POLLIN, 0},
+                                        {stream_ ? stream_->handle() : nullptr, -1, ZMQ_POLLIN, 0}}};
+  zmq::poll(items.data(), stream_ ? 3 : 2, kTick);
+}
+
+void Viewer::take(std::string_view text) {
+  try {
+    v1::ViewerMessage message = parseViewerMessage(text);
+    if (message.has_request()) return request(std::move(*message.mutable_request()));
+    stream_.reset();
+    if (message.has_attach()) {
+      stream_.emplace(context_, source_, message.attach());
+    } else {
+      stream_.emplace(context_, source_, message.subscribe());
+    }
+  } catch (const BadViewerMessage& fault) {
+    refuse(0, v1::CODE_INVALID_ARGUMENT, fault.what());
+  }
+}
+
+void Viewer::request(v1::Request request) {
+  if (in_flight_ >= kMaxInFlight)
+    return refuse(request.request_id(), v1::CODE_RESOURCE_EXHAUSTED, "too many requests await a reply");
+  if (request.has_close_stream()) opened_.erase(request.close_stream().stream_id());
+  if (control_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::dontwait)) ++in_flight_;
+}
+
+void Viewer::refuse(std::uint64_t request_id, v1::Code code, const std::string& message) {
+  v1::Reply reply;
+  reply.set_request_id(request_id);
+  reply.mutable_status()->set_code(code);
+  reply.mutable_status()->set_message(message);
+  page_.sendText(toJson(reply));
+}
+
+void Viewer::forwardReplies() {
+  zmq::message_t bytes;
+  while (!page_.full() && control_.recv(bytes, zmq::recv_flags::dontwait)) {
+    --in_flight_;
+    v1::Reply reply;
+    if (!reply.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) continue;
+    note(reply);
+    page_.sendText(toJson(reply));
+  }
+}
+
+void Viewer::note(const v1::Reply& reply) {
+  if (reply.has_open_stream()) opened_[reply.open_stream().stream_id()] = reply.open_stream().token();
+}
+
+void Viewer::closeStreams() {
+  control_.set(zmq::sockopt::linger, static_cast<int>(kParting.count()));
+  for (const auto& [stream_id, token] : opened_) {
+    v1::Request request;
+    request.set_protocol_version(1);
+    request.mutable_close_stream()->set_stream_id(stream_id);
+    request.mutable_close_stream()->set_token(token);
+    control_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::dontwait);
+  }
+}
+
+}  // namespace saccade

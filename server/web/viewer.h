@@ -1,0 +1,42 @@
+// One viewer: relays between the WebSocket of a page and the sockets of this server, as a client of them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "web/viewer_stream.h"
+#include "web/web_socket.h"
+
+namespace saccade {
+
+class Viewer {
+ public:
+  static constexpr int kMaxInFlight = 32;  // requests that are not answered yet; one more is refused
+
+  Viewer(UpgradedSocket socket, zmq::context_t& context, const std::string& control,
+         const ViewerStream::Source& source);
+
+  // Until the page has gone, or `stopped`. Then closes the streams that the page opened.
+  void run(std::stop_token stopped);
+
+ private:
+  void wait();
+  void take(std::string_view text);
+  void request(v1::Request request);
+  void refuse(std::uint64_t request_id, v1::Code code, const std::string& message);
+  void forwardReplies();
+  void note(const v1::Reply& reply);
+  void closeStreams();
+
+  zmq::context_t& context_;
+  const ViewerStream::Source& source_;
+  WebSocket page_;
+  zmq::socket_t control_;
+  std::optional<ViewerStream> stream_;
+  int in_flight_ = 0;
+  std::map<std::string, std::string> opened_;  // tokens of the page's streams, by id
+};
+
+}  // namespace saccade

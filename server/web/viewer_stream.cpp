@@ -1,0 +1,67 @@
+#include "web/viewer_stream.h"
+
+#include <vector>
+#include <zmq_addon.hpp>
+
+namespace saccade {
+namespace {
+
+constexpr std::size_t kReadAtOnce = 64;  // packets; then the others of this viewer have their turn
+
+std::string frameOf(const zmq::message_t& header, const zmq::message_t& payload) {
+  const auto size = static_cast<std::uint32_t>(header.size());
+  std::string frame;
+  frame.reserve(sizeof size + header.size() + payload.size());
+  frame.append(reinterpret_cast<const char*>(&size), sizeof size);
+  frame.append(header.to_string_view());
+  frame.append(payload.to_string_view());
+  return frame;
+}
+
+}  // namespace
+
+ViewerStream::ViewerStream(zmq::context_t& context, const Source& source, const v1::Attach& attach)
+    : socket_(client::connectSocket(context, zmq::socket_type::dealer, source.data, source.keys)),
+      has_credit_(true) {
+  v1::DataRequest request;
+  *request.mutable_attach() = attach;
+  send(request);
+  giveCredit(kCredit);
+}
+
+ViewerStream::ViewerStream(zmq::context_t& context, const Source& source, const v1::Subscribe& subscribe)
+    : socket_(client::connectSocket(context, zmq::socket_type::sub, source.broadcast, source.keys)),
+      has_credit_(false) {
+  socket_.set(zmq::sockopt::subscribe,
+              "s/" + subscribe.stream_id() + "/" + std::to_string(subscribe.sensor()) + "/");
+}
+
+void ViewerStream::forwardTo(WebSocket& viewer) {
+  std::vector<zmq::message_t> parts;
+  for (std::size_t i = 0; i < kReadAtOnce; ++i) {
+    parts.clear();
+    if (!zmq::recv_multipart(socket_, std::back_inserter(parts), zmq::recv_flags::dontwait)) return;
+    if (parts.size() < 2) continue;
+    const zmq::message_t &header = parts[parts.size() - 2], &payload = parts.back();
+    if (has_credit_) used_ += header.size() + payload.size();
+    if (has_credit_ || !viewer.full()) viewer.sendBinary(frameOf(header, payload));
+  }
+}
+
+void ViewerStream::giveBack() {
+  if (used_ < kCredit / 4) return;
+  giveCredit(used_);
+  used_ = 0;
+}
+
+void ViewerStream::send(const v1::DataRequest& request) {
+  socket_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::dontwait);
+}
+
+void ViewerStream::giveCredit(std::uint64_t bytes) {
+  v1::DataRequest request;
+  request.mutable_credit()->set_bytes(bytes);
+  send(request);
+}
+
+}  // namespace saccade

@@ -1,0 +1,42 @@
+// The stream that a viewer watches: its packets, as frames of a WebSocket.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "client/socket.h"
+#include "saccade/v1/viewer.pb.h"
+#include "web/web_socket.h"
+
+namespace saccade {
+
+class ViewerStream {
+ public:
+  static constexpr std::uint64_t kCredit = 1 << 20;  // bytes that the server may send ahead
+
+  // Where the server's packets come from, and with which keys.
+  struct Source {
+    std::string data, broadcast;  // endpoints
+    client::CurveKeys keys;
+  };
+  ViewerStream(zmq::context_t& context, const Source& source, const v1::Attach& attach);
+  ViewerStream(zmq::context_t& context, const Source& source, const v1::Subscribe& subscribe);
+
+  void* handle() { return socket_.handle(); }  // as zmq_poll() takes it
+
+  // Queues the packets that have come. A broadcast has no credit: its packets are dropped while `viewer` is
+  // full, and the page sees the gap of their seq.
+  void forwardTo(WebSocket& viewer);
+  // Gives back the credit of what was forwarded. Call it when that has been written.
+  void giveBack();
+
+ private:
+  void send(const v1::DataRequest& request);
+  void giveCredit(std::uint64_t bytes);
+
+  zmq::socket_t socket_;
+  const bool has_credit_;
+  std::uint64_t used_ = 0;  // bytes forwarded since credit was last given
+};
+
+}  // namespace saccade
