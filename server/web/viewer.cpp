@@ -1,16 +1,18 @@
 #include "web/viewer.h"
 
-#include <array>
+#include <chrono>
 #include <utility>
+#include <vector>
 
 #include "web/viewer_json.h"
+#include "wire/protocol.h"
 
 namespace saccade {
 namespace {
 
-constexpr std::chrono::milliseconds kTick{100};     // to notice that it is to stop, and that time has passed
-constexpr std::chrono::milliseconds kParting{200};  // for the last requests to leave
-constexpr std::uint16_t kGoingAway = 1001;          // [RFC 6455]
+constexpr std::chrono::milliseconds kTick{100};  // to notice that it is to stop, and that time has passed
+constexpr std::chrono::seconds kParting{1};      // for the ends of streams to come
+constexpr std::uint16_t kGoingAway = 1001;       // [RFC 6455]
 
 }  // namespace
 
@@ -24,36 +26,46 @@ Viewer::Viewer(UpgradedSocket socket, zmq::context_t& context, const std::string
 void Viewer::run(std::stop_token stopped) {
   bool open = true;
   while (open && !stopped.stop_requested()) {
-    wait();
-    if (stream_) stream_->forwardTo(page_);
+    waitForStreams({{nullptr, page_.fd(), page_.events(), 0}, {control_.handle(), 0, ZMQ_POLLIN, 0}});
+    for (ViewerStream& stream : streams_) stream.forwardTo(&page_);
     forwardReplies();
     open = page_.exchange();
-    if (stream_ && page_.queuedBytes() == 0) stream_->giveBack();
+    if (page_.queuedBytes() == 0) giveBack();
   }
-  if (open) page_.close(kGoingAway, "the server stops");
-  closeStreams();
+  if (open) {
+    page_.close(kGoingAway, "the server stops");
+  } else {
+    leave();
+  }
 }
 
-void Viewer::wait() {
-  std::array<zmq::pollitem_t, 3> items{{{nullptr, page_.fd(), page_.events(), 0},
-                                        {control_.handle(), 0, ZMQ_POLLIN, 0},
-                                        {stream_ ? stream_->handle() : nullptr, -1, ZMQ_POLLIN, 0}}};
-  zmq::poll(items.data(), stream_ ? 3 : 2, kTick);
+void Viewer::waitForStreams(std::vector<zmq::pollitem_t> others) {
+  for (ViewerStream& stream : streams_) others.push_back({stream.handle(), 0, ZMQ_POLLIN, 0});
+  zmq::poll(others, kTick);
 }
 
 void Viewer::take(std::string_view text) {
   try {
     v1::ViewerMessage message = parseViewerMessage(text);
     if (message.has_request()) return request(std::move(*message.mutable_request()));
-    stream_.reset();
-    if (message.has_attach()) {
-      stream_.emplace(context_, source_, message.attach());
-    } else {
-      stream_.emplace(context_, source_, message.subscribe());
-    }
+    if (message.has_attach()) return join(message.attach());
+    join(message.subscribe());
   } catch (const BadViewerMessage& fault) {
     refuse(0, v1::CODE_INVALID_ARGUMENT, fault.what());
   }
+}
+
+template <class Join>
+void Viewer::join(const Join& join) {
+  std::erase_if(streams_, [](const ViewerStream& stream) { return stream.broadcast(); });
+  if (streams_.size() == kMaxStreams) streams_.pop_front();
+  streams_.emplace_back(context_, source_, join);
+}
+
+// Call it when the page has taken all: a slow one thus loses packets of a LIVE stream.
+void Viewer::giveBack() {
+  for (ViewerStream& stream : streams_) stream.giveBack();
+  std::erase_if(streams_, [](const ViewerStream& stream) { return stream.ended(); });
 }
 
 void Viewer::request(v1::Request request) {
@@ -86,14 +98,22 @@ void Viewer::note(const v1::Reply& reply) {
   if (reply.has_open_stream()) opened_[reply.open_stream().stream_id()] = reply.open_stream().token();
 }
 
-void Viewer::closeStreams() {
-  control_.set(zmq::sockopt::linger, static_cast<int>(kParting.count()));
+// Takes what is left of the streams: the server keeps one until its END is taken, or for its lease.
+void Viewer::leave() {
+  control_.set(zmq::sockopt::linger, static_cast<int>(kTick.count()));
+  std::erase_if(streams_, [](const ViewerStream& stream) { return stream.broadcast(); });
   for (const auto& [stream_id, token] : opened_) {
     v1::Request request;
-    request.set_protocol_version(1);
+    request.set_protocol_version(kProtocolVersion);
     request.mutable_close_stream()->set_stream_id(stream_id);
     request.mutable_close_stream()->set_token(token);
     control_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::dontwait);
+  }
+  const auto until = std::chrono::steady_clock::now() + kParting;
+  while (!streams_.empty() && std::chrono::steady_clock::now() < until) {
+    waitForStreams({});
+    for (ViewerStream& stream : streams_) stream.forwardTo(nullptr);
+    giveBack();
   }
 }
 

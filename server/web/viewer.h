@@ -1,10 +1,11 @@
 // One viewer: relays between the WebSocket of a page and the sockets of this server, as a client of them.
 #pragma once
 
+#include <list>
 #include <map>
-#include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "web/viewer_stream.h"
 #include "web/web_socket.h"
@@ -13,7 +14,8 @@ namespace saccade {
 
 class Viewer {
  public:
-  static constexpr int kMaxInFlight = 32;  // requests that are not answered yet; one more is refused
+  static constexpr std::size_t kMaxStreams = 4;  // that it has joined; one more leaves the oldest
+  static constexpr int kMaxInFlight = 32;        // requests that are not answered yet; one more is refused
 
   Viewer(UpgradedSocket socket, zmq::context_t& context, const std::string& control,
          const ViewerStream::Source& source);
@@ -22,19 +24,22 @@ class Viewer {
   void run(std::stop_token stopped);
 
  private:
-  void wait();
+  void waitForStreams(std::vector<zmq::pollitem_t> others);
   void take(std::string_view text);
+  template <class Join>
+  void join(const Join& join);
   void request(v1::Request request);
   void refuse(std::uint64_t request_id, v1::Code code, const std::string& message);
   void forwardReplies();
   void note(const v1::Reply& reply);
-  void closeStreams();
+  void giveBack();
+  void leave();
 
   zmq::context_t& context_;
   const ViewerStream::Source& source_;
   WebSocket page_;
   zmq::socket_t control_;
-  std::optional<ViewerStream> stream_;
+  std::list<ViewerStream> streams_;
   int in_flight_ = 0;
   std::map<std::string, std::string> opened_;  // tokens of the page's streams, by id
 };

@@ -36,7 +36,7 @@ ViewerStream::ViewerStream(zmq::context_t& context, const Source& source, const 
               "s/" + subscribe.stream_id() + "/" + std::to_string(subscribe.sensor()) + "/");
 }
 
-void ViewerStream::forwardTo(WebSocket& viewer) {
+void ViewerStream::forwardTo(WebSocket* viewer) {
   std::vector<zmq::message_t> parts;
   for (std::size_t i = 0; i < kReadAtOnce; ++i) {
     parts.clear();
@@ -44,8 +44,15 @@ void ViewerStream::forwardTo(WebSocket& viewer) {
     if (parts.size() < 2) continue;
     const zmq::message_t &header = parts[parts.size() - 2], &payload = parts.back();
     if (has_credit_) used_ += header.size() + payload.size();
-    if (has_credit_ || !viewer.full()) viewer.sendBinary(frameOf(header, payload));
+    note(header);
+    if (viewer && (has_credit_ || !viewer->full())) viewer->sendBinary(frameOf(header, payload));
   }
+}
+
+void ViewerStream::note(const zmq::message_t& header) {
+  v1::PacketHeader packet;
+  if (!packet.ParseFromArray(header.data(), static_cast<int>(header.size()))) return;
+  ended_ = ended_ || packet.kind() == v1::KIND_END || packet.kind() == v1::KIND_ERROR;
 }
 
 void ViewerStream::giveBack() {

@@ -1,4 +1,4 @@
-// The stream that a viewer watches: its packets, as frames of a WebSocket.
+// A stream that a viewer watches: its packets, as frames of a WebSocket.
 #pragma once
 
 #include <cstdint>
@@ -24,18 +24,22 @@ class ViewerStream {
 
   void* handle() { return socket_.handle(); }  // as zmq_poll() takes it
 
-  // Queues the packets that have come. A broadcast has no credit: its packets are dropped while `viewer` is
-  // full, and the page sees the gap of their seq.
-  void forwardTo(WebSocket& viewer);
+  // Queues the packets that have come; null: takes them for nobody. A broadcast has no credit: its packets
+  // are dropped while `viewer` is full, and the page sees the gap of their seq.
+  void forwardTo(WebSocket* viewer);
   // Gives back the credit of what was forwarded. Call it when that has been written.
   void giveBack();
+  bool broadcast() const { return !has_credit_; }
+  bool ended() const { return ended_; }  // END, or an error, has come
 
  private:
+  void note(const zmq::message_t& header);
   void send(const v1::DataRequest& request);
   void giveCredit(std::uint64_t bytes);
 
   zmq::socket_t socket_;
-  const bool has_credit_;
+  bool has_credit_;
+  bool ended_ = false;
   std::uint64_t used_ = 0;  // bytes forwarded since credit was last given
 };
 

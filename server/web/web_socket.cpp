@@ -110,8 +110,7 @@ bool WebSocket::alive() {
     queue(WSLAY_PING, {});
   }
   const bool stalled = queuedBytes() > 0 && now - taken_ > kStall;
-  const bool open = wslay_event_want_read(context_.get()) || wslay_event_want_write(context_.get());
-  return open && !stalled && now - heard_ <= kSilence;
+  return !wslay_event_get_close_sent(context_.get()) && !stalled && now - heard_ <= kSilence;
 }
 
 std::size_t WebSocket::queuedBytes() const {

@@ -8,6 +8,7 @@ export const DEFAULTS = {
   px: 0.5, // pixels per frame, of a kind of motion
   size: "160x120",
   rate: 200, // frames per second of stream time
+  duration: 0, // seconds of stream time; 0: until the page leaves. No control has it
   speed: 0.25, // stream seconds per second
   C: 0.2,
   bias: 0.001,
@@ -45,7 +46,7 @@ export function openStreamOf(settings) {
     scene: settings.scene,
     view: { width, height },
     trajectory,
-    timing: { frameRateHz: settings.rate, clock: "CLOCK_PACED", speed: settings.speed },
+    timing: { frameRateHz: settings.rate, durationS: settings.duration, clock: "CLOCK_PACED", speed: settings.speed },
     sensors: [{ threshold: settings.C, bias: settings.bias }],
     delivery: "DELIVERY_LIVE",
   };

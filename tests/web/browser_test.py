@@ -1,0 +1,136 @@
+"""The page in a real browser: what it draws, against what `saccade record` writes for the same request.
+
+Usage: browser_test.py SACCADED SACCADE. Exit code 77: the browser, or a module, is absent."""
+import csv
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from collections import Counter
+
+from viewed_server import Page, ViewedServer
+
+SACCADED, SACCADE = sys.argv[1], sys.argv[2]
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.support.ui import WebDriverWait
+    import websocket  # noqa: F401
+except ImportError as error:
+    print("skipped:", error)
+    sys.exit(77)
+if not shutil.which("chromium") or not shutil.which("chromedriver"):
+    print("skipped: chromium or chromedriver is not installed")
+    sys.exit(77)
+
+PATIENCE_S = 60
+FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
+         "--enable-unsafe-swiftshader", "--window-size=1280,800"]
+TINY = "scene=cornell-box&motion=right&size=32x24&rate=500&C=0.1&speed=1"
+
+
+def recorded(server, *options):
+    """Events of `saccade record` by (x, y, p)."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "events.csv"
+        subprocess.run([SACCADE, "record", "cornell-box", "--control", server.control, "--trajectory", "right", "--size",
+                        "32x24", "--rate", "500", *options, "-o", str(file)], check=True, capture_output=True)
+        with file.open() as rows:
+            return Counter((int(row["x"]), int(row["y"]), int(row["p"])) for row in csv.DictReader(rows))
+
+
+class Browser(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        options = webdriver.ChromeOptions()
+        for flag in FLAGS:
+            options.add_argument(flag)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        cls.browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+        cls.server = ViewedServer(SACCADED)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        assert cls.server.stop() == 0
+
+    def open(self, fragment):
+        self.browser.get("about:blank")
+        self.browser.get(self.server.url + "#" + fragment)
+
+    def run_js(self, script, *arguments):
+        return self.browser.execute_script(script, *arguments)
+
+    def wait_for(self, script):
+        return WebDriverWait(self.browser, PATIENCE_S, 0.05).until(lambda _: self.run_js("return " + script))
+
+    def state(self):
+        return self.run_js("return document.getElementById('state').textContent")
+
+    def tearDown(self):
+        severe = [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+        self.assertEqual(severe, [])  # such as a break of the Content-Security-Policy
+
+    def drawn(self):
+        """Events on the GPU by (x, y, p), where nothing decays."""
+        self.assertEqual(self.run_js("return saccade.meters.lost + saccade.meters.notDrawn"), 0)
+        sums, width = self.run_js("return [Array.from(saccade.view.sumsOf()), saccade.view.width]")
+        hits = Counter()
+        for pixel in range(len(sums) // 4):
+            hits[pixel % width, pixel // width, 1] = sums[4 * pixel]
+            hits[pixel % width, pixel // width, 0] = sums[4 * pixel + 1]
+        return +hits
+
+    def test_it_draws_each_event_where_it_is(self):
+        expected = recorded(self.server, "--threshold", "0.1", "--duration", "0.1")
+        self.open(TINY + "&decay=0&duration=0.1")
+        self.wait_for("document.getElementById('state').textContent.includes('finished')")
+        self.wait_for("saccade.view.nowNs === 1e8")  # all is drawn
+        self.assertGreater(sum(expected.values()), 1000)
+        self.assertEqual(self.drawn(), expected)
+
+    def test_brightness_and_its_change_are_shown(self):
+        self.open(TINY)
+        self.wait_for("document.getElementById('brightness').width === 32")
+        colours = "new Set(new Uint32Array(document.getElementById(arguments[0]).getContext('2d').getImageData(0, 0, 32, 24)"\
+                  ".data.buffer)).size"
+        for picture in ("brightness", "change"):
+            self.assertGreater(self.run_js("return " + colours, picture), 10)
+
+    def test_a_slider_opens_another_stream_and_closes_the_old_one(self):
+        self.open(TINY)
+        first = self.wait_for("saccade.meters.events > 0 && saccade.watch.stream.id")
+        self.run_js("const c = document.forms[0].C; c.value = Math.log(0.4); c.dispatchEvent(new Event('input', {bubbles: true}))")
+        self.wait_for("saccade.watch.stream?.resolved?.sensors[0].threshold === 0.4 && saccade.meters.events > 0")
+        self.assertIn("C=0.4", self.browser.current_url)
+        page = Page(self.server)
+        WebDriverWait(self.browser, 10, 0.05).until(lambda _: first not in page.streams())
+        page.socket.close()
+
+    def test_it_watches_a_broadcast_of_others(self):
+        page = Page(self.server)
+        stream = page.open("DELIVERY_BROADCAST")
+        self.open("stream=" + stream["streamId"])
+        self.wait_for("saccade.meters.events > 1000")
+        self.assertEqual(self.state(), "Live")
+        self.assertEqual(self.run_js("return document.forms[0].source.value"), "stream:" + stream["streamId"])
+        page.socket.close()
+
+    def test_a_refusal_is_told(self):
+        self.open("scene=no-such-scene")
+        self.wait_for("document.getElementById('state').className === 'fault'")
+        self.assertIn("no-such-scene", self.state())
+
+    def test_the_keyboard_pauses_and_changes_colours(self):
+        self.open(TINY)
+        self.wait_for("saccade.meters.events > 0")
+        for key in (" ", "c"):
+            self.run_js("document.body.dispatchEvent(new KeyboardEvent('keydown', {key: arguments[0], bubbles: true}))", key)
+        self.assertEqual(self.run_js("return document.getElementById('pause').getAttribute('aria-pressed')"), "true")
+        self.assertIn("colours=yellow-violet", self.browser.current_url)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
