@@ -3,31 +3,18 @@
 Usage: browser_test.py SACCADED SACCADE. Exit code 77: the browser, or a module, is absent."""
 import csv
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
 from collections import Counter
 
+import chromium
+from selenium.webdriver.support.ui import WebDriverWait
 from viewed_server import Page, ViewedServer
 
 SACCADED, SACCADE = sys.argv[1], sys.argv[2]
-try:
-    from selenium import webdriver
-    from selenium.webdriver.chrome.service import Service
-    from selenium.webdriver.support.ui import WebDriverWait
-    import websocket  # noqa: F401
-except ImportError as error:
-    print("skipped:", error)
-    sys.exit(77)
-if not shutil.which("chromium") or not shutil.which("chromedriver"):
-    print("skipped: chromium or chromedriver is not installed")
-    sys.exit(77)
-
 PATIENCE_S = 60
-FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
-         "--enable-unsafe-swiftshader", "--window-size=1280,800"]
 TINY = "scene=cornell-box&motion=right&size=32x24&rate=500&C=0.1&speed=1"
 
 
@@ -44,11 +31,7 @@ def recorded(server, *options):
 class Browser(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        options = webdriver.ChromeOptions()
-        for flag in FLAGS:
-            options.add_argument(flag)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        cls.browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+        cls.browser = chromium.start()
         cls.server = ViewedServer(SACCADED)
 
     @classmethod

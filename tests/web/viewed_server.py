@@ -11,8 +11,8 @@ class ViewedServer:
 
     def __init__(self, program, *flags, http="http://127.0.0.1:0"):
         self.process = subprocess.Popen(
-            [program, "--control", FREE, "--data", FREE, "--broadcast", FREE, "--http", http,
-             "--threads", "1", "--limit-cpu", "0", *flags], stdout=subprocess.PIPE, text=True)
+            [program, "--control", FREE, "--data", FREE, "--broadcast", FREE, "--http", http, "--limit-cpu", "0",
+             *([] if "--threads" in flags else ["--threads", "1"]), *flags], stdout=subprocess.PIPE, text=True)
         ready = next(filter(None, (re.search(r"ready: control (\S+) .*http (\S+) viewer (\S+),", line)
                                    for line in self.process.stdout)), None)
         if ready is None:

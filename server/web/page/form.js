@@ -13,7 +13,7 @@ const SLIDERS = {
   px: log((v) => `${places(v)} px/frame`),
   C: log((v) => places(v)),
   bias: log((v) => places(v)),
-  speed: { at: Math.log2, from: (at) => 2 ** at, text: (v) => (v >= 1 ? "real time" : `1/${places(1 / v)} of real time`) },
+  speed: { at: Math.log2, from: (at) => 2 ** at, text: (v) => (v >= 1 ? "real time" : `1/${Math.round(1 / v)} of real time`) },
   decay: {
     at: (v) => (v === 0 ? KEEP : Math.log(v)),
     from: (at) => (at >= KEEP ? 0 : Number(Math.exp(at).toPrecision(2))),

@@ -1,7 +1,7 @@
 // Counts what has come, what is lost, and how late it is.
 import { Kind } from "./packet.js";
 
-const WINDOW_MS = 1000; // of rates
+const WINDOW_MS = 2000; // of rates
 const BEST_MS = 10000; // of the earliest packet, to which delays refer
 
 export class Meters {
@@ -11,7 +11,7 @@ export class Meters {
 
   reset(speed = 1) {
     Object.assign(this, { speed, lost: 0, notDrawn: 0, withheld: 0, events: 0, lagMs: 0, due: null });
-    this.recent = []; // {at, events, delay} of packets
+    this.recent = []; // {at, events, ns, delay} of packets; ns of stream time
     this.offsets = []; // {at, ms}: arrival against stream time
     this.frames = []; // times of drawn pictures
   }
@@ -22,7 +22,7 @@ export class Meters {
     this.lagMs = packet.lagMs;
     const ms = at - (packet.t1Ns * 1e-6) / this.speed;
     this.offsets = this.offsets.filter((o) => o.at > at - BEST_MS && o.ms < ms).concat({ at, ms });
-    this.recent.push({ at, events: packet.count, delay: ms - this.offsets[0].ms });
+    this.recent.push({ at, events: packet.count, ns: packet.t1Ns - packet.t0Ns, delay: ms - this.offsets[0].ms });
   }
 
   // A gap of seq holds the packets that the server says it dropped.
@@ -41,16 +41,17 @@ export class Meters {
     this.notDrawn += events;
   }
 
-  // Of the last second.
+  // Lately: events per second of stream time and of the clock on the wall, mean delay, pictures per second.
   read(now) {
     const lately = ({ at }) => at > now - WINDOW_MS;
     this.recent = this.recent.filter(lately);
     this.frames = this.frames.filter((at) => at > now - WINDOW_MS);
     const sum = (key) => this.recent.reduce((total, packet) => total + packet[key], 0);
     return {
-      rate: (sum("events") * 1000) / WINDOW_MS,
+      rate: sum("ns") > 0 ? sum("events") / (sum("ns") * 1e-9) : null,
+      received: (sum("events") * 1000) / WINDOW_MS,
       delayMs: this.recent.length ? sum("delay") / this.recent.length : null,
-      pictures: this.frames.length,
+      pictures: (this.frames.length * 1000) / WINDOW_MS,
     };
   }
 }

@@ -8,7 +8,7 @@ export const DEFAULTS = {
   px: 0.5, // pixels per frame, of a kind of motion
   size: "160x120",
   rate: 200, // frames per second of stream time
-  duration: 0, // seconds of stream time; 0: until the page leaves. No control has it
+  duration: 0, // seconds of stream time; 0: until the page leaves. It has no control
   speed: 0.25, // stream seconds per second
   C: 0.2,
   bias: 0.001,

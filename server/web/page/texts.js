@@ -14,15 +14,16 @@ function setLoss(id, value) {
   element(id).classList.toggle("bad", value > 0);
 }
 
-export function showMeasures(meters, { rate, delayMs, pictures }) {
-  element("m-rate").textContent = `${amount(rate)}/s`;
+export function showMeasures(meters, { rate, received, delayMs, pictures }) {
+  element("m-rate").textContent = rate === null ? "–" : `${amount(rate)}/s`;
+  element("m-received").textContent = `${amount(received)}/s`;
   element("m-delay").textContent = delayMs === null ? "–" : `${delayMs.toFixed(0)} ms`;
   element("m-lag").textContent = `${(meters.lagMs / 1000).toFixed(1)} s`;
   element("m-lag").classList.toggle("bad", meters.lagMs > 0);
   setLoss("m-lost", meters.lost);
   setLoss("m-skipped", meters.notDrawn);
   setLoss("m-withheld", meters.withheld);
-  element("m-drawn").textContent = `${pictures} /s`;
+  element("m-drawn").textContent = `${pictures.toFixed(0)} /s`;
 }
 
 // One line about the stream.

@@ -1,5 +1,6 @@
 // The page: connects the server, the pictures, the measures and the controls.
 import { Connection } from "./connection.js";
+import { DrawQueue } from "./draw_queue.js";
 import { EventView } from "./event_view.js";
 import { Form } from "./form.js";
 import { Meters } from "./meters.js";
@@ -8,24 +9,23 @@ import { PALETTES, coloursOf } from "./palettes.js";
 import { paintBrightness, paintChange } from "./pictures.js";
 import { RateChart } from "./rate_chart.js";
 import { fromFragment, toFragment } from "./settings.js";
-import { showMeasures, showStream } from "./texts.js";
+import { amount, showMeasures, showStream } from "./texts.js";
 import { Watch } from "./watch.js";
 
 const DEBOUNCE_MS = 250; // of sliders, before a stream is opened again
 const PICTURE_MS = 250; // between two pictures of the newest frame
 const MEASURE_MS = 500;
 const LIST_MS = 3000; // between two looks at the streams of the server
-const MAX_WAITING = 1_500_000; // events that wait to be drawn; beyond them, the oldest are skipped
 const DRAWN = new Set(["colours", "decay"]); // settings that need no other stream
 
 const element = (id) => document.getElementById(id);
 const view = new EventView(element("events"));
 const chart = new RateChart(element("rates"));
 const meters = new Meters();
+const queue = new DrawQueue((events) => meters.skipped(events));
 const form = new Form(element("controls"), fromFragment(location.hash), change);
-const connection = new Connection({ open: begin, closed: lost, packet: take });
+const connection = new Connection({ open: begin, closed: lost, packet: receive });
 const watch = new Watch(connection, { opened, slowed });
-let waiting = []; // packets to draw
 let paused = false;
 let shown = null; // settings of the stream
 let timer = 0;
@@ -68,8 +68,10 @@ async function open() {
 }
 
 function opened(stream) {
-  waiting = [];
-  meters.reset(stream.resolved?.timing.speed ?? 1);
+  queue.clear();
+  const speed = stream.resolved?.timing.speed ?? 1;
+  meters.reset(speed);
+  chart.reset(speed);
   element("pictures").classList.toggle("token-only", !stream.token);
   if (stream.resolved) view.resize(stream.resolved.view.width, stream.resolved.view.height);
   showStream(stream);
@@ -99,36 +101,32 @@ function applyDrawing() {
     element(id).style.background = `rgb(${coloursOf(colours)[name].map((channel) => 255 * channel)})`;
 }
 
-function take(buffer) {
-  const packet = readPacket(buffer);
-  if (packet.streamId !== watch.stream?.id) return;
-  const now = performance.now();
+function receive(buffer) {
+  try {
+    const packet = readPacket(buffer);
+    if (packet.streamId === watch.stream?.id) take(packet);
+  } catch (fault) {
+    say(`A packet cannot be read: ${fault.message}.`, "fault");
+  }
+}
+
+function take(packet) {
   if (packet.kind === Kind.ERROR) return say(messageOf(packet), "fault");
   const lostBefore = meters.lost;
-  meters.take(packet, now);
-  chart.add(packet.count, meters.lost - lostBefore, now);
+  meters.take(packet, performance.now());
+  if (packet.kind === Kind.EVENTS) chart.add(packet, meters.lost - lostBefore);
   if (packet.kind === Kind.END) return say(`The stream has ended: ${EndReason[packet.endReason]}.`);
-  if (packet.kind === Kind.EVENTS) queue(packet);
+  if (packet.kind === Kind.EVENTS) queue.add(packet);
   say(paused ? "Paused" : "Live", paused ? "" : "live");
 }
 
-function queue(packet) {
-  waiting.push(packet);
-  let events = waiting.reduce((sum, { count }) => sum + count, 0);
-  while (events > MAX_WAITING) {
-    const { count } = waiting.shift();
-    events -= count;
-    meters.skipped(count);
-  }
-}
-
 function draw(now) {
-  if (waiting.length > 0 && !paused) {
-    view.resize(waiting[0].width, waiting[0].height);
-    view.add(waiting);
+  const packets = queue.take(now);
+  if (packets.length > 0 && !paused) {
+    view.resize(packets[0].width, packets[0].height);
+    view.add(packets);
     meters.drawn(now);
   }
-  waiting = [];
   view.show(coloursOf(form.settings.colours));
   requestAnimationFrame(draw);
 }
@@ -149,9 +147,9 @@ async function picture() {
 }
 
 function measure() {
-  const now = performance.now();
-  showMeasures(meters, meters.read(now));
-  element("rate-top").value = chart.draw(now).toLocaleString("en") + " /s at the top";
+  showMeasures(meters, meters.read(performance.now()));
+  element("rate-span").value = `${Number(chart.seconds.toPrecision(2))} s of the stream`;
+  element("rate-top").value = `${amount(chart.draw())}/s at the top`;
 }
 
 async function list() {
