@@ -97,8 +97,9 @@ HttpPages App::pages() const {
       {"/readyz", [=, this] { return ready() ? say(true, "ready\n") : say(false, "stopping\n"); }},
       {"/metrics",
        [this] {
-         return HttpAnswer{.type = "text/plain; version=0.0.4; charset=utf-8",
-                           .body = metricsText(totals_, streams_, scenes_, ready())};
+         return HttpAnswer{
+             .type = "text/plain; version=0.0.4; charset=utf-8",
+             .body = metricsText(totals_, streams_, scenes_, viewer_ ? viewer_->viewers() : 0, ready())};
        }},
   };
 }

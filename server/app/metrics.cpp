@@ -108,12 +108,14 @@ void addProcess(Families& all) {
 }  // namespace
 
 std::string metricsText(const Totals& totals, const StreamRegistry& streams, const SceneCache& scenes,
-                        bool ready) {
+                        std::size_t viewers, bool ready) {
   Families all;
   all.gauge("saccade_info", "1, labelled with the version of the server.");
   all.value(1, {{"version", SACCADE_VERSION}});
   all.gauge("saccade_ready", "1 while streams may be opened.");
   all.value(ready ? 1 : 0);
+  all.gauge("saccade_viewers", "Pages of browsers that watch.");
+  all.value(static_cast<double>(viewers));
   addWork(all, totals);
   addTraffic(all, totals.traffic);
   addRequests(all, totals.requests);

@@ -11,6 +11,6 @@ namespace saccade {
 
 // All metrics in the text format 0.0.4, in base units. No label grows with the number of clients.
 std::string metricsText(const Totals& totals, const StreamRegistry& streams, const SceneCache& scenes,
-                        bool ready);
+                        std::size_t viewers, bool ready);
 
 }  // namespace saccade

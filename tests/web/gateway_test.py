@@ -79,6 +79,8 @@ class Gateway(unittest.TestCase):
     def test_one_viewer_too_many_is_refused_until_another_leaves(self):
         server = self.serve("--limit-viewers", "2")
         first, _ = self.page(server), self.page(server)
+        with urllib.request.urlopen(server.http + "/metrics") as metrics:
+            self.assertIn(b"\nsaccade_viewers 2\n", metrics.read())
         self.assertEqual(status_of_refusal(server), 503)
         with self.assertRaises(urllib.error.HTTPError) as refusal:
             urllib.request.urlopen(server.http + "/viewer")
