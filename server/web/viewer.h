@@ -15,7 +15,7 @@ namespace saccade {
 class Viewer {
  public:
   static constexpr std::size_t kMaxStreams = 4;  // that it has joined; one more leaves the oldest
-  static constexpr int kMaxInFlight = 32;        // requests that are not answered yet; one more is refused
+  static constexpr int kMaxInFlight = 16;        // requests that are not answered yet; one more is refused
 
   Viewer(UpgradedSocket socket, zmq::context_t& context, const std::string& control,
          const ViewerStream::Source& source);

@@ -2,6 +2,7 @@
 
 Usage: gateway_test.py SACCADED SACCADE. Exit code 77: a module is absent."""
 import pathlib
+import re
 import socket
 import subprocess
 import sys
@@ -22,6 +23,8 @@ except ImportError as error:
 NONSENSE = ["", "{", "null", "[]", '"text"', "{}", '{"request": 3}', '{"request": {"requestId": "x"}}', '{"nothing": 1}',
             '{"attach": {"streamId": 7}}', '{"request": {"openStream": {"view": {"width": -1}}}}', "[" * 5000,
             '{"request":' * 2000, '{"subscribe": {"sensor": 1e99}}', "\0", '{"attach": {}, "subscribe": {}}']
+
+DROPPED_BEFORE = re.compile(rb"\x65.{4}\x68", re.DOTALL)  # of PacketHeader: field 12, crc32, and the key of field 13
 
 
 def wait_until(true, seconds=20):
@@ -124,6 +127,19 @@ class Gateway(unittest.TestCase):
             self.assertLess(time.monotonic() - begin, 20)  # sooner than a silent one
         self.assertGreater(packets, 20)
         self.assertTrue(closed(stalled, 1))
+
+    def test_a_slow_viewer_loses_packets_which_are_counted(self):
+        server = self.serve("--limit-queue", "0.0625")
+        slow = self.page(server, sockopt=[(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)])
+        good = self.page(server)
+        slow.attach(slow.open(width=256, threshold=0.01))
+        questions = 0
+        while good.call("listStreams")["listStreams"]["streams"][0]["droppedPackets"] == "0":
+            questions += 1
+            if questions % 500 == 0:
+                slow.packet()  # so seldom that it is slow, and so often that it is not cut off
+        while not DROPPED_BEFORE.search(slow.packet()[:120]):
+            pass
 
     def test_requests_without_end_are_refused(self):
         page = self.page(self.serve())

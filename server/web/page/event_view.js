@@ -10,7 +10,8 @@ export class EventView {
   constructor(canvas) {
     this.canvas = canvas;
     this.gl = canvas.getContext("webgl2", { antialias: false, alpha: false });
-    if (!this.gl?.getExtension("EXT_color_buffer_float")) throw new Error("This browser has no WebGL 2 with float textures.");
+    if (!this.gl?.getExtension("EXT_color_buffer_float"))
+      throw new Error("This browser has no WebGL 2 with textures of floats.");
     const { gl } = this;
     this.format = gl.getExtension("EXT_float_blend") ? gl.RG32F : gl.RG16F;
     this.events = program(gl, shaders.EVENT_VERTEX, shaders.EVENT_FRAGMENT);

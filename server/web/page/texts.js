@@ -3,7 +3,7 @@
 const element = (id) => document.getElementById(id);
 
 // Three digits and a prefix: 1.23 M.
-export function amount(value) {
+function amount(value) {
   const [scale, prefix] = value >= 1e6 ? [1e6, " M"] : value >= 1e3 ? [1e3, " k"] : [1, ""];
   const shown = value / scale;
   return shown.toFixed(shown >= 100 || scale === 1 ? 0 : shown >= 10 ? 1 : 2) + prefix;
@@ -26,10 +26,21 @@ export function showMeasures(meters, { rate, received, delayMs, pictures }) {
   element("m-drawn").textContent = `${pictures.toFixed(0)} /s`;
 }
 
+export function showRates(seconds, top) {
+  element("rate-span").value = `${Number(seconds.toPrecision(2))} s of the stream`;
+  element("rate-top").value = `${amount(top)}/s at the top`;
+}
+
+// What list_streams says of the stream; undefined: nothing.
+export function showRendering(info) {
+  element("m-cpu").textContent = info ? `${info.frameCpuMs.toFixed(1)} ms` : "–";
+}
+
 // One line about the stream.
 export function showStream({ id, resolved, opened }) {
   if (!resolved) return void (element("about").textContent = `broadcast ${id}`);
   const { view, timing, method } = resolved;
   const motion = opened.pxPerFrameP50 > 0 ? `${opened.pxPerFrameP50.toPrecision(2)} px/frame` : "still";
-  element("about").textContent = [resolved.scene, `${view.width} × ${view.height}`, `${timing.frameRateHz} frames/s`, motion, method.name].join(" · ");
+  const parts = [resolved.scene, `${view.width} × ${view.height}`, `${timing.frameRateHz} frames/s`, motion, method.name];
+  element("about").textContent = parts.join(" · ");
 }

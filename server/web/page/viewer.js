@@ -3,17 +3,18 @@ import { Connection } from "./connection.js";
 import { DrawQueue } from "./draw_queue.js";
 import { EventView } from "./event_view.js";
 import { Form } from "./form.js";
+import { FramePictures } from "./frame_pictures.js";
+import { listen } from "./keyboard.js";
 import { Meters } from "./meters.js";
 import { EndReason, Kind, messageOf, readPacket } from "./packet.js";
 import { PALETTES, coloursOf } from "./palettes.js";
-import { paintBrightness, paintChange } from "./pictures.js";
 import { RateChart } from "./rate_chart.js";
 import { fromFragment, toFragment } from "./settings.js";
-import { amount, showMeasures, showStream } from "./texts.js";
+import { say } from "./status_line.js";
+import { showMeasures, showRates, showRendering, showStream } from "./texts.js";
 import { Watch } from "./watch.js";
 
 const DEBOUNCE_MS = 250; // of sliders, before a stream is opened again
-const PICTURE_MS = 250; // between two pictures of the newest frame
 const MEASURE_MS = 500;
 const LIST_MS = 3000; // between two looks at the streams of the server
 const DRAWN = new Set(["colours", "decay"]); // settings that need no other stream
@@ -26,21 +27,21 @@ const queue = new DrawQueue((events) => meters.skipped(events));
 const form = new Form(element("controls"), fromFragment(location.hash), change);
 const connection = new Connection({ open: begin, closed: lost, packet: receive });
 const watch = new Watch(connection, { opened, slowed });
+const frames = new FramePictures(connection, watch, () => form.settings);
 let paused = false;
-let shown = null; // settings of the stream
+let refused = false; // the newest request; packets of an older stream may still come
+let asked = null; // settings of the newest request
 let timer = 0;
-
-function say(text, kind = "") {
-  const state = element("state");
-  if (state.textContent === text) return; // else a screen reader would say it for every packet
-  state.textContent = text;
-  state.className = kind;
-}
 
 async function begin() {
   say("Asking for scenes");
-  await look();
-  await open();
+  try {
+    const [{ scenes }, { streams }] = await Promise.all([connection.call("listScenes"), connection.call("listStreams")]);
+    form.offer(scenes, streams);
+    await open();
+  } catch (fault) {
+    say(fault.message, "fault");
+  }
 }
 
 function lost(reason) {
@@ -48,48 +49,39 @@ function lost(reason) {
   say(reason.trim(), "fault");
 }
 
-async function look() {
-  try {
-    const [{ scenes }, { streams }] = await Promise.all([connection.call("listScenes"), connection.call("listStreams")]);
-    form.offer(scenes, streams.filter(({ delivery }) => delivery === "DELIVERY_BROADCAST"));
-  } catch (fault) {
-    say(fault.message, "fault");
-  }
-}
-
 async function open() {
-  shown = form.settings;
-  say(shown.stream ? "Waiting for the broadcast" : `Opening ${shown.scene}`);
+  asked = form.settings;
+  refused = false;
+  say(asked.stream ? "Waiting for the broadcast" : `Opening ${asked.scene}`);
   try {
-    await watch.show({ ...shown });
+    await watch.show({ ...asked });
   } catch (fault) {
+    refused = true;
     say(fault.message, "fault");
   }
 }
 
 function opened(stream) {
-  queue.clear();
   const speed = stream.resolved?.timing.speed ?? 1;
+  queue.clear();
   meters.reset(speed);
   chart.reset(speed);
-  element("pictures").classList.toggle("token-only", !stream.token);
-  if (stream.resolved) view.resize(stream.resolved.view.width, stream.resolved.view.height);
+  element("pictures").classList.toggle("no-frames", !stream.token);
   showStream(stream);
 }
 
 function slowed(speed) {
-  form.show({ ...form.settings, speed });
-  shown = form.settings;
+  asked = { ...form.settings, speed };
+  form.show(asked);
   share();
 }
-
-const needsStream = (settings) => Object.keys(settings).some((key) => !DRAWN.has(key) && settings[key] !== shown?.[key]);
 
 function change(settings) {
   share();
   applyDrawing();
   clearTimeout(timer);
-  if (needsStream(settings)) timer = setTimeout(open, DEBOUNCE_MS);
+  const needsStream = Object.keys(settings).some((key) => !DRAWN.has(key) && settings[key] !== asked?.[key]);
+  if (needsStream) timer = setTimeout(open, DEBOUNCE_MS);
 }
 
 const share = () => history.replaceState(null, "", toFragment(form.settings));
@@ -97,8 +89,8 @@ const share = () => history.replaceState(null, "", toFragment(form.settings));
 function applyDrawing() {
   const { colours, decay } = form.settings;
   view.decayS = decay === 0 ? Infinity : decay * 1e-3;
-  for (const [id, name] of [["on-key", "on"], ["off-key", "off"]])
-    element(id).style.background = `rgb(${coloursOf(colours)[name].map((channel) => 255 * channel)})`;
+  for (const name of ["on", "off"])
+    element(`${name}-key`).style.background = `rgb(${coloursOf(colours)[name].map((channel) => 255 * channel)})`;
 }
 
 function receive(buffer) {
@@ -114,11 +106,15 @@ function take(packet) {
   if (packet.kind === Kind.ERROR) return say(messageOf(packet), "fault");
   const lostBefore = meters.lost;
   meters.take(packet, performance.now());
-  if (packet.kind === Kind.EVENTS) chart.add(packet, meters.lost - lostBefore);
   if (packet.kind === Kind.END) return say(`The stream has ended: ${EndReason[packet.endReason]}.`);
-  if (packet.kind === Kind.EVENTS) queue.add(packet);
-  say(paused ? "Paused" : "Live", paused ? "" : "live");
+  if (packet.kind === Kind.EVENTS) {
+    chart.add(packet, meters.lost - lostBefore);
+    queue.add(packet);
+  }
+  if (!refused) sayLive();
 }
+
+const sayLive = () => (paused ? say("Paused") : say("Live", "live"));
 
 function draw(now) {
   const packets = queue.take(now);
@@ -131,38 +127,22 @@ function draw(now) {
   requestAnimationFrame(draw);
 }
 
-async function picture() {
-  const { stream } = watch;
-  if (stream?.token && !document.hidden && !paused) {
-    try {
-      const frame = await connection.call("getFrame", { streamId: stream.id, token: stream.token });
-      paintBrightness(element("brightness"), frame, shown.bias);
-      const full = paintChange(element("change"), frame, form.settings.colours);
-      element("change-scale").value = `± ${full.toPrecision(2)}`;
-    } catch {
-      // There is no frame yet, or the stream has just been closed.
-    }
-  }
-  setTimeout(picture, PICTURE_MS);
-}
-
 function measure() {
   showMeasures(meters, meters.read(performance.now()));
-  element("rate-span").value = `${Number(chart.seconds.toPrecision(2))} s of the stream`;
-  element("rate-top").value = `${amount(chart.draw())}/s at the top`;
+  showRates(chart.seconds, chart.draw());
 }
 
 async function list() {
   const { streams } = await connection.call("listStreams");
-  const own = streams.find(({ streamId }) => streamId === watch.stream?.id);
-  if (own) element("m-cpu").textContent = `${own.frameCpuMs.toFixed(1)} ms`;
+  form.offer(form.scenes, streams);
+  showRendering(streams.find(({ streamId }) => streamId === watch.stream?.id));
 }
 
 function pause() {
-  paused = !paused;
+  paused = frames.paused = !paused;
   element("pause").setAttribute("aria-pressed", paused);
   element("pause").textContent = paused ? "Go on" : "Pause";
-  say(paused ? "Paused" : "Live", paused ? "" : "live");
+  sayLive();
 }
 
 async function copyLink() {
@@ -179,25 +159,16 @@ function nextColours() {
   change(form.settings);
 }
 
-const KEYS = { " ": pause, c: nextColours, l: copyLink };
-addEventListener("keydown", (event) => {
-  const typing = event.target.closest("select, button") || event.ctrlKey || event.metaKey || event.altKey;
-  if (!KEYS[event.key] || typing) return;
-  event.preventDefault();
-  KEYS[event.key]();
-});
+listen({ " ": pause, c: nextColours, l: copyLink });
 element("pause").addEventListener("click", pause);
 element("share").addEventListener("click", copyLink);
 addEventListener("hashchange", () => {
   form.show(fromFragment(location.hash));
   change(form.settings);
 });
-
 applyDrawing();
 requestAnimationFrame(draw);
 setInterval(measure, MEASURE_MS);
 setInterval(() => list().catch(() => {}), LIST_MS);
-picture();
 
-// For the console, and for tests.
-globalThis.saccade = { view, meters, watch, form };
+globalThis.saccade = { view, meters, watch, form }; // for the console, and for tests
