@@ -1,5 +1,7 @@
 #include "client/commands/source_file.h"
 
+#include <cstdio>
+
 #include "client/commands/request_text.h"
 #include "client/sidecar.h"
 
@@ -28,7 +30,12 @@ SourceFile::SourceFile(const std::string& path, const std::string& size)
       reader_(readerFor(path).make(path)),
       recording_(recordingOf(path)),
       size_(sizeOf(path, reader_->size(), recording_, size)),
-      check_(path, size_) {}
+      check_(path, size_) {
+  const std::string left_out = reader_->leftOut();
+  if (!left_out.empty())
+    std::fprintf(stderr, "saccade: %s: the events of one stream are read; left out: %s\n", path.c_str(),
+                 left_out.c_str());
+}
 
 bool SourceFile::read(Events& events) {
   if (!reader_->read(events)) return false;

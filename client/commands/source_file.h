@@ -14,7 +14,8 @@ namespace saccade::client {
 class SourceFile {
  public:
   // `size`: of the image, where neither the file nor FILE.json tells it; "WIDTHxHEIGHT" or empty. Throws
-  // std::invalid_argument with --size if it is missing or contradicts them, and as Reader does.
+  // std::invalid_argument with --size if it is missing or contradicts them, and as Reader does. Says on
+  // stderr what of the file is left out.
   SourceFile(const std::string& path, const std::string& size);
 
   // Replaces `events` by the next batch; false at the end. Throws FileFault for events that no sensor of this

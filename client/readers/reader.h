@@ -26,6 +26,8 @@ class Reader {
  public:
   virtual ~Reader() = default;
   virtual ImageSize size() const = 0;
+  // What the file holds that read() passes over, such as "frames (FRME)"; empty: nothing.
+  virtual std::string leftOut() const { return ""; }
   // Replaces `events` by the next batch, in the order of the file. A batch is small, whatever the file's
   // size, and may be empty. Returns false at the end, with no events.
   virtual bool read(Events& events) = 0;
@@ -37,8 +39,7 @@ struct ReaderInfo {
   std::unique_ptr<Reader> (*make)(const std::string& path);
 };
 
-extern const ReaderInfo kRawReader;
-extern const ReaderInfo kCsvReader, kTxtReader;
+extern const ReaderInfo kRawReader, kAedat4Reader, kCsvReader, kTxtReader;
 
 // All formats that can be read.
 const std::vector<const ReaderInfo*>& readerTable();

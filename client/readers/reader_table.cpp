@@ -5,7 +5,7 @@
 namespace saccade::client {
 
 const std::vector<const ReaderInfo*>& readerTable() {
-  static const std::vector<const ReaderInfo*> table{&kRawReader, &kCsvReader, &kTxtReader};
+  static const std::vector<const ReaderInfo*> table{&kRawReader, &kAedat4Reader, &kCsvReader, &kTxtReader};
   return table;
 }
 
