@@ -9,8 +9,8 @@
 
 #include "client/commands/interrupt.h"
 #include "client/commands/receive_all.h"
+#include "client/commands/stream_opening.h"
 #include "client/commands/summary.h"
-#include "client/commands/trajectory_length.h"
 
 namespace saccade::client {
 namespace {
@@ -22,10 +22,6 @@ std::optional<Preview> makePreview(const std::string& path, const v1::Timing& ti
   const double third_s = timing.duration_s() > 0 ? timing.duration_s() / 3 : 1;
   return Preview(path, std::llround(third_s * kNsPerSecond),
                  std::llround(kNsPerSecond / timing.frame_rate_hz()));
-}
-
-double streamSeconds(const v1::StreamOpened& opened) {
-  return static_cast<double>(opened.frames()) / opened.resolved().timing().frame_rate_hz();
 }
 
 std::chrono::milliseconds secondsOf(double time_s) {
@@ -48,24 +44,6 @@ Recorder startRecorder(const RecordJob& job, const StreamHandle& stream) {
   }
 }
 
-// A fault in the trajectory's text becomes one of the user's file.
-StreamHandle openStream(ControlClient& control, const v1::OpenStream& request,
-                        const std::string& trajectory) {
-  try {
-    return StreamHandle(control, request);
-  } catch (const Refused& refused) {
-    if (refused.field != "trajectory.csv") throw;
-    throw std::invalid_argument(trajectory + ": " + refused.message);
-  }
-}
-
-void warn(const v1::OpenStream& request, const v1::StreamOpened& opened) {
-  warnOfFastPicture(opened);
-  if (!request.trajectory().has_csv()) return;
-  const std::string warning = trajectoryWarning(request.trajectory().csv(), streamSeconds(opened));
-  if (!warning.empty()) std::fprintf(stderr, "saccade: warning: %s\n", warning.c_str());
-}
-
 void printStagesOf(std::FILE* out, StreamHandle& stream) {
   try {
     if (const auto info = stream.info()) printStages(out, *info);
@@ -85,10 +63,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
   ControlClient control = connectTo(context, server);
   StreamHandle stream = openStream(control, job.request, job.trajectory);
   const v1::StreamOpened opened = stream.opened();
-  printChoice(out, opened);
-  printModel(out, opened);
-  printPixelSpeed(out, opened);
-  warn(job.request, opened);
+  tellOpening(out, job.request, opened);
   Recorder recorder = startRecorder(job, stream);
   auto preview = makePreview(job.preview, opened.resolved().timing());
   Progress progress(streamSeconds(opened));
