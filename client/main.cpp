@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
   addInfoCommand(app);
   addRecordCommand(app);
   addViewCommand(app);
+  addServeDvCommand(app);
   addReplayCommand(app);
   addConvertCommand(app);
   addVerifyCommand(app);

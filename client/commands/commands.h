@@ -12,6 +12,7 @@ void addListCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addRecordCommand(CLI::App& app);
 void addViewCommand(CLI::App& app);
+void addServeDvCommand(CLI::App& app);
 void addReplayCommand(CLI::App& app);
 void addConvertCommand(CLI::App& app);
 void addVerifyCommand(CLI::App& app);
