@@ -151,26 +151,28 @@ TEST_F(Aedat4Test, AFinishedFileThatIsCutIsAFault) {
       << cut.fault;
 }
 
+// There is room again when the file is finished, but not for what was refused.
 TEST_F(Aedat4Test, AFullDiskLeavesAsManyEventsAsAreTold) {
-  RecordingFile file(at("a.aedat4"), kAedat4Writer, aboutOf(640, 480));
-  const Events events = eventsOf(5);
-  std::int64_t t_ns = 0;
-  try {
-    const FileSizeLimit limit(20'001);
-    for (;; t_ns += 5 * kMs) {
-      Events later = events;
-      for (Event& event : later) event.t_ns += t_ns;
-      file.write(later, t_ns, t_ns + 5 * kMs);
+  std::uint64_t told = 0;
+  {
+    RecordingFile file(at("a.aedat4"), kAedat4Writer, aboutOf(640, 480));
+    try {
+      const FileSizeLimit limit(20'001);
+      for (std::int64_t t_ns = 0;; t_ns += 3 * kMs) {
+        Events later = eventsOf(3);
+        for (Event& event : later) event.t_ns += t_ns;
+        file.write(later, t_ns, t_ns + 3 * kMs);
+      }
+    } catch (const std::system_error& fault) {
+      EXPECT_NE(std::string(fault.what()).find("a.aedat4.partial"), std::string::npos);
     }
-    FAIL() << "the disk was not full";
-  } catch (const std::system_error& fault) {
-    EXPECT_NE(std::string(fault.what()).find("a.aedat4.partial"), std::string::npos);
+    told = file.about().events();
   }
-  EXPECT_GT(file.about().events(), 1000u);
-  EXPECT_EQ(read(bytesOf("a.aedat4.partial")).events.size(), file.about().events());
+  EXPECT_GT(told, 1000u);
+  EXPECT_EQ(read(bytesOf("a.aedat4.partial")).events.size(), told);
 }
 
-// The same three packets of another stream stand before the events as holes of the file.
+// Three packets of another stream stand before the events as holes of the file.
 TEST_F(Aedat4Test, PacketsMayStandBeyondFourGigabytes) {
   constexpr std::uint32_t kHole = INT32_MAX;
   const std::string file = at("a.aedat4");
