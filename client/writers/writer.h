@@ -33,7 +33,7 @@ struct WriterInfo {
   bool pipe = false;  // whether `path` may be kStandardOutput
 };
 
-extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kBagWriter, kCsvWriter, kTxtWriter;
+extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kBagWriter, kMcapWriter, kCsvWriter, kTxtWriter;
 
 // All file formats. The first of an extension is the one that it stands for.
 const std::vector<const WriterInfo*>& writerTable();

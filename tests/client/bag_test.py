@@ -1,19 +1,27 @@
-"""Bags of `saccade convert`, read by rosbag with the message classes that it makes from the bag itself."""
+"""Bags of `saccade convert`, read by rosbag with the message classes that it makes from the bag itself, and by the
+packages of Foxglove: bag_test.py SACCADE FOLDER_FOR_NPM."""
 import importlib.util
+import json
 import pathlib
 import sys
 import tempfile
 import unittest
 
 import event_files
+import npm_packages
 
-SACCADE = sys.argv[1]
+SACCADE, NPM = sys.argv[1:3]
 if importlib.util.find_spec("rosbag") is None:
     print("skipped: this Python has no rosbag (package python3-rosbag)")
     sys.exit(77)
 import genpy
 import rosbag
 
+PACKAGES = ["@foxglove/rosbag@0.4.1", "@foxglove/rosmsg@5.0.5", "@foxglove/rosmsg-serialization@2.0.4",
+            "tslib@2.8.1"]  # the last one is needed, but not named by the one before
+SCRIPT = pathlib.Path(__file__).with_name("read_bag.cjs")
+
+MD5 = "5e8beee5a6c107e504c2e78903c224b8"  # of dvs_msgs/EventArray
 INTERVAL_US = 5000  # of a message
 MANY = [(1 + i // 3, i % 1280, i % 720, i % 2) for i in range(140_000)]  # in 47 ms, and over several chunks
 
@@ -60,11 +68,23 @@ class Bag(unittest.TestCase):
             self.assertGreater(bag._chunk_count, 1)
             self.assertLess(max(header.uncompressed_size for header in bag._chunk_headers.values()), 1_800_000)
 
+    def test_another_reader_finds_the_same(self):
+        reason = npm_packages.missing(NPM, PACKAGES)
+        if reason:
+            self.skipTest(reason)
+        self.written(MANY).close()
+        found = json.loads(npm_packages.run(NPM, SCRIPT, self.folder / "a.bag"))
+        self.assertEqual((found["type"], found["md5sum"]), ("dvs_msgs/EventArray", MD5))
+        self.assertEqual([tuple(event) for message in found["messages"] for event in message["events"]], MANY)
+        for message in found["messages"]:
+            self.assertEqual(message["time_us"], message["stamp_us"])
+            self.assertEqual(message["stamp_us"], message["events"][-1][0])
+
     def test_the_definition_in_the_bag_is_that_of_the_type(self):
         with self.written([(7, 1, 2, 1)], (346, 260)) as bag:
             _, message, _ = next(bag.read_messages())
             self.assertEqual(message._type, "dvs_msgs/EventArray")
-            self.assertEqual(message._md5sum, "5e8beee5a6c107e504c2e78903c224b8")  # made from the definition
+            self.assertEqual(message._md5sum, MD5)  # made from the definition
             self.assertEqual(bag.get_type_and_topic_info().topics["/dvs/events"].msg_type, "dvs_msgs/EventArray")
             self.assertEqual((message.width, message.height), (346, 260))
             self.assertEqual(message.header.frame_id, "camera")

@@ -14,6 +14,6 @@ def convert(saccade, source, target, size, most_bytes=None):
     def limit():
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         resource.setrlimit(resource.RLIMIT_FSIZE, (most_bytes, most_bytes))
-    return subprocess.run([saccade, "convert", "--size", f"{size[0]}x{size[1]}", source, target],
+    return subprocess.run([saccade, "convert", "--force", "--size", f"{size[0]}x{size[1]}", source, target],
                           preexec_fn=limit if most_bytes else None, capture_output=True, text=True, timeout=60,
                           check=False)
