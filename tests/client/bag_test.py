@@ -10,7 +10,7 @@ import unittest
 import event_files
 import npm_packages
 
-SACCADE, NPM = sys.argv[1:3]
+SACCADE, _, NPM = sys.argv[1:4]
 if importlib.util.find_spec("rosbag") is None:
     print("skipped: this Python has no rosbag (package python3-rosbag)")
     sys.exit(77)

@@ -10,7 +10,7 @@ import unittest
 import event_files
 import npm_packages
 
-SACCADE, NPM = sys.argv[1:3]
+SACCADE, _, NPM = sys.argv[1:4]
 PACKAGES = ["@mcap/core@2.2.2", "@foxglove/rosmsg@5.0.5", "@foxglove/rosmsg2-serialization@3.1.0"]
 SCRIPT = pathlib.Path(__file__).with_name("read_mcap.cjs")
 

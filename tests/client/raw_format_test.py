@@ -12,7 +12,7 @@ import unittest
 
 from evt_decoder import decode_evt2, decode_evt3
 
-SACCADE = sys.argv.pop(1)
+SACCADE = sys.argv[1]
 DECODERS = {"evt3": decode_evt3, "evt2": decode_evt2}
 WRAP_EVT2_US = 1 << 34
 
@@ -159,4 +159,4 @@ class RawFormat(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])
