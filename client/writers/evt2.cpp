@@ -1,5 +1,6 @@
 // EVT2 in a RAW file of Prophesee: a word of 32 bits per event, and TIME_HIGH when the time above its lower 6
 // bits changes. TIME_HIGH wraps after 4 h 46 min: its last and its first value show each wrap to decoders.
+// (The HAL of OpenEB 5.1.1 misses it all the same, if more than 10 ms of events come in one buffer.)
 #include <stdexcept>
 
 #include "client/evt_words.h"
