@@ -12,7 +12,8 @@ import unittest
 import saccade
 from saccaded import Server
 
-EXAMPLES = pathlib.Path(os.environ["SOURCE"]) / "client/python/examples"
+SOURCE = pathlib.Path(os.environ["SOURCE"])
+EXAMPLES = SOURCE / "client/python/examples"
 
 
 class Examples(unittest.TestCase):
@@ -28,6 +29,14 @@ class Examples(unittest.TestCase):
                               capture_output=True, text=True, timeout=300, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
+
+    def test_the_first_client_of_the_pages(self):
+        blocks = [re.search(r"```python\n(import saccade.*?)```", (SOURCE / page).read_text(), re.DOTALL)[1]
+                  for page in ("README.md", "client/README.md")]
+        self.assertEqual(blocks[0], blocks[1])
+        (self.folder / "first.py").write_text(blocks[0])
+        told = self.run_example(self.folder / "first.py").splitlines()
+        self.assertRegex(told[-1], r"^\d+ events until 500000 us, \d+ of them ON$")
 
     def test_record_a_data_set(self):
         told = self.run_example("record_dataset.py", self.folder / "set")
