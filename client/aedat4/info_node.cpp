@@ -10,6 +10,7 @@ namespace saccade::client::aedat4 {
 namespace {
 
 constexpr const char* kModule = "saccade";
+constexpr const char* kTypeKey = "typeIdentifier";
 constexpr std::uint32_t kMostPixels = 32768;  // coordinates are of 16 bits with a sign
 
 pugi::xml_node addNode(pugi::xml_node parent, const std::string& name, const std::string& path) {
@@ -79,7 +80,7 @@ ImageSize sizeOf(pugi::xml_node stream) {
 }
 
 Stream streamOf(pugi::xml_node node) {
-  Stream stream{0, valueOf(node, "typeIdentifier"), sizeOf(node)};
+  Stream stream{0, valueOf(node, kTypeKey), sizeOf(node)};
   const std::string_view name = node.attribute("name").value();
   if (std::from_chars(name.data(), name.data() + name.size(), stream.id).ec != std::errc())
     throw std::runtime_error("names a stream '" + std::string(name) + "', which is no number");
@@ -94,7 +95,7 @@ std::string fileInfo(const Camera& camera, Compression compression) {
   addValue(document.stream, "originalModuleName", "string", kModule);
   addValue(document.stream, "originalOutputName", "string", "events");
   addValue(document.stream, "typeDescription", "string", "Array of events (polarity ON/OFF).");
-  addValue(document.stream, "typeIdentifier", "string", kEventsType);
+  addValue(document.stream, kTypeKey, "string", kEventsType);
   pugi::xml_node info = document.addInfo();
   addSize(info, camera.size);
   addSource(info, camera.sensor);
@@ -104,7 +105,7 @@ std::string fileInfo(const Camera& camera, Compression compression) {
 
 std::string networkInfo(const Camera& camera, Compression compression) {
   Document document("/outInfo/");
-  addValue(document.stream, "typeIdentifier", "string", kEventsType);
+  addValue(document.stream, kTypeKey, "string", kEventsType);
   addValue(document.stream, "compression", "string", nameOf(compression));
   addValue(document.stream, "originalOutputName", "string", "events");
   addValue(document.stream, "originalModuleName", "string", kModule);
@@ -121,7 +122,9 @@ std::vector<Stream> streamsOf(const std::string& info) {
   const pugi::xml_node out = document.child("dv").find_child_by_attribute("node", "name", "outInfo");
   if (!out) throw std::runtime_error("has no node outInfo");
   std::vector<Stream> streams;
-  for (const pugi::xml_node node : out.children("node")) streams.push_back(streamOf(node));
+  for (const pugi::xml_node node : out.children("node")) {
+    if (*valueOf(node, kTypeKey) != 0) streams.push_back(streamOf(node));  // jAER adds a node of settings
+  }
   return streams;
 }
 

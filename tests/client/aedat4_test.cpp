@@ -195,6 +195,33 @@ TEST_F(Aedat4Test, PacketsMayStandBeyondFourGigabytes) {
   EXPECT_EQ(readBack(*reader), eventsOf(5));
 }
 
+// The first bytes of the file example/davis.aedat4 of the repository aestream/aestream, which DV has
+// recorded.
+TEST(Aedat4Bytes, AreThoseOfDv) {
+  constexpr std::string_view kHeader(
+      "\x24\x0c\0\0\x18\0\0\0IOHE\0\0\0\0\0\0\x0a\0\x18\0\x04\0\x0c\0\x08\0\x0a\0\0\0\x01\0\0\0"
+      "\x10\0\0\0\xaf\x28\x12\0\0\0\0\0\0\0\0\0\xed\x0b\0\0",
+      56);
+  constexpr std::string_view kEvents(
+      "\x1c\x6c\x02\0\x10\0\0\0EVTS\0\0\x06\0\x08\0\x04\0\x06\0\0\0\x04\0\0\0\xc0\x26\0\0", 32);
+  constexpr std::string_view kFrame("\x04\x22\x4d\x18\x40\x40\xc0", 7);
+  const std::string header = encodeHeader({Compression::kLz4, 1190063, std::string(0xbed, 'x')});
+  EXPECT_EQ(header.substr(0, kHeader.size()), kHeader);
+  EXPECT_EQ(header.size(), 4u + 0xc24);
+  const Events events(9920, Event{0, 1, 2, 1});
+  std::string plain, packed;
+  PacketEncoder(Compression::kNone).append(plain, events);
+  PacketEncoder(Compression::kLz4).append(packed, events);
+  EXPECT_EQ(plain.substr(sizeof(PacketHeader), kEvents.size()), kEvents);
+  EXPECT_EQ(packed.substr(sizeof(PacketHeader), kFrame.size()), kFrame);
+}
+
+TEST_F(Aedat4Test, ANodeThatIsNoStreamIsPassedOver) {
+  const std::string settings =
+      R"(<node name="jAERConfigSnapshot"><attr key="a" type="string">b</attr></node>)";
+  EXPECT_EQ(read(contentOf(eventsOf(5), infoOf(settings + streamOf("0", "EVTS")))).events, eventsOf(5));
+}
+
 TEST_F(Aedat4Test, AnImageBeyondSixteenBitsIsRefused) {
   EXPECT_NO_THROW(kAedat4Writer.make(at("a.aedat4"), aboutOf(32767, 32767)));
   EXPECT_THROW(kAedat4Writer.make(at("b.aedat4"), aboutOf(4, 32768)), std::invalid_argument);
