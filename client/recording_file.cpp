@@ -19,7 +19,7 @@ RecordingFile::~RecordingFile() {
   if (!writer_) return;
   try {
     writer_->finish();
-  } catch (const std::system_error&) {
+  } catch (const std::exception&) {
     // The fault that ended the recording is being told already.
   }
 }

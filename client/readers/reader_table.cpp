@@ -5,7 +5,8 @@
 namespace saccade::client {
 
 const std::vector<const ReaderInfo*>& readerTable() {
-  static const std::vector<const ReaderInfo*> table{&kRawReader, &kAedat4Reader, &kCsvReader, &kTxtReader};
+  static const std::vector<const ReaderInfo*> table{&kRawReader, &kAedat4Reader, &kDsecReader, &kCsvReader,
+                                                    &kTxtReader};
   return table;
 }
 

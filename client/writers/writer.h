@@ -16,8 +16,9 @@ class Writer {
  public:
   virtual ~Writer() = default;
   // Adds a batch, and says that no event before `until_ns` will follow. Batches come in time order, and their
-  // events lie within the image. If this throws, readers find the earlier batches and no part of this one.
-  // Throws std::range_error if the format cannot hold a time.
+  // events lie within the image. If this throws, readers find the earlier batches and no part of this one;
+  // a format of large chunks keeps whole chunks instead, and the error says how many events these are. Throws
+  // std::range_error if the format cannot hold a time.
   virtual void write(const Events& events, std::int64_t until_ns) = 0;
   virtual void finish() = 0;  // the last call: the file is complete and closed
 };
@@ -33,7 +34,8 @@ struct WriterInfo {
   bool pipe = false;  // whether `path` may be kStandardOutput
 };
 
-extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kBagWriter, kMcapWriter, kCsvWriter, kTxtWriter;
+extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kDsecWriter, kDsecBloscWriter, kBagWriter,
+    kMcapWriter, kCsvWriter, kTxtWriter;
 
 // All file formats. The first of an extension is the one that it stands for.
 const std::vector<const WriterInfo*>& writerTable();

@@ -1,0 +1,138 @@
+// HDF5 as the DSEC data set has it: /events/x, y, p, t and /ms_to_idx, where entry m is the number of events
+// before millisecond m; an event is at t + /t_offset microseconds. Compressed by gzip, or by Blosc with zstd.
+// See dsec.ifi.uzh.ch/data-format, and scripts/utils/eventslicer.py of github.com/uzh-rpg/DSEC. Width and
+// height stand where others look for them: in attributes of the root, and in /events.
+//
+// t has 32 bits, as readers expect. The file on disk ends with a whole chunk until finish(): after a full
+// disk or a kill it lacks the latest events, up to 131071, and the end of /ms_to_idx.
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include "client/writers/hdf5_column.h"
+#include "client/writers/hdf5_file.h"
+#include "client/writers/writer.h"
+
+namespace saccade::client {
+namespace {
+
+constexpr std::int64_t kNsPerUs = 1000, kUsPerMs = 1000, kUsPerSecond = 1'000'000;
+constexpr std::int64_t kMaxUs = UINT32_MAX;
+constexpr std::uint64_t kChunk = 131072, kIndexChunk = 4096;
+constexpr const char* kLimit =
+    "the DSEC layout holds times from 0 to 4294.9 s (71 min 34 s); .csv holds others";
+
+class DsecWriter : public Writer {
+ public:
+  // `filters`: properties of the datasets that name their filters.
+  DsecWriter(const std::string& path, const v1::Recording& about, const Hdf5Handle& filters)
+      : path_(path),
+        file_(path),
+        events_(H5Gcreate2(file_.id(), "events", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose),
+        x_(events_.id(), "x", kChunk, filters),
+        y_(events_.id(), "y", kChunk, filters),
+        p_(events_.id(), "p", kChunk, filters),
+        t_(events_.id(), "t", kChunk, filters),
+        ms_to_idx_(file_.id(), "ms_to_idx", kIndexChunk, filters) {
+    writeAttribute(file_.id(), "width", about.width());
+    writeAttribute(file_.id(), "height", about.height());
+    writeScalar(events_.id(), "width", about.width());
+    writeScalar(events_.id(), "height", about.height());
+    toDisk(&Hdf5File::commit);
+  }
+
+  void write(const Events& events, std::int64_t until_ns) override {
+    if (!events.empty()) checkTimes(events);
+    for (const Event& event : events) add(event);
+    until_us_ = until_ns / kNsPerUs;
+  }
+
+  void finish() override {
+    if (!offset_us_) chooseOffset(0);
+    indexUntil((until_us_ - *offset_us_) / kUsPerMs + 1);
+    x_.flush(), y_.flush(), p_.flush(), t_.flush(), ms_to_idx_.flush();
+    toDisk(&Hdf5File::close);
+  }
+
+ private:
+  // 0, except for times that count from an epoch long ago.
+  void chooseOffset(std::int64_t first_us) {
+    offset_us_ = first_us > kMaxUs ? first_us / kUsPerMs * kUsPerMs : 0;
+    writeScalar(file_.id(), "t_offset", *offset_us_);
+  }
+
+  void checkTimes(const Events& events) {
+    if (!offset_us_) chooseOffset(events.front().t_ns / kNsPerUs);
+    if (events.front().t_ns < 0 || events.back().t_ns / kNsPerUs - *offset_us_ > kMaxUs)
+      throw std::range_error(path_ + ": " + kLimit);
+  }
+
+  void add(const Event& event) {
+    const std::int64_t t_us = event.t_ns / kNsPerUs - *offset_us_;
+    indexUntil(t_us / kUsPerMs);
+    x_.push(event.x), y_.push(event.y), p_.push(event.p), t_.push(static_cast<std::uint32_t>(t_us));
+    if (++count_ % kChunk != 0) return;
+    ms_to_idx_.flush();
+    toDisk(&Hdf5File::commit);
+  }
+
+  // Milliseconds up to `last_ms` have no further events before them.
+  void indexUntil(std::int64_t last_ms) {
+    for (; next_ms_ <= last_ms; ++next_ms_) ms_to_idx_.push(count_);
+  }
+
+  void toDisk(void (Hdf5File::*step)()) {
+    try {
+      (file_.*step)();
+    } catch (const std::system_error& error) {
+      throw std::system_error(error.code(),
+                              path_ + ": holds the first " + std::to_string(on_disk_) + " events");
+    }
+    on_disk_ = count_;
+  }
+
+  const std::string path_;  // for errors
+  Hdf5File file_;
+  const Hdf5Handle events_;
+  Hdf5Column<std::uint16_t> x_, y_;
+  Hdf5Column<std::uint8_t> p_;
+  Hdf5Column<std::uint32_t> t_;
+  Hdf5Column<std::uint64_t> ms_to_idx_;
+  std::optional<std::int64_t> offset_us_;
+  std::int64_t until_us_ = 0, next_ms_ = 0;
+  std::uint64_t count_ = 0, on_disk_ = 0;  // events
+};
+
+void checkDuration(const v1::Recording& about) {
+  if (about.request().timing().duration_s() * kUsPerSecond > kMaxUs)
+    throw std::invalid_argument(std::string("--format: ") + kLimit);
+}
+
+std::unique_ptr<Writer> makeGzip(const std::string& path, const v1::Recording& about) {
+  checkDuration(about);
+  const Hdf5Handle filters(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_shuffle(filters.id());
+  H5Pset_deflate(filters.id(), 1);
+  return std::make_unique<DsecWriter>(path, about, filters);
+}
+
+std::unique_ptr<Writer> makeBlosc(const std::string& path, const v1::Recording& about) {
+  constexpr H5Z_filter_t kBlosc = 32001;
+  // Four places that the filter fills in, the level, 1 to shuffle bytes, 5 for zstd.
+  constexpr unsigned kSettings[] = {0, 0, 0, 0, 1, 1, 5};
+  checkDuration(about);
+  silenceHdf5();
+  if (H5Zfilter_avail(kBlosc) <= 0)
+    throw std::invalid_argument(
+        "--format: dsec-blosc needs the Blosc filter of HDF5; install hdf5-filter-plugin-blosc-serial");
+  const Hdf5Handle filters(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_filter(filters.id(), kBlosc, H5Z_FLAG_MANDATORY, std::size(kSettings), kSettings);
+  return std::make_unique<DsecWriter>(path, about, filters);
+}
+
+}  // namespace
+
+const WriterInfo kDsecWriter{"dsec", ".h5", "HDF5 as in DSEC, up to 71 min", makeGzip};
+const WriterInfo kDsecBloscWriter{"dsec-blosc", ".h5", "the same, compressed by Blosc with zstd", makeBlosc};
+
+}  // namespace saccade::client
