@@ -39,7 +39,7 @@ struct ReaderInfo {
   std::unique_ptr<Reader> (*make)(const std::string& path);
 };
 
-extern const ReaderInfo kRawReader, kAedat4Reader, kDsecReader, kCsvReader, kTxtReader;
+extern const ReaderInfo kRawReader, kAedat4Reader, kDsecReader, kNpzReader, kCsvReader, kTxtReader;
 
 // All formats that can be read.
 const std::vector<const ReaderInfo*>& readerTable();

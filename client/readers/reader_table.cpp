@@ -5,8 +5,8 @@
 namespace saccade::client {
 
 const std::vector<const ReaderInfo*>& readerTable() {
-  static const std::vector<const ReaderInfo*> table{&kRawReader, &kAedat4Reader, &kDsecReader, &kCsvReader,
-                                                    &kTxtReader};
+  static const std::vector<const ReaderInfo*> table{&kRawReader, &kAedat4Reader, &kDsecReader,
+                                                    &kNpzReader, &kCsvReader,    &kTxtReader};
   return table;
 }
 

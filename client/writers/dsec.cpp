@@ -20,7 +20,7 @@ constexpr std::int64_t kNsPerUs = 1000, kUsPerMs = 1000, kUsPerSecond = 1'000'00
 constexpr std::int64_t kMaxUs = UINT32_MAX;
 constexpr std::uint64_t kChunk = 131072, kIndexChunk = 4096;
 constexpr const char* kLimit =
-    "the DSEC layout holds times from 0 to 4294.9 s (71 min 34 s); .csv holds others";
+    "the DSEC layout holds times from 0 to 4294.9 s (71 min 34 s); .npz and .csv hold others";
 
 class DsecWriter : public Writer {
  public:

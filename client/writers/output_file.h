@@ -20,7 +20,7 @@ class OutputFile {
 
   // Writes `bytes` to the end at once. If this throws, the file has no part of them.
   void append(std::string_view bytes);
-  // Replaces bytes within the file; not of standard output.
+  // Writes bytes at a place; not of standard output. A file that grows by this takes no append().
   void overwrite(std::uint64_t at, std::string_view bytes);
   std::uint64_t size() const { return size_; }  // bytes
   void close();                                 // the last call

@@ -34,8 +34,8 @@ struct WriterInfo {
   bool pipe = false;  // whether `path` may be kStandardOutput
 };
 
-extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kDsecWriter, kDsecBloscWriter, kBagWriter,
-    kMcapWriter, kCsvWriter, kTxtWriter;
+extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kDsecWriter, kDsecBloscWriter, kNpzWriter,
+    kBagWriter, kMcapWriter, kCsvWriter, kTxtWriter;
 
 // All file formats. The first of an extension is the one that it stands for.
 const std::vector<const WriterInfo*>& writerTable();

@@ -16,9 +16,9 @@ const WriterInfo* find(const char* WriterInfo::*key, const std::string& value) {
 }  // namespace
 
 const std::vector<const WriterInfo*>& writerTable() {
-  static const std::vector<const WriterInfo*> table{&kEvt3Writer, &kEvt2Writer,      &kAedat4Writer,
-                                                    &kDsecWriter, &kDsecBloscWriter, &kBagWriter,
-                                                    &kMcapWriter, &kCsvWriter,       &kTxtWriter};
+  static const std::vector<const WriterInfo*> table{
+      &kEvt3Writer, &kEvt2Writer, &kAedat4Writer, &kDsecWriter, &kDsecBloscWriter,
+      &kNpzWriter,  &kBagWriter,  &kMcapWriter,   &kCsvWriter,  &kTxtWriter};
   return table;
 }
 

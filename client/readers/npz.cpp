@@ -1,0 +1,67 @@
+// NumPy's .npz: arrays t (microseconds), x, y and p (0 or 1, or bool) of equal lengths, whole numbers of any
+// width, stored or compressed; perhaps single numbers width and height. A cut file cannot be read, because
+// its directory stands at the end.
+#include <algorithm>
+
+#include "client/readers/event_columns.h"
+#include "client/readers/npy_column.h"
+
+namespace saccade::client {
+namespace {
+
+std::uint32_t sideOf(const std::string& path, const ZipArchive& archive, const std::string& name) {
+  if (zip_name_locate(archive.get(), (name + ".npy").c_str(), 0) < 0) return 0;
+  NpyColumn number(path, archive, name);
+  if (!number.single()) throw FileFault(path, name + ".npy is not a single number");
+  std::vector<std::int64_t> pixels;
+  number.read(1, pixels);
+  return toSide(path, name, pixels[0]);
+}
+
+class NpzReader : public Reader {
+ public:
+  explicit NpzReader(const std::string& path)
+      : path_(path),
+        archive_(openZip(path)),
+        size_{sideOf(path, archive_, "width"), sideOf(path, archive_, "height")},
+        t_(path, archive_, "t"),
+        x_(path, archive_, "x"),
+        y_(path, archive_, "y"),
+        p_(path, archive_, "p") {
+    for (const NpyColumn* column : {&t_, &x_, &y_, &p_}) {
+      if (column->single() || column->size() != t_.size())
+        throw FileFault(path, "t, x, y and p are not arrays of equal lengths");
+    }
+  }
+
+  ImageSize size() const override { return size_; }
+
+  bool read(Events& events) override {
+    const std::uint64_t count = std::min(kColumnBatch, t_.size() - done_);
+    events.clear();
+    if (count == 0) return false;
+    t_.read(count, columns_.t_us), x_.read(count, columns_.x);
+    y_.read(count, columns_.y), p_.read(count, columns_.p);
+    columns_.toEvents(path_, done_, events);
+    done_ += count;
+    return true;
+  }
+
+ private:
+  const std::string path_;
+  const ZipArchive archive_;
+  const ImageSize size_;
+  NpyColumn t_, x_, y_, p_;
+  EventColumns columns_;
+  std::uint64_t done_ = 0;  // events
+};
+
+std::unique_ptr<Reader> make(const std::string& path) {
+  return std::make_unique<NpzReader>(path);
+}
+
+}  // namespace
+
+const ReaderInfo kNpzReader{".npz", "arrays t[us], x, y, p of NumPy", make};
+
+}  // namespace saccade::client
