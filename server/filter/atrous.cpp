@@ -24,14 +24,16 @@ AtrousChannel::AtrousChannel(const ImageF& signal, const ImageF& variance, int x
   const std::ptrdiff_t stride = variance.stride();
   const std::ptrdiff_t up = !repeat_edge || y > 0 ? -stride : 0;
   const std::ptrdiff_t down = !repeat_edge || y + 1 < variance.height() ? stride : 0;
-  for (int x = 0; x < n; ++x) {
-    const std::ptrdiff_t left = !repeat_edge || x0 + x > 0 ? -1 : 0;
-    const std::ptrdiff_t right = !repeat_edge || x0 + x + 1 < variance.width() ? 1 : 0;
+  const auto factor = [&](int x, std::ptrdiff_t left, std::ptrdiff_t right) {
     const auto across = [&](const float* p) { return kGauss[0] * p[0] + kGauss[1] * (p[left] + p[right]); };
     const float* p = v + x;
-    r_l[x] =
-        luminanceFactor(sigma_l, kGauss[0] * across(p) + kGauss[1] * (across(p + up) + across(p + down)));
-  }
+    return luminanceFactor(sigma_l, kGauss[0] * across(p) + kGauss[1] * (across(p + up) + across(p + down)));
+  };
+  for (int x = 0; x < n; ++x) r_l[x] = factor(x, -1, 1);
+  if (!repeat_edge || n == 0) return;
+  const bool last = x0 + n == variance.width();
+  if (x0 == 0) r_l[0] = factor(0, 0, last && n == 1 ? 0 : 1);
+  if (last) r_l[n - 1] = factor(n - 1, x0 + n == 1 ? 0 : -1, 0);
 }
 
 std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousParams& params, int step,
