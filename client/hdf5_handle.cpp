@@ -12,7 +12,8 @@ herr_t takeFirst(unsigned, const H5E_error2_t* error, void* text) {
 
 }  // namespace
 
-void silenceHdf5() {
+void startHdf5() {
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

@@ -32,7 +32,10 @@ class Hdf5Handle {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-void silenceHdf5();        // else the library prints its faults on standard error
+// To be called before any other call of the library. It then neither prints its faults nor closes files at
+// the end of the program, when their owners are gone.
+void startHdf5();
+
 std::string hdf5Reason();  // what the library says of the fault of the last call
 // Unless `done`, throws std::runtime_error with `object` and the reason.
 void checkHdf5(bool done, const std::string& object);

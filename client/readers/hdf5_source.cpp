@@ -22,7 +22,7 @@ bool isSingle(const Hdf5Handle& space) {
 
 Hdf5Handle openHdf5(const std::string& path) {
   if (access(path.c_str(), R_OK) != 0) throw std::system_error(errno, std::generic_category(), path);
-  silenceHdf5();
+  startHdf5();
   const Hdf5Handle how(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(how.id(), false, true);  // some file systems have no locks
   Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, how.id()), H5Fclose);

@@ -103,36 +103,35 @@ class DsecWriter : public Writer {
   std::uint64_t count_ = 0, on_disk_ = 0;  // events
 };
 
-void checkDuration(const v1::Recording& about) {
-  if (about.request().timing().duration_s() * kUsPerSecond > kMaxUs)
-    throw std::invalid_argument(std::string("--format: ") + kLimit);
-}
-
-std::unique_ptr<Writer> makeGzip(const std::string& path, const v1::Recording& about) {
-  checkDuration(about);
-  const Hdf5Handle filters(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+void addGzip(const Hdf5Handle& filters) {
   H5Pset_shuffle(filters.id());
   H5Pset_deflate(filters.id(), 1);
-  return std::make_unique<DsecWriter>(path, about, filters);
 }
 
-std::unique_ptr<Writer> makeBlosc(const std::string& path, const v1::Recording& about) {
+void addBlosc(const Hdf5Handle& filters) {
   constexpr H5Z_filter_t kBlosc = 32001;
   // Four places that the filter fills in, the level, 1 to shuffle bytes, 5 for zstd.
   constexpr unsigned kSettings[] = {0, 0, 0, 0, 1, 1, 5};
-  checkDuration(about);
-  silenceHdf5();
   if (H5Zfilter_avail(kBlosc) <= 0)
     throw std::invalid_argument(
         "--format: dsec-blosc needs the Blosc filter of HDF5; install hdf5-filter-plugin-blosc-serial");
-  const Hdf5Handle filters(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_filter(filters.id(), kBlosc, H5Z_FLAG_MANDATORY, std::size(kSettings), kSettings);
+}
+
+template <void (*addFilters)(const Hdf5Handle&)>
+std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {
+  if (about.request().timing().duration_s() * kUsPerSecond > kMaxUs)
+    throw std::invalid_argument(std::string("--format: ") + kLimit);
+  startHdf5();
+  const Hdf5Handle filters(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  addFilters(filters);
   return std::make_unique<DsecWriter>(path, about, filters);
 }
 
 }  // namespace
 
-const WriterInfo kDsecWriter{"dsec", ".h5", "HDF5 as in DSEC, up to 71 min", makeGzip};
-const WriterInfo kDsecBloscWriter{"dsec-blosc", ".h5", "the same, compressed by Blosc with zstd", makeBlosc};
+const WriterInfo kDsecWriter{"dsec", ".h5", "HDF5 as in DSEC, up to 71 min", make<addGzip>};
+const WriterInfo kDsecBloscWriter{"dsec-blosc", ".h5", "the same, compressed by Blosc with zstd",
+                                  make<addBlosc>};
 
 }  // namespace saccade::client

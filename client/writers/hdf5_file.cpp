@@ -51,7 +51,6 @@ Hdf5Handle Hdf5File::accessTo(Driver* driver) {
 }
 
 Hdf5File::Hdf5File(const std::string& path) : path_(path), file_(path) {
-  silenceHdf5();
   handle_ = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, accessTo(&driver_).id()), H5Fclose};
   checkHdf5(bool(handle_), path_);
 }

@@ -16,7 +16,8 @@ namespace saccade::client {
 
 class Hdf5File {
  public:
-  explicit Hdf5File(const std::string& path);  // an existing file is emptied
+  // After startHdf5(). An existing file is emptied.
+  explicit Hdf5File(const std::string& path);
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
 
