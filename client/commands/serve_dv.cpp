@@ -1,27 +1,22 @@
 // saccade serve-dv: shows the sensors of a stream to DV and dv-processing as cameras of the network.
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
 
 #include "client/commands/commands.h"
+#include "client/commands/dv_relay.h"
 #include "client/commands/interrupt.h"
 #include "client/commands/progress.h"
 #include "client/commands/request_options.h"
 #include "client/commands/stream_opening.h"
-#include "client/commands/summary.h"
-#include "client/dv/dv_server.h"
-#include "client/subscription.h"
 
 namespace saccade::client {
 namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kTurn{5};         // how long a viewer waits for its turn while no events come
 constexpr milliseconds kPatience{2000};  // for viewers to read the last events
-constexpr std::int64_t kNsPerUs = 1000;
 
 struct ServeDvOptions {
   RequestOptions request;
@@ -43,49 +38,16 @@ dv::DvServer makeServer(const ServeDvOptions& options, int sensors) {
   }
 }
 
-std::int64_t unixTimeUs() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-}
-
-// Hands the events of a stream to the viewers.
-class Relay {
- public:
-  // `epoch_us`: Unix time of stream time 0; by default the present time is that of the first events.
-  Relay(dv::DvServer& server, std::optional<std::int64_t> epoch_us) : server_(server), epoch_us_(epoch_us) {}
-
-  // Until every sensor has ended, or Ctrl-C.
-  void run(Subscription& subscription, int sensors);
-
- private:
-  void pass(const Batch& batch);
-  void tellLosses(const Losses& losses);
-
-  dv::DvServer& server_;
-  std::optional<std::int64_t> epoch_us_;
-  std::uint64_t told_ = 0;  // lost packets
-};
-
-void Relay::run(Subscription& subscription, int sensors) {
-  for (int ended = 0; ended < sensors && !interrupted();) {
-    server_.serve(milliseconds(0));
-    const auto batch = subscription.receive(kTurn);
-    tellLosses(subscription.losses());
-    if (!batch || batch->header.kind() == v1::KIND_HEARTBEAT) continue;
-    pass(*batch);
-    if (batch->header.kind() == v1::KIND_END) ++ended;
-  }
-}
-
-void Relay::pass(const Batch& batch) {
-  if (!epoch_us_) epoch_us_ = unixTimeUs() - batch.header.t0_ns() / kNsPerUs;
-  server_.send(batch.header.sensor(), batch.events, *epoch_us_);
-}
-
-void Relay::tellLosses(const Losses& losses) {
-  if (losses.packets == told_) return;
-  told_ = losses.packets;
-  printLosses(stderr, losses);
+// Viewers are served while a lost server is awaited, too.
+Subscription::RetryPolicy retryPolicy(dv::DvServer& server, double retry_s) {
+  const auto waiting = [&server] {
+    server.serve(milliseconds(0));
+    if (interrupted()) throw StreamFault("interrupted");
+  };
+  const auto lost = [retry_s](const std::string& loss) {
+    tell(loss + "; trying again for " + timeText(retry_s));
+  };
+  return {.retry_time = milliseconds(std::llround(retry_s * 1e3)), .waiting = waiting, .lost = lost};
 }
 
 void runServeDv(const ServeDvOptions& options) {
@@ -102,20 +64,11 @@ void runServeDv(const ServeDvOptions& options) {
     std::printf("sensor %d: %s\n", sensor++, name.c_str());
   std::fflush(stdout);
 
-  const double retry_s = options.request.retry_time_s;
-  Subscription subscription(
-      context, stream,
-      {.retry_time = milliseconds(std::llround(retry_s * 1e3)),
-       .waiting =
-           [&server] {
-             server.serve(milliseconds(0));
-             if (interrupted()) throw StreamFault("interrupted");
-           },
-       .lost =
-           [retry_s](const std::string& loss) { tell(loss + "; trying again for " + timeText(retry_s)); }});
+  Subscription subscription(context, stream, retryPolicy(server, options.request.retry_time_s));
   try {
-    Relay(server, options.epoch_us).run(subscription, request.sensors_size());
+    DvRelay(server, options.epoch_us).run(subscription, request.sensors_size());
   } catch (const StreamFault&) {
+    server.finish(kPatience);
     if (!interrupted()) throw;
   }
   server.finish(kPatience);

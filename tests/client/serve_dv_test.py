@@ -148,6 +148,19 @@ class ServeDv(unittest.TestCase):
                 seen.set()
                 return
 
+    def test_a_server_that_stops_is_a_failure_after_whole_packets(self):
+        process, [port] = self.serve("--rate", "200", "--listen", "127.0.0.1:0")
+        camera = self.camera(*port)
+        camera.read_header()
+        packets = camera.packets()
+        next(packets)
+        self.daemon.send_signal(signal.SIGTERM)
+        for _ in packets:
+            pass
+        told = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 1, told)
+        self.assertIn("saccade: the server has stopped and ended the stream at frame", told)
+
     def test_wrong_usage_is_named(self):
         taken = socket.create_server(("127.0.0.1", 0))
         self.addCleanup(taken.close)
