@@ -42,7 +42,7 @@ App::App(const Config& config)
       },
       [this](const std::string& connection) { opener_.openings().cancelAllOf(connection); });
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
-  if (config.http != "off") serveHttp(config);
+  serveHttp(config);
   manager_.tell("READY=1");
   spdlog::info("ready: control {} data {} broadcast {} http {} viewer {}, {} threads, {}, scenes in {}",
                control_.endpoint(), data_.endpoint(), broadcast_.endpoint(), httpEndpoint(), viewerUrl(),
@@ -105,9 +105,11 @@ HttpPages App::pages() const {
 }
 
 void App::serveHttp(const Config& config) {
+  const auto keys = openViewer(config, access_);  // which also refuses a viewer without HTTP
+  if (config.http == "off") return;
   HttpPages all = pages();
   HttpUpgrades upgrades;
-  if (const auto keys = openViewer(config, access_)) {
+  if (keys) {
     viewer_.emplace(ViewerSettings{.control = reachableHere(control_.endpoint()),
                                    .source = {.data = reachableHere(data_.endpoint()),
                                               .broadcast = reachableHere(broadcast_.endpoint()),

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <utility>
-#include <vector>
 
 #include "web/viewer_json.h"
 #include "wire/protocol.h"
@@ -26,7 +25,8 @@ Viewer::Viewer(UpgradedSocket socket, zmq::context_t& context, const std::string
 void Viewer::run(std::stop_token stopped) {
   bool open = true;
   while (open && !stopped.stop_requested()) {
-    waitForStreams({{nullptr, page_.fd(), page_.events(), 0}, {control_.handle(), 0, ZMQ_POLLIN, 0}});
+    const short replies = page_.full() ? 0 : ZMQ_POLLIN;
+    waitForStreams({{nullptr, page_.fd(), page_.events(), 0}, {control_.handle(), 0, replies, 0}});
     for (ViewerStream& stream : streams_) stream.forwardTo(&page_);
     forwardReplies();
     open = page_.exchange();

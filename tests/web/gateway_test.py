@@ -176,6 +176,8 @@ class Gateway(unittest.TestCase):
         self.assertEqual(self.serve(http="http://0.0.0.0:0").url, "off")
         self.assertNotEqual(self.serve("--viewer", "on", http="http://0.0.0.0:0").url, "off")
         self.assertEqual(self.serve("--viewer", "off").url, "off")
+        with self.assertRaises(RuntimeError):
+            ViewedServer(SACCADED, "--viewer", "on", http="off")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 #include "web/viewer_gateway.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -100,6 +101,25 @@ TEST_F(ViewerGatewayTest, ManyAtOnceTakeNoMoreSeatsThanThereAre) {
   int told = 0;
   for (const int page : pages) told += readAll(page).find("the server stops") != std::string::npos;
   EXPECT_EQ(told, 3);
+}
+
+// The HTTP server cuts off the oldest of too many clients; a viewer is none.
+TEST_F(ViewerGatewayTest, ACrowdOfClientsCutsOffNoViewer) {
+  const int page = connect();
+  ASSERT_TRUE(seated(1));
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  const rlimit few{128, before.rlim_max};
+  setrlimit(RLIMIT_NOFILE, &few);  // a quarter: 32 clients
+  for (int i = 0; i < 33; ++i) pages_.push_back(connectLoopback(portOf(server_.endpoint())));
+  char byte;
+  EXPECT_EQ(recv(pages_[1], &byte, 1, 0), 0);  // the oldest client
+  setrlimit(RLIMIT_NOFILE, &before);
+  const std::string ping = clientFrame('\x89', "still here");
+  send(page, ping.data(), ping.size(), MSG_NOSIGNAL);
+  std::string received;
+  while (received.find("still here") == std::string::npos && recv(page, &byte, 1, 0) == 1) received += byte;
+  EXPECT_NE(received.find("still here"), std::string::npos);
 }
 
 TEST_F(ViewerGatewayTest, BytesBeforeTheAnswerEndTheConnection) {

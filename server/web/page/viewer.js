@@ -147,8 +147,12 @@ function pause() {
 
 async function copyLink() {
   share();
-  await navigator.clipboard?.writeText(location.href);
-  element("share").textContent = "Copied";
+  try {
+    await navigator.clipboard.writeText(location.href);
+    element("share").textContent = "Copied";
+  } catch {
+    element("share").textContent = "See the address"; // browsers copy on localhost and with TLS alone
+  }
   setTimeout(() => (element("share").textContent = "Copy link"), 1500);
 }
 
