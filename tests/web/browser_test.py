@@ -101,6 +101,18 @@ class Browser(unittest.TestCase):
         self.assertEqual(self.run_js("return document.forms[0].source.value"), "stream:" + stream["streamId"])
         page.socket.close()
 
+    def test_it_comes_back_with_the_server(self):
+        first = ViewedServer(SACCADED)
+        self.browser.get(first.url + "#" + TINY)
+        self.wait_for("saccade.meters.events > 0")
+        self.assertEqual(first.stop(), 0)
+        self.wait_for("document.getElementById('state').textContent.includes('No server')")
+        second = ViewedServer(SACCADED, http=first.http)
+        self.wait_for("document.getElementById('state').textContent === 'Live'")
+        self.browser.get("about:blank")
+        self.browser.get_log("browser")  # of connections that were refused
+        self.assertEqual(second.stop(), 0)
+
     def test_a_refusal_is_told(self):
         self.open("scene=no-such-scene")
         self.wait_for("document.getElementById('state').className === 'fault'")

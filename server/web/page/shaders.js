@@ -44,8 +44,10 @@ uniform int height;
 out vec4 colour;
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.x, float(height) - gl_FragCoord.y);
-  vec2 strength = 1.0 - exp(-1.2 * texelFetch(sums, pixel, 0).rg);
+  vec2 sum = texelFetch(sums, pixel, 0).rg;
+  vec2 strength = 1.0 - exp(-1.2 * sum);
   float most = max(strength.x, strength.y);
-  vec3 hue = (on * strength.x + off * strength.y) / max(strength.x + strength.y, 1e-6);
+  vec2 share = sum * sum;  // the stronger polarity gives the colour
+  vec3 hue = (on * share.x + off * share.y) / max(share.x + share.y, 1e-12);
   colour = vec4(mix(none, hue, most), 1.0);
 }`;
