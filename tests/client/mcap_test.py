@@ -2,56 +2,21 @@
 import base64
 import json
 import pathlib
-import struct
 import sys
 import tempfile
 import unittest
 
 import event_files
 import npm_packages
+from evt3_messages import Evt3
 
 SACCADE, _, NPM = sys.argv[1:4]
 PACKAGES = ["@mcap/core@2.2.2", "@foxglove/rosmsg@5.0.5", "@foxglove/rosmsg2-serialization@3.1.0"]
 SCRIPT = pathlib.Path(__file__).with_name("read_mcap.cjs")
 
-INTERVAL_US, HIGH_US, WRAP_US = 5000, 4096, 1 << 24
+INTERVAL_US = 5000
 MANY = [(1 + i // 3, i * 7 % 1280, i % 720, i // 20 % 2) for i in range(220_000)]  # over several chunks
 EDGES = [(t, x, 5, 1) for t in range(0, 30_000, 700) for x in range(60)]  # whole parts of rows
-
-
-class Evt3:
-    """What a receiver of messages keeps, by docs.prophesee.ai/stable/data/encoding_formats/evt3.html."""
-
-    def __init__(self):
-        self.high = None  # microseconds, with wraps
-
-    def decode(self, message):
-        words = struct.unpack(f"<{len(message) // 2}H", message)
-        events, low, row, base, i = [], None, None, 0, 0
-        while i < len(words):
-            kind, content = words[i] >> 12, words[i] & 0xFFF
-            if kind == 8:
-                self.high = self.after_wraps(content * HIGH_US)
-            elif kind == 6:
-                low = content
-            elif kind == 0:
-                row = content
-            elif kind == 2:
-                events.append((self.high + low, content & 0x7FF, row, content >> 11))
-            elif kind == 3:
-                base = content
-            else:
-                assert [word >> 12 for word in words[i:i + 3]] == [4, 4, 5]
-                bits = words[i] & 0xFFF | (words[i + 1] & 0xFFF) << 12 | (words[i + 2] & 0xFF) << 24
-                events += [(self.high + low, base % 2048 + n, row, base >> 11) for n in range(32) if bits >> n & 1]
-                i += 2
-            i += 1
-        return events
-
-    def after_wraps(self, us):
-        if self.high is None:
-            return us
-        return us + (self.high - us + WRAP_US - 1) // WRAP_US * WRAP_US
 
 
 class Mcap(unittest.TestCase):

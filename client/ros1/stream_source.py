@@ -1,0 +1,1 @@
+../ros2/saccade_bridge/saccade_bridge/stream_source.py
