@@ -73,7 +73,7 @@ class BagWriter : public Writer {
     message_.resize(message_.size() + events.size() * kEventSize);
     char* at = message_.data() + message_.size() - events.size() * kEventSize;
     for (const Event& event : events) at = putEvent(at, event);
-    file_.add(stamp, message_);
+    file_.add(stamp, message_, events.size());
   }
 
   void appendHead(const RosTime& stamp, std::size_t events) {

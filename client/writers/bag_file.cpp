@@ -103,7 +103,7 @@ BagFile::BagFile(const std::string& path, const BagTopic& topic)
   file_.append(std::string(kVersion) + bagHeader(0, 0, 0));
 }
 
-void BagFile::add(const RosTime& time, std::string_view message) {
+void BagFile::add(const RosTime& time, std::string_view message, std::uint64_t events) {
   if (about_.messages++ == 0) about_.begin = time;
   about_.end = time;
   appendTime(entries_, time);
@@ -111,6 +111,7 @@ void BagFile::add(const RosTime& time, std::string_view message) {
   Fields header(Op::kMessage);
   header.number("conn", kConnectionId).time("time", time);
   appendRecord(chunk_, header, message);
+  events_ += events;
   if (chunk_.size() >= kChunkSize) writeChunk();
 }
 
@@ -122,10 +123,11 @@ void BagFile::writeChunk() {
   appendRecord(records, header, chunk_);
   appendRecord(records, index, entries_);
   about_.position = file_.size();
-  file_.append(records);
+  file_.appendChunk(records, events_);
   appendChunkInfo(chunk_infos_, about_);
   ++chunk_count_;
   about_ = {};
+  events_ = 0;
   chunk_.clear(), entries_.clear();
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "client/writers/output_file.h"
+#include "client/writers/chunked_file.h"
 
 namespace saccade::client {
 
@@ -31,7 +31,7 @@ struct BagChunk {
 // Appends the record that stands for the chunk at the end of the file.
 void appendChunkInfo(std::string& records, const BagChunk& chunk);
 
-// Every call throws std::system_error as OutputFile does.
+// Every call throws std::system_error as ChunkedFile does.
 class BagFile {
  public:
   BagFile(const std::string& path, const BagTopic& topic);
@@ -41,20 +41,21 @@ class BagFile {
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
 
-  // Messages come in the order of time.
-  void add(const RosTime& time, std::string_view message);
+  // Messages come in the order of time. `events`: how many there are in this one.
+  void add(const RosTime& time, std::string_view message, std::uint64_t events);
   void finish();  // the last call
 
  private:
   void writeChunk();
   void writeIndex();
 
-  OutputFile file_;
+  ChunkedFile file_;
   const std::string connection_;   // the record of the topic
   std::string chunk_, entries_;    // of the chunk that is being filled: records, index
   BagChunk about_;                 // of the same
   std::string chunk_infos_;        // of the chunks in the file
   std::uint32_t chunk_count_ = 0;  // the same
+  std::uint64_t events_ = 0;       // of the chunk that is being filled
   bool finished_ = false;
 };
 

@@ -62,7 +62,7 @@ class McapWriter : public Writer {
     fillSilence(begin_ns);
     encoder_.restart(begin_ns / kNsPerUs);
     encoder_.encode(events);
-    writePacket(begin_ns, events.back().t_ns);
+    writePacket(begin_ns, events.back().t_ns, events.size());
   }
 
   // Writes messages without events between the last message and `until_ns`.
@@ -71,11 +71,11 @@ class McapWriter : public Writer {
       const std::int64_t t_ns = told_ns_ + kMaxSilenceNs;
       encoder_.restart(t_ns / kNsPerUs);
       encoder_.encodeTime(t_ns / kNsPerUs);
-      writePacket(t_ns, t_ns);
+      writePacket(t_ns, t_ns, 0);
     }
   }
 
-  void writePacket(std::int64_t begin_ns, std::int64_t end_ns) {
+  void writePacket(std::int64_t begin_ns, std::int64_t end_ns, std::size_t events) {
     message_.clear();
     message_.number<std::int32_t>(begin_ns / kNsPerSecond);
     message_.number<std::uint32_t>(begin_ns % kNsPerSecond);
@@ -88,7 +88,7 @@ class McapWriter : public Writer {
     message_.number<std::uint8_t>(0);  // is_bigendian
     message_.octets(encoder_.bytes());
     encoder_.clear();
-    file_.add(end_ns, message_.bytes());
+    file_.add(end_ns, message_.bytes(), events);
     told_ns_ = end_ns;
   }
 

@@ -76,7 +76,7 @@ McapFile::McapFile(const std::string& path, const McapChannel& channel)
   file_.append(std::string(kMagic) + headerRecord(channel) + schema_ + channel_);
 }
 
-void McapFile::add(std::uint64_t time_ns, std::string_view message) {
+void McapFile::add(std::uint64_t time_ns, std::string_view message, std::uint64_t events) {
   appendBytes<std::uint64_t>(entries_, time_ns);
   appendBytes<std::uint64_t>(entries_, chunk_.size());
   McapFields head;
@@ -84,6 +84,7 @@ void McapFile::add(std::uint64_t time_ns, std::string_view message) {
   head.number<std::uint64_t>(time_ns).number<std::uint64_t>(time_ns);  // of the log, and of publishing
   appendRecord(chunk_, McapOp::kMessage, {head.bytes(), message});
   extend(span_, {time_ns, time_ns, 1});
+  events_ += events;
   if (chunk_.size() >= kChunkSize) writeChunk();
 }
 
@@ -99,11 +100,12 @@ void McapFile::writeChunk() {
   chunk.size = records.size();
   appendRecord(records, McapOp::kMessageIndex, {index.bytes()});
   chunk.index_size = records.size() - chunk.size;
-  file_.append(records);
+  file_.appendChunk(records, events_);
   appendChunkIndex(chunk_indexes_, chunk);
   ++chunk_count_;
   extend(whole_, span_);
   span_ = {};
+  events_ = 0;
   chunk_.clear(), entries_.clear();
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "client/writers/output_file.h"
+#include "client/writers/chunked_file.h"
 
 namespace saccade::client {
 
@@ -36,7 +36,7 @@ struct McapChunk {
 // Appends the record that stands for the chunk in the summary.
 void appendChunkIndex(std::string& records, const McapChunk& chunk);
 
-// Every call throws std::system_error as OutputFile does.
+// Every call throws std::system_error as ChunkedFile does.
 class McapFile {
  public:
   McapFile(const std::string& path, const McapChannel& channel);
@@ -45,21 +45,22 @@ class McapFile {
   McapFile(const McapFile&) = delete;
   McapFile& operator=(const McapFile&) = delete;
 
-  // Messages come in the order of time.
-  void add(std::uint64_t time_ns, std::string_view message);
+  // Messages come in the order of time. `events`: how many there are in this one.
+  void add(std::uint64_t time_ns, std::string_view message, std::uint64_t events);
   void finish();  // the last call
 
  private:
   void writeChunk();
   void writeSummary();
 
-  OutputFile file_;
+  ChunkedFile file_;
   const std::string schema_, channel_;  // their records
   std::string chunk_, entries_;         // of the chunk that is being filled: records, index
   McapSpan span_, whole_;               // of the same, and of the chunks in the file
   std::string chunk_indexes_;           // of the chunks in the file
   std::uint32_t chunk_count_ = 0;       // the same
   std::uint32_t sequence_ = 0;          // of the next message
+  std::uint64_t events_ = 0;            // of the chunk that is being filled
   bool finished_ = false;
 };
 

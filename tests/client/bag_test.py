@@ -3,6 +3,7 @@ packages of Foxglove: bag_test.py SACCADE FOLDER_FOR_NPM."""
 import importlib.util
 import json
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -138,10 +139,12 @@ class Bag(unittest.TestCase):
     def test_a_full_disk_leaves_whole_chunks_with_their_index(self):
         done = self.convert(MANY, most_bytes=1_500_000)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("a.bag.partial: File too large", done.stderr)
+        told = re.search(r"a\.bag\.partial: holds the first (\d+) events: File too large", done.stderr)
+        self.assertTrue(told, done.stderr)
         with rosbag.Bag(str(self.folder / "a.bag.partial")) as bag:
             read = self.events_of(bag)
         self.assertGreater(len(read), 60_000)
+        self.assertEqual(len(read), int(told[1]))
         self.assertEqual(read, MANY[:len(read)])
 
 
