@@ -6,7 +6,7 @@ import subprocess
 
 
 def missing(folder, packages):
-    """Why scripts cannot use the packages (name@version) of `folder`, after an attempt to fetch them; None if they can."""
+    """Fetches packages (name@version) into `folder`. Why they cannot be used; None if they can."""
     if shutil.which("node") is None or shutil.which("npm") is None:
         return "node and npm are not installed"
     wanted = [pathlib.Path(folder, "node_modules", name.rsplit("@", 1)[0]) for name in packages]

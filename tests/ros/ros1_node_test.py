@@ -32,6 +32,7 @@ PARAMETERS = {"scene": "cornell-box", "motion": "right", "width": 64, "height": 
               "wait_for_subscriber": "true"}  # all, because the master keeps what an earlier node had
 OPTIONS = ["--motion", "right", "--size", "64x48", "--rate", "500", "--duration", "0.1", "--threshold", "0.2",
            "--fov", "90"]
+MD5 = "5e8beee5a6c107e504c2e78903c224b8"  # of dvs_msgs/EventArray
 MESSAGE_S, NODE_S = 60, 120  # limits
 
 
@@ -81,7 +82,7 @@ class Ros1Node(unittest.TestCase):
         while events < len(self.reference):
             raw = arrays.get(timeout=MESSAGE_S)
             head = raw._connection_header
-            self.assertEqual((head["type"], head["md5sum"]), ("dvs_msgs/EventArray", "5e8beee5a6c107e504c2e78903c224b8"))
+            self.assertEqual((head["type"], head["md5sum"]), ("dvs_msgs/EventArray", MD5))
             message = genpy.dynamic.generate_dynamic(head["type"], head["message_definition"])[head["type"]]()
             message.deserialize(raw._buff)
             messages.append(message)

@@ -134,8 +134,8 @@ class Ros2Node(unittest.TestCase):
 
     def test_the_camera_is_a_pinhole(self):
         published = self.published()
-        infos = published["/event_camera/camera_info"]
-        self.assertEqual([time_us(info) for info in infos], [time_us(packet) for packet in published["/event_camera/events"]])
+        infos, packets = published["/event_camera/camera_info"], published["/event_camera/events"]
+        self.assertEqual([time_us(info) for info in infos], [time_us(packet) for packet in packets])
         np.testing.assert_allclose(infos[0].k, [32, 0, 31.5, 0, 32, 23.5, 0, 0, 1])  # 64 / (2 tan 45 degrees)
         np.testing.assert_allclose(infos[0].p, [32, 0, 31.5, 0, 0, 32, 23.5, 0, 0, 0, 1, 0])
         self.assertEqual((infos[0].width, infos[0].height, infos[0].header.frame_id), (64, 48, "camera"))
@@ -160,7 +160,8 @@ class Ros2Node(unittest.TestCase):
         for losses in (Losses(), Losses(1, 2, 30), Losses(1, 2, 30), Losses(2, 5, 70)):
             stream.losses = losses
             watch.check()
-        self.assertEqual(told, ["2 packets with 30 events were lost so far", "5 packets with 70 events were lost so far"])
+        self.assertEqual(told, [f"{lost} were lost so far" for lost in ("2 packets with 30 events",
+                                                                        "5 packets with 70 events")])
 
     def test_a_refusal_is_told(self):
         with self.assertRaises(SystemExit):

@@ -9,7 +9,8 @@ setup(
     description="Publishes streams of the event-camera simulator Saccade.",
     license="MIT",
     packages=[NAME],
-    data_files=[("share/ament_index/resource_index/packages", [f"resource/{NAME}"]), (f"share/{NAME}", ["package.xml"])],
+    data_files=[("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
+                (f"share/{NAME}", ["package.xml"])],
     install_requires=["setuptools", "saccade"],
     entry_points={"console_scripts": [f"node = {NAME}.node:main"]},
 )

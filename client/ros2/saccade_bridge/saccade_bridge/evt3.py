@@ -16,7 +16,8 @@ def encode(events):
         return _time_words(np.array([events.t0])).astype("<u2").tobytes()
     row, column, on = (part.astype(np.int64) for part in (events.y, events.x, events.p))
     words = np.column_stack([_time_words(events.t), ADDR_Y | row, ADDR_X | on << POLARITY_SHIFT | column])
-    told = np.column_stack([differs(events.t >> TIME_BITS), differs(events.t), differs(row), np.ones(len(events), bool)])
+    always = np.ones(len(events), bool)
+    told = np.column_stack([differs(events.t >> TIME_BITS), differs(events.t), differs(row), always])
     return words[told].astype("<u2").tobytes()
 
 
