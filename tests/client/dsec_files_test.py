@@ -1,9 +1,5 @@
-"""Files .h5 and two other programs: h5py, and h5wasm where npm is.
-
-Usage: dsec_files_test.py SACCADE FOLDER_FOR_NPM
-"""
+"""Files .h5 and two other programs: h5py, and h5wasm where npm is."""
 import json
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -11,6 +7,7 @@ import unittest
 from pathlib import Path
 
 import event_columns
+import npm_packages
 
 try:
     import h5py
@@ -19,8 +16,8 @@ except ImportError as fault:
     event_columns.skip(fault)
 
 BLOSC = 32001
-convert = event_columns.Converter(sys.argv[1])
-npm_folder = Path(sys.argv[3])
+SACCADE, _, NPM = sys.argv[1:4]
+convert = event_columns.Converter(SACCADE)
 
 
 def columns(file):
@@ -127,7 +124,7 @@ class Dsec(unittest.TestCase):
                 file.create_dataset("events/x", data=np.zeros(1000, "u2"), compression=BLOSC)
             attempts.append([self.h5, self.folder / "out.csv", "--size", "1280x720"])
         for arguments in attempts:
-            done = subprocess.run([sys.argv[1], "convert", *arguments], env=no_plugins, capture_output=True, text=True,
+            done = subprocess.run([SACCADE, "convert", *arguments], env=no_plugins, capture_output=True, text=True,
                                   check=False)
             self.assertIn("install hdf5-filter-plugin-blosc-serial", done.stderr)
 
@@ -200,20 +197,13 @@ class Dsec(unittest.TestCase):
         self.assertIn("events/t is in another file", self.fault())
 
     def test_h5wasm_reads_the_same(self):
-        if not shutil.which("npm"):
-            self.skipTest("npm is not installed")
-        package = npm_folder / "node_modules" / "h5wasm"
-        if not package.exists():
-            fetched = subprocess.run(["npm", "install", "--no-audit", "--no-fund", "--prefix", npm_folder,
-                                      "h5wasm@0.10.3"], capture_output=True, text=True, check=False)
-            if fetched.returncode:
-                self.skipTest("npm cannot fetch h5wasm")
+        reason = npm_packages.missing(NPM, ["h5wasm@0.10.3"])
+        if reason:
+            self.skipTest(reason)
         events = event_columns.random_events(140_000)
         convert.from_events(events, self.folder, self.h5)
-        script = Path(__file__).with_name("read_h5.mjs")
-        done = subprocess.run(["node", script, package / "dist" / "node" / "hdf5_hl.js", self.h5], capture_output=True,
-                              text=True, check=True)
-        read = json.loads(done.stdout)
+        module = Path(NPM, "node_modules", "h5wasm", "dist", "node", "hdf5_hl.js")
+        read = json.loads(npm_packages.run(NPM, Path(__file__).with_name("read_h5.mjs"), module, self.h5))
         event_columns.assert_equal(read, events)
         self.assertEqual([read["width"], read["height"]], list(event_columns.SIZE))
         np.testing.assert_array_equal(read["ms_to_idx"],
