@@ -25,14 +25,7 @@ class DsecFormatTest : public FormatTest {
   const std::string file_ = at("a.h5");
 
   Events read() const { return readBack(*kDsecReader.make(file_)); }
-  std::string faultOf() const {
-    try {
-      read();
-    } catch (const FileFault& fault) {
-      return fault.what();
-    }
-    return "none";
-  }
+  std::string faultOf() const { return FormatTest::faultOf(kDsecReader, file_); }
   // Replaces bytes of the file.
   void damage(std::size_t at, const std::string& bytes) const {
     std::fstream file(file_, std::ios::in | std::ios::out | std::ios::binary);

@@ -33,6 +33,16 @@ class FormatTest : public testing::Test {
     writer->finish();
   }
 
+  // What is wrong with a file; "none" if all of it can be read.
+  static std::string faultOf(const ReaderInfo& format, const std::string& file) {
+    try {
+      readBack(*format.make(file));
+    } catch (const FileFault& fault) {
+      return fault.what();
+    }
+    return "none";
+  }
+
   static Events readBack(Reader& reader) {
     Events all;
     for (Events batch; reader.read(batch);) all.insert(all.end(), batch.begin(), batch.end());

@@ -30,12 +30,7 @@ class RawFormatTest : public FormatTest {
   }
   Events eventsOf(const std::string& bytes) const { return readBack(*kRawReader.make(fileOf(bytes))); }
   std::string faultOf(const std::string& bytes) const {
-    try {
-      eventsOf(bytes);
-    } catch (const FileFault& fault) {
-      return fault.what();
-    }
-    return "none";
+    return FormatTest::faultOf(kRawReader, fileOf(bytes));
   }
   std::string bodyOf(const std::string& file) const {
     std::ostringstream text;

@@ -16,12 +16,7 @@ class TextFormatTest : public FormatTest {
   }
   std::string faultOf(const std::string& name, const std::string& text) const {
     const std::string file = fileOf(name, text);
-    try {
-      readBack(*readerFor(file).make(file));
-    } catch (const FileFault& fault) {
-      return fault.what();
-    }
-    return "none";
+    return FormatTest::faultOf(readerFor(file), file);
   }
 };
 

@@ -1,11 +1,9 @@
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include "client/aedat4/info_node.h"
 #include "client/aedat4/io_header.h"
 #include "client/aedat4/packets.h"
 #include "client/readers/reader.h"
 #include "fuzz/fuzz_target.h"
+#include "fuzz/memory_file.h"
 
 namespace saccade {
 namespace {
@@ -27,21 +25,6 @@ std::string seed(Compression compression, bool finished) {
         static_cast<std::int64_t>(kMagic.size() + encodeHeader(header).size() + packets.size());
   return std::string(kMagic) + encodeHeader(header) + packets + (finished ? "table" : "");
 }
-
-// A file without a name, for bytes.
-class MemoryFile {
- public:
-  explicit MemoryFile(std::string_view bytes) : file_(memfd_create("fuzz", MFD_CLOEXEC)) {
-    SACCADE_CHECK(::write(file_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
-  }
-  ~MemoryFile() { close(file_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
-
- private:
-  const int file_;
-};
 
 }  // namespace
 

@@ -1,7 +1,7 @@
 #include "client/readers/reader.h"
 #include "client/writers/npz_column.h"
 #include "fuzz/fuzz_target.h"
-#include "fuzz/temporary_file.h"
+#include "fuzz/memory_file.h"
 
 namespace saccade {
 namespace {
@@ -42,8 +42,7 @@ const FuzzTarget& fuzzTarget() {
       {"'descr': ", "'shape': ", "(3,)", "()", "(3, 3)", "(999999999999999999,)", "<i8", ">u2", "|b1", "<f8",
        "t.npy", "x.npy", "PK\1\2", "PK\3\4", "PK\5\6", "PK\6\6", "PK\6\7", "\x93NUMPY", "\xff\xff\xff\xff"},
       [](std::string_view bytes) {
-        static const TemporaryFile file;
-        file.replace(bytes);
+        const MemoryFile file(bytes);
         return accepts<FileFault>([&] {
           const auto reader = kNpzReader.make(file.path());
           reader->size();
