@@ -25,6 +25,7 @@ ViewerSettings settings() {
 class ViewerGatewayTest : public testing::Test {
  protected:
   ~ViewerGatewayTest() override {
+    gateway_.stop();  // before the server, whose sockets it has
     for (const int page : pages_) close(page);
   }
   // Sends a handshake, with more bytes after it.
