@@ -160,6 +160,7 @@ class ServeDv(unittest.TestCase):
         told = process.communicate(timeout=60)[1]
         self.assertEqual(process.returncode, 1, told)
         self.assertIn("saccade: the server has stopped and ended the stream at frame", told)
+        self.daemon.wait(60)  # a second signal would end it at once
 
     def test_wrong_usage_is_named(self):
         taken = socket.create_server(("127.0.0.1", 0))
