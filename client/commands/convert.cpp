@@ -10,12 +10,10 @@
 #include "client/commands/source_file.h"
 #include "client/commands/summary.h"
 #include "client/recording_file.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
-
-constexpr double kNsPerSecond = 1e9;
-constexpr std::int64_t kNsPerUs = 1000;
 
 struct ConvertOptions {
   std::string input, size;
@@ -38,12 +36,12 @@ void copyEvents(SourceFile& source, RecordingFile& file, Progress& progress) {
   std::int64_t t0_ns = recording ? recording->begin_ns() : 0;
   std::int64_t end_ns = recording ? recording->end_ns() : 0;
   for (Events events; source.read(events);) {
-    if (interrupted()) throw std::runtime_error("interrupted");
+    throwIfInterrupted();
     if (events.empty()) continue;
     file.write(events, t0_ns, events.back().t_ns);  // more events may have the time of the last
     t0_ns = events.back().t_ns;
     end_ns = std::max(end_ns, t0_ns + kNsPerUs);
-    const double stream_s = t0_ns / kNsPerSecond;
+    const double stream_s = secondsOf(t0_ns);
     progress.update(stream_s, stream_s, file.about().events());
   }
   file.write({}, t0_ns, end_ns);
@@ -61,7 +59,7 @@ void runConvert(const ConvertOptions& options) {
   watchInterrupt();
   SourceFile source(options.input, options.size);
   RecordingFile file(options.output.path, format, aboutEvents(source));
-  Progress progress(source.recording() ? source.recording()->end_ns() / kNsPerSecond : 0);
+  Progress progress(source.recording() ? secondsOf(source.recording()->end_ns()) : 0);
   copyEvents(source, file, progress);
   progress.finish();
   file.close();

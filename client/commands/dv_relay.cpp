@@ -5,12 +5,12 @@
 
 #include "client/commands/interrupt.h"
 #include "client/commands/summary.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
 
 constexpr std::chrono::milliseconds kTurn{5};  // how long a viewer waits for its turn while no events come
-constexpr std::int64_t kNsPerUs = 1000;
 
 void checkEnd(const v1::PacketHeader& end) {
   if (end.end_reason() == v1::END_REASON_DRAINING || end.end_reason() == v1::END_REASON_ABANDONED)

@@ -5,6 +5,8 @@
 
 #include <csignal>
 
+#include "client/stream_fault.h"
+
 namespace saccade::client {
 namespace {
 
@@ -30,6 +32,10 @@ void watchInterrupt() {
 
 bool interrupted() {
   return noted != 0;
+}
+
+void throwIfInterrupted() {
+  if (interrupted()) throw StreamFault("interrupted");
 }
 
 }  // namespace saccade::client

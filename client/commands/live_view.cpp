@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "client/commands/half_blocks.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
@@ -59,11 +60,11 @@ void LiveView::drawIfDue(const Losses& losses) {
 
 std::string LiveView::status(const Losses& losses) const {
   const double wall_s = std::chrono::duration<double>(drawn_ - start_).count();
-  const double stream_s = static_cast<double>(now_ns_ - begin_ns_.value_or(now_ns_)) / 1e9;
+  const double stream_s = secondsOf(now_ns_ - begin_ns_.value_or(now_ns_));
   char text[160];
   std::snprintf(text, sizeof(text),
                 "%.3f s, %.2gx real time, %.3g events/s, %llu packets lost; red ON, blue OFF; Ctrl-C ends",
-                static_cast<double>(now_ns_) / 1e9, stream_s / wall_s,
+                secondsOf(now_ns_), stream_s / wall_s,
                 stream_s > 0 ? static_cast<double>(events_) / stream_s : 0.0,
                 static_cast<unsigned long long>(losses.packets));
   return text;

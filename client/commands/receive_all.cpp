@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "client/commands/interrupt.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
 
-constexpr double kNsPerSecond = 1e9;
 constexpr std::chrono::milliseconds kPollInterval{500};  // for Ctrl-C and the progress
 
 // Ctrl-C is the normal end of an endless stream, and a fault of any other.
@@ -25,8 +25,7 @@ void showProgress(const Subscription& subscription, const StreamHandle& stream, 
     progress.note("rendering again: frame " + std::to_string(batch.header.frame()) +
                   (frames > 0 ? " of " + std::to_string(frames) : ""));
   } else {
-    progress.update(recorder.time_ns() / kNsPerSecond, recorder.duration_ns() / kNsPerSecond,
-                    recorder.events());
+    progress.update(secondsOf(recorder.time_ns()), secondsOf(recorder.duration_ns()), recorder.events());
   }
 }
 
@@ -54,11 +53,11 @@ void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& reco
     if (batch->header.kind() == v1::KIND_END) end = batch->header;
     showProgress(subscription, stream, *batch, recorder, progress);
   }
-  checkWhole(stream.opened(), recorder.time_ns() / kNsPerSecond, end);
+  checkWhole(stream.opened(), secondsOf(recorder.time_ns()), end);
 }
 
 void showWaiting(Progress& progress) {
-  if (interrupted()) throw StreamFault("interrupted");
+  throwIfInterrupted();
   progress.note("waiting for the server");
 }
 

@@ -11,21 +11,16 @@
 #include "client/commands/receive_all.h"
 #include "client/commands/stream_opening.h"
 #include "client/commands/summary.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
-
-constexpr double kNsPerSecond = 1e9;
 
 std::optional<Preview> makePreview(const std::string& path, const v1::Timing& timing) {
   if (path.empty()) return std::nullopt;
   const double third_s = timing.duration_s() > 0 ? timing.duration_s() / 3 : 1;
   return Preview(path, std::llround(third_s * kNsPerSecond),
                  std::llround(kNsPerSecond / timing.frame_rate_hz()));
-}
-
-std::chrono::milliseconds secondsOf(double time_s) {
-  return std::chrono::milliseconds(std::llround(time_s * 1e3));
 }
 
 std::string keptText(const Recorder& recorder, const std::string& output) {
@@ -70,7 +65,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
   const double retry_s = job.retry_time_s;
   Subscription subscription(
       context, stream,
-      {.retry_time = secondsOf(retry_s),
+      {.retry_time = millisecondsOf(retry_s),
        .waiting = [&progress] { showWaiting(progress); },
        .lost = [&progress, retry_s](const std::string& loss) { tellLoss(progress, loss, retry_s); }});
   try {

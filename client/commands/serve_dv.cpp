@@ -1,5 +1,4 @@
 // saccade serve-dv: shows the sensors of a stream to DV and dv-processing as cameras of the network.
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "client/commands/progress.h"
 #include "client/commands/request_options.h"
 #include "client/commands/stream_opening.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
@@ -42,12 +42,12 @@ dv::DvServer makeServer(const ServeDvOptions& options, int sensors) {
 Subscription::RetryPolicy retryPolicy(dv::DvServer& server, double retry_s) {
   const auto waiting = [&server] {
     server.serve(milliseconds(0));
-    if (interrupted()) throw StreamFault("interrupted");
+    throwIfInterrupted();
   };
   const auto lost = [retry_s](const std::string& loss) {
     tell(loss + "; trying again for " + timeText(retry_s));
   };
-  return {.retry_time = milliseconds(std::llround(retry_s * 1e3)), .waiting = waiting, .lost = lost};
+  return {.retry_time = millisecondsOf(retry_s), .waiting = waiting, .lost = lost};
 }
 
 void runServeDv(const ServeDvOptions& options) {

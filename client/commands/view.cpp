@@ -1,6 +1,5 @@
 // saccade view: shows the events of a stream in the terminal.
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -8,22 +7,18 @@
 #include "client/commands/interrupt.h"
 #include "client/commands/live_view.h"
 #include "client/commands/request_options.h"
+#include "client/commands/stream_opening.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
 
-using std::chrono::milliseconds;
-
-constexpr milliseconds kPollInterval{50};  // for Ctrl-C and the drawing
+constexpr std::chrono::milliseconds kPollInterval{50};  // for Ctrl-C and the drawing
 
 struct ViewOptions {
   RequestOptions request;
   double decay_s = 0.02;
 };
-
-void throwIfInterrupted() {
-  if (interrupted()) throw StreamFault("interrupted");
-}
 
 void watch(Subscription& subscription, LiveView& view) {
   for (bool ended = false; !ended && !interrupted();) {
@@ -47,11 +42,11 @@ void runView(ViewOptions options) {
     options.request.size = std::to_string(view.width()) + "x" + std::to_string(view.height());
   }
   screen.showStatus("opening the stream; Ctrl-C ends");
-  StreamHandle stream(control, makeOpenStream(options.request));
+  StreamHandle stream = openStream(control, makeOpenStream(options.request), options.request.trajectory);
   const double retry_s = options.request.retry_time_s;
   Subscription subscription(
       context, stream,
-      {.retry_time = milliseconds(std::llround(retry_s * 1e3)),
+      {.retry_time = millisecondsOf(retry_s),
        .waiting = throwIfInterrupted,
        .lost = [&screen](const std::string& loss) { screen.showStatus(loss + "; trying again"); }});
   LiveView view(screen, stream.opened().resolved().view(), options.decay_s);
