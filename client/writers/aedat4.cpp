@@ -9,6 +9,8 @@
 #include "client/aedat4/info_node.h"
 #include "client/aedat4/io_header.h"
 #include "client/aedat4/packet_table.h"
+#include "client/units.h"
+#include "client/writers/message_splitter.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
@@ -17,26 +19,17 @@ namespace {
 using namespace aedat4;
 
 constexpr Compression kCompression = Compression::kLz4;
-constexpr std::int64_t kPacketNs = 5'000'000;
-constexpr std::size_t kPacketEvents = 1 << 16;
 constexpr std::uint32_t kMostPixels = 32767;  // coordinates and sizes are of 16 bits with a sign
-constexpr std::int64_t kNsPerUs = 1000;
-
-// The end of the interval of a packet that holds `t_ns`.
-std::int64_t packetEnd(std::int64_t t_ns) {
-  const std::int64_t into = t_ns % kPacketNs;
-  return t_ns - into + (into < 0 ? 0 : kPacketNs);
-}
 
 // How many of the first events make a packet; 0: more may belong to it. No event before `until_ns` will
 // follow.
 std::size_t packetSize(std::span<const Event> events, std::int64_t until_ns) {
   if (events.empty()) return 0;
-  const std::int64_t end = packetEnd(events.front().t_ns);
+  const std::int64_t end = intervalEnd(events.front().t_ns);
   const auto later = std::partition_point(events.begin(), events.end(),
                                           [=](const Event& event) { return event.t_ns < end; });
-  const auto size = std::min<std::size_t>(later - events.begin(), kPacketEvents);
-  return size < events.size() || size == kPacketEvents || until_ns >= end ? size : 0;
+  const auto size = std::min<std::size_t>(later - events.begin(), kMostMessageEvents);
+  return size < events.size() || size == kMostMessageEvents || until_ns >= end ? size : 0;
 }
 
 class Aedat4Writer : public Writer {

@@ -1,22 +1,17 @@
 #include "client/writers/message_splitter.h"
 
 namespace saccade::client {
-namespace {
-
-constexpr std::int64_t kIntervalNs = 5'000'000;
-constexpr std::size_t kMostEvents = 1 << 16;
 
 std::int64_t intervalEnd(std::int64_t t_ns) {
+  constexpr std::int64_t kIntervalNs = 5'000'000;
   std::int64_t rest_ns = t_ns % kIntervalNs;
   if (rest_ns < 0) rest_ns += kIntervalNs;
   return t_ns - rest_ns + kIntervalNs;
 }
 
-}  // namespace
-
 void MessageSplitter::add(const Events& events, std::int64_t until_ns) {
   for (const Event& event : events) {
-    if (event.t_ns >= end_ns_ || message_.size() == kMostEvents) {
+    if (event.t_ns >= end_ns_ || message_.size() == kMostMessageEvents) {
       flush();
       end_ns_ = intervalEnd(event.t_ns);
     }

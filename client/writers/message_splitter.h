@@ -1,4 +1,4 @@
-// Groups events into messages for robot middleware.
+// Groups events into messages of robot middleware, and into packets of files.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,13 @@
 
 namespace saccade::client {
 
-// The events of a message lie in one interval [5 ms * k, 5 ms * (k + 1)) of time. An interval without events
-// gives no message, and one with more than 65536 events gives several.
+inline constexpr std::size_t kMostMessageEvents = 1 << 16;
+
+// The end of the interval [5 ms * k, 5 ms * (k + 1)) of time that holds `t_ns`.
+std::int64_t intervalEnd(std::int64_t t_ns);
+
+// The events of a message lie in one interval. An interval without events gives no message, and one with more
+// than kMostMessageEvents gives several.
 class MessageSplitter {
  public:
   using Send = std::function<void(const Events& events)>;

@@ -86,6 +86,12 @@ TEST_F(Aedat4Test, GivesItsEventsAndSizeBack) {
   EXPECT_EQ(readBack(*reader), events);
 }
 
+TEST_F(Aedat4Test, TimesMayLieBeforeZero) {
+  const Events events{{-12 * kMs, 1, 2, 1}, {-10 * kMs, 3, 4, 0}, {-5 * kMs, 5, 6, 1}, {0, 7, 8, 0}};
+  write(kAedat4Writer, at("a.aedat4"), {events}, kMs, aboutOf(640, 480));
+  EXPECT_EQ(readBack(*kAedat4Reader.make(at("a.aedat4"))), events);
+}
+
 TEST_F(Aedat4Test, MayHaveNoEventAndThenNoPacket) {
   write(kAedat4Writer, at("a.aedat4"), {}, kMs, aboutOf(4, 3));
   const auto reader = kAedat4Reader.make(at("a.aedat4"));
