@@ -1,4 +1,5 @@
 #include "client/event_digest.h"
+#include "client/units.h"
 
 #include <array>
 #include <cstring>
@@ -7,7 +8,6 @@ namespace saccade::client {
 namespace {
 
 constexpr std::size_t kEventBytes = 13;  // s64 us | u16 x | u16 y | u8 p, as recording.proto says
-constexpr std::int64_t kNsPerUs = 1000;
 
 }  // namespace
 

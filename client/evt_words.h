@@ -7,7 +7,6 @@
 namespace saccade::client {
 
 inline constexpr std::uint32_t kEvtEdge = 2048;  // pixels; x and y have 11 bits
-inline constexpr std::int64_t kNsPerUs = 1000;
 
 namespace evt3 {
 

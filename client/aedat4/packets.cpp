@@ -4,14 +4,11 @@
 #include <stdexcept>
 
 #include "client/aedat4/info_node.h"
+#include "client/units.h"
 #include "events_generated.h"
 
 namespace saccade::client::aedat4 {
-namespace {
-
-constexpr std::int64_t kNsPerUs = 1000;
-
-}  // namespace
+namespace {}  // namespace
 
 PacketHeader PacketEncoder::append(std::string& to, std::span<const Event> events, std::int64_t offset_us) {
   builder_.Clear();

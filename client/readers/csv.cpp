@@ -1,10 +1,10 @@
 // CSV: the heading `t_us,x,y,p`, then one line per event. The file does not tell the size of the image.
 #include "client/readers/text_reader.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
 
-constexpr std::int64_t kNsPerUs = 1000;
 constexpr const char* kHeading = "t_us,x,y,p";
 
 std::optional<ImageSize> parseHeading(std::string_view line) {

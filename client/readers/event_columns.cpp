@@ -1,9 +1,8 @@
 #include "client/readers/event_columns.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
-
-constexpr std::int64_t kNsPerUs = 1000;
 
 bool isPixel(std::int64_t value) {
   return value >= 0 && value <= UINT16_MAX;

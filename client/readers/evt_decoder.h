@@ -10,6 +10,7 @@
 
 #include "client/evt_words.h"
 #include "client/readers/reader.h"
+#include "client/units.h"
 
 namespace saccade::client {
 

@@ -2,11 +2,11 @@
 #include <algorithm>
 
 #include "client/readers/text_reader.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
 
-constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 constexpr std::size_t kDecimals = 9;
 
 std::optional<ImageSize> parseSize(std::string_view line) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "client/units.h"
 #include "client/writers/bag_file.h"
 #include "client/writers/little_endian.h"
 #include "client/writers/message_splitter.h"
@@ -12,7 +13,6 @@
 namespace saccade::client {
 namespace {
 
-constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 constexpr std::int64_t kEarliestStampNs = 1;  // ros::TIME_MIN
 constexpr std::size_t kEventSize = 13;        // bytes
 constexpr const char* kFrameId = "camera";

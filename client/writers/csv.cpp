@@ -1,11 +1,12 @@
 // CSV: the heading `t_us,x,y,p`, then one line per event; times in whole microseconds, p is 1 ON, 0 OFF.
+#include "client/units.h"
 #include "client/writers/text_writer.h"
 
 namespace saccade::client {
 namespace {
 
 void appendLine(std::string& text, const Event& event) {
-  appendNumber(text, event.t_ns / 1000);
+  appendNumber(text, event.t_ns / kNsPerUs);
   for (const int value : {int{event.x}, int{event.y}, int{event.p}}) {
     text += ',';
     appendNumber(text, value);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "client/units.h"
 #include "client/writers/hdf5_column.h"
 #include "client/writers/hdf5_file.h"
 #include "client/writers/writer.h"
@@ -16,7 +17,7 @@
 namespace saccade::client {
 namespace {
 
-constexpr std::int64_t kNsPerUs = 1000, kUsPerMs = 1000, kUsPerSecond = 1'000'000;
+constexpr std::int64_t kUsPerMs = 1000, kUsPerSecond = 1'000'000;
 constexpr std::int64_t kMaxUs = UINT32_MAX;
 constexpr std::uint64_t kChunk = 131072, kIndexChunk = 4096;
 constexpr const char* kLimit =

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "client/evt_words.h"
+#include "client/units.h"
 #include "client/writers/raw_header.h"
 #include "client/writers/writer.h"
 

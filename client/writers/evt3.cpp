@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "client/units.h"
 #include "client/writers/evt3_encoder.h"
 #include "client/writers/raw_header.h"
 #include "client/writers/writer.h"

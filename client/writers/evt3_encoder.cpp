@@ -1,4 +1,5 @@
 #include "client/writers/evt3_encoder.h"
+#include "client/units.h"
 
 #include <algorithm>
 

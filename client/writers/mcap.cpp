@@ -4,6 +4,7 @@
 // 16.8 s: in silence, a message with a time but no events follows every 10 s.
 #include <stdexcept>
 
+#include "client/units.h"
 #include "client/writers/cdr.h"
 #include "client/writers/evt3_encoder.h"
 #include "client/writers/mcap_file.h"
@@ -13,7 +14,6 @@
 namespace saccade::client {
 namespace {
 
-constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 constexpr std::int64_t kMaxSilenceNs = 10 * kNsPerSecond;
 constexpr std::string_view kFrameId = "camera", kEncoding = "evt3";
 

@@ -9,13 +9,13 @@
 #include <cstring>
 #include <optional>
 
+#include "client/units.h"
 #include "client/writers/npz_column.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
 namespace {
 
-constexpr std::int64_t kNsPerUs = 1000;
 constexpr std::size_t kBlock = 1 << 16;  // events that are compressed together, at least
 constexpr std::uint64_t kReserve =
     4 << 20;  // bytes: more than a block, what a spool file moves, and the headers

@@ -1,12 +1,11 @@
 // The text format that rpg_e2vid reads: a line `width height`, then one line `t x y p` per event; t in
 // seconds with nine decimals, p is 1 ON, 0 OFF. (`events.txt` of the rpg data sets is the same without the
 // first line.)
+#include "client/units.h"
 #include "client/writers/text_writer.h"
 
 namespace saccade::client {
 namespace {
-
-constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 
 void appendLine(std::string& text, const Event& event) {
   appendNumber(text, event.t_ns / kNsPerSecond);
