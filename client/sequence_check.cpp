@@ -14,11 +14,12 @@ bool takesSeq(v1::Kind kind) {
 
 }  // namespace
 
-SequenceCheck::SequenceCheck(const v1::OpenStream& resolved) : due_(resolved.sensors_size()) {
-  for (std::size_t i = 0; i < due_.size(); ++i) {
-    due_[i].event = resolved.sensors(static_cast<int>(i)).from_event();
-    due_[i].joined = due_[i].event == 0;
-  }
+SequenceCheck::SequenceCheck(const v1::OpenStream& resolved) {
+  const auto add = [&](std::uint64_t first) {
+    due_.push_back({.item = first, .t_ns = {}, .joined = first == 0});
+  };
+  for (const v1::Sensor& sensor : resolved.sensors()) add(sensor.from_event());
+  for (const v1::Truth& truth : resolved.truth()) add(truth.from_sample());
 }
 
 std::optional<SequenceCheck::FreshRange> SequenceCheck::add(const v1::PacketHeader& header) {
@@ -29,7 +30,7 @@ std::optional<SequenceCheck::FreshRange> SequenceCheck::add(const v1::PacketHead
   const auto fresh = due.joined ? follow(due, header) : join(due, header);
   due.seq = std::max(due.seq, header.seq() + 1);
   if (!fresh) return std::nullopt;
-  due.event = header.first_event_index() + header.count();
+  due.item = header.first_event_index() + header.count();
   due.t_ns = header.t1_ns();
   due.suppressed = header.suppressed();
   due.joined = true;
@@ -42,29 +43,29 @@ std::optional<SequenceCheck::FreshRange> SequenceCheck::join(const Point& due,
                                                              const v1::PacketHeader& header) const {
   const std::uint64_t begin = header.first_event_index(), end = begin + header.count();
   const bool is_end = header.kind() == v1::KIND_END;
-  if (begin > due.event || (is_end && begin < due.event)) {
-    throw StreamFault("the stream was to resume at event " + std::to_string(due.event) + ", not at " +
+  if (begin > due.item || (is_end && begin < due.item)) {
+    throw StreamFault("the stream was to resume at event " + std::to_string(due.item) + ", not at " +
                       std::to_string(begin));
   }
   const std::int64_t t_ns = due.t_ns.value_or(header.t0_ns());
-  const bool nothing_new = begin < due.event || (due.t_ns && header.t1_ns() <= t_ns);
-  if (!is_end && end <= due.event && nothing_new) return std::nullopt;
+  const bool nothing_new = begin < due.item || (due.t_ns && header.t1_ns() <= t_ns);
+  if (!is_end && end <= due.item && nothing_new) return std::nullopt;
   const bool again = header.t0_ns() < t_ns;
-  return FreshRange{due.event - begin, std::max(t_ns, header.t0_ns()), again ? due.suppressed : 0};
+  return FreshRange{due.item - begin, std::max(t_ns, header.t0_ns()), again ? due.suppressed : 0};
 }
 
 std::optional<SequenceCheck::FreshRange> SequenceCheck::follow(const Point& due,
                                                                const v1::PacketHeader& header) {
   if (header.seq() < due.seq) return std::nullopt;
   const bool gap = header.seq() > due.seq;
-  if (header.first_event_index() < due.event) throw StreamFault("events run backwards");
+  if (header.first_event_index() < due.item) throw StreamFault("events run backwards");
   const bool goes_on =
-      header.t0_ns() == due.t_ns.value_or(header.t0_ns()) && header.first_event_index() == due.event;
+      header.t0_ns() == due.t_ns.value_or(header.t0_ns()) && header.first_event_index() == due.item;
   if (!gap && !goes_on) throw StreamFault("a packet does not continue the one before it");
   if (gap) {
     ++losses_.gaps;
     losses_.packets += header.seq() - due.seq;
-    losses_.events += header.first_event_index() - due.event;
+    losses_.events += header.first_event_index() - due.item;
   }
   return FreshRange{0, header.t0_ns()};
 }
@@ -79,10 +80,10 @@ std::vector<std::uint64_t> SequenceCheck::seqs() const {
   return seqs;
 }
 
-std::vector<std::uint64_t> SequenceCheck::events() const {
-  std::vector<std::uint64_t> events;
-  for (const Point& due : due_) events.push_back(due.event);
-  return events;
+std::vector<std::uint64_t> SequenceCheck::items() const {
+  std::vector<std::uint64_t> items;
+  for (const Point& due : due_) items.push_back(due.item);
+  return items;
 }
 
 }  // namespace saccade::client

@@ -1,5 +1,6 @@
-// Checks from the headers that the packets of a stream are complete and in order, and finds where each sensor
-// resumes after a reconnection.
+// Checks from the headers that the packets of a stream are complete and in order, and finds where each
+// channel resumes after a reconnection. A channel is a sensor, whose items are events, or a truth channel,
+// whose items are samples.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +15,18 @@ namespace saccade::client {
 struct Losses {
   std::uint64_t gaps = 0;     // runs of missing packets
   std::uint64_t packets = 0;  // missing packets
-  std::uint64_t events = 0;   // their events
+  std::uint64_t events = 0;   // their events and samples
 };
 
 class SequenceCheck {
  public:
-  // Each sensor starts at seq 0, at any stream time, because a shared feed may have begun earlier. With
-  // `from_event` it starts at any seq, at the packet with that event.
+  // Each channel starts at seq 0, at any stream time, because a shared feed may have begun earlier. With
+  // `from_event` or `from_sample` it starts at any seq, at the packet with that item.
   explicit SequenceCheck(const v1::OpenStream& resolved);
 
-  // The new part of a packet: it begins after known_events events, at t0_ns, and leaves out known_suppressed.
+  // The new part of a packet: it begins after known_items items, at t0_ns, and leaves out known_suppressed.
   struct FreshRange {
-    std::uint64_t known_events;
+    std::uint64_t known_items;
     std::int64_t t0_ns;
     std::uint64_t known_suppressed = 0;
   };
@@ -33,27 +34,27 @@ class SequenceCheck {
   // Throws StreamFault if it does not continue the packet before it.
   std::optional<FreshRange> add(const v1::PacketHeader& header);
 
-  // Call it when the request has been opened again, from events() on.
+  // Call it when the request has been opened again, from items() on.
   void restart();
 
-  // The next seq and the next event that each sensor expects.
+  // The next seq and the next item that each channel expects.
   std::vector<std::uint64_t> seqs() const;
-  std::vector<std::uint64_t> events() const;
+  std::vector<std::uint64_t> items() const;
 
   const Losses& losses() const { return losses_; }
 
  private:
   struct Point {
-    std::uint64_t seq = 0, event = 0;
+    std::uint64_t seq = 0, item = 0;
     std::uint64_t suppressed = 0;  // of the newest packet
     std::optional<std::int64_t> t_ns;
-    bool joined = true;  // false: the next packet may have any seq, but has `event`
+    bool joined = true;  // false: the next packet may have any seq, but has `item`
     bool ended = false;
   };
   std::optional<FreshRange> join(const Point& due, const v1::PacketHeader& header) const;
   std::optional<FreshRange> follow(const Point& due, const v1::PacketHeader& header);
 
-  std::vector<Point> due_;  // by sensor
+  std::vector<Point> due_;  // by channel
   Losses losses_;
 };
 

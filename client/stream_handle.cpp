@@ -10,12 +10,12 @@ StreamHandle::~StreamHandle() {
   close();
 }
 
-void StreamHandle::reopen(const std::vector<std::uint64_t>& from_events, std::chrono::milliseconds deadline,
+void StreamHandle::reopen(const std::vector<std::uint64_t>& from_items, std::chrono::milliseconds deadline,
                           const Waiting& waiting) {
   v1::OpenStream request = opened_.resolved();
-  for (std::size_t i = 0; i < from_events.size(); ++i) {
-    request.mutable_sensors(static_cast<int>(i))->set_from_event(from_events[i]);
-  }
+  auto from = from_items.begin();
+  for (v1::Sensor& sensor : *request.mutable_sensors()) sensor.set_from_event(*from++);
+  for (v1::Truth& truth : *request.mutable_truth()) truth.set_from_sample(*from++);
   open(request, deadline, waiting);
 }
 

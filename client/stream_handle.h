@@ -22,8 +22,9 @@ class StreamHandle {
   StreamHandle& operator=(const StreamHandle&) = delete;
 
   // LOSSLESS only: closes the stream and opens the same request again, on the same server or a restarted one.
-  // `from_events` is the first event to send, by sensor. Throws as the constructor, and then changes nothing.
-  void reopen(const std::vector<std::uint64_t>& from_events, std::chrono::milliseconds deadline,
+  // `from_items`: the first event or sample to send, by channel. Throws as the constructor, and then changes
+  // nothing.
+  void reopen(const std::vector<std::uint64_t>& from_items, std::chrono::milliseconds deadline,
               const Waiting& waiting = {});
 
   const v1::StreamOpened& opened() const { return opened_; }

@@ -14,15 +14,16 @@ constexpr const char* kConnectionLost = "the connection to the server is lost";
 
 // Removes from a packet what arrived before.
 void cutOff(const SequenceCheck::FreshRange& fresh, Batch& batch) {
-  batch.events.erase(batch.events.begin(),
-                     batch.events.begin() + static_cast<std::ptrdiff_t>(fresh.known_events));
+  const auto known = static_cast<std::ptrdiff_t>(fresh.known_items);
+  if (!batch.events.empty()) batch.events.erase(batch.events.begin(), batch.events.begin() + known);
+  if (!batch.truth.empty()) batch.truth.erase(batch.truth.begin(), batch.truth.begin() + known);
   v1::PacketHeader& header = batch.header;
   const bool earlier = !batch.events.empty() && batch.events.front().t_ns < fresh.t0_ns;
   if (earlier || header.suppressed() < fresh.known_suppressed) {
     throw StreamFault("the stream does not come out as it did before it was lost");
   }
-  header.set_first_event_index(header.first_event_index() + fresh.known_events);
-  header.set_count(static_cast<std::uint32_t>(batch.events.size()));
+  header.set_first_event_index(header.first_event_index() + fresh.known_items);
+  header.set_count(header.count() - static_cast<std::uint32_t>(fresh.known_items));
   header.set_t0_ns(fresh.t0_ns);
   header.set_suppressed(header.suppressed() - fresh.known_suppressed);
 }
@@ -118,7 +119,7 @@ void Subscription::startAgain(const std::string& failure) {
   const bool repeated = failure == failure_;  // nothing new has arrived since the last one
   if (!mayStartAgain() || repeated) throw StreamFault(failure);
   retryAfter(failure, [&](milliseconds deadline) {
-    stream_.reopen(sequence_.events(), deadline, retry_policy_.waiting);
+    stream_.reopen(sequence_.items(), deadline, retry_policy_.waiting);
   });
   failure_ = failure;
   lost_since_.reset();

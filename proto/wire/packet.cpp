@@ -10,12 +10,15 @@
 namespace saccade {
 namespace {
 
+std::string checkCodec(const v1::PacketHeader& header) {
+  return findCodec(header.codec()) ? "" : "codec " + std::to_string(header.codec()) + " is unknown";
+}
+
 std::string checkCoding(const v1::PacketHeader& header, v1::Layout layout) {
   if (header.layout() != layout) {
     return "layout " + std::to_string(header.layout()) + " instead of " + std::to_string(layout);
   }
-  if (!findCodec(header.codec())) return "codec " + std::to_string(header.codec()) + " is unknown";
-  return {};
+  return checkCodec(header);
 }
 
 std::string checkEvents(const v1::PacketHeader& header) {
@@ -36,12 +39,33 @@ std::string checkSnapshot(const v1::PacketHeader& header) {
   return header.count() == 0 ? checkCoding(header, v1::LAYOUT_PLANES) : "a snapshot carries no events";
 }
 
+std::string checkSamples(const v1::PacketHeader& header) {
+  std::string fault = checkTruth(header);
+  return fault.empty() ? checkCodec(header) : fault;
+}
+
+// Bytes of the payload before its compression; 0 for kinds without content.
+std::uint64_t contentBytes(const v1::PacketHeader& header) {
+  switch (header.kind()) {
+    case v1::KIND_EVENTS:
+      return header.count() * kColumnsBytesPerEvent;
+    case v1::KIND_SNAPSHOT:
+      return pixelsOf(header) * kPlanesBytesPerPixel;
+    case v1::KIND_TRUTH:
+      return truthBytes(header);
+    default:
+      return 0;
+  }
+}
+
 std::string checkKind(const v1::PacketHeader& header, std::size_t payload_bytes) {
   switch (header.kind()) {
     case v1::KIND_EVENTS:
       return checkEvents(header);
     case v1::KIND_SNAPSHOT:
       return checkSnapshot(header);
+    case v1::KIND_TRUTH:
+      return checkSamples(header);
     case v1::KIND_HEARTBEAT:
     case v1::KIND_END:
       return header.count() == 0 && payload_bytes == 0 ? "" : "a packet of its kind carries no events";
@@ -81,13 +105,14 @@ std::string checkPacket(const v1::PacketHeader& header, std::string_view payload
 std::string decodePacket(const v1::PacketHeader& header, std::string payload, PacketContent& out) {
   out = {};
   if (std::string fault = checkPacket(header, payload); !fault.empty()) return fault;
-  const bool snapshot = header.kind() == v1::KIND_SNAPSHOT;
-  if (header.kind() != v1::KIND_EVENTS && !snapshot) return {};
-  const std::size_t size =
-      snapshot ? pixelsOf(header) * kPlanesBytesPerPixel : header.count() * kColumnsBytesPerEvent;
-  const auto raw = findCodec(header.codec())->decode(std::move(payload), size);
+  const bool has_content = header.kind() == v1::KIND_EVENTS || header.kind() == v1::KIND_SNAPSHOT ||
+                           header.kind() == v1::KIND_TRUTH;
+  if (!has_content) return {};
+  const std::size_t size = contentBytes(header);
+  auto raw = findCodec(header.codec())->decode(std::move(payload), size);
   if (!raw) return "the payload does not hold " + std::to_string(size) + " bytes";
-  if (!snapshot) return decodeColumns(header, *raw, out.events);
+  if (header.kind() == v1::KIND_EVENTS) return decodeColumns(header, *raw, out.events);
+  if (header.kind() == v1::KIND_TRUTH) return decodeTruth(header, std::move(*raw), out.truth);
   out.pixels = decodePlanes(*raw);
   return {};
 }

@@ -9,6 +9,7 @@
 #include "saccade/v1/events.pb.h"
 #include "wire/event.h"
 #include "wire/planes.h"
+#include "wire/truth_samples.h"
 
 namespace saccade {
 
@@ -32,14 +33,15 @@ Packet makeErrorPacket(const std::string& stream_id, const std::string& message,
 // For receivers; header and payload may hold anything. Returns an empty text, or why the packet must not be
 // used:
 // - its kind, layout or codec is unknown;
-// - it has more than kMaxPacketEvents events or kMaxSnapshotPixels;
+// - it has more than kMaxPacketEvents events, kMaxSnapshotPixels, kMaxPicturePlanes or kMaxPacketRows;
 // - its crc32 or size does not fit the payload.
 std::string checkPacket(const v1::PacketHeader& header, std::string_view payload);
 
-// The content of a packet of KIND_EVENTS or KIND_SNAPSHOT.
+// The content of a packet of KIND_EVENTS, KIND_SNAPSHOT or KIND_TRUTH.
 struct PacketContent {
   Events events;
   PixelState pixels;
+  TruthSamples truth;
 };
 
 // checkPacket(), then decodes the content into `out`; what the kind does not carry stays empty. Returns an

@@ -31,15 +31,8 @@ std::int64_t nextPacketTime(std::int64_t t_ns) {
 
 }  // namespace
 
-PacketCutter::PacketCutter(const Source& source) : codec_(*source.codec) {
-  header_.set_stream_id(source.stream_id);
-  header_.set_epoch(source.epoch);
-  header_.set_sensor(source.sensor);
-  header_.set_width(source.width);
-  header_.set_height(source.height);
-  header_.set_dt_unit_ns(kTimeUnitNs);
+PacketCutter::PacketCutter(const PacketSource& source) : codec_(*source.codec), header_(headerOf(source)) {
   header_.set_layout(v1::LAYOUT_COLUMNS);
-  header_.set_codec(codec_.id);
 }
 
 Packet PacketCutter::snapshot(std::int64_t t_ns, std::uint64_t frame, std::string planes) {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "wire/codec_table.h"
 #include "wire/packet.h"
+#include "wire/packet_source.h"
 
 namespace saccade {
 
@@ -26,14 +26,7 @@ struct PacketInterval {
 
 class PacketCutter {
  public:
-  struct Source {
-    std::string stream_id;
-    std::uint64_t epoch = 0;
-    std::uint32_t sensor = 0;             // index in the stream
-    std::uint32_t width = 0, height = 0;  // pixels
-    const CodecInfo* codec = &kCodecNone;
-  };
-  explicit PacketCutter(const Source& source);
+  explicit PacketCutter(const PacketSource& source);
 
   // The state of the pixels at `t_ns`, where the first interval will begin. `planes`: as encodePlanes() makes
   // them. Call it first or never.

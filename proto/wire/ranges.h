@@ -33,6 +33,8 @@ inline constexpr Range<double> kBias{1e-12, 1e6};         // Sensor.bias: scene 
 inline constexpr Range<double> kRefractory{0, 10};        // Sensor.refractory_s: seconds
 inline constexpr Range<double> kCutoff{1e-4, 1e4};        // Sensor.cutoff_hz: Hz
 inline constexpr Range<int> kMaxPixelEvents{1, 65536};    // Sensor.max_events_per_pixel_frame: events
+inline constexpr Range<int> kTruth{0, 32};                // OpenStream.truth: how many
+inline constexpr Range<int> kTruthTimes{0, 100000};       // Truth.times_s: how many
 
 inline constexpr int kMaxViewPixels = 4 << 20;  // width times height
 inline constexpr int kMaxCsvBytes = 8 << 20;    // Trajectory.csv

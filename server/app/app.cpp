@@ -74,6 +74,7 @@ v1::ServerDescription App::describe(const Config& config) const {
   description.set_broadcast_endpoint(broadcast_.endpoint());
   describeMethods(description);
   describeFeatures(description);
+  describeTruth(description);
   describeLimits(config.limits, description);
   *description.mutable_budgets() = tables_.accuracy.info();
   *description.mutable_simplification() = tables_.simplification.info();

@@ -123,6 +123,18 @@ void describeMethods(v1::ServerDescription& description) {
   }
 }
 
+void describeTruth(v1::ServerDescription& description) {
+  for (const TruthChannelInfo& info : truthTable()) {
+    v1::TruthInfo& truth = *description.add_truth();
+    truth.set_name(info.name);
+    truth.set_description(info.description);
+    truth.set_unit(info.unit);
+    truth.set_layout(info.layout);
+    truth.set_element(info.element);
+    truth.mutable_planes()->Add(info.planes.begin(), info.planes.end());
+  }
+}
+
 void describeFeatures(v1::ServerDescription& description) {
   for (const SceneFeatureInfo& info : featureTable()) {
     v1::SceneFeatureInfo& feature = *description.add_scene_features();

@@ -44,5 +44,6 @@ class Service {
 void describeMethods(v1::ServerDescription& description);
 // Adds all features of a scene that a stream can disable.
 void describeFeatures(v1::ServerDescription& description);
+void describeTruth(v1::ServerDescription& description);
 
 }  // namespace saccade

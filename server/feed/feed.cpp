@@ -67,8 +67,7 @@ void Feed::render(const PoolHandle& pool) {
   frame.index = next_++;
   frame.time = frameTime(frame.index, config_.frame_rate_hz);
   const TimeNs time_prev = frame.index == 0 ? frame.time : frameTime(frame.index - 1, config_.frame_rate_hz);
-  const Camera camera(path_.at(frame.time), config_.fov_x_deg, config_.width, config_.height);
-  const Camera prev(path_.at(time_prev), config_.fov_x_deg, config_.width, config_.height);
+  const Camera camera = cameraAt(frame.time), prev = cameraAt(time_prev);
   const SeedPlan seeds = makeSeedPlan(seed_reuse_, config_.seed, frame.index, config_.spp);
   if (!frame.surfaces) {
     times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, pool, frame);
@@ -78,6 +77,15 @@ void Feed::render(const PoolHandle& pool) {
       renderer_.renderSurfaces(camera, prev, pool, frame, [&](Tile tile) { method_->look(tile, frame); });
   method_->plan(config_.spp, pool, frame, times_);
   times_[Stage::kTrace] += renderer_.renderPaths(camera, seeds, pool, frame);
+}
+
+Camera Feed::cameraAt(TimeNs t) const {
+  return {path_.at(t), config_.fov_x_deg, config_.width, config_.height};
+}
+
+FeedInterval Feed::interval() const {
+  const IntensityChange& done = change();
+  return {done, frames(), cameraAt(done.t1), cameraAt(done.t0), path_};
 }
 
 PixelSpeed Feed::pixelSpeed(FrameIndex frames) const {

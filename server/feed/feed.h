@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/pool_handle.h"
+#include "feed/feed_interval.h"
 #include "feed/pixel_speed.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
@@ -52,10 +53,12 @@ class Feed {
   // The least wall time of the last step: its passes one after the other, each with all threads to itself.
   std::chrono::nanoseconds lastChain() const { return chain_; }
   const IntensityChange& change() const { return changes_[(next_ - 1) % 2]; }
+  FeedInterval interval() const;                       // of the last step
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
 
  private:
   void render(const PoolHandle& pool);
+  Camera cameraAt(TimeNs t) const;
 
   FeedConfig config_;
   std::shared_ptr<const RenderScene> scene_;

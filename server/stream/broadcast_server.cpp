@@ -13,7 +13,7 @@ std::shared_ptr<Session> findByTopic(const SessionDirectory& sessions, const std
   const auto begin = kTopicPrefix.size(), end = topic.find('/', begin);
   const auto session = sessions.find(topic.substr(begin, end - begin));
   if (!session || !session->broadcast()) return nullptr;
-  for (std::uint32_t i = 0; i < session->sensors(); ++i) {
+  for (std::uint32_t i = 0; i < session->channels(); ++i) {
     if (session->topic(i) == topic) return session;
   }
   return nullptr;
@@ -132,7 +132,7 @@ void BroadcastServer::serve(Session& session, Audience& audience) {
 
 bool BroadcastServer::complete(const Session& session, const Audience& audience) const {
   if (audience.peers.empty()) return false;
-  return audience.peers.size() == session.sensors() ||
+  return audience.peers.size() == session.channels() ||
          ChangeNotifier::Clock::now() - audience.first >= kJoinTime;
 }
 
@@ -145,7 +145,7 @@ void BroadcastServer::sendPacketsOf(Session& session, Audience& audience) {
     audience.last_sent = now;
   }
   if (!audience.announced || now - audience.last_sent < kHeartbeatPause) return;
-  for (std::uint32_t i = 0; i < session.sensors(); ++i) {
+  for (std::uint32_t i = 0; i < session.channels(); ++i) {
     sendTo(audience, session.topic(i), session.heartbeat(i).header.SerializeAsString(), std::string_view());
   }
   audience.last_sent = now;

@@ -62,10 +62,11 @@ std::string DataServer::attach(const SocketLoop::Message& message, const v1::Att
   if (!session || session->broadcast() || !session->hasToken(request.token())) {
     return "no stream of this name on the data socket has this token";
   }
-  std::vector<std::uint64_t> from(session->sensors(), request.from_seq());
+  std::vector<std::uint64_t> from(session->channels(), request.from_seq());
   if (request.from_seqs_size() > 0) from.assign(request.from_seqs().begin(), request.from_seqs().end());
-  if (from.size() != session->sensors()) {
-    return "from_seqs has one seq for each of the " + std::to_string(session->sensors()) + " sensors";
+  if (from.size() != session->channels()) {
+    return "from_seqs has one seq for each of the " + std::to_string(session->channels()) +
+           " sensors and truth channels";
   }
   if (std::string fault = session->resume(from); !fault.empty()) return fault;
   takeOver(*session, message.peer);
@@ -98,7 +99,7 @@ std::string DataServer::addCredit(Connection& connection, std::uint64_t bytes) {
 
 std::string DataServer::acknowledge(Connection& connection, const v1::Ack& ack) {
   Session& session = *connection.session;
-  if (ack.sensor() >= session.sensors()) return "the stream has no sensor " + std::to_string(ack.sensor());
+  if (ack.sensor() >= session.channels()) return "the stream has no sensor " + std::to_string(ack.sensor());
   session.acknowledge(ack.sensor(), ack.seq());
   return {};
 }

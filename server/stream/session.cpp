@@ -21,20 +21,20 @@ std::string randomHex(int count) {
   return hex;
 }
 
-Session::Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
+Session::Session(std::string id, v1::Delivery delivery, std::uint32_t channels, WakeFd& transport,
                  std::shared_ptr<ChangeNotifier> producer, Traffic& traffic, std::uint64_t queue_bytes,
                  std::uint64_t epoch)
     : id_(std::move(id)),
       token_(randomHex(16)),
       delivery_(delivery),
-      sensors_(sensors),
+      channels_(channels),
       epoch_(epoch),
       transport_(transport),
       producer_(std::move(producer)),
       traffic_(traffic),
       queue_(
           delivery == v1::DELIVERY_LIVE ? CreditQueue::Overflow::kDropOldest : CreditQueue::Overflow::kHold,
-          queue_bytes, sensors) {
+          queue_bytes, channels) {
   touch();
 }
 

@@ -29,7 +29,7 @@ class Session {
   // `transport` is woken when there is something to send. `producer` is raised when started(), stopping(),
   // hasRoom() or settled() may have changed. Adds to `traffic`. `transport` and `traffic` must outlive the
   // session. `epoch`: of the server.
-  Session(std::string id, v1::Delivery delivery, std::uint32_t sensors, WakeFd& transport,
+  Session(std::string id, v1::Delivery delivery, std::uint32_t channels, WakeFd& transport,
           std::shared_ptr<ChangeNotifier> producer, Traffic& traffic, std::uint64_t queue_bytes = kQueueBytes,
           std::uint64_t epoch = 0);
 
@@ -37,7 +37,7 @@ class Session {
   const std::string& token() const { return token_; }  // 128 random bits as hex digits
   bool hasToken(const std::string& token) const;       // takes as long for any wrong one
   bool broadcast() const { return delivery_ == v1::DELIVERY_BROADCAST; }
-  std::uint32_t sensors() const { return sensors_; }
+  std::uint32_t channels() const { return channels_; }  // sensors and truth channels
   std::uint64_t epoch() const { return epoch_; }
   std::string topic(std::uint32_t sensor) const;  // BROADCAST
 
@@ -76,7 +76,7 @@ class Session {
 
   const std::string id_, token_;
   const v1::Delivery delivery_;
-  const std::uint32_t sensors_;
+  const std::uint32_t channels_;
   const std::uint64_t epoch_;
   WakeFd& transport_;
   const std::shared_ptr<ChangeNotifier> producer_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "frame/intensity_change.h"
+#include "feed/feed_interval.h"
 #include "wire/packet_cutter.h"
 
 namespace saccade {
@@ -23,5 +23,22 @@ inline std::unique_ptr<IntensityChange> intervalOf(FrameIndex frame, float inten
   change->I_now.fill(intensity * std::exp(log_change));
   return change;
 }
+
+// An interval of a camera that stands still before a surface at depth 2.
+class StillView {
+ public:
+  explicit StillView(std::unique_ptr<IntensityChange> change) : change_(std::move(change)) {
+    for (Frame* frame : {&cur_, &prev_}) frame->g.z.fill(2);
+    cur_.index = change_->frame, prev_.index = change_->frame - 1;
+    cur_.time = change_->t1, prev_.time = change_->t0;
+  }
+  FeedInterval interval() const { return {*change_, {cur_, prev_}, camera_, camera_, path_}; }
+
+ private:
+  std::unique_ptr<IntensityChange> change_;
+  Frame cur_{kWidth, kHeight}, prev_{kWidth, kHeight};
+  const Trajectory path_{{{TimeNs(0), Pose{{1, 2, 3}, {}}}}};
+  const Camera camera_{path_.at(TimeNs(0)), 45, kWidth, kHeight};
+};
 
 }  // namespace saccade

@@ -12,16 +12,16 @@ namespace {
 constexpr float kIntensity = 1;
 
 // Three frame intervals of kPacketTimeNs, each of which fills one packet.
-class Channel : public testing::Test {
+class SensorPackets : public testing::Test {
  protected:
   const SensorConfig config_{.reconstruction = "direct", .seed = 7};
-  const PacketCutter::Source source_{.stream_id = "s", .width = kWidth, .height = kHeight};
+  const PacketSource source_{.stream_id = "s", .width = kWidth, .height = kHeight};
 
   // Events and packets of the intervals `first` to 3.
   std::vector<Packet> packetsOf(SensorChannel& channel, FrameIndex first = 1) const {
     std::vector<Packet> all;
     for (FrameIndex frame = first; frame <= 3; ++frame) {
-      channel.process(*intervalOf(frame, kIntensity, 0.5f));
+      channel.process(StillView(intervalOf(frame, kIntensity, 0.5f)).interval());
       for (Packet& packet : channel.takePackets()) all.push_back(std::move(packet));
     }
     return all;
@@ -33,7 +33,7 @@ class Channel : public testing::Test {
   }
 };
 
-TEST_F(Channel, PutsTheEventsOfItsSensorIntoPackets) {
+TEST_F(SensorPackets, PutsTheEventsOfItsSensorIntoPackets) {
   SensorChannel channel(config_, source_, 0);
   const std::vector<Packet> packets = packetsOf(channel);
   ASSERT_EQ(packets.size(), 3u);
@@ -49,12 +49,12 @@ TEST_F(Channel, PutsTheEventsOfItsSensorIntoPackets) {
     EXPECT_EQ(packet.header.t1_ns(), static_cast<std::int64_t>(frame) * kPacketTimeNs);
     events += expected.events.size();
   }
-  EXPECT_EQ(channel.events(), events);
+  EXPECT_EQ(channel.items(), events);
   EXPECT_GE(events, 3u * kWidth * kHeight * 2);  // a change of 0.5 holds two thresholds of 0.2
   EXPECT_TRUE(channel.takePackets().empty());
 }
 
-TEST_F(Channel, ThatJoinsLateBeginsWithTheStateOfItsPixels) {
+TEST_F(SensorPackets, ThatJoinsLateBeginsWithTheStateOfItsPixels) {
   SensorChannel channel(config_, source_, 0);
   const std::vector<Packet> packets = packetsOf(channel, 2);
   ASSERT_EQ(packets.size(), 3u);
@@ -66,7 +66,7 @@ TEST_F(Channel, ThatJoinsLateBeginsWithTheStateOfItsPixels) {
   EXPECT_EQ(packets[1].header.t0_ns(), kPacketTimeNs);
 }
 
-TEST_F(Channel, GoesOnFromAnEvent) {
+TEST_F(SensorPackets, GoesOnFromAnEvent) {
   SensorChannel whole(config_, source_, 0);
   const std::vector<Packet> all = packetsOf(whole);
   const std::uint64_t second = all[1].header.first_event_index(), third = all[2].header.first_event_index();
@@ -88,15 +88,16 @@ TEST_F(Channel, GoesOnFromAnEvent) {
   }
 }
 
-TEST_F(Channel, EndsWithWhatIsInNoPacketYet) {
+TEST_F(SensorPackets, EndsWithWhatIsInNoPacketYet) {
   SensorChannel channel(config_, source_, 0);
   auto change = intervalOf(1, kIntensity, 0.5f);
   change->t1 = std::chrono::milliseconds(2);
-  channel.process(*change);
+  const TimeNs end = change->t1;
+  channel.process(StillView(std::move(change)).interval());
   EXPECT_TRUE(channel.takePackets().empty());
-  const std::vector<Packet> last = channel.end(change->t1, 1, v1::END_REASON_CLOSED);
+  const std::vector<Packet> last = channel.end(end, 1, v1::END_REASON_CLOSED);
   ASSERT_EQ(last.size(), 2u);
-  EXPECT_EQ(last[0].header.count(), channel.events());
+  EXPECT_EQ(last[0].header.count(), channel.items());
   EXPECT_EQ(last[1].header.kind(), v1::KIND_END);
   EXPECT_EQ(last[1].header.end_reason(), v1::END_REASON_CLOSED);
   EXPECT_EQ(last[1].header.t1_ns(), 2'000'000);

@@ -14,6 +14,7 @@ ResolvedStream twoSensors() {
   ResolvedStream stream{.request = {},
                         .feed = {.width = kWidth, .height = kHeight, .params = {}},
                         .sensors = {{.reconstruction = "direct"}, {.reconstruction = "direct"}},
+                        .truth = {},
                         .disabled_features = {},
                         .expected = {},
                         .simplification = {}};
@@ -26,9 +27,12 @@ ResolvedStream twoSensors() {
 class Sink : public testing::Test {
  protected:
   void publish(FrameIndex frame, std::chrono::milliseconds lag = {}) {
-    const auto change = intervalOf(frame, 1, 0.5f);
-    for (std::size_t i = 0; i < sink_.channels(); ++i) sink_.process(i, *change);
-    sink_.publish(*change, lag);
+    publish(intervalOf(frame, 1, 0.5f), lag);
+  }
+  void publish(std::unique_ptr<IntensityChange> change, std::chrono::milliseconds lag = {}) {
+    const StillView view(std::move(change));
+    for (std::size_t i = 0; i < sink_.channels(); ++i) sink_.process(i, view.interval());
+    sink_.publish(view.interval().change, lag);
   }
   // The packets that wait for the client.
   std::vector<v1::PacketHeader> sent() {
@@ -87,10 +91,9 @@ TEST_F(Sink, EndsEverySensor) {
 }
 
 TEST_F(Sink, OfAFeedThatFailsSendsWhatIsLeftAndAnErrorForEverySensor) {
-  const auto change = intervalOf(1, 1, 0.5f);
+  auto change = intervalOf(1, 1, 0.5f);
   change->t1 = std::chrono::milliseconds(2);  // fills no packet
-  for (std::size_t i = 0; i < sink_.channels(); ++i) sink_.process(i, *change);
-  sink_.publish(*change, {});
+  publish(std::move(change));
   EXPECT_TRUE(sent().empty());
   sink_.fail("out of luck");
   const auto headers = sent();

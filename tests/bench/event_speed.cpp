@@ -22,6 +22,7 @@ struct Recording {
   std::vector<IntensityChange> changes;
   double frame_ms = std::numeric_limits<double>::infinity();  // of the cheapest
   FeedConfig feed;
+  std::unique_ptr<Feed> source;
 };
 
 Recording record(const std::string& scene_name, const std::string& trajectory) {
@@ -32,10 +33,11 @@ Recording record(const std::string& scene_name, const std::string& trajectory) {
   const auto scene = eval::openScene(scene_name);
   r.feed.fov_x_deg = scene->description().fov_x_deg;
   TilePool pool(1);
-  Feed feed(scene, eval::openTrajectory(scene_name, trajectory, *scene, r.feed), r.feed, pool);
+  r.source = std::make_unique<Feed>(scene, eval::openTrajectory(scene_name, trajectory, *scene, r.feed),
+                                    r.feed, pool);
   for (int i = 0; i < kWarmUp + kFrames; ++i) {
-    const IntensityChange& change = feed.step(pool);
-    r.frame_ms = std::min(r.frame_ms, 1e3 * seconds(feed.lastTimes().total()));
+    const IntensityChange& change = r.source->step(pool);
+    r.frame_ms = std::min(r.frame_ms, 1e3 * seconds(r.source->lastTimes().total()));
     if (i < kWarmUp) continue;
     r.changes.emplace_back(r.feed.width, r.feed.height);
     r.changes.back().copyFrom(change);
@@ -50,17 +52,18 @@ struct Cost {
 
 // One run of a new sensor over the frames.
 void measure(const Recording& r, const SensorConfig& config, Cost& best) {
-  const PacketCutter::Source source{.stream_id = "s",
-                                    .width = static_cast<std::uint32_t>(r.feed.width),
-                                    .height = static_cast<std::uint32_t>(r.feed.height)};
+  const PacketSource source{.stream_id = "s",
+                            .width = static_cast<std::uint32_t>(r.feed.width),
+                            .height = static_cast<std::uint32_t>(r.feed.height)};
   SensorChannel channel(config, source, 0);
+  const FeedInterval last = r.source->interval();
   std::chrono::nanoseconds time{0};
   for (const IntensityChange& change : r.changes) {
-    channel.process(change);
+    channel.process({change, last.frames, last.camera, last.camera_t0, last.path});
     time += channel.cost();
   }
   best.ms = std::min(best.ms, 1e3 * seconds(time));
-  best.events = channel.events();
+  best.events = channel.items();
 }
 
 void measureAll(const std::string& scene, const std::string& trajectory) {

@@ -30,7 +30,7 @@ v1::OpenStream requestFrom(const std::vector<std::uint64_t>& events) {
 void expectNext(SequenceCheck& check, const v1::PacketHeader& header) {
   const auto fresh = check.add(header);
   ASSERT_TRUE(fresh);
-  EXPECT_EQ(fresh->known_events, 0u);
+  EXPECT_EQ(fresh->known_items, 0u);
   EXPECT_EQ(fresh->t0_ns, header.t0_ns());
 }
 
@@ -42,7 +42,7 @@ TEST(SequenceCheck, SensorsAreFollowedApart) {
   expectNext(check, headerOf(1, 1, 2, 0, 1000, 2000));
   EXPECT_EQ(check.losses().gaps, 0u);
   EXPECT_EQ(check.seqs(), (std::vector<std::uint64_t>{2, 2}));
-  EXPECT_EQ(check.events(), (std::vector<std::uint64_t>{5, 2}));
+  EXPECT_EQ(check.items(), (std::vector<std::uint64_t>{5, 2}));
   EXPECT_THROW(check.add(headerOf(2, 0, 0, 0, 0, 1000)), StreamFault);
 }
 
@@ -108,8 +108,8 @@ TEST(SequenceCheck, AStreamBeginsWithTheEventThatWasAskedFor) {
                                  header.t1_ns(), header.t1_ns() + 1000));
     return fresh;
   };
-  EXPECT_EQ(first(headerOf(0, 9, 90, 20, 8000, 9000)).value().known_events, 10u);
-  EXPECT_EQ(first(headerOf(0, 9, 100, 20, 8000, 9000)).value().known_events, 0u);
+  EXPECT_EQ(first(headerOf(0, 9, 90, 20, 8000, 9000)).value().known_items, 10u);
+  EXPECT_EQ(first(headerOf(0, 9, 100, 20, 8000, 9000)).value().known_items, 0u);
   EXPECT_EQ(first(headerOf(0, 9, 100, 0, 8000, 9000)).value().t0_ns, 8000);  // nothing happened, and then it
   EXPECT_FALSE(first(headerOf(0, 9, 90, 10, 8000, 9000)));
   EXPECT_THROW(first(headerOf(0, 9, 101, 20, 8000, 9000)), StreamFault);
@@ -128,13 +128,13 @@ TEST(SequenceCheck, AStreamThatIsOpenedAgainGoesOnInTimeToo) {
     expectNext(check, cut_short);
     check.restart();
     EXPECT_EQ(check.seqs(), (std::vector<std::uint64_t>{0}));
-    EXPECT_EQ(check.events(), (std::vector<std::uint64_t>{10}));
+    EXPECT_EQ(check.items(), (std::vector<std::uint64_t>{10}));
     const auto fresh = check.add(header);
     EXPECT_EQ(check.seqs(), (std::vector<std::uint64_t>{header.seq() + 1}));  // where a connection goes on
     return fresh;
   };
   const auto rest = again(headerOf(0, 1, 5, 9, 5000, 10000));  // that packet had been cut short
-  EXPECT_EQ(rest.value().known_events, 5u);
+  EXPECT_EQ(rest.value().known_items, 5u);
   EXPECT_EQ(rest.value().t0_ns, 7000);
   EXPECT_EQ(rest.value().known_suppressed, 3u);
   EXPECT_FALSE(again(headerOf(0, 1, 10, 0, 5000, 7000)));

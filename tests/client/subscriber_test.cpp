@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono::seconds;
 
-const PacketCutter::Source kSource{"s1", 9, 0, 346, 260};
+const PacketSource kSource{"s1", 9, 0, 346, 260};
 
 class SubscriberTest : public testing::Test {
  protected:

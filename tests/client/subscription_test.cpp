@@ -18,7 +18,7 @@ constexpr std::int64_t kMs = 1'000'000;
 // The packets of a stream of 20 ms, an event each ms and another that is withheld, cut every 5 ms, and END.
 std::vector<Packet> packetsOf(const std::string& stream, std::int64_t until_ms = 20,
                               v1::EndReason reason = v1::END_REASON_FINISHED) {
-  PacketCutter cutter(PacketCutter::Source{stream, 9, 0, 346, 260});
+  PacketCutter cutter(PacketSource{stream, 9, 0, 346, 260});
   std::vector<Packet> packets;
   const auto add = [&](std::vector<Packet> more) { packets.insert(packets.end(), more.begin(), more.end()); };
   for (std::int64_t t = 0; t < until_ms; ++t) {
@@ -180,7 +180,7 @@ TEST_F(SubscriptionTest, EventsCutShortByADrainedServerComeOnce) {
 
 TEST_F(SubscriptionTest, AStreamThatIsNotWhatItWasIsAFault) {
   const auto packets = packetsOf("s1", 7, v1::END_REASON_DRAINING);
-  PacketCutter cutter(PacketCutter::Source{"s2", 9, 0, 346, 260});
+  PacketCutter cutter(PacketSource{"s2", 9, 0, 346, 260});
   const std::int64_t t = 5 * kMs;
   cutter.cut(eventsOf(5), {0, t, 0, 0});
   const Events early{{t, 1, 2, 1}, {t, 1, 2, 1}, {t, 1, 2, 1}};

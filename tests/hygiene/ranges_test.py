@@ -1,4 +1,4 @@
-"""control.proto and PROTOCOL.md give each number the range that proto/wire/ranges.h gives it."""
+"""The schema and PROTOCOL.md give each number the range that proto/wire/ranges.h gives it."""
 import re
 import unittest
 
@@ -21,7 +21,7 @@ def ranges_in(pattern, text):
 
 
 def comments_of(schema, message, field):
-    """What control.proto says of a field: behind it, and in the lines of comment right before it."""
+    """What the schema says of a field: behind it, and in the lines of comment right before it."""
     lines = re.search(rf"^message {message} {{\n(.*?)^}}", schema, re.M | re.S).group(1).splitlines()
     at = next(i for i, line in enumerate(lines) if re.search(rf"\b{field} = \d+;", line.split("//")[0]))
     first = at
@@ -43,7 +43,7 @@ class Ranges(unittest.TestCase):
         self.assertEqual(table()["Sensor", "threshold_off"], (1e-3, 10))
 
     def test_the_schema_says_the_same(self):
-        schema = house.text("proto/saccade/v1/control.proto")
+        schema = "\n".join(house.text(f"proto/saccade/v1/{name}.proto") for name in ("control", "truth"))
         for (message, field), valid in table().items():
             if (message, field) in {("View", "height"), ("Motion", "turn_s"), ("Timing", "duration_s")}:
                 continue  # said with another field, or in other words

@@ -39,7 +39,7 @@ std::map<std::uint32_t, Packets> TestServer::run(const v1::OpenStream& request) 
   MockSubscriber subscriber = dataSubscriber();
   subscriber.attach(stream);
   subscriber.giveCredit(1 << 20);
-  return subscriber.receiveAll(request.sensors_size());
+  return subscriber.receiveAll(request.sensors_size() + request.truth_size());
 }
 
 v1::OpenStream tinyRequest() {

@@ -23,7 +23,7 @@ class TestServer {
     for (const auto& topic : topics) stream.add_topics(topic);
     return broadcastSubscriber(stream);
   }
-  // Opens, attaches with ample credit and receives until the END of every sensor.
+  // Opens, attaches with ample credit and receives until the END of every channel.
   std::map<std::uint32_t, Packets> run(const v1::OpenStream& request);
   App& app() { return app_; }
 

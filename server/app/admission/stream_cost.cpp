@@ -22,6 +22,7 @@ void checkMost(Limit limit, const std::string& field, double value, const Limits
 double streamMemory(const ResolvedStream& stream) {
   constexpr double kFeedBytes = 260, kSensorBytes = 24;  // per pixel
   constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
+  constexpr double kTruthBytes = 48;                     // per pixel: a picture, and its copy for the packet
   constexpr double kPacketBytes = 640;                   // per packet, without its events
   const FeedConfig& feed = stream.feed;
   const double view = static_cast<double>(feed.width) * feed.height;
@@ -33,6 +34,7 @@ double streamMemory(const ResolvedStream& stream) {
     bytes += pixels * kSensorBytes + packets * kPacketBytes +
              kEventBytes * std::min(events, static_cast<double>(sensor.max_events_per_frame));
   }
+  bytes += view * kTruthBytes * static_cast<double>(stream.truth.size());
   return bytes / (1 << 20);
 }
 

@@ -27,7 +27,9 @@ struct Bound {
 constexpr Bound kElements[] = {{"saccade.v1.OpenStream.sensors", ranges::kSensors.max},
                                {"saccade.v1.Keyframes.keys", ranges::kKeyframes.max},
                                {"saccade.v1.Method.params", 64},
-                               {"saccade.v1.Quality.disabled_features", 64}};
+                               {"saccade.v1.Quality.disabled_features", 64},
+                               {"saccade.v1.OpenStream.truth", ranges::kTruth.max},
+                               {"saccade.v1.Truth.times_s", ranges::kTruthTimes.max}};
 // The most bytes of a text that may be longer than a name.
 constexpr Bound kTexts[] = {{"saccade.v1.Trajectory.csv", ranges::kMaxCsvBytes}};
 constexpr std::int64_t kMaxNameBytes = 256;
@@ -51,7 +53,10 @@ class Scan {
   void read(const Descriptor& type) {
     while (const std::uint32_t tag = in_.ReadTag()) {
       const FieldDescriptor* field = type.FindFieldByNumber(WireFormatLite::GetTagFieldNumber(tag));
-      if (field && WireFormatLite::GetTagWireType(tag) == WireFormat::WireTypeForFieldType(field->type())) {
+      const auto coding = WireFormatLite::GetTagWireType(tag);
+      if (field && field->is_packable() && coding == WireFormatLite::WIRETYPE_LENGTH_DELIMITED) {
+        readPacked(*field);
+      } else if (field && coding == WireFormat::WireTypeForFieldType(field->type())) {
         readField(*field, tag);
       } else {
         skipUnknown(tag);
@@ -65,7 +70,7 @@ class Scan {
 
   void readField(const FieldDescriptor& field, std::uint32_t tag) {
     path_.push_back(&field);
-    if (field.is_repeated()) count(field);
+    if (field.is_repeated()) count(field, 1);
     if (field.type() == FieldDescriptor::TYPE_MESSAGE) {
       const auto outer = in_.PushLimit(readLength());
       read(*field.message_type());
@@ -81,6 +86,16 @@ class Scan {
     path_.pop_back();
   }
 
+  // Numbers without tags between them, as protobuf writes a repeated field of numbers.
+  void readPacked(const FieldDescriptor& field) {
+    path_.push_back(&field);
+    const int length = readLength();
+    const int least = field.type() == FieldDescriptor::TYPE_DOUBLE ? 8 : 1;  // bytes of a number
+    count(field, length / least);
+    if (!in_.Skip(length)) fail();
+    path_.pop_back();
+  }
+
   // A length beyond the bytes that are left is a fault of the message.
   int readLength() {
     int length = 0;
@@ -88,9 +103,9 @@ class Scan {
     return length;
   }
 
-  void count(const FieldDescriptor& field) {
+  void count(const FieldDescriptor& field, std::int64_t elements) {
     const std::int64_t most = mostOf(kElements, field, 0);
-    if (++elements_[&field] > most) refuse(path(), "there are more than " + std::to_string(most));
+    if ((elements_[&field] += elements) > most) refuse(path(), "there are more than " + std::to_string(most));
   }
 
   void skipUnknown(std::uint32_t tag) {

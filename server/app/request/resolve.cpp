@@ -86,8 +86,12 @@ void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors)
 }
 
 // A feed that LIVE or BROADCAST streams share cannot begin in the middle.
-void checkFromEvents(const v1::OpenStream& request) {
+void checkFromItems(const v1::OpenStream& request) {
   if (request.delivery() == v1::DELIVERY_LOSSLESS) return;
+  for (int i = 0; i < request.truth_size(); ++i) {
+    if (request.truth(i).from_sample() == 0) continue;
+    refuse("truth[" + std::to_string(i) + "].from_sample", "only a LOSSLESS stream goes on from a sample");
+  }
   for (int i = 0; i < request.sensors_size(); ++i) {
     if (request.sensors(i).from_event() == 0) continue;
     refuse("sensors[" + std::to_string(i) + "].from_event", "only a LOSSLESS stream goes on from an event");
@@ -100,6 +104,7 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   ResolvedStream stream{.request = std::move(request),
                         .feed = {},
                         .sensors = {},
+                        .truth = {},
                         .disabled_features = {},
                         .expected = {},
                         .simplification = {}};
@@ -108,13 +113,16 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   resolveView(*r.mutable_view(), stream.feed);
   resolveTiming(*r.mutable_timing(), stream);
   resolveSensors(r, stream.sensors);
+  for (int i = 0; i < r.truth_size(); ++i) {
+    stream.truth.push_back(resolveTruth(*r.mutable_truth(i), i, stream.feed));
+  }
   checkMethodName(r.method());
   stream.simplification = resolveSimplification(r, tables.simplification);
   stream.expected = resolveBudget(r, stream.sensors, tables.accuracy);
   resolveMethod(*r.mutable_method(), stream.feed);
   resolveQuality(*r.mutable_quality(), stream);
   r.set_delivery(resolveEnum("delivery", r.delivery(), v1::DELIVERY_LOSSLESS));
-  checkFromEvents(r);
+  checkFromItems(r);
   r.set_codec(resolveEnum("codec", r.codec(), v1::CODEC_NONE));
   stream.feed.seed = r.seed();
   return stream;
@@ -132,6 +140,7 @@ void fitTo(const Scene& scene, ResolvedStream& stream) {
 std::string ResolvedStream::feedKey() const {
   v1::OpenStream feed_part = request;
   feed_part.clear_sensors();
+  feed_part.clear_truth();
   feed_part.clear_delivery();
   feed_part.clear_codec();
   std::string key;

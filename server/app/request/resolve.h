@@ -9,6 +9,7 @@
 #include "feed/feed.h"
 #include "saccade/v1/control.pb.h"
 #include "scene/library/scene_library.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 
@@ -16,6 +17,7 @@ struct ResolvedStream {
   v1::OpenStream request;  // as StreamOpened.resolved
   FeedConfig feed;
   std::vector<SensorConfig> sensors;
+  std::vector<TruthConfig> truth;
   FrameIndex frames = 0;  // intervals to render; 0: until closed
   SceneFeatures disabled_features;
   std::optional<v1::ExpectedQuality> expected;       // of a request with a budget
@@ -60,5 +62,8 @@ Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& sc
 
 // Checks sensor `index` and fills in its defaults. Throws Refusal.
 SensorConfig resolveSensor(v1::Sensor& sensor, int index, std::uint64_t stream_seed);
+
+// Checks truth channel `index` and fills in its defaults. Throws Refusal.
+TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed);
 
 }  // namespace saccade

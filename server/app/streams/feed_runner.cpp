@@ -22,14 +22,14 @@ void logTimes(FrameIndex frame, const StageTimes& times) {
 
 }  // namespace
 
-FeedRunner::FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, TilePool& pool, Totals& totals)
+FeedRunner::FeedRunner(Rig rig, const FeedPace& pace, TilePool& pool, Totals& totals)
     : pool_(pool),
-      feed_(std::move(feed)),
+      rig_(std::move(rig)),
       pace_(pace),
       totals_(totals),
-      luminance_p01_(feed_->firstFrameLuminance(0.01)),
-      luminance_p50_(feed_->firstFrameLuminance(0.5)),
-      pixel_speed_(feed_->pixelSpeed(pace.frames)),
+      luminance_p01_(rig_.first().firstFrameLuminance(0.01)),
+      luminance_p50_(rig_.first().firstFrameLuminance(0.5)),
+      pixel_speed_(rig_.first().pixelSpeed(pace.frames)),
       clock_(pace.speed) {}
 
 FeedRunner::~FeedRunner() {
@@ -156,12 +156,12 @@ void FeedRunner::step() {
   if (frame_ == 0) began_ = ChangeNotifier::Clock::now();
   clock_.begin(
       now(), std::none_of(sinks_.begin(), sinks_.end(), [](const auto& sink) { return sink->catchingUp(); }));
-  const IntensityChange& change = render();
-  const double lag_s = clock_.running() ? waitUntilDue(change.t1) : 0;
-  StageTimes times = feed_->lastTimes();
+  const std::vector<FeedInterval>& views = render();
+  const double lag_s = clock_.running() ? waitUntilDue(views.front().change.t1) : 0;
+  StageTimes times = rig_.lastTimes();
   const auto before = threadCpuTime();
-  times[Stage::kEvents] += publish(change, lag_s);
-  record(times, feed_->lastChain() + (threadCpuTime() - before), lag_s);
+  times[Stage::kEvents] += publish(views, lag_s);
+  record(times, rig_.lastChain() + (threadCpuTime() - before), lag_s);
 }
 
 // Frames of a feed that keeps its pace are due at a certain time.
@@ -170,15 +170,16 @@ Priority FeedRunner::priority() const {
 }
 
 // Only this can be interrupted: an interval that is rendered reaches all streams.
-const IntensityChange& FeedRunner::render() {
-  const IntensityChange& change = feed_->step({pool_, priority(), stop_.get_token()});
-  newest_.set(change);
-  frame_ = change.frame;
-  return change;
+const std::vector<FeedInterval>& FeedRunner::render() {
+  const std::vector<FeedInterval>& views = rig_.step({pool_, priority(), stop_.get_token()});
+  newest_.set(views.front().change);
+  frame_ = views.front().change.frame;
+  return views;
 }
 
-// Makes the events of all streams, and gives them their packets. Returns the CPU time of the sensors.
-std::chrono::nanoseconds FeedRunner::publish(const IntensityChange& change, double lag_s) {
+// Makes the events of all streams, and gives them their packets. Returns the CPU time of the
+// channels.
+std::chrono::nanoseconds FeedRunner::publish(const std::vector<FeedInterval>& views, double lag_s) {
   std::vector<StreamSink*> started;
   std::vector<std::pair<StreamSink*, std::size_t>> channels;
   for (auto& sink : sinks_) {
@@ -188,12 +189,12 @@ std::chrono::nanoseconds FeedRunner::publish(const IntensityChange& change, doub
   }
   const auto used = PoolHandle(pool_, priority()).run(static_cast<int>(channels.size()), [&](int i) {
     const auto [sink, channel] = channels[static_cast<std::size_t>(i)];
-    sink->process(channel, change);
+    sink->process(channel, views.front());
   });
   const std::chrono::milliseconds lag(lag_s > kMostLagSeconds ? std::llround(lag_s * 1e3) : 0);
   for (StreamSink* sink : started) {
     const std::uint64_t events_before = sink->events();
-    sink->publish(change, lag);
+    sink->publish(views.front().change, lag);
     totals_.events += sink->events() - events_before;
   }
   return used;

@@ -1,4 +1,4 @@
-// Runs a feed on a thread of its own and hands each interval to the streams that share it.
+// Runs the feeds of a rig on a thread of its own and hands each interval to the streams that share it.
 //
 // A stream takes part from the first frame after its receiver has attached until it is stopped; then it gets
 // its END. A frame is rendered when some stream has a receiver, and every stream with a receiver has room.
@@ -17,8 +17,7 @@
 #include "app/streams/stream_sink.h"
 #include "app/streams/totals.h"
 #include "base/recent_mean.h"
-#include "feed/feed.h"
-#include "feed/pixel_speed.h"
+#include "feed/rig.h"
 #include "stream/change_notifier.h"
 
 namespace saccade {
@@ -39,9 +38,9 @@ struct FeedProgress {
 
 class FeedRunner {
  public:
-  // Runs the feed on `pool`, urgently while the feed keeps its pace. Adds to `totals`. Both must outlive
+  // Runs the feeds on `pool`, urgently while the feed keeps its pace. Adds to `totals`. Both must outlive
   // this.
-  FeedRunner(std::unique_ptr<Feed> feed, const FeedPace& pace, TilePool& pool, Totals& totals);
+  FeedRunner(Rig rig, const FeedPace& pace, TilePool& pool, Totals& totals);
   ~FeedRunner();  // waits for the thread: all streams must be stopped, or the feed must have an end
   FeedRunner(const FeedRunner&) = delete;
   FeedRunner& operator=(const FeedRunner&) = delete;
@@ -70,8 +69,8 @@ class FeedRunner {
   bool allStopping() const;
   void step();
   Priority priority() const;
-  std::chrono::nanoseconds publish(const IntensityChange& change, double lag_s);
-  const IntensityChange& render();
+  std::chrono::nanoseconds publish(const std::vector<FeedInterval>& views, double lag_s);
+  const std::vector<FeedInterval>& render();
   void holdClock();
   void endStopped();
   double waitUntilDue(TimeNs t);
@@ -80,7 +79,7 @@ class FeedRunner {
   TimeNs now() const { return frameTime(frame_, pace_.frame_rate_hz); }
 
   TilePool& pool_;
-  const std::unique_ptr<Feed> feed_;
+  Rig rig_;
   const FeedPace pace_;
   Totals& totals_;
   const std::shared_ptr<ChangeNotifier> notifier_ = std::make_shared<ChangeNotifier>();

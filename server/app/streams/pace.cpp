@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/admission/limits.h"
-#include "app/streams/sensor_channel.h"
+#include "app/streams/channel.h"
 #include "base/usable_cpus.h"
 
 namespace saccade {
@@ -33,9 +33,9 @@ CpuCost operator*(const CpuCost& cost, double factor) {
   return {cost.feed * factor, cost.sensors * factor, cost.chain * factor, cost.longest * factor};
 }
 
-double longestOf(const std::vector<SensorChannel>& channels) {
+double longestOf(const std::vector<std::unique_ptr<Channel>>& channels) {
   std::chrono::nanoseconds longest{0};
-  for (const SensorChannel& channel : channels) longest = std::max(longest, channel.cost());
+  for (const auto& channel : channels) longest = std::max(longest, channel->cost());
   return seconds(longest);
 }
 
@@ -54,22 +54,23 @@ CpuCost together(const CpuCost& a, const CpuCost& b) {
 CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
                      const ResolvedStream& stream, const PoolHandle& pool) {
   Feed feed(std::move(scene), path, stream.feed, pool);
-  std::vector<SensorChannel> channels = makeSensorChannels(stream, {}, 0);
+  const auto channels = makeChannels(stream, {}, 0);
   const auto each = [&](const auto& f) {
-    return seconds(pool.run(static_cast<int>(channels.size()), [&](int i) { f(channels[i]); }));
+    return seconds(pool.run(static_cast<int>(channels.size()), [&](int i) { f(*channels[i]); }));
   };
   CpuCost spent, first;
   int frames = 0;
   while (frames < kMeasuredFrames && spent.feed + spent.sensors < kEnoughSeconds) {
-    const IntensityChange& change = feed.step(pool);
+    feed.step(pool);
+    const FeedInterval interval = feed.interval();
     spent.feed += seconds(feed.lastTimes().total());
     spent.chain += seconds(feed.lastChain());
-    spent.sensors += each([&](SensorChannel& channel) { channel.process(change); });
+    spent.sensors += each([&](Channel& channel) { channel.process(interval); });
     spent.longest += longestOf(channels);
     if (++frames == 1) first = spent;
   }
   const double left_s =
-      each([](SensorChannel& channel) { channel.flush(); }) / frames;  // most of the cost of short frames
+      each([](Channel& channel) { channel.flush(); }) / frames;  // most of the cost of short frames
   CpuCost frame = frames == 1 ? first : (spent - first) * (1.0 / (frames - 1));
   frame.sensors += left_s;
   frame.longest += left_s / static_cast<double>(channels.size());

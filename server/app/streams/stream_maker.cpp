@@ -156,20 +156,22 @@ void StreamMaker::admit(const ResolvedStream& resolved, const CpuCost& frame,
 
 std::shared_ptr<FeedRunner> StreamMaker::makeFeed(const Plan& plan, Trajectory path,
                                                   const Opening& opening) const {
-  auto feed = std::make_unique<Feed>(plan.scene, std::move(path), plan.resolved.feed, poolFor(opening));
+  std::vector<std::unique_ptr<Feed>> feeds;
+  feeds.push_back(std::make_unique<Feed>(plan.scene, std::move(path), plan.resolved.feed, poolFor(opening)));
   const v1::Timing& timing = plan.resolved.request.timing();
   const FeedPace pace{plan.resolved.frames, timing.frame_rate_hz(), timing.speed()};
-  return std::make_shared<FeedRunner>(std::move(feed), pace, resources_.pool, resources_.totals);
+  return std::make_shared<FeedRunner>(Rig(std::move(feeds)), pace, resources_.pool, resources_.totals);
 }
 
 // Makes the stream's session and sink. Returns false where the feed has ended.
 bool StreamMaker::connect(const ResolvedStream& resolved, Stream& stream) const {
   const v1::Delivery delivery = resolved.request.delivery();
   WakeFd& transport = delivery == v1::DELIVERY_BROADCAST ? resources_.broadcast : resources_.data;
-  stream.session = std::make_shared<Session>(
-      randomHex(kIdBytes), delivery, static_cast<std::uint32_t>(resolved.sensors.size()), transport,
-      stream.feed->notifier(), resources_.totals.traffic, resources_.quota.limits().bytes(Limit::kQueue),
-      resources_.epoch);
+  stream.session =
+      std::make_shared<Session>(randomHex(kIdBytes), delivery,
+                                static_cast<std::uint32_t>(resolved.sensors.size() + resolved.truth.size()),
+                                transport, stream.feed->notifier(), resources_.totals.traffic,
+                                resources_.quota.limits().bytes(Limit::kQueue), resources_.epoch);
   stream.sink = std::make_shared<StreamSink>(stream.session, resolved, resources_.epoch);
   return stream.feed->add(stream.sink);
 }

@@ -18,7 +18,7 @@ v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, s
   if (resolved.expected) *opened.mutable_expected() = *resolved.expected;
   if (resolved.simplification) *opened.mutable_simplification() = *resolved.simplification;
   if (!stream.session->broadcast()) return opened;
-  for (std::uint32_t i = 0; i < stream.session->sensors(); ++i) opened.add_topics(stream.session->topic(i));
+  for (std::uint32_t i = 0; i < stream.session->channels(); ++i) opened.add_topics(stream.session->topic(i));
   return opened;
 }
 

@@ -21,15 +21,17 @@ void attempt(const F& step) noexcept {
 }  // namespace
 
 StreamSink::StreamSink(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch)
-    : session_(std::move(session)), channels_(makeSensorChannels(stream, session_->id(), epoch)) {}
+    : session_(std::move(session)),
+      channels_(makeChannels(stream, session_->id(), epoch)),
+      sensors_(stream.sensors.size()) {}
 
 void StreamSink::publish(const IntensityChange& change, std::chrono::milliseconds lag) {
   lag_ = lag;
   session_->setLag(lag);
   std::uint64_t events = 0;
-  for (SensorChannel& channel : channels_) {
-    push(channel.takePackets());
-    events += channel.events();
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    push(channels_[i]->takePackets());
+    if (i < sensors_) events += channels_[i]->items();
   }
   events_ = events;
   countCost();
@@ -38,9 +40,9 @@ void StreamSink::publish(const IntensityChange& change, std::chrono::millisecond
 
 void StreamSink::countCost() {
   std::chrono::nanoseconds sum{0}, longest{0};
-  for (const SensorChannel& channel : channels_) {
-    sum += channel.cost();
-    longest = std::max(longest, channel.cost());
+  for (const auto& channel : channels_) {
+    sum += channel->cost();
+    longest = std::max(longest, channel->cost());
   }
   cost_mean_.add(seconds(sum));
   longest_mean_.add(seconds(longest));
@@ -54,7 +56,7 @@ void StreamSink::clearLag() {
 
 bool StreamSink::catchingUp() const {
   return std::any_of(channels_.begin(), channels_.end(),
-                     [](const SensorChannel& channel) { return channel.catchingUp(); });
+                     [](const auto& channel) { return channel->catchingUp(); });
 }
 
 void StreamSink::push(std::vector<Packet> packets) {
@@ -65,21 +67,21 @@ void StreamSink::push(std::vector<Packet> packets) {
 }
 
 void StreamSink::end(TimeNs t, FrameIndex frame) {
-  for (SensorChannel& channel : channels_) push(channel.end(t, frame, session_->endReason()));
+  for (const auto& channel : channels_) push(channel->end(t, frame, session_->endReason()));
   session_->finish();
 }
 
 void StreamSink::fail(const char* message) noexcept {
-  for (std::uint32_t i = 0; i < session_->sensors(); ++i) {
-    attempt([&] { push(channels_[i].flush()); });
+  for (std::uint32_t i = 0; i < session_->channels(); ++i) {
+    attempt([&] { push(channels_[i]->flush()); });
     attempt([&] { pushError(i, message); });
   }
   session_->finish();
 }
 
-void StreamSink::pushError(std::uint32_t sensor, const std::string& message) {
+void StreamSink::pushError(std::uint32_t channel, const std::string& message) {
   Packet packet = makeErrorPacket(session_->id(), message, session_->epoch());
-  packet.header.set_sensor(sensor);
+  packet.header.set_sensor(channel);
   session_->push(packet);
 }
 

@@ -1,11 +1,11 @@
-// The output of a stream: its sensors, and the session that takes their packets.
+// The output of a stream: its channels, and the session that takes their packets.
 #pragma once
 
 #include <atomic>
 #include <memory>
 #include <vector>
 
-#include "app/streams/sensor_channel.h"
+#include "app/streams/channel.h"
 #include "base/recent_mean.h"
 #include "stream/session.h"
 
@@ -19,12 +19,12 @@ class StreamSink {
   const Session& session() const { return *session_; }
   std::uint64_t events() const { return events_; }
   double recentSeconds() const { return recent_s_; }          // CPU time per interval, recent mean
-  double recentLongestSeconds() const { return longest_s_; }  // of the sensor that takes longest
+  double recentLongestSeconds() const { return longest_s_; }  // of the channel that takes longest
 
   // For each interval, in order: process() of each channel, on any threads, then publish() on the feed's
   // thread. `lag` is how far a PACED stream is behind its clock; 0 where that is too little to tell.
   std::size_t channels() const { return channels_.size(); }
-  void process(std::size_t channel, const IntensityChange& change) { channels_[channel].process(change); }
+  void process(std::size_t channel, const FeedInterval& interval) { channels_[channel]->process(interval); }
   void publish(const IntensityChange& change, std::chrono::milliseconds lag);
 
   // On the feed's thread. `frame` is the index of the frame at t.
@@ -35,11 +35,12 @@ class StreamSink {
 
  private:
   void push(std::vector<Packet> packets);
-  void pushError(std::uint32_t sensor, const std::string& message);
+  void pushError(std::uint32_t channel, const std::string& message);
   void countCost();
 
   const std::shared_ptr<Session> session_;
-  std::vector<SensorChannel> channels_;
+  std::vector<std::unique_ptr<Channel>> channels_;
+  const std::size_t sensors_;  // the first of them
   std::chrono::milliseconds lag_{0};
   std::atomic<std::uint64_t> events_ = 0;
   RecentMean cost_mean_, longest_mean_;

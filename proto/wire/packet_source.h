@@ -1,0 +1,23 @@
+// What all packets of one sensor or truth channel have in common.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "saccade/v1/events.pb.h"
+#include "wire/codec_table.h"
+
+namespace saccade {
+
+struct PacketSource {
+  std::string stream_id;
+  std::uint64_t epoch = 0;
+  std::uint32_t sensor = 0;             // PacketHeader.sensor
+  std::uint32_t width = 0, height = 0;  // pixels
+  const CodecInfo* codec = &kCodecNone;
+};
+
+// A header with these fields.
+v1::PacketHeader headerOf(const PacketSource& source);
+
+}  // namespace saccade

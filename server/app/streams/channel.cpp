@@ -1,0 +1,53 @@
+#include "app/streams/channel.h"
+
+#include <algorithm>
+
+#include "app/streams/sensor_channel.h"
+#include "app/streams/truth_channel.h"
+#include "base/thread_time.h"
+
+namespace saccade {
+
+void Channel::process(const FeedInterval& interval) {
+  const auto began = threadCpuTime();
+  full_ = forClient(makePackets(interval));
+  items_ = countItems();
+  cost_ = threadCpuTime() - began;
+}
+
+std::vector<Packet> Channel::end(TimeNs t, FrameIndex frame, v1::EndReason reason) {
+  return forClient(endPackets(t, frame, reason));
+}
+
+std::vector<Packet> Channel::forClient(std::vector<Packet> packets) const {
+  std::erase_if(packets, [&](const Packet& packet) {
+    const v1::PacketHeader& header = packet.header;
+    const std::uint64_t begin = header.first_event_index(), end = begin + header.count();
+    const bool has_items = header.kind() == v1::KIND_EVENTS || header.kind() == v1::KIND_TRUTH;
+    return has_items && begin < from_item_ && end <= from_item_;
+  });
+  return packets;
+}
+
+std::vector<std::unique_ptr<Channel>> makeChannels(const ResolvedStream& stream, const std::string& stream_id,
+                                                   std::uint64_t epoch) {
+  PacketSource source{.stream_id = stream_id,
+                      .epoch = epoch,
+                      .width = static_cast<std::uint32_t>(stream.feed.width),
+                      .height = static_cast<std::uint32_t>(stream.feed.height),
+                      .codec = findCodec(stream.request.codec())};
+  std::vector<std::unique_ptr<Channel>> channels;
+  for (std::size_t i = 0; i < stream.sensors.size(); ++i) {
+    const v1::Sensor& request = stream.request.sensors(static_cast<int>(i));
+    channels.push_back(std::make_unique<SensorChannel>(stream.sensors[i], source, request.from_event()));
+    ++source.sensor;
+  }
+  for (std::size_t i = 0; i < stream.truth.size(); ++i) {
+    const v1::Truth& request = stream.request.truth(static_cast<int>(i));
+    channels.push_back(std::make_unique<TruthChannel>(stream.truth[i], source, request.from_sample()));
+    ++source.sensor;
+  }
+  return channels;
+}
+
+}  // namespace saccade

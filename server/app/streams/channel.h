@@ -1,0 +1,57 @@
+// A part of a stream with packets of its own: a sensor, or a truth channel.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/request/resolve.h"
+#include "feed/feed_interval.h"
+#include "wire/packet.h"
+
+namespace saccade {
+
+class Channel {
+ public:
+  virtual ~Channel() = default;
+
+  // Makes the packets of an interval. Takes every interval of its view from some interval on, in order, on
+  // any thread.
+  void process(const FeedInterval& interval);
+
+  // Of the last process():
+  std::chrono::nanoseconds cost() const { return cost_; }                 // CPU time
+  std::vector<Packet> takePackets() { return std::exchange(full_, {}); }  // those that are full
+
+  std::uint64_t items() const { return items_; }           // events or samples so far
+  bool catchingUp() const { return items_ < from_item_; }  // nothing is for the client yet
+
+  // What is in no full packet yet; with end() also the END packet.
+  std::vector<Packet> flush() { return forClient(flushPackets()); }
+  std::vector<Packet> end(TimeNs t, FrameIndex frame, v1::EndReason reason);
+
+ protected:
+  // Packets that end before the item with the index `from_item` are made, but not given to the client.
+  explicit Channel(std::uint64_t from_item) : from_item_(from_item) {}
+
+  virtual std::vector<Packet> makePackets(const FeedInterval& interval) = 0;
+  virtual std::vector<Packet> flushPackets() = 0;
+  virtual std::vector<Packet> endPackets(TimeNs t, FrameIndex frame, v1::EndReason reason) = 0;
+  virtual std::uint64_t countItems() const = 0;
+
+ private:
+  std::vector<Packet> forClient(std::vector<Packet> packets) const;
+
+  std::uint64_t from_item_, items_ = 0;
+  std::chrono::nanoseconds cost_{0};
+  std::vector<Packet> full_;
+};
+
+// One for each sensor of the stream, then one for each of its truth channels.
+std::vector<std::unique_ptr<Channel>> makeChannels(const ResolvedStream& stream, const std::string& stream_id,
+                                                   std::uint64_t epoch);
+
+}  // namespace saccade

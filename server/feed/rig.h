@@ -1,0 +1,28 @@
+// The feeds of cameras that are fixed to one moving body, in step on one clock.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "feed/feed.h"
+
+namespace saccade {
+
+class Rig {
+ public:
+  // `feeds`: at least one, one for each view, none of which has made a step; all of the same frame rate.
+  explicit Rig(std::vector<std::unique_ptr<Feed>> feeds) : feeds_(std::move(feeds)) {}
+
+  // Renders the next frame of each view. A view's interval holds until the second step after this one begins.
+  const std::vector<FeedInterval>& step(const PoolHandle& pool);
+
+  const Feed& first() const { return *feeds_.front(); }
+  StageTimes lastTimes() const;                // of the last step, all views together
+  std::chrono::nanoseconds lastChain() const;  // likewise: the views are rendered one after the other
+
+ private:
+  std::vector<std::unique_ptr<Feed>> feeds_;
+  std::vector<FeedInterval> intervals_;
+};
+
+}  // namespace saccade

@@ -1,0 +1,27 @@
+// Depth of the surface that the pixel centre shows.
+#include "frame/plane_bytes.h"
+#include "truth/channels/channels.h"
+#include "truth/picture_source.h"
+
+namespace saccade {
+namespace {
+
+class Depth final : public PictureSource {
+ public:
+  using PictureSource::PictureSource;
+
+ protected:
+  std::string picture(const TruthFrame& frame) override {
+    std::string elements;
+    appendPlane(frame.frame.g.z, elements);
+    return elements;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<TruthSource> makeDepth(const TruthConfig& config) {
+  return std::make_unique<Depth>(config);
+}
+
+}  // namespace saccade

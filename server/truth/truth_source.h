@@ -1,0 +1,43 @@
+// A truth channel tells what the renderer and the path know, on the clock of the events.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "feed/feed_interval.h"
+#include "saccade/v1/truth.pb.h"
+#include "truth/frame_selection.h"
+#include "wire/truth_samples.h"
+
+namespace saccade {
+
+struct TruthConfig {
+  std::string name;       // of truthTable()
+  FrameSelection frames;  // for pictures: those that are wanted
+  int width = 1, height = 1;
+};
+
+class TruthSource {
+ public:
+  virtual ~TruthSource() = default;
+  // Returns the samples that the interval completes, in time order. Call it for every interval from some
+  // interval on, in order. Times are multiples of kTimeUnitNs, and at most the interval's t1.
+  virtual TruthSamples sample(const FeedInterval& interval) = 0;
+};
+
+struct TruthChannelInfo {
+  std::string name, description;  // the description states the convention
+  std::string unit;               // empty: a number
+  v1::Layout layout;              // LAYOUT_PICTURE or LAYOUT_ROWS
+  v1::Element element;
+  std::vector<std::string> planes;  // names of the planes of a picture or the elements of a row
+  std::unique_ptr<TruthSource> (*make)(const TruthConfig& config);
+};
+
+// THE list of truth channels.
+const std::vector<TruthChannelInfo>& truthTable();
+const TruthChannelInfo* findTruth(const std::string& name);  // nullptr if there is none
+std::string truthNames();                                    // "depth, ..." for messages
+
+}  // namespace saccade
