@@ -12,8 +12,8 @@ static_assert(std::endian::native == std::endian::little, "columns are copied as
 
 // Where each column of n events starts in a payload.
 struct Offsets {
-  explicit Offsets(std::size_t n) : x(4 * n), y(6 * n), p(8 * n) {}
-  std::size_t x, y, p;
+  explicit Offsets(std::size_t n) : x(4 * n), y(6 * n), p(8 * n), source(9 * n), artefact(10 * n) {}
+  std::size_t x, y, p, source, artefact;
 };
 
 // Payloads received from a socket need not be aligned, so values are copied, never cast.
@@ -40,32 +40,39 @@ struct Span {
 std::string checkEvent(const Event& e, const v1::PacketHeader& h) {
   if (e.x >= h.width() || e.y >= h.height()) return "a pixel outside the view";
   if (e.p > 1) return "a polarity that is neither 0 nor 1";
+  if (!v1::EventSource_IsValid(e.source)) return "a source that is unknown";
   return {};
 }
 
 }  // namespace
 
-std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns) {
+std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns, v1::Layout layout) {
   const std::size_t n = events.size();
   const auto units = [&](const Event& e) { return static_cast<std::uint64_t>(e.t_ns - t0_ns) / kTimeUnitNs; };
   if (n > 0 &&
       (events.front().t_ns < t0_ns || units(events.back()) > std::numeric_limits<std::uint32_t>::max()))
     throw std::out_of_range("an event lies outside the times its packet can express");
   const Offsets at(n);
-  std::string payload(n * kColumnsBytesPerEvent, '\0');
+  std::string payload(n * bytesPerEvent(layout), '\0');
   char* bytes = payload.data();
   for (std::size_t i = 0; i < n; ++i) store(bytes, i, static_cast<std::uint32_t>(units(events[i])));
   for (std::size_t i = 0; i < n; ++i) store(bytes + at.x, i, events[i].x);
   for (std::size_t i = 0; i < n; ++i) store(bytes + at.y, i, events[i].y);
   for (std::size_t i = 0; i < n; ++i) store(bytes + at.p, i, events[i].p);
+  if (layout == v1::LAYOUT_COLUMNS) return payload;
+  for (std::size_t i = 0; i < n; ++i) store(bytes + at.source, i, events[i].source);
+  for (std::size_t i = 0; i < n; ++i) store(bytes + at.artefact, i, events[i].artefact);
   return payload;
 }
 
 std::string decodeColumns(const v1::PacketHeader& header, std::string_view payload, Events& out) {
   out.clear();
   const std::size_t n = header.count();
-  if (payload.size() != n * kColumnsBytesPerEvent) return "a payload whose size is not 9 bytes an event";
+  const std::size_t size = bytesPerEvent(header.layout());
+  if (payload.size() != n * size)
+    return "a payload whose size is not " + std::to_string(size) + " bytes an event";
   if (header.t0_ns() < 0 || header.t1_ns() < header.t0_ns()) return "an interval that runs backwards";
+  const bool labelled = header.layout() == v1::LAYOUT_LABELLED_COLUMNS;
   const Offsets at(n);
   const Span span(header);
   const char* bytes = payload.data();
@@ -78,6 +85,10 @@ std::string decodeColumns(const v1::PacketHeader& header, std::string_view paylo
     prev = after_t0;
     out.push_back({header.t0_ns() + static_cast<std::int64_t>(after_t0), load<std::uint16_t>(bytes + at.x, i),
                    load<std::uint16_t>(bytes + at.y, i), load<std::uint8_t>(bytes + at.p, i)});
+    if (labelled) {
+      out.back().source = load<std::uint8_t>(bytes + at.source, i);
+      out.back().artefact = load<std::uint8_t>(bytes + at.artefact, i);
+    }
     if (std::string fault = checkEvent(out.back(), header); !fault.empty()) return fault;
   }
   return {};

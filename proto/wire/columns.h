@@ -1,5 +1,6 @@
 // LAYOUT_COLUMNS, 9 bytes an event: u32 dt[n] | u16 x[n] | u16 y[n] | u8 p[n], little-endian, without
-// padding. dt counts units of dt_unit_ns since t0_ns.
+// padding. dt counts units of dt_unit_ns since t0_ns. LAYOUT_LABELLED_COLUMNS, 11 bytes an event: with u8
+// source[n] | u8 artefact[n] behind them.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +13,18 @@
 
 namespace saccade {
 
-inline constexpr std::size_t kColumnsBytesPerEvent = 9;
+// Of either layout; 0 of others.
+constexpr std::size_t bytesPerEvent(v1::Layout layout) {
+  return layout == v1::LAYOUT_COLUMNS ? 9 : layout == v1::LAYOUT_LABELLED_COLUMNS ? 11 : 0;
+}
 
 // Encodes `events` with a dt_unit_ns of kTimeUnitNs, to which their times are floored. Throws
 // std::out_of_range where an event lies before t0_ns, or 2^32 units or more after it.
-std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns);
+std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns,
+                          v1::Layout layout = v1::LAYOUT_COLUMNS);
 
-// Decodes a payload of any content into `out`, as its header describes it. Returns an empty text, or what is
-// wrong:
+// Decodes a payload of any content, in either layout, into `out`, as its header describes it. Returns an
+// empty text, or what is wrong:
 // - the size is not that of `count` events;
 // - a pixel lies outside width x height, or p is neither 0 nor 1;
 // - times decrease, or leave [t0_ns, t1_ns), or differ from t0_ns where t0_ns = t1_ns.

@@ -13,6 +13,9 @@ struct Event {
   std::int64_t t_ns;   // stream time
   std::uint16_t x, y;  // pixel, (0, 0) is top left
   std::uint8_t p;      // polarity: 1 ON (brighter), 0 OFF
+  // Labels; 0 where they are not asked for.
+  std::uint8_t source = 0;    // v1::EventSource
+  std::uint8_t artefact = 0;  // 255 times the odds that the event is an error of rendering
 
   friend bool operator==(const Event&, const Event&) = default;
 };

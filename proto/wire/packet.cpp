@@ -24,6 +24,7 @@ std::string checkCoding(const v1::PacketHeader& header, v1::Layout layout) {
 std::string checkEvents(const v1::PacketHeader& header) {
   if (header.count() > kMaxPacketEvents) return "count is above " + std::to_string(kMaxPacketEvents);
   if (header.dt_unit_ns() == 0) return "dt_unit_ns is 0";
+  if (header.layout() == v1::LAYOUT_LABELLED_COLUMNS) return checkCodec(header);
   return checkCoding(header, v1::LAYOUT_COLUMNS);
 }
 
@@ -48,7 +49,7 @@ std::string checkSamples(const v1::PacketHeader& header) {
 std::uint64_t contentBytes(const v1::PacketHeader& header) {
   switch (header.kind()) {
     case v1::KIND_EVENTS:
-      return header.count() * kColumnsBytesPerEvent;
+      return header.count() * bytesPerEvent(header.layout());
     case v1::KIND_SNAPSHOT:
       return pixelsOf(header) * kPlanesBytesPerPixel;
     case v1::KIND_TRUTH:

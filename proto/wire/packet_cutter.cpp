@@ -31,8 +31,9 @@ std::int64_t nextPacketTime(std::int64_t t_ns) {
 
 }  // namespace
 
-PacketCutter::PacketCutter(const PacketSource& source) : codec_(*source.codec), header_(headerOf(source)) {
-  header_.set_layout(v1::LAYOUT_COLUMNS);
+PacketCutter::PacketCutter(const PacketSource& source, v1::Layout layout)
+    : codec_(*source.codec), header_(headerOf(source)) {
+  header_.set_layout(layout);
 }
 
 Packet PacketCutter::snapshot(std::int64_t t_ns, std::uint64_t frame, std::string planes) {
@@ -45,6 +46,7 @@ std::vector<Packet> PacketCutter::cut(std::span<const Event> events, const Packe
   std::vector<Packet> full;
   if (!open_) t0_ns_ = interval.t0_ns, frame_ = interval.frame;
   suppressed_ += interval.suppressed;
+  artefacts_ += interval.artefacts;
   for (std::int64_t t = interval.t0_ns; t < interval.t1_ns;) {
     t = std::min(nextPacketTime(t), interval.t1_ns);
     const auto end =
@@ -85,8 +87,9 @@ Packet PacketCutter::take(std::span<const Event> events, std::int64_t t1_ns) {
   v1::PacketHeader header = nextHeader(v1::KIND_EVENTS, t0_ns_, t1_ns, frame_);
   header.set_count(static_cast<std::uint32_t>(events.size()));
   header.set_suppressed(std::exchange(suppressed_, 0));
+  header.set_artefacts(std::exchange(artefacts_, 0));
   header_.set_first_event_index(header_.first_event_index() + events.size());
-  std::string columns = encodeColumns(events, t0_ns_);
+  std::string columns = encodeColumns(events, t0_ns_, header_.layout());
   t0_ns_ = t1_ns;
   return sealPacket(std::move(header), codec_.encode(std::move(columns)));
 }

@@ -20,13 +20,16 @@ inline constexpr std::size_t kEnoughEvents = 4096;
 // One interval of stream time [t0_ns, t1_ns), t0_ns < t1_ns, multiples of kTimeUnitNs.
 struct PacketInterval {
   std::int64_t t0_ns = 0, t1_ns = 0;
-  std::uint64_t frame = 0;       // index of the frame at t0_ns
-  std::uint64_t suppressed = 0;  // events the sensor withheld; counted in the packet that holds t0_ns
+  std::uint64_t frame = 0;  // index of the frame at t0_ns
+  // Counted in the packet that holds t0_ns:
+  std::uint64_t suppressed = 0;  // events the sensor withheld
+  std::uint64_t artefacts = 0;   // those of them that are likely artefacts
 };
 
 class PacketCutter {
  public:
-  explicit PacketCutter(const PacketSource& source);
+  // `layout`: of events.
+  explicit PacketCutter(const PacketSource& source, v1::Layout layout = v1::LAYOUT_COLUMNS);
 
   // The state of the pixels at `t_ns`, where the first interval will begin. `planes`: as encodePlanes() makes
   // them. Call it first or never.
@@ -55,7 +58,7 @@ class PacketCutter {
   Events events_;
   bool open_ = false;  // whether it covers any time yet
   std::int64_t t0_ns_ = 0, t1_ns_ = 0;
-  std::uint64_t frame_ = 0, suppressed_ = 0;
+  std::uint64_t frame_ = 0, suppressed_ = 0, artefacts_ = 0;
 };
 
 }  // namespace saccade

@@ -33,6 +33,7 @@ inline constexpr Range<double> kBias{1e-12, 1e6};         // Sensor.bias: scene 
 inline constexpr Range<double> kRefractory{0, 10};        // Sensor.refractory_s: seconds
 inline constexpr Range<double> kCutoff{1e-4, 1e4};        // Sensor.cutoff_hz: Hz
 inline constexpr Range<int> kMaxPixelEvents{1, 65536};    // Sensor.max_events_per_pixel_frame: events
+inline constexpr Range<double> kArtefactOdds{0, 1};       // Sensor.max_artefact_odds: a probability
 inline constexpr Range<int> kTruth{0, 32};                // OpenStream.truth: how many
 inline constexpr Range<int> kTruthTimes{0, 100000};       // Truth.times_s: how many
 

@@ -1,13 +1,17 @@
 #include "events/sensor.h"
 
 #include "base/check.h"
+#include "events/artefact_odds.h"
 #include "events/log_ratio.h"
 #include "events/log_response.h"
 
 namespace saccade {
 
 Sensor::Sensor(const SensorConfig& config, int width, int height)
-    : bias_(static_cast<float>(config.bias)), dL_(width, height) {
+    : bias_(static_cast<float>(config.bias)),
+      judges_(config.labels || config.max_artefact_odds < 1),
+      max_artefact_odds_(config.max_artefact_odds),
+      dL_(width, height) {
   SACCADE_CHECK(!findFault(config));
   SACCADE_CHECK(width <= UINT16_MAX && height <= UINT16_MAX);
   reconstruction_ = findReconstruction(config.reconstruction)->make(config, width, height);
@@ -32,8 +36,16 @@ void Sensor::generate(const IntensityChange& change, SensorOutput& out) {
   reconstruction_->reconstruct(change, dL_);
   out.events.clear();
   out.suppressed = model_->generate(dL_, interval, out.events);
+  out.artefacts = 0;
+  if (judges_) judge(change, out);
   order_.sort(out.events, interval);
   giveBackSlack(out.events);
+}
+
+void Sensor::judge(const IntensityChange& change, SensorOutput& out) {
+  labelArtefacts(change, bias_, dL_, out.events);
+  out.artefacts = removeArtefacts(max_artefact_odds_, out.events);
+  out.suppressed += out.artefacts;
 }
 
 }  // namespace saccade

@@ -16,7 +16,8 @@ namespace saccade {
 
 struct SensorOutput {
   Events events;                 // of [t0, t1), in time order; ties by row, column, polarity
-  std::uint64_t suppressed = 0;  // crossings of this interval withheld by refractory period or bound
+  std::uint64_t suppressed = 0;  // crossings of this interval withheld by refractory period or a bound
+  std::uint64_t artefacts = 0;   // those withheld by max_artefact_odds
 };
 
 class Sensor {
@@ -32,7 +33,11 @@ class Sensor {
   void generate(const IntensityChange& change, SensorOutput& out);
 
  private:
+  void judge(const IntensityChange& change, SensorOutput& out);
+
   float bias_;
+  bool judges_;  // whether it has to know the odds of artefacts
+  double max_artefact_odds_;
   ImageF dL_;  // [E (21)], then as reconstructed
   std::unique_ptr<Reconstruction> reconstruction_;
   std::unique_ptr<EventModel> model_;

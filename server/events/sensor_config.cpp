@@ -21,6 +21,7 @@ std::optional<SensorFault> findRangeFault(const SensorConfig& config) {
   check("cutoff_hz", config.reconstruction_cutoff_hz, ranges::kCutoff);
   check("refractory_s", seconds(config.refractory), ranges::kRefractory);
   check("max_events_per_pixel_frame", config.max_events_per_pixel_frame, ranges::kMaxPixelEvents);
+  check("max_artefact_odds", config.max_artefact_odds, ranges::kArtefactOdds);
   check("max_events_per_frame", static_cast<double>(config.max_events_per_frame), Range<double>{1, 0x1p64});
   return fault;
 }

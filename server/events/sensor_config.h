@@ -25,7 +25,9 @@ struct SensorConfig {
   int max_events_per_pixel_frame = 32;  // further events are suppressed and counted
   // Of all pixels together, >= 1. Further events, row by row from the top, are suppressed and counted.
   std::uint64_t max_events_per_frame = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t seed = 0;  // start phase of every pixel; random numbers of the model
+  bool labels = false;           // whether events tell their odds to be an artefact
+  double max_artefact_odds = 1;  // events with higher odds are suppressed and counted
+  std::uint64_t seed = 0;        // start phase of every pixel; random numbers of the model
 };
 
 struct SensorFault {

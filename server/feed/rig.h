@@ -12,8 +12,9 @@ class Rig {
  public:
   // `feeds`: at least one, one for each view, none of which has made a step; all of the same frame rate.
   explicit Rig(std::vector<std::unique_ptr<Feed>> feeds) : feeds_(std::move(feeds)) {}
+  explicit Rig(std::unique_ptr<Feed> feed) { feeds_.push_back(std::move(feed)); }
 
-  // Renders the next frame of each view. A view's interval holds until the second step after this one begins.
+  // Renders the next frame of each view. The intervals hold until the next step.
   const std::vector<FeedInterval>& step(const PoolHandle& pool);
 
   const Feed& first() const { return *feeds_.front(); }

@@ -35,7 +35,7 @@ v1::OpenStream resolved() {
 bool follows(client::SequenceCheck& sequence, const v1::PacketHeader& header, const Events& events) {
   return accepts<client::StreamFault>([&] {
     const auto fresh = sequence.add(header);
-    SACCADE_CHECK(!fresh || fresh->known_events <= events.size());
+    SACCADE_CHECK(!fresh || fresh->known_items <= events.size());
   });
 }
 

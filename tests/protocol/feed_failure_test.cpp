@@ -54,19 +54,20 @@ class FeedFailure : public testing::Test {
     const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
     auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method),
                                        SampleRequest{SeedReuse::kIndependent}, pool_);
-    return std::make_unique<FeedRunner>(std::move(feed), FeedPace{kFrames, 100, 0}, pool_, totals_);
+    return std::make_unique<FeedRunner>(Rig(std::move(feed)), FeedPace{kFrames, 100, 0}, pool_, totals_);
   }
 
   static std::shared_ptr<StreamSink> makeSink(const std::shared_ptr<Session>& session) {
     ResolvedStream stream{.request = {},
                           .feed = {.width = 8, .height = 8, .params = {}},
                           .sensors = {},
+                          .truth = {},
                           .disabled_features = {},
                           .expected = {},
                           .simplification = {}};
     stream.request.set_codec(v1::CODEC_NONE);
-    for (std::uint32_t i = 0; i < session->sensors(); ++i) stream.request.add_sensors();
-    stream.sensors.resize(session->sensors());
+    for (std::uint32_t i = 0; i < session->channels(); ++i) stream.request.add_sensors();
+    stream.sensors.resize(session->channels());
     return std::make_shared<StreamSink>(session, stream, 0);
   }
 

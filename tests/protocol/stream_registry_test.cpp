@@ -113,8 +113,8 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
     std::string none;
     EXPECT_EQ(resolveParams(*findMethod(config.method), {}, config.params, none), "");
     return std::make_shared<FeedRunner>(
-        std::make_unique<Feed>(std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
-                               Trajectory({{TimeNs(0), Pose{}}}), config, pool),
+        Rig(std::make_unique<Feed>(std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
+                                   Trajectory({{TimeNs(0), Pose{}}}), config, pool)),
         FeedPace{5, 100, 2}, pool, totals);
   };
   Stream stream;

@@ -10,6 +10,7 @@ namespace {
 
 v1::PacketHeader headerOf(std::uint32_t count, std::int64_t t0_ns, std::int64_t t1_ns) {
   v1::PacketHeader header;
+  header.set_layout(v1::LAYOUT_COLUMNS);
   header.set_count(count);
   header.set_t0_ns(t0_ns);
   header.set_t1_ns(t1_ns);
@@ -31,6 +32,24 @@ TEST(Columns, DecodeAsSpelledOutByHand) {
   Events out;
   EXPECT_EQ(decodeColumns(headerOf(2, 5'000'000, 1'005'001'000), kBytes, out), "");
   EXPECT_EQ(out, kEvents);
+}
+
+// The same events with labels: noise, and odds of 127/255.
+TEST(Columns, LabelsStandBehindTheColumns) {
+  Events labelled = kEvents;
+  labelled[1].source = v1::EVENT_SOURCE_NOISE;
+  labelled[0].artefact = 127;
+  const std::string bytes = kBytes + std::string("\0\1\x7f\0", 4);
+  EXPECT_EQ(encodeColumns(labelled, 5'000'000, v1::LAYOUT_LABELLED_COLUMNS), bytes);
+  v1::PacketHeader header = headerOf(2, 5'000'000, 1'005'001'000);
+  header.set_layout(v1::LAYOUT_LABELLED_COLUMNS);
+  Events out;
+  EXPECT_EQ(decodeColumns(header, bytes, out), "");
+  EXPECT_EQ(out, labelled);
+  std::string strange = bytes;
+  strange[19] = 9;
+  EXPECT_NE(decodeColumns(header, strange, out), "");
+  EXPECT_NE(decodeColumns(header, kBytes, out), "");
 }
 
 TEST(Columns, EncodeRefusesTimesItCannotExpress) {

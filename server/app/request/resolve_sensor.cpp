@@ -44,6 +44,8 @@ SensorConfig resolveSensor(v1::Sensor& sensor, int index, std::uint64_t stream_s
   config.refractory = TimeNs(std::llround(sensor.refractory_s() * 1e9));
   config.max_events_per_pixel_frame = static_cast<int>(
       std::min<std::uint32_t>(sensor.max_events_per_pixel_frame(), std::numeric_limits<int>::max()));
+  config.labels = sensor.labels();
+  if (sensor.has_max_artefact_odds()) config.max_artefact_odds = sensor.max_artefact_odds();
   config.seed = sensor.seed();
   if (const auto fault = findFault(config)) {
     throw Refusal(v1::CODE_INVALID_ARGUMENT, field + "." + fault->field, fault->message);

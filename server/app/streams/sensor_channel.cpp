@@ -8,7 +8,7 @@ namespace saccade {
 SensorChannel::SensorChannel(const SensorConfig& config, const PacketSource& source, std::uint64_t from_event)
     : Channel(from_event),
       sensor_(config, static_cast<int>(source.width), static_cast<int>(source.height)),
-      cutter_(source) {}
+      cutter_(source, config.labels ? v1::LAYOUT_LABELLED_COLUMNS : v1::LAYOUT_COLUMNS) {}
 
 std::vector<Packet> SensorChannel::makePackets(const FeedInterval& interval) {
   const IntensityChange& change = interval.change;
@@ -16,7 +16,8 @@ std::vector<Packet> SensorChannel::makePackets(const FeedInterval& interval) {
   if (!std::exchange(joined_, true) && change.frame > 1) full.push_back(snapshot(change));
   sensor_.generate(change, output_);
   events_ += output_.events.size();
-  const PacketInterval span{change.t0.count(), change.t1.count(), change.frame - 1, output_.suppressed};
+  const PacketInterval span{change.t0.count(), change.t1.count(), change.frame - 1, output_.suppressed,
+                            output_.artefacts};
   std::ranges::move(cutter_.cut(output_.events, span), std::back_inserter(full));
   return full;
 }

@@ -156,11 +156,10 @@ void StreamMaker::admit(const ResolvedStream& resolved, const CpuCost& frame,
 
 std::shared_ptr<FeedRunner> StreamMaker::makeFeed(const Plan& plan, Trajectory path,
                                                   const Opening& opening) const {
-  std::vector<std::unique_ptr<Feed>> feeds;
-  feeds.push_back(std::make_unique<Feed>(plan.scene, std::move(path), plan.resolved.feed, poolFor(opening)));
+  auto feed = std::make_unique<Feed>(plan.scene, std::move(path), plan.resolved.feed, poolFor(opening));
   const v1::Timing& timing = plan.resolved.request.timing();
   const FeedPace pace{plan.resolved.frames, timing.frame_rate_hz(), timing.speed()};
-  return std::make_shared<FeedRunner>(Rig(std::move(feeds)), pace, resources_.pool, resources_.totals);
+  return std::make_shared<FeedRunner>(Rig(std::move(feed)), pace, resources_.pool, resources_.totals);
 }
 
 // Makes the stream's session and sink. Returns false where the feed has ended.
