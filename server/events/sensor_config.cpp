@@ -11,7 +11,7 @@ namespace {
 // What is wrong with the numbers, or nothing.
 std::optional<SensorFault> findRangeFault(const SensorConfig& config) {
   std::optional<SensorFault> fault;
-  const auto check = [&](const char* field, double value, auto range) {
+  const auto check = [&](const std::string& field, double value, auto range) {
     std::string message = rangeFault(value, range.min, range.max);
     if (!fault && !message.empty()) fault = {field, std::move(message)};
   };
@@ -23,6 +23,12 @@ std::optional<SensorFault> findRangeFault(const SensorConfig& config) {
   check("max_events_per_pixel_frame", config.max_events_per_pixel_frame, ranges::kMaxPixelEvents);
   check("max_artefact_odds", config.max_artefact_odds, ranges::kArtefactOdds);
   check("max_events_per_frame", static_cast<double>(config.max_events_per_frame), Range<double>{1, 0x1p64});
+  for (const NoiseField& field : noiseFields()) {
+    check(std::string("noise.") + field.name, config.noise.*field.value, field.range);
+  }
+  if (!fault && config.noise.follower_hz > 0 && config.noise.photoreceptor_hz == 0) {
+    fault = {"noise.follower_hz", "a follower needs a photoreceptor_hz above 0"};
+  }
   return fault;
 }
 

@@ -1,0 +1,43 @@
+// How much noise a sensor has, in physical units.
+#pragma once
+
+#include <span>
+
+#include "wire/ranges.h"
+
+namespace saccade {
+
+// Field by field as message Noise; ranges in wire/ranges.h. A part is off where its amount is 0.
+struct NoiseConfig {
+  // Parts of the pixel shape the signal.
+  double mismatch = 0;             // standard deviation of C+ and C- over the pixels, fraction of C
+  double photoreceptor_hz = 0;     // bandwidth at the reference luminance
+  double follower_hz = 0;          // bandwidth of the pole behind it
+  double reference_luminance = 1;  // scene luminance
+  // Noise events are beside the signal.
+  double leak_hz = 0;  // per pixel
+  double shot_hz = 0;  // per pixel in the dark
+  double hot_fraction = 0;
+  double hot_hz = 100;  // per hot pixel
+  // The readout takes both.
+  double dead_fraction = 0;
+  double jitter_s = 0;
+  double readout_hz = 0;         // events per second of the whole sensor
+  double readout_buffer = 1024;  // events that can wait for it
+
+  bool operator==(const NoiseConfig&) const = default;
+};
+
+struct NoiseField {
+  const char* name;  // as the schema names it
+  double NoiseConfig::*value;
+  Range<double> range;
+};
+
+// All fields.
+std::span<const NoiseField> noiseFields();
+
+// The noise events of a dark pixel, on average over the pixels: Hz.
+double noiseRate(const NoiseConfig& noise);
+
+}  // namespace saccade
