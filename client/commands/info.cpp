@@ -1,4 +1,4 @@
-// saccade info: prints the version, limits, scene features and methods of a server.
+// saccade info: prints the version, limits, scene features, sensors and methods of a server.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -36,6 +36,9 @@ void printServer(const v1::ServerDescription& server) {
   std::printf("\nfeatures of scenes (record --disable), and what replaces them:\n");
   for (const v1::SceneFeatureInfo& feature : server.scene_features())
     std::printf("  %-20s %s\n", feature.name().c_str(), feature.description().c_str());
+  std::printf("\nsensors of known cameras (record --preset):\n");
+  for (const v1::PresetInfo& preset : server.presets())
+    std::printf("  %-20s %s\n", preset.name().c_str(), preset.description().c_str());
   std::printf("\nlimits (set by saccaded --limit-NAME):\n");
   for (const v1::LimitInfo& limit : server.limits()) {
     std::printf("  %-20s %9.15g %-3s  %s\n", limit.name().c_str(), limit.value(), limit.unit().c_str(),

@@ -50,6 +50,20 @@ v1::Quality makeQuality(const RequestOptions& options) {
   return quality;
 }
 
+void setNoise(const std::vector<std::string>& amounts, v1::Sensor& sensor) {
+  for (const std::string& amount : amounts) {
+    const auto [name, number] = splitAt(amount, '=');
+    const auto value = parseNumber<double>(number);
+    const auto* field = v1::Noise::descriptor()->FindFieldByName(name);
+    if (!value || !field) {
+      throw std::invalid_argument("--noise: '" + amount + "' is not KEY=NUMBER, with KEY one of " +
+                                  fieldNames(*v1::Noise::descriptor()));
+    }
+    v1::Noise& noise = *sensor.mutable_noise();
+    noise.GetReflection()->SetDouble(&noise, field, *value);
+  }
+}
+
 v1::Sensor makeSensor(const RequestOptions& options, std::size_t index) {
   v1::Sensor sensor;
   const auto& off = options.thresholds_off;
@@ -64,6 +78,8 @@ v1::Sensor makeSensor(const RequestOptions& options, std::size_t index) {
   if (!options.reconstruction.empty()) {
     sensor.set_reconstruction(enumValue<v1::Reconstruction>("--reconstruction", options.reconstruction));
   }
+  sensor.set_preset(options.preset);
+  setNoise(options.noise, sensor);
   return sensor;
 }
 

@@ -21,7 +21,8 @@ struct RequestOptions {
   std::optional<std::uint64_t> motion_seed;
   std::vector<double> thresholds, thresholds_off;  // one sensor for each threshold
   std::optional<double> bias, refractory_s, cutoff_hz, fov_x_deg;
-  std::string model, reconstruction;
+  std::string model, reconstruction, preset;
+  std::vector<std::string> noise;  // name=value
   std::string size = "240x180";
   double rate_hz = 1000, duration_s = 0.5;
   std::string delivery = "lossless", clock = "fast";

@@ -1,7 +1,5 @@
 #include "client/commands/request_text.h"
 
-#include <google/protobuf/descriptor.h>
-
 #include <cctype>
 #include <stdexcept>
 #include <vector>
@@ -26,6 +24,12 @@ std::vector<std::string> wordsOf(const google::protobuf::EnumDescriptor& names) 
 std::string enumWords(const google::protobuf::EnumDescriptor& names) {
   std::string text;
   for (const std::string& word : wordsOf(names)) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string fieldNames(const google::protobuf::Descriptor& message) {
+  std::string text;
+  for (int i = 0; i < message.field_count(); ++i) text += (i == 0 ? "" : ", ") + message.field(i)->name();
   return text;
 }
 

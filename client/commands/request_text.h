@@ -1,6 +1,7 @@
 // Reads words and numbers of the command line.
 #pragma once
 
+#include <google/protobuf/descriptor.h>
 #include <google/protobuf/generated_enum_reflection.h>
 
 #include <algorithm>
@@ -21,6 +22,9 @@ std::string enumWords(const google::protobuf::EnumDescriptor& names);
 // the valid words.
 int enumNumber(const google::protobuf::EnumDescriptor& names, const std::string& option,
                const std::string& word);
+
+// The names of the fields of a message, ", " between them.
+std::string fieldNames(const google::protobuf::Descriptor& message);
 
 template <class Enum>
 std::string enumWords() {

@@ -47,6 +47,7 @@ std::vector<Packet> PacketCutter::cut(std::span<const Event> events, const Packe
   if (!open_) t0_ns_ = interval.t0_ns, frame_ = interval.frame;
   suppressed_ += interval.suppressed;
   artefacts_ += interval.artefacts;
+  lost_in_readout_ += interval.lost_in_readout;
   for (std::int64_t t = interval.t0_ns; t < interval.t1_ns;) {
     t = std::min(nextPacketTime(t), interval.t1_ns);
     const auto end =
@@ -88,6 +89,7 @@ Packet PacketCutter::take(std::span<const Event> events, std::int64_t t1_ns) {
   header.set_count(static_cast<std::uint32_t>(events.size()));
   header.set_suppressed(std::exchange(suppressed_, 0));
   header.set_artefacts(std::exchange(artefacts_, 0));
+  header.set_lost_in_readout(std::exchange(lost_in_readout_, 0));
   header_.set_first_event_index(header_.first_event_index() + events.size());
   std::string columns = encodeColumns(events, t0_ns_, header_.layout());
   t0_ns_ = t1_ns;

@@ -22,8 +22,9 @@ struct PacketInterval {
   std::int64_t t0_ns = 0, t1_ns = 0;
   std::uint64_t frame = 0;  // index of the frame at t0_ns
   // Counted in the packet that holds t0_ns:
-  std::uint64_t suppressed = 0;  // events the sensor withheld
-  std::uint64_t artefacts = 0;   // those of them that are likely artefacts
+  std::uint64_t suppressed = 0;       // events the sensor withheld
+  std::uint64_t artefacts = 0;        // those of them that are likely artefacts
+  std::uint64_t lost_in_readout = 0;  // those of them that the readout had no room for
 };
 
 class PacketCutter {
@@ -58,7 +59,7 @@ class PacketCutter {
   Events events_;
   bool open_ = false;  // whether it covers any time yet
   std::int64_t t0_ns_ = 0, t1_ns_ = 0;
-  std::uint64_t frame_ = 0, suppressed_ = 0, artefacts_ = 0;
+  std::uint64_t frame_ = 0, suppressed_ = 0, artefacts_ = 0, lost_in_readout_ = 0;
 };
 
 }  // namespace saccade

@@ -2,7 +2,7 @@
 //
 // Both ends are valid; NaN never is. A limit of the server may be narrower. Fields that are unset, and those
 // whose 0 means "unset", are checked after their default is filled in. The comment names the fields of
-// control.proto; the hygiene test `ranges` compares control.proto and PROTOCOL.md with this table.
+// control.proto and noise.proto; the hygiene test `ranges` compares both and PROTOCOL.md with this table.
 #pragma once
 
 namespace saccade {

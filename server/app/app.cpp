@@ -75,6 +75,7 @@ v1::ServerDescription App::describe(const Config& config) const {
   describeMethods(description);
   describeFeatures(description);
   describeTruth(description);
+  describePresets(description);
   describeLimits(config.limits, description);
   *description.mutable_budgets() = tables_.accuracy.info();
   *description.mutable_simplification() = tables_.simplification.info();

@@ -4,6 +4,7 @@
 #include "app/request/request_bounds.h"
 #include "app/request/request_memory.h"
 #include "app/streams/frame_picture.h"
+#include "events/noise/presets.h"
 
 namespace saccade {
 namespace {
@@ -120,6 +121,14 @@ void describeMethods(v1::ServerDescription& description) {
       param.set_default_value(spec.fallback);
       param.set_description(spec.what);
     }
+  }
+}
+
+void describePresets(v1::ServerDescription& description) {
+  for (const SensorPreset& info : sensorPresets()) {
+    v1::PresetInfo& preset = *description.add_presets();
+    preset.set_name(info.name);
+    preset.set_description(info.description);
   }
 }
 

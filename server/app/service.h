@@ -45,5 +45,6 @@ void describeMethods(v1::ServerDescription& description);
 // Adds all features of a scene that a stream can disable.
 void describeFeatures(v1::ServerDescription& description);
 void describeTruth(v1::ServerDescription& description);
+void describePresets(v1::ServerDescription& description);
 
 }  // namespace saccade

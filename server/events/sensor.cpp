@@ -1,5 +1,7 @@
 #include "events/sensor.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "events/artefact_odds.h"
 #include "events/log_ratio.h"
@@ -11,11 +13,18 @@ Sensor::Sensor(const SensorConfig& config, int width, int height)
     : bias_(static_cast<float>(config.bias)),
       judges_(config.labels || config.max_artefact_odds < 1),
       max_artefact_odds_(config.max_artefact_odds),
-      dL_(width, height) {
+      max_events_(config.max_events_per_frame),
+      dL_(width, height),
+      photoreceptor_(makePhotoreceptor(config.noise, width, height)),
+      noise_sources_(makeNoiseSources(config, width, height)) {
   SACCADE_CHECK(!findFault(config));
   SACCADE_CHECK(width <= UINT16_MAX && height <= UINT16_MAX);
   reconstruction_ = findReconstruction(config.reconstruction)->make(config, width, height);
   model_ = findEventModel(config.model)->make(config, width, height);
+  const NoiseConfig& noise = config.noise;
+  if (noise.dead_fraction > 0) dead_pixels_.emplace(noise.dead_fraction, config.seed, width, height);
+  if (noise.jitter_s > 0) jitter_.emplace(noise.jitter_s, config.seed);
+  if (noise.readout_hz > 0) arbiter_.emplace(noise.readout_hz, noise.readout_buffer);
 }
 
 PixelState Sensor::pixelsAtStart(const ImageF& I_prev) const {
@@ -34,11 +43,13 @@ void Sensor::generate(const IntensityChange& change, SensorOutput& out) {
   const Interval interval{change.t0, change.t1, change.frame};
   logResponse(change, bias_, dL_);
   reconstruction_->reconstruct(change, dL_);
+  if (photoreceptor_) photoreceptor_->filter(change, dL_);
   out.events.clear();
   out.suppressed = model_->generate(dL_, interval, out.events);
   out.artefacts = 0;
   if (judges_) judge(change, out);
-  order_.sort(out.events, interval);
+  if (!noise_sources_.empty()) addNoise(change, out);
+  readOut(interval, out);
   giveBackSlack(out.events);
 }
 
@@ -46,6 +57,20 @@ void Sensor::judge(const IntensityChange& change, SensorOutput& out) {
   labelArtefacts(change, bias_, dL_, out.events);
   out.artefacts = removeArtefacts(max_artefact_odds_, out.events);
   out.suppressed += out.artefacts;
+}
+
+void Sensor::addNoise(const IntensityChange& change, SensorOutput& out) {
+  NoiseSink sink(max_events_ - std::min<std::uint64_t>(max_events_, out.events.size()), out.events);
+  for (const auto& source : noise_sources_) source->generate(change, sink);
+  out.suppressed += sink.withheld();
+}
+
+void Sensor::readOut(const Interval& interval, SensorOutput& out) {
+  if (dead_pixels_) dead_pixels_->remove(out.events);
+  if (jitter_) jitter_->move(out.events, interval);
+  order_.sort(out.events, interval);
+  out.lost_in_readout = arbiter_ ? arbiter_->pass(out.events, interval) : 0;
+  out.suppressed += out.lost_in_readout;
 }
 
 }  // namespace saccade

@@ -1,10 +1,17 @@
-// A sensor turns changes of intensity into events: bias, reconstruction, event model.
+// A sensor turns changes of intensity into events: bias, reconstruction, event model, noise, readout.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "events/event_model.h"
+#include "events/noise/arbiter.h"
+#include "events/noise/dead_pixels.h"
+#include "events/noise/jitter.h"
+#include "events/noise/noise_source.h"
+#include "events/noise/photoreceptor.h"
 #include "events/reconstruction.h"
 #include "events/sensor_config.h"
 #include "events/time_order.h"
@@ -15,9 +22,12 @@
 namespace saccade {
 
 struct SensorOutput {
-  Events events;                 // of [t0, t1), in time order; ties by row, column, polarity
-  std::uint64_t suppressed = 0;  // crossings of this interval withheld by refractory period or a bound
-  std::uint64_t artefacts = 0;   // those withheld by max_artefact_odds
+  // Of [t0, t1), in time order. Ties: those of the signal by row, column, polarity, then those of noise. With
+  // jitter or a readout_hz, ties are in no order.
+  Events events;
+  std::uint64_t suppressed = 0;       // of this interval, withheld by refractory period, bound or readout
+  std::uint64_t artefacts = 0;        // of them, by max_artefact_odds
+  std::uint64_t lost_in_readout = 0;  // of them, by the readout
 };
 
 class Sensor {
@@ -34,14 +44,23 @@ class Sensor {
 
  private:
   void judge(const IntensityChange& change, SensorOutput& out);
+  void addNoise(const IntensityChange& change, SensorOutput& out);
+  void readOut(const Interval& interval, SensorOutput& out);
 
   float bias_;
   bool judges_;  // whether it has to know the odds of artefacts
   double max_artefact_odds_;
+  std::uint64_t max_events_;
   ImageF dL_;  // [E (21)], then as reconstructed
   std::unique_ptr<Reconstruction> reconstruction_;
   std::unique_ptr<EventModel> model_;
   TimeOrder order_;
+  // The parts of noise that are on.
+  std::unique_ptr<Photoreceptor> photoreceptor_;
+  std::vector<std::unique_ptr<NoiseSource>> noise_sources_;
+  std::optional<DeadPixels> dead_pixels_;
+  std::optional<Jitter> jitter_;
+  std::optional<Arbiter> arbiter_;
 };
 
 }  // namespace saccade

@@ -28,8 +28,8 @@ struct SensorConfig {
   std::uint64_t max_events_per_frame = std::numeric_limits<std::uint64_t>::max();
   bool labels = false;           // whether events tell their odds to be an artefact
   double max_artefact_odds = 1;  // events with higher odds are suppressed and counted
-  std::uint64_t seed = 0;  // start phase of every pixel; random numbers of model and noise
-  NoiseConfig noise{};     // off by default
+  std::uint64_t seed = 0;        // start phase of every pixel; random numbers of model and noise
+  NoiseConfig noise{};           // off by default
 };
 
 struct SensorFault {

@@ -9,23 +9,15 @@
 namespace saccade {
 namespace {
 
-// The largest float below `limit` > 0.
-float below(double limit) {
-  const float f = static_cast<float>(limit);
-  return f < limit ? f : std::nextafter(f, 0.f);
-}
-
 std::uint64_t wholeThresholds(double change, double threshold) {
   return static_cast<std::uint64_t>(std::abs(change) / threshold);
 }
 
 }  // namespace
 
-ThresholdPixels::ThresholdPixels(const SensorConfig& config, int width, int height)
-    : on_(config.threshold),
-      off_(config.threshold_off),
-      low_(-below(off_)),
-      high_(below(on_)),
+template <class Thresholds>
+ThresholdPixels<Thresholds>::ThresholdPixels(const SensorConfig& config, int width, int height)
+    : thresholds_(config, width, height),
       refractory_(config.refractory),
       max_events_(config.max_events_per_pixel_frame),
       max_all_(config.max_events_per_frame),
@@ -34,11 +26,14 @@ ThresholdPixels::ThresholdPixels(const SensorConfig& config, int width, int heig
   if (refractory_ > TimeNs(0)) blindness_.resize(static_cast<std::size_t>(width) * height);
 }
 
-float ThresholdPixels::levelAt(double fraction) const {
-  return inside(-off_ + fraction * (on_ + off_));
+template <class Thresholds>
+float ThresholdPixels<Thresholds>::levelAt(int x, int y, double fraction) const {
+  const double on = thresholds_.on(x, y), off = thresholds_.off(x, y);
+  return inside(x, y, -off + fraction * (on + off));
 }
 
-void ThresholdPixels::begin(const Interval& interval) {
+template <class Thresholds>
+void ThresholdPixels<Thresholds>::begin(const Interval& interval) {
   SACCADE_CHECK(interval.t0 < interval.t1);
   interval_ = interval;
   length_ns_ = static_cast<double>((interval.t1 - interval.t0).count());
@@ -48,26 +43,29 @@ void ThresholdPixels::begin(const Interval& interval) {
 
 // Whether a blind pixel wakes in this interval, or woke before while its brightness did not change. `start`:
 // the fraction of the interval at which it wakes.
-bool ThresholdPixels::wakes(Blindness& blindness, double change, double& start) {
+template <class Thresholds>
+bool ThresholdPixels<Thresholds>::wakes(Blindness& blindness, int x, int y, double change, double& start) {
   start = std::max(0.0, static_cast<double>((blindness.until - interval_.t0).count()) / length_ns_);
   if (start >= 1) {
     blindness.change += change;
     return false;
   }
   const double seen = blindness.change + start * change;
-  suppressed_ += wholeThresholds(seen, threshold(seen));
+  suppressed_ += wholeThresholds(seen, threshold(x, y, seen));
   blindness = {};
   return true;
 }
 
-void ThresholdPixels::advanceRow(int y, const float* dL, float* v, Events& events) {
+template <class Thresholds>
+void ThresholdPixels<Thresholds>::advanceRow(int y, const float* dL, float* v, Events& events) {
   constexpr int kLanes = 8;
   using F = Floats<kLanes>;
   for (int x0 = 0; x0 < width_; x0 += kLanes) {
     const F change = load<kLanes>(dL + x0), level = load<kLanes>(v + x0), moved = level + change;
     const auto changes = change != 0.f;
-    // Strictly between the rounded thresholds is between the thresholds, as advance() sees them.
-    const auto quiet = changes && moved > low_ && moved < high_;
+    // Strictly between these bounds is between the thresholds, as advance() sees them.
+    const auto quiet =
+        changes && moved > thresholds_.lowBounds(x0, y) && moved < thresholds_.highBounds(x0, y);
     const std::uint32_t loud = bitsOf(changes) & (blindness_.empty() ? ~bitsOf(quiet) : ~0u);
     if (blindness_.empty()) store(select(quiet, moved, level), v + x0);
     forEachLane(loud, [&](int lane) {
@@ -77,20 +75,21 @@ void ThresholdPixels::advanceRow(int y, const float* dL, float* v, Events& event
   }
 }
 
-float ThresholdPixels::advanceInFull(int x, int y, double v, double change, Events& events) {
+template <class Thresholds>
+float ThresholdPixels<Thresholds>::advanceInFull(int x, int y, double v, double change, Events& events) {
   // A blind pixel takes part from when it wakes.
   double start = 0;
   Blindness* blindness = blindness_.empty() ? nullptr : &blindness_[static_cast<std::size_t>(y) * width_ + x];
   if (blindness && blindness->until != kAwake) {
-    if (!wakes(*blindness, change, start)) return static_cast<float>(v);
+    if (!wakes(*blindness, x, y, change, start)) return static_cast<float>(v);
     v = 0;
   }
 
   // Distances are measured along the direction of the change.
   const double sign = change > 0 ? 1 : -1, speed = std::abs(change);
-  const double C = threshold(change);
+  const double C = threshold(x, y, change);
   const double first = C - sign * v, rest = speed * (1 - start);
-  if (rest < first) return inside(v + sign * rest);
+  if (rest < first) return inside(x, y, v + sign * rest);
 
   // From one event to the next brightness moves by C, and by what passes while the pixel is blind.
   const double unseen = speed * static_cast<double>(refractory_.count()) / length_ns_;
@@ -103,14 +102,16 @@ float ThresholdPixels::advanceInFull(int x, int y, double v, double change, Even
   const double left = std::max(0.0, rest - crossings.distance(count - 1));
   const bool blind = blindness && left < unseen;
   suppressed_ += static_cast<std::uint64_t>(count - blind) * wholeThresholds(unseen, C);
-  if (!blind) return inside(sign * (left - unseen));
+  if (!blind) return inside(x, y, sign * (left - unseen));
   const auto event = TimeNs(std::llround(crossings.fraction(count - 1) * length_ns_));
   *blindness = {interval_.t0 + event + refractory_, sign * left};
   return 0;
 }
 
 // Appends the first crossings of `count` as events like `event`, as far as the bounds allow.
-void ThresholdPixels::send(const Crossings& crossings, std::int64_t count, Event event, Events& events) {
+template <class Thresholds>
+void ThresholdPixels<Thresholds>::send(const Crossings& crossings, std::int64_t count, Event event,
+                                       Events& events) {
   const std::int64_t wanted = std::min(count, max_events_);
   const auto sent = static_cast<std::int64_t>(std::min(static_cast<std::uint64_t>(wanted), room_));
   suppressed_ += static_cast<std::uint64_t>(count - sent);
@@ -122,5 +123,8 @@ void ThresholdPixels::send(const Crossings& crossings, std::int64_t count, Event
     events.push_back(event);
   }
 }
+
+template class ThresholdPixels<EqualThresholds>;
+template class ThresholdPixels<OwnThresholds>;
 
 }  // namespace saccade

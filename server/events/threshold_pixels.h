@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "events/event_model.h"
+#include "events/pixel_thresholds.h"
 
 namespace saccade {
 
@@ -20,12 +21,19 @@ namespace saccade {
 //
 // Events beyond the bound of a pixel, or of all pixels in the order in which they are moved, count as
 // suppressed. The pixel behaves as if they had been sent.
+//
+// `Thresholds` is EqualThresholds or OwnThresholds.
+template <class Thresholds>
 class ThresholdPixels {
  public:
   ThresholdPixels(const SensorConfig& config, int width, int height);
 
-  // The level at a fraction [0, 1) of the way from -C- to C+.
-  float levelAt(double fraction) const;
+  // The level of pixel (x, y) at a fraction [0, 1) of the way from -C- to C+.
+  float levelAt(int x, int y, double fraction) const;
+  // The threshold in the direction of `change`, C+ or C-.
+  double threshold(int x, int y, double change) const {
+    return change > 0 ? thresholds_.on(x, y) : thresholds_.off(x, y);
+  }
 
   void begin(const Interval& interval);
 
@@ -34,8 +42,9 @@ class ThresholdPixels {
   // means nothing.
   float advance(int x, int y, double v, double change, Events& events) {
     const double moved = v + change;
-    const bool quiet = moved > -off_ && moved < on_ && blindness_.empty();  // the most frequent case
-    return quiet ? inside(moved) : advanceInFull(x, y, v, change, events);
+    const bool between = moved > -thresholds_.off(x, y) && moved < thresholds_.on(x, y);
+    const bool quiet = between && blindness_.empty();  // the most frequent case
+    return quiet ? inside(x, y, moved) : advanceInFull(x, y, v, change, events);
   }
 
   // The same for the pixels of row y whose change is not 0, by their levels `v`. Both rows may be read beyond
@@ -62,14 +71,14 @@ class ThresholdPixels {
   };
 
   float advanceInFull(int x, int y, double v, double change, Events& events);
-  bool wakes(Blindness& blindness, double change, double& start);
+  bool wakes(Blindness& blindness, int x, int y, double change, double& start);
   void send(const Crossings& crossings, std::int64_t count, Event event, Events& events);
   // Rounding to float must not put a level on a threshold.
-  float inside(double v) const { return std::clamp(static_cast<float>(v), low_, high_); }
-  double threshold(double change) const { return change > 0 ? on_ : off_; }
+  float inside(int x, int y, double v) const {
+    return std::clamp(static_cast<float>(v), thresholds_.lowest(x, y), thresholds_.highest(x, y));
+  }
 
-  double on_, off_;   // C+, C-
-  float low_, high_;  // the smallest and largest level between the thresholds
+  Thresholds thresholds_;
   TimeNs refractory_;
   std::int64_t max_events_;       // of a pixel
   std::uint64_t max_all_, room_;  // of all pixels; how many more of them this interval

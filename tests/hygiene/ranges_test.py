@@ -43,7 +43,7 @@ class Ranges(unittest.TestCase):
         self.assertEqual(table()["Sensor", "threshold_off"], (1e-3, 10))
 
     def test_the_schema_says_the_same(self):
-        schema = "\n".join(house.text(f"proto/saccade/v1/{name}.proto") for name in ("control", "truth"))
+        schema = "\n".join(house.text(f"proto/saccade/v1/{name}.proto") for name in ("control", "truth", "noise"))
         for (message, field), valid in table().items():
             if (message, field) in {("View", "height"), ("Motion", "turn_s"), ("Timing", "duration_s")}:
                 continue  # said with another field, or in other words

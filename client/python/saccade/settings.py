@@ -41,6 +41,7 @@ class Settings(Needed, total=False):
     threshold, threshold_off: contrast threshold of ON and OFF events, natural log units.
     bias: scene luminance. refractory_s: seconds. cutoff_hz: Hz. seed: of the stream.
     max_events_per_pixel_frame, max_events_per_frame: further events are withheld and counted.
+    preset: the sensor of a known camera, by name. noise: amounts by name, such as {"leak_hz": 0.1}, of all sensors.
 
     Rendering: method, spp, params (by name), bounces, jitter, monochrome, bake_error, disable (scene features), or a
     budget instead: budget_ms, max_false_rate; or max_event_change, a share from 0 to 1.
@@ -66,6 +67,8 @@ class Settings(Needed, total=False):
     reconstruction: Literal["direct", "complementary", "kalman"]
     max_events_per_pixel_frame: int
     max_events_per_frame: int
+    preset: str
+    noise: Mapping[str, float]
     method: str
     spp: int
     params: Mapping[str, float]

@@ -1,6 +1,7 @@
 #include "app/admission/stream_cost.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/admission/limits.h"
 #include "frame/image.h"
@@ -15,22 +16,36 @@ void checkMost(Limit limit, const std::string& field, double value, const Limits
   throw LimitReached(limit, field, amountText(limit, value) + " exceed " + amountText(limit, limits[limit]));
 }
 
+// The noise of a frame fits into the bound of its events, so that its time is bounded too.
+void checkNoise(const ResolvedStream& stream, std::size_t i) {
+  const SensorConfig& sensor = stream.sensors[i];
+  const double pixels = static_cast<double>(stream.feed.width) * stream.feed.height;
+  const double events = noiseRate(sensor.noise) * pixels / stream.feed.frame_rate_hz;
+  if (events <= static_cast<double>(sensor.max_events_per_frame)) return;
+  throw LimitReached(Limit::kEvents, "sensors[" + std::to_string(i) + "].noise",
+                     std::to_string(std::llround(events)) + " noise events of a frame exceed " +
+                         std::to_string(sensor.max_events_per_frame));
+}
+
 }  // namespace
 
 // Measured on streams of 1 and 17 sensors. A sensor with all options takes three times as much as the
 // plainest.
 double streamMemory(const ResolvedStream& stream) {
-  constexpr double kFeedBytes = 260, kSensorBytes = 24;  // per pixel
-  constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
-  constexpr double kTruthBytes = 48;                     // per pixel: a picture, and its copy for the packet
-  constexpr double kPacketBytes = 640;                   // per packet, without its events
+  constexpr double kFeedBytes = 260, kSensorBytes = 24, kNoiseBytes = 28;  // per pixel
+  constexpr double kEventBytes = 57;    // per event of a frame, until it is in a packet
+  constexpr double kTruthBytes = 48;    // per pixel: a picture, and its copy for the packet
+  constexpr double kPacketBytes = 640;  // per packet, without its events
   const FeedConfig& feed = stream.feed;
   const double view = static_cast<double>(feed.width) * feed.height;
   const double pixels = (feed.width + 2.0 * ImageF::kBorder) * (feed.height + 2.0 * ImageF::kBorder);
   const double packets = 1 + 1e9 / kPacketTimeNs / feed.frame_rate_hz;
   double bytes = pixels * kFeedBytes + findMethod(feed.method)->memory(feed.params, view, feed.jitter);
   for (const SensorConfig& sensor : stream.sensors) {
-    const double events = view * sensor.max_events_per_pixel_frame;
+    const double noise = noiseRate(sensor.noise) / feed.frame_rate_hz;
+    const double events = view * (sensor.max_events_per_pixel_frame + noise);
+    if (sensor.noise != NoiseConfig{})
+      bytes += pixels * kNoiseBytes + kEventBytes * sensor.noise.readout_buffer;
     bytes += pixels * kSensorBytes + packets * kPacketBytes +
              kEventBytes * std::min(events, static_cast<double>(sensor.max_events_per_frame));
   }
@@ -50,6 +65,7 @@ void boundEvents(ResolvedStream& stream, const Limits& limits) {
                              " for each of the sensors");
     }
     stream.sensors[i].max_events_per_frame = sensor.max_events_per_frame();
+    checkNoise(stream, i);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/request/measured_source.h"
+#include "events/noise/presets.h"
 #include "events/sensor_config.h"
 #include "feed/feed.h"
 #include "saccade/v1/control.pb.h"
@@ -59,6 +60,10 @@ Trajectory resolveKeyframes(const v1::Keyframes& keyframes);
 // The camera's path, once the field of view is known. Throws Refusal, with the line of a faulty text.
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
                              const SceneLibrary& library);
+
+// Fills in the noise of a sensor, and with a preset the values of that camera. `field`: the path of the
+// sensor. Throws Refusal.
+NoiseConfig resolveNoise(v1::Sensor& sensor, const std::string& field);
 
 // Checks sensor `index` and fills in its defaults. Throws Refusal.
 SensorConfig resolveSensor(v1::Sensor& sensor, int index, std::uint64_t stream_seed);

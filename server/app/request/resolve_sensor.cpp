@@ -32,9 +32,11 @@ void fillDefaults(v1::Sensor& sensor, const std::string& field, std::uint64_t se
 
 SensorConfig resolveSensor(v1::Sensor& sensor, int index, std::uint64_t stream_seed) {
   const std::string field = "sensors[" + std::to_string(index) + "]";
+  const NoiseConfig noise = resolveNoise(sensor, field);
   fillDefaults(sensor, field, hashKey(stream_seed, static_cast<std::uint64_t>(index)));
   checkRange(field + ".refractory_s", sensor.refractory_s(), ranges::kRefractory);  // so that it fits TimeNs
   SensorConfig config;
+  config.noise = noise;
   config.threshold = sensor.threshold();
   config.threshold_off = sensor.threshold_off();
   config.bias = sensor.bias();

@@ -16,8 +16,8 @@ std::vector<Packet> SensorChannel::makePackets(const FeedInterval& interval) {
   if (!std::exchange(joined_, true) && change.frame > 1) full.push_back(snapshot(change));
   sensor_.generate(change, output_);
   events_ += output_.events.size();
-  const PacketInterval span{change.t0.count(), change.t1.count(), change.frame - 1, output_.suppressed,
-                            output_.artefacts};
+  const PacketInterval span{change.t0.count(),  change.t1.count(), change.frame - 1,
+                            output_.suppressed, output_.artefacts, output_.lost_in_readout};
   std::ranges::move(cutter_.cut(output_.events, span), std::back_inserter(full));
   return full;
 }

@@ -7,6 +7,7 @@
 namespace saccade {
 namespace {
 
+template <class Thresholds>
 class Accumulating final : public EventModel {
  public:
   Accumulating(const SensorConfig& config, int width, int height)
@@ -15,7 +16,7 @@ class Accumulating final : public EventModel {
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         const std::uint64_t pixel = static_cast<std::uint64_t>(y) * width + x;
-        v_.at(x, y) = pixels_.levelAt(toUnit(hashKey(config.seed, pixel)));
+        v_.at(x, y) = pixels_.levelAt(x, y, toUnit(hashKey(config.seed, pixel)));
       }
     }
   }
@@ -32,14 +33,17 @@ class Accumulating final : public EventModel {
   float level(int x, int y) const override { return v_.at(x, y); }
 
  private:
-  ThresholdPixels pixels_;
+  ThresholdPixels<Thresholds> pixels_;
   ImageF v_;
 };
 
 }  // namespace
 
 std::unique_ptr<EventModel> makeAccumulating(const SensorConfig& config, int width, int height) {
-  return std::make_unique<Accumulating>(config, width, height);
+  if (config.noise.mismatch > 0) {
+    return std::make_unique<Accumulating<OwnThresholds>>(config, width, height);
+  }
+  return std::make_unique<Accumulating<EqualThresholds>>(config, width, height);
 }
 
 }  // namespace saccade

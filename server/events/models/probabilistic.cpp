@@ -29,19 +29,20 @@ void forEachChange(const ImageF& dL, F&& f) {
   }
 }
 
+template <class Thresholds>
 class Probabilistic final : public EventModel {
  public:
   Probabilistic(const SensorConfig& config, int width, int height)
-      : config_(config), width_(width), pixels_(config, width, height) {}
+      : seed_(config.seed), width_(width), pixels_(config, width, height) {}
 
   std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) override {
     pixels_.begin(interval);
-    const std::uint64_t key = hashKey(config_.seed, interval.frame);
+    const std::uint64_t key = hashKey(seed_, interval.frame);
     forEachChange(dL, [&](int x, int y, float change) {
       const std::uint64_t pixel = static_cast<std::uint64_t>(y) * width_ + x;
       // 53 bits: with the steps of a float E[K] of a small change would be wrong.
       const double u = static_cast<double>(hashKey(key, pixel) >> 11) * 0x1p-53;
-      const double phase = change > 0 ? u * config_.threshold : -u * config_.threshold_off;
+      const double C = pixels_.threshold(x, y, change), phase = change > 0 ? u * C : -u * C;
       pixels_.advance(x, y, phase, change, events);
     });
     return pixels_.suppressed();
@@ -50,15 +51,18 @@ class Probabilistic final : public EventModel {
   float level(int, int) const override { return 0; }
 
  private:
-  SensorConfig config_;
+  std::uint64_t seed_;
   int width_;
-  ThresholdPixels pixels_;
+  ThresholdPixels<Thresholds> pixels_;
 };
 
 }  // namespace
 
 std::unique_ptr<EventModel> makeProbabilistic(const SensorConfig& config, int width, int height) {
-  return std::make_unique<Probabilistic>(config, width, height);
+  if (config.noise.mismatch > 0) {
+    return std::make_unique<Probabilistic<OwnThresholds>>(config, width, height);
+  }
+  return std::make_unique<Probabilistic<EqualThresholds>>(config, width, height);
 }
 
 }  // namespace saccade

@@ -10,10 +10,10 @@ from google.protobuf.internal.enum_type_wrapper import EnumTypeWrapper
 from saccade.protocol.trajectory import make_trajectory
 from saccade.settings import Settings
 from saccade.v1 import control_pb2 as c
-from saccade.v1 import events_pb2
+from saccade.v1 import events_pb2, noise_pb2
 
 PER_SENSOR = ("threshold", "threshold_off", "bias", "refractory_s", "cutoff_hz")
-OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame")
+OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset")
 OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
 
 
@@ -71,7 +71,17 @@ def _sensors(settings: Mapping[str, Any]) -> list[c.Sensor]:
         if len(values) != count:
             raise ValueError(f"{name} has {len(values)} values for {count} sensors")
     common = _some(settings, *OF_ALL_SENSORS)
+    if "noise" in settings:
+        common["noise"] = _noise(settings["noise"])
     common["model"] = _value(c.EventModel, settings, "model")
     common["reconstruction"] = _value(c.Reconstruction, settings, "reconstruction")
     return [c.Sensor(**common, **{name: lists[name][i] if name in lists else value for name, value in columns.items()})
             for i in range(count)]
+
+
+def _noise(amounts: Mapping[str, float]) -> noise_pb2.Noise:
+    known = noise_pb2.Noise.DESCRIPTOR.fields_by_name
+    for name in amounts:
+        if name not in known:
+            raise ValueError(f"noise: '{name}' is not one of {', '.join(known)}")
+    return noise_pb2.Noise(**amounts)

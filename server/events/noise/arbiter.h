@@ -1,0 +1,29 @@
+// The arbiter: the readout that all pixels share.
+#pragma once
+
+#include <cstdint>
+
+#include "events/event_model.h"
+#include "wire/event.h"
+
+namespace saccade {
+
+// A queue, first in, first out. The arbiter takes an event when it is free, is then busy for 1 / readout_hz,
+// and stamps the event with the time at which it took it. An event that would wait for more than `buffer`
+// others is lost. So events below the throughput keep their times. Those that are taken at t1 or later wait
+// for the next interval; at the end of the stream they are not sent.
+class Arbiter {
+ public:
+  // readout_hz > 0; less than 1e-4 counts as that. buffer >= 0.
+  Arbiter(double readout_hz, double buffer);
+
+  // Replaces the events of an interval, in time order, by those taken in it. Returns how many were lost.
+  std::uint64_t pass(Events& events, const Interval& interval);
+
+ private:
+  double service_ns_, longest_wait_ns_;
+  double free_ns_ = 0;  // when it is free again, since the start of the interval
+  Events waiting_;      // taken later; at most buffer + 1 between intervals
+};
+
+}  // namespace saccade

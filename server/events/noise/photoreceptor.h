@@ -1,0 +1,33 @@
+// The bandwidth of the photoreceptor: an intensity-dependent low pass of log brightness.
+#pragma once
+
+#include <memory>
+
+#include "events/noise/noise_config.h"
+#include "frame/intensity_change.h"
+
+namespace saccade {
+
+// One pole, or two in a row. Log brightness L is linear inside each interval; the poles see exactly that
+// ramp.
+//
+//   f(I) = photoreceptor_hz (min(I, R) + R / 10) / (R + R / 10), R the reference luminance  [v2e: (I + 20) /
+//   275] a = 2 pi f dt, q = exp(-a), phi(a, b) = (exp(-a) - exp(-b)) / (b - a) e' = q1 e + phi(0, a1) dL lag
+//   of the photoreceptor: L minus its output g' = q2 g + phi(0, a2) dL + phi(a1, a2) (a1 e - dL)          lag
+//   of the follower, whose a2 is the same everywhere dL becomes dL - (e' - e) - (g' - g) [ours: the exact
+//   response to a ramp]
+//
+// I is the intensity at the end of the interval. Both lags are 0 at first: the pixels have seen the first
+// frame for long. Lags below 1e-7 become 0, so that a scene at rest comes to rest.
+class Photoreceptor {
+ public:
+  virtual ~Photoreceptor() = default;
+  // Replaces `dL` by the change of the output over the interval. Does not touch the border, and does not
+  // allocate.
+  virtual void filter(const IntensityChange& change, ImageF& dL) = 0;
+};
+
+// Nothing where photoreceptor_hz is 0.
+std::unique_ptr<Photoreceptor> makePhotoreceptor(const NoiseConfig& noise, int width, int height);
+
+}  // namespace saccade
