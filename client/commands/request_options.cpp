@@ -50,10 +50,11 @@ void addSensorOptions(CLI::App& command, RequestOptions& o) {
                          "; direct sums the changes and drifts, the others also use the picture");
   command.add_option("--preset", o.preset, "sensor of a known camera, see `saccade info`");
   command
-      .add_option("--noise", o.noise,
-                  "KEY=NUMBER, an amount of the sensor's noise, such as leak_hz=0.1; may be given again. KEY is one "
-                  "of " +
-                      fieldNames(*v1::Noise::descriptor()))
+      .add_option(
+          "--noise", o.noise,
+          "KEY=NUMBER, an amount of the sensor's noise, such as leak_hz=0.1; may be given again. KEY is one "
+          "of " +
+              fieldNames(*v1::Noise::descriptor()))
       ->allow_extra_args(false);
   command.add_option("--cutoff", o.cutoff_hz,
                      "Hz below which --reconstruction complementary follows the picture");

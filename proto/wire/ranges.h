@@ -37,14 +37,14 @@ inline constexpr Range<double> kArtefactOdds{0, 1};       // Sensor.max_artefact
 inline constexpr Range<int> kTruth{0, 32};                // OpenStream.truth: how many
 inline constexpr Range<int> kTruthTimes{0, 100000};       // Truth.times_s: how many
 
-inline constexpr Range<double> kMismatch{0, 0.5};         // Noise.mismatch: fraction of C
-inline constexpr Range<double> kBandwidth{0, 1e6};        // Noise.photoreceptor_hz, Noise.follower_hz: Hz
-inline constexpr Range<double> kReference{1e-6, 1e6};     // Noise.reference_luminance: scene luminance
-inline constexpr Range<double> kNoiseRate{0, 1000};       // Noise.leak_hz, Noise.shot_hz: Hz per pixel
-inline constexpr Range<double> kHotRate{0, 10000};        // Noise.hot_hz: Hz per hot pixel
-inline constexpr Range<double> kPixelShare{0, 1};         // Noise.hot_fraction, Noise.dead_fraction: of the pixels
-inline constexpr Range<double> kJitter{0, 1};             // Noise.jitter_s: seconds
-inline constexpr Range<double> kReadout{0, 1e10};         // Noise.readout_hz: events per second
+inline constexpr Range<double> kMismatch{0, 0.5};      // Noise.mismatch: fraction of C
+inline constexpr Range<double> kBandwidth{0, 1e6};     // Noise.photoreceptor_hz, Noise.follower_hz: Hz
+inline constexpr Range<double> kReference{1e-6, 1e6};  // Noise.reference_luminance: scene luminance
+inline constexpr Range<double> kNoiseRate{0, 1000};    // Noise.leak_hz, Noise.shot_hz: Hz per pixel
+inline constexpr Range<double> kHotRate{0, 10000};     // Noise.hot_hz: Hz per hot pixel
+inline constexpr Range<double> kPixelShare{0, 1};  // Noise.hot_fraction, Noise.dead_fraction: of the pixels
+inline constexpr Range<double> kJitter{0, 1};      // Noise.jitter_s: seconds
+inline constexpr Range<double> kReadout{0, 1e10};  // Noise.readout_hz: events per second
 inline constexpr Range<double> kReadoutBuffer{0, 65536};  // Noise.readout_buffer: events
 
 inline constexpr int kMaxViewPixels = 4 << 20;  // width times height

@@ -66,5 +66,62 @@ TEST(ResolveSensor, FillsInWhatIsUnset) {
   EXPECT_NE(sensor.seed(), other.seed());
 }
 
+TEST(ResolveSensor, WithoutNoiseTheRequestGetsNone) {
+  v1::Sensor sensor;
+  EXPECT_EQ(resolveSensor(sensor, 0, 1).noise, NoiseConfig{});
+  EXPECT_FALSE(sensor.has_noise());
+}
+
+TEST(ResolveSensor, EveryFieldOfNoiseIsReadAndChecked) {
+  for (const NoiseField& row : noiseFields()) {
+    const auto* field = v1::Noise::descriptor()->FindFieldByName(row.name);
+    ASSERT_TRUE(field) << row.name;
+    for (const double value : {row.range.max, row.range.max * 1.1, std::nan("")}) {
+      v1::Sensor sensor;
+      sensor.mutable_noise()->set_photoreceptor_hz(1);
+      sensor.mutable_noise()->GetReflection()->SetDouble(sensor.mutable_noise(), field, value);
+      const std::string fault = faultOf(sensor);
+      if (value == row.range.max) {
+        EXPECT_EQ(fault, "");
+        EXPECT_EQ(resolveSensor(sensor, 0, 1).noise.*row.value, value);
+      } else {
+        EXPECT_EQ(fault.find("sensors[3].noise." + std::string(row.name) + ": "), 0) << fault;
+      }
+    }
+  }
+  EXPECT_EQ(v1::Noise::descriptor()->field_count(), static_cast<int>(noiseFields().size()));
+}
+
+TEST(ResolveSensor, APresetFillsInWhatIsUnset) {
+  const SensorPreset& preset = *findPreset("davis346");
+  v1::Sensor sensor;
+  sensor.set_preset(preset.name);
+  sensor.mutable_noise()->set_leak_hz(0);
+  const SensorConfig config = resolveSensor(sensor, 0, 1);
+  EXPECT_EQ(config.threshold, preset.threshold);
+  EXPECT_EQ(config.threshold_off, preset.threshold_off);
+  EXPECT_EQ(seconds(config.refractory), preset.refractory_s);
+  EXPECT_EQ(config.noise.leak_hz, 0);
+  EXPECT_EQ(config.noise.shot_hz, preset.noise.shot_hz);
+  // What is resolved says it all, and resolves to itself.
+  EXPECT_EQ(sensor.noise().mismatch(), preset.noise.mismatch);
+  v1::Sensor again = sensor;
+  resolveSensor(again, 0, 1);
+  EXPECT_EQ(again.SerializeAsString(), sensor.SerializeAsString());
+
+  v1::Sensor own;
+  own.set_preset(preset.name);
+  own.set_threshold(0.5);
+  EXPECT_EQ(resolveSensor(own, 0, 1).threshold_off, 0.5);
+}
+
+TEST(ResolveSensor, AnUnknownPresetIsRefusedWithTheNamesOfAll) {
+  v1::Sensor sensor;
+  sensor.set_preset("davis");
+  const std::string fault = faultOf(sensor);
+  EXPECT_EQ(fault.find("sensors[3].preset: "), 0) << fault;
+  EXPECT_NE(fault.find("dvxplorer, imx636"), std::string::npos) << fault;
+}
+
 }  // namespace
 }  // namespace saccade

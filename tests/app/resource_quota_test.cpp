@@ -128,5 +128,20 @@ TEST(Limits, SensorsShareTheEventsOfAStream) {
   EXPECT_EQ(refused.field, "sensors[2].max_events_per_frame");
 }
 
+TEST(Limits, TheNoiseOfAFrameFitsIntoItsEvents) {
+  Limits limits;
+  limits[Limit::kEvents] = 1000;
+  ResolvedStream stream;
+  stream.request.add_sensors();
+  stream.sensors.emplace_back().noise.leak_hz = 5;
+  stream.feed.width = stream.feed.height = 100;
+  stream.feed.frame_rate_hz = 50;
+  boundEvents(stream, limits);
+  stream.feed.frame_rate_hz = 49;
+  const Refusal refused = refusalOf([&] { boundEvents(stream, limits); });
+  EXPECT_EQ(refused.limit, "events");
+  EXPECT_EQ(refused.field, "sensors[0].noise");
+}
+
 }  // namespace
 }  // namespace saccade

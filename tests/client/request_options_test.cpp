@@ -49,6 +49,21 @@ TEST(RequestOptions, AbsentOptionsAreLeftToTheServer) {
   EXPECT_FALSE(open.quality().has_bounces() || open.view().has_fov_x_deg());
 }
 
+TEST(RequestOptions, NoiseAndPresetAreThoseOfAllSensors) {
+  const auto open =
+      openStream("--threshold 0.2,0.4 --preset davis346 --noise leak_hz=0.5 --noise jitter_s=1e-5");
+  for (const v1::Sensor& sensor : open.sensors()) {
+    EXPECT_EQ(sensor.preset(), "davis346");
+    EXPECT_EQ(sensor.noise().leak_hz(), 0.5);
+    EXPECT_EQ(sensor.noise().jitter_s(), 1e-5);
+    EXPECT_FALSE(sensor.noise().has_shot_hz());
+  }
+  EXPECT_FALSE(openStream("").sensors(0).has_noise());
+  for (const char* wrong : {"leak=1", "leak_hz", "leak_hz=much", "=1"}) {
+    EXPECT_NE(faultOf(std::string("--noise ") + wrong).find("mismatch, photoreceptor_hz"), std::string::npos);
+  }
+}
+
 TEST(RequestOptions, EachThresholdIsASensor) {
   const auto open = openStream(
       "--threshold 0.2 --threshold 0.4 --threshold-off 0.3 --bias 0.01 --model probabilistic "

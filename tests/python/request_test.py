@@ -8,7 +8,7 @@ import numpy as np
 from saccade.protocol.request import make_request
 from saccade.protocol.sockets import reachable_endpoint, read_keys
 from saccade.v1 import control_pb2 as c
-from saccade.v1 import events_pb2
+from saccade.v1 import events_pb2, noise_pb2
 
 NEEDED = {"scene": "room", "size": (6, 4), "rate_hz": 100, "motion": "right"}
 
@@ -25,12 +25,14 @@ class Request(unittest.TestCase):
                              "speed": 0.5, "fov_x_deg": 40, "clock": "paced", "delivery": "live", "codec": "zstd",
                              "seed": 5, "threshold": [0.1, 0.2], "threshold_off": 0.3, "bias": 1e-4,
                              "refractory_s": 1e-3, "cutoff_hz": 2, "model": "probabilistic", "reconstruction": "direct",
-                             "max_events_per_pixel_frame": 4, "max_events_per_frame": 7, "method": "svgf", "spp": 4,
+                             "max_events_per_pixel_frame": 4, "max_events_per_frame": 7, "preset": "davis346",
+                             "noise": {"leak_hz": 0.5}, "method": "svgf", "spp": 4,
                              "params": {"alpha": 0.5}, "bounces": 1, "jitter": True, "monochrome": True,
                              "bake_error": 0.1, "disable": ["masks"], "budget_ms": 5, "max_false_rate": 0.25,
                              "max_event_change": 0.5})
         sensor = dict(threshold_off=0.3, bias=1e-4, refractory_s=1e-3, cutoff_hz=2, model=c.EVENT_MODEL_PROBABILISTIC,
-                      reconstruction=c.RECONSTRUCTION_DIRECT, max_events_per_pixel_frame=4, max_events_per_frame=7)
+                      reconstruction=c.RECONSTRUCTION_DIRECT, max_events_per_pixel_frame=4, max_events_per_frame=7,
+                      preset="davis346", noise=noise_pb2.Noise(leak_hz=0.5))
         self.assertEqual(made, c.OpenStream(
             scene="room", view=c.View(width=6, height=4, fov_x_deg=40),
             trajectory=c.Trajectory(motion=c.Motion(kind=c.MOTION_KIND_SHAKE, px_per_frame=-3, turn_s=0, seed=9)),
@@ -60,6 +62,7 @@ class Request(unittest.TestCase):
         faults = [(TypeError, "did you mean 'rate_hz'", {"rate": 5}), (TypeError, "either", {"trajectory": "a"}),
                   (TypeError, "turn_s goes with", {"turn_s": 1}), (ValueError, "pan, tilt", {"motion": "jump:5"}),
                   (ValueError, "KIND:SPEED", {"motion": "pan:fast"}),
+                  (ValueError, "mismatch, photoreceptor_hz", {"noise": {"leak": 1}}),
                   (ValueError, "lossless, live", {"delivery": "slow"}),
                   (ValueError, "2 values for 3", {"threshold": [1, 2], "bias": [1, 2, 3]})]
         for kind, text, wrong in faults:

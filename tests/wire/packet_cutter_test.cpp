@@ -108,12 +108,13 @@ TEST(PacketCutter, ShortFramesShareAPacket) {
   append(first, 1'000'000, 4);
   append(last, 4'999'000, 2);
   EXPECT_TRUE(cutter.cut(first, {0, 2'000'000, 0, 1}).empty());
-  EXPECT_TRUE(cutter.cut({}, {2'000'000, 4'000'000, 1, 2}).empty());
-  const auto packets = cutter.cut(last, {4'000'000, 6'000'000, 2, 4});
+  EXPECT_TRUE(cutter.cut({}, {2'000'000, 4'000'000, 1, 2, 0, 1}).empty());
+  const auto packets = cutter.cut(last, {4'000'000, 6'000'000, 2, 4, 0, 3});
   ASSERT_EQ(spansOf(packets), (std::vector<Span>{{0, 5'000'000}}));
   EXPECT_EQ(packets[0].header.count(), 6u);
   EXPECT_EQ(packets[0].header.frame(), 0u);
   EXPECT_EQ(packets[0].header.suppressed(), 7u);  // of all frames that begin in it
+  EXPECT_EQ(packets[0].header.lost_in_readout(), 4u);
   const auto next = cutter.cut({}, {6'000'000, 12'000'000, 3, 0});
   ASSERT_EQ(spansOf(next), (std::vector<Span>{{5'000'000, 10'000'000}}));
   EXPECT_EQ(next[0].header.frame(), 2u);  // which holds 5 ms

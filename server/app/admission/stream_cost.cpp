@@ -21,7 +21,7 @@ void checkNoise(const ResolvedStream& stream, std::size_t i) {
   const SensorConfig& sensor = stream.sensors[i];
   const double pixels = static_cast<double>(stream.feed.width) * stream.feed.height;
   const double events = noiseRate(sensor.noise) * pixels / stream.feed.frame_rate_hz;
-  if (events <= static_cast<double>(sensor.max_events_per_frame)) return;
+  if (!(events > static_cast<double>(sensor.max_events_per_frame))) return;
   throw LimitReached(Limit::kEvents, "sensors[" + std::to_string(i) + "].noise",
                      std::to_string(std::llround(events)) + " noise events of a frame exceed " +
                          std::to_string(sensor.max_events_per_frame));
