@@ -42,7 +42,8 @@ std::vector<Part> parts() {
 
 // A tenth of the pixels change, by up to 0.4.
 std::vector<IntensityChange> changes() {
-  std::vector<IntensityChange> list(4, IntensityChange(kWidth, kHeight));
+  std::vector<IntensityChange> list;
+  for (int i = 0; i < 4; ++i) list.emplace_back(kWidth, kHeight);
   std::mt19937 random(1);
   std::uniform_real_distribution<float> uniform(-0.4f, 0.4f);
   for (IntensityChange& change : list) {

@@ -25,11 +25,12 @@ class NoiseSink {
                        .x = static_cast<std::uint16_t>(pixel % width),
                        .y = static_cast<std::uint16_t>(pixel / width),
                        .p = p,
-                       .source = 1});
+                       .source = kNoise});
   }
   std::uint64_t withheld() const { return withheld_; }
 
  private:
+  static constexpr std::uint8_t kNoise = 1;  // v1::EVENT_SOURCE_NOISE
   std::uint64_t room_, withheld_ = 0;
   Events& events_;
 };
