@@ -111,4 +111,12 @@ Pose interpolate(const Pose& a, const Pose& b, double s) {
   return p;
 }
 
+// The screw is constant in the axes of the camera.
+Velocity interpolationVelocity(const Pose& a, const Pose& b, double s, double span_s) {
+  if (a == b) return {};
+  const Pose step = inverse(a) * b;
+  const Vec3d w = rotationVector(step.rotation), v = velocityTo(w, step.position);
+  return {rotate(a.rotation * axisAngle(w * s), v) / span_s, w / span_s};
+}
+
 }  // namespace saccade

@@ -17,6 +17,12 @@ struct Pose {
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
+// Per second: linear in world axes, scene units; angular in the camera's own axes, radians.
+struct Velocity {
+  Vec3d linear, angular;
+  friend bool operator==(const Velocity&, const Velocity&) = default;
+};
+
 Quaternion operator*(Quaternion a, Quaternion b);
 Quaternion normalize(Quaternion q);
 Quaternion conjugate(Quaternion q);
@@ -37,5 +43,7 @@ Quaternion fromAxes(Vec3d x, Vec3d y, Vec3d z);
 // Interpolation along the screw motion of SE(3) from a (s = 0) to b (s = 1): a * exp(s * log(a^-1 b)).
 // Returns the bits of `a` when a == b or s == 0, those of `b` when s == 1.
 Pose interpolate(const Pose& a, const Pose& b, double s);
+// Of a camera that goes along this motion in `span_s` seconds; exactly 0 when a == b.
+Velocity interpolationVelocity(const Pose& a, const Pose& b, double s, double span_s);
 
 }  // namespace saccade

@@ -15,5 +15,7 @@ namespace saccade {
 // stands stands exactly.
 // Position: cubic Hermite. Rotation: its like on SO(3), the cumulative Bezier curve of [Kim, Kim, Shin 1995].
 Pose interpolateCubic(std::span<const TimedPose> keys, std::size_t i, double s);
+// Its derivative by time.
+Velocity cubicVelocity(std::span<const TimedPose> keys, std::size_t i, double s);
 
 }  // namespace saccade

@@ -23,18 +23,33 @@ Trajectory Trajectory::periodic(std::vector<TimedPose> keys) {
 }
 
 Pose Trajectory::at(TimeNs t) const {
+  const auto [next, s, span_s, stands] = find(t);
+  if (stands) return keys_[next == 0 ? 0 : next - 1].pose;
+  if (interpolation_ == Interpolation::kLinear) return interpolate(keys_[next - 1].pose, keys_[next].pose, s);
+  return interpolateCubic(keys_, next, s);
+}
+
+Velocity Trajectory::velocityAt(TimeNs t) const {
+  const auto [next, s, span_s, stands] = find(t);
+  if (stands) return {};
+  if (interpolation_ == Interpolation::kCubic) return cubicVelocity(keys_, next, s);
+  return interpolationVelocity(keys_[next - 1].pose, keys_[next].pose, s, span_s);
+}
+
+Trajectory::Place Trajectory::find(TimeNs t) const {
   if (periodic_) {
     const TimeNs period = keys_.back().time;
     t = (t % period + period) % period;
   }
   const auto after = std::upper_bound(keys_.begin(), keys_.end(), t,
                                       [](TimeNs time, const TimedPose& key) { return time < key.time; });
-  if (after == keys_.begin()) return keys_.front().pose;
-  const TimedPose& a = *std::prev(after);
-  if (after == keys_.end()) return a.pose;
-  const double s = seconds(t - a.time) / seconds(after->time - a.time);
-  if (interpolation_ == Interpolation::kLinear) return interpolate(a.pose, after->pose, s);
-  return interpolateCubic(keys_, static_cast<std::size_t>(after - keys_.begin()), s);
+  Place place{static_cast<std::size_t>(after - keys_.begin())};
+  if (after == keys_.begin() || after == keys_.end()) return place;
+  const TimedPose& before = *std::prev(after);
+  place.stands = false;
+  place.span_s = seconds(after->time - before.time);
+  place.s = seconds(t - before.time) / place.span_s;
+  return place;
 }
 
 }  // namespace saccade

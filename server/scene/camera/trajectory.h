@@ -31,9 +31,19 @@ class Trajectory {
   static Trajectory periodic(std::vector<TimedPose> keys);
 
   Pose at(TimeNs t) const;
+  // The derivative of at(), in closed form. Where it jumps, it is that just after t.
+  Velocity velocityAt(TimeNs t) const;
   TimeNs lastTime() const { return keys_.back().time; }  // for a periodic path: the period
 
  private:
+  // Between keys[next - 1] and keys[next], of which one may be missing.
+  struct Place {
+    std::size_t next;
+    double s = 0, span_s = 0;
+    bool stands = true;  // before the first key or after the last
+  };
+  Place find(TimeNs t) const;
+
   std::vector<TimedPose> keys_;
   Interpolation interpolation_;
   bool periodic_ = false;
