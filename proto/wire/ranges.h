@@ -29,13 +29,16 @@ inline constexpr Range<double> kMaxEventChange{1e-6, 1};  // Quality.max_event_c
 inline constexpr Range<double> kBakeError{1e-3, 1};       // Quality.bake_error: relative, of light
 inline constexpr Range<int> kSensors{1, 64};              // OpenStream.sensors: how many
 inline constexpr Range<double> kThreshold{1e-3, 10};      // Sensor.threshold, Sensor.threshold_off: log units
-inline constexpr Range<double> kBias{1e-12, 1e6};         // Sensor.bias: scene luminance
+inline constexpr Range<double> kBias{1e-12, 1e6};         // Sensor.bias, Truth.bias: scene luminance
 inline constexpr Range<double> kRefractory{0, 10};        // Sensor.refractory_s: seconds
 inline constexpr Range<double> kCutoff{1e-4, 1e4};        // Sensor.cutoff_hz: Hz
 inline constexpr Range<int> kMaxPixelEvents{1, 65536};    // Sensor.max_events_per_pixel_frame: events
 inline constexpr Range<double> kArtefactOdds{0, 1};       // Sensor.max_artefact_odds: a probability
 inline constexpr Range<int> kTruth{0, 32};                // OpenStream.truth: how many
 inline constexpr Range<int> kTruthTimes{0, 100000};       // Truth.times_s: how many
+inline constexpr Range<double> kExposure{1e-6, 100};      // Aps.exposure_s: seconds
+inline constexpr Range<double> kGain{1e-9, 1e9};          // Aps.gain: per scene luminance
+inline constexpr Range<double> kGamma{0.1, 10};           // Aps.gamma: a number
 
 inline constexpr Range<double> kMismatch{0, 0.5};      // Noise.mismatch: fraction of C
 inline constexpr Range<double> kBandwidth{0, 1e6};     // Noise.photoreceptor_hz, Noise.follower_hz: Hz

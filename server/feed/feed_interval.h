@@ -4,6 +4,7 @@
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
 #include "render/camera.h"
+#include "render/render_scene.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {
@@ -14,6 +15,7 @@ struct FeedInterval {
   FramePair frames;          // at t1 and at t0
   Camera camera, camera_t0;  // likewise
   const Trajectory& path;    // of the camera
+  const RenderScene& scene;
 };
 
 }  // namespace saccade

@@ -18,4 +18,14 @@ void appendPlane(const Image<T>& plane, std::string& bytes) {
   }
 }
 
+// Appends value(x, y) of each pixel, in the same order.
+void appendPixels(int width, int height, std::string& bytes, const auto& value) {
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto v = value(x, y);
+      bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
+    }
+  }
+}
+
 }  // namespace saccade

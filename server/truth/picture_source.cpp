@@ -4,10 +4,10 @@ namespace saccade {
 
 // The first interval of a feed also completes frame 0.
 TruthSamples PictureSource::sample(const FeedInterval& interval) {
-  const auto& [change, frames, camera, camera_t0, path] = interval;
+  const auto& [change, frames, camera, camera_t0, path, scene] = interval;
   TruthSamples samples;
-  if (frames.prev.index == 0) add({frames.prev, change.I_prev, camera_t0}, samples);
-  add({frames.cur, change.I_now, camera}, samples);
+  if (frames.prev.index == 0) add({frames.prev, change.I_prev, camera_t0, scene}, samples);
+  add({frames.cur, change.I_now, camera, scene}, samples);
   return samples;
 }
 

@@ -12,6 +12,7 @@ struct TruthFrame {
   const Frame& frame;
   const ImageF& intensity;  // D[I], Rec. 709 luminance
   const Camera& camera;
+  const RenderScene& scene;
 };
 
 class PictureSource : public TruthSource {

@@ -16,6 +16,10 @@ struct TruthConfig {
   std::string name;       // of truthTable()
   FrameSelection frames;  // for pictures: those that are wanted
   int width = 1, height = 1;
+  double frame_rate_hz = 500;
+  double bias = 1e-3;              // of log brightness: scene luminance
+  FrameIndex exposure_frames = 1;  // of which an exposed picture is the mean
+  double gain = 1, gamma = 2.2;    // of exposed pictures
 };
 
 class TruthSource {
@@ -33,6 +37,7 @@ struct TruthChannelInfo {
   v1::Element element;
   std::vector<std::string> planes;  // names of the planes of a picture or the elements of a row
   std::unique_ptr<TruthSource> (*make)(const TruthConfig& config);
+  enum class Setting { kNone, kBias, kExposure } setting = Setting::kNone;  // what else a request may set
 };
 
 // THE list of truth channels.

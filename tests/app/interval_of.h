@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "feed/feed_interval.h"
+#include "render/test_scenes.h"
 #include "wire/packet_cutter.h"
 
 namespace saccade {
@@ -32,9 +33,14 @@ class StillView {
     cur_.index = change_->frame, prev_.index = change_->frame - 1;
     cur_.time = change_->t1, prev_.time = change_->t0;
   }
-  FeedInterval interval() const { return {*change_, {cur_, prev_}, camera_, camera_, path_}; }
+  FeedInterval interval() const { return {*change_, {cur_, prev_}, camera_, camera_, path_, scene()}; }
 
  private:
+  static const RenderScene& scene() {
+    static const RenderScene floor(test::floorFromAbove(0.5f));
+    return floor;
+  }
+
   std::unique_ptr<IntensityChange> change_;
   Frame cur_{kWidth, kHeight}, prev_{kWidth, kHeight};
   const Trajectory path_{{{TimeNs(0), Pose{{1, 2, 3}, {}}}}};

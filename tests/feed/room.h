@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "render/render_scene.h"
 #include "render/test_scenes.h"
 
 namespace saccade::test {

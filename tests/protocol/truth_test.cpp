@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "mock/bad_request.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {
@@ -68,6 +69,40 @@ TEST(Truth, ComesAtTheTimesAskedFor) {
             (std::vector<std::int64_t>{0, 12'000'000, 30'000'000}));
 }
 
+// 500 Hz: an exposure of 6 ms is three frames.
+TEST(Truth, ExposesFramesOnTheClockOfTheEvents) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  v1::Truth& truth = *request.add_truth();
+  truth.set_name("frame16");
+  truth.set_every(5);
+  truth.mutable_aps()->set_exposure_s(0.0061);
+  const TruthSamples frames = samplesOf(server.run(request)[1]);
+  EXPECT_EQ(timesOf(frames), (std::vector<std::int64_t>{10'000'000, 20'000'000, 30'000'000, 40'000'000}));
+  for (const TruthSample& frame : frames) {
+    EXPECT_EQ(frame.exposure_begin_ns, frame.t_ns - 6'000'000);
+    EXPECT_EQ(frame.exposure_end_ns, frame.t_ns);
+    EXPECT_EQ(frame.elements.size(), 32u * 24 * 2);
+  }
+}
+
+// Forward flow of a frame comes with the next frame, and that of the last frame never comes.
+TEST(Truth, EveryChannelOfTheListComes) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  for (const TruthChannelInfo& info : truthTable()) request.add_truth()->set_name(info.name);
+  auto packets = server.run(request);
+  ASSERT_EQ(packets.size(), 1 + truthTable().size());
+  for (std::size_t i = 0; i < truthTable().size(); ++i) {
+    const std::string& name = truthTable()[i].name;
+    const std::vector<std::int64_t> times = timesOf(samplesOf(packets[i + 1]));
+    const bool first = name != "flow_backward" && !name.starts_with("frame"), last = name != "flow_forward";
+    ASSERT_EQ(times.size(), 19u + first + last) << name;
+    EXPECT_EQ(times.front(), first ? 0 : 2'000'000) << name;
+    EXPECT_EQ(times.back(), last ? 40'000'000 : 38'000'000) << name;
+  }
+}
+
 TEST(Truth, GoesOnFromASample) {
   TestServer before, again;
   v1::OpenStream request = withTruth();
@@ -98,6 +133,28 @@ TEST(Truth, IsRefusedByField) {
                             r.mutable_truth(1)->add_times_s(1);
                           },
                           v1::CODE_INVALID_ARGUMENT, "truth[1].times_s", "do not increase"},
+                         {good, [](Open& r) { r.mutable_truth(0)->set_bias(1); }, v1::CODE_INVALID_ARGUMENT,
+                          "truth[0].bias", "depth has no bias"},
+                         {good, [](Open& r) { r.mutable_truth(1)->mutable_aps(); }, v1::CODE_INVALID_ARGUMENT,
+                          "truth[1].aps", "pose has no exposure"},
+                         {good,
+                          [](Open& r) {
+                            r.mutable_truth(0)->set_name("frame");
+                            r.mutable_truth(0)->mutable_aps()->set_exposure_s(0);
+                          },
+                          v1::CODE_INVALID_ARGUMENT, "truth[0].aps.exposure_s", "0"},
+                         {good,
+                          [](Open& r) {
+                            r.mutable_truth(0)->set_name("frame");
+                            r.mutable_truth(0)->mutable_aps()->set_gamma(0);
+                          },
+                          v1::CODE_INVALID_ARGUMENT, "truth[0].aps.gamma", "0"},
+                         {good,
+                          [](Open& r) {
+                            r.mutable_truth(0)->set_name("brightness");
+                            r.mutable_truth(0)->set_bias(0);
+                          },
+                          v1::CODE_INVALID_ARGUMENT, "truth[0].bias", "0"},
                          {good, [](Open& r) { r.mutable_truth(1)->add_times_s(-1); },
                           v1::CODE_INVALID_ARGUMENT, "truth[1].times_s", "-1"},
                          {good,

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "app/request/refusal.h"
@@ -20,16 +21,53 @@ std::vector<TimeNs> resolveTimes(const v1::Truth& truth, const std::string& fiel
   return times;
 }
 
+using Setting = TruthChannelInfo::Setting;
+
+void resolveBias(v1::Truth& truth, const std::string& field, Setting setting, TruthConfig& config) {
+  if (setting != Setting::kBias) {
+    if (truth.has_bias()) refuse(field + ".bias", truth.name() + " has no bias");
+    return;
+  }
+  if (!truth.has_bias()) truth.set_bias(config.bias);
+  checkRange(field + ".bias", truth.bias(), ranges::kBias);
+  config.bias = truth.bias();
+}
+
+void resolveExposure(v1::Truth& truth, const std::string& field, Setting setting, TruthConfig& config) {
+  if (setting != Setting::kExposure) {
+    if (truth.has_aps()) refuse(field + ".aps", truth.name() + " has no exposure");
+    return;
+  }
+  v1::Aps& aps = *truth.mutable_aps();
+  if (aps.has_exposure_s()) {
+    checkRange(field + ".aps.exposure_s", aps.exposure_s(), ranges::kExposure);
+    const double frames = std::round(aps.exposure_s() * config.frame_rate_hz);
+    config.exposure_frames = static_cast<FrameIndex>(std::max(1.0, frames));
+  }
+  aps.set_exposure_s(static_cast<double>(config.exposure_frames) / config.frame_rate_hz);
+  if (!aps.has_gain()) aps.set_gain(config.gain);
+  if (!aps.has_gamma()) aps.set_gamma(config.gamma);
+  checkRange(field + ".aps.gain", aps.gain(), ranges::kGain);
+  checkRange(field + ".aps.gamma", aps.gamma(), ranges::kGamma);
+  config.gain = aps.gain(), config.gamma = aps.gamma();
+}
+
 }  // namespace
 
 TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed) {
   const std::string field = "truth[" + std::to_string(index) + "]";
-  if (!findTruth(truth.name())) {
+  const TruthChannelInfo* info = findTruth(truth.name());
+  if (!info) {
     refuse(field + ".name",
            "there is no truth channel '" + cutText(truth.name(), kMaxEcho) + "'; there are: " + truthNames());
   }
-  TruthConfig config{
-      .name = truth.name(), .frames = FrameSelection(), .width = feed.width, .height = feed.height};
+  TruthConfig config{.name = truth.name(),
+                     .frames = FrameSelection(),
+                     .width = feed.width,
+                     .height = feed.height,
+                     .frame_rate_hz = feed.frame_rate_hz};
+  resolveBias(truth, field, info->setting, config);
+  resolveExposure(truth, field, info->setting, config);
   if (truth.times_s_size() > 0) {
     config.frames = FrameSelection(resolveTimes(truth, field));
   } else {

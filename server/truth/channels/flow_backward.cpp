@@ -1,0 +1,28 @@
+// Optical flow into the frame before. Frame 0 has none.
+#include "truth/channels/channels.h"
+#include "truth/flow.h"
+
+namespace saccade {
+namespace {
+
+class FlowBackward final : public TruthSource {
+ public:
+  explicit FlowBackward(const TruthConfig& config) : frames_(config.frames) {}
+
+  TruthSamples sample(const FeedInterval& interval) override {
+    const auto& [cur, prev] = interval.frames;
+    if (!frames_.takes(cur.index, cur.time)) return {};
+    return {{cur.time.count(), flowPlanes({cur.g, interval.camera}, {prev.g, interval.camera_t0})}};
+  }
+
+ private:
+  FrameSelection frames_;
+};
+
+}  // namespace
+
+std::unique_ptr<TruthSource> makeFlowBackward(const TruthConfig& config) {
+  return std::make_unique<FlowBackward>(config);
+}
+
+}  // namespace saccade
