@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <numeric>
 
+#include "client/truth_description.h"
+
 namespace saccade::client {
 namespace {
 
@@ -16,6 +18,7 @@ v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescripti
   about.set_bake_digest(stream.bake_digest());
   about.set_server_version(server.version());
   about.set_instruction_set(server.instruction_set());
+  if (sensor == 0) describeTruth(stream.resolved(), server, about);
   return about;
 }
 
@@ -32,7 +35,8 @@ std::vector<std::string> outputFiles(const std::string& path, int sensors) {
 }
 
 Recorder::Recorder(const std::string& path, const WriterInfo& format, const v1::StreamOpened& stream,
-                   const v1::ServerDescription& server) {
+                   const v1::ServerDescription& server)
+    : truth_ended_(stream.resolved().truth_size()) {
   for (const std::string& file : outputFiles(path, stream.resolved().sensors_size())) {
     const int sensor = static_cast<int>(outputs_.size());
     outputs_.push_back({std::make_unique<RecordingFile>(file, format, describe(stream, server, sensor))});
@@ -41,8 +45,10 @@ Recorder::Recorder(const std::string& path, const WriterInfo& format, const v1::
 
 void Recorder::add(const Batch& batch) {
   const v1::PacketHeader& header = batch.header;
-  if (header.sensor() >= outputs_.size())
+  if (header.sensor() >= outputs_.size() + truth_ended_.size())
     throw StreamFault("a packet is of a sensor that the stream does not have");
+  if (header.sensor() >= outputs_.size())
+    return addTruth(static_cast<int>(header.sensor() - outputs_.size()), batch);
   if (header.kind() == v1::KIND_HEARTBEAT) return;  // its time is that of rendering, not of what has arrived
   if (!begin_ns_) begin_ns_ = header.t0_ns();
   Output& output = outputs_[header.sensor()];
@@ -51,8 +57,18 @@ void Recorder::add(const Batch& batch) {
   output.ended |= header.kind() == v1::KIND_END;
 }
 
+void Recorder::addTruth(int channel, const Batch& batch) {
+  RecordingFile& file = *outputs_.front().file;
+  if (!batch.truth.empty()) {
+    checkTruthPacket(file.about().truth(channel), batch.header);
+    file.writeTruth(channel, batch.truth);
+  }
+  if (batch.header.kind() == v1::KIND_END) truth_ended_[channel] = true;
+}
+
 bool Recorder::complete() const {
-  return std::all_of(outputs_.begin(), outputs_.end(), [](const Output& o) { return o.ended; });
+  return std::all_of(outputs_.begin(), outputs_.end(), [](const Output& o) { return o.ended; }) &&
+         std::find(truth_ended_.begin(), truth_ended_.end(), false) == truth_ended_.end();
 }
 
 void Recorder::commit(std::uint64_t lost_events) {

@@ -1,4 +1,4 @@
-// Writes the batches of a stream to files, one per sensor.
+// Writes the batches of a stream to files, one per sensor. The first one gets the truth channels.
 #pragma once
 
 #include <cstdint>
@@ -24,9 +24,9 @@ class Recorder {
   Recorder(const std::string& path, const WriterInfo& format, const v1::StreamOpened& stream,
            const v1::ServerDescription& server = {});
 
-  // Throws StreamFault if the stream has no such sensor, and as RecordingFile does.
+  // Throws StreamFault if the stream has no such sensor or truth channel, and as RecordingFile does.
   void add(const Batch& batch);
-  bool complete() const;  // every sensor has ended
+  bool complete() const;  // every sensor and truth channel has ended
   // Gives the files their names. Call it when complete() is true. Throws std::system_error at the first file
   // that cannot be finished: that file and the later ones stay FILE.partial. `lost_events`: by the stream.
   void commit(std::uint64_t lost_events = 0);
@@ -36,14 +36,18 @@ class Recorder {
   std::int64_t time_ns() const;            // stream time up to which all sensors are complete
   std::int64_t duration_ns() const;        // from the first packet to time_ns()
   std::vector<std::string> files() const;  // their present names
+  std::string truthName() const { return outputs_.front().file->truthName(); }
   const v1::Recording& about(int sensor) const { return outputs_.at(sensor).file->about(); }
 
  private:
+  void addTruth(int channel, const Batch& batch);
+
   struct Output {
     std::unique_ptr<RecordingFile> file;
     bool ended = false;
   };
   std::vector<Output> outputs_;
+  std::vector<bool> truth_ended_;  // by truth channel
   std::optional<std::int64_t> begin_ns_;
 };
 

@@ -13,7 +13,9 @@ RecordingFile::RecordingFile(const std::string& path, const WriterInfo& format, 
     : path_(path),
       name_(path == kStandardOutput ? path : path + ".partial"),
       about_(std::move(about)),
-      writer_(format.make(name_, about_)) {}
+      writer_(format.make(name_, about_)) {
+  if (about_.truth_size() > 0 && !format.truth) truth_folder_.emplace(truthFolderOf(name_), about_);
+}
 
 RecordingFile::~RecordingFile() {
   if (!writer_) return;
@@ -32,15 +34,34 @@ void RecordingFile::write(const Events& events, std::int64_t t0_ns, std::int64_t
   about_.set_events(about_.events() + events.size());
 }
 
+void RecordingFile::writeTruth(int channel, const TruthSamples& samples) {
+  if (truth_folder_) {
+    truth_folder_->write(channel, samples);
+  } else {
+    writer_->writeTruth(channel, samples);
+  }
+  v1::RecordedTruth& about = *about_.mutable_truth(channel);
+  about.set_samples(about.samples() + samples.size());
+}
+
 void RecordingFile::close() {
   about_.set_digest(digest_.hex());
   std::exchange(writer_, nullptr)->finish();
+  if (truth_folder_) truth_folder_->close();
+}
+
+std::string RecordingFile::truthName() const {
+  return truth_folder_ ? truthFolderOf(name_) : name_;
 }
 
 void RecordingFile::commit() {
   if (path_ == kStandardOutput) return;
   const std::string sidecar = sidecarOf(path_);
   writeSidecar(sidecar, about_);
+  if (truth_folder_) {
+    std::filesystem::remove_all(truthFolderOf(path_));
+    std::filesystem::rename(truthFolderOf(name_), truthFolderOf(path_));
+  }
   std::filesystem::rename(name_, path_);
   name_ = path_;
 }

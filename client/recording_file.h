@@ -1,11 +1,14 @@
 // A file of events of one sensor, and FILE.json beside it. It is called FILE.partial until it is complete.
+// Truth channels are in the file, or in the folder FILE.truth where the format does not hold them.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "client/event_digest.h"
+#include "client/writers/truth_folder.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
@@ -22,6 +25,8 @@ class RecordingFile {
 
   // Adds the events of [t0_ns, until_ns). Throws std::system_error.
   void write(const Events& events, std::int64_t t0_ns, std::int64_t until_ns);
+  // Adds samples of about().truth(channel). Throws std::runtime_error.
+  void writeTruth(int channel, const TruthSamples& samples);
   v1::Recording& about() { return about_; }
   const v1::Recording& about() const { return about_; }
 
@@ -29,13 +34,15 @@ class RecordingFile {
   // After close(): gives the file its name. Throws std::system_error; the file then stays FILE.partial.
   void commit();
   const std::string& name() const { return name_; }  // the present one
+  std::string truthName() const;                     // the present place of the truth channels
 
  private:
   const std::string path_;
   std::string name_;
   v1::Recording about_;
   EventDigest digest_;
-  std::unique_ptr<Writer> writer_;  // none once the file is closed
+  std::unique_ptr<Writer> writer_;           // none once the file is closed
+  std::optional<TruthFolder> truth_folder_;  // of formats that do not hold truth
   bool begun_ = false;
 };
 

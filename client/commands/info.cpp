@@ -1,4 +1,4 @@
-// saccade info: prints the version, limits, scene features, sensors and methods of a server.
+// saccade info: prints the version, limits, scene features, sensors, truth channels and methods of a server.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -27,6 +27,17 @@ void printBudgets(const char* name, const char* options, const v1::BudgetInfo& b
   std::printf("\n  measured with %s\n", budgets.measured_on().c_str());
 }
 
+void printTruth(const v1::TruthInfo& truth) {
+  const char* unit = truth.unit().empty() ? "no unit" : truth.unit().c_str();
+  std::printf("  %-20s %s: ", truth.name().c_str(), truth.layout() == v1::LAYOUT_PICTURE ? "picture" : "row");
+  const char* separator = "";
+  for (const std::string& plane : truth.planes()) {
+    std::printf("%s%s", separator, plane.c_str());
+    separator = ", ";
+  }
+  std::printf(" (%s)  %s\n", unit, truth.description().c_str());
+}
+
 void printServer(const v1::ServerDescription& server) {
   std::printf("saccaded %s, protocol %u, %u threads, %s\n", server.version().c_str(),
               server.protocol_version(), server.threads(), server.instruction_set().c_str());
@@ -44,6 +55,8 @@ void printServer(const v1::ServerDescription& server) {
     std::printf("  %-20s %9.15g %-3s  %s\n", limit.name().c_str(), limit.value(), limit.unit().c_str(),
                 limit.description().c_str());
   }
+  std::printf("\ntruth channels (record --truth), with their planes and unit:\n");
+  for (const v1::TruthInfo& truth : server.truth()) printTruth(truth);
   std::printf("\nmethods, and their parameters with default and range:\n");
   for (const v1::MethodInfo& method : server.methods()) printMethod(method);
 }
@@ -66,8 +79,8 @@ void runInfo(const InfoOptions& options) {
 }  // namespace
 
 void addInfoCommand(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("info", "print the server's version, limits, scene features and methods");
+  CLI::App* command = app.add_subcommand(
+      "info", "print the server's version, limits, scene features, truth channels and methods");
   const auto options = std::make_shared<InfoOptions>();
   addServerOptions(*command, options->server);
   command->add_option("--wait", options->wait_s, "seconds to wait for a server that is not up yet")

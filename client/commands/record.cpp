@@ -5,6 +5,7 @@
 #include "client/commands/output_options.h"
 #include "client/commands/record_stream.h"
 #include "client/commands/request_options.h"
+#include "client/commands/truth_option.h"
 
 namespace saccade::client {
 namespace {
@@ -13,6 +14,7 @@ struct RecordOptions {
   RequestOptions request;
   OutputOptions output;
   std::string preview;
+  std::vector<std::string> truth;
 };
 
 std::string checkPng(const std::string& path) {
@@ -25,6 +27,7 @@ void addOptions(CLI::App& command, RecordOptions& options) {
       .add_option("--preview", options.preview,
                   "PNG of brightness, its change and the latest events, a third of the way through")
       ->check(CLI::Validator(checkPng, "FILE.png"));
+  addTruthOption(command, options.truth);
   addRequestOptions(command, options.request);
   command.footer(
       std::string(kMotionHelp) +
@@ -37,13 +40,15 @@ void addOptions(CLI::App& command, RecordOptions& options) {
 }
 
 void runRecord(const RecordOptions& options) {
-  const RecordJob job{.request = makeOpenStream(options.request),
-                      .output = options.output.path,
-                      .format = &options.output.writer(),
-                      .preview = options.preview,
-                      .trajectory = options.request.trajectory,
-                      .retry_time_s = options.request.retry_time_s};
+  RecordJob job{.request = makeOpenStream(options.request),
+                .output = options.output.path,
+                .format = &options.output.writer(),
+                .preview = options.preview,
+                .trajectory = options.request.trajectory,
+                .retry_time_s = options.request.retry_time_s};
+  requestTruth(options.truth, job.request);
   checkOutputs(options.output, job.request.sensors_size());
+  checkTruthOutput(options.output, job.request);
   if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
   recordStream(options.request.server, job);
 }

@@ -6,6 +6,7 @@
 #include "client/commands/commands.h"
 #include "client/commands/output_options.h"
 #include "client/commands/record_stream.h"
+#include "client/commands/truth_option.h"
 #include "client/sidecar.h"
 
 namespace saccade::client {
@@ -30,6 +31,7 @@ v1::OpenStream requestOf(const std::string& file, const v1::Recording& recording
   request.clear_sensors();
   *request.add_sensors() = sensor;
   request.mutable_sensors(0)->clear_from_event();
+  for (v1::Truth& truth : *request.mutable_truth()) truth.clear_from_sample();
   request.mutable_timing()->set_duration_s(recording.end_ns() / 1e9);
   request.mutable_timing()->set_clock(v1::CLOCK_FAST);
   request.set_delivery(v1::DELIVERY_LOSSLESS);
@@ -64,6 +66,7 @@ void runReplay(const ReplayOptions& options) {
                       .output = options.output.path,
                       .format = &options.output.writer()};
   checkOutputs(options.output, 1);
+  checkTruthOutput(options.output, job.request);
   compare(recording, recordStream(options.server, job));
 }
 

@@ -77,6 +77,18 @@ void printRates(std::FILE* out, const Recorder& recorder, double wall_s) {
                timeText(wall_s).c_str(), stream_s / wall_s);
 }
 
+void printTruth(std::FILE* out, const Recorder& recorder) {
+  const char* separator = ": ";
+  const auto& channels = recorder.about(0).truth();
+  if (channels.empty()) return;
+  std::fprintf(out, "samples of truth in %s", recorder.truthName().c_str());
+  for (const v1::RecordedTruth& channel : channels) {
+    std::fprintf(out, "%s%s %llu", separator, channel.name().c_str(), Count{channel.samples()});
+    separator = ", ";
+  }
+  std::fprintf(out, "\n");
+}
+
 void printSuppressed(std::FILE* out, const Recorder& recorder, const v1::OpenStream& resolved) {
   if (recorder.suppressed() == 0) return;
   const v1::Sensor& sensor = resolved.sensors(0);

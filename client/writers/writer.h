@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "client/writers/output_file.h"
 #include "saccade/v1/recording.pb.h"
 #include "wire/event.h"
+#include "wire/truth_samples.h"
 
 namespace saccade::client {
 
@@ -20,6 +22,11 @@ class Writer {
   // a format of large chunks keeps whole chunks instead, and the error says how many events these are. Throws
   // std::range_error if the format cannot hold a time.
   virtual void write(const Events& events, std::int64_t until_ns) = 0;
+  // Adds samples of Recording.truth[channel], in time order. Only of formats with WriterInfo::truth.
+  virtual void writeTruth(int channel, const TruthSamples& samples) {
+    throw std::logic_error("no truth: channel " + std::to_string(channel) + " has " +
+                           std::to_string(samples.size()) + " samples");
+  }
   virtual void finish() = 0;  // the last call: the file is complete and closed
 };
 
@@ -28,10 +35,11 @@ struct WriterInfo {
   const char* extension;  // ".raw"
   const char* description;
   // Starts a file at `path`, which may have any extension. `about` says what is known before the first event:
-  // the size of the image, and the request where there is one. Throws std::invalid_argument if the format
-  // cannot hold such events.
+  // the size of the image, the truth channels, and the request where there is one. Throws
+  // std::invalid_argument if the format cannot hold such events.
   std::unique_ptr<Writer> (*make)(const std::string& path, const v1::Recording& about);
-  bool pipe = false;  // whether `path` may be kStandardOutput
+  bool pipe = false;   // whether `path` may be kStandardOutput
+  bool truth = false;  // whether the file holds truth channels too
 };
 
 extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kDsecWriter, kDsecBloscWriter, kNpzWriter,

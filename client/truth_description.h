@@ -1,0 +1,17 @@
+// What a stream and its server say of the truth channels that are recorded.
+#pragma once
+
+#include "saccade/v1/control.pb.h"
+#include "saccade/v1/events.pb.h"
+#include "saccade/v1/recording.pb.h"
+
+namespace saccade::client {
+
+// Fills about.truth: one entry for each of resolved.truth, in the same order. Throws StreamFault for a
+// channel that the server does not describe.
+void describeTruth(const v1::OpenStream& resolved, const v1::ServerDescription& server, v1::Recording& about);
+
+// Throws StreamFault for a packet with samples that are not as described.
+void checkTruthPacket(const v1::RecordedTruth& channel, const v1::PacketHeader& header);
+
+}  // namespace saccade::client

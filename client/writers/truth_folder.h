@@ -1,0 +1,41 @@
+// The folder FILE.truth with the truth channels of a recording whose format does not hold them.
+//
+// Pictures: NAME/000000.exr or .png, one for each sample, and NAME/times.csv with the columns index, t_us,
+// exposure_begin_us, exposure_end_us. Rows: NAME.csv with the column t_us and those of the channel, in the
+// fewest digits that give the same number back.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/writers/output_file.h"
+#include "saccade/v1/recording.pb.h"
+#include "wire/truth_samples.h"
+
+namespace saccade::client {
+
+inline std::string truthFolderOf(const std::string& path) {
+  return path + ".truth";
+}
+
+// Every call throws std::runtime_error with the name of the file that cannot be written.
+class TruthFolder {
+ public:
+  TruthFolder(const std::string& folder, const v1::Recording& about);  // replaces a folder that exists
+
+  void write(int channel, const TruthSamples& samples);  // of about.truth(channel), in time order
+  void close();                                          // the last call
+
+ private:
+  struct Channel {
+    v1::RecordedTruth about;
+    std::string folder;  // of its pictures
+    std::unique_ptr<OutputFile> table;
+    std::uint64_t pictures = 0;
+  };
+  std::vector<Channel> channels_;
+};
+
+}  // namespace saccade::client
