@@ -36,7 +36,7 @@ class Recorder {
   std::int64_t time_ns() const;            // stream time up to which all sensors are complete
   std::int64_t duration_ns() const;        // from the first packet to time_ns()
   std::vector<std::string> files() const;  // their present names
-  std::string truthName() const { return outputs_.front().file->truthName(); }
+  std::string truthPlace() const { return outputs_.front().file->truthPlace(); }
   const v1::Recording& about(int sensor) const { return outputs_.at(sensor).file->about(); }
 
  private:

@@ -14,7 +14,11 @@ RecordingFile::RecordingFile(const std::string& path, const WriterInfo& format, 
       name_(path == kStandardOutput ? path : path + ".partial"),
       about_(std::move(about)),
       writer_(format.make(name_, about_)) {
-  if (about_.truth_size() > 0 && !format.truth) truth_folder_.emplace(truthFolderOf(name_), about_);
+  for (int i = 0; i < about_.truth_size(); ++i) {
+    if (format.truth && format.truth(about_.truth(i))) continue;
+    if (!truth_folder_) truth_folder_.emplace(truthFolderOf(name_));
+    truth_folder_->add(i, about_.truth(i));
+  }
 }
 
 RecordingFile::~RecordingFile() {
@@ -35,7 +39,7 @@ void RecordingFile::write(const Events& events, std::int64_t t0_ns, std::int64_t
 }
 
 void RecordingFile::writeTruth(int channel, const TruthSamples& samples) {
-  if (truth_folder_) {
+  if (truth_folder_ && truth_folder_->holds(channel)) {
     truth_folder_->write(channel, samples);
   } else {
     writer_->writeTruth(channel, samples);
@@ -50,8 +54,10 @@ void RecordingFile::close() {
   if (truth_folder_) truth_folder_->close();
 }
 
-std::string RecordingFile::truthName() const {
-  return truth_folder_ ? truthFolderOf(name_) : name_;
+std::string RecordingFile::truthPlace() const {
+  if (!truth_folder_) return name_;
+  const bool all = truth_folder_->size() == static_cast<std::size_t>(about_.truth_size());
+  return (all ? "" : name_ + " ") + truthFolderOf(name_);
 }
 
 void RecordingFile::commit() {

@@ -34,7 +34,7 @@ class RecordingFile {
   // After close(): gives the file its name. Throws std::system_error; the file then stays FILE.partial.
   void commit();
   const std::string& name() const { return name_; }  // the present one
-  std::string truthName() const;                     // the present place of the truth channels
+  std::string truthPlace() const;                    // "FILE", "FILE.truth", or both with a blank between
 
  private:
   const std::string path_;
@@ -42,7 +42,7 @@ class RecordingFile {
   v1::Recording about_;
   EventDigest digest_;
   std::unique_ptr<Writer> writer_;           // none once the file is closed
-  std::optional<TruthFolder> truth_folder_;  // of formats that do not hold truth
+  std::optional<TruthFolder> truth_folder_;  // of channels that the format does not hold
   bool begun_ = false;
 };
 

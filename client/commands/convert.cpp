@@ -26,6 +26,7 @@ v1::Recording aboutEvents(const SourceFile& source) {
   about.clear_begin_ns();
   about.clear_end_ns();
   about.clear_events();
+  about.clear_truth();  // SourceFile says that it is left out
   about.set_width(source.size().width);
   about.set_height(source.size().height);
   return about;

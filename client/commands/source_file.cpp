@@ -1,9 +1,11 @@
 #include "client/commands/source_file.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "client/commands/request_text.h"
 #include "client/sidecar.h"
+#include "client/writers/truth_folder.h"
 
 namespace saccade::client {
 namespace {
@@ -31,7 +33,9 @@ SourceFile::SourceFile(const std::string& path, const std::string& size)
       recording_(recordingOf(path)),
       size_(sizeOf(path, reader_->size(), recording_, size)),
       check_(path, size_) {
-  const std::string left_out = reader_->leftOut();
+  std::string left_out = reader_->leftOut();
+  const std::string folder = truthFolderOf(path);
+  if (std::filesystem::is_directory(folder)) left_out += (left_out.empty() ? "" : ", ") + folder;
   if (!left_out.empty())
     std::fprintf(stderr, "saccade: %s: the events of one stream are read; left out: %s\n", path.c_str(),
                  left_out.c_str());

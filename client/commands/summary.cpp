@@ -81,7 +81,7 @@ void printTruth(std::FILE* out, const Recorder& recorder) {
   const char* separator = ": ";
   const auto& channels = recorder.about(0).truth();
   if (channels.empty()) return;
-  std::fprintf(out, "samples of truth in %s", recorder.truthName().c_str());
+  std::fprintf(out, "samples of truth in %s", recorder.truthPlace().c_str());
   for (const v1::RecordedTruth& channel : channels) {
     std::fprintf(out, "%s%s %llu", separator, channel.name().c_str(), Count{channel.samples()});
     separator = ", ";

@@ -36,7 +36,6 @@ void checkTruthOutput(const OutputOptions& options, const v1::OpenStream& reques
   if (request.truth_size() == 0) return;
   if (options.path == kStandardOutput)
     throw std::invalid_argument("--truth: standard output takes events only");
-  if (options.writer().truth) return;
   const std::string folder = truthFolderOf(outputFiles(options.path, request.sensors_size()).front());
   if (std::filesystem::exists(folder) && !options.force)
     throw std::invalid_argument("--output: '" + folder + "' exists; --force replaces it");

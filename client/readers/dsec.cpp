@@ -44,6 +44,10 @@ class DsecReader : public Reader {
 
   ImageSize size() const override { return {side("width"), side("height")}; }
 
+  std::string leftOut() const override {
+    return H5Lexists(file_.id(), "truth", H5P_DEFAULT) > 0 ? "the truth channels of /truth" : "";
+  }
+
   bool read(Events& events) override {
     const std::uint64_t count = std::min(kColumnBatch, t_.size() - done_);
     events.clear();

@@ -18,6 +18,19 @@ std::uint32_t sideOf(const std::string& path, const ZipArchive& archive, const s
   return toSide(path, name, pixels[0]);
 }
 
+// The truth channels: an array NAME_t stands beside each.
+std::string truthNames(const ZipArchive& archive) {
+  constexpr std::string_view kTimes = "_t.npy";
+  std::string names;
+  for (zip_int64_t i = 0; i < zip_get_num_entries(archive.get(), 0); ++i) {
+    const char* entry = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0);
+    const std::string name = entry ? entry : "";
+    if (!name.ends_with(kTimes)) continue;
+    names += (names.empty() ? "truth " : ", ") + name.substr(0, name.size() - kTimes.size());
+  }
+  return names;
+}
+
 class NpzReader : public Reader {
  public:
   explicit NpzReader(const std::string& path)
@@ -35,6 +48,7 @@ class NpzReader : public Reader {
   }
 
   ImageSize size() const override { return size_; }
+  std::string leftOut() const override { return truthNames(archive_); }
 
   bool read(Events& events) override {
     const std::uint64_t count = std::min(kColumnBatch, t_.size() - done_);

@@ -1,6 +1,6 @@
 // A bag of ROS 1 with dvs_msgs/EventArray, 13 bytes per event. A message covers up to 5 ms, and its stamp is
 // the time of its last event. Stamps begin at 1 ns, because ROS takes 0 for "no time". Times of events stay
-// as they are.
+// as they are. Samples of truth have topics of their own.
 #include <algorithm>
 #include <stdexcept>
 
@@ -8,6 +8,8 @@
 #include "client/writers/bag_file.h"
 #include "client/writers/little_endian.h"
 #include "client/writers/message_splitter.h"
+#include "client/writers/ros1_message.h"
+#include "client/writers/ros_truth.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
@@ -16,23 +18,21 @@ namespace {
 constexpr std::int64_t kEarliestStampNs = 1;  // ros::TIME_MIN
 constexpr std::size_t kEventSize = 13;        // bytes
 constexpr const char* kFrameId = "camera";
+const std::string kHeader =
+    std::string(80, '=') + "\nMSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n";
 
 const BagTopic kTopic{"/dvs/events", "dvs_msgs/EventArray", "5e8beee5a6c107e504c2e78903c224b8",
                       "Header header\n"
                       "uint32 height\n"
                       "uint32 width\n"
-                      "Event[] events\n"
-                      "================================================================================\n"
-                      "MSG: std_msgs/Header\n"
-                      "uint32 seq\n"
-                      "time stamp\n"
-                      "string frame_id\n"
-                      "================================================================================\n"
-                      "MSG: dvs_msgs/Event\n"
-                      "uint16 x\n"
-                      "uint16 y\n"
-                      "time ts\n"
-                      "bool polarity\n"};
+                      "Event[] events\n" +
+                          kHeader +
+                          "================================================================================\n"
+                          "MSG: dvs_msgs/Event\n"
+                          "uint16 x\n"
+                          "uint16 y\n"
+                          "time ts\n"
+                          "bool polarity\n"};
 
 RosTime rosTime(std::int64_t t_ns) {
   return {static_cast<std::uint32_t>(t_ns / kNsPerSecond), static_cast<std::uint32_t>(t_ns % kNsPerSecond)};
@@ -54,18 +54,52 @@ void checkTimes(const Events& events) {
                            std::to_string(events.front().t_ns / 1e9) + " s");
 }
 
+// The topic of the events, and those of the channels that have one.
+std::vector<BagTopic> topicsOf(const v1::Recording& about) {
+  std::vector<BagTopic> topics{kTopic};
+  const std::vector<std::string> names = rosTopics(about, "/dvs");
+  for (int i = 0; i < about.truth_size(); ++i) {
+    const RosMessage* message = rosMessageOf(about.truth(i));
+    if (!message) continue;
+    topics.push_back({names[i], message->package + "/" + message->name, message->md5sum,
+                      "Header header\n" + message->fields + kHeader + message->types});
+  }
+  return topics;
+}
+
 class BagWriter : public Writer {
  public:
   BagWriter(const std::string& path, const v1::Recording& about)
-      : file_(path, kTopic), width_(about.width()), height_(about.height()) {}
+      : file_(path, topicsOf(about)), width_(about.width()), height_(about.height()) {
+    for (const v1::RecordedTruth& channel : about.truth())
+      truth_.push_back({channel, rosHolds(channel) ? ++topics_ : 0});
+  }
 
   void write(const Events& events, std::int64_t until_ns) override { splitter_.add(events, until_ns); }
+  void writeTruth(int channel, const TruthSamples& samples) override {
+    Truth& truth = truth_.at(channel);
+    for (const TruthSample& sample : samples) {
+      const RosTime stamp = rosTime(std::max(sample.t_ns, kEarliestStampNs));
+      Ros1Message message;
+      for (const std::uint32_t number : {truth.sequence++, stamp.sec, stamp.nsec})
+        message.number<std::uint32_t>(number);
+      message.text(rosMessageOf(truth.channel)->frame_id);
+      appendTruth(message, truth.channel, sample);
+      file_.add(truth.topic, stamp, message.bytes());
+    }
+  }
   void finish() override {
     splitter_.flush();
     file_.finish();
   }
 
  private:
+  struct Truth {
+    v1::RecordedTruth channel;
+    std::size_t topic;
+    std::uint32_t sequence = 0;
+  };
+
   void writeMessage(const Events& events) {
     checkTimes(events);
     const RosTime stamp = rosTime(std::max(events.back().t_ns, kEarliestStampNs));
@@ -73,7 +107,7 @@ class BagWriter : public Writer {
     message_.resize(message_.size() + events.size() * kEventSize);
     char* at = message_.data() + message_.size() - events.size() * kEventSize;
     for (const Event& event : events) at = putEvent(at, event);
-    file_.add(stamp, message_, events.size());
+    file_.add(0, stamp, message_, events.size());
   }
 
   void appendHead(const RosTime& stamp, std::size_t events) {
@@ -91,6 +125,8 @@ class BagWriter : public Writer {
   const std::uint32_t width_, height_;
   std::uint32_t sequence_ = 0;
   std::string message_;
+  std::vector<Truth> truth_;
+  std::size_t topics_ = 0;  // of truth
 };
 
 std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {
@@ -99,6 +135,6 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kBagWriter{"bag", ".bag", "ROS 1 bag with dvs_msgs/EventArray", make};
+const WriterInfo kBagWriter{"bag", ".bag", "ROS 1 bag with dvs_msgs/EventArray", make, false, rosHolds};
 
 }  // namespace saccade::client

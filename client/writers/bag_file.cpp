@@ -1,5 +1,6 @@
 #include "client/writers/bag_file.h"
 
+#include <algorithm>
 #include <system_error>
 
 #include "client/writers/little_endian.h"
@@ -20,7 +21,6 @@ constexpr std::string_view kVersion = "#ROSBAG V2.0\n";
 constexpr std::size_t kBagHeaderSize = 4096;    // bytes, without the two lengths
 constexpr std::size_t kChunkSize = 768 * 1024;  // bytes after which a chunk ends, as in rosbag
 constexpr std::uint32_t kIndexVersion = 1;      // of records kIndex and kChunkInfo
-constexpr std::uint32_t kConnectionId = 0;
 
 void appendTime(std::string& bytes, const RosTime& time) {
   appendBytes<std::uint32_t>(bytes, time.sec);
@@ -65,14 +65,19 @@ void appendRecord(std::string& bytes, const Fields& header, std::string_view dat
   appendSized(bytes, data);
 }
 
-std::string connectionRecord(const BagTopic& topic) {
+// The number of a connection is the index of its topic.
+void appendConnection(std::string& records, std::uint32_t id, const BagTopic& topic) {
   Fields header(Op::kConnection), data;
-  header.number("conn", kConnectionId).text("topic", topic.name);
+  header.number("conn", id).text("topic", topic.name);
   data.text("topic", topic.name).text("type", topic.type).text("md5sum", topic.md5sum);
   data.text("message_definition", topic.definition);
-  std::string record;
-  appendRecord(record, header, data.bytes());
-  return record;
+  appendRecord(records, header, data.bytes());
+}
+
+std::string connectionRecords(const std::vector<BagTopic>& topics) {
+  std::string records;
+  for (std::uint32_t id = 0; id < topics.size(); ++id) appendConnection(records, id, topics[id]);
+  return records;
 }
 
 // Padded, so that its size stays the same when the numbers are known. While `index_position` is 0, readers
@@ -91,54 +96,72 @@ void appendChunkInfo(std::string& records, const BagChunk& chunk) {
   Fields header(Op::kChunkInfo);
   header.number("ver", kIndexVersion).number("chunk_pos", chunk.position);
   header.time("start_time", chunk.begin).time("end_time", chunk.end);
-  header.number<std::uint32_t>("count", 1);  // of connections in the data
+  const auto& messages = chunk.messages;
+  const auto empty = std::count(messages.begin(), messages.end(), 0u);
+  header.number<std::uint32_t>("count", messages.size() - static_cast<std::size_t>(empty));  // of connections
   std::string data;
-  appendBytes<std::uint32_t>(data, kConnectionId);
-  appendBytes<std::uint32_t>(data, chunk.messages);
+  for (std::uint32_t id = 0; id < messages.size(); ++id) {
+    if (messages[id] == 0) continue;
+    appendBytes<std::uint32_t>(data, id);
+    appendBytes<std::uint32_t>(data, messages[id]);
+  }
   appendRecord(records, header, data);
 }
 
-BagFile::BagFile(const std::string& path, const BagTopic& topic)
-    : file_(path), connection_(connectionRecord(topic)), chunk_(connection_) {
+BagFile::BagFile(const std::string& path, const std::vector<BagTopic>& topics)
+    : file_(path), connections_(connectionRecords(topics)), chunk_(connections_), entries_(topics.size()) {
   file_.append(std::string(kVersion) + bagHeader(0, 0, 0));
+  startChunk();
 }
 
-void BagFile::add(const RosTime& time, std::string_view message, std::uint64_t events) {
-  if (about_.messages++ == 0) about_.begin = time;
-  about_.end = time;
-  appendTime(entries_, time);
-  appendBytes<std::uint32_t>(entries_, chunk_.size());
+void BagFile::startChunk() {
+  about_ = {.messages = std::vector<std::uint32_t>(entries_.size())};
+  for (std::string& entries : entries_) entries.clear();
+  events_ = 0;
+}
+
+void BagFile::add(std::size_t topic, const RosTime& time, std::string_view message, std::uint64_t events) {
+  const bool first = about_.end == RosTime{};
+  about_.begin = first ? time : std::min(about_.begin, time);
+  about_.end = std::max(about_.end, time);
+  ++about_.messages[topic];
+  appendTime(entries_[topic], time);
+  appendBytes<std::uint32_t>(entries_[topic], chunk_.size());
   Fields header(Op::kMessage);
-  header.number("conn", kConnectionId).time("time", time);
+  header.number("conn", static_cast<std::uint32_t>(topic)).time("time", time);
   appendRecord(chunk_, header, message);
   events_ += events;
   if (chunk_.size() >= kChunkSize) writeChunk();
 }
 
 void BagFile::writeChunk() {
-  Fields header(Op::kChunk), index(Op::kIndex);
+  Fields header(Op::kChunk);
   header.text("compression", "none").number<std::uint32_t>("size", chunk_.size());
-  index.number("ver", kIndexVersion).number("conn", kConnectionId).number("count", about_.messages);
   std::string records;
   appendRecord(records, header, chunk_);
-  appendRecord(records, index, entries_);
+  for (std::uint32_t id = 0; id < entries_.size(); ++id) {
+    if (about_.messages[id] == 0) continue;
+    Fields index(Op::kIndex);
+    index.number("ver", kIndexVersion).number("conn", id).number("count", about_.messages[id]);
+    appendRecord(records, index, entries_[id]);
+  }
   about_.position = file_.size();
   file_.appendChunk(records, events_);
   appendChunkInfo(chunk_infos_, about_);
   ++chunk_count_;
-  about_ = {};
-  events_ = 0;
-  chunk_.clear(), entries_.clear();
+  chunk_.clear();
+  startChunk();
 }
 
 void BagFile::writeIndex() {
   const std::uint64_t position = file_.size();
-  file_.append(connection_ + chunk_infos_);
-  file_.overwrite(kVersion.size(), bagHeader(position, 1, chunk_count_));
+  file_.append(connections_ + chunk_infos_);
+  file_.overwrite(kVersion.size(),
+                  bagHeader(position, static_cast<std::uint32_t>(entries_.size()), chunk_count_));
 }
 
 void BagFile::finish() {
-  if (about_.messages > 0) writeChunk();
+  if (about_.end != RosTime{}) writeChunk();  // stamps begin at 1 ns
   writeIndex();
   file_.close();
   finished_ = true;

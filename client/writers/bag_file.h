@@ -1,10 +1,11 @@
-// A bag of ROS 1 with the messages of one topic. Source: wiki.ros.org/Bags/Format/2.0. Messages lie in chunks
+// A bag of ROS 1. Source: wiki.ros.org/Bags/Format/2.0. Messages lie in chunks
 // without compression, each followed by its index. The file ends with one record for each chunk.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "client/writers/chunked_file.h"
 
@@ -12,6 +13,8 @@ namespace saccade::client {
 
 struct RosTime {
   std::uint32_t sec, nsec;
+
+  friend auto operator<=>(const RosTime&, const RosTime&) = default;
 };
 
 struct BagTopic {
@@ -23,9 +26,9 @@ struct BagTopic {
 
 // The messages of one chunk.
 struct BagChunk {
-  std::uint64_t position = 0;  // in the file, bytes
-  RosTime begin{}, end{};      // of the first and the last message
-  std::uint32_t messages = 0;
+  std::uint64_t position = 0;                // in the file, bytes
+  RosTime begin{}, end{};                    // of the earliest and the latest message
+  std::vector<std::uint32_t> messages = {};  // how many, by topic
 };
 
 // Appends the record that stands for the chunk at the end of the file.
@@ -34,28 +37,31 @@ void appendChunkInfo(std::string& records, const BagChunk& chunk);
 // Every call throws std::system_error as ChunkedFile does.
 class BagFile {
  public:
-  BagFile(const std::string& path, const BagTopic& topic);
+  BagFile(const std::string& path, const std::vector<BagTopic>& topics);
 
   // Without finish(), or where it fails, the file gets the index of the chunks that are in it.
   ~BagFile();
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
 
-  // Messages come in the order of time. `events`: how many there are in this one.
-  void add(const RosTime& time, std::string_view message, std::uint64_t events);
+  // Messages of a topic come in the order of time. `topic`: its index. `events`: how many there are in the
+  // message.
+  void add(std::size_t topic, const RosTime& time, std::string_view message, std::uint64_t events = 0);
   void finish();  // the last call
 
  private:
+  void startChunk();
   void writeChunk();
   void writeIndex();
 
   ChunkedFile file_;
-  const std::string connection_;   // the record of the topic
-  std::string chunk_, entries_;    // of the chunk that is being filled: records, index
-  BagChunk about_;                 // of the same
-  std::string chunk_infos_;        // of the chunks in the file
-  std::uint32_t chunk_count_ = 0;  // the same
-  std::uint64_t events_ = 0;       // of the chunk that is being filled
+  const std::string connections_;     // the records of the topics
+  std::string chunk_;                 // the records of the chunk that is being filled
+  std::vector<std::string> entries_;  // its index, by topic
+  BagChunk about_;                    // of the same
+  std::string chunk_infos_;           // of the chunks in the file
+  std::uint32_t chunk_count_ = 0;     // the same
+  std::uint64_t events_ = 0;          // of the chunk that is being filled
   bool finished_ = false;
 };
 

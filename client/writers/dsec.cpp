@@ -4,7 +4,9 @@
 // height stand where others look for them: in attributes of the root, and in /events.
 //
 // t has 32 bits, as readers expect. The file on disk ends with a whole chunk until finish(): after a full
-// disk or a kill it lacks the latest events, up to 131071, and the end of /ms_to_idx.
+// disk or a kill it lacks the latest events, up to 131071, and the end of /ms_to_idx. The group /truth has
+// the truth channels, and then lacks the latest pictures, up to 4 MiB, and up to 1023 rows.
+#include <deque>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -12,6 +14,7 @@
 #include "client/units.h"
 #include "client/writers/hdf5_column.h"
 #include "client/writers/hdf5_file.h"
+#include "client/writers/hdf5_truth.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
@@ -20,6 +23,7 @@ namespace {
 constexpr std::int64_t kUsPerMs = 1000, kUsPerSecond = 1'000'000;
 constexpr std::int64_t kMaxUs = UINT32_MAX;
 constexpr std::uint64_t kChunk = 131072, kIndexChunk = 4096;
+constexpr std::uint64_t kTruthCommit = 4 << 20;  // bytes of samples after which they go to the disk
 constexpr const char* kLimit =
     "the DSEC layout holds times from 0 to 4294.9 s (71 min 34 s); .npz and .csv hold others";
 
@@ -39,6 +43,7 @@ class DsecWriter : public Writer {
     writeAttribute(file_.id(), "height", about.height());
     writeScalar(events_.id(), "width", about.width());
     writeScalar(events_.id(), "height", about.height());
+    addTruth(about, filters);
     toDisk(&Hdf5File::commit);
   }
 
@@ -48,14 +53,29 @@ class DsecWriter : public Writer {
     until_us_ = until_ns / kNsPerUs;
   }
 
+  void writeTruth(int channel, const TruthSamples& samples) override {
+    truth_.at(channel).write(samples);
+    for (const TruthSample& sample : samples) truth_bytes_ += sample.elements.size();
+    if (truth_bytes_ < kTruthCommit) return;
+    truth_bytes_ = 0;
+    toDisk(&Hdf5File::commit);
+  }
+
   void finish() override {
     if (!offset_us_) chooseOffset(0);
     indexUntil((until_us_ - *offset_us_) / kUsPerMs + 1);
     x_.flush(), y_.flush(), p_.flush(), t_.flush(), ms_to_idx_.flush();
+    for (Hdf5Truth& truth : truth_) truth.flush();
     toDisk(&Hdf5File::close);
   }
 
  private:
+  void addTruth(const v1::Recording& about, const Hdf5Handle& filters) {
+    if (about.truth_size() == 0) return;
+    const Hdf5Handle group(H5Gcreate2(file_.id(), "truth", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    for (const v1::RecordedTruth& channel : about.truth()) truth_.emplace_back(group.id(), channel, filters);
+  }
+
   // 0, except for times that count from an epoch long ago.
   void chooseOffset(std::int64_t first_us) {
     offset_us_ = first_us > kMaxUs ? first_us / kUsPerMs * kUsPerMs : 0;
@@ -89,7 +109,7 @@ class DsecWriter : public Writer {
       throw std::system_error(error.code(),
                               path_ + ": holds the first " + std::to_string(on_disk_) + " events");
     }
-    on_disk_ = count_;
+    on_disk_ = count_ / kChunk * kChunk;
   }
 
   const std::string path_;  // for errors
@@ -99,6 +119,8 @@ class DsecWriter : public Writer {
   Hdf5Column<std::uint8_t> p_;
   Hdf5Column<std::uint32_t> t_;
   Hdf5Column<std::uint64_t> ms_to_idx_;
+  std::deque<Hdf5Truth> truth_;    // by channel
+  std::uint64_t truth_bytes_ = 0;  // since the last commit
   std::optional<std::int64_t> offset_us_;
   std::int64_t until_us_ = 0, next_ms_ = 0;
   std::uint64_t count_ = 0, on_disk_ = 0;  // events
@@ -131,8 +153,9 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kDsecWriter{"dsec", ".h5", "HDF5 as in DSEC, up to 71 min", make<addGzip>};
-const WriterInfo kDsecBloscWriter{"dsec-blosc", ".h5", "the same, compressed by Blosc with zstd",
-                                  make<addBlosc>};
+const WriterInfo kDsecWriter{"dsec",        ".h5", "HDF5 as in DSEC, up to 71 min",
+                             make<addGzip>, false, holdsAllTruth};
+const WriterInfo kDsecBloscWriter{"dsec-blosc",   ".h5", "the same, compressed by Blosc with zstd",
+                                  make<addBlosc>, false, holdsAllTruth};
 
 }  // namespace saccade::client

@@ -3,25 +3,22 @@
 namespace saccade::client {
 namespace {
 
-Hdf5Handle space(hsize_t size, hsize_t max_size) {
-  return {H5Screate_simple(1, &size, &max_size), H5Sclose};
+Hdf5Handle space(const std::vector<hsize_t>& size, const hsize_t* max_size = nullptr) {
+  return {H5Screate_simple(static_cast<int>(size.size()), size.data(), max_size), H5Sclose};
 }
 
 Hdf5Handle scalar() {
   return {H5Screate(H5S_SCALAR), H5Sclose};
 }
 
-hid_t unsignedType(std::size_t bytes) {
-  switch (bytes) {
-    case 1:
-      return H5T_STD_U8LE;
-    case 2:
-      return H5T_STD_U16LE;
-    case 4:
-      return H5T_STD_U32LE;
-    default:
-      return H5T_STD_U64LE;
-  }
+void writeTexts(hid_t object, const char* name, const std::vector<const char*>& texts,
+                const Hdf5Handle& size) {
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), H5T_VARIABLE);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  const Hdf5Handle attribute(H5Acreate2(object, name, type.id(), size.id(), H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose);
+  checkHdf5(attribute && H5Awrite(attribute.id(), type.id(), texts.data()) >= 0, name);
 }
 
 }  // namespace
@@ -40,25 +37,51 @@ void writeAttribute(hid_t object, const char* name, std::int64_t value) {
   checkHdf5(attribute && H5Awrite(attribute.id(), type, &value) >= 0, name);
 }
 
-Hdf5Dataset::Hdf5Dataset(hid_t group, const std::string& name, std::size_t value_bytes, hsize_t chunk,
-                         const Hdf5Handle& filters)
-    : name_(name), type_(unsignedType(value_bytes)) {
+void writeAttribute(hid_t object, const char* name, const std::string& text) {
+  writeTexts(object, name, {text.c_str()}, scalar());
+}
+
+void writeAttribute(hid_t object, const char* name, const std::vector<std::string>& texts) {
+  std::vector<const char*> values;
+  for (const std::string& text : texts) values.push_back(text.c_str());
+  writeTexts(object, name, values, space({texts.size()}));
+}
+
+hid_t unsignedType(std::size_t bytes) {
+  switch (bytes) {
+    case 1:
+      return H5T_STD_U8LE;
+    case 2:
+      return H5T_STD_U16LE;
+    case 4:
+      return H5T_STD_U32LE;
+    default:
+      return H5T_STD_U64LE;
+  }
+}
+
+Hdf5Dataset::Hdf5Dataset(hid_t group, const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
+                         hsize_t chunk, const Hdf5Handle& filters)
+    : name_(name), type_(type), size_{0} {
+  size_.insert(size_.end(), shape.begin(), shape.end());
+  std::vector<hsize_t> most = size_, chunks = size_;
+  most[0] = H5S_UNLIMITED, chunks[0] = chunk;
   const Hdf5Handle properties(H5Pcopy(filters.id()), H5Pclose);
-  H5Pset_chunk(properties.id(), 1, &chunk);
-  dataset_ = {H5Dcreate2(group, name.c_str(), type_, space(0, H5S_UNLIMITED).id(), H5P_DEFAULT,
+  H5Pset_chunk(properties.id(), static_cast<int>(chunks.size()), chunks.data());
+  dataset_ = {H5Dcreate2(group, name.c_str(), type_, space(size_, most.data()).id(), H5P_DEFAULT,
                          properties.id(), H5P_DEFAULT),
               H5Dclose};
   checkHdf5(bool(dataset_), name_);
 }
 
 void Hdf5Dataset::append(const void* values, hsize_t count) {
-  const hsize_t begin = size_;
-  size_ += count;
-  checkHdf5(H5Dset_extent(dataset_.id(), &size_) >= 0, name_);
+  std::vector<hsize_t> begin(size_.size()), part = size_;
+  begin[0] = size_[0], part[0] = count;
+  size_[0] += count;
+  checkHdf5(H5Dset_extent(dataset_.id(), size_.data()) >= 0, name_);
   const Hdf5Handle target(H5Dget_space(dataset_.id()), H5Sclose);
-  H5Sselect_hyperslab(target.id(), H5S_SELECT_SET, &begin, nullptr, &count, nullptr);
-  checkHdf5(H5Dwrite(dataset_.id(), type_, space(count, count).id(), target.id(), H5P_DEFAULT, values) >= 0,
-            name_);
+  H5Sselect_hyperslab(target.id(), H5S_SELECT_SET, begin.data(), nullptr, part.data(), nullptr);
+  checkHdf5(H5Dwrite(dataset_.id(), type_, space(part).id(), target.id(), H5P_DEFAULT, values) >= 0, name_);
 }
 
 }  // namespace saccade::client

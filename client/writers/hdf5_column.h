@@ -13,27 +13,33 @@ namespace saccade::client {
 void writeScalar(hid_t group, const char* name, std::int64_t value);
 void writeAttribute(hid_t object, const char* name, std::int64_t value);
 
-// Numbers without a sign, of 1, 2, 4 or 8 bytes; `chunk` of them are compressed together. `filters`:
-// properties of a dataset that name the filters.
+void writeAttribute(hid_t object, const char* name, const std::string& text);
+void writeAttribute(hid_t object, const char* name, const std::vector<std::string>& texts);
+
+// The type in files of a number without a sign, of 1, 2, 4 or 8 bytes.
+hid_t unsignedType(std::size_t bytes);
+
+// Values of which `chunk` are compressed together. A value is a number of `type`, or an array of them of
+// `shape`. `filters`: properties of a dataset that name the filters.
 class Hdf5Dataset {
  public:
-  Hdf5Dataset(hid_t group, const std::string& name, std::size_t value_bytes, hsize_t chunk,
-              const Hdf5Handle& filters);
+  Hdf5Dataset(hid_t group, const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
+              hsize_t chunk, const Hdf5Handle& filters);
   void append(const void* values, hsize_t count);
 
  private:
   const std::string name_;  // for errors
   const hid_t type_;
   Hdf5Handle dataset_;
-  hsize_t size_ = 0;
+  std::vector<hsize_t> size_;  // of all values: their number, and the shape of one
 };
 
-// The same, with values that are collected up to a chunk.
+// Numbers without a sign, which are collected up to a chunk.
 template <class T>
 class Hdf5Column {
  public:
   Hdf5Column(hid_t group, const std::string& name, hsize_t chunk, const Hdf5Handle& filters)
-      : chunk_(chunk), dataset_(group, name, sizeof(T), chunk, filters) {
+      : chunk_(chunk), dataset_(group, name, unsignedType(sizeof(T)), {}, chunk, filters) {
     values_.reserve(chunk);
   }
   void push(T value) {

@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <system_error>
 
 #include "client/writers/mcap_record.h"
@@ -12,46 +13,48 @@ namespace {
 constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 constexpr std::string_view kLibrary = "saccade", kNoCompression = "";
 constexpr std::size_t kChunkSize = 768 * 1024;  // bytes after which a chunk ends
-constexpr std::uint16_t kSchemaId = 1, kChannelId = 1;
+constexpr std::size_t kEntryBytes = 16;         // of an index
 constexpr std::uint32_t kNoCrc = 0;
 
-std::string headerRecord(const McapChannel& channel) {
-  return mcapRecord(McapOp::kHeader, McapFields().sized(channel.profile).sized(kLibrary));
+std::string headerRecord(const std::string& profile) {
+  return mcapRecord(McapOp::kHeader, McapFields().sized(profile).sized(kLibrary));
 }
 
-std::string schemaRecord(const McapChannel& channel) {
-  McapFields fields;
-  fields.number<std::uint16_t>(kSchemaId).sized(channel.schema_name);
-  fields.sized(channel.schema_encoding).sized(channel.schema);
-  return mcapRecord(McapOp::kSchema, fields);
+// Of a channel, and of its schema.
+std::uint16_t numberOf(std::size_t channel) {
+  return static_cast<std::uint16_t>(channel + 1);
 }
 
-std::string channelRecord(const McapChannel& channel) {
-  McapFields fields, metadata;
-  metadata.sized(channel.metadata_key).sized("");
-  fields.number<std::uint16_t>(kChannelId).number<std::uint16_t>(kSchemaId).sized(channel.topic);
-  fields.sized(channel.encoding).sized(metadata.bytes());
-  return mcapRecord(McapOp::kChannel, fields);
+std::string schemaRecords(const std::vector<McapChannel>& channels) {
+  std::string records;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    McapFields fields;
+    fields.number<std::uint16_t>(numberOf(i)).sized(channels[i].schema_name);
+    fields.sized(channels[i].schema_encoding).sized(channels[i].schema);
+    records += mcapRecord(McapOp::kSchema, fields);
+  }
+  return records;
+}
+
+std::string channelRecords(const std::vector<McapChannel>& channels) {
+  std::string records;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    McapFields fields, metadata;
+    metadata.sized(channels[i].metadata_key).sized("");
+    fields.number<std::uint16_t>(numberOf(i)).number<std::uint16_t>(numberOf(i)).sized(channels[i].topic);
+    fields.sized(channels[i].encoding).sized(metadata.bytes());
+    records += mcapRecord(McapOp::kChannel, fields);
+  }
+  return records;
 }
 
 void addTimes(McapFields& fields, const McapSpan& span) {
   fields.number<std::uint64_t>(span.begin_ns).number<std::uint64_t>(span.end_ns);
 }
 
-std::string statisticsRecord(const McapSpan& whole, std::uint32_t chunks) {
-  McapFields fields, counts;
-  counts.number<std::uint16_t>(kChannelId).number<std::uint64_t>(whole.messages);
-  fields.number<std::uint64_t>(whole.messages);
-  fields.number<std::uint16_t>(1).number<std::uint32_t>(1);  // schemas, channels
-  fields.number<std::uint32_t>(0).number<std::uint32_t>(0);  // attachments, metadata
-  fields.number<std::uint32_t>(chunks);
-  addTimes(fields, whole);
-  return mcapRecord(McapOp::kStatistics, fields.sized(counts.bytes()));
-}
-
 void extend(McapSpan& span, const McapSpan& next) {
-  if (span.messages == 0) span.begin_ns = next.begin_ns;
-  span.end_ns = next.end_ns;
+  span.begin_ns = span.messages == 0 ? next.begin_ns : std::min(span.begin_ns, next.begin_ns);
+  span.end_ns = std::max(span.end_ns, next.end_ns);
   span.messages += next.messages;
 }
 
@@ -63,7 +66,8 @@ std::uint32_t crcOf(std::string_view bytes) {
 
 void appendChunkIndex(std::string& records, const McapChunk& chunk) {
   McapFields fields, indexes;
-  indexes.number<std::uint16_t>(kChannelId).number<std::uint64_t>(chunk.position + chunk.size);
+  for (const auto& [number, position] : chunk.indexes)
+    indexes.number<std::uint16_t>(number).number<std::uint64_t>(position);
   addTimes(fields, chunk.span);
   fields.number<std::uint64_t>(chunk.position).number<std::uint64_t>(chunk.size);
   fields.sized(indexes.bytes()).number<std::uint64_t>(chunk.index_size).sized(kNoCompression);
@@ -71,16 +75,22 @@ void appendChunkIndex(std::string& records, const McapChunk& chunk) {
   appendRecord(records, McapOp::kChunkIndex, {fields.bytes()});
 }
 
-McapFile::McapFile(const std::string& path, const McapChannel& channel)
-    : file_(path), schema_(schemaRecord(channel)), channel_(channelRecord(channel)) {
-  file_.append(std::string(kMagic) + headerRecord(channel) + schema_ + channel_);
+McapFile::McapFile(const std::string& path, const std::string& profile,
+                   const std::vector<McapChannel>& channels)
+    : file_(path),
+      schemas_(schemaRecords(channels)),
+      channels_(channelRecords(channels)),
+      counts_(channels.size()) {
+  file_.append(std::string(kMagic) + headerRecord(profile) + schemas_ + channels_);
 }
 
-void McapFile::add(std::uint64_t time_ns, std::string_view message, std::uint64_t events) {
-  appendBytes<std::uint64_t>(entries_, time_ns);
-  appendBytes<std::uint64_t>(entries_, chunk_.size());
+void McapFile::add(std::size_t channel, std::uint64_t time_ns, std::string_view message,
+                   std::uint64_t events) {
+  Channel& count = counts_[channel];
+  appendBytes<std::uint64_t>(count.entries, time_ns);
+  appendBytes<std::uint64_t>(count.entries, chunk_.size());
   McapFields head;
-  head.number<std::uint16_t>(kChannelId).number<std::uint32_t>(sequence_++);
+  head.number<std::uint16_t>(numberOf(channel)).number<std::uint32_t>(count.sequence++);
   head.number<std::uint64_t>(time_ns).number<std::uint64_t>(time_ns);  // of the log, and of publishing
   appendRecord(chunk_, McapOp::kMessage, {head.bytes(), message});
   extend(span_, {time_ns, time_ns, 1});
@@ -89,24 +99,42 @@ void McapFile::add(std::uint64_t time_ns, std::string_view message, std::uint64_
 }
 
 void McapFile::writeChunk() {
-  McapFields head, index;
+  McapFields head;
   addTimes(head, span_);
   head.number<std::uint64_t>(chunk_.size()).number<std::uint32_t>(crcOf(chunk_));
   head.sized(kNoCompression).number<std::uint64_t>(chunk_.size());
-  index.number<std::uint16_t>(kChannelId).sized(entries_);
   McapChunk chunk{.span = span_, .position = file_.size(), .content_size = chunk_.size()};
   std::string records;
   appendRecord(records, McapOp::kChunk, {head.bytes(), chunk_});
   chunk.size = records.size();
-  appendRecord(records, McapOp::kMessageIndex, {index.bytes()});
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    if (counts_[i].entries.empty()) continue;
+    chunk.indexes.emplace_back(numberOf(i), chunk.position + records.size());
+    McapFields index;
+    index.number<std::uint16_t>(numberOf(i)).sized(counts_[i].entries);
+    appendRecord(records, McapOp::kMessageIndex, {index.bytes()});
+  }
   chunk.index_size = records.size() - chunk.size;
   file_.appendChunk(records, events_);
   appendChunkIndex(chunk_indexes_, chunk);
   ++chunk_count_;
   extend(whole_, span_);
+  for (Channel& count : counts_) count.messages += count.entries.size() / kEntryBytes, count.entries.clear();
   span_ = {};
   events_ = 0;
-  chunk_.clear(), entries_.clear();
+  chunk_.clear();
+}
+
+std::string McapFile::statisticsRecord() const {
+  McapFields fields, counts;
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    counts.number<std::uint16_t>(numberOf(i)).number<std::uint64_t>(counts_[i].messages);
+  fields.number<std::uint64_t>(whole_.messages);
+  fields.number<std::uint16_t>(counts_.size()).number<std::uint32_t>(counts_.size());  // schemas, channels
+  fields.number<std::uint32_t>(0).number<std::uint32_t>(0);  // attachments, metadata
+  fields.number<std::uint32_t>(chunk_count_);
+  addTimes(fields, whole_);
+  return mcapRecord(McapOp::kStatistics, fields.sized(counts.bytes()));
 }
 
 void McapFile::writeSummary() {
@@ -120,9 +148,9 @@ void McapFile::writeSummary() {
     appendRecord(offsets, McapOp::kSummaryOffset, {offset.bytes()});
     bytes += records;
   };
-  addGroup(McapOp::kSchema, schema_);
-  addGroup(McapOp::kChannel, channel_);
-  addGroup(McapOp::kStatistics, statisticsRecord(whole_, chunk_count_));
+  addGroup(McapOp::kSchema, schemas_);
+  addGroup(McapOp::kChannel, channels_);
+  addGroup(McapOp::kStatistics, statisticsRecord());
   addGroup(McapOp::kChunkIndex, chunk_indexes_);
   McapFields footer;
   footer.number<std::uint64_t>(file_.size() + begin).number<std::uint64_t>(file_.size() + bytes.size());

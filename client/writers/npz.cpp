@@ -1,5 +1,6 @@
 // NumPy's .npz: arrays t (i64 microseconds), x, y (u16) and p (u8) of equal lengths, and numbers width and
-// height, as evutils has them and SpikingJelly reads them. See numpy.lib.format, and zip_archive.h.
+// height, as evutils has them and SpikingJelly reads them. Truth channels have arrays beside them. See
+// numpy.lib.format, and zip_archive.h.
 //
 // An array is one piece of the file and says its length first, so each column waits in a spool file for the
 // end of the events. A part of the disk is taken at the start and given back at the end, so that there is
@@ -7,10 +8,12 @@
 #include <zlib.h>
 
 #include <cstring>
+#include <deque>
 #include <optional>
 
 #include "client/units.h"
 #include "client/writers/npz_column.h"
+#include "client/writers/npz_truth.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
@@ -46,6 +49,7 @@ class NpzWriter : public Writer {
         p_(path, "p", "|u1", 1, Z_RLE),
         width_(numberBytes(about.width())),
         height_(numberBytes(about.height())) {
+    for (const v1::RecordedTruth& channel : about.truth()) truth_.emplace_back(path, channel);
     reserve_.emplace(path).allocate(kReserve);
   }
 
@@ -61,10 +65,16 @@ class NpzWriter : public Writer {
     }
   }
 
+  void writeTruth(int channel, const TruthSamples& samples) override { truth_.at(channel).write(samples); }
+
   void finish() override {
     reserve_.reset();
     if (!waiting_.empty()) spool();
-    for (const NpzColumn* column : {&t_, &x_, &y_, &p_}) place(column->member());
+    std::vector<NpzColumn*> columns{&t_, &x_, &y_, &p_};
+    for (NpzTruth& truth : truth_) {
+      for (NpzColumn* column : truth.columns()) columns.push_back(column);
+    }
+    for (const NpzColumn* column : columns) place(column->member());
     place(zipMember("width.npy", width_));
     place(zipMember("height.npy", height_));
     std::size_t member = members_.size();  // from the end to the start, as the spool files move their bytes
@@ -73,7 +83,7 @@ class NpzWriter : public Writer {
       --member;
       file_.overwrite(members_[member].offset, zipHeader(members_[member]) + *number);
     }
-    for (NpzColumn* column : {&p_, &y_, &x_, &t_}) column->moveTo(file_, members_[--member]);
+    for (; !columns.empty(); columns.pop_back()) columns.back()->moveTo(file_, members_[--member]);
     file_.close();
   }
 
@@ -95,6 +105,7 @@ class NpzWriter : public Writer {
 
   OutputFile file_;
   NpzColumn t_, x_, y_, p_;
+  std::deque<NpzTruth> truth_;  // by channel
   const std::string width_, height_;
   std::optional<SpoolFile> reserve_;
   Events waiting_;
@@ -108,6 +119,6 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kNpzWriter{"npz", ".npz", "arrays t[us], x, y, p of NumPy", make};
+const WriterInfo kNpzWriter{"npz", ".npz", "arrays t[us], x, y, p of NumPy", make, false, holdsAllTruth};
 
 }  // namespace saccade::client

@@ -26,9 +26,9 @@ std::string npyHeader(const std::string& type, const std::string& shape) {
   return start + text + '\n';
 }
 
-NpzColumn::NpzColumn(const std::string& path, const char* name, const char* type, std::size_t value_bytes,
-                     int strategy)
-    : name_(name), type_(type), value_bytes_(value_bytes), file_(path) {
+NpzColumn::NpzColumn(const std::string& path, const std::string& name, const char* type,
+                     std::size_t value_bytes, int strategy, const std::string& shape)
+    : name_(name), type_(type), shape_(shape), value_bytes_(value_bytes), file_(path) {
   if (deflateInit2(&deflate_, kLevel, Z_DEFLATED, kRawDeflate, kMostMemory, strategy) != Z_OK)
     throw std::bad_alloc();
 }
@@ -59,7 +59,7 @@ void NpzColumn::keep() {
 }
 
 std::string NpzColumn::header() const {
-  return npyHeader(type_, "(" + std::to_string(kept_.size / value_bytes_) + ",)");
+  return npyHeader(type_, "(" + std::to_string(kept_.size / value_bytes_) + "," + shape_ + ")");
 }
 
 ZipMember NpzColumn::member() const {

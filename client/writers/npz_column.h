@@ -18,8 +18,9 @@ std::string npyHeader(const std::string& type, const std::string& shape);
 class NpzColumn {
  public:
   // `strategy`: of zlib's deflateInit2(). `path`: of the archive; the spool file is beside it.
-  NpzColumn(const std::string& path, const char* name, const char* type, std::size_t value_bytes,
-            int strategy);
+  // `shape`: of a value that is an array, "24, 32, 1"; empty: of a number.
+  NpzColumn(const std::string& path, const std::string& name, const char* type, std::size_t value_bytes,
+            int strategy, const std::string& shape = "");
   ~NpzColumn();
   NpzColumn(const NpzColumn&) = delete;
   NpzColumn& operator=(const NpzColumn&) = delete;
@@ -35,7 +36,7 @@ class NpzColumn {
  private:
   std::string header() const;
 
-  const std::string name_, type_;
+  const std::string name_, type_, shape_;
   const std::size_t value_bytes_;
   SpoolFile file_;
   z_stream deflate_{};

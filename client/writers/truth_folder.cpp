@@ -67,21 +67,22 @@ std::string timesText(std::uint64_t index, const TruthSample& sample) {
 
 }  // namespace
 
-TruthFolder::TruthFolder(const std::string& folder, const v1::Recording& about) {
+TruthFolder::TruthFolder(const std::string& folder) : folder_(folder) {
   fs::remove_all(folder);
   fs::create_directory(folder);
-  for (const v1::RecordedTruth& channel : about.truth()) {
-    const std::string path = folder + "/" + channel.name();
-    const bool picture = isPicture(channel);
-    if (picture) fs::create_directory(path);
-    auto table = std::make_unique<OutputFile>(picture ? path + "/times.csv" : path + ".csv");
-    table->append(picture ? kTimesHead : rowsHead(channel));
-    channels_.push_back({channel, path, std::move(table)});
-  }
 }
 
-void TruthFolder::write(int channel, const TruthSamples& samples) {
-  Channel& c = channels_.at(channel);
+void TruthFolder::add(int index, const v1::RecordedTruth& channel) {
+  const std::string path = folder_ + "/" + channel.name();
+  const bool picture = isPicture(channel);
+  if (picture) fs::create_directory(path);
+  auto table = std::make_unique<OutputFile>(picture ? path + "/times.csv" : path + ".csv");
+  table->append(picture ? kTimesHead : rowsHead(channel));
+  channels_[index] = {channel, path, std::move(table)};
+}
+
+void TruthFolder::write(int index, const TruthSamples& samples) {
+  Channel& c = channels_.at(index);
   for (const TruthSample& sample : samples) {
     if (isPicture(c.about)) {
       writePicture(c.folder + "/" + sixDigits(c.pictures) + pictureExtension(c.about), c.about,
@@ -94,7 +95,7 @@ void TruthFolder::write(int channel, const TruthSamples& samples) {
 }
 
 void TruthFolder::close() {
-  for (Channel& channel : channels_) channel.table->close();
+  for (auto& [index, channel] : channels_) channel.table->close();
 }
 
 }  // namespace saccade::client

@@ -6,9 +6,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "client/writers/output_file.h"
 #include "saccade/v1/recording.pb.h"
@@ -23,10 +23,13 @@ inline std::string truthFolderOf(const std::string& path) {
 // Every call throws std::runtime_error with the name of the file that cannot be written.
 class TruthFolder {
  public:
-  TruthFolder(const std::string& folder, const v1::Recording& about);  // replaces a folder that exists
+  explicit TruthFolder(const std::string& folder);  // replaces a folder that exists
 
-  void write(int channel, const TruthSamples& samples);  // of about.truth(channel), in time order
-  void close();                                          // the last call
+  void add(int index, const v1::RecordedTruth& channel);  // before its samples
+  bool holds(int index) const { return channels_.contains(index); }
+  std::size_t size() const { return channels_.size(); }
+  void write(int index, const TruthSamples& samples);  // in time order
+  void close();                                        // the last call
 
  private:
   struct Channel {
@@ -35,7 +38,8 @@ class TruthFolder {
     std::unique_ptr<OutputFile> table;
     std::uint64_t pictures = 0;
   };
-  std::vector<Channel> channels_;
+  const std::string folder_;
+  std::map<int, Channel> channels_;  // by index
 };
 
 }  // namespace saccade::client

@@ -12,6 +12,11 @@ inline bool isPicture(const v1::RecordedTruth& channel) {
   return channel.info().layout() == v1::LAYOUT_PICTURE;
 }
 
+// For WriterInfo::truth.
+inline bool holdsAllTruth(const v1::RecordedTruth&) {
+  return true;
+}
+
 std::uint32_t planesOf(const v1::RecordedTruth& channel);
 std::uint64_t sampleBytes(const v1::RecordedTruth& channel);
 

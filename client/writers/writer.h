@@ -22,7 +22,7 @@ class Writer {
   // a format of large chunks keeps whole chunks instead, and the error says how many events these are. Throws
   // std::range_error if the format cannot hold a time.
   virtual void write(const Events& events, std::int64_t until_ns) = 0;
-  // Adds samples of Recording.truth[channel], in time order. Only of formats with WriterInfo::truth.
+  // Adds samples of Recording.truth[channel], in time order. Only of channels that WriterInfo::truth takes.
   virtual void writeTruth(int channel, const TruthSamples& samples) {
     throw std::logic_error("no truth: channel " + std::to_string(channel) + " has " +
                            std::to_string(samples.size()) + " samples");
@@ -38,8 +38,9 @@ struct WriterInfo {
   // the size of the image, the truth channels, and the request where there is one. Throws
   // std::invalid_argument if the format cannot hold such events.
   std::unique_ptr<Writer> (*make)(const std::string& path, const v1::Recording& about);
-  bool pipe = false;   // whether `path` may be kStandardOutput
-  bool truth = false;  // whether the file holds truth channels too
+  bool pipe = false;  // whether `path` may be kStandardOutput
+  // Whether the file holds a truth channel; nullptr: it holds none.
+  bool (*truth)(const v1::RecordedTruth& channel) = nullptr;
 };
 
 extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kDsecWriter, kDsecBloscWriter, kNpzWriter,

@@ -1,0 +1,29 @@
+// A truth channel in an .npz file: the arrays NAME, (n, height, width, planes) of pictures and (n, planes) of
+// rows, and NAME_t (n), i64 microseconds. Pictures have NAME_exposure (n, 2) too: begin and end, as NAME_t.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/writers/npz_column.h"
+#include "client/writers/truth_layout.h"
+#include "wire/truth_samples.h"
+
+namespace saccade::client {
+
+class NpzTruth {
+ public:
+  // `path`: of the archive.
+  NpzTruth(const std::string& path, const v1::RecordedTruth& channel);
+
+  void write(const TruthSamples& samples);  // all or none; throws std::system_error
+  std::vector<NpzColumn*> columns();
+
+ private:
+  const v1::RecordedTruth channel_;
+  NpzColumn t_, data_;
+  std::optional<NpzColumn> exposure_;
+};
+
+}  // namespace saccade::client
