@@ -22,6 +22,18 @@ def packet(payload=b"\0" * 9, **fields):
     return header.SerializeToString(), payload
 
 
+def truth(payload, **fields):
+    """By default one picture of 2 x 2 pixels and two planes of u8."""
+    return packet(payload, **{"kind": pb.KIND_TRUTH, "layout": pb.LAYOUT_PICTURE, "element": pb.ELEMENT_U8, "planes": 2,
+                              **fields})
+
+
+def row_truth(times, numbers, **fields):
+    payload = struct.pack(f"<{len(times)}I{len(numbers)}H", *times, *numbers)
+    return truth(payload, **{"layout": pb.LAYOUT_ROWS, "element": pb.ELEMENT_U16, "count": len(times), "t1_ns": 9000,
+                             **fields})
+
+
 class Packets(unittest.TestCase):
     def test_the_golden_packets(self):
         self.assertGreaterEqual(len(VECTORS), 17)
@@ -65,6 +77,39 @@ class Packets(unittest.TestCase):
             "outside the packet's interval": packet(late),
             "is to hold 1000000 bytes": packet(zstandard.compress(bytes(1_000_000)), codec=pb.CODEC_ZSTD),
             "0 pixels": packet(b"", kind=pb.KIND_SNAPSHOT, layout=pb.LAYOUT_PLANES, count=0, width=0),
+        }
+        for text, (head, payload) in faults.items():
+            with self.subTest(text), self.assertRaisesRegex(saccade.PacketFault, text):
+                read_packet(head, payload)
+
+    def test_a_picture_of_truth_has_its_planes_innermost(self):
+        samples = read_packet(*truth(bytes(range(8)), exposure_begin_ns=500_000, exposure_end_ns=900_000)).content
+        self.assertEqual(samples.data.tolist(), [[[[0, 4], [1, 5]], [[2, 6], [3, 7]]]])
+        self.assertEqual((samples.t.tolist(), samples.exposure), ([1], (500, 900)))
+
+    def test_rows_of_truth_have_a_time_each(self):
+        samples = read_packet(*row_truth([0, 6, 6], range(6), t0_ns=3000)).content
+        self.assertEqual((samples.t.tolist(), samples.exposure), ([3, 9, 9], None))
+        self.assertEqual(samples.data.tolist(), [[0, 1], [2, 3], [4, 5]])
+        self.assertEqual(samples.after(2).data.tolist(), [[4, 5]])
+        self.assertEqual(samples.after(2).t.tolist(), [9])
+
+    def test_truth_that_breaks_a_rule(self):
+        faults = {
+            "element 77": truth(bytes(8), element=77),
+            "layout 1 of a truth": truth(bytes(8), layout=pb.LAYOUT_COLUMNS),
+            "5 planes: 1 to 4": truth(bytes(20), planes=5),
+            "0 planes": truth(b"", planes=0),
+            "one picture": truth(bytes(16), count=2),
+            "0 pixels": truth(b"", width=0),
+            "runs backwards": truth(bytes(8), t0_ns=2000),
+            "codec 77": truth(bytes(8), codec=77),
+            "17 planes: 1 to 16": row_truth([0], range(17), planes=17),
+            "above 32768": row_truth([], [], count=32769),
+            "dt_unit_ns is 0": row_truth([0], range(2), dt_unit_ns=0),
+            "times that run backwards": row_truth([1, 0], range(4)),
+            "outside the packet's interval": row_truth([10], range(2)),
+            "7 bytes instead of 8": truth(bytes(7)),
         }
         for text, (head, payload) in faults.items():
             with self.subTest(text), self.assertRaisesRegex(saccade.PacketFault, text):

@@ -1,6 +1,7 @@
 """The client for asyncio: saccade.aio.connect() is saccade.connect(), and everything that waits is awaited."""
 from __future__ import annotations
 
+from collections.abc import AsyncIterator
 from types import TracebackType
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ from saccade.protocol.retry import RetryPolicy
 from saccade.protocol.sockets import Key
 from saccade.protocol.stream_state import Picture, StreamState
 from saccade.settings import Settings
+from saccade.truth import Truth
 from saccade.v1 import control_pb2
 
 if TYPE_CHECKING:
@@ -64,6 +66,10 @@ class Stream(StreamState):
         if events is None:
             raise StopAsyncIteration
         return events
+
+    async def samples(self) -> AsyncIterator[Events | Truth]:
+        while (item := await self._next_item()) is not None:
+            yield item
 
     async def picture(self) -> Picture:
         return await self._take_picture()

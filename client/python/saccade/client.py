@@ -1,6 +1,7 @@
 """The blocking client. A client and its streams belong to one thread."""
 from __future__ import annotations
 
+from collections.abc import Iterator
 from types import TracebackType
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ from saccade.protocol.retry import RetryPolicy
 from saccade.protocol.sockets import Key
 from saccade.protocol.stream_state import Picture, StreamState
 from saccade.settings import Settings
+from saccade.truth import Truth
 from saccade.v1 import control_pb2
 
 if TYPE_CHECKING:
@@ -91,6 +93,14 @@ class Stream(StreamState):
         if events is None:
             raise StopIteration
         return events
+
+    def samples(self) -> Iterator[Events | Truth]:
+        """The events as iteration gives them, and the samples of the truth channels, in the order of arrival.
+
+        Iteration over the stream itself passes over the samples of truth.
+        """
+        while (item := run(self._next_item())) is not None:
+            yield item
 
     def picture(self) -> Picture:
         """The newest frame. Raises Unavailable before the first one."""

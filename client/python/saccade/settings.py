@@ -43,6 +43,9 @@ class Settings(Needed, total=False):
     max_events_per_pixel_frame, max_events_per_frame: further events are withheld and counted.
     preset: the sensor of a known camera, by name. noise: amounts by name, such as {"leak_hz": 0.1}, of all sensors.
 
+    truth: truth channels, each a name of Client.info().truth, or a pair of it and n for every n-th frame. Stream.samples()
+    gives their samples.
+
     Rendering: method, spp, params (by name), bounces, jitter, monochrome, bake_error, disable (scene features), or a
     budget instead: budget_ms, max_false_rate; or max_event_change, a share from 0 to 1.
     """
@@ -69,6 +72,7 @@ class Settings(Needed, total=False):
     max_events_per_frame: int
     preset: str
     noise: Mapping[str, float]
+    truth: Sequence[str | tuple[str, int]]
     method: str
     spp: int
     params: Mapping[str, float]

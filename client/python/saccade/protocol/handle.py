@@ -34,14 +34,17 @@ class StreamHandle:
         return self.opened.resolved.delivery == control_pb2.DELIVERY_LOSSLESS
 
     async def reopen(self, from_events: Sequence[int], deadline_s: float) -> None:
-        """Opens the same LOSSLESS request again, on the same server or a restarted one, from these events on.
+        """Opens the same LOSSLESS request again, on the same server or a restarted one, from these events and samples on.
 
         Raises as open(), and then changes nothing.
         """
         request = control_pb2.OpenStream()
         request.CopyFrom(self.opened.resolved)
-        for sensor, event in zip(request.sensors, from_events):
-            sensor.from_event = event
+        firsts = iter(from_events)
+        for sensor in request.sensors:
+            sensor.from_event = next(firsts)
+        for truth in request.truth:
+            truth.from_sample = next(firsts)
         await self._open(request, deadline_s)
 
     async def _open(self, request: control_pb2.OpenStream, deadline_s: float) -> None:

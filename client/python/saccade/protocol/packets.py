@@ -10,6 +10,7 @@ from saccade.errors import PacketFault
 from saccade.events import Events
 from saccade.protocol.codecs import CODECS, decompress
 from saccade.protocol.columns import BYTES_PER_EVENT, BYTES_PER_PIXEL, Snapshot, read_columns, read_planes
+from saccade.protocol.samples import Samples, check_truth, read_samples, truth_bytes
 from saccade.v1 import events_pb2 as pb
 
 MOST_EVENTS = 32768
@@ -21,7 +22,7 @@ class Packet:
     """A checked packet. `content` is what its kind carries."""
 
     header: pb.PacketHeader
-    content: Events | Snapshot | None = None
+    content: Events | Snapshot | Samples | None = None
 
 
 def read_packet(head: bytes, payload: bytes) -> Packet:
@@ -38,6 +39,8 @@ def read_packet(head: bytes, payload: bytes) -> Packet:
     if header.kind == pb.KIND_SNAPSHOT:
         size = BYTES_PER_PIXEL * header.width * header.height
         return Packet(header, read_planes(header, decompress(header.codec, payload, size)))
+    if header.kind == pb.KIND_TRUTH:
+        return Packet(header, read_samples(header, decompress(header.codec, payload, truth_bytes(header))))
     return Packet(header)
 
 
@@ -55,6 +58,9 @@ def _check_kind(header: pb.PacketHeader, payload_bytes: int) -> None:
         if header.count > 0:
             raise PacketFault("a snapshot carries no events")
         _check_coding(header, pb.LAYOUT_PLANES)
+    elif header.kind == pb.KIND_TRUTH:
+        check_truth(header)
+        _check_codec(header)
     elif header.kind in (pb.KIND_HEARTBEAT, pb.KIND_END):
         if header.count > 0 or payload_bytes > 0:
             raise PacketFault("a packet of its kind carries no events")
@@ -65,5 +71,9 @@ def _check_kind(header: pb.PacketHeader, payload_bytes: int) -> None:
 def _check_coding(header: pb.PacketHeader, layout: int) -> None:
     if header.layout != layout:
         raise PacketFault(f"layout {header.layout} instead of {layout}")
+    _check_codec(header)
+
+
+def _check_codec(header: pb.PacketHeader) -> None:
     if header.codec not in CODECS:
         raise PacketFault(f"codec {header.codec} is unknown")

@@ -11,6 +11,7 @@ from saccade.protocol.trajectory import make_trajectory
 from saccade.settings import Settings
 from saccade.v1 import control_pb2 as c
 from saccade.v1 import events_pb2, noise_pb2
+from saccade.v1.truth_pb2 import Truth
 
 PER_SENSOR = ("threshold", "threshold_off", "bias", "refractory_s", "cutoff_hz")
 OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset")
@@ -36,6 +37,7 @@ def make_request(settings: Settings) -> c.OpenStream:
         sensors=_sensors(s),
         delivery=_value(c.Delivery, s, "delivery"),
         codec=_value(events_pb2.Codec, s, "codec"),
+        truth=[_truth(channel) for channel in s.get("truth", ())],
         **_some(s, "seed"))
 
 
@@ -61,6 +63,11 @@ def _value(enum: EnumTypeWrapper, settings: Mapping[str, Any], name: str) -> Any
     if settings[name] not in known:
         raise ValueError(f"{name}: '{settings[name]}' is not one of {', '.join(known)}")
     return known[settings[name]]
+
+
+def _truth(channel: str | tuple[str, int]) -> Truth:
+    name, every = (channel, 1) if isinstance(channel, str) else channel
+    return Truth(name=name, every=every)
 
 
 def _sensors(settings: Mapping[str, Any]) -> list[c.Sensor]:

@@ -1,4 +1,7 @@
-"""Checks that the packets of a stream are complete and in order, and finds where a sensor resumes after a break."""
+"""Checks that the packets of a stream are complete and in order, and finds where a sensor resumes after a break.
+
+Truth channels count as sensors here, and their samples as events.
+"""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -43,7 +46,8 @@ class SequenceCheck:
 
     def __init__(self, resolved: control_pb2.OpenStream) -> None:
         self.losses = Losses()
-        self._due = [_Due(event=sensor.from_event, joined=sensor.from_event == 0) for sensor in resolved.sensors]
+        firsts = [sensor.from_event for sensor in resolved.sensors] + [truth.from_sample for truth in resolved.truth]
+        self._due = [_Due(event=first, joined=first == 0) for first in firsts]
 
     def add(self, header: events_pb2.PacketHeader) -> FreshPart | None:
         """None if the whole packet came before, or if its kind has no seq. Counts the losses before it.

@@ -1,6 +1,7 @@
 """A stream as coroutines: what its blocking and its asyncio form share."""
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,8 +10,10 @@ from numpy.typing import NDArray
 from saccade.errors import StreamFault
 from saccade.events import Events
 from saccade.protocol.columns import NS_PER_US, Snapshot
+from saccade.protocol.samples import Samples
 from saccade.protocol.sequence import Losses
 from saccade.protocol.subscription import Subscription, end_text
+from saccade.truth import Truth
 from saccade.v1 import control_pb2, events_pb2
 
 
@@ -35,6 +38,7 @@ class StreamState:
         self._subscription = subscription
         self.suppressed = 0
         self.snapshots: dict[int, Snapshot] = {}
+        self._samples: deque[Truth] = deque()  # received, not given yet
 
     @property
     def opened(self) -> control_pb2.StreamOpened:
@@ -57,17 +61,35 @@ class StreamState:
         return self._subscription.sequence.losses
 
     async def _next_events(self) -> Events | None:
-        """The next Events of any sensor; None after the end of all of them. Raises StreamFault if it came early."""
-        while not self._subscription.sequence.all_ended():
+        """The next Events of any sensor, without the samples of truth before it; None at the end."""
+        item = await self._next_item()
+        while isinstance(item, Truth):
+            item = await self._next_item()
+        return item
+
+    async def _next_item(self) -> Events | Truth | None:
+        """What comes next of any sensor or truth channel; None after their end. Raises StreamFault if it came early."""
+        while self._samples or not self._subscription.sequence.all_ended():
+            if self._samples:
+                return self._samples.popleft()
             packet = await self._subscription.receive()
             self.suppressed += packet.header.suppressed
             if isinstance(packet.content, Snapshot):
                 self.snapshots[packet.header.sensor] = packet.content
+            elif isinstance(packet.content, Samples):
+                self._keep(packet.header.sensor - len(self.resolved.sensors), packet.content)
             elif packet.content is not None:
                 return packet.content
             elif self._subscription.sequence.all_ended():
                 self._check_whole(packet.header)
         return None
+
+    def _keep(self, channel: int, samples: Samples) -> None:
+        if channel < 0:
+            raise StreamFault("a packet of truth is of a sensor")
+        name = self.resolved.truth[channel].name
+        for t, data in zip(samples.t, samples.data):
+            self._samples.append(Truth(name, int(t), data, samples.exposure, channel))
 
     def _check_whole(self, end: events_pb2.PacketHeader) -> None:
         frames = self._subscription.sequence.end_ns() * 1e-9 * self.resolved.timing.frame_rate_hz

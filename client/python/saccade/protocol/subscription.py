@@ -18,6 +18,7 @@ from saccade.protocol.connection import BroadcastConnection, Connection
 from saccade.protocol.handle import StreamHandle
 from saccade.protocol.packets import Packet
 from saccade.protocol.retry import RetryPolicy, retry
+from saccade.protocol.samples import Samples
 from saccade.protocol.sequence import FreshPart, SequenceCheck
 from saccade.v1 import control_pb2, events_pb2
 
@@ -157,6 +158,8 @@ def _cut_off(fresh: FreshPart, packet: Packet) -> Packet:
     if header.suppressed < fresh.known_suppressed:
         raise StreamFault("the stream does not come out as it did before it was lost")
     header.suppressed -= fresh.known_suppressed
+    if isinstance(packet.content, Samples):
+        return Packet(header, packet.content.after(fresh.known_events))
     if not isinstance(packet.content, Events) or header.t0_ns == fresh.t0_ns and not fresh.known_events:
         return packet
     interval = fresh.t0_ns // NS_PER_US, packet.content.t1
