@@ -134,6 +134,21 @@ class TruthFiles(unittest.TestCase):
             np.testing.assert_array_equal(read, formula.samples(name))
         self.expect_rows(self.folder / "a.mcap.truth" / "other.csv", "other")
 
+    def test_an_interrupted_recording_has_what_arrived(self):
+        for name in ("a.h5", "a.npz", "a.bag"):
+            subprocess.run([WRITE_TRUTH, self.folder / name, "partial"], check=True, timeout=60)
+        times, events = formula.times_us("depth"), [t for t, *_ in formula.EVENTS]
+        with h5py.File(self.folder / "a.h5.partial") as file:
+            np.testing.assert_array_equal(file["truth/depth/t"][:], times)
+            np.testing.assert_array_equal(file["truth/pose/data"][:], formula.samples("pose"))
+            np.testing.assert_array_equal(file["events/t"][:], events)
+        with np.load(self.folder / "a.npz.partial", allow_pickle=False) as file:
+            np.testing.assert_array_equal(file["depth"], formula.samples("depth"))
+            np.testing.assert_array_equal(file["t"], events)
+        with rosbag.Bag(str(self.folder / "a.bag.partial")) as bag:
+            self.assertEqual(bag.get_message_count("/dvs/depth"), len(times))
+            self.assertEqual(sum(len(m.events) for _, m, _ in bag.read_messages("/dvs/events")), len(events))
+
     def test_oiiotool_reads_pictures_of_a_folder(self):
         folder = pathlib.Path(str(self.written("a.csv")) + ".truth")
         for name in formula.ROWS:

@@ -1,5 +1,5 @@
-// Writes events and truth channels whose numbers follow a formula: write_truth FILE. The tests of files in
-// Python know the formula.
+// Writes events and truth channels whose numbers follow a formula: write_truth FILE [partial]. The tests of
+// files in Python know the formula. With `partial` the recording is interrupted after the last sample.
 #include <cstring>
 
 #include "client/recording_file.h"
@@ -81,7 +81,7 @@ TruthSample sampleOf(const v1::RecordedTruth& channel, std::size_t n) {
   return {t_ns, elementsOf(channel, n), begin_ns, picture ? t_ns : 0};
 }
 
-void run(const std::string& path) {
+void run(const std::string& path, bool partial) {
   RecordingFile file(path, writerFor(path), describe());
   for (std::size_t step = 0; step < 4; ++step) {
     const std::int64_t t0_ns = static_cast<std::int64_t>(step) * 10 * kMs;
@@ -95,6 +95,7 @@ void run(const std::string& path) {
       file.writeTruth(i, samples);
     }
   }
+  if (partial) return;
   file.close();
   file.commit();
 }
@@ -102,6 +103,6 @@ void run(const std::string& path) {
 }  // namespace
 }  // namespace saccade::client
 
-int main(int, char** argv) {
-  saccade::client::run(argv[1]);
+int main(int argc, char** argv) {
+  saccade::client::run(argv[1], argc > 2);
 }
