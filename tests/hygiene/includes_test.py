@@ -40,8 +40,9 @@ FOLDERS = {
     "eval/metrics": "",
     "eval/pictures": "eval/metrics",
     "eval/bench": "eval/metrics eval/pictures",
-    "eval/figures": "eval/metrics eval/pictures eval/bench",
-    "eval/commands": "eval/metrics eval/pictures eval/bench eval/figures",
+    "eval/sensor": "",
+    "eval/figures": "eval/metrics eval/pictures eval/bench eval/sensor",
+    "eval/commands": "eval/metrics eval/pictures eval/bench eval/sensor eval/figures",
     "eval": "eval/commands",
 }
 # Headers of libraries, with the only places that may include them.

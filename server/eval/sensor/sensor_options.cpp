@@ -1,0 +1,70 @@
+#include "eval/sensor/sensor_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "base/names.h"
+#include "events/noise/presets.h"
+#include "wire/ranges.h"
+
+namespace saccade::eval {
+namespace {
+
+void setNoise(NoiseConfig& noise, const std::string& text) {
+  const std::size_t at = text.find('=');
+  const std::string name = text.substr(0, at);
+  const auto fields = noiseFields();
+  const auto field =
+      std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return name == f.name; });
+  if (field == fields.end() || at == text.npos) {
+    throw CLI::ValidationError("--noise",
+                               "must be KEY=VALUE, not " + text + "; the keys are " + joinRowNames(fields));
+  }
+  if (!CLI::detail::lexical_cast(text.substr(at + 1), noise.*field->value))
+    throw CLI::ValidationError("--noise", text + ": the value must be a number");
+}
+
+SensorPreset presetOf(const std::string& name) {
+  const SensorConfig defaults;
+  if (name.empty())
+    return {"", "", defaults.threshold, defaults.threshold_off, seconds(defaults.refractory), {}};
+  if (const SensorPreset* preset = findPreset(name)) return *preset;
+  throw CLI::ValidationError("--preset", "there is no \"" + name + "\"; there are: " + presetNames());
+}
+
+}  // namespace
+
+void addSensorOptions(CLI::App& app, SensorOptions& o) {
+  const CLI::Range threshold(ranges::kThreshold.min, ranges::kThreshold.max);
+  app.add_option("--preset", o.preset, "sensor of a known camera: " + presetNames());
+  app.add_option("--threshold", o.threshold, "contrast threshold C, natural log units")->check(threshold);
+  app.add_option("--threshold-off", o.threshold_off, "threshold of OFF events; default: that of ON events")
+      ->check(threshold);
+  app.add_option("--refractory", o.refractory_s, "seconds for which a pixel is blind after an event")
+      ->check(CLI::Range(ranges::kRefractory.min, ranges::kRefractory.max));
+  app.add_option(
+         "--noise", o.noise,
+         "KEY=VALUE, an amount of the noise; may be given again. The keys are " + joinRowNames(noiseFields()))
+      ->allow_extra_args(false);
+  app.add_option("--bias", o.bias, "I_eps, scene luminance")
+      ->check(CLI::Range(ranges::kBias.min, ranges::kBias.max))
+      ->capture_default_str();
+  app.add_option("--seed", o.seed, "of the pixels and their noise")->capture_default_str();
+}
+
+SensorConfig configOf(const SensorOptions& o) {
+  const SensorPreset preset = presetOf(o.preset);
+  SensorConfig config;
+  config.threshold = o.threshold.value_or(preset.threshold);
+  config.threshold_off = o.threshold_off.value_or(o.threshold.value_or(preset.threshold_off));
+  config.refractory = TimeNs(std::llround(o.refractory_s.value_or(preset.refractory_s) * 1e9));
+  config.bias = o.bias;
+  config.seed = o.seed;
+  config.noise = preset.noise;
+  for (const std::string& noise : o.noise) setNoise(config.noise, noise);
+  if (const auto fault = findFault(config)) throw std::runtime_error(fault->field + ": " + fault->message);
+  return config;
+}
+
+}  // namespace saccade::eval
