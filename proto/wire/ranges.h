@@ -14,11 +14,14 @@ struct Range {
 
 namespace ranges {
 
-inline constexpr Range<int> kViewSide{1, 4096};           // View.width, View.height: pixels
-inline constexpr Range<double> kFovX{1, 170};             // View.fov_x_deg: degrees
-inline constexpr Range<double> kTurn{1e-3, 1e3};          // Motion.turn_s: seconds
-inline constexpr Range<int> kKeyframes{1, 100000};        // Keyframes.keys: how many
-inline constexpr Range<double> kFrameRate{0.1, 1e5};      // Timing.frame_rate_hz: Hz
+inline constexpr Range<int> kViewSide{1, 4096};               // View.width, View.height: pixels
+inline constexpr Range<double> kFovX{1, 170};                 // View.fov_x_deg: degrees
+inline constexpr Range<double> kFocalLength{1, 1e6};          // Intrinsics.fx, Intrinsics.fy: pixels
+inline constexpr Range<double> kPrincipalPoint{-4096, 8192};  // Intrinsics.cx, Intrinsics.cy: pixels
+inline constexpr Range<double> kDistortion{-1e6, 1e6};        // Distortion.coefficients: no unit
+inline constexpr Range<double> kTurn{1e-3, 1e3};              // Motion.turn_s: seconds
+inline constexpr Range<int> kKeyframes{1, 100000};            // Keyframes.keys: how many
+inline constexpr Range<double> kFrameRate{0.1, 1e5};          // Timing.frame_rate_hz: Hz
 inline constexpr Range<double> kDuration{0, 1e7};         // Timing.duration_s: seconds, at least one frame
 inline constexpr Range<double> kSpeed{1e-3, 1e3};         // Timing.speed: stream time over wall-clock time
 inline constexpr Range<int> kSpp{1, 65536};               // Method.spp: paths per pixel and frame

@@ -25,9 +25,7 @@ BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedCo
   const double speed = measurePixelSpeed(scene, path, feed, frames).p99;
   const auto step = std::max(
       FrameIndex{1}, static_cast<FrameIndex>(std::min(kPixelsBetweenPoses / std::max(speed, 1e-9), 1e9)));
-  BakePlan plan{.width = feed.width,
-                .height = feed.height,
-                .fov_x_deg = feed.fov_x_deg,
+  BakePlan plan{.camera = feed.camera,
                 .bounces = feed.bounces,
                 .channels = feed.monochrome ? 1 : scene.channels(),
                 .error = static_cast<float>(error)};
@@ -41,7 +39,10 @@ std::uint64_t digestOf(const RenderScene& scene, const BakePlan& plan) {
   ContentHash h;
   h.add(kVersion), h.add(hashScene(scene.description()));
   for (const Pose& pose : plan.poses) h.add(pose.position), h.add(pose.rotation);
-  h.add(plan.width), h.add(plan.height), h.add(plan.fov_x_deg), h.add(plan.bounces), h.add(plan.channels);
+  const CameraModel& camera = plan.camera;
+  h.add(camera.width), h.add(camera.height), h.add(camera.fx), h.add(camera.fy), h.add(camera.cx);
+  h.add(camera.cy), h.add(camera.distortion.model), h.add(camera.distortion.k);
+  h.add(plan.bounces), h.add(plan.channels);
   h.add(plan.error), h.add(plan.memory);
   return h.value;
 }

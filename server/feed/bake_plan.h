@@ -9,8 +9,7 @@ namespace saccade {
 
 struct BakePlan {
   std::vector<Pose> poses{};  // of the camera: all places that it looks from
-  int width = 256, height = 256;
-  double fov_x_deg = 45;
+  CameraModel camera = pinhole(45, 256, 256);
   int bounces = 3, channels = 3;
   float error = 0.02f;  // relative, of the light of about a pixel, that is asked for
   int memory = 512;     // MiB, of the grid while it is made

@@ -30,14 +30,17 @@ constexpr std::size_t kFirstPassShare = 2;
 Baker::Baker(std::shared_ptr<const RenderScene> scene, BakePlan plan)
     : scene_(std::move(scene)),
       plan_(std::move(plan)),
+      lens_(plan_.camera),
       renderer_(scene_, {plan_.bounces, plan_.channels}),
       pass_{.poses = plan_.poses.size()},
       max_vertices_(static_cast<std::size_t>(plan_.memory) * kMiB / SurfaceGrid::kBytesPerVertex),
       grid_(gridOf(pass_.larger_cells)),
       bounces_(BounceGrid::cellsBeside(static_cast<std::size_t>(plan_.memory) * kMiB)),
-      frame_(plan_.width, plan_.height, 1),
-      estimate_(plan_.width, plan_.height),
-      uncertainty_(plan_.width, plan_.height) {}
+      frame_(plan_.camera.width, plan_.camera.height, 1),
+      estimate_(plan_.camera.width, plan_.camera.height),
+      uncertainty_(plan_.camera.width, plan_.camera.height) {
+  lens_.tabulate();
+}
 
 bool Baker::isDone() const {
   return passes() >= kMostPasses || (passes() >= kLeastPasses && known() >= kEnough);
@@ -71,9 +74,9 @@ void Baker::pass(const PoolHandle& pool) {
 // Every pass shifts the pixels, so that all vertices between them are reached. Once memory is full, passes
 // repeat the shifts whose vertices are there.
 Camera Baker::cameraAt(std::size_t pose) const {
-  Camera camera(plan_.poses[pose], plan_.fov_x_deg, plan_.width, plan_.height);
+  Camera camera(plan_.poses[pose], lens_);
   const auto i = static_cast<std::uint32_t>(isFull() ? pass_.count % pass_.shifts : pass_.count);
-  camera.cx += 0.5f - halton(i + 1, 2), camera.cy += 0.5f - halton(i + 1, 3);
+  camera.shift(0.5f - halton(i + 1, 2), 0.5f - halton(i + 1, 3));
   return camera;
 }
 

@@ -46,6 +46,7 @@ class Baker {
 
   std::shared_ptr<const RenderScene> scene_;
   BakePlan plan_;
+  Lens lens_;
   Renderer renderer_;
   struct Passes {
     std::uint64_t count = 0, poses = 0;

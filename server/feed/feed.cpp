@@ -30,19 +30,23 @@ const MethodInfo& methodOf(const FeedConfig& config) {
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
            const PoolHandle& pool)
     : Feed(std::move(scene), std::move(path), config,
-           methodOf(config).make({config.params, config.width, config.height, config.baked}),
+           methodOf(config).make({config.params, config.camera.width, config.camera.height, config.baked}),
            methodOf(config).samples(config.params), pool) {}
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
            std::unique_ptr<Method> method, SampleRequest samples, const PoolHandle& pool)
     : config_(config),
+      lens_(config.camera),
       scene_(std::move(scene)),
       path_(std::move(path)),
       renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}),
       method_(std::move(method)),
       seed_reuse_(samples.reuse),
-      frames_(config.width, config.height, samples.on_surfaces ? (config.jitter ? kSubPixels : 1) : 0),
-      changes_{IntensityChange(config.width, config.height), IntensityChange(config.width, config.height)} {
+      frames_(config.camera.width, config.camera.height,
+              samples.on_surfaces ? (config.jitter ? kSubPixels : 1) : 0),
+      changes_{IntensityChange(config.camera.width, config.camera.height),
+               IntensityChange(config.camera.width, config.camera.height)} {
+  lens_.tabulate();
   render(pool);
   method_->start(frames_.current(), pool);
 }
@@ -80,7 +84,7 @@ void Feed::render(const PoolHandle& pool) {
 }
 
 Camera Feed::cameraAt(TimeNs t) const {
-  return {path_.at(t), config_.fov_x_deg, config_.width, config_.height};
+  return {path_.at(t), lens_};
 }
 
 FeedInterval Feed::interval() const {

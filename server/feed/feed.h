@@ -13,13 +13,13 @@
 #include "frame/intensity_change.h"
 #include "methods/method.h"
 #include "render/renderer.h"
+#include "scene/camera/lens.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {
 
 struct FeedConfig {
-  int width = 256, height = 256;
-  double fov_x_deg = 45;
+  CameraModel camera = pinhole(45, 256, 256);
   double frame_rate_hz = 500;
   std::string method = "event_svgf";  // a name of methodTable()
   ParamValues params;                 // resolved by resolveParams()
@@ -61,6 +61,7 @@ class Feed {
   Camera cameraAt(TimeNs t) const;
 
   FeedConfig config_;
+  Lens lens_;
   std::shared_ptr<const RenderScene> scene_;
   Trajectory path_;
   Renderer renderer_;

@@ -16,11 +16,11 @@ constexpr FrameIndex kInstants = 16;
 constexpr TimeNs kLongest{60'000'000'000};
 
 // The points in view, in the axes of the camera.
-VisiblePoints gridView(const RenderScene& scene, const Camera& camera, const FeedConfig& config) {
+VisiblePoints gridView(const RenderScene& scene, const Camera& camera, const CameraModel& model) {
   VisiblePoints view;
-  for (const ViewHit& hit : viewHits(scene, camera, {config.width, config.height, kColumns, kRows})) {
-    const Vec3d direction{(hit.x - camera.cx) * camera.pixel, (hit.y - camera.cy) * camera.pixel, 1};
-    view.push_back(direction * static_cast<double>(hit.z));
+  for (const ViewHit& hit : viewHits(scene, camera, {model.width, model.height, kColumns, kRows})) {
+    const Vec2 at = camera.planePoint(hit.x, hit.y);
+    view.push_back(Vec3d{at.x, at.y, 1} * static_cast<double>(hit.z));
   }
   return view;
 }
@@ -37,15 +37,16 @@ PixelSpeed measurePixelSpeed(const RenderScene& scene, const Trajectory& path, c
                              FrameIndex frames) {
   const FrameIndex all = framesToLookAt(path, config.frame_rate_hz, frames);
   const FrameIndex instants = std::min(all, kInstants);
+  const Lens lens(config.camera);
   std::vector<double> lengths;
   double px_per_focal = 0;
   for (FrameIndex i = 0; i < instants; ++i) {
     const FrameIndex frame = 1 + i * all / instants;
     const Pose cur = path.at(frameTime(frame, config.frame_rate_hz));
     const Pose prev = path.at(frameTime(frame - 1, config.frame_rate_hz));
-    const Camera camera(cur, config.fov_x_deg, config.width, config.height);
+    const Camera camera(cur, lens);
     const Pose step = cur == prev ? Pose{} : inverse(cur) * prev;  // exactly 0 where it stands
-    appendImageSteps(gridView(scene, camera, config), step, Pose{}, lengths);
+    appendImageSteps(gridView(scene, camera, config.camera), step, Pose{}, lens, lengths);
     px_per_focal = 1 / static_cast<double>(camera.pixel);
   }
   if (lengths.empty()) return {};

@@ -1,27 +1,36 @@
-// Pinhole camera with square pixels. Directions have length 1 along the viewing axis. So the t of a hit is
-// its depth z.
+// A camera at a pose. Directions have length 1 along the viewing axis. So the t of a hit is its depth z.
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
+#include "base/check.h"
+#include "scene/camera/lens.h"
 #include "scene/camera/pose.h"
 
 namespace saccade {
 
-struct Camera {
-  Camera(const Pose& T_world_camera, double fov_x_deg, int width, int height)
-      : origin(toFloat(T_world_camera.position)),
-        right(toFloat(rotate(T_world_camera.rotation, {1, 0, 0}))),
-        down(toFloat(rotate(T_world_camera.rotation, {0, 1, 0}))),
-        forward(toFloat(rotate(T_world_camera.rotation, {0, 0, 1}))),
-        pixel(static_cast<float>(2 * std::tan(fov_x_deg * std::numbers::pi / 360) / width)),
-        cx(0.5f * static_cast<float>(width - 1)),
-        cy(0.5f * static_cast<float>(height - 1)) {}
+class Camera {
+ public:
+  // Without distortion.
+  Camera(const Pose& T_world_camera, const CameraModel& model) : Camera(T_world_camera, model, nullptr) {
+    SACCADE_CHECK(model.distortion.isNone());
+  }
+  // `lens` must outlive the camera.
+  Camera(const Pose& T_world_camera, const Lens& lens)
+      : Camera(T_world_camera, lens.camera(), lens.isDistorted() ? &lens : nullptr) {}
 
-  // The direction through the point (x, y) in pixels. Pixel centres are whole numbers.
+  // Moves the grid of pixels over the picture by less than a pixel.
+  void shift(float x, float y) { cx_ += x, cy_ += y, shift_.x += x, shift_.y += y; }
+
+  // The point that is shown at (x, y) in pixels, in the plane at distance 1. Pixel centres are whole numbers.
+  Vec2 planePoint(float x, float y) const {
+    if (lens_) return lens_->planePoint(x - shift_.x, y - shift_.y);
+    return {(x - cx_) * pixel_x_, (y - cy_) * pixel_y_};
+  }
+  // The direction through the same point.
   Vec3 direction(float x, float y) const {
-    return forward + right * ((x - cx) * pixel) + down * ((y - cy) * pixel);
+    const Vec2 p = planePoint(x, y);
+    return forward + right * p.x + down * p.y;
   }
 
   struct Projection {
@@ -31,13 +40,39 @@ struct Camera {
   Projection project(Vec3 point) const { return projectDirection(point - origin); }
   // Projects the point at infinity in a direction.
   Projection projectDirection(Vec3 d) const {
-    const float z = dot(d, forward), scale = 1 / (z * pixel);
-    return {dot(d, right) * scale + cx, dot(d, down) * scale + cy, z};
+    if (lens_) return throughLens(d);
+    const float z = dot(d, forward), scale = 1 / (z * pixel_x_);
+    return {dot(d, right) * scale + cx_, dot(d, down) * (scale * aspect_) + cy_, z};
+  }
+
+  // The width of a pixel at z = 1: the geometric mean of both axes. `direction` is that of a ray.
+  float pixelAt(Vec3 direction) const { return lens_ ? pixelThroughLens(direction) : pixel; }
+
+  // `direction` of a ray, moved by one pixel to the right, or down, to first order.
+  Vec3 nextRight(Vec3 direction) const {
+    if (lens_) return nextThroughLens(direction, {1, 0});
+    return direction + right * pixel_x_;
+  }
+  Vec3 nextDown(Vec3 direction) const {
+    if (lens_) return nextThroughLens(direction, {0, 1});
+    return direction + down * pixel_y_;
   }
 
   Vec3 origin, right, down, forward;
-  float pixel;   // width of a pixel at z = 1
-  float cx, cy;  // the principal point, pixels
+  float pixel;  // the same on the viewing axis
+
+ private:
+  Camera(const Pose& T_world_camera, const CameraModel& model, const Lens* lens);
+
+  Projection throughLens(Vec3 d) const;
+  float pixelThroughLens(Vec3 direction) const;
+  Vec3 nextThroughLens(Vec3 direction, Vec2 pixels) const;
+
+  float pixel_x_, pixel_y_;  // width and height of a pixel at z = 1, without distortion
+  float aspect_;             // fy over fx
+  float cx_, cy_;            // the principal point, pixels
+  const Lens* lens_;         // nullptr without distortion
+  Vec2 shift_;               // of shift()
 };
 
 }  // namespace saccade

@@ -12,11 +12,8 @@ namespace {
 // max(|dz/dx|, |dz/dy|) of the plane through `offset` (from the camera) with normal n, at depth z.
 float planeSlope(const Camera& camera, Vec3 direction, Vec3 offset, Vec3 n, float z) {
   const float height = dot(offset, n);
-  const auto step = [&](Vec3 axis) {
-    const float towards = dot(direction + axis * camera.pixel, n);
-    return std::abs(height / towards - z);
-  };
-  const float dz = std::max(step(camera.right), step(camera.down));
+  const auto step = [&](Vec3 next) { return std::abs(height / dot(next, n) - z); };
+  const float dz = std::max(step(camera.nextRight(direction)), step(camera.nextDown(direction)));
   return dz < z ? dz : z;  // also if the next ray is parallel to the plane
 }
 
@@ -52,7 +49,7 @@ void setPrimary(const PixelContext& view, const Ray& ray, const Hit& hit, Primar
     if constexpr (S.extras) out.guide.emission = view.scene.lights().distantRadiance(unit);
     return;
   }
-  RayCone cone{0, view.camera.pixel};
+  RayCone cone{0, view.camera.pixelAt(ray.direction)};
   cone.width = cone.at(hit.t);
   new (&out.start) PathStart{surfaceAt<S>(view.scene, ray, hit, cone.width), unit, cone};
   new (&out.guide) Guide(findGuide<S>(view.scene, view.strengths, ray, hit, out.start));

@@ -27,7 +27,7 @@ class SubPixels {
   SubPixels(const PixelContext& view, int x, int y) : view_(view), x_(x), y_(y) {
     trace(kSubPixelOffsets);
     const auto others = std::find_if_not(hits_.begin() + 1, hits_.begin() + count_, [this](const auto& hit) {
-      return isOneSurface(hits_[0], hit, view_.camera.pixel);
+      return isOneSurface(hits_[0], hit, pixel());
     });
     if (others != hits_.begin() + count_) trace(kEdgeSubPixelOffsets);
     for (std::uint32_t i = 0; i < count_; ++i) albedo_[i] = luminance(hits_[i].guide.albedo) / count_;
@@ -50,7 +50,7 @@ class SubPixels {
       std::uint32_t shown = i;
       float A = 0;
       for (std::uint32_t j = i; j < count_; ++j) {
-        if (told[j] || (j > i && !last && !isOneSurface(hits_[i], hits_[j], view_.camera.pixel))) continue;
+        if (told[j] || (j > i && !last && !isOneSurface(hits_[i], hits_[j], pixel()))) continue;
         told[j] = true;
         A += albedo_[j];
         if (albedo_[j] > albedo_[shown]) shown = j;
@@ -65,6 +65,8 @@ class SubPixels {
     count_ = kCount;
     std::ranges::copy(traceSubPixels<S>(view_, x_, y_, offsets), hits_.begin());
   }
+
+  float pixel() const { return view_.camera.pixelAt(hits_[0].direction); }
 
   const PixelContext& view_;
   int x_, y_;

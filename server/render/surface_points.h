@@ -59,9 +59,10 @@ class TilePoints {
     for (SurfacePoint& p : out_.surfaces->of(x, y)) p = {};
     if (A <= 0) return;
     int column = x * out_.surfaces->perPixel();
+    const float pixel = view_.camera.pixelAt(centre.direction);
     shown.forEachSurface([&](const PrimaryHit& hit, float albedo) {
       const bool central =
-          isOneSurface(hit, centre, view_.camera.pixel) && luminance(centre.guide.albedo) >= kLeastAlbedo * A;
+          isOneSurface(hit, centre, pixel) && luminance(centre.guide.albedo) >= kLeastAlbedo * A;
       const PrimaryHit& shows = central ? centre : hit;
       const Rgb white = view_.scene.analyticLight().at(litPoint(shows.start), view_.strengths);
       setPoint(column++, y, shows, white, albedo / A);
@@ -94,7 +95,7 @@ class TilePoints {
     point.kind = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
     SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(column, y));
     place.position = guide.point, place.normal = guide.normal;
-    place.footprint = view_.camera.pixel * guide.t;
+    place.footprint = view_.camera.pixelAt(hit.direction) * guide.t;
     place.unoccluded = luminance(start.base.albedo * white) / albedo;
   }
 

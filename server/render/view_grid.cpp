@@ -33,11 +33,12 @@ std::vector<ViewHit> viewHits(const RenderScene& scene, const Camera& camera, co
   return hits;
 }
 
-std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, double fov_x_deg) {
+std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, const Lens& lens) {
   constexpr int kWidth = 64, kHeight = 48;
-  const Camera camera(T_world_camera, fov_x_deg, kWidth, kHeight);
+  const CameraModel model = lens.isDistorted() ? lens.camera() : resized(lens.camera(), kWidth, kHeight);
+  const Camera camera = lens.isDistorted() ? Camera(T_world_camera, lens) : Camera(T_world_camera, model);
   std::vector<Vec3> points;
-  forEachHit(scene, camera, {kWidth, kHeight, kWidth, kHeight},
+  forEachHit(scene, camera, {model.width, model.height, kWidth, kHeight},
              [&](ViewHit hit, Vec3 direction) { points.push_back(camera.origin + direction * hit.z); });
   return points;
 }

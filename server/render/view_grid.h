@@ -23,7 +23,8 @@ struct ViewHit {
 // Traces one ray through the centre of each cell, row by row. Rays that hit nothing are left out.
 std::vector<ViewHit> viewHits(const RenderScene& scene, const Camera& camera, const ViewGrid& grid);
 
-// World-space points on the surfaces in view, on a grid over the picture. Empty if nothing is in view.
-std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, double fov_x_deg);
+// World-space points on the surfaces in view, on a grid over the picture, which is cut or extended to 4:3
+// where there is no distortion. Empty if nothing is in view.
+std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, const Lens& lens);
 
 }  // namespace saccade

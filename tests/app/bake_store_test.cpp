@@ -16,7 +16,7 @@ struct BakeStoreTest : testing::Test {
   BakeStoreTest() {
     std::filesystem::remove_all(folder);
     plan.poses = {Pose{{0, 0, -0.9}, {}}};
-    plan.width = plan.height = 12, plan.fov_x_deg = 80;
+    plan.camera = pinhole(80, 12, 12);
   }
   std::shared_ptr<const Bake> get(
       const std::stop_token& stop = {}, const std::function<void(double)>& progress = [](double) {}) {

@@ -134,7 +134,7 @@ TEST(Limits, TheNoiseOfAFrameFitsIntoItsEvents) {
   ResolvedStream stream;
   stream.request.add_sensors();
   stream.sensors.emplace_back().noise.leak_hz = 5;
-  stream.feed.width = stream.feed.height = 100;
+  stream.feed.camera.width = stream.feed.camera.height = 100;
   stream.feed.frame_rate_hz = 50;
   boundEvents(stream, limits);
   stream.feed.frame_rate_hz = 49;

@@ -12,7 +12,7 @@ namespace {
 // Two sensors; the second has twice the threshold.
 ResolvedStream twoSensors() {
   ResolvedStream stream{.request = {},
-                        .feed = {.width = kWidth, .height = kHeight, .params = {}},
+                        .feed = {.camera = pinhole(45, kWidth, kHeight), .params = {}},
                         .sensors = {{.reconstruction = "direct"}, {.reconstruction = "direct"}},
                         .truth = {},
                         .disabled_features = {},

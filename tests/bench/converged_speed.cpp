@@ -32,7 +32,7 @@ void traceRays(const RenderScene& scene, const Camera& camera, Tile block) {
 
 std::chrono::nanoseconds tracePrimaryRays(const RenderScene& scene, const Camera& camera,
                                           const FeedConfig& view, const PoolHandle& pool) {
-  return pool.forEachTile(view.width, view.height, kTile, [&](Tile tile) {
+  return pool.forEachTile(view.camera.width, view.camera.height, kTile, [&](Tile tile) {
     for (int y = tile.y0; y < tile.y1; y += kEdge)
       for (int x = tile.x0; x < tile.x1; x += kEdge)
         traceRays(scene, camera, {x, y, std::min(x + kEdge, tile.x1), std::min(y + kEdge, tile.y1)});
@@ -42,11 +42,10 @@ std::chrono::nanoseconds tracePrimaryRays(const RenderScene& scene, const Camera
 void measure(const std::string& name) {
   TilePool pool(2), one(1);
   FeedConfig config;
-  config.width = 346, config.height = 260;
   config.method = "irradiance_cache";
   config.params = parseMethod(config.method).params;
   const auto scene = eval::openScene(name);
-  config.fov_x_deg = scene->description().fov_x_deg;
+  config.camera = pinhole(scene->description().fov_x_deg, 346, 260);
   const Trajectory path = eval::openTrajectory(name, "right", *scene, config);
   const BakePlan plan = planBake(*scene, path, config, kAll, kBakeError);
   config.baked = eval::keptBake(scene, plan, defaultCache(), name, pool).light;
@@ -60,8 +59,7 @@ void measure(const std::string& name) {
       feed.step(one);
       if (t <= kWarmUp) continue;
       if (feed.lastTimes().total() < best.total()) best = feed.lastTimes();
-      const Camera camera(path.at(frameTime(t, config.frame_rate_hz)), config.fov_x_deg, config.width,
-                          config.height);
+      const Camera camera(path.at(frameTime(t, config.frame_rate_hz)), config.camera);
       rays_ms = std::min(rays_ms, 1e3 * seconds(tracePrimaryRays(*scene, camera, config, one)));
     }
   }

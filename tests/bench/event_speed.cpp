@@ -29,9 +29,8 @@ Recording record(const std::string& scene_name, const std::string& trajectory) {
   Recording r;
   const MethodSpec method = parseMethod(r.feed.method);
   r.feed.params = method.params;
-  r.feed.width = 346, r.feed.height = 260;
   const auto scene = eval::openScene(scene_name);
-  r.feed.fov_x_deg = scene->description().fov_x_deg;
+  r.feed.camera = pinhole(scene->description().fov_x_deg, 346, 260);
   TilePool pool(1);
   r.source = std::make_unique<Feed>(scene, eval::openTrajectory(scene_name, trajectory, *scene, r.feed),
                                     r.feed, pool);
@@ -39,7 +38,7 @@ Recording record(const std::string& scene_name, const std::string& trajectory) {
     const IntensityChange& change = r.source->step(pool);
     r.frame_ms = std::min(r.frame_ms, 1e3 * seconds(r.source->lastTimes().total()));
     if (i < kWarmUp) continue;
-    r.changes.emplace_back(r.feed.width, r.feed.height);
+    r.changes.emplace_back(r.feed.camera.width, r.feed.camera.height);
     r.changes.back().copyFrom(change);
   }
   return r;
@@ -53,8 +52,8 @@ struct Cost {
 // One run of a new sensor over the frames.
 void measure(const Recording& r, const SensorConfig& config, Cost& best) {
   const PacketSource source{.stream_id = "s",
-                            .width = static_cast<std::uint32_t>(r.feed.width),
-                            .height = static_cast<std::uint32_t>(r.feed.height)};
+                            .width = static_cast<std::uint32_t>(r.feed.camera.width),
+                            .height = static_cast<std::uint32_t>(r.feed.camera.height)};
   SensorChannel channel(config, source, 0);
   const FeedInterval last = r.source->interval();
   std::chrono::nanoseconds time{0};
@@ -68,8 +67,8 @@ void measure(const Recording& r, const SensorConfig& config, Cost& best) {
 
 void measureAll(const std::string& scene, const std::string& trajectory) {
   const Recording r = record(scene, trajectory);
-  std::printf("%s, %s, %d x %d: a frame takes %.1f ms\n", scene.c_str(), trajectory.c_str(), r.feed.width,
-              r.feed.height, r.frame_ms);
+  std::printf("%s, %s, %d x %d: a frame takes %.1f ms\n", scene.c_str(), trajectory.c_str(),
+              r.feed.camera.width, r.feed.camera.height, r.frame_ms);
   std::vector<SensorConfig> configs;
   for (const EventModelInfo& model : eventModelTable())
     for (const ReconstructionInfo& reconstruction : reconstructionTable())
@@ -89,7 +88,7 @@ void measureAll(const std::string& scene, const std::string& trajectory) {
     const auto events = static_cast<double>(best[i].events);
     std::printf("%-14s %-14s %5.2f %12.3f %9.1f %15.2f\n", config.model.c_str(),
                 config.reconstruction.c_str(), config.threshold,
-                events / kFrames / (r.feed.width * r.feed.height), events / best[i].ms / 1e3,
+                events / kFrames / (r.feed.camera.width * r.feed.camera.height), events / best[i].ms / 1e3,
                 1 + kSensors * best[i].ms / kFrames / r.frame_ms);
   }
 }

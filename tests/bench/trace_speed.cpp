@@ -26,10 +26,10 @@ struct View {
 View open(const std::string& name) {
   auto scene = eval::openScene(name);
   FeedConfig feed;
-  feed.width = kWidth, feed.height = kHeight;
+  feed.camera = pinhole(scene->description().fov_x_deg, kWidth, kHeight);
   const Trajectory path = eval::openTrajectory(name, "right", *scene, feed);
   const auto at = [&](FrameIndex t) {
-    return Camera(path.at(frameTime(t, feed.frame_rate_hz)), scene->description().fov_x_deg, kWidth, kHeight);
+    return Camera(path.at(frameTime(t, feed.frame_rate_hz)), feed.camera);
   };
   return {scene, at(21), at(20)};
 }

@@ -27,7 +27,7 @@ TEST(OpenTrajectory, TakesAMotionByNameOrWithItsSpeed) {
 // A pan of 2 px a frame. Near the centre of the view, an angle of a moves the image by a focal lengths.
 TEST(OpenTrajectory, TakesPixelsPerFrame) {
   const auto scene = openScene("cornell-box");
-  const FeedConfig feed{.width = 200, .fov_x_deg = 60, .frame_rate_hz = 100, .params = {}};
+  const FeedConfig feed{.camera = pinhole(60, 200, 256), .frame_rate_hz = 100, .params = {}};
   const Trajectory path = openTrajectory("cornell-box", "pan:2px", *scene, feed);
   const double focal_px = 100 / std::tan(30 * std::numbers::pi / 180);
   const double angle = rotationVector((inverse(path.at(0ms)) * path.at(10ms)).rotation).y;

@@ -21,7 +21,7 @@ Trajectory path() {
 
 FeedConfig config() {
   FeedConfig c;
-  c.width = kW, c.height = kH, c.fov_x_deg = 80, c.frame_rate_hz = 100, c.method = "irradiance_cache";
+  c.camera = pinhole(80, kW, kH), c.frame_rate_hz = 100, c.method = "irradiance_cache";
   c.spp = 1;
   std::string name;
   EXPECT_EQ(resolveParams(*findMethod(c.method), {}, c.params, name), "");
@@ -60,9 +60,9 @@ TEST_F(BakeTest, ItsPlanHasADigestThatCoversAll) {
   };
   add([](BakePlan& p) { p.poses.pop_back(); });
   add([](BakePlan& p) { p.poses.back().position.x += 1e-9; });
-  add([](BakePlan& p) { ++p.width; });
-  add([](BakePlan& p) { ++p.height; });
-  add([](BakePlan& p) { p.fov_x_deg += 1e-9; });
+  add([](BakePlan& p) { ++p.camera.width; });
+  add([](BakePlan& p) { ++p.camera.height; });
+  add([](BakePlan& p) { p.camera.fx += 1e-9; });
   add([](BakePlan& p) { ++p.bounces; });
   add([](BakePlan& p) { p.channels = p.channels == 1 ? 3 : 1; });
   add([](BakePlan& p) { p.error += 1e-3f; });
@@ -123,7 +123,7 @@ TEST_F(BakeTest, IsTheSameForAnyNumberOfThreads) {
 // It covers the first poses, and tells how many.
 TEST_F(BakeTest, KeepsToItsMemory) {
   FeedConfig large = config();
-  large.width = 96, large.height = 72;
+  large.camera = pinhole(80, 96, 72);
   BakePlan small = planBake(*room(), path(), large, 20, 0.2);
   small.memory = 8;
   Baker baker(room(), small);
@@ -150,7 +150,7 @@ TEST_F(BakeTest, ResumesWithTheCellsThatItHad) {
 
 TEST_F(BakeTest, GoesOnWithWhatItHasWhenMemoryIsFull) {
   BakePlan small = plan(0.05f);
-  small.width = 48, small.height = 36, small.memory = 2;
+  small.camera = pinhole(80, 48, 36), small.memory = 2;
   Baker baker(room(), small);
   while (!baker.isFull() && !baker.isDone()) baker.pass(pool);
   ASSERT_TRUE(baker.isFull());

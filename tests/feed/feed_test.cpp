@@ -32,7 +32,7 @@ Trajectory path(bool moving) {
 FeedConfig config(const std::string& method, bool jitter = false) {
   FeedConfig c;
   c.jitter = jitter;
-  c.width = kW, c.height = kH, c.fov_x_deg = 80, c.frame_rate_hz = 100, c.method = method, c.seed = 3;
+  c.camera = pinhole(80, kW, kH), c.frame_rate_hz = 100, c.method = method, c.seed = 3;
   std::string name;
   EXPECT_EQ(resolveParams(*findMethod(method), {}, c.params, name), "");
   return c;
@@ -99,6 +99,18 @@ TEST(Feed, ALampThatIsSwitchedChangesThePictureInThatFrameAlone) {
   }
 }
 
+TEST(Feed, ThroughALensAStandingCameraSeesNoChange) {
+  TilePool pool(2);
+  for (const bool jitter : {false, true}) {
+    FeedConfig c = config("event_svgf");
+    c.jitter = jitter;
+    c.camera.distortion = {LensModel::kEquidistant, {-0.02, 0.01, 0, 0, 0}};
+    const auto scene = std::make_shared<RenderScene>(test::furnace(0.5f, 1));
+    Feed feed(scene, Trajectory({{0ms, scene->description().T_world_camera}}), c, pool);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(largestChange(feed.step(pool)), 0);
+  }
+}
+
 // A surface that appears has no history. The filter averages it with neighbours that appeared with it.
 TEST(Feed, ASurfaceThatAppearsIsFiltered) {
   Scene s = test::floorFromAbove(0.5f);
@@ -109,7 +121,7 @@ TEST(Feed, ASurfaceThatAppearsIsFiltered) {
   TilePool pool(2);
   const auto noiseOf = [&](const char* method) {
     FeedConfig c = config(method);
-    c.fov_x_deg = 10;
+    c.camera = pinhole(10, kW, kH);
     Feed feed(scene, turn, c, pool);
     EXPECT_EQ(largestChange(feed.change()), 0);
     const ImageF& dI = feed.step(pool).dI;

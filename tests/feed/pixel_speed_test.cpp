@@ -26,12 +26,12 @@ RenderScene wall(float x_from = -100) {
 
 FeedConfig config(double frame_rate_hz = 500) {
   FeedConfig c;
-  c.width = 200, c.height = 100, c.fov_x_deg = kFov, c.frame_rate_hz = frame_rate_hz;
+  c.camera = pinhole(kFov, 200, 100), c.frame_rate_hz = frame_rate_hz;
   return c;
 }
 
 double focalPx() {
-  return config().width / 2.0 / std::tan(kFov * std::numbers::pi / 360);
+  return 200 / 2.0 / std::tan(kFov * std::numbers::pi / 360);
 }
 
 // A path that goes right by `speed` scene units per second for two seconds, then stands.
@@ -61,6 +61,28 @@ TEST(PixelSpeed, OfAPanGrowsTowardsTheEdges) {
   EXPECT_LT(found.p50, found.p99);
   EXPECT_LT(found.p99, 1.06 * middle * (1 + std::pow(std::tan(kFov * std::numbers::pi / 360), 2)));
   EXPECT_GT(found.p99, 1.2 * middle);
+}
+
+// An equidistant lens shows angles: along the horizon a pan moves everything alike.
+TEST(PixelSpeed, OfAPanThroughAFisheyeIsTheSameAlongTheHorizon) {
+  FeedConfig c = config();
+  c.camera = {.width = 200,
+              .height = 1,
+              .fx = 100,
+              .fy = 100,
+              .cx = 99.5,
+              .cy = 0,
+              .distortion = {LensModel::kEquidistant, {}}};
+  const PixelSpeed found = measurePixelSpeed(wall(), pan(0.1), c, 50);
+  EXPECT_NEAR(found.p50, 100 * 0.1 / 500, 1e-5);
+  EXPECT_NEAR(found.p99, 100 * 0.1 / 500, 1e-5);
+}
+
+TEST(PixelSpeed, CountsPixelsThatAreNotSquare) {
+  FeedConfig c = config();
+  c.camera.fx *= 3;
+  const double px = 3 * focalPx() * 0.8 / 500 / kDepth;
+  EXPECT_NEAR(measurePixelSpeed(wall(), truck(-0.8), c, 0).p50, px, 1e-4 * px);
 }
 
 TEST(PixelSpeed, IsThatOfSurfacesAlone) {

@@ -51,7 +51,7 @@ class FeedFailure : public testing::Test {
     return runner(std::make_unique<FailingMethod>(fails_at));
   }
   std::unique_ptr<FeedRunner> runner(std::unique_ptr<Method> method) {
-    const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
+    const FeedConfig config{.camera = pinhole(45, 8, 8), .frame_rate_hz = 100, .params = {}};
     auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method),
                                        SampleRequest{SeedReuse::kIndependent}, pool_);
     return std::make_unique<FeedRunner>(Rig(std::move(feed)), FeedPace{kFrames, 100, 0}, pool_, totals_);
@@ -59,7 +59,7 @@ class FeedFailure : public testing::Test {
 
   static std::shared_ptr<StreamSink> makeSink(const std::shared_ptr<Session>& session) {
     ResolvedStream stream{.request = {},
-                          .feed = {.width = 8, .height = 8, .params = {}},
+                          .feed = {.camera = pinhole(45, 8, 8), .params = {}},
                           .sensors = {},
                           .truth = {},
                           .disabled_features = {},

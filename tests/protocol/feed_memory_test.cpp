@@ -24,7 +24,7 @@ TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
   Totals totals;
   WakeFd transport;
   TilePool pool(1);
-  const FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
+  const FeedConfig config{.camera = pinhole(45, 8, 8), .frame_rate_hz = 100, .params = {}};
   const auto scene = std::make_shared<RenderScene>(test::furnace(0.5f, 1));
   FeedRunner runner(
       Rig(std::make_unique<Feed>(scene, Trajectory({{TimeNs(0), Pose{}}}), config, std::make_unique<Greedy>(),

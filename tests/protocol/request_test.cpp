@@ -31,6 +31,18 @@ v1::Keyframe& secondKey(v1::OpenStream& r) {
   return *keyframes.mutable_keys(1);
 }
 
+v1::OpenStream& setIntrinsics(v1::OpenStream& r, double f) {
+  v1::Intrinsics& k = *r.mutable_view()->mutable_intrinsics();
+  k.set_fx(f), k.set_fy(f), k.set_cx(16), k.set_cy(12);
+  return r;
+}
+
+void setLens(v1::OpenStream& r, v1::DistortionModel model, std::initializer_list<double> coefficients) {
+  v1::Distortion& lens = *r.mutable_view()->mutable_distortion();
+  lens.set_model(model);
+  for (const double k : coefficients) lens.add_coefficients(k);
+}
+
 struct SpoiltRequest {
   std::string field;
   std::function<void(v1::OpenStream&)> spoil;
@@ -51,6 +63,25 @@ const std::vector<SpoiltRequest> kSpoiltRequests{
     {"view.fov_x_deg", [](auto& r) { r.mutable_view()->set_fov_x_deg(180); }, v1::CODE_INVALID_ARGUMENT,
      "180 is outside [1, 170]"},
     {"view.fov_x_deg", [](auto& r) { r.mutable_view()->set_fov_x_deg(kNan); }},
+    {"view.intrinsics", [](auto& r) { setIntrinsics(r, 20).mutable_view()->set_fov_x_deg(40); }, v1::CODE_INVALID_ARGUMENT,
+     "not both"},
+    {"view.intrinsics.fx", [](auto& r) { setIntrinsics(r, 0); }, v1::CODE_INVALID_ARGUMENT, "[1, "},
+    {"view.intrinsics.fy", [](auto& r) { setIntrinsics(r, 20).mutable_view()->mutable_intrinsics()->set_fy(kNan); }},
+    {"view.intrinsics.cx", [](auto& r) { setIntrinsics(r, 20).mutable_view()->mutable_intrinsics()->set_cx(1e5); }},
+    {"view.intrinsics.cy", [](auto& r) { setIntrinsics(r, 20).mutable_view()->mutable_intrinsics()->set_cy(-kInf); }},
+    {"view.distortion.model", [](auto& r) { setLens(r, v1::DISTORTION_MODEL_UNSPECIFIED, {0, 0, 0, 0}); },
+     v1::CODE_INVALID_ARGUMENT, "EQUIDISTANT"},
+    {"view.distortion.model", [](auto& r) { setLens(r, v1::DistortionModel(9), {0, 0, 0, 0}); }},
+    {"view.distortion.coefficients", [](auto& r) { setLens(r, v1::DISTORTION_MODEL_RADTAN, {0.1}); },
+     v1::CODE_INVALID_ARGUMENT, "k1, k2, p1, p2"},
+    {"view.distortion.coefficients", [](auto& r) { setLens(r, v1::DISTORTION_MODEL_EQUIDISTANT, {0, 0, 0, 0, 0}); }},
+    {"view.distortion.coefficients", [](auto& r) { setLens(r, v1::DISTORTION_MODEL_RADTAN, {0, 0, 0, 0, 0, 0}); }},
+    {"view.distortion.coefficients[1]", [](auto& r) { setLens(r, v1::DISTORTION_MODEL_RADTAN, {0, kNan, 0, 0}); }},
+    {"view.distortion", [](auto& r) { setLens(setIntrinsics(r, 20), v1::DISTORTION_MODEL_RADTAN, {-0.9, 0, 0, 0}); },
+     v1::CODE_INVALID_ARGUMENT, "folds back"},
+    {"view.distortion", [](auto& r) { setLens(setIntrinsics(r, 8), v1::DISTORTION_MODEL_EQUIDISTANT, {0, 0, 0, 0}); },
+     v1::CODE_INVALID_ARGUMENT, "85 degrees"},
+    {"view.distortion", [](auto& r) { setLens(r, v1::DISTORTION_MODEL_RADTAN, {-900, 0, 0, 0}); }},
     {"trajectory", [](auto& r) { r.clear_trajectory(); }},
     {"trajectory.name", [](auto& r) { r.mutable_trajectory()->set_name("../x"); }, v1::CODE_NOT_FOUND, "right"},
     {"trajectory.csv", [](auto& r) { r.mutable_trajectory()->set_csv(""); }},

@@ -109,7 +109,7 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
   TilePool pool(1);
   Totals totals;
   const auto feed = [&] {
-    FeedConfig config{.width = 8, .height = 8, .frame_rate_hz = 100, .params = {}};
+    FeedConfig config{.camera = pinhole(45, 8, 8), .frame_rate_hz = 100, .params = {}};
     std::string none;
     EXPECT_EQ(resolveParams(*findMethod(config.method), {}, config.params, none), "");
     return std::make_shared<FeedRunner>(

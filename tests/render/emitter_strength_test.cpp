@@ -29,7 +29,7 @@ Frame render(const Scene& scene, TimeNs time, const SeedPlan& seeds = kSeeds, in
   TilePool pool(2);
   Frame frame(kSize, kSize);
   frame.time = time;
-  const Camera camera(scene.T_world_camera, scene.fov_x_deg, kSize, kSize);
+  const Camera camera(scene.T_world_camera, pinhole(scene.fov_x_deg, kSize, kSize));
   Renderer(s, {2, channels}).render(camera, camera, seeds, pool, frame);
   return frame;
 }
@@ -64,7 +64,7 @@ TEST(EmitterStrength, OfAStillIsThatAtTheTimeOfItsFrame) {
   Scene scene = lamps({}, {5, 3, 2});
   scene.spheres[0].strength = Strength({{0ms, 1}, {10ms, 0.25f}});
   const auto s = std::make_shared<RenderScene>(scene);
-  const Camera camera(scene.T_world_camera, scene.fov_x_deg, kSize, kSize);
+  const Camera camera(scene.T_world_camera, pinhole(scene.fov_x_deg, kSize, kSize));
   TilePool pool(2);
   Renderer renderer(s, {1, 3});
   const auto green = [&](TimeNs time) {

@@ -32,8 +32,8 @@ Frame renderMoved(Scene scene, Vec3d by) {
   TilePool pool(2);
   Frame frame(kSize, kSize);
   const Pose home = s->description().T_world_camera;
-  const Camera before(home, s->description().fov_x_deg, kSize, kSize);
-  const Camera now(home * Pose{by, {}}, s->description().fov_x_deg, kSize, kSize);
+  const Camera before(home, pinhole(s->description().fov_x_deg, kSize, kSize));
+  const Camera now(home * Pose{by, {}}, pinhole(s->description().fov_x_deg, kSize, kSize));
   Renderer(s, {2, 1}).render(now, before, SeedPlan::correlated(1, 1, 2), pool, frame);
   return frame;
 }

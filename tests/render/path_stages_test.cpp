@@ -43,7 +43,8 @@ template <Shading S, int C>
 Difference compare(const RenderScene& scene, TraceBatch<C> trace) {
   EmitterStrengths strengths(scene.description());
   constexpr int kSize = 16, kPaths = 4;
-  const Camera camera(scene.description().T_world_camera, scene.description().fov_x_deg, kSize, kSize);
+  const Camera camera(scene.description().T_world_camera,
+                      pinhole(scene.description().fov_x_deg, kSize, kSize));
   const auto now = std::make_unique<LivePaths<C>>(), next = std::make_unique<LivePaths<C>>();
   const auto results = std::make_unique<PathResults<C>>();
   const Tracing tracing{scene, strengths, kBounces, {}};

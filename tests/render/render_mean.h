@@ -14,7 +14,7 @@ inline Frame renderFrame(Scene scene, const SeedPlan& seeds, RenderSettings sett
   auto s = std::make_shared<RenderScene>(std::move(scene));
   TilePool pool(2);
   Frame frame(size, size);
-  const Camera camera(s->description().T_world_camera, s->description().fov_x_deg, size, size);
+  const Camera camera(s->description().T_world_camera, pinhole(s->description().fov_x_deg, size, size));
   Renderer(s, settings).render(camera, camera, seeds, pool, frame);
   return frame;
 }

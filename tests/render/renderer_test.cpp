@@ -24,7 +24,7 @@ Scene room() {
 struct Fixture : ::testing::Test {
   std::shared_ptr<RenderScene> scene = std::make_shared<RenderScene>(room());
   Pose home = scene->description().T_world_camera;
-  Camera cameraAt(double right) const { return {home * Pose{{right, 0, 0}, {}}, 80, kW, kH}; }
+  Camera cameraAt(double right) const { return {home * Pose{{right, 0, 0}, {}}, pinhole(80, kW, kH)}; }
   Frame render(const Camera& camera, const Camera& prev, const SeedPlan& seeds, int threads = 2) const {
     TilePool pool(threads);
     Frame frame(kW, kH);
@@ -86,7 +86,7 @@ TEST_F(Fixture, MotionPointsToWhereTheSurfaceWas) {
 }
 
 TEST_F(Fixture, WhereNothingIsHitStandsOneFarSurface) {
-  const Camera away({{0, 0, 9}, {}}, 80, kW, kH), before({{0, 0, 8}, {}}, 80, kW, kH);
+  const Camera away({{0, 0, 9}, {}}, pinhole(80, kW, kH)), before({{0, 0, 8}, {}}, pinhole(80, kW, kH));
   const Frame frame = render(away, before, SeedPlan::correlated(1, 1, 2));
   const GBuffer& g = frame.g;
   for (int y = 0; y < kH; ++y) {
@@ -129,7 +129,7 @@ TEST_F(Fixture, SlopeIsTheStepToTheNextPixel) {
 }
 
 TEST_F(Fixture, ProbesLieOnSurfaces) {
-  const auto points = probePoints(*scene, home, 80);
+  const auto points = probePoints(*scene, home, Lens(pinhole(80, 64, 48)));
   ASSERT_EQ(points.size(), 64u * 48);
   for (const Vec3 p : points) EXPECT_LE(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1.0001f);
 }

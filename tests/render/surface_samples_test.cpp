@@ -38,7 +38,7 @@ Frame render(const Scene& scene, int spp, int channels = 1, std::uint64_t seed =
   TilePool pool(2);
   Frame frame(kSize, kSize, points);
   frame.surfaces->bounces = bounces;
-  const Camera camera(s->description().T_world_camera, s->description().fov_x_deg, kSize, kSize);
+  const Camera camera(s->description().T_world_camera, pinhole(s->description().fov_x_deg, kSize, kSize));
   Renderer renderer(s, {2, channels});
   renderer.renderSurfaces(camera, camera, pool, frame);
   for (int y = 0; y < kSize; ++y)
@@ -206,7 +206,7 @@ TEST(SurfaceSamples, BakedPointsBesideOthersCanHavePaths) {
   scene.materials.push_back(plastic(BsdfKind::kRoughConductor));
   scene.meshes[4].material = 2;  // the box
   const auto s = std::make_shared<RenderScene>(scene);
-  const Camera camera(scene.T_world_camera, scene.fov_x_deg, kSize, kSize);
+  const Camera camera(scene.T_world_camera, pinhole(scene.fov_x_deg, kSize, kSize));
   TilePool pool(2);
   const auto renderWith = [&](bool baked) {
     Frame frame(kSize, kSize, kSubPixels);
@@ -239,7 +239,7 @@ TEST(SurfaceSamples, PointsShowTheLightOfTheWholePixel) {
   constexpr int kFine = 16, kFineSize = kFine * kSize;
   const Scene scene = lampRoom(test::grey(0.05f));
   const auto s = std::make_shared<RenderScene>(scene);
-  const Camera camera(scene.T_world_camera, scene.fov_x_deg, kFineSize, kFineSize);
+  const Camera camera(scene.T_world_camera, pinhole(scene.fov_x_deg, kFineSize, kFineSize));
   TilePool pool(2);
   Frame fine(kFineSize, kFineSize);
   Renderer(s, {2, 1}).render(camera, camera, SeedPlan::independent(7, 0, 8), pool, fine);

@@ -115,6 +115,20 @@ TEST(MotionKinds, ASpeedOfTheImagesIsThatOfTheMedianPoint) {
   EXPECT_EQ(makeMotion(dolly, {}, {{0, 0, 4}}).at(150us), Pose{});
 }
 
+// An equidistant lens shows angles: a pan moves the whole horizon by the angle that it turns.
+TEST(MotionKinds, ASpeedOfTheImagesIsThatThroughTheLens) {
+  const Lens lens({.width = 200,
+                   .height = 1,
+                   .fx = 100,
+                   .fy = 100,
+                   .cx = 99.5,
+                   .distortion = {LensModel::kEquidistant, {}}});
+  const Motion pan{.kind = "pan", .speed = 0.5, .image_speed = true};
+  const std::vector<Vec3> aside{{1.6f, 0, 2}};  // a pinhole would show it moving 1.64 times as fast
+  const Trajectory path = makeMotion(pan, {}, aside, lens);
+  expectNear(rotationVector(path.at(100ms).rotation), {0, 0.05, 0}, 1e-9);
+}
+
 TEST(MotionKinds, ShakeHasItsSpeedAndItsSeed) {
   const auto at = [](double speed, std::uint64_t seed) { return make("shake", speed, {}, seed).at(123ms); };
   EXPECT_EQ(at(2, 5), at(2, 5));

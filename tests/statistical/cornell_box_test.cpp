@@ -81,8 +81,8 @@ Ours renderOurs(int spp) {
   const Scene& s = scene->description();
   TilePool pool(2);
   Renderer renderer(scene, {kBounces, 3});
-  const Camera camera[2] = {{s.T_world_camera, s.fov_x_deg, kSize, kSize},
-                            {s.T_world_camera * Pose{{0.01, 0, 0}, {}}, s.fov_x_deg, kSize, kSize}};
+  const Camera camera[2] = {{s.T_world_camera, pinhole(s.fov_x_deg, kSize, kSize)},
+                            {s.T_world_camera * Pose{{0.01, 0, 0}, {}}, pinhole(s.fov_x_deg, kSize, kSize)}};
   Frame frame(kSize, kSize);
   Ours out{Plane(kSize * kSize),
            Plane(kSize * kSize),

@@ -29,7 +29,7 @@ RgbPlanes render(const std::string& file, Effort effort) {
   Renderer renderer(scene, {effort.bounces, 3});
   Frame frame(w, h);
   ImageF rgb[3] = {{w, h}, {w, h}, {w, h}};
-  renderer.renderStill(Camera(s.T_world_camera, s.fov_x_deg, w, h), 1, effort.spp, pool, frame, rgb);
+  renderer.renderStill(Camera(s.T_world_camera, pinhole(s.fov_x_deg, w, h)), 1, effort.spp, pool, frame, rgb);
   return {std::move(rgb[0]), std::move(rgb[1]), std::move(rgb[2])};
 }
 

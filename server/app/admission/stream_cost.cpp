@@ -19,7 +19,7 @@ void checkMost(Limit limit, const std::string& field, double value, const Limits
 // The noise of a frame fits into the bound of its events, so that its time is bounded too.
 void checkNoise(const ResolvedStream& stream, std::size_t i) {
   const SensorConfig& sensor = stream.sensors[i];
-  const double pixels = static_cast<double>(stream.feed.width) * stream.feed.height;
+  const double pixels = static_cast<double>(stream.feed.camera.width) * stream.feed.camera.height;
   const double events = noiseRate(sensor.noise) * pixels / stream.feed.frame_rate_hz;
   if (!(events > static_cast<double>(sensor.max_events_per_frame))) return;
   throw LimitReached(Limit::kEvents, "sensors[" + std::to_string(i) + "].noise",
@@ -37,10 +37,13 @@ double streamMemory(const ResolvedStream& stream) {
   constexpr double kTruthBytes = 48;    // per pixel: a picture, and its copy for the packet
   constexpr double kPacketBytes = 640;  // per packet, without its events
   const FeedConfig& feed = stream.feed;
-  const double view = static_cast<double>(feed.width) * feed.height;
-  const double pixels = (feed.width + 2.0 * ImageF::kBorder) * (feed.height + 2.0 * ImageF::kBorder);
+  const CameraModel& camera = feed.camera;
+  const double view = static_cast<double>(camera.width) * camera.height;
+  const double pixels = (camera.width + 2.0 * ImageF::kBorder) * (camera.height + 2.0 * ImageF::kBorder);
   const double packets = 1 + 1e9 / kPacketTimeNs / feed.frame_rate_hz;
-  double bytes = pixels * kFeedBytes + findMethod(feed.method)->memory(feed.params, view, feed.jitter);
+  const double lens_bytes = camera.distortion.isNone() ? 0 : view * sizeof(Vec2);
+  double bytes =
+      pixels * kFeedBytes + lens_bytes + findMethod(feed.method)->memory(feed.params, view, feed.jitter);
   for (const SensorConfig& sensor : stream.sensors) {
     const double noise = noiseRate(sensor.noise) / feed.frame_rate_hz;
     const double events = view * (sensor.max_events_per_pixel_frame + noise);
@@ -70,7 +73,7 @@ void boundEvents(ResolvedStream& stream, const Limits& limits) {
 }
 
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) {
-  const int width = stream.feed.width, height = stream.feed.height;
+  const int width = stream.feed.camera.width, height = stream.feed.camera.height;
   const int sensors = static_cast<int>(stream.sensors.size());
   return {{Limit::kStreams, 1},
           {Limit::kSensors, static_cast<double>(sensors), "sensors"},

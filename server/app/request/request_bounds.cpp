@@ -25,6 +25,7 @@ struct Bound {
 
 // The most elements of a repeated field, in the whole request.
 constexpr Bound kElements[] = {{"saccade.v1.OpenStream.sensors", ranges::kSensors.max},
+                               {"saccade.v1.Distortion.coefficients", 5},
                                {"saccade.v1.Keyframes.keys", ranges::kKeyframes.max},
                                {"saccade.v1.Method.params", 64},
                                {"saccade.v1.Quality.disabled_features", 64},

@@ -11,17 +11,6 @@
 namespace saccade {
 namespace {
 
-void resolveView(const v1::View& view, FeedConfig& feed) {
-  checkRange("view.width", view.width(), ranges::kViewSide);
-  checkRange("view.height", view.height(), ranges::kViewSide);
-  feed.width = static_cast<int>(view.width());
-  feed.height = static_cast<int>(view.height());
-  if (feed.width * feed.height > ranges::kMaxViewPixels) {
-    refuse("view", "a view has at most " + std::to_string(ranges::kMaxViewPixels) + " pixels");
-  }
-  if (view.has_fov_x_deg()) checkRange("view.fov_x_deg", view.fov_x_deg(), ranges::kFovX);
-}
-
 void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
   checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), ranges::kFrameRate);
   checkRange("timing.duration_s", timing.duration_s(), ranges::kDuration);
@@ -110,7 +99,7 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
                         .simplification = {}};
   v1::OpenStream& r = stream.request;
   checkTrajectory(*r.mutable_trajectory(), scene);
-  resolveView(*r.mutable_view(), stream.feed);
+  stream.feed.camera = resolveView(r.view());
   resolveTiming(*r.mutable_timing(), stream);
   resolveSensors(r, stream.sensors);
   for (int i = 0; i < r.truth_size(); ++i) {
@@ -129,9 +118,7 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
 }
 
 void fitTo(const Scene& scene, ResolvedStream& stream) {
-  v1::View& view = *stream.request.mutable_view();
-  if (!view.has_fov_x_deg()) view.set_fov_x_deg(scene.fov_x_deg);
-  stream.feed.fov_x_deg = view.fov_x_deg();
+  stream.feed.camera = fitView(scene, *stream.request.mutable_view());
   const SceneFeatures present = featuresOf(scene);
   std::erase_if(stream.disabled_features, [&](SceneFeature feature) { return !present.contains(feature); });
   setDisabledFeatures(stream.disabled_features, *stream.request.mutable_quality());

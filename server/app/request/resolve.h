@@ -47,8 +47,13 @@ std::optional<v1::ExpectedChange> resolveSimplification(v1::OpenStream& request,
 SceneFeatures resolveDisabledFeatures(v1::Quality& quality);
 void setDisabledFeatures(const SceneFeatures& features, v1::Quality& quality);
 
-// Fills in the scene's field of view where the request leaves it open. Removes disabled features that the
-// scene lacks, so that equal feeds have equal keys.
+// The camera of a view; without its focal length where the request leaves that to the scene. Throws Refusal.
+CameraModel resolveView(const v1::View& view);
+// Fills in the scene's field of view where the request has neither that nor intrinsics. Throws Refusal.
+CameraModel fitView(const Scene& scene, v1::View& view);
+
+// Fills in the view with fitView(). Removes disabled features that the
+// scene lacks, so that equal feeds have equal keys. Throws Refusal.
 void fitTo(const Scene& scene, ResolvedStream& stream);
 
 // Checks what needs no loaded scene, and fills in the defaults. Throws Refusal.

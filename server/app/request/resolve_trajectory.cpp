@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
@@ -45,22 +43,24 @@ Motion motionOf(const v1::Motion& request, const FeedConfig& feed) {
   Motion motion{.kind = kindOf(request), .speed = request.speed(), .seed = request.seed()};
   if (request.has_turn_s()) motion.turn_s = request.turn_s();
   if (request.has_px_per_frame()) {
-    const double focal_px = feed.width / 2.0 / std::tan(feed.fov_x_deg * std::numbers::pi / 360);
-    motion.speed = request.px_per_frame() * feed.frame_rate_hz / focal_px;
+    motion.speed = request.px_per_frame() * feed.frame_rate_hz / feed.camera.focal();
     motion.image_speed = true;
   }
   return motion;
 }
 
-Trajectory fromCamera(const Motion& motion, const RenderScene& scene, double fov_x_deg) {
+Trajectory fromCamera(const Motion& motion, const RenderScene& scene, const CameraModel& camera) {
   const Pose& start = scene.description().T_world_camera;
-  return makeMotion(motion, start, probePoints(scene, start, fov_x_deg));
+  const Lens lens(camera);
+  return makeMotion(motion, start, probePoints(scene, start, lens), lens);
 }
 
 Trajectory byName(const ResolvedStream& stream, const RenderScene& scene, const SceneLibrary& library) {
   const std::string& name = stream.request.trajectory().name();
-  const double fov = stream.feed.fov_x_deg;
-  if (isMotionName(name)) return fromCamera(namedMotion(name, fov), scene, fov);
+  const CameraModel& camera = stream.feed.camera;
+  const v1::View& view = stream.request.view();
+  const double fov = view.has_fov_x_deg() ? view.fov_x_deg() : fovXDeg(camera);
+  if (isMotionName(name)) return fromCamera(namedMotion(name, fov), scene, camera);
   return library.loadTrajectory(stream.request.scene(), name);
 }
 
@@ -84,8 +84,7 @@ Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& sc
                              const SceneLibrary& library) {
   const v1::Trajectory& path = stream.request.trajectory();
   try {
-    if (path.has_motion())
-      return fromCamera(motionOf(path.motion(), stream.feed), scene, stream.feed.fov_x_deg);
+    if (path.has_motion()) return fromCamera(motionOf(path.motion(), stream.feed), scene, stream.feed.camera);
     if (path.has_keyframes()) return resolveKeyframes(path.keyframes());
     if (path.has_csv()) return parseTrajectory(path.csv(), "");
     return byName(stream, scene, library);

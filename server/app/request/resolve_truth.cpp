@@ -63,8 +63,8 @@ TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed) {
   }
   TruthConfig config{.name = truth.name(),
                      .frames = FrameSelection(),
-                     .width = feed.width,
-                     .height = feed.height,
+                     .width = feed.camera.width,
+                     .height = feed.camera.height,
                      .frame_rate_hz = feed.frame_rate_hz};
   resolveBias(truth, field, info->setting, config);
   resolveExposure(truth, field, info->setting, config);

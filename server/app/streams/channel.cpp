@@ -33,8 +33,8 @@ std::vector<std::unique_ptr<Channel>> makeChannels(const ResolvedStream& stream,
                                                    std::uint64_t epoch) {
   PacketSource source{.stream_id = stream_id,
                       .epoch = epoch,
-                      .width = static_cast<std::uint32_t>(stream.feed.width),
-                      .height = static_cast<std::uint32_t>(stream.feed.height),
+                      .width = static_cast<std::uint32_t>(stream.feed.camera.width),
+                      .height = static_cast<std::uint32_t>(stream.feed.camera.height),
                       .codec = findCodec(stream.request.codec())};
   std::vector<std::unique_ptr<Channel>> channels;
   for (std::size_t i = 0; i < stream.sensors.size(); ++i) {

@@ -120,8 +120,7 @@ double Bench::referenceError() const {
 
 FeedConfig Bench::feedConfig() const {
   FeedConfig config;
-  config.width = setup_.width, config.height = setup_.height;
-  config.fov_x_deg = scene_->description().fov_x_deg;
+  config.camera = pinhole(scene_->description().fov_x_deg, setup_.width, setup_.height);
   config.frame_rate_hz = setup_.frame_rate_hz;
   config.bounces = setup_.bounces;
   config.jitter = setup_.jitter;

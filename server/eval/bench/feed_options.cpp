@@ -33,9 +33,8 @@ void addBakeOption(CLI::App& app, double& error) {
 
 OpenedFeed open(FeedOptions& o) {
   const Size size = parseSize(o.size);
-  o.feed.width = size.width, o.feed.height = size.height;
   auto scene = openScene(o.scene);
-  o.feed.fov_x_deg = scene->description().fov_x_deg;
+  o.feed.camera = pinhole(scene->description().fov_x_deg, size.width, size.height);
   Trajectory path = openTrajectory(o.scene, o.trajectory, *scene, o.feed);
   return {std::move(scene), std::move(path)};
 }

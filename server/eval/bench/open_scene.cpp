@@ -1,13 +1,11 @@
 #include "eval/bench/open_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <numbers>
 #include <sstream>
 
 #include "base/names.h"
@@ -53,8 +51,7 @@ std::optional<Motion> readMotion(std::string text, const FeedConfig& feed) {
   if (in_pixels) text.resize(text.size() - 2);
   std::optional<Motion> motion = parseMotion(text);
   if (!motion || !in_pixels) return motion;
-  const double focal_px = feed.width / 2.0 / std::tan(feed.fov_x_deg * std::numbers::pi / 360);
-  motion->speed *= feed.frame_rate_hz / focal_px;
+  motion->speed *= feed.frame_rate_hz / feed.camera.focal();
   motion->image_speed = true;
   return motion;
 }
@@ -121,7 +118,8 @@ Trajectory openTrajectory(const std::string& scene, const std::string& text, con
   const Scene& s = opened.description();
   const auto motion = isMotionName(text) ? namedMotion(text, s.fov_x_deg) : readMotion(text, feed);
   if (!motion) return ofTheScene(scene, text);
-  return makeMotion(*motion, s.T_world_camera, probePoints(opened, s.T_world_camera, s.fov_x_deg));
+  return makeMotion(*motion, s.T_world_camera,
+                    probePoints(opened, s.T_world_camera, Lens(pinhole(s.fov_x_deg, 64, 48))));
 }
 
 std::string trajectoryHelp() {

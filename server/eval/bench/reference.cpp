@@ -91,8 +91,8 @@ ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, 
     // Seeds depend on the chunk alone: every frame of every path shares them.
     const auto index = static_cast<std::uint32_t>(done / kChunk);
     const std::uint64_t seed = hashKey(0x5ecade, index);
-    Camera camera(pose, fov_x_deg_, width_, height_);
-    if (whole_pixel_) camera.cx += 0.5f - halton(index, 2), camera.cy += 0.5f - halton(index, 3);
+    Camera camera(pose, pinhole(fov_x_deg_, width_, height_));
+    if (whole_pixel_) camera.shift(0.5f - halton(index, 2), 0.5f - halton(index, 3));
     renderer_.render(camera, camera, {hashKey(seed, 0), hashKey(seed, 1), kChunk / 2, kChunk / 2}, pool_,
                      chunk);
     done += kChunk;

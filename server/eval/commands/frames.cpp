@@ -80,7 +80,7 @@ void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene,
 
 void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> scene, const Trajectory& path,
                   TilePool& pool) {
-  const int w = o.feed.width, h = o.feed.height;
+  const int w = o.feed.camera.width, h = o.feed.camera.height;
   constexpr int kChunk = ReferenceRenderer::kChunk;
   const int spp = (o.reference + kChunk - 1) / kChunk * kChunk;
   if (spp != o.reference)
@@ -88,7 +88,7 @@ void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> sce
         "--reference %d is rounded up to %d: references are rendered in steps of %d paths per pixel\n",
         o.reference, spp, kChunk);
   ReferenceRenderer renderer(scene, {o.feed.bounces, scene->channels(), o.feed.jitter}, w, h,
-                             o.feed.fov_x_deg, o.cache, pool);
+                             scene->description().fov_x_deg, o.cache, pool);
   Progress progress("reference", static_cast<double>(spp) * static_cast<double>(o.last - o.first + 2));
   const auto render = [&](int t) {
     const TimeNs time = frameTime(static_cast<FrameIndex>(t), o.feed.frame_rate_hz);

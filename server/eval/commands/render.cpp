@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "eval/bench/arguments.h"
+#include "eval/bench/lens_options.h"
 #include "eval/bench/open_scene.h"
 #include "eval/bench/progress.h"
 #include "eval/commands/commands.h"
@@ -17,6 +18,7 @@ namespace {
 struct RenderOptions {
   std::string scene, size, output;
   std::vector<double> offset{0, 0, 0};
+  LensOptions lens;
   int spp = 64, bounces = 3;
   std::uint64_t seed = 0;
   bool rgb = false;
@@ -33,7 +35,9 @@ void runRender(const RenderOptions& o) {
   const Scene& s = scene->description();
   const Size size = o.size.empty() ? Size{s.width, s.height} : parseSize(o.size);
   TilePool pool(hardwareThreads());
-  const Camera camera(moved(s.T_world_camera, o.offset), s.fov_x_deg, size.width, size.height);
+  Lens lens(withLens(pinhole(s.fov_x_deg, size.width, size.height), o.lens));
+  lens.tabulate();
+  const Camera camera(moved(s.T_world_camera, o.offset), lens);
   Renderer renderer(scene, {o.bounces, 3});
 
   ImageF sum[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
@@ -87,6 +91,7 @@ void addRenderCommand(CLI::App& app) {
   command->add_option("--offset", o->offset, "move the camera: right,up,forward in scene units")
       ->delimiter(',')
       ->expected(3);
+  addLensOptions(*command, o->lens);
   command->add_option("--seed", o->seed, "seed of the random numbers")->capture_default_str();
   command->add_flag("--rgb", o->rgb, "three channels R, G, B instead of the luminance Y");
   command->add_option("-o,--output", o->output, "picture to write, .exr or .png, in a folder that exists")

@@ -12,6 +12,22 @@ Vec3d mapPoint(const Pose& pose, Vec3d p) {
   return pose.position + rotate(pose.rotation, p);
 }
 
+// The image of a point, in focal lengths from the principal point.
+PlanePoint imageOf(Vec3d p, const Lens& lens) {
+  const CameraModel& c = lens.camera();
+  if (!lens.isDistorted()) return {p.x / p.z * (c.fx / c.focal()), p.y / p.z * (c.fy / c.focal())};
+  const PlanePoint at = lens.pixelOf({p.x / p.z, p.y / p.z});
+  return {(at.x - c.cx) / c.focal(), (at.y - c.cy) / c.focal()};
+}
+
+// How fast the image moves where the point in the plane at distance 1 moves by (x, y).
+double imageStep(PlanePoint at, double x, double y, const Lens& lens) {
+  const CameraModel& c = lens.camera();
+  const PlaneMap slope = distortionSlope(c.distortion, at);
+  return std::hypot((slope.xx * x + slope.xy * y) * (c.fx / c.focal()),
+                    (slope.yx * x + slope.yy * y) * (c.fy / c.focal()));
+}
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + std::ssize(values) / 2;
   std::nth_element(values.begin(), middle, values.end());
@@ -37,30 +53,33 @@ double medianDepth(const VisiblePoints& view) {
   return median(std::move(depths));
 }
 
-double medianImageSpeed(const VisiblePoints& view, const Twist& camera) {
+double medianImageSpeed(const VisiblePoints& view, const Twist& camera, const Lens& lens) {
   std::vector<double> speeds;
   for (const Vec3d p : view) {
     const Vec3d v = -camera.linear - cross(camera.angular, p);
-    speeds.push_back(std::hypot(v.x - p.x / p.z * v.z, v.y - p.y / p.z * v.z) / p.z);
+    const PlanePoint at{p.x / p.z, p.y / p.z};
+    speeds.push_back(imageStep(at, v.x - at.x * v.z, v.y - at.y * v.z, lens) / p.z);
   }
   return median(std::move(speeds));
 }
 
-void appendImageSteps(const VisiblePoints& view, const Pose& from, const Pose& to,
+void appendImageSteps(const VisiblePoints& view, const Pose& from, const Pose& to, const Lens& lens,
                       std::vector<double>& lengths) {
   const Pose before = inverse(from), after = inverse(to);
   for (const Vec3d p : view) {
     const Vec3d a = mapPoint(before, p), b = mapPoint(after, p);
     if (a.z < kNear || b.z < kNear) continue;
-    lengths.push_back(std::hypot(b.x / b.z - a.x / a.z, b.y / b.z - a.y / a.z));
+    const PlanePoint begin = imageOf(a, lens), end = imageOf(b, lens);
+    lengths.push_back(std::hypot(end.x - begin.x, end.y - begin.y));
   }
 }
 
-double medianImageSpeed(const VisiblePoints& view, const std::vector<Pose>& path, double step_s) {
+double medianImageSpeed(const VisiblePoints& view, const std::vector<Pose>& path, double step_s,
+                        const Lens& lens) {
   constexpr std::size_t kStride = 10;  // enough to know the median
   std::vector<double> lengths{0};
   for (std::size_t i = 0; i + 1 < path.size(); i += kStride)
-    appendImageSteps(view, path[i], path[i + 1], lengths);
+    appendImageSteps(view, path[i], path[i + 1], lens, lengths);
   return median(std::move(lengths)) / step_s;
 }
 

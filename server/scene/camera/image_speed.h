@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "scene/camera/lens.h"
 #include "scene/camera/pose.h"
 
 namespace saccade {
@@ -21,16 +22,17 @@ struct Twist {
   Vec3d linear, angular;
 };
 
-// Median over the view, in focal lengths per second.
-double medianImageSpeed(const VisiblePoints& view, const Twist& camera);
+// Median over the view, in focal lengths per second: CameraModel::focal() pixels.
+double medianImageSpeed(const VisiblePoints& view, const Twist& camera, const Lens& lens);
 
 // The same for a camera that goes along `path`, poses relative to the one of the view, `step_s` seconds
 // apart: median over the view and the path.
-double medianImageSpeed(const VisiblePoints& view, const std::vector<Pose>& path, double step_s);
+double medianImageSpeed(const VisiblePoints& view, const std::vector<Pose>& path, double step_s,
+                        const Lens& lens);
 
 // Appends how far the image of each point moves when the camera goes from one pose to another, both relative
 // to that of the view: focal lengths. Points that are behind at either are left out.
-void appendImageSteps(const VisiblePoints& view, const Pose& from, const Pose& to,
+void appendImageSteps(const VisiblePoints& view, const Pose& from, const Pose& to, const Lens& lens,
                       std::vector<double>& lengths);
 
 }  // namespace saccade

@@ -42,10 +42,10 @@ Screw makeScrew(const Kind& kind, const VisiblePoints& view) {
 }
 
 // Scene units or radians per second.
-double rateOf(const Motion& motion, const Screw& screw, const VisiblePoints& view) {
+double rateOf(const Motion& motion, const Screw& screw, const VisiblePoints& view, const Lens& lens) {
   double rate = motion.speed * (screw.rotates() ? kPi / 180 : 1);
   if (motion.image_speed) {
-    const double found = medianImageSpeed(view, screw.twist());
+    const double found = medianImageSpeed(view, screw.twist(), lens);
     rate = found > 0 ? motion.speed / found : 0;
   }
   const double most = screw.rotates() ? kMaxTurnsPerSecond * 2 * kPi : kMaxDistance;
@@ -69,15 +69,17 @@ std::string speedFault(const std::string& kind, double speed) {
   return fault.empty() ? fault : "of either sign: " + fault;
 }
 
-Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3>& probes) {
+Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3>& probes,
+                      const Lens& lens) {
   const auto kind = std::find_if(kindTable().begin(), kindTable().end(),
                                  [&](const Kind& k) { return k.name == motion.kind; });
   SACCADE_CHECK(kind != kindTable().end());
   const VisiblePoints view = viewOf(start, probes);
   if (kind->name == kShake)
-    return makeShake(start, view, motion.image_speed ? motion.speed : motion.speed * kPi / 180, motion.seed);
+    return makeShake(start, view, motion.image_speed ? motion.speed : motion.speed * kPi / 180, motion.seed,
+                     lens);
   const Screw screw = makeScrew(*kind, view);
-  const double rate = rateOf(motion, screw, view);
+  const double rate = rateOf(motion, screw, view, lens);
   if (rate == 0) return Trajectory({{TimeNs{0}, start}});
   return motion.turn_s == 0.0 ? onAndOn(screw, start, rate) : thereAndBack(screw, start, rate, motion.turn_s);
 }

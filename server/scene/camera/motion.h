@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/camera/lens.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {
@@ -46,7 +47,9 @@ std::string speedFault(const std::string& kind, double speed);
 // `probes` are world-space points on the surfaces in view. Those behind the camera do not count; without any,
 // one is assumed on the viewing axis at distance 1. An image_speed of what would move no image stands still.
 // Shake has a largest swing: beyond about 250 degrees per second it is slower than asked.
-Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3>& probes);
+// `lens`: through which the images are seen; unset: without distortion.
+Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3>& probes,
+                      const Lens& lens = Lens{});
 
 // Reads KIND:SPEED, such as "dolly:0.2" or "pan:-15"; none where there is no colon. Throws SceneError.
 std::optional<Motion> parseMotion(const std::string& text);
@@ -56,6 +59,6 @@ std::optional<Motion> parseMotion(const std::string& text);
 inline constexpr double kMotionPxPerFrame = 0.67, kMotionWidth = 256, kMotionRateHz = 500;
 const std::vector<std::string>& motionNames();
 bool isMotionName(const std::string& name);
-Motion namedMotion(const std::string& name, double fov_x_deg);
+Motion namedMotion(const std::string& name, double fov_x_deg);  // fovXDeg() of the camera
 
 }  // namespace saccade

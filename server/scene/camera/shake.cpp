@@ -37,12 +37,13 @@ std::vector<Pose> shakePoses(double depth, double scale, std::uint64_t seed) {
 
 }  // namespace
 
-Trajectory makeShake(const Pose& start, const VisiblePoints& view, double speed, std::uint64_t seed) {
+Trajectory makeShake(const Pose& start, const VisiblePoints& view, double speed, std::uint64_t seed,
+                     const Lens& lens) {
   const double depth = medianDepth(view);
   // Speed is nearly proportional to the scale, so that a few corrections find it.
   double scale = 0.01;
   for (int i = 0; i < 5; ++i) {
-    const double found = medianImageSpeed(view, shakePoses(depth, scale, seed), seconds(kStep));
+    const double found = medianImageSpeed(view, shakePoses(depth, scale, seed), seconds(kStep), lens);
     scale = std::min(kMaxScale, scale * speed / found);
   }
   std::vector<TimedPose> keys;

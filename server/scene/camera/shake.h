@@ -8,6 +8,7 @@ namespace saccade {
 
 // A periodic path. `speed` is the median speed of the images of `view`, in focal lengths per second. The path
 // is slower where that speed would take a swing of half a radian.
-Trajectory makeShake(const Pose& start, const VisiblePoints& view, double speed, std::uint64_t seed);
+Trajectory makeShake(const Pose& start, const VisiblePoints& view, double speed, std::uint64_t seed,
+                     const Lens& lens);
 
 }  // namespace saccade
