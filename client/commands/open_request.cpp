@@ -7,15 +7,6 @@
 namespace saccade::client {
 namespace {
 
-v1::View makeView(const RequestOptions& options) {
-  const ImageSize size = parseSize("--size", options.size);
-  v1::View view;
-  view.set_width(size.width);
-  view.set_height(size.height);
-  if (options.fov_x_deg) view.set_fov_x_deg(*options.fov_x_deg);
-  return view;
-}
-
 v1::Method makeMethod(const RequestOptions& options) {
   v1::Method method;
   method.set_name(options.method);
@@ -100,7 +91,7 @@ v1::OpenStream makeOpenStream(const RequestOptions& options) {
   }
   v1::OpenStream open;
   open.set_scene(options.scene);
-  *open.mutable_view() = makeView(options);
+  *open.mutable_view() = makeView(options.camera);
   *open.mutable_trajectory() = makeTrajectory(options);
   *open.mutable_timing() = makeTiming(options);
   *open.mutable_method() = makeMethod(options);

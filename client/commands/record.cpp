@@ -1,6 +1,8 @@
 // saccade record: opens a stream and writes its events to files.
 #include <memory>
+#include <stdexcept>
 
+#include "client/calibration.h"
 #include "client/commands/commands.h"
 #include "client/commands/output_options.h"
 #include "client/commands/record_stream.h"
@@ -15,6 +17,7 @@ struct RecordOptions {
   OutputOptions output;
   std::string preview;
   std::vector<std::string> truth;
+  bool calibration = false;
 };
 
 std::string checkPng(const std::string& path) {
@@ -28,6 +31,9 @@ void addOptions(CLI::App& command, RecordOptions& options) {
                   "PNG of brightness, its change and the latest events, a third of the way through")
       ->check(CLI::Validator(checkPng, "FILE.png"));
   addTruthOption(command, options.truth);
+  command.add_flag("--calibration", options.calibration,
+                   "write the camera beside FILE: FILE.camera_info.yaml (ROS), FILE.kalibr.yaml, and for .h5 "
+                   "FILE.cam_to_cam.yaml (DSEC)");
   addRequestOptions(command, options.request);
   command.footer(
       std::string(kMotionHelp) +
@@ -39,17 +45,28 @@ void addOptions(CLI::App& command, RecordOptions& options) {
       "Example: saccade record cornell-box --trajectory right -o events.csv --preview events.png");
 }
 
+// Finds before any work that the files of the calibration cannot be written.
+void checkCalibration(const RecordOptions& options, const v1::View& view) {
+  const std::string fault =
+      options.output.path == kStandardOutput ? "it needs a file" : calibrationFault(view);
+  if (!fault.empty()) throw std::invalid_argument("--calibration: " + fault);
+  for (const CalibrationFile& file : calibrationFiles(options.output.path, view))
+    checkOutput("--calibration", file.name, options.output.force);
+}
+
 void runRecord(const RecordOptions& options) {
   RecordJob job{.request = makeOpenStream(options.request),
                 .output = options.output.path,
                 .format = &options.output.writer(),
                 .preview = options.preview,
+                .calibration = options.calibration,
                 .trajectory = options.request.trajectory,
                 .retry_time_s = options.request.retry_time_s};
   requestTruth(options.truth, job.request);
   checkOutputs(options.output, job.request.sensors_size());
   checkTruthOutput(options.output, job.request);
   if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
+  if (options.calibration) checkCalibration(options, job.request.view());
   recordStream(options.request.server, job);
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "client/calibration.h"
 #include "client/commands/interrupt.h"
 #include "client/commands/receive_all.h"
 #include "client/commands/stream_opening.h"
@@ -36,6 +37,14 @@ Recorder startRecorder(const RecordJob& job, const StreamHandle& stream) {
     return Recorder(job.output, *job.format, stream.opened(), stream.server());
   } catch (const std::system_error& error) {
     throw std::invalid_argument(std::string("--output: ") + error.what());
+  }
+}
+
+void writeCalibration(const std::string& output, const v1::View& view) {
+  for (const CalibrationFile& file : calibrationFiles(output, view)) {
+    OutputFile out(file.name);
+    out.append(file.text);
+    out.close();
   }
 }
 
@@ -77,6 +86,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
   progress.finish();
   const double wall_s = progress.elapsed_s();
   recorder.commit(subscription.losses().events);
+  if (job.calibration) writeCalibration(job.output, opened.resolved().view());
   printFiles(out, recorder.files(), preview && preview->written() ? job.preview : "");
   printRates(out, recorder, wall_s);
   printTruth(out, recorder);

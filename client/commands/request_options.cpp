@@ -62,8 +62,6 @@ void addSensorOptions(CLI::App& command, RequestOptions& o) {
 
 void addStreamOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Stream");
-  command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  command.add_option("--fov", o.fov_x_deg, "horizontal field of view, degrees");
   command.add_option("--rate", o.rate_hz, "frames per second of the stream")->capture_default_str();
   command.add_option("--duration", o.duration_s, "seconds of the stream; 0: until Ctrl-C")
       ->capture_default_str();
@@ -138,6 +136,7 @@ void addQualityOptions(CLI::App& command, RequestOptions& o) {
 void addRequestOptions(CLI::App& command, RequestOptions& o) {
   command.add_option("scene", o.scene, "name of a scene, see `saccade list`")->required();
   addPathOptions(command, o);
+  addCameraOptions(command, o.camera);
   addSensorOptions(command, o);
   addStreamOptions(command, o);
   addQualityOptions(command, o);

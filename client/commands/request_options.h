@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/commands/camera_options.h"
 #include "client/commands/commands.h"
 #include "saccade/v1/control.pb.h"
 
@@ -20,10 +21,10 @@ struct RequestOptions {
   std::optional<double> turn_s;
   std::optional<std::uint64_t> motion_seed;
   std::vector<double> thresholds, thresholds_off;  // one sensor for each threshold
-  std::optional<double> bias, refractory_s, cutoff_hz, fov_x_deg;
+  std::optional<double> bias, refractory_s, cutoff_hz;
   std::string model, reconstruction, preset;
   std::vector<std::string> noise;  // name=value
-  std::string size = "240x180";
+  CameraOptions camera;
   double rate_hz = 1000, duration_s = 0.5;
   std::string delivery = "lossless", clock = "fast";
   std::string codec;

@@ -37,9 +37,9 @@ void runView(ViewOptions options) {
   zmq::context_t context;
   ControlClient control = connectTo(context, options.request.server);
   const TerminalScreen screen;
-  if (options.request.size.empty()) {
+  if (options.request.camera.size.empty()) {
     const v1::View view = viewOf(screen.size());
-    options.request.size = std::to_string(view.width()) + "x" + std::to_string(view.height());
+    options.request.camera.size = std::to_string(view.width()) + "x" + std::to_string(view.height());
   }
   screen.showStatus("opening the stream; Ctrl-C ends");
   StreamHandle stream = openStream(control, makeOpenStream(options.request), options.request.trajectory);

@@ -44,7 +44,7 @@ class StillView {
   std::unique_ptr<IntensityChange> change_;
   Frame cur_{kWidth, kHeight}, prev_{kWidth, kHeight};
   const Trajectory path_{{{TimeNs(0), Pose{{1, 2, 3}, {}}}}};
-  const Camera camera_{path_.at(TimeNs(0)), 45, kWidth, kHeight};
+  const Camera camera_{path_.at(TimeNs(0)), pinhole(45, kWidth, kHeight)};
 };
 
 }  // namespace saccade

@@ -17,7 +17,7 @@ constexpr int kFrames = 4, kRounds = 5;
 
 double sampleMs(const TruthChannelInfo& info, const FeedConfig& feed, const FeedInterval& interval) {
   const auto source =
-      info.make({.name = info.name, .frames = FrameSelection(), .width = feed.width, .height = feed.height});
+      info.make({.name = info.name, .frames = FrameSelection(), .width = feed.camera.width, .height = feed.camera.height});
   const auto began = threadCpuTime();
   const std::size_t samples = source->sample(interval).size();
   return 1e3 * seconds(threadCpuTime() - began) / static_cast<double>(samples);
@@ -26,9 +26,8 @@ double sampleMs(const TruthChannelInfo& info, const FeedConfig& feed, const Feed
 void measure(const std::string& scene_name, const std::string& trajectory) {
   FeedConfig config;
   config.params = parseMethod(config.method).params;
-  config.width = 346, config.height = 260;
   const auto scene = eval::openScene(scene_name);
-  config.fov_x_deg = scene->description().fov_x_deg;
+  config.camera = pinhole(scene->description().fov_x_deg, 346, 260);
   TilePool pool(1);
   Feed feed(scene, eval::openTrajectory(scene_name, trajectory, *scene, config), config, pool);
   double frame_ms = std::numeric_limits<double>::infinity();
@@ -40,7 +39,7 @@ void measure(const std::string& scene_name, const std::string& trajectory) {
       for (std::size_t i = 0; i < best.size(); ++i)
         best[i] = std::min(best[i], sampleMs(truthTable()[i], config, feed.interval()));
   }
-  std::printf("%s %s, %dx%d, CPU ms\n", scene_name.c_str(), trajectory.c_str(), config.width, config.height);
+  std::printf("%s %s, %dx%d, CPU ms\n", scene_name.c_str(), trajectory.c_str(), config.camera.width, config.camera.height);
   for (std::size_t i = 0; i < best.size(); ++i)
     std::printf("%-14s %8.3f\n", truthTable()[i].name.c_str(), best[i]);
   std::printf("%-14s %8.3f\n", "(the frame)", frame_ms);

@@ -1,4 +1,7 @@
 // `saccade record`.
+#include <fstream>
+#include <iterator>
+
 #include "client/command.h"
 #include "mock/accuracy_file.h"
 
@@ -61,6 +64,24 @@ TEST(CommandAndBudget, TellsTheChoiceAndTheExpectedQuality) {
   const Result refused = run(record + "--max-false-rate 0.001 --force");
   EXPECT_EQ(refused.code, 2);
   EXPECT_TRUE(holds(refused, "quality.max_false_rate: the lowest rate here")) << refused.output;
+}
+TEST_F(CommandAndServer, TheCalibrationStandsBesideTheRecording) {
+  const std::string record =
+      "record cornell-box --trajectory right --size 32x24 --duration 0.01 --calibration "
+      "--intrinsics 40,41,15,12.5 --distortion radtan:-0.1,0.02,0.001,-0.002 -o " +
+      folder_.at("a.h5") + server_.option();
+  const Result result = run(record);
+  ASSERT_EQ(result.code, 0) << result.output;
+  for (const char* ending : {".camera_info.yaml", ".kalibr.yaml", ".cam_to_cam.yaml"}) {
+    std::ifstream file(folder_.at("a.h5") + ending);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NE(text.find("[-0.1, 0.02, 0.001, -0.002"), text.npos) << ending << text;
+    EXPECT_NE(text.find("12.5"), text.npos) << ending << text;
+  }
+  fs::remove(folder_.at("a.h5")), fs::remove(folder_.at("a.h5.json"));
+  const Result again = run(record);
+  EXPECT_EQ(again.code, 2);
+  EXPECT_TRUE(holds(again, "--calibration: ")) << again.output;
 }
 TEST_F(CommandAndServer, AnExistingFileIsKeptUnlessForced) {
   const std::string record = "record cornell-box --trajectory right --size 32x24 --duration 0.01 -o " +

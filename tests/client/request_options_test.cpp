@@ -105,6 +105,26 @@ TEST(RequestOptions, RequestHoldsWhatWasGiven) {
   EXPECT_EQ(open.sensors(0).refractory_s(), 1e-3);
 }
 
+TEST(RequestOptions, ACameraHasIntrinsicsAndDistortion) {
+  const auto open =
+      openStream("--intrinsics 200,198.5,119,91.25 --distortion radtan:-0.3,0.1,1e-3,-2e-3,0.05");
+  EXPECT_FALSE(open.view().has_fov_x_deg());
+  EXPECT_EQ(open.view().intrinsics().fx(), 200);
+  EXPECT_EQ(open.view().intrinsics().fy(), 198.5);
+  EXPECT_EQ(open.view().intrinsics().cx(), 119);
+  EXPECT_EQ(open.view().intrinsics().cy(), 91.25);
+  const v1::Distortion& lens = open.view().distortion();
+  EXPECT_EQ(lens.model(), v1::DISTORTION_MODEL_RADTAN);
+  EXPECT_EQ(std::vector<double>(lens.coefficients().begin(), lens.coefficients().end()),
+            (std::vector<double>{-0.3, 0.1, 1e-3, -2e-3, 0.05}));
+  EXPECT_EQ(openStream("--distortion equidistant:0,0,0,0").view().distortion().model(),
+            v1::DISTORTION_MODEL_EQUIDISTANT);
+  EXPECT_THROW(openStream("--intrinsics 200,200,119"), std::invalid_argument);
+  EXPECT_THROW(openStream("--intrinsics 200,200,119,x"), std::invalid_argument);
+  EXPECT_THROW(openStream("--distortion prism:0,0,0,0"), std::invalid_argument);
+  EXPECT_THROW(openStream("--distortion radtan:0,,0,0"), std::invalid_argument);
+}
+
 TEST(RequestOptions, ABudgetTakesThePlaceOfASetting) {
   const auto within = openStream("--budget-ms 20 --method svgf");
   EXPECT_EQ(within.quality().budget_ms(), 20);

@@ -43,6 +43,14 @@ class Request(unittest.TestCase):
             sensors=[c.Sensor(threshold=0.1, **sensor), c.Sensor(threshold=0.2, **sensor)],
             delivery=c.DELIVERY_LIVE, codec=events_pb2.CODEC_ZSTD, seed=5))
 
+    def test_cameras(self):
+        made = make_request({**NEEDED, "intrinsics": (5, 6, 2, 1), "distortion": ("equidistant", [1, 2, 3, 4])}).view
+        lens = c.Distortion(model=c.DISTORTION_MODEL_EQUIDISTANT, coefficients=[1, 2, 3, 4])
+        self.assertEqual(made, c.View(width=6, height=4, intrinsics=c.Intrinsics(fx=5, fy=6, cx=2, cy=1),
+                                      distortion=lens))
+        with self.assertRaisesRegex(ValueError, "distortion: 'thin_prism' is not one of radtan, equidistant"):
+            make_request({**NEEDED, "distortion": ("thin_prism", [0] * 4)})
+
     def test_trajectories(self):
         def path(trajectory):
             needed = {name: value for name, value in NEEDED.items() if name != "motion"}

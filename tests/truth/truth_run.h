@@ -58,7 +58,7 @@ class TruthRun {
  private:
   static FeedConfig config(int width, int height, double fov_x_deg) {
     FeedConfig c;
-    c.width = width, c.height = height, c.fov_x_deg = fov_x_deg, c.frame_rate_hz = kFrameRate;
+    c.camera = pinhole(fov_x_deg, width, height), c.frame_rate_hz = kFrameRate;
     c.method = "pt-correlated", c.spp = 2, c.bounces = 0;
     std::string name;
     EXPECT_EQ(resolveParams(*findMethod(c.method), {}, c.params, name), "");

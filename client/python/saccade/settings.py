@@ -32,7 +32,9 @@ class Settings(Needed, total=False):
         turn_s: seconds after which it turns back, 0 for never. motion_seed: of the motion shake.
 
     duration_s: stream time; without it the stream goes on until it is closed.
-    fov_x_deg: horizontal field of view in degrees.
+    fov_x_deg: horizontal field of view in degrees, without the distortion. Or intrinsics: fx, fy, cx, cy in pixels,
+        where the centre of the top left pixel is (0, 0).
+    distortion: of the lens, ("radtan", (k1, k2, p1, p2)), with k3 or not, or ("equidistant", (k1, k2, k3, k4)).
     clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed.
     delivery: "lossless" waits for a slow client, "live" drops and counts, "broadcast" loses and shows the gap.
     codec: "none", or "zstd", which needs the module zstandard.
@@ -56,6 +58,8 @@ class Settings(Needed, total=False):
     motion_seed: int
     duration_s: float
     fov_x_deg: float
+    intrinsics: tuple[float, float, float, float]
+    distortion: tuple[Literal["radtan", "equidistant"], Sequence[float]]
     clock: Literal["fast", "paced"]
     speed: float
     delivery: Literal["lossless", "live", "broadcast"]

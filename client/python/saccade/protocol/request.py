@@ -25,10 +25,9 @@ def make_request(settings: Settings) -> c.OpenStream:
     """
     _check_names(settings)
     s: Mapping[str, Any] = settings
-    width, height = s["size"]
     return c.OpenStream(
         scene=s["scene"],
-        view=c.View(width=width, height=height, **_some(s, "fov_x_deg")),
+        view=_view(s),
         trajectory=make_trajectory(s),
         timing=c.Timing(frame_rate_hz=s["rate_hz"], clock=_value(c.Clock, s, "clock"),
                         **_some(s, "duration_s", "speed")),
@@ -68,6 +67,19 @@ def _value(enum: EnumTypeWrapper, settings: Mapping[str, Any], name: str) -> Any
 def _truth(channel: str | tuple[str, int]) -> Truth:
     name, every = (channel, 1) if isinstance(channel, str) else channel
     return Truth(name=name, every=every)
+
+
+def _view(settings: Mapping[str, Any]) -> c.View:
+    width, height = settings["size"]
+    view = c.View(width=width, height=height, **_some(settings, "fov_x_deg"))
+    if "intrinsics" in settings:
+        fx, fy, cx, cy = settings["intrinsics"]
+        view.intrinsics.CopyFrom(c.Intrinsics(fx=fx, fy=fy, cx=cx, cy=cy))
+    if "distortion" in settings:
+        model, coefficients = settings["distortion"]
+        view.distortion.CopyFrom(c.Distortion(model=_value(c.DistortionModel, {"distortion": model}, "distortion"),
+                                              coefficients=coefficients))
+    return view
 
 
 def _sensors(settings: Mapping[str, Any]) -> list[c.Sensor]:
