@@ -39,11 +39,14 @@ class Camera {
   };
   Projection project(Vec3 point) const { return projectDirection(point - origin); }
   // Projects the point at infinity in a direction.
-  Projection projectDirection(Vec3 d) const {
-    if (lens_) return throughLens(d);
+  Projection projectDirection(Vec3 d) const { return lens_ ? throughLens(d) : projectPlain(d); }
+  // The same where there is no distortion: without a branch, which would change how compilers round.
+  Projection projectPlain(Vec3 d) const {
     const float z = dot(d, forward), scale = 1 / (z * pixel_x_);
     return {dot(d, right) * scale + cx_, dot(d, down) * (scale * aspect_) + cy_, z};
   }
+
+  bool isPlain() const { return !lens_; }  // without distortion
 
   // The width of a pixel at z = 1: the geometric mean of both axes. `direction` is that of a ray.
   float pixelAt(Vec3 direction) const { return lens_ ? pixelThroughLens(direction) : pixel; }

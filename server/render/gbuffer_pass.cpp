@@ -25,6 +25,14 @@ void setMotion(const Camera::Projection& now, const Camera::Projection& before, 
   g.z_in_prev.at(x, y) = before.z;
 }
 
+// `now` and `before`: from the cameras to the point, or the direction of a point at infinity.
+void projectMotion(const Camera& camera, const Camera& prev, Vec3 now, Vec3 before, int x, int y,
+                   GBuffer& g) {
+  if (!camera.isPlain())
+    return setMotion(camera.projectDirection(now), prev.projectDirection(before), x, y, g);
+  setMotion(camera.projectPlain(now), prev.projectPlain(before), x, y, g);
+}
+
 void setNormal(Vec3 n, int x, int y, GBuffer& g) {
   g.nx.at(x, y) = n.x, g.ny.at(x, y) = n.y, g.nz.at(x, y) = n.z;
 }
@@ -32,7 +40,7 @@ void setNormal(Vec3 n, int x, int y, GBuffer& g) {
 // A ray that hits nothing counts as a hit on one far surface.
 void setFar(const Camera& camera, const Camera& prev, Vec3 direction, int x, int y, GBuffer& g) {
   setNormal({0, 0, 1}, x, y, g);
-  setMotion(camera.projectDirection(direction), prev.projectDirection(direction), x, y, g);
+  projectMotion(camera, prev, direction, direction, x, y, g);
   g.z.at(x, y) = g.z_in_prev.at(x, y) = kMissDepth;
   g.dz.at(x, y) = 0;
 }
@@ -75,7 +83,7 @@ void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera
   g.emission.at(x, y) = luminance(guide.emission);
   if (!guide.hit) return setFar(camera, prev, primary.direction, x, y, g);
   setNormal(guide.normal, x, y, g);
-  setMotion(camera.project(guide.point), prev.project(guide.point), x, y, g);
+  projectMotion(camera, prev, guide.point - camera.origin, guide.point - prev.origin, x, y, g);
   g.z.at(x, y) = guide.t;
   g.dz.at(x, y) =
       planeSlope(camera, primary.direction, guide.point - camera.origin, guide.plane_normal, guide.t);
