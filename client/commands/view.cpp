@@ -58,7 +58,7 @@ void runView(ViewOptions options) {
 void addViewCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("view", "show the events of a stream in the terminal");
   const auto options = std::make_shared<ViewOptions>();
-  options->request.size.clear();
+  options->request.camera.size.clear();
   options->request.duration_s = 0;
   options->request.delivery = "live";
   command
