@@ -41,6 +41,9 @@ class Feed {
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
        std::unique_ptr<Method> method, SampleRequest samples, const PoolHandle& pool);
 
+  // Adds a key to the path, after its last one.
+  void steer(const TimedPose& key) { path_.append(key); }
+
   // Renders the next frame and estimates the change since the one before it. The change stays as it is until
   // the second step after this one begins.
   const IntensityChange& step(const PoolHandle& pool);

@@ -2,6 +2,10 @@
 
 namespace saccade {
 
+void Rig::steer(const TimedPose& key) {
+  for (const auto& feed : feeds_) feed->steer(key);
+}
+
 const std::vector<FeedInterval>& Rig::step(const PoolHandle& pool) {
   intervals_.clear();
   for (const auto& feed : feeds_) {

@@ -14,6 +14,9 @@ class Rig {
   explicit Rig(std::vector<std::unique_ptr<Feed>> feeds) : feeds_(std::move(feeds)) {}
   explicit Rig(std::unique_ptr<Feed> feed) { feeds_.push_back(std::move(feed)); }
 
+  // Adds a key to the path of each view, after its last one.
+  void steer(const TimedPose& key);
+
   // Renders the next frame of each view. The intervals hold until the next step.
   const std::vector<FeedInterval>& step(const PoolHandle& pool);
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "scene/camera/screw_step.h"
+
 namespace saccade {
 namespace {
 
@@ -13,21 +15,7 @@ double innerProduct(Quaternion a, Quaternion b) {
   return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
 
-// Below this angle the closed forms lose digits and the first terms of their series are exact.
-constexpr double kSmallAngle = 1e-4;
-
-// V(w) v, where exp(w, v) has the translation V(w) v: what is travelled while turning.
-Vec3d travelled(Vec3d w, Vec3d v) {
-  const double angle = length(w), angle2 = angle * angle;
-  const double half = std::sin(angle / 2);
-  const double a = angle < kSmallAngle ? 0.5 - angle2 / 24 : 2 * half * half / angle2;
-  const double b =
-      angle < kSmallAngle ? 1.0 / 6 - angle2 / 120 : (angle - std::sin(angle)) / (angle2 * angle);
-  const Vec3d wv = cross(w, v);
-  return v + wv * a + cross(w, wv) * b;
-}
-
-// The inverse of travelled(): the velocity that ends at p after one unit of turning by w.
+// The inverse of screwStep(): the velocity that ends at p after one unit of turning by w.
 Vec3d velocityTo(Vec3d w, Vec3d p) {
   const double angle = length(w), half = angle / 2;
   const double c = angle < kSmallAngle ? 1.0 / 12 + angle * angle / 720
@@ -106,7 +94,7 @@ Pose interpolate(const Pose& a, const Pose& b, double s) {
   if (s == 1) return b;
   const Pose step = inverse(a) * b;
   const Vec3d w = rotationVector(step.rotation), v = velocityTo(w, step.position);
-  Pose p = a * Pose{travelled(w * s, v * s), axisAngle(w * s)};
+  Pose p = a * screwStep(w * s, v * s);
   p.rotation = normalize(p.rotation);
   return p;
 }

@@ -22,6 +22,11 @@ Trajectory Trajectory::periodic(std::vector<TimedPose> keys) {
   return path;
 }
 
+void Trajectory::append(const TimedPose& key) {
+  SACCADE_CHECK(!periodic_ && key.time > lastTime());
+  keys_.push_back(key);
+}
+
 Pose Trajectory::at(TimeNs t) const {
   const auto [next, s, span_s, stands] = find(t);
   if (stands) return keys_[next == 0 ? 0 : next - 1].pose;

@@ -30,6 +30,9 @@ class Trajectory {
   // Repeats for ever with the time of the last key as period. The first key is at 0; the last has its pose.
   static Trajectory periodic(std::vector<TimedPose> keys);
 
+  // Adds a key after the last one. Not to a periodic path.
+  void append(const TimedPose& key);
+
   Pose at(TimeNs t) const;
   // The derivative of at(), in closed form. Where it jumps, it is that just after t.
   Velocity velocityAt(TimeNs t) const;
