@@ -26,6 +26,9 @@ class EventModel {
   // time; OFF first where times are equal. `dL`: change of log brightness over the interval, finite, with a
   // border of 0. Returns how many events were withheld.
   virtual std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) = 0;
+  // From the next interval on. A pixel whose level lies outside the new thresholds makes one event there at
+  // once, and takes the level that it sees as its reference.
+  virtual void setThresholds(const SensorConfig& config) = 0;
   // Log brightness of pixel (x, y) minus the reference of its next event; 0 for a model without a reference.
   virtual float level(int x, int y) const = 0;
 };

@@ -42,6 +42,9 @@ class Reconstruction {
   // Replaces `dL`, the finite response of `change`, by L^_t - L^_{t-1}, finite. Call it for every interval,
   // in order. Does not touch the border, and does not allocate.
   virtual void reconstruct(const IntensityChange& change, ImageF& dL) = 0;
+  // From the next interval on, dL and L^ are those of this I_eps. L^ stays the brightness of the same
+  // intensity.
+  virtual void setBias(double bias) = 0;
 };
 
 struct ReconstructionInfo {

@@ -10,10 +10,7 @@
 namespace saccade {
 
 Sensor::Sensor(const SensorConfig& config, int width, int height)
-    : bias_(static_cast<float>(config.bias)),
-      judges_(config.labels || config.max_artefact_odds < 1),
-      max_artefact_odds_(config.max_artefact_odds),
-      max_events_(config.max_events_per_frame),
+    : config_(config),
       dL_(width, height),
       photoreceptor_(makePhotoreceptor(config.noise, width, height)),
       noise_sources_(makeNoiseSources(config, width, height)) {
@@ -28,10 +25,11 @@ Sensor::Sensor(const SensorConfig& config, int width, int height)
 }
 
 PixelState Sensor::pixelsAtStart(const ImageF& I_prev) const {
+  const auto bias = static_cast<float>(config_.bias);
   PixelState pixels;
   for (int y = 0; y < I_prev.height(); ++y) {
     for (int x = 0; x < I_prev.width(); ++x) {
-      const float L = finiteLogBrightness(I_prev.at(x, y), bias_);
+      const float L = finiteLogBrightness(I_prev.at(x, y), bias);
       pixels.brightness.push_back(L);
       pixels.reference.push_back(L - model_->level(x, y));
     }
@@ -39,28 +37,36 @@ PixelState Sensor::pixelsAtStart(const ImageF& I_prev) const {
   return pixels;
 }
 
+void Sensor::change(const SensorChange& change) {
+  config_ = changed(config_, change);
+  SACCADE_CHECK(!findFault(config_));
+  if (change.threshold || change.threshold_off) model_->setThresholds(config_);
+  if (change.bias) reconstruction_->setBias(config_.bias);
+}
+
 void Sensor::generate(const IntensityChange& change, SensorOutput& out) {
   const Interval interval{change.t0, change.t1, change.frame};
-  logResponse(change, bias_, dL_);
+  logResponse(change, static_cast<float>(config_.bias), dL_);
   reconstruction_->reconstruct(change, dL_);
   if (photoreceptor_) photoreceptor_->filter(change, dL_);
   out.events.clear();
   out.suppressed = model_->generate(dL_, interval, out.events);
   out.artefacts = 0;
-  if (judges_) judge(change, out);
+  if (config_.labels || config_.max_artefact_odds < 1) judge(change, out);
   if (!noise_sources_.empty()) addNoise(change, out);
   readOut(interval, out);
   giveBackSlack(out.events);
 }
 
 void Sensor::judge(const IntensityChange& change, SensorOutput& out) {
-  labelArtefacts(change, bias_, dL_, out.events);
-  out.artefacts = removeArtefacts(max_artefact_odds_, out.events);
+  labelArtefacts(change, static_cast<float>(config_.bias), dL_, out.events);
+  out.artefacts = removeArtefacts(config_.max_artefact_odds, out.events);
   out.suppressed += out.artefacts;
 }
 
 void Sensor::addNoise(const IntensityChange& change, SensorOutput& out) {
-  NoiseSink sink(max_events_ - std::min<std::uint64_t>(max_events_, out.events.size()), out.events);
+  NoiseSink sink(config_.max_events_per_frame - std::min<std::uint64_t>(config_.max_events_per_frame, out.events.size()),
+                 out.events);
   for (const auto& source : noise_sources_) source->generate(change, sink);
   out.suppressed += sink.withheld();
 }

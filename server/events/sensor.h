@@ -38,6 +38,10 @@ class Sensor {
   // The state of the pixels before the first interval, row by row. `I_prev`: of the first change.
   PixelState pixelsAtStart(const ImageF& I_prev) const;
 
+  // Takes new settings for the next interval; its time has no effect here. The new configuration has no
+  // fault. A change of the bias moves the references of the pixels along, and makes no event.
+  void change(const SensorChange& change);
+
   // Makes the events of an interval. Call it for every interval, in order. Overwrites `out`, reusing its
   // storage.
   void generate(const IntensityChange& change, SensorOutput& out);
@@ -47,10 +51,7 @@ class Sensor {
   void addNoise(const IntensityChange& change, SensorOutput& out);
   void readOut(const Interval& interval, SensorOutput& out);
 
-  float bias_;
-  bool judges_;  // whether it has to know the odds of artefacts
-  double max_artefact_odds_;
-  std::uint64_t max_events_;
+  SensorConfig config_;
   ImageF dL_;  // [E (21)], then as reconstructed
   std::unique_ptr<Reconstruction> reconstruction_;
   std::unique_ptr<EventModel> model_;

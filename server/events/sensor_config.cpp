@@ -34,6 +34,13 @@ std::optional<SensorFault> findRangeFault(const SensorConfig& config) {
 
 }  // namespace
 
+SensorConfig changed(SensorConfig config, const SensorChange& change) {
+  config.threshold = change.threshold.value_or(config.threshold);
+  config.threshold_off = change.threshold_off.value_or(config.threshold_off);
+  config.bias = change.bias.value_or(config.bias);
+  return config;
+}
+
 std::optional<SensorFault> findFault(const SensorConfig& config) {
   if (auto fault = findRangeFault(config)) return fault;
   if (!findEventModel(config.model)) {

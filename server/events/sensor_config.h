@@ -32,6 +32,14 @@ struct SensorConfig {
   NoiseConfig noise{};           // off by default
 };
 
+// New settings from the first interval that begins at `time` or later.
+struct SensorChange {
+  TimeNs time{0};
+  std::optional<double> threshold = {}, threshold_off = {},
+                        bias = {};  // as in SensorConfig; unset: as before
+};
+SensorConfig changed(SensorConfig config, const SensorChange& change);
+
 struct SensorFault {
   std::string field, message;  // the field as the schema names it
 };

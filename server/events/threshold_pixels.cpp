@@ -22,7 +22,8 @@ ThresholdPixels<Thresholds>::ThresholdPixels(const SensorConfig& config, int wid
       max_events_(config.max_events_per_pixel_frame),
       max_all_(config.max_events_per_frame),
       room_(max_all_),
-      width_(width) {
+      width_(width),
+      height_(height) {
   if (refractory_ > TimeNs(0)) blindness_.resize(static_cast<std::size_t>(width) * height);
 }
 
@@ -30,6 +31,11 @@ template <class Thresholds>
 float ThresholdPixels<Thresholds>::levelAt(int x, int y, double fraction) const {
   const double on = thresholds_.on(x, y), off = thresholds_.off(x, y);
   return inside(x, y, -off + fraction * (on + off));
+}
+
+template <class Thresholds>
+void ThresholdPixels<Thresholds>::setThresholds(const SensorConfig& config) {
+  thresholds_ = Thresholds(config, width_, height_);
 }
 
 template <class Thresholds>
@@ -76,10 +82,35 @@ void ThresholdPixels<Thresholds>::advanceRow(int y, const float* dL, float* v, E
 }
 
 template <class Thresholds>
+void ThresholdPixels<Thresholds>::settleRow(int y, const float* dL, float* v, Events& events) {
+  for (int x = 0; x < width_; ++x) {
+    v[x] = settle(x, y, v[x], events);
+    if (dL[x] != 0) v[x] = advance(x, y, v[x], dL[x], events);
+    settled_ = 0;
+  }
+}
+
+template <class Thresholds>
+float ThresholdPixels<Thresholds>::settle(int x, int y, float v, Events& events) {
+  Blindness* blindness = blindnessOf(x, y);
+  const bool between = v >= thresholds_.lowest(x, y) && v <= thresholds_.highest(x, y);
+  if ((blindness && blindness->until != kAwake) || between) return v;
+  if (room_ > 0) {
+    --room_, ++settled_;
+    events.push_back(
+        {interval_.t0.count(), static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), v > 0});
+  } else {
+    ++suppressed_;
+  }
+  if (blindness) *blindness = {interval_.t0 + refractory_, 0};
+  return 0;
+}
+
+template <class Thresholds>
 float ThresholdPixels<Thresholds>::advanceInFull(int x, int y, double v, double change, Events& events) {
   // A blind pixel takes part from when it wakes.
   double start = 0;
-  Blindness* blindness = blindness_.empty() ? nullptr : &blindness_[static_cast<std::size_t>(y) * width_ + x];
+  Blindness* blindness = blindnessOf(x, y);
   if (blindness && blindness->until != kAwake) {
     if (!wakes(*blindness, x, y, change, start)) return static_cast<float>(v);
     v = 0;
@@ -112,7 +143,7 @@ float ThresholdPixels<Thresholds>::advanceInFull(int x, int y, double v, double 
 template <class Thresholds>
 void ThresholdPixels<Thresholds>::send(const Crossings& crossings, std::int64_t count, Event event,
                                        Events& events) {
-  const std::int64_t wanted = std::min(count, max_events_);
+  const std::int64_t wanted = std::min(count, max_events_ - settled_);
   const auto sent = static_cast<std::int64_t>(std::min(static_cast<std::uint64_t>(wanted), room_));
   suppressed_ += static_cast<std::uint64_t>(count - sent);
   room_ -= static_cast<std::uint64_t>(sent);

@@ -36,6 +36,7 @@ class ThresholdPixels {
   }
 
   void begin(const Interval& interval);
+  void setThresholds(const SensorConfig& config);  // those of another configuration
 
   // Moves pixel (x, y) from level `v` in (-C-, C+) by `change` != 0 over the interval, and appends its
   // events. Returns the level at t1, in (-C-, C+). A blind pixel ignores v; while it is blind the result
@@ -50,6 +51,10 @@ class ThresholdPixels {
   // The same for the pixels of row y whose change is not 0, by their levels `v`. Both rows may be read beyond
   // the width, up to a multiple of 16, where there is no change.
   void advanceRow(int y, const float* dL, float* v, Events& events);
+
+  // The same for the first interval after setThresholds(). A level outside first makes an event at t0, and
+  // becomes 0.
+  void settleRow(int y, const float* dL, float* v, Events& events);
 
   std::uint64_t suppressed() const { return suppressed_; }  // since begin()
 
@@ -72,6 +77,11 @@ class ThresholdPixels {
 
   float advanceInFull(int x, int y, double v, double change, Events& events);
   bool wakes(Blindness& blindness, int x, int y, double change, double& start);
+  float settle(int x, int y, float v, Events& events);
+  // Of the pixel; nullptr without refractory period.
+  Blindness* blindnessOf(int x, int y) {
+    return blindness_.empty() ? nullptr : &blindness_[static_cast<std::size_t>(y) * width_ + x];
+  }
   void send(const Crossings& crossings, std::int64_t count, Event event, Events& events);
   // Rounding to float must not put a level on a threshold.
   float inside(int x, int y, double v) const {
@@ -81,8 +91,9 @@ class ThresholdPixels {
   Thresholds thresholds_;
   TimeNs refractory_;
   std::int64_t max_events_;       // of a pixel
+  std::int64_t settled_ = 0;      // of these, made already by the pixel that is being moved
   std::uint64_t max_all_, room_;  // of all pixels; how many more of them this interval
-  int width_;
+  int width_, height_;
   std::vector<Blindness> blindness_;  // by pixel; empty without refractory period
   Interval interval_{};
   double length_ns_ = 0;

@@ -25,9 +25,19 @@ class Accumulating final : public EventModel {
     pixels_.begin(interval);
     for (int y = 0; y < dL.height(); ++y) {
       TilePool::yieldToHighPriority();
-      pixels_.advanceRow(y, dL.row(y), v_.row(y), events);
+      if (changed_) {
+        pixels_.settleRow(y, dL.row(y), v_.row(y), events);
+      } else {
+        pixels_.advanceRow(y, dL.row(y), v_.row(y), events);
+      }
     }
+    changed_ = false;
     return pixels_.suppressed();
+  }
+
+  void setThresholds(const SensorConfig& config) override {
+    pixels_.setThresholds(config);
+    changed_ = true;
   }
 
   float level(int x, int y) const override { return v_.at(x, y); }
@@ -35,6 +45,7 @@ class Accumulating final : public EventModel {
  private:
   ThresholdPixels<Thresholds> pixels_;
   ImageF v_;
+  bool changed_ = false;  // the thresholds, since the last interval
 };
 
 }  // namespace

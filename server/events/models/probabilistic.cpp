@@ -48,6 +48,9 @@ class Probabilistic final : public EventModel {
     return pixels_.suppressed();
   }
 
+  // The phase is fresh in each interval: no pixel lies outside.
+  void setThresholds(const SensorConfig& config) override { pixels_.setThresholds(config); }
+
   float level(int, int) const override { return 0; }
 
  private:

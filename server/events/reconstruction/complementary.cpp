@@ -24,6 +24,8 @@ class Complementary final : public Reconstruction {
         change, [&](int) { return gains_.data(); }, dL);
   }
 
+  void setBias(double bias) override { brightness_.setBias(bias); }
+
  private:
   double omega_;  // rad/s
   PredictCorrect brightness_;

@@ -7,6 +7,7 @@ namespace {
 class Direct final : public Reconstruction {
  public:
   void reconstruct(const IntensityChange&, ImageF&) override {}
+  void setBias(double) override {}
 };
 
 }  // namespace

@@ -49,6 +49,11 @@ class Kalman final : public Reconstruction {
         change, [&](int y) { return computeGains(change, y); }, dL);
   }
 
+  void setBias(double bias) override {
+    I_eps_ = static_cast<float>(bias);
+    brightness_.setBias(bias);
+  }
+
  private:
   // Where the method knows no variance of the primal (0), there is no correction.
   const float* computeGains(const IntensityChange& change, int y) {

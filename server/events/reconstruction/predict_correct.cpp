@@ -1,5 +1,7 @@
 #include "events/reconstruction/predict_correct.h"
 
+#include <cmath>
+
 #include "events/log_ratio.h"
 
 namespace saccade {
@@ -9,6 +11,17 @@ PredictCorrect::PredictCorrect(double bias, int width, int height)
       low_(logBrightness(0, I_eps_)),
       high_(logBrightness(kMaxLuminance, I_eps_)),
       L_(width, height) {}
+
+void PredictCorrect::setBias(double bias) {
+  const float before = I_eps_;
+  I_eps_ = static_cast<float>(bias);
+  low_ = logBrightness(0, I_eps_);
+  high_ = logBrightness(kMaxLuminance, I_eps_);
+  for (int y = 0; y < L_.height(); ++y) {
+    float* L = L_.row(y);
+    for (int x = 0; x < L_.width(); ++x) L[x] = logBrightness(std::exp(L[x]) - before, I_eps_);
+  }
+}
 
 void PredictCorrect::start(const ImageF& I_prev) {
   for (int y = 0; y < L_.height(); ++y) {

@@ -11,6 +11,9 @@ class PredictCorrect {
   // `bias` is I_eps.
   PredictCorrect(double bias, int width, int height);
 
+  // L^ becomes the brightness of the same intensity by another I_eps.
+  void setBias(double bias);
+
   // L^_t = L- + k (L^prim_t - L-), L- = L^_{t-1} + dL_t; dL becomes L^_t - L^_{t-1}. `gains(y)` points to k
   // of each pixel of row y, in [0, 1]. A primal that is NaN or Inf corrects nothing.
   template <class Gains>
