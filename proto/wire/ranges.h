@@ -37,6 +37,10 @@ inline constexpr Range<double> kRefractory{0, 10};        // Sensor.refractory_s
 inline constexpr Range<double> kCutoff{1e-4, 1e4};        // Sensor.cutoff_hz: Hz
 inline constexpr Range<int> kMaxPixelEvents{1, 65536};    // Sensor.max_events_per_pixel_frame: events
 inline constexpr Range<double> kArtefactOdds{0, 1};       // Sensor.max_artefact_odds: a probability
+inline constexpr Range<int> kSensorChanges{0, 1000};      // Sensor.changes: how many
+inline constexpr Range<double> kChangeTime{0, 1e7};       // SensorChange.time_s: seconds
+inline constexpr Range<double> kLinear{-1e9, 1e9};        // CameraVelocity.linear: scene units per second
+inline constexpr Range<double> kAngular{-1e3, 1e3};       // CameraVelocity.angular: radians per second
 inline constexpr Range<int> kTruth{0, 32};                // OpenStream.truth: how many
 inline constexpr Range<int> kTruthTimes{0, 100000};       // Truth.times_s: how many
 inline constexpr Range<double> kExposure{1e-6, 100};      // Aps.exposure_s: seconds

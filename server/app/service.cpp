@@ -5,6 +5,7 @@
 #include "app/request/request_memory.h"
 #include "app/streams/frame_picture.h"
 #include "events/noise/presets.h"
+#include "app/streams/stream_control.h"
 
 namespace saccade {
 namespace {
@@ -15,6 +16,18 @@ v1::Reply pictureReply(const Stream& stream) {
     const auto newest = stream.feed->newest().copy();
     if (!newest) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the stream has no frame yet");
     *reply.mutable_get_frame() = drawPicture(*newest, stream.request.sensors(0).bias());
+    *reply.mutable_status() = okStatus();
+  } catch (...) {
+    reply.Clear();
+    *reply.mutable_status() = statusOfException();
+  }
+  return reply;
+}
+
+v1::Reply descriptionReply(const Stream& stream) {
+  v1::Reply reply;
+  try {
+    *reply.mutable_describe_stream() = describeStream(stream);
     *reply.mutable_status() = okStatus();
   } catch (...) {
     reply.Clear();
@@ -55,6 +68,7 @@ void Service::dispatch(RawRequest raw, const Peer& peer, const Answer& answer) {
   const v1::Request request = parseRequest(raw.bytes);
   if (request.has_list_scenes()) return scenes_.ask(answer);
   if (request.has_get_frame()) return getFrame(request.get_frame(), answer);
+  if (request.has_describe_stream()) return describe(request.describe_stream(), answer);
   v1::Reply reply;
   fill(request, peer, reply);
   *reply.mutable_status() = okStatus();
@@ -79,11 +93,28 @@ void Service::getFrame(const v1::GetFrame& call, const Answer& answer) {
   pictures_.post([stream = std::move(stream), answer] { answer(pictureReply(stream)); });
 }
 
+// As getFrame(), because paths may be long.
+void Service::describe(const v1::DescribeStream& call, const Answer& answer) {
+  pictures_.post(
+      [stream = streams_.find(call.stream_id(), call.token()), answer] { answer(descriptionReply(stream)); });
+}
+
 void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& reply) {
   switch (request.call_case()) {
     case v1::Request::kCloseStream:
       streams_.close(request.close_stream().stream_id(), request.close_stream().token());
       reply.mutable_close_stream();
+      break;
+    case v1::Request::kSteer:
+      streams_.with(request.steer().stream_id(), request.steer().token(), [&](const Stream& stream) {
+        *reply.mutable_steer() = steerStream(stream, request.steer());
+      });
+      break;
+    case v1::Request::kChangeSensor:
+      streams_.with(request.change_sensor().stream_id(), request.change_sensor().token(),
+                    [&](const Stream& stream) {
+                      *reply.mutable_change_sensor() = changeSensor(stream, request.change_sensor());
+                    });
       break;
     case v1::Request::kListStreams:
       *reply.mutable_list_streams() = listStreams(peer.user);

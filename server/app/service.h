@@ -28,6 +28,7 @@ class Service {
   void dispatch(RawRequest request, const Peer& peer, const Answer& answer);
   void open(RawRequest request, const Peer& peer, Answer answer);
   void getFrame(const v1::GetFrame& call, const Answer& answer);
+  void describe(const v1::DescribeStream& call, const Answer& answer);
   void fill(const v1::Request& request, const Peer& peer, v1::Reply& reply);
   v1::StreamList listStreams(const std::string& user) const;
 
@@ -37,7 +38,7 @@ class Service {
   ClientLog& log_;
   const v1::ServerDescription description_;
   SceneLister scenes_;
-  Worker pictures_;  // copies and draws for get_frame
+  Worker pictures_;  // copies and draws for get_frame, and copies paths for describe_stream
 };
 
 // Adds all methods.

@@ -21,7 +21,7 @@ class SensorPackets : public testing::Test {
   std::vector<Packet> packetsOf(SensorChannel& channel, FrameIndex first = 1) const {
     std::vector<Packet> all;
     for (FrameIndex frame = first; frame <= 3; ++frame) {
-      channel.process(StillView(intervalOf(frame, kIntensity, 0.5f)).interval());
+      channel.process(StillView(intervalOf(frame, kIntensity, 0.5f)).interval(), false);
       for (Packet& packet : channel.takePackets()) all.push_back(std::move(packet));
     }
     return all;
@@ -93,7 +93,7 @@ TEST_F(SensorPackets, EndsWithWhatIsInNoPacketYet) {
   auto change = intervalOf(1, kIntensity, 0.5f);
   change->t1 = std::chrono::milliseconds(2);
   const TimeNs end = change->t1;
-  channel.process(StillView(std::move(change)).interval());
+  channel.process(StillView(std::move(change)).interval(), false);
   EXPECT_TRUE(channel.takePackets().empty());
   const std::vector<Packet> last = channel.end(end, 1, v1::END_REASON_CLOSED);
   ASSERT_EQ(last.size(), 2u);

@@ -14,6 +14,7 @@ ResolvedStream twoSensors() {
   ResolvedStream stream{.request = {},
                         .feed = {.camera = pinhole(45, kWidth, kHeight), .params = {}},
                         .sensors = {{.reconstruction = "direct"}, {.reconstruction = "direct"}},
+                        .changes = {{}, {}},
                         .truth = {},
                         .disabled_features = {},
                         .expected = {},

@@ -62,6 +62,7 @@ class FeedFailure : public testing::Test {
                           .feed = {.camera = pinhole(45, 8, 8), .params = {}},
                           .sensors = {},
                           .truth = {},
+                          .changes = {},
                           .disabled_features = {},
                           .expected = {},
                           .simplification = {}};

@@ -36,6 +36,7 @@ TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
                         .feed = config,
                         .sensors = {{}},
                         .truth = {},
+                        .changes = {{}},
                         .disabled_features = {},
                         .expected = {},
                         .simplification = {}};

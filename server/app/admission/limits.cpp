@@ -50,6 +50,7 @@ const std::array<LimitRow, kLimits>& limitTable() {
       {Limit::kBakes, "bakes", 4096, 0, "MiB", "memory of bakes in use or being made, 512 MiB for each"},
       {Limit::kBakeFiles, "bake-files", 16384, 1, "MiB",
        "files of bakes; the least recently used are removed for others"},
+      {Limit::kSteers, "steers", 64, 1, "", "steers of one LOCKSTEP stream that wait for their frame"},
   }};
   return rows;
 }

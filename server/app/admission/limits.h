@@ -42,8 +42,9 @@ enum class Limit {
   kScenes,
   kBakes,
   kBakeFiles,
+  kSteers,
 };
-inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kBakeFiles) + 1;
+inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kSteers) + 1;
 
 struct LimitRow {
   Limit limit;

@@ -72,6 +72,17 @@ void boundEvents(ResolvedStream& stream, const Limits& limits) {
   }
 }
 
+void boundSteering(ResolvedStream& stream, const Limits& limits) {
+  if (!stream.request.timing().steerable()) return;
+  const double keys = std::min<double>(ranges::kKeyframes.max, limits[Limit::kTrajectoryPoints]);
+  const auto most = static_cast<FrameIndex>(std::max(keys - 1, 1.0));
+  if (stream.frames > most) {
+    throw LimitReached(Limit::kTrajectoryPoints, "timing.duration_s",
+                       "a stream that can be steered has at most " + std::to_string(most) + " frames");
+  }
+  if (stream.frames == 0) stream.frames = most;
+}
+
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) {
   const int width = stream.feed.camera.width, height = stream.feed.camera.height;
   const int sensors = static_cast<int>(stream.sensors.size());

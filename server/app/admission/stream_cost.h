@@ -12,6 +12,10 @@ namespace saccade {
 // asks for more: it would get other events than on a server that allows them.
 void boundEvents(ResolvedStream& stream, const Limits& limits);
 
+// A stream that can be steered ends when its path has as many keys as a request may have. Throws LimitReached
+// where it shall last longer.
+void boundSteering(ResolvedStream& stream, const Limits& limits);
+
 // MiB: an estimate of the most memory of a stream with a feed of its own, without its queue.
 double streamMemory(const ResolvedStream& stream);
 

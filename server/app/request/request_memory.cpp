@@ -15,6 +15,10 @@ double openingMemory(std::size_t bytes) {
   return kOpeningBytes * static_cast<double>(bytes) / kMiB;
 }
 
+double steeringMemory(std::uint64_t frames) {
+  return kPointBytes * static_cast<double>(frames) / kMiB;
+}
+
 double pathMemory(const v1::Trajectory& path) {
   const auto lines = std::count(path.csv().begin(), path.csv().end(), '\n');
   const double points = static_cast<double>(lines + path.keyframes().keys_size());

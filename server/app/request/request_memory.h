@@ -11,6 +11,8 @@ namespace saccade {
 double openingMemory(std::size_t bytes);
 
 // Of the path of a stream and of its feed's key, while the stream lives.
+// Of the path of a stream that is steered for so many frames, and of its description.
+double steeringMemory(std::uint64_t frames);
 double pathMemory(const v1::Trajectory& path);
 
 }  // namespace saccade

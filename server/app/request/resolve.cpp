@@ -16,6 +16,7 @@ void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
   checkRange("timing.duration_s", timing.duration_s(), ranges::kDuration);
   if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), ranges::kSpeed);
   timing.set_clock(resolveEnum("timing.clock", timing.clock(), v1::CLOCK_FAST));
+  if (timing.clock() == v1::CLOCK_LOCKSTEP) timing.set_steerable(true), timing.set_packet_per_frame(true);
   // FAST ignores the speed: cleared, so that equal feeds have equal keys.
   const double speed = timing.speed() == 0 ? 1 : timing.speed();
   timing.set_speed(timing.clock() == v1::CLOCK_PACED ? speed : 0);
@@ -65,25 +66,31 @@ void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
     refuse("quality.bake_error", stream.feed.method + " has no use for light that is computed ahead");
 }
 
-void resolveSensors(v1::OpenStream& request, std::vector<SensorConfig>& sensors) {
+void resolveSensors(ResolvedStream& stream) {
+  v1::OpenStream& request = stream.request;
   if (request.sensors_size() < 1 || request.sensors_size() > ranges::kSensors.max) {
     refuse("sensors", "a stream has 1 to " + std::to_string(ranges::kSensors.max) + " sensors");
   }
   for (int i = 0; i < request.sensors_size(); ++i) {
-    sensors.push_back(resolveSensor(*request.mutable_sensors(i), i, request.seed()));
+    stream.sensors.push_back(resolveSensor(*request.mutable_sensors(i), i, request.seed()));
+    stream.changes.push_back(resolveChanges(request.sensors(i), i, stream.sensors.back()));
   }
 }
 
+constexpr const char* kNotFromItems =
+    "only a LOSSLESS stream goes on from here, and none that can be steered";
+
 // A feed that LIVE or BROADCAST streams share cannot begin in the middle.
+// Nor can a path that is not known yet.
 void checkFromItems(const v1::OpenStream& request) {
-  if (request.delivery() == v1::DELIVERY_LOSSLESS) return;
+  if (request.delivery() == v1::DELIVERY_LOSSLESS && !request.timing().steerable()) return;
   for (int i = 0; i < request.truth_size(); ++i) {
     if (request.truth(i).from_sample() == 0) continue;
-    refuse("truth[" + std::to_string(i) + "].from_sample", "only a LOSSLESS stream goes on from a sample");
+    refuse("truth[" + std::to_string(i) + "].from_sample", kNotFromItems);
   }
   for (int i = 0; i < request.sensors_size(); ++i) {
     if (request.sensors(i).from_event() == 0) continue;
-    refuse("sensors[" + std::to_string(i) + "].from_event", "only a LOSSLESS stream goes on from an event");
+    refuse("sensors[" + std::to_string(i) + "].from_event", kNotFromItems);
   }
 }
 
@@ -93,6 +100,7 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   ResolvedStream stream{.request = std::move(request),
                         .feed = {},
                         .sensors = {},
+                        .changes = {},
                         .truth = {},
                         .disabled_features = {},
                         .expected = {},
@@ -101,7 +109,7 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   checkTrajectory(*r.mutable_trajectory(), scene);
   stream.feed.camera = resolveView(r.view());
   resolveTiming(*r.mutable_timing(), stream);
-  resolveSensors(r, stream.sensors);
+  resolveSensors(stream);
   for (int i = 0; i < r.truth_size(); ++i) {
     stream.truth.push_back(resolveTruth(*r.mutable_truth(i), i, stream.feed));
   }
@@ -110,6 +118,9 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   stream.expected = resolveBudget(r, stream.sensors, tables.accuracy);
   resolveMethod(*r.mutable_method(), stream.feed);
   resolveQuality(*r.mutable_quality(), stream);
+  if (r.timing().steerable() && r.quality().has_bake_error())
+    refuse("quality.bake_error",
+           "light is computed ahead for the surfaces of a path, and a steered path is not known");
   r.set_delivery(resolveEnum("delivery", r.delivery(), v1::DELIVERY_LOSSLESS));
   checkFromItems(r);
   r.set_codec(resolveEnum("codec", r.codec(), v1::CODEC_NONE));

@@ -18,6 +18,7 @@ struct ResolvedStream {
   v1::OpenStream request;  // as StreamOpened.resolved
   FeedConfig feed;
   std::vector<SensorConfig> sensors;
+  std::vector<std::vector<SensorChange>> changes;  // by sensor, in order of time
   std::vector<TruthConfig> truth;
   FrameIndex frames = 0;  // intervals to render; 0: until closed
   SceneFeatures disabled_features;
@@ -72,6 +73,11 @@ NoiseConfig resolveNoise(v1::Sensor& sensor, const std::string& field);
 
 // Checks sensor `index` and fills in its defaults. Throws Refusal.
 SensorConfig resolveSensor(v1::Sensor& sensor, int index, std::uint64_t stream_seed);
+
+// The changes of sensor `index`, which resolveSensor() has made `config`. Throws Refusal.
+std::vector<SensorChange> resolveChanges(const v1::Sensor& sensor, int index, const SensorConfig& config);
+// Checks one change of a sensor that is `config` at that time. Throws Refusal naming a member of `field`.
+SensorChange readChange(const v1::SensorChange& change, const SensorConfig& config, const std::string& field);
 
 // Checks truth channel `index` and fills in its defaults. Throws Refusal.
 TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed);

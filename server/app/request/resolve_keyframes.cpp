@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "app/request/read_pose.h"
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
 
@@ -8,19 +9,9 @@ namespace {
 
 constexpr double kMaxKeySeconds = 1e9;
 
-Vec3d readPosition(const v1::Vector3& p, const std::string& field) {
-  checkRange(field + ".x", p.x(), -kMaxDistance, kMaxDistance);
-  checkRange(field + ".y", p.y(), -kMaxDistance, kMaxDistance);
-  checkRange(field + ".z", p.z(), -kMaxDistance, kMaxDistance);
-  return {p.x(), p.y(), p.z()};
-}
-
 TimedPose readKey(const v1::Keyframe& key, const std::string& field) {
   checkRange(field + ".time_s", key.time_s(), -kMaxKeySeconds, kMaxKeySeconds);
-  const Quaternion q{key.rotation().x(), key.rotation().y(), key.rotation().z(), key.rotation().w()};
-  if (!isRotation(q))
-    refuse(field + ".rotation", "the length of the quaternion x y z w is near 0 or far from 1");
-  return {TimeNs{std::llround(key.time_s() * 1e9)}, {readPosition(key.position(), field + ".position"), q}};
+  return {TimeNs{std::llround(key.time_s() * 1e9)}, readPose(key.position(), key.rotation(), field)};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/streams/channel.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/streams/sensor_channel.h"
 #include "app/streams/truth_channel.h"
@@ -8,9 +9,10 @@
 
 namespace saccade {
 
-void Channel::process(const FeedInterval& interval) {
+void Channel::process(const FeedInterval& interval, bool whole) {
   const auto began = threadCpuTime();
   full_ = forClient(makePackets(interval));
+  if (whole) std::ranges::move(flush(), std::back_inserter(full_));
   items_ = countItems();
   cost_ = threadCpuTime() - began;
 }
@@ -39,7 +41,8 @@ std::vector<std::unique_ptr<Channel>> makeChannels(const ResolvedStream& stream,
   std::vector<std::unique_ptr<Channel>> channels;
   for (std::size_t i = 0; i < stream.sensors.size(); ++i) {
     const v1::Sensor& request = stream.request.sensors(static_cast<int>(i));
-    channels.push_back(std::make_unique<SensorChannel>(stream.sensors[i], source, request.from_event()));
+    channels.push_back(
+        std::make_unique<SensorChannel>(stream.sensors[i], source, request.from_event(), stream.changes[i]));
     ++source.sensor;
   }
   for (std::size_t i = 0; i < stream.truth.size(); ++i) {

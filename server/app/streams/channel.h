@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/request/resolve.h"
+#include "app/streams/sensor_schedule.h"
 #include "feed/feed_interval.h"
 #include "wire/packet.h"
 
@@ -19,8 +20,8 @@ class Channel {
   virtual ~Channel() = default;
 
   // Makes the packets of an interval. Takes every interval of its view from some interval on, in order, on
-  // any thread.
-  void process(const FeedInterval& interval);
+  // any thread. `whole`: the last packet ends with the interval.
+  void process(const FeedInterval& interval, bool whole);
 
   // Of the last process():
   std::chrono::nanoseconds cost() const { return cost_; }                 // CPU time
@@ -28,6 +29,8 @@ class Channel {
 
   std::uint64_t items() const { return items_; }           // events or samples so far
   bool catchingUp() const { return items_ < from_item_; }  // nothing is for the client yet
+
+  virtual SensorSchedule* schedule() { return nullptr; }  // of a sensor
 
   // What is in no full packet yet; with end() also the END packet.
   std::vector<Packet> flush() { return forClient(flushPackets()); }

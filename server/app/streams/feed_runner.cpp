@@ -22,11 +22,13 @@ void logTimes(FrameIndex frame, const StageTimes& times) {
 
 }  // namespace
 
-FeedRunner::FeedRunner(Rig rig, const FeedPace& pace, TilePool& pool, Totals& totals)
+FeedRunner::FeedRunner(Rig rig, const FeedPace& pace, TilePool& pool, Totals& totals,
+                       std::unique_ptr<Steering> steering)
     : pool_(pool),
       rig_(std::move(rig)),
       pace_(pace),
       totals_(totals),
+      steering_(std::move(steering)),
       luminance_p01_(rig_.first().firstFrameLuminance(0.01)),
       luminance_p50_(rig_.first().firstFrameLuminance(0.5)),
       pixel_speed_(rig_.first().pixelSpeed(pace.frames)),
@@ -135,8 +137,10 @@ bool FeedRunner::close() {
   return ended_;
 }
 
-// Some stream has a receiver, and every stream with a receiver has room.
+// Some stream has a receiver, every stream with a receiver has room, and the camera of the next frame is
+// known.
 bool FeedRunner::ready() const {
+  if (steering_ && !steering_->ready()) return false;
   bool any = false;
   for (const auto& sink : sinks_) {
     if (!sink->session().started()) continue;
@@ -171,6 +175,7 @@ Priority FeedRunner::priority() const {
 
 // Only this can be interrupted: an interval that is rendered reaches all streams.
 const std::vector<FeedInterval>& FeedRunner::render() {
+  if (steering_) rig_.steer(steering_->next());
   const std::vector<FeedInterval>& views = rig_.step({pool_, priority(), stop_.get_token()});
   newest_.set(views.front().change);
   frame_ = views.front().change.frame;

@@ -2,8 +2,8 @@
 //
 // A stream takes part from the first frame after its receiver has attached until it is stopped; then it gets
 // its END. A frame is rendered when some stream has a receiver, and every stream with a receiver has room.
-// Frames keep the pace, except those that a resumed stream skips. One run of the pool serves the sensors of
-// all streams.
+// A steered feed also waits until it knows its camera. Frames keep the pace, except those that a resumed
+// stream skips. One run of the pool serves the sensors of all streams.
 #pragma once
 
 #include <memory>
@@ -14,6 +14,7 @@
 
 #include "app/streams/newest_interval.h"
 #include "app/streams/pace_clock.h"
+#include "app/streams/steering.h"
 #include "app/streams/stream_sink.h"
 #include "app/streams/totals.h"
 #include "base/recent_mean.h"
@@ -39,8 +40,9 @@ struct FeedProgress {
 class FeedRunner {
  public:
   // Runs the feeds on `pool`, urgently while the feed keeps its pace. Adds to `totals`. Both must outlive
-  // this.
-  FeedRunner(Rig rig, const FeedPace& pace, TilePool& pool, Totals& totals);
+  // this. With `steering` the path of the rig is its begin(), and grows by a key for each frame.
+  FeedRunner(Rig rig, const FeedPace& pace, TilePool& pool, Totals& totals,
+             std::unique_ptr<Steering> steering = nullptr);
   ~FeedRunner();  // waits for the thread: all streams must be stopped, or the feed must have an end
   FeedRunner(const FeedRunner&) = delete;
   FeedRunner& operator=(const FeedRunner&) = delete;
@@ -52,6 +54,7 @@ class FeedRunner {
   // Ends the feed in the middle of its frame, if all its streams are to stop. From any thread.
   void interrupt();
 
+  Steering* steering() const { return steering_.get(); }  // raise notifier() after steering
   FeedProgress progress() const;
   const NewestInterval& newest() const { return newest_; }
   float luminanceP01() const { return luminance_p01_; }  // of frame 0
@@ -82,6 +85,7 @@ class FeedRunner {
   Rig rig_;
   const FeedPace pace_;
   Totals& totals_;
+  const std::unique_ptr<Steering> steering_;
   const std::shared_ptr<ChangeNotifier> notifier_ = std::make_shared<ChangeNotifier>();
   const float luminance_p01_, luminance_p50_;
   const PixelSpeed pixel_speed_;

@@ -58,6 +58,7 @@ CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory&
   const auto each = [&](const auto& f) {
     return seconds(pool.run(static_cast<int>(channels.size()), [&](int i) { f(*channels[i]); }));
   };
+  const bool packet_per_frame = stream.request.timing().packet_per_frame();
   CpuCost spent, first;
   int frames = 0;
   while (frames < kMeasuredFrames && spent.feed + spent.sensors < kEnoughSeconds) {
@@ -65,7 +66,7 @@ CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory&
     const FeedInterval interval = feed.interval();
     spent.feed += seconds(feed.lastTimes().total());
     spent.chain += seconds(feed.lastChain());
-    spent.sensors += each([&](Channel& channel) { channel.process(interval); });
+    spent.sensors += each([&](Channel& channel) { channel.process(interval, packet_per_frame); });
     spent.longest += longestOf(channels);
     if (++frames == 1) first = spent;
   }

@@ -5,13 +5,16 @@
 
 namespace saccade {
 
-SensorChannel::SensorChannel(const SensorConfig& config, const PacketSource& source, std::uint64_t from_event)
+SensorChannel::SensorChannel(const SensorConfig& config, const PacketSource& source, std::uint64_t from_event,
+                             std::vector<SensorChange> changes)
     : Channel(from_event),
       sensor_(config, static_cast<int>(source.width), static_cast<int>(source.height)),
+      schedule_(std::move(changes)),
       cutter_(source, config.labels ? v1::LAYOUT_LABELLED_COLUMNS : v1::LAYOUT_COLUMNS) {}
 
 std::vector<Packet> SensorChannel::makePackets(const FeedInterval& interval) {
   const IntensityChange& change = interval.change;
+  for (const SensorChange& due : schedule_.takeDue(change.t0, change.t1)) sensor_.change(due);
   std::vector<Packet> full;
   if (!std::exchange(joined_, true) && change.frame > 1) full.push_back(snapshot(change));
   sensor_.generate(change, output_);

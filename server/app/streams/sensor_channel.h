@@ -12,7 +12,10 @@ namespace saccade {
 
 class SensorChannel final : public Channel {
  public:
-  SensorChannel(const SensorConfig& config, const PacketSource& source, std::uint64_t from_event);
+  // `changes`: in order of time.
+  SensorChannel(const SensorConfig& config, const PacketSource& source, std::uint64_t from_event,
+                std::vector<SensorChange> changes = {});
+  SensorSchedule* schedule() override { return &schedule_; }
 
  protected:
   // Where the feed is already past its first interval, the packets begin with a snapshot of the pixels.
@@ -25,6 +28,7 @@ class SensorChannel final : public Channel {
   Packet snapshot(const IntensityChange& first);
 
   Sensor sensor_;
+  SensorSchedule schedule_;
   PacketCutter cutter_;
   std::uint64_t events_ = 0;
   bool joined_ = false;

@@ -5,7 +5,7 @@ namespace {
 
 // A paced stream that may drop packets never waits for its client, so such streams cannot hold each other up.
 bool mayShare(const v1::OpenStream& request) {
-  return isPaced(request) && request.delivery() != v1::DELIVERY_LOSSLESS;
+  return isPaced(request) && request.delivery() != v1::DELIVERY_LOSSLESS && !request.timing().steerable();
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
   ResolvedStream& resolved = plan.resolved;
   checkAlone(resolved.request, resources_.quota.limits());
   boundEvents(resolved, resources_.quota.limits());
+  boundSteering(resolved, resources_.quota.limits());
   Stream stream;
   stream.reserved = reserve(opening.peer.user, resolved);
   loadScenes(plan, opening);
@@ -64,6 +65,8 @@ std::shared_ptr<void> StreamMaker::reserve(const std::string& user, const Resolv
   StreamRegistry& streams = resources_.streams;
   std::vector<Share> shares = sharesOf(resolved, resources_.quota.limits());
   shares.push_back({Limit::kMemory, pathMemory(resolved.request.trajectory()), "trajectory"});
+  if (resolved.request.timing().steerable())
+    shares.push_back({Limit::kMemory, steeringMemory(resolved.frames), "timing"});
   streams.sweep(ChangeNotifier::Clock::now());
   try {
     return resources_.quota.take(user, shares);
@@ -156,10 +159,19 @@ void StreamMaker::admit(const ResolvedStream& resolved, const CpuCost& frame,
 
 std::shared_ptr<FeedRunner> StreamMaker::makeFeed(const Plan& plan, Trajectory path,
                                                   const Opening& opening) const {
-  auto feed = std::make_unique<Feed>(plan.scene, std::move(path), plan.resolved.feed, poolFor(opening));
   const v1::Timing& timing = plan.resolved.request.timing();
+  std::unique_ptr<Steering> steering;
+  if (timing.steerable()) {
+    const bool waits = timing.clock() == v1::CLOCK_LOCKSTEP;
+    const auto most = waits ? static_cast<std::size_t>(resources_.quota.limits()[Limit::kSteers]) : 0;
+    steering =
+        std::make_unique<Steering>(std::move(path), timing.frame_rate_hz(), plan.resolved.frames, most);
+    path = steering->begin();
+  }
+  auto feed = std::make_unique<Feed>(plan.scene, std::move(path), plan.resolved.feed, poolFor(opening));
   const FeedPace pace{plan.resolved.frames, timing.frame_rate_hz(), timing.speed()};
-  return std::make_shared<FeedRunner>(Rig(std::move(feed)), pace, resources_.pool, resources_.totals);
+  return std::make_shared<FeedRunner>(Rig(std::move(feed)), pace, resources_.pool, resources_.totals,
+                                      std::move(steering));
 }
 
 // Makes the stream's session and sink. Returns false where the feed has ended.

@@ -56,6 +56,12 @@ Stream StreamRegistry::find(const std::string& id, const std::string& token) con
   return streamOf(streams_, id, token);
 }
 
+void StreamRegistry::with(const std::string& id, const std::string& token,
+                          const std::function<void(const Stream&)>& use) const {
+  std::lock_guard lock(mutex_);
+  use(streamOf(streams_, id, token));
+}
+
 std::vector<v1::StreamInfo> StreamRegistry::list(const std::string& user) const {
   std::lock_guard lock(mutex_);
   std::vector<v1::StreamInfo> infos;

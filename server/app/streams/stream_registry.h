@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -33,6 +34,9 @@ class StreamRegistry {
   void add(Stream stream);  // throws Refusal after stopAll()
   // A copy of the entry. Throws Refusal: there is none, or `token` is not its token.
   Stream find(const std::string& id, const std::string& token) const;
+  // Calls `use` with the entry, under the lock. Throws as find().
+  void with(const std::string& id, const std::string& token,
+            const std::function<void(const Stream&)>& use) const;
   std::vector<v1::StreamInfo> list(const std::string& user) const;  // those of a user
   StreamCensus census() const;
   PaceLoad load(const FeedRunner* feed) const;  // of all streams, and of those of `feed`

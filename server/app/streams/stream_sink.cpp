@@ -23,7 +23,8 @@ void attempt(const F& step) noexcept {
 StreamSink::StreamSink(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch)
     : session_(std::move(session)),
       channels_(makeChannels(stream, session_->id(), epoch)),
-      sensors_(stream.sensors.size()) {}
+      sensors_(stream.sensors.size()),
+      packet_per_frame_(stream.request.timing().packet_per_frame()) {}
 
 void StreamSink::publish(const IntensityChange& change, std::chrono::milliseconds lag) {
   lag_ = lag;

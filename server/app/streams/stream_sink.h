@@ -21,10 +21,14 @@ class StreamSink {
   double recentSeconds() const { return recent_s_; }          // CPU time per interval, recent mean
   double recentLongestSeconds() const { return longest_s_; }  // of the channel that takes longest
 
+  SensorSchedule& schedule(std::size_t sensor) const { return *channels_[sensor]->schedule(); }
+
   // For each interval, in order: process() of each channel, on any threads, then publish() on the feed's
   // thread. `lag` is how far a PACED stream is behind its clock; 0 where that is too little to tell.
   std::size_t channels() const { return channels_.size(); }
-  void process(std::size_t channel, const FeedInterval& interval) { channels_[channel]->process(interval); }
+  void process(std::size_t channel, const FeedInterval& interval) {
+    channels_[channel]->process(interval, packet_per_frame_);
+  }
   void publish(const IntensityChange& change, std::chrono::milliseconds lag);
 
   // On the feed's thread. `frame` is the index of the frame at t.
@@ -41,6 +45,7 @@ class StreamSink {
   const std::shared_ptr<Session> session_;
   std::vector<std::unique_ptr<Channel>> channels_;
   const std::size_t sensors_;  // the first of them
+  const bool packet_per_frame_;
   std::chrono::milliseconds lag_{0};
   std::atomic<std::uint64_t> events_ = 0;
   RecentMean cost_mean_, longest_mean_;

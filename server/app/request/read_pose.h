@@ -1,0 +1,17 @@
+// Reads vectors and poses of requests.
+#pragma once
+
+#include <string>
+
+#include "saccade/v1/control.pb.h"
+#include "scene/camera/pose.h"
+#include "wire/ranges.h"
+
+namespace saccade {
+
+// These throw Refusal naming a member of `field`.
+Vec3d readVector(const v1::Vector3& v, const Range<double>& range, const std::string& field);
+// `field` has the members position and rotation. The rotation has any length that isRotation() allows.
+Pose readPose(const v1::Vector3& position, const v1::Quaternion& rotation, const std::string& field);
+
+}  // namespace saccade

@@ -1,0 +1,109 @@
+#include "app/streams/stream_control.h"
+
+#include <algorithm>
+
+#include "app/request/read_pose.h"
+#include "app/request/refusal.h"
+
+namespace saccade {
+namespace {
+
+Steering& steeringOf(const Stream& stream) {
+  if (stream.session->finished()) throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "the stream has ended");
+  if (Steering* steering = stream.feed->steering()) return *steering;
+  refuse("stream_id", "open the stream with timing.clock LOCKSTEP, or with timing.steerable, to steer it");
+}
+
+SteerTarget readTarget(const v1::Steer& call) {
+  if (call.has_pose()) return readPose(call.pose().position(), call.pose().rotation(), "pose");
+  if (!call.has_velocity()) refuse("target", "give a pose or a velocity");
+  const v1::CameraVelocity& velocity = call.velocity();
+  return Twist{readVector(velocity.linear(), ranges::kLinear, "velocity.linear"),
+               readVector(velocity.angular(), ranges::kAngular, "velocity.angular")};
+}
+
+// The first frame at `t` or later.
+FrameIndex frameFrom(TimeNs t, double rate_hz) {
+  auto frame = static_cast<FrameIndex>(seconds(t) * rate_hz);
+  while (frame > 0 && frameTime(frame - 1, rate_hz) >= t) --frame;
+  while (frameTime(frame, rate_hz) < t) ++frame;
+  return frame;
+}
+
+void setVector(const Vec3d& v, v1::Vector3& to) {
+  to.set_x(v.x);
+  to.set_y(v.y);
+  to.set_z(v.z);
+}
+
+void describePath(const std::vector<TimedPose>& keys, v1::Keyframes& path) {
+  path.set_interpolation(v1::INTERPOLATION_LINEAR);
+  for (const TimedPose& key : keys) {
+    v1::Keyframe& frame = *path.add_keys();
+    frame.set_time_s(seconds(key.time));
+    setVector(key.pose.position, *frame.mutable_position());
+    const Quaternion& q = key.pose.rotation;
+    v1::Quaternion& rotation = *frame.mutable_rotation();
+    rotation.set_x(q.x);
+    rotation.set_y(q.y);
+    rotation.set_z(q.z);
+    rotation.set_w(q.w);
+  }
+}
+
+void describeChanges(const std::vector<SensorChange>& changes, v1::Sensor& sensor) {
+  sensor.clear_changes();
+  for (const SensorChange& change : changes) {
+    v1::SensorChange& one = *sensor.add_changes();
+    one.set_time_s(seconds(change.time));
+    if (change.threshold) one.set_threshold(*change.threshold);
+    if (change.threshold_off) one.set_threshold_off(*change.threshold_off);
+    if (change.bias) one.set_bias(*change.bias);
+  }
+}
+
+}  // namespace
+
+v1::Steered steerStream(const Stream& stream, const v1::Steer& call) {
+  const FrameIndex frame = steeringOf(stream).steer(readTarget(call));
+  stream.feed->notifier()->raise();
+  v1::Steered steered;
+  steered.set_frame(frame);
+  steered.set_t_ns(frameTime(frame, stream.request.timing().frame_rate_hz()).count());
+  return steered;
+}
+
+v1::SensorChanged changeSensor(const Stream& stream, const v1::ChangeSensor& call) {
+  const int sensors = stream.request.sensors_size();
+  if (call.sensor() >= static_cast<std::uint32_t>(sensors))
+    refuse("sensor", "the stream has " + std::to_string(sensors) + " sensors");
+  if (stream.session->finished()) throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "the stream has ended");
+  const SensorChange change = readChange(call.change(), SensorConfig{}, "change");
+  const double rate_hz = stream.request.timing().frame_rate_hz();
+  const FrameIndex frame = frameFrom(stream.sink->schedule(call.sensor()).add(change), rate_hz);
+  v1::SensorChanged changed;
+  changed.set_frame(frame);
+  changed.set_t_ns(frameTime(frame, rate_hz).count());
+  return changed;
+}
+
+v1::StreamDescription describeStream(const Stream& stream) {
+  v1::StreamDescription description;
+  v1::OpenStream& request = *description.mutable_request();
+  request = stream.request;
+  for (int i = 0; i < request.sensors_size(); ++i) {
+    describeChanges(stream.sink->schedule(static_cast<std::size_t>(i)).all(), *request.mutable_sensors(i));
+  }
+  if (!stream.feed->steering()) return description;
+  const std::vector<TimedPose> keys = stream.feed->steering()->keys();
+  describePath(keys, *request.mutable_trajectory()->mutable_keyframes());
+  v1::Timing& timing = *request.mutable_timing();
+  timing.set_clock(v1::CLOCK_FAST);
+  timing.set_speed(0);
+  timing.set_steerable(false);
+  const double frames = static_cast<double>(std::max<std::size_t>(keys.size() - 1, 1));
+  timing.set_duration_s(frames / timing.frame_rate_hz());
+  return description;
+}
+
+}  // namespace saccade
