@@ -117,6 +117,7 @@ void Subscription::reconnect() {
 
 void Subscription::startAgain(const std::string& failure) {
   const bool repeated = failure == failure_;  // nothing new has arrived since the last one
+  if (steerable()) throw StreamFault(failure + "; a stream that is steered is not opened again");
   if (!mayStartAgain() || repeated) throw StreamFault(failure);
   retryAfter(failure, [&](milliseconds deadline) {
     stream_.reopen(sequence_.items(), deadline, retry_policy_.waiting);
@@ -128,8 +129,8 @@ void Subscription::startAgain(const std::string& failure) {
 }
 
 bool Subscription::mayStartAgain() const {
-  const bool lossless = stream_.delivery() == v1::DELIVERY_LOSSLESS;
-  return lossless && !stream_.closed() && retry_policy_.retry_time.count() > 0;
+  const bool again = stream_.delivery() == v1::DELIVERY_LOSSLESS && !steerable();
+  return again && !stream_.closed() && retry_policy_.retry_time.count() > 0;
 }
 
 void Subscription::retryAfter(const std::string& loss, const std::function<void(milliseconds)>& attempt) {

@@ -79,6 +79,8 @@ v1::Timing makeTiming(const RequestOptions& options) {
   timing.set_frame_rate_hz(options.rate_hz);
   timing.set_duration_s(options.duration_s);
   timing.set_clock(enumValue<v1::Clock>("--clock", options.clock));
+  if (timing.clock() == v1::CLOCK_LOCKSTEP)
+    throw std::invalid_argument("--clock: lockstep is for clients that send poses, such as those in Python");
   return timing;
 }
 

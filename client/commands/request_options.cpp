@@ -70,10 +70,7 @@ void addStreamOptions(CLI::App& command, RequestOptions& o) {
                   "what happens when this client is slow: " + enumWords<v1::Delivery>() +
                       "; with lossless the server waits, live drops the oldest packets, broadcast drops any")
       ->capture_default_str();
-  command
-      .add_option(
-          "--clock", o.clock,
-          enumWords<v1::Clock>() + "; fast renders as fast as possible, paced keeps to the wall clock")
+  command.add_option("--clock", o.clock, "fast renders as fast as possible, paced keeps to the wall clock")
       ->capture_default_str();
   command.add_option("--codec", o.codec, "compression of the packets: " + enumWords<v1::Codec>());
   command
