@@ -46,6 +46,11 @@ class Examples(unittest.TestCase):
         self.assertEqual(json.loads((self.folder / "set/pan20.json").read_text())["scene"], "cornell-box")
         self.assertEqual(len(list((self.folder / "set").iterdir())), 12)
 
+    def test_close_a_loop(self):
+        told = self.run_example("closed_loop.py", "150")
+        self.assertLess(float(re.search(r"steps; (\S+) scene units", told)[1]), 0.15)
+        self.assertRegex(told, r"a frame takes \d+\.\d ms of CPU")
+
     @unittest.skipUnless(importlib.util.find_spec("torch"), "torch is not installed")
     def test_train_on_a_live_stream(self):
         steps = 100 if os.environ.get("SACCADE_FULL") else 10

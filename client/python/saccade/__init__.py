@@ -18,13 +18,13 @@ from saccade.protocol.sequence import Losses
 from saccade.protocol.stream_state import Picture
 from saccade.readers import open_file, read
 from saccade.readers.truth import read_truth
-from saccade.settings import Settings
+from saccade.settings import SensorSettings, Settings
 from saccade.truth import Truth, TruthArrays
 from saccade.windowing import windows
 
 __all__ = [
     "Client", "Events", "FormatError", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer", "NotFound",
-    "PacketFault", "PermissionDenied", "Picture", "Refused", "RetryPolicy", "SaccadeError", "Settings", "Snapshot",
-    "Stream", "StreamFault", "StreamRefused", "Truth", "TruthArrays", "Unavailable", "Unimplemented", "concatenate",
-    "connect", "open_file", "read", "read_truth", "windows",
+    "PacketFault", "PermissionDenied", "Picture", "Refused", "RetryPolicy", "SaccadeError", "SensorSettings",
+    "Settings", "Snapshot", "Stream", "StreamFault", "StreamRefused", "Truth", "TruthArrays", "Unavailable",
+    "Unimplemented", "concatenate", "connect", "open_file", "read", "read_truth", "windows",
 ]

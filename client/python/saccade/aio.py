@@ -1,7 +1,7 @@
 """The client for asyncio: saccade.aio.connect() is saccade.connect(), and everything that waits is awaited."""
 from __future__ import annotations
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ from saccade.protocol.network import AsyncNetwork
 from saccade.protocol.retry import RetryPolicy
 from saccade.protocol.sockets import Key
 from saccade.protocol.stream_state import Picture, StreamState
-from saccade.settings import Settings
+from saccade.settings import SensorSettings, Settings
 from saccade.truth import Truth
 from saccade.v1 import control_pb2
 
@@ -70,6 +70,22 @@ class Stream(StreamState):
     async def samples(self) -> AsyncIterator[Events | Truth]:
         while (item := await self._next_item()) is not None:
             yield item
+
+    async def steer(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None) -> int:
+        return await self._steer(pose, velocity)
+
+    async def step(self, pose: Sequence[float] | None = None, *,
+                   velocity: Sequence[float] | None = None) -> list[Events]:
+        return await self._step(pose, velocity)
+
+    async def change_sensor(self, sensor: int = 0, **change: Unpack[SensorSettings]) -> int:
+        return await self._change_sensor(sensor, change)
+
+    async def describe(self) -> control_pb2.OpenStream:
+        return await self._subscription.handle.describe()
+
+    async def info(self) -> control_pb2.StreamInfo:
+        return await self._info()
 
     async def picture(self) -> Picture:
         return await self._take_picture()

@@ -1,7 +1,7 @@
 """The blocking client. A client and its streams belong to one thread."""
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ from saccade.protocol.network import BlockingNetwork, run
 from saccade.protocol.retry import RetryPolicy
 from saccade.protocol.sockets import Key
 from saccade.protocol.stream_state import Picture, StreamState
-from saccade.settings import Settings
+from saccade.settings import SensorSettings, Settings
 from saccade.truth import Truth
 from saccade.v1 import control_pb2
 
@@ -101,6 +101,31 @@ class Stream(StreamState):
         """
         while (item := run(self._next_item())) is not None:
             yield item
+
+    def steer(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None) -> int:
+        """Sets the camera from the next frame on; returns the time of that frame in microseconds.
+
+        pose: position x y z and quaternion x y z w of T_world_camera. velocity: linear in scene units and angular in
+            radians, per second, along the camera's axes x right, y down, z forward.
+        Raises InvalidArgument if the stream is not steerable, and LimitExceeded if too many poses wait.
+        """
+        return run(self._steer(pose, velocity))
+
+    def step(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None) -> list[Events]:
+        """steer(), and waits for that frame. Returns the events since the last ones, by sensor. For "lockstep"."""
+        return run(self._step(pose, velocity))
+
+    def change_sensor(self, sensor: int = 0, **change: Unpack[SensorSettings]) -> int:
+        """Changes a sensor; returns from which microsecond on. saccade.SensorSettings describes the settings."""
+        return run(self._change_sensor(sensor, change))
+
+    def describe(self) -> control_pb2.OpenStream:
+        """The request that repeats the stream, as it was steered and changed so far, with equal events."""
+        return run(self._subscription.handle.describe())
+
+    def info(self) -> control_pb2.StreamInfo:
+        """What list_streams{} tells: frames, events and losses so far, and CPU time. Raises StreamFault without any."""
+        return run(self._info())
 
     def picture(self) -> Picture:
         """The newest frame. Raises Unavailable before the first one."""

@@ -11,6 +11,15 @@ from numpy.typing import NDArray
 PerSensor = Union[float, Sequence[float]]
 
 
+class SensorSettings(TypedDict, total=False):
+    """What Stream.change_sensor() changes; unset ones stay. time_s: stream time, 0 for as soon as possible."""
+
+    time_s: float
+    threshold: float
+    threshold_off: float
+    bias: float
+
+
 class Needed(TypedDict):
     """What every stream needs.
 
@@ -35,7 +44,10 @@ class Settings(Needed, total=False):
     fov_x_deg: horizontal field of view in degrees, without the distortion. Or intrinsics: fx, fy, cx, cy in pixels,
         where the centre of the top left pixel is (0, 0).
     distortion: of the lens, ("radtan", (k1, k2, p1, p2)), with k3 or not, or ("equidistant", (k1, k2, k3, k4)).
-    clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed.
+    clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed, "lockstep" renders a frame
+        for each Stream.step().
+    steerable: Stream.steer() may be called; with "lockstep" it always may.
+    packet_per_frame: each frame ends its packet; with "lockstep" it always does.
     delivery: "lossless" waits for a slow client, "live" drops and counts, "broadcast" loses and shows the gap.
     codec: "none", or "zstd", which needs the module zstandard.
 
@@ -60,8 +72,10 @@ class Settings(Needed, total=False):
     fov_x_deg: float
     intrinsics: tuple[float, float, float, float]
     distortion: tuple[Literal["radtan", "equidistant"], Sequence[float]]
-    clock: Literal["fast", "paced"]
+    clock: Literal["fast", "paced", "lockstep"]
     speed: float
+    steerable: bool
+    packet_per_frame: bool
     delivery: Literal["lossless", "live", "broadcast"]
     codec: Literal["none", "zstd"]
     seed: int

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from saccade.protocol.connection import BroadcastConnection, Connection
 from saccade.protocol.control import DEADLINE_S, Control
 from saccade.protocol.sockets import reachable_endpoint
+from saccade.protocol.steering import make_change, make_describe, make_steer
 from saccade.v1 import control_pb2
 
 OPEN_DEADLINE_S = 600.0  # a large scene takes long to load
@@ -28,6 +29,10 @@ class StreamHandle:
     @property
     def broadcast(self) -> bool:
         return self.opened.resolved.delivery == control_pb2.DELIVERY_BROADCAST
+
+    @property
+    def steerable(self) -> bool:
+        return self.opened.resolved.timing.steerable
 
     @property
     def lossless(self) -> bool:
@@ -74,6 +79,24 @@ class StreamHandle:
         """The newest frame."""
         frame = control_pb2.GetFrame(stream_id=self.opened.stream_id, token=self.opened.token)
         return (await self.control.call(control_pb2.Request(get_frame=frame))).get_frame
+
+    async def steer(self, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> control_pb2.Steered:
+        return (await self.control.call(make_steer(self.opened, pose, velocity))).steer
+
+    async def change_sensor(self, sensor: int, change: control_pb2.SensorChange) -> control_pb2.SensorChanged:
+        """Notes the change in `opened`, so that a stream that is opened again has it, too."""
+        changed = (await self.control.call(make_change(self.opened, sensor, change))).change_sensor
+        change.time_s = changed.t_ns * 1e-9
+        changes = self.opened.resolved.sensors[sensor].changes
+        changes.append(change)
+        changes.sort(key=lambda one: one.time_s)
+        return changed
+
+    async def describe(self) -> control_pb2.OpenStream:
+        request = (await self.control.call(make_describe(self.opened))).describe_stream.request
+        if not request.HasField("trajectory"):
+            request.trajectory.CopyFrom(self.opened.resolved.trajectory)
+        return request
 
     async def close(self) -> None:
         """Ends the stream at its next frame: the packets up to there still come, and then END. Does not wait."""

@@ -30,7 +30,7 @@ def make_request(settings: Settings) -> c.OpenStream:
         view=_view(s),
         trajectory=make_trajectory(s),
         timing=c.Timing(frame_rate_hz=s["rate_hz"], clock=_value(c.Clock, s, "clock"),
-                        **_some(s, "duration_s", "speed")),
+                        **_some(s, "duration_s", "speed", "steerable", "packet_per_frame")),
         method=c.Method(name=s.get("method", ""), **_some(s, "spp", "params")),
         quality=c.Quality(disabled_features=s.get("disable", ()), **_some(s, *OF_QUALITY)),
         sensors=_sensors(s),

@@ -2,17 +2,19 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from saccade.errors import StreamFault
-from saccade.events import Events
+from saccade.events import Events, concatenate
 from saccade.protocol.columns import NS_PER_US, Snapshot
 from saccade.protocol.samples import Samples
 from saccade.protocol.sequence import Losses
 from saccade.protocol.subscription import Subscription, end_text
+from saccade.settings import SensorSettings
 from saccade.truth import Truth
 from saccade.v1 import control_pb2, events_pb2
 
@@ -95,6 +97,30 @@ class StreamState:
         frames = self._subscription.sequence.end_ns() * 1e-9 * self.resolved.timing.frame_rate_hz
         if 0 < self.opened.frames - 0.5 > frames and not self._subscription.handle.closed:
             raise StreamFault(end_text(end))
+
+    async def _steer(self, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> int:
+        steered = await self._subscription.handle.steer(pose, velocity)
+        return steered.t_ns // NS_PER_US
+
+    async def _step(self, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> list[Events]:
+        until = await self._steer(pose, velocity)
+        parts: list[list[Events]] = [[] for _ in self.resolved.sensors]
+        while any(not part or part[-1].t1 < until for part in parts):
+            events = await self._next_events()
+            if events is None:
+                raise StreamFault("the stream has ended before the frame was rendered")
+            parts[events.sensor].append(events)
+        return [concatenate(part) for part in parts]
+
+    async def _change_sensor(self, sensor: int, change: SensorSettings) -> int:
+        message = control_pb2.SensorChange(**change)
+        return (await self._subscription.handle.change_sensor(sensor, message)).t_ns // NS_PER_US
+
+    async def _info(self) -> control_pb2.StreamInfo:
+        info = await self._subscription.handle.info()
+        if info is None:
+            raise StreamFault("the server no longer knows the stream")
+        return info
 
     async def _take_picture(self) -> Picture:
         frame = await self._subscription.handle.picture()

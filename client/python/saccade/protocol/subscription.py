@@ -1,8 +1,8 @@
 """Receives the packets of a stream, and reconnects when the connection or the server is lost.
 
 After silence a new connection resumes where the old one stopped. If the server has lost a LOSSLESS stream, or ended it
-early, the stream is opened again. No event is missing then, and none comes twice. Of a LIVE or BROADCAST stream, lost
-packets are counted.
+early, the stream is opened again, unless it is steered: only its client knows the next poses. No event is missing then,
+and none comes twice. Of a LIVE or BROADCAST stream, lost packets are counted.
 """
 from __future__ import annotations
 
@@ -95,7 +95,8 @@ class Subscription:
         return left and not last_frame and self._may_start_again()
 
     def _may_start_again(self) -> bool:
-        return self.handle.lossless and not self.handle.closed and self._policy.retry_time_s > 0
+        again = self.handle.lossless and not self.handle.steerable
+        return again and not self.handle.closed and self._policy.retry_time_s > 0
 
     async def _reconnect(self) -> None:
         """Called after silence. Tries a new connection first; if that is silent too, asks the server for the stream."""
@@ -117,6 +118,8 @@ class Subscription:
 
     async def _start_again(self, failure: str) -> None:
         repeated = failure == self._failure  # nothing new has arrived since the last one
+        if self.handle.steerable:
+            raise StreamFault(f"{failure}; a stream that is steered is not opened again")
         if not self._may_start_again() or repeated:
             raise StreamFault(failure)
 

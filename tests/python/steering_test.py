@@ -1,0 +1,124 @@
+"""Streams that the client in Python steers and changes, with a real saccaded."""
+import asyncio
+import logging
+import unittest
+
+import numpy as np
+
+import saccade
+import saccade.aio
+from fake_server import FakeServer, packet
+from saccaded import Server
+from saccade.v1 import events_pb2
+
+SETTINGS = {"scene": "cornell-box", "motion": "still", "size": (48, 32), "rate_hz": 200, "threshold": 0.1}
+STEPS = 10
+
+
+def pose(step):
+    """To the right of the scene's camera, which looks along +z."""
+    return (2.78 - 0.02 * step, 2.73, -7.5, 0, 0, 1, 0)
+
+
+def rows(events):
+    return np.stack([events.t, events.x, events.y, events.p])
+
+
+class Steering(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = cls.enterClassContext(Server())
+
+    def setUp(self):
+        self.client = self.enterContext(saccade.connect(self.server.address))
+
+    def steps(self, **settings):
+        """The events of STEPS steps, and the request that repeats them."""
+        with self.client.open(**{**SETTINGS, "clock": "lockstep", **settings}) as stream:
+            events = [stream.step(pose(i + 1)) for i in range(STEPS)]
+            return events, stream.describe()
+
+    def replayed(self, request):
+        with self.client.open_request(request) as stream:
+            return list(stream)
+
+    def test_a_step_gives_the_events_of_its_frame(self):
+        events, request = self.steps(threshold=[0.1, 0.2])
+        self.assertEqual([[(one.sensor, one.t0, one.t1) for one in step] for step in events],
+                         [[(s, 5000 * i, 5000 * (i + 1)) for s in (0, 1)] for i in range(STEPS)])
+        self.assertGreater(sum(len(step[0]) for step in events), sum(len(step[1]) for step in events))
+        parts = self.replayed(request)
+        for sensor in (0, 1):
+            again = saccade.concatenate([part for part in parts if part.sensor == sensor])
+            np.testing.assert_array_equal(rows(again), rows(saccade.concatenate([step[sensor] for step in events])))
+
+    def test_velocities(self):
+        with self.client.open(**SETTINGS, clock="lockstep") as stream:
+            stream.step(pose(0))
+            self.assertEqual(len(stream.step(velocity=[0] * 6)[0]), 0)
+            self.assertGreater(len(stream.step(velocity=[4, 0, 0, 0, 0, 0])[0]), 0)
+            keys = stream.describe().trajectory.keyframes.keys
+            self.assertAlmostEqual(keys[3].position.x, 2.78 - 4 / 200, places=12)
+            for wrong in ({}, {"pose": pose(0), "velocity": [0] * 6}, {"pose": [1, 2]}):
+                with self.subTest(**wrong), self.assertRaises(ValueError):
+                    stream.steer(**wrong)
+
+    def test_a_stream_that_runs_by_itself_is_steered(self):
+        with self.client.open(**SETTINGS, steerable=True, duration_s=1) as stream:
+            at = stream.steer(velocity=[1, 0, 0, 0, 0, 0])
+            events = saccade.concatenate(list(stream))
+            request = stream.describe()
+        np.testing.assert_array_equal(events.t[events.t < at - 5000], [])
+        self.assertGreater(len(events), 100)
+        np.testing.assert_array_equal(rows(saccade.concatenate(self.replayed(request))), rows(events))
+
+    def test_a_sensor_changes(self):
+        changes = {"threshold": 0.3, "threshold_off": 0.3, "time_s": 0.022}
+        with self.client.open(**SETTINGS, clock="lockstep") as stream:
+            stream.step(pose(0))
+            self.assertEqual(stream.change_sensor(**changes), 25_000)
+            counts = [len(stream.step(pose(i + 1))[0]) for i in range(STEPS)]
+            request = stream.describe()
+        with self.client.open(**SETTINGS, clock="lockstep") as stream:
+            plain = [len(stream.step(pose(i))[0]) for i in range(STEPS + 1)][1:]
+        self.assertEqual(counts[:4], plain[:4])
+        self.assertLess(sum(counts[4:]), sum(plain[4:]) / 2)
+        self.assertEqual([(one.time_s, one.threshold) for one in request.sensors[0].changes], [(0.022, 0.3)])
+        self.assertEqual(sum(map(len, self.replayed(request))), sum(counts))
+
+    def test_only_streams_that_say_so_are_steered(self):
+        with self.client.open(**SETTINGS, duration_s=1) as stream, self.assertRaises(saccade.InvalidArgument) as caught:
+            stream.steer(pose(0))
+        self.assertEqual(caught.exception.field, "stream_id")
+
+    def test_asyncio(self):
+        async def steps():
+            async with saccade.aio.connect(self.server.address) as client:
+                async with await client.open(**SETTINGS, clock="lockstep") as stream:
+                    events = [(await stream.step(pose(i + 1)))[0] for i in range(STEPS)]
+                    self.assertIn((await stream.info()).frames_done, (STEPS - 1, STEPS))  # it is counted after it is sent
+                    return events, await stream.describe()
+        events, request = asyncio.run(steps())
+        np.testing.assert_array_equal(rows(saccade.concatenate(events)),
+                                      rows(saccade.concatenate(self.replayed(request))))
+
+
+class LostServer(unittest.TestCase):
+    def test_a_steered_stream_is_not_opened_again(self):
+        logging.getLogger("saccade").setLevel(logging.ERROR)
+
+        def script(server):
+            server.open("s1")
+            server.attached()
+            server.send([packet("s1", 0, 0, 0, 0, b"there is no such stream", count=0, kind=events_pb2.KIND_ERROR)])
+        server = FakeServer()
+        server.run(script)
+        with saccade.connect(server.control.endpoint) as client, self.assertRaisesRegex(
+                saccade.StreamFault, "there is no such stream; a stream that is steered is not opened again"):
+            with client.open(**SETTINGS, delivery="lossless", steerable=True) as stream:
+                list(stream)
+        server.join()
+
+
+if __name__ == "__main__":
+    unittest.main()
