@@ -205,6 +205,16 @@ TEST_F(SubscriptionTest, TheSameFailureTwiceIsTheEnd) {
   EXPECT_EQ(faultOf([&] { fail("s1"), fail("s2"); }), "the scene is gone");
 }
 
+TEST_F(SubscriptionTest, ASteeredStreamIsNotOpenedAgain) {
+  request_.mutable_timing()->set_steerable(true);
+  EXPECT_EQ(faultOf([&] {
+              open("s1");
+              attached();
+              data_.send(makeErrorPacket("s1", "no stream of this name"));
+            }),
+            "no stream of this name; a stream that is steered is not opened again");
+}
+
 TEST_F(SubscriptionTest, WithoutTimeToRetryTheEndIsTakenAsItComes) {
   const auto packets = packetsOf("s1", 7, v1::END_REASON_DRAINING);
   record([&] { open("s1"), attached(), send(packets, 0, 2); }, {.retry_time = milliseconds(0)});

@@ -244,6 +244,17 @@ TEST_F(Steered, EndsWhileItWaits) {
   EXPECT_EQ(nextOfSensor().end_reason(), v1::END_REASON_CLOSED);
 }
 
+TEST_F(Steered, EndsWithItsServerWhileItWaits) {
+  auto server = std::make_unique<TestServer>();
+  const auto stream = server->client().open(lockstep(5));
+  MockSubscriber subscriber = server->dataSubscriber();
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 20);
+  ASSERT_TRUE(subscriber.receiveAny());  // a heartbeat: it is attached
+  server.reset();
+  EXPECT_EQ(subscriber.receive()->header.end_reason(), v1::END_REASON_DRAINING);
+}
+
 TEST_F(Steered, IsAbandonedWithItsClient) {
   Config config = testConfig();
   config.lease_s = 0.2;

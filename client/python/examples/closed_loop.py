@@ -19,6 +19,7 @@ WIDTH, HEIGHT, FOV_DEG, RATE_HZ = 64, 48, 40.0, 100
 LAMP_X, LAMP_Z, FLOOR, HEIGHT_OF_LAMP = 2.78, 2.8, 1.0, 4.48  # scene units
 UP = (-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5))  # quaternion of a camera that looks along +y
 UNITS_PER_PIXEL = HEIGHT_OF_LAMP * np.tan(np.radians(FOV_DEG / 2)) / (WIDTH / 2)
+HALF_LAMP = 0.65 / UNITS_PER_PIXEL  # pixels from its middle to its left and right edges
 ENOUGH = 10  # events; fewer are noise
 
 
@@ -36,17 +37,17 @@ class Cart:
 
 
 class Controller:
-    """The edges of the lamp make the events, so their mean is its middle. Without motion there is nothing to see."""
+    """The left and the right edge of the lamp make the events. Without motion there is nothing to see."""
 
     def __init__(self) -> None:
         self._x, self._speed = 0.0, 0.0
 
     def push(self, events: saccade.Events) -> float:
         if len(events) >= ENOUGH:
-            edges = np.percentile(events.x.astype(float), [5, 95]).mean()
-            seen = (WIDTH / 2 - 0.5 - edges) * UNITS_PER_PIXEL
-            self._speed += 0.3 * ((seen - self._x) * RATE_HZ - self._speed)
-            self._x = seen
+            from_middle = events.x - (WIDTH / 2 - 0.5 - self._x / UNITS_PER_PIXEL)  # of the lamp, as it was before
+            moved = -np.median(from_middle - np.sign(from_middle) * HALF_LAMP) * UNITS_PER_PIXEL
+            self._speed += 0.3 * (moved * RATE_HZ - self._speed)
+            self._x += moved
         else:
             self._speed = 0.0
         return -40 * self._x - 8 * self._speed
