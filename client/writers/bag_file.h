@@ -1,5 +1,5 @@
-// A bag of ROS 1. Source: wiki.ros.org/Bags/Format/2.0. Messages lie in chunks
-// without compression, each followed by its index. The file ends with one record for each chunk.
+// A bag of ROS 1. Source: wiki.ros.org/Bags/Format/2.0. Messages lie in chunks without compression, each
+// followed by its index. The file ends with one record for each chunk.
 #pragma once
 
 #include <cstdint>

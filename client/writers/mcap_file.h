@@ -1,5 +1,5 @@
-// An MCAP file. Source: mcap.dev/spec. Messages lie in chunks without
-// compression, each followed by its index. The summary at the end of the file tells where the chunks are.
+// An MCAP file. Source: mcap.dev/spec. Messages lie in chunks without compression, each followed by its index.
+// The summary at the end of the file tells where the chunks are.
 #pragma once
 
 #include <cstdint>
