@@ -8,82 +8,15 @@
 namespace saccade::client {
 namespace {
 
-enum class Op : std::uint8_t {
-  kMessage = 2,
-  kBagHeader = 3,
-  kIndex = 4,
-  kChunk = 5,
-  kChunkInfo = 6,
-  kConnection = 7
-};
-
 constexpr std::string_view kVersion = "#ROSBAG V2.0\n";
 constexpr std::size_t kBagHeaderSize = 4096;    // bytes, without the two lengths
 constexpr std::size_t kChunkSize = 768 * 1024;  // bytes after which a chunk ends, as in rosbag
 constexpr std::uint32_t kIndexVersion = 1;      // of records kIndex and kChunkInfo
 
-void appendTime(std::string& bytes, const RosTime& time) {
-  appendBytes<std::uint32_t>(bytes, time.sec);
-  appendBytes<std::uint32_t>(bytes, time.nsec);
-}
-
-void appendSized(std::string& bytes, std::string_view data) {
-  appendBytes<std::uint32_t>(bytes, data.size());
-  bytes += data;
-}
-
-// The fields name=value of a record's header.
-class Fields {
- public:
-  Fields() = default;
-  explicit Fields(Op op) { number<std::uint8_t>("op", static_cast<std::uint8_t>(op)); }
-
-  Fields& text(std::string_view name, std::string_view value) {
-    appendBytes<std::uint32_t>(bytes_, name.size() + 1 + value.size());
-    ((bytes_ += name) += '=') += value;
-    return *this;
-  }
-  template <class T>
-  Fields& number(std::string_view name, T value) {
-    std::string bytes;
-    appendBytes<T>(bytes, value);
-    return text(name, bytes);
-  }
-  Fields& time(std::string_view name, const RosTime& time) {
-    std::string bytes;
-    appendTime(bytes, time);
-    return text(name, bytes);
-  }
-  const std::string& bytes() const { return bytes_; }
-
- private:
-  std::string bytes_;
-};
-
-void appendRecord(std::string& bytes, const Fields& header, std::string_view data) {
-  appendSized(bytes, header.bytes());
-  appendSized(bytes, data);
-}
-
-// The number of a connection is the index of its topic.
-void appendConnection(std::string& records, std::uint32_t id, const BagTopic& topic) {
-  Fields header(Op::kConnection), data;
-  header.number("conn", id).text("topic", topic.name);
-  data.text("topic", topic.name).text("type", topic.type).text("md5sum", topic.md5sum);
-  data.text("message_definition", topic.definition);
-  appendRecord(records, header, data.bytes());
-}
-
-std::string connectionRecords(const std::vector<BagTopic>& topics) {
-  std::string records;
-  for (std::uint32_t id = 0; id < topics.size(); ++id) appendConnection(records, id, topics[id]);
-  return records;
-}
-
 // Padded, so that its size stays the same when the numbers are known. While `index_position` is 0, readers
 // take the bag for one that was not closed.
 std::string bagHeader(std::uint64_t index_position, std::uint32_t connections, std::uint32_t chunks) {
-  Fields header(Op::kBagHeader);
+  BagFields header(BagOp::kBagHeader);
   header.number("index_pos", index_position).number("conn_count", connections).number("chunk_count", chunks);
   std::string record;
   appendRecord(record, header, std::string(kBagHeaderSize - header.bytes().size(), ' '));
@@ -93,7 +26,7 @@ std::string bagHeader(std::uint64_t index_position, std::uint32_t connections, s
 }  // namespace
 
 void appendChunkInfo(std::string& records, const BagChunk& chunk) {
-  Fields header(Op::kChunkInfo);
+  BagFields header(BagOp::kChunkInfo);
   header.number("ver", kIndexVersion).number("chunk_pos", chunk.position);
   header.time("start_time", chunk.begin).time("end_time", chunk.end);
   const auto& messages = chunk.messages;
@@ -127,7 +60,7 @@ void BagFile::add(std::size_t topic, const RosTime& time, std::string_view messa
   ++about_.messages[topic];
   appendTime(entries_[topic], time);
   appendBytes<std::uint32_t>(entries_[topic], chunk_.size());
-  Fields header(Op::kMessage);
+  BagFields header(BagOp::kMessage);
   header.number("conn", static_cast<std::uint32_t>(topic)).time("time", time);
   appendRecord(chunk_, header, message);
   events_ += events;
@@ -135,13 +68,13 @@ void BagFile::add(std::size_t topic, const RosTime& time, std::string_view messa
 }
 
 void BagFile::writeChunk() {
-  Fields header(Op::kChunk);
+  BagFields header(BagOp::kChunk);
   header.text("compression", "none").number<std::uint32_t>("size", chunk_.size());
   std::string records;
   appendRecord(records, header, chunk_);
   for (std::uint32_t id = 0; id < entries_.size(); ++id) {
     if (about_.messages[id] == 0) continue;
-    Fields index(Op::kIndex);
+    BagFields index(BagOp::kIndex);
     index.number("ver", kIndexVersion).number("conn", id).number("count", about_.messages[id]);
     appendRecord(records, index, entries_[id]);
   }

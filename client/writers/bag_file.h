@@ -7,22 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "client/writers/bag_record.h"
 #include "client/writers/chunked_file.h"
 
 namespace saccade::client {
-
-struct RosTime {
-  std::uint32_t sec, nsec;
-
-  friend auto operator<=>(const RosTime&, const RosTime&) = default;
-};
-
-struct BagTopic {
-  std::string name;        // "/dvs/events"
-  std::string type;        // "dvs_msgs/EventArray"
-  std::string md5sum;      // of the type
-  std::string definition;  // of the type, and of the types that it uses
-};
 
 // The messages of one chunk.
 struct BagChunk {

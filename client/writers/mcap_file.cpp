@@ -20,34 +20,6 @@ std::string headerRecord(const std::string& profile) {
   return mcapRecord(McapOp::kHeader, McapFields().sized(profile).sized(kLibrary));
 }
 
-// Of a channel, and of its schema.
-std::uint16_t numberOf(std::size_t channel) {
-  return static_cast<std::uint16_t>(channel + 1);
-}
-
-std::string schemaRecords(const std::vector<McapChannel>& channels) {
-  std::string records;
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    McapFields fields;
-    fields.number<std::uint16_t>(numberOf(i)).sized(channels[i].schema_name);
-    fields.sized(channels[i].schema_encoding).sized(channels[i].schema);
-    records += mcapRecord(McapOp::kSchema, fields);
-  }
-  return records;
-}
-
-std::string channelRecords(const std::vector<McapChannel>& channels) {
-  std::string records;
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    McapFields fields, metadata;
-    metadata.sized(channels[i].metadata_key).sized("");
-    fields.number<std::uint16_t>(numberOf(i)).number<std::uint16_t>(numberOf(i)).sized(channels[i].topic);
-    fields.sized(channels[i].encoding).sized(metadata.bytes());
-    records += mcapRecord(McapOp::kChannel, fields);
-  }
-  return records;
-}
-
 void addTimes(McapFields& fields, const McapSpan& span) {
   fields.number<std::uint64_t>(span.begin_ns).number<std::uint64_t>(span.end_ns);
 }
@@ -78,8 +50,8 @@ void appendChunkIndex(std::string& records, const McapChunk& chunk) {
 McapFile::McapFile(const std::string& path, const std::string& profile,
                    const std::vector<McapChannel>& channels)
     : file_(path),
-      schemas_(schemaRecords(channels)),
-      channels_(channelRecords(channels)),
+      schemas_(mcapSchemas(channels)),
+      channels_(mcapChannels(channels)),
       counts_(channels.size()) {
   file_.append(std::string(kMagic) + headerRecord(profile) + schemas_ + channels_);
 }
@@ -90,7 +62,7 @@ void McapFile::add(std::size_t channel, std::uint64_t time_ns, std::string_view 
   appendBytes<std::uint64_t>(count.entries, time_ns);
   appendBytes<std::uint64_t>(count.entries, chunk_.size());
   McapFields head;
-  head.number<std::uint16_t>(numberOf(channel)).number<std::uint32_t>(count.sequence++);
+  head.number<std::uint16_t>(mcapNumber(channel)).number<std::uint32_t>(count.sequence++);
   head.number<std::uint64_t>(time_ns).number<std::uint64_t>(time_ns);  // of the log, and of publishing
   appendRecord(chunk_, McapOp::kMessage, {head.bytes(), message});
   extend(span_, {time_ns, time_ns, 1});
@@ -109,9 +81,9 @@ void McapFile::writeChunk() {
   chunk.size = records.size();
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     if (counts_[i].entries.empty()) continue;
-    chunk.indexes.emplace_back(numberOf(i), chunk.position + records.size());
+    chunk.indexes.emplace_back(mcapNumber(i), chunk.position + records.size());
     McapFields index;
-    index.number<std::uint16_t>(numberOf(i)).sized(counts_[i].entries);
+    index.number<std::uint16_t>(mcapNumber(i)).sized(counts_[i].entries);
     appendRecord(records, McapOp::kMessageIndex, {index.bytes()});
   }
   chunk.index_size = records.size() - chunk.size;
@@ -128,7 +100,7 @@ void McapFile::writeChunk() {
 std::string McapFile::statisticsRecord() const {
   McapFields fields, counts;
   for (std::size_t i = 0; i < counts_.size(); ++i)
-    counts.number<std::uint16_t>(numberOf(i)).number<std::uint64_t>(counts_[i].messages);
+    counts.number<std::uint16_t>(mcapNumber(i)).number<std::uint64_t>(counts_[i].messages);
   fields.number<std::uint64_t>(whole_.messages);
   fields.number<std::uint16_t>(counts_.size()).number<std::uint32_t>(counts_.size());  // schemas, channels
   fields.number<std::uint32_t>(0).number<std::uint32_t>(0);  // attachments, metadata

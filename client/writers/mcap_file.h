@@ -1,5 +1,5 @@
-// An MCAP file. Source: mcap.dev/spec. Messages lie in chunks without compression, each followed by its index.
-// The summary at the end of the file tells where the chunks are.
+// An MCAP file. Source: mcap.dev/spec. Messages lie in chunks without compression, each followed by its
+// index. The summary at the end of the file tells where the chunks are.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,9 @@
 #include <vector>
 
 #include "client/writers/chunked_file.h"
+#include "client/writers/mcap_channel.h"
 
 namespace saccade::client {
-
-// A channel with a schema of its own. Both have its index + 1 as number.
-struct McapChannel {
-  std::string topic;            // "/event_camera/events"
-  std::string encoding;         // of messages: "cdr"
-  std::string metadata_key;     // one pair of the profile, whose value stays empty
-  std::string schema_name;      // "event_camera_msgs/msg/EventPacket"
-  std::string schema_encoding;  // "ros2msg"
-  std::string schema;
-};
 
 // The messages of one chunk, or of the file.
 struct McapSpan {
