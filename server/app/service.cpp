@@ -4,8 +4,8 @@
 #include "app/request/request_bounds.h"
 #include "app/request/request_memory.h"
 #include "app/streams/frame_picture.h"
-#include "events/noise/presets.h"
 #include "app/streams/stream_control.h"
+#include "events/noise/presets.h"
 
 namespace saccade {
 namespace {

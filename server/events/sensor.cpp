@@ -65,8 +65,9 @@ void Sensor::judge(const IntensityChange& change, SensorOutput& out) {
 }
 
 void Sensor::addNoise(const IntensityChange& change, SensorOutput& out) {
-  NoiseSink sink(config_.max_events_per_frame - std::min<std::uint64_t>(config_.max_events_per_frame, out.events.size()),
-                 out.events);
+  NoiseSink sink(
+      config_.max_events_per_frame - std::min<std::uint64_t>(config_.max_events_per_frame, out.events.size()),
+      out.events);
   for (const auto& source : noise_sources_) source->generate(change, sink);
   out.suppressed += sink.withheld();
 }

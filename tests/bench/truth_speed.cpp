@@ -16,8 +16,10 @@ namespace {
 constexpr int kFrames = 4, kRounds = 5;
 
 double sampleMs(const TruthChannelInfo& info, const FeedConfig& feed, const FeedInterval& interval) {
-  const auto source =
-      info.make({.name = info.name, .frames = FrameSelection(), .width = feed.camera.width, .height = feed.camera.height});
+  const auto source = info.make({.name = info.name,
+                                 .frames = FrameSelection(),
+                                 .width = feed.camera.width,
+                                 .height = feed.camera.height});
   const auto began = threadCpuTime();
   const std::size_t samples = source->sample(interval).size();
   return 1e3 * seconds(threadCpuTime() - began) / static_cast<double>(samples);
@@ -39,7 +41,8 @@ void measure(const std::string& scene_name, const std::string& trajectory) {
       for (std::size_t i = 0; i < best.size(); ++i)
         best[i] = std::min(best[i], sampleMs(truthTable()[i], config, feed.interval()));
   }
-  std::printf("%s %s, %dx%d, CPU ms\n", scene_name.c_str(), trajectory.c_str(), config.camera.width, config.camera.height);
+  std::printf("%s %s, %dx%d, CPU ms\n", scene_name.c_str(), trajectory.c_str(), config.camera.width,
+              config.camera.height);
   for (std::size_t i = 0; i < best.size(); ++i)
     std::printf("%-14s %8.3f\n", truthTable()[i].name.c_str(), best[i]);
   std::printf("%-14s %8.3f\n", "(the frame)", frame_ms);

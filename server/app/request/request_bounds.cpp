@@ -89,12 +89,11 @@ class Scan {
     path_.pop_back();
   }
 
-  // Numbers without tags between them, as protobuf writes a repeated field of numbers.
+  // Numbers without tags between them. Such a number of the schema is a double.
   void readPacked(const FieldDescriptor& field) {
     path_.push_back(&field);
     const int length = readLength();
-    const int least = field.type() == FieldDescriptor::TYPE_DOUBLE ? 8 : 1;  // bytes of a number
-    count(field, length / least);
+    count(field, length / static_cast<int>(sizeof(double)));
     if (!in_.Skip(length)) fail();
     path_.pop_back();
   }
