@@ -39,6 +39,17 @@ TEST(Trajectory, PeriodicRepeatsForEver) {
   EXPECT_EQ(path.at(2s), a);
 }
 
+TEST(Trajectory, ACameraGoesWithTheBodyThatItIsFixedTo) {
+  const Pose a{{1, 0, 0}, axisAngle({0, 0.1, 0})}, b{{2, 0, 0}, axisAngle({0, 0.9, 0})};
+  const Pose mount{{0.1, 0.2, 0.3}, axisAngle({0.3, 0, 0})};
+  const Trajectory body({{0ns, a}, {20ns, b}});
+  const Trajectory camera = body.mounted(mount);
+  EXPECT_EQ(camera.bodyAt(5ns), body.at(5ns));
+  EXPECT_EQ(camera.at(5ns), body.at(5ns) * mount);
+  EXPECT_EQ(camera.mounted({}).at(5ns), body.at(5ns));
+  EXPECT_EQ(camera.at(20ns), b * mount);
+}
+
 TEST(ParseTrajectory, ReadsTumInSeconds) {
   const Trajectory path = parseTrajectory(
       "# timestamp tx ty tz qx qy qz qw\n\n1000.5 1 2 3 0 0 0 2\r\n1000.75 4 5 6  0 0 1 0\n", "path.csv");

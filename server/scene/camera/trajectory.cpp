@@ -27,7 +27,18 @@ void Trajectory::append(const TimedPose& key) {
   keys_.push_back(key);
 }
 
+Trajectory Trajectory::mounted(const Pose& T_body_camera) const {
+  Trajectory path = *this;
+  path.mount_.reset();
+  if (T_body_camera != Pose{}) path.mount_ = T_body_camera;
+  return path;
+}
+
 Pose Trajectory::at(TimeNs t) const {
+  return mount_ ? bodyAt(t) * *mount_ : bodyAt(t);
+}
+
+Pose Trajectory::bodyAt(TimeNs t) const {
   const auto [next, s, span_s, stands] = find(t);
   if (stands) return keys_[next == 0 ? 0 : next - 1].pose;
   if (interpolation_ == Interpolation::kLinear) return interpolate(keys_[next - 1].pose, keys_[next].pose, s);
@@ -35,6 +46,13 @@ Pose Trajectory::at(TimeNs t) const {
 }
 
 Velocity Trajectory::velocityAt(TimeNs t) const {
+  const Velocity body = bodyVelocityAt(t);
+  if (!mount_) return body;
+  const Vec3d lever = rotate(bodyAt(t).rotation, cross(body.angular, mount_->position));
+  return {body.linear + lever, rotate(conjugate(mount_->rotation), body.angular)};
+}
+
+Velocity Trajectory::bodyVelocityAt(TimeNs t) const {
   const auto [next, s, span_s, stands] = find(t);
   if (stands) return {};
   if (interpolation_ == Interpolation::kCubic) return cubicVelocity(keys_, next, s);

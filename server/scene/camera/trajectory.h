@@ -1,6 +1,7 @@
 // Camera paths: T_world_camera as a function of stream time.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,10 +33,15 @@ class Trajectory {
 
   // Adds a key after the last one. Not to a periodic path.
   void append(const TimedPose& key);
+  // The path of a camera that is fixed to a body on this one. Where T_body_camera is the identity, it has the
+  // same bits.
+  Trajectory mounted(const Pose& T_body_camera) const;
 
-  Pose at(TimeNs t) const;
-  // The derivative of at(), in closed form. Where it jumps, it is that just after t.
+  Pose at(TimeNs t) const;      // T_world_camera
+  Pose bodyAt(TimeNs t) const;  // T_world_body: without the last mounted()
+  // The derivatives of both, in closed form. Where they jump, they are those just after t.
   Velocity velocityAt(TimeNs t) const;
+  Velocity bodyVelocityAt(TimeNs t) const;
   TimeNs lastTime() const { return keys_.back().time; }  // for a periodic path: the period
 
  private:
@@ -50,6 +56,7 @@ class Trajectory {
   std::vector<TimedPose> keys_;
   Interpolation interpolation_;
   bool periodic_ = false;
+  std::optional<Pose> mount_;  // T_body_camera, unless it is the identity
 };
 
 // Reads text with one pose a line; `#` comments and one heading line are allowed:
