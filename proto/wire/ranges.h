@@ -42,10 +42,15 @@ inline constexpr Range<double> kChangeTime{0, 1e7};       // SensorChange.time_s
 inline constexpr Range<double> kLinear{-1e9, 1e9};        // CameraVelocity.linear: scene units per second
 inline constexpr Range<double> kAngular{-1e3, 1e3};       // CameraVelocity.angular: radians per second
 inline constexpr Range<int> kTruth{0, 32};                // OpenStream.truth: how many
+inline constexpr Range<int> kFurtherViews{0, 7};          // OpenStream.further_views: how many
 inline constexpr Range<int> kTruthTimes{0, 100000};       // Truth.times_s: how many
 inline constexpr Range<double> kExposure{1e-6, 100};      // Aps.exposure_s: seconds
 inline constexpr Range<double> kGain{1e-9, 1e9};          // Aps.gain: per scene luminance
 inline constexpr Range<double> kGamma{0.1, 10};           // Aps.gamma: a number
+inline constexpr Range<double> kImuRate{1, 1e4};          // Imu.rate_hz: Hz
+inline constexpr Range<double> kMetresPerUnit{1e-6, 1e6};  // Imu.metres_per_unit: metres
+inline constexpr Range<double> kImuNoise{0, 1e3};          // Imu.accelerometer_noise, Imu.gyroscope_noise: SI
+inline constexpr Range<double> kImuWalk{0, 1e3};           // Imu.accelerometer_walk, Imu.gyroscope_walk: SI
 
 inline constexpr Range<double> kMismatch{0, 0.5};      // Noise.mismatch: fraction of C
 inline constexpr Range<double> kBandwidth{0, 1e6};     // Noise.photoreceptor_hz, Noise.follower_hz: Hz
