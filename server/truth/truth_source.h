@@ -8,6 +8,7 @@
 #include "feed/feed_interval.h"
 #include "saccade/v1/truth.pb.h"
 #include "truth/frame_selection.h"
+#include "truth/imu/imu_config.h"
 #include "wire/truth_samples.h"
 
 namespace saccade {
@@ -20,6 +21,7 @@ struct TruthConfig {
   double bias = 1e-3;              // of log brightness: scene luminance
   FrameIndex exposure_frames = 1;  // of which an exposed picture is the mean
   double gain = 1, gamma = 2.2;    // of exposed pictures
+  ImuConfig imu = {};
 };
 
 class TruthSource {

@@ -99,6 +99,13 @@ const std::vector<TruthChannelInfo>& truthTable() {
        kF64,
        {"vx", "vy", "vz", "wx", "wy", "wz"},
        makeVelocity},
+      {"imu",
+       "specific force and angular velocity of the body, in its axes: means over the sample period that ends",
+       "m/s^2, rad/s",
+       kRows,
+       kF64,
+       {"ax", "ay", "az", "gx", "gy", "gz"},
+       makeImu},
   };
   return table;
 }

@@ -6,6 +6,7 @@
 namespace saccade {
 
 std::unique_ptr<TruthSource> makeDepth(const TruthConfig& config);
+std::unique_ptr<TruthSource> makeImu(const TruthConfig& config);
 std::unique_ptr<TruthSource> makePose(const TruthConfig& config);
 std::unique_ptr<TruthSource> makeDistance(const TruthConfig& config);
 std::unique_ptr<TruthSource> makeNormals(const TruthConfig& config);
