@@ -1,5 +1,7 @@
 #include "feed/rig.h"
 
+#include <algorithm>
+
 namespace saccade {
 
 void Rig::steer(const TimedPose& key) {
@@ -13,6 +15,15 @@ const std::vector<FeedInterval>& Rig::step(const PoolHandle& pool) {
     intervals_.push_back(feed->interval());
   }
   return intervals_;
+}
+
+PixelSpeed Rig::pixelSpeed(FrameIndex frames) const {
+  PixelSpeed most;
+  for (const auto& feed : feeds_) {
+    const PixelSpeed speed = feed->pixelSpeed(frames);
+    most = {std::max(most.p50, speed.p50), std::max(most.p99, speed.p99)};
+  }
+  return most;
 }
 
 StageTimes Rig::lastTimes() const {

@@ -21,6 +21,8 @@ class Rig {
   const std::vector<FeedInterval>& step(const PoolHandle& pool);
 
   const Feed& first() const { return *feeds_.front(); }
+  // Of the view in which it is largest, as Feed::pixelSpeed().
+  PixelSpeed pixelSpeed(FrameIndex frames) const;
   StageTimes lastTimes() const;                // of the last step, all views together
   std::chrono::nanoseconds lastChain() const;  // likewise: the views are rendered one after the other
 

@@ -81,6 +81,17 @@ TEST_F(Budgets, TheReplyTellsTheChoiceAndTheExpectedQuality) {
   EXPECT_FALSE(server.client().open(tinyRequest()).has_expected());
 }
 
+TEST_F(Budgets, CountAllViews) {
+  TestServer server(1, {}, file_.path());
+  const v1::OpenStream one = within(12);
+  v1::OpenStream two = one;
+  *two.add_further_views() = two.view();
+  EXPECT_EQ(server.client().open(one).expected().setting(), "event_svgf:iterations=2");
+  const v1::ExpectedQuality both = server.client().open(two).expected();
+  EXPECT_EQ(both.setting(), "event_svgf");
+  EXPECT_DOUBLE_EQ(both.cpu_ms(), 2 * 20 / 4.0);
+}
+
 TEST_F(Budgets, TheNameOfAMethodRestrictsTheChoice) {
   TestServer server(1, {}, file_.path());
   v1::OpenStream request = atMost(1);

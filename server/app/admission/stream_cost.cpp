@@ -16,15 +16,42 @@ void checkMost(Limit limit, const std::string& field, double value, const Limits
   throw LimitReached(limit, field, amountText(limit, value) + " exceed " + amountText(limit, limits[limit]));
 }
 
+double pixelsOf(const FeedConfig& feed) {
+  return static_cast<double>(feed.camera.width) * feed.camera.height;
+}
+
+double pixelsWithBorder(const FeedConfig& feed) {
+  return (feed.camera.width + 2.0 * ImageF::kBorder) * (feed.camera.height + 2.0 * ImageF::kBorder);
+}
+
+// Of all views.
+double pixelsOf(const v1::OpenStream& request) {
+  const auto pixels = [](const v1::View& view) { return static_cast<double>(view.width()) * view.height(); };
+  double sum = pixels(request.view());
+  for (const v1::View& view : request.further_views()) sum += pixels(view);
+  return sum;
+}
+
+const FeedConfig& feedOfSensor(const ResolvedStream& stream, std::size_t sensor) {
+  return stream.feedOf(stream.request.sensors(static_cast<int>(sensor)).view());
+}
+
 // The noise of a frame fits into the bound of its events, so that its time is bounded too.
 void checkNoise(const ResolvedStream& stream, std::size_t i) {
   const SensorConfig& sensor = stream.sensors[i];
-  const double pixels = static_cast<double>(stream.feed.camera.width) * stream.feed.camera.height;
-  const double events = noiseRate(sensor.noise) * pixels / stream.feed.frame_rate_hz;
+  const double events =
+      noiseRate(sensor.noise) * pixelsOf(feedOfSensor(stream, i)) / stream.feed.frame_rate_hz;
   if (!(events > static_cast<double>(sensor.max_events_per_frame))) return;
   throw LimitReached(Limit::kEvents, "sensors[" + std::to_string(i) + "].noise",
                      std::to_string(std::llround(events)) + " noise events of a frame exceed " +
                          std::to_string(sensor.max_events_per_frame));
+}
+
+double feedBytes(const FeedConfig& feed) {
+  constexpr double kFeedBytes = 260;  // per pixel
+  const double lens_bytes = feed.camera.distortion.isNone() ? 0 : pixelsOf(feed) * sizeof(Vec2);
+  return pixelsWithBorder(feed) * kFeedBytes + lens_bytes +
+         findMethod(feed.method)->memory(feed.params, pixelsOf(feed), feed.jitter);
 }
 
 }  // namespace
@@ -32,27 +59,25 @@ void checkNoise(const ResolvedStream& stream, std::size_t i) {
 // Measured on streams of 1 and 17 sensors. A sensor with all options takes three times as much as the
 // plainest.
 double streamMemory(const ResolvedStream& stream) {
-  constexpr double kFeedBytes = 260, kSensorBytes = 24, kNoiseBytes = 28;  // per pixel
-  constexpr double kEventBytes = 57;    // per event of a frame, until it is in a packet
-  constexpr double kTruthBytes = 48;    // per pixel: a picture, and its copy for the packet
-  constexpr double kPacketBytes = 640;  // per packet, without its events
-  const FeedConfig& feed = stream.feed;
-  const CameraModel& camera = feed.camera;
-  const double view = static_cast<double>(camera.width) * camera.height;
-  const double pixels = (camera.width + 2.0 * ImageF::kBorder) * (camera.height + 2.0 * ImageF::kBorder);
-  const double packets = 1 + 1e9 / kPacketTimeNs / feed.frame_rate_hz;
-  const double lens_bytes = camera.distortion.isNone() ? 0 : view * sizeof(Vec2);
-  double bytes =
-      pixels * kFeedBytes + lens_bytes + findMethod(feed.method)->memory(feed.params, view, feed.jitter);
-  for (const SensorConfig& sensor : stream.sensors) {
-    const double noise = noiseRate(sensor.noise) / feed.frame_rate_hz;
-    const double events = view * (sensor.max_events_per_pixel_frame + noise);
+  constexpr double kSensorBytes = 24, kNoiseBytes = 28;  // per pixel
+  constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
+  constexpr double kTruthBytes = 48;                     // per pixel: a picture, and its copy for the packet
+  constexpr double kPacketBytes = 640;                   // per packet, without its events
+  const double rate_hz = stream.feed.frame_rate_hz, packets = 1 + 1e9 / kPacketTimeNs / rate_hz;
+  double bytes = 0;
+  for (std::size_t i = 0; i < stream.views(); ++i) bytes += feedBytes(stream.feedOf(i));
+  for (std::size_t i = 0; i < stream.sensors.size(); ++i) {
+    const SensorConfig& sensor = stream.sensors[i];
+    const FeedConfig& view = feedOfSensor(stream, i);
+    const double noise = noiseRate(sensor.noise) / rate_hz;
+    const double events = pixelsOf(view) * (sensor.max_events_per_pixel_frame + noise);
     if (sensor.noise != NoiseConfig{})
-      bytes += pixels * kNoiseBytes + kEventBytes * sensor.noise.readout_buffer;
-    bytes += pixels * kSensorBytes + packets * kPacketBytes +
+      bytes += pixelsWithBorder(view) * kNoiseBytes + kEventBytes * sensor.noise.readout_buffer;
+    bytes += pixelsWithBorder(view) * kSensorBytes + packets * kPacketBytes +
              kEventBytes * std::min(events, static_cast<double>(sensor.max_events_per_frame));
   }
-  bytes += view * kTruthBytes * static_cast<double>(stream.truth.size());
+  for (const v1::Truth& truth : stream.request.truth())
+    bytes += pixelsOf(stream.feedOf(truth.view())) * kTruthBytes;
   return bytes / (1 << 20);
 }
 
@@ -84,11 +109,10 @@ void boundSteering(ResolvedStream& stream, const Limits& limits) {
 }
 
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) {
-  const int width = stream.feed.camera.width, height = stream.feed.camera.height;
   const int sensors = static_cast<int>(stream.sensors.size());
   return {{Limit::kStreams, 1},
           {Limit::kSensors, static_cast<double>(sensors), "sensors"},
-          {Limit::kPixels, static_cast<double>(width) * height, "view"},
+          {Limit::kPixels, pixelsOf(stream.request), "view"},
           {Limit::kMemory, streamMemory(stream), "view"},
           {Limit::kQueues, limits[Limit::kQueue] * (1 + CreditQueue::kKeptBounds)}};
 }
@@ -102,7 +126,7 @@ void checkAlone(const v1::OpenStream& request, const Limits& limits) {
             request.trajectory().keyframes().keys_size(), limits);
   const double pixel_rays = request.method().spp() * (request.quality().bounces() + 2.0);
   checkMost(Limit::kPixelRays, "method.spp", pixel_rays, limits);
-  checkMost(Limit::kRays, "view", pixel_rays * request.view().width() * request.view().height(), limits);
+  checkMost(Limit::kRays, "view", pixel_rays * pixelsOf(request), limits);
 }
 
 }  // namespace saccade

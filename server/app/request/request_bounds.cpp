@@ -26,11 +26,12 @@ struct Bound {
 // The most elements of a repeated field, in the whole request.
 constexpr Bound kElements[] = {
     {"saccade.v1.OpenStream.sensors", ranges::kSensors.max},
-    {"saccade.v1.Distortion.coefficients", 5},
+    {"saccade.v1.Distortion.coefficients", 5 * (1 + ranges::kFurtherViews.max)},
     {"saccade.v1.Keyframes.keys", ranges::kKeyframes.max},
     {"saccade.v1.Method.params", 64},
     {"saccade.v1.Quality.disabled_features", 64},
     {"saccade.v1.OpenStream.truth", ranges::kTruth.max},
+    {"saccade.v1.OpenStream.further_views", ranges::kFurtherViews.max},
     {"saccade.v1.Sensor.changes", std::int64_t{ranges::kSensors.max} * ranges::kSensorChanges.max},
     {"saccade.v1.Truth.times_s", ranges::kTruthTimes.max}};
 // The most bytes of a text that may be longer than a name.

@@ -11,6 +11,18 @@
 namespace saccade {
 namespace {
 
+void resolveViews(ResolvedStream& stream) {
+  const v1::OpenStream& request = stream.request;
+  stream.feed.camera = resolveView(request.view(), viewField(0));
+  if (request.further_views_size() > ranges::kFurtherViews.max)
+    refuse("further_views", "there are more than " + std::to_string(ranges::kFurtherViews.max));
+  for (const v1::View& view : request.further_views()) {
+    FeedConfig& feed = stream.further.emplace_back();
+    feed.camera = resolveView(view, viewField(stream.further.size()));
+  }
+  resolveMounts(stream);
+}
+
 void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
   checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), ranges::kFrameRate);
   checkRange("timing.duration_s", timing.duration_s(), ranges::kDuration);
@@ -99,6 +111,8 @@ void checkFromItems(const v1::OpenStream& request) {
 ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const MeasuredTables& tables) {
   ResolvedStream stream{.request = std::move(request),
                         .feed = {},
+                        .further = {},
+                        .T_body_camera = {},
                         .sensors = {},
                         .changes = {},
                         .truth = {},
@@ -107,11 +121,11 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
                         .simplification = {}};
   v1::OpenStream& r = stream.request;
   checkTrajectory(*r.mutable_trajectory(), scene);
-  stream.feed.camera = resolveView(r.view());
+  resolveViews(stream);
   resolveTiming(*r.mutable_timing(), stream);
   resolveSensors(stream);
   for (int i = 0; i < r.truth_size(); ++i) {
-    stream.truth.push_back(resolveTruth(*r.mutable_truth(i), i, stream.feed));
+    stream.truth.push_back(resolveTruth(*r.mutable_truth(i), i, stream.feedOf(r.truth(i).view()), r.seed()));
   }
   checkMethodName(r.method());
   stream.simplification = resolveSimplification(r, tables.simplification);
@@ -125,11 +139,16 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   checkFromItems(r);
   r.set_codec(resolveEnum("codec", r.codec(), v1::CODEC_NONE));
   stream.feed.seed = r.seed();
+  shareSettings(stream);
   return stream;
 }
 
 void fitTo(const Scene& scene, ResolvedStream& stream) {
-  stream.feed.camera = fitView(scene, *stream.request.mutable_view());
+  stream.feed.camera = fitView(scene, *stream.request.mutable_view(), viewField(0));
+  for (std::size_t i = 0; i < stream.further.size(); ++i) {
+    v1::View& view = *stream.request.mutable_further_views(static_cast<int>(i));
+    stream.further[i].camera = fitView(scene, view, viewField(i + 1));
+  }
   const SceneFeatures present = featuresOf(scene);
   std::erase_if(stream.disabled_features, [&](SceneFeature feature) { return !present.contains(feature); });
   setDisabledFeatures(stream.disabled_features, *stream.request.mutable_quality());

@@ -15,8 +15,10 @@
 namespace saccade {
 
 struct ResolvedStream {
-  v1::OpenStream request;  // as StreamOpened.resolved
-  FeedConfig feed;
+  v1::OpenStream request;           // as StreamOpened.resolved
+  FeedConfig feed;                  // of view 0
+  std::vector<FeedConfig> further;  // of the further views
+  std::vector<Pose> T_body_camera;  // of each view
   std::vector<SensorConfig> sensors;
   std::vector<std::vector<SensorChange>> changes;  // by sensor, in order of time
   std::vector<TruthConfig> truth;
@@ -24,6 +26,9 @@ struct ResolvedStream {
   SceneFeatures disabled_features;
   std::optional<v1::ExpectedQuality> expected;       // of a request with a budget
   std::optional<v1::ExpectedChange> simplification;  // of a request with a max_event_change
+
+  std::size_t views() const { return T_body_camera.size(); }
+  const FeedConfig& feedOf(std::size_t view) const { return view == 0 ? feed : further[view - 1]; }
 
   // Streams with equal keys share a feed.
   std::string feedKey() const;
@@ -48,22 +53,31 @@ std::optional<v1::ExpectedChange> resolveSimplification(v1::OpenStream& request,
 SceneFeatures resolveDisabledFeatures(v1::Quality& quality);
 void setDisabledFeatures(const SceneFeatures& features, v1::Quality& quality);
 
-// The camera of a view; without its focal length where the request leaves that to the scene. Throws Refusal.
-CameraModel resolveView(const v1::View& view);
+// The camera of the view at `field`; without its focal length where the request leaves that to the scene.
+// Throws Refusal.
+CameraModel resolveView(const v1::View& view, const std::string& field);
 // Fills in the scene's field of view where the request has neither that nor intrinsics. Throws Refusal.
-CameraModel fitView(const Scene& scene, v1::View& view);
+CameraModel fitView(const Scene& scene, v1::View& view, const std::string& field);
 
-// Fills in the view with fitView(). Removes disabled features that the
+// Fills in the views with fitView(). Removes disabled features that the
 // scene lacks, so that equal feeds have equal keys. Throws Refusal.
 void fitTo(const Scene& scene, ResolvedStream& stream);
 
 // Checks what needs no loaded scene, and fills in the defaults. Throws Refusal.
 void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene);
 
+// The name of a view in refusals.
+std::string viewField(std::size_t view);
+// Finds where the cameras are on the body, and checks that sensors and truth channels name a view of the
+// stream. Throws Refusal.
+void resolveMounts(ResolvedStream& stream);
+// Renders the further views as view 0, with random numbers of their own.
+void shareSettings(ResolvedStream& stream);
+
 // Throws Refusal naming the key.
 Trajectory resolveKeyframes(const v1::Keyframes& keyframes);
 
-// The camera's path, once the field of view is known. Throws Refusal, with the line of a faulty text.
+// The body's path, once the field of view is known. Throws Refusal, with the line of a faulty text.
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
                              const SceneLibrary& library);
 
@@ -80,6 +94,9 @@ std::vector<SensorChange> resolveChanges(const v1::Sensor& sensor, int index, co
 SensorChange readChange(const v1::SensorChange& change, const SensorConfig& config, const std::string& field);
 
 // Checks truth channel `index` and fills in its defaults. Throws Refusal.
-TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed);
+TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed, std::uint64_t stream_seed);
+
+// Checks the IMU at `field` and fills in its defaults. Throws Refusal.
+ImuConfig resolveImu(v1::Imu& imu, const std::string& field, std::uint64_t seed);
 
 }  // namespace saccade

@@ -29,7 +29,9 @@ void checkLeftOpen(const v1::Method& method) {
 SettingsQuery queryOf(const v1::OpenStream& request, const std::vector<SensorConfig>& sensors) {
   double threshold = std::numeric_limits<double>::infinity();
   for (const SensorConfig& s : sensors) threshold = std::min({threshold, s.threshold, s.threshold_off});
-  const double pixels = static_cast<double>(request.view().width()) * request.view().height();
+  double pixels = static_cast<double>(request.view().width()) * request.view().height();
+  for (const v1::View& view : request.further_views())
+    pixels += static_cast<double>(view.width()) * view.height();
   return {request.scene(), pixels, threshold, request.method().name()};
 }
 

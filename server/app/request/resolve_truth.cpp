@@ -3,6 +3,7 @@
 
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
+#include "base/hash_rng.h"
 #include "base/text_cut.h"
 
 namespace saccade {
@@ -54,7 +55,7 @@ void resolveExposure(v1::Truth& truth, const std::string& field, Setting setting
 
 }  // namespace
 
-TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed) {
+TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed, std::uint64_t stream_seed) {
   const std::string field = "truth[" + std::to_string(index) + "]";
   const TruthChannelInfo* info = findTruth(truth.name());
   if (!info) {
@@ -73,6 +74,13 @@ TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed) {
   } else {
     if (truth.every() == 0) truth.set_every(1);
     config.frames = FrameSelection(truth.every());
+  }
+  if (truth.name() == "imu") {
+    constexpr std::uint64_t kSeeds = 128;  // the addresses below are those of sensors and views
+    const std::uint64_t seed = hashKey(stream_seed, kSeeds + static_cast<std::uint64_t>(index));
+    config.imu = resolveImu(*truth.mutable_imu(), field + ".imu", seed);
+  } else if (truth.has_imu()) {
+    refuse(field + ".imu", "only the channel imu has it");
   }
   return config;
 }

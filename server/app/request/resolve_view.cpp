@@ -5,17 +5,16 @@
 namespace saccade {
 namespace {
 
-void checkIntrinsics(const v1::View& view) {
-  if (view.has_fov_x_deg()) refuse("view.intrinsics", "give intrinsics or fov_x_deg, not both");
+void checkIntrinsics(const v1::View& view, const std::string& field) {
+  if (view.has_fov_x_deg()) refuse(field, "give intrinsics or fov_x_deg, not both");
   const v1::Intrinsics& given = view.intrinsics();
-  checkRange("view.intrinsics.fx", given.fx(), ranges::kFocalLength);
-  checkRange("view.intrinsics.fy", given.fy(), ranges::kFocalLength);
-  checkRange("view.intrinsics.cx", given.cx(), ranges::kPrincipalPoint);
-  checkRange("view.intrinsics.cy", given.cy(), ranges::kPrincipalPoint);
+  checkRange(field + ".fx", given.fx(), ranges::kFocalLength);
+  checkRange(field + ".fy", given.fy(), ranges::kFocalLength);
+  checkRange(field + ".cx", given.cx(), ranges::kPrincipalPoint);
+  checkRange(field + ".cy", given.cy(), ranges::kPrincipalPoint);
 }
 
-Distortion distortionOf(const v1::Distortion& given) {
-  const std::string field = "view.distortion";
+Distortion distortionOf(const v1::Distortion& given, const std::string& field) {
   if (given.model() == v1::DISTORTION_MODEL_UNSPECIFIED)
     refuse(field + ".model", "give DISTORTION_MODEL_RADTAN or DISTORTION_MODEL_EQUIDISTANT");
   resolveEnum(field + ".model", given.model(), v1::DISTORTION_MODEL_UNSPECIFIED);
@@ -33,7 +32,7 @@ Distortion distortionOf(const v1::Distortion& given) {
 }
 
 // `view` has a field of view or intrinsics.
-CameraModel cameraOf(const v1::View& view) {
+CameraModel cameraOf(const v1::View& view, const std::string& field) {
   const int width = static_cast<int>(view.width()), height = static_cast<int>(view.height());
   CameraModel camera = pinhole(view.fov_x_deg(), width, height);
   if (view.has_intrinsics()) {
@@ -41,29 +40,29 @@ CameraModel cameraOf(const v1::View& view) {
     camera.fx = given.fx(), camera.fy = given.fy(), camera.cx = given.cx(), camera.cy = given.cy();
   }
   if (!view.has_distortion()) return camera;
-  camera.distortion = distortionOf(view.distortion());
-  if (const std::string fault = lensFault(camera); !fault.empty()) refuse("view.distortion", fault);
+  camera.distortion = distortionOf(view.distortion(), field + ".distortion");
+  if (const std::string fault = lensFault(camera); !fault.empty()) refuse(field + ".distortion", fault);
   return camera;
 }
 
 }  // namespace
 
-CameraModel resolveView(const v1::View& view) {
-  checkRange("view.width", view.width(), ranges::kViewSide);
-  checkRange("view.height", view.height(), ranges::kViewSide);
+CameraModel resolveView(const v1::View& view, const std::string& field) {
+  checkRange(field + ".width", view.width(), ranges::kViewSide);
+  checkRange(field + ".height", view.height(), ranges::kViewSide);
   if (view.width() * view.height() > ranges::kMaxViewPixels)
-    refuse("view", "a view has at most " + std::to_string(ranges::kMaxViewPixels) + " pixels");
-  if (view.has_intrinsics()) checkIntrinsics(view);
-  if (view.has_fov_x_deg()) checkRange("view.fov_x_deg", view.fov_x_deg(), ranges::kFovX);
-  if (view.has_fov_x_deg() || view.has_intrinsics()) return cameraOf(view);
+    refuse(field, "a view has at most " + std::to_string(ranges::kMaxViewPixels) + " pixels");
+  if (view.has_intrinsics()) checkIntrinsics(view, field + ".intrinsics");
+  if (view.has_fov_x_deg()) checkRange(field + ".fov_x_deg", view.fov_x_deg(), ranges::kFovX);
+  if (view.has_fov_x_deg() || view.has_intrinsics()) return cameraOf(view, field);
   CameraModel camera{.width = static_cast<int>(view.width()), .height = static_cast<int>(view.height())};
-  if (view.has_distortion()) camera.distortion = distortionOf(view.distortion());
+  if (view.has_distortion()) camera.distortion = distortionOf(view.distortion(), field + ".distortion");
   return camera;
 }
 
-CameraModel fitView(const Scene& scene, v1::View& view) {
+CameraModel fitView(const Scene& scene, v1::View& view, const std::string& field) {
   if (!view.has_fov_x_deg() && !view.has_intrinsics()) view.set_fov_x_deg(scene.fov_x_deg);
-  return cameraOf(view);
+  return cameraOf(view, field);
 }
 
 }  // namespace saccade

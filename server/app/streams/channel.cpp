@@ -35,19 +35,26 @@ std::vector<std::unique_ptr<Channel>> makeChannels(const ResolvedStream& stream,
                                                    std::uint64_t epoch) {
   PacketSource source{.stream_id = stream_id,
                       .epoch = epoch,
-                      .width = static_cast<std::uint32_t>(stream.feed.camera.width),
-                      .height = static_cast<std::uint32_t>(stream.feed.camera.height),
+                      .width = 0,
+                      .height = 0,
                       .codec = findCodec(stream.request.codec())};
+  const auto see = [&](std::size_t view) {
+    source.width = static_cast<std::uint32_t>(stream.feedOf(view).camera.width);
+    source.height = static_cast<std::uint32_t>(stream.feedOf(view).camera.height);
+    return view;
+  };
   std::vector<std::unique_ptr<Channel>> channels;
   for (std::size_t i = 0; i < stream.sensors.size(); ++i) {
     const v1::Sensor& request = stream.request.sensors(static_cast<int>(i));
-    channels.push_back(
-        std::make_unique<SensorChannel>(stream.sensors[i], source, request.from_event(), stream.changes[i]));
+    const std::size_t view = see(request.view());
+    channels.push_back(std::make_unique<SensorChannel>(stream.sensors[i], source, request.from_event(),
+                                                       stream.changes[i], view));
     ++source.sensor;
   }
   for (std::size_t i = 0; i < stream.truth.size(); ++i) {
     const v1::Truth& request = stream.request.truth(static_cast<int>(i));
-    channels.push_back(std::make_unique<TruthChannel>(stream.truth[i], source, request.from_sample()));
+    const std::size_t view = see(request.view());
+    channels.push_back(std::make_unique<TruthChannel>(stream.truth[i], source, request.from_sample(), view));
     ++source.sensor;
   }
   return channels;

@@ -19,6 +19,8 @@ class Channel {
  public:
   virtual ~Channel() = default;
 
+  std::size_t view() const { return view_; }  // the number of the one that it sees
+
   // Makes the packets of an interval. Takes every interval of its view from some interval on, in order, on
   // any thread. `whole`: the last packet ends with the interval.
   void process(const FeedInterval& interval, bool whole);
@@ -38,7 +40,7 @@ class Channel {
 
  protected:
   // Packets that end before the item with the index `from_item` are made, but not given to the client.
-  explicit Channel(std::uint64_t from_item) : from_item_(from_item) {}
+  Channel(std::uint64_t from_item, std::size_t view) : view_(view), from_item_(from_item) {}
 
   virtual std::vector<Packet> makePackets(const FeedInterval& interval) = 0;
   virtual std::vector<Packet> flushPackets() = 0;
@@ -48,6 +50,7 @@ class Channel {
  private:
   std::vector<Packet> forClient(std::vector<Packet> packets) const;
 
+  const std::size_t view_;
   std::uint64_t from_item_, items_ = 0;
   std::chrono::nanoseconds cost_{0};
   std::vector<Packet> full_;

@@ -31,7 +31,7 @@ FeedRunner::FeedRunner(Rig rig, const FeedPace& pace, TilePool& pool, Totals& to
       steering_(std::move(steering)),
       luminance_p01_(rig_.first().firstFrameLuminance(0.01)),
       luminance_p50_(rig_.first().firstFrameLuminance(0.5)),
-      pixel_speed_(rig_.first().pixelSpeed(pace.frames)),
+      pixel_speed_(rig_.pixelSpeed(pace.frames)),
       clock_(pace.speed) {}
 
 FeedRunner::~FeedRunner() {
@@ -194,7 +194,7 @@ std::chrono::nanoseconds FeedRunner::publish(const std::vector<FeedInterval>& vi
   }
   const auto used = PoolHandle(pool_, priority()).run(static_cast<int>(channels.size()), [&](int i) {
     const auto [sink, channel] = channels[static_cast<std::size_t>(i)];
-    sink->process(channel, views.front());
+    sink->process(channel, views[sink->view(channel)]);
   });
   const std::chrono::milliseconds lag(lag_s > kMostLagSeconds ? std::llround(lag_s * 1e3) : 0);
   for (StreamSink* sink : started) {

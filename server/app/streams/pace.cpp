@@ -5,6 +5,7 @@
 
 #include "app/admission/limits.h"
 #include "app/streams/channel.h"
+#include "app/streams/stream_rig.h"
 #include "base/usable_cpus.h"
 
 namespace saccade {
@@ -51,9 +52,9 @@ CpuCost together(const CpuCost& a, const CpuCost& b) {
           std::max(a.longest, b.longest)};
 }
 
-CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
+CpuCost measureFrame(const std::shared_ptr<const RenderScene>& scene, const Trajectory& body,
                      const ResolvedStream& stream, const PoolHandle& pool) {
-  Feed feed(std::move(scene), path, stream.feed, pool);
+  Rig rig = makeRig(scene, body, stream, pool);
   const auto channels = makeChannels(stream, {}, 0);
   const auto each = [&](const auto& f) {
     return seconds(pool.run(static_cast<int>(channels.size()), [&](int i) { f(*channels[i]); }));
@@ -62,11 +63,11 @@ CpuCost measureFrame(std::shared_ptr<const RenderScene> scene, const Trajectory&
   CpuCost spent, first;
   int frames = 0;
   while (frames < kMeasuredFrames && spent.feed + spent.sensors < kEnoughSeconds) {
-    feed.step(pool);
-    const FeedInterval interval = feed.interval();
-    spent.feed += seconds(feed.lastTimes().total());
-    spent.chain += seconds(feed.lastChain());
-    spent.sensors += each([&](Channel& channel) { channel.process(interval, packet_per_frame); });
+    const std::vector<FeedInterval>& views = rig.step(pool);
+    spent.feed += seconds(rig.lastTimes().total());
+    spent.chain += seconds(rig.lastChain());
+    spent.sensors +=
+        each([&](Channel& channel) { channel.process(views[channel.view()], packet_per_frame); });
     spent.longest += longestOf(channels);
     if (++frames == 1) first = spent;
   }

@@ -6,8 +6,8 @@
 namespace saccade {
 
 SensorChannel::SensorChannel(const SensorConfig& config, const PacketSource& source, std::uint64_t from_event,
-                             std::vector<SensorChange> changes)
-    : Channel(from_event),
+                             std::vector<SensorChange> changes, std::size_t view)
+    : Channel(from_event, view),
       sensor_(config, static_cast<int>(source.width), static_cast<int>(source.height)),
       schedule_(std::move(changes)),
       cutter_(source, config.labels ? v1::LAYOUT_LABELLED_COLUMNS : v1::LAYOUT_COLUMNS) {}

@@ -14,7 +14,7 @@ class SensorChannel final : public Channel {
  public:
   // `changes`: in order of time.
   SensorChannel(const SensorConfig& config, const PacketSource& source, std::uint64_t from_event,
-                std::vector<SensorChange> changes = {});
+                std::vector<SensorChange> changes = {}, std::size_t view = 0);
   SensorSchedule* schedule() override { return &schedule_; }
 
  protected:

@@ -5,6 +5,7 @@
 #include "app/request/request_memory.h"
 #include "app/streams/pace.h"
 #include "app/streams/stream_opened.h"
+#include "app/streams/stream_rig.h"
 #include "base/text_cut.h"
 
 namespace saccade {
@@ -17,14 +18,6 @@ constexpr int kIdBytes = 8;  // random, so that nobody can guess the topics of a
 // A stream that joins a feed costs only its own sensors.
 CpuCost costOfJoining(const CpuCost& frame) {
   return {0, frame.sensors, 0, frame.longest};
-}
-
-BakePlan bakePlanOf(const ResolvedStream& stream, const RenderScene& scene, const Trajectory& path) {
-  try {
-    return planBake(scene, path, stream.feed, stream.frames, stream.request.quality().bake_error());
-  } catch (const std::runtime_error& fault) {
-    throw Refusal(v1::CODE_INVALID_ARGUMENT, "quality.bake_error", fault.what());
-  }
 }
 
 }  // namespace
@@ -64,9 +57,12 @@ SceneEntry StreamMaker::findScene(const std::string& name) const {
 std::shared_ptr<void> StreamMaker::reserve(const std::string& user, const ResolvedStream& resolved) {
   StreamRegistry& streams = resources_.streams;
   std::vector<Share> shares = sharesOf(resolved, resources_.quota.limits());
-  shares.push_back({Limit::kMemory, pathMemory(resolved.request.trajectory()), "trajectory"});
+  shares.push_back({Limit::kMemory,
+                    pathMemory(resolved.request.trajectory()) * static_cast<double>(resolved.views()),
+                    "trajectory"});
   if (resolved.request.timing().steerable())
-    shares.push_back({Limit::kMemory, steeringMemory(resolved.frames), "timing"});
+    shares.push_back(
+        {Limit::kMemory, steeringMemory(resolved.frames) * static_cast<double>(resolved.views()), "timing"});
   streams.sweep(ChangeNotifier::Clock::now());
   try {
     return resources_.quota.take(user, shares);
@@ -85,28 +81,29 @@ void StreamMaker::loadScenes(Plan& plan, Opening& opening) {
   plan.scene = resources_.scenes.simplify(name, plan.whole, plan.resolved.disabled_features);
 }
 
-void StreamMaker::bakeLight(Plan& plan, const Trajectory& path, Opening& opening) {
+void StreamMaker::bakeLight(Plan& plan, const Trajectory& body, Opening& opening) {
   if (!plan.resolved.request.quality().has_bake_error()) return;
   openings_.begin(opening, "computing light ahead");
-  plan.bake = resources_.bakes.get(plan.scene, bakePlanOf(plan.resolved, *plan.scene, path), poolFor(opening),
+  plan.bake = resources_.bakes.get(plan.scene, planBakeOf(*plan.scene, body, plan.resolved), poolFor(opening),
                                    opening.stop.get_token(),
                                    [&](double share) { openings_.setDone(opening, share); });
   plan.resolved.feed.baked = {plan.bake, plan.bake->light.get()};
+  for (FeedConfig& feed : plan.resolved.further) feed.baked = plan.resolved.feed.baked;
 }
 
 // The slow steps, a measurement and the first frame of a feed, come before the lock that others wait for.
 void StreamMaker::openFeed(Plan& plan, Opening& opening, Stream& stream) {
   const ResolvedStream& resolved = plan.resolved;
-  const Trajectory path = resolveTrajectory(resolved, *plan.whole, resources_.scenes.library());
-  bakeLight(plan, path, opening);
+  const Trajectory body = resolveTrajectory(resolved, *plan.whole, resources_.scenes.library());
+  bakeLight(plan, body, opening);
   openings_.begin(opening, "measuring the first frames");
-  if (keepsPace(resolved)) plan.frame = measure(plan, path, opening);
+  if (keepsPace(resolved)) plan.frame = measure(plan, body, opening);
   const auto running = shared_.find(resolved);
   admit(resolved, running ? costOfJoining(plan.frame) : plan.frame, running.get());
   openings_.begin(opening, "rendering frame 0");
-  auto own = running ? nullptr : makeFeed(plan, path, opening);
+  auto own = running ? nullptr : makeFeed(plan, body, opening);
   openings_.begin(opening, "joining the feed");
-  while (!enter(plan, own, stream)) own = makeFeed(plan, path, opening);
+  while (!enter(plan, own, stream)) own = makeFeed(plan, body, opening);
 }
 
 // Enters the stream into the registry, with a feed that runs or else with `own`. Returns false where there is
@@ -141,8 +138,8 @@ PoolHandle StreamMaker::poolFor(const Opening& opening) const {
   return {resources_.pool, Priority::kNormal, opening.stop.get_token()};
 }
 
-CpuCost StreamMaker::measure(const Plan& plan, const Trajectory& path, const Opening& opening) const {
-  return measureFrame(plan.scene, path, plan.resolved, poolFor(opening));
+CpuCost StreamMaker::measure(const Plan& plan, const Trajectory& body, const Opening& opening) const {
+  return measureFrame(plan.scene, body, plan.resolved, poolFor(opening));
 }
 
 bool StreamMaker::keepsPace(const ResolvedStream& resolved) const {
@@ -157,21 +154,19 @@ void StreamMaker::admit(const ResolvedStream& resolved, const CpuCost& frame,
             resources_.quota.limits());
 }
 
-std::shared_ptr<FeedRunner> StreamMaker::makeFeed(const Plan& plan, Trajectory path,
+std::shared_ptr<FeedRunner> StreamMaker::makeFeed(const Plan& plan, const Trajectory& body,
                                                   const Opening& opening) const {
   const v1::Timing& timing = plan.resolved.request.timing();
   std::unique_ptr<Steering> steering;
   if (timing.steerable()) {
     const bool waits = timing.clock() == v1::CLOCK_LOCKSTEP;
     const auto most = waits ? static_cast<std::size_t>(resources_.quota.limits()[Limit::kSteers]) : 0;
-    steering =
-        std::make_unique<Steering>(std::move(path), timing.frame_rate_hz(), plan.resolved.frames, most);
-    path = steering->begin();
+    steering = std::make_unique<Steering>(body, timing.frame_rate_hz(), plan.resolved.frames, most);
   }
-  auto feed = std::make_unique<Feed>(plan.scene, std::move(path), plan.resolved.feed, poolFor(opening));
   const FeedPace pace{plan.resolved.frames, timing.frame_rate_hz(), timing.speed()};
-  return std::make_shared<FeedRunner>(Rig(std::move(feed)), pace, resources_.pool, resources_.totals,
-                                      std::move(steering));
+  return std::make_shared<FeedRunner>(
+      makeRig(plan.scene, steering ? steering->begin() : body, plan.resolved, poolFor(opening)), pace,
+      resources_.pool, resources_.totals, std::move(steering));
 }
 
 // Makes the stream's session and sink. Returns false where the feed has ended.

@@ -32,14 +32,15 @@ class StreamMaker {
   SceneEntry findScene(const std::string& name) const;
   std::shared_ptr<void> reserve(const std::string& user, const ResolvedStream& resolved);
   void loadScenes(Plan& plan, Opening& opening);
-  void bakeLight(Plan& plan, const Trajectory& path, Opening& opening);
+  void bakeLight(Plan& plan, const Trajectory& body, Opening& opening);
   void openFeed(Plan& plan, Opening& opening, Stream& stream);
   bool enter(const Plan& plan, const std::shared_ptr<FeedRunner>& own, Stream& stream);
   PoolHandle poolFor(const Opening& opening) const;
-  CpuCost measure(const Plan& plan, const Trajectory& path, const Opening& opening) const;
+  CpuCost measure(const Plan& plan, const Trajectory& body, const Opening& opening) const;
   bool keepsPace(const ResolvedStream& resolved) const;
   void admit(const ResolvedStream& resolved, const CpuCost& frame, const FeedRunner* joined) const;
-  std::shared_ptr<FeedRunner> makeFeed(const Plan& plan, Trajectory path, const Opening& opening) const;
+  std::shared_ptr<FeedRunner> makeFeed(const Plan& plan, const Trajectory& body,
+                                       const Opening& opening) const;
   bool connect(const ResolvedStream& resolved, Stream& stream) const;
 
   const StreamResources resources_;

@@ -26,6 +26,7 @@ class StreamSink {
   // For each interval, in order: process() of each channel, on any threads, then publish() on the feed's
   // thread. `lag` is how far a PACED stream is behind its clock; 0 where that is too little to tell.
   std::size_t channels() const { return channels_.size(); }
+  std::size_t view(std::size_t channel) const { return channels_[channel]->view(); }
   void process(std::size_t channel, const FeedInterval& interval) {
     channels_[channel]->process(interval, packet_per_frame_);
   }

@@ -13,8 +13,9 @@ const TruthChannelInfo& infoOf(const TruthConfig& config) {
 
 }  // namespace
 
-TruthChannel::TruthChannel(const TruthConfig& config, const PacketSource& source, std::uint64_t from_sample)
-    : Channel(from_sample), info_(infoOf(config)), truth_(info_.make(config)), source_(source) {}
+TruthChannel::TruthChannel(const TruthConfig& config, const PacketSource& source, std::uint64_t from_sample,
+                           std::size_t view)
+    : Channel(from_sample, view), info_(infoOf(config)), truth_(info_.make(config)), source_(source) {}
 
 TruthPacker& TruthChannel::packerFrom(TimeNs t) {
   const auto planes = static_cast<std::uint32_t>(info_.planes.size());

@@ -13,7 +13,8 @@ namespace saccade {
 
 class TruthChannel final : public Channel {
  public:
-  TruthChannel(const TruthConfig& config, const PacketSource& source, std::uint64_t from_sample);
+  TruthChannel(const TruthConfig& config, const PacketSource& source, std::uint64_t from_sample,
+               std::size_t view = 0);
 
  protected:
   std::vector<Packet> makePackets(const FeedInterval& interval) override;
