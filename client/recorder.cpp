@@ -9,10 +9,16 @@
 namespace saccade::client {
 namespace {
 
+const v1::View& viewOf(const v1::OpenStream& request, int sensor) {
+  const auto view = static_cast<int>(request.sensors(sensor).view());
+  return view == 0 ? request.view() : request.further_views(view - 1);
+}
+
 v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescription& server, int sensor) {
   v1::Recording about;
-  about.set_width(stream.resolved().view().width());
-  about.set_height(stream.resolved().view().height());
+  const v1::View& view = viewOf(stream.resolved(), sensor);
+  about.set_width(view.width());
+  about.set_height(view.height());
   *about.mutable_request() = stream.resolved();
   about.set_sensor(static_cast<std::uint32_t>(sensor));
   about.set_bake_digest(stream.bake_digest());

@@ -99,6 +99,7 @@ v1::OpenStream makeOpenStream(const RequestOptions& options) {
   *open.mutable_method() = makeMethod(options);
   *open.mutable_quality() = makeQuality(options);
   for (std::size_t i = 0; i < sensors; ++i) *open.add_sensors() = makeSensor(options, i);
+  addFurtherViews(options, open);
   open.set_delivery(enumValue<v1::Delivery>("--delivery", options.delivery));
   if (!options.codec.empty()) open.set_codec(enumValue<v1::Codec>("--codec", options.codec));
   open.set_seed(options.seed);

@@ -28,6 +28,11 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
   command.add_option("--turn", o.turn_s, "seconds after which KIND:SPEED turns back, 0: never");
   command.add_option("--motion-seed", o.motion_seed, "seed of the random motion of shake:SPEED")
       ->check(checkWhole<std::uint64_t>);
+  command
+      .add_option("--further-view", o.further_views,
+                  "X,Y,Z[,QX,QY,QZ,QW]: a second camera on the same body, at this pose in the axes of the "
+                  "first (x right, y down, z forward), with sensors of its own; may be given again")
+      ->allow_extra_args(false);
 }
 
 void addSensorOptions(CLI::App& command, RequestOptions& o) {

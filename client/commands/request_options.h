@@ -20,6 +20,7 @@ struct RequestOptions {
   std::string trajectory;  // a name, a file, or KIND:SPEED
   std::optional<double> turn_s;
   std::optional<std::uint64_t> motion_seed;
+  std::vector<std::string> further_views;          // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_body_camera
   std::vector<double> thresholds, thresholds_off;  // one sensor for each threshold
   std::optional<double> bias, refractory_s, cutoff_hz;
   std::string model, reconstruction, preset;
@@ -58,6 +59,9 @@ bool isTrajectoryFile(const std::string& trajectory);
 
 // makeTrajectory() reads the trajectory's file. Both throw std::invalid_argument with the option at fault.
 v1::Trajectory makeTrajectory(const RequestOptions& options);
+// Adds cameras to the body, like that of `open.view`, each with sensors of its own like those of `open`.
+// Throws std::invalid_argument.
+void addFurtherViews(const RequestOptions& options, v1::OpenStream& open);
 v1::OpenStream makeOpenStream(const RequestOptions& options);
 
 }  // namespace saccade::client

@@ -64,6 +64,25 @@ TEST(RequestOptions, NoiseAndPresetAreThoseOfAllSensors) {
   }
 }
 
+TEST(RequestOptions, AFurtherViewHasSensorsOfItsOwn) {
+  const auto open = openStream(
+      "--size 32x24 --threshold 0.2,0.4 --further-view -0.1,0,-2e-1 --further-view 1,2,3,0,0.5,0,1");
+  ASSERT_EQ(open.further_views_size(), 2);
+  EXPECT_EQ(open.further_views(0).width(), 32u);
+  EXPECT_EQ(open.further_views(0).body_camera().position().x(), -0.1);
+  EXPECT_EQ(open.further_views(0).body_camera().position().z(), -0.2);
+  EXPECT_FALSE(open.further_views(0).body_camera().has_rotation() || open.view().has_body_camera());
+  EXPECT_EQ(open.further_views(1).body_camera().rotation().y(), 0.5);
+  ASSERT_EQ(open.sensors_size(), 6);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(open.sensors(i).view(), static_cast<unsigned>(i / 2));
+    EXPECT_EQ(open.sensors(i).threshold(), i % 2 == 0 ? 0.2 : 0.4);
+  }
+  for (const char* bad : {"1,2", "1,2,3,4", "1,2,x", "1,2,3,0,0,0,1,0"})
+    EXPECT_NE(faultOf(std::string("--further-view ") + bad).find("--further-view: '"), std::string::npos)
+        << bad;
+}
+
 TEST(RequestOptions, EachThresholdIsASensor) {
   const auto open = openStream(
       "--threshold 0.2 --threshold 0.4 --threshold-off 0.3 --bias 0.01 --model probabilistic "

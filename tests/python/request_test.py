@@ -51,6 +51,17 @@ class Request(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "distortion: 'thin_prism' is not one of radtan, equidistant"):
             make_request({**NEEDED, "distortion": ("thin_prism", [0] * 4)})
 
+    def test_further_views_have_sensors_of_their_own(self):
+        made = make_request({**NEEDED, "fov_x_deg": 40, "threshold": [0.1, 0.2],
+                             "further_views": [(1, 2, 3), (0, 0, 0, 0, 1, 0, 1)]})
+        self.assertEqual(made.further_views[0], c.View(width=6, height=4, fov_x_deg=40, body_camera=c.RigidTransform(
+            position=c.Vector3(x=1, y=2, z=3))))
+        self.assertEqual(made.further_views[1].body_camera.rotation, c.Quaternion(y=1, w=1))
+        self.assertEqual([(s.view, s.threshold) for s in made.sensors],
+                         [(view, threshold) for view in range(3) for threshold in (0.1, 0.2)])
+        with self.assertRaisesRegex(ValueError, "further_views"):
+            make_request({**NEEDED, "further_views": [(1, 2)]})
+
     def test_trajectories(self):
         def path(trajectory):
             needed = {name: value for name, value in NEEDED.items() if name != "motion"}

@@ -44,6 +44,8 @@ class Settings(Needed, total=False):
     fov_x_deg: horizontal field of view in degrees, without the distortion. Or intrinsics: fx, fy, cx, cy in pixels,
         where the centre of the top left pixel is (0, 0).
     distortion: of the lens, ("radtan", (k1, k2, p1, p2)), with k3 or not, or ("equidistant", (k1, k2, k3, k4)).
+    further_views: more cameras on the same body: x y z, or x y z qx qy qz qw, of each in the axes of the first. Each
+        has sensors of its own, which are numbered after those of the camera before.
     clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed, "lockstep" renders a frame
         for each Stream.step().
     steerable: Stream.steer() may be called; with "lockstep" it always may.
@@ -72,6 +74,7 @@ class Settings(Needed, total=False):
     fov_x_deg: float
     intrinsics: tuple[float, float, float, float]
     distortion: tuple[Literal["radtan", "equidistant"], Sequence[float]]
+    further_views: Sequence[Sequence[float]]
     clock: Literal["fast", "paced", "lockstep"]
     speed: float
     steerable: bool

@@ -34,6 +34,7 @@ def make_request(settings: Settings) -> c.OpenStream:
         method=c.Method(name=s.get("method", ""), **_some(s, "spp", "params")),
         quality=c.Quality(disabled_features=s.get("disable", ()), **_some(s, *OF_QUALITY)),
         sensors=_sensors(s),
+        further_views=_further_views(s),
         delivery=_value(c.Delivery, s, "delivery"),
         codec=_value(events_pb2.Codec, s, "codec"),
         truth=[_truth(channel) for channel in s.get("truth", ())],
@@ -82,6 +83,21 @@ def _view(settings: Mapping[str, Any]) -> c.View:
     return view
 
 
+def _further_views(settings: Mapping[str, Any]) -> list[c.View]:
+    """Views like the first, at other places on the body."""
+    views = []
+    for numbers in settings.get("further_views", ()):
+        if len(numbers) not in (3, 7):
+            raise ValueError("further_views: each is x y z, or x y z qx qy qz qw")
+        place = c.RigidTransform(position=c.Vector3(**dict(zip("xyz", numbers))))
+        if len(numbers) == 7:
+            place.rotation.CopyFrom(c.Quaternion(**dict(zip("xyzw", numbers[3:]))))
+        view = _view(settings)
+        view.body_camera.CopyFrom(place)
+        views.append(view)
+    return views
+
+
 def _sensors(settings: Mapping[str, Any]) -> list[c.Sensor]:
     columns = {name: settings[name] for name in PER_SENSOR if name in settings}
     lists = {name: list(value) for name, value in columns.items() if hasattr(value, "__len__")}
@@ -94,8 +110,9 @@ def _sensors(settings: Mapping[str, Any]) -> list[c.Sensor]:
         common["noise"] = _noise(settings["noise"])
     common["model"] = _value(c.EventModel, settings, "model")
     common["reconstruction"] = _value(c.Reconstruction, settings, "reconstruction")
-    return [c.Sensor(**common, **{name: lists[name][i] if name in lists else value for name, value in columns.items()})
-            for i in range(count)]
+    own = [{name: lists[name][i] if name in lists else value for name, value in columns.items()} for i in range(count)]
+    return [c.Sensor(view=view, **common, **settings_of_one)
+            for view in range(1 + len(settings.get("further_views", ()))) for settings_of_one in own]
 
 
 def _noise(amounts: Mapping[str, float]) -> noise_pb2.Noise:
