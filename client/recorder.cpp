@@ -4,19 +4,15 @@
 #include <filesystem>
 #include <numeric>
 
+#include "client/stream_views.h"
 #include "client/truth_description.h"
 
 namespace saccade::client {
 namespace {
 
-const v1::View& viewOf(const v1::OpenStream& request, int sensor) {
-  const auto view = static_cast<int>(request.sensors(sensor).view());
-  return view == 0 ? request.view() : request.further_views(view - 1);
-}
-
 v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescription& server, int sensor) {
   v1::Recording about;
-  const v1::View& view = viewOf(stream.resolved(), sensor);
+  const v1::View& view = viewOf(stream.resolved(), stream.resolved().sensors(sensor).view());
   about.set_width(view.width());
   about.set_height(view.height());
   *about.mutable_request() = stream.resolved();

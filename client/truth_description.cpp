@@ -4,6 +4,7 @@
 #include <string>
 
 #include "client/stream_fault.h"
+#include "client/stream_views.h"
 #include "wire/truth_samples.h"
 
 namespace saccade::client {
@@ -40,8 +41,9 @@ void describeTruth(const v1::OpenStream& resolved, const v1::ServerDescription& 
     v1::RecordedTruth& channel = *about.add_truth();
     *channel.mutable_info() = infoOf(resolved.truth(i).name(), server);
     channel.set_name(uniqueName(resolved, i));
-    channel.set_width(resolved.view().width());
-    channel.set_height(resolved.view().height());
+    const v1::View& view = viewOf(resolved, resolved.truth(i).view());
+    channel.set_width(view.width());
+    channel.set_height(view.height());
   }
 }
 

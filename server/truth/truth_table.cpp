@@ -93,7 +93,7 @@ const std::vector<TruthChannelInfo>& truthTable() {
        makePose},
       {"velocity",
        "velocity of the camera at each frame: linear in world axes, angular in the axes of the camera "
-       "(right, down, forward); just after the frame where it jumps",
+       "(right, down, forward); just before the frame where it jumps",
        "scene units/s, rad/s",
        kRows,
        kF64,

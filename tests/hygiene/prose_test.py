@@ -51,7 +51,7 @@ class Prose(unittest.TestCase):
         self.assertEqual([page for page in prose.pages() if "DESIGN" in house.text(page)], [])
 
     def test_schema(self):
-        self.assertEqual(len(prose.schemas()), 6)
+        self.assertEqual(len(prose.schemas()), 7)
         self.assertEqual(faults(prose.schemas(), prose.paragraphs_of_schema), [])
 
 

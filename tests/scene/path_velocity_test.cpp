@@ -50,14 +50,36 @@ TEST(PathVelocity, OfAScrewIsThatOfARigidBody) {
   }
 }
 
-TEST(PathVelocity, JumpsAtAKeyToWhatFollows) {
+TEST(PathVelocity, AtAKeyIsThatOfTheWayThere) {
   const Pose a{{0, 0, 0}, {}}, b{{1, 0, 0}, {}};
   const Trajectory path({{0ms, a}, {100ms, b}, {200ms, a}});
   expectNear(path.velocityAt(0ms).linear, {10, 0, 0}, 1e-12);
-  expectNear(path.velocityAt(100ms - 1ns).linear, {10, 0, 0}, 1e-12);
-  expectNear(path.velocityAt(100ms).linear, {-10, 0, 0}, 1e-12);
-  EXPECT_EQ(path.velocityAt(200ms), Velocity{});
+  expectNear(path.velocityAt(100ms).linear, {10, 0, 0}, 1e-12);
+  expectNear(path.velocityAt(100ms + 1ns).linear, {-10, 0, 0}, 1e-12);
+  expectNear(path.velocityAt(200ms).linear, {-10, 0, 0}, 1e-12);
+  EXPECT_EQ(path.velocityAt(200ms + 1ns), Velocity{});
   EXPECT_EQ(path.velocityAt(-1ns), Velocity{});
+}
+
+TEST(PathVelocity, OfAPeriodicPathIsThatBeforeItBeginsAgain) {
+  const Pose a{{0, 0, 0}, {}}, b{{1, 0, 0}, {}};
+  const Trajectory path = Trajectory::periodic({{0ms, a}, {100ms, b}, {200ms, a}});
+  expectNear(path.velocityAt(0ms).linear, {10, 0, 0}, 1e-12);
+  expectNear(path.velocityAt(400ms).linear, {-10, 0, 0}, 1e-12);
+  expectNear(path.velocityAt(450ms).linear, {10, 0, 0}, 1e-12);
+}
+
+// The camera looks along x from 2 units beside the axis about which its body turns.
+TEST(PathVelocity, OfAMountedCameraIsThatOfItsPlaceOnTheBody) {
+  const Trajectory body({{0ms, {{}, {}}}, {1s, {{}, axisAngle({0, 1, 0})}}});
+  const Pose mount{{2, 0, 0}, axisAngle({0, 1.57, 0})};
+  const Trajectory path = body.mounted(mount);
+  for (const TimeNs t : {10ms, 500ms, 990ms}) {
+    const Velocity found = path.velocityAt(t), expected = differenceAt(path, t);
+    expectNear(found.linear, expected.linear, 1e-3);
+    expectNear(found.angular, expected.angular, 1e-3);
+    EXPECT_EQ(path.bodyVelocityAt(t), body.velocityAt(t));
+  }
 }
 
 TEST(PathVelocity, OfACameraThatStandsIsExactlyZero) {
@@ -65,7 +87,7 @@ TEST(PathVelocity, OfACameraThatStandsIsExactlyZero) {
   const std::vector<TimedPose> keys{{0ms, home}, {100ms, home}, {200ms, away}};
   for (const Interpolation kind : {Interpolation::kLinear, Interpolation::kCubic}) {
     const Trajectory path(keys, kind);
-    for (const TimeNs t : {0ms, 33ms, 99ms}) EXPECT_EQ(path.velocityAt(t), Velocity{});
+    for (const TimeNs t : {0ms, 33ms, 100ms}) EXPECT_EQ(path.velocityAt(t), Velocity{});
     EXPECT_NE(path.velocityAt(150ms), Velocity{});
   }
 }

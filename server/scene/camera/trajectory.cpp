@@ -39,7 +39,7 @@ Pose Trajectory::at(TimeNs t) const {
 }
 
 Pose Trajectory::bodyAt(TimeNs t) const {
-  const auto [next, s, span_s, stands] = find(t);
+  const auto [next, s, span_s, stands] = find(t, Side::kAfter);
   if (stands) return keys_[next == 0 ? 0 : next - 1].pose;
   if (interpolation_ == Interpolation::kLinear) return interpolate(keys_[next - 1].pose, keys_[next].pose, s);
   return interpolateCubic(keys_, next, s);
@@ -53,19 +53,21 @@ Velocity Trajectory::velocityAt(TimeNs t) const {
 }
 
 Velocity Trajectory::bodyVelocityAt(TimeNs t) const {
-  const auto [next, s, span_s, stands] = find(t);
+  const auto [next, s, span_s, stands] = find(t, t == TimeNs(0) ? Side::kAfter : Side::kBefore);
   if (stands) return {};
   if (interpolation_ == Interpolation::kCubic) return cubicVelocity(keys_, next, s);
   return interpolationVelocity(keys_[next - 1].pose, keys_[next].pose, s, span_s);
 }
 
-Trajectory::Place Trajectory::find(TimeNs t) const {
+Trajectory::Place Trajectory::find(TimeNs t, Side side) const {
   if (periodic_) {
     const TimeNs period = keys_.back().time;
     t = (t % period + period) % period;
+    if (side == Side::kBefore && t == TimeNs(0)) t = period;
   }
-  const auto after = std::upper_bound(keys_.begin(), keys_.end(), t,
-                                      [](TimeNs time, const TimedPose& key) { return time < key.time; });
+  const auto after = std::partition_point(keys_.begin(), keys_.end(), [&](const TimedPose& key) {
+    return side == Side::kBefore ? key.time < t : key.time <= t;
+  });
   Place place{static_cast<std::size_t>(after - keys_.begin())};
   if (after == keys_.begin() || after == keys_.end()) return place;
   const TimedPose& before = *std::prev(after);

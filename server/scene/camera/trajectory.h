@@ -39,7 +39,7 @@ class Trajectory {
 
   Pose at(TimeNs t) const;      // T_world_camera
   Pose bodyAt(TimeNs t) const;  // T_world_body: without the last mounted()
-  // The derivatives of both, in closed form. Where they jump, they are those just after t.
+  // The derivatives of both, in closed form. Where they jump, they are those just before t; at 0, just after.
   Velocity velocityAt(TimeNs t) const;
   Velocity bodyVelocityAt(TimeNs t) const;
   TimeNs lastTime() const { return keys_.back().time; }  // for a periodic path: the period
@@ -51,7 +51,8 @@ class Trajectory {
     double s = 0, span_s = 0;
     bool stands = true;  // before the first key or after the last
   };
-  Place find(TimeNs t) const;
+  enum class Side { kBefore, kAfter };
+  Place find(TimeNs t, Side side) const;  // the segment just before or just after t
 
   std::vector<TimedPose> keys_;
   Interpolation interpolation_;

@@ -6,9 +6,6 @@
 
 namespace saccade {
 
-// Velocity of the body just before t, in world axes: scene units per second. At t = 0: just after.
-Vec3d velocityBefore(const Trajectory& path, TimeNs t);
-
 // The means over [t0, t1), 0 <= t0 < t1, as a device has that integrates: the path may jump in its velocity.
 // Readings give the path back exactly. With dt = t1 - t0, v in metres per second and R = R_world_body:
 //   R(t1) = R(t0) exp(rate dt)
