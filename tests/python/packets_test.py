@@ -64,6 +64,17 @@ class Packets(unittest.TestCase):
             self.assertTrue(column.flags.aligned)
             self.assertFalse(column.flags.writeable)
 
+    def test_labels_stand_behind_the_columns(self):
+        columns = struct.pack("<IIHHHHBB", 0, 1, 0, 1, 0, 0, 1, 0)
+        labelled = {"count": 2, "layout": pb.LAYOUT_LABELLED_COLUMNS, "t1_ns": 5000, "width": 2}
+        content = read_packet(*packet(columns + bytes([0, 1, 51, 0]), **labelled)).content
+        self.assertEqual((content.source.tolist(), content.artefact.tolist()), ([0, 1], [51, 0]))
+        self.assertEqual(content[1:].source.tolist(), [1])
+        self.assertEqual(saccade.concatenate([content[:1], content[1:]]).artefact.tolist(), [51, 0])
+        self.assertIsNone(read_packet(*packet()).content.source)
+        with self.assertRaisesRegex(saccade.PacketFault, "source"):
+            read_packet(*packet(columns + bytes([0, 9, 0, 0]), **labelled))
+
     def test_rules_that_no_golden_packet_breaks(self):
         late = struct.pack("<IHHB", 1, 0, 0, 1)
         faults = {

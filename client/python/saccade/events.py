@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     import torch
 
 
+LABELS = ("source", "artefact")
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Events:
     """The events of one sensor in an interval of time, in time order. len() is their number, and may be 0.
@@ -25,6 +28,8 @@ class Events:
     size: width and height of the sensor in pixels; None where a file does not tell it.
     interval: (t0, t1), the events cover the microseconds t0 <= t < t1. By default from the first to the last event.
     sensor: index of the sensor in its stream.
+    source: uint8 (n), 0 is the scene, 1 is noise of the sensor; None without the setting labels.
+    artefact: uint8 (n), 255 times the odds that the event is an error of rendering; None likewise.
 
     x, y and p of a stream are read-only views of the received packet. Raises ValueError for columns of unequal length.
     """
@@ -36,10 +41,15 @@ class Events:
     size: tuple[int, int] | None = None
     interval: tuple[int, int] | None = None
     sensor: int = 0
+    source: NDArray[np.uint8] | None = None
+    artefact: NDArray[np.uint8] | None = None
 
     def __post_init__(self) -> None:
         for name, dtype in (("t", np.int64), ("x", np.uint16), ("y", np.uint16), ("p", np.bool_)):
             object.__setattr__(self, name, np.asarray(getattr(self, name), dtype))
+        for label in (self.source, self.artefact):
+            if label is not None and label.shape != self.t.shape:
+                raise ValueError("labels must have the length of t")
         if not self.t.shape == self.x.shape == self.y.shape == self.p.shape == (self.t.size,):
             raise ValueError("t, x, y and p must be columns of one length")
 
@@ -67,8 +77,9 @@ class Events:
         """The events of a slice, a mask, or an array of increasing indices. They cover the same interval."""
         if not isinstance(which, (slice, np.ndarray)):
             raise TypeError("index Events with a slice or an array; for one event, index its columns")
+        labels = {name: None if (label := getattr(self, name)) is None else label[which] for name in LABELS}
         return replace(self, t=self.t[which], x=self.x[which], y=self.y[which], p=self.p[which],
-                       interval=(self.t0, self.t1))
+                       interval=(self.t0, self.t1), **labels)
 
     def slice(self, t0: int, t1: int) -> Events:
         """The events with t0 <= t < t1, in microseconds. They cover [t0, t1)."""
@@ -131,4 +142,6 @@ def concatenate(parts: Sequence[Events]) -> Events:
     if any(one.t[-1] > two.t[0] for one, two in zip(filled, filled[1:])):
         raise ValueError("the parts are not in time order")
     t, x, y, p = (np.concatenate([getattr(part, name) for part in parts]) for name in "txyp")
-    return Events(t, x, y, p, first.size, (first.t0, last.t1), first.sensor)
+    labelled = all(part.source is not None for part in parts)
+    labels = {name: np.concatenate([getattr(part, name) for part in parts]) for name in LABELS} if labelled else {}
+    return Events(t, x, y, p, first.size, (first.t0, last.t1), first.sensor, **labels)

@@ -57,6 +57,8 @@ class Settings(Needed, total=False):
     threshold, threshold_off: contrast threshold of ON and OFF events, natural log units.
     bias: scene luminance. refractory_s: seconds. cutoff_hz: Hz. seed: of the stream.
     max_events_per_pixel_frame, max_events_per_frame: further events are withheld and counted.
+    labels: Events.source and Events.artefact tell where each event comes from.
+    max_artefact_odds: events with higher odds to be an error of rendering are withheld and counted.
     preset: the sensor of a known camera, by name. noise: amounts by name, such as {"leak_hz": 0.1}, of all sensors.
 
     truth: truth channels, each a name of Client.info().truth, or a pair of it and n for every n-th frame. Stream.samples()
@@ -91,6 +93,8 @@ class Settings(Needed, total=False):
     reconstruction: Literal["direct", "complementary", "kalman"]
     max_events_per_pixel_frame: int
     max_events_per_frame: int
+    labels: bool
+    max_artefact_odds: float
     preset: str
     noise: Mapping[str, float]
     truth: Sequence[str | tuple[str, int]]

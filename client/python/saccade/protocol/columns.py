@@ -10,7 +10,7 @@ from saccade.errors import PacketFault
 from saccade.events import Events
 from saccade.v1 import events_pb2
 
-BYTES_PER_EVENT = 9
+BYTES_PER_EVENT = {events_pb2.LAYOUT_COLUMNS: 9, events_pb2.LAYOUT_LABELLED_COLUMNS: 11}
 BYTES_PER_PIXEL = 8  # of a snapshot
 NS_PER_US = 1000
 
@@ -29,7 +29,7 @@ class Snapshot:
 
 
 def read_columns(header: events_pb2.PacketHeader, payload: bytes) -> Events:
-    """The events of a payload of 9 * count bytes. x, y and p are views of it. Raises PacketFault for a bad event."""
+    """The events of a payload of BYTES_PER_EVENT. All but t are views of it. Raises PacketFault for a bad event."""
     n = header.count
     dt = np.frombuffer(payload, "<u4", n)
     x = np.frombuffer(payload, "<u2", n, offset=4 * n)
@@ -42,7 +42,15 @@ def read_columns(header: events_pb2.PacketHeader, payload: bytes) -> Events:
         _check_events(header, length, dt, x, y, p)
     t = (header.t0_ns + dt.astype(np.int64) * header.dt_unit_ns) // NS_PER_US
     interval = header.t0_ns // NS_PER_US, header.t1_ns // NS_PER_US
-    return Events(t, x, y, p.view(np.bool_), (header.width, header.height), interval, header.sensor)
+    labels = _read_labels(n, payload) if header.layout == events_pb2.LAYOUT_LABELLED_COLUMNS else {}
+    return Events(t, x, y, p.view(np.bool_), (header.width, header.height), interval, header.sensor, **labels)
+
+
+def _read_labels(n: int, payload: bytes) -> dict[str, NDArray[np.uint8]]:
+    source = np.frombuffer(payload, "u1", n, offset=9 * n)
+    if n > 0 and source.max() > max(events_pb2.EventSource.values()):
+        raise PacketFault("a source that is unknown")
+    return {"source": source, "artefact": np.frombuffer(payload, "u1", n, offset=10 * n)}
 
 
 def _check_events(header: events_pb2.PacketHeader, length_ns: int, dt: NDArray[np.uint32], x: NDArray[np.uint16],

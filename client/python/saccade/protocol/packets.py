@@ -35,7 +35,8 @@ def read_packet(head: bytes, payload: bytes) -> Packet:
     if zlib.crc32(payload) != header.crc32:
         raise PacketFault("crc32 does not match the payload")
     if header.kind == pb.KIND_EVENTS:
-        return Packet(header, read_columns(header, decompress(header.codec, payload, BYTES_PER_EVENT * header.count)))
+        size = BYTES_PER_EVENT[header.layout] * header.count
+        return Packet(header, read_columns(header, decompress(header.codec, payload, size)))
     if header.kind == pb.KIND_SNAPSHOT:
         size = BYTES_PER_PIXEL * header.width * header.height
         return Packet(header, read_planes(header, decompress(header.codec, payload, size)))
@@ -50,7 +51,7 @@ def _check_kind(header: pb.PacketHeader, payload_bytes: int) -> None:
             raise PacketFault(f"count is above {MOST_EVENTS}")
         if header.dt_unit_ns == 0:
             raise PacketFault("dt_unit_ns is 0")
-        _check_coding(header, pb.LAYOUT_COLUMNS)
+        _check_coding(header, *BYTES_PER_EVENT)
     elif header.kind == pb.KIND_SNAPSHOT:
         pixels = header.width * header.height
         if not 0 < pixels <= MOST_SNAPSHOT_PIXELS:
@@ -68,9 +69,9 @@ def _check_kind(header: pb.PacketHeader, payload_bytes: int) -> None:
         raise PacketFault(f"kind {header.kind} is unknown")
 
 
-def _check_coding(header: pb.PacketHeader, layout: int) -> None:
-    if header.layout != layout:
-        raise PacketFault(f"layout {header.layout} instead of {layout}")
+def _check_coding(header: pb.PacketHeader, *layouts: int) -> None:
+    if header.layout not in layouts:
+        raise PacketFault(f"layout {header.layout} instead of {layouts[0]}")
     _check_codec(header)
 
 

@@ -14,7 +14,7 @@ from saccade.v1 import events_pb2, noise_pb2
 from saccade.v1.truth_pb2 import Truth
 
 PER_SENSOR = ("threshold", "threshold_off", "bias", "refractory_s", "cutoff_hz")
-OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset")
+OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset", "labels", "max_artefact_odds")
 OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
 
 
