@@ -14,17 +14,10 @@ constexpr double kBaseline = 0.25;
 
 // Two cameras of a focal length of kWidth / 2, the second at T_body_camera.
 ResolvedStream stereo(const Pose& T_body_camera) {
-  ResolvedStream stream{.request = {},
-                        .feed = {},
-                        .further = {},
-                        .T_body_camera = {Pose{}, T_body_camera},
-                        .sensors = {},
-                        .truth = {},
-                        .disabled_features = {},
-                        .expected = {},
-                        .simplification = {}};
+  ResolvedStream stream;
+  stream.T_body_camera = {Pose{}, T_body_camera};
   FeedConfig& feed = stream.feed;
-  feed.width = kWidth, feed.height = kHeight, feed.fov_x_deg = 90, feed.seed = 5;
+  feed.camera = pinhole(90, kWidth, kHeight), feed.seed = 5;
   std::string bad_name;
   EXPECT_EQ(resolveParams(*findMethod(feed.method), {}, feed.params, bad_name), "");
   stream.further.push_back(feed);

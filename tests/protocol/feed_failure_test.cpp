@@ -58,14 +58,7 @@ class FeedFailure : public testing::Test {
   }
 
   static std::shared_ptr<StreamSink> makeSink(const std::shared_ptr<Session>& session) {
-    ResolvedStream stream{.request = {},
-                          .feed = {.camera = pinhole(45, 8, 8), .params = {}},
-                          .sensors = {},
-                          .truth = {},
-                          .changes = {},
-                          .disabled_features = {},
-                          .expected = {},
-                          .simplification = {}};
+    ResolvedStream stream{.feed = {.camera = pinhole(45, 8, 8), .params = {}}};
     stream.request.set_codec(v1::CODEC_NONE);
     for (std::uint32_t i = 0; i < session->channels(); ++i) stream.request.add_sensors();
     stream.sensors.resize(session->channels());

@@ -32,14 +32,7 @@ TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
       FeedPace{5, 100, 0}, pool, totals);
   const auto session =
       std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport, runner.notifier(), totals.traffic);
-  ResolvedStream stream{.request = {},
-                        .feed = config,
-                        .sensors = {{}},
-                        .truth = {},
-                        .changes = {{}},
-                        .disabled_features = {},
-                        .expected = {},
-                        .simplification = {}};
+  ResolvedStream stream{.feed = config, .sensors = {{}}, .changes = {{}}};
   stream.request.set_codec(v1::CODEC_NONE);
   stream.request.add_sensors();
   runner.add(std::make_shared<StreamSink>(session, stream, 0));

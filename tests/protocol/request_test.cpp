@@ -125,7 +125,7 @@ const std::vector<SpoiltRequest> kSpoiltRequests{
     {"timing.duration_s", [](auto& r) { r.mutable_timing()->set_duration_s(kInf); }},
     {"timing.duration_s", [](auto& r) { r.mutable_timing()->set_duration_s(1e-4); }, v1::CODE_INVALID_ARGUMENT,
      "0.002"},
-    {"timing.clock", [](auto& r) { r.mutable_timing()->set_clock(v1::Clock(3)); },
+    {"timing.clock", [](auto& r) { r.mutable_timing()->set_clock(v1::Clock(77)); },
      v1::CODE_INVALID_ARGUMENT, "CLOCK_PACED"},
     {"timing.speed", [](auto& r) { r.mutable_timing()->set_speed(-1); }},
     {"timing.speed", [](auto& r) { r.mutable_timing()->set_speed(1e-300); }},

@@ -153,7 +153,7 @@ TEST(RigStream, IsRefusedByField) {
           r.mutable_method()->set_name("irradiance_cache");
           r.mutable_quality()->set_bake_error(0.1);
         },
-        kInvalid, "quality.bake_error", "one size"}});
+        kInvalid, "quality.bake_error", "equal size"}});
 }
 
 }  // namespace

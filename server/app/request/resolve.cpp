@@ -109,16 +109,7 @@ void checkFromItems(const v1::OpenStream& request) {
 }  // namespace
 
 ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const MeasuredTables& tables) {
-  ResolvedStream stream{.request = std::move(request),
-                        .feed = {},
-                        .further = {},
-                        .T_body_camera = {},
-                        .sensors = {},
-                        .changes = {},
-                        .truth = {},
-                        .disabled_features = {},
-                        .expected = {},
-                        .simplification = {}};
+  ResolvedStream stream{.request = std::move(request)};
   v1::OpenStream& r = stream.request;
   checkTrajectory(*r.mutable_trajectory(), scene);
   resolveViews(stream);

@@ -15,17 +15,17 @@
 namespace saccade {
 
 struct ResolvedStream {
-  v1::OpenStream request;           // as StreamOpened.resolved
-  FeedConfig feed;                  // of view 0
-  std::vector<FeedConfig> further;  // of the further views
-  std::vector<Pose> T_body_camera;  // of each view
-  std::vector<SensorConfig> sensors;
-  std::vector<std::vector<SensorChange>> changes;  // by sensor, in order of time
-  std::vector<TruthConfig> truth;
+  v1::OpenStream request = {};                 // as StreamOpened.resolved
+  FeedConfig feed = {};                        // of view 0
+  std::vector<FeedConfig> further = {};        // of the further views
+  std::vector<Pose> T_body_camera = {Pose{}};  // of each view
+  std::vector<SensorConfig> sensors = {};
+  std::vector<std::vector<SensorChange>> changes = {};  // by sensor, in order of time
+  std::vector<TruthConfig> truth = {};
   FrameIndex frames = 0;  // intervals to render; 0: until closed
-  SceneFeatures disabled_features;
-  std::optional<v1::ExpectedQuality> expected;       // of a request with a budget
-  std::optional<v1::ExpectedChange> simplification;  // of a request with a max_event_change
+  SceneFeatures disabled_features = {};
+  std::optional<v1::ExpectedQuality> expected = {};       // of a request with a budget
+  std::optional<v1::ExpectedChange> simplification = {};  // of a request with a max_event_change
 
   std::size_t views() const { return T_body_camera.size(); }
   const FeedConfig& feedOf(std::size_t view) const { return view == 0 ? feed : further[view - 1]; }
