@@ -62,6 +62,7 @@ class FeedFailure : public testing::Test {
     stream.request.set_codec(v1::CODEC_NONE);
     for (std::uint32_t i = 0; i < session->channels(); ++i) stream.request.add_sensors();
     stream.sensors.resize(session->channels());
+    stream.changes.resize(session->channels());
     return std::make_shared<StreamSink>(session, stream, 0);
   }
 

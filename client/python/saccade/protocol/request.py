@@ -11,6 +11,7 @@ from saccade.protocol.trajectory import make_trajectory
 from saccade.settings import Settings
 from saccade.v1 import control_pb2 as c
 from saccade.v1 import events_pb2, noise_pb2
+from saccade.v1.geometry_pb2 import Quaternion, RigidTransform, Vector3
 from saccade.v1.truth_pb2 import Truth
 
 PER_SENSOR = ("threshold", "threshold_off", "bias", "refractory_s", "cutoff_hz")
@@ -89,9 +90,9 @@ def _further_views(settings: Mapping[str, Any]) -> list[c.View]:
     for numbers in settings.get("further_views", ()):
         if len(numbers) not in (3, 7):
             raise ValueError("further_views: each is x y z, or x y z qx qy qz qw")
-        place = c.RigidTransform(position=c.Vector3(**dict(zip("xyz", numbers))))
+        place = RigidTransform(position=Vector3(**dict(zip("xyz", numbers))))
         if len(numbers) == 7:
-            place.rotation.CopyFrom(c.Quaternion(**dict(zip("xyzw", numbers[3:]))))
+            place.rotation.CopyFrom(Quaternion(**dict(zip("xyzw", numbers[3:]))))
         view = _view(settings)
         view.body_camera.CopyFrom(place)
         views.append(view)

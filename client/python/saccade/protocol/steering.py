@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from saccade.v1 import control_pb2 as c
+from saccade.v1.geometry_pb2 import Quaternion, Vector3
 
 
 def make_steer(opened: c.StreamOpened, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> c.Request:
@@ -13,11 +14,11 @@ def make_steer(opened: c.StreamOpened, pose: Sequence[float] | None, velocity: S
     call = c.Steer(stream_id=opened.stream_id, token=opened.token)
     if pose is not None:
         x, y, z, qx, qy, qz, qw = _numbers("pose", pose, 7)
-        call.pose.CopyFrom(c.CameraPose(position=c.Vector3(x=x, y=y, z=z),
-                                        rotation=c.Quaternion(x=qx, y=qy, z=qz, w=qw)))
+        call.pose.CopyFrom(c.CameraPose(position=Vector3(x=x, y=y, z=z),
+                                        rotation=Quaternion(x=qx, y=qy, z=qz, w=qw)))
     if velocity is not None:
         x, y, z, wx, wy, wz = _numbers("velocity", velocity, 6)
-        call.velocity.CopyFrom(c.CameraVelocity(linear=c.Vector3(x=x, y=y, z=z), angular=c.Vector3(x=wx, y=wy, z=wz)))
+        call.velocity.CopyFrom(c.CameraVelocity(linear=Vector3(x=x, y=y, z=z), angular=Vector3(x=wx, y=wy, z=wz)))
     return c.Request(steer=call)
 
 
