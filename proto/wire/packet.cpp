@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <optional>
 #include <utility>
 
 #include "wire/codec_table.h"
@@ -45,8 +46,8 @@ std::string checkSamples(const v1::PacketHeader& header) {
   return fault.empty() ? checkCodec(header) : fault;
 }
 
-// Bytes of the payload before its compression; 0 for kinds without content.
-std::uint64_t contentBytes(const v1::PacketHeader& header) {
+// Bytes of the payload before its compression; nothing for kinds without content.
+std::optional<std::uint64_t> contentBytes(const v1::PacketHeader& header) {
   switch (header.kind()) {
     case v1::KIND_EVENTS:
       return header.count() * bytesPerEvent(header.layout());
@@ -55,7 +56,7 @@ std::uint64_t contentBytes(const v1::PacketHeader& header) {
     case v1::KIND_TRUTH:
       return truthBytes(header);
     default:
-      return 0;
+      return std::nullopt;
   }
 }
 
@@ -106,12 +107,10 @@ std::string checkPacket(const v1::PacketHeader& header, std::string_view payload
 std::string decodePacket(const v1::PacketHeader& header, std::string payload, PacketContent& out) {
   out = {};
   if (std::string fault = checkPacket(header, payload); !fault.empty()) return fault;
-  const bool has_content = header.kind() == v1::KIND_EVENTS || header.kind() == v1::KIND_SNAPSHOT ||
-                           header.kind() == v1::KIND_TRUTH;
-  if (!has_content) return {};
-  const std::size_t size = contentBytes(header);
-  auto raw = findCodec(header.codec())->decode(std::move(payload), size);
-  if (!raw) return "the payload does not hold " + std::to_string(size) + " bytes";
+  const auto size = contentBytes(header);
+  if (!size) return {};
+  auto raw = findCodec(header.codec())->decode(std::move(payload), *size);
+  if (!raw) return "the payload does not hold " + std::to_string(*size) + " bytes";
   if (header.kind() == v1::KIND_EVENTS) return decodeColumns(header, *raw, out.events);
   if (header.kind() == v1::KIND_TRUTH) return decodeTruth(header, std::move(*raw), out.truth);
   out.pixels = decodePlanes(*raw);

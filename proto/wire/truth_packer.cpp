@@ -51,7 +51,7 @@ std::vector<Packet> TruthPacker::end(v1::EndReason reason) {
 Packet TruthPacker::pack(std::span<const TruthSample> samples, std::int64_t t1_ns) {
   v1::PacketHeader header = nextHeader(v1::KIND_TRUTH, t1_ns);
   header.set_count(static_cast<std::uint32_t>(samples.size()));
-  if (header.layout() == v1::LAYOUT_PICTURE && !samples.empty()) {
+  if (!samples.empty()) {
     header.set_exposure_begin_ns(samples.front().exposure_begin_ns);
     header.set_exposure_end_ns(samples.front().exposure_end_ns);
   }
