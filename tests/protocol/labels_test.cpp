@@ -2,19 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "mock/bad_request.h"
+#include "mock/events_of.h"
 
 namespace saccade {
 namespace {
-
-Events eventsOf(const Packets& packets) {
-  Events all;
-  for (const Received& packet : packets) {
-    PacketContent content;
-    EXPECT_EQ(decodePacket(packet.header, packet.payload, content), "");
-    all.insert(all.end(), content.events.begin(), content.events.end());
-  }
-  return all;
-}
 
 // Without labels, with them, and with a bound.
 v1::OpenStream threeSensors() {

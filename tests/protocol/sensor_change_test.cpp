@@ -3,6 +3,7 @@
 
 #include "mock/bad_request.h"
 #include "mock/control_calls.h"
+#include "mock/events_of.h"
 
 namespace saccade {
 namespace {
@@ -27,16 +28,6 @@ v1::OpenStream withChanges() {
   *request.mutable_sensors(0)->add_changes() = halved(0.0135);
   *request.mutable_sensors(0)->add_changes() = brighter(0.03);
   return request;
-}
-
-Events eventsOf(const Packets& packets) {
-  Events all;
-  for (const Received& packet : packets) {
-    PacketContent content;
-    EXPECT_EQ(decodePacket(packet.header, packet.payload, content), "");
-    all.insert(all.end(), content.events.begin(), content.events.end());
-  }
-  return all;
 }
 
 // How many lie before a time of stream; the events are in order.
