@@ -11,11 +11,14 @@ namespace saccade {
 // One pole, or two in a row. Log brightness L is linear inside each interval; the poles see exactly that
 // ramp.
 //
-//   f(I) = photoreceptor_hz (min(I, R) + R / 10) / (R + R / 10), R the reference luminance  [v2e: (I + 20) /
-//   275] a = 2 pi f dt, q = exp(-a), phi(a, b) = (exp(-a) - exp(-b)) / (b - a) e' = q1 e + phi(0, a1) dL lag
-//   of the photoreceptor: L minus its output g' = q2 g + phi(0, a2) dL + phi(a1, a2) (a1 e - dL)          lag
-//   of the follower, whose a2 is the same everywhere dL becomes dL - (e' - e) - (g' - g) [ours: the exact
-//   response to a ramp]
+//   f(I) = photoreceptor_hz (min(I, R) + R / 10) / (R + R / 10)   [v2e: (I + 20) / 275]
+//   a = 2 pi f dt,  q = exp(-a),  phi(a, b) = (exp(-a) - exp(-b)) / (b - a)
+//   e' = q1 e + phi(0, a1) dL
+//   g' = q2 g + phi(0, a2) dL + phi(a1, a2) (a1 e - dL)
+//   dL becomes dL - (e' - e) - (g' - g)          [ours: the exact response to a ramp]
+//
+// R is the reference luminance. e is the lag of the photoreceptor, L minus its output, with a1. g is the lag
+// of the follower, whose a2 is the same everywhere.
 //
 // I is the intensity at the end of the interval. Both lags are 0 at first: the pixels have seen the first
 // frame for long. Lags below 1e-7 become 0, so that a scene at rest comes to rest.
