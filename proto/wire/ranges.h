@@ -41,13 +41,14 @@ inline constexpr Range<int> kSensorChanges{0, 1000};      // Sensor.changes: how
 inline constexpr Range<double> kChangeTime{0, 1e7};       // SensorChange.time_s: seconds
 inline constexpr Range<double> kLinear{-1e9, 1e9};        // CameraVelocity.linear: scene units per second
 inline constexpr Range<double> kAngular{-1e3, 1e3};       // CameraVelocity.angular: radians per second
-inline constexpr Range<int> kTruth{0, 32};                // OpenStream.truth: how many
-inline constexpr Range<int> kFurtherViews{0, 7};          // OpenStream.further_views: how many
-inline constexpr Range<int> kTruthTimes{0, 100000};       // Truth.times_s: how many
-inline constexpr Range<double> kExposure{1e-6, 100};      // Aps.exposure_s: seconds
-inline constexpr Range<double> kGain{1e-9, 1e9};          // Aps.gain: per scene luminance
-inline constexpr Range<double> kGamma{0.1, 10};           // Aps.gamma: a number
-inline constexpr Range<double> kImuRate{1, 1e4};          // Imu.rate_hz: Hz
+inline constexpr Range<double> kPushedIntensity{0, 1e18};  // PushFrame.intensity: scene luminance
+inline constexpr Range<int> kTruth{0, 32};                 // OpenStream.truth: how many
+inline constexpr Range<int> kFurtherViews{0, 7};           // OpenStream.further_views: how many
+inline constexpr Range<int> kTruthTimes{0, 100000};        // Truth.times_s: how many
+inline constexpr Range<double> kExposure{1e-6, 100};       // Aps.exposure_s: seconds
+inline constexpr Range<double> kGain{1e-9, 1e9};           // Aps.gain: per scene luminance
+inline constexpr Range<double> kGamma{0.1, 10};            // Aps.gamma: a number
+inline constexpr Range<double> kImuRate{1, 1e4};           // Imu.rate_hz: Hz
 inline constexpr Range<double> kMetresPerUnit{1e-6, 1e6};  // Imu.metres_per_unit: metres
 inline constexpr Range<double> kImuNoise{0, 1e3};          // Imu.accelerometer_noise, Imu.gyroscope_noise: SI
 inline constexpr Range<double> kImuWalk{0, 1e3};           // Imu.accelerometer_walk, Imu.gyroscope_walk: SI
@@ -62,8 +63,9 @@ inline constexpr Range<double> kJitter{0, 1};      // Noise.jitter_s: seconds
 inline constexpr Range<double> kReadout{0, 1e10};  // Noise.readout_hz: events per second
 inline constexpr Range<double> kReadoutBuffer{0, 65536};  // Noise.readout_buffer: events
 
-inline constexpr int kMaxViewPixels = 4 << 20;  // width times height
-inline constexpr int kMaxCsvBytes = 8 << 20;    // Trajectory.csv
+inline constexpr int kMaxViewPixels = 4 << 20;    // width times height
+inline constexpr int kMaxPushedPixels = 2 << 20;  // likewise, with OpenStream.pushed
+inline constexpr int kMaxCsvBytes = 8 << 20;      // Trajectory.csv
 
 }  // namespace ranges
 }  // namespace saccade

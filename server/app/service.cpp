@@ -110,6 +110,12 @@ void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& repl
         *reply.mutable_steer() = steerStream(stream, request.steer());
       });
       break;
+    case v1::Request::kPushFrame:
+      streams_.with(request.push_frame().stream_id(), request.push_frame().token(),
+                    [&](const Stream& stream) {
+                      *reply.mutable_push_frame() = pushFrame(stream, request.push_frame());
+                    });
+      break;
     case v1::Request::kChangeSensor:
       streams_.with(request.change_sensor().stream_id(), request.change_sensor().token(),
                     [&](const Stream& stream) {

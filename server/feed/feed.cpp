@@ -89,7 +89,7 @@ Camera Feed::cameraAt(TimeNs t) const {
 
 FeedInterval Feed::interval() const {
   const IntensityChange& done = change();
-  return {done, frames(), cameraAt(done.t1), cameraAt(done.t0), path_, *scene_};
+  return {done, RenderedInterval{frames(), cameraAt(done.t1), cameraAt(done.t0), path_, *scene_}};
 }
 
 PixelSpeed Feed::pixelSpeed(FrameIndex frames) const {

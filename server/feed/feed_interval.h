@@ -1,6 +1,8 @@
 // What a feed has made of one interval between two frames.
 #pragma once
 
+#include <optional>
+
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
 #include "render/camera.h"
@@ -9,13 +11,18 @@
 
 namespace saccade {
 
-// References hold until the feed's next step.
-struct FeedInterval {
-  const IntensityChange& change;
+// What the renderer knows of an interval.
+struct RenderedInterval {
   FramePair frames;          // at t1 and at t0
   Camera camera, camera_t0;  // likewise
   const Trajectory& path;    // of the camera
   const RenderScene& scene;
+};
+
+// References hold until the feed's next step.
+struct FeedInterval {
+  const IntensityChange& change;
+  std::optional<RenderedInterval> rendered;  // nothing where a client has sent the frames
 };
 
 }  // namespace saccade

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "feed/feed.h"
+#include "feed/interval_source.h"
 
 namespace saccade {
 
-class Rig {
+class Rig : public IntervalSource {
  public:
   // `feeds`: at least one, one for each view, none of which has made a step; all of the same frame rate.
   explicit Rig(std::vector<std::unique_ptr<Feed>> feeds) : feeds_(std::move(feeds)) {}
@@ -17,14 +18,13 @@ class Rig {
   // Adds a key to the path of each view, after its last one.
   void steer(const TimedPose& key);
 
-  // Renders the next frame of each view. The intervals hold until the next step.
-  const std::vector<FeedInterval>& step(const PoolHandle& pool);
+  const std::vector<FeedInterval>& step(const PoolHandle& pool) override;
 
   const Feed& first() const { return *feeds_.front(); }
   // Of the view in which it is largest, as Feed::pixelSpeed().
   PixelSpeed pixelSpeed(FrameIndex frames) const;
-  StageTimes lastTimes() const;                // of the last step, all views together
-  std::chrono::nanoseconds lastChain() const;  // likewise: the views are rendered one after the other
+  StageTimes lastTimes() const override;
+  std::chrono::nanoseconds lastChain() const override;  // the views are rendered one after the other
 
  private:
   std::vector<std::unique_ptr<Feed>> feeds_;

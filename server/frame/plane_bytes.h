@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <cstring>
 #include <string>
 
 #include "frame/image.h"
@@ -16,6 +17,14 @@ void appendPlane(const Image<T>& plane, std::string& bytes) {
   for (int y = 0; y < plane.height(); ++y) {
     bytes.append(reinterpret_cast<const char*>(plane.row(y)), plane.width() * sizeof(T));
   }
+}
+
+// Reads what appendPlane() wrote of a plane of this size.
+template <class T>
+void readPlane(const std::string& bytes, Image<T>& plane) {
+  SACCADE_CHECK(bytes.size() == sizeof(T) * plane.width() * plane.height());
+  const std::size_t row = plane.width() * sizeof(T);
+  for (int y = 0; y < plane.height(); ++y) std::memcpy(plane.row(y), bytes.data() + y * row, row);
 }
 
 // Appends value(x, y) of each pixel, in the same order.

@@ -55,10 +55,12 @@ v1::Status readHead(RawRequest& raw) {
   if (raw.call == v1::Request::CALL_NOT_SET) {
     return makeStatus(v1::CODE_UNIMPLEMENTED, "the request holds no call that this server knows", "call");
   }
-  if (raw.call != v1::Request::kOpenStream && raw.bytes.size() > kMaxShortRequest) {
-    return makeStatus(v1::CODE_INVALID_ARGUMENT,
-                      "only open_stream may take more than " + std::to_string(kMaxShortRequest) + " bytes",
-                      "call");
+  const bool may_be_long = raw.call == v1::Request::kOpenStream || raw.call == v1::Request::kPushFrame;
+  if (!may_be_long && raw.bytes.size() > kMaxShortRequest) {
+    return makeStatus(
+        v1::CODE_INVALID_ARGUMENT,
+        "only open_stream and push_frame may take more than " + std::to_string(kMaxShortRequest) + " bytes",
+        "call");
   }
   return okStatus();
 }

@@ -15,7 +15,7 @@ struct RawRequest {
   std::string bytes;
 };
 
-// Most bytes of any request but open_stream: the control thread parses these.
+// Most bytes of any request but open_stream and push_frame.
 inline constexpr std::size_t kMaxShortRequest = 4 << 10;
 
 // Reads the head of `raw.bytes` into the other members, in a time that does not depend on their size. Returns

@@ -4,16 +4,22 @@ namespace saccade {
 
 // The first interval of a feed also completes frame 0.
 TruthSamples PictureSource::sample(const FeedInterval& interval) {
-  const auto& [change, frames, camera, camera_t0, path, scene] = interval;
+  const IntensityChange& change = interval.change;
+  std::optional<RenderedFrame> prev, cur;
+  if (interval.rendered) {
+    const auto& [frames, camera, camera_t0, path, scene] = *interval.rendered;
+    prev.emplace(RenderedFrame{frames.prev, camera_t0, scene});
+    cur.emplace(RenderedFrame{frames.cur, camera, scene});
+  }
   TruthSamples samples;
-  if (frames.prev.index == 0) add({frames.prev, change.I_prev, camera_t0, scene}, samples);
-  add({frames.cur, change.I_now, camera, scene}, samples);
+  if (change.frame == 1) add({0, change.t0, change.I_prev, prev ? &*prev : nullptr}, samples);
+  add({change.frame, change.t1, change.I_now, cur ? &*cur : nullptr}, samples);
   return samples;
 }
 
 void PictureSource::add(const TruthFrame& frame, TruthSamples& samples) {
-  if (!frames_.takes(frame.frame.index, frame.frame.time)) return;
-  samples.push_back({frame.frame.time.count(), picture(frame)});
+  if (!frames_.takes(frame.index, frame.time)) return;
+  samples.push_back({frame.time.count(), picture(frame)});
 }
 
 }  // namespace saccade

@@ -7,12 +7,19 @@
 
 namespace saccade {
 
-// A frame of the feed.
-struct TruthFrame {
+// A frame as it was rendered.
+struct RenderedFrame {
   const Frame& frame;
-  const ImageF& intensity;  // D[I], Rec. 709 luminance
   const Camera& camera;
   const RenderScene& scene;
+};
+
+// A frame of the feed.
+struct TruthFrame {
+  FrameIndex index;
+  TimeNs time;
+  const ImageF& intensity;        // D[I], Rec. 709 luminance
+  const RenderedFrame* rendered;  // nullptr where a client has sent it
 };
 
 class PictureSource : public TruthSource {

@@ -39,6 +39,10 @@ struct TruthChannelInfo {
   v1::Element element;
   std::vector<std::string> planes;  // names of the planes of a picture or the elements of a row
   std::unique_ptr<TruthSource> (*make)(const TruthConfig& config);
+  enum class Needs {
+    kScene,
+    kIntensity
+  } needs = Needs::kScene;  // kIntensity: also where a client sends the frames
   enum class Setting { kNone, kBias, kExposure } setting = Setting::kNone;  // what else a request may set
 };
 
@@ -46,5 +50,6 @@ struct TruthChannelInfo {
 const std::vector<TruthChannelInfo>& truthTable();
 const TruthChannelInfo* findTruth(const std::string& name);  // nullptr if there is none
 std::string truthNames();                                    // "depth, ..." for messages
+std::string truthNamesOf(TruthChannelInfo::Needs needs);     // of those that need just this
 
 }  // namespace saccade

@@ -8,6 +8,7 @@ const std::vector<TruthChannelInfo>& truthTable() {
   constexpr auto kF32 = v1::ELEMENT_F32, kF64 = v1::ELEMENT_F64, kU32 = v1::ELEMENT_U32;
   constexpr auto kU8 = v1::ELEMENT_U8, kU16 = v1::ELEMENT_U16;
   using Setting = TruthChannelInfo::Setting;
+  using Needs = TruthChannelInfo::Needs;
   static const std::vector<TruthChannelInfo> table = {
       {"depth",
        "depth along the viewing axis at the pixel centre; 1e5 where no surface is",
@@ -59,7 +60,8 @@ const std::vector<TruthChannelInfo>& truthTable() {
        kPicture,
        kF32,
        {"intensity"},
-       makeIntensity},
+       makeIntensity,
+       Needs::kIntensity},
       {"brightness",
        "log(bias + intensity), natural logarithm",
        "",
@@ -67,6 +69,7 @@ const std::vector<TruthChannelInfo>& truthTable() {
        kF32,
        {"brightness"},
        makeBrightness,
+       Needs::kIntensity,
        Setting::kBias},
       {"frame",
        "exposed picture: gain times mean intensity, clipped to [0, 1], to the power 1 / gamma, times 255",
@@ -75,6 +78,7 @@ const std::vector<TruthChannelInfo>& truthTable() {
        kU8,
        {"value"},
        makeFrame,
+       Needs::kIntensity,
        Setting::kExposure},
       {"frame16",
        "the same with 16 bits: times 65535",
@@ -83,6 +87,7 @@ const std::vector<TruthChannelInfo>& truthTable() {
        kU16,
        {"value"},
        makeFrame16,
+       Needs::kIntensity,
        Setting::kExposure},
       {"pose",
        "T_world_camera at each frame: position, unit quaternion",
@@ -116,6 +121,14 @@ const TruthChannelInfo* findTruth(const std::string& name) {
 
 std::string truthNames() {
   return joinRowNames(truthTable());
+}
+
+std::string truthNamesOf(TruthChannelInfo::Needs needs) {
+  std::string names;
+  for (const TruthChannelInfo& info : truthTable()) {
+    if (info.needs == needs) names += (names.empty() ? "" : ", ") + info.name;
+  }
+  return names;
 }
 
 }  // namespace saccade

@@ -33,7 +33,9 @@ class StillView {
     cur_.index = change_->frame, prev_.index = change_->frame - 1;
     cur_.time = change_->t1, prev_.time = change_->t0;
   }
-  FeedInterval interval() const { return {*change_, {cur_, prev_}, camera_, camera_, path_, scene()}; }
+  FeedInterval interval() const {
+    return {*change_, RenderedInterval{{cur_, prev_}, camera_, camera_, path_, scene()}};
+  }
 
  private:
   static const RenderScene& scene() {

@@ -58,7 +58,7 @@ void measure(const Recording& r, const SensorConfig& config, Cost& best) {
   const FeedInterval last = r.source->interval();
   std::chrono::nanoseconds time{0};
   for (const IntensityChange& change : r.changes) {
-    channel.process({change, last.frames, last.camera, last.camera_t0, last.path, last.scene}, false);
+    channel.process({change, last.rendered}, false);
     time += channel.cost();
   }
   best.ms = std::min(best.ms, 1e3 * seconds(time));

@@ -54,7 +54,8 @@ class FeedFailure : public testing::Test {
     const FeedConfig config{.camera = pinhole(45, 8, 8), .frame_rate_hz = 100, .params = {}};
     auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method),
                                        SampleRequest{SeedReuse::kIndependent}, pool_);
-    return std::make_unique<FeedRunner>(Rig(std::move(feed)), FeedPace{kFrames, 100, 0}, pool_, totals_);
+    return std::make_unique<FeedRunner>(std::make_shared<Rig>(std::move(feed)), FeedPace{kFrames, 100, 0},
+                                        pool_, totals_);
   }
 
   static std::shared_ptr<StreamSink> makeSink(const std::shared_ptr<Session>& session) {

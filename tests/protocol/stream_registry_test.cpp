@@ -112,10 +112,10 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
     FeedConfig config{.camera = pinhole(45, 8, 8), .frame_rate_hz = 100, .params = {}};
     std::string none;
     EXPECT_EQ(resolveParams(*findMethod(config.method), {}, config.params, none), "");
-    return std::make_shared<FeedRunner>(
-        Rig(std::make_unique<Feed>(std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
-                                   Trajectory({{TimeNs(0), Pose{}}}), config, pool)),
-        FeedPace{5, 100, 2}, pool, totals);
+    return std::make_shared<FeedRunner>(std::make_shared<Rig>(std::make_unique<Feed>(
+                                            std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
+                                            Trajectory({{TimeNs(0), Pose{}}}), config, pool)),
+                                        FeedPace{5, 100, 2}, pool, totals);
   };
   Stream stream;
   stream.request.mutable_timing()->set_clock(v1::CLOCK_PACED);

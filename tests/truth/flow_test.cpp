@@ -92,7 +92,7 @@ TEST(TruthFlow, ThereAndBackIsNothingAndTheRenderersMotionIsTheSame) {
   const FeedInterval interval = run.step();
   const Planes forward = run.planesOf(run.source("flow_forward")->sample(interval).front());
   const Planes backward = run.planesOf(run.source("flow_backward")->sample(interval).front());
-  const GBuffer& g = interval.frames.cur.g;
+  const GBuffer& g = interval.rendered->frames.cur.g;
   int valid = 0, consistent = 0;
   for (int y = 0; y < kH; ++y) {
     for (int x = 0; x < kW; ++x) {

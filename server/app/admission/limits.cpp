@@ -51,6 +51,7 @@ const std::array<LimitRow, kLimits>& limitTable() {
       {Limit::kBakeFiles, "bake-files", 16384, 1, "MiB",
        "files of bakes; the least recently used are removed for others"},
       {Limit::kSteers, "steers", 64, 1, "", "steers of one LOCKSTEP stream that wait for their frame"},
+      {Limit::kPushes, "pushes", 4, 1, "", "frames of one stream that its client has sent and that wait"},
   }};
   return rows;
 }

@@ -43,8 +43,9 @@ enum class Limit {
   kBakes,
   kBakeFiles,
   kSteers,
+  kPushes,
 };
-inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kSteers) + 1;
+inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kPushes) + 1;
 
 struct LimitRow {
   Limit limit;

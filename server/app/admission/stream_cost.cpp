@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/admission/limits.h"
-#include "frame/image.h"
+#include "frame/intensity_change.h"
 #include "stream/credit_queue.h"
 #include "wire/packet_cutter.h"
 
@@ -47,6 +47,12 @@ void checkNoise(const ResolvedStream& stream, std::size_t i) {
                          std::to_string(sensor.max_events_per_frame));
 }
 
+// Of a client's frames: those that wait, and two intervals between them.
+double pushedBytes(const FeedConfig& feed, const Limits& limits) {
+  const double planes = 2.0 * kChangePlanes.size() + limits[Limit::kPushes];
+  return pixelsWithBorder(feed) * sizeof(float) * planes;
+}
+
 double feedBytes(const FeedConfig& feed) {
   constexpr double kFeedBytes = 260;  // per pixel
   const double lens_bytes = feed.camera.distortion.isNone() ? 0 : pixelsOf(feed) * sizeof(Vec2);
@@ -58,14 +64,17 @@ double feedBytes(const FeedConfig& feed) {
 
 // Measured on streams of 1 and 17 sensors. A sensor with all options takes three times as much as the
 // plainest.
-double streamMemory(const ResolvedStream& stream) {
+double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   constexpr double kSensorBytes = 24, kNoiseBytes = 28;  // per pixel
   constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
   constexpr double kTruthBytes = 48;                     // per pixel: a picture, and its copy for the packet
   constexpr double kPacketBytes = 640;                   // per packet, without its events
   const double rate_hz = stream.feed.frame_rate_hz, packets = 1 + 1e9 / kPacketTimeNs / rate_hz;
   double bytes = 0;
-  for (std::size_t i = 0; i < stream.views(); ++i) bytes += feedBytes(stream.feedOf(i));
+  for (std::size_t i = 0; i < stream.views(); ++i) {
+    const FeedConfig& feed = stream.feedOf(i);
+    bytes += stream.request.pushed() ? pushedBytes(feed, limits) : feedBytes(feed);
+  }
   for (std::size_t i = 0; i < stream.sensors.size(); ++i) {
     const SensorConfig& sensor = stream.sensors[i];
     const FeedConfig& view = feedOfSensor(stream, i);
@@ -113,7 +122,7 @@ std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) 
   return {{Limit::kStreams, 1},
           {Limit::kSensors, static_cast<double>(sensors), "sensors"},
           {Limit::kPixels, pixelsOf(stream.request), "view"},
-          {Limit::kMemory, streamMemory(stream), "view"},
+          {Limit::kMemory, streamMemory(stream, limits), "view"},
           {Limit::kQueues, limits[Limit::kQueue] * (1 + CreditQueue::kKeptBounds)}};
 }
 

@@ -17,7 +17,7 @@ void boundEvents(ResolvedStream& stream, const Limits& limits);
 void boundSteering(ResolvedStream& stream, const Limits& limits);
 
 // MiB: an estimate of the most memory of a stream with a feed of its own, without its queue.
-double streamMemory(const ResolvedStream& stream);
+double streamMemory(const ResolvedStream& stream, const Limits& limits);
 
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits);
 

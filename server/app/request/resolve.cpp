@@ -23,23 +23,6 @@ void resolveViews(ResolvedStream& stream) {
   resolveMounts(stream);
 }
 
-void resolveTiming(v1::Timing& timing, ResolvedStream& stream) {
-  checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), ranges::kFrameRate);
-  checkRange("timing.duration_s", timing.duration_s(), ranges::kDuration);
-  if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), ranges::kSpeed);
-  timing.set_clock(resolveEnum("timing.clock", timing.clock(), v1::CLOCK_FAST));
-  if (timing.clock() == v1::CLOCK_LOCKSTEP) timing.set_steerable(true), timing.set_packet_per_frame(true);
-  // FAST ignores the speed: cleared, so that equal feeds have equal keys.
-  const double speed = timing.speed() == 0 ? 1 : timing.speed();
-  timing.set_speed(timing.clock() == v1::CLOCK_PACED ? speed : 0);
-  stream.feed.frame_rate_hz = timing.frame_rate_hz();
-  if (timing.duration_s() == 0) return;
-  // A duration within rounding of a whole number of frames counts as that number.
-  stream.frames = static_cast<FrameIndex>(timing.duration_s() * timing.frame_rate_hz() + 1e-6);
-  if (stream.frames == 0)
-    checkRange("timing.duration_s", timing.duration_s(), 1 / timing.frame_rate_hz(), ranges::kDuration.max);
-}
-
 void checkMethodName(const v1::Method& method) {
   if (method.name().empty() || findMethod(method.name())) return;
   refuse("method.name", "there is no such method; there are: " + methodNames());
@@ -78,34 +61,6 @@ void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
     refuse("quality.bake_error", stream.feed.method + " has no use for light that is computed ahead");
 }
 
-void resolveSensors(ResolvedStream& stream) {
-  v1::OpenStream& request = stream.request;
-  if (request.sensors_size() < 1 || request.sensors_size() > ranges::kSensors.max) {
-    refuse("sensors", "a stream has 1 to " + std::to_string(ranges::kSensors.max) + " sensors");
-  }
-  for (int i = 0; i < request.sensors_size(); ++i) {
-    stream.sensors.push_back(resolveSensor(*request.mutable_sensors(i), i, request.seed()));
-    stream.changes.push_back(resolveChanges(request.sensors(i), i, stream.sensors.back()));
-  }
-}
-
-constexpr const char* kNotFromItems =
-    "only a LOSSLESS stream goes on from here, and none that can be steered";
-
-// A feed that LIVE or BROADCAST streams share cannot begin in the middle.
-// Nor can a path that is not known yet.
-void checkFromItems(const v1::OpenStream& request) {
-  if (request.delivery() == v1::DELIVERY_LOSSLESS && !request.timing().steerable()) return;
-  for (int i = 0; i < request.truth_size(); ++i) {
-    if (request.truth(i).from_sample() == 0) continue;
-    refuse("truth[" + std::to_string(i) + "].from_sample", kNotFromItems);
-  }
-  for (int i = 0; i < request.sensors_size(); ++i) {
-    if (request.sensors(i).from_event() == 0) continue;
-    refuse("sensors[" + std::to_string(i) + "].from_event", kNotFromItems);
-  }
-}
-
 }  // namespace
 
 ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const MeasuredTables& tables) {
@@ -113,11 +68,9 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   v1::OpenStream& r = stream.request;
   checkTrajectory(*r.mutable_trajectory(), scene);
   resolveViews(stream);
-  resolveTiming(*r.mutable_timing(), stream);
+  resolveTiming(stream);
   resolveSensors(stream);
-  for (int i = 0; i < r.truth_size(); ++i) {
-    stream.truth.push_back(resolveTruth(*r.mutable_truth(i), i, stream.feedOf(r.truth(i).view()), r.seed()));
-  }
+  resolveTruths(stream);
   checkMethodName(r.method());
   stream.simplification = resolveSimplification(r, tables.simplification);
   stream.expected = resolveBudget(r, stream.sensors, tables.accuracy);
@@ -126,9 +79,7 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   if (r.timing().steerable() && r.quality().has_bake_error())
     refuse("quality.bake_error",
            "light is computed ahead for the surfaces of a path, and a steered path is not known");
-  r.set_delivery(resolveEnum("delivery", r.delivery(), v1::DELIVERY_LOSSLESS));
-  checkFromItems(r);
-  r.set_codec(resolveEnum("codec", r.codec(), v1::CODEC_NONE));
+  resolveDelivery(r);
   stream.feed.seed = r.seed();
   shareSettings(stream);
   return stream;

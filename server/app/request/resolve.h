@@ -38,6 +38,15 @@ struct ResolvedStream {
 // Refusal.
 ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const MeasuredTables& tables);
 
+// The same for a stream whose client sends the frames. fitTo() has nothing to add.
+ResolvedStream resolvePushed(v1::OpenStream request);
+
+// The parts of both. They throw Refusal.
+void resolveTiming(ResolvedStream& stream);
+void resolveSensors(ResolvedStream& stream);
+void resolveTruths(ResolvedStream& stream);
+void resolveDelivery(v1::OpenStream& request);
+
 // Replaces a budget by method, spp and bounces, and returns the quality to expect; nothing without a budget.
 // `sensors`: those of the request, resolved. Throws Refusal.
 std::optional<v1::ExpectedQuality> resolveBudget(v1::OpenStream& request,

@@ -55,4 +55,15 @@ SensorConfig resolveSensor(v1::Sensor& sensor, int index, std::uint64_t stream_s
   return config;
 }
 
+void resolveSensors(ResolvedStream& stream) {
+  v1::OpenStream& request = stream.request;
+  if (request.sensors_size() < 1 || request.sensors_size() > ranges::kSensors.max) {
+    refuse("sensors", "a stream has 1 to " + std::to_string(ranges::kSensors.max) + " sensors");
+  }
+  for (int i = 0; i < request.sensors_size(); ++i) {
+    stream.sensors.push_back(resolveSensor(*request.mutable_sensors(i), i, request.seed()));
+    stream.changes.push_back(resolveChanges(request.sensors(i), i, stream.sensors.back()));
+  }
+}
+
 }  // namespace saccade

@@ -85,4 +85,12 @@ TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed, st
   return config;
 }
 
+void resolveTruths(ResolvedStream& stream) {
+  v1::OpenStream& request = stream.request;
+  for (int i = 0; i < request.truth_size(); ++i) {
+    v1::Truth& truth = *request.mutable_truth(i);
+    stream.truth.push_back(resolveTruth(truth, i, stream.feedOf(truth.view()), request.seed()));
+  }
+}
+
 }  // namespace saccade

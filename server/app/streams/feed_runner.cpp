@@ -22,16 +22,13 @@ void logTimes(FrameIndex frame, const StageTimes& times) {
 
 }  // namespace
 
-FeedRunner::FeedRunner(Rig rig, const FeedPace& pace, TilePool& pool, Totals& totals,
-                       std::unique_ptr<Steering> steering)
+FeedRunner::FeedRunner(std::shared_ptr<IntervalSource> source, const FeedPace& pace, TilePool& pool,
+                       Totals& totals, const FeedFacts& facts)
     : pool_(pool),
-      rig_(std::move(rig)),
+      source_(std::move(source)),
       pace_(pace),
       totals_(totals),
-      steering_(std::move(steering)),
-      luminance_p01_(rig_.first().firstFrameLuminance(0.01)),
-      luminance_p50_(rig_.first().firstFrameLuminance(0.5)),
-      pixel_speed_(rig_.pixelSpeed(pace.frames)),
+      facts_(facts),
       clock_(pace.speed) {}
 
 FeedRunner::~FeedRunner() {
@@ -137,10 +134,9 @@ bool FeedRunner::close() {
   return ended_;
 }
 
-// Some stream has a receiver, every stream with a receiver has room, and the camera of the next frame is
-// known.
+// The source is ready, some stream has a receiver, and every stream with a receiver has room.
 bool FeedRunner::ready() const {
-  if (steering_ && !steering_->ready()) return false;
+  if (!source_->ready()) return false;
   bool any = false;
   for (const auto& sink : sinks_) {
     if (!sink->session().started()) continue;
@@ -160,12 +156,12 @@ void FeedRunner::step() {
   if (frame_ == 0) began_ = ChangeNotifier::Clock::now();
   clock_.begin(
       now(), std::none_of(sinks_.begin(), sinks_.end(), [](const auto& sink) { return sink->catchingUp(); }));
-  const std::vector<FeedInterval>& views = render();
+  const std::vector<FeedInterval>& views = makeIntervals();
   const double lag_s = clock_.running() ? waitUntilDue(views.front().change.t1) : 0;
-  StageTimes times = rig_.lastTimes();
+  StageTimes times = source_->lastTimes();
   const auto before = threadCpuTime();
   times[Stage::kEvents] += publish(views, lag_s);
-  record(times, rig_.lastChain() + (threadCpuTime() - before), lag_s);
+  record(times, source_->lastChain() + (threadCpuTime() - before), lag_s);
 }
 
 // Frames of a feed that keeps its pace are due at a certain time.
@@ -173,10 +169,9 @@ Priority FeedRunner::priority() const {
   return clock_.running() ? Priority::kUrgent : Priority::kNormal;
 }
 
-// Only this can be interrupted: an interval that is rendered reaches all streams.
-const std::vector<FeedInterval>& FeedRunner::render() {
-  if (steering_) rig_.steer(steering_->next());
-  const std::vector<FeedInterval>& views = rig_.step({pool_, priority(), stop_.get_token()});
+// Only this can be interrupted: an interval that is made reaches all streams.
+const std::vector<FeedInterval>& FeedRunner::makeIntervals() {
+  const std::vector<FeedInterval>& views = source_->step({pool_, priority(), stop_.get_token()});
   newest_.set(views.front().change);
   frame_ = views.front().change.frame;
   return views;

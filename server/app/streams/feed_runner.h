@@ -1,9 +1,9 @@
-// Runs the feeds of a rig on a thread of its own and hands each interval to the streams that share it.
+// Runs a source of intervals on a thread of its own and hands each interval to the streams that share it.
 //
 // A stream takes part from the first frame after its receiver has attached until it is stopped; then it gets
-// its END. A frame is rendered when some stream has a receiver, and every stream with a receiver has room.
-// A steered feed also waits until it knows its camera. Frames keep the pace, except those that a resumed
-// stream skips. One run of the pool serves the sensors of all streams.
+// its END. A frame is made when its source is ready, some stream has a receiver, and every stream with a
+// receiver has room. Frames keep the pace, except those that a resumed stream skips. One run of the pool
+// serves the sensors of all streams.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,11 @@
 
 #include "app/streams/newest_interval.h"
 #include "app/streams/pace_clock.h"
-#include "app/streams/steering.h"
 #include "app/streams/stream_sink.h"
 #include "app/streams/totals.h"
 #include "base/recent_mean.h"
-#include "feed/rig.h"
+#include "feed/interval_source.h"
+#include "feed/pixel_speed.h"
 #include "stream/change_notifier.h"
 
 namespace saccade {
@@ -27,6 +27,12 @@ struct FeedPace {
   FrameIndex frames = 0;     // intervals to render; 0: until the last stream ends
   double frame_rate_hz = 0;  // > 0
   double speed = 0;          // stream seconds per second; 0: as fast as possible
+};
+
+// For the answer to the clients that open streams; 0 where a client sends the frames.
+struct FeedFacts {
+  float luminance_p01 = 0, luminance_p50 = 0;  // of frame 0, in view 0
+  PixelSpeed pixel_speed = {};
 };
 
 struct FeedProgress {
@@ -39,27 +45,23 @@ struct FeedProgress {
 
 class FeedRunner {
  public:
-  // Runs the feeds on `pool`, urgently while the feed keeps its pace. Adds to `totals`. Both must outlive
-  // this. With `steering` the path of the rig is its begin(), and grows by a key for each frame.
-  FeedRunner(Rig rig, const FeedPace& pace, TilePool& pool, Totals& totals,
-             std::unique_ptr<Steering> steering = nullptr);
+  // Runs on `pool`, urgently while the feed keeps its pace. Adds to `totals`. Both must outlive this.
+  FeedRunner(std::shared_ptr<IntervalSource> source, const FeedPace& pace, TilePool& pool, Totals& totals,
+             const FeedFacts& facts = {});
   ~FeedRunner();  // waits for the thread: all streams must be stopped, or the feed must have an end
   FeedRunner(const FeedRunner&) = delete;
   FeedRunner& operator=(const FeedRunner&) = delete;
 
-  // Sessions raise this to wake the feed.
+  // Sessions raise this to wake the feed, and so does what makes the source ready.
   const std::shared_ptr<ChangeNotifier>& notifier() const { return notifier_; }
   // Adds a stream; the first one starts the thread. Returns false where the feed has ended.
   bool add(std::shared_ptr<StreamSink> sink);
   // Ends the feed in the middle of its frame, if all its streams are to stop. From any thread.
   void interrupt();
 
-  Steering* steering() const { return steering_.get(); }  // raise notifier() after steering
   FeedProgress progress() const;
   const NewestInterval& newest() const { return newest_; }
-  float luminanceP01() const { return luminance_p01_; }  // of frame 0
-  float luminanceP50() const { return luminance_p50_; }
-  const PixelSpeed& pixelSpeed() const { return pixel_speed_; }
+  const FeedFacts& facts() const { return facts_; }
 
  private:
   void run();
@@ -73,7 +75,7 @@ class FeedRunner {
   void step();
   Priority priority() const;
   std::chrono::nanoseconds publish(const std::vector<FeedInterval>& views, double lag_s);
-  const std::vector<FeedInterval>& render();
+  const std::vector<FeedInterval>& makeIntervals();
   void holdClock();
   void endStopped();
   double waitUntilDue(TimeNs t);
@@ -82,13 +84,11 @@ class FeedRunner {
   TimeNs now() const { return frameTime(frame_, pace_.frame_rate_hz); }
 
   TilePool& pool_;
-  Rig rig_;
+  const std::shared_ptr<IntervalSource> source_;
   const FeedPace pace_;
   Totals& totals_;
-  const std::unique_ptr<Steering> steering_;
+  const FeedFacts facts_;
   const std::shared_ptr<ChangeNotifier> notifier_ = std::make_shared<ChangeNotifier>();
-  const float luminance_p01_, luminance_p50_;
-  const PixelSpeed pixel_speed_;
   NewestInterval newest_;
 
   // The feed's thread.

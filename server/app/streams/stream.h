@@ -7,6 +7,8 @@
 
 #include "app/streams/feed_runner.h"
 #include "app/streams/pace.h"
+#include "app/streams/pushed_frames.h"
+#include "app/streams/steering.h"
 #include "app/streams/stream_sink.h"
 #include "stream/session.h"
 
@@ -18,6 +20,8 @@ struct Stream {
   std::shared_ptr<void> reserved;  // its share of the quotas
   CpuCost frame_cost;  // PACED: as measured before it was opened; `feed` is 0 where it joined a feed
   std::shared_ptr<FeedRunner> feed;
+  std::shared_ptr<Steering> steering;    // of `feed`, where its client steers it
+  std::shared_ptr<PushedFrames> pushed;  // of `feed`, where its client sends the frames
   std::shared_ptr<StreamSink> sink;
   std::shared_ptr<Session> session;
   std::optional<ChangeNotifier::Clock::time_point> closed;  // by its client

@@ -8,9 +8,13 @@
 namespace saccade {
 namespace {
 
-Steering& steeringOf(const Stream& stream) {
+void checkRuns(const Stream& stream) {
   if (stream.session->finished()) throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "the stream has ended");
-  if (Steering* steering = stream.feed->steering()) return *steering;
+}
+
+Steering& steeringOf(const Stream& stream) {
+  checkRuns(stream);
+  if (stream.steering) return *stream.steering;
   refuse("stream_id", "open the stream with timing.clock LOCKSTEP, or with timing.steerable, to steer it");
 }
 
@@ -73,11 +77,22 @@ v1::Steered steerStream(const Stream& stream, const v1::Steer& call) {
   return steered;
 }
 
+v1::FramePushed pushFrame(const Stream& stream, const v1::PushFrame& call) {
+  checkRuns(stream);
+  if (!stream.pushed) refuse("stream_id", "open the stream with `pushed` to send its frames");
+  const FrameIndex frame = stream.pushed->push(call.intensity());
+  stream.feed->notifier()->raise();
+  v1::FramePushed pushed;
+  pushed.set_frame(frame);
+  pushed.set_t_ns(frameTime(frame, stream.request.timing().frame_rate_hz()).count());
+  return pushed;
+}
+
 v1::SensorChanged changeSensor(const Stream& stream, const v1::ChangeSensor& call) {
   const int sensors = stream.request.sensors_size();
   if (call.sensor() >= static_cast<std::uint32_t>(sensors))
     refuse("sensor", "the stream has " + std::to_string(sensors) + " sensors");
-  if (stream.session->finished()) throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "the stream has ended");
+  checkRuns(stream);
   const SensorChange change = readChange(call.change(), SensorConfig{}, "change");
   const double rate_hz = stream.request.timing().frame_rate_hz();
   const FrameIndex frame = frameFrom(stream.sink->schedule(call.sensor()).add(change), rate_hz);
@@ -94,8 +109,8 @@ v1::StreamDescription describeStream(const Stream& stream) {
   for (int i = 0; i < request.sensors_size(); ++i) {
     describeChanges(stream.sink->schedule(static_cast<std::size_t>(i)).all(), *request.mutable_sensors(i));
   }
-  if (!stream.feed->steering()) return description;
-  const std::vector<TimedPose> keys = stream.feed->steering()->keys();
+  if (!stream.steering) return description;
+  const std::vector<TimedPose> keys = stream.steering->keys();
   describePath(keys, *request.mutable_trajectory()->mutable_keyframes());
   v1::Timing& timing = *request.mutable_timing();
   timing.set_clock(v1::CLOCK_FAST);

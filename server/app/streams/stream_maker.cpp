@@ -25,24 +25,34 @@ CpuCost costOfJoining(const CpuCost& frame) {
 v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
   openings_.setScene(opening, request.scene());
   openings_.begin(opening, "checking the request");
-  const SceneEntry entry = findScene(request.scene());
-  Plan plan{resolve(std::move(request), entry, resources_.tables)};
+  Plan plan{check(std::move(request))};
   ResolvedStream& resolved = plan.resolved;
   checkAlone(resolved.request, resources_.quota.limits());
   boundEvents(resolved, resources_.quota.limits());
   boundSteering(resolved, resources_.quota.limits());
   Stream stream;
   stream.reserved = reserve(opening.peer.user, resolved);
-  loadScenes(plan, opening);
   stream.user = opening.peer.user;
-  stream.request = withoutLongPath(resolved.request);
-  openFeed(plan, opening, stream);
+  if (resolved.request.pushed()) {
+    stream.request = resolved.request;
+    enter(plan, feeds_.ofClient(resolved), stream);
+  } else {
+    loadScenes(plan, opening);
+    stream.request = withoutLongPath(resolved.request);
+    openFeed(plan, opening, stream);
+  }
   resources_.log.info(stream.user, "stream " + stream.session->id() +
                                        " opened: " + cutText(stream.request.ShortDebugString(), kMaxLogged));
-  const int channels = resolved.feed.monochrome ? 1 : plan.scene->channels();
+  const int channels = resolved.request.pushed() || resolved.feed.monochrome ? 1 : plan.scene->channels();
   v1::StreamOpened opened = describeOpened(std::move(resolved), stream, resources_.epoch, channels);
   if (plan.bake) opened.set_bake_digest(plan.bake->digest);
   return opened;
+}
+
+ResolvedStream StreamMaker::check(v1::OpenStream request) const {
+  if (request.pushed()) return resolvePushed(std::move(request));
+  const SceneEntry entry = findScene(request.scene());
+  return resolve(std::move(request), entry, resources_.tables);
 }
 
 SceneEntry StreamMaker::findScene(const std::string& name) const {
@@ -101,14 +111,15 @@ void StreamMaker::openFeed(Plan& plan, Opening& opening, Stream& stream) {
   const auto running = shared_.find(resolved);
   admit(resolved, running ? costOfJoining(plan.frame) : plan.frame, running.get());
   openings_.begin(opening, "rendering frame 0");
-  auto own = running ? nullptr : makeFeed(plan, body, opening);
+  const auto make = [&] { return feeds_.ofScene(plan.scene, body, resolved, poolFor(opening)); };
+  OwnFeed own = running ? OwnFeed{} : make();
   openings_.begin(opening, "joining the feed");
-  while (!enter(plan, own, stream)) own = makeFeed(plan, body, opening);
+  while (!enter(plan, own, stream)) own = make();
 }
 
 // Enters the stream into the registry, with a feed that runs or else with `own`. Returns false where there is
 // neither.
-bool StreamMaker::enter(const Plan& plan, const std::shared_ptr<FeedRunner>& own, Stream& stream) {
+bool StreamMaker::enter(const Plan& plan, const OwnFeed& own, Stream& stream) {
   const ResolvedStream& resolved = plan.resolved;
   std::lock_guard admitting(admitting_);
   stream.feed = shared_.find(resolved);
@@ -117,10 +128,10 @@ bool StreamMaker::enter(const Plan& plan, const std::shared_ptr<FeedRunner>& own
     admit(resolved, stream.frame_cost = costOfJoining(plan.frame), stream.feed.get());
     joined = connect(resolved, stream);
   }
-  if (!joined && !own) return false;  // the feed has ended meanwhile
+  if (!joined && !own.runner) return false;  // the feed has ended meanwhile
   if (!joined) {
     admit(resolved, stream.frame_cost = plan.frame, nullptr);
-    stream.feed = own;
+    stream.feed = own.runner, stream.steering = own.steering, stream.pushed = own.pushed;
     connect(resolved, stream);
   }
   try {
@@ -152,21 +163,6 @@ void StreamMaker::admit(const ResolvedStream& resolved, const CpuCost& frame,
   if (!keepsPace(resolved)) return;
   checkPace(resolved.request.timing(), frame, resources_.streams.load(joined), cpuSupply(resources_.pool),
             resources_.quota.limits());
-}
-
-std::shared_ptr<FeedRunner> StreamMaker::makeFeed(const Plan& plan, const Trajectory& body,
-                                                  const Opening& opening) const {
-  const v1::Timing& timing = plan.resolved.request.timing();
-  std::unique_ptr<Steering> steering;
-  if (timing.steerable()) {
-    const bool waits = timing.clock() == v1::CLOCK_LOCKSTEP;
-    const auto most = waits ? static_cast<std::size_t>(resources_.quota.limits()[Limit::kSteers]) : 0;
-    steering = std::make_unique<Steering>(body, timing.frame_rate_hz(), plan.resolved.frames, most);
-  }
-  const FeedPace pace{plan.resolved.frames, timing.frame_rate_hz(), timing.speed()};
-  return std::make_shared<FeedRunner>(
-      makeRig(plan.scene, steering ? steering->begin() : body, plan.resolved, poolFor(opening)), pace,
-      resources_.pool, resources_.totals, std::move(steering));
 }
 
 // Makes the stream's session and sink. Returns false where the feed has ended.

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "app/request/resolve.h"
+#include "app/streams/feed_maker.h"
 #include "app/streams/openings.h"
 #include "app/streams/shared_feeds.h"
 #include "app/streams/stream_resources.h"
@@ -15,7 +16,7 @@ class StreamMaker {
  public:
   // `openings` is told what is being done; it must outlive this.
   StreamMaker(const StreamResources& resources, Openings& openings)
-      : resources_(resources), openings_(openings) {}
+      : resources_(resources), feeds_(resources), openings_(openings) {}
 
   // Makes the stream and enters it into the registry. May take seconds. From any thread. Throws Refusal,
   // SceneError, and Cancelled.
@@ -29,21 +30,21 @@ class StreamMaker {
     std::shared_ptr<const Bake> bake = {};        // where the stream asks for one
     CpuCost frame = {};                           // of a frame, where the stream keeps a pace
   };
+  ResolvedStream check(v1::OpenStream request) const;
   SceneEntry findScene(const std::string& name) const;
   std::shared_ptr<void> reserve(const std::string& user, const ResolvedStream& resolved);
   void loadScenes(Plan& plan, Opening& opening);
   void bakeLight(Plan& plan, const Trajectory& body, Opening& opening);
   void openFeed(Plan& plan, Opening& opening, Stream& stream);
-  bool enter(const Plan& plan, const std::shared_ptr<FeedRunner>& own, Stream& stream);
+  bool enter(const Plan& plan, const OwnFeed& own, Stream& stream);
   PoolHandle poolFor(const Opening& opening) const;
   CpuCost measure(const Plan& plan, const Trajectory& body, const Opening& opening) const;
   bool keepsPace(const ResolvedStream& resolved) const;
   void admit(const ResolvedStream& resolved, const CpuCost& frame, const FeedRunner* joined) const;
-  std::shared_ptr<FeedRunner> makeFeed(const Plan& plan, const Trajectory& body,
-                                       const Opening& opening) const;
   bool connect(const ResolvedStream& resolved, Stream& stream) const;
 
   const StreamResources resources_;
+  const FeedMaker feeds_;
   Openings& openings_;
   SharedFeeds shared_;
   std::mutex admitting_;  // held from a check of the load until the new stream is part of it

@@ -10,10 +10,11 @@ v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, s
   opened.set_epoch(epoch);
   *opened.mutable_resolved() = std::move(resolved.request);
   opened.set_frames(resolved.frames);
-  opened.set_luminance_p01(stream.feed->luminanceP01());
-  opened.set_luminance_p50(stream.feed->luminanceP50());
-  opened.set_px_per_frame_p50(stream.feed->pixelSpeed().p50);
-  opened.set_px_per_frame_p99(stream.feed->pixelSpeed().p99);
+  const FeedFacts& facts = stream.feed->facts();
+  opened.set_luminance_p01(facts.luminance_p01);
+  opened.set_luminance_p50(facts.luminance_p50);
+  opened.set_px_per_frame_p50(facts.pixel_speed.p50);
+  opened.set_px_per_frame_p99(facts.pixel_speed.p99);
   opened.set_channels(static_cast<std::uint32_t>(channels));
   if (resolved.expected) *opened.mutable_expected() = *resolved.expected;
   if (resolved.simplification) *opened.mutable_simplification() = *resolved.simplification;
@@ -23,6 +24,7 @@ v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, s
 }
 
 v1::OpenStream withoutLongPath(v1::OpenStream& request) {
+  if (!request.has_trajectory()) return request;
   v1::Trajectory* path = request.release_trajectory();
   v1::OpenStream rest = request;
   request.set_allocated_trajectory(path);

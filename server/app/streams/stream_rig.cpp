@@ -34,6 +34,11 @@ Rig makeRig(const std::shared_ptr<const RenderScene>& scene, const Trajectory& b
   return Rig(std::move(feeds));
 }
 
+FeedFacts factsOf(const Rig& rig, FrameIndex frames) {
+  return {rig.first().firstFrameLuminance(0.01), rig.first().firstFrameLuminance(0.5),
+          rig.pixelSpeed(frames)};
+}
+
 BakePlan planBakeOf(const RenderScene& scene, const Trajectory& body, const ResolvedStream& stream) {
   BakePlan whole = planView(scene, body, stream, 0);
   for (std::size_t i = 1; i < stream.views(); ++i) {

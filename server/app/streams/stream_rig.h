@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/request/resolve.h"
+#include "app/streams/feed_runner.h"
 #include "feed/bake_plan.h"
 #include "feed/rig.h"
 
@@ -12,6 +13,9 @@ namespace saccade {
 // Renders frame 0 of each view on `pool`. `body`: the path of the body that carries the cameras.
 Rig makeRig(const std::shared_ptr<const RenderScene>& scene, const Trajectory& body,
             const ResolvedStream& stream, const PoolHandle& pool);
+
+// `frames`: those of the stream; 0: it has no end. Call it before any step.
+FeedFacts factsOf(const Rig& rig, FrameIndex frames);
 
 // What to compute ahead for all views. Throws Refusal.
 BakePlan planBakeOf(const RenderScene& scene, const Trajectory& body, const ResolvedStream& stream);

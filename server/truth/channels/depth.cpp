@@ -13,7 +13,7 @@ class Depth final : public PictureSource {
  protected:
   std::string picture(const TruthFrame& frame) override {
     std::string elements;
-    appendPlane(frame.frame.g.z, elements);
+    appendPlane(frame.rendered->frame.g.z, elements);
     return elements;
   }
 };

@@ -12,12 +12,12 @@ class Distance final : public PictureSource {
 
  protected:
   std::string picture(const TruthFrame& frame) override {
-    const ImageF& z = frame.frame.g.z;
+    const ImageF& z = frame.rendered->frame.g.z;
     std::string elements;
     appendPixels(z.width(), z.height(), elements, [&](int x, int y) {
       const float depth = z.at(x, y);
       if (depth == kMissDepth) return depth;
-      return depth * length(frame.camera.direction(static_cast<float>(x), static_cast<float>(y)));
+      return depth * length(frame.rendered->camera.direction(static_cast<float>(x), static_cast<float>(y)));
     });
     return elements;
   }

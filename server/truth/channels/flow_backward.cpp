@@ -10,9 +10,10 @@ class FlowBackward final : public TruthSource {
   explicit FlowBackward(const TruthConfig& config) : frames_(config.frames) {}
 
   TruthSamples sample(const FeedInterval& interval) override {
-    const auto& [cur, prev] = interval.frames;
+    const RenderedInterval& rendered = *interval.rendered;
+    const auto& [cur, prev] = rendered.frames;
     if (!frames_.takes(cur.index, cur.time)) return {};
-    return {{cur.time.count(), flowPlanes({cur.g, interval.camera}, {prev.g, interval.camera_t0})}};
+    return {{cur.time.count(), flowPlanes({cur.g, rendered.camera}, {prev.g, rendered.camera_t0})}};
   }
 
  private:

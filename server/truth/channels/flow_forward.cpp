@@ -10,9 +10,10 @@ class FlowForward final : public TruthSource {
   explicit FlowForward(const TruthConfig& config) : frames_(config.frames) {}
 
   TruthSamples sample(const FeedInterval& interval) override {
-    const auto& [cur, prev] = interval.frames;
+    const RenderedInterval& rendered = *interval.rendered;
+    const auto& [cur, prev] = rendered.frames;
     if (!frames_.takes(prev.index, prev.time)) return {};
-    return {{prev.time.count(), flowPlanes({prev.g, interval.camera_t0}, {cur.g, interval.camera})}};
+    return {{prev.time.count(), flowPlanes({prev.g, rendered.camera_t0}, {cur.g, rendered.camera})}};
   }
 
  private:

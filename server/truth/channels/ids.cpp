@@ -26,7 +26,7 @@ Ids idsOf(const Scene& scene, const Hit& hit) {
 }
 
 // Those of the pixels from (x0, y) on.
-void trace(const TruthFrame& frame, int x0, int y, std::span<Ids> out) {
+void trace(const RenderedFrame& frame, int x0, int y, std::span<Ids> out) {
   std::array<Ray, kPacket> rays;
   std::array<Hit, kPacket> hits;
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -45,12 +45,12 @@ class ShapeIds final : public PictureSource {
 
  protected:
   std::string picture(const TruthFrame& frame) override {
-    const int width = frame.frame.width(), height = frame.frame.height();
+    const int width = frame.intensity.width(), height = frame.intensity.height();
     std::vector<Ids> ids(static_cast<std::size_t>(width));
     std::string objects, materials;
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; x += kPacket)
-        trace(frame, x, y, std::span(ids).subspan(x, std::min(kPacket, width - x)));
+        trace(*frame.rendered, x, y, std::span(ids).subspan(x, std::min(kPacket, width - x)));
       for (const Ids& id : ids) append(id.object, objects), append(id.material, materials);
     }
     return objects + materials;

@@ -16,7 +16,8 @@ class ImuSource final : public TruthSource {
   TruthSamples sample(const FeedInterval& interval) override {
     if (next_ == 0) next_ = firstAfter(interval.change.t0);
     TruthSamples samples;
-    for (; timeOf(next_) <= interval.change.t1; ++next_) samples.push_back(at(interval.path, next_));
+    for (; timeOf(next_) <= interval.change.t1; ++next_)
+      samples.push_back(at(interval.rendered->path, next_));
     return samples;
   }
 

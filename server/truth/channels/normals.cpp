@@ -12,7 +12,7 @@ class Normals final : public PictureSource {
 
  protected:
   std::string picture(const TruthFrame& frame) override {
-    const GBuffer& g = frame.frame.g;
+    const GBuffer& g = frame.rendered->frame.g;
     std::string elements;
     for (const ImageF* axis : {&g.nx, &g.ny, &g.nz}) {
       appendPixels(axis->width(), axis->height(), elements,
