@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   addListCommand(app);
   addInfoCommand(app);
   addRecordCommand(app);
+  addEventsCommand(app);
   addViewCommand(app);
   addServeDvCommand(app);
   addReplayCommand(app);

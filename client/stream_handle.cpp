@@ -78,4 +78,13 @@ v1::FramePicture StreamHandle::picture() {
   return control_.call(std::move(request)).get_frame();
 }
 
+v1::FramePushed StreamHandle::push(std::span<const float> intensity) {
+  v1::Request request;
+  v1::PushFrame& frame = *request.mutable_push_frame();
+  frame.set_stream_id(opened_.stream_id());
+  frame.set_token(opened_.token());
+  frame.set_intensity(intensity.data(), intensity.size_bytes());
+  return control_.call(std::move(request)).push_frame();
+}
+
 }  // namespace saccade::client

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "client/control_client.h"
@@ -37,6 +38,9 @@ class StreamHandle {
   // Returns nothing if the server no longer has the stream.
   std::optional<v1::StreamInfo> info(const Waiting& waiting = {});
   v1::FramePicture picture();  // the newest frame
+
+  // Gives a stream with `pushed` its next frame: linear luminance, row by row from the top. Throws Refused.
+  v1::FramePushed push(std::span<const float> intensity);
 
   // Ends the stream at its next frame: the packets up to there still come, and then END. Neither waits for
   // the server nor throws.

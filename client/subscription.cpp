@@ -117,7 +117,8 @@ void Subscription::reconnect() {
 
 void Subscription::startAgain(const std::string& failure) {
   const bool repeated = failure == failure_;  // nothing new has arrived since the last one
-  if (steerable()) throw StreamFault(failure + "; a stream that is steered is not opened again");
+  if (ownFrames())
+    throw StreamFault(failure + "; a stream that its client steers or pushes is not opened again");
   if (!mayStartAgain() || repeated) throw StreamFault(failure);
   retryAfter(failure, [&](milliseconds deadline) {
     stream_.reopen(sequence_.items(), deadline, retry_policy_.waiting);
@@ -129,7 +130,7 @@ void Subscription::startAgain(const std::string& failure) {
 }
 
 bool Subscription::mayStartAgain() const {
-  const bool again = stream_.delivery() == v1::DELIVERY_LOSSLESS && !steerable();
+  const bool again = stream_.delivery() == v1::DELIVERY_LOSSLESS && !ownFrames();
   return again && !stream_.closed() && retry_policy_.retry_time.count() > 0;
 }
 

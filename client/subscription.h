@@ -1,9 +1,9 @@
 // Receives the batches of a stream, and reconnects when the connection or the server is lost.
 //
 // Heartbeats come every second; after silence a new connection resumes where the old one stopped. If the
-// server has lost a LOSSLESS stream, or ended it early, the stream is opened again, unless it is steered:
-// only its client knows the next poses. The server then renders up to the last batch again; no event is
-// missing and none comes twice. Of a LIVE or BROADCAST stream, lost packets are counted.
+// server has lost a LOSSLESS stream, or ended it early, the stream is opened again, unless it is steered or
+// pushed: only its client knows the next poses or frames. The server then renders up to the last batch again;
+// no event is missing and none comes twice. Of a LIVE or BROADCAST stream, lost packets are counted.
 #pragma once
 
 #include <chrono>
@@ -45,7 +45,11 @@ class Subscription {
  private:
   using Clock = std::chrono::steady_clock;
   bool broadcast() const { return stream_.delivery() == v1::DELIVERY_BROADCAST; }
-  bool steerable() const { return stream_.opened().resolved().timing().steerable(); }
+  // Whether only this client knows what its frames show.
+  bool ownFrames() const {
+    const v1::OpenStream& request = stream_.opened().resolved();
+    return request.pushed() || request.timing().steerable();
+  }
   void connect();
   std::optional<Batch> receiveFromConnection(std::chrono::milliseconds timeout);
   bool take(Batch& batch);

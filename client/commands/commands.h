@@ -11,6 +11,7 @@ namespace saccade::client {
 void addListCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addRecordCommand(CLI::App& app);
+void addEventsCommand(CLI::App& app);
 void addViewCommand(CLI::App& app);
 void addServeDvCommand(CLI::App& app);
 void addReplayCommand(CLI::App& app);

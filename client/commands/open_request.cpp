@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <stdexcept>
 
 #include "client/commands/request_options.h"
@@ -41,39 +40,6 @@ v1::Quality makeQuality(const RequestOptions& options) {
   return quality;
 }
 
-void setNoise(const std::vector<std::string>& amounts, v1::Sensor& sensor) {
-  for (const std::string& amount : amounts) {
-    const auto [name, number] = splitAt(amount, '=');
-    const auto value = parseNumber<double>(number);
-    const auto* field = v1::Noise::descriptor()->FindFieldByName(name);
-    if (!value || !field) {
-      throw std::invalid_argument("--noise: '" + amount + "' is not KEY=NUMBER, with KEY one of " +
-                                  fieldNames(*v1::Noise::descriptor()));
-    }
-    v1::Noise& noise = *sensor.mutable_noise();
-    noise.GetReflection()->SetDouble(&noise, field, *value);
-  }
-}
-
-v1::Sensor makeSensor(const RequestOptions& options, std::size_t index) {
-  v1::Sensor sensor;
-  const auto& off = options.thresholds_off;
-  if (!options.thresholds.empty()) sensor.set_threshold(options.thresholds[index]);
-  if (!off.empty()) sensor.set_threshold_off(off[off.size() == 1 ? 0 : index]);
-  if (options.bias) sensor.set_bias(*options.bias);
-  if (options.refractory_s) sensor.set_refractory_s(*options.refractory_s);
-  if (options.cutoff_hz) sensor.set_cutoff_hz(*options.cutoff_hz);
-  if (!options.model.empty()) {
-    sensor.set_model(enumValue<v1::EventModel>("--model", options.model));
-  }
-  if (!options.reconstruction.empty()) {
-    sensor.set_reconstruction(enumValue<v1::Reconstruction>("--reconstruction", options.reconstruction));
-  }
-  sensor.set_preset(options.preset);
-  setNoise(options.noise, sensor);
-  return sensor;
-}
-
 v1::Timing makeTiming(const RequestOptions& options) {
   v1::Timing timing;
   timing.set_frame_rate_hz(options.rate_hz);
@@ -87,10 +53,6 @@ v1::Timing makeTiming(const RequestOptions& options) {
 }  // namespace
 
 v1::OpenStream makeOpenStream(const RequestOptions& options) {
-  const std::size_t sensors = std::max<std::size_t>(options.thresholds.size(), 1);
-  if (options.thresholds_off.size() > 1 && options.thresholds_off.size() != sensors) {
-    throw std::invalid_argument("--threshold-off: give one value, or one for each --threshold");
-  }
   v1::OpenStream open;
   open.set_scene(options.scene);
   *open.mutable_view() = makeView(options.camera);
@@ -98,7 +60,7 @@ v1::OpenStream makeOpenStream(const RequestOptions& options) {
   *open.mutable_timing() = makeTiming(options);
   *open.mutable_method() = makeMethod(options);
   *open.mutable_quality() = makeQuality(options);
-  for (std::size_t i = 0; i < sensors; ++i) *open.add_sensors() = makeSensor(options, i);
+  addSensors(options.sensors, open);
   addFurtherViews(options, open);
   open.set_delivery(enumValue<v1::Delivery>("--delivery", options.delivery));
   if (!options.codec.empty()) open.set_codec(enumValue<v1::Codec>("--codec", options.codec));

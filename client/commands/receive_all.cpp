@@ -38,11 +38,12 @@ void checkWhole(const v1::StreamOpened& opened, double stream_s, const v1::Packe
 }  // namespace
 
 void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& recorder,
-                std::optional<Preview>& preview, Progress& progress) {
+                std::optional<Preview>& preview, Progress& progress, std::optional<FramePusher>& pusher) {
   std::uint64_t epoch = stream.opened().epoch();
   v1::PacketHeader end;
   while (!recorder.complete()) {
     if (interrupted()) heedInterrupt(stream);
+    if (pusher) pusher->push(recorder.time_ns());
     const auto batch = subscription.receive(kPollInterval);
     if (std::exchange(epoch, stream.opened().epoch()) != stream.opened().epoch()) {
       progress.tell("saccade: the server has restarted; it renders again up to the recorded frame");

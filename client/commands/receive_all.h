@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "client/commands/frame_pusher.h"
 #include "client/commands/preview.h"
 #include "client/commands/progress.h"
 #include "client/recorder.h"
@@ -12,9 +13,10 @@
 namespace saccade::client {
 
 // Returns when every sensor has ended: at the last frame, or after Ctrl-C on an endless stream. Throws
-// StreamFault if the stream ends early, and as Subscription and Recorder do.
+// StreamFault if the stream ends early, and as Subscription, Recorder and FramePusher do. `pusher`: of a
+// stream with `pushed`.
 void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& recorder,
-                std::optional<Preview>& preview, Progress& progress);
+                std::optional<Preview>& preview, Progress& progress, std::optional<FramePusher>& pusher);
 
 // For Subscription::RetryPolicy::waiting: shows that it waits. Throws StreamFault after Ctrl-C.
 void showWaiting(Progress& progress);

@@ -20,16 +20,9 @@ struct RecordOptions {
   bool calibration = false;
 };
 
-std::string checkPng(const std::string& path) {
-  return path.ends_with(".png") ? "" : "'" + path + "' is not a .png file";
-}
-
 void addOptions(CLI::App& command, RecordOptions& options) {
   addOutputOptions(command, options.output, "-o,--output");
-  command
-      .add_option("--preview", options.preview,
-                  "PNG of brightness, its change and the latest events, a third of the way through")
-      ->check(CLI::Validator(checkPng, "FILE.png"));
+  addPreviewOption(command, options.preview);
   addTruthOption(command, options.truth);
   command.add_flag("--calibration", options.calibration,
                    "write the camera beside FILE: FILE.camera_info.yaml (ROS), FILE.kalibr.yaml, and for .h5 "

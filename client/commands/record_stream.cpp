@@ -70,6 +70,8 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
   tellOpening(out, job.request, opened);
   Recorder recorder = startRecorder(job, stream);
   auto preview = makePreview(job.preview, opened.resolved().timing());
+  std::optional<FramePusher> pusher;
+  if (job.frames) pusher.emplace(stream, *job.frames);
   Progress progress(streamSeconds(opened));
   const double retry_s = job.retry_time_s;
   Subscription subscription(
@@ -78,7 +80,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
        .waiting = [&progress] { showWaiting(progress); },
        .lost = [&progress, retry_s](const std::string& loss) { tellLoss(progress, loss, retry_s); }});
   try {
-    receiveAll(subscription, stream, recorder, preview, progress);
+    receiveAll(subscription, stream, recorder, preview, progress, pusher);
   } catch (const std::exception& error) {
     progress.finish();
     throw std::runtime_error(error.what() + keptText(recorder, job.output));

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "client/commands/commands.h"
+#include "client/frames/frame_source.h"
 #include "client/writers/writer.h"
 #include "saccade/v1/control.pb.h"
 
@@ -13,10 +14,11 @@ struct RecordJob {
   v1::OpenStream request;
   std::string output;  // file, or kStandardOutput
   const WriterInfo* format;
-  std::string preview = {};     // PNG file, or none
-  bool calibration = false;     // whether the camera is written beside the output
-  std::string trajectory = {};  // what the user gave, for errors
-  double retry_time_s = 60;     // to reconnect to a lost server
+  std::string preview = {};       // PNG file, or none
+  bool calibration = false;       // whether the camera is written beside the output
+  std::string trajectory = {};    // what the user gave, for errors
+  double retry_time_s = 60;       // to reconnect to a lost server
+  FrameSource* frames = nullptr;  // of a stream with `pushed`
 };
 
 // Returns what was recorded of sensor 0. Throws as ControlClient and Subscription do; std::invalid_argument

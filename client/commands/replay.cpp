@@ -24,6 +24,8 @@ v1::OpenStream requestOf(const std::string& file, const v1::Recording& recording
   if (!recording.has_request()) fail("does not say what request made the events");
   if (recording.sensor() >= static_cast<std::uint32_t>(recording.request().sensors_size()))
     fail("names a sensor that its request does not have");
+  if (recording.request().pushed())
+    fail("is of frames that a client sent, which it does not hold: use `saccade events` again");
   if (recording.begin_ns() != 0)
     fail("is of a client that joined a running stream, which cannot be repeated");
   v1::OpenStream request = recording.request();

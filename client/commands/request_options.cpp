@@ -35,36 +35,6 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
       ->allow_extra_args(false);
 }
 
-void addSensorOptions(CLI::App& command, RequestOptions& o) {
-  command.option_defaults()->group("Sensors");
-  command
-      .add_option("--threshold", o.thresholds,
-                  "contrast threshold C, in natural log units; each further value is another sensor")
-      ->allow_extra_args(false)
-      ->delimiter(',');
-  command
-      .add_option("--threshold-off", o.thresholds_off,
-                  "threshold of OFF events: one value for all sensors, or one each")
-      ->allow_extra_args(false)
-      ->delimiter(',');
-  command.add_option("--bias", o.bias, "I_eps, the luminance added to each pixel before the logarithm");
-  command.add_option("--refractory", o.refractory_s, "seconds for which a pixel is blind after an event");
-  command.add_option("--model", o.model, "event model: " + enumWords<v1::EventModel>());
-  command.add_option("--reconstruction", o.reconstruction,
-                     "how a sensor finds its brightness: " + enumWords<v1::Reconstruction>() +
-                         "; direct sums the changes and drifts, the others also use the picture");
-  command.add_option("--preset", o.preset, "sensor of a known camera, see `saccade info`");
-  command
-      .add_option(
-          "--noise", o.noise,
-          "KEY=NUMBER, an amount of the sensor's noise, such as leak_hz=0.1; may be given again. KEY is one "
-          "of " +
-              fieldNames(*v1::Noise::descriptor()))
-      ->allow_extra_args(false);
-  command.add_option("--cutoff", o.cutoff_hz,
-                     "Hz below which --reconstruction complementary follows the picture");
-}
-
 void addStreamOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Stream");
   command.add_option("--rate", o.rate_hz, "frames per second of the stream")->capture_default_str();
@@ -139,7 +109,7 @@ void addRequestOptions(CLI::App& command, RequestOptions& o) {
   command.add_option("scene", o.scene, "name of a scene, see `saccade list`")->required();
   addPathOptions(command, o);
   addCameraOptions(command, o.camera);
-  addSensorOptions(command, o);
+  addSensorOptions(command, o.sensors);
   addStreamOptions(command, o);
   addQualityOptions(command, o);
   command.option_defaults()->group("Server");

@@ -9,6 +9,7 @@
 
 #include "client/commands/camera_options.h"
 #include "client/commands/commands.h"
+#include "client/commands/sensor_options.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade::client {
@@ -20,11 +21,8 @@ struct RequestOptions {
   std::string trajectory;  // a name, a file, or KIND:SPEED
   std::optional<double> turn_s;
   std::optional<std::uint64_t> motion_seed;
-  std::vector<std::string> further_views;          // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_body_camera
-  std::vector<double> thresholds, thresholds_off;  // one sensor for each threshold
-  std::optional<double> bias, refractory_s, cutoff_hz;
-  std::string model, reconstruction, preset;
-  std::vector<std::string> noise;  // name=value
+  std::vector<std::string> further_views;  // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_body_camera
+  SensorOptions sensors;
   CameraOptions camera;
   double rate_hz = 1000, duration_s = 0.5;
   std::string delivery = "lossless", clock = "fast";

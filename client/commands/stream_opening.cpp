@@ -23,6 +23,7 @@ double streamSeconds(const v1::StreamOpened& opened) {
 }
 
 void tellOpening(std::FILE* out, const v1::OpenStream& request, const v1::StreamOpened& opened) {
+  if (request.pushed()) return;
   printChoice(out, opened);
   printModel(out, opened);
   printPixelSpeed(out, opened);

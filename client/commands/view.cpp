@@ -31,7 +31,7 @@ void watch(Subscription& subscription, LiveView& view) {
 }
 
 void runView(ViewOptions options) {
-  if (options.request.thresholds.size() > 1)
+  if (options.request.sensors.thresholds.size() > 1)
     throw std::invalid_argument("--threshold: a view shows the events of one sensor");
   watchInterrupt();
   zmq::context_t context;

@@ -212,7 +212,7 @@ TEST_F(SubscriptionTest, ASteeredStreamIsNotOpenedAgain) {
               attached();
               data_.send(makeErrorPacket("s1", "no stream of this name"));
             }),
-            "no stream of this name; a stream that is steered is not opened again");
+            "no stream of this name; a stream that its client steers or pushes is not opened again");
 }
 
 TEST_F(SubscriptionTest, WithoutTimeToRetryTheEndIsTakenAsItComes) {

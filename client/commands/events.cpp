@@ -1,0 +1,115 @@
+// saccade events: makes events of the frames of somebody else's video.
+#include <memory>
+#include <stdexcept>
+
+#include "client/commands/commands.h"
+#include "client/commands/option_range.h"
+#include "client/commands/output_options.h"
+#include "client/commands/record_stream.h"
+#include "client/commands/request_text.h"
+#include "client/commands/sensor_options.h"
+#include "client/commands/truth_option.h"
+
+namespace saccade::client {
+namespace {
+
+struct EventsOptions {
+  std::vector<std::string> frames;
+  std::string size, transfer;
+  double rate_hz = 0;
+  SensorOptions sensors;
+  std::uint64_t seed = 0;
+  std::vector<std::string> truth;
+  OutputOptions output;
+  std::string preview;
+  ServerOptions server;
+};
+
+std::optional<Transfer> transferOf(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  return name == "srgb" ? Transfer::kSrgb : Transfer::kLinear;
+}
+
+std::unique_ptr<FrameSource> openFrames(const EventsOptions& options) {
+  const std::optional<Transfer> transfer = transferOf(options.transfer);
+  try {
+    if (options.size.empty()) return openPictures(options.frames, transfer);
+    const ImageSize size = parseSize("--size", options.size);
+    return openRawFrames(options.frames, size.width, size.height, transfer.value_or(Transfer::kLinear));
+  } catch (const std::invalid_argument& fault) {
+    throw std::invalid_argument(std::string("FRAMES: ") + fault.what());
+  }
+}
+
+v1::OpenStream makeRequest(const EventsOptions& options, const FrameSource& frames) {
+  v1::OpenStream request;
+  request.set_pushed(true);
+  request.mutable_view()->set_width(static_cast<std::uint32_t>(frames.width()));
+  request.mutable_view()->set_height(static_cast<std::uint32_t>(frames.height()));
+  request.mutable_timing()->set_frame_rate_hz(options.rate_hz);
+  if (const auto count = frames.frames())
+    request.mutable_timing()->set_duration_s(static_cast<double>(*count - 1) / options.rate_hz);
+  request.set_seed(options.seed);
+  addSensors(options.sensors, request);
+  requestTruth(options.truth, request);
+  return request;
+}
+
+void runEvents(const EventsOptions& options) {
+  const auto frames = openFrames(options);
+  RecordJob job{.request = makeRequest(options, *frames),
+                .output = options.output.path,
+                .format = &options.output.writer(),
+                .preview = options.preview,
+                .frames = frames.get()};
+  checkOutputs(options.output, job.request.sensors_size());
+  checkTruthOutput(options.output, job.request);
+  if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
+  recordStream(options.server, job);
+}
+
+void addFrameOptions(CLI::App& command, EventsOptions& o) {
+  command.option_defaults()->group("Frames");
+  command
+      .add_option("frames", o.frames,
+                  "pictures of equal size, such as EXR and PNG, or folders of them; with --size raw files, "
+                  "or - for the "
+                  "standard input")
+      ->type_name("FRAMES")
+      ->required();
+  command.add_option("--rate", o.rate_hz, "frames per second")->required();
+  command.add_option("--size", o.size,
+                     "WIDTHxHEIGHT: the frames are float32, little-endian, row by row, one after the other");
+  command
+      .add_option(
+          "--transfer", o.transfer,
+          "how numbers stand for light: linear or srgb. Unset: srgb for whole numbers, linear for others")
+      ->check(CLI::IsMember({"linear", "srgb"}));
+  command.add_option("--seed", o.seed, "seed of all random numbers")->capture_default_str();
+}
+
+}  // namespace
+
+void addEventsCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("events", "make events of the frames of a video");
+  const auto options = std::make_shared<EventsOptions>();
+  addOutputOptions(*command, options->output, "-o,--output");
+  addPreviewOption(*command, options->preview);
+  addTruthOption(*command, options->truth);
+  addFrameOptions(*command, *options);
+  addSensorOptions(*command, options->sensors);
+  command->option_defaults()->group("Server");
+  addServerOptions(*command, options->server);
+  saySensorRanges(*command);
+  sayRange(*command, "--rate", ranges::kFrameRate);
+  command->footer(
+      "The brightness of a pixel changes linearly between two frames. No frames are interpolated: an edge "
+      "should move "
+      "by at most\na pixel per frame. White of a PNG is the luminance 1; --bias is in that unit.\n\n"
+      "Examples: saccade events frames/ --rate 240 -o events.h5\n"
+      "          ffmpeg -i a.mp4 -f rawvideo -pix_fmt grayf32le - |\n"
+      "            saccade events - --size 640x480 --rate 240 --transfer srgb -o events.h5");
+  command->callback([options] { runEvents(*options); });
+}
+
+}  // namespace saccade::client

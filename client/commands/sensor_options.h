@@ -1,0 +1,27 @@
+// The options of sensors on the command line, and the sensors that they ask for.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "saccade/v1/control.pb.h"
+
+namespace saccade::client {
+
+// Options that are not given are left to the server's defaults.
+struct SensorOptions {
+  std::vector<double> thresholds, thresholds_off;  // one sensor for each threshold
+  std::optional<double> bias, refractory_s, cutoff_hz;
+  std::string model, reconstruction, preset;
+  std::vector<std::string> noise;  // name=value
+};
+
+void addSensorOptions(CLI::App& command, SensorOptions& options);
+void saySensorRanges(CLI::App& command);  // adds the valid range to the help of each number
+
+// Adds a sensor to the request for each threshold. Throws std::invalid_argument with the option at fault.
+void addSensors(const SensorOptions& options, v1::OpenStream& open);
+
+}  // namespace saccade::client
