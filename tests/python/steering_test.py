@@ -114,7 +114,7 @@ class LostServer(unittest.TestCase):
         server = FakeServer()
         server.run(script)
         with saccade.connect(server.control.endpoint) as client, self.assertRaisesRegex(
-                saccade.StreamFault, "there is no such stream; a stream that is steered is not opened again"):
+                saccade.StreamFault, "there is no such stream; a stream that its client steers or pushes is not opened again"):
             with client.open(**SETTINGS, delivery="lossless", steerable=True) as stream:
                 list(stream)
         server.join()

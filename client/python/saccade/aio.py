@@ -5,6 +5,9 @@ from collections.abc import AsyncIterator, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from saccade.events import Events
 from saccade.protocol import session
 from saccade.protocol.network import AsyncNetwork
@@ -77,6 +80,9 @@ class Stream(StreamState):
     async def step(self, pose: Sequence[float] | None = None, *,
                    velocity: Sequence[float] | None = None) -> list[Events]:
         return await self._step(pose, velocity)
+
+    async def push(self, intensity: NDArray[np.float32]) -> list[Events]:
+        return await self._push(intensity)
 
     async def change_sensor(self, sensor: int = 0, **change: Unpack[SensorSettings]) -> int:
         return await self._change_sensor(sensor, change)

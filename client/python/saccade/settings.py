@@ -23,10 +23,9 @@ class SensorSettings(TypedDict, total=False):
 class Needed(TypedDict):
     """What every stream needs.
 
-    scene: one of Client.scenes(). size: width and height in pixels. rate_hz: frames per second of stream time.
+    size: width and height in pixels. rate_hz: frames per second of stream time.
     """
 
-    scene: str
     size: tuple[int, int]
     rate_hz: float
 
@@ -34,7 +33,10 @@ class Needed(TypedDict):
 class Settings(Needed, total=False):
     """All settings. Unset ones take the server's default; proto/PROTOCOL.md gives defaults, ranges and meaning.
 
-    One of these two says how the camera moves:
+    scene: one of Client.scenes(). Or pushed: the stream gets its frames from Stream.push(), and has only sensors, size,
+        rate_hz, duration_s, delivery, codec, seed and truth.
+
+    Of a scene, one of these two says how the camera moves:
     trajectory: a name from Client.scenes(), the path of a TUM or ESIM file (a Path, or a str that ends in .csv or
         .txt), or poses, float (n, 8): time in seconds, position x y z, quaternion x y z w of T_world_camera.
     motion: "KIND:SPEED" such as "pan:-15", "KIND:SPEEDpx" in pixels per frame, or a name such as "right".
@@ -68,6 +70,8 @@ class Settings(Needed, total=False):
     budget instead: budget_ms, max_false_rate; or max_event_change, a share from 0 to 1.
     """
 
+    scene: str
+    pushed: bool
     trajectory: str | os.PathLike[str] | NDArray[np.float64]
     motion: str
     turn_s: float

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from saccade.protocol.connection import BroadcastConnection, Connection
 from saccade.protocol.control import DEADLINE_S, Control
 from saccade.protocol.sockets import reachable_endpoint
-from saccade.protocol.steering import make_change, make_describe, make_steer
+from saccade.protocol.steering import make_change, make_describe, make_push, make_steer
 from saccade.v1 import control_pb2
 
 OPEN_DEADLINE_S = 600.0  # a large scene takes long to load
@@ -31,8 +31,9 @@ class StreamHandle:
         return self.opened.resolved.delivery == control_pb2.DELIVERY_BROADCAST
 
     @property
-    def steerable(self) -> bool:
-        return self.opened.resolved.timing.steerable
+    def own_frames(self) -> bool:
+        """Whether only this client knows what the frames of its stream show."""
+        return self.opened.resolved.pushed or self.opened.resolved.timing.steerable
 
     @property
     def lossless(self) -> bool:
@@ -82,6 +83,9 @@ class StreamHandle:
 
     async def steer(self, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> control_pb2.Steered:
         return (await self.control.call(make_steer(self.opened, pose, velocity))).steer
+
+    async def push(self, intensity: bytes) -> control_pb2.FramePushed:
+        return (await self.control.call(make_push(self.opened, intensity))).push_frame
 
     async def change_sensor(self, sensor: int, change: control_pb2.SensorChange) -> control_pb2.SensorChanged:
         """Notes the change in `opened`, so that a stream that is opened again has it, too."""

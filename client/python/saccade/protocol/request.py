@@ -16,6 +16,7 @@ from saccade.v1.truth_pb2 import Truth
 
 PER_SENSOR = ("threshold", "threshold_off", "bias", "refractory_s", "cutoff_hz")
 OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset", "labels", "max_artefact_odds")
+OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "method", "spp", "params", "disable")
 OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
 
 
@@ -27,19 +28,29 @@ def make_request(settings: Settings) -> c.OpenStream:
     _check_names(settings)
     s: Mapping[str, Any] = settings
     return c.OpenStream(
-        scene=s["scene"],
         view=_view(s),
-        trajectory=make_trajectory(s),
         timing=c.Timing(frame_rate_hz=s["rate_hz"], clock=_value(c.Clock, s, "clock"),
                         **_some(s, "duration_s", "speed", "steerable", "packet_per_frame")),
-        method=c.Method(name=s.get("method", ""), **_some(s, "spp", "params")),
-        quality=c.Quality(disabled_features=s.get("disable", ()), **_some(s, *OF_QUALITY)),
         sensors=_sensors(s),
         further_views=_further_views(s),
         delivery=_value(c.Delivery, s, "delivery"),
         codec=_value(events_pb2.Codec, s, "codec"),
         truth=[_truth(channel) for channel in s.get("truth", ())],
-        **_some(s, "seed"))
+        **_picture_source(s), **_some(s, "seed"))
+
+
+def _picture_source(settings: Mapping[str, Any]) -> dict[str, Any]:
+    """What is rendered, and how; or that the client sends the frames."""
+    if settings.get("pushed"):
+        for name in OF_SCENES + OF_QUALITY:
+            if name in settings:
+                raise TypeError(f"a pushed stream has no setting '{name}'")
+        return {"pushed": True}
+    if "scene" not in settings:
+        raise TypeError("the setting 'scene' is missing")
+    return {"scene": settings["scene"], "trajectory": make_trajectory(settings),
+            "method": c.Method(name=settings.get("method", ""), **_some(settings, "spp", "params")),
+            "quality": c.Quality(disabled_features=settings.get("disable", ()), **_some(settings, *OF_QUALITY))}
 
 
 def _check_names(settings: Mapping[str, Any]) -> None:

@@ -22,6 +22,10 @@ def make_steer(opened: c.StreamOpened, pose: Sequence[float] | None, velocity: S
     return c.Request(steer=call)
 
 
+def make_push(opened: c.StreamOpened, intensity: bytes) -> c.Request:
+    return c.Request(push_frame=c.PushFrame(stream_id=opened.stream_id, token=opened.token, intensity=intensity))
+
+
 def make_change(opened: c.StreamOpened, sensor: int, change: c.SensorChange) -> c.Request:
     return c.Request(change_sensor=c.ChangeSensor(stream_id=opened.stream_id, token=opened.token, sensor=sensor,
                                                   change=change))

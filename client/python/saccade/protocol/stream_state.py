@@ -103,12 +103,21 @@ class StreamState:
         return steered.t_ns // NS_PER_US
 
     async def _step(self, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> list[Events]:
-        until = await self._steer(pose, velocity)
+        return await self._events_until(await self._steer(pose, velocity))
+
+    async def _push(self, intensity: NDArray[np.float32]) -> list[Events]:
+        width, height = self.size
+        if intensity.shape != (height, width):
+            raise ValueError(f"a frame of this stream has the shape ({height}, {width}), not {intensity.shape}")
+        pushed = await self._subscription.handle.push(intensity.astype("<f4").tobytes())
+        return await self._events_until(pushed.t_ns // NS_PER_US) if pushed.frame > 0 else []
+
+    async def _events_until(self, until: int) -> list[Events]:
         parts: list[list[Events]] = [[] for _ in self.resolved.sensors]
         while any(not part or part[-1].t1 < until for part in parts):
             events = await self._next_events()
             if events is None:
-                raise StreamFault("the stream has ended before the frame was rendered")
+                raise StreamFault("the stream has ended before the frame")
             parts[events.sensor].append(events)
         return [concatenate(part) for part in parts]
 

@@ -95,7 +95,7 @@ class Subscription:
         return left and not last_frame and self._may_start_again()
 
     def _may_start_again(self) -> bool:
-        again = self.handle.lossless and not self.handle.steerable
+        again = self.handle.lossless and not self.handle.own_frames
         return again and not self.handle.closed and self._policy.retry_time_s > 0
 
     async def _reconnect(self) -> None:
@@ -118,8 +118,8 @@ class Subscription:
 
     async def _start_again(self, failure: str) -> None:
         repeated = failure == self._failure  # nothing new has arrived since the last one
-        if self.handle.steerable:
-            raise StreamFault(f"{failure}; a stream that is steered is not opened again")
+        if self.handle.own_frames:
+            raise StreamFault(f"{failure}; a stream that its client steers or pushes is not opened again")
         if not self._may_start_again() or repeated:
             raise StreamFault(failure)
 

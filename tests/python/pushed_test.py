@@ -1,0 +1,67 @@
+"""Streams whose frames the client in Python sends, with a real saccaded."""
+import asyncio
+import unittest
+
+import numpy as np
+
+import saccade
+import saccade.aio
+from saccaded import Server
+
+SETTINGS = {"pushed": True, "size": (6, 4), "rate_hz": 100, "threshold": [0.1, 0.2], "bias": 1e-12}
+STEP = 0.23  # of log brightness in each frame
+
+
+def frame(index):
+    """One pixel of it brightens."""
+    picture = np.ones((4, 6))
+    picture[2, 3] = np.exp(STEP * index)
+    return picture
+
+
+class Pushed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = cls.enterClassContext(Server())
+
+    def setUp(self):
+        self.client = self.enterContext(saccade.connect(self.server.address))
+
+    def check_ramp(self, steps):
+        for sensor, threshold in enumerate(SETTINGS["threshold"]):
+            events = saccade.concatenate([step[sensor] for step in steps])
+            self.assertEqual((events.t0, events.t1), (0, 10_000 * len(steps)))
+            self.assertEqual({*zip(events.x, events.y, events.p)}, {(3, 2, True)})
+            np.testing.assert_allclose(np.diff(events.t), threshold / STEP * 10_000, atol=2)
+            self.assertLess(events.t1 - events.t[-1], threshold / STEP * 10_000)
+
+    def test_a_push_gives_the_events_of_its_frame(self):
+        with self.client.open(**SETTINGS) as stream:
+            self.assertEqual(stream.push(frame(0)), [])
+            self.check_ramp([stream.push(frame(i)) for i in range(1, 9)])
+            stream.stop()
+            self.assertEqual(list(stream), [])
+
+    def test_faults(self):
+        with self.client.open(**SETTINGS) as stream:
+            with self.assertRaisesRegex(ValueError, r"shape \(4, 6\), not \(6, 4\)"):
+                stream.push(frame(0).T)
+            with self.assertRaises(saccade.InvalidArgument) as caught:
+                stream.push(-frame(0))
+            self.assertEqual(caught.exception.field, "intensity[0]")
+        for wrong in ({"scene": "cornell-box"}, {"motion": "still"}, {"spp": 2}):
+            with self.subTest(**wrong), self.assertRaisesRegex(TypeError, "a pushed stream has no setting"):
+                self.client.open(**SETTINGS, **wrong)
+        with self.assertRaisesRegex(TypeError, "the setting 'scene' is missing"):
+            self.client.open(size=(6, 4), rate_hz=100, motion="still")
+
+    def test_asyncio(self):
+        async def push():
+            async with saccade.aio.connect(self.server.address) as client:
+                async with await client.open(**SETTINGS) as stream:
+                    return [await stream.push(frame(i)) for i in range(9)]
+        self.check_ramp(asyncio.run(push())[1:])
+
+
+if __name__ == "__main__":
+    unittest.main()
