@@ -55,7 +55,11 @@ TEST_F(SensorCommand, WritesEachCurveAsATableAndAPicture) {
                 {"latency",
                  "intensity,on_median_s,on_low_s,on_high_s,on_answered,off_median_s,off_low_s,off_high_s,"
                  "off_answered,on_median_expected_s,off_median_expected_s",
-                 11}};
+                 11},
+                {"jitter", "frame_rate_hz,error_s,error_expected_s", 10},
+                {"readout",
+                 "offered_hz,delivered_hz,lost,wait_s,delivered_expected_hz,lost_expected,wait_expected_s",
+                 24}};
   for (const auto& [name, columns, rows] : curves) {
     const std::string csv = text("out/" + name + ".csv"), svg = text("out/" + name + ".svg");
     EXPECT_EQ(csv.find("# threshold=0.25 threshold_off=0.25 bias=0.001 refractory_s=0.001 size=8x8 "), 0u)
@@ -94,7 +98,7 @@ TEST_F(SensorCommand, RefusesWrongFlags) {
   EXPECT_EQ(sensor("--preset eye"), 2);
   expectSaid("there is no \"eye\"; there are: davis346, ");
   EXPECT_EQ(sensor("--curves speed"), 2);
-  expectSaid("there is no \"speed\"; there are: threshold, noise, frequency, latency");
+  expectSaid("there is no \"speed\"; there are: threshold, noise, frequency, latency, jitter, readout");
   EXPECT_EQ(sensor("--noise leak=1"), 2);
   expectSaid("must be KEY=VALUE, not leak=1; the keys are mismatch, ");
   EXPECT_EQ(sensor("--noise leak_hz=much"), 2);

@@ -11,6 +11,8 @@ const std::vector<SensorCurve>& sensorCurveTable() {
       {"noise", "events of a still picture, against intensity", makeNoiseFigure},
       {"frequency", "amplitude seen, against the frequency of a sinusoidal brightness", makeFrequencyFigure},
       {"latency", "time from a step to the first event, against intensity", makeLatencyFigure},
+      {"jitter", "error of event times, against the frame rate", makeJitterFigure},
+      {"readout", "events delivered and lost, and their delay, against the rate offered", makeReadoutFigure},
   };
   return table;
 }

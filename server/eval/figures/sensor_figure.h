@@ -32,6 +32,10 @@ SensorFigure makeNoiseFigure(const SensorSetup& setup);
 SensorFigure makeFrequencyFigure(const SensorSetup& setup);
 // The time from a step to the first event, against intensity.
 SensorFigure makeLatencyFigure(const SensorSetup& setup);
+// The error of event times against the frame rate.
+SensorFigure makeJitterFigure(const SensorSetup& setup);
+// Delivered rate, losses and delay of the readout against the rate of events offered.
+SensorFigure makeReadoutFigure(const SensorSetup& setup);
 
 // All intensities that the curves take, in scene luminance.
 inline constexpr double kReferenceIntensity = 1;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr TimeNs kStillInterval{10'000'000};  // where nothing changes
 constexpr TimeNs kSlowInterval{1'000'000};    // the longest of a change
-constexpr int kStillFrames = 5, kRampFrames = 400, kCycleFrames = 32;
+constexpr int kStillFrames = 5, kCycleFrames = 32;
 constexpr double kGrowth = 1.02;  // of the intervals after a step
 constexpr int kSettlingCycles = 2, kMeasuredCycles = 4;
 

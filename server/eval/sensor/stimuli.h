@@ -22,7 +22,9 @@ Stimulus stillPicture(double I, double duration_s);
 inline constexpr TimeNs kStepTime{50'000'000};
 Stimulus stepOf(double I, double size, TimeNs window, TimeNs shortest);
 
-// Log intensity changes evenly for `duration_s` seconds, by `size` in all, around that of `I`.
+// Log intensity changes evenly for `duration_s` seconds, by `size` in all, around that of `I`. It has so many
+// intervals.
+inline constexpr int kRampFrames = 400;
 Stimulus rampOf(double I, double size, double duration_s);
 
 // log I + amplitude sin(2 pi f t) for a whole number of cycles.
