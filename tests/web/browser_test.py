@@ -92,6 +92,20 @@ class Browser(unittest.TestCase):
         WebDriverWait(self.browser, 10, 0.05).until(lambda _: first not in page.streams())
         page.socket.close()
 
+    def test_a_preset_is_a_sensor_of_the_same_feed(self):
+        self.open(TINY)
+        feed = self.wait_for("saccade.meters.events > 0 && saccade.watch.stream.feed")
+        self.assertIn("davis346", self.run_js("return [...document.forms[0].preset.options].map(({value}) => value)"))
+        self.run_js("const p = document.forms[0].preset; p.value = 'davis346';"
+                    "p.dispatchEvent(new Event('input', {bubbles: true}))")
+        sensor = self.wait_for("saccade.watch.stream?.resolved?.sensors[0].preset === 'davis346' && saccade.meters.events > 0"
+                               " && saccade.watch.stream.resolved.sensors[0]")
+        self.assertAlmostEqual(sensor["thresholdOff"], 0.2029)
+        self.assertGreater(sensor["noise"]["leakHz"], 0)
+        self.assertEqual(self.run_js("return saccade.watch.stream.feed"), feed)
+        self.assertTrue(self.run_js("return document.forms[0].C.parentElement.hidden"))
+        self.assertIn("preset=davis346", self.browser.current_url)
+
     def test_it_watches_a_broadcast_of_others(self):
         page = Page(self.server)
         stream = page.open("DELIVERY_BROADCAST")

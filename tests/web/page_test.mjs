@@ -10,7 +10,7 @@ const packet = (seq, options = {}) => ({ kind: Kind.EVENTS, seq, count: 100, sup
   t0Ns: seq * 5e6, t1Ns: (seq + 1) * 5e6, ...options });
 
 test("a link holds what is not a default", () => {
-  const settings = { ...DEFAULTS, scene: "cornell box&", C: 0.15, decay: 0, colours: "white-black" };
+  const settings = { ...DEFAULTS, scene: "cornell box&", preset: "imx636", C: 0.15, decay: 0, colours: "white-black" };
   assert.deepStrictEqual(fromFragment(toFragment(settings)), settings);
   assert.strictEqual(toFragment({ ...DEFAULTS, scene: "a" }), "#scene=a");
 });
@@ -24,6 +24,12 @@ test("a request says a kind of motion, or the name of a trajectory", () => {
     { motion: { kind: "MOTION_KIND_SHAKE", pxPerFrame: 0.3 } });
   assert.deepStrictEqual(openStreamOf({ ...DEFAULTS, motion: "right" }).trajectory, { name: "right" });
   assert.deepStrictEqual(openStreamOf({ ...DEFAULTS, size: "64x48" }).view, { width: 64, height: 48 });
+});
+
+test("a preset takes the place of the threshold", () => {
+  assert.deepStrictEqual(openStreamOf({ ...DEFAULTS, C: 0.3, bias: 0.1 }).sensors, [{ threshold: 0.3, bias: 0.1 }]);
+  assert.deepStrictEqual(openStreamOf({ ...DEFAULTS, C: 0.3, bias: 0.1, preset: "davis346" }).sensors,
+    [{ preset: "davis346", bias: 0.1 }]);
 });
 
 test("a gap of seq is lost, wherever the stream was joined", () => {

@@ -5,7 +5,7 @@ import { SLIDERS } from "./sliders.js";
 
 const SIZES = ["64x48", "128x96", "160x120", "240x180", "346x260", "640x480"];
 const RATES = [25, 50, 100, 200, 500, 1000, 2000];
-const OF_OWN_STREAM = ["motion", "px", "C", "bias", "size", "rate", "speed"]; // a broadcast of others has its own
+const OF_OWN_STREAM = ["motion", "px", "preset", "C", "bias", "size", "rate", "speed"]; // a broadcast of others has its own
 
 const option = (value, label = value, title = "") => Object.assign(new Option(label, value), { title });
 
@@ -64,16 +64,24 @@ export class Form {
     this.show(this.settings);
   }
 
+  // The sensors of known cameras that the server has.
+  offerPresets(presets) {
+    const cameras = presets.map(({ name, description }) => option(name, name, description));
+    this.form.preset.replaceChildren(option("", "none"), ...cameras);
+    this.show(this.settings);
+  }
+
   show(settings) {
     this.settings = settings;
     const { form } = this;
     form.source.value = settings.stream ? "stream:" + settings.stream : "scene:" + settings.scene;
     this.showMotions();
-    for (const name of ["size", "rate", "colours"]) form[name].value = settings[name];
+    for (const name of ["preset", "size", "rate", "colours"]) form[name].value = settings[name];
     for (const [name, { at, text }] of Object.entries(SLIDERS)) {
       form[name].value = at(settings[name]);
       form[name].parentElement.querySelector("output").value = text(settings[name]);
     }
+    form.C.parentElement.hidden = settings.preset !== "";
     for (const name of OF_OWN_STREAM) form[name].disabled = settings.stream !== "";
   }
 

@@ -10,6 +10,7 @@ export const DEFAULTS = {
   rate: 200, // frames per second of stream time
   duration: 0, // seconds of stream time; 0: until the page leaves. It has no control
   speed: 0.25, // stream seconds per second
+  preset: "", // the sensor of a known camera, instead of C
   C: 0.2,
   bias: 0.001,
   decay: 15, // ms of stream time; 0: events stay
@@ -42,12 +43,13 @@ export function openStreamOf(settings) {
   const trajectory = MOTIONS.includes(settings.motion)
     ? { motion: { kind, pxPerFrame: settings.px } }
     : { name: settings.motion };
+  const threshold = settings.preset ? { preset: settings.preset } : { threshold: settings.C };
   return {
     scene: settings.scene,
     view: { width, height },
     trajectory,
     timing: { frameRateHz: settings.rate, durationS: settings.duration, clock: "CLOCK_PACED", speed: settings.speed },
-    sensors: [{ threshold: settings.C, bias: settings.bias }],
+    sensors: [{ ...threshold, bias: settings.bias }],
     delivery: "DELIVERY_LIVE",
   };
 }

@@ -36,7 +36,9 @@ let timer = 0;
 async function begin() {
   say("Asking for scenes");
   try {
-    const [{ scenes }, { streams }] = await Promise.all([connection.call("listScenes"), connection.call("listStreams")]);
+    const questions = ["listScenes", "listStreams", "serverInfo"].map((name) => connection.call(name));
+    const [{ scenes }, { streams }, { presets }] = await Promise.all(questions);
+    form.offerPresets(presets);
     form.offer(scenes, streams);
     await open();
   } catch (fault) {
