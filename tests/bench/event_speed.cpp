@@ -3,46 +3,20 @@
 // Renders some frames once with the default method. Gives them to sensors of each event model and
 // reconstruction, at a coarse and a fine contrast threshold. Prints for each the events per pixel and frame;
 // million events per second and core, from the change of intensity to the packet; and the cost of 64 such
-// sensors and the frame, in frames. Times are CPU times of one thread, the best of some rounds in turn.
+// sensors and the frame, in frames. Times are CPU times of one thread, the best of some rounds in turn; that
+// of the frame is a median.
 #include <cstdio>
 #include <limits>
 
 #include "app/streams/sensor_channel.h"
-#include "eval/bench/open_scene.h"
+#include "bench/recording.h"
 #include "events/event_model.h"
 #include "events/reconstruction.h"
-#include "methods/method_spec.h"
 
 namespace saccade {
 namespace {
 
 constexpr int kWarmUp = 8, kFrames = 24, kRounds = 7, kSensors = 64;
-
-struct Recording {
-  std::vector<IntensityChange> changes;
-  double frame_ms = std::numeric_limits<double>::infinity();  // of the cheapest
-  FeedConfig feed;
-  std::unique_ptr<Feed> source;
-};
-
-Recording record(const std::string& scene_name, const std::string& trajectory) {
-  Recording r;
-  const MethodSpec method = parseMethod(r.feed.method);
-  r.feed.params = method.params;
-  const auto scene = eval::openScene(scene_name);
-  r.feed.camera = pinhole(scene->description().fov_x_deg, 346, 260);
-  TilePool pool(1);
-  r.source = std::make_unique<Feed>(scene, eval::openTrajectory(scene_name, trajectory, *scene, r.feed),
-                                    r.feed, pool);
-  for (int i = 0; i < kWarmUp + kFrames; ++i) {
-    const IntensityChange& change = r.source->step(pool);
-    r.frame_ms = std::min(r.frame_ms, 1e3 * seconds(r.source->lastTimes().total()));
-    if (i < kWarmUp) continue;
-    r.changes.emplace_back(r.feed.camera.width, r.feed.camera.height);
-    r.changes.back().copyFrom(change);
-  }
-  return r;
-}
 
 struct Cost {
   std::uint64_t events = 0;
@@ -66,7 +40,7 @@ void measure(const Recording& r, const SensorConfig& config, Cost& best) {
 }
 
 void measureAll(const std::string& scene, const std::string& trajectory) {
-  const Recording r = record(scene, trajectory);
+  const Recording r = recordChanges(scene, trajectory, kWarmUp, kFrames);
   std::printf("%s, %s, %d x %d: a frame takes %.1f ms\n", scene.c_str(), trajectory.c_str(),
               r.feed.camera.width, r.feed.camera.height, r.frame_ms);
   std::vector<SensorConfig> configs;

@@ -1,28 +1,29 @@
 // What the parts of sensor noise cost:
-//   build/dev/bin/noise_speed
-// Gives changes made up at random to sensors with one part of noise each. Prints the CPU time of a frame of
-// 346 x 260 pixels at 500 Hz, of one thread, beyond that of the sensor without noise. It is the best of some
-// rounds in turn.
+//   build/dev/bin/noise_speed [SCENE [TRAJECTORY]]
+// Renders some frames once with the default method, and gives them to sensors with one part of noise each.
+// Prints the CPU time per frame of 346 x 260 pixels, of one thread, beyond that of the sensor without noise;
+// and its share of the frame. Each is the best of some rounds in turn.
 #include <algorithm>
 #include <cstdio>
 #include <limits>
-#include <random>
 #include <vector>
 
 #include "base/thread_time.h"
+#include "bench/recording.h"
 #include "events/noise/presets.h"
 #include "events/sensor.h"
 
 namespace saccade {
 namespace {
 
-constexpr int kWidth = 346, kHeight = 260, kFrames = 64, kRounds = 9;
+constexpr int kWarmUp = 8, kFrames = 32, kRounds = 15;
+constexpr int kFirstFrames = 4;  // of a sensor: it allocates
 
 struct Part {
   std::string name;
   NoiseConfig noise;
-  double ms = std::numeric_limits<double>::infinity();
-  double events = 0;  // of a frame
+  double ms = std::numeric_limits<double>::infinity();  // per frame
+  double events = 0;                                    // of a frame
 };
 
 std::vector<Part> parts() {
@@ -40,50 +41,46 @@ std::vector<Part> parts() {
   return list;
 }
 
-// A tenth of the pixels change, by up to 0.4.
-std::vector<IntensityChange> changes() {
-  std::vector<IntensityChange> list;
-  for (int i = 0; i < 4; ++i) list.emplace_back(kWidth, kHeight);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<float> uniform(-0.4f, 0.4f);
-  for (IntensityChange& change : list) {
-    change.I_prev.fill(1), change.I_now.fill(1);
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) change.dI.at(x, y) = random() % 10 == 0 ? uniform(random) : 0;
-  }
-  return list;
-}
-
-void measure(std::vector<IntensityChange>& changes, Part& part) {
+void measure(const Recording& r, Part& part) {
   SensorConfig config;
   config.noise = part.noise;
-  config.reconstruction = "direct";
-  Sensor sensor(config, kWidth, kHeight);
+  Sensor sensor(config, r.feed.camera.width, r.feed.camera.height);
   SensorOutput out;
   std::size_t events = 0;
-  const auto began = threadCpuTime();
-  for (int i = 1; i <= kFrames; ++i) {
-    IntensityChange& change = changes[i % changes.size()];
-    change.frame = i, change.t0 = frameTime(i - 1, 500), change.t1 = frameTime(i, 500);
-    sensor.generate(change, out);
+  std::chrono::nanoseconds time{0};
+  for (int i = 0; i < kFrames; ++i) {
+    const auto began = threadCpuTime();
+    sensor.generate(r.changes[i], out);
+    if (i < kFirstFrames) continue;
+    time += threadCpuTime() - began;
     events += out.events.size();
   }
-  part.ms = std::min(part.ms, 1e3 * seconds(threadCpuTime() - began) / kFrames);
-  part.events = static_cast<double>(events) / kFrames;
+  part.ms = std::min(part.ms, 1e3 * seconds(time) / (kFrames - kFirstFrames));
+  part.events = static_cast<double>(events) / (kFrames - kFirstFrames);
+}
+
+void measureAll(const std::string& scene, const std::string& trajectory) {
+  const Recording r = recordChanges(scene, trajectory, kWarmUp, kFrames);
+  std::vector<Part> list = parts();
+  for (int round = 0; round < kRounds; ++round)
+    for (Part& part : list) measure(r, part);
+  std::printf("%s, %s, %d x %d: a frame takes %.1f ms\n", scene.c_str(), trajectory.c_str(),
+              r.feed.camera.width, r.feed.camera.height, r.frame_ms);
+  std::printf("%-24s %14s %10s %10s\n", "part", "events/frame", "ms/frame", "of it, %");
+  for (const Part& part : list) {
+    const double ms = part.ms - (&part == &list.front() ? 0 : list.front().ms);
+    std::printf("%-24s %14.0f %10.3f %10.2f\n", part.name.c_str(), part.events, ms, 100 * ms / r.frame_ms);
+  }
 }
 
 }  // namespace
 }  // namespace saccade
 
-int main() {
-  using namespace saccade;
-  std::vector<Part> list = parts();
-  std::vector<IntensityChange> frames = changes();
-  for (int round = 0; round < kRounds; ++round)
-    for (Part& part : list) measure(frames, part);
-  std::printf("%-24s %14s %12s\n", "part", "events/frame", "ms/frame");
-  for (const Part& part : list) {
-    const double base = &part == &list.front() ? 0 : list.front().ms;
-    std::printf("%-24s %14.0f %12.3f\n", part.name.c_str(), part.events, part.ms - base);
+int main(int argc, char** argv) {
+  try {
+    saccade::measureAll(argc > 1 ? argv[1] : "cornell-bunny", argc > 2 ? argv[2] : "right");
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "noise_speed: %s\n", fault.what());
+    return 1;
   }
 }

@@ -1,51 +1,75 @@
 // What truth channels cost:
 //   build/dev/bin/truth_speed [SCENE [TRAJECTORY]]
-// Renders some frames with the default method, and takes one sample of each channel from each. Prints CPU
-// milliseconds per sample of one thread, without its packet, and those of the frame. The best of some rounds.
+// Renders some frames with the default method, and takes the samples of each channel. Prints CPU milliseconds
+// per frame of one thread, without packets, and their share of the frame. A channel's time is that of the
+// best of some rounds at each frame, on average over the frames.
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 
 #include "base/thread_time.h"
-#include "eval/bench/open_scene.h"
-#include "methods/method_spec.h"
+#include "bench/recording.h"
 #include "truth/truth_source.h"
 
 namespace saccade {
 namespace {
 
-constexpr int kFrames = 4, kRounds = 5;
+constexpr int kWarmUp = 8, kFrames = 16, kRounds = 7;
 
-double sampleMs(const TruthChannelInfo& info, const FeedConfig& feed, const FeedInterval& interval) {
-  const auto source = info.make({.name = info.name,
-                                 .frames = FrameSelection(),
-                                 .width = feed.camera.width,
-                                 .height = feed.camera.height});
-  const auto began = threadCpuTime();
-  const std::size_t samples = source->sample(interval).size();
-  return 1e3 * seconds(threadCpuTime() - began) / static_cast<double>(samples);
+// A channel, and equal sources of it that see each frame one after the other.
+struct Channel {
+  std::string name;
+  std::vector<std::unique_ptr<TruthSource>> rounds;
+  double ms = 0;  // of all frames
+};
+
+std::vector<Channel> channels(const FeedConfig& feed) {
+  std::vector<Channel> list;
+  for (const TruthChannelInfo& info : truthTable()) {
+    Channel& channel = list.emplace_back(Channel{info.name, {}});
+    for (int round = 0; round < kRounds; ++round) {
+      channel.rounds.push_back(info.make({.name = info.name,
+                                          .frames = FrameSelection(),
+                                          .width = feed.camera.width,
+                                          .height = feed.camera.height}));
+    }
+  }
+  return list;
 }
 
-void measure(const std::string& scene_name, const std::string& trajectory) {
-  FeedConfig config;
-  config.params = parseMethod(config.method).params;
-  const auto scene = eval::openScene(scene_name);
-  config.camera = pinhole(scene->description().fov_x_deg, 346, 260);
-  TilePool pool(1);
-  Feed feed(scene, eval::openTrajectory(scene_name, trajectory, *scene, config), config, pool);
-  double frame_ms = std::numeric_limits<double>::infinity();
-  std::vector<double> best(truthTable().size(), frame_ms);
-  for (int frame = 0; frame < kFrames; ++frame) {
-    feed.step(pool);
-    frame_ms = std::min(frame_ms, 1e3 * seconds(feed.lastTimes().total()));
-    for (int round = 0; round < kRounds; ++round)
-      for (std::size_t i = 0; i < best.size(); ++i)
-        best[i] = std::min(best[i], sampleMs(truthTable()[i], config, feed.interval()));
+double sampleMs(const FeedInterval& interval, TruthSource& source) {
+  const auto began = threadCpuTime();
+  source.sample(interval);
+  return 1e3 * seconds(threadCpuTime() - began);
+}
+
+void sampleAll(const FeedInterval& interval, bool counts, std::vector<Channel>& list) {
+  for (Channel& channel : list) {
+    double best = std::numeric_limits<double>::infinity();
+    for (const auto& source : channel.rounds) best = std::min(best, sampleMs(interval, *source));
+    if (counts) channel.ms += best;
   }
-  std::printf("%s %s, %dx%d, CPU ms\n", scene_name.c_str(), trajectory.c_str(), config.camera.width,
-              config.camera.height);
-  for (std::size_t i = 0; i < best.size(); ++i)
-    std::printf("%-14s %8.3f\n", truthTable()[i].name.c_str(), best[i]);
-  std::printf("%-14s %8.3f\n", "(the frame)", frame_ms);
+}
+
+void measure(const std::string& scene, const std::string& trajectory) {
+  FeedConfig config;
+  TilePool pool(1);
+  const auto feed = openFeed(scene, trajectory, config, pool);
+  std::vector<Channel> list = channels(config);
+  std::vector<double> times;
+  for (int i = 0; i < kWarmUp + kFrames; ++i) {
+    feed->step(pool);
+    sampleAll(feed->interval(), i >= kWarmUp, list);
+    if (i >= kWarmUp) times.push_back(1e3 * seconds(feed->lastTimes().total()));
+  }
+  const double frame_ms = quantile(times, 0.5);
+  std::printf("%s, %s, %d x %d: a frame takes %.1f ms\n", scene.c_str(), trajectory.c_str(),
+              config.camera.width, config.camera.height, frame_ms);
+  std::printf("%-14s %10s %10s\n", "channel", "ms/frame", "of it, %");
+  for (const Channel& channel : list) {
+    const double ms = channel.ms / kFrames;
+    std::printf("%-14s %10.3f %10.2f\n", channel.name.c_str(), ms, 100 * ms / frame_ms);
+  }
 }
 
 }  // namespace
@@ -55,7 +79,7 @@ int main(int argc, char** argv) {
   try {
     saccade::measure(argc > 1 ? argv[1] : "cornell-bunny", argc > 2 ? argv[2] : "right");
   } catch (const std::exception& fault) {
-    std::fprintf(stderr, "%s\n", fault.what());
+    std::fprintf(stderr, "truth_speed: %s\n", fault.what());
     return 1;
   }
 }
