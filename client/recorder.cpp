@@ -20,7 +20,7 @@ v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescripti
   about.set_bake_digest(stream.bake_digest());
   about.set_server_version(server.version());
   about.set_instruction_set(server.instruction_set());
-  if (sensor == 0) describeTruth(stream.resolved(), server, about);
+  describeTruth(stream.resolved(), server, about);
   return about;
 }
 
@@ -37,20 +37,23 @@ std::vector<std::string> outputFiles(const std::string& path, int sensors) {
 }
 
 Recorder::Recorder(const std::string& path, const WriterInfo& format, const v1::StreamOpened& stream,
-                   const v1::ServerDescription& server)
-    : truth_ended_(stream.resolved().truth_size()) {
+                   const v1::ServerDescription& server) {
   for (const std::string& file : outputFiles(path, stream.resolved().sensors_size())) {
     const int sensor = static_cast<int>(outputs_.size());
     outputs_.push_back({std::make_unique<RecordingFile>(file, format, describe(stream, server, sensor))});
+  }
+  std::vector<int> channels(outputs_.size());  // so far, by file
+  for (int i = 0; i < stream.resolved().truth_size(); ++i) {
+    const int sensor = sensorOfTruth(stream.resolved(), i);
+    truth_.push_back({sensor, channels[sensor]++});
   }
 }
 
 void Recorder::add(const Batch& batch) {
   const v1::PacketHeader& header = batch.header;
-  if (header.sensor() >= outputs_.size() + truth_ended_.size())
+  if (header.sensor() >= outputs_.size() + truth_.size())
     throw StreamFault("a packet is of a sensor that the stream does not have");
-  if (header.sensor() >= outputs_.size())
-    return addTruth(static_cast<int>(header.sensor() - outputs_.size()), batch);
+  if (header.sensor() >= outputs_.size()) return addTruth(truth_[header.sensor() - outputs_.size()], batch);
   if (header.kind() == v1::KIND_HEARTBEAT) return;  // its time is that of rendering, not of what has arrived
   if (!begin_ns_) begin_ns_ = header.t0_ns();
   Output& output = outputs_[header.sensor()];
@@ -59,18 +62,19 @@ void Recorder::add(const Batch& batch) {
   output.ended |= header.kind() == v1::KIND_END;
 }
 
-void Recorder::addTruth(int channel, const Batch& batch) {
-  RecordingFile& file = *outputs_.front().file;
+void Recorder::addTruth(Truth& truth, const Batch& batch) {
+  RecordingFile& file = *outputs_[truth.sensor].file;
   if (!batch.truth.empty()) {
-    checkTruthPacket(file.about().truth(channel), batch.header);
-    file.writeTruth(channel, batch.truth);
+    checkTruthPacket(file.about().truth(truth.channel), batch.header);
+    file.writeTruth(truth.channel, batch.truth);
   }
-  if (batch.header.kind() == v1::KIND_END) truth_ended_[channel] = true;
+  truth.ended |= batch.header.kind() == v1::KIND_END;
 }
 
 bool Recorder::complete() const {
-  return std::all_of(outputs_.begin(), outputs_.end(), [](const Output& o) { return o.ended; }) &&
-         std::find(truth_ended_.begin(), truth_ended_.end(), false) == truth_ended_.end();
+  const auto ended = [](const auto& channel) { return channel.ended; };
+  return std::all_of(outputs_.begin(), outputs_.end(), ended) &&
+         std::all_of(truth_.begin(), truth_.end(), ended);
 }
 
 void Recorder::commit(std::uint64_t lost_events) {
@@ -100,6 +104,21 @@ std::int64_t Recorder::time_ns() const {
 
 std::int64_t Recorder::duration_ns() const {
   return std::max<std::int64_t>(0, time_ns() - begin_ns_.value_or(0));
+}
+
+std::vector<v1::RecordedTruth> Recorder::truth() const {
+  std::vector<v1::RecordedTruth> all;
+  for (const Output& output : outputs_)
+    all.insert(all.end(), output.file->about().truth().begin(), output.file->about().truth().end());
+  return all;
+}
+
+std::string Recorder::truthPlace() const {
+  std::string places;
+  for (const Output& output : outputs_)
+    if (output.file->about().truth_size() > 0)
+      places += (places.empty() ? "" : " ") + output.file->truthPlace();
+  return places;
 }
 
 std::vector<std::string> Recorder::files() const {

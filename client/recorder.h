@@ -1,4 +1,5 @@
-// Writes the batches of a stream to files, one per sensor. The first one gets the truth channels.
+// Writes the batches of a stream to files, one per sensor. A truth channel goes to the file of
+// sensorOfTruth().
 #pragma once
 
 #include <cstdint>
@@ -33,21 +34,27 @@ class Recorder {
 
   std::uint64_t events() const;
   std::uint64_t suppressed() const;
-  std::int64_t time_ns() const;            // stream time up to which all sensors are complete
-  std::int64_t duration_ns() const;        // from the first packet to time_ns()
-  std::vector<std::string> files() const;  // their present names
-  std::string truthPlace() const { return outputs_.front().file->truthPlace(); }
+  std::int64_t time_ns() const;                  // stream time up to which all sensors are complete
+  std::int64_t duration_ns() const;              // from the first packet to time_ns()
+  std::vector<std::string> files() const;        // their present names
+  std::vector<v1::RecordedTruth> truth() const;  // of all files
+  std::string truthPlace() const;                // of all files that have truth, with blanks between
   const v1::Recording& about(int sensor) const { return outputs_.at(sensor).file->about(); }
 
  private:
-  void addTruth(int channel, const Batch& batch);
-
   struct Output {
     std::unique_ptr<RecordingFile> file;
     bool ended = false;
   };
+  struct Truth {
+    int sensor;   // that has it in its file
+    int channel;  // of that file
+    bool ended = false;
+  };
+  void addTruth(Truth& truth, const Batch& batch);
+
   std::vector<Output> outputs_;
-  std::vector<bool> truth_ended_;  // by truth channel
+  std::vector<Truth> truth_;  // by truth channel
   std::optional<std::int64_t> begin_ns_;
 };
 

@@ -25,11 +25,10 @@ const v1::TruthInfo& infoOf(const std::string& name, const v1::ServerDescription
   return *at;
 }
 
-std::string uniqueName(const v1::OpenStream& resolved, int channel) {
-  const std::string& name = resolved.truth(channel).name();
-  const auto end = resolved.truth().begin() + channel;
-  const auto before =
-      std::count_if(resolved.truth().begin(), end, [&](const v1::Truth& t) { return t.name() == name; });
+// With _1, _2 for further channels of the same name. `names`: those before, without such numbers.
+std::string uniqueName(const std::string& name, std::vector<std::string>& names) {
+  const auto before = std::count(names.begin(), names.end(), name);
+  names.push_back(name);
   return before == 0 ? name : name + "_" + std::to_string(before);
 }
 
@@ -37,11 +36,15 @@ std::string uniqueName(const v1::OpenStream& resolved, int channel) {
 
 void describeTruth(const v1::OpenStream& resolved, const v1::ServerDescription& server,
                    v1::Recording& about) {
-  for (int i = 0; i < resolved.truth_size(); ++i) {
+  const int sensor = static_cast<int>(about.sensor());
+  const std::uint32_t own = resolved.sensors(sensor).view();
+  std::vector<std::string> names;
+  for (const int i : truthOfSensor(resolved, sensor)) {
+    const v1::Truth& truth = resolved.truth(i);
     v1::RecordedTruth& channel = *about.add_truth();
-    *channel.mutable_info() = infoOf(resolved.truth(i).name(), server);
-    channel.set_name(uniqueName(resolved, i));
-    const v1::View& view = viewOf(resolved, resolved.truth(i).view());
+    *channel.mutable_info() = infoOf(truth.name(), server);
+    channel.set_name(uniqueName(truth.name() + (truth.view() == own ? "" : viewSuffix(truth.view())), names));
+    const v1::View& view = viewOf(resolved, truth.view());
     channel.set_width(view.width());
     channel.set_height(view.height());
   }

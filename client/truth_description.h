@@ -7,8 +7,9 @@
 
 namespace saccade::client {
 
-// Fills about.truth: one entry for each of resolved.truth, in the same order. Throws StreamFault for a
-// channel that the server does not describe.
+// Fills about.truth with the channels that truthOfSensor() gives to the recording of about.sensor. Those of
+// another view have it in their name: "depth_view1". Throws StreamFault for a channel that the server does
+// not describe.
 void describeTruth(const v1::OpenStream& resolved, const v1::ServerDescription& server, v1::Recording& about);
 
 // Throws StreamFault for a packet with samples that are not as described.

@@ -79,7 +79,7 @@ void printRates(std::FILE* out, const Recorder& recorder, double wall_s) {
 
 void printTruth(std::FILE* out, const Recorder& recorder) {
   const char* separator = ": ";
-  const auto& channels = recorder.about(0).truth();
+  const auto channels = recorder.truth();
   if (channels.empty()) return;
   std::fprintf(out, "samples of truth in %s", recorder.truthPlace().c_str());
   for (const v1::RecordedTruth& channel : channels) {

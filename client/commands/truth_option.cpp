@@ -5,6 +5,7 @@
 
 #include "client/commands/request_text.h"
 #include "client/recorder.h"
+#include "client/stream_views.h"
 #include "client/writers/truth_folder.h"
 
 namespace saccade::client {
@@ -26,9 +27,13 @@ void requestTruth(const std::vector<std::string>& channels, v1::OpenStream& requ
     if (name.empty() || every == 0)
       throw std::invalid_argument("--truth: '" + channel +
                                   "' is neither NAME nor NAME:EVERY, such as depth:10");
-    v1::Truth& truth = *request.add_truth();
-    truth.set_name(name);
-    truth.set_every(every);
+    const std::uint32_t views = name == "imu" ? 1 : viewsOf(request);  // an IMU is in the body
+    for (std::uint32_t view = 0; view < views; ++view) {
+      v1::Truth& truth = *request.add_truth();
+      truth.set_name(name);
+      truth.set_every(every);
+      truth.set_view(view);
+    }
   }
 }
 
@@ -36,9 +41,12 @@ void checkTruthOutput(const OutputOptions& options, const v1::OpenStream& reques
   if (request.truth_size() == 0) return;
   if (options.path == kStandardOutput)
     throw std::invalid_argument("--truth: standard output takes events only");
-  const std::string folder = truthFolderOf(outputFiles(options.path, request.sensors_size()).front());
-  if (std::filesystem::exists(folder) && !options.force)
-    throw std::invalid_argument("--output: '" + folder + "' exists; --force replaces it");
+  const std::vector<std::string> files = outputFiles(options.path, request.sensors_size());
+  for (int i = 0; i < request.truth_size(); ++i) {
+    const std::string folder = truthFolderOf(files.at(sensorOfTruth(request, i)));
+    if (std::filesystem::exists(folder) && !options.force)
+      throw std::invalid_argument("--output: '" + folder + "' exists; --force replaces it");
+  }
 }
 
 }  // namespace saccade::client

@@ -12,7 +12,8 @@ namespace saccade::client {
 
 void addTruthOption(CLI::App& command, std::vector<std::string>& channels);
 
-// Adds them to the request. Throws std::invalid_argument for a text of another form.
+// Adds them to the request, for each of its views; the IMU once. Throws std::invalid_argument for a text of
+// another form.
 void requestTruth(const std::vector<std::string>& channels, v1::OpenStream& request);
 
 // Throws std::invalid_argument with the option and the reason if the truth of the request cannot be written.

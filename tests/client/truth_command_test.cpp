@@ -30,6 +30,21 @@ TEST_F(TruthCommand, ChangesNoEventAndTellsTheSamples) {
   EXPECT_EQ(recording.truth(1).samples(), 21u);
 }
 
+TEST_F(TruthCommand, EachViewHasItsTruthAndTheBodyItsImu) {
+  const Result result =
+      record("--further-view 0.1,0,0 --truth depth:10 --truth imu -o " + csv_);
+  const std::string left = folder_.at("a-0.csv"), right = folder_.at("a-1.csv");
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(
+      holds(result, "samples of truth in " + left + ".truth " + right + ".truth: depth 3, imu 4, depth 3\n"))
+      << result.output;
+  EXPECT_NE(textOf(left + ".truth/depth/000000.exr"), textOf(right + ".truth/depth/000000.exr"));
+  EXPECT_FALSE(fs::exists(right + ".truth/imu.csv"));
+  const v1::Recording recording = *client::recordingOf(right);
+  EXPECT_EQ(recording.request().sensors(static_cast<int>(recording.sensor())).view(), 1u);
+  EXPECT_EQ(recording.request().further_views(0).body_camera().position().x(), 0.1);
+}
+
 TEST_F(TruthCommand, AFolderOfTruthIsKeptUnlessForced) {
   fs::create_directory(csv_ + ".truth");
   const Result kept = record("--truth pose -o " + csv_);
@@ -37,6 +52,10 @@ TEST_F(TruthCommand, AFolderOfTruthIsKeptUnlessForced) {
   EXPECT_TRUE(holds(kept, "a.csv.truth' exists; --force replaces it")) << kept.output;
   EXPECT_EQ(record("--truth pose --force -o " + csv_).code, 0);
   EXPECT_TRUE(fs::exists(csv_ + ".truth/pose.csv"));
+  const std::string right = folder_.at("a-1.csv.truth");
+  fs::create_directory(right);
+  const Result stereo = record("--further-view 0.1,0,0 --truth pose -o " + csv_);
+  EXPECT_TRUE(holds(stereo, right + "' exists")) << stereo.output;
 }
 
 TEST_F(TruthCommand, WrongUsageIsTold) {

@@ -131,6 +131,32 @@ TEST_F(TruthRecorder, OnlyTheFirstSensorHasTheTruth) {
   EXPECT_FALSE(fs::exists(folder_.at("a-1.csv.partial.truth")));
 }
 
+TEST_F(TruthRecorder, AViewHasItsTruthInTheFileOfItsSensor) {
+  v1::OpenStream& request = *stream_.mutable_resolved();
+  for (const std::uint32_t width : {4u, 6u}) {
+    *request.add_further_views() = request.view();
+    request.mutable_further_views(request.further_views_size() - 1)->set_width(width);
+  }
+  for (const int view : {1, 1}) request.add_sensors()->set_view(view);  // none sees view 2
+  for (const char* name : {"rows", "rows", "depth", "depth", "rows"}) ask(name);
+  const std::uint32_t views[] = {0, 1, 2, 1, 2};
+  for (int i = 0; i < 5; ++i) request.mutable_truth(i)->set_view(views[i]);
+  Recorder recorder = record("a.csv");
+  std::vector<std::string> names;
+  for (int sensor = 0; sensor < 3; ++sensor)
+    for (const v1::RecordedTruth& channel : recorder.about(sensor).truth())
+      names.push_back(std::to_string(sensor) + channel.name() + std::to_string(channel.width()));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"0rows2", "0depth_view26", "0rows_view26", "1rows4", "1depth4"}));
+  Batch rows = rowsAt({0});
+  rows.header.set_sensor(3 + 1);
+  recorder.add(rows);
+  EXPECT_EQ(recorder.about(0).truth(0).samples(), 0u);
+  EXPECT_EQ(recorder.about(1).truth(0).samples(), 1u);
+  EXPECT_EQ(recorder.truthPlace(),
+            folder_.at("a-0.csv.partial.truth") + " " + folder_.at("a-1.csv.partial.truth"));
+}
+
 TEST_F(TruthRecorder, APacketThatIsNotAsDescribedIsAFault) {
   ask("rows");
   Recorder recorder = record("a.csv");
