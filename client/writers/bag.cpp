@@ -1,49 +1,47 @@
 // A bag of ROS 1 with dvs_msgs/EventArray, 13 bytes per event. A message covers up to 5 ms, and its stamp is
-// the time of its last event. Stamps begin at 1 ns, because ROS takes 0 for "no time". Times of events stay
-// as they are. Samples of truth have topics of their own.
-#include <algorithm>
+// the time of its last event, but at least 1 ns. Times of events stay as they are. Samples of truth and the
+// numbers of cameras have topics of their own.
 #include <stdexcept>
 
+#include "client/stream_views.h"
 #include "client/units.h"
-#include "client/writers/bag_file.h"
+#include "client/writers/bag_truth.h"
 #include "client/writers/little_endian.h"
 #include "client/writers/message_splitter.h"
-#include "client/writers/ros1_message.h"
-#include "client/writers/ros_truth.h"
+#include "client/writers/ros_names.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
 namespace {
 
-constexpr std::int64_t kEarliestStampNs = 1;  // ros::TIME_MIN
-constexpr std::size_t kEventSize = 13;        // bytes
-constexpr const char* kFrameId = "camera";
-const std::string kHeader =
-    std::string(80, '=') + "\nMSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n";
+constexpr std::size_t kEventSize = 13;  // bytes
 
-const BagTopic kTopic{"/dvs/events", "dvs_msgs/EventArray", "5e8beee5a6c107e504c2e78903c224b8",
-                      "Header header\n"
-                      "uint32 height\n"
-                      "uint32 width\n"
-                      "Event[] events\n" +
-                          kHeader +
-                          "================================================================================\n"
-                          "MSG: dvs_msgs/Event\n"
-                          "uint16 x\n"
-                          "uint16 y\n"
-                          "time ts\n"
-                          "bool polarity\n"};
+const RosMessage kEventArray{
+    "dvs_msgs",
+    "EventArray",
+    "5e8beee5a6c107e504c2e78903c224b8",
+    "uint32 height\n"
+    "uint32 width\n"
+    "Event[] events\n",
+    "================================================================================\n"
+    "MSG: dvs_msgs/Event\n"
+    "uint16 x\n"
+    "uint16 y\n"
+    "time ts\n"
+    "bool polarity\n",
+    ""};
 
-RosTime rosTime(std::int64_t t_ns) {
-  return {static_cast<std::uint32_t>(t_ns / kNsPerSecond), static_cast<std::uint32_t>(t_ns % kNsPerSecond)};
+std::vector<BagTopic> topicsOf(const v1::Recording& about) {
+  std::vector<BagTopic> topics{bagTopic(rosSpace(kRos1Space, viewOfEvents(about)) + "/events", kEventArray)};
+  for (const BagTopic& topic : bagTruthTopics(about)) topics.push_back(topic);
+  return topics;
 }
 
 char* putEvent(char* at, const Event& event) {
-  const RosTime time = rosTime(event.t_ns);
   at = putNumber<std::uint16_t>(at, event.x);
   at = putNumber<std::uint16_t>(at, event.y);
-  at = putNumber<std::uint32_t>(at, time.sec);
-  at = putNumber<std::uint32_t>(at, time.nsec);
+  at = putNumber<std::uint32_t>(at, static_cast<std::uint32_t>(event.t_ns / kNsPerSecond));
+  at = putNumber<std::uint32_t>(at, static_cast<std::uint32_t>(event.t_ns % kNsPerSecond));
   return putNumber<std::uint8_t>(at, event.p);
 }
 
@@ -54,79 +52,51 @@ void checkTimes(const Events& events) {
                            std::to_string(events.front().t_ns / 1e9) + " s");
 }
 
-// The topic of the events, and those of the channels that have one.
-std::vector<BagTopic> topicsOf(const v1::Recording& about) {
-  std::vector<BagTopic> topics{kTopic};
-  const std::vector<std::string> names = rosTopics(about, "/dvs");
-  for (int i = 0; i < about.truth_size(); ++i) {
-    const RosMessage* message = rosMessageOf(about.truth(i));
-    if (!message) continue;
-    topics.push_back({names[i], message->package + "/" + message->name, message->md5sum,
-                      "Header header\n" + message->fields + kHeader + message->types});
-  }
-  return topics;
-}
-
 class BagWriter : public Writer {
  public:
   BagWriter(const std::string& path, const v1::Recording& about)
-      : file_(path, topicsOf(about)), width_(about.width()), height_(about.height()) {
-    for (const v1::RecordedTruth& channel : about.truth())
-      truth_.push_back({channel, rosHolds(channel) ? ++topics_ : 0});
-  }
+      : file_(path, topicsOf(about)),
+        truth_(file_, about),
+        width_(about.width()),
+        height_(about.height()),
+        frame_id_(rosFrame(viewOfEvents(about))) {}
 
   void write(const Events& events, std::int64_t until_ns) override { splitter_.add(events, until_ns); }
-  void writeTruth(int channel, const TruthSamples& samples) override {
-    Truth& truth = truth_.at(channel);
-    for (const TruthSample& sample : samples) {
-      const RosTime stamp = rosTime(std::max(sample.t_ns, kEarliestStampNs));
-      Ros1Message message;
-      for (const std::uint32_t number : {truth.sequence++, stamp.sec, stamp.nsec})
-        message.number<std::uint32_t>(number);
-      message.text(rosMessageOf(truth.channel)->frame_id);
-      appendTruth(message, truth.channel, sample);
-      file_.add(truth.topic, stamp, message.bytes());
-    }
-  }
+  void writeTruth(int channel, const TruthSamples& samples) override { truth_.write(channel, samples); }
   void finish() override {
     splitter_.flush();
     file_.finish();
   }
 
  private:
-  struct Truth {
-    v1::RecordedTruth channel;
-    std::size_t topic;
-    std::uint32_t sequence = 0;
-  };
-
   void writeMessage(const Events& events) {
     checkTimes(events);
-    const RosTime stamp = rosTime(std::max(events.back().t_ns, kEarliestStampNs));
+    const RosTime stamp = rosStamp(events.back().t_ns);
     appendHead(stamp, events.size());
     message_.resize(message_.size() + events.size() * kEventSize);
     char* at = message_.data() + message_.size() - events.size() * kEventSize;
     for (const Event& event : events) at = putEvent(at, event);
     file_.add(0, stamp, message_, events.size());
+    truth_.writeCameras(kOfEvents, stamp);
   }
 
   void appendHead(const RosTime& stamp, std::size_t events) {
     message_.clear();
     for (const std::uint32_t number : {sequence_++, stamp.sec, stamp.nsec})
       appendBytes<std::uint32_t>(message_, number);
-    appendBytes<std::uint32_t>(message_, std::string_view(kFrameId).size());
-    message_ += kFrameId;
+    appendBytes<std::uint32_t>(message_, frame_id_.size());
+    message_ += frame_id_;
     for (const std::size_t number : {std::size_t{height_}, std::size_t{width_}, events})
       appendBytes<std::uint32_t>(message_, number);
   }
 
   BagFile file_;
+  BagTruth truth_;
   MessageSplitter splitter_{[this](const Events& events) { writeMessage(events); }};
   const std::uint32_t width_, height_;
+  const std::string frame_id_;
   std::uint32_t sequence_ = 0;
   std::string message_;
-  std::vector<Truth> truth_;
-  std::size_t topics_ = 0;  // of truth
 };
 
 std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {

@@ -1,63 +1,41 @@
 // An MCAP file of ROS 2 with event_camera_msgs/EventPacket, whose events are EVT3. A message covers up to
 // 5 ms. Its header has the time of its first event, and the file's log has that of its last. Each message
 // starts with TIME_HIGH, TIME_LOW and ADDR_Y, so that a lost message costs only itself. TIME_HIGH wraps every
-// 16.8 s: in silence, a message with a time but no events follows every 10 s. Samples of truth have channels
-// of their own.
+// 16.8 s: in silence, a message with a time but no events follows every 10 s. Samples of truth and
+// the numbers of cameras have channels of their own.
 #include <stdexcept>
 
+#include "client/stream_views.h"
 #include "client/units.h"
-#include "client/writers/cdr.h"
 #include "client/writers/evt3_encoder.h"
-#include "client/writers/mcap_file.h"
+#include "client/writers/mcap_truth.h"
 #include "client/writers/message_splitter.h"
-#include "client/writers/ros_truth.h"
+#include "client/writers/ros_names.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
 namespace {
 
 constexpr std::int64_t kMaxSilenceNs = 10 * kNsPerSecond;
-constexpr std::string_view kFrameId = "camera", kEncoding = "evt3";
+constexpr std::string_view kEncoding = "evt3";
 
-const std::string kRule = std::string(80, '=') + "\n";
-const std::string kHeader = kRule +
-                            "MSG: std_msgs/Header\n"
-                            "builtin_interfaces/Time stamp\n"
-                            "string frame_id\n" +
-                            kRule +
-                            "MSG: builtin_interfaces/Time\n"
-                            "int32 sec\n"
-                            "uint32 nanosec\n";
+const RosMessage kEventPacket{"event_camera_msgs",
+                              "EventPacket",
+                              "",  // ROS 2 has no such sum
+                              "uint32 height\n"
+                              "uint32 width\n"
+                              "uint64 seq\n"
+                              "uint64 time_base\n"
+                              "string encoding\n"
+                              "bool is_bigendian\n"
+                              "uint8[] events\n",
+                              "",
+                              ""};
 
-const McapChannel kChannel{.topic = "/event_camera/events",
-                           .encoding = "cdr",
-                           .metadata_key = "offered_qos_profiles",
-                           .schema_name = "event_camera_msgs/msg/EventPacket",
-                           .schema_encoding = "ros2msg",
-                           .schema =
-                               "std_msgs/Header header\n"
-                               "uint32 height\n"
-                               "uint32 width\n"
-                               "uint64 seq\n"
-                               "uint64 time_base\n"
-                               "string encoding\n"
-                               "bool is_bigendian\n"
-                               "uint8[] events\n" +
-                               kHeader};
-
-// The channel of the events, and those of truth.
 std::vector<McapChannel> channelsOf(const v1::Recording& about) {
-  std::vector<McapChannel> channels{kChannel};
-  const std::vector<std::string> topics = rosTopics(about, "/event_camera");
-  for (int i = 0; i < about.truth_size(); ++i) {
-    const RosMessage* message = rosMessageOf(about.truth(i));
-    if (!message) continue;
-    McapChannel channel = kChannel;
-    channel.topic = topics[i];
-    channel.schema_name = message->package + "/msg/" + message->name;
-    channel.schema = "std_msgs/Header header\n" + message->fields + kHeader + message->types;
-    channels.push_back(channel);
-  }
+  std::vector<McapChannel> channels{
+      mcapChannel(rosSpace(kRos2Space, viewOfEvents(about)) + "/events", kEventPacket)};
+  for (const McapChannel& channel : mcapTruthChannels(about)) channels.push_back(channel);
   return channels;
 }
 
@@ -65,40 +43,20 @@ class McapWriter : public Writer {
  public:
   McapWriter(const std::string& path, const v1::Recording& about)
       : file_(path, "ros2", channelsOf(about)),
+        truth_(file_, about),
         width_(about.width()),
         height_(about.height()),
-        encoder_(width_) {
-    for (const v1::RecordedTruth& channel : about.truth())
-      truth_.push_back({channel, rosHolds(channel) ? ++channels_ : 0});
-  }
+        frame_id_(rosFrame(viewOfEvents(about))),
+        encoder_(width_) {}
 
   void write(const Events& events, std::int64_t until_ns) override { splitter_.add(events, until_ns); }
-  void writeTruth(int channel, const TruthSamples& samples) override {
-    const Truth& truth = truth_.at(channel);
-    for (const TruthSample& sample : samples) {
-      CdrMessage message;
-      appendHeader(message, sample.t_ns, rosMessageOf(truth.about)->frame_id);
-      appendTruth(message, truth.about, sample);
-      file_.add(truth.channel, sample.t_ns, message.bytes());
-    }
-  }
+  void writeTruth(int channel, const TruthSamples& samples) override { truth_.write(channel, samples); }
   void finish() override {
     splitter_.flush();
     file_.finish();
   }
 
  private:
-  struct Truth {
-    v1::RecordedTruth about;
-    std::size_t channel;  // of the file
-  };
-
-  static void appendHeader(CdrMessage& message, std::int64_t t_ns, std::string_view frame_id) {
-    message.number<std::int32_t>(t_ns / kNsPerSecond);
-    message.number<std::uint32_t>(t_ns % kNsPerSecond);
-    message.text(frame_id);
-  }
-
   void writeMessage(const Events& events) {
     const std::int64_t begin_ns = events.front().t_ns;
     if (begin_ns < 0 || events.back().t_ns >= (std::int64_t{INT32_MAX} + 1) * kNsPerSecond)
@@ -122,7 +80,7 @@ class McapWriter : public Writer {
 
   void writePacket(std::int64_t begin_ns, std::int64_t end_ns, std::size_t events) {
     message_.clear();
-    appendHeader(message_, begin_ns, kFrameId);
+    appendHeader(message_, begin_ns, frame_id_);
     message_.number<std::uint32_t>(height_);
     message_.number<std::uint32_t>(width_);
     message_.number<std::uint64_t>(sequence_++);
@@ -132,18 +90,19 @@ class McapWriter : public Writer {
     message_.octets(encoder_.bytes());
     encoder_.clear();
     file_.add(0, end_ns, message_.bytes(), events);
+    truth_.writeCameras(kOfEvents, begin_ns, end_ns);
     told_ns_ = end_ns;
   }
 
   McapFile file_;
+  McapTruth truth_;
   MessageSplitter splitter_{[this](const Events& events) { writeMessage(events); }};
   const std::uint32_t width_, height_;
+  const std::string frame_id_;
   Evt3Encoder encoder_;
   CdrMessage message_;
   std::uint64_t sequence_ = 0;  // of the next message
   std::int64_t told_ns_ = 0;    // end of the last message
-  std::vector<Truth> truth_;
-  std::size_t channels_ = 0;  // of truth
 };
 
 std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {

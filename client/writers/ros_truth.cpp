@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstring>
 
+#include "client/stream_views.h"
+#include "client/writers/ros_names.h"
+
 namespace saccade::client {
 namespace {
 
@@ -20,7 +23,7 @@ const RosMessage kImage{
     "060021388200f6f0f447d0fcd9c64743",
     "uint32 height\nuint32 width\nstring encoding\nuint8 is_bigendian\nuint32 step\nuint8[] data\n",
     "",
-    "camera"};
+    ""};
 const RosMessage kPose{
     "geometry_msgs",
     "PoseStamped",
@@ -33,7 +36,7 @@ const RosMessage kTwist{"geometry_msgs",
                         "98d34b0043a2093cf9d9345ab6eef12e",
                         "Twist twist\n",
                         definition("Twist", "Vector3 linear\nVector3 angular\n") + kVector,
-                        "camera"};
+                        ""};
 const RosMessage kImu{
     "sensor_msgs",
     "Imu",
@@ -42,7 +45,7 @@ const RosMessage kImu{
     "geometry_msgs/Vector3 angular_velocity\nfloat64[9] angular_velocity_covariance\n"
     "geometry_msgs/Vector3 linear_acceleration\nfloat64[9] linear_acceleration_covariance\n",
     kQuaternion + kVector,
-    "camera"};
+    "body"};
 
 struct RowMessage {
   const char* channel;
@@ -85,15 +88,9 @@ const RosMessage* rosMessageOf(const v1::RecordedTruth& channel) {
   return nullptr;
 }
 
-std::vector<std::string> rosTopics(const v1::Recording& about, const std::string& space) {
-  std::vector<std::string> topics;
-  for (const v1::RecordedTruth& channel : about.truth()) {
-    const bool frame = channel.info().name().starts_with("frame");
-    const std::string image = space + "/image_raw";
-    const bool taken = std::find(topics.begin(), topics.end(), image) != topics.end();
-    topics.push_back(frame && !taken ? image : space + "/" + channel.name());
-  }
-  return topics;
+std::string rosFrameOf(const v1::Recording& about, int channel) {
+  const std::string& own = rosMessageOf(about.truth(channel))->frame_id;
+  return own.empty() ? rosFrame(viewOfTruth(about, channel)) : own;
 }
 
 std::string rosEncoding(const v1::RecordedTruth& channel) {

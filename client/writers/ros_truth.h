@@ -16,7 +16,7 @@ struct RosMessage {
   std::string md5sum;         // of ROS 1
   std::string fields;         // that follow the header
   std::string types;          // definitions of the types that the fields use
-  std::string frame_id;
+  std::string frame_id;       // empty: that of the camera
 };
 
 // The message that holds the samples; nullptr: there is none.
@@ -25,9 +25,8 @@ inline bool rosHolds(const v1::RecordedTruth& channel) {
   return rosMessageOf(channel) != nullptr;
 }
 
-// By channel, topics below `space`, such as "/dvs": image_raw for the first of `frame` and `frame16`, else
-// the channel's name.
-std::vector<std::string> rosTopics(const v1::Recording& about, const std::string& space);
+// The frame of about.truth(channel), which has a message.
+std::string rosFrameOf(const v1::Recording& about, int channel);
 
 std::string rosEncoding(const v1::RecordedTruth& channel);  // of sensor_msgs/Image
 std::vector<double> rosNumbers(const v1::RecordedTruth& channel,

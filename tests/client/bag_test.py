@@ -125,6 +125,21 @@ class Bag(unittest.TestCase):
         with self.written([]) as bag:
             self.assertEqual(bag.get_message_count(), 0)
 
+    def test_each_message_of_events_has_its_camera_beside_it(self):
+        for view, space, frame in ((0, "/dvs", "camera"), (1, "/dvs_1", "camera_1")):
+            event_files.write_csv(self.folder / "a.csv", MANY)
+            event_files.describe(SACCADE, self.folder / "a.csv", (1280, 720),
+                                 event_files.rig_request((1280, 720), 50.5, view))
+            done = event_files.convert(SACCADE, self.folder / "a.csv", self.folder / "a.bag", (1280, 720))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with rosbag.Bag(str(self.folder / "a.bag")) as bag:
+                events = [message for _, message, _ in bag.read_messages(space + "/events")]
+                infos = [message for _, message, _ in bag.read_messages(space + "/camera_info")]
+                self.assertEqual(bag.get_message_count(), 20)
+            self.assertEqual([m.header.stamp for m in infos], [m.header.stamp for m in events])
+            self.assertEqual({m.header.frame_id for m in infos + events}, {frame})
+            self.assertEqual((infos[9].width, infos[9].K[0], infos[9].distortion_model), (1280, 50.5, "plumb_bob"))
+
     def test_an_interrupted_bag_has_the_events_up_to_there(self):
         event_files.write_csv(self.folder / "a.csv", MANY)
         with open(self.folder / "a.csv", "a", encoding="ascii") as text:

@@ -14,6 +14,7 @@ from evt3_messages import Evt3
 SACCADE, _, NPM = sys.argv[1:4]
 PACKAGES = ["@mcap/core@2.2.2", "@foxglove/rosmsg@5.0.5", "@foxglove/rosmsg2-serialization@3.1.0"]
 SCRIPT = pathlib.Path(__file__).with_name("read_mcap.cjs")
+BY_TOPIC = pathlib.Path(__file__).with_name("read_truth_mcap.cjs")
 
 INTERVAL_US = 5000
 MANY = [(1 + i // 3, i * 7 % 1280, i % 720, i // 20 % 2) for i in range(220_000)]  # over several chunks
@@ -132,6 +133,19 @@ class Mcap(unittest.TestCase):
     def test_a_file_without_events_opens(self):
         file = self.written([])
         self.assertEqual((file["messages"], file["chunks"], file["statistics"]["messageCount"]), ([], 0, 0))
+
+    def test_each_message_of_events_has_its_camera_beside_it(self):
+        for view, space in ((0, "/event_camera"), (1, "/event_camera_1")):
+            event_files.write_csv(self.folder / "a.csv", MANY)
+            event_files.describe(SACCADE, self.folder / "a.csv", (1280, 720),
+                                 event_files.rig_request((1280, 720), 50.5, view))
+            done = event_files.convert(SACCADE, self.folder / "a.csv", self.folder / "a.mcap", (1280, 720))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            found = json.loads(npm_packages.run(NPM, BY_TOPIC, self.folder / "a.mcap"))["messages"]
+            events, infos = found[space + "/events"], found[space + "/camera_info"]
+            self.assertEqual(len(infos), 15)
+            self.assertEqual([(m["stamp_us"], m["log_us"]) for m in infos], [(m["stamp_us"], m["log_us"]) for m in events])
+            self.assertEqual((infos[9]["width"], infos[9]["camera"]["k"][0]), (1280, 50.5))
 
     def test_an_interrupted_file_has_the_events_up_to_there(self):
         event_files.write_csv(self.folder / "a.csv", MANY)

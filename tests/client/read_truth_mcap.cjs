@@ -17,7 +17,9 @@ function numbers(message) {
 function contentOf(message) {
   const { height, width, encoding, step, data } = message;
   const stamp_us = message.header.stamp.sec * 1e6 + message.header.stamp.nanosec / 1e3;
-  return { stamp_us, numbers: numbers(message), height, width, encoding, step,
+  const { distortion_model, d, k, r, p } = message;
+  const camera = d && { distortion_model, d: [...d], k: [...k], r: [...r], p: [...p] };
+  return { camera, stamp_us, numbers: numbers(message), height, width, encoding, step,
            data: data && Buffer.from(data.buffer, data.byteOffset, data.byteLength).toString("hex") };
 }
 

@@ -17,7 +17,7 @@ try:
     import numpy as np
     import rosbag
     from geometry_msgs.msg import PoseStamped, TwistStamped
-    from sensor_msgs.msg import Image, Imu
+    from sensor_msgs.msg import CameraInfo, Image, Imu
 except ImportError as fault:
     event_columns.skip(fault)
 import truth_formula as formula
@@ -25,7 +25,8 @@ import truth_formula as formula
 SACCADE, _, NPM, WRITE_TRUTH = sys.argv[1:5]
 PACKAGES = ["@mcap/core@2.2.2", "@foxglove/rosmsg@5.0.5", "@foxglove/rosmsg2-serialization@3.1.0"]
 IMAGE_TYPES = {"32FC1": "<f4", "32FC3": "<f4", "mono8": "u1", "mono16": "<u2", "8UC4": "u1", "32SC2": "<u4"}
-TOPICS = {"frame": "image_raw"}
+TOPICS = {"frame": "/image_raw", "depth_view1": "_1/depth"}
+FRAMES = {"pose": "world", "imu": "body", "depth_view1": "camera_1"}
 
 
 def numbers(message):
@@ -94,7 +95,7 @@ class TruthFiles(unittest.TestCase):
         with rosbag.Bag(str(self.written("a.bag"))) as bag:
             topics = bag.get_type_and_topic_info().topics
             for name in formula.CHANNELS.keys() - {"other"}:
-                topic = "/dvs/" + TOPICS.get(name, name)
+                topic = "/dvs" + TOPICS.get(name, "/" + name)
                 ros_type = types.get(name, Image)
                 self.assertEqual(topics[topic].msg_type, ros_type._type)
                 messages = list(bag.read_messages(topic))
@@ -103,7 +104,7 @@ class TruthFiles(unittest.TestCase):
                     self.assertEqual(time.to_nsec(), max(1, t_us * 1000))
                     self.assertEqual(message.header.stamp, time)
                     self.assertEqual(message._md5sum, ros_type._md5sum)  # made from the definition
-                    self.assertEqual(message.header.frame_id, "world" if name == "pose" else "camera")
+                    self.assertEqual(message.header.frame_id, FRAMES.get(name, "camera"))
                 if name in formula.ROWS:
                     read = [numbers(message) for _, message, _ in messages]
                 else:
@@ -124,7 +125,7 @@ class TruthFiles(unittest.TestCase):
         found = json.loads(npm_packages.run(NPM, script, self.written("a.mcap")))
         self.assertEqual(found["counts"], {t: len(m) for t, m in found["messages"].items()})
         for name in formula.CHANNELS.keys() - {"other"}:
-            messages = found["messages"]["/event_camera/" + TOPICS.get(name, name)]
+            messages = found["messages"]["/event_camera" + TOPICS.get(name, "/" + name)]
             self.assertEqual([m["log_us"] for m in messages], formula.times_us(name).tolist())
             self.assertEqual([m["stamp_us"] for m in messages], formula.times_us(name).tolist())
             if name in formula.ROWS:
@@ -133,6 +134,42 @@ class TruthFiles(unittest.TestCase):
                 read = [picture(m, bytes.fromhex(m["data"])) for m in messages]
             np.testing.assert_array_equal(read, formula.samples(name))
         self.expect_rows(self.folder / "a.mcap.truth" / "other.csv", "other")
+
+    def test_a_bag_tells_the_camera_of_each_view_beside_its_pictures(self):
+        with rosbag.Bag(str(self.written("a.bag"))) as bag:
+            for topic, frame, picture_topic, lens in (("/dvs", "camera", "image_raw", formula.LENSES[0]),
+                                                      ("/dvs_1", "camera_1", "depth", formula.LENSES[1])):
+                infos = [m for _, m, _ in bag.read_messages(topic + "/camera_info")]
+                pictures = [m for _, m, _ in bag.read_messages(topic + "/" + picture_topic)]
+                self.assertEqual([m.header.stamp for m in infos], [m.header.stamp for m in pictures])
+                self.assertEqual([m.header.seq for m in infos], [0, 1, 2, 3])
+                for info in infos:
+                    self.assertEqual((info._type, info._md5sum), (CameraInfo._type, CameraInfo._md5sum))
+                    self.assertEqual((info.width, info.height, info.header.frame_id),
+                                     (formula.WIDTH, formula.HEIGHT, frame))
+                    self.assertEqual((info.distortion_model, list(info.D)), lens)
+                    self.expect_matrices(info.K, info.R, info.P)
+                    self.assertEqual((info.binning_x, info.roi.width, info.roi.do_rectify), (0, 0, False))
+
+    def expect_matrices(self, k, r, p):
+        self.assertEqual(list(k), formula.MATRIX)
+        self.assertEqual(list(r), np.eye(3).ravel().tolist())
+        np.testing.assert_array_equal(np.reshape(p, (3, 4)), np.c_[np.reshape(k, (3, 3)), np.zeros(3)])
+
+    def test_an_mcap_file_tells_the_camera_of_each_view(self):
+        reason = npm_packages.missing(NPM, PACKAGES)
+        if reason:
+            self.skipTest(reason)
+        script = pathlib.Path(__file__).with_name("read_truth_mcap.cjs")
+        messages = json.loads(npm_packages.run(NPM, script, self.written("a.mcap")))["messages"]
+        for space, picture_name, lens in (("/event_camera", "image_raw", formula.LENSES[0]),
+                                          ("/event_camera_1", "depth", formula.LENSES[1])):
+            infos = messages[space + "/camera_info"]
+            self.assertEqual([m["stamp_us"] for m in infos], [m["stamp_us"] for m in messages[f"{space}/{picture_name}"]])
+            for info in infos:
+                self.assertEqual((info["width"], info["height"]), (formula.WIDTH, formula.HEIGHT))
+                self.assertEqual((info["camera"]["distortion_model"], info["camera"]["d"]), lens)
+                self.expect_matrices(*(info["camera"][name] for name in "krp"))
 
     def test_an_interrupted_recording_has_what_arrived(self):
         for name in ("a.h5", "a.npz", "a.bag"):

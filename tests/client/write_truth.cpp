@@ -23,6 +23,25 @@ void addChannel(v1::Recording& about, const std::string& name, v1::Layout layout
   channel.mutable_info()->mutable_planes()->Assign(planes.begin(), planes.end());
 }
 
+// The events are of view 0, whose lens is radial-tangential. View 1 has a fisheye lens and a channel alone.
+void addRequest(v1::Recording& about) {
+  v1::OpenStream& request = *about.mutable_request();
+  request.add_sensors();
+  for (v1::View* view : {request.mutable_view(), request.add_further_views()}) {
+    view->set_width(kWidth), view->set_height(kHeight);
+    v1::Intrinsics& k = *view->mutable_intrinsics();
+    k.set_fx(40), k.set_fy(41), k.set_cx(2.25), k.set_cy(1.5);
+  }
+  request.mutable_view()->mutable_distortion()->set_model(v1::DISTORTION_MODEL_RADTAN);
+  request.mutable_further_views(0)->mutable_distortion()->set_model(v1::DISTORTION_MODEL_EQUIDISTANT);
+  for (const double k : {-0.1, 0.02, 0.001, -0.002}) {
+    request.mutable_view()->mutable_distortion()->add_coefficients(k);
+    request.mutable_further_views(0)->mutable_distortion()->add_coefficients(k);
+  }
+  for (const v1::RecordedTruth& channel : about.truth()) request.add_truth()->set_name(channel.info().name());
+  request.mutable_truth(request.truth_size() - 1)->set_view(1);
+}
+
 v1::Recording describe() {
   v1::Recording about;
   about.set_width(kWidth), about.set_height(kHeight);
@@ -37,6 +56,9 @@ v1::Recording describe() {
   addChannel(about, "velocity", kRows, v1::ELEMENT_F32, {"vx", "vy", "vz", "wx", "wy", "wz"});
   addChannel(about, "imu", kRows, v1::ELEMENT_F64, {"ax", "ay", "az", "gx", "gy", "gz"});
   addChannel(about, "other", kRows, v1::ELEMENT_U16, {"a", "b"});
+  addChannel(about, "depth_view1", kPicture, v1::ELEMENT_F32, {"z"});
+  about.mutable_truth(about.truth_size() - 1)->mutable_info()->set_name("depth");
+  addRequest(about);
   return about;
 }
 

@@ -1,0 +1,48 @@
+// The channels of an MCAP file beside that of its events: truth, and the cameras.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "client/writers/cdr.h"
+#include "client/writers/mcap_file.h"
+#include "client/writers/ros_camera.h"
+
+namespace saccade::client {
+
+// Starts a message of ROS 2 with its std_msgs/Header.
+void appendHeader(CdrMessage& message, std::int64_t t_ns, std::string_view frame_id);
+
+McapChannel mcapChannel(const std::string& topic, const RosMessage& message);
+
+// Those of the recording, without that of the events.
+std::vector<McapChannel> mcapTruthChannels(const v1::Recording& about);
+
+class McapTruth {
+ public:
+  // `file` has the channel of the events, and then mcapTruthChannels().
+  McapTruth(McapFile& file, const v1::Recording& about);
+
+  void write(int channel, const TruthSamples& samples);
+  // The cameras that go with a message of a truth channel, or of kOfEvents.
+  void writeCameras(int channel, std::int64_t stamp_ns, std::int64_t log_ns);
+
+ private:
+  struct Channel {
+    v1::RecordedTruth about;
+    std::string frame_id;
+    std::size_t number;  // in the file
+  };
+  struct Camera {
+    RosCamera about;
+    std::size_t number;  // in the file
+  };
+
+  McapFile& file_;
+  std::vector<Channel> channels_;
+  std::vector<Camera> cameras_;
+};
+
+}  // namespace saccade::client
