@@ -2,7 +2,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "client/calibration.h"
+#include "client/calibration/calibration.h"
 #include "client/commands/commands.h"
 #include "client/commands/output_options.h"
 #include "client/commands/record_stream.h"
@@ -24,9 +24,10 @@ void addOptions(CLI::App& command, RecordOptions& options) {
   addOutputOptions(command, options.output, "-o,--output");
   addPreviewOption(command, options.preview);
   addTruthOption(command, options.truth);
-  command.add_flag("--calibration", options.calibration,
-                   "write the camera beside FILE: FILE.camera_info.yaml (ROS), FILE.kalibr.yaml, and for .h5 "
-                   "FILE.cam_to_cam.yaml (DSEC)");
+  command.add_flag(
+      "--calibration", options.calibration,
+      "write the cameras beside FILE: FILE.camera_info.yaml (ROS), FILE.kalibr.yaml, with --truth imu "
+      "FILE.imu.yaml (Kalibr), and for .h5 FILE.cam_to_cam.yaml (DSEC)");
   addRequestOptions(command, options.request);
   command.footer(
       std::string(kMotionHelp) +
@@ -39,11 +40,11 @@ void addOptions(CLI::App& command, RecordOptions& options) {
 }
 
 // Finds before any work that the files of the calibration cannot be written.
-void checkCalibration(const RecordOptions& options, const v1::View& view) {
+void checkCalibration(const RecordOptions& options, const v1::OpenStream& request) {
   const std::string fault =
-      options.output.path == kStandardOutput ? "it needs a file" : calibrationFault(view);
+      options.output.path == kStandardOutput ? "it needs a file" : calibrationFault(request);
   if (!fault.empty()) throw std::invalid_argument("--calibration: " + fault);
-  for (const CalibrationFile& file : calibrationFiles(options.output.path, view))
+  for (const CalibrationFile& file : calibrationFiles(options.output.path, request))
     checkOutput("--calibration", file.name, options.output.force);
 }
 
@@ -59,7 +60,7 @@ void runRecord(const RecordOptions& options) {
   checkOutputs(options.output, job.request.sensors_size());
   checkTruthOutput(options.output, job.request);
   if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
-  if (options.calibration) checkCalibration(options, job.request.view());
+  if (options.calibration) checkCalibration(options, job.request);
   recordStream(options.request.server, job);
 }
 

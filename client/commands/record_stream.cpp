@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "client/calibration.h"
+#include "client/calibration/calibration.h"
 #include "client/commands/interrupt.h"
 #include "client/commands/receive_all.h"
 #include "client/commands/stream_opening.h"
@@ -40,8 +40,8 @@ Recorder startRecorder(const RecordJob& job, const StreamHandle& stream) {
   }
 }
 
-void writeCalibration(const std::string& output, const v1::View& view) {
-  for (const CalibrationFile& file : calibrationFiles(output, view)) {
+void writeCalibration(const std::string& output, const v1::OpenStream& resolved) {
+  for (const CalibrationFile& file : calibrationFiles(output, resolved)) {
     OutputFile out(file.name);
     out.append(file.text);
     out.close();
@@ -88,7 +88,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
   progress.finish();
   const double wall_s = progress.elapsed_s();
   recorder.commit(subscription.losses().events);
-  if (job.calibration) writeCalibration(job.output, opened.resolved().view());
+  if (job.calibration) writeCalibration(job.output, opened.resolved());
   printFiles(out, recorder.files(), preview && preview->written() ? job.preview : "");
   printRates(out, recorder, wall_s);
   printTruth(out, recorder);

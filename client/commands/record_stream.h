@@ -15,7 +15,7 @@ struct RecordJob {
   std::string output;  // file, or kStandardOutput
   const WriterInfo* format;
   std::string preview = {};       // PNG file, or none
-  bool calibration = false;       // whether the camera is written beside the output
+  bool calibration = false;       // whether the cameras are written beside the output
   std::string trajectory = {};    // what the user gave, for errors
   double retry_time_s = 60;       // to reconnect to a lost server
   FrameSource* frames = nullptr;  // of a stream with `pushed`

@@ -1,5 +1,5 @@
 // Calibrations as texts.
-#include "client/calibration.h"
+#include "client/calibration/calibration.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,14 @@ v1::View view() {
   return v;
 }
 
+v1::OpenStream streamOf(const v1::View& view) {
+  v1::OpenStream stream;
+  *stream.mutable_view() = view;
+  return stream;
+}
+
 std::string textOf(const std::string& ending, const v1::View& v) {
-  for (const CalibrationFile& file : calibrationFiles("a.h5", v))
+  for (const CalibrationFile& file : calibrationFiles("a.h5", streamOf(v)))
     if (file.name == "a.h5." + ending) return file.text;
   return {};
 }
@@ -48,16 +54,18 @@ TEST(Calibration, HoldsTheNumbersOfTheRequest) {
             "projection_matrix:\n  rows: 3\n  cols: 4\n"
             "  data: [500.0, 0.0, 310.5, 0.0, 0.0, 501.25, 1.0e-05, 0.0, 0.0, 0.0, 1.0, 0.0]\n");
   EXPECT_TRUE(holds(textOf("cam_to_cam.yaml", v), "camera_matrix: [500.0, 501.25, 310.5, 1.0e-05]"));
-  EXPECT_EQ(calibrationFiles("a.csv", v).size(), 2u);  // DSEC's belongs to its own format
+  EXPECT_EQ(calibrationFiles("a.csv", streamOf(v)).size(), 2u);  // DSEC's belongs to its own format
 }
 
 TEST(Calibration, K3HasNoPlaceInKalibr) {
   v1::View v = view();
   v.mutable_distortion()->set_model(v1::DISTORTION_MODEL_RADTAN);
   for (const double c : {-0.1, 0.0, 0.0, 0.0, 0.0}) v.mutable_distortion()->add_coefficients(c);
-  EXPECT_EQ(calibrationFault(v), "");
-  v.mutable_distortion()->set_coefficients(4, 0.02);
-  EXPECT_NE(calibrationFault(v), "");
+  v1::OpenStream stream = streamOf(view());
+  *stream.add_further_views() = v;
+  EXPECT_EQ(calibrationFault(stream), "");
+  stream.mutable_further_views(0)->mutable_distortion()->set_coefficients(4, 0.02);
+  EXPECT_NE(calibrationFault(stream), "");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST_F(TruthCommand, ChangesNoEventAndTellsTheSamples) {
 
 TEST_F(TruthCommand, EachViewHasItsTruthAndTheBodyItsImu) {
   const Result result =
-      record("--further-view 0.1,0,0 --truth depth:10 --truth imu -o " + csv_);
+      record("--further-view 0.1,0,0 --truth depth:10 --truth imu --calibration -o " + csv_);
   const std::string left = folder_.at("a-0.csv"), right = folder_.at("a-1.csv");
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(
@@ -43,6 +43,8 @@ TEST_F(TruthCommand, EachViewHasItsTruthAndTheBodyItsImu) {
   const v1::Recording recording = *client::recordingOf(right);
   EXPECT_EQ(recording.request().sensors(static_cast<int>(recording.sensor())).view(), 1u);
   EXPECT_EQ(recording.request().further_views(0).body_camera().position().x(), 0.1);
+  EXPECT_TRUE(textOf(csv_ + ".imu.yaml").ends_with("update_rate: 200.0\n")) << textOf(csv_ + ".imu.yaml");
+  EXPECT_TRUE(fs::exists(csv_ + ".cam1.camera_info.yaml"));
 }
 
 TEST_F(TruthCommand, AFolderOfTruthIsKeptUnlessForced) {
