@@ -23,7 +23,7 @@ RosMessage cameraInfo(const std::string& arrays) {
 }  // namespace
 
 std::vector<RosCamera> rosCameras(const v1::Recording& about) {
-  if (!about.has_request()) return {};
+  if (!about.has_request() || about.request().pushed()) return {};
   std::vector<RosCamera> cameras;
   const auto add = [&](std::uint32_t view, int channel) {
     const bool known = std::any_of(cameras.begin(), cameras.end(),

@@ -20,7 +20,7 @@ struct RosCamera {
   PinholeCamera camera;
 };
 
-// Empty where the request is not known.
+// Empty where the request is not known, or is for frames of a client, whose camera nobody has told.
 std::vector<RosCamera> rosCameras(const v1::Recording& about);
 
 RosMessage rosCameraInfo1();  // of ROS 1

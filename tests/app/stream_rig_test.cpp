@@ -40,7 +40,7 @@ TEST(StreamRig, DisparityIsFocalLengthTimesBaselineOverDepth) {
   TilePool pool(1);
   Rig rig = makeRig(slantedWall(), kStill, stereo({{kBaseline, 0, 0}, {}}), {pool});
   const auto& views = rig.step({pool});
-  const ImageF &left = views[0].frames.cur.g.z, &right = views[1].frames.cur.g.z;
+  const ImageF &left = views[0].rendered->frames.cur.g.z, &right = views[1].rendered->frames.cur.g.z;
   int compared = 0;
   for (int x = 0; x < kWidth; ++x) {
     const double z = left.at(x, 3), there = x - kWidth / 2.0 * kBaseline / z;
@@ -58,11 +58,11 @@ TEST(StreamRig, EqualViewsHaveEqualDepthAndNoiseOfTheirOwn) {
   TilePool pool(1);
   Rig rig = makeRig(test::room(), kStill, stereo({}), {pool});
   const auto& views = rig.step({pool});
-  const FrameSamples &a = views[0].frames.cur.samples, &b = views[1].frames.cur.samples;
+  const FrameSamples &a = views[0].rendered->frames.cur.samples, &b = views[1].rendered->frames.cur.samples;
   int equal = 0;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      EXPECT_EQ(views[0].frames.cur.g.z.at(x, y), views[1].frames.cur.g.z.at(x, y));
+      EXPECT_EQ(views[0].rendered->frames.cur.g.z.at(x, y), views[1].rendered->frames.cur.g.z.at(x, y));
       equal += a.I2.at(x, y) == b.I2.at(x, y);
     }
   }

@@ -66,6 +66,12 @@ TEST_F(EventsCommand, IsVerifiedButNotReplayed) {
   EXPECT_TRUE(holds(replayed, "use `saccade events` again")) << replayed.output;
 }
 
+TEST_F(EventsCommand, ABagTellsNoCameraThatIsNotKnown) {
+  const std::string bag = folder_.at("a.bag");
+  ASSERT_EQ(events(video_, "--size 8x4 -o " + bag).code, 0);
+  EXPECT_EQ(textOf(bag).find("sensor_msgs/CameraInfo"), std::string::npos);
+}
+
 TEST_F(EventsCommand, TellsWhatIsWrong) {
   const auto expect = [](const Result& result, int code, const std::string& text) {
     EXPECT_EQ(result.code, code);
