@@ -59,6 +59,7 @@ void Recorder::add(const Batch& batch) {
   Output& output = outputs_[header.sensor()];
   output.file->write(batch.events, header.t0_ns(), header.t1_ns());
   output.file->about().set_suppressed(output.file->about().suppressed() + header.suppressed());
+  withheld_ += withheldOf(header);
   output.ended |= header.kind() == v1::KIND_END;
 }
 
@@ -88,12 +89,6 @@ void Recorder::commit(std::uint64_t lost_events) {
 std::uint64_t Recorder::events() const {
   return std::accumulate(outputs_.begin(), outputs_.end(), std::uint64_t{0},
                          [](std::uint64_t sum, const Output& o) { return sum + o.file->about().events(); });
-}
-
-std::uint64_t Recorder::suppressed() const {
-  return std::accumulate(
-      outputs_.begin(), outputs_.end(), std::uint64_t{0},
-      [](std::uint64_t sum, const Output& o) { return sum + o.file->about().suppressed(); });
 }
 
 std::int64_t Recorder::time_ns() const {

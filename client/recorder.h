@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "client/recording_file.h"
+#include "client/sequence_check.h"
 #include "client/subscriber.h"
 #include "saccade/v1/control.pb.h"
 
@@ -33,7 +34,7 @@ class Recorder {
   void commit(std::uint64_t lost_events = 0);
 
   std::uint64_t events() const;
-  std::uint64_t suppressed() const;
+  const Withheld& withheld() const { return withheld_; }  // by all sensors
   std::int64_t time_ns() const;                  // stream time up to which all sensors are complete
   std::int64_t duration_ns() const;              // from the first packet to time_ns()
   std::vector<std::string> files() const;        // their present names
@@ -56,6 +57,7 @@ class Recorder {
   std::vector<Output> outputs_;
   std::vector<Truth> truth_;  // by truth channel
   std::optional<std::int64_t> begin_ns_;
+  Withheld withheld_;
 };
 
 }  // namespace saccade::client

@@ -14,6 +14,29 @@ bool takesSeq(v1::Kind kind) {
 
 }  // namespace
 
+bool Withheld::covers(const Withheld& part) const {
+  return suppressed >= part.suppressed && artefacts >= part.artefacts &&
+         lost_in_readout >= part.lost_in_readout;
+}
+
+Withheld& Withheld::operator+=(const Withheld& other) {
+  suppressed += other.suppressed;
+  artefacts += other.artefacts;
+  lost_in_readout += other.lost_in_readout;
+  return *this;
+}
+
+Withheld& Withheld::operator-=(const Withheld& part) {
+  suppressed -= part.suppressed;
+  artefacts -= part.artefacts;
+  lost_in_readout -= part.lost_in_readout;
+  return *this;
+}
+
+Withheld withheldOf(const v1::PacketHeader& header) {
+  return {header.suppressed(), header.artefacts(), header.lost_in_readout()};
+}
+
 SequenceCheck::SequenceCheck(const v1::OpenStream& resolved) {
   const auto add = [&](std::uint64_t first) {
     due_.push_back({.item = first, .t_ns = {}, .joined = first == 0});
@@ -32,7 +55,7 @@ std::optional<SequenceCheck::FreshRange> SequenceCheck::add(const v1::PacketHead
   if (!fresh) return std::nullopt;
   due.item = header.first_event_index() + header.count();
   due.t_ns = header.t1_ns();
-  due.suppressed = header.suppressed();
+  due.withheld = withheldOf(header);
   due.joined = true;
   due.ended = header.kind() == v1::KIND_END;
   return fresh;
@@ -51,7 +74,7 @@ std::optional<SequenceCheck::FreshRange> SequenceCheck::join(const Point& due,
   const bool nothing_new = begin < due.item || (due.t_ns && header.t1_ns() <= t_ns);
   if (!is_end && end <= due.item && nothing_new) return std::nullopt;
   const bool again = header.t0_ns() < t_ns;
-  return FreshRange{due.item - begin, std::max(t_ns, header.t0_ns()), again ? due.suppressed : 0};
+  return FreshRange{due.item - begin, std::max(t_ns, header.t0_ns()), again ? due.withheld : Withheld()};
 }
 
 std::optional<SequenceCheck::FreshRange> SequenceCheck::follow(const Point& due,

@@ -18,17 +18,29 @@ struct Losses {
   std::uint64_t events = 0;   // their events and samples
 };
 
+// Events of a packet's interval that its sensor withheld.
+struct Withheld {
+  std::uint64_t suppressed = 0;       // all of them
+  std::uint64_t artefacts = 0;        // of them: likely artefacts of rendering
+  std::uint64_t lost_in_readout = 0;  // of them: those that the readout had no room for
+
+  bool covers(const Withheld& part) const;  // whether no count is less than that of `part`
+  Withheld& operator+=(const Withheld& other);
+  Withheld& operator-=(const Withheld& part);  // covers(part)
+};
+Withheld withheldOf(const v1::PacketHeader& header);
+
 class SequenceCheck {
  public:
   // Each channel starts at seq 0, at any stream time, because a shared feed may have begun earlier. With
   // `from_event` or `from_sample` it starts at any seq, at the packet with that item.
   explicit SequenceCheck(const v1::OpenStream& resolved);
 
-  // The new part of a packet: it begins after known_items items, at t0_ns, and leaves out known_suppressed.
+  // The new part of a packet: it begins after known_items items, at t0_ns, and leaves out known_withheld.
   struct FreshRange {
     std::uint64_t known_items;
     std::int64_t t0_ns;
-    std::uint64_t known_suppressed = 0;
+    Withheld known_withheld = {};
   };
   // Returns nothing if the whole packet came before, or if its kind has no seq. Counts the losses before it.
   // Throws StreamFault if it does not continue the packet before it.
@@ -46,7 +58,7 @@ class SequenceCheck {
  private:
   struct Point {
     std::uint64_t seq = 0, item = 0;
-    std::uint64_t suppressed = 0;  // of the newest packet
+    Withheld withheld = {};  // of the newest packet
     std::optional<std::int64_t> t_ns;
     bool joined = true;  // false: the next packet may have any seq, but has `item`
     bool ended = false;

@@ -19,13 +19,17 @@ void cutOff(const SequenceCheck::FreshRange& fresh, Batch& batch) {
   if (!batch.truth.empty()) batch.truth.erase(batch.truth.begin(), batch.truth.begin() + known);
   v1::PacketHeader& header = batch.header;
   const bool earlier = !batch.events.empty() && batch.events.front().t_ns < fresh.t0_ns;
-  if (earlier || header.suppressed() < fresh.known_suppressed) {
+  Withheld withheld = withheldOf(header);
+  if (earlier || !withheld.covers(fresh.known_withheld)) {
     throw StreamFault("the stream does not come out as it did before it was lost");
   }
   header.set_first_event_index(header.first_event_index() + fresh.known_items);
   header.set_count(header.count() - static_cast<std::uint32_t>(fresh.known_items));
   header.set_t0_ns(fresh.t0_ns);
-  header.set_suppressed(header.suppressed() - fresh.known_suppressed);
+  withheld -= fresh.known_withheld;
+  header.set_suppressed(withheld.suppressed);
+  header.set_artefacts(withheld.artefacts);
+  header.set_lost_in_readout(withheld.lost_in_readout);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
   printFiles(out, recorder.files(), preview && preview->written() ? job.preview : "");
   printRates(out, recorder, wall_s);
   printTruth(out, recorder);
-  printSuppressed(out, recorder, opened.resolved());
+  printWithheld(out, recorder, opened.resolved());
   printLosses(out, subscription.losses());
   printStagesOf(out, stream);
   return recorder.about(0);

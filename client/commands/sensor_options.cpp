@@ -32,6 +32,7 @@ v1::Sensor makeSensor(const SensorOptions& options, std::size_t index) {
   if (options.bias) sensor.set_bias(*options.bias);
   if (options.refractory_s) sensor.set_refractory_s(*options.refractory_s);
   if (options.cutoff_hz) sensor.set_cutoff_hz(*options.cutoff_hz);
+  if (options.max_artefact_odds) sensor.set_max_artefact_odds(*options.max_artefact_odds);
   if (!options.model.empty()) {
     sensor.set_model(enumValue<v1::EventModel>("--model", options.model));
   }
@@ -71,6 +72,8 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
           "of " +
               fieldNames(*v1::Noise::descriptor()))
       ->allow_extra_args(false);
+  command.add_option("--max-artefact-odds", o.max_artefact_odds,
+                     "withhold events with higher odds to be an artefact of rendering");
   command.add_option("--cutoff", o.cutoff_hz,
                      "Hz below which --reconstruction complementary follows the picture");
 }
@@ -81,6 +84,7 @@ void saySensorRanges(CLI::App& command) {
   sayRange(command, "--bias", ranges::kBias);
   sayRange(command, "--refractory", ranges::kRefractory);
   sayRange(command, "--cutoff", ranges::kCutoff);
+  sayRange(command, "--max-artefact-odds", ranges::kArtefactOdds);
 }
 
 void addSensors(const SensorOptions& options, v1::OpenStream& open) {

@@ -16,6 +16,7 @@ struct SensorOptions {
   std::optional<double> bias, refractory_s, cutoff_hz;
   std::string model, reconstruction, preset;
   std::vector<std::string> noise;  // name=value
+  std::optional<double> max_artefact_odds;
 };
 
 void addSensorOptions(CLI::App& command, SensorOptions& options);

@@ -89,12 +89,18 @@ void printTruth(std::FILE* out, const Recorder& recorder) {
   std::fprintf(out, "\n");
 }
 
-void printSuppressed(std::FILE* out, const Recorder& recorder, const v1::OpenStream& resolved) {
-  if (recorder.suppressed() == 0) return;
+void printWithheld(std::FILE* out, const Recorder& recorder, const v1::OpenStream& resolved) {
+  const Withheld& withheld = recorder.withheld();
   const v1::Sensor& sensor = resolved.sensors(0);
-  std::fprintf(out, "%llu events withheld: limits are %u per pixel and frame, %llu per frame\n",
-               Count{recorder.suppressed()}, sensor.max_events_per_pixel_frame(),
-               Count{sensor.max_events_per_frame()});
+  const Count others{withheld.suppressed - withheld.artefacts - withheld.lost_in_readout};
+  if (others > 0)
+    std::fprintf(out, "%llu events withheld: limits are %u per pixel and frame, %llu per frame\n", others,
+                 sensor.max_events_per_pixel_frame(), Count{sensor.max_events_per_frame()});
+  if (withheld.artefacts > 0)
+    std::fprintf(out, "%llu events withheld: their odds to be artefacts are above %g\n",
+                 Count{withheld.artefacts}, sensor.max_artefact_odds());
+  if (withheld.lost_in_readout > 0)
+    std::fprintf(out, "%llu events lost in the readout\n", Count{withheld.lost_in_readout});
 }
 
 void printLosses(std::FILE* out, const Losses& losses) {

@@ -22,8 +22,8 @@ void printFiles(std::FILE* out, std::vector<std::string> files,
                 const std::string& preview);                               // preview: "" for none
 void printRates(std::FILE* out, const Recorder& recorder, double wall_s);  // wall_s: seconds it took
 void printTruth(std::FILE* out, const Recorder& recorder);  // samples by channel; nothing without channels
-// Events above the sensors' limits; nothing without any.
-void printSuppressed(std::FILE* out, const Recorder& recorder, const v1::OpenStream& resolved);
+// Events above the sensors' limits, likely artefacts, and those lost in readout; a line for each if any.
+void printWithheld(std::FILE* out, const Recorder& recorder, const v1::OpenStream& resolved);
 void printLosses(std::FILE* out, const Losses& losses);  // nothing without losses
 void printStages(std::FILE* out, const v1::StreamInfo& info);
 

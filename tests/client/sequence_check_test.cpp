@@ -125,6 +125,8 @@ TEST(SequenceCheck, AStreamThatIsOpenedAgainGoesOnInTimeToo) {
     expectNext(check, headerOf(0, 0, 0, 5, 0, 5000));
     auto cut_short = headerOf(0, 1, 5, 5, 5000, 7000);
     cut_short.set_suppressed(3);
+    cut_short.set_artefacts(2);
+    cut_short.set_lost_in_readout(1);
     expectNext(check, cut_short);
     check.restart();
     EXPECT_EQ(check.seqs(), (std::vector<std::uint64_t>{0}));
@@ -136,13 +138,15 @@ TEST(SequenceCheck, AStreamThatIsOpenedAgainGoesOnInTimeToo) {
   const auto rest = again(headerOf(0, 1, 5, 9, 5000, 10000));  // that packet had been cut short
   EXPECT_EQ(rest.value().known_items, 5u);
   EXPECT_EQ(rest.value().t0_ns, 7000);
-  EXPECT_EQ(rest.value().known_suppressed, 3u);
+  EXPECT_EQ(rest.value().known_withheld.suppressed, 3u);
+  EXPECT_EQ(rest.value().known_withheld.artefacts, 2u);
+  EXPECT_EQ(rest.value().known_withheld.lost_in_readout, 1u);
   EXPECT_FALSE(again(headerOf(0, 1, 10, 0, 5000, 7000)));
   EXPECT_FALSE(again(headerOf(0, 0, 0, 5, 0, 5000)));
   EXPECT_EQ(again(headerOf(0, 1, 10, 0, 5000, 10000)).value().t0_ns, 7000);
   const auto later = again(headerOf(0, 2, 10, 1, 10000, 15000));  // nothing happened until then
   EXPECT_EQ(later.value().t0_ns, 10000);
-  EXPECT_EQ(later.value().known_suppressed, 0u);
+  EXPECT_EQ(later.value().known_withheld.suppressed, 0u);
 }
 
 }  // namespace
