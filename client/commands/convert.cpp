@@ -11,6 +11,7 @@
 #include "client/commands/summary.h"
 #include "client/recording_file.h"
 #include "client/units.h"
+#include "client/writers/labels.h"
 
 namespace saccade::client {
 namespace {
@@ -26,7 +27,9 @@ v1::Recording aboutEvents(const SourceFile& source) {
   about.clear_begin_ns();
   about.clear_end_ns();
   about.clear_events();
-  about.clear_truth();  // SourceFile says that it is left out
+  about.clear_truth();  // SourceFile says that it is left out, and so for labels
+  if (hasLabels(about))
+    about.mutable_request()->mutable_sensors(static_cast<int>(about.sensor()))->clear_labels();
   about.set_width(source.size().width);
   about.set_height(source.size().height);
   return about;

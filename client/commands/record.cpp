@@ -4,6 +4,7 @@
 
 #include "client/calibration/calibration.h"
 #include "client/commands/commands.h"
+#include "client/commands/labels_option.h"
 #include "client/commands/output_options.h"
 #include "client/commands/record_stream.h"
 #include "client/commands/request_options.h"
@@ -17,13 +18,14 @@ struct RecordOptions {
   OutputOptions output;
   std::string preview;
   std::vector<std::string> truth;
-  bool calibration = false;
+  bool calibration = false, labels = false;
 };
 
 void addOptions(CLI::App& command, RecordOptions& options) {
   addOutputOptions(command, options.output, "-o,--output");
   addPreviewOption(command, options.preview);
   addTruthOption(command, options.truth);
+  addLabelsOption(command, options.labels);
   command.add_flag(
       "--calibration", options.calibration,
       "write the cameras beside FILE: FILE.camera_info.yaml (ROS), FILE.kalibr.yaml, with --truth imu "
@@ -59,6 +61,8 @@ void runRecord(const RecordOptions& options) {
   requestTruth(options.truth, job.request);
   checkOutputs(options.output, job.request.sensors_size());
   checkTruthOutput(options.output, job.request);
+  if (options.labels) requestLabels(job.request);
+  checkLabelsOutput(options.output, job.request);
   if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
   if (options.calibration) checkCalibration(options, job.request);
   recordStream(options.request.server, job);

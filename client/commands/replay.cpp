@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
+#include "client/commands/labels_option.h"
 #include "client/commands/output_options.h"
 #include "client/commands/record_stream.h"
 #include "client/commands/truth_option.h"
@@ -69,6 +70,7 @@ void runReplay(const ReplayOptions& options) {
                       .format = &options.output.writer()};
   checkOutputs(options.output, 1);
   checkTruthOutput(options.output, job.request);
+  checkLabelsOutput(options.output, job.request);
   compare(recording, recordStream(options.server, job));
 }
 

@@ -45,7 +45,10 @@ class DsecReader : public Reader {
   ImageSize size() const override { return {side("width"), side("height")}; }
 
   std::string leftOut() const override {
-    return H5Lexists(file_.id(), "truth", H5P_DEFAULT) > 0 ? "the truth channels of /truth" : "";
+    const bool labels = H5Lexists(file_.id(), "events/source", H5P_DEFAULT) > 0;
+    const bool truth = H5Lexists(file_.id(), "truth", H5P_DEFAULT) > 0;
+    return std::string(labels ? "the labels of the events" : "") + (labels && truth ? ", " : "") +
+           (truth ? "the truth channels of /truth" : "");
   }
 
   bool read(Events& events) override {

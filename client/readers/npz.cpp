@@ -2,6 +2,7 @@
 // width, stored or compressed; perhaps single numbers width and height. A cut file cannot be read, because
 // its directory stands at the end.
 #include <algorithm>
+#include <utility>
 
 #include "client/readers/event_columns.h"
 #include "client/readers/npy_column.h"
@@ -18,15 +19,19 @@ std::uint32_t sideOf(const std::string& path, const ZipArchive& archive, const s
   return toSide(path, name, pixels[0]);
 }
 
-// The truth channels: an array NAME_t stands beside each.
-std::string truthNames(const ZipArchive& archive) {
+// Labels, and the truth channels: an array NAME_t stands beside each.
+std::string otherNames(const ZipArchive& archive) {
   constexpr std::string_view kTimes = "_t.npy";
   std::string names;
+  if (zip_name_locate(archive.get(), "source.npy", 0) >= 0) names = "the labels of the events";
+  bool first = true;
   for (zip_int64_t i = 0; i < zip_get_num_entries(archive.get(), 0); ++i) {
     const char* entry = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0);
     const std::string name = entry ? entry : "";
     if (!name.ends_with(kTimes)) continue;
-    names += (names.empty() ? "truth " : ", ") + name.substr(0, name.size() - kTimes.size());
+    if (!names.empty()) names += ", ";
+    if (std::exchange(first, false)) names += "truth ";
+    names += name.substr(0, name.size() - kTimes.size());
   }
   return names;
 }
@@ -48,7 +53,7 @@ class NpzReader : public Reader {
   }
 
   ImageSize size() const override { return size_; }
-  std::string leftOut() const override { return truthNames(archive_); }
+  std::string leftOut() const override { return otherNames(archive_); }
 
   bool read(Events& events) override {
     const std::uint64_t count = std::min(kColumnBatch, t_.size() - done_);

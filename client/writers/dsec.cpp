@@ -5,7 +5,8 @@
 //
 // t has 32 bits, as readers expect. The file on disk ends with a whole chunk until finish(): after a full
 // disk or a kill it lacks the latest events, up to 131071, and the end of /ms_to_idx. The group /truth has
-// the truth channels, and then lacks the latest pictures, up to 4 MiB, and up to 1023 rows.
+// the truth channels, and then lacks the latest pictures, up to 4 MiB, and up to 1023 rows. Labels are
+// /events/source and /events/artefact, u8, as in Event.
 #include <deque>
 #include <optional>
 #include <stdexcept>
@@ -14,7 +15,9 @@
 #include "client/units.h"
 #include "client/writers/hdf5_column.h"
 #include "client/writers/hdf5_file.h"
+#include "client/writers/hdf5_labels.h"
 #include "client/writers/hdf5_truth.h"
+#include "client/writers/labels.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
@@ -43,6 +46,7 @@ class DsecWriter : public Writer {
     writeAttribute(file_.id(), "height", about.height());
     writeScalar(events_.id(), "width", about.width());
     writeScalar(events_.id(), "height", about.height());
+    if (hasLabels(about)) labels_.emplace(events_.id(), kChunk, filters);
     addTruth(about, filters);
     toDisk(&Hdf5File::commit);
   }
@@ -65,6 +69,7 @@ class DsecWriter : public Writer {
     if (!offset_us_) chooseOffset(0);
     indexUntil((until_us_ - *offset_us_) / kUsPerMs + 1);
     x_.flush(), y_.flush(), p_.flush(), t_.flush(), ms_to_idx_.flush();
+    if (labels_) labels_->flush();
     for (Hdf5Truth& truth : truth_) truth.flush();
     toDisk(&Hdf5File::close);
   }
@@ -92,6 +97,7 @@ class DsecWriter : public Writer {
     const std::int64_t t_us = event.t_ns / kNsPerUs - *offset_us_;
     indexUntil(t_us / kUsPerMs);
     x_.push(event.x), y_.push(event.y), p_.push(event.p), t_.push(static_cast<std::uint32_t>(t_us));
+    if (labels_) labels_->push(event);
     if (++count_ % kChunk != 0) return;
     ms_to_idx_.flush();
     toDisk(&Hdf5File::commit);
@@ -119,6 +125,7 @@ class DsecWriter : public Writer {
   Hdf5Column<std::uint8_t> p_;
   Hdf5Column<std::uint32_t> t_;
   Hdf5Column<std::uint64_t> ms_to_idx_;
+  std::optional<Hdf5Labels> labels_;
   std::deque<Hdf5Truth> truth_;    // by channel
   std::uint64_t truth_bytes_ = 0;  // since the last commit
   std::optional<std::int64_t> offset_us_;
@@ -153,9 +160,10 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kDsecWriter{"dsec",        ".h5", "HDF5 as in DSEC, up to 71 min",
-                             make<addGzip>, false, holdsAllTruth};
-const WriterInfo kDsecBloscWriter{"dsec-blosc",   ".h5", "the same, compressed by Blosc with zstd",
-                                  make<addBlosc>, false, holdsAllTruth};
+const WriterInfo kDsecWriter{"dsec",        ".h5", "HDF5 as in DSEC, up to 71 min", make<addGzip>, false,
+                             holdsAllTruth, true};
+const WriterInfo kDsecBloscWriter{
+    "dsec-blosc",  ".h5", "the same, compressed by Blosc with zstd", make<addBlosc>, false,
+    holdsAllTruth, true};
 
 }  // namespace saccade::client

@@ -1,6 +1,6 @@
 // NumPy's .npz: arrays t (i64 microseconds), x, y (u16) and p (u8) of equal lengths, and numbers width and
-// height, as evutils has them and SpikingJelly reads them. Truth channels have arrays beside them. See
-// numpy.lib.format, and zip_archive.h.
+// height, as evutils has them and SpikingJelly reads them. Labels are arrays source and artefact (u8), as in
+// Event. Truth channels have arrays beside them. See numpy.lib.format, and zip_archive.h.
 //
 // An array is one piece of the file and says its length first, so each column waits in a spool file for the
 // end of the events. A part of the disk is taken at the start and given back at the end, so that there is
@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "client/units.h"
+#include "client/writers/labels.h"
 #include "client/writers/npz_column.h"
 #include "client/writers/npz_truth.h"
 #include "client/writers/writer.h"
@@ -49,6 +50,10 @@ class NpzWriter : public Writer {
         p_(path, "p", "|u1", 1, Z_RLE),
         width_(numberBytes(about.width())),
         height_(numberBytes(about.height())) {
+    if (hasLabels(about)) {
+      source_.emplace(path, "source", "|u1", 1, Z_RLE);
+      artefact_.emplace(path, "artefact", "|u1", 1, Z_RLE);
+    }
     for (const v1::RecordedTruth& channel : about.truth()) truth_.emplace_back(path, channel);
     reserve_.emplace(path).allocate(kReserve);
   }
@@ -70,7 +75,7 @@ class NpzWriter : public Writer {
   void finish() override {
     reserve_.reset();
     if (!waiting_.empty()) spool();
-    std::vector<NpzColumn*> columns{&t_, &x_, &y_, &p_};
+    std::vector<NpzColumn*> columns = eventColumns();
     for (NpzTruth& truth : truth_) {
       for (NpzColumn* column : truth.columns()) columns.push_back(column);
     }
@@ -88,12 +93,22 @@ class NpzWriter : public Writer {
   }
 
  private:
+  std::vector<NpzColumn*> eventColumns() {
+    std::vector<NpzColumn*> columns{&t_, &x_, &y_, &p_};
+    if (source_) columns.insert(columns.end(), {&*source_, &*artefact_});
+    return columns;
+  }
+
   void spool() {
     t_.spool(bytesOf<std::int64_t>(waiting_, [](const Event& event) { return event.t_ns / kNsPerUs; }));
     x_.spool(bytesOf<std::uint16_t>(waiting_, [](const Event& event) { return event.x; }));
     y_.spool(bytesOf<std::uint16_t>(waiting_, [](const Event& event) { return event.y; }));
     p_.spool(bytesOf<std::uint8_t>(waiting_, [](const Event& event) { return event.p; }));
-    for (NpzColumn* column : {&t_, &x_, &y_, &p_}) column->keep();
+    if (source_) {
+      source_->spool(bytesOf<std::uint8_t>(waiting_, [](const Event& event) { return event.source; }));
+      artefact_->spool(bytesOf<std::uint8_t>(waiting_, [](const Event& event) { return event.artefact; }));
+    }
+    for (NpzColumn* column : eventColumns()) column->keep();
     waiting_.clear();
   }
 
@@ -105,7 +120,8 @@ class NpzWriter : public Writer {
 
   OutputFile file_;
   NpzColumn t_, x_, y_, p_;
-  std::deque<NpzTruth> truth_;  // by channel
+  std::optional<NpzColumn> source_, artefact_;  // of labelled events
+  std::deque<NpzTruth> truth_;                  // by channel
   const std::string width_, height_;
   std::optional<SpoolFile> reserve_;
   Events waiting_;
@@ -119,6 +135,7 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kNpzWriter{"npz", ".npz", "arrays t[us], x, y, p of NumPy", make, false, holdsAllTruth};
+const WriterInfo kNpzWriter{"npz",         ".npz", "arrays t[us], x, y, p of NumPy", make, false,
+                            holdsAllTruth, true};
 
 }  // namespace saccade::client

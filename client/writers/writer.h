@@ -41,6 +41,7 @@ struct WriterInfo {
   bool pipe = false;  // whether `path` may be kStandardOutput
   // Whether the file holds a truth channel; nullptr: it holds none.
   bool (*truth)(const v1::RecordedTruth& channel) = nullptr;
+  bool labels = false;  // whether the file holds the labels of events, see hasLabels()
 };
 
 extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kDsecWriter, kDsecBloscWriter, kNpzWriter,
@@ -48,7 +49,8 @@ extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kDsecWriter, kD
 
 // All file formats. The first of an extension is the one that it stands for.
 const std::vector<const WriterInfo*>& writerTable();
-std::string writerNames();  // ".csv (what it is), ..." for messages
+std::string writerNames();       // ".csv (what it is), ..." for messages
+std::string labelWriterNames();  // ".npz npz, ...": the formats that hold labels
 
 // The format `name`, or without a name that of the extension of `path`; CSV for kStandardOutput. Throws
 // std::invalid_argument with the known formats.

@@ -31,6 +31,15 @@ std::string writerNames() {
   return names;
 }
 
+std::string labelWriterNames() {
+  std::string names;
+  for (const WriterInfo* writer : writerTable()) {
+    if (writer->labels)
+      names += (names.empty() ? "" : ", ") + std::string(writer->extension) + " " + writer->name;
+  }
+  return names;
+}
+
 const WriterInfo& writerFor(const std::string& path, const std::string& name) {
   const bool pipe = path == kStandardOutput;
   const std::string extension =

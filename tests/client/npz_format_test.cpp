@@ -3,8 +3,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
-#include "client/readers/npy_header.h"
+#include "client/readers/npy_column.h"
 #include "client/recording_file.h"
 #include "client/writers/zip_archive.h"
 #include "file_size_limit.h"
@@ -17,6 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = 1 << 16;  // events
+
+std::string bytesOf(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 class NpzFormatTest : public FormatTest {
  protected:
@@ -38,6 +44,32 @@ TEST_F(NpzFormatTest, EventsAndSizeComeBack) {
 TEST_F(NpzFormatTest, AFileMayHaveNoEvents) {
   write(kNpzWriter, file_, {}, 5'000'000, aboutOf(4, 3));
   EXPECT_TRUE(read().empty());
+}
+
+TEST_F(NpzFormatTest, LabelsAreArraysBesideTheSameEvents) {
+  Events events = randomEvents(kBlock + 77, 640, 480);
+  write(kNpzWriter, file_, {events}, 0, aboutOf(640, 480));
+  EXPECT_EQ(kNpzReader.make(file_)->leftOut(), "");
+  std::vector<std::int64_t> sources, odds, read_sources, read_odds;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    sources.push_back(events[i].source = i % 3 == 0);
+    odds.push_back(events[i].artefact = i % 129);
+  }
+  v1::Recording about = aboutOf(640, 480);
+  about.mutable_request()->add_sensors();
+  about.mutable_request()->add_sensors()->set_labels(true);
+  write(kNpzWriter, at("first.npz"), {events}, 0, about);
+  about.set_sensor(1);
+  write(kNpzWriter, at("second.npz"), {events}, 0, about);
+  EXPECT_EQ(bytesOf(at("first.npz")), bytesOf(file_));  // that sensor has no labels
+  const ZipArchive archive = openZip(at("second.npz"));
+  NpyColumn(at("second.npz"), archive, "source").read(events.size(), read_sources);
+  NpyColumn(at("second.npz"), archive, "artefact").read(events.size(), read_odds);
+  EXPECT_EQ(read_sources, sources);
+  EXPECT_EQ(read_odds, odds);
+  const auto reader = kNpzReader.make(at("second.npz"));
+  EXPECT_EQ(reader->leftOut(), "the labels of the events");
+  EXPECT_EQ(readBack(*reader), read());
 }
 
 TEST_F(NpzFormatTest, BatchesOfAnySizeJoin) {

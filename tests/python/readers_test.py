@@ -49,6 +49,32 @@ class Readers(unittest.TestCase):
         np.savez(path, t=np.array(T), x=np.array(X), y=np.array(Y), p=signed)
         self.expect(path, None)
 
+    def expect_labels(self, path):
+        whole, pieces = saccade.read(path), list(saccade.open_file(path, chunk=3))
+        self.assertEqual((whole.source.tolist(), whole.artefact.tolist()), ([0, 1, 0, 1], [9, 0, 255, 0]))
+        self.assertEqual(pieces[1].source.tolist(), [1])
+
+    def test_labels(self):
+        path = self.folder / "a.npz"
+        columns = {"t": np.array(T), "x": np.array(X), "y": np.array(Y), "p": np.array(P)}
+        labels = {"source": np.array([0, 1, 0, 1], np.uint8), "artefact": np.array([9, 0, 255, 0], np.uint8)}
+        np.savez(path, **columns, **labels)
+        self.expect_labels(path)
+        events = saccade.read(path, size=(346, 260))
+        events.save(self.folder / "b.npz")
+        self.expect_labels(self.folder / "b.npz")
+        np.savez(path, **columns)
+        self.assertIsNone(saccade.read(path).source)
+        np.savez(path, **columns, source=np.zeros(3, np.uint8), artefact=labels["artefact"])
+        with self.assertRaisesRegex(saccade.FormatError, "labels must have the length of t"):
+            saccade.read(path)
+        if importlib.util.find_spec("h5py"):
+            import h5py
+            with h5py.File(self.folder / "a.h5", "w") as file:
+                for name, column in {**columns, **labels}.items():
+                    file[f"events/{name}"] = column
+            self.expect_labels(self.folder / "a.h5")
+
     @unittest.skipUnless(importlib.util.find_spec("h5py"), "h5py is not installed")
     def test_hdf5_of_dsec(self):
         import h5py

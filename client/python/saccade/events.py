@@ -120,12 +120,14 @@ class Events:
         return conversions.to_torch(self)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a compressed .npz with t, x, y, p, width and height, which saccade.read() reads.
+        """Writes a compressed .npz with t, x, y, p, width, height and labels, which saccade.read() reads.
 
         Raises ValueError where the size is unknown.
         """
         width, height = representations.known_size(self)
-        np.savez_compressed(path, t=self.t, x=self.x, y=self.y, p=self.p.view(np.uint8), width=width, height=height)
+        labels = {name: label for name in LABELS if (label := getattr(self, name)) is not None}
+        np.savez_compressed(path, t=self.t, x=self.x, y=self.y, p=self.p.view(np.uint8), width=width, height=height,
+                            **labels)
 
 
 def concatenate(parts: Sequence[Events]) -> Events:

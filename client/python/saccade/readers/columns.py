@@ -1,6 +1,7 @@
 """Makes Events from the columns of a file, whatever their types."""
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ MOST_PIXELS = 1 << 16  # along an axis
 
 
 def events_of(t: NDArray[Any], x: NDArray[Any], y: NDArray[Any], p: NDArray[Any],
-              size: tuple[int, int] | None) -> Events:
+              size: tuple[int, int] | None, labels: Mapping[str, NDArray[Any]] | None = None) -> Events:
     """t in microseconds; polarities above 0 are ON, so that 0 and 1 serve as well as -1 and 1.
 
     Raises FormatError for coordinates that are no pixels and other polarities, and ValueError for unequal lengths.
@@ -26,4 +27,4 @@ def events_of(t: NDArray[Any], x: NDArray[Any], y: NDArray[Any], p: NDArray[Any]
     if p.size and not np.isin(p, (-1, 0, 1)).all():
         raise FormatError("a polarity is not 0 and 1, or -1 and 1")
     return Events(t.astype(np.int64, copy=False), x.astype(np.uint16, copy=False), y.astype(np.uint16, copy=False),
-                  p > 0, size)
+                  p > 0, size, **{name: column.astype(np.uint8, copy=False) for name, column in (labels or {}).items()})

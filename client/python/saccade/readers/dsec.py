@@ -1,4 +1,7 @@
-"""HDF5 as the data set DSEC has it: /events/t, x, y, p, and /t_offset, which counts for each t; microseconds."""
+"""HDF5 as the data set DSEC has it: /events/t, x, y, p, and /t_offset, which counts for each t; microseconds.
+
+Labels are /events/source and artefact.
+"""
 from __future__ import annotations
 
 import pathlib
@@ -8,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from saccade.errors import FormatError
-from saccade.events import Events
+from saccade.events import LABELS, Events
 from saccade.readers.columns import events_of
 
 
@@ -20,11 +23,14 @@ def chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
         if missing:
             raise FormatError(f"no data set '{missing[0]}', as DSEC has it")
         columns = [file[name] for name in names]
+        labels = {name: file[f"events/{name}"] for name in LABELS if set(LABELS) <= file["events"].keys()}
         offset = int(file["t_offset"][()]) if "t_offset" in file else 0
         size = _size(file)
         for first in range(0, max(len(column) for column in columns), chunk):
-            t, x, y, p = (column[first : first + chunk] for column in columns)
-            yield events_of(t.astype(np.int64) + offset, x, y, p, size)
+            part = slice(first, first + chunk)
+            t, x, y, p = (column[part] for column in columns)
+            yield events_of(t.astype(np.int64) + offset, x, y, p, size,
+                            {name: column[part] for name, column in labels.items()})
 
 
 def _size(file: Any) -> tuple[int, int] | None:

@@ -1,4 +1,7 @@
-""".npz with the arrays t (microseconds), x, y, p, and the numbers width and height, as evutils and spikingjelly do."""
+""".npz with the arrays t (microseconds), x, y, p, and the numbers width and height, as evutils and spikingjelly do.
+
+Labels are the arrays source and artefact.
+"""
 from __future__ import annotations
 
 import pathlib
@@ -7,7 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from saccade.errors import FormatError
-from saccade.events import Events
+from saccade.events import LABELS, Events
 from saccade.readers.columns import events_of
 
 
@@ -19,7 +22,9 @@ def chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
         sized = {"width", "height"} <= set(file.files)
         size = (int(file["width"]), int(file["height"])) if sized else None
         columns = [file[name] for name in "txyp"]
+        labels = {name: file[name] for name in LABELS if set(LABELS) <= set(file.files)}
     t, x, y, p = columns
     for first in range(0, max(column.size for column in columns), chunk):
         part = slice(first, first + chunk)
-        yield events_of(t[part], x[part], y[part], p[part], size)
+        yield events_of(t[part], x[part], y[part], p[part], size,
+                        {name: column[part] for name, column in labels.items()})

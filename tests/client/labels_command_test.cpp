@@ -1,0 +1,76 @@
+// `saccade record --labels` and `--max-artefact-odds`, and what other commands make of such files.
+#include "client/command.h"
+#include "client/readers/reader.h"
+#include "client/sidecar.h"
+
+namespace saccade {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace test;
+
+class LabelsCommand : public CommandAndServer {
+ protected:
+  Result record(const std::string& options) const {
+    return run("record cornell-box --trajectory right --size 32x24 --duration 0.02 " + options +
+               server_.option());
+  }
+};
+
+TEST_F(LabelsCommand, AFormatThatCannotHoldThemIsRefusedBeforeTheStreamOpens) {
+  const std::string nobody = " --control tcp://127.0.0.1:1";
+  for (const char* file : {"a.raw", "a.aedat4", "a.bag", "a.mcap", "a.csv", "a.txt"}) {
+    const Result result =
+        run("record cornell-box --trajectory right --labels -o " + folder_.at(file) + nobody);
+    EXPECT_EQ(result.code, 2) << file;
+    EXPECT_TRUE(holds(result,
+                      "does not hold the labels of events; those that do are .h5 dsec, .h5 "
+                      "dsec-blosc, .npz npz"))
+        << result.output;
+  }
+  EXPECT_TRUE(
+      holds(run("record cornell-box --trajectory right --labels -o -" + nobody), "format csv does not"));
+}
+
+TEST_F(LabelsCommand, LabelsChangeNoEventAndOtherCommandsLeaveThemOut) {
+  const std::string csv = folder_.at("a.csv"), out = folder_.at("out.csv");
+  ASSERT_EQ(record("-o " + csv).code, 0);
+  for (const char* name : {"a.h5", "a.npz"}) {
+    const std::string file = folder_.at(name);
+    ASSERT_EQ(record("--labels -o " + file).code, 0);
+    EXPECT_TRUE(client::recordingOf(file)->request().sensors(0).labels());
+    EXPECT_TRUE(holds(run("verify " + file), "are as recorded"));
+    const Result converted = run("convert --force " + file + " " + out);
+    EXPECT_TRUE(holds(converted, "left out: the labels of the events")) << converted.output;
+    EXPECT_EQ(textOf(out), textOf(csv));
+    const std::string again = folder_.at("again.npz");
+    ASSERT_EQ(run("convert --force " + file + " " + again).code, 0);
+    EXPECT_FALSE(client::recordingOf(again)->request().sensors(0).labels());
+    EXPECT_EQ(client::kNpzReader.make(again)->leftOut(), "");
+  }
+  const std::string replay = "replay " + folder_.at("a.npz") + ".json --force" + server_.option() + " -o ";
+  EXPECT_TRUE(holds(run(replay + out), "does not hold the labels"));
+  EXPECT_TRUE(holds(run(replay + folder_.at("b.npz")), "the events are those of the recording"));
+}
+
+TEST_F(LabelsCommand, TheSummaryTellsWhatWasWithheldAndWhy) {
+  const std::string file = folder_.at("a.csv");
+  const Result plain = record("-o " + file);
+  EXPECT_FALSE(holds(plain, "withheld")) << plain.output;
+  EXPECT_FALSE(holds(plain, "readout")) << plain.output;
+  const Result all = record("--max-artefact-odds 1 --force -o " + file);
+  EXPECT_FALSE(holds(all, "withheld")) << all.output;
+  const std::uint64_t events = client::recordingOf(file)->events();
+  const Result likely = record("--max-artefact-odds 0.1 --force -o " + file);
+  const std::uint64_t withheld = events - client::recordingOf(file)->events();
+  EXPECT_GT(withheld, 0u);
+  EXPECT_TRUE(holds(likely, "\n" + std::to_string(withheld) +
+                                " events withheld: their odds to be artefacts are above 0.1\n"))
+      << likely.output;
+  const Result slow = record("--noise readout_hz=1000 --noise readout_buffer=0 --force -o " + file);
+  EXPECT_TRUE(holds(slow, " events lost in the readout\n")) << slow.output;
+  EXPECT_FALSE(holds(slow, "events withheld")) << slow.output;
+}
+
+}  // namespace
+}  // namespace saccade
