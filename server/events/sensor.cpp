@@ -9,19 +9,33 @@
 
 namespace saccade {
 
-Sensor::Sensor(const SensorConfig& config, int width, int height)
-    : config_(config),
-      dL_(width, height),
-      photoreceptor_(makePhotoreceptor(config.noise, width, height)),
-      noise_sources_(makeNoiseSources(config, width, height)) {
+Sensor::Sensor(const SensorConfig& config, int width, int height) : config_(config), dL_(width, height) {
   SACCADE_CHECK(!findFault(config));
   SACCADE_CHECK(width <= UINT16_MAX && height <= UINT16_MAX);
   reconstruction_ = findReconstruction(config.reconstruction)->make(config, width, height);
   model_ = findEventModel(config.model)->make(config, width, height);
-  const NoiseConfig& noise = config.noise;
-  if (noise.dead_fraction > 0) dead_pixels_.emplace(noise.dead_fraction, config.seed, width, height);
-  if (noise.jitter_s > 0) jitter_.emplace(noise.jitter_s, config.seed);
-  if (noise.readout_hz > 0) arbiter_.emplace(noise.readout_hz, noise.readout_buffer);
+  setNoise();
+}
+
+// Photoreceptor and arbiter keep what is under way. The random numbers of the other parts are addressed, so
+// they begin at any interval as if they had always been.
+void Sensor::setNoise() {
+  const NoiseConfig& noise = config_.noise;
+  if (photoreceptor_) {
+    photoreceptor_->change(noise);
+  } else {
+    photoreceptor_ = makePhotoreceptor(noise, dL_.width(), dL_.height());
+  }
+  noise_sources_ = makeNoiseSources(config_, dL_.width(), dL_.height());
+  dead_pixels_.reset(), jitter_.reset();
+  if (noise.dead_fraction > 0)
+    dead_pixels_.emplace(noise.dead_fraction, config_.seed, dL_.width(), dL_.height());
+  if (noise.jitter_s > 0) jitter_.emplace(noise.jitter_s, config_.seed);
+  if (arbiter_) {
+    arbiter_->change(noise.readout_hz, noise.readout_buffer);
+  } else if (noise.readout_hz > 0) {
+    arbiter_.emplace(noise.readout_hz, noise.readout_buffer);
+  }
 }
 
 PixelState Sensor::pixelsAtStart(const ImageF& I_prev) const {
@@ -38,17 +52,22 @@ PixelState Sensor::pixelsAtStart(const ImageF& I_prev) const {
 }
 
 void Sensor::change(const SensorChange& change) {
+  SACCADE_CHECK(!change.noise || change.noise->mismatch == config_.noise.mismatch);
   config_ = changed(config_, change);
   SACCADE_CHECK(!findFault(config_));
   if (change.threshold || change.threshold_off) model_->setThresholds(config_);
   if (change.bias) reconstruction_->setBias(config_.bias);
+  if (change.noise) setNoise();
 }
 
 void Sensor::generate(const IntensityChange& change, SensorOutput& out) {
   const Interval interval{change.t0, change.t1, change.frame};
   logResponse(change, static_cast<float>(config_.bias), dL_);
   reconstruction_->reconstruct(change, dL_);
-  if (photoreceptor_) photoreceptor_->filter(change, dL_);
+  if (photoreceptor_) {
+    photoreceptor_->filter(change, dL_);
+    if (config_.noise.photoreceptor_hz == 0) photoreceptor_.reset();
+  }
   out.events.clear();
   out.suppressed = model_->generate(dL_, interval, out.events);
   out.artefacts = 0;
@@ -78,6 +97,7 @@ void Sensor::readOut(const Interval& interval, SensorOutput& out) {
   order_.sort(out.events, interval);
   out.lost_in_readout = arbiter_ ? arbiter_->pass(out.events, interval) : 0;
   out.suppressed += out.lost_in_readout;
+  if (arbiter_ && !arbiter_->waits() && config_.noise.readout_hz == 0) arbiter_.reset();
 }
 
 }  // namespace saccade

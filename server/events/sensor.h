@@ -39,7 +39,8 @@ class Sensor {
   PixelState pixelsAtStart(const ImageF& I_prev) const;
 
   // Takes new settings for the next interval; its time has no effect here. The new configuration has no
-  // fault. A change of the bias moves the references of the pixels along, and makes no event.
+  // fault. A change of the bias moves the references of the pixels along, and makes no event. A change of the
+  // noise keeps the state of the pixels, what the photoreceptor lags behind, and what waits for the readout.
   void change(const SensorChange& change);
 
   // Makes the events of an interval. Call it for every interval, in order. Overwrites `out`, reusing its
@@ -50,6 +51,7 @@ class Sensor {
   void judge(const IntensityChange& change, SensorOutput& out);
   void addNoise(const IntensityChange& change, SensorOutput& out);
   void readOut(const Interval& interval, SensorOutput& out);
+  void setNoise();  // that of config_
 
   SensorConfig config_;
   ImageF dL_;  // [E (21)], then as reconstructed
@@ -57,7 +59,7 @@ class Sensor {
   std::unique_ptr<EventModel> model_;
   TimeOrder order_;
   // The parts of noise that are on.
-  std::unique_ptr<Photoreceptor> photoreceptor_;
+  std::optional<Photoreceptor> photoreceptor_;
   std::vector<std::unique_ptr<NoiseSource>> noise_sources_;
   std::optional<DeadPixels> dead_pixels_;
   std::optional<Jitter> jitter_;

@@ -38,6 +38,7 @@ SensorConfig changed(SensorConfig config, const SensorChange& change) {
   config.threshold = change.threshold.value_or(config.threshold);
   config.threshold_off = change.threshold_off.value_or(config.threshold_off);
   config.bias = change.bias.value_or(config.bias);
+  config.noise = change.noise.value_or(config.noise);
   return config;
 }
 

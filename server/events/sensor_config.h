@@ -36,7 +36,8 @@ struct SensorConfig {
 struct SensorChange {
   TimeNs time{0};
   std::optional<double> threshold = {}, threshold_off = {},
-                        bias = {};  // as in SensorConfig; unset: as before
+                        bias = {};        // as in SensorConfig; unset: as before
+  std::optional<NoiseConfig> noise = {};  // all of it, with the mismatch of before
 };
 SensorConfig changed(SensorConfig config, const SensorChange& change);
 

@@ -28,7 +28,7 @@ struct Pixel {
     return output += dL.at(0, 0);
   }
 
-  std::unique_ptr<Photoreceptor> filter;
+  std::optional<Photoreceptor> filter;
   IntensityChange change;
   ImageF dL;
   double output = 0;

@@ -1,11 +1,25 @@
 #include "events/noise/arbiter.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace saccade {
 
-Arbiter::Arbiter(double readout_hz, double buffer)
-    : service_ns_(1e9 / std::max(readout_hz, 1e-4)), longest_wait_ns_(buffer * service_ns_) {}
+Arbiter::Arbiter(double readout_hz, double buffer) {
+  change(readout_hz, buffer);
+}
+
+void Arbiter::change(double readout_hz, double buffer) {
+  const double before_ns = service_ns_, waiting = static_cast<double>(waiting_.size());
+  service_ns_ = readout_hz > 0 ? 1e9 / std::max(readout_hz, 1e-4) : 0;
+  longest_wait_ns_ = readout_hz > 0 ? buffer * service_ns_ : std::numeric_limits<double>::infinity();
+  // The first is taken as before, when the arbiter is free. All of them have arrived already.
+  free_ns_ = std::max(0.0, free_ns_ + waiting * (service_ns_ - before_ns));
+  const std::int64_t unit = kEventTimeUnit.count();
+  for (std::size_t i = 1; i < waiting_.size(); ++i)
+    waiting_[i].t_ns =
+        waiting_[0].t_ns + static_cast<std::int64_t>(static_cast<double>(i) * service_ns_) / unit * unit;
+}
 
 std::uint64_t Arbiter::pass(Events& events, const Interval& interval) {
   std::uint64_t lost = 0;

@@ -14,14 +14,18 @@ namespace saccade {
 // for the next interval; at the end of the stream they are not sent.
 class Arbiter {
  public:
-  // readout_hz > 0; less than 1e-4 counts as that. buffer >= 0.
+  // readout_hz >= 0; less than 1e-4 counts as that, and 0 is any number of events at once. buffer >= 0.
   Arbiter(double readout_hz, double buffer);
+
+  // Other settings from the next interval on. Whoever waits stays, and is taken at the new rate.
+  void change(double readout_hz, double buffer);
+  bool waits() const { return !waiting_.empty(); }  // whether events wait for the next interval
 
   // Replaces the events of an interval, in time order, by those taken in it. Returns how many were lost.
   std::uint64_t pass(Events& events, const Interval& interval);
 
  private:
-  double service_ns_, longest_wait_ns_;
+  double service_ns_ = 0, longest_wait_ns_ = 0;
   double free_ns_ = 0;  // when it is free again, since the start of the interval
   Events waiting_;      // taken later; at most buffer + 1 between intervals
 };

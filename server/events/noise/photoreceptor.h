@@ -1,7 +1,7 @@
 // The bandwidth of the photoreceptor: an intensity-dependent low pass of log brightness.
 #pragma once
 
-#include <memory>
+#include <optional>
 
 #include "events/noise/noise_config.h"
 #include "frame/intensity_change.h"
@@ -24,13 +24,22 @@ namespace saccade {
 // frame for long. Lags below 1e-7 become 0, so that a scene at rest comes to rest.
 class Photoreceptor {
  public:
-  virtual ~Photoreceptor() = default;
+  Photoreceptor(const NoiseConfig& noise, int width, int height);
+
+  // Other bandwidths from the next interval on; the lags stay. A pole without a bandwidth follows at once:
+  // its lag comes out in the next interval. A new follower has no lag.
+  void change(const NoiseConfig& noise);
   // Replaces `dL` by the change of the output over the interval. Does not touch the border, and does not
   // allocate.
-  virtual void filter(const IntensityChange& change, ImageF& dL) = 0;
+  void filter(const IntensityChange& change, ImageF& dL);
+
+ private:
+  NoiseConfig noise_;
+  ImageF lag_;
+  std::optional<ImageF> follower_lag_;  // of two poles
 };
 
 // Nothing where photoreceptor_hz is 0.
-std::unique_ptr<Photoreceptor> makePhotoreceptor(const NoiseConfig& noise, int width, int height);
+std::optional<Photoreceptor> makePhotoreceptor(const NoiseConfig& noise, int width, int height);
 
 }  // namespace saccade
