@@ -30,6 +30,13 @@ v1::OpenStream withChanges() {
   return request;
 }
 
+v1::SensorChange noisier(double time_s) {
+  v1::SensorChange change;
+  change.set_time_s(time_s);
+  change.mutable_noise()->set_shot_hz(100);
+  return change;
+}
+
 // How many lie before a time of stream; the events are in order.
 std::ptrdiff_t countBefore(const Events& events, std::int64_t t_ns) {
   return std::count_if(events.begin(), events.end(), [&](const Event& e) { return e.t_ns < t_ns; });
@@ -67,6 +74,65 @@ TEST_F(SensorChanges, OfARunningStreamAreThoseOfTheRequest) {
   const std::string bytes = comparableBytes(subscriber.receiveAll(1)[0]);
   EXPECT_EQ(bytes, comparableBytes(server_.run(withChanges())[0]));
   EXPECT_EQ(bytes, comparableBytes(server_.run(describe(server_.client(), stream))[0]));
+}
+
+TEST_F(SensorChanges, OfTheNoiseKeepTheSignalAndWhatTheyLeaveOut) {
+  v1::OpenStream plain = tinyRequest();
+  plain.mutable_sensors(0)->set_labels(true);
+  plain.mutable_sensors(0)->mutable_noise()->set_leak_hz(50);
+  v1::OpenStream request = plain;
+  *request.mutable_sensors(0)->add_changes() = noisier(0.0135);
+  const auto before = server_.run(plain)[0], after = server_.run(request)[0];
+  const auto part = [](const std::vector<Received>& packets, int source) {
+    Events events = eventsOf(packets);
+    std::erase_if(events, [&](const Event& e) { return e.source != source; });
+    return events;
+  };
+  EXPECT_EQ(part(before, 0), part(after, 0));
+  const Events leak = part(before, 1), noise = part(after, 1);
+  // Leak goes on; 100 Hz of 768 pixels for 26 ms are 2000 events in the dark, and 500 in bright light.
+  const auto more = static_cast<std::ptrdiff_t>(noise.size()) - static_cast<std::ptrdiff_t>(leak.size());
+  EXPECT_GT(more, 500);
+  EXPECT_LT(more, 2200);
+  EXPECT_EQ(countBefore(noise, 14'000'000), countBefore(leak, 14'000'000));
+
+  const auto stream = server_.client().open(plain);
+  EXPECT_EQ(call(changeOf(stream, 0, noisier(0.0135))).change_sensor().frame(), 7u);
+  MockSubscriber subscriber = server_.dataSubscriber();
+  subscriber.attach(stream);
+  subscriber.giveCredit(1 << 24);
+  EXPECT_EQ(comparableBytes(subscriber.receiveAll(1)[0]), comparableBytes(after));
+  const v1::OpenStream told = describe(server_.client(), stream);
+  EXPECT_EQ(told.sensors(0).changes(0).noise().leak_hz(), 50);
+  EXPECT_EQ(comparableBytes(server_.run(told)[0]), comparableBytes(after));
+}
+
+TEST_F(SensorChanges, OfTheNoiseNeedRoom) {
+  v1::OpenStream good = tinyRequest();
+  *good.mutable_sensors(0)->add_changes() = noisier(0);
+  const auto noise = [](v1::OpenStream& r) {
+    return r.mutable_sensors(0)->mutable_changes(0)->mutable_noise();
+  };
+  const std::string field = "sensors[0].changes[0].noise";
+  const v1::Code invalid = v1::CODE_INVALID_ARGUMENT;
+  expectRefused(server_,
+                {{good, [&](auto& r) { noise(r)->set_mismatch(0.1); }, invalid, field + ".mismatch", "keep"},
+                 {good, [&](auto& r) { noise(r)->set_shot_hz(1001); }, invalid, field + ".shot_hz", "1001"},
+                 {good, [&](auto& r) { noise(r)->set_readout_buffer(1025); }, invalid,
+                  field + ".readout_buffer", "1024"},
+                 {good, [&](auto& r) { noise(r)->set_hot_fraction(1), noise(r)->set_hot_hz(500); }, invalid,
+                  field, "room"},
+                 {good, [&](auto& r) { r.mutable_sensors(0)->set_max_events_per_frame(150); },
+                  v1::CODE_RESOURCE_EXHAUSTED, field, "154 noise events of a frame exceed 150"}});
+  v1::OpenStream open = tinyRequest();
+  open.mutable_sensors(0)->set_max_events_per_frame(150);
+  const auto stream = server_.client().open(open);
+  EXPECT_EQ(call(changeOf(stream, 0, noisier(0))).status().limit(), "events");
+  v1::SensorChange change;
+  change.mutable_noise()->set_mismatch(0.1);
+  EXPECT_EQ(call(changeOf(stream, 0, change)).status().field(), "change.noise.mismatch");
+  change.mutable_noise()->clear_mismatch();
+  EXPECT_EQ(call(changeOf(stream, 0, change)).status().code(), v1::CODE_OK);
 }
 
 TEST_F(SensorChanges, ApplyAtOnceWhereTheirTimeIsOver) {

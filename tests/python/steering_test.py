@@ -86,6 +86,19 @@ class Steering(unittest.TestCase):
         self.assertEqual([(one.time_s, one.threshold) for one in request.sensors[0].changes], [(0.022, 0.3)])
         self.assertEqual(sum(map(len, self.replayed(request))), sum(counts))
 
+    def test_the_noise_of_a_sensor_changes(self):
+        with self.client.open(**SETTINGS, clock="lockstep", labels=True) as stream:
+            before = stream.step(pose(0))[0]
+            stream.change_sensor(noise={"shot_hz": 200})
+            after = stream.step(pose(0))[0]
+            with self.assertRaises(saccade.InvalidArgument) as caught:
+                stream.change_sensor(noise={"mismatch": 0.1})
+            with self.assertRaisesRegex(ValueError, "snow"):
+                stream.change_sensor(noise={"snow": 1})
+        self.assertEqual(int(before.source.sum()), 0)
+        self.assertGreater(int(after.source.sum()), 50)
+        self.assertEqual(caught.exception.field, "change.noise.mismatch")
+
     def test_only_streams_that_say_so_are_steered(self):
         with self.client.open(**SETTINGS, duration_s=1) as stream, self.assertRaises(saccade.InvalidArgument) as caught:
             stream.steer(pose(0))

@@ -12,12 +12,16 @@ PerSensor = Union[float, Sequence[float]]
 
 
 class SensorSettings(TypedDict, total=False):
-    """What Stream.change_sensor() changes; unset ones stay. time_s: stream time, 0 for as soon as possible."""
+    """What Stream.change_sensor() changes; unset ones stay. time_s: stream time, 0 for as soon as possible.
+
+    noise: all amounts by name from then on; those left out are as the stream was opened.
+    """
 
     time_s: float
     threshold: float
     threshold_off: float
     bias: float
+    noise: Mapping[str, float]
 
 
 class Needed(TypedDict):

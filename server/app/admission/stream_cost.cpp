@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/admission/limits.h"
+#include "app/request/refusal.h"
 #include "frame/intensity_change.h"
 #include "stream/credit_queue.h"
 #include "wire/packet_cutter.h"
@@ -36,15 +37,34 @@ const FeedConfig& feedOfSensor(const ResolvedStream& stream, std::size_t sensor)
   return stream.feedOf(stream.request.sensors(static_cast<int>(sensor)).view());
 }
 
+double pixelsOf(const v1::OpenStream& request, std::uint32_t view) {
+  const v1::View& of = view == 0 ? request.view() : request.further_views(static_cast<int>(view) - 1);
+  return static_cast<double>(of.width()) * of.height();
+}
+
+// Noise events of a pixel in a frame.
+double noisePerFrame(const NoiseConfig& noise, double rate_hz) {
+  return noiseRate(noise) / rate_hz;
+}
+
+// What every sensor has room for, so that its noise may change: noise events of a pixel in a frame.
+constexpr double kNoiseRoom = 1;
+double noiseRoom(const NoiseConfig& first, double rate_hz) {
+  return std::max(kNoiseRoom, noisePerFrame(first, rate_hz));
+}
+double bufferRoom(const NoiseConfig& first) {
+  return std::max(NoiseConfig().readout_buffer, first.readout_buffer);
+}
+
 // The noise of a frame fits into the bound of its events, so that its time is bounded too.
-void checkNoise(const ResolvedStream& stream, std::size_t i) {
-  const SensorConfig& sensor = stream.sensors[i];
+void checkNoise(const v1::OpenStream& request, const v1::Sensor& sensor, const NoiseConfig& noise,
+                const std::string& field) {
   const double events =
-      noiseRate(sensor.noise) * pixelsOf(feedOfSensor(stream, i)) / stream.feed.frame_rate_hz;
-  if (!(events > static_cast<double>(sensor.max_events_per_frame))) return;
-  throw LimitReached(Limit::kEvents, "sensors[" + std::to_string(i) + "].noise",
+      noisePerFrame(noise, request.timing().frame_rate_hz()) * pixelsOf(request, sensor.view());
+  if (!(events > static_cast<double>(sensor.max_events_per_frame()))) return;
+  throw LimitReached(Limit::kEvents, field,
                      std::to_string(std::llround(events)) + " noise events of a frame exceed " +
-                         std::to_string(sensor.max_events_per_frame));
+                         std::to_string(sensor.max_events_per_frame()));
 }
 
 // Of a client's frames: those that wait, and two intervals between them.
@@ -78,12 +98,11 @@ double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   for (std::size_t i = 0; i < stream.sensors.size(); ++i) {
     const SensorConfig& sensor = stream.sensors[i];
     const FeedConfig& view = feedOfSensor(stream, i);
-    const double noise = noiseRate(sensor.noise) / rate_hz;
-    const double events = pixelsOf(view) * (sensor.max_events_per_pixel_frame + noise);
-    if (sensor.noise != NoiseConfig{})
-      bytes += pixelsWithBorder(view) * kNoiseBytes + kEventBytes * sensor.noise.readout_buffer;
-    bytes += pixelsWithBorder(view) * kSensorBytes + packets * kPacketBytes +
-             kEventBytes * std::min(events, static_cast<double>(sensor.max_events_per_frame));
+    const double events =
+        pixelsOf(view) * (sensor.max_events_per_pixel_frame + noiseRoom(sensor.noise, rate_hz));
+    bytes += pixelsWithBorder(view) * (kSensorBytes + kNoiseBytes) + packets * kPacketBytes +
+             kEventBytes * (std::min(events, static_cast<double>(sensor.max_events_per_frame)) +
+                            bufferRoom(sensor.noise));
   }
   for (const v1::Truth& truth : stream.request.truth())
     bytes += pixelsOf(stream.feedOf(truth.view())) * kTruthBytes;
@@ -102,8 +121,26 @@ void boundEvents(ResolvedStream& stream, const Limits& limits) {
                              " for each of the sensors");
     }
     stream.sensors[i].max_events_per_frame = sensor.max_events_per_frame();
-    checkNoise(stream, i);
+    const std::string field = "sensors[" + std::to_string(i) + "]";
+    checkNoise(stream.request, sensor, stream.sensors[i].noise, field + ".noise");
+    for (std::size_t k = 0; k < stream.changes[i].size(); ++k)
+      checkChange(stream.request, sensor, stream.sensors[i].noise, stream.changes[i][k],
+                  field + ".changes[" + std::to_string(k) + "]");
   }
+}
+
+void checkChange(const v1::OpenStream& request, const v1::Sensor& sensor, const NoiseConfig& first,
+                 const SensorChange& change, const std::string& field) {
+  if (!change.noise) return;
+  const double rate_hz = request.timing().frame_rate_hz();
+  if (noisePerFrame(*change.noise, rate_hz) > noiseRoom(first, rate_hz))
+    refuse(field + ".noise", "a pixel has room for " + std::to_string(noiseRoom(first, rate_hz)) +
+                                 " noise events in a frame, as the sensor is opened");
+  if (change.noise->readout_buffer > bufferRoom(first))
+    refuse(field + ".noise.readout_buffer", "as the sensor is opened, at most " +
+                                                std::to_string(std::llround(bufferRoom(first))) +
+                                                " events can wait");
+  checkNoise(request, sensor, *change.noise, field + ".noise");
 }
 
 void boundSteering(ResolvedStream& stream, const Limits& limits) {

@@ -1,6 +1,7 @@
 // The amounts that one stream takes of the limits.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "app/admission/resource_quota.h"
@@ -11,6 +12,11 @@ namespace saccade {
 // Gives each sensor its share of the limit `events`, unless it asks for less. Throws LimitReached where it
 // asks for more: it would get other events than on a server that allows them.
 void boundEvents(ResolvedStream& stream, const Limits& limits);
+
+// Throws Refusal, naming a member of `field`, where a change gives a sensor more noise than its stream has
+// room for. `sensor`: of `request`, with its bound. `first`: the noise that it has at first.
+void checkChange(const v1::OpenStream& request, const v1::Sensor& sensor, const NoiseConfig& first,
+                 const SensorChange& change, const std::string& field);
 
 // A stream that can be steered ends when its path has as many keys as a request may have. Throws LimitReached
 // where it shall last longer.

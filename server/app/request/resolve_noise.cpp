@@ -2,9 +2,7 @@
 #include "app/request/resolve.h"
 
 namespace saccade {
-namespace {
 
-// Fills in the fields of `noise` that are unset, and returns all of them.
 NoiseConfig fillNoise(v1::Noise& noise, const NoiseConfig& defaults) {
   NoiseConfig config;
   for (const NoiseField& row : noiseFields()) {
@@ -15,8 +13,6 @@ NoiseConfig fillNoise(v1::Noise& noise, const NoiseConfig& defaults) {
   }
   return config;
 }
-
-}  // namespace
 
 NoiseConfig resolveNoise(v1::Sensor& sensor, const std::string& field) {
   if (sensor.preset().empty()) {

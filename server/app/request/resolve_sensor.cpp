@@ -62,7 +62,7 @@ void resolveSensors(ResolvedStream& stream) {
   }
   for (int i = 0; i < request.sensors_size(); ++i) {
     stream.sensors.push_back(resolveSensor(*request.mutable_sensors(i), i, request.seed()));
-    stream.changes.push_back(resolveChanges(request.sensors(i), i, stream.sensors.back()));
+    stream.changes.push_back(resolveChanges(*request.mutable_sensors(i), i, stream.sensors.back()));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/admission/stream_cost.h"
 #include "app/request/read_pose.h"
 #include "app/request/refusal.h"
 
@@ -55,6 +56,17 @@ void describePath(const std::vector<TimedPose>& keys, v1::Keyframes& path) {
   }
 }
 
+// Checks the change of a call, as that of a sensor in a request.
+SensorChange readChange(const v1::OpenStream& request, const v1::ChangeSensor& call) {
+  const int index = static_cast<int>(call.sensor());
+  v1::Sensor sensor = request.sensors(index);
+  v1::SensorChange change = call.change();
+  const SensorConfig config = resolveSensor(sensor, index, request.seed());
+  const SensorChange read = resolveChange(change, config, "change");
+  checkChange(request, sensor, config.noise, read, "change");
+  return read;
+}
+
 void describeChanges(const std::vector<SensorChange>& changes, v1::Sensor& sensor) {
   sensor.clear_changes();
   for (const SensorChange& change : changes) {
@@ -63,6 +75,7 @@ void describeChanges(const std::vector<SensorChange>& changes, v1::Sensor& senso
     if (change.threshold) one.set_threshold(*change.threshold);
     if (change.threshold_off) one.set_threshold_off(*change.threshold_off);
     if (change.bias) one.set_bias(*change.bias);
+    if (change.noise) fillNoise(*one.mutable_noise(), *change.noise);
   }
 }
 
@@ -93,7 +106,7 @@ v1::SensorChanged changeSensor(const Stream& stream, const v1::ChangeSensor& cal
   if (call.sensor() >= static_cast<std::uint32_t>(sensors))
     refuse("sensor", "the stream has " + std::to_string(sensors) + " sensors");
   checkRuns(stream);
-  const SensorChange change = readChange(call.change(), SensorConfig{}, "change");
+  const SensorChange change = readChange(stream.request, call);
   const double rate_hz = stream.request.timing().frame_rate_hz();
   const FrameIndex frame = frameFrom(stream.sink->schedule(call.sensor()).add(change), rate_hz);
   v1::SensorChanged changed;
