@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -26,5 +27,6 @@ def events_of(t: NDArray[Any], x: NDArray[Any], y: NDArray[Any], p: NDArray[Any]
             raise FormatError(f"{name} lies outside 0 to {MOST_PIXELS - 1}")
     if p.size and not np.isin(p, (-1, 0, 1)).all():
         raise FormatError("a polarity is not 0 and 1, or -1 and 1")
-    return Events(t.astype(np.int64, copy=False), x.astype(np.uint16, copy=False), y.astype(np.uint16, copy=False),
-                  p > 0, size, **{name: column.astype(np.uint8, copy=False) for name, column in (labels or {}).items()})
+    events = Events(t.astype(np.int64, copy=False), x.astype(np.uint16, copy=False), y.astype(np.uint16, copy=False),
+                    p > 0, size)
+    return replace(events, **{name: column.astype(np.uint8, copy=False) for name, column in (labels or {}).items()})
