@@ -4,6 +4,7 @@
 
 #include "client/commands/commands.h"
 #include "client/commands/option_range.h"
+#include "client/commands/labels_option.h"
 #include "client/commands/output_options.h"
 #include "client/commands/record_stream.h"
 #include "client/commands/request_text.h"
@@ -20,6 +21,7 @@ struct EventsOptions {
   SensorOptions sensors;
   std::uint64_t seed = 0;
   std::vector<std::string> truth;
+  bool labels = false;
   OutputOptions output;
   std::string preview;
   ServerOptions server;
@@ -52,6 +54,7 @@ v1::OpenStream makeRequest(const EventsOptions& options, const FrameSource& fram
   request.set_seed(options.seed);
   addSensors(options.sensors, request);
   requestTruth(options.truth, request);
+  if (options.labels) requestLabels(request);
   return request;
 }
 
@@ -64,6 +67,7 @@ void runEvents(const EventsOptions& options) {
                 .frames = frames.get()};
   checkOutputs(options.output, job.request.sensors_size());
   checkTruthOutput(options.output, job.request);
+  checkLabelsOutput(options.output, job.request);
   if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
   recordStream(options.server, job);
 }
@@ -96,6 +100,7 @@ void addEventsCommand(CLI::App& app) {
   addOutputOptions(*command, options->output, "-o,--output");
   addPreviewOption(*command, options->preview);
   addTruthOption(*command, options->truth);
+  addLabelsOption(*command, options->labels);
   addFrameOptions(*command, *options);
   addSensorOptions(*command, options->sensors);
   command->option_defaults()->group("Server");
