@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "app/streams/feed_runner.h"
+#include "feed/rig.h"
 #include "mock/mock_client.h"
 #include "mock/wait_until.h"
 #include "render/test_scenes.h"

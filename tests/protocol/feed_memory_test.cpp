@@ -4,6 +4,7 @@
 
 #include "app/streams/feed_runner.h"
 #include "base/counting_new.h"
+#include "feed/rig.h"
 #include "mock/mock_client.h"
 #include "render/test_scenes.h"
 

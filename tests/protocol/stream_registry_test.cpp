@@ -1,5 +1,6 @@
 // What becomes of streams that nobody looks after, with a clock that the test moves.
 #include "app/streams/stream_registry.h"
+#include "feed/rig.h"
 
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
