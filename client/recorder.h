@@ -35,11 +35,11 @@ class Recorder {
 
   std::uint64_t events() const;
   const Withheld& withheld() const { return withheld_; }  // by all sensors
-  std::int64_t time_ns() const;                  // stream time up to which all sensors are complete
-  std::int64_t duration_ns() const;              // from the first packet to time_ns()
-  std::vector<std::string> files() const;        // their present names
-  std::vector<v1::RecordedTruth> truth() const;  // of all files
-  std::string truthPlace() const;                // of all files that have truth, with blanks between
+  std::int64_t time_ns() const;                           // stream time up to which all sensors are complete
+  std::int64_t duration_ns() const;                       // from the first packet to time_ns()
+  std::vector<std::string> files() const;                 // their present names
+  std::vector<v1::RecordedTruth> truth() const;           // of all files
+  std::string truthPlace() const;                         // of all files that have truth, with blanks between
   const v1::Recording& about(int sensor) const { return outputs_.at(sensor).file->about(); }
 
  private:

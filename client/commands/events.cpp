@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
-#include "client/commands/option_range.h"
 #include "client/commands/labels_option.h"
+#include "client/commands/option_range.h"
 #include "client/commands/output_options.h"
 #include "client/commands/record_stream.h"
 #include "client/commands/request_text.h"

@@ -46,20 +46,20 @@ TEST_F(SensorCommand, WritesEachCurveAsATableAndAPicture) {
   const struct {
     std::string name, columns;
     long rows;
-  } curves[] = {{"threshold",
-                 "step,on_any_level,off_any_level,on_after_event,off_after_event,on_any_level_expected,"
-                 "off_any_level_expected,on_after_event_expected,off_after_event_expected",
-                 50},
-                {"noise", "intensity,on_hz,off_hz,on_expected_hz,off_expected_hz", 11},
-                {"frequency", "intensity,hz,on_per_cycle,off_per_cycle,gain,expected_gain", 4 * 25},
-                {"latency",
-                 "intensity,on_median_s,on_low_s,on_high_s,on_answered,off_median_s,off_low_s,off_high_s,"
-                 "off_answered,on_median_expected_s,off_median_expected_s",
-                 11},
-                {"jitter", "frame_rate_hz,error_s,error_expected_s", 10},
-                {"readout",
-                 "offered_hz,delivered_hz,lost,wait_s,delivered_expected_hz,lost_expected,wait_expected_s",
-                 24}};
+  } curves[] = {
+      {"threshold",
+       "step,on_any_level,off_any_level,on_after_event,off_after_event,on_any_level_expected,"
+       "off_any_level_expected,on_after_event_expected,off_after_event_expected",
+       50},
+      {"noise", "intensity,on_hz,off_hz,on_expected_hz,off_expected_hz", 11},
+      {"frequency", "intensity,hz,on_per_cycle,off_per_cycle,gain,expected_gain", 4 * 25},
+      {"latency",
+       "intensity,on_median_s,on_low_s,on_high_s,on_answered,off_median_s,off_low_s,off_high_s,"
+       "off_answered,on_median_expected_s,off_median_expected_s",
+       11},
+      {"jitter", "frame_rate_hz,error_s,error_expected_s", 10},
+      {"readout", "offered_hz,delivered_hz,lost,wait_s,delivered_expected_hz,lost_expected,wait_expected_s",
+       24}};
   for (const auto& [name, columns, rows] : curves) {
     const std::string csv = text("out/" + name + ".csv"), svg = text("out/" + name + ".svg");
     EXPECT_EQ(csv.find("# threshold=0.25 threshold_off=0.25 bias=0.001 refractory_s=0.001 size=8x8 "), 0u)
