@@ -1,11 +1,11 @@
 // What becomes of streams that nobody looks after, with a clock that the test moves.
 #include "app/streams/stream_registry.h"
-#include "feed/rig.h"
 
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
 #include "app/request/refusal.h"
+#include "feed/rig.h"
 #include "render/test_scenes.h"
 
 namespace saccade {
