@@ -117,7 +117,12 @@ TEST(Limits, SensorsShareTheEventsOfAStream) {
   Limits limits;
   limits[Limit::kEvents] = 1000;
   ResolvedStream stream;
-  for (int i = 0; i < 4; ++i) stream.request.add_sensors(), stream.sensors.emplace_back();
+  for (int i = 0; i < 4; ++i) {
+    stream.request.add_sensors();
+    stream.sensors.emplace_back();
+    stream.changes.emplace_back();
+  }
+  stream.request.mutable_timing()->set_frame_rate_hz(100);
   stream.request.mutable_sensors(1)->set_max_events_per_frame(100);
   boundEvents(stream, limits);
   EXPECT_EQ(stream.sensors[0].max_events_per_frame, 250u);
@@ -134,10 +139,12 @@ TEST(Limits, TheNoiseOfAFrameFitsIntoItsEvents) {
   ResolvedStream stream;
   stream.request.add_sensors();
   stream.sensors.emplace_back().noise.leak_hz = 5;
-  stream.feed.camera.width = stream.feed.camera.height = 100;
-  stream.feed.frame_rate_hz = 50;
+  stream.changes.emplace_back();
+  stream.request.mutable_view()->set_width(100);
+  stream.request.mutable_view()->set_height(100);
+  stream.request.mutable_timing()->set_frame_rate_hz(50);
   boundEvents(stream, limits);
-  stream.feed.frame_rate_hz = 49;
+  stream.request.mutable_timing()->set_frame_rate_hz(49);
   const Refusal refused = refusalOf([&] { boundEvents(stream, limits); });
   EXPECT_EQ(refused.limit, "events");
   EXPECT_EQ(refused.field, "sensors[0].noise");

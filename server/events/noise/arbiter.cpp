@@ -33,6 +33,7 @@ std::uint64_t Arbiter::pass(Events& events, const Interval& interval) {
     free_ns_ = taken + service_ns_;
     const std::int64_t unit = kEventTimeUnit.count();
     e.t_ns = interval.t0.count() + static_cast<std::int64_t>(taken) / unit * unit;
+    if (!waiting_.empty()) e.t_ns = std::max(e.t_ns, waiting_.back().t_ns);  // change() may have rounded
     waiting_.push_back(e);
   }
   free_ns_ = std::max(0.0, free_ns_ - static_cast<double>((interval.t1 - interval.t0).count()));
