@@ -93,9 +93,13 @@ void printWithheld(std::FILE* out, const Recorder& recorder, const v1::OpenStrea
   const Withheld& withheld = recorder.withheld();
   const v1::Sensor& sensor = resolved.sensors(0);
   const Count others{withheld.suppressed - withheld.artefacts - withheld.lost_in_readout};
-  if (others > 0)
-    std::fprintf(out, "%llu events withheld: limits are %u per pixel and frame, %llu per frame\n", others,
+  if (others > 0) {
+    std::fprintf(out, "%llu events withheld: ", others);
+    if (sensor.refractory_s() > 0)
+      std::fprintf(out, "the refractory period is %g s, and ", sensor.refractory_s());
+    std::fprintf(out, "limits are %u per pixel and frame, %llu per frame\n",
                  sensor.max_events_per_pixel_frame(), Count{sensor.max_events_per_frame()});
+  }
   if (withheld.artefacts > 0)
     std::fprintf(out, "%llu events withheld: their odds to be artefacts are above %g\n",
                  Count{withheld.artefacts}, sensor.max_artefact_odds());
