@@ -69,8 +69,8 @@ class Examples(unittest.TestCase):
     def test_look_at_truth(self):
         recording, picture = self.folder / "pair.npz", self.folder / "pair.png"
         truth = [option for name in ("frame", "flow_forward", "depth") for option in ("--truth", name)]
-        subprocess.run([os.environ["SACCADE"], "record", "cornell-box", "--motion", "right", "--size", "32x24", "--rate",
-                        "200", "--duration", "0.05", "--further-view", "0.2,0,0", *truth, "-o", recording],
+        subprocess.run([os.environ["SACCADE"], "record", "cornell-box", "--motion", "right", "--size", "32x24",
+                        "--rate", "200", "--duration", "0.05", "--further-view", "0.2,0,0", *truth, "-o", recording],
                        env=self.environment, check=True, capture_output=True)
         both = [self.folder / f"pair-{i}.npz" for i in (0, 1)]
         self.run_example("look_at_truth.py", picture, *both)

@@ -37,7 +37,8 @@ def flow_colours(flow: NDArray[np.float32]) -> NDArray[np.float64]:
     length = np.hypot(x, y)
     longest = max(float(length[valid > 0].max(initial=0)), 1e-9)
     hue = np.arctan2(y, x) / (2 * np.pi) % 1
-    colours: NDArray[np.float64] = hsv_to_rgb(np.stack([hue, np.minimum(length / longest, 1), 0.9 * (valid > 0)], axis=-1))
+    saturation, value = np.minimum(length / longest, 1), 0.9 * (valid > 0)
+    colours: NDArray[np.float64] = hsv_to_rgb(np.stack([hue, saturation, value], axis=-1))
     return colours
 
 
