@@ -3,13 +3,10 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
-#include "client/commands/labels_option.h"
 #include "client/commands/option_range.h"
-#include "client/commands/output_options.h"
-#include "client/commands/record_stream.h"
+#include "client/commands/recording_options.h"
 #include "client/commands/request_text.h"
 #include "client/commands/sensor_options.h"
-#include "client/commands/truth_option.h"
 
 namespace saccade::client {
 namespace {
@@ -20,10 +17,7 @@ struct EventsOptions {
   double rate_hz = 0;
   SensorOptions sensors;
   std::uint64_t seed = 0;
-  std::vector<std::string> truth;
-  bool labels = false;
-  OutputOptions output;
-  std::string preview;
+  RecordingOptions recording;
   ServerOptions server;
 };
 
@@ -53,22 +47,13 @@ v1::OpenStream makeRequest(const EventsOptions& options, const FrameSource& fram
     request.mutable_timing()->set_duration_s(static_cast<double>(*count - 1) / options.rate_hz);
   request.set_seed(options.seed);
   addSensors(options.sensors, request);
-  requestTruth(options.truth, request);
-  if (options.labels) requestLabels(request);
   return request;
 }
 
 void runEvents(const EventsOptions& options) {
   const auto frames = openFrames(options);
-  RecordJob job{.request = makeRequest(options, *frames),
-                .output = options.output.path,
-                .format = &options.output.writer(),
-                .preview = options.preview,
-                .frames = frames.get()};
-  checkOutputs(options.output, job.request.sensors_size());
-  checkTruthOutput(options.output, job.request);
-  checkLabelsOutput(options.output, job.request);
-  if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
+  RecordJob job = makeJob(options.recording, makeRequest(options, *frames));
+  job.frames = frames.get();
   recordStream(options.server, job);
 }
 
@@ -77,8 +62,7 @@ void addFrameOptions(CLI::App& command, EventsOptions& o) {
   command
       .add_option("frames", o.frames,
                   "pictures of equal size, such as EXR and PNG, or folders of them; with --size raw files, "
-                  "or - for the "
-                  "standard input")
+                  "or - for the standard input")
       ->type_name("FRAMES")
       ->required();
   command.add_option("--rate", o.rate_hz, "frames per second")->required();
@@ -97,10 +81,7 @@ void addFrameOptions(CLI::App& command, EventsOptions& o) {
 void addEventsCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("events", "make events of the frames of a video");
   const auto options = std::make_shared<EventsOptions>();
-  addOutputOptions(*command, options->output, "-o,--output");
-  addPreviewOption(*command, options->preview);
-  addTruthOption(*command, options->truth);
-  addLabelsOption(*command, options->labels);
+  addRecordingOptions(*command, options->recording);
   addFrameOptions(*command, *options);
   addSensorOptions(*command, options->sensors);
   command->option_defaults()->group("Server");
@@ -109,8 +90,8 @@ void addEventsCommand(CLI::App& app) {
   sayRange(*command, "--rate", ranges::kFrameRate);
   command->footer(
       "The brightness of a pixel changes linearly between two frames. No frames are interpolated: an edge "
-      "should move "
-      "by at most\na pixel per frame. White of a PNG is the luminance 1; --bias is in that unit.\n\n"
+      "should move by at most\na pixel per frame. White of a PNG is the luminance 1; --bias is in that "
+      "unit.\n\n"
       "Examples: saccade events frames/ --rate 240 -o events.h5\n"
       "          ffmpeg -i a.mp4 -f rawvideo -pix_fmt grayf32le - |\n"
       "            saccade events - --size 640x480 --rate 240 --transfer srgb -o events.h5");

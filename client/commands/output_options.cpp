@@ -40,16 +40,6 @@ void checkOutputs(const OutputOptions& options, int sensors) {
   }
 }
 
-void addPreviewOption(CLI::App& command, std::string& path) {
-  const auto fault = [](const std::string& name) {
-    return name.ends_with(".png") ? std::string() : "'" + name + "' is not a .png file";
-  };
-  command
-      .add_option("--preview", path,
-                  "PNG of brightness, its change and the latest events, a third of the way through")
-      ->check(CLI::Validator(fault, "FILE.png"));
-}
-
 void addOutputOptions(CLI::App& command, OutputOptions& options, const std::string& name) {
   command
       .add_option(name, options.path,

@@ -19,8 +19,6 @@ struct OutputOptions {
 // `name`: of the option that takes the path, "-o,--output" or "output".
 void addOutputOptions(CLI::App& command, OutputOptions& options, const std::string& name);
 
-void addPreviewOption(CLI::App& command, std::string& path);
-
 // Throws std::invalid_argument with the option and the reason if a file of `sensors` sensors, or its JSON,
 // cannot be written.
 void checkOutputs(const OutputOptions& options, int sensors);

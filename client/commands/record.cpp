@@ -4,28 +4,20 @@
 
 #include "client/calibration/calibration.h"
 #include "client/commands/commands.h"
-#include "client/commands/labels_option.h"
-#include "client/commands/output_options.h"
-#include "client/commands/record_stream.h"
+#include "client/commands/recording_options.h"
 #include "client/commands/request_options.h"
-#include "client/commands/truth_option.h"
 
 namespace saccade::client {
 namespace {
 
 struct RecordOptions {
   RequestOptions request;
-  OutputOptions output;
-  std::string preview;
-  std::vector<std::string> truth;
-  bool calibration = false, labels = false;
+  RecordingOptions recording;
+  bool calibration = false;
 };
 
 void addOptions(CLI::App& command, RecordOptions& options) {
-  addOutputOptions(command, options.output, "-o,--output");
-  addPreviewOption(command, options.preview);
-  addTruthOption(command, options.truth);
-  addLabelsOption(command, options.labels);
+  addRecordingOptions(command, options.recording);
   command.add_flag(
       "--calibration", options.calibration,
       "write the cameras beside FILE: FILE.camera_info.yaml (ROS), FILE.kalibr.yaml, with --truth imu "
@@ -42,29 +34,19 @@ void addOptions(CLI::App& command, RecordOptions& options) {
 }
 
 // Finds before any work that the files of the calibration cannot be written.
-void checkCalibration(const RecordOptions& options, const v1::OpenStream& request) {
-  const std::string fault =
-      options.output.path == kStandardOutput ? "it needs a file" : calibrationFault(request);
+void checkCalibration(const OutputOptions& output, const v1::OpenStream& request) {
+  const std::string fault = output.path == kStandardOutput ? "it needs a file" : calibrationFault(request);
   if (!fault.empty()) throw std::invalid_argument("--calibration: " + fault);
-  for (const CalibrationFile& file : calibrationFiles(options.output.path, request))
-    checkOutput("--calibration", file.name, options.output.force);
+  for (const CalibrationFile& file : calibrationFiles(output.path, request))
+    checkOutput("--calibration", file.name, output.force);
 }
 
 void runRecord(const RecordOptions& options) {
-  RecordJob job{.request = makeOpenStream(options.request),
-                .output = options.output.path,
-                .format = &options.output.writer(),
-                .preview = options.preview,
-                .calibration = options.calibration,
-                .trajectory = options.request.trajectory,
-                .retry_time_s = options.request.retry_time_s};
-  requestTruth(options.truth, job.request);
-  checkOutputs(options.output, job.request.sensors_size());
-  checkTruthOutput(options.output, job.request);
-  if (options.labels) requestLabels(job.request);
-  checkLabelsOutput(options.output, job.request);
-  if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
-  if (options.calibration) checkCalibration(options, job.request);
+  RecordJob job = makeJob(options.recording, makeOpenStream(options.request));
+  job.calibration = options.calibration;
+  job.trajectory = options.request.trajectory;
+  job.retry_time_s = options.request.retry_time_s;
+  if (options.calibration) checkCalibration(options.recording.output, job.request);
   recordStream(options.request.server, job);
 }
 

@@ -4,10 +4,7 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
-#include "client/commands/labels_option.h"
-#include "client/commands/output_options.h"
-#include "client/commands/record_stream.h"
-#include "client/commands/truth_option.h"
+#include "client/commands/recording_options.h"
 #include "client/sidecar.h"
 
 namespace saccade::client {
@@ -65,12 +62,7 @@ void compare(const v1::Recording& then, const v1::Recording& now) {
 
 void runReplay(const ReplayOptions& options) {
   const v1::Recording recording = readSidecar(options.recording);
-  const RecordJob job{.request = requestOf(options.recording, recording),
-                      .output = options.output.path,
-                      .format = &options.output.writer()};
-  checkOutputs(options.output, 1);
-  checkTruthOutput(options.output, job.request);
-  checkLabelsOutput(options.output, job.request);
+  const RecordJob job = makeJob({.output = options.output}, requestOf(options.recording, recording));
   compare(recording, recordStream(options.server, job));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 
 #include "client/frames/frame_source.h"
@@ -37,8 +38,11 @@ std::vector<std::string> filesOf(const std::vector<std::string>& paths) {
 }
 
 // The weights of a picture's first channels: grey, or red, green and blue.
-std::array<float, 3> weightsOf(int channels) {
-  return channels < 3 ? std::array{1.0f, 0.0f, 0.0f} : std::array{0.2126f, 0.7152f, 0.0722f};
+std::span<const float> weightsOf(int channels) {
+  static constexpr std::array kGrey{1.0f};
+  static constexpr std::array kColours{0.2126f, 0.7152f, 0.0722f};
+  if (channels < 3) return kGrey;
+  return kColours;
 }
 
 class Pictures final : public FrameSource {
@@ -79,14 +83,13 @@ class Pictures final : public FrameSource {
   }
 
   static IntensityFrame luminanceOf(const std::vector<float>& values, int channels, Transfer transfer) {
-    const auto weights = weightsOf(channels);
-    const int used = channels < 3 ? 1 : 3;
-    IntensityFrame frame(values.size() / static_cast<std::size_t>(channels));
+    const std::span<const float> weights = weightsOf(channels);
+    const auto stride = static_cast<std::size_t>(channels);
+    IntensityFrame frame(values.size() / stride);
     for (std::size_t i = 0; i < frame.size(); ++i) {
-      for (int c = 0; c < used; ++c) {
-        const float value = values[i * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)];
-        frame[i] += weights[static_cast<std::size_t>(c)] *
-                    (transfer == Transfer::kSrgb ? linearFromSrgb(value) : value);
+      for (std::size_t c = 0; c < weights.size(); ++c) {
+        const float value = values[i * stride + c];
+        frame[i] += weights[c] * (transfer == Transfer::kSrgb ? linearFromSrgb(value) : value);
       }
     }
     return frame;

@@ -1,0 +1,36 @@
+#include "client/commands/recording_options.h"
+
+#include <utility>
+
+#include "client/commands/labels_option.h"
+#include "client/commands/truth_option.h"
+
+namespace saccade::client {
+
+void addRecordingOptions(CLI::App& command, RecordingOptions& options) {
+  const auto fault = [](const std::string& name) {
+    return name.ends_with(".png") ? std::string() : "'" + name + "' is not a .png file";
+  };
+  addOutputOptions(command, options.output, "-o,--output");
+  command
+      .add_option("--preview", options.preview,
+                  "PNG of brightness, its change and the latest events, a third of the way through")
+      ->check(CLI::Validator(fault, "FILE.png"));
+  addTruthOption(command, options.truth);
+  addLabelsOption(command, options.labels);
+}
+
+RecordJob makeJob(const RecordingOptions& options, v1::OpenStream request) {
+  requestTruth(options.truth, request);
+  if (options.labels) requestLabels(request);
+  checkOutputs(options.output, request.sensors_size());
+  checkTruthOutput(options.output, request);
+  checkLabelsOutput(options.output, request);
+  if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
+  return {.request = std::move(request),
+          .output = options.output.path,
+          .format = &options.output.writer(),
+          .preview = options.preview};
+}
+
+}  // namespace saccade::client

@@ -1,0 +1,26 @@
+// The options of commands that record a stream: what is written, and where.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "client/commands/output_options.h"
+#include "client/commands/record_stream.h"
+
+namespace saccade::client {
+
+struct RecordingOptions {
+  OutputOptions output = {};
+  std::string preview = {};  // a PNG file, or none
+  std::vector<std::string> truth = {};
+  bool labels = false;
+};
+
+void addRecordingOptions(CLI::App& command, RecordingOptions& options);
+
+// The job for a request of views and sensors, to which it adds truth and labels. Throws std::invalid_argument
+// with the option at fault, also where a file cannot be written.
+RecordJob makeJob(const RecordingOptions& options, v1::OpenStream request);
+
+}  // namespace saccade::client
