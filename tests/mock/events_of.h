@@ -1,4 +1,4 @@
-// The events that the packets of one sensor carry.
+// What the packets of one sensor or truth channel carry.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,14 +7,23 @@
 
 namespace saccade {
 
-inline Events eventsOf(const Packets& packets) {
-  Events all;
+template <class Item>
+std::vector<Item> itemsOf(const Packets& packets, std::vector<Item> PacketContent::*items) {
+  std::vector<Item> all;
   for (const Received& packet : packets) {
     PacketContent content;
     EXPECT_EQ(decodePacket(packet.header, packet.payload, content), "");
-    all.insert(all.end(), content.events.begin(), content.events.end());
+    all.insert(all.end(), (content.*items).begin(), (content.*items).end());
   }
   return all;
+}
+
+inline Events eventsOf(const Packets& packets) {
+  return itemsOf(packets, &PacketContent::events);
+}
+
+inline TruthSamples samplesOf(const Packets& packets) {
+  return itemsOf(packets, &PacketContent::truth);
 }
 
 }  // namespace saccade

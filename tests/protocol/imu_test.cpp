@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "mock/bad_request.h"
+#include "mock/events_of.h"
 
 namespace saccade {
 namespace {
@@ -17,14 +18,7 @@ v1::OpenStream withImu() {
 }
 
 TruthSamples rowsOf(TestServer& server, const v1::OpenStream& request) {
-  TruthSamples all;
-  auto packets = server.run(request);
-  for (const Received& packet : packets[1]) {
-    PacketContent content;
-    EXPECT_EQ(decodePacket(packet.header, packet.payload, content), "");
-    all.insert(all.end(), content.truth.begin(), content.truth.end());
-  }
-  return all;
+  return samplesOf(server.run(request)[1]);
 }
 
 std::array<double, 6> numbersOf(const TruthSample& row) {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "mock/bad_request.h"
+#include "mock/events_of.h"
 #include "scene/camera/pose.h"
 
 namespace saccade {
@@ -27,16 +28,6 @@ v1::OpenStream stereo() {
     truth.set_view(1);
   }
   return request;
-}
-
-TruthSamples samplesOf(const Packets& packets) {
-  TruthSamples all;
-  for (const Received& packet : packets) {
-    PacketContent content;
-    EXPECT_EQ(decodePacket(packet.header, packet.payload, content), "");
-    all.insert(all.end(), content.truth.begin(), content.truth.end());
-  }
-  return all;
 }
 
 Pose poseOf(const TruthSample& sample) {

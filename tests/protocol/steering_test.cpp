@@ -6,6 +6,7 @@
 
 #include "mock/bad_request.h"
 #include "mock/control_calls.h"
+#include "mock/events_of.h"
 #include "mock/wait_until.h"
 
 namespace saccade {
@@ -24,13 +25,8 @@ using Row = std::array<double, 7>;
 
 std::vector<Row> posesOf(const Packets& packets) {
   std::vector<Row> rows;
-  for (const Received& packet : packets) {
-    PacketContent content;
-    EXPECT_EQ(decodePacket(packet.header, packet.payload, content), "");
-    for (const TruthSample& sample : content.truth) {
-      std::memcpy(rows.emplace_back().data(), sample.elements.data(), sizeof(Row));
-    }
-  }
+  for (const TruthSample& sample : samplesOf(packets))
+    std::memcpy(rows.emplace_back().data(), sample.elements.data(), sizeof(Row));
   return rows;
 }
 
