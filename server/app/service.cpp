@@ -100,27 +100,22 @@ void Service::describe(const v1::DescribeStream& call, const Answer& answer) {
 }
 
 void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& reply) {
+  const auto control = [&](const auto& call, auto act, auto& answer) {
+    streams_.with(call.stream_id(), call.token(), [&](const Stream& stream) { answer = act(stream, call); });
+  };
   switch (request.call_case()) {
     case v1::Request::kCloseStream:
       streams_.close(request.close_stream().stream_id(), request.close_stream().token());
       reply.mutable_close_stream();
       break;
     case v1::Request::kSteer:
-      streams_.with(request.steer().stream_id(), request.steer().token(), [&](const Stream& stream) {
-        *reply.mutable_steer() = steerStream(stream, request.steer());
-      });
+      control(request.steer(), steerStream, *reply.mutable_steer());
       break;
     case v1::Request::kPushFrame:
-      streams_.with(request.push_frame().stream_id(), request.push_frame().token(),
-                    [&](const Stream& stream) {
-                      *reply.mutable_push_frame() = pushFrame(stream, request.push_frame());
-                    });
+      control(request.push_frame(), pushFrame, *reply.mutable_push_frame());
       break;
     case v1::Request::kChangeSensor:
-      streams_.with(request.change_sensor().stream_id(), request.change_sensor().token(),
-                    [&](const Stream& stream) {
-                      *reply.mutable_change_sensor() = changeSensor(stream, request.change_sensor());
-                    });
+      control(request.change_sensor(), changeSensor, *reply.mutable_change_sensor());
       break;
     case v1::Request::kListStreams:
       *reply.mutable_list_streams() = listStreams(peer.user);

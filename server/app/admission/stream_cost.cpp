@@ -25,11 +25,14 @@ double pixelsWithBorder(const FeedConfig& feed) {
   return (feed.camera.width + 2.0 * ImageF::kBorder) * (feed.camera.height + 2.0 * ImageF::kBorder);
 }
 
+double pixelsOf(const v1::View& view) {
+  return static_cast<double>(view.width()) * view.height();
+}
+
 // Of all views.
 double pixelsOf(const v1::OpenStream& request) {
-  const auto pixels = [](const v1::View& view) { return static_cast<double>(view.width()) * view.height(); };
-  double sum = pixels(request.view());
-  for (const v1::View& view : request.further_views()) sum += pixels(view);
+  double sum = pixelsOf(request.view());
+  for (const v1::View& view : request.further_views()) sum += pixelsOf(view);
   return sum;
 }
 
@@ -38,8 +41,7 @@ const FeedConfig& feedOfSensor(const ResolvedStream& stream, std::size_t sensor)
 }
 
 double pixelsOf(const v1::OpenStream& request, std::uint32_t view) {
-  const v1::View& of = view == 0 ? request.view() : request.further_views(static_cast<int>(view) - 1);
-  return static_cast<double>(of.width()) * of.height();
+  return pixelsOf(view == 0 ? request.view() : request.further_views(static_cast<int>(view) - 1));
 }
 
 // Noise events of a pixel in a frame.

@@ -24,7 +24,6 @@ v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, s
 }
 
 v1::OpenStream withoutLongPath(v1::OpenStream& request) {
-  if (!request.has_trajectory()) return request;
   v1::Trajectory* path = request.release_trajectory();
   v1::OpenStream rest = request;
   request.set_allocated_trajectory(path);

@@ -64,8 +64,7 @@ ReadoutLoad expectedReadout(const NoiseConfig& noise, double offered_hz) {
 }
 
 double readoutRate(const NoiseConfig& noise) {
-  constexpr double kLeast = 1e-4;  // that of the arbiter
-  return noise.readout_hz > 0 ? std::max(noise.readout_hz, kLeast) : 1e6;
+  return noise.readout_hz > 0 ? std::max(noise.readout_hz, kLeastReadout) : 1e6;
 }
 
 }  // namespace saccade::eval

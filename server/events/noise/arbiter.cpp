@@ -11,7 +11,7 @@ Arbiter::Arbiter(double readout_hz, double buffer) {
 
 void Arbiter::change(double readout_hz, double buffer) {
   const double before_ns = service_ns_, waiting = static_cast<double>(waiting_.size());
-  service_ns_ = readout_hz > 0 ? 1e9 / std::max(readout_hz, 1e-4) : 0;
+  service_ns_ = readout_hz > 0 ? 1e9 / std::max(readout_hz, kLeastReadout) : 0;
   longest_wait_ns_ = readout_hz > 0 ? buffer * service_ns_ : std::numeric_limits<double>::infinity();
   // The first is taken as before, when the arbiter is free. All of them have arrived already.
   free_ns_ = std::max(0.0, free_ns_ + waiting * (service_ns_ - before_ns));
