@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   saccade::eval::addChartCommand(app);
   saccade::eval::addCellsCommand(app);
   saccade::eval::addFigureCommand(app);
+  saccade::eval::addOddsCommand(app);
   saccade::eval::addSensorCommand(app);
   saccade::eval::addSimplificationCommand(app);
   saccade::eval::requireSubcommand(app, "command");

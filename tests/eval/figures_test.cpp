@@ -1,4 +1,4 @@
-// `saccade-eval figure N` as a user runs it, on very small pictures.
+// `saccade-eval figure N` and `odds` as a user runs them, on very small pictures.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -23,11 +23,15 @@ long linesOf(const std::string& text) {
 }
 
 // The exit code of the command. Its output goes to `log`.
-int figure(const std::string& arguments, const ScratchFolder& folder) {
-  const std::string command = std::string(SACCADE_EVAL) + " figure " + arguments +
-                              " --reference 64 --cache " + folder.at("cache") + " -o " + folder.at("out") +
-                              " > " + folder.at("log") + " 2>&1";
+int run(const std::string& arguments, const ScratchFolder& folder) {
+  const std::string command = std::string(SACCADE_EVAL) + " " + arguments + " --reference 64 --cache " +
+                              folder.at("cache") + " -o " + folder.at("out") + " > " + folder.at("log") +
+                              " 2>&1";
   return WEXITSTATUS(std::system(command.c_str()));
+}
+
+int figure(const std::string& arguments, const ScratchFolder& folder) {
+  return run("figure " + arguments, folder);
 }
 
 TEST(Figure5, WritesALineForEachMethodBudgetAndThreshold) {
@@ -74,6 +78,16 @@ TEST(Figure7, LivesWithAStandingCamera) {
     EXPECT_NE(line.find(",0.01,0,0,0,0,0,"), line.npos) << line;
   }
   EXPECT_EQ(rows, 6);
+}
+
+TEST(Odds, WriteARowForEachRangeAndAPanelForEachScene) {
+  ScratchFolder folder;
+  ASSERT_EQ(run("odds cornell-box cornell-bunny --size 16x16 --frames 2:3 --spp 2,4", folder), 0)
+      << textOf(folder.at("log"));
+  EXPECT_EQ(linesOf(textOf(folder.at("out/odds.csv"))), 2 + 2 * 2 * 10);
+  const std::string svg = textOf(folder.at("out/odds.svg"));
+  for (const char* name : {"cornell-box", "cornell-bunny", "event_svgf, 2 spp", "event_svgf, 4 spp", "equal"})
+    EXPECT_NE(svg.find(">" + std::string(name) + "<"), std::string::npos) << name;
 }
 
 TEST(Figure, NamesTheFiguresThatThereAre) {

@@ -13,6 +13,7 @@ void addCompareRendersCommand(CLI::App& app);
 void addCellsCommand(CLI::App& app);
 void addChartCommand(CLI::App& app);
 void addFigureCommand(CLI::App& app);
+void addOddsCommand(CLI::App& app);
 void addSensorCommand(CLI::App& app);
 void addSimplificationCommand(CLI::App& app);
 

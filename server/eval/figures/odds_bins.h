@@ -1,0 +1,29 @@
+// How well the odds that events are artefacts agree with the share that is.
+#pragma once
+
+#include <array>
+
+#include "eval/bench/sequence.h"
+
+namespace saccade::eval {
+
+inline constexpr int kOddsBins = 10;
+
+struct OddsBin {
+  double events = 0;
+  double odds = 0, false_share = 0;  // means over the events; 0 if there are none
+};
+
+struct OddsBins {
+  std::array<OddsBin, kOddsBins> bins;  // of odds in [i, i + 1) / kOddsBins; 1 is in the last
+  OddsBin all;
+  double error()
+      const;  // mean |odds - false_share| of the bins, weighted by their events; 0 if there are none
+};
+
+// Judges the events of a sensor. Of an event in a pixel whose brightness changes by dL, and by `ref` in
+// truth, the share clamp(1 - ref / dL, 0, 1) is false: artefact_odds.h. Both sequences are of the same
+// frames. `config` has labels, and reconstruction `direct`.
+OddsBins binsOfOdds(const ChangeSequence& run, const ChangeSequence& truth, const SensorConfig& config);
+
+}  // namespace saccade::eval
