@@ -76,6 +76,13 @@ void checkSpp(const MethodSpec& method, int spp) {
                                           ", half of the paths for each pass, not " + std::to_string(spp));
 }
 
+void checkSpp(const std::vector<std::string>& methods, const std::vector<int>& spp) {
+  for (const std::string& text : methods) {
+    const MethodSpec method = parseMethod(text);
+    for (const int n : spp) checkSpp(method, n);
+  }
+}
+
 void checkOutputFile(const std::string& path, const std::vector<std::string>& extensions) {
   const std::filesystem::path file(path), folder = file.parent_path();
   if (std::find(extensions.begin(), extensions.end(), file.extension()) == extensions.end())

@@ -37,6 +37,8 @@ Setting parseSetting(const std::string& flag, const std::string& text);
 
 // Throws unless the method's passes can share that many paths.
 void checkSpp(const MethodSpec& method, int spp);
+// The same for each method with each number.
+void checkSpp(const std::vector<std::string>& methods, const std::vector<int>& spp);
 
 // Throws unless a file with one of these extensions can be written there: its folder must exist.
 void checkOutputFile(const std::string& path, const std::vector<std::string>& extensions);

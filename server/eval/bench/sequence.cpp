@@ -22,6 +22,18 @@ ChangeSequence sequenceOf(const std::vector<Truth>& truth) {
   return changes;
 }
 
+void forEachRun(const Bench& bench, const std::vector<std::string>& methods, const std::vector<int>& spp,
+                const RunUse& use) {
+  Progress progress(bench.setup().scene, static_cast<double>(methods.size() * spp.size()));
+  for (const std::string& method : methods) {
+    for (const int n : spp) {
+      const BenchRun run = bench.run(parseMethod(method), n, 1);
+      use(method, n, sequenceOf(run));
+      progress.add(1);
+    }
+  }
+}
+
 std::vector<double> BrightnessSequence::at(int x, int y) const {
   std::vector<double> L{L_start.at(x, y)};
   for (const ImageF& change : dL) L.push_back(L.back() + change.at(x, y));

@@ -1,6 +1,8 @@
 // The consecutive frames of a run as one sensor sees them.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "eval/bench/bench.h"
@@ -13,6 +15,11 @@ namespace saccade::eval {
 using ChangeSequence = std::vector<const IntensityChange*>;
 ChangeSequence sequenceOf(const BenchRun& run);
 ChangeSequence sequenceOf(const std::vector<Truth>& truth);
+
+// Runs each method with each spp, with progress on stderr. Throws Interrupted.
+using RunUse = std::function<void(const std::string& method, int spp, const ChangeSequence& run)>;
+void forEachRun(const Bench& bench, const std::vector<std::string>& methods, const std::vector<int>& spp,
+                const RunUse& use);
 
 // The brightness that a sensor's reconstruction gives each pixel [E (22)].
 struct BrightnessSequence {

@@ -32,9 +32,7 @@ void runFigure(const Figure& figure, FigureOptions& o) {
   resolve(o.bench);
   if (o.scenes.empty()) o.scenes = availableScenes();
   requireTableNames(o.scenes);
-  for (const std::string& method : o.methods) {
-    for (const int spp : o.spp) checkSpp(parseMethod(method), spp);
-  }
+  checkSpp(o.methods, o.spp);
   std::filesystem::create_directories(o.output);
   TilePool pool(hardwareThreads());
   watchInterrupt();

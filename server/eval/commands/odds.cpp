@@ -29,13 +29,6 @@ struct OddsRow {
   OddsBins odds;
 };
 
-SensorConfig sensorOf(const BenchOptions& o) {
-  SensorConfig sensor{
-      .threshold = o.threshold, .threshold_off = o.threshold, .bias = o.bias, .reconstruction = "direct"};
-  sensor.labels = true;
-  return sensor;
-}
-
 void measureScene(const OddsOptions& o, const std::string& scene, TilePool& pool,
                   std::vector<OddsRow>& rows) {
   BenchSetup setup = o.bench.setup;
@@ -43,23 +36,20 @@ void measureScene(const OddsOptions& o, const std::string& scene, TilePool& pool
   const Bench bench(setup, pool);
   std::printf("%s: %.2f px per frame, error of the reference's dI %.3f\n", sceneName(scene).c_str(),
               bench.medianPxPerFrame(), bench.referenceError());
-  Progress progress(scene, static_cast<double>(o.methods.size() * o.spp.size()));
-  for (const std::string& method : o.methods) {
-    for (const int spp : o.spp) {
-      const BenchRun run = bench.run(parseMethod(method), spp, 1);
-      rows.push_back({sceneName(scene), method, spp,
-                      binsOfOdds(sequenceOf(run), sequenceOf(bench.truth()), sensorOf(o.bench))});
-      progress.add(1);
-    }
-  }
+  const ChangeSequence truth = sequenceOf(bench.truth());
+  forEachRun(bench, o.methods, o.spp, [&](const std::string& method, int spp, const ChangeSequence& run) {
+    rows.push_back({sceneName(scene), method, spp, binsOfOdds(run, truth, o.bench.bias, o.bench.threshold)});
+  });
 }
 
 void printRows(const std::vector<OddsRow>& rows) {
   std::printf("\n%-22s %-18s %4s %8s %9s %12s %6s\n", "scene", "method", "spp", "events", "mean odds",
               "false share", "error");
-  for (const auto& [scene, method, spp, odds] : rows)
-    std::printf("%-22s %-18s %4d %8.0f %9.3f %12.3f %6.3f\n", scene.c_str(), method.c_str(), spp,
-                odds.all.events, odds.all.odds, odds.all.false_share, odds.error());
+  for (const auto& [scene, method, spp, odds] : rows) {
+    const OddsBin all = odds.mean();
+    std::printf("%-22s %-18s %4d %8.0f %9.3f %12.3f %6.3f\n", scene.c_str(), method.c_str(), spp, all.events,
+                all.odds, all.false_share, odds.error());
+  }
 }
 
 std::string csvOf(const std::vector<OddsRow>& rows) {
@@ -93,9 +83,7 @@ std::string chartOf(const std::vector<OddsRow>& rows) {
 void runOdds(OddsOptions& o) {
   resolve(o.bench);
   requireTableNames(o.scenes);
-  for (const std::string& method : o.methods) {
-    for (const int spp : o.spp) checkSpp(parseMethod(method), spp);
-  }
+  checkSpp(o.methods, o.spp);
   const std::filesystem::path folder(o.output);
   std::filesystem::create_directories(folder);
   TilePool pool(hardwareThreads());

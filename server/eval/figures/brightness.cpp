@@ -6,7 +6,6 @@
 #include "eval/figures/brightness_curves.h"
 #include "eval/figures/reconstruction_score.h"
 #include "eval/pictures/text.h"
-#include "methods/method_spec.h"
 
 namespace saccade::eval {
 namespace {
@@ -58,17 +57,12 @@ void runScene(const FigureOptions& o, const std::string& scene, TilePool& pool, 
   setup.scene = scene;
   const Bench bench(setup, pool);
   const ChangeSequence truth = sequenceOf(bench.truth());
-  Progress progress(scene, static_cast<double>(o.methods.size() * o.spp.size()));
   const SensorConfig plain{.bias = o.bench.bias, .reconstruction = "direct"};
   results.curves.clear();
   results.curves.push_back({"truth", LineStyle::kReference, brightnessOf(truth, plain)});
-  for (const std::string& method : o.methods) {
-    for (const int spp : o.spp) {
-      const BenchRun run = bench.run(parseMethod(method), spp, 1);
-      addRun(o, sceneName(scene), method, spp, sequenceOf(run), truth, results);
-      progress.add(1);
-    }
-  }
+  forEachRun(bench, o.methods, o.spp, [&](const std::string& method, int spp, const ChangeSequence& run) {
+    addRun(o, sceneName(scene), method, spp, run, truth, results);
+  });
   const Pixel pixel = o.pixel->empty() ? typicalPixel(bench.truth(), results.curves.front().L)
                                        : Pixel{o.pixel->at(0), o.pixel->at(1)};
   std::printf("%s: pixel %d,%d, %.2f px per frame, error of the reference's dI %.3f\n",

@@ -10,7 +10,6 @@
 #include "eval/figures/regression.h"
 #include "eval/pictures/svg_chart.h"
 #include "eval/pictures/text.h"
-#include "methods/method_spec.h"
 
 namespace saccade::eval {
 namespace {
@@ -54,16 +53,10 @@ void measureScene(const std::string& scene, const FigureOptions& o, TilePool& po
   std::printf("%s: %.2f px per frame, error of the reference's dI %.3f\n", sceneName(scene).c_str(),
               bench.medianPxPerFrame(), bench.referenceError());
   const ChangeSequence truth = sequenceOf(bench.truth());
-  Progress progress(scene, static_cast<double>(o.methods.size() * o.spp.size()));
-  for (const std::string& method : o.methods) {
-    for (const int spp : o.spp) {
-      const BenchRun run = bench.run(parseMethod(method), spp, 1);
-      for (const double C : o.thresholds)
-        rows.push_back(
-            {sceneName(scene), method, spp, C, countFalseEvents(sequenceOf(run), truth, o.bench.bias, C)});
-      progress.add(1);
-    }
-  }
+  forEachRun(bench, o.methods, o.spp, [&](const std::string& method, int spp, const ChangeSequence& run) {
+    for (const double C : o.thresholds)
+      rows.push_back({sceneName(scene), method, spp, C, countFalseEvents(run, truth, o.bench.bias, C)});
+  });
 }
 
 void printLaw(const Law& law, const std::vector<Row>& rows) {

@@ -16,14 +16,15 @@ struct OddsBin {
 
 struct OddsBins {
   std::array<OddsBin, kOddsBins> bins;  // of odds in [i, i + 1) / kOddsBins; 1 is in the last
-  OddsBin all;
-  double error()
-      const;  // mean |odds - false_share| of the bins, weighted by their events; 0 if there are none
+
+  OddsBin mean(int first = 0, int last = kOddsBins) const;  // of the bins first to last - 1
+  // The mean of |odds - false_share| over the bins, weighted by their events; 0 if there are none.
+  double error() const;
 };
 
-// Judges the events of a sensor. Of an event in a pixel whose brightness changes by dL, and by `ref` in
-// truth, the share clamp(1 - ref / dL, 0, 1) is false: artefact_odds.h. Both sequences are of the same
-// frames. `config` has labels, and reconstruction `direct`.
-OddsBins binsOfOdds(const ChangeSequence& run, const ChangeSequence& truth, const SensorConfig& config);
+// Judges the events of a sensor with the bias I_eps and thresholds C. Of an event in a pixel whose brightness
+// changes by dL, and by `ref` in truth, the share clamp(1 - ref / dL, 0, 1) is false: artefact_odds.h. Both
+// sequences are of the same frames.
+OddsBins binsOfOdds(const ChangeSequence& run, const ChangeSequence& truth, double bias, double C);
 
 }  // namespace saccade::eval
