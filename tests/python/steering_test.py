@@ -52,6 +52,17 @@ class Steering(unittest.TestCase):
             again = saccade.concatenate([part for part in parts if part.sensor == sensor])
             np.testing.assert_array_equal(rows(again), rows(saccade.concatenate([step[sensor] for step in events])))
 
+    def test_a_step_gives_the_truth_of_its_frame(self):
+        truth = ["pose", ("depth", 3)]
+        with self.client.open(**SETTINGS, clock="lockstep", truth=truth) as stream:
+            for i in range(1, STEPS + 1):
+                stream.step(pose(i))
+                poses = [one for one in stream.truth if one.name == "pose"]
+                np.testing.assert_allclose(poses[-1].data, pose(i), atol=1e-6)
+                self.assertEqual([one.t for one in poses], [0, 5000] if i == 1 else [5000 * i])
+                depths = [one.t for one in stream.truth if one.name == "depth"]
+                self.assertEqual(depths, [0] if i == 1 else [5000 * i] if i % 3 == 0 else [])
+
     def test_velocities(self):
         with self.client.open(**SETTINGS, clock="lockstep") as stream:
             stream.step(pose(0))

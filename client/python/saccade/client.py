@@ -86,6 +86,7 @@ class Stream(StreamState):
 
     suppressed: events that the sensors have withheld so far.
     snapshots: by sensor, the pixels where the events begin; only of streams that joined a running feed.
+    truth: samples of the truth channels since the step() or push() before, up to the frame of the last one.
     """
 
     def __iter__(self) -> Self:

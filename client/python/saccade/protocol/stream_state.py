@@ -40,6 +40,7 @@ class StreamState:
         self._subscription = subscription
         self.suppressed = 0
         self.snapshots: dict[int, Snapshot] = {}
+        self.truth: list[Truth] = []
         self._samples: deque[Truth] = deque()  # received, not given yet
 
     @property
@@ -74,17 +75,21 @@ class StreamState:
         while self._samples or not self._subscription.sequence.all_ended():
             if self._samples:
                 return self._samples.popleft()
-            packet = await self._subscription.receive()
-            self.suppressed += packet.header.suppressed
-            if isinstance(packet.content, Snapshot):
-                self.snapshots[packet.header.sensor] = packet.content
-            elif isinstance(packet.content, Samples):
-                self._keep(packet.header.sensor - len(self.resolved.sensors), packet.content)
-            elif packet.content is not None:
-                return packet.content
-            elif self._subscription.sequence.all_ended():
-                self._check_whole(packet.header)
+            if (events := await self._receive()) is not None:
+                return events
         return None
+
+    async def _receive(self) -> Events | None:
+        """The events of the next packet. What else it holds is kept."""
+        packet = await self._subscription.receive()
+        self.suppressed += packet.header.suppressed
+        if isinstance(packet.content, Snapshot):
+            self.snapshots[packet.header.sensor] = packet.content
+        elif isinstance(packet.content, Samples):
+            self._keep(packet.header.sensor - len(self.resolved.sensors), packet.content)
+        elif packet.content is None and self._subscription.sequence.all_ended():
+            self._check_whole(packet.header)
+        return packet.content if isinstance(packet.content, Events) else None
 
     def _keep(self, channel: int, samples: Samples) -> None:
         if channel < 0:
@@ -103,22 +108,25 @@ class StreamState:
         return steered.t_ns // NS_PER_US
 
     async def _step(self, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> list[Events]:
-        return await self._events_until(await self._steer(pose, velocity))
+        return await self._frame_until(await self._subscription.handle.steer(pose, velocity))
 
     async def _push(self, intensity: NDArray[np.float32]) -> list[Events]:
         width, height = self.size
         if intensity.shape != (height, width):
             raise ValueError(f"a frame of this stream has the shape ({height}, {width}), not {intensity.shape}")
         pushed = await self._subscription.handle.push(intensity.astype("<f4").tobytes())
-        return await self._events_until(pushed.t_ns // NS_PER_US) if pushed.frame > 0 else []
+        return await self._frame_until(pushed) if pushed.frame > 0 else []
 
-    async def _events_until(self, until: int) -> list[Events]:
+    async def _frame_until(self, asked: control_pb2.Steered | control_pb2.FramePushed) -> list[Events]:
+        """The events up to a frame, by sensor. Its samples of truth go to self.truth."""
         parts: list[list[Events]] = [[] for _ in self.resolved.sensors]
-        while any(not part or part[-1].t1 < until for part in parts):
-            events = await self._next_events()
-            if events is None:
+        while (sequence := self._subscription.sequence).end_ns() < asked.t_ns:
+            if sequence.all_ended():
                 raise StreamFault("the stream has ended before the frame")
-            parts[events.sensor].append(events)
+            if (events := await self._receive()) is not None:
+                parts[events.sensor].append(events)
+        self.truth = list(self._samples)
+        self._samples.clear()
         return [concatenate(part) for part in parts]
 
     async def _change_sensor(self, sensor: int, change: SensorSettings) -> int:
