@@ -42,6 +42,17 @@ class Pushed(unittest.TestCase):
             stream.stop()
             self.assertEqual(list(stream), [])
 
+    def test_a_push_gives_the_truth_of_its_frame(self):
+        with self.client.open(**SETTINGS, truth=["intensity"]) as stream:
+            stream.push(frame(0))
+            self.assertEqual(stream.truth, [])
+            for i in range(1, 4):
+                stream.push(frame(i))
+                expected = [0, 1] if i == 1 else [i]
+                self.assertEqual([one.t for one in stream.truth], [10_000 * k for k in expected])
+                for one, k in zip(stream.truth, expected):
+                    np.testing.assert_allclose(one.data[..., 0], frame(k), rtol=1e-6)
+
     def test_faults(self):
         with self.client.open(**SETTINGS) as stream:
             with self.assertRaisesRegex(ValueError, r"shape \(4, 6\), not \(6, 4\)"):
