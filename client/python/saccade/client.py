@@ -86,7 +86,7 @@ class Stream(StreamState):
 
     suppressed: events that the sensors have withheld so far.
     snapshots: by sensor, the pixels where the events begin; only of streams that joined a running feed.
-    truth: samples of the truth channels since the step() or push() before, up to the frame of the last one.
+    truth: samples of the truth channels that came with the last step() or push(), up to its frame.
     """
 
     def __iter__(self) -> Self:

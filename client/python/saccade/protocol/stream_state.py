@@ -72,12 +72,10 @@ class StreamState:
 
     async def _next_item(self) -> Events | Truth | None:
         """What comes next of any sensor or truth channel; None after their end. Raises StreamFault if it came early."""
-        while self._samples or not self._subscription.sequence.all_ended():
-            if self._samples:
-                return self._samples.popleft()
+        while not self._samples and not self._subscription.sequence.all_ended():
             if (events := await self._receive()) is not None:
                 return events
-        return None
+        return self._samples.popleft() if self._samples else None
 
     async def _receive(self) -> Events | None:
         """The events of the next packet. What else it holds is kept."""
@@ -120,7 +118,8 @@ class StreamState:
     async def _frame_until(self, asked: control_pb2.Steered | control_pb2.FramePushed) -> list[Events]:
         """The events up to a frame, by sensor. Its samples of truth go to self.truth."""
         parts: list[list[Events]] = [[] for _ in self.resolved.sensors]
-        while (sequence := self._subscription.sequence).end_ns() < asked.t_ns:
+        sequence = self._subscription.sequence
+        while sequence.end_ns() < asked.t_ns:
             if sequence.all_ended():
                 raise StreamFault("the stream has ended before the frame")
             if (events := await self._receive()) is not None:
