@@ -64,6 +64,12 @@ Vec3T<T> normalize(Vec3T<T> a) {
   return a / length(a);
 }
 
+// The same vector in all lanes of F; of a float, the vector itself.
+template <class F>
+constexpr Vec3T<F> splat(Vec3 v) {
+  return {F(v.x), F(v.y), F(v.z)};
+}
+
 inline Vec3 toFloat(Vec3d a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }

@@ -63,41 +63,31 @@ float formFactor(const Polygon& polygon, Vec3 n) {
 constexpr int kLanes = 8;
 using F = Floats<kLanes>;
 
-struct LanePoints {
-  explicit LanePoints(std::span<const LitPoint> points) {
-    alignas(64) float of[9][kLanes] = {};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto& [p, n, g] = points[i];
-      int k = 0;
-      for (const float c : {p.x, p.y, p.z, n.x, n.y, n.z, g.x, g.y, g.z}) of[k++][i] = c;
-    }
-    const auto vector = [&](int k) {
-      return Vec3T<F>{load<kLanes>(of[k]), load<kLanes>(of[k + 1]), load<kLanes>(of[k + 2])};
-    };
-    point = vector(0), normal = vector(3), geometric_normal = vector(6);
-  }
+// Eight points.
+struct SeenFrom {
+  SeenFrom(const LitPoints& points, int first)
+      : point(points.point.lanes<kLanes>(first)),
+        normal(points.normal.lanes<kLanes>(first)),
+        geometric_normal(points.geometric_normal.lanes<kLanes>(first)) {}
   Vec3T<F> point, normal, geometric_normal;
 };
 
-Vec3T<F> lanesOf(Vec3 v) {
-  return {F(v.x), F(v.y), F(v.z)};
-}
-
-struct Seen {
-  std::uint32_t whole, cut;  // points that see all of a polygon, or a part of it
+struct FormFactors {
+  F factor;            // of points that see all of a polygon
+  Mask<kLanes> whole;  // those points
+  std::uint32_t cut;   // points that see a part of it
 };
 
-// The form factors of a polygon that all points see from its lit side and whole.
-Seen formFactors(const std::vector<Vec3>& corners, Vec3 lit, const LanePoints& p, float (&factor)[kLanes]) {
+FormFactors formFactors(const std::vector<Vec3>& corners, Vec3 lit, const SeenFrom& p) {
   std::array<Vec3T<F>, 4> unit;
-  const auto front = dot(p.point - lanesOf(corners[0]), lanesOf(lit)) > 0.f;
+  const auto front = dot(p.point - splat<F>(corners[0]), splat<F>(lit)) > 0.f;
   auto all = front;
-  Mask<kLanes> any(false);
+  Mask<kLanes> any(false), any_geometric(false);  // corners above the horizon
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec3T<F> w = lanesOf(corners[i]) - p.point;
-    const auto seen = dot(w, p.normal) > 0.f && dot(w, p.geometric_normal) > 0.f;
-    all = all && seen;
-    any = any || dot(w, p.normal) > 0.f;
+    const Vec3T<F> w = splat<F>(corners[i]) - p.point;
+    const auto above = dot(w, p.normal) > 0.f, above_geometric = dot(w, p.geometric_normal) > 0.f;
+    all = all && above && above_geometric;
+    any = any || above, any_geometric = any_geometric || above_geometric;
     unit[i] = w * F(1.f / sqrt(dot(w, w)));
   }
   F sum = 0.f;
@@ -105,8 +95,8 @@ Seen formFactors(const std::vector<Vec3>& corners, Vec3 lit, const LanePoints& p
     const Vec3T<F>&a = unit[i], &b = unit[i + 1 < corners.size() ? i + 1 : 0];
     sum += angleOverSine<F>(dot(a, b)) * dot(p.normal, cross(a, b));
   }
-  store(F(abs(sum) * (0.5f * std::numbers::inv_pi_v<float>)), factor);
-  return {bitsOf(all), bitsOf(front && any && !all)};
+  return {F(abs(sum) * (0.5f * std::numbers::inv_pi_v<float>)), all,
+          bitsOf(front && any && any_geometric && !all)};
 }
 
 // Whether the second triangle goes on where the first ends, in its plane: (a, b, c) and (a, c, d), as of a
@@ -178,21 +168,25 @@ Rgb AnalyticLight::at(const LitPoint& p, const EmitterStrengths& strengths) cons
   return sum;
 }
 
-void AnalyticLight::at(std::span<const LitPoint> points, const EmitterStrengths& strengths,
-                       std::span<Rgb> results) const {
-  for (std::size_t i = 0; i < results.size(); ++i) results[i] = fromPointsAndDirections(points[i]);
-  for (std::size_t first = 0; first < results.size(); first += kLanes) {
-    const int count = static_cast<int>(std::min<std::size_t>(kLanes, results.size() - first));
-    const LanePoints lanes(points.subspan(first, static_cast<std::size_t>(count)));
+void AnalyticLight::at(const LitPoints& points, std::uint32_t lanes, const EmitterStrengths& strengths,
+                       LaneVectors& result) const {
+  if (!point_lights_.empty() || !directional_lights_.empty())
+    forEachLane(lanes, [&](int i) { result.set(i, fromPointsAndDirections(points.at(i))); });
+  else
+    result = {};
+  for (int first = 0; first < kLaneVectors; first += kLanes) {
+    const std::uint32_t here = lanes >> first & ((1u << kLanes) - 1);
+    if (here == 0) continue;
+    const SeenFrom lane_points(points, first);
     for (const Side& side : sides_) {
-      alignas(64) float factor[kLanes];
-      const auto [whole, cut] = formFactors(side.corners, side.normal, lanes, factor);
+      const auto [factor, whole, cut] = formFactors(side.corners, side.normal, lane_points);
       const float strength = strengths[side.geometry];
-      for (int i = 0; i < count; ++i) {
-        Rgb& result = results[first + static_cast<std::size_t>(i)];
-        if (whole >> i & 1) result = result + side.radiance * (factor[i] * strength);
-        if (cut >> i & 1) result = result + from(side, points[first + static_cast<std::size_t>(i)], strength);
-      }
+      const F light = select(whole, F(factor * strength), F(0.f));
+      result.store(result.lanes<kLanes>(first) + splat<F>(side.radiance) * light, first);
+      forEachLane(cut & here, [&](int i) {
+        const int lane = first + i;
+        result.set(lane, result.at(lane) + from(side, points.at(lane), strength));
+      });
     }
   }
 }

@@ -2,9 +2,9 @@
 // and directions.
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include "render/lane_vectors.h"
 #include "render/lights.h"
 #include "scene/emitter_strengths.h"
 
@@ -14,6 +14,13 @@ struct LitPoint {
   Vec3 point;
   Vec3 normal;            // unit, for shading
   Vec3 geometric_normal;  // unit; light comes from its side alone
+};
+
+// The same in lanes.
+struct LitPoints {
+  const LaneVectors &point, &normal, &geometric_normal;
+
+  LitPoint at(int lane) const { return {point.at(lane), normal.at(lane), geometric_normal.at(lane)}; }
 };
 
 class AnalyticLight {
@@ -26,8 +33,9 @@ class AnalyticLight {
 
   // Radiance that a white diffuse surface would reflect: irradiance / pi.
   Rgb at(const LitPoint& p, const EmitterStrengths& strengths) const;
-  // The same for several points, as many as there are results.
-  void at(std::span<const LitPoint> points, const EmitterStrengths& strengths, std::span<Rgb> results) const;
+  // The same for the lanes of a mask. Other lanes of the result are undefined.
+  void at(const LitPoints& points, std::uint32_t lanes, const EmitterStrengths& strengths,
+          LaneVectors& result) const;
 
  private:
   struct Side {

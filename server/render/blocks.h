@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "base/pool_handle.h"
+#include "base/scratch.h"
 #include "render/gbuffer_pass.h"
+#include "render/primary/primary_block.h"
 
 namespace saccade {
 
@@ -15,32 +16,27 @@ void forEachPixel(Tile tile, const F& f) {
     for (int x = tile.x0; x < tile.x1; ++x) f(x, y);
 }
 
-// Calls f(block, hits) for blocks of pixels, with the hits at their centres in the order of forEachPixel().
-template <Shading S, class F>
-void forEachPrimaryBlock(const PixelContext& view, Tile tile, const F& f) {
-  constexpr int kEdge = 4;  // so large is a packet of 16
-  std::array<Vec2, kMostPoints> points;
-  std::array<PrimaryHit, kMostPoints> hits;
-  for (int y0 = tile.y0; y0 < tile.y1; y0 += kEdge) {
-    for (int x0 = tile.x0; x0 < tile.x1; x0 += kEdge) {
-      const Tile block{x0, y0, std::min(x0 + kEdge, tile.x1), std::min(y0 + kEdge, tile.y1)};
-      std::size_t count = 0;
-      forEachPixel(block, [&](int x, int y) {
-        points[count++] = {static_cast<float>(x), static_cast<float>(y)};
+// Traces the rays through the centres of a tile's pixels, and writes their features to `g`. Calls
+// on_plain(PrimaryBlock) for each block that shows plain surfaces, and on_other(x, y, hit) for each other
+// pixel.
+template <Shading S, class OnPlain, class OnOther>
+void forEachPrimary(const PixelContext& view, Tile tile, GBuffer& g, const OnPlain& on_plain,
+                    const OnOther& on_other) {
+  const Scratch<PrimaryBlock> block;
+  PrimaryHit hit;
+  for (int y0 = tile.y0; y0 < tile.y1; y0 += kBlockEdge) {
+    for (int x0 = tile.x0; x0 < tile.x1; x0 += kBlockEdge) {
+      const Tile pixels{x0, y0, std::min(x0 + kBlockEdge, tile.x1), std::min(y0 + kBlockEdge, tile.y1)};
+      tracePrimaryBlock(view, pixels, g, *block);
+      if (block->plain != 0) on_plain(*block);
+      forEachLane(block->others, [&](int i) {
+        shadePrimary<S>(view, block->rays[static_cast<std::size_t>(i)],
+                        block->hits[static_cast<std::size_t>(i)], hit);
+        writeFeatures(hit, view.camera, view.prev, block->x(i), block->y(i), g);
+        on_other(block->x(i), block->y(i), hit);
       });
-      tracePrimaries<S>(view, points, std::span(hits).first(count));
-      f(block, std::span<const PrimaryHit>(hits).first(count));
     }
   }
-}
-
-// Calls f(x, y, hit) for each pixel, with the hit at its centre.
-template <Shading S, class F>
-void forEachPrimary(const PixelContext& view, Tile tile, const F& f) {
-  forEachPrimaryBlock<S>(view, tile, [&](Tile block, std::span<const PrimaryHit> hits) {
-    std::size_t i = 0;
-    forEachPixel(block, [&](int x, int y) { f(x, y, hits[i++]); });
-  });
 }
 
 // The hits at points of one pixel, by their offsets from its centre.

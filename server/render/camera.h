@@ -32,18 +32,28 @@ class Camera {
     const Vec2 p = planePoint(x, y);
     return forward + right * p.x + down * p.y;
   }
+  // The same in lanes, where there is no distortion.
+  template <class F>
+  [[gnu::always_inline]] Vec3T<F> plainDirection(const F& x, const F& y) const {
+    const F px = (x - cx_) * pixel_x_, py = (y - cy_) * pixel_y_;
+    return splat<F>(forward) + splat<F>(right) * px + splat<F>(down) * py;
+  }
 
-  struct Projection {
-    float x, y;  // pixels
-    float z;     // depth; x and y are valid only where z is positive
+  template <class F>
+  struct ProjectionT {
+    F x, y;  // pixels
+    F z;     // depth; x and y are valid only where z is positive
   };
+  using Projection = ProjectionT<float>;
   Projection project(Vec3 point) const { return projectDirection(point - origin); }
   // Projects the point at infinity in a direction.
   Projection projectDirection(Vec3 d) const { return lens_ ? throughLens(d) : projectPlain(d); }
-  // The same where there is no distortion: without a branch, which would change how compilers round.
-  Projection projectPlain(Vec3 d) const {
-    const float z = dot(d, forward), scale = 1 / (z * pixel_x_);
-    return {dot(d, right) * scale + cx_, dot(d, down) * (scale * aspect_) + cy_, z};
+  // The same where there is no distortion, of one direction or of lanes: without a branch, which would change
+  // how compilers round.
+  template <class F>
+  [[gnu::always_inline]] ProjectionT<F> projectPlain(const Vec3T<F>& d) const {
+    const F z = dot(d, splat<F>(forward)), scale = 1.f / (z * pixel_x_);
+    return {dot(d, splat<F>(right)) * scale + cx_, dot(d, splat<F>(down)) * (scale * aspect_) + cy_, z};
   }
 
   bool isPlain() const { return !lens_; }  // without distortion
@@ -54,11 +64,20 @@ class Camera {
   // `direction` of a ray, moved by one pixel to the right, or down, to first order.
   Vec3 nextRight(Vec3 direction) const {
     if (lens_) return nextThroughLens(direction, {1, 0});
-    return direction + right * pixel_x_;
+    return nextRightPlain(direction);
   }
   Vec3 nextDown(Vec3 direction) const {
     if (lens_) return nextThroughLens(direction, {0, 1});
-    return direction + down * pixel_y_;
+    return nextDownPlain(direction);
+  }
+  // The same where there is no distortion, of one direction or of lanes.
+  template <class F>
+  [[gnu::always_inline]] Vec3T<F> nextRightPlain(const Vec3T<F>& direction) const {
+    return direction + splat<F>(right * pixel_x_);
+  }
+  template <class F>
+  [[gnu::always_inline]] Vec3T<F> nextDownPlain(const Vec3T<F>& direction) const {
+    return direction + splat<F>(down * pixel_y_);
   }
 
   Vec3 origin, right, down, forward;

@@ -45,9 +45,11 @@ void setFar(const Camera& camera, const Camera& prev, Vec3 direction, int x, int
   g.dz.at(x, y) = 0;
 }
 
+}  // namespace
+
 // Makes the parts of `out` where they lie: a copy would wait for each of its values to reach the cache.
 template <Shading S>
-void setPrimary(const PixelContext& view, const Ray& ray, const Hit& hit, PrimaryHit& out) {
+void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, PrimaryHit& out) {
   out.direction = ray.direction;
   out.valid = hit.valid;
   const Vec3 unit = normalize(ray.direction);
@@ -63,8 +65,6 @@ void setPrimary(const PixelContext& view, const Ray& ray, const Hit& hit, Primar
   new (&out.guide) Guide(findGuide<S>(view.scene, view.strengths, ray, hit, out.start));
 }
 
-}  // namespace
-
 template <Shading S>
 void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std::span<PrimaryHit> hits) {
   std::array<Ray, kMostPoints> rays;
@@ -73,7 +73,7 @@ void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std:
     rays[i] = {view.camera.origin, view.camera.direction(points[i].x, points[i].y),
                std::numeric_limits<float>::infinity()};
   view.scene.geometry().intersect(rays, std::span(found).first(hits.size()));
-  for (std::size_t i = 0; i < hits.size(); ++i) setPrimary<S>(view, rays[i], found[i], hits[i]);
+  for (std::size_t i = 0; i < hits.size(); ++i) shadePrimary<S>(view, rays[i], found[i], hits[i]);
 }
 
 void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,
@@ -89,7 +89,8 @@ void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera
       planeSlope(camera, primary.direction, guide.point - camera.origin, guide.plane_normal, guide.t);
 }
 
-#define INSTANTIATE(S) \
+#define INSTANTIATE(S)                                                                     \
+  template void shadePrimary<S>(const PixelContext&, const Ray&, const Hit&, PrimaryHit&); \
   template void tracePrimaries<S>(const PixelContext&, std::span<const Vec2>, std::span<PrimaryHit>);
 INSTANTIATE(kPlainDiffuse)
 INSTANTIATE(kTexturedDiffuse)

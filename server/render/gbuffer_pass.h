@@ -4,8 +4,8 @@
 #include <span>
 
 #include "frame/frame.h"
-#include "render/camera.h"
 #include "render/guide.h"
+#include "render/pixel_context.h"
 
 namespace saccade {
 
@@ -16,19 +16,16 @@ struct PrimaryHit {
   bool valid = false;  // whether a surface is hit
 };
 
-// A frame's view, as the passes over its pixels read it.
-struct PixelContext {
-  const RenderScene& scene;
-  const EmitterStrengths& strengths;
-  const Camera &camera, &prev;
-};
-
 inline constexpr std::size_t kMostPoints = 16;  // at once
 
 // Traces the rays through points (x, y) in pixels, as many as there are hits. Pixel centres are whole
 // numbers. Neighbours should follow each other, because packets of rays are traced together.
 template <Shading S>
 void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std::span<PrimaryHit> hits);
+
+// What a traced ray shows.
+template <Shading S>
+void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, PrimaryHit& out);
 
 // Writes the features of a hit to pixel (x, y) of `g`. `prev` is the camera of the previous frame.
 void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,

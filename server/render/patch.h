@@ -25,18 +25,12 @@ V interpolate(const V& a, const V& b, const V& c, float u, float v) {
   return a * (1 - u - v) + b * u + c * v;
 }
 
-// `n` is the unit geometric normal.
-inline Patch patchAt(const Mesh& mesh, const Hit& hit, Vec3 n) {
+// Unit, on either side. `n` is the unit geometric normal.
+inline Vec3 shadingNormalAt(const Mesh& mesh, const Hit& hit, Vec3 n) {
+  if (mesh.normals.empty()) return n;
   const auto [i, j, k] = mesh.triangles[hit.primitive];
-  Patch patch{interpolate(mesh.positions[i], mesh.positions[j], mesh.positions[k], hit.u, hit.v), n};
-  if (!mesh.normals.empty()) {
-    const Vec3 ns = interpolate(mesh.normals[i], mesh.normals[j], mesh.normals[k], hit.u, hit.v);
-    if (dot(ns, ns) > 0) patch.shading_normal = normalize(ns);
-  }
-  return patch;
-}
-inline Patch patchAt(const Sphere& sphere, Vec3 n) {
-  return {sphere.center + n * sphere.radius, n};
+  const Vec3 ns = interpolate(mesh.normals[i], mesh.normals[j], mesh.normals[k], hit.u, hit.v);
+  return dot(ns, ns) > 0 ? normalize(ns) : n;
 }
 
 inline TexturePatch texturePatchAt(const Mesh& mesh, const Hit& hit) {

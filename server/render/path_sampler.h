@@ -7,6 +7,7 @@
 namespace saccade {
 
 struct PathSampler {
+  PathSampler() = default;
   PathSampler(std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample)
       : PathSampler(hashKey(seed, (static_cast<std::uint64_t>(sample) << 32) | pixel)) {}
   PathSampler(std::uint32_t key_low, std::uint32_t key_high) : low(key_low), high(key_high) {}
@@ -16,7 +17,7 @@ struct PathSampler {
     return toUnit(mix32(low ^ mix32(high + dimension * 0x9e3779b9u)));
   }
 
-  std::uint32_t low, high;  // of its key
+  std::uint32_t low = 0, high = 0;  // of its key
 
  private:
   explicit PathSampler(std::uint64_t key)

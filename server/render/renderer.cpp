@@ -23,17 +23,17 @@ void renderStillTile(const PixelContext& view, std::uint64_t seed, int spp, int 
   };
   const Tracing tracing{view.scene, view.strengths, bounces, {}};
   PathRun<S, 3, false, decltype(onPath)> run(tracing, onPath);
-  forEachPrimary<S>(view, tile, [&](int x, int y, const PrimaryHit& primary) {
-    writeFeatures(primary, view.camera, view.prev, x, y, out.g);
-    (*sums)[owner(x, y)] = {};
-    const Rgb E = primary.guide.emission;
+  forEachPixel(tile, [&](int x, int y) { (*sums)[owner(x, y)] = {}; });
+  const auto forEachPath = [&](const auto& f) {
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(spp); ++i)
+      f([&](int x, int y) {
+        const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
+        return NewPath{PathSampler(seed, pixel, i), owner(x, y)};
+      });
+  };
+  addPaths<S>(view, tile, out.g, run, forEachPath, [&](int x, int y, Rgb E) {
     rgb[0].at(x, y) = E.x, rgb[1].at(x, y) = E.y, rgb[2].at(x, y) = E.z;
-    if (!primary.valid) return;
-    const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
-    for (int i = 0; i < spp; ++i)
-      run.add(primary.start, PathSampler(seed, pixel, static_cast<std::uint32_t>(i)), owner(x, y));
   });
-  run.finish();
   forEachPixel(tile, [&](int x, int y) {
     const Rgb c = spp > 0 ? toFloat((*sums)[owner(x, y)] / static_cast<double>(spp)) : Rgb{};
     rgb[0].at(x, y) += c.x, rgb[1].at(x, y) += c.y, rgb[2].at(x, y) += c.z;
@@ -68,7 +68,10 @@ std::chrono::nanoseconds Renderer::renderSurfaces(const Camera& camera, const Ca
                                                   const PoolHandle& pool, Frame& out, const OnTile& on_tile) {
   strengths_.setTime(out.time);
   out.light = strengths_.state();
-  starts_.resize(out.surfaces->indexOf(0, out.height()));
+  const Shading& has = scene_->shading();
+  const bool plain_only =
+      has.diffuseOnly() && !has.extras && camera.isPlain() && out.surfaces->perPixel() == 1;
+  starts_.resize(out.surfaces->indexOf(0, out.height()), plain_only);
   const PixelContext view{*scene_, strengths_, camera, prev};
   const auto tile = withKernel(scene_->shading(), []<Shading S>() { return renderSurfaceTile<S>; });
   return pool.forEachTile(out.width(), out.height(), kMaxTileEdge,

@@ -52,7 +52,7 @@ class Renderer {
   std::shared_ptr<const RenderScene> scene_;
   EmitterStrengths strengths_;  // at the time of the current frame
   RenderSettings settings_;
-  std::vector<SurfaceStart> starts_;  // of renderSurfaces(), by index, of points that may get paths
+  SurfaceStarts starts_;  // of renderSurfaces(), of points that may get paths
 };
 
 }  // namespace saccade

@@ -1,6 +1,7 @@
 // The points of a pixel at which jittered paths start.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -29,6 +30,13 @@ inline constexpr auto kSubPixelOffsets = [] {
     mean.x += points[i].x / kSubPixels, mean.y += points[i].y / kSubPixels;
   }
   for (Vec2& p : points) p.x -= mean.x, p.y -= mean.y;
+  return points;
+}();
+
+// The centre of the pixel, and then those points.
+inline constexpr auto kCentreAndSubPixelOffsets = [] {
+  std::array<Vec2, kSubPixels + 1> points{};
+  std::ranges::copy(kSubPixelOffsets, points.begin() + 1);
   return points;
 }();
 

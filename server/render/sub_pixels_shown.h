@@ -25,14 +25,17 @@ template <Shading S>
 class SubPixels {
  public:
   SubPixels(const PixelContext& view, int x, int y) : view_(view), x_(x), y_(y) {
-    trace(kSubPixelOffsets);
+    const auto first = traceSubPixels<S>(view_, x_, y_, kCentreAndSubPixelOffsets);
+    centre_ = first[0];
+    keep(std::span(first).subspan(1));
     const auto others = std::find_if_not(hits_.begin() + 1, hits_.begin() + count_, [this](const auto& hit) {
       return isOneSurface(hits_[0], hit, pixel());
     });
-    if (others != hits_.begin() + count_) trace(kEdgeSubPixelOffsets);
+    if (others != hits_.begin() + count_) keep(traceSubPixels<S>(view_, x_, y_, kEdgeSubPixelOffsets));
     for (std::uint32_t i = 0; i < count_; ++i) albedo_[i] = luminance(hits_[i].guide.albedo) / count_;
   }
 
+  const PrimaryHit& centre() const { return centre_; }  // what the centre of the pixel shows
   float albedo() const { return std::accumulate(albedo_.begin(), albedo_.begin() + count_, 0.f); }
   float emission() const {
     float E = 0;
@@ -60,10 +63,9 @@ class SubPixels {
   }
 
  private:
-  template <std::size_t kCount>
-  void trace(const std::array<Vec2, kCount>& offsets) {
-    count_ = kCount;
-    std::ranges::copy(traceSubPixels<S>(view_, x_, y_, offsets), hits_.begin());
+  void keep(std::span<const PrimaryHit> hits) {
+    count_ = static_cast<std::uint32_t>(hits.size());
+    std::ranges::copy(hits, hits_.begin());
   }
 
   float pixel() const { return view_.camera.pixelAt(hits_[0].direction); }
@@ -71,6 +73,7 @@ class SubPixels {
   const PixelContext& view_;
   int x_, y_;
   std::uint32_t count_ = 0;
+  PrimaryHit centre_;
   std::array<PrimaryHit, kEdgeSubPixels> hits_;
   std::array<float, kEdgeSubPixels> albedo_{};
 };

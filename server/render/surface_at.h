@@ -74,8 +74,8 @@ Surface surfaceOf(const RenderScene& render_scene, const Hit& hit, const Patch& 
 template <Shading S>
 Surface surfaceAt(const RenderScene& scene, const Ray& ray, const Hit& hit, float footprint) {
   const Vec3 n = normalize(hit.normal);
-  const auto [mesh, sphere] = HitShape(scene.description(), hit);
-  const Patch patch = mesh ? patchAt(*mesh, hit, n) : patchAt(*sphere, n);
+  const Mesh* mesh = HitShape(scene.description(), hit).mesh;
+  const Patch patch{ray.origin + ray.direction * hit.t, mesh ? shadingNormalAt(*mesh, hit, n) : n};
   return surfaceOf<S>(scene, hit, patch, n, -dot(n, ray.direction) / length(ray.direction), footprint);
 }
 

@@ -30,47 +30,78 @@ void addPath(const PathResults<C>& found, std::uint32_t slot, Rgb base, Reflecte
 }
 
 // The means over the paths of a point, over its albedo.
-inline SurfaceLight lightOf(const ReflectedParts& sum, double paths, const SurfaceStart& start) {
+inline SurfaceLight lightOf(const ReflectedParts& sum, double paths, DiffuseBase base, float albedo) {
   // Of a diffuse surface the path's own estimate of such light goes: what is left has the least noise. Of a
   // plastic that estimate holds other light too.
-  const double direct = start.base.all ? sum.weighed : sum.visible;
-  return {static_cast<float>(sum.unoccluded / paths) / start.albedo,
-          static_cast<float>(sum.visible / paths) / start.albedo,
-          static_cast<float>((sum.all - direct) / paths) / start.albedo, sum.bounce};
+  const double direct = base.all ? sum.weighed : sum.visible;
+  return {static_cast<float>(sum.unoccluded / paths) / albedo,
+          static_cast<float>(sum.visible / paths) / albedo,
+          static_cast<float>((sum.all - direct) / paths) / albedo, sum.bounce};
 }
+
+// Paths that start at plain surfaces, kept until they fill all lanes.
+template <class Run>
+class PlainPaths {
+ public:
+  PlainPaths(float spread, Run& run) : spread_(spread), run_(run) {}
+  void add(const PlainStart& start, const NewPath& path) {
+    start.put(count_, surfaces_);
+    paths_[count_++] = path;
+    if (count_ == kLaneVectors) finish();
+  }
+  void finish() {
+    run_.addPlain(surfaces_, (1u << count_) - 1, spread_, [this](int lane) { return paths_[lane]; });
+    count_ = 0;
+  }
+
+ private:
+  float spread_;  // of the cones
+  Run& run_;
+  int count_ = 0;
+  PlainSurfaces surfaces_;
+  std::array<NewPath, kLaneVectors> paths_;
+};
 
 // The light of a tile's points, of pass 2 alone.
 template <Shading S, int C>
 void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile,
-                    const std::vector<SurfaceStart>& starts, Frame& out) {
+                    const SurfaceStarts& starts, Frame& out) {
   SurfaceSamples& on = *out.surfaces;
   const Scratch<std::array<ReflectedParts, kMaxTilePoints>> sums;
   const Scratch<std::array<std::uint32_t, kMaxTilePoints>> points;  // those with paths
   std::uint32_t count = 0;
   const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
-    addPath(found, slot, starts[(*points)[owner]].base.albedo, (*sums)[owner]);
+    addPath(found, slot, starts.base((*points)[owner]).albedo, (*sums)[owner]);
   };
   const Tracing tracing{
       view.scene, view.strengths, bounces, {on.bounces, view.camera.origin, view.camera.pixel}};
   PathRun<S, C, true, decltype(onPath)> run(tracing, onPath);
+  PlainPaths plain(view.camera.pixel, run);
   forEachPixel(tile, [&](int x, int y) {
     out.samples.I2.at(x, y) = out.g.emission.at(x, y);
     for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
       const auto i = static_cast<std::uint32_t>(on.indexOf(column, y));
       if (on[i].share <= 0 || on[i].paths == 0) continue;
       (*sums)[count] = {}, (*points)[count] = i;
-      for (std::uint32_t path = 0; path < on[i].paths; ++path)
-        run.add(starts[i].path, PathSampler(seeds.seed2, i, path), count);
+      for (std::uint32_t path = 0; path < on[i].paths; ++path) {
+        const NewPath one{PathSampler(seeds.seed2, i, path), count};
+        if (starts.isPlain(i))
+          plain.add(starts.plain(i), one);
+        else
+          run.add(starts.other(i).path, one);
+      }
       ++count;
     }
   });
+  plain.finish();
   run.finish();
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::uint32_t i = (*points)[k];
     const int x = on.columnOf(i) / on.perPixel(), y = on.rowOf(i);
     const double paths = on[i].paths;
-    on.light(i) = lightOf((*sums)[k], paths, starts[i]);
-    const double all = (*sums)[k].all / paths / starts[i].albedo;
+    const float albedo = starts.albedo(i);
+    on.light(i) = lightOf((*sums)[k], paths, starts.base(i), albedo);
+    const double all = (*sums)[k].all / paths / albedo;
     out.samples.I2.at(x, y) += static_cast<float>(all * on[i].share * out.g.albedo.at(x, y));
   }
 }

@@ -1,7 +1,10 @@
-// Where the paths of a pixel start, for SurfaceSamples.
+// Where the paths of a pixel's points start, for SurfaceSamples.
 #pragma once
 
+#include <vector>
+
 #include "render/path_start.h"
+#include "render/primary/primary_block.h"
 
 namespace saccade {
 
@@ -15,6 +18,51 @@ struct SurfaceStart {
   PathStart path;
   DiffuseBase base;
   float albedo = 0;  // luminance
+};
+
+// A start at a plain surface: a lane of PlainSurfaces.
+struct PlainStart {
+  PlainStart() = default;
+  PlainStart(const PlainSurfaces& s, int lane)
+      : point(s.point.at(lane)),
+        geometric_normal(s.geometric_normal.at(lane)),
+        shading_normal(s.shading_normal.at(lane)),
+        reflectance(s.reflectance.at(lane)),
+        albedo(s.albedo[lane]),
+        width(s.width[lane]) {}
+  void put(int lane, PlainSurfaces& s) const {
+    s.point.set(lane, point), s.geometric_normal.set(lane, geometric_normal);
+    s.shading_normal.set(lane, shading_normal), s.reflectance.set(lane, reflectance);
+    s.albedo[lane] = albedo, s.width[lane] = width;
+  }
+
+  Vec3 point, geometric_normal, shading_normal;
+  Rgb reflectance;
+  float albedo = 0, width = 0;
+};
+
+// The starts of a frame's points, by index. Each is one of both.
+class SurfaceStarts {
+ public:
+  // `plain_only`: there is no start of another kind.
+  void resize(std::size_t points, bool plain_only) {
+    plain_.resize(points), is_plain_.resize(points), others_.resize(plain_only ? 0 : points);
+  }
+  void set(std::size_t i, const PlainStart& start) { plain_[i] = start, is_plain_[i] = true; }
+  void set(std::size_t i, const SurfaceStart& start) { others_[i] = start, is_plain_[i] = false; }
+
+  bool isPlain(std::size_t i) const { return is_plain_[i]; }
+  const PlainStart& plain(std::size_t i) const { return plain_[i]; }
+  const SurfaceStart& other(std::size_t i) const { return others_[i]; }
+  DiffuseBase base(std::size_t i) const {
+    return isPlain(i) ? DiffuseBase{plain_[i].reflectance, true} : others_[i].base;
+  }
+  float albedo(std::size_t i) const { return isPlain(i) ? plain_[i].albedo : others_[i].albedo; }
+
+ private:
+  std::vector<PlainStart> plain_;
+  std::vector<SurfaceStart> others_;
+  std::vector<char> is_plain_;
 };
 
 }  // namespace saccade

@@ -37,6 +37,29 @@ class TileSums {
   std::array<double, 2 * kMaxTileEdge * kMaxTileEdge> sums_{};
 };
 
+// Traces the centres of a tile's pixels, and adds their paths to `run`. forEachPath(f) calls f(pathOf) for
+// each path of a pixel: pathOf(x, y) is that path. on_emission(x, y, E) is told what each pixel shows of
+// light itself.
+template <Shading S>
+void addPaths(const PixelContext& view, Tile tile, GBuffer& g, auto& run, const auto& forEachPath,
+              const auto& on_emission) {
+  const auto onPlain = [&](const PrimaryBlock& block) {
+    forEachPath([&](const auto& pathOf) {
+      run.addPlain(block.surfaces, block.plain, view.camera.pixel,
+                   [&](int lane) { return pathOf(block.x(lane), block.y(lane)); });
+    });
+    forEachLane(block.plain, [&](int lane) {
+      on_emission(block.x(lane), block.y(lane), block.surfaces.emission.at(lane));
+    });
+  };
+  const auto onOther = [&](int x, int y, const PrimaryHit& primary) {
+    if (primary.valid) forEachPath([&](const auto& pathOf) { run.add(primary.start, pathOf(x, y)); });
+    on_emission(x, y, primary.guide.emission);
+  };
+  forEachPrimary<S>(view, tile, g, onPlain, onOther);
+  run.finish();
+}
+
 // All paths start at the centre of the pixel.
 template <Shading S, int C>
 void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile, Frame& out) {
@@ -46,18 +69,18 @@ void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Ti
   };
   const Tracing tracing{view.scene, view.strengths, bounces, {}};
   PathRun<S, C, false, decltype(onPath)> run(tracing, onPath);
-  const auto addPaths = [&](const PathStart& start, int x, int y, int pass, std::uint64_t seed, int spp) {
-    const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
-    for (int i = 0; i < spp; ++i)
-      run.add(start, PathSampler(seed, pixel, static_cast<std::uint32_t>(i)), sums.owner(x, y, pass));
+  const auto forEachPath = [&](const auto& f) {
+    const auto ofPass = [&](int pass, std::uint64_t seed, int spp) {
+      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(spp); ++i)
+        f([&](int x, int y) {
+          const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
+          return NewPath{PathSampler(seed, pixel, i), sums.owner(x, y, pass)};
+        });
+    };
+    ofPass(0, seeds.seed1, seeds.spp1);
+    ofPass(1, seeds.seed2, seeds.spp2);
   };
-  forEachPrimary<S>(view, tile, [&](int x, int y, const PrimaryHit& primary) {
-    writeFeatures(primary, view.camera, view.prev, x, y, out.g);
-    if (!primary.valid) return;
-    addPaths(primary.start, x, y, 0, seeds.seed1, seeds.spp1);
-    addPaths(primary.start, x, y, 1, seeds.seed2, seeds.spp2);
-  });
-  run.finish();
+  addPaths<S>(view, tile, out.g, run, forEachPath, [](int, int, Rgb) {});
   forEachPixel(tile, [&](int x, int y) {
     const float E = out.g.emission.at(x, y);
     out.samples.I1.at(x, y) = seeds.spp1 > 0 ? E + sums.mean(x, y, 0) : 0;
@@ -77,9 +100,10 @@ void renderJitteredTile(const PixelContext& view, const SeedPlan& seeds, int bou
   };
   const Tracing tracing{view.scene, view.strengths, bounces, {}};
   PathRun<S, C, false, decltype(onPath)> run(tracing, onPath);
-  forEachPrimary<S>(view, tile, [&](int x, int y, const PrimaryHit& centre) {
-    writeFeatures(centre, view.camera, view.prev, x, y, out.g);
-    const auto hits = traceSubPixels<S>(view, x, y, kSubPixelOffsets);
+  forEachPixel(tile, [&](int x, int y) {
+    const auto found = traceSubPixels<S>(view, x, y, kCentreAndSubPixelOffsets);
+    const auto hits = std::span(found).subspan(1);
+    writeFeatures(found[0], view.camera, view.prev, x, y, out.g);
     std::array<float, kSubPixels> albedo;
     float A = 0, E = 0;
     for (std::size_t i = 0; i < kSubPixels; ++i) {
@@ -95,7 +119,7 @@ void renderJitteredTile(const PixelContext& view, const SeedPlan& seeds, int bou
       const std::uint32_t owner = sums.owner(x, y, pass);
       scale[owner] = A / albedo[i];
       for (int path = 0; path < spp; ++path)
-        run.add(hits[i].start, PathSampler(seed, pixel, static_cast<std::uint32_t>(path)), owner);
+        run.add(hits[i].start, {PathSampler(seed, pixel, static_cast<std::uint32_t>(path)), owner});
     };
     addPaths(0, seeds.seed1, seeds.spp1, seeds.jitter1);
     addPaths(1, seeds.seed2, seeds.spp2, seeds.jitter2);

@@ -4,6 +4,7 @@
 
 #include "render/paths/found_light.h"
 #include "render/paths/surface_lanes.h"
+#include "render/texture_color.h"
 
 namespace saccade {
 
@@ -37,8 +38,9 @@ std::array<Floats<W>, C> reflectances(const Batch<C>& b, const RayPacket<W>& pac
     const ShapeRow& row = b.t.scene.shapeRows()[packet.geometry[i]];
     if (!row.twosided && !(front >> i & 1)) return;
     setLane(reflectance, i,
-            row.textured ? b.stages.color(b.t, packet.hit(i), s.cosine[i], footprint[i])
-                         : Color<C>(row.reflectance));
+            Color<C>(row.textured
+                         ? textureColor(b.t.scene.description(), packet.hit(i), s.cosine[i], footprint[i])
+                         : row.reflectance));
   });
   return reflectance;
 }

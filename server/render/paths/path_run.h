@@ -4,6 +4,7 @@
 #include "base/instruction_set.h"
 #include "base/scratch.h"
 #include "base/tile_pool.h"
+#include "render/paths/begin_plain.h"
 #include "render/paths/trace_batch.h"
 
 namespace saccade {
@@ -15,6 +16,12 @@ struct PathMemory {
   std::array<std::uint32_t, kBatchPaths> owners;
 };
 
+// What is a path's own, wherever it begins.
+struct NewPath {
+  PathSampler sampler;
+  std::uint32_t owner = 0;
+};
+
 // Takes paths, and tells what each has found in the order in which they were added.
 template <Shading S, int C, bool kParts, class OnPath>
 class PathRun {
@@ -22,12 +29,26 @@ class PathRun {
   // on_path(owner, results, slot) is called once for each path.
   PathRun(const Tracing& t, const OnPath& on_path) : t_(t), on_path_(on_path) { memory_->now.count = 0; }
 
-  void add(const PathStart& start, const PathSampler& sampler, std::uint32_t owner) {
-    const auto slot = static_cast<std::uint32_t>(memory_->now.count);
-    memory_->owners[slot] = owner;
-    clear(slot);
-    stages_.begin(start, sampler, slot, memory_->now);
+  void add(const PathStart& start, const NewPath& path) {
     if (memory_->now.count == kBatchPaths) finish();
+    const auto slot = static_cast<std::uint32_t>(memory_->now.count);
+    memory_->owners[slot] = path.owner;
+    clear(slot);
+    stages_.begin(start, path.sampler, slot, memory_->now);
+  }
+
+  // A path for each lane of a mask, at plain surfaces, with path(lane).
+  void addPlain(const PlainSurfaces& surfaces, std::uint32_t lanes, float spread, const auto& path) {
+    LivePaths<C>& now = memory_->now;
+    if (now.count + std::popcount(lanes) > kBatchPaths) finish();
+    auto slot = static_cast<std::uint32_t>(now.count);
+    beginPlain<C>(surfaces, lanes, spread, S.extras, now);
+    forEachLane(lanes, [&](int lane) {
+      const NewPath own = path(lane);
+      now.key_low[slot] = own.sampler.low, now.key_high[slot] = own.sampler.high, now.slot[slot] = slot;
+      memory_->owners[slot] = own.owner;
+      clear(slot++);
+    });
   }
 
   // Traces those that have not been. Lets urgent work in.

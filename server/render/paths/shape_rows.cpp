@@ -21,7 +21,6 @@ std::vector<ShapeRow> shapeRows(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes) {
     rows.push_back(row(scene, mesh));
     rows.back().triangles = mesh.triangles.data();
-    rows.back().positions = mesh.positions.data();
     if (!mesh.normals.empty()) rows.back().normals = mesh.normals.data();
   }
   for (const Sphere& sphere : scene.spheres) rows.push_back(row(scene, sphere));

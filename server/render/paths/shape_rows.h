@@ -9,9 +9,8 @@
 namespace saccade {
 
 struct alignas(64) ShapeRow {
-  // Of a sphere: no triangles.
+  // Of a sphere: nullptr.
   const std::array<std::uint32_t, 3>* triangles = nullptr;
-  const Vec3* positions = nullptr;
   const Vec3* normals = nullptr;  // nullptr: as the triangles lie
   Rgb reflectance;                // of a diffuse surface without texture
   bool textured, twosided, emits;

@@ -17,7 +17,7 @@ struct SurfaceLanes {
   Mask<W> front() const { return cosine > 0.f; }
 };
 
-// The corners' vectors of each lane's triangle, as memory that lanes can be loaded from.
+// The corners' normals of each lane's triangle, as memory that lanes can be loaded from.
 template <int W>
 struct alignas(64) CornerLanes {
   float x[3][W] = {}, y[3][W] = {}, z[3][W] = {};
@@ -33,44 +33,44 @@ struct alignas(64) CornerLanes {
   }
 };
 
-// The packet's rays have unit directions. `lanes`: those that have hit a surface.
+// Interpolated normals of the lanes whose shapes have some, unit; of other lanes the geometric normal.
+template <int W>
+[[gnu::always_inline]] inline Vec3T<Floats<W>> shadingNormals(const std::vector<ShapeRow>& rows,
+                                                              const RayPacket<W>& packet, std::uint32_t lanes,
+                                                              const Vec3T<Floats<W>>& geometric) {
+  using F = Floats<W>;
+  std::uint32_t smooth = 0;
+  forEachLane(lanes, [&](int i) {  // so that the triangles of all lanes come from memory at once
+    const ShapeRow& row = rows[packet.geometry[i]];
+    if (!row.normals) return;
+    smooth |= 1u << i;
+    __builtin_prefetch(&row.triangles[packet.primitive[i]]);
+  });
+  if (smooth == 0) return geometric;
+  CornerLanes<W> normals;
+  forEachLane(smooth, [&](int i) {
+    const ShapeRow& row = rows[packet.geometry[i]];
+    normals.set(i, row.normals, row.triangles[packet.primitive[i]]);
+  });
+  const F u = load<W>(packet.u), v = load<W>(packet.v);
+  const Vec3T<F> between = normals.corner(0) * F(1.f - u - v) + normals.corner(1) * u + normals.corner(2) * v;
+  const F length2 = dot(between, between);
+  return selectLanes(length2 > 0.f, between * F(1.f / sqrt(length2)), geometric);
+}
+
+// `lanes`: those that have hit a surface.
 template <int W>
 [[gnu::always_inline]] inline SurfaceLanes<W> surfacesAt(const RenderScene& scene, const RayPacket<W>& packet,
                                                          std::uint32_t lanes) {
   using F = Floats<W>;
-  const std::vector<ShapeRow>& rows = scene.shapeRows();
-  CornerLanes<W> positions, normals;
-  forEachLane(lanes, [&](int i) {  // so that the triangles of all lanes come from memory at once
-    const ShapeRow& row = rows[packet.geometry[i]];
-    if (row.triangles) __builtin_prefetch(&row.triangles[packet.primitive[i]]);
-  });
-  std::uint32_t spheres = 0;
-  forEachLane(lanes, [&](int i) {
-    const ShapeRow& row = rows[packet.geometry[i]];
-    if (!row.triangles) {
-      spheres |= 1u << i;
-      return;
-    }
-    const auto& corners = row.triangles[packet.primitive[i]];
-    positions.set(i, row.positions, corners);
-    if (row.normals) normals.set(i, row.normals, corners);
-  });
-  const F u = load<W>(packet.u), v = load<W>(packet.v);
-  const auto between = [&](const CornerLanes<W>& c) {
-    return c.corner(0) * F(1.f - u - v) + c.corner(1) * u + c.corner(2) * v;
-  };
   const auto unit = [](const Vec3T<F>& a) { return a * F(1.f / sqrt(dot(a, a))); };
+  const Vec3T<F> direction{load<W>(packet.x), load<W>(packet.y), load<W>(packet.z)};
   SurfaceLanes<W> s;
   s.normal = unit({load<W>(packet.normal_x), load<W>(packet.normal_y), load<W>(packet.normal_z)});
-  s.cosine = -dot(s.normal, {load<W>(packet.x), load<W>(packet.y), load<W>(packet.z)});
-  s.point = between(positions);
-  const Vec3T<F> smooth = between(normals);
-  s.shading_normal = selectLanes(dot(smooth, smooth) > 0.f, unit(smooth), s.normal);
-  forEachLane(spheres, [&](int i) {
-    const auto [mesh, sphere] = HitShape(scene.description(), packet.hit(i));
-    const Patch patch = patchAt(*sphere, laneOf(s.normal, i));
-    setLane(s.point, i, patch.point), setLane(s.shading_normal, i, patch.shading_normal);
-  });
+  s.cosine = -dot(s.normal, unit(direction));
+  s.point = Vec3T<F>{load<W>(packet.origin_x), load<W>(packet.origin_y), load<W>(packet.origin_z)} +
+            direction * load<W>(packet.far);
+  s.shading_normal = shadingNormals<W>(scene.shapeRows(), packet, lanes, s.normal);
   return s;
 }
 

@@ -30,8 +30,6 @@ template <int C>
 struct SurfaceStages {
   // Adds a path at its first vertex.
   void (*begin)(const PathStart& start, const PathSampler& sampler, std::uint32_t slot, LivePaths<C>& to);
-  // The colour of a diffuse surface with a texture, at a hit.
-  Color<C> (*color)(const Tracing& t, const Hit& hit, float cosine, float footprint);
   // The ray of path i has come to its end: adds the light that it has found there to the results, and the
   // path to `to` if it goes on. `vertex` is the number of the vertex that the ray left.
   void (*arrive)(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_t i, const Arrival& at,

@@ -54,16 +54,6 @@ void begin(const PathStart& start, const PathSampler& sampler, std::uint32_t slo
   }
 }
 
-template <Shading S, int C>
-Color<C> color(const Tracing& t, const Hit& hit, float cosine, float footprint) {
-  const Scene& scene = t.scene.description();
-  const auto [mesh, sphere] = HitShape(scene, hit);
-  const Material& material = scene.materials[mesh ? mesh->material : sphere->material];
-  const TexturePatch texture =
-      mesh ? texturePatchAt(*mesh, hit) : texturePatchAt(*sphere, normalize(hit.normal));
-  return Color<C>(colorAt<S>(scene, material.reflectance, texturePoint(texture, cosine, footprint)));
-}
-
 template <Shading S, int C, bool kParts>
 void arrive(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_t i, const Arrival& at,
             LivePaths<C>& to, PathResults<C>& results) {
@@ -155,7 +145,7 @@ Transmittance transmit(const Tracing& t, const Ray& shadow, const Hit& first) {
 
 template <Shading S, int C, bool kParts>
 SurfaceStages<C> surfaceStages() {
-  SurfaceStages<C> stages{detail::begin<S, C>, detail::color<S, C>, nullptr, nullptr, nullptr, nullptr};
+  SurfaceStages<C> stages{detail::begin<S, C>, nullptr, nullptr, nullptr, nullptr};
   if constexpr (S.extras) {
     stages.arrive = detail::arrive<S, C, kParts>;
     stages.depart = detail::depart<S, C>;

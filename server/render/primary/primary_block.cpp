@@ -1,0 +1,35 @@
+#include "render/primary/primary_block.h"
+
+#include <limits>
+
+#include "base/instruction_set.h"
+
+namespace saccade {
+namespace {
+
+// Of a camera with distortion, whose rays are found one by one.
+void traceDistorted(const PixelContext& view, Tile pixels, PrimaryBlock& out) {
+  const Ray none{view.camera.origin, view.camera.forward, -1};  // hits nothing
+  out.plain = out.others = 0;
+  out.rays.fill(none);
+  for (int y = pixels.y0; y < pixels.y1; ++y)
+    for (int x = pixels.x0; x < pixels.x1; ++x) {
+      const int lane = (y - pixels.y0) * kBlockEdge + x - pixels.x0;
+      out.others |= 1u << lane;
+      out.rays[static_cast<std::size_t>(lane)] = {
+          view.camera.origin, view.camera.direction(static_cast<float>(x), static_cast<float>(y)),
+          std::numeric_limits<float>::infinity()};
+    }
+  view.scene.geometry().intersect(out.rays, out.hits);
+}
+
+}  // namespace
+
+void tracePrimaryBlock(const PixelContext& view, Tile pixels, GBuffer& g, PrimaryBlock& out) {
+  out.x0 = pixels.x0, out.y0 = pixels.y0;
+  if (!view.camera.isPlain()) return traceDistorted(view, pixels, out);
+  if (instructionSet() == InstructionSet::kAvx512) return tracePrimaryBlockAvx512(view, pixels, g, out);
+  tracePrimaryBlockAvx2(view, pixels, g, out);
+}
+
+}  // namespace saccade

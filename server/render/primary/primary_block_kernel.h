@@ -1,0 +1,160 @@
+// Traces a block of pixels, compiled for one width of lanes.
+#pragma once
+
+#include <bit>
+#include <cstring>
+#include <limits>
+
+#include "render/paths/surface_lanes.h"
+#include "render/primary/primary_block.h"
+#include "render/texture_color.h"
+
+namespace saccade::detail {
+
+// Lanes `first` and those after it of a block are pixels of the picture.
+template <int W>
+struct BlockPart {
+  Tile pixels;
+  int first;
+
+  [[gnu::always_inline]] std::uint32_t inside() const {
+    std::uint32_t lanes = 0;
+    const std::uint32_t row = (1u << (pixels.x1 - pixels.x0)) - 1;
+    for (int y = 0; y < W / kBlockEdge; ++y)
+      if (pixels.y0 + first / kBlockEdge + y < pixels.y1) lanes |= row << (y * kBlockEdge);
+    return lanes;
+  }
+  [[gnu::always_inline]] Vec3T<Floats<W>> directions(const Camera& camera) const {
+    const Floats<W> x([](auto lane) { return static_cast<float>(lane % kBlockEdge); });
+    const Floats<W> y([](auto lane) { return static_cast<float>(lane / kBlockEdge); });
+    return camera.plainDirection(Floats<W>(x + static_cast<float>(pixels.x0)),
+                                 Floats<W>(y + static_cast<float>(pixels.y0 + first / kBlockEdge)));
+  }
+  [[gnu::always_inline]] void write(const Floats<W>& values, ImageF& plane) const {
+    alignas(64) float lanes[W];
+    store(values, lanes);
+    for (int row = 0; row < W / kBlockEdge; ++row) {
+      const int y = pixels.y0 + first / kBlockEdge + row;
+      if (y >= pixels.y1) return;
+      float* to = plane.row(y) + pixels.x0;
+      if (pixels.x1 - pixels.x0 == kBlockEdge)
+        std::memcpy(to, lanes + row * kBlockEdge, kBlockEdge * sizeof(float));
+      else
+        std::memcpy(to, lanes + row * kBlockEdge, (pixels.x1 - pixels.x0) * sizeof(float));
+    }
+  }
+};
+
+// A surface that a plain lane shows, besides what SurfaceLanes tells.
+template <int W>
+struct PlainLanes {
+  Vec3T<Floats<W>> geometric_normal, shading_normal, reflectance, emission;
+};
+
+template <int W>
+[[gnu::always_inline]] inline PlainLanes<W> plainLanes(const PixelContext& view, const RayPacket<W>& packet,
+                                                       std::uint32_t plain, const SurfaceLanes<W>& s,
+                                                       const Floats<W>& width) {
+  PlainLanes<W> lanes;
+  lanes.geometric_normal = selectLanes(s.front(), s.normal, -s.normal);
+  lanes.shading_normal =
+      selectLanes(dot(s.shading_normal, lanes.geometric_normal) < 0.f, -s.shading_normal, s.shading_normal);
+  const std::uint32_t front = bitsOf(s.front());
+  LaneVectors reflectance{}, emission{};
+  const Scene& scene = view.scene.description();
+  forEachLane(plain, [&](int i) {
+    const std::uint32_t geometry = packet.geometry[i];
+    const ShapeRow& row = view.scene.shapeRows()[geometry];
+    const bool seen_front = front >> i & 1;
+    if (row.emits && seen_front) {
+      const auto [mesh, sphere] = HitShape(scene, packet.hit(i));
+      emission.set(i, (mesh ? mesh->radiance : sphere->radiance) * view.strengths[geometry]);
+    }
+    if (!row.twosided && !seen_front) return;
+    reflectance.set(
+        i, row.textured ? textureColor(scene, packet.hit(i), s.cosine[i], width[i]) : row.reflectance);
+  });
+  lanes.reflectance = reflectance.template lanes<W>(0), lanes.emission = emission.template lanes<W>(0);
+  return lanes;
+}
+
+// max(|dz/dx|, |dz/dy|) of the plane through `offset` (from the camera) with normal n, at depth z.
+template <class F>
+[[gnu::always_inline]] inline F planeSlopes(const Camera& camera, const Vec3T<F>& direction,
+                                            const Vec3T<F>& offset, const Vec3T<F>& n, const F& z) {
+  const F height = dot(offset, n);
+  const auto step = [&](const Vec3T<F>& next) { return F(abs(height / dot(next, n) - z)); };
+  const F dz = max(step(camera.nextRightPlain(direction)), step(camera.nextDownPlain(direction)));
+  return select(dz < z, dz, z);  // also if the next ray is parallel to the plane
+}
+
+template <int W>
+[[gnu::always_inline]] inline void writeFeatures(const PixelContext& view, const BlockPart<W>& part,
+                                                 const Vec3T<Floats<W>>& direction, const Floats<W>& z,
+                                                 const Vec3T<Floats<W>>& point, const PlainLanes<W>& surface,
+                                                 const Floats<W>& albedo, GBuffer& g) {
+  using F = Floats<W>;
+  const Vec3T<F> offset = point - splat<F>(view.camera.origin);
+  // Both projections use the same formula, so that a standing camera gives exactly 0.
+  const auto now = view.camera.projectPlain(offset);
+  const auto before = view.prev.projectPlain(Vec3T<F>(point - splat<F>(view.prev.origin)));
+  const auto seen = before.z > 0.f;
+  constexpr float kFarOutside = 1e6f;  // behind the previous camera
+  part.write(select(seen, before.x - now.x, F(kFarOutside)), g.motion_x);
+  part.write(select(seen, before.y - now.y, F(kFarOutside)), g.motion_y);
+  part.write(before.z, g.z_in_prev);
+  part.write(z, g.z);
+  part.write(planeSlopes<F>(view.camera, direction, offset, surface.geometric_normal, z), g.dz);
+  part.write(surface.shading_normal.x, g.nx);
+  part.write(surface.shading_normal.y, g.ny);
+  part.write(surface.shading_normal.z, g.nz);
+  part.write(albedo, g.albedo);
+  part.write(luminance<F>(surface.emission), g.emission);
+}
+
+template <int W>
+[[gnu::always_inline]] inline void shadePlain(const PixelContext& view, const BlockPart<W>& part,
+                                              const Vec3T<Floats<W>>& direction, const RayPacket<W>& packet,
+                                              std::uint32_t plain, GBuffer& g, PlainSurfaces& out) {
+  using F = Floats<W>;
+  const SurfaceLanes<W> s = surfacesAt<W>(view.scene, packet, plain);
+  const F z = load<W>(packet.far), width = view.camera.pixel * z;
+  const PlainLanes<W> surface = plainLanes<W>(view, packet, plain, s, width);
+  const F albedo = luminance<F>(surface.reflectance);
+  writeFeatures<W>(view, part, direction, z, s.point, surface, albedo, g);
+  out.point.store(s.point, part.first);
+  out.geometric_normal.store(surface.geometric_normal, part.first);
+  out.shading_normal.store(surface.shading_normal, part.first);
+  out.reflectance.store(surface.reflectance, part.first), out.emission.store(surface.emission, part.first);
+  store(albedo, &out.albedo[part.first]), store(width, &out.width[part.first]);
+}
+
+template <int W>
+void tracePrimaryBlock(const PixelContext& view, Tile pixels, GBuffer& g, PrimaryBlock& out) {
+  using F = Floats<W>;
+  out.plain = out.others = 0;
+  for (int first = 0; first < kBlockPixels; first += W) {
+    const BlockPart<W> part{pixels, first};
+    const std::uint32_t inside = part.inside();
+    const Vec3T<F> direction = part.directions(view.camera), origin = splat<F>(view.camera.origin);
+    RayPacket<W> packet;
+    setRays<W>(std::array{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z},
+               F(std::numeric_limits<float>::infinity()), packet);
+    view.scene.geometry().template intersect<W>(packet, inside, EmbreeScene::Rays::kCoherent);
+    std::uint32_t plain = 0;
+    forEachLane(inside, [&](int i) {
+      const std::uint32_t geometry = packet.geometry[i];
+      const bool is_plain = geometry != RayPacket<W>::kNone && view.scene.shapeRows()[geometry].plain;
+      plain |= std::uint32_t(is_plain) << i;
+    });
+    const std::uint32_t others = inside & ~plain;
+    forEachLane(others, [&](int i) {
+      out.rays[static_cast<std::size_t>(first + i)] = packet.ray(i);
+      out.hits[static_cast<std::size_t>(first + i)] = packet.hit(i);
+    });
+    out.plain |= plain << first, out.others |= others << first;
+    if (plain != 0) shadePlain<W>(view, part, direction, packet, plain, g, out.surfaces);
+  }
+}
+
+}  // namespace saccade::detail
