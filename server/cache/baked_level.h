@@ -1,4 +1,6 @@
-// Light that was computed ahead, of one level. It lies in memory by blocks.
+// Light that was computed ahead, of one level. It lies in memory by blocks of 4 x 4 x 4 cells. A block holds
+// the vertices at all corners of its cells, so that a tetrahedron needs one block: those at the border lie in
+// several.
 #pragma once
 
 #include <vector>
@@ -15,50 +17,71 @@ class BakedLevel {
   // `light` is that of vertices with different keys.
   BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedVertex>& light);
 
-  std::size_t vertices() const { return light_.size(); }
+  std::size_t vertices() const { return vertices_; }
 
+  // A tetrahedron, by its lowest corner. `home` is where the search for its block begins.
+  struct Place {
+    VertexKey lowest;
+    std::size_t home;
+  };
   // Brings what find() needs closer.
-  void prefetch(VertexKey vertex) const { __builtin_prefetch(&blocks_[homeOf(blockOf(vertex), bits_)]); }
-  // The light at the corners of a tetrahedron, most of which share a block; nullptr where there is no such
-  // vertex.
-  std::array<const BakedVertex*, 4> find(const std::array<VertexKey, 4>& corners) const {
-    std::array<const BakedVertex*, 4> found;
-    const Block* block = blockAt(corners[0]);
-    VertexKey of = blockOf(corners[0]);
-    for (int c = 0; c < 4; ++c) {
-      if (blockOf(corners[c]) != of) of = blockOf(corners[c]), block = blockAt(corners[c]);
-      found[c] = find(block, corners[c]);
-    }
-    return found;
+  Place prefetch(VertexKey lowest) const {
+    const std::size_t home = homeOf(blockOf(lowest));
+    __builtin_prefetch(&blocks_[home]);
+    return {lowest, home};
   }
+  // Where the light at the corners of a tetrahedron of an order is, see Tetrahedron::corners(); kNothing
+  // where there is no such vertex.
+  static constexpr std::uint32_t kNothing = 0;
+  using Indices = std::array<std::uint32_t, 4>;
+  Indices find(const Place& at, unsigned order) const {
+    const Block& block = blocks_[slotOf(blockOf(at.lowest), at.home)];
+    const std::uint32_t first = numberOf(at.lowest), last = first + kSteps[0] + kSteps[1] + kSteps[2];
+    const auto [most, least] = Tetrahedron::axes(order);
+    return {block.indexOf(first), block.indexOf(first + kSteps[most]), block.indexOf(last - kSteps[least]),
+            block.indexOf(last)};
+  }
+  const BakedVertex& operator[](std::uint32_t index) const { return light_[index]; }
 
  private:
-  // The light at the vertices of a block lies in the order of their cells.
-  struct alignas(32) Block {
-    VertexKey key = 0;        // 0: a free slot
-    std::uint64_t cells = 0;  // a bit for each vertex
-    std::uint32_t first = 0;
+  static constexpr std::uint32_t kEdge = 5;  // vertices
+  static constexpr std::array<std::uint32_t, 3> kSteps{1, kEdge, kEdge* kEdge};
 
-    std::uint32_t indexOf(std::uint32_t cell) const {
-      return first + std::popcount(cells & ((std::uint64_t{1} << cell) - 1));
+  // The light at its vertices lies in the order of their numbers.
+  struct alignas(32) Block {
+    VertexKey key = 0;                           // 0: a free slot
+    std::array<std::uint64_t, 2> vertices = {};  // a bit for each, by number
+    std::array<std::uint32_t, 2> first = {};     // the index of the first vertex of each word
+
+    std::uint32_t indexOf(std::uint32_t number) const {
+      const std::uint64_t word = vertices[number >> 6], bit = std::uint64_t{1} << (number & 63);
+      const auto index = first[number >> 6] + static_cast<std::uint32_t>(std::popcount(word & (bit - 1)));
+      return (word & bit) != 0 ? index : kNothing;
     }
   };
 
-  const Block* blockAt(VertexKey vertex) const { return &blocks_[slotOf(blockOf(vertex))]; }
-  const BakedVertex* find(const Block* block, VertexKey vertex) const {
-    const std::uint32_t cell = cellOf(vertex);
-    return (block->cells >> cell & 1) != 0 ? &light_[block->indexOf(cell)] : nullptr;
+  // Of the vertex that is the lowest corner of a cell of a block.
+  static std::uint32_t numberOf(VertexKey vertex) {
+    using namespace vertex_bits;
+    return static_cast<std::uint32_t>((vertex >> kX & 3) * kSteps[0] + (vertex >> kY & 3) * kSteps[1] +
+                                      (vertex >> kZ & 3) * kSteps[2]);
   }
+  // f(block, number) for each block that a vertex lies in.
+  static void forEachBlock(VertexKey vertex, const auto& f);
 
-  std::size_t slotOf(VertexKey block) const {
-    std::size_t i = homeOf(block, bits_);
+  // Neighbours are spread: what crowds together would share slots.
+  std::size_t homeOf(VertexKey block) const { return block * 0x9e3779b97f4a7c15ull >> (64 - bits_); }
+  std::size_t slotOf(VertexKey block) const { return slotOf(block, homeOf(block)); }
+  std::size_t slotOf(VertexKey block, std::size_t home) const {
+    std::size_t i = home;
     while (blocks_[i].key != block && blocks_[i].key != 0) i = (i + 1) & (blocks_.size() - 1);
     return i;
   }
 
   int bits_ = 7;
+  std::size_t vertices_ = 0;
   HugeVector<Block> blocks_{std::size_t{1} << bits_};  // a hash table, at most half full
-  HugeVector<BakedVertex> light_;
+  HugeVector<BakedVertex> light_{1};                   // the first is kNothing
 };
 
 }  // namespace saccade

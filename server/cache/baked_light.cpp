@@ -1,23 +1,28 @@
 #include "cache/baked_light.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "cache/point_lanes.h"
 
 namespace saccade {
 namespace {
 
 constexpr float kLeastShare = 0.5f;  // of a point's weights, on known vertices of its coarser level
 // From a level to the one below: a step is half as many cells there, and a quarter of the variance.
-constexpr Octet kToFine{1, 1, 1, 0, 1, 1, 0.25f, 0.25f};
+constexpr std::array<float, 8> kToFine{1, 1, 1, 0, 1, 1, 0.25f, 0.25f};
 
-// f(x, y, index) for each point of a tile, by squares: neighbours in both directions share vertices.
+// f(x, y, index) for each point of a tile, by squares within squares: neighbours in both directions share
+// blocks of vertices.
 void forEachPointBySquares(Tile tile, const SurfaceSamples& on, const auto& f) {
-  constexpr int kSquare = 8;  // pixels
+  constexpr unsigned kSquare = 8, kBitsOfX = 0x15, kBitsOfY = 0x2a;  // pixels; of a place along the curve
   for (int y0 = tile.y0; y0 < tile.y1; y0 += kSquare)
     for (int x0 = tile.x0; x0 < tile.x1; x0 += kSquare)
-      for (int y = y0; y < std::min(y0 + kSquare, tile.y1); ++y)
-        for (int x = x0; x < std::min(x0 + kSquare, tile.x1); ++x)
-          for (int i = 0; i < on.perPixel(); ++i) f(x, y, on.indexOf(x * on.perPixel() + i, y));
+      for (unsigned place = 0; place < kSquare * kSquare; ++place) {
+        const int x = x0 + static_cast<int>(_pext_u32(place, kBitsOfX));
+        const int y = y0 + static_cast<int>(_pext_u32(place, kBitsOfY));
+        if (x >= tile.x1 || y >= tile.y1) continue;
+        for (int i = 0; i < on.perPixel(); ++i) f(x, y, on.indexOf(x * on.perPixel() + i, y));
+      }
 }
 
 }  // namespace
@@ -37,42 +42,53 @@ void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstim
   std::array<BakedPoints, 3> batches;  // wanted, found and read in turn
   int batch = 0;
   const auto turn = [&] {
-    batches[batch].want(levels_);
+    batches[batch].want(levels_, params_.finest_px);
     batches[(batch + 2) % 3].find();
     batch = (batch + 1) % 3;
-    BakedPoints& read = batches[batch];
-    for (int i = 0; i < read.count(); ++i) add(read[i], read.sum(0, i), read.sum(1, i), on, g, out);
-    read.clear();
+    if (batches[batch].count() > 0) add(batches[batch], on, g, out);
+    batches[batch].clear();
   };
   for (int y = tile.y0; y < tile.y1; ++y)
     for (const auto plane : {&out.i, &out.var_i, &out.var_step})
       std::fill(plane->row(y) + tile.x0, plane->row(y) + tile.x1, 0.f);
   forEachPointBySquares(tile, on, [&](int x, int y, std::size_t index) {
     on[index].baked = false;
-    if (on[index].kind != SurfaceKind::kNone) batches[batch].add(on, index, x, y, params_.finest_px);
+    if (on[index].kind == SurfaceKind::kNone) return;
+    batches[batch].add({x, y, static_cast<std::uint32_t>(index)}, on.place(index), on[index].kind);
     if (batches[batch].full()) turn();
   });
   for (int left = 0; left < 3; ++left) turn();
 }
 
-void BakedLight::add(const BakedPoints::Point& found, Octet fine, Octet coarse, SurfaceSamples& on,
-                     const GBuffer& g, GridEstimate& out) const {
-  const int x = found.x, y = found.y;
-  SurfacePoint& point = on[found.at.index];
-  point.baked = coarse[kKnown] >= kLeastShare;
-  if (!point.baked) return;
-  const float fraction = found.at.fraction, of_fine = 1 - fraction;
-  const float of_coarse = (1 - of_fine * fine[kKnown]) / coarse[kKnown];  // also what no fine vertex knows
-  const Octet v = fine * of_fine + coarse * kToFine * of_coarse;
-  const float U = on.place(found.at.index).unoccluded, share2 = point.share * point.share;
-  const float px = std::hypot(g.motion_x.at(x, y), g.motion_y.at(x, y));
-  const float cells = px * found.at.scale / params_.finest_px;
-  const auto variance = [U](float rest, float visibility) { return rest + U * U * visibility; };
-  const float var_i = variance(v[kVarRest], v[kVarVisibility]);
-  out.i.at(x, y) += point.share * (v[kRest] + U * v[kVisibility]);
-  out.var_i.at(x, y) += share2 * var_i;
-  out.var_step.at(x, y) +=
-      share2 * std::min(2 * var_i, cells * cells * variance(v[kStepRest], v[kStepVisibility]));
+void BakedLight::add(const BakedPoints& points, SurfaceSamples& on, const GBuffer& g,
+                     GridEstimate& out) const {
+  using F = BakedPoints::F;
+  LaneMemory<3> of_points;  // unoccluded light, share, and squared motion in pixels
+  for (int i = 0; i < points.count(); ++i) {
+    const auto [x, y, index] = points[i];
+    const float mx = g.motion_x.at(x, y), my = g.motion_y.at(x, y);
+    of_points.set(i, std::array{on.place(index).unoccluded, on[index].share, mx * mx + my * my});
+  }
+  const auto [U, share, px2] = of_points.lanes();
+  const auto fine = points.light(0), coarse = points.light(1);
+  const F of_fine = 1.f - points.fraction();
+  const auto known = coarse[kKnown] >= kLeastShare;
+  const F of_coarse = (1.f - of_fine * fine[kKnown]) / coarse[kKnown];  // also what no fine vertex knows
+  const auto at = [&](BakedLane k) { return fine[k] * of_fine + coarse[k] * kToFine[k] * of_coarse; };
+  const F cells = points.scale() / params_.finest_px;
+  const F var_i = at(kVarRest) + U * U * at(kVarVisibility);
+  const F var_step = cells * cells * px2 * (at(kStepRest) + U * U * at(kStepVisibility));
+  LaneMemory<3> said;
+  store(F(share * (at(kRest) + U * at(kVisibility))), said.values[0]);
+  store(F(share * share * var_i), said.values[1]);
+  store(F(share * share * min(F(2.f * var_i), var_step)), said.values[2]);
+  forEachLane(bitsOf(known) & ((1u << points.count()) - 1), [&](int i) {
+    const auto [x, y, index] = points[i];
+    on[index].baked = true;
+    out.i.at(x, y) += said.values[0][i];
+    out.var_i.at(x, y) += said.values[1][i];
+    out.var_step.at(x, y) += said.values[2][i];
+  });
 }
 
 }  // namespace saccade

@@ -21,9 +21,8 @@ class BakedLight {
   std::size_t vertices() const { return vertices_; }  // whose light is known
 
  private:
-  // Reads a point by the sums over the vertices around it on its two levels, and adds it to its pixel.
-  void add(const BakedPoints::Point& found, Octet fine, Octet coarse, SurfaceSamples& on, const GBuffer& g,
-           GridEstimate& out) const;
+  // Reads points, and adds them to their pixels.
+  void add(const BakedPoints& points, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const;
 
   GridParams params_;
   BakedLevels levels_;

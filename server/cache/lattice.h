@@ -36,19 +36,28 @@ struct Tetrahedron {
     const float a = std::max({x, y, z}), c = std::min({x, y, z}),
                 b = std::max(std::min(x, y), std::min(std::max(x, y), z));
     const auto whole = [](double c) { return static_cast<std::int64_t>(c); };
-    key = corners(lowest(whole(low.x), whole(low.y), whole(low.z), bin), order);
+    key = corners(lowest(address(whole(low.x)), address(whole(low.y)), address(whole(low.z)), bin), order);
     weight = {1 - a, a - b, b - c, c};
   }
 
-  // The key of the lowest corner, from its coordinates.
-  static VertexKey lowest(std::int64_t x, std::int64_t y, std::int64_t z, int bin) {
-    return address(x) | address(y) << 20 | address(z) << 40 | static_cast<VertexKey>(bin + 1) << 60;
+  // The key of the lowest corner, from the addresses of its coordinates.
+  static VertexKey lowest(VertexKey x, VertexKey y, VertexKey z, int bin) {
+    return x | y << 20 | z << 40 | static_cast<VertexKey>(bin + 1) << 60;
   }
+  // Addresses of whole numbers c: (c + kCentre) & kAddressMask. Centred, so that no coordinate near 0
+  // overflows into the next one.
+  static constexpr std::int32_t kCentre = 1 << 19, kAddressMask = (1 << 20) - 1;
   // The keys of all corners. `order`: a bit each for x >= y, x >= z, y >= z of the fractions.
   static std::array<VertexKey, 4> corners(VertexKey lowest, unsigned order) {
-    const auto& [most, least] = kOrders[order];  // a table, because no processor can guess the order
-    return {lowest, lowest + most, lowest + kX + kY + kZ - least, lowest + kX + kY + kZ};
+    const auto [most, least] = axes(order);
+    return {lowest, lowest + kSteps[most], lowest + kSteps[0] + kSteps[1] + kSteps[2] - kSteps[least],
+            lowest + kSteps[0] + kSteps[1] + kSteps[2]};
   }
+  // The axes, 0 to 2, of the largest and of the smallest fraction.
+  struct Axes {
+    std::uint8_t most, least;
+  };
+  static Axes axes(unsigned order) { return kOrders[order]; }
 
   std::array<VertexKey, 4> key;
   std::array<float, 4> weight;
@@ -60,23 +69,20 @@ struct Tetrahedron {
   static int binOf(VertexKey key) { return static_cast<int>(key >> 60) - 1; }
 
  private:
-  static constexpr VertexKey kX = 1, kY = VertexKey{1} << 20, kZ = VertexKey{1} << 40;
-  struct Order {
-    VertexKey most, least;  // the axes of the largest and of the smallest fraction
-  };
+  static constexpr std::array<VertexKey, 3> kSteps{1, VertexKey{1} << 20, VertexKey{1} << 40};  // by axis
+  // A table, because no processor can guess the order.
   static constexpr auto kOrders = [] {
-    std::array<Order, 8> orders{};
+    std::array<Axes, 8> orders{};
     for (unsigned i = 0; i < 8; ++i) {
       const bool xy = i & 1, xz = i & 2, yz = i & 4;
-      orders[i] = {xy && xz ? kX : !xy && yz ? kY : kZ, xz && yz ? kZ : xy && !yz ? kY : kX};
+      const int most = xy && xz ? 0 : !xy && yz ? 1 : 2, least = xz && yz ? 2 : xy && !yz ? 1 : 0;
+      orders[i] = {static_cast<std::uint8_t>(most), static_cast<std::uint8_t>(least)};
     }
     return orders;
   }();
-  static constexpr std::int64_t kCentre = 1 << 19, kMask = (1 << 20) - 1;
-  // Centred, so that no coordinate near 0 overflows into the next one.
-  static VertexKey address(std::int64_t c) { return static_cast<VertexKey>((c + kCentre) & kMask); }
+  static VertexKey address(std::int64_t c) { return static_cast<VertexKey>((c + kCentre) & kAddressMask); }
   static double coordinate(VertexKey address) {
-    return static_cast<double>((static_cast<std::int64_t>(address) & kMask) - kCentre);
+    return static_cast<double>((static_cast<std::int64_t>(address) & kAddressMask) - kCentre);
   }
 };
 

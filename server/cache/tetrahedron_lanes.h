@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/wide.h"
+#include "cache/lanes.h"
 #include "cache/lattice.h"
 
 namespace saccade {
@@ -21,7 +22,9 @@ class TetrahedronLanes {
     for (int axis = 0; axis < 3; ++axis) {
       const F q = load<kLanes>(position_[axis]) * inv_h, low = floor(q);
       within[axis] = q - low;
-      store(toUints(F(low - floor(low * 0x1p-20f) * 0x1p20f)), low_[axis]);  // addresses have 20 bits
+      const Uints<kLanes> whole =
+          toUints(F(low - floor(low * 0x1p-20f) * 0x1p20f));  // addresses have 20 bits
+      store(Uints<kLanes>((whole + Tetrahedron::kCentre) & Tetrahedron::kAddressMask), low_[axis]);
     }
     const auto& [x, y, z] = within;
     const auto bit = [](const auto& condition, float value) { return select(condition, F(value), F(0.f)); };
@@ -36,10 +39,13 @@ class TetrahedronLanes {
   }
   unsigned order(int lane) const { return order_[lane]; }
   float weight(int lane, int corner) const { return weight_[corner][lane]; }
+  Quad weights(int lane) const {
+    return Quad{weight_[0][lane], weight_[1][lane], weight_[2][lane], weight_[3][lane]};
+  }
 
  private:
   alignas(64) float position_[3][kLanes] = {};
-  alignas(64) std::uint32_t low_[3][kLanes];
+  alignas(64) std::uint32_t low_[3][kLanes];  // addresses
   alignas(64) std::uint32_t order_[kLanes];
   alignas(64) float weight_[4][kLanes];
 };

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace saccade {
 namespace {
 
@@ -9,14 +11,17 @@ VertexKey keyAt(VertexKey x, VertexKey y, VertexKey z) {
   return x | y << 20 | z << 40 | VertexKey{3} << 60;
 }
 
-const BakedVertex* find(const BakedLevel& level, VertexKey key) {
-  return level.find({key, key, key, key})[3];
+// The number of a vertex' light at each corner of a tetrahedron; -1 where there is no vertex.
+[[gnu::noinline]] std::array<float, 4> find(const BakedLevel& level, VertexKey lowest, unsigned order) {
+  std::array<float, 4> light;
+  const auto found = level.find(level.prefetch(lowest), order);
+  for (int c = 0; c < 4; ++c) light[c] = found[c] == BakedLevel::kNothing ? -1 : level[found[c]].rest;
+  return light;
 }
 
 // Every second vertex of a region that spans blocks.
 TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   std::vector<VertexKey> keys;
-  std::vector<BakedVertex> light;
   const auto each = [](const auto& f) {
     for (VertexKey x = 9; x > 0; --x)
       for (VertexKey y = 5; y < 14; ++y)
@@ -24,23 +29,27 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   };
   each([&](VertexKey key, bool held) {
     if (!held) return;
-    light.push_back({.rest = static_cast<float>(keys.size())});
     keys.push_back(key);
   });
+  std::vector<BakedVertex> light(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) light[i].rest = static_cast<float>(i);
   const BakedLevel level(keys, light);
   EXPECT_EQ(level.vertices(), keys.size());
-  float next = 0;
-  each([&](VertexKey key, bool held) {
-    const BakedVertex* found = find(level, key);
-    ASSERT_EQ(found != nullptr, held);
-    if (held) {
-      ASSERT_EQ(found->rest, next++);
+  const auto expected = [&](VertexKey key) {
+    const auto at = std::find(keys.begin(), keys.end(), key);
+    return at == keys.end() ? -1.f : static_cast<float>(at - keys.begin());
+  };
+  each([&](VertexKey lowest, bool) {
+    for (unsigned order = 0; order < 8; ++order) {
+      const auto found = find(level, lowest, order);
+      const auto corners = Tetrahedron::corners(lowest, order);
+      for (int c = 0; c < 4; ++c) ASSERT_EQ(found[c], expected(corners[c])) << order << " " << c;
     }
   });
 }
 
 TEST(BakedLevel, MayBeEmpty) {
-  EXPECT_EQ(find(BakedLevel(), keyAt(1, 2, 3)), nullptr);
+  EXPECT_EQ(find(BakedLevel(), keyAt(1, 2, 3), 0), (std::array<float, 4>{-1, -1, -1, -1}));
 }
 
 }  // namespace
