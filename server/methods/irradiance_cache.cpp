@@ -38,6 +38,9 @@ const std::vector<ParamField<P>>& fields() {
   return table;
 }
 
+// With a bake. Three of them bring 6 % fewer false events, and 5 % more missed ones.
+constexpr int kBakedIterations = 1;
+
 // Bytes of a grid: what `memory` allows, but no more than 32 pictures show that have nothing in common.
 double gridBytes(int memory, double pixels) {
   constexpr double kMostPerPixel = 10'000;
@@ -139,9 +142,9 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
     if (!any) return;
     svgf_ = std::make_unique<Svgf>(SvgfParams{}, width, height);
     elsewhere_ = std::make_unique<IntensityChange>(width, height);
-    svgf_->start(frames.prev, &before_.i, pool);
+    svgf_->start(frames.prev, &read_.before->i, pool);
   }
-  svgf_->estimate(frames, &now_.i, pool, *elsewhere_, times);
+  svgf_->estimate(frames, &read_.now->i, pool, *elsewhere_, times);
   times[Stage::kModulate] += pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       if (!needed(x, y)) continue;
@@ -151,11 +154,21 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
 }
 
 void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
+  light_.current().bounces.add(*frames.cur.surfaces);
+  if (baked_ && at_.empty() && at_prev_.empty()) {
+    read_ = {&baked_->of(frames.cur.index), &baked_->of(frames.cur.index + 1)};
+    return;
+  }
+  readGrid(frames, pool, times);
+  if (baked_) times[Stage::kVariance] += baked_->add(frames.cur.index, pool, now_, before_);
+  read_ = {&now_, &before_};
+}
+
+void IrradianceCache::readGrid(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   const SurfaceSamples &on = *frames.cur.surfaces, &on_prev = *frames.prev.surfaces;
   const bool first = &frames.cur == &frames.prev;
   SurfaceGrid &grid = light_.current().grid, &grid_prev = light_.previous().grid;
   times[Stage::kTemporal] += grid.add(on, at_, pool);
-  light_.current().bounces.add(on);
   times[Stage::kVariance] += grid.readAdded(on, frames.cur.g, at_, pool, now_);
   if (!first) times[Stage::kVariance] += grid_prev.read(on_prev, frames.prev.g, at_prev_, pool, before_);
   times[Stage::kTemporal] += grid.learn(at_, pool);
@@ -167,30 +180,35 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   };
   again(grid, frames.cur, at_, now_);
   if (!first) again(grid_prev, frames.prev, at_prev_, before_);
-  if (baked_) times[Stage::kVariance] += baked_->add(frames.cur.index, pool, now_, before_);
+  // The errors of two states of the light have nothing in common.
+  if (light_.changed())
+    times[Stage::kVariance] += pool.forEachRow(now_.i.height(), [&](int y) {
+      for (int x = 0; x < now_.i.width(); ++x)
+        now_.var_step.at(x, y) = now_.var_i.at(x, y) + before_.var_i.at(x, y);
+    });
 }
 
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   const bool first = &frames.cur == &frames.prev;
   read(frames, pool, times);
-  times[Stage::kVariance] += pool.forEachRow(now_.i.height(), [&](int y) {
-    for (int x = 0; x < now_.i.width(); ++x) {
-      filtered_.i.at(x, y) = now_.i.at(x, y);
-      filtered_.var_i.at(x, y) = now_.var_i.at(x, y);
-      filtered_.d.at(x, y) = first ? 0 : now_.i.at(x, y) - before_.i.at(x, y);
-      // The errors of two states of the light have nothing in common.
-      if (light_.changed()) now_.var_step.at(x, y) = now_.var_i.at(x, y) + before_.var_i.at(x, y);
-      filtered_.var_d.at(x, y) = now_.var_step.at(x, y);
+  const auto [now, before] = read_;
+  times[Stage::kVariance] += pool.forEachRow(now->i.height(), [&, now = now, before = before](int y) {
+    for (int x = 0; x < now->i.width(); ++x) {
+      filtered_.i.at(x, y) = now->i.at(x, y);
+      filtered_.var_i.at(x, y) = now->var_i.at(x, y);
+      filtered_.d.at(x, y) = first ? 0 : now->i.at(x, y) - before->i.at(x, y);
+      filtered_.var_d.at(x, y) = now->var_step.at(x, y);
     }
   });
-  for (int k = 0; k < params_.iterations; ++k) {
+  const int iterations = baked_ ? std::min(params_.iterations, kBakedIterations) : params_.iterations;
+  for (int k = 0; k < iterations; ++k) {
     times[Stage::kAtrous] += atrousIteration(frames, atrous_, 1 << k, filtered_, pool, scratch_);
     std::swap(filtered_, scratch_);
   }
   // The filter takes the errors of neighbours for independent, but they share vertices: it lessens them by
   // little.
-  filtered_.var_i.copyFrom(now_.var_i);
-  filtered_.var_d.copyFrom(now_.var_step);
+  filtered_.var_i.copyFrom(now->var_i);
+  filtered_.var_d.copyFrom(now->var_step);
 }
 
 }  // namespace saccade

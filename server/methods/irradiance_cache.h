@@ -43,8 +43,10 @@ class IrradianceCache final : public Method {
                 StageTimes& times) override;
 
  private:
-  // Reads both frames' points from one state of the grid.
+  // Sets read_: both frames' points, from one state of what is known.
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+  // Of the grid alone, into now_ and before_.
+  void readGrid(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // The same, filtered into filtered_.
   void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Replaces what the grid cannot know.
@@ -56,6 +58,9 @@ class IrradianceCache final : public Method {
   std::optional<BakedFrames> baked_;
   Placement at_, at_prev_;
   GridEstimate now_, before_;
+  struct {
+    const GridEstimate *now, *before;
+  } read_{};
   ImageF uncertainty_, uncertainty_prev_;  // with the columns of SurfaceSamples
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;             // D[i_{t-1}]
