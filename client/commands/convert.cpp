@@ -35,7 +35,7 @@ v1::Recording aboutEvents(const SourceFile& source) {
   return about;
 }
 
-void copyEvents(SourceFile& source, RecordingFile& file, Progress& progress) {
+void copyEvents(SourceFile& source, RecordedSensor& file, Progress& progress) {
   const auto& recording = source.recording();
   std::int64_t t0_ns = recording ? recording->begin_ns() : 0;
   std::int64_t end_ns = recording ? recording->end_ns() : 0;
@@ -51,7 +51,7 @@ void copyEvents(SourceFile& source, RecordingFile& file, Progress& progress) {
   file.write({}, t0_ns, end_ns);
 }
 
-void checkDigest(const SourceFile& source, const RecordingFile& file) {
+void checkDigest(const SourceFile& source, const RecordedSensor& file) {
   if (!source.recording() || source.recording()->digest() == file.about().digest()) return;
   throw std::runtime_error(source.path() + ": the events are not those that " + source.path() +
                            ".json describes; remove that file if it is of another recording");
@@ -62,16 +62,16 @@ void runConvert(const ConvertOptions& options) {
   checkOutputs(options.output, 1);
   watchInterrupt();
   SourceFile source(options.input, options.size);
-  RecordingFile file(options.output.path, format, aboutEvents(source));
+  RecordingFile file(options.output.path, format, {aboutEvents(source)});
   Progress progress(source.recording() ? secondsOf(source.recording()->end_ns()) : 0);
-  copyEvents(source, file, progress);
+  copyEvents(source, file.sensor(0), progress);
   progress.finish();
   file.close();
-  checkDigest(source, file);
+  checkDigest(source, file.sensor(0));
   file.commit();
   std::FILE* out = options.output.path == kStandardOutput ? stderr : stdout;
   printFiles(out, {file.name()}, "");
-  std::fprintf(out, "%llu events\n", static_cast<unsigned long long>(file.about().events()));
+  std::fprintf(out, "%llu events\n", static_cast<unsigned long long>(file.sensor(0).about().events()));
 }
 
 }  // namespace

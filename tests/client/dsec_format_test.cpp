@@ -134,8 +134,8 @@ TEST_F(DsecFormatTest, AFullDiskAtTheEndIsToldToo) {
 TEST_F(DsecFormatTest, AnInterruptedRecordingCanBeRead) {
   const Events events = randomEvents(1000, 640, 480);
   {
-    RecordingFile recording(file_, kDsecWriter, aboutOf(640, 480));
-    recording.write(events, 0, events.back().t_ns + 1000);
+    RecordingFile recording(file_, kDsecWriter, {aboutOf(640, 480)});
+    recording.sensor(0).write(events, 0, events.back().t_ns + 1000);
   }
   fs::rename(file_ + ".partial", file_);
   EXPECT_EQ(read(), events);

@@ -125,8 +125,8 @@ TEST_F(NpzFormatTest, ADiskThatIsFullAtTheStartIsTold) {
 TEST_F(NpzFormatTest, AnInterruptedRecordingCanBeRead) {
   const Events events = randomEvents(1000, 640, 480);
   {
-    RecordingFile recording(file_, kNpzWriter, aboutOf(640, 480));
-    recording.write(events, 0, events.back().t_ns + 1000);
+    RecordingFile recording(file_, kNpzWriter, {aboutOf(640, 480)});
+    recording.sensor(0).write(events, 0, events.back().t_ns + 1000);
   }
   fs::rename(file_ + ".partial", file_);
   EXPECT_EQ(read(), events);

@@ -131,6 +131,26 @@ TEST_F(TruthRecorder, OnlyTheFirstSensorHasTheTruth) {
   EXPECT_FALSE(fs::exists(folder_.at("a-1.csv.partial.truth")));
 }
 
+TEST_F(TruthRecorder, SensorsOfASharedFileHaveFoldersOfTheirOwn) {
+  v1::OpenStream& request = *stream_.mutable_resolved();
+  *request.add_further_views() = request.view();
+  request.add_sensors()->set_view(1);
+  ask("rows"), ask("rows");
+  request.mutable_truth(1)->set_view(1);
+  Recorder recorder = record("a.bag");
+  for (const std::uint32_t channel : {2, 3}) {
+    Batch rows = rowsAt(std::vector<std::int64_t>(channel, 0));
+    rows.header.set_sensor(channel);
+    recorder.add(rows);
+  }
+  for (const std::uint32_t channel : {0, 1, 2, 3}) recorder.add(endOf(channel));
+  recorder.commit();
+  const std::string row = "0,0.25,-1e-07\n";
+  EXPECT_EQ(textOf("a.bag.truth/rows.csv"), kHead + row + row);
+  EXPECT_EQ(textOf("a.bag.sensor1.truth/rows.csv"), kHead + row + row + row);
+  EXPECT_EQ(recorder.truthPlace(), folder_.at("a.bag.truth") + " " + folder_.at("a.bag.sensor1.truth"));
+}
+
 TEST_F(TruthRecorder, AViewHasItsTruthInTheFileOfItsSensor) {
   v1::OpenStream& request = *stream_.mutable_resolved();
   for (const std::uint32_t width : {4u, 6u}) {
