@@ -11,6 +11,12 @@
 namespace saccade::client {
 namespace {
 
+bool hasIds(const v1::Recording& about) {
+  const auto& truth = about.truth();
+  return std::any_of(truth.begin(), truth.end(),
+                     [](const v1::RecordedTruth& channel) { return channel.info().name() == "ids"; });
+}
+
 v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescription& server, int sensor) {
   v1::Recording about;
   const v1::View& view = viewOf(stream.resolved(), stream.resolved().sensors(sensor).view());
@@ -22,6 +28,7 @@ v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescripti
   about.set_server_version(server.version());
   about.set_instruction_set(server.instruction_set());
   describeTruth(stream.resolved(), server, about);
+  if (hasIds(about)) *about.mutable_id_names() = stream.id_names();
   return about;
 }
 

@@ -109,6 +109,16 @@ TEST_F(TruthRecorder, AnInterruptedRecordingKeepsWhatArrived) {
         << name;
 }
 
+TEST_F(TruthRecorder, NamesOfIdsGoWithTheSensorThatHasThem) {
+  *server_.add_truth() = infoOf("ids", v1::LAYOUT_PICTURE, {"object", "material"});
+  stream_.mutable_id_names()->add_objects("door");
+  stream_.mutable_resolved()->add_sensors();
+  ask("ids");
+  const Recorder recorder = record("a.csv");
+  EXPECT_EQ(recorder.about(0).id_names().objects(0), "door");
+  EXPECT_FALSE(recorder.about(1).has_id_names());
+}
+
 TEST_F(TruthRecorder, ASecondChannelOfANameGetsANumber) {
   ask("rows"), ask("depth"), ask("rows"), ask("rows");
   Recorder recorder = record("a.csv");

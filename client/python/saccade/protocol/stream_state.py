@@ -15,7 +15,7 @@ from saccade.protocol.samples import Samples
 from saccade.protocol.sequence import Losses
 from saccade.protocol.subscription import Subscription, end_text
 from saccade.settings import SensorSettings
-from saccade.truth import Truth
+from saccade.truth import IdNames, Truth
 from saccade.v1 import control_pb2, events_pb2
 
 
@@ -57,6 +57,11 @@ class StreamState:
     def size(self) -> tuple[int, int]:
         """Width and height in pixels."""
         return self.resolved.view.width, self.resolved.view.height
+
+    @property
+    def id_names(self) -> IdNames:
+        """The names of the numbers in the truth channel ids; empty without this channel."""
+        return IdNames.of(self.opened.id_names)
 
     @property
     def losses(self) -> Losses:
