@@ -19,11 +19,13 @@ bool hasIds(const v1::Recording& about) {
 
 v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescription& server, int sensor) {
   v1::Recording about;
-  const v1::View& view = viewOf(stream.resolved(), stream.resolved().sensors(sensor).view());
+  const v1::Sensor& asked = stream.resolved().sensors(sensor);
+  const v1::View& view = viewOf(stream.resolved(), asked.view());
   about.set_width(view.width());
   about.set_height(view.height());
   *about.mutable_request() = stream.resolved();
   about.set_sensor(static_cast<std::uint32_t>(sensor));
+  about.set_labels(asked.labels());
   about.set_bake_digest(stream.bake_digest());
   about.set_server_version(server.version());
   about.set_instruction_set(server.instruction_set());

@@ -43,7 +43,7 @@ struct WriterInfo {
   bool pipe = false;  // whether `path` may be kStandardOutput
   // Whether the file holds a truth channel; nullptr: it holds none.
   bool (*truth)(const v1::RecordedTruth& channel) = nullptr;
-  bool labels = false;  // whether the file holds the labels of events, see hasLabels()
+  bool labels = false;  // whether the file holds the labels of events, see Recording.labels
   // Starts one file for several sensors of a stream, and returns a writer for each. The file is complete when
   // all of them are finished. Throws as make(). nullptr: each sensor needs a file of its own.
   Writers (*makeJoint)(const std::string& path, const std::vector<v1::Recording>& sensors) = nullptr;

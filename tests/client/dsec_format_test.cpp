@@ -49,6 +49,20 @@ TEST_F(DsecFormatTest, AFileMayHaveNoEvents) {
   EXPECT_TRUE(read().empty());
 }
 
+TEST_F(DsecFormatTest, LabelsComeBack) {
+  Events events = randomEvents(kChunk + 77, 640, 480);
+  for (std::size_t i = 0; i < events.size(); ++i)
+    events[i].source = i % 3 == 0, events[i].artefact = static_cast<std::uint8_t>(i % 256);
+  v1::Recording about = aboutOf(640, 480);
+  write(kDsecWriter, file_, {events}, 0, about);
+  EXPECT_FALSE(kDsecReader.make(file_)->labels());
+  about.set_labels(true);
+  write(kDsecWriter, file_, {events}, 0, about);
+  EXPECT_TRUE(kDsecReader.make(file_)->labels());
+  EXPECT_EQ(kDsecReader.make(file_)->leftOut(), "");
+  EXPECT_EQ(read(), events);
+}
+
 TEST_F(DsecFormatTest, BatchesOfAnySizeJoin) {
   const Events events = randomEvents(2 * kChunk + 77, 640, 480);
   std::vector<Events> batches;
