@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
+#include <utility>
 
 #include "client/stream_views.h"
 #include "client/truth_description.h"
@@ -10,43 +11,67 @@
 namespace saccade::client {
 namespace {
 
+bool hasIds(const v1::Recording& about) {
+  const auto& truth = about.truth();
+  return std::any_of(truth.begin(), truth.end(),
+                     [](const v1::RecordedTruth& channel) { return channel.info().name() == "ids"; });
+}
+
 v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescription& server, int sensor) {
   v1::Recording about;
-  const v1::View& view = viewOf(stream.resolved(), stream.resolved().sensors(sensor).view());
+  const v1::Sensor& asked = stream.resolved().sensors(sensor);
+  const v1::View& view = viewOf(stream.resolved(), asked.view());
   about.set_width(view.width());
   about.set_height(view.height());
   *about.mutable_request() = stream.resolved();
   about.set_sensor(static_cast<std::uint32_t>(sensor));
+  about.set_labels(asked.labels());
   about.set_bake_digest(stream.bake_digest());
   about.set_server_version(server.version());
   about.set_instruction_set(server.instruction_set());
   describeTruth(stream.resolved(), server, about);
+  if (hasIds(about)) *about.mutable_id_names() = stream.id_names();
   return about;
 }
 
 }  // namespace
 
-std::vector<std::string> outputFiles(const std::string& path, int sensors) {
-  if (sensors == 1) return {path};
+std::vector<RecordingPlace> recordingPlaces(const std::string& path, const WriterInfo& format, int sensors) {
   std::filesystem::path stem(path);
   const std::string extension = stem.extension();
   stem.replace_extension();
-  std::vector<std::string> files;
-  for (int i = 0; i < sensors; ++i) files.push_back(stem.string() + "-" + std::to_string(i) + extension);
-  return files;
+  const bool one_file = sensors == 1 || format.makeJoint;
+  std::vector<RecordingPlace> places;
+  for (int i = 0; i < sensors; ++i) {
+    const std::string file = stem.string() + "-" + std::to_string(i) + extension;
+    places.push_back(one_file ? RecordingPlace{path, nameOfSensor(path, i)} : RecordingPlace{file, file});
+  }
+  return places;
 }
 
 Recorder::Recorder(const std::string& path, const WriterInfo& format, const v1::StreamOpened& stream,
                    const v1::ServerDescription& server) {
-  for (const std::string& file : outputFiles(path, stream.resolved().sensors_size())) {
-    const int sensor = static_cast<int>(outputs_.size());
-    outputs_.push_back({std::make_unique<RecordingFile>(file, format, describe(stream, server, sensor))});
+  std::vector<v1::Recording> sensors;
+  for (int i = 0; i < stream.resolved().sensors_size(); ++i) sensors.push_back(describe(stream, server, i));
+  const auto places = recordingPlaces(path, format, stream.resolved().sensors_size());
+  if (format.makeJoint) {
+    addFile(path, format, std::move(sensors));
+  } else {
+    for (std::size_t i = 0; i < sensors.size(); ++i) addFile(places[i].file, format, {sensors[i]});
   }
   std::vector<int> channels(outputs_.size());  // so far, by file
   for (int i = 0; i < stream.resolved().truth_size(); ++i) {
     const int sensor = sensorOfTruth(stream.resolved(), i);
     truth_.push_back({sensor, channels[sensor]++});
   }
+}
+
+void Recorder::addFile(const std::string& path, const WriterInfo& format,
+                       std::vector<v1::Recording> sensors) {
+  const std::size_t count = sensors.size();
+  RecordingFile& file =
+      *files_.emplace_back(std::make_unique<RecordingFile>(path, format, std::move(sensors)));
+  for (std::size_t i = 0; i < count; ++i) outputs_.push_back({&file, &file.sensor(i)});
 }
 
 void Recorder::add(const Batch& batch) {
@@ -57,17 +82,17 @@ void Recorder::add(const Batch& batch) {
   if (header.kind() == v1::KIND_HEARTBEAT) return;  // its time is that of rendering, not of what has arrived
   if (!begin_ns_) begin_ns_ = header.t0_ns();
   Output& output = outputs_[header.sensor()];
-  output.file->write(batch.events, header.t0_ns(), header.t1_ns());
-  output.file->about().set_suppressed(output.file->about().suppressed() + header.suppressed());
+  output.sensor->write(batch.events, header.t0_ns(), header.t1_ns());
+  output.sensor->about().set_suppressed(output.sensor->about().suppressed() + header.suppressed());
   withheld_ += withheldOf(header);
   output.ended |= header.kind() == v1::KIND_END;
 }
 
 void Recorder::addTruth(Truth& truth, const Batch& batch) {
-  RecordingFile& file = *outputs_[truth.sensor].file;
+  RecordedSensor& sensor = *outputs_[truth.sensor].sensor;
   if (!batch.truth.empty()) {
-    checkTruthPacket(file.about().truth(truth.channel), batch.header);
-    file.writeTruth(truth.channel, batch.truth);
+    checkTruthPacket(sensor.about().truth(truth.channel), batch.header);
+    sensor.writeTruth(truth.channel, batch.truth);
   }
   truth.ended |= batch.header.kind() == v1::KIND_END;
 }
@@ -79,21 +104,21 @@ bool Recorder::complete() const {
 }
 
 void Recorder::commit(std::uint64_t lost_events) {
-  for (Output& output : outputs_) {
-    output.file->about().set_lost_events(lost_events);
-    output.file->close();
-    output.file->commit();
+  for (Output& output : outputs_) output.sensor->about().set_lost_events(lost_events);
+  for (const auto& file : files_) {
+    file->close();
+    file->commit();
   }
 }
 
 std::uint64_t Recorder::events() const {
   return std::accumulate(outputs_.begin(), outputs_.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const Output& o) { return sum + o.file->about().events(); });
+                         [](std::uint64_t sum, const Output& o) { return sum + o.sensor->about().events(); });
 }
 
 std::int64_t Recorder::time_ns() const {
-  std::int64_t time_ns = outputs_.front().file->about().end_ns();
-  for (const Output& output : outputs_) time_ns = std::min(time_ns, output.file->about().end_ns());
+  std::int64_t time_ns = outputs_.front().sensor->about().end_ns();
+  for (const Output& output : outputs_) time_ns = std::min(time_ns, output.sensor->about().end_ns());
   return time_ns;
 }
 
@@ -104,21 +129,23 @@ std::int64_t Recorder::duration_ns() const {
 std::vector<v1::RecordedTruth> Recorder::truth() const {
   std::vector<v1::RecordedTruth> all;
   for (const Output& output : outputs_)
-    all.insert(all.end(), output.file->about().truth().begin(), output.file->about().truth().end());
+    all.insert(all.end(), output.sensor->about().truth().begin(), output.sensor->about().truth().end());
   return all;
 }
 
 std::string Recorder::truthPlace() const {
-  std::string places;
+  std::vector<std::string> places;
   for (const Output& output : outputs_)
-    if (output.file->about().truth_size() > 0)
-      places += (places.empty() ? "" : " ") + output.file->truthPlace();
-  return places;
+    for (const std::string& place : output.sensor->truthPlaces(output.file->name()))
+      if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
+  std::string text;
+  for (const std::string& place : places) text += (text.empty() ? "" : " ") + place;
+  return text;
 }
 
 std::vector<std::string> Recorder::files() const {
   std::vector<std::string> names;
-  for (const Output& output : outputs_) names.push_back(output.file->name());
+  for (const auto& file : files_) names.push_back(file->name());
   return names;
 }
 

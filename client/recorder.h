@@ -1,5 +1,5 @@
-// Writes the batches of a stream to files, one per sensor. A truth channel goes to the file of
-// sensorOfTruth().
+// Writes the batches of a stream to files: one per sensor, or one for all of them where the format holds
+// several. A truth channel goes with the sensor of sensorOfTruth().
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,19 @@
 
 namespace saccade::client {
 
-// The file of each sensor: `path` itself for one sensor. For several, the sensor's index stands before the
-// extension (events-0.csv).
-std::vector<std::string> outputFiles(const std::string& path, int sensors);
+// Where the recording of a sensor goes.
+struct RecordingPlace {
+  std::string file;  // with the events
+  std::string name;  // its JSON is NAME.json, and its folder of truth is NAME.truth
+};
+
+// By sensor. The file is `path` itself for one sensor, and for several in a format that holds them. Otherwise
+// the sensor's index stands before the extension (events-0.csv).
+std::vector<RecordingPlace> recordingPlaces(const std::string& path, const WriterInfo& format, int sensors);
 
 class Recorder {
  public:
-  // Starts a RecordingFile for each of outputFiles(); `path` may be kStandardOutput. `server` made the
-  // stream.
+  // Starts the files of recordingPlaces(); `path` may be kStandardOutput. `server` made the stream.
   Recorder(const std::string& path, const WriterInfo& format, const v1::StreamOpened& stream,
            const v1::ServerDescription& server = {});
 
@@ -40,20 +45,23 @@ class Recorder {
   std::vector<std::string> files() const;                 // their present names
   std::vector<v1::RecordedTruth> truth() const;           // of all files
   std::string truthPlace() const;                         // of all files that have truth, with blanks between
-  const v1::Recording& about(int sensor) const { return outputs_.at(sensor).file->about(); }
+  const v1::Recording& about(int sensor) const { return outputs_.at(sensor).sensor->about(); }
 
  private:
   struct Output {
-    std::unique_ptr<RecordingFile> file;
+    RecordingFile* file;
+    RecordedSensor* sensor;  // of the file
     bool ended = false;
   };
   struct Truth {
-    int sensor;   // that has it in its file
-    int channel;  // of that file
+    int sensor;   // that has it in its recording
+    int channel;  // of that recording
     bool ended = false;
   };
+  void addFile(const std::string& path, const WriterInfo& format, std::vector<v1::Recording> sensors);
   void addTruth(Truth& truth, const Batch& batch);
 
+  std::vector<std::unique_ptr<RecordingFile>> files_;
   std::vector<Output> outputs_;
   std::vector<Truth> truth_;  // by truth channel
   std::optional<std::int64_t> begin_ns_;

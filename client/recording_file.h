@@ -1,49 +1,37 @@
-// A file of events of one sensor, and FILE.json beside it. It is called FILE.partial until it is complete.
-// Truth channels are in the file, or in the folder FILE.truth where the format does not hold them.
+// A file of events, and FILE.json beside it. It is called FILE.partial until it is complete. Formats with
+// WriterInfo::makeJoint hold several sensors.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
+#include <vector>
 
-#include "client/event_digest.h"
-#include "client/writers/truth_folder.h"
-#include "client/writers/writer.h"
+#include "client/recorded_sensor.h"
 
 namespace saccade::client {
 
+// What the JSON and the folder of truth of a sensor are named after: the file `path`, and for further sensors
+// in the same file "PATH.sensor1", "PATH.sensor2".
+std::string nameOfSensor(const std::string& path, std::size_t sensor);
+
 class RecordingFile {
  public:
-  // Starts FILE.partial, or standard output, which gets no JSON. `about` has all fields that are known now:
-  // the interval and the counts are filled in. Throws as WriterInfo::make() does.
-  RecordingFile(const std::string& path, const WriterInfo& format, v1::Recording about);
-  // A file without commit() stays FILE.partial, and can be read too.
-  ~RecordingFile();
-  RecordingFile(const RecordingFile&) = delete;
-  RecordingFile& operator=(const RecordingFile&) = delete;
+  // Starts FILE.partial, or standard output, which gets no JSON. `sensors`: at least one, and only one where
+  // the format has no makeJoint. Throws as WriterInfo::make() does.
+  RecordingFile(const std::string& path, const WriterInfo& format, std::vector<v1::Recording> sensors);
 
-  // Adds the events of [t0_ns, until_ns). Throws std::system_error.
-  void write(const Events& events, std::int64_t t0_ns, std::int64_t until_ns);
-  // Adds samples of about().truth(channel). Throws std::runtime_error.
-  void writeTruth(int channel, const TruthSamples& samples);
-  v1::Recording& about() { return about_; }
-  const v1::Recording& about() const { return about_; }
+  // Without commit() the file stays FILE.partial, and can be read too.
+  RecordedSensor& sensor(std::size_t index) { return *sensors_.at(index); }
 
-  void close();  // ends the events and fills in the digest; throws std::system_error
+  void close();  // closes all sensors; throws std::system_error
   // After close(): gives the file its name. Throws std::system_error; the file then stays FILE.partial.
   void commit();
   const std::string& name() const { return name_; }  // the present one
-  std::string truthPlace() const;                    // "FILE", "FILE.truth", or both with a blank between
 
  private:
   const std::string path_;
   std::string name_;
-  v1::Recording about_;
-  EventDigest digest_;
-  std::unique_ptr<Writer> writer_;           // none once the file is closed
-  std::optional<TruthFolder> truth_folder_;  // of channels that the format does not hold
-  bool begun_ = false;
+  std::vector<std::unique_ptr<RecordedSensor>> sensors_;
 };
 
 }  // namespace saccade::client

@@ -11,7 +11,6 @@
 #include "client/commands/summary.h"
 #include "client/recording_file.h"
 #include "client/units.h"
-#include "client/writers/labels.h"
 
 namespace saccade::client {
 namespace {
@@ -21,21 +20,23 @@ struct ConvertOptions {
   OutputOptions output;
 };
 
-// What is known of the events before the first is read.
-v1::Recording aboutEvents(const SourceFile& source) {
+// What is known of the events before the first is read. `labels`: whether the new file has them.
+v1::Recording aboutEvents(const SourceFile& source, bool labels) {
   v1::Recording about = source.recording().value_or(v1::Recording());
   about.clear_begin_ns();
   about.clear_end_ns();
   about.clear_events();
-  about.clear_truth();  // SourceFile says that it is left out, and so for labels
-  if (hasLabels(about))
-    about.mutable_request()->mutable_sensors(static_cast<int>(about.sensor()))->clear_labels();
+  about.clear_truth();  // SourceFile says that it is left out
+  about.clear_id_names();
+  about.set_labels(labels);
+  if (!labels && about.has_request())  // so that a replay can write the new format
+    for (v1::Sensor& sensor : *about.mutable_request()->mutable_sensors()) sensor.clear_labels();
   about.set_width(source.size().width);
   about.set_height(source.size().height);
   return about;
 }
 
-void copyEvents(SourceFile& source, RecordingFile& file, Progress& progress) {
+void copyEvents(SourceFile& source, RecordedSensor& file, Progress& progress) {
   const auto& recording = source.recording();
   std::int64_t t0_ns = recording ? recording->begin_ns() : 0;
   std::int64_t end_ns = recording ? recording->end_ns() : 0;
@@ -51,7 +52,7 @@ void copyEvents(SourceFile& source, RecordingFile& file, Progress& progress) {
   file.write({}, t0_ns, end_ns);
 }
 
-void checkDigest(const SourceFile& source, const RecordingFile& file) {
+void checkDigest(const SourceFile& source, const RecordedSensor& file) {
   if (!source.recording() || source.recording()->digest() == file.about().digest()) return;
   throw std::runtime_error(source.path() + ": the events are not those that " + source.path() +
                            ".json describes; remove that file if it is of another recording");
@@ -61,17 +62,17 @@ void runConvert(const ConvertOptions& options) {
   const WriterInfo& format = options.output.writer();
   checkOutputs(options.output, 1);
   watchInterrupt();
-  SourceFile source(options.input, options.size);
-  RecordingFile file(options.output.path, format, aboutEvents(source));
+  SourceFile source(options.input, options.size, format.labels);
+  RecordingFile file(options.output.path, format, {aboutEvents(source, source.labels() && format.labels)});
   Progress progress(source.recording() ? secondsOf(source.recording()->end_ns()) : 0);
-  copyEvents(source, file, progress);
+  copyEvents(source, file.sensor(0), progress);
   progress.finish();
   file.close();
-  checkDigest(source, file);
+  checkDigest(source, file.sensor(0));
   file.commit();
   std::FILE* out = options.output.path == kStandardOutput ? stderr : stdout;
   printFiles(out, {file.name()}, "");
-  std::fprintf(out, "%llu events\n", static_cast<unsigned long long>(file.about().events()));
+  std::fprintf(out, "%llu events\n", static_cast<unsigned long long>(file.sensor(0).about().events()));
 }
 
 }  // namespace

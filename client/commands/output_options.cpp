@@ -34,9 +34,9 @@ void checkOutputs(const OutputOptions& options, int sensors) {
       throw std::invalid_argument("--output: standard output takes the events of one sensor only");
     return;
   }
-  for (const std::string& file : outputFiles(options.path, sensors)) {
-    checkOutput("--output", file, options.force);
-    checkOutput("--output", sidecarOf(file), options.force);
+  for (const RecordingPlace& place : recordingPlaces(options.path, options.writer(), sensors)) {
+    checkOutput("--output", place.file, options.force);
+    checkOutput("--output", sidecarOf(place.name), options.force);
   }
 }
 

@@ -27,15 +27,16 @@ ImageSize sizeOf(const std::string& path, const ImageSize& in_file,
 
 }  // namespace
 
-SourceFile::SourceFile(const std::string& path, const std::string& size)
+SourceFile::SourceFile(const std::string& path, const std::string& size, bool labels)
     : path_(path),
       reader_(readerFor(path).make(path)),
       recording_(recordingOf(path)),
       size_(sizeOf(path, reader_->size(), recording_, size)),
       check_(path, size_) {
   std::string left_out = reader_->leftOut();
-  const std::string folder = truthFolderOf(path);
-  if (std::filesystem::is_directory(folder)) left_out += (left_out.empty() ? "" : ", ") + folder;
+  const auto leaveOut = [&](const std::string& what) { left_out += (left_out.empty() ? "" : ", ") + what; };
+  if (reader_->labels() && !labels) leaveOut("the labels of the events");
+  if (std::filesystem::is_directory(truthFolderOf(path))) leaveOut(truthFolderOf(path));
   if (!left_out.empty())
     std::fprintf(stderr, "saccade: %s: the events of one stream are read; left out: %s\n", path.c_str(),
                  left_out.c_str());

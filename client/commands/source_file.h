@@ -15,8 +15,8 @@ class SourceFile {
  public:
   // `size`: of the image, where neither the file nor FILE.json tells it; "WIDTHxHEIGHT" or empty. Throws
   // std::invalid_argument with --size if it is missing or contradicts them, and as Reader does. Says on
-  // stderr what of the file is left out.
-  SourceFile(const std::string& path, const std::string& size);
+  // stderr what of the file is left out; the labels of events are, unless `labels`.
+  SourceFile(const std::string& path, const std::string& size, bool labels);
 
   // Replaces `events` by the next batch; false at the end. Throws FileFault for events that no sensor of this
   // size sends.
@@ -24,6 +24,7 @@ class SourceFile {
 
   const std::string& path() const { return path_; }
   const ImageSize& size() const { return size_; }
+  bool labels() const { return reader_->labels(); }  // whether its events have some
   const std::optional<v1::Recording>& recording() const { return recording_; }  // FILE.json, if there is one
 
  private:

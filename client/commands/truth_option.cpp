@@ -41,9 +41,9 @@ void checkTruthOutput(const OutputOptions& options, const v1::OpenStream& reques
   if (request.truth_size() == 0) return;
   if (options.path == kStandardOutput)
     throw std::invalid_argument("--truth: standard output takes events only");
-  const std::vector<std::string> files = outputFiles(options.path, request.sensors_size());
+  const auto places = recordingPlaces(options.path, options.writer(), request.sensors_size());
   for (int i = 0; i < request.truth_size(); ++i) {
-    const std::string folder = truthFolderOf(files.at(sensorOfTruth(request, i)));
+    const std::string folder = truthFolderOf(places.at(sensorOfTruth(request, i)).name);
     if (std::filesystem::exists(folder) && !options.force)
       throw std::invalid_argument("--output: '" + folder + "' exists; --force replaces it");
   }

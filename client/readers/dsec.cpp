@@ -1,7 +1,8 @@
 // HDF5 as the DSEC data set has it: /events/x, y, p, t as whole numbers of any width, and perhaps /t_offset,
-// which is added to t; microseconds. The size of the image may stand in attributes of the root or in /events.
-// A file of a killed writer opens up to its last flush.
+// which is added to t; microseconds. Labels may be /events/source and artefact. The size of the image may
+// stand in attributes of the root or in /events. A file of a killed writer opens up to its last flush.
 #include <algorithm>
+#include <optional>
 
 #include "client/readers/event_columns.h"
 #include "client/readers/hdf5_column_reader.h"
@@ -36,19 +37,22 @@ class DsecReader : public Reader {
         y_(path, file_, "events/y"),
         p_(path, file_, "events/p"),
         t_(path, file_, "events/t"),
+        label_columns_{has("events/source"), has("events/artefact")},
         offset_us_(readScalar(path, file_, "t_offset").value_or(0)) {
     for (const Hdf5ColumnReader* column : {&x_, &y_, &p_}) {
       if (column->size() != t_.size()) throw FileFault(path, "has x, y, p and t of unequal lengths");
     }
+    if (labels()) openLabels();
   }
 
   ImageSize size() const override { return {side("width"), side("height")}; }
 
+  bool labels() const override { return label_columns_.both(); }
+
   std::string leftOut() const override {
-    const bool labels = H5Lexists(file_.id(), "events/source", H5P_DEFAULT) > 0;
-    const bool truth = H5Lexists(file_.id(), "truth", H5P_DEFAULT) > 0;
-    return std::string(labels ? "the labels of the events" : "") + (labels && truth ? ", " : "") +
-           (truth ? "the truth channels of /truth" : "");
+    const std::string label = label_columns_.alone();
+    if (!has("truth")) return label;
+    return label + (label.empty() ? "" : ", ") + "the truth channels of /truth";
   }
 
   bool read(Events& events) override {
@@ -57,6 +61,7 @@ class DsecReader : public Reader {
     if (count == 0) return false;
     x_.read(count, columns_.x), y_.read(count, columns_.y), p_.read(count, columns_.p);
     t_.read(count, columns_.t_us);
+    if (labels()) source_->read(count, columns_.source), artefact_->read(count, columns_.artefact);
     for (std::int64_t& t_us : columns_.t_us) {
       if (__builtin_add_overflow(t_us, offset_us_, &t_us)) throw FileFault(path_, "t_offset is too large");
     }
@@ -66,6 +71,14 @@ class DsecReader : public Reader {
   }
 
  private:
+  bool has(const char* name) const { return H5Lexists(file_.id(), name, H5P_DEFAULT) > 0; }
+
+  void openLabels() {
+    source_.emplace(path_, file_, "events/source"), artefact_.emplace(path_, file_, "events/artefact");
+    if (source_->size() != t_.size() || artefact_->size() != t_.size())
+      throw FileFault(path_, "has source, artefact and t of unequal lengths");
+  }
+
   std::uint32_t side(const std::string& name) const {
     auto side = readRootAttribute(path_, file_, name);
     if (!side) side = readScalar(path_, file_, "events/" + name);
@@ -75,6 +88,8 @@ class DsecReader : public Reader {
   const std::string path_;
   const Hdf5Handle file_;
   Hdf5ColumnReader x_, y_, p_, t_;
+  const LabelColumns label_columns_;
+  std::optional<Hdf5ColumnReader> source_, artefact_;  // of labelled events
   const std::int64_t offset_us_;
   EventColumns columns_;
   std::uint64_t done_ = 0;  // events

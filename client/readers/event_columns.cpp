@@ -8,7 +8,15 @@ bool isPixel(std::int64_t value) {
   return value >= 0 && value <= UINT16_MAX;
 }
 
+bool isByte(std::int64_t value) {
+  return value >= 0 && value <= UINT8_MAX;
+}
+
 }  // namespace
+
+std::string LabelColumns::alone() const {
+  return both() ? "" : source ? "source without artefact" : artefact ? "artefact without source" : "";
+}
 
 void EventColumns::toEvents(const std::string& path, std::uint64_t before, Events& events) const {
   events.resize(t_us.size());
@@ -22,6 +30,18 @@ void EventColumns::toEvents(const std::string& path, std::uint64_t before, Event
                                 "p is 0 or 1");
     events[i] = {t_ns, static_cast<std::uint16_t>(x[i]), static_cast<std::uint16_t>(y[i]),
                  static_cast<std::uint8_t>(p[i])};
+  }
+  if (!source.empty()) addLabels(path, before, events);
+}
+
+void EventColumns::addLabels(const std::string& path, std::uint64_t before, Events& events) const {
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (!isByte(source[i]) || !isByte(artefact[i]))
+      throw FileFault(path, "event " + std::to_string(before + i + 1) + " has source " +
+                                std::to_string(source[i]) + ", artefact " + std::to_string(artefact[i]) +
+                                "; both are 0 to 255");
+    events[i].source = static_cast<std::uint8_t>(source[i]);
+    events[i].artefact = static_cast<std::uint8_t>(artefact[i]);
   }
 }
 

@@ -1,14 +1,16 @@
 // A bag of ROS 1 with dvs_msgs/EventArray, 13 bytes per event. A message covers up to 5 ms, and its stamp is
 // the time of its last event, but at least 1 ns. Times of events stay as they are. Samples of truth and the
-// numbers of cameras have topics of their own.
+// numbers of cameras have topics of their own, and so have further sensors.
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
-#include "client/stream_views.h"
 #include "client/units.h"
 #include "client/writers/bag_truth.h"
 #include "client/writers/little_endian.h"
 #include "client/writers/message_splitter.h"
 #include "client/writers/ros_names.h"
+#include "client/writers/shared_file.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
@@ -31,9 +33,12 @@ const RosMessage kEventArray{
     "bool polarity\n",
     ""};
 
-std::vector<BagTopic> topicsOf(const v1::Recording& about) {
-  std::vector<BagTopic> topics{bagTopic(rosSpace(kRos1Space, viewOfEvents(about)) + "/events", kEventArray)};
-  for (const BagTopic& topic : bagTruthTopics(about)) topics.push_back(topic);
+std::vector<BagTopic> topicsOf(const std::vector<RosSensor>& sensors) {
+  std::vector<BagTopic> topics;
+  for (const RosSensor& sensor : sensors) {
+    topics.push_back(bagTopic(sensor.events, kEventArray));
+    for (const BagTopic& topic : bagTruthTopics(sensor)) topics.push_back(topic);
+  }
   return topics;
 }
 
@@ -52,20 +57,23 @@ void checkTimes(const Events& events) {
                            std::to_string(events.front().t_ns / 1e9) + " s");
 }
 
+using SharedBag = SharedFile<BagFile>;
+
 class BagWriter : public Writer {
  public:
-  BagWriter(const std::string& path, const v1::Recording& about)
-      : file_(path, topicsOf(about)),
-        truth_(file_, about),
-        width_(about.width()),
-        height_(about.height()),
-        frame_id_(rosFrame(viewOfEvents(about))) {}
+  BagWriter(std::shared_ptr<SharedBag> shared, const RosSensor& sensor)
+      : shared_(std::move(shared)),
+        truth_(shared_->file(), sensor),
+        topic_(sensor.first),
+        width_(sensor.about.width()),
+        height_(sensor.about.height()),
+        frame_id_(sensor.frame_id) {}
 
   void write(const Events& events, std::int64_t until_ns) override { splitter_.add(events, until_ns); }
   void writeTruth(int channel, const TruthSamples& samples) override { truth_.write(channel, samples); }
   void finish() override {
     splitter_.flush();
-    file_.finish();
+    shared_->finish();
   }
 
  private:
@@ -76,7 +84,7 @@ class BagWriter : public Writer {
     message_.resize(message_.size() + events.size() * kEventSize);
     char* at = message_.data() + message_.size() - events.size() * kEventSize;
     for (const Event& event : events) at = putEvent(at, event);
-    file_.add(0, stamp, message_, events.size());
+    shared_->file().add(topic_, stamp, message_, events.size());
     truth_.writeCameras(kOfEvents, stamp);
   }
 
@@ -90,21 +98,31 @@ class BagWriter : public Writer {
       appendBytes<std::uint32_t>(message_, number);
   }
 
-  BagFile file_;
+  const std::shared_ptr<SharedBag> shared_;
   BagTruth truth_;
   MessageSplitter splitter_{[this](const Events& events) { writeMessage(events); }};
+  const std::size_t topic_;  // of the events
   const std::uint32_t width_, height_;
   const std::string frame_id_;
   std::uint32_t sequence_ = 0;
   std::string message_;
 };
 
+Writers makeJoint(const std::string& path, const std::vector<v1::Recording>& recordings) {
+  const std::vector<RosSensor> sensors = rosSensors(recordings, kRos1Space);
+  const auto shared = std::make_shared<SharedBag>(sensors.size(), path, topicsOf(sensors));
+  Writers writers;
+  for (const RosSensor& sensor : sensors) writers.push_back(std::make_unique<BagWriter>(shared, sensor));
+  return writers;
+}
+
 std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {
-  return std::make_unique<BagWriter>(path, about);
+  return std::move(makeJoint(path, {about}).front());
 }
 
 }  // namespace
 
-const WriterInfo kBagWriter{"bag", ".bag", "ROS 1 bag with dvs_msgs/EventArray", make, false, rosHolds};
+const WriterInfo kBagWriter{"bag", ".bag",   "ROS 1 bag with dvs_msgs/EventArray", make, false, rosHolds,
+                            false, makeJoint};
 
 }  // namespace saccade::client

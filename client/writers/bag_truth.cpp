@@ -25,24 +25,26 @@ BagTopic bagTopic(const std::string& name, const RosMessage& message) {
           "Header header\n" + message.fields + kHeader + message.types};
 }
 
-std::vector<BagTopic> bagTruthTopics(const v1::Recording& about) {
+std::vector<BagTopic> bagTruthTopics(const RosSensor& sensor) {
+  const v1::Recording& about = sensor.about;
   std::vector<BagTopic> topics;
   const std::vector<std::string> names = rosTopics(about, kRos1Space);
   for (int i = 0; i < about.truth_size(); ++i)
     if (const RosMessage* message = rosMessageOf(about.truth(i)))
       topics.push_back(bagTopic(names[i], *message));
-  for (const RosCamera& camera : rosCameras(about))
+  for (const RosCamera& camera : sensor.cameras)
     topics.push_back(bagTopic(rosSpace(kRos1Space, camera.view) + "/camera_info", rosCameraInfo1()));
   return topics;
 }
 
-BagTruth::BagTruth(BagFile& file, const v1::Recording& about) : file_(file) {
-  std::size_t topics = 1;  // that of the events
+BagTruth::BagTruth(BagFile& file, const RosSensor& sensor) : file_(file) {
+  const v1::Recording& about = sensor.about;
+  std::size_t topics = sensor.first + 1;
   for (int i = 0; i < about.truth_size(); ++i) {
     const bool held = rosHolds(about.truth(i));
     channels_.push_back({about.truth(i), held ? Topic{topics++, rosFrameOf(about, i)} : Topic{}});
   }
-  for (const RosCamera& camera : rosCameras(about))
+  for (const RosCamera& camera : sensor.cameras)
     cameras_.push_back({camera, {topics++, rosFrame(camera.view)}});
 }
 

@@ -1,4 +1,4 @@
-// The topics of a bag beside that of its events: truth channels, and the cameras.
+// The topics of a sensor in a bag beside that of its events: truth channels, and the cameras.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 #include "client/writers/bag_file.h"
 #include "client/writers/ros1_message.h"
-#include "client/writers/ros_camera.h"
+#include "client/writers/ros_sensors.h"
 
 namespace saccade::client {
 
@@ -16,13 +16,13 @@ RosTime rosStamp(std::int64_t t_ns);
 
 BagTopic bagTopic(const std::string& name, const RosMessage& message);
 
-// Those of the recording, without that of the events.
-std::vector<BagTopic> bagTruthTopics(const v1::Recording& about);
+// Those of the sensor, without that of its events.
+std::vector<BagTopic> bagTruthTopics(const RosSensor& sensor);
 
 class BagTruth {
  public:
-  // `file` has the topic of the events, and then bagTruthTopics().
-  BagTruth(BagFile& file, const v1::Recording& about);
+  // `file` has the topic of the sensor's events, and then bagTruthTopics().
+  BagTruth(BagFile& file, const RosSensor& sensor);
 
   void write(int channel, const TruthSamples& samples);
   // The cameras that go with a message of a truth channel, or of kOfEvents.

@@ -17,7 +17,6 @@
 #include "client/writers/hdf5_file.h"
 #include "client/writers/hdf5_labels.h"
 #include "client/writers/hdf5_truth.h"
-#include "client/writers/labels.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
@@ -46,7 +45,7 @@ class DsecWriter : public Writer {
     writeAttribute(file_.id(), "height", about.height());
     writeScalar(events_.id(), "width", about.width());
     writeScalar(events_.id(), "height", about.height());
-    if (hasLabels(about)) labels_.emplace(events_.id(), kChunk, filters);
+    if (about.labels()) labels_.emplace(events_.id(), kChunk, filters);
     addTruth(about, filters);
     toDisk(&Hdf5File::commit);
   }

@@ -2,15 +2,17 @@
 // 5 ms. Its header has the time of its first event, and the file's log has that of its last. Each message
 // starts with TIME_HIGH, TIME_LOW and ADDR_Y, so that a lost message costs only itself. TIME_HIGH wraps every
 // 16.8 s: in silence, a message with a time but no events follows every 10 s. Samples of truth and
-// the numbers of cameras have channels of their own.
+// the numbers of cameras have channels of their own, and so have further sensors.
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
-#include "client/stream_views.h"
 #include "client/units.h"
 #include "client/writers/evt3_encoder.h"
 #include "client/writers/mcap_truth.h"
 #include "client/writers/message_splitter.h"
 #include "client/writers/ros_names.h"
+#include "client/writers/shared_file.h"
 #include "client/writers/writer.h"
 
 namespace saccade::client {
@@ -32,28 +34,33 @@ const RosMessage kEventPacket{"event_camera_msgs",
                               "",
                               ""};
 
-std::vector<McapChannel> channelsOf(const v1::Recording& about) {
-  std::vector<McapChannel> channels{
-      mcapChannel(rosSpace(kRos2Space, viewOfEvents(about)) + "/events", kEventPacket)};
-  for (const McapChannel& channel : mcapTruthChannels(about)) channels.push_back(channel);
+std::vector<McapChannel> channelsOf(const std::vector<RosSensor>& sensors) {
+  std::vector<McapChannel> channels;
+  for (const RosSensor& sensor : sensors) {
+    channels.push_back(mcapChannel(sensor.events, kEventPacket));
+    for (const McapChannel& channel : mcapTruthChannels(sensor)) channels.push_back(channel);
+  }
   return channels;
 }
 
+using SharedMcap = SharedFile<McapFile>;
+
 class McapWriter : public Writer {
  public:
-  McapWriter(const std::string& path, const v1::Recording& about)
-      : file_(path, "ros2", channelsOf(about)),
-        truth_(file_, about),
-        width_(about.width()),
-        height_(about.height()),
-        frame_id_(rosFrame(viewOfEvents(about))),
+  McapWriter(std::shared_ptr<SharedMcap> shared, const RosSensor& sensor)
+      : shared_(std::move(shared)),
+        truth_(shared_->file(), sensor),
+        channel_(sensor.first),
+        width_(sensor.about.width()),
+        height_(sensor.about.height()),
+        frame_id_(sensor.frame_id),
         encoder_(width_) {}
 
   void write(const Events& events, std::int64_t until_ns) override { splitter_.add(events, until_ns); }
   void writeTruth(int channel, const TruthSamples& samples) override { truth_.write(channel, samples); }
   void finish() override {
     splitter_.flush();
-    file_.finish();
+    shared_->finish();
   }
 
  private:
@@ -89,14 +96,15 @@ class McapWriter : public Writer {
     message_.number<std::uint8_t>(0);  // is_bigendian
     message_.octets(encoder_.bytes());
     encoder_.clear();
-    file_.add(0, end_ns, message_.bytes(), events);
+    shared_->file().add(channel_, end_ns, message_.bytes(), events);
     truth_.writeCameras(kOfEvents, begin_ns, end_ns);
     told_ns_ = end_ns;
   }
 
-  McapFile file_;
+  const std::shared_ptr<SharedMcap> shared_;
   McapTruth truth_;
   MessageSplitter splitter_{[this](const Events& events) { writeMessage(events); }};
+  const std::size_t channel_;  // of the events
   const std::uint32_t width_, height_;
   const std::string frame_id_;
   Evt3Encoder encoder_;
@@ -105,16 +113,29 @@ class McapWriter : public Writer {
   std::int64_t told_ns_ = 0;    // end of the last message
 };
 
-std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {
+void checkSize(const v1::Recording& about) {
   if (about.width() > kEvtEdge || about.height() > kEvtEdge)
     throw std::invalid_argument("mcap holds images of at most 2048x2048 pixels, as EVT3 does, not " +
                                 std::to_string(about.width()) + "x" + std::to_string(about.height()));
-  return std::make_unique<McapWriter>(path, about);
+}
+
+Writers makeJoint(const std::string& path, const std::vector<v1::Recording>& recordings) {
+  for (const v1::Recording& about : recordings) checkSize(about);
+  const std::vector<RosSensor> sensors = rosSensors(recordings, kRos2Space);
+  const auto shared = std::make_shared<SharedMcap>(sensors.size(), path, "ros2", channelsOf(sensors));
+  Writers writers;
+  for (const RosSensor& sensor : sensors) writers.push_back(std::make_unique<McapWriter>(shared, sensor));
+  return writers;
+}
+
+std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {
+  return std::move(makeJoint(path, {about}).front());
 }
 
 }  // namespace
 
-const WriterInfo kMcapWriter{"mcap", ".mcap", "ROS 2 MCAP with event_camera_msgs/EventPacket",
-                             make,   false,   rosHolds};
+const WriterInfo kMcapWriter{"mcap", ".mcap",  "ROS 2 MCAP with event_camera_msgs/EventPacket",
+                             make,   false,    rosHolds,
+                             false,  makeJoint};
 
 }  // namespace saccade::client

@@ -33,24 +33,26 @@ McapChannel mcapChannel(const std::string& topic, const RosMessage& message) {
           .schema = "std_msgs/Header header\n" + message.fields + kHeader + message.types};
 }
 
-std::vector<McapChannel> mcapTruthChannels(const v1::Recording& about) {
+std::vector<McapChannel> mcapTruthChannels(const RosSensor& sensor) {
+  const v1::Recording& about = sensor.about;
   std::vector<McapChannel> channels;
   const std::vector<std::string> topics = rosTopics(about, kRos2Space);
   for (int i = 0; i < about.truth_size(); ++i)
     if (const RosMessage* message = rosMessageOf(about.truth(i)))
       channels.push_back(mcapChannel(topics[i], *message));
-  for (const RosCamera& camera : rosCameras(about))
+  for (const RosCamera& camera : sensor.cameras)
     channels.push_back(mcapChannel(rosSpace(kRos2Space, camera.view) + "/camera_info", rosCameraInfo2()));
   return channels;
 }
 
-McapTruth::McapTruth(McapFile& file, const v1::Recording& about) : file_(file) {
-  std::size_t channels = 1;  // that of the events
+McapTruth::McapTruth(McapFile& file, const RosSensor& sensor) : file_(file) {
+  const v1::Recording& about = sensor.about;
+  std::size_t channels = sensor.first + 1;
   for (int i = 0; i < about.truth_size(); ++i) {
     const bool held = rosHolds(about.truth(i));
     channels_.push_back({about.truth(i), held ? rosFrameOf(about, i) : "", held ? channels++ : 0});
   }
-  for (const RosCamera& camera : rosCameras(about)) cameras_.push_back({camera, channels++});
+  for (const RosCamera& camera : sensor.cameras) cameras_.push_back({camera, channels++});
 }
 
 void McapTruth::write(int channel, const TruthSamples& samples) {

@@ -1,4 +1,4 @@
-// The channels of an MCAP file beside that of its events: truth, and the cameras.
+// The channels of a sensor in an MCAP file beside that of its events: truth, and the cameras.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "client/writers/cdr.h"
 #include "client/writers/mcap_file.h"
-#include "client/writers/ros_camera.h"
+#include "client/writers/ros_sensors.h"
 
 namespace saccade::client {
 
@@ -17,13 +17,13 @@ void appendHeader(CdrMessage& message, std::int64_t t_ns, std::string_view frame
 
 McapChannel mcapChannel(const std::string& topic, const RosMessage& message);
 
-// Those of the recording, without that of the events.
-std::vector<McapChannel> mcapTruthChannels(const v1::Recording& about);
+// Those of the sensor, without that of its events.
+std::vector<McapChannel> mcapTruthChannels(const RosSensor& sensor);
 
 class McapTruth {
  public:
-  // `file` has the channel of the events, and then mcapTruthChannels().
-  McapTruth(McapFile& file, const v1::Recording& about);
+  // `file` has the channel of the sensor's events, and then mcapTruthChannels().
+  McapTruth(McapFile& file, const RosSensor& sensor);
 
   void write(int channel, const TruthSamples& samples);
   // The cameras that go with a message of a truth channel, or of kOfEvents.

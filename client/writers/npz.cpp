@@ -12,7 +12,6 @@
 #include <optional>
 
 #include "client/units.h"
-#include "client/writers/labels.h"
 #include "client/writers/npz_column.h"
 #include "client/writers/npz_truth.h"
 #include "client/writers/writer.h"
@@ -50,7 +49,7 @@ class NpzWriter : public Writer {
         p_(path, "p", "|u1", 1, Z_RLE),
         width_(numberBytes(about.width())),
         height_(numberBytes(about.height())) {
-    if (hasLabels(about)) {
+    if (about.labels()) {
       source_.emplace(path, "source", "|u1", 1, Z_RLE);
       artefact_.emplace(path, "artefact", "|u1", 1, Z_RLE);
     }

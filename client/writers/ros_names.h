@@ -1,4 +1,4 @@
-// Topics and frames in ROS. View n has its own, so that recordings of several views can be merged:
+// Topics and frames in ROS. View n has its own, so that one file holds several views:
 // /dvs/events and camera for view 0, /dvs_1/events and camera_1 for view 1.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A writer puts the events of one sensor into a file of one format.
+// A writer puts the events of one sensor into a file of one format, which it may share with other writers.
 #pragma once
 
 #include <memory>
@@ -30,6 +30,8 @@ class Writer {
   virtual void finish() = 0;  // the last call: the file is complete and closed
 };
 
+using Writers = std::vector<std::unique_ptr<Writer>>;
+
 struct WriterInfo {
   const char* name;       // "evt3"
   const char* extension;  // ".raw"
@@ -41,7 +43,10 @@ struct WriterInfo {
   bool pipe = false;  // whether `path` may be kStandardOutput
   // Whether the file holds a truth channel; nullptr: it holds none.
   bool (*truth)(const v1::RecordedTruth& channel) = nullptr;
-  bool labels = false;  // whether the file holds the labels of events, see hasLabels()
+  bool labels = false;  // whether the file holds the labels of events, see Recording.labels
+  // Starts one file for several sensors of a stream, and returns a writer for each. The file is complete when
+  // all of them are finished. Throws as make(). nullptr: each sensor needs a file of its own.
+  Writers (*makeJoint)(const std::string& path, const std::vector<v1::Recording>& sensors) = nullptr;
 };
 
 extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kDsecWriter, kDsecBloscWriter, kNpzWriter,

@@ -25,7 +25,7 @@ constexpr SurfaceColor constantColor(Rgb color) {
 inline constexpr SurfaceColor kWhite = constantColor({1, 1, 1});
 
 struct Material {
-  std::string name;
+  std::string name;          // its id; without one, the type of its BSDF; "default" where a shape has none
   SurfaceColor reflectance;  // diffuse: all of it; plastics: of the base
   bool twosided = false;     // false: black seen from behind the geometric normal. Glass is never black
   BsdfModel model = {};

@@ -18,7 +18,7 @@ namespace saccade {
 
 // Embree reads `positions` in place, and may read one entry beyond the last: there is a spare one.
 struct Mesh {
-  std::string name;
+  std::string name;  // its id; without one, that of the file without folder and extension, or its type
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;  // per vertex, unit; empty: flat
   std::vector<Vec2> uvs;      // per vertex; empty: none
@@ -29,7 +29,7 @@ struct Mesh {
 };
 
 struct Sphere {
-  std::string name;
+  std::string name;  // its id; without one "sphere"
   Vec3 center;
   float radius = 1;
   int material = 0;

@@ -161,18 +161,18 @@ TEST_F(Aedat4Test, AFinishedFileThatIsCutIsAFault) {
 TEST_F(Aedat4Test, AFullDiskLeavesAsManyEventsAsAreTold) {
   std::uint64_t told = 0;
   {
-    RecordingFile file(at("a.aedat4"), kAedat4Writer, aboutOf(640, 480));
+    RecordingFile file(at("a.aedat4"), kAedat4Writer, {aboutOf(640, 480)});
     try {
       const FileSizeLimit limit(20'001);
       for (std::int64_t t_ns = 0;; t_ns += 3 * kMs) {
         Events later = eventsOf(3);
         for (Event& event : later) event.t_ns += t_ns;
-        file.write(later, t_ns, t_ns + 3 * kMs);
+        file.sensor(0).write(later, t_ns, t_ns + 3 * kMs);
       }
     } catch (const std::system_error& fault) {
       EXPECT_NE(std::string(fault.what()).find("a.aedat4.partial"), std::string::npos);
     }
-    told = file.about().events();
+    told = file.sensor(0).about().events();
   }
   EXPECT_GT(told, 1000u);
   EXPECT_EQ(read(bytesOf("a.aedat4.partial")).events.size(), told);

@@ -49,6 +49,20 @@ TEST_F(DsecFormatTest, AFileMayHaveNoEvents) {
   EXPECT_TRUE(read().empty());
 }
 
+TEST_F(DsecFormatTest, LabelsComeBack) {
+  Events events = randomEvents(kChunk + 77, 640, 480);
+  for (std::size_t i = 0; i < events.size(); ++i)
+    events[i].source = i % 3 == 0, events[i].artefact = static_cast<std::uint8_t>(i % 256);
+  v1::Recording about = aboutOf(640, 480);
+  write(kDsecWriter, file_, {events}, 0, about);
+  EXPECT_FALSE(kDsecReader.make(file_)->labels());
+  about.set_labels(true);
+  write(kDsecWriter, file_, {events}, 0, about);
+  EXPECT_TRUE(kDsecReader.make(file_)->labels());
+  EXPECT_EQ(kDsecReader.make(file_)->leftOut(), "");
+  EXPECT_EQ(read(), events);
+}
+
 TEST_F(DsecFormatTest, BatchesOfAnySizeJoin) {
   const Events events = randomEvents(2 * kChunk + 77, 640, 480);
   std::vector<Events> batches;
@@ -134,8 +148,8 @@ TEST_F(DsecFormatTest, AFullDiskAtTheEndIsToldToo) {
 TEST_F(DsecFormatTest, AnInterruptedRecordingCanBeRead) {
   const Events events = randomEvents(1000, 640, 480);
   {
-    RecordingFile recording(file_, kDsecWriter, aboutOf(640, 480));
-    recording.write(events, 0, events.back().t_ns + 1000);
+    RecordingFile recording(file_, kDsecWriter, {aboutOf(640, 480)});
+    recording.sensor(0).write(events, 0, events.back().t_ns + 1000);
   }
   fs::rename(file_ + ".partial", file_);
   EXPECT_EQ(read(), events);

@@ -32,25 +32,57 @@ TEST_F(LabelsCommand, AFormatThatCannotHoldThemIsRefusedBeforeTheStreamOpens) {
       holds(run("record cornell-box --trajectory right --labels -o -" + nobody), "format csv does not"));
 }
 
-TEST_F(LabelsCommand, LabelsChangeNoEventAndOtherCommandsLeaveThemOut) {
+TEST_F(LabelsCommand, LabelsChangeNoEventAndFormatsWithoutThemLeaveThemOut) {
   const std::string csv = folder_.at("a.csv"), out = folder_.at("out.csv");
   ASSERT_EQ(record("-o " + csv).code, 0);
+  EXPECT_FALSE(client::recordingOf(csv)->labels());
   for (const char* name : {"a.h5", "a.npz"}) {
     const std::string file = folder_.at(name);
     ASSERT_EQ(record("--labels -o " + file).code, 0);
-    EXPECT_TRUE(client::recordingOf(file)->request().sensors(0).labels());
-    EXPECT_TRUE(holds(run("verify " + file), "are as recorded"));
+    EXPECT_TRUE(client::recordingOf(file)->labels());
+    const Result verified = run("verify " + file);
+    EXPECT_TRUE(holds(verified, "are as recorded")) << verified.output;
+    EXPECT_TRUE(holds(verified, "left out: the labels of the events")) << verified.output;
     const Result converted = run("convert --force " + file + " " + out);
     EXPECT_TRUE(holds(converted, "left out: the labels of the events")) << converted.output;
     EXPECT_EQ(textOf(out), textOf(csv));
-    const std::string again = folder_.at("again.npz");
-    ASSERT_EQ(run("convert --force " + file + " " + again).code, 0);
-    EXPECT_FALSE(client::recordingOf(again)->request().sensors(0).labels());
-    EXPECT_EQ(client::kNpzReader.make(again)->leftOut(), "");
+    EXPECT_FALSE(client::recordingOf(out)->labels());
+    EXPECT_FALSE(client::recordingOf(out)->request().sensors(0).labels());
   }
   const std::string replay = "replay " + folder_.at("a.npz") + ".json --force" + server_.option() + " -o ";
   EXPECT_TRUE(holds(run(replay + out), "does not hold the labels"));
   EXPECT_TRUE(holds(run(replay + folder_.at("b.npz")), "the events are those of the recording"));
+}
+
+Events eventsOf(const std::string& file) {
+  const auto reader = client::readerFor(file).make(file);
+  EXPECT_TRUE(reader->labels()) << file;
+  Events all;
+  for (Events batch; reader->read(batch);) all.insert(all.end(), batch.begin(), batch.end());
+  return all;
+}
+
+TEST_F(LabelsCommand, ConvertTakesThemOverWhereBothFormatsHoldThem) {
+  const std::string npz = folder_.at("a.npz");
+  ASSERT_EQ(record("--labels --noise shot_hz=50 -o " + npz).code, 0);
+  const Events events = eventsOf(npz);
+  const auto noise = [](const Event& event) { return event.source == v1::EVENT_SOURCE_NOISE; };
+  EXPECT_TRUE(std::ranges::any_of(events, noise));
+  EXPECT_FALSE(std::ranges::all_of(events, noise));
+  std::string from = npz;
+  for (const bool described : {true, false}) {
+    for (const char* extension : {".h5", ".npz"}) {
+      const std::string to = folder_.at(std::string(described ? "b" : "c") + extension);
+      const Result converted = run("convert --force " + from + " " + to);
+      ASSERT_EQ(converted.code, 0) << converted.output;
+      EXPECT_FALSE(holds(converted, "left out")) << converted.output;
+      EXPECT_EQ(eventsOf(to), events);
+      EXPECT_TRUE(client::recordingOf(to)->labels());
+      EXPECT_EQ(client::recordingOf(to)->has_request(), described);
+      from = to;
+    }
+    fs::remove(from + ".json");
+  }
 }
 
 TEST_F(LabelsCommand, TheSummaryTellsWhatWasWithheldAndWhy) {

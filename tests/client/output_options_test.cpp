@@ -42,6 +42,13 @@ TEST_F(OutputOptionsTest, AFileThatExistsIsReplacedOnlyByForce) {
   EXPECT_EQ(faultOf(folder_.at("b.csv"), 1), "");
 }
 
+TEST_F(OutputOptionsTest, SensorsOfOneFileHaveDescriptionsOfTheirOwn) {
+  const std::string json = touch("b.bag.sensor1.json");
+  touch("b-1.bag");
+  EXPECT_EQ(faultOf(folder_.at("b.bag"), 2), "--output: '" + json + "' exists; --force replaces it");
+  EXPECT_EQ(faultOf(folder_.at("b.bag"), 1), "");
+}
+
 TEST_F(OutputOptionsTest, OnlyARegularFileIsReplaced) {
   const std::string folder = folder_.at("a.csv"), pipe = folder_.at("b.csv");
   std::filesystem::create_directory(folder);

@@ -140,7 +140,9 @@ TEST_F(RawFormatTest, AFileOfAProgramThatWasKilledIsReadUpToItsLastWholeWord) {
 
 TEST_F(RawFormatTest, WithoutAnEndWhatWasWrittenIsRead) {
   for (const WriterInfo* format : {&kEvt3Writer, &kEvt2Writer}) {
-    { RecordingFile(at("a.raw"), *format, aboutOf(4, 3)).write({{5 * kUs, 1, 2, 1}}, 0, 2 * kUs); }
+    {
+      RecordingFile(at("a.raw"), *format, {aboutOf(4, 3)}).sensor(0).write({{5 * kUs, 1, 2, 1}}, 0, 2 * kUs);
+    }
     EXPECT_EQ(readBack(*kRawReader.make(at("a.raw.partial"))), (Events{{5 * kUs, 1, 2, 1}}));
   }
 }

@@ -20,6 +20,7 @@ function contentOf(message) {
   const { distortion_model, d, k, r, p } = message;
   const camera = d && { distortion_model, d: [...d], k: [...k], r: [...r], p: [...p] };
   return { camera, stamp_us, numbers: numbers(message), height, width, encoding, step,
+           events: message.events && Buffer.from(message.events).toString("base64"),
            data: data && Buffer.from(data.buffer, data.byteOffset, data.byteLength).toString("hex") };
 }
 

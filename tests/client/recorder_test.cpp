@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "client/sidecar.h"
 #include "file_size_limit.h"
 #include "scratch_folder.h"
 
@@ -96,6 +97,34 @@ TEST_F(RecorderTest, SeveralSensorsHaveAFileEach) {
   EXPECT_EQ(textOf("a.b-0.csv"), "t_us,x,y,p\n");
   EXPECT_EQ(textOf("a.b-1.csv"), "t_us,x,y,p\n5,1,2,0\n");
   EXPECT_EQ(recorder.events(), 1u);
+}
+
+TEST_F(RecorderTest, SeveralSensorsShareAFileOfAFormatThatHoldsThem) {
+  for (const char* name : {"a.bag", "a.mcap"}) {
+    Recorder recorder(at(name), writerFor(name), streamOf(2));
+    recorder.add(batchOf(1, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
+    for (const std::uint32_t sensor : {0, 1}) recorder.add(batchOf(sensor, v1::KIND_END, {}));
+    EXPECT_EQ(recorder.files(), std::vector{at(name) + ".partial"});
+    recorder.commit();
+    EXPECT_EQ(recorder.files(), std::vector{at(name)});
+    EXPECT_FALSE(fs::exists(at(name) + ".partial"));
+    EXPECT_EQ(recordingOf(at(name))->events(), 0u);
+    EXPECT_EQ(recordingOf(at(name) + ".sensor1")->events(), 1u);
+    EXPECT_EQ(recordingOf(at(name) + ".sensor1")->sensor(), 1u);
+  }
+}
+
+TEST_F(RecorderTest, ASharedFileKeepsTheEventsBeforeAFault) {
+  std::vector<std::uintmax_t> sizes;
+  for (const std::size_t events : {0, 1000}) {
+    {
+      Recorder recorder(at("a.bag"), writerFor("a.bag"), streamOf(2));
+      recorder.add(batchOf(1, v1::KIND_EVENTS, Events(events, {5000, 1, 2, 0})));
+    }
+    sizes.push_back(fs::file_size(at("a.bag.partial")));
+    EXPECT_FALSE(fs::exists(at("a.bag.sensor1.json")));
+  }
+  EXPECT_GT(sizes[1], sizes[0] + 13'000);  // 13 bytes for each event
 }
 
 TEST_F(RecorderTest, ASensorNobodyAskedForIsAFault) {

@@ -34,9 +34,9 @@ TEST_F(RecordingFileTest, SaysBesideTheFileWhatIsKnownOfIt) {
   about.mutable_request()->set_scene("cornell-box");
   about.mutable_request()->set_seed(18446744073709551615u);
   about.set_instruction_set("avx2");
-  RecordingFile file(at("a.csv"), kCsvWriter, about);
-  file.write(kEvents, 2000, 80'000'000);
-  file.write({}, 80'000'000, 90'000'000);
+  RecordingFile file(at("a.csv"), kCsvWriter, {about});
+  file.sensor(0).write(kEvents, 2000, 80'000'000);
+  file.sensor(0).write({}, 80'000'000, 90'000'000);
   EXPECT_FALSE(fs::exists(at("a.csv")));
   file.close();
   file.commit();
@@ -54,7 +54,7 @@ TEST_F(RecordingFileTest, SaysBesideTheFileWhatIsKnownOfIt) {
 }
 
 TEST_F(RecordingFileTest, WithoutAnEndStaysPartialAndHasNoJson) {
-  { RecordingFile(at("a.csv"), kCsvWriter, aboutOf(4, 3)).write({{1000, 1, 2, 1}}, 0, 2000); }
+  { RecordingFile(at("a.csv"), kCsvWriter, {aboutOf(4, 3)}).sensor(0).write({{1000, 1, 2, 1}}, 0, 2000); }
   EXPECT_FALSE(fs::exists(at("a.csv")));
   EXPECT_FALSE(fs::exists(at("a.csv.json")));
   const auto reader = kCsvReader.make(at("a.csv.partial"));
@@ -63,8 +63,8 @@ TEST_F(RecordingFileTest, WithoutAnEndStaysPartialAndHasNoJson) {
 
 TEST_F(RecordingFileTest, StandardOutputHasNoJson) {
   testing::internal::CaptureStdout();
-  RecordingFile file(kStandardOutput, kCsvWriter, aboutOf(4, 3));
-  file.write({{1000, 1, 2, 1}}, 0, 2000);
+  RecordingFile file(kStandardOutput, kCsvWriter, {aboutOf(4, 3)});
+  file.sensor(0).write({{1000, 1, 2, 1}}, 0, 2000);
   file.close();
   file.commit();
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "t_us,x,y,p\n1,1,2,1\n");

@@ -109,6 +109,16 @@ TEST_F(TruthRecorder, AnInterruptedRecordingKeepsWhatArrived) {
         << name;
 }
 
+TEST_F(TruthRecorder, NamesOfIdsGoWithTheSensorThatHasThem) {
+  *server_.add_truth() = infoOf("ids", v1::LAYOUT_PICTURE, {"object", "material"});
+  stream_.mutable_id_names()->add_objects("door");
+  stream_.mutable_resolved()->add_sensors();
+  ask("ids");
+  const Recorder recorder = record("a.csv");
+  EXPECT_EQ(recorder.about(0).id_names().objects(0), "door");
+  EXPECT_FALSE(recorder.about(1).has_id_names());
+}
+
 TEST_F(TruthRecorder, ASecondChannelOfANameGetsANumber) {
   ask("rows"), ask("depth"), ask("rows"), ask("rows");
   Recorder recorder = record("a.csv");
@@ -129,6 +139,26 @@ TEST_F(TruthRecorder, OnlyTheFirstSensorHasTheTruth) {
   EXPECT_EQ(recorder.about(0).truth(0).samples(), 1u);
   EXPECT_TRUE(fs::exists(folder_.at("a-0.csv.partial.truth")));
   EXPECT_FALSE(fs::exists(folder_.at("a-1.csv.partial.truth")));
+}
+
+TEST_F(TruthRecorder, SensorsOfASharedFileHaveFoldersOfTheirOwn) {
+  v1::OpenStream& request = *stream_.mutable_resolved();
+  *request.add_further_views() = request.view();
+  request.add_sensors()->set_view(1);
+  ask("rows"), ask("rows");
+  request.mutable_truth(1)->set_view(1);
+  Recorder recorder = record("a.bag");
+  for (const std::uint32_t channel : {2, 3}) {
+    Batch rows = rowsAt(std::vector<std::int64_t>(channel, 0));
+    rows.header.set_sensor(channel);
+    recorder.add(rows);
+  }
+  for (const std::uint32_t channel : {0, 1, 2, 3}) recorder.add(endOf(channel));
+  recorder.commit();
+  const std::string row = "0,0.25,-1e-07\n";
+  EXPECT_EQ(textOf("a.bag.truth/rows.csv"), kHead + row + row);
+  EXPECT_EQ(textOf("a.bag.sensor1.truth/rows.csv"), kHead + row + row + row);
+  EXPECT_EQ(recorder.truthPlace(), folder_.at("a.bag.truth") + " " + folder_.at("a.bag.sensor1.truth"));
 }
 
 TEST_F(TruthRecorder, AViewHasItsTruthInTheFileOfItsSensor) {

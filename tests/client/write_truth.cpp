@@ -104,7 +104,8 @@ TruthSample sampleOf(const v1::RecordedTruth& channel, std::size_t n) {
 }
 
 void run(const std::string& path, bool partial) {
-  RecordingFile file(path, writerFor(path), describe());
+  RecordingFile recording(path, writerFor(path), {describe()});
+  RecordedSensor& file = recording.sensor(0);
   for (std::size_t step = 0; step < 4; ++step) {
     const std::int64_t t0_ns = static_cast<std::int64_t>(step) * 10 * kMs;
     file.write({{t0_ns, 1, 2, 1}, {t0_ns + 7 * kMs, 4, 0, 0}}, t0_ns, t0_ns + 10 * kMs);
@@ -118,8 +119,8 @@ void run(const std::string& path, bool partial) {
     }
   }
   if (partial) return;
-  file.close();
-  file.commit();
+  recording.close();
+  recording.commit();
 }
 
 }  // namespace

@@ -38,7 +38,9 @@ const FuzzTarget& fuzzTarget() {
        archive({{"t", column("<u4", 4)},
                 {"x", column("<i2", 2)},
                 {"y", column("<u8", 8)},
-                {"p", column("|u1", 1)}})},
+                {"p", column("|u1", 1)},
+                {"source", column("|u1", 1)},
+                {"artefact", column("<i2", 2)}})},
       {"'descr': ", "'shape': ", "(3,)", "()", "(3, 3)", "(999999999999999999,)", "<i8", ">u2", "|b1", "<f8",
        "t.npy", "x.npy", "PK\1\2", "PK\3\4", "PK\5\6", "PK\6\6", "PK\6\7", "\x93NUMPY", "\xff\xff\xff\xff"},
       [](std::string_view bytes) {

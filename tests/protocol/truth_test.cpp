@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <set>
 
 #include "mock/bad_request.h"
 #include "truth/truth_source.h"
@@ -103,6 +104,25 @@ TEST(Truth, EveryChannelOfTheListComes) {
     EXPECT_EQ(times.front(), first ? 0 : 2'000'000) << name;
     EXPECT_EQ(times.back(), last ? 40'000'000 : 38'000'000) << name;
   }
+}
+
+TEST(Truth, TheReplyNamesTheNumbersOfIds) {
+  TestServer server;
+  v1::OpenStream request = tinyRequest();
+  EXPECT_FALSE(server.client().open(request).has_id_names());
+  request.add_truth()->set_name("ids");
+  const v1::IdNames names = server.client().open(request).id_names();
+  EXPECT_EQ(names.objects_size(), 8);
+  EXPECT_EQ(names.materials_size(), 4);
+  const TruthSample ids = samplesOf(server.run(request)[1]).front();
+  std::vector<std::uint32_t> numbers(ids.elements.size() / sizeof(std::uint32_t));
+  std::memcpy(numbers.data(), ids.elements.data(), ids.elements.size());
+  std::set<std::pair<std::string, std::string>> seen;
+  for (std::size_t i = 0, pixels = numbers.size() / 2; i < pixels; ++i)
+    seen.emplace(names.objects(static_cast<int>(numbers[i]) - 1),
+                 names.materials(static_cast<int>(numbers[pixels + i]) - 1));
+  for (const auto& [object, material] : {std::pair("floor", "white"), std::pair("left_wall", "red")})
+    EXPECT_TRUE(seen.contains({object, material})) << object;
 }
 
 TEST(Truth, GoesOnFromASample) {

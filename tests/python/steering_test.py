@@ -1,6 +1,11 @@
 """Streams that the client in Python steers and changes, with a real saccaded."""
 import asyncio
+import json
 import logging
+import os
+import pathlib
+import subprocess
+import tempfile
 import unittest
 
 import numpy as np
@@ -63,6 +68,34 @@ class Steering(unittest.TestCase):
                 depths = [one.t for one in stream.truth if one.name == "depth"]
                 self.assertEqual(depths, [0] if i == 1 else [5000 * i] if i % 3 == 0 else [])
 
+    def command(self, *arguments):
+        done = subprocess.run([os.environ["SACCADE"], *arguments], capture_output=True, text=True, check=False,
+                              timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def test_a_saved_stream_is_rendered_again(self):
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        with self.client.open(**{**SETTINGS, "threshold": [0.1, 0.2]}, clock="lockstep", labels=True) as stream:
+            steps = [stream.step(pose(i + 1))[1] for i in range(STEPS)]
+            stream.change_sensor(1, threshold=0.15, noise={"shot_hz": 50})
+            steps += [stream.step(pose(STEPS - i))[1] for i in range(STEPS)]
+            first, whole = saccade.concatenate(steps[:STEPS + 5]), saccade.concatenate(steps)
+            for path, events in (("first.npz", first), ("whole.npz", whole)):
+                stream.save(folder / path, events)
+            with self.assertRaisesRegex(ValueError, "does not end with .npz"):
+                stream.save(folder / "a.h5", whole)
+        for path, events in (("first.npz", first), ("whole.npz", whole)):
+            self.assertGreater(len(events), 500)
+            self.assertIn(f"all {len(events)} events are as recorded", self.command("verify", folder / path))
+            again = folder / ("again_" + path)
+            told = self.command("replay", folder / f"{path}.json", "-o", again, "--control", self.server.address)
+            self.assertIn("the events are those of the recording", told)
+            for one in (saccade.read(folder / path), saccade.read(again)):
+                np.testing.assert_array_equal(rows(one), rows(events))
+                np.testing.assert_array_equal(one.source, events.source)
+                np.testing.assert_array_equal(one.artefact, events.artefact)
+
     def test_velocities(self):
         with self.client.open(**SETTINGS, clock="lockstep") as stream:
             stream.step(pose(0))
@@ -114,6 +147,22 @@ class Steering(unittest.TestCase):
         with self.client.open(**SETTINGS, duration_s=1) as stream, self.assertRaises(saccade.InvalidArgument) as caught:
             stream.steer(pose(0))
         self.assertEqual(caught.exception.field, "stream_id")
+
+    def test_a_saved_stream_tells_what_was_withheld(self):
+        path = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory())) / "a.npz"
+
+        async def save():
+            async with saccade.aio.connect(self.server.address) as client:
+                async with await client.open(**SETTINGS, refractory_s=0.02, clock="lockstep") as stream:
+                    events = [(await stream.step(pose(i + 1)))[0] for i in range(STEPS)]
+                    await stream.save(path, saccade.concatenate(events))
+                    return stream.suppressed
+        suppressed = asyncio.run(save())
+        self.assertGreater(suppressed, 0)
+        about = json.loads(path.with_name("a.npz.json").read_text(encoding="utf-8"))
+        self.assertEqual(about["suppressed"], str(suppressed))
+        self.assertEqual(about["instruction_set"], self.client.info().instruction_set)
+        self.assertEqual(about["end_ns"], str(STEPS * 5_000_000))
 
     def test_asyncio(self):
         async def steps():

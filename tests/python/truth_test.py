@@ -58,6 +58,21 @@ class OneServer(unittest.TestCase):
         self.assertEqual((depth.planes, depth.unit, depth.description), (tuple(info.planes), info.unit, info.description))
         np.testing.assert_array_equal(depth.exposure, np.zeros((7, 2)))
 
+    def test_numbers_of_ids_have_names(self):
+        with self.client.open(**SETTINGS, truth=["ids"]) as stream:
+            names = stream.id_names
+            ids = next(item.data for item in stream.samples() if isinstance(item, saccade.Truth))
+        pairs = {(names.objects[o], names.materials[m]) for o, m in ids.reshape(-1, 2)}
+        self.assertLessEqual({("floor", "white"), ("left_wall", "red"), ("right_wall", "green")}, pairs)
+        done = record(self.server, self.folder / "ids.csv", *OPTIONS, "--truth", "ids:9")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(saccade.read_id_names(self.folder / "ids.csv"), names)
+        with self.client.open(**SETTINGS) as stream:
+            self.assertEqual(stream.id_names, saccade.IdNames({}, {}))
+        (self.folder / "bad.csv.json").write_text("{", encoding="utf-8")
+        with self.assertRaisesRegex(saccade.FormatError, "bad.csv.json"):
+            saccade.read_id_names(self.folder / "bad.csv")
+
     def test_iteration_gives_the_events_alone(self):
         with self.client.open(**SETTINGS) as stream:
             without = saccade.concatenate(list(stream))

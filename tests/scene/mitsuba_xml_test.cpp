@@ -97,6 +97,18 @@ TEST(MitsubaXml, SharesMaterialsByReference) {
   expectNear(scene.materials[1].reflectance.color0, {0.5f, 0.5f, 0.5f}, 1e-7);
 }
 
+TEST(MitsubaXml, WhatHasNoIdIsNamedAfterItsType) {
+  const Scene scene = load(kSensor +
+                           "<shape type='rectangle'/><shape type='sphere'/><shape type='sphere' id='ball'/>"
+                           "<shape type='cube'><bsdf type='twosided'><bsdf type='plastic'/></bsdf></shape>");
+  EXPECT_EQ(scene.meshes[0].name, "rectangle");
+  EXPECT_EQ(scene.meshes[1].name, "cube");
+  EXPECT_EQ(scene.spheres[0].name, "sphere");
+  EXPECT_EQ(scene.spheres[1].name, "ball");
+  EXPECT_EQ(scene.materials[0].name, "default");
+  EXPECT_EQ(scene.materials[1].name, "plastic");
+}
+
 TEST(MitsubaXml, MeshesAreSmoothUnlessTheyAskForFaceNormals) {
   const auto normals = [](const std::string& flag) {
     return load(kSensor + "<shape type='obj'><string name='filename' value='a.obj'/>" + flag + "</shape>")

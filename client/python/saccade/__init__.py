@@ -17,14 +17,14 @@ from saccade.protocol.retry import RetryPolicy
 from saccade.protocol.sequence import Losses
 from saccade.protocol.stream_state import Picture
 from saccade.readers import open_file, read
-from saccade.readers.truth import read_truth
+from saccade.readers.truth import read_id_names, read_truth
 from saccade.settings import SensorSettings, Settings
-from saccade.truth import Truth, TruthArrays
+from saccade.truth import IdNames, Truth, TruthArrays
 from saccade.windowing import windows
 
 __all__ = [
-    "Client", "Events", "FormatError", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer", "NotFound",
+    "Client", "Events", "FormatError", "IdNames", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer", "NotFound",
     "PacketFault", "PermissionDenied", "Picture", "Refused", "RetryPolicy", "SaccadeError", "SensorSettings",
     "Settings", "Snapshot", "Stream", "StreamFault", "StreamRefused", "Truth", "TruthArrays", "Unavailable",
-    "Unimplemented", "concatenate", "connect", "open_file", "read", "read_truth", "windows",
+    "Unimplemented", "concatenate", "connect", "open_file", "read", "read_id_names", "read_truth", "windows",
 ]

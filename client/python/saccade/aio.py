@@ -1,6 +1,7 @@
 """The client for asyncio: saccade.aio.connect() is saccade.connect(), and everything that waits is awaited."""
 from __future__ import annotations
 
+import os
 from collections.abc import AsyncIterator, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING
@@ -89,6 +90,9 @@ class Stream(StreamState):
 
     async def describe(self) -> control_pb2.OpenStream:
         return await self._subscription.handle.describe()
+
+    async def save(self, path: str | os.PathLike[str], events: Events) -> None:
+        await self._save(path, events)
 
     async def info(self) -> control_pb2.StreamInfo:
         return await self._info()

@@ -1,6 +1,7 @@
 """The blocking client. A client and its streams belong to one thread."""
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING
@@ -134,6 +135,15 @@ class Stream(StreamState):
     def describe(self) -> control_pb2.OpenStream:
         """The request that repeats the stream, as it was steered and changed so far, with equal events."""
         return run(self._subscription.handle.describe())
+
+    def save(self, path: str | os.PathLike[str], events: Events) -> None:
+        """Writes events of one sensor to PATH, an .npz, and to PATH.json what repeats them.
+
+        events: from the begin of the stream up to any frame, as saccade.concatenate() joins them.
+        `saccade replay PATH.json` renders the stream again as it was steered and changed, and compares the events.
+        Raises ValueError for another extension, and OSError.
+        """
+        run(self._save(path, events))
 
     def info(self) -> control_pb2.StreamInfo:
         """What list_streams{} tells: frames, events and losses so far, and CPU time. Raises StreamFault without any."""

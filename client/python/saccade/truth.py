@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from saccade.v1 import truth_pb2
+
 
 @dataclass(frozen=True, eq=False)
 class Truth:
@@ -24,6 +26,18 @@ class Truth:
     data: NDArray[Any]
     exposure: tuple[int, int] | None
     channel: int
+
+
+@dataclass(frozen=True)
+class IdNames:
+    """The names of the shapes and materials in the channel ids, by number. A server names the first 4096 of each."""
+
+    objects: dict[int, str]
+    materials: dict[int, str]
+
+    @classmethod
+    def of(cls, names: truth_pb2.IdNames) -> IdNames:
+        return cls(dict(enumerate(names.objects, 1)), dict(enumerate(names.materials, 1)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,5 +1,7 @@
 #include "app/streams/stream_maker.h"
 
+#include <algorithm>
+
 #include "app/admission/stream_cost.h"
 #include "app/request/refusal.h"
 #include "app/request/request_memory.h"
@@ -7,6 +9,7 @@
 #include "app/streams/stream_opened.h"
 #include "app/streams/stream_rig.h"
 #include "base/text_cut.h"
+#include "truth/id_names.h"
 
 namespace saccade {
 namespace {
@@ -18,6 +21,10 @@ constexpr int kIdBytes = 8;  // random, so that nobody can guess the topics of a
 // A stream that joins a feed costs only its own sensors.
 CpuCost costOfJoining(const CpuCost& frame) {
   return {0, frame.sensors, 0, frame.longest};
+}
+
+bool asksForIds(const v1::OpenStream& request) {
+  return std::ranges::any_of(request.truth(), [](const v1::Truth& truth) { return truth.name() == "ids"; });
 }
 
 }  // namespace
@@ -46,6 +53,7 @@ v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
   const int channels = resolved.request.pushed() || resolved.feed.monochrome ? 1 : plan.scene->channels();
   v1::StreamOpened opened = describeOpened(std::move(resolved), stream, resources_.epoch, channels);
   if (plan.bake) opened.set_bake_digest(plan.bake->digest);
+  if (asksForIds(opened.resolved())) *opened.mutable_id_names() = idNames(plan.scene->description());
   return opened;
 }
 

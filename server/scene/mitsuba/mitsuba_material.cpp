@@ -39,6 +39,7 @@ Material MaterialReader::parse(pugi::xml_node bsdf) {
     const std::string type = supportedType(file_, bsdf, types);
     if (type != "twosided" && type != "mask" && type != "bumpmap") {
       readBsdf(file_, bsdf, textures_, material);
+      if (material.name.empty()) material.name = type;
       return material;
     }
     if (!wrappers.insert(type).second && type != "twosided")

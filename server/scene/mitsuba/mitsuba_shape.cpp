@@ -58,6 +58,7 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
     placeMesh(mesh, common.to_world, face_normals);
     if (!isFinite(mesh)) throw SceneError("a vertex of the shape is too far away for float numbers");
     if (!common.name.empty()) mesh.name = common.name;
+    if (mesh.name.empty()) mesh.name = type;
     mesh.material = common.material;
     mesh.radiance = common.emission.radiance;
     mesh.strength = common.emission.strength;
@@ -86,8 +87,8 @@ void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& mater
   const float size = static_cast<float>(radius);
   if (!(size > 0) || !std::isfinite(size) || !std::isfinite(dot(placed, placed)))
     throw file.error(shape, "a sphere needs a radius above 0 and a centre within reach of float numbers");
-  scene.spheres.push_back(
-      {common.name, placed, size, common.material, common.emission.radiance, common.emission.strength});
+  scene.spheres.push_back({common.name.empty() ? "sphere" : common.name, placed, size, common.material,
+                           common.emission.radiance, common.emission.strength});
 }
 
 }  // namespace

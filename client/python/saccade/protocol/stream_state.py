@@ -1,13 +1,15 @@
 """A stream as coroutines: what its blocking and its asyncio form share."""
 from __future__ import annotations
 
-from collections import deque
+import os
+from collections import Counter, deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from saccade import recording
 from saccade.errors import StreamFault
 from saccade.events import Events, concatenate
 from saccade.protocol.columns import NS_PER_US, Snapshot
@@ -15,7 +17,7 @@ from saccade.protocol.samples import Samples
 from saccade.protocol.sequence import Losses
 from saccade.protocol.subscription import Subscription, end_text
 from saccade.settings import SensorSettings
-from saccade.truth import Truth
+from saccade.truth import IdNames, Truth
 from saccade.v1 import control_pb2, events_pb2
 
 
@@ -38,7 +40,7 @@ class StreamState:
 
     def __init__(self, subscription: Subscription) -> None:
         self._subscription = subscription
-        self.suppressed = 0
+        self._suppressed: Counter[int] = Counter()  # by sensor
         self.snapshots: dict[int, Snapshot] = {}
         self.truth: list[Truth] = []
         self._samples: deque[Truth] = deque()  # received, not given yet
@@ -57,6 +59,16 @@ class StreamState:
     def size(self) -> tuple[int, int]:
         """Width and height in pixels."""
         return self.resolved.view.width, self.resolved.view.height
+
+    @property
+    def suppressed(self) -> int:
+        """Events that the sensors have withheld so far."""
+        return self._suppressed.total()
+
+    @property
+    def id_names(self) -> IdNames:
+        """The names of the numbers in the truth channel ids; empty without this channel."""
+        return IdNames.of(self.opened.id_names)
 
     @property
     def losses(self) -> Losses:
@@ -80,7 +92,7 @@ class StreamState:
     async def _receive(self) -> Events | None:
         """The events of the next packet. What else it holds is kept."""
         packet = await self._subscription.receive()
-        self.suppressed += packet.header.suppressed
+        self._suppressed[packet.header.sensor] += packet.header.suppressed
         if isinstance(packet.content, Snapshot):
             self.snapshots[packet.header.sensor] = packet.content
         elif isinstance(packet.content, Samples):
@@ -131,6 +143,13 @@ class StreamState:
     async def _change_sensor(self, sensor: int, change: SensorSettings) -> int:
         message = control_pb2.SensorChange(**change)
         return (await self._subscription.handle.change_sensor(sensor, message)).t_ns // NS_PER_US
+
+    async def _save(self, path: str | os.PathLike[str], events: Events) -> None:
+        about = recording.describe_events(events)
+        about.request.CopyFrom(await self._subscription.handle.describe())
+        self._subscription.handle.describe_maker(about)
+        about.lost_events, about.suppressed = self.losses.events, self._suppressed[events.sensor]
+        recording.save(path, events, about)
 
     async def _info(self) -> control_pb2.StreamInfo:
         info = await self._subscription.handle.info()

@@ -1,4 +1,4 @@
-"""Reads the truth channels of files."""
+"""Reads the truth channels of files, and the names of ids."""
 from __future__ import annotations
 
 import os
@@ -6,9 +6,11 @@ import pathlib
 from typing import Any
 
 import numpy as np
+from google.protobuf.json_format import Parse, ParseError
 
 from saccade.errors import FormatError
-from saccade.truth import TruthArrays
+from saccade.truth import IdNames, TruthArrays
+from saccade.v1 import recording_pb2
 
 
 def read_truth(path: str | os.PathLike[str]) -> dict[str, TruthArrays]:
@@ -31,6 +33,19 @@ def read_truth(path: str | os.PathLike[str]) -> dict[str, TruthArrays]:
         if channel.t.shape != channel.data.shape[:1]:
             raise FormatError(f"{path}: {name} has {len(channel.data)} samples, but {len(channel.t)} times")
     return channels
+
+
+def read_id_names(path: str | os.PathLike[str]) -> IdNames:
+    """The names of the numbers in the channel ids of a recording, from PATH.json; empty without this channel.
+
+    Raises FormatError for a file that is no such description, and OSError.
+    """
+    file = pathlib.Path(f"{os.fspath(path)}.json")
+    try:
+        recording = Parse(file.read_text(encoding="utf-8"), recording_pb2.Recording())
+    except (ParseError, UnicodeDecodeError) as fault:
+        raise FormatError(f"{file}: {fault}") from fault
+    return IdNames.of(recording.id_names)
 
 
 def _of_hdf5(path: pathlib.Path) -> dict[str, TruthArrays]:

@@ -1,0 +1,46 @@
+#include "truth/id_names.h"
+
+#include <algorithm>
+#include <map>
+
+#include "base/text_cut.h"
+
+namespace saccade {
+namespace {
+
+// cutText() adds dots, and a number of a shape has at most ten digits.
+constexpr std::size_t kMaxCut = kMaxIdNameBytes - std::string_view("..._4294967295").size();
+
+class NameList {
+ public:
+  void add(const std::string& name) {
+    names_.push_back(cutText(name, kMaxCut));
+    ++uses_[names_.back()];
+  }
+  // Returns how many are left out.
+  std::uint32_t give(google::protobuf::RepeatedPtrField<std::string>& out) const {
+    const std::size_t count = std::min(names_.size(), kMaxIdNames);
+    for (std::size_t i = 0; i < count; ++i)
+      out.Add(names_[i] + (uses_.at(names_[i]) == 1 ? "" : "_" + std::to_string(i + 1)));
+    return static_cast<std::uint32_t>(names_.size() - count);
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, int> uses_;
+};
+
+}  // namespace
+
+v1::IdNames idNames(const Scene& scene) {
+  NameList objects, materials;
+  for (const Mesh& mesh : scene.meshes) objects.add(mesh.name);
+  for (const Sphere& sphere : scene.spheres) objects.add(sphere.name);
+  for (const Material& material : scene.materials) materials.add(material.name);
+  v1::IdNames names;
+  names.set_further_objects(objects.give(*names.mutable_objects()));
+  names.set_further_materials(materials.give(*names.mutable_materials()));
+  return names;
+}
+
+}  // namespace saccade

@@ -1,0 +1,15 @@
+// The names of what the channel `ids` numbers.
+#pragma once
+
+#include "saccade/v1/truth.pb.h"
+#include "scene/scene.h"
+
+namespace saccade {
+
+// The bounds that IdNames states.
+inline constexpr std::size_t kMaxIdNames = 4096, kMaxIdNameBytes = 64;
+
+// Those of the scene file. A name that several have gets "_" and the number, such as "rectangle_3".
+v1::IdNames idNames(const Scene& scene);
+
+}  // namespace saccade
