@@ -7,7 +7,7 @@ namespace saccade {
 void BakedLevel::forEachBlock(VertexKey vertex, const auto& f) {
   using namespace vertex_bits;
   constexpr std::array<int, 3> kShifts{kX, kY, kZ};
-  constexpr VertexKey kMask = (1 << 20) - 1, kCells = kEdge - 1;
+  constexpr VertexKey kMask = Tetrahedron::kAddressMask, kCells = kEdge - 1;
   // Along each axis a vertex at the begin of a block is also at the end of the one before.
   for (unsigned before = 0; before < 8; ++before) {
     VertexKey block = blockOf(vertex);

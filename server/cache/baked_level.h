@@ -80,7 +80,7 @@ class BakedLevel {
 
   int bits_ = 7;
   std::size_t vertices_ = 0;
-  HugeVector<Block> blocks_{std::size_t{1} << bits_};  // a hash table, at most half full
+  HugeVector<Block> blocks_{std::size_t{1} << bits_};  // a hash table, at most a quarter full
   HugeVector<BakedVertex> light_{1};                   // the first is kNothing
 };
 

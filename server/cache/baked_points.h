@@ -44,7 +44,8 @@ class BakedPoints {
     points_[count_++] = point;
   }
 
-  // `finest_px`: edge of the finest cells, pixels.
+  // Splits the edge of cells into level and scale as gridPoint() does. `finest_px`: edge of the finest cells,
+  // pixels.
   void want(const BakedLevels& levels, float finest_px) {
     const Uints<kMost> bits = std::bit_cast<Uints<kMost>>(F(finest_px * load<kMost>(footprint_)));
     constexpr std::uint32_t kExponent = 0x7f800000, kOne = 0x3f800000;

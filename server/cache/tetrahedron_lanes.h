@@ -38,7 +38,6 @@ class TetrahedronLanes {
     return Tetrahedron::lowest(low_[0][lane], low_[1][lane], low_[2][lane], bin);
   }
   unsigned order(int lane) const { return order_[lane]; }
-  float weight(int lane, int corner) const { return weight_[corner][lane]; }
   Quad weights(int lane) const {
     return Quad{weight_[0][lane], weight_[1][lane], weight_[2][lane], weight_[3][lane]};
   }

@@ -49,7 +49,7 @@ class VertexSearch {
     Found& f = found_[count_ % kOnTheWay];
     if (count_++ >= kOnTheWay) finish(f);
     f.taps = &at_.taps[slot][t];
-    for (int c = 0; c < 4; ++c) f.taps->weight[c] = lanes_.weight(lane, c) * at_.bin_weights[t];
+    f.taps->weight = std::bit_cast<std::array<float, 4>>(lanes_.weights(lane) * at_.bin_weights[t]);
     const VertexKey lowest = lanes_.lowest(lane, bin);
     const unsigned order = lanes_.order(lane);
     Last& before = last_[bin];

@@ -191,13 +191,13 @@ void IrradianceCache::readGrid(const FramePair& frames, const PoolHandle& pool, 
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   const bool first = &frames.cur == &frames.prev;
   read(frames, pool, times);
-  const auto [now, before] = read_;
-  times[Stage::kVariance] += pool.forEachRow(now->i.height(), [&, now = now, before = before](int y) {
-    for (int x = 0; x < now->i.width(); ++x) {
-      filtered_.i.at(x, y) = now->i.at(x, y);
-      filtered_.var_i.at(x, y) = now->var_i.at(x, y);
-      filtered_.d.at(x, y) = first ? 0 : now->i.at(x, y) - before->i.at(x, y);
-      filtered_.var_d.at(x, y) = now->var_step.at(x, y);
+  const GridEstimate &now = *read_.now, &before = *read_.before;
+  times[Stage::kVariance] += pool.forEachRow(now.i.height(), [&](int y) {
+    for (int x = 0; x < now.i.width(); ++x) {
+      filtered_.i.at(x, y) = now.i.at(x, y);
+      filtered_.var_i.at(x, y) = now.var_i.at(x, y);
+      filtered_.d.at(x, y) = first ? 0 : now.i.at(x, y) - before.i.at(x, y);
+      filtered_.var_d.at(x, y) = now.var_step.at(x, y);
     }
   });
   const int iterations = baked_ ? std::min(params_.iterations, kBakedIterations) : params_.iterations;
@@ -207,8 +207,8 @@ void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, St
   }
   // The filter takes the errors of neighbours for independent, but they share vertices: it lessens them by
   // little.
-  filtered_.var_i.copyFrom(now->var_i);
-  filtered_.var_d.copyFrom(now->var_step);
+  filtered_.var_i.copyFrom(now.var_i);
+  filtered_.var_d.copyFrom(now.var_step);
 }
 
 }  // namespace saccade

@@ -47,7 +47,7 @@ class IrradianceCache final : public Method {
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Of the grid alone, into now_ and before_.
   void readGrid(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
-  // The same, filtered into filtered_.
+  // Reads, and filters both frames' points into filtered_.
   void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Replaces what the grid cannot know.
   void fillIn(const FramePair& frames, const PoolHandle& pool, IntensityChange& out, StageTimes& times);

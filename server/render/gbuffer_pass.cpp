@@ -4,24 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "render/pixel_features.h"
 #include "render/surface_at.h"
 
 namespace saccade {
 namespace {
 
-// max(|dz/dx|, |dz/dy|) of the plane through `offset` (from the camera) with normal n, at depth z.
-float planeSlope(const Camera& camera, Vec3 direction, Vec3 offset, Vec3 n, float z) {
-  const float height = dot(offset, n);
-  const auto step = [&](Vec3 next) { return std::abs(height / dot(next, n) - z); };
-  const float dz = std::max(step(camera.nextRight(direction)), step(camera.nextDown(direction)));
-  return dz < z ? dz : z;  // also if the next ray is parallel to the plane
-}
-
 void setMotion(const Camera::Projection& now, const Camera::Projection& before, int x, int y, GBuffer& g) {
-  // Both projections use the same formula, so that a standing camera gives exactly 0.
-  const bool seen = before.z > 0;
-  g.motion_x.at(x, y) = seen ? before.x - now.x : 1e6f;  // behind the previous camera: far outside
-  g.motion_y.at(x, y) = seen ? before.y - now.y : 1e6f;
+  const auto [motion_x, motion_y] = motionBetween(now, before);
+  g.motion_x.at(x, y) = motion_x, g.motion_y.at(x, y) = motion_y;
   g.z_in_prev.at(x, y) = before.z;
 }
 
@@ -85,8 +76,8 @@ void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera
   setNormal(guide.normal, x, y, g);
   projectMotion(camera, prev, guide.point - camera.origin, guide.point - prev.origin, x, y, g);
   g.z.at(x, y) = guide.t;
-  g.dz.at(x, y) =
-      planeSlope(camera, primary.direction, guide.point - camera.origin, guide.plane_normal, guide.t);
+  g.dz.at(x, y) = planeSlope(camera.nextRight(primary.direction), camera.nextDown(primary.direction),
+                             guide.point - camera.origin, guide.plane_normal, guide.t);
 }
 
 #define INSTANTIATE(S)                                                                     \

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "render/paths/surface_lanes.h"
+#include "render/pixel_features.h"
 #include "render/primary/primary_block.h"
 #include "render/texture_color.h"
 
@@ -78,16 +79,6 @@ template <int W>
   return lanes;
 }
 
-// max(|dz/dx|, |dz/dy|) of the plane through `offset` (from the camera) with normal n, at depth z.
-template <class F>
-[[gnu::always_inline]] inline F planeSlopes(const Camera& camera, const Vec3T<F>& direction,
-                                            const Vec3T<F>& offset, const Vec3T<F>& n, const F& z) {
-  const F height = dot(offset, n);
-  const auto step = [&](const Vec3T<F>& next) { return F(abs(height / dot(next, n) - z)); };
-  const F dz = max(step(camera.nextRightPlain(direction)), step(camera.nextDownPlain(direction)));
-  return select(dz < z, dz, z);  // also if the next ray is parallel to the plane
-}
-
 template <int W>
 [[gnu::always_inline]] inline void writeFeatures(const PixelContext& view, const BlockPart<W>& part,
                                                  const Vec3T<Floats<W>>& direction, const Floats<W>& z,
@@ -95,16 +86,14 @@ template <int W>
                                                  const Floats<W>& albedo, GBuffer& g) {
   using F = Floats<W>;
   const Vec3T<F> offset = point - splat<F>(view.camera.origin);
-  // Both projections use the same formula, so that a standing camera gives exactly 0.
   const auto now = view.camera.projectPlain(offset);
   const auto before = view.prev.projectPlain(Vec3T<F>(point - splat<F>(view.prev.origin)));
-  const auto seen = before.z > 0.f;
-  constexpr float kFarOutside = 1e6f;  // behind the previous camera
-  part.write(select(seen, before.x - now.x, F(kFarOutside)), g.motion_x);
-  part.write(select(seen, before.y - now.y, F(kFarOutside)), g.motion_y);
+  const auto motion = motionBetween<F>(now, before);
+  part.write(motion.x, g.motion_x), part.write(motion.y, g.motion_y);
   part.write(before.z, g.z_in_prev);
   part.write(z, g.z);
-  part.write(planeSlopes<F>(view.camera, direction, offset, surface.geometric_normal, z), g.dz);
+  const Vec3T<F> right = view.camera.nextRightPlain(direction), down = view.camera.nextDownPlain(direction);
+  part.write(planeSlope<F>(right, down, offset, surface.geometric_normal, z), g.dz);
   part.write(surface.shading_normal.x, g.nx);
   part.write(surface.shading_normal.y, g.ny);
   part.write(surface.shading_normal.z, g.nz);
