@@ -1,6 +1,7 @@
 // The samples of a tile's points, for frames with SurfaceSamples.
 #pragma once
 
+#include "render/paths/path_sequence.h"
 #include "render/scatter.h"
 #include "render/surface_points.h"
 
@@ -77,6 +78,7 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces
       view.scene, view.strengths, bounces, {on.bounces, view.camera.origin, view.camera.pixel}};
   PathRun<S, C, true, decltype(onPath)> run(tracing, onPath);
   PlainPaths plain(view.camera.pixel, run);
+  const SequencePlace places(seeds.stream, seeds.frame);
   forEachPixel(tile, [&](int x, int y) {
     out.samples.I2.at(x, y) = out.g.emission.at(x, y);
     for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
@@ -84,7 +86,8 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces
       if (on[i].share <= 0 || on[i].paths == 0) continue;
       (*sums)[count] = {}, (*points)[count] = i;
       for (std::uint32_t path = 0; path < on[i].paths; ++path) {
-        const NewPath one{PathSampler(seeds.seed2, i, path), count};
+        const NewPath one{places.of(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(y), path),
+                          count};
         if (starts.isPlain(i))
           plain.add(starts.plain(i), one);
         else

@@ -8,6 +8,7 @@
 #include "render/paths/arrivals.h"
 #include "render/paths/lane_queue.h"
 #include "render/paths/path_numbers.h"
+#include "render/paths/path_sequence.h"
 #include "render/paths/plastic_lanes.h"
 
 namespace saccade {
@@ -112,7 +113,11 @@ void bounce(const Batch<C>& b) {
       plastic = lanesShadedAs<W>(ShadedAs::kPlastic, p, first, bitsOf(lanes));
     }
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
-    const F u1 = numbers.u(b.dimension(kBounce)), u2 = numbers.u(b.dimension(Dimension(kBounce + 1)));
+    const auto u = [&](Dimension d) {
+      if (kParts && b.vertex == 0) return sequenceNumbers<W>(numbers, d);
+      return numbers.u(b.dimension(d));
+    };
+    const F u1 = u(kBounce), u2 = u(static_cast<Dimension>(kBounce + 1));
     Vec3T<F> local = cosineHemisphere(u1, u2);
     const Vec3T<F> ng = p.geometric_normal.template lanes<W>(first);
     const ShadingFrame<F> frame(p.shading_normal.template lanes<W>(first));
@@ -122,7 +127,7 @@ void bounce(const Batch<C>& b) {
       if (plastic != 0) {
         const PlasticLanes<W, C> surfaces(p, first, frame, plastic);
         const auto these = maskOf<W>(plastic);
-        local = selectLanes(these, surfaces.sample(numbers.u(b.dimension(kLobe)), u1, u2, local), local);
+        local = selectLanes(these, surfaces.sample(u(kLobe), u1, u2, local), local);
         const ScatteredLanes<W, C> f = surfaces.evaluate(local);
         pdf = select(these, f.pdf, pdf);
         for (int k = 0; k < C; ++k) weight[k] = select(these, f.value[k] / f.pdf, weight[k]);

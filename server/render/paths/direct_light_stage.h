@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/paths/light_samples.h"
+#include "render/paths/path_sequence.h"
 #include "render/paths/plastic_lanes.h"
 #include "render/paths/shadow_rays.h"
 
@@ -50,9 +51,12 @@ void directLight(const Batch<C>& b) {
     typename ShadowRays<W, C, kMixed, kParts>::Lanes ray;
     ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.epsilon());
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
-    const auto light = sampleLights<W, C>(b.t, ray.origin, numbers.u(b.dimension(kLight)),
-                                          numbers.u(b.dimension(Dimension(kLight + 1))),
-                                          numbers.u(b.dimension(Dimension(kLight + 2))), bitsOf(lanes));
+    const auto u = [&](int k) {
+      const auto dimension = static_cast<Dimension>(kLight + k);
+      if constexpr (kParts) return sequenceNumbers<W>(numbers, dimension);
+      return numbers.u(b.dimension(dimension));
+    };
+    const auto light = sampleLights<W, C>(b.t, ray.origin, u(0), u(1), u(2), bitsOf(lanes));
     lanes = lanes && light.pdf > 0.f && dot(light.direction, ng) > 0.f;
     const F cosine = dot(light.direction, ns);
     const auto f = evaluateLanes<W, C, kMixed>(b, first, light.direction, ns, cosine, bitsOf(lanes));
