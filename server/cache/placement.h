@@ -10,7 +10,7 @@
 
 namespace saccade {
 
-inline constexpr int kGridLevels = 7;  // that an estimate blends
+inline constexpr int kGridLevels = 6;  // that an estimate blends
 inline constexpr int kPoolSteps = 2;   // evidence for a level is pooled that many levels up
 inline constexpr int kSlots = kGridLevels - 1 + kPoolSteps;  // levels of a point; slot 0 is the finest
 
