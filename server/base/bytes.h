@@ -19,8 +19,8 @@ class ByteWriter {
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   // With its size before it.
-  template <class T>
-  void add(const std::vector<T>& values) {
+  template <class T, class Memory>
+  void add(const std::vector<T, Memory>& values) {
     static_assert(std::is_trivially_copyable_v<T>);
     add<std::uint64_t>(values.size());
     bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
@@ -43,11 +43,12 @@ class ByteReader {
     std::memcpy(&value, next(1, sizeof value), sizeof value);
     return value;
   }
-  template <class T>
-  std::vector<T> getVector() {
+  template <class Vector>
+  Vector getVector() {
+    using T = typename Vector::value_type;
     const auto size = get<std::uint64_t>();
     const char* from = next(size, sizeof(T));
-    std::vector<T> values(size);
+    Vector values(size);
     if (size > 0) std::memcpy(values.data(), from, size * sizeof(T));
     return values;
   }

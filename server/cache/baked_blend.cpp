@@ -27,7 +27,7 @@ class Surroundings {
 
  private:
   template <class V>
-  V gather(int slot, std::vector<V> GridLevel::*values) {
+  V gather(int slot, HugeVector<V> GridLevel::*values) {
     V sum{};
     if (!levels_[slot]) return sum;
     const Tetrahedron corners(place_ * std::ldexp(1.0, -slot), bin_);

@@ -8,8 +8,8 @@ void require(bool holds, const char* fault) {
 }
 
 void readLevel(ByteReader& in, GridLevel& level) {
-  const auto keys = in.getVector<VertexKey>();
-  level.light = in.getVector<Quad>(), level.evidence = in.getVector<Octet>();
+  const auto keys = in.getVector<std::vector<VertexKey>>();
+  level.light = in.getVector<HugeVector<Quad>>(), level.evidence = in.getVector<HugeVector<Octet>>();
   require(level.light.size() == keys.size() && level.evidence.size() == keys.size(),
           "a level has vertices without values");
   VertexTable::Finder finder(level.table, 0);
@@ -45,8 +45,8 @@ void writeBounces(const BounceGrid& bounces, ByteWriter& out) {
 }
 
 void readBounces(ByteReader& in, BounceGrid& bounces) {
-  const auto keys = in.getVector<std::uint64_t>();
-  const auto light = in.getVector<Quad>();
+  const auto keys = in.getVector<std::vector<std::uint64_t>>();
+  const auto light = in.getVector<std::vector<Quad>>();
   require(light.size() == keys.size(), "cells without values");
   require(bounces.restore(keys, light), "a cell stands twice");
 }

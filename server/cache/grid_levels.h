@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/check.h"
+#include "base/huge_pages.h"
 #include "cache/lanes.h"
 #include "cache/placement.h"
 #include "cache/vertex_table.h"
@@ -14,10 +15,10 @@ namespace saccade {
 struct GridLevel {
   VertexTable table;
   // Sums over samples of weight, rest, visible / U and unoccluded / U (the two estimates by paths).
-  std::vector<Quad> light;
+  HugeVector<Quad> light;
   // Evidence of the level kPoolSteps below, for `rest` and then for visibility: sums of x, x^2, squared
   // residuals, and the weights of samples. evidence.h says what x is.
-  std::vector<Octet> evidence;
+  HugeVector<Octet> evidence;
 };
 
 // All levels, by the exponent of their cells' edge.
@@ -50,7 +51,7 @@ class GridLevels {
 
 // The weighted sum over a pixel's taps in one slot.
 template <class V>
-V gather(const std::vector<V>& values, const Placement& at, const GridPoint& p, int slot) {
+V gather(const HugeVector<V>& values, const Placement& at, const GridPoint& p, int slot) {
   V sum{};
   for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
     const Taps& taps = at.taps[slot][t];
@@ -61,7 +62,7 @@ V gather(const std::vector<V>& values, const Placement& at, const GridPoint& p, 
 
 // Adds a sample to the vertices of a pixel in one slot, where `open` says that a vertex takes more.
 template <class V, class Open>
-void scatter(const V& sample, const Placement& at, const GridPoint& p, int slot, std::vector<V>& sums,
+void scatter(const V& sample, const Placement& at, const GridPoint& p, int slot, HugeVector<V>& sums,
              const Open& open) {
   for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
     const Taps& taps = at.taps[slot][t];

@@ -24,7 +24,7 @@ std::uint32_t longestUnused(const GridLevels& levels, std::uint32_t now, std::si
 }
 
 template <class V>
-void keepOnly(const std::vector<bool>& kept, std::vector<V>& values) {
+void keepOnly(const std::vector<bool>& kept, HugeVector<V>& values) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (kept[i]) values[next++] = values[i];

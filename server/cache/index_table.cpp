@@ -6,7 +6,7 @@ namespace saccade {
 
 std::uint32_t IndexTable::add(std::uint64_t key, std::uint32_t now) {
   if (2 * (size_ + 1ull) > slots_.size()) {
-    std::vector<Slot> old(2 * slots_.size());
+    HugeVector<Slot> old(2 * slots_.size());
     std::swap(old, slots_);
     ++bits_;
     for (const Slot& slot : old)

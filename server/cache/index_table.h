@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/huge_pages.h"
 #include "cache/vertex_block.h"
 
 namespace saccade {
@@ -48,7 +49,7 @@ class IndexTable {
   std::uint32_t add(std::uint64_t key, std::uint32_t now);
 
   int bits_ = kFirstBits;
-  std::vector<Slot> slots_{std::size_t{1} << kFirstBits};  // at most half full
+  HugeVector<Slot> slots_{std::size_t{1} << kFirstBits};  // at most half full
   std::uint32_t size_ = 0;
 };
 

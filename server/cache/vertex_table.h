@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/huge_pages.h"
 #include "cache/index_table.h"
 #include "cache/vertex_block.h"
 
@@ -68,7 +69,7 @@ class VertexTable {
   std::uint32_t blockAt(VertexKey key, std::uint32_t now);
 
   IndexTable blocks_;
-  std::vector<Block> indices_;  // of the vertices of each block
+  HugeVector<Block> indices_;  // of the vertices of each block
   std::uint32_t size_ = 0;
 };
 
