@@ -45,7 +45,7 @@ class Surroundings {
   int bin_ = 0;
 };
 
-std::optional<BakedVertex> blendAround(Surroundings& around, const GridParams& params) {
+BakedVertex blendAround(Surroundings& around, const GridParams& params) {
   const LevelBlend<float> blend([&](int slot) { return around.light(slot); },
                                 [&](int slot) { return around.evidence(slot); }, 0, params.blend);
   if (blend.light[params.pixelSlot()][0] < kLeastSamples || blend.light[kTop - 1][0] == 0) return {};
@@ -62,22 +62,24 @@ std::optional<BakedVertex> blendAround(Surroundings& around, const GridParams& p
 
 }  // namespace
 
-BakedLevel blendAtVertices(const GridLevels& grid, int l, const GridParams& params, const PoolHandle& pool) {
+BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coarser, const GridParams& params,
+                           const PoolHandle& pool) {
   std::vector<VertexKey> keys = grid[l].table.keys();
-  std::vector<std::optional<BakedVertex>> light(keys.size());
+  std::vector<BakedPair> light(keys.size());
   pool.run((static_cast<int>(keys.size()) + kChunk - 1) / kChunk, [&](int chunk) {
     Surroundings around(grid, l);
     const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
     for (std::size_t v = begin; v < std::min(begin + kChunk, keys.size()); ++v) {
       around.lookFrom(keys[v]);
-      light[v] = blendAround(around, params);
+      light[v] = {blendAround(around, params), coarser.between(keys[v])};
     }
   });
-  std::vector<BakedVertex> known;
+  std::size_t known = 0;
   for (std::size_t v = 0; v < keys.size(); ++v)
-    if (light[v]) keys[known.size()] = keys[v], known.push_back(*light[v]);
-  keys.resize(known.size());
-  return {keys, known};
+    if (light[v].fine.isKnown() || light[v].coarse.isKnown())
+      keys[known] = keys[v], light[known++] = light[v];
+  keys.resize(known), light.resize(known);
+  return {keys, light};
 }
 
 }  // namespace saccade

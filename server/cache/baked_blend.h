@@ -8,7 +8,8 @@
 namespace saccade {
 
 // Blends the levels above level l at each of its vertices, of those with samples enough around them: each
-// vertex is the finest around itself.
-BakedLevel blendAtVertices(const GridLevels& grid, int l, const GridParams& params, const PoolHandle& pool);
+// vertex is the finest around itself. `coarser`: the same of the next level.
+BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coarser, const GridParams& params,
+                           const PoolHandle& pool);
 
 }  // namespace saccade

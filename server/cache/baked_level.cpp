@@ -1,5 +1,7 @@
 #include "cache/baked_level.h"
 
+#include <algorithm>
+
 #include "cache/index_table.h"
 
 namespace saccade {
@@ -25,8 +27,8 @@ void BakedLevel::forEachBlock(VertexKey vertex, const auto& f) {
   }
 }
 
-BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedVertex>& light)
-    : vertices_(keys.size()) {
+BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedPair>& light)
+    : vertices_(std::ranges::count_if(light, [](const BakedPair& both) { return both.fine.isKnown(); })) {
   IndexTable order;  // of the blocks: that of their first vertices
   std::vector<Block> blocks;
   for (const VertexKey key : keys)
@@ -47,6 +49,20 @@ BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<Bak
     forEachBlock(keys[v], [&](VertexKey block, std::uint32_t number) {
       light_[blocks_[slotOf(block)].indexOf(number)] = light[v];
     });
+}
+
+BakedVertex BakedLevel::between(VertexKey finer) const {
+  using namespace vertex_bits;
+  constexpr std::int32_t kCentre = Tetrahedron::kCentre, kMask = Tetrahedron::kAddressMask;
+  std::array<VertexKey, 2> ends{};
+  for (const int axis : {kX, kY, kZ}) {
+    const std::int32_t c = static_cast<std::int32_t>(finer >> axis & kMask) - kCentre;
+    for (const int end : {0, 1})
+      ends[end] |= static_cast<VertexKey>((((c + end) >> 1) + kCentre) & kMask) << axis;
+  }
+  const VertexKey bin = finer >> kBin << kBin;
+  const BakedVertex &a = at(ends[0] | bin), &b = at(ends[1] | bin);
+  return a.isKnown() && b.isKnown() ? meanOf(a, b) : BakedVertex{};
 }
 
 }  // namespace saccade

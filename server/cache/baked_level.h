@@ -1,6 +1,9 @@
-// Light that was computed ahead, of one level. It lies in memory by blocks of 4 x 4 x 4 cells. A block holds
-// the vertices at all corners of its cells, so that a tetrahedron needs one block: those at the border lie in
-// several.
+// Light that was computed ahead, of one level and of the next coarser one at the same vertices. Planes that
+// cut the coarser cells into tetrahedra are among those that cut the finer cells. So each tetrahedron lies
+// within a coarser one, and its corners tell the coarser light within exactly [ours].
+//
+// It lies in memory by blocks of 4 x 4 x 4 cells. A block holds the vertices at all corners of its cells, so
+// that a tetrahedron needs one block: those at the border lie in several.
 #pragma once
 
 #include <vector>
@@ -15,9 +18,16 @@ class BakedLevel {
  public:
   BakedLevel() = default;
   // `light` is that of vertices with different keys.
-  BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedVertex>& light);
+  BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedPair>& light);
 
-  std::size_t vertices() const { return vertices_; }
+  std::size_t vertices() const { return vertices_; }  // whose light on this level is known
+
+  // The light of this level at one of its vertices.
+  const BakedVertex& at(VertexKey vertex) const {
+    return light_[blocks_[slotOf(blockOf(vertex))].indexOf(numberOf(vertex))].fine;
+  }
+  // The same at a vertex of the next finer level: an odd coordinate lies half way between two of this one.
+  BakedVertex between(VertexKey finer) const;
 
   // A tetrahedron, by its lowest corner. `home` is where the search for its block begins.
   struct Place {
@@ -41,7 +51,11 @@ class BakedLevel {
     return {block.indexOf(first), block.indexOf(first + kSteps[most]), block.indexOf(last - kSteps[least]),
             block.indexOf(last)};
   }
-  const BakedVertex& operator[](std::uint32_t index) const { return light_[index]; }
+  static bool lacks(const Indices& found) {
+    const __m128i is = _mm_cmpeq_epi32(std::bit_cast<__m128i>(found), _mm_set1_epi32(kNothing));
+    return _mm_testz_si128(is, is) == 0;
+  }
+  const BakedPair& operator[](std::uint32_t index) const { return light_[index]; }
 
  private:
   static constexpr std::uint32_t kEdge = 5;  // vertices
@@ -81,7 +95,7 @@ class BakedLevel {
   int bits_ = 7;
   std::size_t vertices_ = 0;
   HugeVector<Block> blocks_{std::size_t{1} << bits_};  // a hash table, at most a quarter full
-  HugeVector<BakedVertex> light_{1};                   // the first is kNothing
+  HugeVector<BakedPair> light_{1};                     // the first is kNothing
 };
 
 }  // namespace saccade

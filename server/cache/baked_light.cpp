@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kLeastShare = 0.5f;  // of a point's weights, on known vertices of its coarser level
 // From a level to the one below: a step is half as many cells there, and a quarter of the variance.
-constexpr std::array<float, 8> kToFine{1, 1, 1, 0, 1, 1, 0.25f, 0.25f};
+constexpr float kStepToFine = 0.25f;
 
 // f(x, y, index) for each point of a tile, by squares within squares: neighbours in both directions share
 // blocks of vertices.
@@ -29,13 +29,18 @@ void forEachPointBySquares(Tile tile, const SurfaceSamples& on, const auto& f) {
 
 BakedLight::BakedLight(const GridLevels& grid, const GridParams& params, const PoolHandle& pool)
     : params_(params) {
+  int most = -1;
   grid.forEach([&](int l, const GridLevel&) {
-    auto& levels = levels_.levels;
-    if (levels.empty()) levels_.first = l;
-    levels.resize(l - levels_.first);
-    levels.push_back(blendAtVertices(grid, l, params, pool));
-    vertices_ += levels.back().vertices();
+    if (levels_.levels.empty()) levels_.first = l;
+    most = l;
+    levels_.levels.resize(l - levels_.first + 1);
   });
+  for (int l = most; l >= levels_.first; --l) {
+    if (!grid.find(l)) continue;
+    BakedLevel& level = levels_.levels[l - levels_.first];
+    level = blendAtVertices(grid, l, levels_.at(l + 1), params, pool);
+    vertices_ += level.vertices();
+  }
 }
 
 void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const {
@@ -70,16 +75,24 @@ void BakedLight::add(const BakedPoints& points, SurfaceSamples& on, const GBuffe
     of_points.set(i, std::array{on.place(index).unoccluded, on[index].share, mx * mx + my * my});
   }
   const auto [U, share, px2] = of_points.lanes();
-  const auto fine = points.light(0), coarse = points.light(1);
+  const auto [means, variances] = points.light();
+  const auto lanes = [](const Octet& column) { return F(__m256(column)); };
   const F of_fine = 1.f - points.fraction();
-  const auto known = coarse[kKnown] >= kLeastShare;
-  const F of_coarse = (1.f - of_fine * fine[kKnown]) / coarse[kKnown];  // also what no fine vertex knows
-  const auto at = [&](BakedLane k) { return fine[k] * of_fine + coarse[k] * kToFine[k] * of_coarse; };
+  const F fine_known = lanes(means[kKnown]), coarse_known = lanes(means[kOfCoarse + kKnown]);
+  const auto known = coarse_known >= kLeastShare;
+  const F of_coarse = (1.f - of_fine * fine_known) / coarse_known;  // also what no fine vertex knows
+  const auto blend = [&](const auto& columns, int k, const F& of_coarse) {
+    return F(lanes(columns[k]) * of_fine + lanes(columns[kOfCoarse + k]) * of_coarse);
+  };
+  const F rest = blend(means, kRest, of_coarse), visibility = blend(means, kVisibility, of_coarse);
   const F cells = points.scale() / params_.finest_px;
-  const F var_i = at(kVarRest) + U * U * at(kVarVisibility);
-  const F var_step = cells * cells * px2 * (at(kStepRest) + U * U * at(kStepVisibility));
+  const F var_i = blend(variances, kVarRest, of_coarse) + U * U * blend(variances, kVarVisibility, of_coarse);
+  const F of_step = of_coarse * kStepToFine;
+  const F var_step =
+      cells * cells * px2 *
+      (blend(variances, kStepRest, of_step) + U * U * blend(variances, kStepVisibility, of_step));
   LaneMemory<3> said;
-  store(F(share * (at(kRest) + U * at(kVisibility))), said.values[0]);
+  store(F(share * (rest + U * visibility)), said.values[0]);
   store(F(share * share * var_i), said.values[1]);
   store(F(share * share * min(F(2.f * var_i), var_step)), said.values[2]);
   forEachLane(bitsOf(known) & ((1u << points.count()) - 1), [&](int i) {

@@ -15,6 +15,7 @@ class TetrahedronLanes {
   void setPoint(int lane, Vec3 position) {
     position_[0][lane] = position.x, position_[1][lane] = position.y, position_[2][lane] = position.z;
   }
+  Vec3 point(int lane) const { return {position_[0][lane], position_[1][lane], position_[2][lane]}; }
   // Of all points that have been set. Cells have the edge 1 / `inv_h`, powers of two: nothing is rounded but
   // the fraction of a negative number, as in Tetrahedron.
   void find(const F& inv_h) {

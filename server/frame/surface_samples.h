@@ -99,6 +99,7 @@ class SurfaceSamples {
     return std::ranges::any_of(of(x, y), [](const SurfacePoint& p) { return p.isOther(); });
   }
 
+  bool need_paths = true;  // whether any point may get paths: not where nothing reflects but baked light
   const BounceGrid* bounces = nullptr;  // light that ends paths at their second vertex, as the method has it
 
  private:

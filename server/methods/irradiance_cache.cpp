@@ -103,6 +103,7 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
   Placement none;
   times[Stage::kTemporal] += grid.place(on, pool, light_.changed() ? none : at_prev_, at_);
   times[Stage::kTemporal] += grid.uncertainty(on, at_, pool, uncertainty_);
+  if (!on.need_paths) return;
   const auto asked = static_cast<float>(spp);
   const PathPlan paths{.asked = asked,
                        .usual = std::max(asked - params_.grid_paths, 0.5f * asked),
@@ -136,6 +137,7 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
     return all || frames.cur.surfaces->showsOthers(x, y) || frames.prev.surfaces->showsOthers(x, y);
   };
   if (!svgf_) {
+    if (!all && !frames.cur.surfaces->need_paths && !frames.prev.surfaces->need_paths) return;
     bool any = all;
     for (int y = 0; y < height && !any; ++y)
       for (int x = 0; x < width && !any; ++x) any = needed(x, y);
@@ -154,7 +156,7 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
 }
 
 void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
-  light_.current().bounces.add(*frames.cur.surfaces);
+  if (frames.cur.surfaces->need_paths) light_.current().bounces.add(*frames.cur.surfaces);
   if (baked_ && at_.empty() && at_prev_.empty()) {
     read_ = {&baked_->of(frames.cur.index), &baked_->of(frames.cur.index + 1)};
     return;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/wide.h"
+#include "render/lamp_lanes.h"
 
 namespace saccade {
 namespace {
@@ -36,18 +36,6 @@ Polygon above(const Polygon& in, Vec3 n) {
   return out;
 }
 
-// angle / sin(angle) of an angle with this cosine, to 5e-7: a polynomial fitted to acos(c) / sqrt(1 - c^2) on
-// [0, 1].
-template <class F>
-F angleOverSine(F cosine) {
-  using std::abs, std::max, std::sqrt;
-  const F c = abs(cosine);
-  F f = -0.02735403f;
-  for (const float k : {0.1384896f, -0.327471f, 0.5115087f, -0.6495042f, 0.7834481f, -0.9999133f, 1.570796f})
-    f = f * c + k;
-  return select(cosine >= 0.f, f, F(std::numbers::pi_v<float> / sqrt(max(F(1e-12f), 1.f - c * c)) - f));
-}
-
 // Share of the cosine-weighted hemisphere about n that a polygon above the horizon covers [Lambert 1760].
 float formFactor(const Polygon& polygon, Vec3 n) {
   std::array<Vec3, kMaxCorners> unit;
@@ -58,45 +46,6 @@ float formFactor(const Polygon& polygon, Vec3 n) {
     sum += angleOverSine(dot(a, b)) * dot(n, cross(a, b));
   }
   return std::abs(sum) * (0.5f * std::numbers::inv_pi_v<float>);
-}
-
-constexpr int kLanes = 8;
-using F = Floats<kLanes>;
-
-// Eight points.
-struct SeenFrom {
-  SeenFrom(const LitPoints& points, int first)
-      : point(points.point.lanes<kLanes>(first)),
-        normal(points.normal.lanes<kLanes>(first)),
-        geometric_normal(points.geometric_normal.lanes<kLanes>(first)) {}
-  Vec3T<F> point, normal, geometric_normal;
-};
-
-struct FormFactors {
-  F factor;            // of points that see all of a polygon
-  Mask<kLanes> whole;  // those points
-  std::uint32_t cut;   // points that see a part of it
-};
-
-FormFactors formFactors(const std::vector<Vec3>& corners, Vec3 lit, const SeenFrom& p) {
-  std::array<Vec3T<F>, 4> unit;
-  const auto front = dot(p.point - splat<F>(corners[0]), splat<F>(lit)) > 0.f;
-  auto all = front;
-  Mask<kLanes> any(false), any_geometric(false);  // corners above the horizon
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec3T<F> w = splat<F>(corners[i]) - p.point;
-    const auto above = dot(w, p.normal) > 0.f, above_geometric = dot(w, p.geometric_normal) > 0.f;
-    all = all && above && above_geometric;
-    any = any || above, any_geometric = any_geometric || above_geometric;
-    unit[i] = w * F(1.f / sqrt(dot(w, w)));
-  }
-  F sum = 0.f;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec3T<F>&a = unit[i], &b = unit[i + 1 < corners.size() ? i + 1 : 0];
-    sum += angleOverSine<F>(dot(a, b)) * dot(p.normal, cross(a, b));
-  }
-  return {F(abs(sum) * (0.5f * std::numbers::inv_pi_v<float>)), all,
-          bitsOf(front && any && any_geometric && !all)};
 }
 
 // Whether the second triangle goes on where the first ends, in its plane: (a, b, c) and (a, c, d), as of a
@@ -174,19 +123,14 @@ void AnalyticLight::at(const LitPoints& points, std::uint32_t lanes, const Emitt
     forEachLane(lanes, [&](int i) { result.set(i, fromPointsAndDirections(points.at(i))); });
   else
     result = {};
-  for (int first = 0; first < kLaneVectors; first += kLanes) {
-    const std::uint32_t here = lanes >> first & ((1u << kLanes) - 1);
+  for (int first = 0; first < kLaneVectors; first += LampLanes::kLanes) {
+    const std::uint32_t here = lanes >> first & ((1u << LampLanes::kLanes) - 1);
     if (here == 0) continue;
-    const SeenFrom lane_points(points, first);
+    const LampLanes seen_from(points.point, points.normal, points.geometric_normal, first, here);
     for (const Side& side : sides_) {
-      const auto [factor, whole, cut] = formFactors(side.corners, side.normal, lane_points);
-      const float strength = strengths[side.geometry];
-      const F light = select(whole, F(factor * strength), F(0.f));
-      result.store(result.lanes<kLanes>(first) + splat<F>(side.radiance) * light, first);
-      forEachLane(cut & here, [&](int i) {
-        const int lane = first + i;
-        result.set(lane, result.at(lane) + from(side, points.at(lane), strength));
-      });
+      const LampLanes::F factor = seen_from.formFactor(side.corners, side.normal);
+      const auto light = splat<LampLanes::F>(side.radiance) * LampLanes::F(factor * strengths[side.geometry]);
+      result.store(result.lanes<LampLanes::kLanes>(first) + light, first);
     }
   }
 }

@@ -6,6 +6,12 @@
 
 namespace saccade {
 
+template <class F>
+[[gnu::always_inline]] inline Vec3T<F> selectLanes(const auto& condition, const Vec3T<F>& a,
+                                                   const Vec3T<F>& b) {
+  return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
+}
+
 inline constexpr int kLaneVectors = 16;
 
 struct alignas(64) LaneVectors {

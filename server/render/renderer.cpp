@@ -74,14 +74,19 @@ std::chrono::nanoseconds Renderer::renderSurfaces(const Camera& camera, const Ca
   starts_.resize(out.surfaces->indexOf(0, out.height()), plain_only);
   const PixelContext view{*scene_, strengths_, camera, prev};
   const auto tile = withKernel(scene_->shading(), []<Shading S>() { return renderSurfaceTile<S>; });
-  return pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
-                          [&](Tile t) { tile(view, t, on_tile, starts_, out); });
+  const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
+                                     [&](Tile t) { tile(view, t, on_tile, starts_, out); });
+  out.surfaces->need_paths = starts_.any();
+  return time;
 }
 
 std::chrono::nanoseconds Renderer::renderPaths(const Camera& camera, const SeedPlan& seeds,
                                                const PoolHandle& pool, Frame& out) {
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
+  if (!out.surfaces->need_paths)
+    return pool.forEachRow(
+        out.height(), [&](int y) { std::copy_n(out.g.emission.row(y), out.width(), out.samples.I2.row(y)); });
   const PixelContext view{*scene_, strengths_, camera, camera};
   const auto tile = withKernel(scene_->shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;

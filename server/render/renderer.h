@@ -37,6 +37,7 @@ class Renderer {
   // The same for frames with SurfaceSamples, in two steps. First features, and the surfaces that samples are
   // of; then as many paths as SurfacePoint::paths says, of pass 2 alone. `on_tile` is called with each tile
   // as soon as it is known. It may mark points as baked: they get paths only if their pixel shows others.
+  // Where no point needs paths, the second step copies what the picture emits.
   std::chrono::nanoseconds renderSurfaces(
       const Camera& camera, const Camera& prev, const PoolHandle& pool, Frame& out,
       const OnTile& on_tile = [](Tile) {});

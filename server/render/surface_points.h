@@ -79,12 +79,14 @@ class TilePoints {
   // Copies where paths start, of points that may get any.
   void keepStarts(SurfaceStarts& starts) const {
     const SurfaceSamples& on = *out_.surfaces;
+    bool any = false;
     forEachPixel(tile_, [&](int x, int y) {
       const bool all = on.showsOthers(x, y);
       for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
         if (const SurfacePoint& p = on.at(column, y); p.share > 0 && (all || !p.baked))
-          keepStart(column, y, starts);
+          any = true, keepStart(column, y, starts);
     });
+    if (any) starts.setAny();
   }
 
  private:

@@ -1,6 +1,7 @@
 // Where the paths of a pixel's points start, for SurfaceSamples.
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "render/path_start.h"
@@ -41,15 +42,18 @@ struct PlainStart {
   float albedo = 0, width = 0;
 };
 
-// The starts of a frame's points, by index. Each is one of both.
+// The starts of a frame's points, by index. Each is one of both. Tiles are filled by several threads.
 class SurfaceStarts {
  public:
   // `plain_only`: there is no start of another kind.
   void resize(std::size_t points, bool plain_only) {
     plain_.resize(points), is_plain_.resize(points), others_.resize(plain_only ? 0 : points);
+    any_ = false;
   }
   void set(std::size_t i, const PlainStart& start) { plain_[i] = start, is_plain_[i] = true; }
   void set(std::size_t i, const SurfaceStart& start) { others_[i] = start, is_plain_[i] = false; }
+  void setAny() { any_ = true; }
+  bool any() const { return any_; }  // since resize()
 
   bool isPlain(std::size_t i) const { return is_plain_[i]; }
   const PlainStart& plain(std::size_t i) const { return plain_[i]; }
@@ -63,6 +67,7 @@ class SurfaceStarts {
   std::vector<PlainStart> plain_;
   std::vector<SurfaceStart> others_;
   std::vector<char> is_plain_;
+  std::atomic<bool> any_ = false;
 };
 
 }  // namespace saccade

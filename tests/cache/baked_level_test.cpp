@@ -15,7 +15,7 @@ VertexKey keyAt(VertexKey x, VertexKey y, VertexKey z) {
 [[gnu::noinline]] std::array<float, 4> find(const BakedLevel& level, VertexKey lowest, unsigned order) {
   std::array<float, 4> light;
   const auto found = level.find(level.prefetch(lowest), order);
-  for (int c = 0; c < 4; ++c) light[c] = found[c] == BakedLevel::kNothing ? -1 : level[found[c]].rest;
+  for (int c = 0; c < 4; ++c) light[c] = found[c] == BakedLevel::kNothing ? -1 : level[found[c]].fine.rest;
   return light;
 }
 
@@ -31,8 +31,9 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
     if (!held) return;
     keys.push_back(key);
   });
-  std::vector<BakedVertex> light(keys.size());
-  for (std::size_t i = 0; i < keys.size(); ++i) light[i].rest = static_cast<float>(i);
+  std::vector<BakedPair> light(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    light[i].fine = {.rest = static_cast<float>(i), .step_rest = {}};
   const BakedLevel level(keys, light);
   EXPECT_EQ(level.vertices(), keys.size());
   const auto expected = [&](VertexKey key) {
@@ -46,6 +47,24 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
       for (int c = 0; c < 4; ++c) ASSERT_EQ(found[c], expected(corners[c])) << order << " " << c;
     }
   });
+}
+
+// Two neighbours, at the coordinates -1 and 0 of x.
+TEST(BakedLevel, TellsItsLightAtFinerVertices) {
+  constexpr VertexKey kZero = Tetrahedron::kCentre;
+  const auto vertex = [](float rest) {
+    return BakedPair{.fine = {.rest = rest, .var_rest = HalfFloat(2 * rest), .step_rest = {}}, .coarse = {}};
+  };
+  const BakedLevel level({keyAt(kZero - 1, kZero, kZero), keyAt(kZero, kZero, kZero)},
+                         {vertex(2), vertex(6)});
+  const auto at = [&](VertexKey x, VertexKey y) { return level.between(keyAt(kZero + x, kZero + y, kZero)); };
+  EXPECT_EQ(at(-2, 0).rest, 2);
+  EXPECT_EQ(at(-1, 0).rest, 4);
+  EXPECT_EQ(at(-1, 0).var_rest.value(), 8);
+  EXPECT_EQ(at(0, 0).rest, 6);
+  EXPECT_TRUE(at(0, 0).isKnown());
+  for (const VertexKey x : {-3, 1}) EXPECT_FALSE(at(x, 0).isKnown());
+  EXPECT_FALSE(at(0, 1).isKnown());
 }
 
 TEST(BakedLevel, MayBeEmpty) {

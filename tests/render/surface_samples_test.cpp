@@ -234,6 +234,30 @@ TEST(SurfaceSamples, BakedPointsBesideOthersCanHavePaths) {
   EXPECT_GT(edges, 3);
 }
 
+// Of frames in turn that show the lamp, too.
+TEST(SurfaceSamples, NeedPathsUnlessAllPointsAreBaked) {
+  const auto s = std::make_shared<RenderScene>(lampRoom(test::grey(0.5f)));
+  const Camera camera({{0, 0, 0.5f}, {0, 0, 0, 1}}, pinhole(70, kSize, kSize));  // looks up
+  TilePool pool(2);
+  Frame frame(kSize, kSize, 1);
+  Renderer renderer(s, {2, 1});
+  for (const int learned : {kSize * kSize, 7, kSize * kSize}) {
+    renderer.renderSurfaces(camera, camera, pool, frame, [&](Tile tile) {
+      for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) frame.surfaces->at(x, y).baked = y * kSize + x < learned;
+    });
+    EXPECT_EQ(frame.surfaces->need_paths, learned < kSize * kSize);
+    renderer.renderPaths(camera, SeedPlan::independent(1, 0, 1), pool, frame);
+    double light = 0;
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) {
+        ASSERT_EQ(frame.samples.I2.at(x, y), frame.g.emission.at(x, y));
+        light += frame.samples.I2.at(x, y);
+      }
+    EXPECT_GT(light, 0);
+  }
+}
+
 // The points of a pixel show the light of all of it, as a picture of 16 times the resolution does.
 TEST(SurfaceSamples, PointsShowTheLightOfTheWholePixel) {
   constexpr int kFine = 16, kFineSize = kFine * kSize;

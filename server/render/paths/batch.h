@@ -56,12 +56,6 @@ template <class F>
   return {lanes.x[lane], lanes.y[lane], lanes.z[lane]};
 }
 
-template <class F>
-[[gnu::always_inline]] inline Vec3T<F> selectLanes(const auto& condition, const Vec3T<F>& a,
-                                                   const Vec3T<F>& b) {
-  return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
-}
-
 // The lanes among `lanes` whose surfaces are shaded like that, of the paths from `first` on.
 template <int W, int C>
 [[gnu::always_inline]] inline std::uint32_t lanesShadedAs(ShadedAs kind, const LivePaths<C>& paths, int first,
