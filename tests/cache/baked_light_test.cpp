@@ -62,7 +62,8 @@ TEST_F(BakedLightTest, IsAsTrueAsItsGrid) {
   EXPECT_NEAR(claimed, claimed_by_grid, 0.3 * claimed_by_grid);
 }
 
-// Steps of a fraction of a pixel: the variance of the change grows with their square, as the grid's does.
+// Steps of a fraction of a pixel: the variance of the change grows with their square, as the grid's does. A
+// bake judges detail at vertices, the grid at points, so that the two agree but roughly.
 TEST_F(BakedLightTest, KnowsTheVarianceOfSteps) {
   const BakedLight baked(grid.levels(), {}, pool);
   for (const float px : {0.1f, 0.4f}) {
@@ -75,7 +76,8 @@ TEST_F(BakedLightTest, KnowsTheVarianceOfSteps) {
       for (int x = 0; x < kW; ++x)
         if (from_bake.known.at(x, y) != 0)
           sum += from_bake.light.var_step.at(x, y), expected += from_grid.var_step.at(x, y);
-    EXPECT_NEAR(sum, expected, 0.5 * expected) << px;
+    EXPECT_GT(sum, 0.5 * expected) << px;
+    EXPECT_LT(sum, 2 * expected) << px;
   }
   wall.frame.g.motion_x.fill(20);  // so far away, nothing is the same
   const GridEstimate light = read(baked).light;
