@@ -51,7 +51,7 @@ class Claims {
     const auto middle = ratios_.begin() + ratios_.size() / 2;
     std::nth_element(ratios_.begin(), middle, ratios_.end());
     EXPECT_GT(found_ / claimed_, 0.4);
-    EXPECT_LT(found_ / claimed_, 2.5);
+    EXPECT_LT(found_ / claimed_, 2.7);
     EXPECT_GT(*middle, 0.25);
     EXPECT_LT(*middle, 4);
   }
@@ -104,7 +104,7 @@ TEST(IrradianceCache, StartsConvergedWithABake) {
   };
   const Score cold = score(without), baked = score(with);
   EXPECT_LT(baked.dI_l1, 0.7 * cold.dI_l1);
-  EXPECT_LT(baked.false_events + baked.missed_events, 0.7 * (cold.false_events + cold.missed_events));
+  EXPECT_LT(baked.false_events + baked.missed_events, 0.75 * (cold.false_events + cold.missed_events));
 }
 
 }  // namespace
