@@ -119,9 +119,14 @@ void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
 void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                                StageTimes& times) {
   filter(frames, pool, times);
-  // D[i_{t-1}] is what today's grid says of the frame before, not what was said then.
+  // D[i_{t-1}] is what today's grid says of the frame before, not what was said then. The filter takes the
+  // errors of neighbours for independent, but they share vertices: it lessens them by little.
+  const GridEstimate& now = *read_.now;
   times[Stage::kModulate] += pool.forEachRow(i_prev_.height(), [&](int y) {
-    for (int x = 0; x < i_prev_.width(); ++x) i_prev_.at(x, y) = filtered_.i.at(x, y) - filtered_.d.at(x, y);
+    const int width = i_prev_.width();
+    for (int x = 0; x < width; ++x) i_prev_.at(x, y) = filtered_.i.at(x, y) - filtered_.d.at(x, y);
+    std::copy_n(now.var_i.row(y), width, filtered_.var_i.row(y));
+    std::copy_n(now.var_step.row(y), width, filtered_.var_d.row(y));
   });
   times[Stage::kModulate] +=
       modulate(frames, Demodulation::kAlbedo, 1, filtered_, i_prev_, filtered_.var_i, pool, out);
@@ -207,10 +212,6 @@ void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, St
     times[Stage::kAtrous] += atrousIteration(frames, atrous_, 1 << k, filtered_, pool, scratch_);
     std::swap(filtered_, scratch_);
   }
-  // The filter takes the errors of neighbours for independent, but they share vertices: it lessens them by
-  // little.
-  filtered_.var_i.copyFrom(now.var_i);
-  filtered_.var_d.copyFrom(now.var_step);
 }
 
 }  // namespace saccade
