@@ -52,16 +52,10 @@ BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<Bak
 }
 
 BakedVertex BakedLevel::between(VertexKey finer) const {
-  using namespace vertex_bits;
-  constexpr std::int32_t kCentre = Tetrahedron::kCentre, kMask = Tetrahedron::kAddressMask;
-  std::array<VertexKey, 2> ends{};
-  for (const int axis : {kX, kY, kZ}) {
-    const std::int32_t c = static_cast<std::int32_t>(finer >> axis & kMask) - kCentre;
-    for (const int end : {0, 1})
-      ends[end] |= static_cast<VertexKey>((((c + end) >> 1) + kCentre) & kMask) << axis;
-  }
-  const VertexKey bin = finer >> kBin << kBin;
-  const BakedVertex &a = at(ends[0] | bin), &b = at(ends[1] | bin);
+  const Tetrahedron around(Tetrahedron::placeOf(finer) * 0.5, Tetrahedron::binOf(finer));
+  std::size_t end = 3;  // half of the weights are there, or all at corner 0
+  while (around.weight[end] == 0) --end;
+  const BakedVertex &a = at(around.key[0]), &b = at(around.key[end]);
   return a.isKnown() && b.isKnown() ? meanOf(a, b) : BakedVertex{};
 }
 
