@@ -125,11 +125,10 @@ void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, 
   times[Stage::kModulate] += pool.forEachRow(i_prev_.height(), [&](int y) {
     const int width = i_prev_.width();
     for (int x = 0; x < width; ++x) i_prev_.at(x, y) = filtered_.i.at(x, y) - filtered_.d.at(x, y);
-    std::copy_n(now.var_i.row(y), width, filtered_.var_i.row(y));
     std::copy_n(now.var_step.row(y), width, filtered_.var_d.row(y));
   });
   times[Stage::kModulate] +=
-      modulate(frames, Demodulation::kAlbedo, 1, filtered_, i_prev_, filtered_.var_i, pool, out);
+      modulate(frames, Demodulation::kAlbedo, 1, filtered_, i_prev_, now.var_i, pool, out);
 
   fillIn(frames, pool, out, times);
 }
