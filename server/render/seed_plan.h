@@ -7,12 +7,10 @@
 namespace saccade {
 
 struct SeedPlan {
-  std::uint64_t seed1, seed2;           // of pass 1 and pass 2
-  int spp1, spp2;                       // paths per pixel in each
-  FrameIndex jitter1 = 0, jitter2 = 0;  // with jitter: the frames whose points of the pixel they use
-  // Of frames whose paths start at surfaces that are found before: what seed2 is made of.
-  std::uint64_t stream = 0;
-  FrameIndex frame = 0;
+  std::uint64_t seed1, seed2;         // of pass 1 and pass 2
+  int spp1, spp2;                     // paths per pixel in each
+  FrameIndex frame1 = 0, frame2 = 0;  // whose seeds they are; with jitter also whose points of the pixel
+  std::uint64_t stream = 0;           // the seed of all frames, for paths that start at SurfaceSamples
 
   // r_t: the seed of frame t.
   static std::uint64_t frameSeed(std::uint64_t stream_seed, FrameIndex t) { return hashKey(stream_seed, t); }
@@ -27,7 +25,7 @@ struct SeedPlan {
   }
   // All paths are in pass 2.
   static SeedPlan independent(std::uint64_t stream_seed, FrameIndex t, int spp) {
-    return {0, frameSeed(stream_seed, t), 0, spp, t, t, stream_seed, t};
+    return {0, frameSeed(stream_seed, t), 0, spp, t, t, stream_seed};
   }
 };
 

@@ -78,7 +78,7 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces
       view.scene, view.strengths, bounces, {on.bounces, view.camera.origin, view.camera.pixel}};
   PathRun<S, C, true, decltype(onPath)> run(tracing, onPath);
   PlainPaths plain(view.camera.pixel, run);
-  const SequencePlace places(seeds.stream, seeds.frame);
+  const SequencePlace places(seeds.stream, seeds.frame2);
   forEachPixel(tile, [&](int x, int y) {
     out.samples.I2.at(x, y) = out.g.emission.at(x, y);
     for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {

@@ -121,8 +121,8 @@ void renderJitteredTile(const PixelContext& view, const SeedPlan& seeds, int bou
       for (int path = 0; path < spp; ++path)
         run.add(hits[i].start, {PathSampler(seed, pixel, static_cast<std::uint32_t>(path)), owner});
     };
-    addPaths(0, seeds.seed1, seeds.spp1, seeds.jitter1);
-    addPaths(1, seeds.seed2, seeds.spp2, seeds.jitter2);
+    addPaths(0, seeds.seed1, seeds.spp1, seeds.frame1);
+    addPaths(1, seeds.seed2, seeds.spp2, seeds.frame2);
   });
   run.finish();
   forEachPixel(tile, [&](int x, int y) {

@@ -1,6 +1,7 @@
 // A batch of paths under way, as the stages see it.
 #pragma once
 
+#include "render/paths/path_sequence.h"
 #include "render/paths/surface_stages.h"
 
 namespace saccade {
@@ -17,6 +18,14 @@ struct Batch {
 
   std::uint32_t dimension(Dimension d) const { return static_cast<std::uint32_t>(vertex) * kDimensions + d; }
 };
+
+// The random numbers of W paths at their vertex.
+template <int W, bool kParts, int C>
+[[gnu::always_inline]] inline Floats<W> numbersAt(const Batch<C>& b, const PathNumbers<W>& of, int d) {
+  const auto dimension = static_cast<Dimension>(d);
+  if (kParts && b.vertex == 0) return sequenceNumbers<W>(of, dimension);
+  return of.u(b.dimension(dimension));
+}
 
 template <int W, int C>
 [[gnu::always_inline]] inline std::array<Floats<W>, C> colorLanes(const ColorPlanes<C>& planes, int first) {

@@ -8,7 +8,6 @@
 #include "render/paths/arrivals.h"
 #include "render/paths/lane_queue.h"
 #include "render/paths/path_numbers.h"
-#include "render/paths/path_sequence.h"
 #include "render/paths/plastic_lanes.h"
 
 namespace saccade {
@@ -113,11 +112,8 @@ void bounce(const Batch<C>& b) {
       plastic = lanesShadedAs<W>(ShadedAs::kPlastic, p, first, bitsOf(lanes));
     }
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
-    const auto u = [&](Dimension d) {
-      if (kParts && b.vertex == 0) return sequenceNumbers<W>(numbers, d);
-      return numbers.u(b.dimension(d));
-    };
-    const F u1 = u(kBounce), u2 = u(static_cast<Dimension>(kBounce + 1));
+    const auto u = [&](int d) { return numbersAt<W, kParts>(b, numbers, d); };
+    const F u1 = u(kBounce), u2 = u(kBounce + 1);
     Vec3T<F> local = cosineHemisphere(u1, u2);
     const Vec3T<F> ng = p.geometric_normal.template lanes<W>(first);
     const ShadingFrame<F> frame(p.shading_normal.template lanes<W>(first));

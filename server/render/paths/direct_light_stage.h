@@ -3,7 +3,6 @@
 #pragma once
 
 #include "render/paths/light_samples.h"
-#include "render/paths/path_sequence.h"
 #include "render/paths/plastic_lanes.h"
 #include "render/paths/shadow_rays.h"
 
@@ -51,11 +50,7 @@ void directLight(const Batch<C>& b) {
     typename ShadowRays<W, C, kMixed, kParts>::Lanes ray;
     ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.epsilon());
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
-    const auto u = [&](int k) {
-      const auto dimension = static_cast<Dimension>(kLight + k);
-      if constexpr (kParts) return sequenceNumbers<W>(numbers, dimension);
-      return numbers.u(b.dimension(dimension));
-    };
+    const auto u = [&](int k) { return numbersAt<W, kParts>(b, numbers, kLight + k); };
     const auto light = sampleLights<W, C>(b.t, ray.origin, u(0), u(1), u(2), bitsOf(lanes));
     lanes = lanes && light.pdf > 0.f && dot(light.direction, ng) > 0.f;
     const F cosine = dot(light.direction, ns);

@@ -21,6 +21,9 @@ namespace saccade {
 class SequencePlace {
  public:
   static constexpr int kEdgeBits = 11, kPathBits = 8, kFrameBits = 2;
+  static constexpr int kY = kEdgeBits, kPath = kY + kEdgeBits,
+                       kFrame = kPath + kPathBits;  // their first bits
+  static_assert(kFrame + kFrameBits == 32);
   static constexpr std::uint32_t kRunFrames = 1u << kFrameBits;
 
   // `stream`: the seed of all frames.
@@ -35,11 +38,6 @@ class SequencePlace {
   }
 
  private:
-  template <int W>
-  friend Floats<W> sequenceNumbers(const PathNumbers<W>& of, Dimension d);
-
-  static constexpr int kY = kEdgeBits, kPath = kY + kEdgeBits, kFrame = kPath + kPathBits;  // first bits
-  static_assert(kFrame + kFrameBits == 32);
   static std::uint32_t part(std::uint32_t v, int bits, int first) {
     return (v & ((1u << bits) - 1)) << first;
   }
@@ -75,11 +73,11 @@ template <int W>
     return Uints<W>((of.key_low >> first) & ((1u << count) - 1));
   };
   const auto& steps = kSequenceSteps;
-  const Uints<W> bits =
-      mix32(Uints<W>(of.key_high + d * 0x9e3779b9u)) + part(0, Place::kEdgeBits) * steps.x[d] +
-      part(Place::kY, Place::kEdgeBits) * steps.y[d] + part(Place::kPath, Place::kPathBits) * steps.path[d] +
-      (of.key_low >> Place::kFrame) * steps.frame[d];
-  return toFloats(Uints<W>(bits >> 8)) * 0x1p-24f;
+  const Uints<W> bits = of.ofUpperKey(d) + part(0, Place::kEdgeBits) * steps.x[d] +
+                        part(Place::kY, Place::kEdgeBits) * steps.y[d] +
+                        part(Place::kPath, Place::kPathBits) * steps.path[d] +
+                        (of.key_low >> Place::kFrame) * steps.frame[d];
+  return PathNumbers<W>::unit(bits);
 }
 
 }  // namespace saccade
