@@ -31,7 +31,7 @@ const std::vector<ParamField<P>>& fields() {
        "paths per pixel whose time the grid takes: so many are left out, half of those asked at most",
        "[ours]"},
       {"memory", &P::memory, 1, 65536,
-       "MiB of the grid, which has at most 10 kB per pixel; at least what two frames need", "[ours]"},
+       "MiB of the grid, which has at most 5 kB per pixel; at least what two frames need", "[ours]"},
       {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
       {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
   };
@@ -43,13 +43,13 @@ constexpr int kBakedIterations = 1;
 
 // Bytes of a grid: what `memory` allows, but no more than 32 pictures show that have nothing in common.
 double gridBytes(int memory, double pixels) {
-  constexpr double kMostPerPixel = 10'000;
+  constexpr double kMostPerPixel = 5000;
   return std::min(memory * double(1 << 20), kMostPerPixel * pixels);
 }
 
-// Measured with the least `memory` on pictures of 512x512 that show curved meshes all over.
+// Measured with the least `memory` on pictures of 512x512 of curved meshes and of the staircase.
 double mostBytes(const ParamValues& params, double pixels, bool jitter) {
-  constexpr double kPlaces = 1800, kMorePlaces = 1400, kTwoFrames = 1200;  // per pixel
+  constexpr double kPlaces = 1500, kMorePlaces = 1400, kTwoFrames = 600;  // per pixel
   return pixels * (jitter ? kPlaces + kMorePlaces : kPlaces) +
          std::max(pixels * kTwoFrames, gridBytes(static_cast<int>(params.at("memory")), pixels));
 }

@@ -15,7 +15,7 @@ namespace saccade {
 
 // irradiance_cache.cpp states the range and the source of each parameter.
 struct IrradianceCacheParams {
-  float finest = 1.4f;
+  float finest = GridParams{}.finest_px;
   float tau = GridParams{}.blend.tau;
   float noise = GridParams{}.blend.noise;
   float caution = GridParams{}.blend.caution;

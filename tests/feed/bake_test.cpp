@@ -150,7 +150,7 @@ TEST_F(BakeTest, ResumesWithTheCellsThatItHad) {
 
 TEST_F(BakeTest, GoesOnWithWhatItHasWhenMemoryIsFull) {
   BakePlan small = plan(0.05f);
-  small.camera = pinhole(80, 48, 36), small.memory = 2;
+  small.camera = pinhole(80, 48, 36), small.memory = 1;
   Baker baker(room(), small);
   while (!baker.isFull() && !baker.isDone()) baker.pass(pool);
   ASSERT_TRUE(baker.isFull());
