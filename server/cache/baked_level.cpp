@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "cache/index_table.h"
-
 namespace saccade {
 
 void BakedLevel::forEachBlock(VertexKey vertex, const auto& f) {
@@ -27,27 +25,51 @@ void BakedLevel::forEachBlock(VertexKey vertex, const auto& f) {
   }
 }
 
-BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedPair>& light)
-    : vertices_(std::ranges::count_if(light, [](const BakedPair& both) { return both.fine.isKnown(); })) {
-  IndexTable order;  // of the blocks: that of their first vertices
-  std::vector<Block> blocks;
+// Finds all groups, and which blocks they have.
+void BakedLevel::makeGroups(const std::vector<VertexKey>& keys) {
+  std::vector<VertexKey> groups;
+  for (const VertexKey key : keys)
+    forEachBlock(key, [&](VertexKey block, std::uint32_t) {
+      if (groups.empty() || groups.back() != groupOf(block)) groups.push_back(groupOf(block));
+    });
+  std::ranges::sort(groups);
+  const auto repeated = std::ranges::unique(groups);
+  groups.erase(repeated.begin(), repeated.end());
+  while ((std::size_t{1} << bits_) < 4 * groups.size()) ++bits_;
+  groups_.assign(std::size_t{1} << bits_, {});
+  for (const VertexKey group : groups) groups_[slotOf(group)].key = group;
+  for (const VertexKey key : keys)
+    forEachBlock(key, [&](VertexKey block, std::uint32_t) {
+      groups_[slotOf(groupOf(block))].blocks |= std::uint64_t{1} << placeInGroup(block);
+    });
+  std::uint32_t next = kNoBlock + 1;
+  for (const VertexKey key : groups) {
+    Group& group = groups_[slotOf(key)];
+    group.first = next, next += static_cast<std::uint32_t>(std::popcount(group.blocks));
+  }
+  blocks_.resize(next);
+}
+
+// Finds which vertices the blocks have.
+void BakedLevel::makeBlocks(const std::vector<VertexKey>& keys) {
   for (const VertexKey key : keys)
     forEachBlock(key, [&](VertexKey block, std::uint32_t number) {
-      const std::uint32_t i = order.findOrAdd(block, 0);
-      if (i == blocks.size()) blocks.push_back({.key = block});
-      blocks[i].vertices[number >> 6] |= std::uint64_t{1} << (number & 63);
+      blocks_[indexOf(block)].vertices[number >> 6] |= std::uint64_t{1} << (number & 63);
     });
-  while ((std::size_t{1} << bits_) < 4 * blocks.size()) ++bits_;
-  blocks_.assign(std::size_t{1} << bits_, {});
-  for (const Block& block : blocks) blocks_[slotOf(block.key)] = block;
   std::uint32_t next = kNothing + 1;
   for (Block& block : blocks_)
     for (std::size_t word = 0; word < 2; ++word)
       block.first[word] = next, next += static_cast<std::uint32_t>(std::popcount(block.vertices[word]));
   light_.resize(next);
+}
+
+BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedPair>& light)
+    : vertices_(std::ranges::count_if(light, [](const BakedPair& both) { return both.fine.isKnown(); })) {
+  makeGroups(keys);
+  makeBlocks(keys);
   for (std::size_t v = 0; v < keys.size(); ++v)
     forEachBlock(keys[v], [&](VertexKey block, std::uint32_t number) {
-      light_[blocks_[slotOf(block)].indexOf(number)] = light[v];
+      light_[blocks_[indexOf(block)].indexOf(number)] = light[v];
     });
 }
 

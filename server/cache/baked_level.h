@@ -2,8 +2,9 @@
 // cut the coarser cells into tetrahedra are among those that cut the finer cells. So each tetrahedron lies
 // within a coarser one, and its corners tell the coarser light within exactly [ours].
 //
-// It lies in memory by blocks of 4 x 4 x 4 cells. A block holds the vertices at all corners of its cells, so
-// that a tetrahedron needs one block: those at the border lie in several.
+// It lies in memory by blocks of 4 x 4 x 4 cells, and these by groups. A block holds the vertices at all
+// corners of its cells, so that a tetrahedron needs one block: those at the border lie in several. Groups are
+// few, so that their table stays at hand, and what a few pixels show lies close together.
 #pragma once
 
 #include <vector>
@@ -24,29 +25,28 @@ class BakedLevel {
 
   // The light of this level at one of its vertices.
   const BakedVertex& at(VertexKey vertex) const {
-    return light_[blocks_[slotOf(blockOf(vertex))].indexOf(numberOf(vertex))].fine;
+    return light_[blocks_[indexOf(blockOf(vertex))].indexOf(numberOf(vertex))].fine;
   }
   // The same at a vertex of the next finer level: an odd coordinate lies half way between two of this one.
   BakedVertex between(VertexKey finer) const;
 
-  // A tetrahedron, by its lowest corner. `home` is where the search for its block begins.
+  // A tetrahedron, by the block and the number of its lowest corner.
   struct Place {
-    VertexKey lowest;
-    std::size_t home;
+    std::uint32_t block, number;
   };
   // Brings what find() needs closer.
   Place prefetch(VertexKey lowest) const {
-    const std::size_t home = homeOf(blockOf(lowest));
-    __builtin_prefetch(&blocks_[home]);
-    return {lowest, home};
+    const std::uint32_t block = indexOf(blockOf(lowest));
+    __builtin_prefetch(&blocks_[block]);
+    return {block, numberOf(lowest)};
   }
   // Where the light at the corners of a tetrahedron of an order is, see Tetrahedron::corners(); kNothing
   // where there is no such vertex.
   static constexpr std::uint32_t kNothing = 0;
   using Indices = std::array<std::uint32_t, 4>;
   Indices find(const Place& at, unsigned order) const {
-    const Block& block = blocks_[slotOf(blockOf(at.lowest), at.home)];
-    const std::uint32_t first = numberOf(at.lowest), last = first + kSteps[0] + kSteps[1] + kSteps[2];
+    const Block& block = blocks_[at.block];
+    const std::uint32_t first = at.number, last = first + kSteps[0] + kSteps[1] + kSteps[2];
     const auto [most, least] = Tetrahedron::axes(order);
     return {block.indexOf(first), block.indexOf(first + kSteps[most]), block.indexOf(last - kSteps[least]),
             block.indexOf(last)};
@@ -60,10 +60,10 @@ class BakedLevel {
  private:
   static constexpr std::uint32_t kEdge = 5;  // vertices
   static constexpr std::array<std::uint32_t, 3> kSteps{1, kEdge, kEdge* kEdge};
+  static constexpr std::uint32_t kNoBlock = 0;
 
   // The light at its vertices lies in the order of their numbers.
-  struct alignas(32) Block {
-    VertexKey key = 0;                           // 0: a free slot
+  struct Block {
     std::array<std::uint64_t, 2> vertices = {};  // a bit for each, by number
     std::array<std::uint32_t, 2> first = {};     // the index of the first vertex of each word
 
@@ -74,6 +74,13 @@ class BakedLevel {
     }
   };
 
+  // Its blocks lie in the order of their places.
+  struct Group {
+    VertexKey key = 0;         // 0: a free slot
+    std::uint64_t blocks = 0;  // a bit for each, by place
+    std::uint32_t first = 0;   // the index of the first block
+  };
+
   // Of the vertex that is the lowest corner of a cell of a block.
   static std::uint32_t numberOf(VertexKey vertex) {
     using namespace vertex_bits;
@@ -82,19 +89,25 @@ class BakedLevel {
   }
   // f(block, number) for each block that a vertex lies in.
   static void forEachBlock(VertexKey vertex, const auto& f);
+  void makeGroups(const std::vector<VertexKey>& keys);
+  void makeBlocks(const std::vector<VertexKey>& keys);
 
-  // Neighbours are spread: what crowds together would share slots.
-  std::size_t homeOf(VertexKey block) const { return block * 0x9e3779b97f4a7c15ull >> (64 - bits_); }
-  std::size_t slotOf(VertexKey block) const { return slotOf(block, homeOf(block)); }
-  std::size_t slotOf(VertexKey block, std::size_t home) const {
-    std::size_t i = home;
-    while (blocks_[i].key != block && blocks_[i].key != 0) i = (i + 1) & (blocks_.size() - 1);
+  std::uint32_t indexOf(VertexKey block) const {
+    const Group& group = groups_[slotOf(groupOf(block))];
+    const std::uint64_t bit = std::uint64_t{1} << placeInGroup(block);
+    const auto index = group.first + static_cast<std::uint32_t>(std::popcount(group.blocks & (bit - 1)));
+    return (group.blocks & bit) != 0 ? index : kNoBlock;
+  }
+  std::size_t slotOf(VertexKey group) const {
+    std::size_t i = group * 0x9e3779b97f4a7c15ull >> (64 - bits_);
+    while (groups_[i].key != group && groups_[i].key != 0) i = (i + 1) & (groups_.size() - 1);
     return i;
   }
 
   int bits_ = 7;
   std::size_t vertices_ = 0;
-  HugeVector<Block> blocks_{std::size_t{1} << bits_};  // a hash table, at most a quarter full
+  HugeVector<Group> groups_{std::size_t{1} << bits_};  // a hash table, at most a quarter full
+  HugeVector<Block> blocks_{1};                        // the first is kNoBlock, and empty
   HugeVector<BakedPair> light_{1};                     // the first is kNothing
 };
 

@@ -32,14 +32,24 @@ inline VertexKey vertexOf(VertexKey block, std::uint32_t cell) {
   return block | VertexKey{cell & 3} << kX | VertexKey{cell >> 2 & 3} << kY | VertexKey{cell >> 4} << kZ;
 }
 
-// Where a hash table of 2^bits slots, more than 64, keeps a key at first. Blocks of a cube of 4 x 4 x 4 lie
-// together: neighbours are wanted one after another.
+// Blocks of a cube of 4 x 4 x 4 are a group.
+inline constexpr int kGroupBits = 6;
+namespace vertex_bits {
+inline constexpr VertexKey kInGroup = VertexKey{12} << kX | VertexKey{12} << kY | VertexKey{12} << kZ;
+}
+inline VertexKey groupOf(VertexKey block) {
+  return block & ~vertex_bits::kInGroup;
+}
+// Its place within the group, 0 to 63.
+inline std::uint32_t placeInGroup(VertexKey block) {
+  return static_cast<std::uint32_t>(_pext_u64(block, vertex_bits::kInGroup));
+}
+
+// Where a hash table of 2^bits slots, more than 64, keeps a key at first. The blocks of a group lie together:
+// neighbours are wanted one after another.
 inline std::size_t homeOf(VertexKey block, int bits) {
-  using namespace vertex_bits;
-  constexpr VertexKey kNeighbours = VertexKey{12} << kX | VertexKey{12} << kY | VertexKey{12} << kZ;
-  constexpr int kNeighbourBits = 6;
-  const std::uint64_t hash = (block & ~kNeighbours) * 0x9e3779b97f4a7c15ull;
-  return hash >> (64 + kNeighbourBits - bits) << kNeighbourBits | _pext_u64(block, kNeighbours);
+  const std::uint64_t hash = groupOf(block) * 0x9e3779b97f4a7c15ull;
+  return hash >> (64 + kGroupBits - bits) << kGroupBits | placeInGroup(block);
 }
 
 // Remembers what was found for blocks.
