@@ -45,25 +45,26 @@ class Surroundings {
   int bin_ = 0;
 };
 
-BakedVertex blendAround(Surroundings& around, const GridParams& params) {
+BakedVertex blendAround(Surroundings& around, const GridParams& params, float scale) {
   const LevelBlend<float> blend([&](int slot) { return around.light(slot); },
                                 [&](int slot) { return around.evidence(slot); }, 0, params.blend);
   if (blend.light[params.pixelSlot()][0] < kLeastSamples || blend.light[kTop - 1][0] == 0) return {};
   const auto step = [](const BlendedLight<float>& light) {
     return light.stepVariance(kSmallStep) / (kSmallStep * kSmallStep);
   };
-  return BakedVertex{blend.rest.value,
-                     blend.visibility.value,
-                     HalfFloat(blend.rest.variance),
-                     HalfFloat(blend.visibility.variance),
-                     HalfFloat(step(blend.rest)),
-                     HalfFloat(step(blend.visibility))};
+  return {.known = true,
+          .rest = scale * blend.rest.value,
+          .visibility = blend.visibility.value,
+          .var_rest = scale * scale * blend.rest.variance,
+          .var_visibility = blend.visibility.variance,
+          .step_rest = scale * scale * step(blend.rest),
+          .step_visibility = step(blend.visibility)};
 }
 
 }  // namespace
 
 BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coarser, const GridParams& params,
-                           const PoolHandle& pool) {
+                           float scale, const PoolHandle& pool) {
   std::vector<VertexKey> keys = grid[l].table.keys();
   std::vector<BakedPair> light(keys.size());
   pool.run((static_cast<int>(keys.size()) + kChunk - 1) / kChunk, [&](int chunk) {
@@ -71,13 +72,12 @@ BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coar
     const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
     for (std::size_t v = begin; v < std::min(begin + kChunk, keys.size()); ++v) {
       around.lookFrom(keys[v]);
-      light[v] = {blendAround(around, params), coarser.between(keys[v])};
+      light[v] = {blendAround(around, params, scale), coarser.between(keys[v])};
     }
   });
   std::size_t known = 0;
   for (std::size_t v = 0; v < keys.size(); ++v)
-    if (light[v].fine.isKnown() || light[v].coarse.isKnown())
-      keys[known] = keys[v], light[known++] = light[v];
+    if (light[v].fine().known || light[v].coarse().known) keys[known] = keys[v], light[known++] = light[v];
   keys.resize(known), light.resize(known);
   return {keys, light};
 }

@@ -8,8 +8,9 @@
 namespace saccade {
 
 // Blends the levels above level l at each of its vertices, of those with samples enough around them: each
-// vertex is the finest around itself. `coarser`: the same of the next level.
+// vertex is the finest around itself. `coarser`: the same of the next level. `scale`: a factor on all light
+// but visibility, which should bring it to at most 2^7.
 BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coarser, const GridParams& params,
-                           const PoolHandle& pool);
+                           float scale, const PoolHandle& pool);
 
 }  // namespace saccade

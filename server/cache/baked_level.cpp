@@ -64,7 +64,7 @@ void BakedLevel::makeBlocks(const std::vector<VertexKey>& keys) {
 }
 
 BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedPair>& light)
-    : vertices_(std::ranges::count_if(light, [](const BakedPair& both) { return both.fine.isKnown(); })) {
+    : vertices_(std::ranges::count_if(light, [](const BakedPair& both) { return both.fine().known; })) {
   makeGroups(keys);
   makeBlocks(keys);
   for (std::size_t v = 0; v < keys.size(); ++v)
@@ -77,8 +77,8 @@ BakedVertex BakedLevel::between(VertexKey finer) const {
   const Tetrahedron around(Tetrahedron::placeOf(finer) * 0.5, Tetrahedron::binOf(finer));
   std::size_t end = 3;  // half of the weights are there, or all at corner 0
   while (around.weight[end] == 0) --end;
-  const BakedVertex &a = at(around.key[0]), &b = at(around.key[end]);
-  return a.isKnown() && b.isKnown() ? meanOf(a, b) : BakedVertex{};
+  const BakedVertex a = at(around.key[0]).fine(), b = at(around.key[end]).fine();
+  return a.known && b.known ? meanOf(a, b) : BakedVertex{};
 }
 
 }  // namespace saccade

@@ -23,19 +23,24 @@ class BakedLevel {
 
   std::size_t vertices() const { return vertices_; }  // whose light on this level is known
 
-  // The light of this level at one of its vertices.
-  const BakedVertex& at(VertexKey vertex) const {
-    return light_[blocks_[indexOf(blockOf(vertex))].indexOf(numberOf(vertex))].fine;
+  // The light at one of its vertices.
+  const BakedPair& at(VertexKey vertex) const {
+    return light_[blocks_[indexOf(blockOf(vertex))].indexOf(numberOf(vertex))];
   }
-  // The same at a vertex of the next finer level: an odd coordinate lies half way between two of this one.
+  // That of this level at a vertex of the next finer level: an odd coordinate lies half way between two of
+  // this one.
   BakedVertex between(VertexKey finer) const;
 
   // A tetrahedron, by the block and the number of its lowest corner.
   struct Place {
     std::uint32_t block, number;
   };
+  // Brings what locate() needs closer.
+  void prefetch(VertexKey lowest) const {
+    __builtin_prefetch(&groups_[homeSlotOf(groupOf(blockOf(lowest)))]);
+  }
   // Brings what find() needs closer.
-  Place prefetch(VertexKey lowest) const {
+  Place locate(VertexKey lowest) const {
     const std::uint32_t block = indexOf(blockOf(lowest));
     __builtin_prefetch(&blocks_[block]);
     return {block, numberOf(lowest)};
@@ -98,8 +103,9 @@ class BakedLevel {
     const auto index = group.first + static_cast<std::uint32_t>(std::popcount(group.blocks & (bit - 1)));
     return (group.blocks & bit) != 0 ? index : kNoBlock;
   }
+  std::size_t homeSlotOf(VertexKey group) const { return group * 0x9e3779b97f4a7c15ull >> (64 - bits_); }
   std::size_t slotOf(VertexKey group) const {
-    std::size_t i = group * 0x9e3779b97f4a7c15ull >> (64 - bits_);
+    std::size_t i = homeSlotOf(group);
     while (groups_[i].key != group && groups_[i].key != 0) i = (i + 1) & (groups_.size() - 1);
     return i;
   }

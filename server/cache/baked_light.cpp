@@ -1,6 +1,7 @@
 #include "cache/baked_light.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cache/point_lanes.h"
 
@@ -10,6 +11,17 @@ namespace {
 constexpr float kLeastShare = 0.5f;  // of a point's weights, on known vertices of its coarser level
 // From a level to the one below: a step is half as many cells there, and a quarter of the variance.
 constexpr float kStepToFine = 0.25f;
+
+// The power of two that brings the brightest light of a grid to somewhat less than 2^7: half floats then tell
+// all that is brighter than a two millionth of it.
+float scaleFor(const GridLevels& grid) {
+  float brightest = 0;
+  grid.forEach([&](int, const GridLevel& level) {
+    for (const Quad& sum : level.light)
+      if (sum[0] > 0) brightest = std::max(brightest, sum[1] / sum[0]);
+  });
+  return brightest > 0 ? std::ldexp(1.f, 6 - std::ilogb(brightest)) : 1;
+}
 
 // f(x, y, index) for each point of a tile, by squares within squares: neighbours in both directions share
 // blocks of vertices.
@@ -28,7 +40,7 @@ void forEachPointBySquares(Tile tile, const SurfaceSamples& on, const auto& f) {
 }  // namespace
 
 BakedLight::BakedLight(const GridLevels& grid, const GridParams& params, const PoolHandle& pool)
-    : params_(params) {
+    : params_(params), scale_(scaleFor(grid)) {
   int most = -1;
   grid.forEach([&](int l, const GridLevel&) {
     if (levels_.levels.empty()) levels_.first = l;
@@ -38,18 +50,20 @@ BakedLight::BakedLight(const GridLevels& grid, const GridParams& params, const P
   for (int l = most; l >= levels_.first; --l) {
     if (!grid.find(l)) continue;
     BakedLevel& level = levels_.levels[l - levels_.first];
-    level = blendAtVertices(grid, l, levels_.at(l + 1), params, pool);
+    level = blendAtVertices(grid, l, levels_.at(l + 1), params, scale_, pool);
     vertices_ += level.vertices();
   }
 }
 
 void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const {
-  std::array<BakedPoints, 3> batches;  // wanted, found and read in turn
+  constexpr int kSteps = 4;
+  std::array<BakedPoints, kSteps> batches;  // wanted, located, found and read in turn
   int batch = 0;
   const auto turn = [&] {
     batches[batch].want(levels_, params_.finest_px);
-    batches[(batch + 2) % 3].find();
-    batch = (batch + 1) % 3;
+    batches[(batch + 3) % kSteps].locate();
+    batches[(batch + 2) % kSteps].find();
+    batch = (batch + 1) % kSteps;
     if (batches[batch].count() > 0) add(batches[batch], on, g, out);
     batches[batch].clear();
   };
@@ -62,7 +76,7 @@ void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstim
     batches[batch].add({x, y, static_cast<std::uint32_t>(index)}, on.place(index), on[index].kind);
     if (batches[batch].full()) turn();
   });
-  for (int left = 0; left < 3; ++left) turn();
+  for (int left = 0; left < kSteps; ++left) turn();
 }
 
 void BakedLight::add(const BakedPoints& points, SurfaceSamples& on, const GBuffer& g,
@@ -84,13 +98,16 @@ void BakedLight::add(const BakedPoints& points, SurfaceSamples& on, const GBuffe
   const auto blend = [&](const auto& columns, int k, const F& of_coarse) {
     return F(lanes(columns[k]) * of_fine + lanes(columns[kOfCoarse + k]) * of_coarse);
   };
-  const F rest = blend(means, kRest, of_coarse), visibility = blend(means, kVisibility, of_coarse);
+  const F visibility = blend(means, kVisibility, of_coarse);
+  const F rest = blend(means, kRest, of_coarse) / scale_;
+  // Of `of_rest` and of what U is a factor of.
+  const auto variance = [&](int of_rest, int of_visibility, const F& of_coarse) {
+    return F(blend(variances, of_rest, of_coarse) / (scale_ * scale_) +
+             U * U * blend(variances, of_visibility, of_coarse));
+  };
   const F cells = points.scale() / params_.finest_px;
-  const F var_i = blend(variances, kVarRest, of_coarse) + U * U * blend(variances, kVarVisibility, of_coarse);
-  const F of_step = of_coarse * kStepToFine;
-  const F var_step =
-      cells * cells * px2 *
-      (blend(variances, kStepRest, of_step) + U * U * blend(variances, kStepVisibility, of_step));
+  const F var_i = variance(kVarRest, kVarVisibility, of_coarse);
+  const F var_step = cells * cells * px2 * variance(kStepRest, kStepVisibility, F(of_coarse * kStepToFine));
   LaneMemory<3> said;
   store(F(share * (rest + U * visibility)), said.values[0]);
   store(F(share * share * var_i), said.values[1]);

@@ -1,4 +1,4 @@
-// A few points on their way through a bake: their vertices are wanted, then found, then read. Between these
+// A few points on their way through a bake: their vertices are wanted, located, found and read. Between these
 // steps what the next one needs comes from memory.
 #pragma once
 
@@ -44,7 +44,13 @@ class BakedPoints {
     for (int i = 0; i < count_; ++i) levels_[i] = levels.from(static_cast<int>(exponent[i]) - 127);
     for (int t = 0; t < taps_.size(); ++t) {
       const int i = taps_.point(t);
-      places_[t] = levels_[i].fine->prefetch(tetrahedra_.lowest(i, taps_.bin(t)));
+      levels_[i].fine->prefetch(tetrahedra_.lowest(i, taps_.bin(t)));
+    }
+  }
+  void locate() {
+    for (int t = 0; t < taps_.size(); ++t) {
+      const int i = taps_.point(t);
+      places_[t] = levels_[i].fine->locate(tetrahedra_.lowest(i, taps_.bin(t)));
     }
   }
   void find() {
@@ -104,7 +110,7 @@ class BakedPoints {
     BakedSums sum;
     for (int c = 0; c < 4; ++c) {
       const float w = weights[c], v = coarse.weight[c] * share;
-      sum.add({(*levels_[i].fine)[indices_[tap][c]].fine, levels_[i].coarse->at(coarse.key[c])},
+      sum.add(BakedPair::ofFine((*levels_[i].fine)[indices_[tap][c]], levels_[i].coarse->at(coarse.key[c])),
               Octet{w, w, w, w, v, v, v, v});
     }
     return sum;

@@ -3,6 +3,7 @@
 
 #include <immintrin.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -10,39 +11,87 @@
 
 namespace saccade {
 
-// The upper half of a float: the nearest number of three digits. It suffices for variances.
-class HalfFloat {
- public:
-  HalfFloat() = default;
-  explicit HalfFloat(float v)
-      : bits_(static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(v) + 0x8000) >> 16)) {}
-  float value() const { return std::bit_cast<float>(std::uint32_t{bits_} << 16); }
-  bool hasSign() const { return bits_ >> 15 != 0; }
-
- private:
-  std::uint16_t bits_ = 0;
-};
-
-// The light of one level. Variances are those of rest and visibility, and those of a step over the length of
-// a cell if they went on growing with its square. What is not known is 0, and has a sign in one of them.
-struct alignas(16) BakedVertex {
-  bool isKnown() const { return !step_rest.hasSign(); }
-
+// The light of one level at a vertex. Variances are those of rest and visibility, and those of a step over
+// the length of a cell if they went on growing with its square.
+struct BakedVertex {
+  bool known = false;
   float rest = 0, visibility = 0;
-  HalfFloat var_rest = {}, var_visibility = {}, step_rest = HalfFloat(-0.f), step_visibility = {};
+  float var_rest = 0, var_visibility = 0, step_rest = 0, step_visibility = 0;
 };
 inline BakedVertex meanOf(const BakedVertex& a, const BakedVertex& b) {
-  const auto mean = [](HalfFloat x, HalfFloat y) { return HalfFloat(0.5f * (x.value() + y.value())); };
-  return {0.5f * (a.rest + b.rest),       0.5f * (a.visibility + b.visibility),
-          mean(a.var_rest, b.var_rest),   mean(a.var_visibility, b.var_visibility),
-          mean(a.step_rest, b.step_rest), mean(a.step_visibility, b.step_visibility)};
+  const auto mean = [&](float BakedVertex::*member) { return 0.5f * (a.*member + b.*member); };
+  using V = BakedVertex;
+  return {a.known && b.known,       mean(&V::rest),      mean(&V::visibility),     mean(&V::var_rest),
+          mean(&V::var_visibility), mean(&V::step_rest), mean(&V::step_visibility)};
 }
 
-// The light of a level at one of its vertices, and that of the next coarser level there.
-struct alignas(32) BakedPair {
-  BakedVertex fine, coarse;
+// A byte that stands for a variance: the nearest of four numbers to each power of two, from 2^-48 to 2^16.
+class VarianceByte {
+ public:
+  VarianceByte() = default;
+  explicit VarianceByte(float v)
+      : code_(static_cast<std::uint8_t>(std::clamp(
+            static_cast<int>((std::bit_cast<std::uint32_t>(v) + kHalf) >> kShift) - kLeast, 0, 255))) {}
+  float value() const { return std::bit_cast<float>(static_cast<std::uint32_t>(code_ + kLeast) << kShift); }
+  // Of eight bytes at the end of `bits`.
+  static Octet values(__m128i bits) {
+    const __m256i codes = _mm256_cvtepu8_epi32(_mm_unpackhi_epi64(bits, bits));
+    return _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_add_epi32(codes, _mm256_set1_epi32(kLeast)), kShift));
+  }
+
+ private:
+  static constexpr int kShift = 21, kLeast = (127 - 48) << 2;  // of the bits of a float
+  static constexpr std::uint32_t kHalf = 1 << (kShift - 1);
+
+  std::uint8_t code_ = 0;
 };
-static_assert(sizeof(BakedPair) == 32);
+
+// The light of a level at one of its vertices, and that of the next coarser level there. Rest and visibility
+// are half floats (IEEE 754 binary16); their errors of 2^-12 are a thousandth of a usual contrast threshold.
+class alignas(16) BakedPair {
+ public:
+  BakedPair() : BakedPair({}, {}) {}
+  BakedPair(const BakedVertex& fine, const BakedVertex& coarse) {
+    // Where nothing is known, visibility has a sign.
+    const auto visibility = [](const BakedVertex& v) { return v.known ? std::max(v.visibility, 0.f) : -0.f; };
+    const __m128 all = _mm_setr_ps(fine.rest, visibility(fine), coarse.rest, visibility(coarse));
+    means_ = std::bit_cast<Means>(_mm_cvtsi128_si64(_mm_cvtps_ph(all, _MM_FROUND_TO_NEAREST_INT)));
+    const auto pack = [](const BakedVertex& v) {
+      return Variances{VarianceByte(v.var_rest), VarianceByte(v.var_visibility), VarianceByte(v.step_rest),
+                       VarianceByte(v.step_visibility)};
+    };
+    variances_ = {pack(fine), pack(coarse)};
+  }
+  // The finer lights of two.
+  static BakedPair ofFine(const BakedPair& fine, const BakedPair& coarse) {
+    BakedPair both;
+    both.means_ = {fine.means_[0], coarse.means_[0]};
+    both.variances_ = {fine.variances_[0], coarse.variances_[0]};
+    return both;
+  }
+
+  BakedVertex fine() const { return unpacked(0); }
+  BakedVertex coarse() const { return unpacked(1); }
+  __m128i bits() const { return _mm_load_si128(reinterpret_cast<const __m128i*>(this)); }
+
+ private:
+  struct Mean {
+    std::uint16_t rest, visibility;
+  };
+  using Means = std::array<Mean, 2>;
+  using Variances = std::array<VarianceByte, 4>;
+
+  BakedVertex unpacked(int i) const {
+    const Mean& mean = means_[i];
+    const auto& [var_rest, var_visibility, step_rest, step_visibility] = variances_[i];
+    return {mean.visibility >> 15 == 0, _cvtsh_ss(mean.rest), _cvtsh_ss(mean.visibility), var_rest.value(),
+            var_visibility.value(),     step_rest.value(),    step_visibility.value()};
+  }
+
+  Means means_;
+  std::array<Variances, 2> variances_;
+};
+static_assert(sizeof(BakedPair) == 16);
 
 // The lanes of the light around a point. kKnown is the share of its weights that is on known vertices, and
 // the fourth mean says nothing. Lanes of the coarser level come kOfCoarse later.
@@ -52,14 +101,14 @@ inline constexpr int kOfCoarse = 4;
 
 struct BakedSums {
   void add(const BakedPair& vertex, Octet weights) {
-    const __m256i bits = _mm256_load_si256(reinterpret_cast<const __m256i*>(&vertex));
-    const __m256i half_floats = _mm256_unpackhi_epi16(__m256i{}, bits);
-    static_assert(int{kKnown} == int{kStepRest});  // whose sign tells
-    const __m256i unknown = _mm256_srai_epi32(half_floats, 31);
+    const __m128i bits = vertex.bits();
+    const __m256i lanes = _mm256_setr_epi32(0, 1, 1, 1, 2, 3, 3, 3);  // of rest, visibility and its sign
+    const __m256 both = _mm256_permutevar8x32_ps(_mm256_castps128_ps256(_mm_cvtph_ps(bits)), lanes);
+    const __m256i unknown = _mm256_srai_epi32(_mm256_castps_si256(both), 31);
     const __m256 known = _mm256_andnot_ps(_mm256_castsi256_ps(unknown), _mm256_set1_ps(1));
     constexpr int kKnownLanes = 1 << kKnown | 1 << (kOfCoarse + kKnown);
-    means += Octet(_mm256_blend_ps(_mm256_castsi256_ps(bits), known, kKnownLanes)) * weights;
-    variances += Octet(_mm256_castsi256_ps(half_floats)) * weights;
+    means += Octet(_mm256_blend_ps(both, known, kKnownLanes)) * weights;
+    variances += VarianceByte::values(bits) * weights;
   }
 
   Octet means{}, variances{};

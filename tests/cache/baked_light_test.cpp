@@ -113,6 +113,29 @@ TEST_F(BakedLightTest, LeavesOutVerticesWithFewSamples) {
   EXPECT_EQ(read(BakedLight(other.grid.levels(), {}, pool)).count(), 0);
 }
 
+// Units of radiance are free: light is kept as exactly in a dim scene as in a bright one.
+TEST_F(BakedLightTest, KnowsDimLightAsWellAsBright) {
+  const auto lightOf = [this](float unit) {
+    Wall lit;
+    lit.noise = 0.5f * unit;
+    lit.light = [unit](float x) { return unit * (1 + 0.5f * std::sin(x / (8 * kPixel))); };
+    View other;
+    for (int t = 40; t < 60; ++t) other.look(lit, 0.37f * t, t);
+    return read(BakedLight(other.grid.levels(), {}, pool)).light;
+  };
+  wall.unoccluded = 0;
+  wall.show(20, 1);
+  const GridEstimate usual = lightOf(1);
+  EXPECT_GT(usual.i.at(9, 9), 0.4f);
+  for (const float unit : {0x1p-20f, 0x1p20f}) {
+    const GridEstimate other = lightOf(unit);
+    for (int x = 0; x < kW; ++x) {
+      ASSERT_EQ(other.i.at(x, 9), unit * usual.i.at(x, 9)) << unit << " " << x;
+      ASSERT_EQ(other.var_i.at(x, 9), unit * unit * usual.var_i.at(x, 9)) << unit << " " << x;
+    }
+  }
+}
+
 TEST_F(BakedLightTest, IsTheSameForAnyNumberOfThreads) {
   const BakedLight baked(grid.levels(), {}, pool);
   const Read expected = read(baked);
