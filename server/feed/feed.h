@@ -21,11 +21,11 @@ namespace saccade {
 struct FeedConfig {
   CameraModel camera = pinhole(45, 256, 256);
   double frame_rate_hz = 500;
-  std::string method = "event_svgf";  // a name of methodTable()
-  ParamValues params;                 // resolved by resolveParams()
-  int spp = 2;                        // paths per pixel and frame over both passes
-  int bounces = 3;                    // indirect bounces
-  bool jitter = false;                // RenderSettings::jitter
+  std::string method = defaultMethod(true).name;  // of methodTable()
+  ParamValues params;                             // resolved by resolveParams()
+  int spp = 2;                                    // paths per pixel and frame over both passes
+  int bounces = 3;                                // indirect bounces
+  bool jitter = false;                            // RenderSettings::jitter
   bool monochrome = false;
   std::uint64_t seed = 0;
   std::shared_ptr<const BakedLight> baked = {};  // of this scene; nullptr: the method knows nothing ahead

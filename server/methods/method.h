@@ -75,8 +75,9 @@ struct MethodInfo {
   static double noMore(const ParamValues&, double, bool) { return 0; }
 };
 
-// THE list of methods, method_table.cpp. The first is the default.
+// THE list of methods, method_table.cpp. The first is the default for scenes whose light is steady.
 const std::vector<MethodInfo>& methodTable();
+const MethodInfo& defaultMethod(bool steady_light);
 const MethodInfo* findMethod(const std::string& name);  // nullptr if there is none
 std::string methodNames();                              // "event_svgf, pt, ..." for messages
 

@@ -11,13 +11,15 @@
 namespace saccade {
 const std::vector<MethodInfo>& methodTable() {
   static const std::vector<MethodInfo> table{
-      EventSvgf::info(),
-      IrradianceCache::info(),
-      Svgf::info(),
-      PathTraced::correlatedInfo(),
+      IrradianceCache::info(),       EventSvgf::info(), Svgf::info(), PathTraced::correlatedInfo(),
       PathTraced::independentInfo(),
   };
   return table;
+}
+
+// A lamp that fades is new in every frame, so that no light is known.
+const MethodInfo& defaultMethod(bool steady_light) {
+  return steady_light ? methodTable().front() : *findMethod("event_svgf");
 }
 
 const MethodInfo* findMethod(const std::string& name) {

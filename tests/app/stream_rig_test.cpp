@@ -17,7 +17,7 @@ ResolvedStream stereo(const Pose& T_body_camera) {
   ResolvedStream stream;
   stream.T_body_camera = {Pose{}, T_body_camera};
   FeedConfig& feed = stream.feed;
-  feed.camera = pinhole(90, kWidth, kHeight), feed.seed = 5;
+  feed.camera = pinhole(90, kWidth, kHeight), feed.seed = 5, feed.method = "svgf";
   std::string bad_name;
   EXPECT_EQ(resolveParams(*findMethod(feed.method), {}, feed.params, bad_name), "");
   stream.further.push_back(feed);

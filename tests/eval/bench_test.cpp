@@ -53,7 +53,8 @@ TEST_F(BenchTest, RunsTheFramesOfAPlainFeed) {
   EXPECT_GT(run.trace_ms, 0);
   EXPECT_GT(run.cpu_ms, run.trace_ms);
 
-  FeedConfig config{.frame_rate_hz = 250, .params = method.params, .spp = 4, .bounces = 1};
+  FeedConfig config{
+      .frame_rate_hz = 250, .method = method.name, .params = method.params, .spp = 4, .bounces = 1};
   config.camera = pinhole(scene->description().fov_x_deg, kW, kH), config.seed = 7;
   Feed feed(scene, openTrajectory("cornell-box", "right", *scene, {}), config, pool);
   for (int t = 1; t <= 4; ++t) {

@@ -135,6 +135,7 @@ TEST_F(Budgets, AreNoPartOfAFeed) {
   const MeasuredTables tables{openAccuracySource(file_.path()), openSimplificationSource({})};
   const auto key = [&](const v1::OpenStream& r) { return resolve(r, scene, tables).feedKey(); };
   v1::OpenStream same = tinyRequest();
+  same.mutable_method()->set_name("event_svgf");
   same.mutable_quality()->set_bounces(2);
   EXPECT_EQ(key(within(5)), key(same));
   EXPECT_EQ(key(within(6)), key(same));

@@ -39,9 +39,8 @@ v1::OpenStream withPoses(int keys, int csv_lines) {
 }
 
 TEST(Limits, TheGridOfAMethodCountsAsMemory) {
-  TestServer server(withLimit(Limit::kMemory, 10));
+  TestServer server(withLimit(Limit::kMemory, 8));
   v1::OpenStream request = tinyRequest();
-  request.mutable_method()->set_name("irradiance_cache");
   expectReached(server.client().tryOpen(request), Limit::kMemory, "view");
   (*request.mutable_method()->mutable_params())["memory"] = 1;
   EXPECT_EQ(server.client().tryOpen(request).code(), v1::CODE_OK);
@@ -56,8 +55,8 @@ TEST(Limits, OneMoreThanAllMayHaveIsRefused) {
   } all[]{{Limit::kStreams, 1, ""},
           {Limit::kSensors, 1, "sensors"},
           {Limit::kPixels, 32 * 24 * 1.5, "view"},
-          {Limit::kMemory, 5.5, "view"},  // of 3.7 each
-          {Limit::kQueues, 20, ""}};      // of 16 each
+          {Limit::kMemory, 13, "view"},  // of 8.5 each
+          {Limit::kQueues, 20, ""}};     // of 16 each
   for (const auto& [limit, value, field] : all) {
     TestServer server(withLimit(limit, value));
     server.client().open(tinyRequest());

@@ -50,7 +50,7 @@ TEST(Service, TellsWhatItResolved) {
   TestServer server;
   const v1::StreamOpened opened = server.client().open(tinyRequest());
   const v1::OpenStream& resolved = opened.resolved();
-  EXPECT_EQ(resolved.method().name(), "event_svgf");
+  EXPECT_EQ(resolved.method().name(), "irradiance_cache");
   EXPECT_EQ(resolved.method().spp(), 2u);
   EXPECT_GT(resolved.method().params_size(), 0);
   EXPECT_GT(resolved.view().fov_x_deg(), 1);

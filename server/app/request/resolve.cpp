@@ -7,6 +7,7 @@
 #include "app/request/refusal.h"
 #include "base/names.h"
 #include "base/text_cut.h"
+#include "scene/emitter_strengths.h"
 
 namespace saccade {
 namespace {
@@ -30,7 +31,7 @@ void checkMethodName(const v1::Method& method) {
 
 // checkMethodName() comes first.
 void resolveMethod(v1::Method& method, FeedConfig& feed) {
-  if (method.name().empty()) method.set_name(methodTable().front().name);
+  if (method.name().empty()) method.set_name(defaultMethod(true).name);
   const MethodInfo* info = findMethod(method.name());
   const ParamValues given(method.params().begin(), method.params().end());
   std::string bad_name;
@@ -46,6 +47,15 @@ void resolveMethod(v1::Method& method, FeedConfig& feed) {
   }
   feed.method = method.name();
   feed.spp = static_cast<int>(method.spp());
+}
+
+// Instead of the default for steady light.
+void takeMethod(const MethodInfo& info, ResolvedStream& stream) {
+  v1::Method& method = *stream.request.mutable_method();
+  method.set_name(info.name);
+  method.clear_params();
+  resolveMethod(method, stream.feed);
+  shareSettings(stream);
 }
 
 void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
@@ -74,6 +84,7 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   checkMethodName(r.method());
   stream.simplification = resolveSimplification(r, tables.simplification);
   stream.expected = resolveBudget(r, stream.sensors, tables.accuracy);
+  stream.chooses_method = !r.method().name().empty() || !r.method().params().empty();
   resolveMethod(*r.mutable_method(), stream.feed);
   resolveQuality(*r.mutable_quality(), stream);
   if (r.timing().steerable() && r.quality().has_bake_error())
@@ -86,6 +97,8 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
 }
 
 void fitTo(const Scene& scene, ResolvedStream& stream) {
+  if (!stream.chooses_method && !EmitterStrengths(scene).factors().empty())
+    takeMethod(defaultMethod(false), stream);
   stream.feed.camera = fitView(scene, *stream.request.mutable_view(), viewField(0));
   for (std::size_t i = 0; i < stream.further.size(); ++i) {
     v1::View& view = *stream.request.mutable_further_views(static_cast<int>(i));

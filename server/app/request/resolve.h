@@ -24,6 +24,7 @@ struct ResolvedStream {
   std::vector<TruthConfig> truth = {};
   FrameIndex frames = 0;  // intervals to render; 0: until closed
   SceneFeatures disabled_features = {};
+  bool chooses_method = false;  // the request, or its budget; otherwise fitTo() may take another one
   std::optional<v1::ExpectedQuality> expected = {};       // of a request with a budget
   std::optional<v1::ExpectedChange> simplification = {};  // of a request with a max_event_change
 
@@ -68,8 +69,8 @@ CameraModel resolveView(const v1::View& view, const std::string& field);
 // Fills in the scene's field of view where the request has neither that nor intrinsics. Throws Refusal.
 CameraModel fitView(const Scene& scene, v1::View& view, const std::string& field);
 
-// Fills in the views with fitView(). Removes disabled features that the
-// scene lacks, so that equal feeds have equal keys. Throws Refusal.
+// Fills in the views with fitView(), and the method where light changes over time. Removes disabled features
+// that the scene lacks, so that equal feeds have equal keys. Throws Refusal.
 void fitTo(const Scene& scene, ResolvedStream& stream);
 
 // Checks what needs no loaded scene, and fills in the defaults. Throws Refusal.
