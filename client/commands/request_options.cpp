@@ -74,7 +74,7 @@ void addQualityOptions(CLI::App& command, RequestOptions& o) {
   command.add_flag("--jitter", o.jitter,
                    "start paths anywhere in the pixel, not at its centre: less aliasing, more time");
   command.add_option("--bake-error", o.bake_error,
-                     "let the server compute the light ahead, to this relative error; with --method "
+                     "let the server compute the light ahead, to this relative error; for "
                      "irradiance_cache");
   CLI::Option* set =
       command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")

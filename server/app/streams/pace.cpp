@@ -11,7 +11,8 @@
 namespace saccade {
 namespace {
 
-constexpr int kMeasuredFrames = 4;       // the first of them also allocates, and is left out
+// Of the frames that are measured the first is left out: it also allocates, and knows no light.
+constexpr int kLeastFrames = 2, kMostFrames = 4;
 constexpr double kEnoughSeconds = 0.25;  // of CPU time: slow frames need no repetition
 
 std::string number(double value) {
@@ -62,7 +63,7 @@ CpuCost measureFrame(const std::shared_ptr<const RenderScene>& scene, const Traj
   const bool packet_per_frame = stream.request.timing().packet_per_frame();
   CpuCost spent, first;
   int frames = 0;
-  while (frames < kMeasuredFrames && spent.feed + spent.sensors < kEnoughSeconds) {
+  while (frames < kLeastFrames || (frames < kMostFrames && spent.feed + spent.sensors < kEnoughSeconds)) {
     const std::vector<FeedInterval>& views = rig.step(pool);
     spent.feed += seconds(rig.lastTimes().total());
     spent.chain += seconds(rig.lastChain());
@@ -73,7 +74,7 @@ CpuCost measureFrame(const std::shared_ptr<const RenderScene>& scene, const Traj
   }
   const double left_s =
       each([](Channel& channel) { channel.flush(); }) / frames;  // most of the cost of short frames
-  CpuCost frame = frames == 1 ? first : (spent - first) * (1.0 / (frames - 1));
+  CpuCost frame = (spent - first) * (1.0 / (frames - 1));
   frame.sensors += left_s;
   frame.longest += left_s / static_cast<double>(channels.size());
   return frame;
