@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <random>
 
 #include "wire/protocol.h"
 
@@ -11,7 +12,19 @@ namespace {
 
 constexpr std::chrono::milliseconds kPollInterval{200};  // between two calls of Waiting
 constexpr std::chrono::milliseconds kParting{200};       // to deliver a last message when the socket closes
-constexpr std::uint64_t kUnreadRequest = 0;  // of a reply to an unreadable request; ours count from 1
+constexpr std::chrono::seconds kWatchInterval{1};
+constexpr std::uint64_t kUnreadRequest = 0;  // of a reply to an unreadable request; ours are not 0
+
+std::uint64_t randomId() {
+  std::random_device random;
+  return std::uint64_t{random()} << 31 | random() >> 1;
+}
+
+v1::Request listStreams() {
+  v1::Request request;
+  request.mutable_list_streams();
+  return request;
+}
 
 std::string describe(const v1::Status& status) {
   std::string text = status.field().empty() ? status.message() : status.field() + ": " + status.message();
@@ -37,12 +50,13 @@ Refused::Refused(const v1::Status& status)
 ControlClient::ControlClient(zmq::context_t& context, const std::string& endpoint, const CurveKeys& keys)
     : endpoint_(endpoint),
       keys_(keys),
-      socket_(connectSocket(context, zmq::socket_type::dealer, endpoint, keys)) {}
+      socket_(connectSocket(context, zmq::socket_type::dealer, endpoint, keys)),
+      request_id_(randomId()) {}
 
-v1::Reply ControlClient::call(v1::Request request, std::chrono::milliseconds deadline,
-                              const Waiting& waiting) {
+v1::Reply ControlClient::call(v1::Request request, std::chrono::milliseconds deadline, const Waiting& waiting,
+                              const Watching& watching) {
   send(std::move(request));
-  v1::Reply reply = await(request_id_, deadline, waiting);
+  v1::Reply reply = await(request_id_, deadline, waiting, watching);
   if (reply.status().code() != v1::CODE_OK) throw Refused(reply.status());
   return reply;
 }
@@ -63,12 +77,14 @@ void ControlClient::send(v1::Request request) {
 }
 
 v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::milliseconds deadline,
-                               const Waiting& waiting) {
+                               const Waiting& waiting, const Watching& watching) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + deadline;
+  auto watched = Clock::now();
   for (auto left = deadline; left.count() > 0;
        left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now())) {
     if (waiting) waiting();
+    if (watching && Clock::now() - watched >= kWatchInterval) send(listStreams()), watched = Clock::now();
     zmq::message_t message;
     if (!waitReadable(socket_, std::min(left, kPollInterval)) ||
         !socket_.recv(message, zmq::recv_flags::dontwait))
@@ -79,6 +95,8 @@ v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::millisecon
     if (!reply.ParseFromArray(message.data(), static_cast<int>(message.size())))
       throw std::runtime_error("the server at " + endpoint_ + " sent a reply that cannot be read");
     if (reply.request_id() == request_id || reply.request_id() == kUnreadRequest) return reply;
+    for (const v1::OpeningInfo& opening : reply.list_streams().opening())
+      if (watching && opening.request_id() == request_id) watching(opening);
   }
   throw NoAnswer(endpoint_, !keys_.secret.empty());
 }

@@ -29,6 +29,9 @@ struct Refused : std::runtime_error {
 // Called several times a second during a wait; an exception from it ends the wait.
 using Waiting = std::function<void()>;
 
+// Called about once a second with what the server does for an open_stream that takes long.
+using Watching = std::function<void(const v1::OpeningInfo&)>;
+
 class ControlClient {
  public:
   static constexpr std::chrono::seconds kDeadline{3};  // for calls that need no rendering or loading
@@ -40,7 +43,7 @@ class ControlClient {
   // before the server is up reaches it when it comes up. Throws NoAnswer, Refused, std::invalid_argument for
   // a text that is not UTF-8, and std::runtime_error for an unreadable reply.
   v1::Reply call(v1::Request request, std::chrono::milliseconds deadline = kDeadline,
-                 const Waiting& waiting = {});
+                 const Waiting& waiting = {}, const Watching& watching = {});
 
   // Sends a request without waiting for its reply.
   void tell(v1::Request request);
@@ -50,12 +53,13 @@ class ControlClient {
 
  private:
   void send(v1::Request request);
-  v1::Reply await(std::uint64_t request_id, std::chrono::milliseconds deadline, const Waiting& waiting);
+  v1::Reply await(std::uint64_t request_id, std::chrono::milliseconds deadline, const Waiting& waiting,
+                  const Watching& watching);
 
   std::string endpoint_;
   CurveKeys keys_;
   zmq::socket_t socket_;
-  std::uint64_t request_id_ = 0;
+  std::uint64_t request_id_;  // of the last request; the first is random, so that it is nobody else's
 };
 
 }  // namespace saccade::client

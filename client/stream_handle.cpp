@@ -2,8 +2,9 @@
 
 namespace saccade::client {
 
-StreamHandle::StreamHandle(ControlClient& control, const v1::OpenStream& request) : control_(control) {
-  open(request, kOpenDeadline, {});
+StreamHandle::StreamHandle(ControlClient& control, const v1::OpenStream& request, const Watching& watching)
+    : control_(control) {
+  open(request, kOpenDeadline, {}, watching);
 }
 
 StreamHandle::~StreamHandle() {
@@ -21,13 +22,13 @@ void StreamHandle::reopen(const std::vector<std::uint64_t>& from_items, std::chr
 
 // Asks for server_info first, with a short deadline: the long one is for a server that is there.
 void StreamHandle::open(const v1::OpenStream& stream, std::chrono::milliseconds deadline,
-                        const Waiting& waiting) {
+                        const Waiting& waiting, const Watching& watching) {
   v1::Request info, request;
   info.mutable_server_info();
   server_ = control_.call(std::move(info), ControlClient::kDeadline, waiting).server_info();
   if (!opened_.stream_id().empty()) tellClose();
   *request.mutable_open_stream() = stream;
-  opened_ = control_.call(std::move(request), deadline, waiting).open_stream();
+  opened_ = control_.call(std::move(request), deadline, waiting, watching).open_stream();
 }
 
 void StreamHandle::close() {

@@ -17,7 +17,7 @@ class StreamHandle {
   static constexpr std::chrono::minutes kOpenDeadline{10};  // a large scene takes long to load
 
   // Throws NoAnswer or Refused. `control` must outlive the handle.
-  StreamHandle(ControlClient& control, const v1::OpenStream& request);
+  StreamHandle(ControlClient& control, const v1::OpenStream& request, const Watching& watching = {});
   ~StreamHandle();
   StreamHandle(const StreamHandle&) = delete;
   StreamHandle& operator=(const StreamHandle&) = delete;
@@ -48,7 +48,8 @@ class StreamHandle {
   bool closed() const { return closed_; }
 
  private:
-  void open(const v1::OpenStream& stream, std::chrono::milliseconds deadline, const Waiting& waiting);
+  void open(const v1::OpenStream& stream, std::chrono::milliseconds deadline, const Waiting& waiting,
+            const Watching& watching = {});
   void tellClose();
 
   ControlClient& control_;

@@ -14,6 +14,9 @@ std::string timeText(double seconds);
 class Progress {
  public:
   explicit Progress(double duration_s);  // seconds of the stream; 0: unknown
+  ~Progress() { finish(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
   // `stream_s`: stream time reached, seconds. `events` came in the last `recorded_s` of it.
   void update(double stream_s, double recorded_s, std::uint64_t events);

@@ -1,17 +1,36 @@
 #include "client/commands/stream_opening.h"
 
+#include <cmath>
 #include <stdexcept>
 
+#include "client/commands/progress.h"
 #include "client/commands/summary.h"
 #include "client/commands/trajectory_length.h"
 
 namespace saccade::client {
 
-// A fault in the trajectory's text becomes one of the user's file.
+namespace {
+
+// "computing light ahead: 34 %"
+std::string textOf(const v1::OpeningInfo& opening) {
+  if (opening.done() <= 0) return opening.doing();
+  return opening.doing() + ": " + std::to_string(std::lround(100 * opening.done())) + " %";
+}
+
+}  // namespace
+
 StreamHandle openStream(ControlClient& control, const v1::OpenStream& request,
                         const std::string& trajectory) {
+  constexpr double kUnknown = 0;
+  Progress progress(kUnknown);
+  return openStream(control, request, trajectory, [&](const std::string& text) { progress.note(text); });
+}
+
+// A fault in the trajectory's text becomes one of the user's file.
+StreamHandle openStream(ControlClient& control, const v1::OpenStream& request, const std::string& trajectory,
+                        const std::function<void(const std::string&)>& show) {
   try {
-    return StreamHandle(control, request);
+    return StreamHandle(control, request, [&](const v1::OpeningInfo& opening) { show(textOf(opening)); });
   } catch (const Refused& refused) {
     if (refused.field != "trajectory.csv") throw;
     throw std::invalid_argument(trajectory + ": " + refused.message);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdio>
+#include <functional>
 #include <string>
 
 #include "client/stream_handle.h"
@@ -9,8 +10,11 @@
 namespace saccade::client {
 
 // Throws as StreamHandle does, and std::invalid_argument with the name of a trajectory file at fault.
-// `trajectory`: what the user gave.
+// `trajectory`: what the user gave. Where it takes long, shows on stderr what the server does.
 StreamHandle openStream(ControlClient& control, const v1::OpenStream& request, const std::string& trajectory);
+// The same with `show` for the text.
+StreamHandle openStream(ControlClient& control, const v1::OpenStream& request, const std::string& trajectory,
+                        const std::function<void(const std::string&)>& show);
 
 double streamSeconds(const v1::StreamOpened& opened);  // 0: endless
 

@@ -42,7 +42,8 @@ void runView(ViewOptions options) {
     options.request.camera.size = std::to_string(view.width()) + "x" + std::to_string(view.height());
   }
   screen.showStatus("opening the stream; Ctrl-C ends");
-  StreamHandle stream = openStream(control, makeOpenStream(options.request), options.request.trajectory);
+  StreamHandle stream = openStream(control, makeOpenStream(options.request), options.request.trajectory,
+                                   [&screen](const std::string& text) { screen.showStatus(text); });
   const double retry_s = options.request.retry_time_s;
   Subscription subscription(
       context, stream,

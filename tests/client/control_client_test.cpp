@@ -61,10 +61,42 @@ TEST(ControlClient, TheReplyToANoticeIsSkipped) {
   FakeServer server(context);
   ControlClient client(context, server.endpoint());
   client.tell(infoRequest());
-  answer(server, 0, statusOf(v1::CODE_NOT_FOUND)).get();
+  const auto told = answer(server, 0, statusOf(v1::CODE_NOT_FOUND)).get().request_id();
   auto request = answer(server, 0, statusOf(v1::CODE_OK));
   EXPECT_EQ(client.call(infoRequest(), std::chrono::seconds(10)).server_info().version(), "1.2.3");
-  EXPECT_EQ(request.get().request_id(), 2u);
+  EXPECT_EQ(request.get().request_id(), told + 1);
+}
+
+// The list also names an opening of somebody else.
+TEST(ControlClient, TellsWhatTheServerDoesForALongCall) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient client(context, server.endpoint());
+  const auto done = std::async(std::launch::async, [&server] {
+    const auto open = server.receive<v1::Request>(), list = server.receive<v1::Request>();
+    EXPECT_TRUE(list.has_list_streams());
+    v1::Reply reply;
+    reply.set_request_id(list.request_id());
+    for (const auto& [id, text] :
+         {std::pair{open.request_id() + 7, "another"}, {open.request_id(), "baking"}}) {
+      v1::OpeningInfo& opening = *reply.mutable_list_streams()->add_opening();
+      opening.set_request_id(id), opening.set_doing(text);
+    }
+    server.send(reply);
+    v1::Reply opened;
+    opened.set_request_id(open.request_id());
+    *opened.mutable_status() = statusOf(v1::CODE_OK);
+    opened.mutable_open_stream()->set_stream_id("s");
+    server.send(opened);
+  });
+  v1::Request request;
+  request.mutable_open_stream();
+  std::vector<std::string> told;
+  const v1::Reply reply =
+      client.call(request, std::chrono::seconds(10), {},
+                  [&](const v1::OpeningInfo& opening) { told.push_back(opening.doing()); });
+  EXPECT_EQ(reply.open_stream().stream_id(), "s");
+  EXPECT_EQ(told, std::vector<std::string>{"baking"});
 }
 
 TEST(ControlClient, ARefusalNamesTheField) {
