@@ -33,8 +33,7 @@ void BakedLevel::makeGroups(const std::vector<VertexKey>& keys) {
       if (groups.empty() || groups.back() != groupOf(block)) groups.push_back(groupOf(block));
     });
   std::ranges::sort(groups);
-  const auto repeated = std::ranges::unique(groups);
-  groups.erase(repeated.begin(), repeated.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
   while ((std::size_t{1} << bits_) < 4 * groups.size()) ++bits_;
   groups_.assign(std::size_t{1} << bits_, {});
   for (const VertexKey group : groups) groups_[slotOf(group)].key = group;
