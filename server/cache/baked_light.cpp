@@ -101,7 +101,8 @@ void BakedLight::add(const BakedPoints& points, SurfaceSamples& on, const GBuffe
   const F visibility = blend(means, kVisibility, of_coarse);
   const F rest = blend(means, kRest, of_coarse) / scale_;
   // Of `of_rest` and of what U is a factor of.
-  const auto variance = [&](int of_rest, int of_visibility, const F& of_coarse) {
+  const auto variance = [&, &U = U, &variances = variances](int of_rest, int of_visibility,
+                                                            const F& of_coarse) {
     return F(blend(variances, of_rest, of_coarse) / (scale_ * scale_) +
              U * U * blend(variances, of_visibility, of_coarse));
   };
