@@ -8,7 +8,6 @@
 #include "client/commands/trajectory_length.h"
 
 namespace saccade::client {
-
 namespace {
 
 // "computing light ahead: 34 %"

@@ -18,11 +18,17 @@ struct BakedVertex {
   float rest = 0, visibility = 0;
   float var_rest = 0, var_visibility = 0, step_rest = 0, step_visibility = 0;
 };
+// Of two that are known.
 inline BakedVertex meanOf(const BakedVertex& a, const BakedVertex& b) {
   const auto mean = [&](float BakedVertex::*member) { return 0.5f * (a.*member + b.*member); };
   using V = BakedVertex;
-  return {a.known && b.known,       mean(&V::rest),      mean(&V::visibility),     mean(&V::var_rest),
-          mean(&V::var_visibility), mean(&V::step_rest), mean(&V::step_visibility)};
+  return {true,
+          mean(&V::rest),
+          mean(&V::visibility),
+          mean(&V::var_rest),
+          mean(&V::var_visibility),
+          mean(&V::step_rest),
+          mean(&V::step_visibility)};
 }
 
 // A byte that stands for a variance: the nearest of four numbers to each power of two, from 2^-48 to 2^16.

@@ -41,7 +41,7 @@ const std::vector<ParamField<P>>& fields() {
 // With a bake. Three of them bring 6 % fewer false events, and 5 % more missed ones.
 constexpr int kBakedIterations = 1;
 
-// Bytes of a grid: what `memory` allows, but no more than 32 pictures show that have nothing in common.
+// Bytes of a grid: what `memory` allows, but no more than 25 pictures show that have nothing in common.
 double gridBytes(int memory, double pixels) {
   constexpr double kMostPerPixel = 5000;
   return std::min(memory * double(1 << 20), kMostPerPixel * pixels);

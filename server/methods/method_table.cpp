@@ -11,8 +11,8 @@
 namespace saccade {
 const std::vector<MethodInfo>& methodTable() {
   static const std::vector<MethodInfo> table{
-      IrradianceCache::info(),       EventSvgf::info(), Svgf::info(), PathTraced::correlatedInfo(),
-      PathTraced::independentInfo(),
+      IrradianceCache::info(),  // the default
+      EventSvgf::info(),       Svgf::info(), PathTraced::correlatedInfo(), PathTraced::independentInfo(),
   };
   return table;
 }
