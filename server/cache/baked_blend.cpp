@@ -14,7 +14,7 @@ constexpr float kSmallStep = 1e-3f;  // cells: the variance of steps so small gr
 // Looks up what a grid has around a vertex, on its level and those above.
 class Surroundings {
  public:
-  Surroundings(const GridLevels& grid, int l) {
+  Surroundings(const GridLevels& grid, int l) : h_(std::ldexp(1., l)) {
     for (int slot = 0; slot < kSlots; ++slot)
       if (const GridLevel* level = grid.find(l + slot))
         levels_[slot] = level, readers_[slot].emplace(level->table);
@@ -30,17 +30,20 @@ class Surroundings {
   V gather(int slot, HugeVector<V> GridLevel::*values) {
     V sum{};
     if (!levels_[slot]) return sum;
+    const auto point = toFloat(place_ * h_);
     const Tetrahedron corners(place_ * std::ldexp(1.0, -slot), bin_);
     for (int c = 0; c < 4; ++c) {
       if (corners.weight[c] == 0) continue;
       const std::uint32_t v = readers_[slot]->indexOf(corners.key[c]);
-      if (v != VertexTable::kNone) sum += (levels_[slot]->*values)[v] * corners.weight[c];
+      if (v != VertexTable::kNone)
+        sum += (levels_[slot]->*values)[levels_[slot]->cuts.of(v, point)] * corners.weight[c];
     }
     return sum;
   }
 
   std::array<const GridLevel*, kSlots> levels_{};
   std::array<std::optional<VertexTable::Reader>, kSlots> readers_;
+  double h_;
   Vec3d place_;  // cells of the vertex' level
   int bin_ = 0;
 };
@@ -66,6 +69,7 @@ BakedVertex blendAround(Surroundings& around, const GridParams& params, float sc
 BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coarser, const GridParams& params,
                            float scale, const PoolHandle& pool) {
   std::vector<VertexKey> keys = grid[l].table.keys();
+  std::erase_if(keys, isBehind);
   std::vector<BakedPair> light(keys.size());
   pool.run((static_cast<int>(keys.size()) + kChunk - 1) / kChunk, [&](int chunk) {
     Surroundings around(grid, l);

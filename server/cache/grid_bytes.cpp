@@ -3,8 +3,24 @@
 namespace saccade {
 namespace {
 
+// A cut as it is written.
+struct CutBytes {
+  std::uint32_t vertex, other;
+  Vec3 normal;
+  float offset;
+};
+
 void require(bool holds, const char* fault) {
   if (!holds) throw std::runtime_error(fault);
+}
+
+void readCuts(ByteReader& in, Cuts& cuts, std::size_t vertices) {
+  cuts.resize(vertices);
+  for (const auto& [vertex, other, normal, offset] : in.getVector<std::vector<CutBytes>>()) {
+    require(vertex < vertices && other < vertices && vertex != other, "a cut has no vertices");
+    require(!cuts.find(vertex) && !cuts.find(other), "a vertex has two cuts");
+    cuts.add(vertex, {normal, offset, other});
+  }
 }
 
 void readLevel(ByteReader& in, GridLevel& level) {
@@ -15,6 +31,9 @@ void readLevel(ByteReader& in, GridLevel& level) {
   VertexTable::Finder finder(level.table, 0);
   for (std::uint32_t v = 0; v < keys.size(); ++v)
     require(keys[v] != 0 && level.table.indexAt(finder.find(keys[v])) == v, "a vertex stands twice");
+  readCuts(in, level.cuts, keys.size());
+  for (std::uint32_t v = 0; v < keys.size(); ++v)
+    if (!level.cuts.find(v)) level.table.unmark(finder.find(keys[v]));
 }
 
 }  // namespace
@@ -26,6 +45,11 @@ void writeLevels(const GridLevels& levels, ByteWriter& out) {
   levels.forEach([&](int l, const GridLevel& level) {
     out.add(static_cast<std::int32_t>(l));
     out.add(level.table.keys()), out.add(level.light), out.add(level.evidence);
+    std::vector<CutBytes> cuts;
+    level.cuts.forEach([&](std::uint32_t v, const Cut& c) {
+      cuts.push_back({v, c.other, c.normal, c.offset});
+    });
+    out.add(cuts);
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/huge_pages.h"
+#include "cache/cuts.h"
 #include "cache/lanes.h"
 #include "cache/placement.h"
 #include "cache/vertex_table.h"
@@ -19,6 +20,10 @@ struct GridLevel {
   // Evidence of the level kPoolSteps below, for `rest` and then for visibility: sums of x, x^2, squared
   // residuals, and the weights of samples. evidence.h says what x is.
   HugeVector<Octet> evidence;
+  Cuts cuts;
+
+  // Gives new vertices their values.
+  void resize() { light.resize(table.size()), evidence.resize(table.size()), cuts.resize(table.size()); }
 };
 
 // All levels, by the exponent of their cells' edge.

@@ -43,7 +43,10 @@ void SurfaceGrid::drop(Placement& prev) {
   const std::size_t before = vertices();
   const std::uint32_t longest = longestUnused(levels_, now_, params_.max_vertices / 2);
   levels_.forEach([&](int l, GridLevel& level) {
-    const std::vector<std::uint32_t> uses = level.table.lastUses();
+    std::vector<std::uint32_t> uses = level.table.lastUses();
+    level.cuts.forEach([&](std::uint32_t v, const Cut& cut) {
+      uses[v] = uses[cut.other] = std::max(uses[v], uses[cut.other]);
+    });
     std::vector<bool> kept(uses.size());
     std::vector<std::uint32_t> moved(uses.size());
     std::uint32_t next = 0;
@@ -52,6 +55,7 @@ void SurfaceGrid::drop(Placement& prev) {
     level.table.keep(kept);
     keepOnly(kept, level.light);
     keepOnly(kept, level.evidence);
+    level.cuts.keep(kept, moved);
     for (GridPoint& p : prev.points) {
       const int slot = l - p.level;
       if (!GridPoint::isSlot(slot)) continue;

@@ -4,9 +4,11 @@
 #include <immintrin.h>
 
 #include <array>
+#include <cstdint>
 
 namespace saccade {
 
+using Indices = std::uint32_t __attribute__((vector_size(16)));  // of vertices
 using Quad = float __attribute__((vector_size(16)));
 using Octet = float __attribute__((vector_size(32)));
 

@@ -16,9 +16,14 @@
 
 namespace saccade {
 
-// Address of a vertex in its level: 20 bits for each coordinate, 4 for the bin. Vertices 2^20 cells apart
+// Address of a vertex in its level: 19 bits for each coordinate, 5 for the bin. Vertices 2^19 cells apart
 // share an address; cells are so small only near the camera, and what is so far away has larger ones.
 using VertexKey = std::uint64_t;
+
+namespace vertex_bits {
+inline constexpr int kCoordinate = 19;  // of each coordinate, and where they begin:
+inline constexpr int kX = 0, kY = kX + kCoordinate, kZ = kY + kCoordinate, kBin = kZ + kCoordinate;
+}  // namespace vertex_bits
 
 // 2^exponent, from -126 to 127.
 inline float powerOfTwo(int exponent) {
@@ -42,11 +47,13 @@ struct Tetrahedron {
 
   // The key of the lowest corner, from the addresses of its coordinates.
   static VertexKey lowest(VertexKey x, VertexKey y, VertexKey z, int bin) {
-    return x | y << 20 | z << 40 | static_cast<VertexKey>(bin + 1) << 60;
+    using namespace vertex_bits;
+    return x << kX | y << kY | z << kZ | static_cast<VertexKey>(bin + 1) << kBin;
   }
   // Addresses of whole numbers c: (c + kCentre) & kAddressMask. Centred, so that no coordinate near 0
   // overflows into the next one.
-  static constexpr std::int32_t kCentre = 1 << 19, kAddressMask = (1 << 20) - 1;
+  static constexpr std::int32_t kCentre = 1 << (vertex_bits::kCoordinate - 1),
+                                kAddressMask = (1 << vertex_bits::kCoordinate) - 1;
   // The keys of all corners. `order`: a bit each for x >= y, x >= z, y >= z of the fractions.
   static std::array<VertexKey, 4> corners(VertexKey lowest, unsigned order) {
     const auto [most, least] = axes(order);
@@ -64,12 +71,14 @@ struct Tetrahedron {
 
   // Where the vertex of a key is, of those that share it the one nearest to the origin; and its bin.
   static Vec3d placeOf(VertexKey key) {
-    return {coordinate(key), coordinate(key >> 20), coordinate(key >> 40)};
+    using namespace vertex_bits;
+    return {coordinate(key >> kX), coordinate(key >> kY), coordinate(key >> kZ)};
   }
-  static int binOf(VertexKey key) { return static_cast<int>(key >> 60) - 1; }
+  static int binOf(VertexKey key) { return static_cast<int>(key >> vertex_bits::kBin) - 1; }
 
  private:
-  static constexpr std::array<VertexKey, 3> kSteps{1, VertexKey{1} << 20, VertexKey{1} << 40};  // by axis
+  static constexpr std::array<VertexKey, 3> kSteps{
+      VertexKey{1} << vertex_bits::kX, VertexKey{1} << vertex_bits::kY, VertexKey{1} << vertex_bits::kZ};
   // A table, because no processor can guess the order.
   static constexpr auto kOrders = [] {
     std::array<Axes, 8> orders{};

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cache/lanes.h"
 #include "cache/lattice.h"
 #include "frame/surface_samples.h"
 
@@ -27,7 +28,14 @@ struct GridPoint {
 
 // The place of a point, without taps. `finest_px`: edge of the finest cells, pixels.
 GridPoint gridPoint(const SurfacePlace& place, float finest_px);
-inline constexpr int kVertexBins = 12;
+inline constexpr int kVertexBins = 12;  // and as many for vertices behind a cut
+// The vertex behind the cut of another one.
+inline VertexKey behind(VertexKey vertex) {
+  return vertex + (VertexKey{kVertexBins} << vertex_bits::kBin);
+}
+inline bool isBehind(VertexKey vertex) {
+  return Tetrahedron::binOf(vertex) >= kVertexBins;
+}
 // The bin of vertices for one of a normal's.
 inline int vertexBin(int bin_of_normal, SurfaceKind kind) {
   constexpr int kMixed = kVertexBins / 2;

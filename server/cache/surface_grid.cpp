@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cache/cut_search.h"
 #include "cache/vertex_search.h"
 
 namespace saccade {
@@ -74,18 +75,31 @@ SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const PoolHandle&
                                      Placement& out) {
   ++now_;
   if (vertices() > params_.max_vertices) drop(prev);
-  const Time time = pool.run(1, [&](int) { out.place(on, params_.finest_px); });
-  if (!out.empty()) levels_.makeAll(out.least_level, out.most_level);
-  return time + forEachLevel(out, pool, [&](int l) { findVertices(l, out); });
+  Time time = pool.run(1, [&](int) { out.place(on, params_.finest_px); });
+  if (out.empty()) return time;
+  levels_.makeAll(out.least_level, out.most_level);
+  new_.resize(std::max<std::size_t>(new_.size(), out.most_level - out.least_level + 1));
+  time += forEachLevel(out, pool, [&](int l) { findVertices(l, out); });
+  return time + cutAtWalls(on, pool, out);
+}
+
+SurfaceGrid::Time SurfaceGrid::cutAtWalls(const SurfaceSamples& on, const PoolHandle& pool, Placement& out) {
+  const Time time = pool.run(1, [&](int) {
+    CutSearch search(on, out, levels_, now_);
+    for (int l = out.most_level; l >= out.least_level; --l) search.cut(l, new_[l - out.least_level]);
+  });
+  return time +
+         forEachLevel(out, pool, [&](int l) { leadAround(levels_[l], l, new_[l - out.least_level], out); });
 }
 
 void SurfaceGrid::findVertices(int l, Placement& out) {
   GridLevel& level = levels_[l];
-  VertexSearch search(level, l, now_, out);
+  NewVertices& found = new_[l - out.least_level];
+  found.clear();
+  VertexSearch search(level, l, now_, out, found);
   forEachPointOf(out, l, [&](std::size_t, const GridPoint& p, int slot) { search.add(p, slot); });
   search.finish();
-  level.light.resize(level.table.size());
-  level.evidence.resize(level.table.size());
+  level.resize();
 }
 
 SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool) {

@@ -12,6 +12,7 @@
 
 #include "base/pool_handle.h"
 #include "cache/evidence.h"
+#include "cache/new_vertices.h"
 #include "frame/frame.h"
 
 namespace saccade {
@@ -76,6 +77,7 @@ class SurfaceGrid {
  private:
   void drop(Placement& prev);
   void findVertices(int l, Placement& out);
+  Time cutAtWalls(const SurfaceSamples& on, const PoolHandle& pool, Placement& out);
   void prefetch(const Placement& at, const GridPoint& p) const;
   Time readBands(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
                  const auto& wanted, const auto& each, GridEstimate& out) const;
@@ -84,6 +86,7 @@ class SurfaceGrid {
   GridLevels levels_;
   std::uint32_t now_ = 0;  // frames placed so far
   std::uint64_t dropped_ = 0;
+  std::vector<NewVertices> new_;    // of the frame, from its least level on
   std::vector<Quad> samples_;       // of the frame, by point, as GridLevel::light adds them up
   std::vector<Evidence> evidence_;  // of them
 };

@@ -24,7 +24,7 @@ class TetrahedronLanes {
       const F q = load<kLanes>(position_[axis]) * inv_h, low = floor(q);
       within[axis] = q - low;
       const Uints<kLanes> whole =
-          toUints(F(low - floor(low * 0x1p-20f) * 0x1p20f));  // addresses have 20 bits
+          toUints(F(low - floor(low * 0x1p-19f) * 0x1p19f));  // addresses have 19 bits
       store(Uints<kLanes>((whole + Tetrahedron::kCentre) & Tetrahedron::kAddressMask), low_[axis]);
     }
     const auto& [x, y, z] = within;

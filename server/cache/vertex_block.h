@@ -13,10 +13,6 @@ namespace saccade {
 
 inline constexpr std::uint32_t kBlockCells = 64;
 
-namespace vertex_bits {
-inline constexpr int kX = 0, kY = 20, kZ = 40, kBin = 60;  // of VertexKey
-}
-
 inline VertexKey blockOf(VertexKey vertex) {
   using namespace vertex_bits;
   constexpr VertexKey kCell = VertexKey{3} << kX | VertexKey{3} << kY | VertexKey{3} << kZ;
@@ -70,9 +66,10 @@ class BlockMemo {
   };
   static std::size_t entryOf(VertexKey key) {
     using namespace vertex_bits;
-    return (key >> (kX + 2) & 1) | (key >> (kY + 2) & 1) << 1 | (key >> (kZ + 2) & 1) << 2 | key >> kBin << 3;
+    return (key >> (kX + 2) & 1) | (key >> (kY + 2) & 1) << 1 | (key >> (kZ + 2) & 1) << 2 |
+           (key >> kBin & 31) << 3;
   }
-  std::array<Known, 128> known_{};  // neighbours have entries of their own, and so have bins
+  std::array<Known, 256> known_{};  // neighbours have entries of their own, and so have bins
 };
 
 }  // namespace saccade

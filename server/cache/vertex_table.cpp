@@ -15,7 +15,7 @@ std::vector<VertexKey> VertexTable::keys() const {
   std::vector<VertexKey> keys(size_);
   for (std::size_t b = 0; b < indices_.size(); ++b)
     for (std::uint32_t cell = 0; cell < indices_[b].size(); ++cell)
-      if (const std::uint32_t index = indices_[b][cell]; index != kNone)
+      if (const std::uint32_t index = unmarked(indices_[b][cell]); index != kNone)
         keys[index] = vertexOf(of_blocks[b], cell);
   return keys;
 }
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> VertexTable::lastUses() const {
   std::vector<std::uint32_t> uses(size_);
   for (std::size_t b = 0; b < indices_.size(); ++b)
     for (const std::uint32_t index : indices_[b])
-      if (index != kNone) uses[index] = of_blocks[b];
+      if (index != kNone) uses[unmarked(index)] = of_blocks[b];
   return uses;
 }
 
@@ -37,8 +37,11 @@ void VertexTable::keep(const std::vector<bool>& kept) {
   std::vector<bool> kept_blocks(indices_.size());
   std::size_t next = 0;
   for (std::size_t b = 0; b < indices_.size(); ++b) {
-    for (std::uint32_t& index : indices_[b])
-      if (index != kNone) index = moved[index];
+    for (std::uint32_t& index : indices_[b]) {
+      if (index == kNone) continue;
+      const std::uint32_t to = moved[unmarked(index)];
+      index = to == kNone ? kNone : to | (index & kMarked);
+    }
     kept_blocks[b] = std::any_of(indices_[b].begin(), indices_[b].end(), [](auto i) { return i != kNone; });
     if (kept_blocks[b]) indices_[next++] = indices_[b];
   }

@@ -40,7 +40,7 @@ class VertexTable {
     std::uint32_t indexOf(VertexKey key) {
       const auto find = [this](VertexKey block) { return table_->blocks_.indexOf(block); };
       const std::uint32_t block = memo_.of(key, find);
-      return block == kNone ? kNone : table_->indices_[block][cellOf(key)];
+      return block == kNone ? kNone : unmarked(table_->indices_[block][cellOf(key)]);
     }
 
    private:
@@ -49,12 +49,17 @@ class VertexTable {
   };
   static constexpr std::uint32_t kNone = IndexTable::kNone;
 
-  // The index of the vertex at a place; the next free index if it is new.
-  std::uint32_t indexAt(Place place) {
+  // The index of the vertex at a place, with kMarked if it is. A new one gets the next free index, marked.
+  std::uint32_t markedIndexAt(Place place) {
     std::uint32_t& index = indices_[place.block][place.cell];
-    if (index == kNone) index = size_++;
+    if (index == kNone) index = size_++ | kMarked;
     return index;
   }
+  std::uint32_t indexAt(Place place) { return unmarked(markedIndexAt(place)); }
+  // A mark tells who looks up vertices to look closer. Tables have 2^31 vertices at most.
+  static constexpr std::uint32_t kMarked = std::uint32_t{1} << 31;
+  static std::uint32_t unmarked(std::uint32_t index) { return index == kNone ? kNone : index & ~kMarked; }
+  void unmark(Place place) { indices_[place.block][place.cell] &= ~kMarked; }
   std::uint32_t size() const { return size_; }
 
   std::vector<VertexKey> keys() const;  // by index

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "frame/obstacles.h"
 
 namespace saccade {
 
@@ -100,6 +101,7 @@ class SurfaceSamples {
   }
 
   bool need_paths = true;  // whether any point may get paths: not where nothing reflects but baked light
+  const Obstacles* obstacles = nullptr;  // of the scene; nullptr: there are none
   const BounceGrid* bounces = nullptr;  // light that ends paths at their second vertex, as the method has it
 
  private:

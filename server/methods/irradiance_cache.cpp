@@ -49,7 +49,7 @@ double gridBytes(int memory, double pixels) {
 
 // Measured with the least `memory` on pictures of 512x512 of curved meshes and of the staircase.
 double mostBytes(const ParamValues& params, double pixels, bool jitter) {
-  constexpr double kPlaces = 1500, kMorePlaces = 1400, kTwoFrames = 600;  // per pixel
+  constexpr double kPlaces = 1900, kMorePlaces = 1700, kTwoFrames = 600;  // per pixel
   return pixels * (jitter ? kPlaces + kMorePlaces : kPlaces) +
          std::max(pixels * kTwoFrames, gridBytes(static_cast<int>(params.at("memory")), pixels));
 }

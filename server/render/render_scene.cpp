@@ -34,4 +34,14 @@ std::size_t RenderScene::bytes() const {
          stats.texture_bytes;
 }
 
+Obstacles::Met RenderScene::find(const Ways& ways) const {
+  RayPacket<kWays> packet(kBlockingMask);
+  for (int i = 0; i < kWays; ++i) packet.set(i, {ways[i].from, ways[i].along, ways[i].reach});
+  geometry_.intersect(packet, (1u << kWays) - 1, EmbreeScene::Rays::kScattered);
+  Met met;
+  for (int i = 0; i < kWays; ++i)
+    if (const Hit hit = packet.hit(i); hit.valid) met[i] = {hit.t, normalize(hit.normal)};
+  return met;
+}
+
 }  // namespace saccade

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "frame/obstacles.h"
 #include "render/analytic_light.h"
 #include "render/embree_scene.h"
 #include "render/lights.h"
@@ -14,7 +15,7 @@
 
 namespace saccade {
 
-class RenderScene {
+class RenderScene : public Obstacles {
  public:
   explicit RenderScene(Scene scene);
 
@@ -31,6 +32,7 @@ class RenderScene {
   const AnalyticLight& analyticLight() const { return analytic_light_; }
   Shading shading() const { return shading_; }  // what the scene has
   int channels() const { return channels_; }
+  Met find(const Ways& ways) const override;
   std::size_t bytes() const;  // nearly all of its memory: geometry, Embree's tree, textures
 
   // Whether some surface lets shadow rays through.

@@ -8,7 +8,7 @@ namespace saccade {
 namespace {
 
 VertexKey keyAt(VertexKey x, VertexKey y, VertexKey z) {
-  return x | y << 20 | z << 40 | VertexKey{3} << 60;
+  return x | y << vertex_bits::kY | z << vertex_bits::kZ | VertexKey{3} << vertex_bits::kBin;
 }
 
 // The number of a vertex' light at each corner of a tetrahedron; -1 where there is no vertex.

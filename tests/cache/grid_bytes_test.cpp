@@ -26,12 +26,22 @@ std::string bytesOf(const GridLevels& levels, const BounceGrid& bounces) {
   return out.take();
 }
 
+bool hasCuts(const GridLevels& levels) {
+  bool any = false;
+  levels.forEach([&](int, const GridLevel& level) {
+    level.cuts.forEach([&](std::uint32_t, const Cut&) { any = true; });
+  });
+  return any;
+}
+
 struct GridBytesTest : testing::Test, View {
   GridBytesTest() {
     wall.noise = 1;
+    wall.frame.surfaces->obstacles = &curtain;
     for (int t = 0; t < 3; ++t) look(wall, 0.7f * t, t);
   }
   Wall wall;
+  Curtain curtain;
 };
 
 TEST_F(GridBytesTest, AGridGoesOnAsTheOneItWasWrittenFrom) {
@@ -43,6 +53,7 @@ TEST_F(GridBytesTest, AGridGoesOnAsTheOneItWasWrittenFrom) {
   readBounces(in, bounces);
   EXPECT_TRUE(in.left().empty());
   EXPECT_EQ(bytesOf(other.grid.levels(), bounces), bytes);
+  EXPECT_TRUE(hasCuts(other.grid.levels()));
   look(wall, 9, 9), other.look(wall, 9, 9);
   EXPECT_EQ(bytesOf(other.grid.levels(), bounces), bytesOf(grid.levels(), bounces));
   EXPECT_NE(bytesOf(grid.levels(), bounces), bytes);
@@ -68,13 +79,23 @@ TEST_F(GridBytesTest, RefusesWhatIsNoGrid) {
   const std::vector<Quad> light(2);
   const std::vector<Octet> evidence(2);
   const std::uint32_t one = 1;
-  EXPECT_NO_THROW(read(one, 5, Keys{7, 8}, light, evidence));
+  struct CutBytes {
+    std::uint32_t vertex, other;
+    Vec3 normal{1, 0, 0};
+    float offset = 0;
+  };
+  using Cuts = std::vector<CutBytes>;
+  EXPECT_NO_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{}));
+  EXPECT_NO_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{{0, 1}}));
+  EXPECT_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{{0, 2}}), std::runtime_error);
+  EXPECT_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{{1, 1}}), std::runtime_error);
+  EXPECT_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{{0, 1}, {1, 0}}), std::runtime_error);
   EXPECT_THROW(read(one, 500, Keys{7, 8}, light, evidence), std::runtime_error);
   EXPECT_THROW(read(one, 5, Keys{7, 7}, light, evidence), std::runtime_error);
   EXPECT_THROW(read(one, 5, Keys{7, 0}, light, evidence), std::runtime_error);
   EXPECT_THROW(read(one, 5, Keys{7}, light, evidence), std::runtime_error);
   EXPECT_THROW(read(one, 5, std::uint64_t{1} << 60), std::runtime_error);
-  EXPECT_THROW(read(std::uint32_t{2}, 5, Keys{}, std::vector<Quad>{}, std::vector<Octet>{}, 5),
+  EXPECT_THROW(read(std::uint32_t{2}, 5, Keys{}, std::vector<Quad>{}, std::vector<Octet>{}, Cuts{}, 5),
                std::runtime_error);
 }
 

@@ -69,6 +69,36 @@ TEST_F(SurfaceGridTest, AShadowsEdgeComesOutSharp) {
   EXPECT_LT(errors(wall, wall.visibility).first, 0.12);
 }
 
+// Something stands on a surface: light of one side does not leak to the other, however large the cells.
+TEST_F(SurfaceGridTest, LightDoesNotPassBelowAThinWall) {
+  const auto error = [](const Obstacles* obstacles) {
+    View view;
+    Wall wall;
+    wall.frame.surfaces->obstacles = obstacles;
+    wall.noise = 0.5f;
+    wall.light = [](float x) { return x < Curtain().x ? 1.f : 0.f; };
+    for (int t = 0; t < 8; ++t) view.look(wall, 0.37f * t, t);
+    return view.errors(wall, wall.light).first;
+  };
+  const Curtain curtain;
+  EXPECT_LT(error(&curtain), 0.02);
+  EXPECT_GT(error(nullptr), 0.05);  // without it, the border is a blurred one
+}
+
+// The vertices of both sides of a cut are dropped and kept together.
+TEST_F(SurfaceGridTest, WallsStayWhereVerticesAreDropped) {
+  const Curtain curtain;
+  Wall wall;
+  wall.frame.surfaces->obstacles = &curtain;
+  wall.light = [](float x) { return x < Curtain().x ? 1.f : 8 * (x - Curtain().x); };
+  for (int t = 0; t < 40; ++t) {
+    if (t == 30) grid.limit(1);
+    look(wall, t < 4 ? 60.f : 0.3f + 10.f * static_cast<float>(t % 2), t);
+  }
+  EXPECT_GT(grid.dropped(), 0);
+  EXPECT_LT(errors(wall, wall.light).first, 0.02);
+}
+
 // A wall thinner than any cell: light of one side does not leak to the other.
 TEST_F(SurfaceGridTest, BothSidesOfAThinWallHaveLightOfTheirOwn) {
   Wall bright, dark;

@@ -12,13 +12,13 @@ std::uint32_t indexOf(VertexTable& table, VertexKey key, std::uint32_t now = 0) 
 }
 
 VertexKey keyAt(VertexKey x, VertexKey y, VertexKey z, VertexKey bin = 1) {
-  return x | y << 20 | z << 40 | bin << 60;
+  return x | y << vertex_bits::kY | z << vertex_bits::kZ | bin << vertex_bits::kBin;
 }
 
 TEST(VertexTable, GivesEachKeyOneIndexInTheOrderOfTheirFirstUse) {
   VertexTable table;
   VertexTable::Finder finder(table, 0);
-  const auto key = [](std::uint64_t i) { return mix64(i) | VertexKey{1} << 60; };
+  const auto key = [](std::uint64_t i) { return mix64(i) >> 2 | VertexKey{1} << 60; };
   constexpr std::uint32_t kKeys = 5000;  // grows several times
   for (std::uint32_t i = 0; i < kKeys; ++i) {
     ASSERT_EQ(table.indexAt(finder.find(key(i))), i);

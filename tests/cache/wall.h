@@ -39,6 +39,22 @@ struct Wall {
   }
 };
 
+// Stands on the wall, across it, without any thickness.
+struct Curtain final : Obstacles {
+  float x = 24 * kPixel;
+
+  Met find(const Ways& ways) const override {
+    Met met;
+    for (int i = 0; i < kWays; ++i) {
+      const auto& [from, along, reach] = ways[i];
+      const float to_curtain = (x - from.x) / along.x, to_wall = -from.z / along.z;
+      if (along.x != 0 && to_curtain > 0 && to_curtain <= reach) met[i] = {to_curtain, {1, 0, 0}};
+      if (along.z != 0 && to_wall > 0 && to_wall <= reach) met[i] = {to_wall, {0, 0, 1}};
+    }
+    return met;
+  }
+};
+
 struct View {
   explicit View(int threads = 2) : pool(threads) {}
 
