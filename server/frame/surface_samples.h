@@ -102,7 +102,7 @@ class SurfaceSamples {
 
   bool need_paths = true;  // whether any point may get paths: not where nothing reflects but baked light
   const Obstacles* obstacles = nullptr;  // of the scene; nullptr: there are none
-  const BounceGrid* bounces = nullptr;  // light that ends paths at their second vertex, as the method has it
+  const BounceGrid* bounces = nullptr;   // light that ends paths at their second vertex, as the method has it
 
  private:
   int per_pixel_, columns_;

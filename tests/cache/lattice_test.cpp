@@ -43,10 +43,10 @@ TEST(Tetrahedron, ReproducesALinearFunction) {
   const VertexKey origin = Tetrahedron({0, 0, 0}, 0).key[0];
   const auto place = [&](VertexKey key) {
     const auto part = [&](int shift) {
-      const auto of = [&](VertexKey k) { return static_cast<double>(k >> shift & 0xfffff); };
+      const auto of = [&](VertexKey k) { return static_cast<double>(k >> shift & Tetrahedron::kAddressMask); };
       return of(key) - of(origin);
     };
-    return Vec3d{part(0), part(20), part(40)};
+    return Vec3d{part(vertex_bits::kX), part(vertex_bits::kY), part(vertex_bits::kZ)};
   };
   for (std::uint64_t i = 0; i < 2000; ++i) {
     const Vec3d q = randomPoint(i), slope{1, -2, 3};
