@@ -52,6 +52,19 @@ struct BakedLightTest : testing::Test, View {
   Wall wall;
 };
 
+// What stands on the wall has light of its own on both sides: the bake knows none of one side on the other.
+TEST_F(BakedLightTest, LightDoesNotPassBelowAThinWall) {
+  const Curtain curtain;
+  View view;
+  wall.frame.surfaces->obstacles = &curtain;
+  wall.unoccluded = 0, wall.visibility = [](float) { return 0.f; };
+  wall.light = [](float x) { return x < Curtain().x ? 1.f : 0.f; };
+  for (int t = 0; t < 60; ++t) view.look(wall, 0.37f * t, t);
+  const Read from_bake = read(BakedLight(view.grid.levels(), {}, pool));
+  EXPECT_GT(from_bake.count(), 0.8 * kW * kH);
+  EXPECT_LT(errorsOf(from_bake.light, from_bake).first, 0.02);
+}
+
 TEST_F(BakedLightTest, IsAsTrueAsItsGrid) {
   const BakedLight baked(grid.levels(), {}, pool);
   const Read from_bake = read(baked);
