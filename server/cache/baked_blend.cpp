@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kChunk = 1024;         // vertices of a piece
 constexpr float kLeastSamples = 2;   // around a vertex, in cells of about two pixels
+constexpr float kAlike = 0.1f;       // of the light on both sides of a wall
 constexpr float kAside = 1e-3f;      // of a cell: from a wall to one of its sides
 constexpr float kSmallStep = 1e-3f;  // cells: the variance of steps so small grows with their square
 
@@ -20,19 +21,20 @@ class Surroundings {
       if (const GridLevel* level = grid.find(l + slot))
         levels_[slot] = level, readers_[slot].emplace(level->table);
   }
-  // False where a wall stands between samples: a vertex of a bake has light of one side alone.
-  bool lookFrom(VertexKey vertex) {
+  void lookFrom(VertexKey vertex) {
     place_ = Tetrahedron::placeOf(vertex), bin_ = Tetrahedron::binOf(vertex);
     point_ = toFloat(place_ * h_);
-    const std::uint32_t v = readers_[0]->indexOf(vertex);
-    const Cut* cut = levels_[0]->cuts.find(v);
-    if (!cut) return true;
-    const auto& light = levels_[0]->light;
-    const bool near = light[v][0] > 0, far = light[cut->other][0] > 0;
-    const float height = cut->heightOf(point_), aside = static_cast<float>(h_) * (far ? -kAside : kAside);
-    if (far != (height < 0)) point_ = point_ + cut->normal * (aside - height);
-    return !(near && far);
+    vertex_ = readers_[0]->indexOf(vertex);
+    if (const Cut* cut = levels_[0]->cuts.find(vertex_)) goToSide(levels_[0]->light[vertex_][0] > 0, *cut);
   }
+  // Whether a wall stands between samples.
+  bool hasTwoSides() const {
+    const auto& light = levels_[0]->light;
+    const Cut* cut = levels_[0]->cuts.find(vertex_);
+    return cut && light[vertex_][0] > 0 && light[cut->other][0] > 0;
+  }
+  // From now on, what is on the far side of that wall.
+  void crossWall() { goToSide(false, *levels_[0]->cuts.find(vertex_)); }
   Quad light(int slot) { return gather(slot, &GridLevel::light); }
   Octet evidence(int slot) { return gather(slot, &GridLevel::evidence); }
 
@@ -51,11 +53,17 @@ class Surroundings {
     return sum;
   }
 
+  void goToSide(bool near, const Cut& cut) {
+    const float height = cut.heightOf(point_), aside = static_cast<float>(h_) * (near ? kAside : -kAside);
+    if (near == (height < 0)) point_ = point_ + cut.normal * (aside - height);
+  }
+
   std::array<const GridLevel*, kSlots> levels_{};
   std::array<std::optional<VertexTable::Reader>, kSlots> readers_;
   double h_;     // edge of a cell of the vertex' level
   Vec3d place_;  // of the vertex, in such cells
-  Vec3 point_;   // beside it, where its samples are
+  std::uint32_t vertex_ = 0;
+  Vec3 point_;  // beside the vertex, on one side of a wall
   int bin_ = 0;
 };
 
@@ -75,6 +83,19 @@ BakedVertex blendAround(Surroundings& around, const GridParams& params, float sc
           .step_visibility = step(blend.visibility)};
 }
 
+bool isAlike(const BakedVertex& a, const BakedVertex& b) {
+  return a.known && b.known && std::abs(a.rest - b.rest) <= kAlike * std::max(a.rest, b.rest) &&
+         std::abs(a.visibility - b.visibility) <= kAlike;
+}
+
+// A vertex of a bake has one light. Where a wall stands, both sides must have the same.
+BakedVertex blendSides(Surroundings& around, const GridParams& params, float scale) {
+  const BakedVertex near = blendAround(around, params, scale);
+  if (!around.hasTwoSides()) return near;
+  around.crossWall();
+  return isAlike(near, blendAround(around, params, scale)) ? near : BakedVertex{};
+}
+
 }  // namespace
 
 BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coarser, const GridParams& params,
@@ -86,8 +107,8 @@ BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coar
     Surroundings around(grid, l);
     const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
     for (std::size_t v = begin; v < std::min(begin + kChunk, keys.size()); ++v) {
-      const bool has_light = around.lookFrom(keys[v]);
-      light[v] = {has_light ? blendAround(around, params, scale) : BakedVertex{}, coarser.between(keys[v])};
+      around.lookFrom(keys[v]);
+      light[v] = {blendSides(around, params, scale), coarser.between(keys[v])};
     }
   });
   std::size_t known = 0;
