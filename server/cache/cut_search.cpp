@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kProbedSlot = 2;  // cells that are finer take the cuts of coarser ones: rays cost more there
 constexpr float kLift = 0.25f;  // of a cell: what is lower than that is no wall
+constexpr float kClose = 1.f / 64;  // of a cell: just off a surface
 
 const std::array<Vec3, 6> kDirections{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
 
@@ -77,17 +78,17 @@ std::optional<Cut> CutSearch::inherit(const GridPoint& p, int slot, Vec3 place, 
 }
 
 std::optional<Cut> CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
+  if (!on_.obstacles) return {};
   const Vec3 n = on_.place(p.index).normal;
   Obstacles::Ways ways;
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
-    const Vec3 d = kDirections[i], from = p.position + n * (dot(d, n) < -kSide ? -h / 64 : h * kLift);
+    const Vec3 d = kDirections[i], from = p.position + n * (dot(d, n) < -kSide ? -h * kClose : h * kLift);
     ways[i] = {from, d, std::max(0.f, dot(d, place - from) + h)};
   }
-  if (!on_.obstacles) return {};
   const Obstacles::Met met = on_.obstacles->find(ways);
   std::array<std::size_t, kDirections.size()> order{0, 1, 2, 3, 4, 5};
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return met[i].distance; });
-  for (const std::size_t i : order) {
+  for (const std::size_t i : order) {  // the nearest first
     if (!std::isfinite(met[i].distance)) break;
     const Vec3 hit = ways[i].from + ways[i].along * met[i].distance;
     const float along = dot(ways[i].along, n);
@@ -102,7 +103,7 @@ std::optional<Cut> CutSearch::probe(const GridPoint& p, Vec3 place, float h) con
 
 // Whether there is another surface of this normal above what has been met.
 bool CutSearch::isAbove(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const {
-  const float begin = met.distance + h / 64;
+  const float begin = met.distance + h * kClose;
   const Obstacles::Met above =
       on_.obstacles->find({{{way.from + way.along * begin, way.along, way.reach - begin}}});
   return isAlike(above[0].normal, n);

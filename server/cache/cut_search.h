@@ -18,10 +18,12 @@ class CutSearch {
   void cut(int l, const NewVertices& added);
 
  private:
-  // A cut through what lies around a vertex at `place`, with the point in front; `other` is not set.
+  // A cut through what lies around a vertex at `place`, with the point in front; `other` is not set. `h`:
+  // edge of a cell. From the nearest obstacle that has a surface of the point's normal behind it:
   std::optional<Cut> probe(const GridPoint& p, Vec3 place, float h) const;
   bool isAbove(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const;
   bool isBeside(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const;
+  // from those of the level above:
   std::optional<Cut> inherit(const GridPoint& p, int slot, Vec3 place, float h) const;
 
   const SurfaceSamples& on_;
