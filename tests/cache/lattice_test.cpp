@@ -43,7 +43,9 @@ TEST(Tetrahedron, ReproducesALinearFunction) {
   const VertexKey origin = Tetrahedron({0, 0, 0}, 0).key[0];
   const auto place = [&](VertexKey key) {
     const auto part = [&](int shift) {
-      const auto of = [&](VertexKey k) { return static_cast<double>(k >> shift & Tetrahedron::kAddressMask); };
+      const auto of = [&](VertexKey k) {
+        return static_cast<double>(k >> shift & Tetrahedron::kAddressMask);
+      };
       return of(key) - of(origin);
     };
     return Vec3d{part(vertex_bits::kX), part(vertex_bits::kY), part(vertex_bits::kZ)};
