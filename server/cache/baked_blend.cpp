@@ -25,16 +25,16 @@ class Surroundings {
     place_ = Tetrahedron::placeOf(vertex), bin_ = Tetrahedron::binOf(vertex);
     point_ = toFloat(place_ * h_);
     vertex_ = readers_[0]->indexOf(vertex);
-    if (const Cut* cut = levels_[0]->cuts.find(vertex_)) goToSide(levels_[0]->light[vertex_][0] > 0, *cut);
+    cut_ = levels_[0]->cuts.find(vertex_);
+    if (cut_) goToSide(levels_[0]->light[vertex_][0] > 0);
   }
   // Whether a wall stands between samples.
   bool hasTwoSides() const {
     const auto& light = levels_[0]->light;
-    const Cut* cut = levels_[0]->cuts.find(vertex_);
-    return cut && light[vertex_][0] > 0 && light[cut->other][0] > 0;
+    return cut_ && light[vertex_][0] > 0 && light[cut_->other][0] > 0;
   }
   // From now on, what is on the far side of that wall.
-  void crossWall() { goToSide(false, *levels_[0]->cuts.find(vertex_)); }
+  void crossWall() { goToSide(false); }
   Quad light(int slot) { return gather(slot, &GridLevel::light); }
   Octet evidence(int slot) { return gather(slot, &GridLevel::evidence); }
 
@@ -53,9 +53,9 @@ class Surroundings {
     return sum;
   }
 
-  void goToSide(bool near, const Cut& cut) {
-    const float height = cut.heightOf(point_), aside = static_cast<float>(h_) * (near ? kAside : -kAside);
-    if (near == (height < 0)) point_ = point_ + cut.normal * (aside - height);
+  void goToSide(bool near) {
+    const float height = cut_->heightOf(point_), aside = static_cast<float>(h_) * (near ? kAside : -kAside);
+    if (near == (height < 0)) point_ = point_ + cut_->normal * (aside - height);
   }
 
   std::array<const GridLevel*, kSlots> levels_{};
@@ -63,7 +63,8 @@ class Surroundings {
   double h_;     // edge of a cell of the vertex' level
   Vec3d place_;  // of the vertex, in such cells
   std::uint32_t vertex_ = 0;
-  Vec3 point_;  // beside the vertex, on one side of a wall
+  const Cut* cut_ = nullptr;  // of the vertex
+  Vec3 point_;                // beside the vertex, on one side of a wall
   int bin_ = 0;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace saccade {
 namespace {
@@ -44,7 +43,6 @@ bool cuts(const Cut& cut, Vec3 place, float h) {
 
 void CutSearch::cut(int l, const NewVertices& added) {
   GridLevel& level = levels_[l];
-  level.resize();
   const float h = std::ldexp(1.f, l);
   VertexTable::Finder finder(level.table, now_);
   for (const NewVertices::Vertex& v : added.vertices) {

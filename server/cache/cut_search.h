@@ -11,7 +11,7 @@ namespace saccade {
 
 class CutSearch {
  public:
-  // Of the vertices that a frame has added. They have no values yet.
+  // Of the vertices that a frame has added.
   CutSearch(const SurfaceSamples& on, const Placement& at, GridLevels& levels, std::uint32_t now)
       : on_(on), at_(at), levels_(levels), now_(now) {}
   // Of one level. Coarser ones come first.

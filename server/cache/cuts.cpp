@@ -1,5 +1,6 @@
 #include "cache/cuts.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace saccade {

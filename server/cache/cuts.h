@@ -2,9 +2,6 @@
 // on the one side, and another vertex at the same place what lies on the other side [ours].
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstdint>
 #include <vector>
 

@@ -76,7 +76,8 @@ std::chrono::nanoseconds Renderer::renderSurfaces(const Camera& camera, const Ca
   const auto tile = withKernel(scene_->shading(), []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
                                      [&](Tile t) { tile(view, t, on_tile, starts_, out); });
-  out.surfaces->need_paths = starts_.any(), out.surfaces->obstacles = scene_.get();
+  out.surfaces->need_paths = starts_.any();
+  out.surfaces->obstacles = scene_.get();
   return time;
 }
 
