@@ -37,6 +37,14 @@ void forEachPointBySquares(Tile tile, const SurfaceSamples& on, const auto& f) {
       }
 }
 
+// A pixel whose light is known in part is not known.
+void leavePartsOut(std::span<SurfacePoint> of_pixel, int x, int y, GridEstimate& out) {
+  const auto isLive = [](const SurfacePoint& p) { return p.kind != SurfaceKind::kNone && !p.baked; };
+  if (std::ranges::none_of(of_pixel, isLive)) return;
+  for (SurfacePoint& p : of_pixel) p.baked = false;
+  out.clear({x, y, x + 1, y + 1});
+}
+
 }  // namespace
 
 BakedLight::BakedLight(const GridLevels& grid, const GridParams& params, const PoolHandle& pool)
@@ -67,9 +75,7 @@ void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstim
     if (batches[batch].count() > 0) add(batches[batch], on, g, out);
     batches[batch].clear();
   };
-  for (int y = tile.y0; y < tile.y1; ++y)
-    for (const auto plane : {&out.i, &out.var_i, &out.var_step})
-      std::fill(plane->row(y) + tile.x0, plane->row(y) + tile.x1, 0.f);
+  out.clear(tile);
   forEachPointBySquares(tile, on, [&](int x, int y, std::size_t index) {
     on[index].baked = false;
     if (on[index].kind == SurfaceKind::kNone) return;
@@ -77,6 +83,9 @@ void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstim
     if (batches[batch].full()) turn();
   });
   for (int left = 0; left < kSteps; ++left) turn();
+  if (on.perPixel() == 1) return;
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1; ++x) leavePartsOut(on.of(x, y), x, y, out);
 }
 
 void BakedLight::add(const BakedPoints& points, SurfaceSamples& on, const GBuffer& g,

@@ -15,8 +15,8 @@ class BakedLight {
  public:
   BakedLight(const GridLevels& grid, const GridParams& params, const PoolHandle& pool);
 
-  // Reads at the points of a tile, and marks those whose light is known as baked. `out` has the sum over
-  // them, by their shares.
+  // Reads at the points of a tile, and marks those of pixels all of whose light is known as baked. Sets these
+  // pixels to the sum over their points, by shares, and clears all others of the tile.
   void read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const;
   std::size_t vertices() const { return vertices_; }  // whose light is known
 

@@ -167,15 +167,21 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Place
   });
 }
 
-// Reads the pixels of each band for which wanted(x, y), and calls each(blend, lanes) for a few of its points
-// at once.
+// Sets the pixels of each band for which wanted(x, y), and calls each(blend, lanes) for a few of its points at
+// once.
 SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                          const PoolHandle& pool, const auto& wanted, const auto& each,
                                          GridEstimate& out) const {
-  return forEachBand(on, pool, [&](int band, int y0, int y1) {
-    for (int y = y0; y < y1; ++y)
-      for (int x = 0; x < out.i.width(); ++x)
-        if (wanted(x, y)) out.i.at(x, y) = out.var_i.at(x, y) = out.var_step.at(x, y) = 0;
+  return forEachBand(on, pool, [&](int band, int, int) {
+    const auto [first, end] = at.ofBand(band);
+    const auto forEachWanted = [&](const auto& f) {
+      for (std::size_t i = first; i < end; ++i) {
+        const std::uint32_t index = at.points[i].index;
+        const int x = on.columnOf(index) / on.perPixel(), y = on.rowOf(index);
+        if (wanted(x, y)) f(i, x, y);
+      }
+    };
+    forEachWanted([&](std::size_t, int x, int y) { out.clear({x, y, x + 1, y + 1}); });
     PointLanes lanes;
     const auto finish = [&] {
       const LevelBlend<PointFloats> blend = lanes.blend(params_.blend);
@@ -183,14 +189,11 @@ SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer
       each(blend, lanes);
       lanes.count = 0;
     };
-    const auto [first, end] = at.ofBand(band);
-    for (std::size_t i = first; i < end; ++i) {
-      const std::uint32_t index = at.points[i].index;
-      if (!wanted(on.columnOf(index) / on.perPixel(), on.rowOf(index))) continue;
+    forEachWanted([&](std::size_t i, int, int) {
       if (i + kAhead < end) prefetch(at, at.points[i + kAhead]);
       lanes.add(levels_, at, i);
       if (lanes.full()) finish();
-    }
+    });
     if (lanes.count > 0) finish();
   });
 }

@@ -7,6 +7,7 @@
 // between.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 
@@ -32,6 +33,12 @@ struct GridEstimate {
   ImageF i;         // illumination, 0 where no point is in the grid
   ImageF var_i;     // its variance
   ImageF var_step;  // the variance of its change from here to where the pixel's motion vector points
+
+  void clear(Tile tile) {
+    for (int y = tile.y0; y < tile.y1; ++y)
+      for (ImageF* plane : {&i, &var_i, &var_step})
+        std::fill(plane->row(y) + tile.x0, plane->row(y) + tile.x1, 0.f);
+  }
 };
 
 class SurfaceGrid {
@@ -53,7 +60,7 @@ class SurfaceGrid {
   Time uncertainty(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool, ImageF& out) const;
   // Adds a frame's samples, which `at` has placed.
   Time add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool);
-  // Reads at the points of a frame.
+  // Reads at the points of a frame, and sets the pixels that show any.
   Time read(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
             GridEstimate& out) const;
   // The same for the frame that was added last. Compares its samples with what all others say there.
@@ -61,7 +68,7 @@ class SurfaceGrid {
                  GridEstimate& out);
   // Learns from that comparison which levels to believe.
   Time learn(const Placement& at, const PoolHandle& pool);
-  // Reads again where uncertainty() of either frame was kUnknown.
+  // Reads again, but only where uncertainty() of either frame was kUnknown.
   Time readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
                  const ImageF& uncertainty, const ImageF& uncertainty_prev, GridEstimate& out) const;
   // Forgets all light: it has changed.

@@ -100,7 +100,8 @@ class SurfaceSamples {
     return std::ranges::any_of(of(x, y), [](const SurfacePoint& p) { return p.isOther(); });
   }
 
-  bool need_paths = true;  // whether any point may get paths: not where nothing reflects but baked light
+  bool need_paths = true;   // whether any point may get paths: not where nothing reflects but baked light
+  bool show_others = true;  // whether any pixel showsOthers()
   const Obstacles* obstacles = nullptr;  // of the scene; nullptr: there are none
   const BounceGrid* bounces = nullptr;   // light that ends paths at their second vertex, as the method has it
 

@@ -78,16 +78,18 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
       light_({.finest_px = p.finest, .blend = {.tau = p.tau, .noise = p.noise, .caution = p.caution}},
              static_cast<std::size_t>(gridBytes(p.memory, 1. * w * h))),
-      now_(w, h),
-      before_(w, h),
+      baked_(std::move(baked)),
+      said_{GridEstimate(w, h), GridEstimate(w, h)},
       filtered_(w, h),
       scratch_(w, h),
-      i_prev_(w, h) {
-  if (baked) baked_.emplace(std::move(baked), w, h);
-}
+      i_prev_(w, h) {}
 
 void IrradianceCache::look(Tile tile, Frame& next) {
-  if (baked_ && light_.isAt(next.light)) baked_->look(tile, next);
+  GridEstimate& said = saidOf(next);
+  if (baked_ && light_.isAt(next.light))
+    baked_->read(tile, *next.surfaces, next.g, said);
+  else
+    said.clear(tile);
 }
 
 void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) {
@@ -121,7 +123,7 @@ void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, 
   filter(frames, pool, times);
   // D[i_{t-1}] is what today's grid says of the frame before, not what was said then. The filter takes the
   // errors of neighbours for independent, but they share vertices: it lessens them by little.
-  const GridEstimate& now = *read_.now;
+  const GridEstimate& now = saidOf(frames.cur);
   times[Stage::kModulate] += pool.forEachRow(i_prev_.height(), [&](int y) {
     const int width = i_prev_.width();
     for (int x = 0; x < width; ++x) i_prev_.at(x, y) = filtered_.i.at(x, y) - filtered_.d.at(x, y);
@@ -141,16 +143,12 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
     return all || frames.cur.surfaces->showsOthers(x, y) || frames.prev.surfaces->showsOthers(x, y);
   };
   if (!svgf_) {
-    if (!all && !frames.cur.surfaces->need_paths && !frames.prev.surfaces->need_paths) return;
-    bool any = all;
-    for (int y = 0; y < height && !any; ++y)
-      for (int x = 0; x < width && !any; ++x) any = needed(x, y);
-    if (!any) return;
+    if (!all && !frames.cur.surfaces->show_others && !frames.prev.surfaces->show_others) return;
     svgf_ = std::make_unique<Svgf>(SvgfParams{}, width, height);
     elsewhere_ = std::make_unique<IntensityChange>(width, height);
-    svgf_->start(frames.prev, &read_.before->i, pool);
+    svgf_->start(frames.prev, &saidOf(frames.prev).i, pool);
   }
-  svgf_->estimate(frames, &read_.now->i, pool, *elsewhere_, times);
+  svgf_->estimate(frames, &saidOf(frames.cur).i, pool, *elsewhere_, times);
   times[Stage::kModulate] += pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       if (!needed(x, y)) continue;
@@ -161,22 +159,14 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
 
 void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   if (frames.cur.surfaces->need_paths) light_.current().bounces.add(*frames.cur.surfaces);
-  if (baked_ && at_.empty() && at_prev_.empty()) {
-    read_ = {&baked_->of(frames.cur.index), &baked_->of(frames.cur.index + 1)};
-    return;
-  }
-  readGrid(frames, pool, times);
-  if (baked_) times[Stage::kVariance] += baked_->add(frames.cur.index, pool, now_, before_);
-  read_ = {&now_, &before_};
-}
-
-void IrradianceCache::readGrid(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
+  if (at_.empty() && at_prev_.empty()) return;
   const SurfaceSamples &on = *frames.cur.surfaces, &on_prev = *frames.prev.surfaces;
   const bool first = &frames.cur == &frames.prev;
+  GridEstimate &now = saidOf(frames.cur), &before = saidOf(frames.prev);
   SurfaceGrid &grid = light_.current().grid, &grid_prev = light_.previous().grid;
   times[Stage::kTemporal] += grid.add(on, at_, pool);
-  times[Stage::kVariance] += grid.readAdded(on, frames.cur.g, at_, pool, now_);
-  if (!first) times[Stage::kVariance] += grid_prev.read(on_prev, frames.prev.g, at_prev_, pool, before_);
+  times[Stage::kVariance] += grid.readAdded(on, frames.cur.g, at_, pool, now);
+  if (!first) times[Stage::kVariance] += grid_prev.read(on_prev, frames.prev.g, at_prev_, pool, before);
   times[Stage::kTemporal] += grid.learn(at_, pool);
   // What is seen for the first time has only now been judged.
   const auto again = [&](const SurfaceGrid& from, const Frame& frame, const Placement& at,
@@ -184,20 +174,20 @@ void IrradianceCache::readGrid(const FramePair& frames, const PoolHandle& pool, 
     times[Stage::kVariance] +=
         from.readAgain(*frame.surfaces, frame.g, at, pool, uncertainty_, uncertainty_prev_, out);
   };
-  again(grid, frames.cur, at_, now_);
-  if (!first) again(grid_prev, frames.prev, at_prev_, before_);
+  again(grid, frames.cur, at_, now);
+  if (!first) again(grid_prev, frames.prev, at_prev_, before);
   // The errors of two states of the light have nothing in common.
   if (light_.changed())
-    times[Stage::kVariance] += pool.forEachRow(now_.i.height(), [&](int y) {
-      for (int x = 0; x < now_.i.width(); ++x)
-        now_.var_step.at(x, y) = now_.var_i.at(x, y) + before_.var_i.at(x, y);
+    times[Stage::kVariance] += pool.forEachRow(now.i.height(), [&](int y) {
+      for (int x = 0; x < now.i.width(); ++x)
+        now.var_step.at(x, y) = now.var_i.at(x, y) + before.var_i.at(x, y);
     });
 }
 
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   const bool first = &frames.cur == &frames.prev;
   read(frames, pool, times);
-  const GridEstimate &now = *read_.now, &before = *read_.before;
+  const GridEstimate &now = saidOf(frames.cur), &before = saidOf(frames.prev);
   times[Stage::kVariance] += pool.forEachRow(now.i.height(), [&](int y) {
     for (int x = 0; x < now.i.width(); ++x) {
       filtered_.i.at(x, y) = now.i.at(x, y);

@@ -2,12 +2,12 @@
 // state of it at both frames' points. README.md is the section of a paper on it.
 #pragma once
 
-#include <optional>
+#include <array>
 
+#include "cache/baked_light.h"
 #include "cache/light_states.h"
 #include "filter/atrous.h"
 #include "filter/filter_planes.h"
-#include "methods/baked_frames.h"
 #include "methods/method.h"
 #include "methods/svgf.h"
 
@@ -43,10 +43,10 @@ class IrradianceCache final : public Method {
                 StageTimes& times) override;
 
  private:
-  // Sets read_: both frames' points, from one state of what is known.
+  // What is said of a frame, the newest or the one before it. Where light is baked it was read in look().
+  GridEstimate& saidOf(const Frame& frame) { return said_[frame.index % 2]; }
+  // Reads the grid at all other points of both frames, from one state of what is known.
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
-  // Of the grid alone, into now_ and before_.
-  void readGrid(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Reads, and filters both frames' points into filtered_.
   void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Replaces what the grid cannot know.
@@ -55,12 +55,9 @@ class IrradianceCache final : public Method {
   IrradianceCacheParams params_;
   AtrousParams atrous_;
   LightStates light_;
-  std::optional<BakedFrames> baked_;
+  std::shared_ptr<const BakedLight> baked_;
   Placement at_, at_prev_;
-  GridEstimate now_, before_;
-  struct {
-    const GridEstimate *now, *before;
-  } read_{};
+  std::array<GridEstimate, 2> said_;
   ImageF uncertainty_, uncertainty_prev_;  // with the columns of SurfaceSamples
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;             // D[i_{t-1}]

@@ -45,10 +45,11 @@ std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, st
         ++row_others;
         continue;
       }
-      const float wanted = p.share * wantedPaths(plan, error.at(column, y));
+      p.paths = 0;
+      if (const float e = error.at(column, y); e > 0)
+        p.paths = static_cast<std::uint32_t>(p.share * wantedPaths(plan, e) + ditherAt(column, y, frame));
       // The whole pixel is sampled, if another method is to estimate it.
-      const std::uint32_t least = on.showsOthers(column / on.perPixel(), y);
-      p.paths = std::max(least, static_cast<std::uint32_t>(wanted + ditherAt(column, y, frame)));
+      if (on.show_others && on.showsOthers(column / on.perPixel(), y)) p.paths = std::max(p.paths, 1u);
       row_planned += p.paths;
     }
     others += row_others, planned += row_planned;

@@ -77,6 +77,7 @@ std::chrono::nanoseconds Renderer::renderSurfaces(const Camera& camera, const Ca
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
                                      [&](Tile t) { tile(view, t, on_tile, starts_, out); });
   out.surfaces->need_paths = starts_.any();
+  out.surfaces->show_others = starts_.anyOfOthers();
   out.surfaces->obstacles = scene_.get();
   return time;
 }

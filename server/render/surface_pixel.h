@@ -63,11 +63,22 @@ class PlainPaths {
   std::array<NewPath, kLaneVectors> paths_;
 };
 
+// Whether any point of a tile gets some.
+inline bool hasPaths(const SurfaceSamples& on, Tile tile) {
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (const SurfacePoint& p :
+         on.row(y).subspan(tile.x0 * on.perPixel(), (tile.x1 - tile.x0) * on.perPixel()))
+      if (p.paths > 0) return true;
+  return false;
+}
+
 // The light of a tile's points, of pass 2 alone.
 template <Shading S, int C>
 void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile,
                     const SurfaceStarts& starts, Frame& out) {
   SurfaceSamples& on = *out.surfaces;
+  forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
+  if (!hasPaths(on, tile)) return;
   const Scratch<std::array<ReflectedParts, kMaxTilePoints>> sums;
   const Scratch<std::array<std::uint32_t, kMaxTilePoints>> points;  // those with paths
   std::uint32_t count = 0;
@@ -80,7 +91,6 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces
   PlainPaths plain(view.camera.pixel, run);
   const SequencePlace places(seeds.stream, seeds.frame2);
   forEachPixel(tile, [&](int x, int y) {
-    out.samples.I2.at(x, y) = out.g.emission.at(x, y);
     for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
       const auto i = static_cast<std::uint32_t>(on.indexOf(column, y));
       if (on[i].share <= 0 || on[i].paths == 0) continue;

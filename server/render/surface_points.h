@@ -79,14 +79,15 @@ class TilePoints {
   // Copies where paths start, of points that may get any.
   void keepStarts(SurfaceStarts& starts) const {
     const SurfaceSamples& on = *out_.surfaces;
-    bool any = false;
+    bool any = false, any_of_others = false;
     forEachPixel(tile_, [&](int x, int y) {
       const bool all = on.showsOthers(x, y);
+      any_of_others |= all;
       for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
         if (const SurfacePoint& p = on.at(column, y); p.share > 0 && (all || !p.baked))
           any = true, keepStart(column, y, starts);
     });
-    if (any) starts.setAny();
+    if (any) starts.setAny(any_of_others);
   }
 
  private:

@@ -48,12 +48,17 @@ class SurfaceStarts {
   // `plain_only`: there is no start of another kind.
   void resize(std::size_t points, bool plain_only) {
     plain_.resize(points), is_plain_.resize(points), others_.resize(plain_only ? 0 : points);
-    any_ = false;
+    any_ = any_of_others_ = false;
   }
   void set(std::size_t i, const PlainStart& start) { plain_[i] = start, is_plain_[i] = true; }
   void set(std::size_t i, const SurfaceStart& start) { others_[i] = start, is_plain_[i] = false; }
-  void setAny() { any_ = true; }
+  // Tells of the starts of a tile that there are any, and whether SurfacePoint::isOther() is true of some.
+  void setAny(bool of_others) {
+    any_ = true;
+    if (of_others) any_of_others_ = true;
+  }
   bool any() const { return any_; }  // since resize()
+  bool anyOfOthers() const { return any_of_others_; }
 
   bool isPlain(std::size_t i) const { return is_plain_[i]; }
   const PlainStart& plain(std::size_t i) const { return plain_[i]; }
@@ -67,7 +72,7 @@ class SurfaceStarts {
   std::vector<PlainStart> plain_;
   std::vector<SurfaceStart> others_;
   std::vector<char> is_plain_;
-  std::atomic<bool> any_ = false;
+  std::atomic<bool> any_ = false, any_of_others_ = false;
 };
 
 }  // namespace saccade
