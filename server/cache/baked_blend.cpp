@@ -43,7 +43,7 @@ class Surroundings {
   V gather(int slot, HugeVector<V> GridLevel::*values) {
     V sum{};
     if (!levels_[slot]) return sum;
-    const Tetrahedron corners(place_ * std::ldexp(1.0, -slot), bin_);
+    const Tetrahedron corners(place_ * double{powerOfTwo(-slot)}, bin_);
     for (int c = 0; c < 4; ++c) {
       if (corners.weight[c] == 0) continue;
       const std::uint32_t v = readers_[slot]->indexOf(corners.key[c]);

@@ -89,7 +89,7 @@ class BakedPoints {
 
   Tetrahedron coarseCorners(int tap) const {
     const int i = taps_.point(tap);
-    const double per_edge = std::ldexp(1.0, -levels_[i].exponent - 1);
+    const double per_edge = powerOfTwo(std::max(-levels_[i].exponent - 1, -126));
     return {toDouble(tetrahedra_.point(i)) * per_edge, taps_.bin(tap)};
   }
   // What the corners of a tap say.
