@@ -39,6 +39,21 @@ class Control(unittest.TestCase):
             server.answer(request, server_info=control_pb2.ServerDescription(version="7"))
         self.assertEqual(self.ask(script, saccade.Client.info).version, "7")
 
+    def test_what_a_server_does_while_it_opens_a_stream_is_logged(self):
+        def script(server):
+            server.answer(server.control.receive(control_pb2.Request), server_info=control_pb2.ServerDescription())
+            open_stream = server.control.receive(control_pb2.Request)
+            question = server.control.receive(control_pb2.Request)
+            self.assertEqual(question.WhichOneof("call"), "list_streams")
+            opening = [control_pb2.OpeningInfo(request_id=id, scene="room", doing="computing light ahead", done=0.34)
+                       for id in (open_stream.request_id + 100, open_stream.request_id)]
+            server.answer(question, list_streams=control_pb2.StreamList(opening=opening))
+            status = control_pb2.Status(code=control_pb2.CODE_NOT_FOUND)
+            server.control.send(control_pb2.Reply(request_id=open_stream.request_id, status=status).SerializeToString())
+        with self.assertLogs("saccade") as logged, self.assertRaises(saccade.NotFound):
+            self.ask(script, lambda client: client.open_request(control_pb2.OpenStream()))
+        self.assertEqual(logged.output, ["WARNING:saccade:opening room: computing light ahead: 34 %"])
+
     def test_what_is_no_reply_is_told(self):
         for parts, text in (((b"a", b"b"), "not a control socket"), ((b"\xff",), "cannot be read")):
             def script(server, parts=parts):

@@ -57,6 +57,8 @@ class Client:
     def open(self, **settings: Unpack[Settings]) -> Stream:
         """Opens a stream; saccade.Settings describes the settings. Waits until the scene is loaded.
 
+        Logs every few seconds how far the server is, as "saccade".
+
         Raises TypeError or ValueError for a setting that cannot be, and InvalidArgument, NotFound, LimitExceeded or
         another Refused where the server does not take the request.
         """

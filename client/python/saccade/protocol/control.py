@@ -1,6 +1,7 @@
 """Sends requests to the control socket; each returns its reply or raises."""
 from __future__ import annotations
 
+import logging
 import time
 
 import zmq
@@ -13,8 +14,10 @@ from saccade.v1 import control_pb2
 
 PROTOCOL_VERSION = 1
 DEADLINE_S = 3.0  # for calls that need no rendering or loading
+WATCH_S = 2.0  # between two questions how far a call is
 PARTING_S = 0.2  # to deliver a last message when the socket closes
 UNREAD = 0  # request_id of a reply to an unreadable request; ours count from 1
+log = logging.getLogger("saccade")
 
 
 class Control:
@@ -26,10 +29,14 @@ class Control:
         self._channel = network.connect(zmq.DEALER, endpoint, keys)
         self._request_id = 0
 
-    async def call(self, request: control_pb2.Request, deadline_s: float = DEADLINE_S) -> control_pb2.Reply:
-        """Raises NoAnswer, Refused, or SaccadeError for a reply that cannot be read."""
+    async def call(self, request: control_pb2.Request, deadline_s: float = DEADLINE_S,
+                   watch: bool = False) -> control_pb2.Reply:
+        """Raises NoAnswer, Refused, or SaccadeError for a reply that cannot be read.
+
+        watch: logs what the server does while it opens a stream.
+        """
         request_id = await self.tell(request)
-        reply = await self._await(request_id, deadline_s)
+        reply = await self._await(request_id, deadline_s, watch)
         if reply.status.code != control_pb2.CODE_OK:
             raise refusal(reply.status)
         return reply
@@ -41,15 +48,21 @@ class Control:
         await self._channel.send(request.SerializeToString())
         return self._request_id
 
-    async def _await(self, request_id: int, deadline_s: float) -> control_pb2.Reply:
+    async def _await(self, request_id: int, deadline_s: float, watch: bool) -> control_pb2.Reply:
         until = time.monotonic() + deadline_s
         while (left := until - time.monotonic()) > 0:
-            parts = await self._channel.receive(left)
+            parts = await self._channel.receive(min(left, WATCH_S) if watch else left)
             if parts is None:
+                if watch:
+                    await self.tell(control_pb2.Request(list_streams=control_pb2.ListStreams()))
                 continue
             reply = self._parse(parts)
             if reply.request_id in (request_id, UNREAD):  # others are late replies to earlier requests
                 return reply
+            for opening in reply.list_streams.opening:
+                if opening.request_id == request_id:
+                    done = f": {100 * opening.done:.0f} %" if opening.done > 0 else ""
+                    log.warning("opening %s: %s%s", opening.scene, opening.doing, done)
         raise NoAnswer(f"no saccaded answers at {self.endpoint}: is it running, is this its control port, "
                        "and does it want keys?", self.endpoint)
 

@@ -59,7 +59,8 @@ class StreamHandle:
         self._server = (await self.control.call(info, DEADLINE_S)).server_info
         if self.opened.stream_id:
             await self._tell_close()
-        self.opened = (await self.control.call(control_pb2.Request(open_stream=request), deadline_s)).open_stream
+        reply = await self.control.call(control_pb2.Request(open_stream=request), deadline_s, watch=True)
+        self.opened = reply.open_stream
 
     async def connect(self, from_seqs: Sequence[int]) -> Connection | BroadcastConnection:
         """Connects to the stream as its delivery demands."""
