@@ -12,6 +12,15 @@ using std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kBetweenFiles{10};
 
+// Goes on where the file at `path` has ended.
+void restore(const std::string& path, const KeptBake& kept, Baker& baker) {
+  try {
+    baker.restore(kept.state);
+  } catch (const std::exception& fault) {
+    throw std::runtime_error(path + ": is damaged: " + fault.what() + "; remove it");
+  }
+}
+
 }  // namespace
 
 Bake bake(std::shared_ptr<const RenderScene> scene, const BakePlan& plan, const std::string& folder,
@@ -20,7 +29,7 @@ Bake bake(std::shared_ptr<const RenderScene> scene, const BakePlan& plan, const 
   const std::string path = bakePath(folder, plan_digest);
   Bake bake;
   Baker baker(std::move(scene), plan);
-  if (const auto kept = readBake(path, plan_digest)) baker.restore(kept->state), bake.digest = kept->digest;
+  if (const auto kept = readBake(path, plan_digest)) restore(path, *kept, baker), bake.digest = kept->digest;
   const auto keep = [&] { bake.digest = writeBake(path, plan_digest, baker.state()); };
   auto kept_at = steady_clock::now();
   while (!baker.isDone()) {

@@ -77,6 +77,18 @@ TEST_F(BakeTest, RefusesLightThatChanges) {
   EXPECT_THROW(planBake(*flickering, path(), config(), 20, 0.2), std::runtime_error);
 }
 
+TEST_F(BakeTest, NamesAFileThatHoldsNoBake) {
+  const std::uint64_t digest = digestOf(*room(), plan());
+  const std::string path = bakePath(folder, digest);
+  writeBake(path, digest, "no state of a Baker");
+  try {
+    make(plan());
+    FAIL();
+  } catch (const std::runtime_error& fault) {
+    EXPECT_EQ(std::string(fault.what()), path + ": is damaged: the file ends too early; remove it");
+  }
+}
+
 TEST_F(BakeTest, EndsWhenItsErrorIsReached) {
   const Bake coarse = make(plan(0.5f)), fine = make(plan(0.02f));
   EXPECT_GE(coarse.known, 0.99);
