@@ -18,7 +18,7 @@ constexpr double kPixelsBetweenPoses = 4;  // at most, of the fastest percent of
 
 BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedConfig& feed, FrameIndex frames,
                   double error) {
-  if (!EmitterStrengths(scene.description()).factors().empty())
+  if (!EmitterStrengths(scene.description()).areSteady())
     throw std::runtime_error(
         "the light of this scene changes over time, so that it cannot be computed ahead");
   frames = framesToLookAt(path, feed.frame_rate_hz, frames);

@@ -97,7 +97,7 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
 }
 
 void fitTo(const Scene& scene, ResolvedStream& stream) {
-  if (!stream.chooses_method && !EmitterStrengths(scene).factors().empty())
+  if (!stream.chooses_method && !EmitterStrengths(scene).areSteady())
     takeMethod(defaultMethod(false), stream);
   stream.feed.camera = fitView(scene, *stream.request.mutable_view(), viewField(0));
   for (std::size_t i = 0; i < stream.further.size(); ++i) {

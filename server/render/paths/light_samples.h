@@ -38,7 +38,7 @@ template <int W, int C>
   light.delta = 0.f;
   light.held = lights.at<W>(Columns::kHeld, chosen);
   F strength = 1.f;
-  if (!strengths.factors().empty())
+  if (!strengths.areSteady())
     strength = gather(strengths.factors().data(), toUints(lights.at<W>(Columns::kGeometry, chosen)));
   for (int k = 0; k < C; ++k)
     light.radiance[k] =
