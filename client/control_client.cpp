@@ -20,12 +20,6 @@ std::uint64_t randomId() {
   return std::uint64_t{random()} << 31 | random() >> 1;
 }
 
-v1::Request listStreams() {
-  v1::Request request;
-  request.mutable_list_streams();
-  return request;
-}
-
 std::string describe(const v1::Status& status) {
   std::string text = status.field().empty() ? status.message() : status.field() + ": " + status.message();
   if (status.retry_after_s() > 0) {
@@ -52,6 +46,12 @@ ControlClient::ControlClient(zmq::context_t& context, const std::string& endpoin
       keys_(keys),
       socket_(connectSocket(context, zmq::socket_type::dealer, endpoint, keys)),
       request_id_(randomId()) {}
+
+v1::Request listStreams() {
+  v1::Request request;
+  request.mutable_list_streams();
+  return request;
+}
 
 v1::Reply ControlClient::call(v1::Request request, std::chrono::milliseconds deadline, const Waiting& waiting,
                               const Watching& watching) {

@@ -32,6 +32,8 @@ using Waiting = std::function<void()>;
 // Called about once a second with what the server does for an open_stream that takes long.
 using Watching = std::function<void(const v1::OpeningInfo&)>;
 
+v1::Request listStreams();
+
 class ControlClient {
  public:
   static constexpr std::chrono::seconds kDeadline{3};  // for calls that need no rendering or loading

@@ -63,9 +63,7 @@ Subscriber StreamHandle::subscribe(zmq::context_t& context,
 }
 
 std::optional<v1::StreamInfo> StreamHandle::info(const Waiting& waiting) {
-  v1::Request request;
-  request.mutable_list_streams();
-  const v1::Reply reply = control_.call(std::move(request), ControlClient::kDeadline, waiting);
+  const v1::Reply reply = control_.call(listStreams(), ControlClient::kDeadline, waiting);
   for (const v1::StreamInfo& stream : reply.list_streams().streams()) {
     if (stream.stream_id() == opened_.stream_id()) return stream;
   }
