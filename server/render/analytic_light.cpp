@@ -88,7 +88,7 @@ void AnalyticLight::addSides(const Mesh& mesh, std::uint32_t geometry) {
 }
 
 Rgb AnalyticLight::from(const Side& side, const LitPoint& p, float strength) {
-  if (dot(p.point - side.corners[0], side.normal) <= 0) return {};
+  if (!seesLamp<float>(p.point, side.corners, side.normal)) return {};
   Polygon seen;
   for (const Vec3 corner : side.corners) seen.add(corner - p.point);
   seen = above(seen, p.normal);

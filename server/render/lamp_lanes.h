@@ -20,6 +20,17 @@ template <class F>
   return select(cosine >= 0.f, f, F(std::numbers::pi_v<float> / sqrt(max(F(1e-12f), 1.f - c * c)) - f));
 }
 
+// Whether a point sees the bright side of a lamp. A point in the lamp's plane does not, such as one of its
+// own back: rounding alone moves it this much off.
+template <class F>
+[[gnu::always_inline]] inline auto seesLamp(const Vec3T<F>& point, std::span<const Vec3> corners, Vec3 lit) {
+  constexpr float kLeastSine = 1e-4f;
+  const auto diagonal = corners[2] - corners[0];
+  const Vec3T<F> to_point = point - splat<F>(corners[0]);
+  const F height = dot(to_point, splat<F>(lit)), size2 = dot(to_point, to_point) + dot(diagonal, diagonal);
+  return height > 0.f && height * height > kLeastSine * kLeastSine * size2;
+}
+
 class LampLanes {
  public:
   static constexpr int kLanes = 8;
@@ -36,7 +47,7 @@ class LampLanes {
 
   // Of a convex polygon that shines to the side of `lit` [Lambert 1760].
   F formFactor(std::span<const Vec3> corners, Vec3 lit) const {
-    const M front = dot(point_ - splat<F>(corners[0]), splat<F>(lit)) > 0.f;
+    const M front = seesLamp<F>(point_, corners, lit);
     M all = front, any(false), any_geometric(false);  // of the corners are above the horizon
     for (const Vec3 corner : corners) {
       const V w = splat<F>(corner) - point_;

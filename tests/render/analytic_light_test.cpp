@@ -53,6 +53,16 @@ TEST(AnalyticLight, IsNothingBehindALampAndOnTheFarSideOfASurface) {
   EXPECT_EQ(luminance(AnalyticLight(s).at({{}, tilted, {0, 0, -1}}, EmitterStrengths(s))), 0);
 }
 
+// Where rays hit a lamp, rounding puts some points before it, and some behind it.
+TEST(AnalyticLight, IsNothingOnTheLampItself) {
+  for (const float h : {0.7f, 1000.3f}) {
+    const Scene s = lampAbove(2, 3, h);
+    for (const float off : {std::nextafter(h, 0.f), h, std::nextafter(h, 2 * h)})
+      for (const float up : {-1.f, 1.f})
+        EXPECT_EQ(luminanceAt(s, {1, 1, off}, {0, 0, up}), 0) << h << " " << up;
+  }
+}
+
 TEST(AnalyticLight, OfAPointAndADirectionIsTheLawOfCosines) {
   Scene s;
   s.point_lights = {{{0, 3, 4}, {10, 10, 10}}};
