@@ -24,17 +24,28 @@ class Surroundings {
   void lookFrom(VertexKey vertex) {
     place_ = Tetrahedron::placeOf(vertex), bin_ = Tetrahedron::binOf(vertex);
     point_ = toFloat(place_ * h_);
-    vertex_ = readers_[0]->indexOf(vertex);
-    cut_ = levels_[0]->cuts.find(vertex_);
-    if (cut_) goToSide(levels_[0]->light[vertex_][0] > 0);
+    cut_ = levels_[0]->cuts.find(readers_[0]->indexOf(vertex));
   }
-  // Whether a wall stands between samples.
-  bool hasTwoSides() const {
-    const auto& light = levels_[0]->light;
-    return cut_ && light[vertex_][0] > 0 && light[cut_->other][0] > 0;
+  // A bit for each side of walls that has samples; for all sides, if none has any.
+  std::uint32_t sides() const {
+    if (!cut_) return 1;
+    const std::uint32_t all = (1u << cut_->planes.sides()) - 1;
+    std::uint32_t sampled = 0;
+    for (std::uint32_t side = 0; side < cut_->planes.sides(); ++side)
+      sampled |= std::uint32_t{levels_[0]->light[cut_->vertices[side]][0] > 0} << side;
+    return sampled != 0 ? sampled : all;
   }
-  // From now on, what is on the far side of that wall.
-  void crossWall() { goToSide(false); }
+  // From now on, what is on a side.
+  void goTo(std::uint32_t side) {
+    if (!cut_) return;
+    const float aside = static_cast<float>(h_) * kAside;
+    for (const CutPlane& plane : cut_->planes) {
+      const bool behind = side & 1;
+      if (plane.isBehind(point_) != behind)
+        point_ = point_ + plane.normal * ((behind ? -aside : aside) - plane.heightOf(point_));
+      side >>= 1;
+    }
+  }
   Quad light(int slot) { return gather(slot, &GridLevel::light); }
   Octet evidence(int slot) { return gather(slot, &GridLevel::evidence); }
 
@@ -53,18 +64,12 @@ class Surroundings {
     return sum;
   }
 
-  void goToSide(bool near) {
-    const float height = cut_->heightOf(point_), aside = static_cast<float>(h_) * (near ? kAside : -kAside);
-    if (near == (height < 0)) point_ = point_ + cut_->normal * (aside - height);
-  }
-
   std::array<const GridLevel*, kSlots> levels_{};
   std::array<std::optional<VertexTable::Reader>, kSlots> readers_;
-  double h_;     // edge of a cell of the vertex' level
-  Vec3d place_;  // of the vertex, in such cells
-  std::uint32_t vertex_ = 0;
-  const Cut* cut_ = nullptr;  // of the vertex
-  Vec3 point_;                // beside the vertex, on one side of a wall
+  double h_;                  // edge of a cell of the vertex' level
+  Vec3d place_;               // of the vertex, in such cells
+  const Cut* cut_ = nullptr;  // of it
+  Vec3 point_;                // beside the vertex, on one side
   int bin_ = 0;
 };
 
@@ -89,12 +94,19 @@ bool isAlike(const BakedVertex& a, const BakedVertex& b) {
          std::abs(a.visibility - b.visibility) <= kAlike;
 }
 
-// A vertex of a bake has one light. Where a wall stands, both sides must have the same.
+// A vertex of a bake has one light. Where walls stand, all sides must have the same.
 BakedVertex blendSides(Surroundings& around, const GridParams& params, float scale) {
-  const BakedVertex near = blendAround(around, params, scale);
-  if (!around.hasTwoSides()) return near;
-  around.crossWall();
-  return isAlike(near, blendAround(around, params, scale)) ? near : BakedVertex{};
+  std::optional<BakedVertex> all;
+  bool alike = true;
+  forEachLane(around.sides(), [&](std::uint32_t side) {
+    around.goTo(side);
+    const BakedVertex one = blendAround(around, params, scale);
+    if (all)
+      alike = alike && isAlike(*all, one);
+    else
+      all = one;
+  });
+  return alike ? *all : BakedVertex{};
 }
 
 }  // namespace
@@ -102,7 +114,7 @@ BakedVertex blendSides(Surroundings& around, const GridParams& params, float sca
 BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coarser, const GridParams& params,
                            float scale, const PoolHandle& pool) {
   std::vector<VertexKey> keys = grid[l].table.keys();
-  std::erase_if(keys, isBehind);
+  std::erase_if(keys, [](VertexKey key) { return !isOnSide0(key); });
   std::vector<BakedPair> light(keys.size());
   pool.run((static_cast<int>(keys.size()) + kChunk - 1) / kChunk, [&](int chunk) {
     Surroundings around(grid, l);

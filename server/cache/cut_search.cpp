@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace saccade {
 namespace {
@@ -17,6 +18,9 @@ constexpr float kSide = 0.3f, kAlike = 0.7f;
 bool isAlike(Vec3 normal, Vec3 n) {
   return std::abs(dot(normal, n)) > kAlike;
 }
+bool isBelow(const Obstacles::Way& way, Vec3 n) {
+  return dot(way.along, n) < -kSide;
+}
 
 // The vertex of a key that lies nearest to a point, of those that share it.
 Vec3 placeNear(VertexKey key, Vec3 p, float h) {
@@ -28,15 +32,14 @@ Vec3 placeNear(VertexKey key, Vec3 p, float h) {
   return {coordinate(at.x, from.x), coordinate(at.y, from.y), coordinate(at.z, from.z)};
 }
 
-Cut facing(Vec3 p, Vec3 normal, Vec3 on_plane) {
-  if (dot(normal, p - on_plane) < 0) normal = -normal;
+CutPlane planeAt(Vec3 on_plane, Vec3 normal) {
   return {normal, dot(normal, on_plane)};
 }
 
 // Whether a plane cuts the cube of edge 2 h around a vertex.
-bool cuts(const Cut& cut, Vec3 place, float h) {
-  const Vec3 n = cut.normal;
-  return std::abs(cut.heightOf(place)) < h * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+bool cuts(const CutPlane& plane, Vec3 place, float h) {
+  const Vec3 n = plane.normal;
+  return std::abs(plane.heightOf(place)) < h * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
 }
 
 }  // namespace
@@ -49,54 +52,72 @@ void CutSearch::cut(int l, const NewVertices& added) {
     const GridPoint& p = at_.points[v.point];
     const int slot = l - p.level;
     const Vec3 place = placeNear(v.key, p.position, h);
-    auto cut = slot < kProbedSlot ? inherit(p, slot, place, h) : probe(p, place, h);
-    if (!cut) {
+    const CutPlanes planes = slot < kProbedSlot ? inherit(p, slot, place, h) : probe(p, place, h);
+    if (planes.empty()) {
       level.table.unmark(v.place);
       continue;
     }
-    cut->other = level.table.indexAt(finder.find(behind(v.key)));
+    Cut cut{planes, {v.index}};
+    for (std::uint32_t side = 1; side < planes.sides(); ++side)
+      cut.vertices[side] = level.table.indexAt(finder.find(onSide(v.key, side)));
     level.resize();
-    level.cuts.add(v.index, *cut);
+    level.cuts.add(cut);
   }
 }
 
-std::optional<Cut> CutSearch::inherit(const GridPoint& p, int slot, Vec3 place, float h) const {
+void CutSearch::forEachCoarser(const GridPoint& p, int slot, const auto& f) const {
   const Cuts& coarser = levels_[p.level + slot + 1].cuts;
-  std::optional<Cut> nearest;
-  for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
-    for (const std::uint32_t v : at_.taps[slot + 1][t].vertex) {
-      const Cut* cut = coarser.find(v);
-      if (!cut || !cuts(*cut, place, h)) continue;
-      if (!nearest || std::abs(cut->heightOf(p.position)) < std::abs(nearest->heightOf(p.position)))
-        nearest = *cut;
-    }
-  }
-  if (nearest && nearest->heightOf(p.position) < 0) return nearest->flipped(0);
-  return nearest;
+  for (std::uint32_t t = p.first; t < p.first + p.count; ++t)
+    for (const std::uint32_t v : at_.taps[slot + 1][t].vertex)
+      if (const Cut* cut = coarser.find(v)) std::ranges::for_each(cut->planes, f);
 }
 
-std::optional<Cut> CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
-  if (!on_.obstacles) return {};
+CutPlanes CutSearch::inherit(const GridPoint& p, int slot, Vec3 place, float h) const {
+  CutPlanes planes;
+  while (!planes.full()) {
+    CutPlane nearest{.offset = -std::numeric_limits<float>::infinity()};
+    forEachCoarser(p, slot, [&](const CutPlane& coarser) {
+      const CutPlane plane = coarser.facing(p.position);
+      const bool is_nearer = plane.heightOf(p.position) < nearest.heightOf(p.position);
+      if (is_nearer && cuts(plane, place, h) && planes.lack(plane)) nearest = plane;
+    });
+    if (nearest.normal == Vec3{}) break;
+    planes.add(nearest);
+  }
+  return planes;
+}
+
+CutPlanes CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
+  CutPlanes planes;
+  if (!on_.obstacles) return planes;
   const Vec3 n = on_.place(p.index).normal;
   Obstacles::Ways ways;
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
     const Vec3 d = kDirections[i], from = p.position + n * (dot(d, n) < -kSide ? -h * kClose : h * kLift);
     ways[i] = {from, d, std::max(0.f, dot(d, place - from) + h)};
   }
+  // To what is neither beside nor above the point, but across the vertex from it.
+  const Vec3 across = place - p.position, along_surface = across - n * dot(across, n);
+  if (const float distance = length(along_surface); distance > 0)
+    ways[kDirections.size()] = {p.position + n * (h * kLift), along_surface / distance, distance + h};
   const Obstacles::Met met = on_.obstacles->find(ways);
-  std::array<std::size_t, kDirections.size()> order{0, 1, 2, 3, 4, 5};
+  std::array<std::size_t, kDirections.size() + 1> order{0, 1, 2, 3, 4, 5, 6};
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return met[i].distance; });
   for (const std::size_t i : order) {  // the nearest first
     if (!std::isfinite(met[i].distance)) break;
     const Vec3 hit = ways[i].from + ways[i].along * met[i].distance;
-    const float along = dot(ways[i].along, n);
-    if (along < -kSide) {
-      if (isAlike(met[i].normal, n)) return facing(p.position, n, (hit + p.position) * 0.5f);
-    } else if (along > kSide ? isAbove(ways[i], met[i], n, h) : isBeside(ways[i], met[i], n, h)) {
-      return facing(p.position, met[i].normal, hit);
-    }
+    const CutPlane plane =
+        isBelow(ways[i], n) ? planeAt((hit + p.position) * 0.5f, n) : planeAt(hit, met[i].normal);
+    const CutPlane facing = plane.facing(p.position);
+    if (planes.lack(facing) && isWall(ways[i], met[i], n, h)) planes.add(facing);
   }
-  return {};
+  return planes;
+}
+
+// Whether a surface of normal n goes on behind what has been met.
+bool CutSearch::isWall(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const {
+  if (isBelow(way, n)) return isAlike(met.normal, n);
+  return dot(way.along, n) > kSide ? isAbove(way, met, n, h) : isBeside(way, met, n, h);
 }
 
 // Whether there is another surface of this normal above what has been met.

@@ -1,8 +1,6 @@
 // Finds the walls that cut the surroundings of new vertices.
 #pragma once
 
-#include <optional>
-
 #include "cache/grid_levels.h"
 #include "cache/new_vertices.h"
 #include "frame/surface_samples.h"
@@ -18,13 +16,16 @@ class CutSearch {
   void cut(int l, const NewVertices& added);
 
  private:
-  // A cut through what lies around a vertex at `place`, with the point in front; `other` is not set. `h`:
-  // edge of a cell. From the nearest obstacle that has a surface of the point's normal behind it:
-  std::optional<Cut> probe(const GridPoint& p, Vec3 place, float h) const;
+  // Planes through what lies around a vertex at `place`, with the point in front. `h`: edge of a cell. Of the
+  // nearest obstacles that have a surface of the point's normal behind them:
+  CutPlanes probe(const GridPoint& p, Vec3 place, float h) const;
+  bool isWall(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const;
   bool isAbove(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const;
   bool isBeside(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const;
-  // from those of the level above:
-  std::optional<Cut> inherit(const GridPoint& p, int slot, Vec3 place, float h) const;
+  // the nearest of the level above:
+  CutPlanes inherit(const GridPoint& p, int slot, Vec3 place, float h) const;
+  // f(plane) for all of those.
+  void forEachCoarser(const GridPoint& p, int slot, const auto& f) const;
 
   const SurfaceSamples& on_;
   const Placement& at_;

@@ -5,9 +5,8 @@ namespace {
 
 // A cut as it is written.
 struct CutBytes {
-  std::uint32_t vertex, other;
-  Vec3 normal;
-  float offset;
+  std::array<std::uint32_t, CutPlanes::kSides> vertices;
+  std::array<CutPlane, 2> planes;
 };
 
 void require(bool holds, const char* fault) {
@@ -16,10 +15,16 @@ void require(bool holds, const char* fault) {
 
 void readCuts(ByteReader& in, Cuts& cuts, std::size_t vertices) {
   cuts.resize(vertices);
-  for (const auto& [vertex, other, normal, offset] : in.getVector<std::vector<CutBytes>>()) {
-    require(vertex < vertices && other < vertices && vertex != other, "a cut has no vertices");
-    require(!cuts.find(vertex) && !cuts.find(other), "a vertex has two cuts");
-    cuts.add(vertex, {normal, offset, other});
+  for (const auto& [of_sides, planes] : in.getVector<std::vector<CutBytes>>()) {
+    Cut cut{{}, of_sides};
+    for (const CutPlane& plane : planes)
+      if (!(plane.normal == Vec3{})) cut.planes.add(plane);
+    require(!cut.planes.empty(), "a cut has no planes");
+    cut.forEachVertex([&](std::uint32_t v) {
+      require(v < vertices, "a cut has no vertices");
+      require(!cuts.find(v), "a vertex has two cuts");
+    });
+    cuts.add(cut);
   }
 }
 
@@ -46,9 +51,7 @@ void writeLevels(const GridLevels& levels, ByteWriter& out) {
     out.add(static_cast<std::int32_t>(l));
     out.add(level.table.keys()), out.add(level.light), out.add(level.evidence);
     std::vector<CutBytes> cuts;
-    level.cuts.forEach([&](std::uint32_t v, const Cut& c) {
-      cuts.push_back({v, c.other, c.normal, c.offset});
-    });
+    level.cuts.forEach([&](const Cut& c) { cuts.push_back({c.vertices, c.planes.all()}); });
     out.add(cuts);
   });
 }

@@ -44,8 +44,10 @@ void SurfaceGrid::drop(Placement& prev) {
   const std::uint32_t longest = longestUnused(levels_, now_, params_.max_vertices / 2);
   levels_.forEach([&](int l, GridLevel& level) {
     std::vector<std::uint32_t> uses = level.table.lastUses();
-    level.cuts.forEach([&](std::uint32_t v, const Cut& cut) {
-      uses[v] = uses[cut.other] = std::max(uses[v], uses[cut.other]);
+    level.cuts.forEach([&](const Cut& cut) {
+      std::uint32_t newest = 0;
+      cut.forEachVertex([&](std::uint32_t v) { newest = std::max(newest, uses[v]); });
+      cut.forEachVertex([&](std::uint32_t v) { uses[v] = newest; });
     });
     std::vector<bool> kept(uses.size());
     std::vector<std::uint32_t> moved(uses.size());

@@ -16,7 +16,7 @@
 
 namespace saccade {
 
-// Address of a vertex in its level: 19 bits for each coordinate, 5 for the bin. Vertices 2^19 cells apart
+// Address of a vertex in its level: 19 bits for each coordinate, 6 for the bin. Vertices 2^19 cells apart
 // share an address; cells are so small only near the camera, and what is so far away has larger ones.
 using VertexKey = std::uint64_t;
 

@@ -28,13 +28,13 @@ struct GridPoint {
 
 // The place of a point, without taps. `finest_px`: edge of the finest cells, pixels.
 GridPoint gridPoint(const SurfacePlace& place, float finest_px);
-inline constexpr int kVertexBins = 12;  // and as many for vertices behind a cut
-// The vertex behind the cut of another one.
-inline VertexKey behind(VertexKey vertex) {
-  return vertex + (VertexKey{kVertexBins} << vertex_bits::kBin);
+inline constexpr int kVertexBins = 12;  // and as many for each further side of a cut
+// The vertex on a side of the cut of one on side 0.
+inline VertexKey onSide(VertexKey vertex, std::uint32_t side) {
+  return vertex + (VertexKey{kVertexBins * side} << vertex_bits::kBin);
 }
-inline bool isBehind(VertexKey vertex) {
-  return Tetrahedron::binOf(vertex) >= kVertexBins;
+inline bool isOnSide0(VertexKey vertex) {
+  return Tetrahedron::binOf(vertex) < kVertexBins;
 }
 // The bin of vertices for one of a normal's.
 inline int vertexBin(int bin_of_normal, SurfaceKind kind) {

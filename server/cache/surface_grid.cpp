@@ -167,8 +167,8 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Place
   });
 }
 
-// Sets the pixels of each band for which wanted(x, y), and calls each(blend, lanes) for a few of its points at
-// once.
+// Sets the pixels of each band for which wanted(x, y), and calls each(blend, lanes) for a few of its points
+// at once.
 SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
                                          const PoolHandle& pool, const auto& wanted, const auto& each,
                                          GridEstimate& out) const {

@@ -61,6 +61,10 @@ struct View {
   // Adds a view of the wall; the estimate there is in `now`.
   void look(Wall& wall, float shift_px, std::uint64_t seed) {
     wall.show(shift_px, seed);
+    add(wall);
+  }
+  // The view as it is.
+  void add(const Wall& wall) {
     std::swap(at, prev);
     grid.place(*wall.frame.surfaces, pool, prev, at);
     grid.add(*wall.frame.surfaces, at, pool);

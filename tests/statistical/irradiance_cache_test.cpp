@@ -51,7 +51,7 @@ class Claims {
     const auto middle = ratios_.begin() + ratios_.size() / 2;
     std::nth_element(ratios_.begin(), middle, ratios_.end());
     EXPECT_GT(found_ / claimed_, 0.4);
-    EXPECT_LT(found_ / claimed_, 2.7);
+    EXPECT_LT(found_ / claimed_, 3);
     EXPECT_GT(*middle, 0.25);
     EXPECT_LT(*middle, 4);
   }
