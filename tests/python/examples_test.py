@@ -48,7 +48,8 @@ class Examples(unittest.TestCase):
 
     def test_close_a_loop(self):
         told = self.run_example("closed_loop.py", "150")
-        self.assertLess(float(re.search(r"steps; (\S+) scene units", told)[1]), 0.2)
+        # Half of the lamp's half width. The loop amplifies noise: eight seeds give 0.04 to 0.30.
+        self.assertLess(float(re.search(r"steps; (\S+) scene units", told)[1]), 0.33)
         self.assertRegex(told, r"a frame takes \d+\.\d ms of CPU")
 
     @unittest.skipUnless(importlib.util.find_spec("torch"), "torch is not installed")
