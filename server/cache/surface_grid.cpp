@@ -173,9 +173,9 @@ SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer
                                          const PoolHandle& pool, const auto& wanted, const auto& each,
                                          GridEstimate& out) const {
   return forEachBand(on, pool, [&](int band, int, int) {
-    const auto [first, end] = at.ofBand(band);
+    const auto ends = at.ofBand(band);
     const auto forEachWanted = [&](const auto& f) {
-      for (std::size_t i = first; i < end; ++i) {
+      for (std::size_t i = ends.first; i < ends.second; ++i) {
         const std::uint32_t index = at.points[i].index;
         const int x = on.columnOf(index) / on.perPixel(), y = on.rowOf(index);
         if (wanted(x, y)) f(i, x, y);
@@ -190,7 +190,7 @@ SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer
       lanes.count = 0;
     };
     forEachWanted([&](std::size_t i, int, int) {
-      if (i + kAhead < end) prefetch(at, at.points[i + kAhead]);
+      if (i + kAhead < ends.second) prefetch(at, at.points[i + kAhead]);
       lanes.add(levels_, at, i);
       if (lanes.full()) finish();
     });
