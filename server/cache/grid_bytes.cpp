@@ -1,5 +1,7 @@
 #include "cache/grid_bytes.h"
 
+#include <algorithm>
+
 namespace saccade {
 namespace {
 
@@ -20,9 +22,11 @@ void readCuts(ByteReader& in, Cuts& cuts, std::size_t vertices) {
     for (const CutPlane& plane : planes)
       if (!(plane.normal == Vec3{})) cut.planes.add(plane);
     require(!cut.planes.empty(), "a cut has no planes");
+    std::vector<std::uint32_t> of_cut;
     cut.forEachVertex([&](std::uint32_t v) {
-      require(v < vertices, "a cut has no vertices");
+      require(v < vertices && std::ranges::count(of_cut, v) == 0, "a cut has no vertices");
       require(!cuts.find(v), "a vertex has two cuts");
+      of_cut.push_back(v);
     });
     cuts.add(cut);
   }

@@ -85,6 +85,7 @@ TEST_F(GridBytesTest, RefusesWhatIsNoGrid) {
   EXPECT_NO_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{}));
   EXPECT_NO_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{{{0, 1}}}));
   EXPECT_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{{{0, 2}}}), std::runtime_error);
+  EXPECT_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{{{1, 1}}}), std::runtime_error);
   EXPECT_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{{{0, 1}}, {{1, 0}}}), std::runtime_error);
   EXPECT_THROW(read(one, 5, Keys{7, 8}, light, evidence, Cuts{{{0, 1}, {}}}), std::runtime_error);
   EXPECT_THROW(read(one, 500, Keys{7, 8}, light, evidence), std::runtime_error);
