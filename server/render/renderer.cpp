@@ -86,9 +86,6 @@ std::chrono::nanoseconds Renderer::renderPaths(const Camera& camera, const SeedP
                                                const PoolHandle& pool, Frame& out) {
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
-  if (!out.surfaces->need_paths)
-    return pool.forEachRow(
-        out.height(), [&](int y) { std::copy_n(out.g.emission.row(y), out.width(), out.samples.I2.row(y)); });
   const PixelContext view{*scene_, strengths_, camera, camera};
   const auto tile = withKernel(scene_->shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
