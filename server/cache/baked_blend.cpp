@@ -114,7 +114,7 @@ BakedVertex blendSides(Surroundings& around, const GridParams& params, float sca
 BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coarser, const GridParams& params,
                            float scale, const PoolHandle& pool) {
   std::vector<VertexKey> keys = grid[l].table.keys();
-  std::erase_if(keys, [](VertexKey key) { return !isOnSide0(key); });
+  std::erase_if(keys, isOnFurtherSide);
   std::vector<BakedPair> light(keys.size());
   pool.run((static_cast<int>(keys.size()) + kChunk - 1) / kChunk, [&](int chunk) {
     Surroundings around(grid, l);

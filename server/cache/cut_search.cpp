@@ -18,8 +18,8 @@ constexpr float kSide = 0.3f, kAlike = 0.7f;
 bool isAlike(Vec3 normal, Vec3 n) {
   return std::abs(dot(normal, n)) > kAlike;
 }
-bool isBelow(const Obstacles::Way& way, Vec3 n) {
-  return dot(way.along, n) < -kSide;
+bool isDownwards(Vec3 along, Vec3 n) {
+  return dot(along, n) < -kSide;
 }
 
 // The vertex of a key that lies nearest to a point, of those that share it.
@@ -93,7 +93,7 @@ CutPlanes CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
   const Vec3 n = on_.place(p.index).normal;
   Obstacles::Ways ways;
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
-    const Vec3 d = kDirections[i], from = p.position + n * (dot(d, n) < -kSide ? -h * kClose : h * kLift);
+    const Vec3 d = kDirections[i], from = p.position + n * (isDownwards(d, n) ? -h * kClose : h * kLift);
     ways[i] = {from, d, std::max(0.f, dot(d, place - from) + h)};
   }
   // To what is neither beside nor above the point, but across the vertex from it.
@@ -107,7 +107,7 @@ CutPlanes CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
     if (!std::isfinite(met[i].distance)) break;
     const Vec3 hit = ways[i].from + ways[i].along * met[i].distance;
     const CutPlane plane =
-        isBelow(ways[i], n) ? planeAt((hit + p.position) * 0.5f, n) : planeAt(hit, met[i].normal);
+        isDownwards(ways[i].along, n) ? planeAt((hit + p.position) * 0.5f, n) : planeAt(hit, met[i].normal);
     const CutPlane facing = plane.facing(p.position);
     if (planes.lack(facing) && isWall(ways[i], met[i], n, h)) planes.add(facing);
   }
@@ -116,7 +116,7 @@ CutPlanes CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
 
 // Whether a surface of normal n goes on behind what has been met.
 bool CutSearch::isWall(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const {
-  if (isBelow(way, n)) return isAlike(met.normal, n);
+  if (isDownwards(way.along, n)) return isAlike(met.normal, n);
   return dot(way.along, n) > kSide ? isAbove(way, met, n, h) : isBeside(way, met, n, h);
 }
 

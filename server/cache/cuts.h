@@ -68,6 +68,8 @@ class Cuts {
     const std::uint32_t number = numbers_[vertex];
     return number == 0 ? nullptr : &cuts_[number];
   }
+  // That of a vertex, or one without planes.
+  const Cut& operator[](std::uint32_t vertex) const { return cuts_[numbers_[vertex]]; }
   // The vertex for a point near `vertex`.
   std::uint32_t of(std::uint32_t vertex, Vec3 p) const {
     const Cut* cut = find(vertex);
@@ -87,7 +89,6 @@ class Cuts {
   }
 
  private:
-  friend class CutTaps;
   std::vector<std::uint32_t> numbers_;  // by vertex: of its cut, or 0
   std::vector<Cut> cuts_{Cut{}};        // the first has no planes
 };
@@ -99,7 +100,7 @@ class CutTaps {
   CutTaps(const Cuts& cuts, const Indices& vertices) {
     std::array<const Cut*, 4> of;
     for (int i = 0; i < 4; ++i) {
-      of[i] = &cuts.cuts_[cuts.numbers_[vertices[i]]];
+      of[i] = &cuts[vertices[i]];
       for (std::size_t side = 0; side < of_side_.size(); ++side)
         of_side_[side][i] = of[i]->planes.empty() ? vertices[i] : of[i]->vertices[side];
     }

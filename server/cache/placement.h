@@ -33,8 +33,8 @@ inline constexpr int kVertexBins = 12;  // and as many for each further side of 
 inline VertexKey onSide(VertexKey vertex, std::uint32_t side) {
   return vertex + (VertexKey{kVertexBins * side} << vertex_bits::kBin);
 }
-inline bool isOnSide0(VertexKey vertex) {
-  return Tetrahedron::binOf(vertex) < kVertexBins;
+inline bool isOnFurtherSide(VertexKey vertex) {
+  return Tetrahedron::binOf(vertex) >= kVertexBins;
 }
 // The bin of vertices for one of a normal's.
 inline int vertexBin(int bin_of_normal, SurfaceKind kind) {

@@ -50,9 +50,8 @@ class SurfaceGrid {
   explicit SurfaceGrid(const GridParams& params) : params_(params) {}
 
   // Finds the vertices around the points of a frame, and adds those that are missing. Vertices do not reach
-  // through SurfaceSamples::obstacles. The frame before it is
-  // at `prev`, and stays valid: where the grid has become too large, it drops vertices that neither of them
-  // uses.
+  // through SurfaceSamples::obstacles. The frame before it is at `prev`, and stays valid: where the grid has
+  // become too large, it drops vertices that neither of them uses.
   Time place(const SurfaceSamples& on, const PoolHandle& pool, Placement& prev, Placement& out);
   // Relative standard deviation of the mean over a cell of about two pixels, whether its detail is believed
   // or not, at the points of a frame; kUnknown where nothing is known yet, and 0 where there is no point.
