@@ -23,7 +23,7 @@ Parts split(const std::string& endpoint) {
 bool isLoopback(const std::string& endpoint) {
   const auto [scheme, host, port] = split(endpoint);
   if (scheme == "ipc" || scheme == "inproc") return true;
-  if (host == "[::1]" || host == "lo") return true;
+  if (host == "[::1]" || host == "localhost") return true;
   return host.starts_with("127.") && host.find_first_not_of("0123456789.") == std::string::npos;
 }
 

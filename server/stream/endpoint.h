@@ -5,7 +5,7 @@
 
 namespace saccade {
 
-// Whether only this machine can connect: IP literals of loopback, the interface lo, ipc and inproc.
+// Whether only this machine can connect: IP literals of loopback, localhost [RFC 6761], ipc and inproc.
 bool isLoopback(const std::string& endpoint);
 
 // The address at which this machine reaches a socket bound to `endpoint`: a wildcard becomes loopback.

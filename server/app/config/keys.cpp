@@ -13,8 +13,8 @@ void requireLoopback(const std::string& option, const std::string& endpoint) {
   if (isLoopback(endpoint)) return;
   throw std::runtime_error(
       option + ": " + endpoint +
-      " is open to other machines: give --secret-key and --client-keys, or --insecure to let every machine "
-      "that reaches it in");
+      " is no address of loopback, such as 127.0.0.1 or localhost: give --secret-key and --client-keys, or "
+      "--insecure to let every machine that reaches it in");
 }
 
 std::optional<ServerKeys> openKeys(const Config& config) {

@@ -41,6 +41,7 @@ def _read_key(key: Key) -> bytes:
 def configure(socket: S, endpoint: str, keys: Keys | None, topics: tuple[str, ...]) -> S:
     """Sets the options of a DEALER or SUB socket, and connects it. It sends heartbeats to detect a lost peer."""
     socket.setsockopt(zmq.LINGER, 0)
+    socket.setsockopt(zmq.IPV6, "[" in endpoint)  # else a name is looked up as IPv6 alone
     # Credit bounds the queue of a DEALER. Heartbeats cut off a SUB with a full queue, and libzmq 4.3 may then end the
     # program (its issue 3937). So the queue of a SUB holds most of a minute.
     socket.setsockopt(zmq.RCVHWM, MOST_WAITING if topics else 0)
