@@ -27,6 +27,11 @@ bool isLoopback(const std::string& endpoint) {
   return host.starts_with("127.") && host.find_first_not_of("0123456789.") == std::string::npos;
 }
 
+std::string bindable(const std::string& endpoint) {
+  const auto [scheme, host, port] = split(endpoint);
+  return scheme == "tcp" && host == "localhost" ? scheme + "://127.0.0.1" + port : endpoint;
+}
+
 std::string reachableHere(const std::string& endpoint) {
   const auto [scheme, host, port] = split(endpoint);
   if (host == "0.0.0.0") return scheme + "://127.0.0.1" + port;

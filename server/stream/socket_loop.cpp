@@ -9,6 +9,7 @@
 #include <zmq.hpp>
 
 #include "stream/curve_probe.h"
+#include "stream/endpoint.h"
 #include "stream/strict_router.h"
 #include "stream/zap_handler.h"
 
@@ -69,7 +70,7 @@ SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Im
     secureServer(impl_->socket, keys->secret);
   }
   try {
-    impl_->socket.bind(options.endpoint);
+    impl_->socket.bind(bindable(options.endpoint));
     endpoint_ = impl_->socket.get(zmq::sockopt::last_endpoint);
   } catch (const zmq::error_t& fault) {
     throw std::runtime_error("cannot listen on " + options.endpoint + ": " + fault.what());

@@ -19,6 +19,12 @@ TEST(Endpoint, LoopbackIsWhatOnlyThisMachineReaches) {
   }
 }
 
+TEST(Endpoint, LocalhostIsBoundByItsNumber) {
+  EXPECT_EQ(bindable("tcp://localhost:5770"), "tcp://127.0.0.1:5770");
+  EXPECT_EQ(bindable("tcp://[::1]:5770"), "tcp://[::1]:5770");
+  EXPECT_EQ(bindable("ipc://localhost"), "ipc://localhost");
+}
+
 TEST(Endpoint, AWildcardIsReachedOnLoopback) {
   EXPECT_EQ(reachableHere("tcp://0.0.0.0:5770"), "tcp://127.0.0.1:5770");
   EXPECT_EQ(reachableHere("tcp://[::]:5770"), "tcp://[::1]:5770");
