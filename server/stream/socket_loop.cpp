@@ -118,7 +118,7 @@ void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn, const O
 
 void SocketLoop::receiveSome(const OnMessage& on_message, const OnGone& on_gone) {
   std::size_t bytes = 0;
-  for (int i = 0; i < kMessagesPerTurn && bytes < kBytesPerTurn; ++i) {
+  for (int i = 0; i < kMessagesPerTurn && bytes < kBytesPerTurn && !impl_->stop; ++i) {
     std::optional<Message> message = impl_->receive();
     if (!message) break;
     for (const auto& part : message->parts) bytes += part.size();
