@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "wire/curve_key.h"
+#include "wire/ipv6.h"
 
 namespace saccade::client {
 namespace {
@@ -27,6 +28,7 @@ zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, cons
                             const CurveKeys& keys) {
   zmq::socket_t socket(context, type);
   socket.set(zmq::sockopt::linger, 0);
+  socket.set(zmq::sockopt::ipv6, isIpv6(endpoint));
   // Credit bounds the queue of a DEALER. Heartbeats cut off a SUB with a full queue, and libzmq 4.3 may then
   // end the program (its issue 3937). So the queue of a SUB holds most of a minute.
   socket.set(zmq::sockopt::rcvhwm, type == zmq::socket_type::dealer ? 0 : kMostWaiting);

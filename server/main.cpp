@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "app/app.h"
@@ -24,12 +26,18 @@ bool cpuSuffices() {
   return v3 && saccade::widestInstructionSet() == saccade::InstructionSet::kAvx512;
 }
 
+constexpr rlim_t kLeastFiles =
+    64;  // half for a server without clients: libzmq ends the program where it gets none
+
 // Each connection takes a file descriptor.
 void openAsManyFilesAsAllowed() {
   rlimit files{};
   if (getrlimit(RLIMIT_NOFILE, &files) != 0) return;
   files.rlim_cur = files.rlim_max;
   setrlimit(RLIMIT_NOFILE, &files);
+  if (files.rlim_max < kLeastFiles)
+    throw std::runtime_error("saccaded may open " + std::to_string(files.rlim_max) + " files, and needs " +
+                             std::to_string(kLeastFiles) + ": raise the limit, as by `ulimit -n`");
 }
 
 // glibc keeps up to eight heaps per CPU, and one cannot use the memory that another has freed. Memory then
@@ -53,6 +61,7 @@ sigset_t blockSignals() {
 int serve(const saccade::Config& config) {
   const sigset_t signals = blockSignals();  // before the threads that inherit it
   try {
+    openAsManyFilesAsAllowed();
     if (config.instructions != "auto") saccade::useInstructionSet(config.instructions);
     saccade::App app(config);
     int signal = 0;
@@ -83,7 +92,6 @@ int main(int argc, char** argv) {
   }
   const saccade::Config config = saccade::parseConfig(argc, argv);
   std::signal(SIGPIPE, SIG_IGN);  // the reader of the log may end
-  openAsManyFilesAsAllowed();
   saccade::setUpLog(config.log_level, config.log_format);
   const int status = serve(config);
   if (!saccade::finishLog()) std::_Exit(status);  // its thread waits for a reader

@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <stdexcept>
 
 #include "client/commands/commands.h"
@@ -37,6 +38,8 @@ ControlClient connectTo(zmq::context_t& context, const ServerOptions& options) {
   CurveKeys keys;
   if (!options.secret_key.empty()) {
     keys = {readCurveKey(options.secret_key), readCurveKey(options.server_key)};
+    const std::string warning = warningOfOpenKey(options.secret_key);
+    if (!warning.empty()) std::fprintf(stderr, "saccade: %s\n", warning.c_str());
   }
   return ControlClient(context, options.control, keys);
 }

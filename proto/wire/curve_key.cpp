@@ -1,5 +1,6 @@
 #include "wire/curve_key.h"
 
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -19,6 +20,13 @@ std::string readCurveKey(const std::string& path) {
     throw std::invalid_argument(path + " holds no key as `saccade keygen` writes it");
   }
   return key;
+}
+
+std::string warningOfOpenKey(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  if ((fs::status(path, unknown).permissions() & fs::perms::others_read) == fs::perms::none) return {};
+  return "every user of this machine can read the secret key " + path + ": run chmod o-rwx " + path;
 }
 
 }  // namespace saccade

@@ -11,4 +11,7 @@ bool isCurveKey(std::string_view text);
 // The key in a file that holds nothing else but blanks. Throws std::invalid_argument naming the file.
 std::string readCurveKey(const std::string& path);
 
+// A warning if every user of this machine may read the secret key in the file; else empty.
+std::string warningOfOpenKey(const std::string& path);
+
 }  // namespace saccade

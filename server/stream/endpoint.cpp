@@ -23,8 +23,13 @@ Parts split(const std::string& endpoint) {
 bool isLoopback(const std::string& endpoint) {
   const auto [scheme, host, port] = split(endpoint);
   if (scheme == "ipc" || scheme == "inproc") return true;
-  if (host == "[::1]" || host == "lo") return true;
+  if (host == "[::1]" || host == "localhost") return true;
   return host.starts_with("127.") && host.find_first_not_of("0123456789.") == std::string::npos;
+}
+
+std::string bindable(const std::string& endpoint) {
+  const auto [scheme, host, port] = split(endpoint);
+  return scheme == "tcp" && host == "localhost" ? scheme + "://127.0.0.1" + port : endpoint;
 }
 
 std::string reachableHere(const std::string& endpoint) {

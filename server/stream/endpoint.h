@@ -5,8 +5,11 @@
 
 namespace saccade {
 
-// Whether only this machine can connect: IP literals of loopback, the interface lo, ipc and inproc.
+// Whether only this machine can connect: IP literals of loopback, localhost [RFC 6761], ipc and inproc.
 bool isLoopback(const std::string& endpoint);
+
+// The address to bind: ZeroMQ looks up no name of a host, so localhost becomes 127.0.0.1.
+std::string bindable(const std::string& endpoint);
 
 // The address at which this machine reaches a socket bound to `endpoint`: a wildcard becomes loopback.
 std::string reachableHere(const std::string& endpoint);

@@ -9,6 +9,7 @@
 #include <zmq.hpp>
 
 #include "stream/curve_probe.h"
+#include "stream/endpoint.h"
 #include "stream/strict_router.h"
 #include "stream/zap_handler.h"
 
@@ -69,7 +70,7 @@ SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Im
     secureServer(impl_->socket, keys->secret);
   }
   try {
-    impl_->socket.bind(options.endpoint);
+    impl_->socket.bind(bindable(options.endpoint));
     endpoint_ = impl_->socket.get(zmq::sockopt::last_endpoint);
   } catch (const zmq::error_t& fault) {
     throw std::runtime_error("cannot listen on " + options.endpoint + ": " + fault.what());
@@ -117,7 +118,7 @@ void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn, const O
 
 void SocketLoop::receiveSome(const OnMessage& on_message, const OnGone& on_gone) {
   std::size_t bytes = 0;
-  for (int i = 0; i < kMessagesPerTurn && bytes < kBytesPerTurn; ++i) {
+  for (int i = 0; i < kMessagesPerTurn && bytes < kBytesPerTurn && !impl_->stop; ++i) {
     std::optional<Message> message = impl_->receive();
     if (!message) break;
     for (const auto& part : message->parts) bytes += part.size();

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "stream/refused_connections.h"
+#include "wire/ipv6.h"
 
 namespace saccade {
 namespace {
@@ -16,8 +17,7 @@ void setOption(zmq::socket_t& socket, int option, int value) {
 }
 
 void configure(zmq::socket_t& socket, const SocketOptions& options) {
-  // A socket with IPv6 states IPv4 addresses in a form that few clients understand.
-  socket.set(zmq::sockopt::ipv6, options.endpoint.find('[') != std::string::npos);
+  socket.set(zmq::sockopt::ipv6, isIpv6(options.endpoint));
   socket.set(zmq::sockopt::linger, 1000);
   socket.set(zmq::sockopt::heartbeat_ivl, 2000);
   socket.set(zmq::sockopt::heartbeat_timeout, 6000);

@@ -1,5 +1,6 @@
 #include "web/viewer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kTick{100};  // to notice that it is to stop, and that time has passed
 constexpr std::chrono::seconds kParting{1};      // for the ends of streams to come
-constexpr std::uint16_t kGoingAway = 1001;       // [RFC 6455]
+constexpr std::uint16_t kGoingAway = 1001, kInternalError = 1011;  // [RFC 6455]
 
 }  // namespace
 
@@ -20,11 +21,12 @@ Viewer::Viewer(UpgradedSocket socket, zmq::context_t& context, const std::string
     : context_(context),
       source_(source),
       page_(std::move(socket), [this](std::string_view text) { take(text); }),
-      control_(client::connectSocket(context, zmq::socket_type::dealer, control, source.keys)) {}
+      control_(client::connectSocket(context, zmq::socket_type::dealer, control, source.keys)),
+      control_watch_(context, control_) {}
 
 void Viewer::run(std::stop_token stopped) {
   bool open = true;
-  while (open && !stopped.stop_requested()) {
+  while (open && !stopped.stop_requested() && !connectionLost()) {
     const short replies = page_.full() ? 0 : ZMQ_POLLIN;
     waitForStreams({{nullptr, page_.fd(), page_.events(), 0}, {control_.handle(), 0, replies, 0}});
     for (ViewerStream& stream : streams_) stream.forwardTo(&page_);
@@ -32,11 +34,15 @@ void Viewer::run(std::stop_token stopped) {
     open = page_.exchange();
     if (page_.queuedBytes() == 0) giveBack();
   }
-  if (open) {
-    page_.close(kGoingAway, "the server stops");
-  } else {
-    leave();
-  }
+  if (stopped.stop_requested()) return page_.close(kGoingAway, "the server stops");
+  if (open) page_.close(kInternalError, "the viewer's connection to the server was lost");
+  leave();
+}
+
+// With it went the replies that were to come, or what a stream had attached.
+bool Viewer::connectionLost() {
+  return control_watch_.lost() ||
+         std::any_of(streams_.begin(), streams_.end(), [](ViewerStream& stream) { return stream.lost(); });
 }
 
 void Viewer::waitForStreams(std::vector<zmq::pollitem_t> others) {
@@ -48,11 +54,19 @@ void Viewer::take(std::string_view text) {
   try {
     v1::ViewerMessage message = parseViewerMessage(text);
     if (message.has_request()) return request(std::move(*message.mutable_request()));
+    if (!mayJoin()) return refuse(0, v1::CODE_RESOURCE_EXHAUSTED, "a page joins at most 10 streams a second");
     if (message.has_attach()) return join(message.attach());
     join(message.subscribe());
   } catch (const BadViewerMessage& fault) {
     refuse(0, v1::CODE_INVALID_ARGUMENT, fault.what());
   }
+}
+
+bool Viewer::mayJoin() {
+  const auto now = std::chrono::steady_clock::now();
+  if (next_join_ > now + static_cast<int>(kMaxStreams - 1) * kJoinPause) return false;
+  next_join_ = std::max(next_join_, now) + kJoinPause;
+  return true;
 }
 
 template <class Join>

@@ -22,6 +22,7 @@ std::string frameOf(const zmq::message_t& header, const zmq::message_t& payload)
 
 ViewerStream::ViewerStream(zmq::context_t& context, const Source& source, const v1::Attach& attach)
     : socket_(client::connectSocket(context, zmq::socket_type::dealer, source.data, source.keys)),
+      attached_(std::in_place, context, socket_),
       has_credit_(true) {
   v1::DataRequest request;
   *request.mutable_attach() = attach;

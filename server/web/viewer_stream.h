@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "client/socket.h"
 #include "saccade/v1/viewer.pb.h"
+#include "web/connection_watch.h"
 #include "web/web_socket.h"
 
 namespace saccade {
@@ -31,6 +33,8 @@ class ViewerStream {
   void giveBack();
   bool broadcast() const { return !has_credit_; }
   bool ended() const { return ended_; }  // END, or an error, has come
+  // Whether the server has forgotten what was attached. A broadcast is subscribed to again by itself.
+  bool lost() { return attached_ && attached_->lost(); }
 
  private:
   void note(const zmq::message_t& header);
@@ -38,6 +42,7 @@ class ViewerStream {
   void giveCredit(std::uint64_t bytes);
 
   zmq::socket_t socket_;
+  std::optional<ConnectionWatch> attached_;
   bool has_credit_;
   bool ended_ = false;
   std::uint64_t used_ = 0;  // bytes forwarded since credit was last given

@@ -34,6 +34,17 @@ TEST(Command, WithoutAServerTheCodeIs1AndTheMessageSaysWhatToDo) {
   EXPECT_TRUE(holds(result, "no saccaded answers at tcp://127.0.0.1:1: start it with")) << result.output;
   EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1);
 }
+TEST(Command, WarnsAboutASecretKeyThatAllMayRead) {
+  const ScratchFolder folder;
+  const std::string name = folder.at("alice");
+  ASSERT_EQ(run("keygen " + name).code, 0);
+  const std::string info = "info --wait 0.05 --control tcp://127.0.0.1:1 --secret-key " + name +
+                           ".key --server-key " + name + ".pub";
+  EXPECT_FALSE(holds(run(info), "can read"));
+  fs::permissions(name + ".key", fs::perms::others_read, fs::perm_options::add);
+  EXPECT_TRUE(
+      holds(run(info), "saccade: every user of this machine can read the secret key " + name + ".key"));
+}
 TEST_F(CommandAndServer, ListsScenesAndMethods) {
   const Result info = run("info --wait 30" + server_.option());
   EXPECT_EQ(info.code, 0);

@@ -24,6 +24,17 @@ TEST(Keygen, WritesAPairOfWhichOneIsSecret) {
   EXPECT_EQ(status.st_mode & 0777u, 0600u);
 }
 
+TEST(Keygen, ASecretKeyThatAllMayReadIsWarnedAbout) {
+  const ScratchFolder folder;
+  const std::string file = folder.at("alice.key");
+  writeKeyPair(folder.at("alice"));
+  EXPECT_EQ(warningOfOpenKey(file), "");
+  ASSERT_EQ(chmod(file.c_str(), 0640), 0);  // of a group that an operator made for it
+  EXPECT_EQ(warningOfOpenKey(file), "");
+  ASSERT_EQ(chmod(file.c_str(), 0644), 0);
+  EXPECT_NE(warningOfOpenKey(file).find(file), std::string::npos);
+}
+
 TEST(Keygen, OverwritesNothing) {
   const ScratchFolder folder;
   const std::string name = folder.at("alice");

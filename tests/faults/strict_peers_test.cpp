@@ -1,62 +1,14 @@
 // Peers that speak ZMTP by hand and break its rules, against the loop that all sockets have.
 #include <gtest/gtest.h>
 
-#include <condition_variable>
-#include <mutex>
-#include <set>
-
-#include "mock/mock_client.h"
-#include "mock/wait_until.h"
+#include "faults/echo_router.h"
 #include "mock/zmtp_peer.h"
 #include "stream/refused_connections.h"
-#include "stream/socket_loop.h"
 
 namespace saccade {
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::seconds;
-
-constexpr seconds kBeforeHeartbeats{4};  // miss the answers of these peers, which give none
-
-// A router that notes who speaks and who goes, and answers each message with the same.
-class Router {
- public:
-  explicit Router(const Access& access = {}, std::int64_t max_part_bytes = 64 << 10)
-      : loop_({.endpoint = "tcp://127.0.0.1:*", .max_part_bytes = max_part_bytes, .access = access}) {
-    loop_.start([this](SocketLoop::Message&& m) { take(m); }, [] { return SocketLoop::kUntilWoken; },
-                [this](const std::string& peer) { note(gone_, peer); });
-  }
-  ~Router() { loop_.stop(); }
-
-  const std::string& endpoint() const { return loop_.endpoint(); }
-  bool heard(std::size_t peers) { return waitFor(heard_, peers); }
-  bool gone(std::size_t peers) { return waitFor(gone_, peers); }
-  std::set<std::string> names() {
-    std::lock_guard lock(mutex_);
-    return heard_;
-  }
-
- private:
-  void take(const SocketLoop::Message& message) {
-    note(heard_, message.peer);
-    loop_.send(message.peer, {message.parts[0]});
-  }
-  void note(std::set<std::string>& peers, const std::string& peer) {
-    std::lock_guard lock(mutex_);
-    peers.insert(peer);
-    changed_.notify_all();
-  }
-  bool waitFor(const std::set<std::string>& peers, std::size_t count) {
-    std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, kPatience, [&] { return peers.size() >= count; });
-  }
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::set<std::string> heard_, gone_;
-  SocketLoop loop_;
-};
 
 // The name that libzmq gives to the peer after so many more.
 std::string nameAfter(std::string name, std::uint32_t steps) {
@@ -70,7 +22,7 @@ std::string nameAfter(std::string name, std::uint32_t steps) {
 // A name that ZeroMQ was about to give to another ended the process; and whoever came next under the name of
 // one who has gone had its packets.
 TEST(StrictPeers, NoPeerHasANameOfItsOwn) {
-  Router router;
+  EchoRouter router;
   ZmtpPeer first(router.endpoint());
   first.say(zmtp::part("hello"));
   ASSERT_TRUE(router.heard(1));
@@ -87,7 +39,7 @@ TEST(StrictPeers, NoPeerHasANameOfItsOwn) {
 }
 
 TEST(StrictPeers, TheEndOfAConnectionIsTold) {
-  Router router;
+  EchoRouter router;
   {
     ZmtpPeer peer(router.endpoint());
     peer.say(zmtp::part("hello"));
@@ -97,7 +49,7 @@ TEST(StrictPeers, TheEndOfAConnectionIsTold) {
 }
 
 TEST(StrictPeers, AnEmptyMessageIsNotTheEnd) {
-  Router router;
+  EchoRouter router;
   ZmtpPeer peer(router.endpoint());
   peer.say(zmtp::part(""));
   ASSERT_TRUE(router.heard(1));
@@ -107,7 +59,7 @@ TEST(StrictPeers, AnEmptyMessageIsNotTheEnd) {
 
 // More messages than the queue holds, and the end of the connection right behind them.
 TEST(StrictPeers, TheEndOfAConnectionIsToldBehindAFullQueue) {
-  Router router;
+  EchoRouter router;
   {
     ZmtpPeer peer(router.endpoint());
     std::string many;
@@ -129,7 +81,7 @@ void PrintTo(const Rule& rule, std::ostream* out) {
 class BreakARule : public testing::TestWithParam<Rule> {};
 
 TEST_P(BreakARule, EndsTheConnectionAndNoOther) {
-  Router router;
+  EchoRouter router;
   ZmtpPeer honest(router.endpoint());
   honest.say(zmtp::part("hello"));
   ASSERT_TRUE(router.heard(1));
@@ -161,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& rule) { return rule.param.name; });
 
 TEST(StrictPeers, AMessageWithoutEndEndsItsConnection) {
-  Router router;
+  EchoRouter router;
   ZmtpPeer peer(router.endpoint());
   peer.say(repeated(zmtp::part("x", true), 100));
   EXPECT_TRUE(peer.closed(kBeforeHeartbeats));
@@ -170,7 +122,7 @@ TEST(StrictPeers, AMessageWithoutEndEndsItsConnection) {
 
 // The PONG to a PING without the fields it must have held what lies behind it in memory.
 TEST(StrictPeers, AShortPingIsNotAnswered) {
-  Router router;
+  EchoRouter router;
   ZmtpPeer peer(router.endpoint());
   peer.say(zmtp::command("PING", {}));
   peer.say(zmtp::part("hello"));
@@ -178,7 +130,7 @@ TEST(StrictPeers, AShortPingIsNotAnswered) {
 }
 
 TEST(StrictPeers, ConnectionsAreBounded) {
-  Router router({.keys = {}, .connections = 4});
+  EchoRouter router({.keys = {}, .connections = 4});
   std::vector<ZmtpPeer> peers;
   for (int i = 0; i < 4; ++i) peers.emplace_back(router.endpoint()).say(zmtp::part("hello"));
   ASSERT_TRUE(router.heard(4));
@@ -197,7 +149,7 @@ TEST(StrictPeers, ConnectionsAreBounded) {
 }
 
 TEST(StrictPeers, ConnectionsOfOneAddressAreBounded) {
-  Router router({.keys = {}, .client_connections = 2});
+  EchoRouter router({.keys = {}, .client_connections = 2});
   std::vector<ZmtpPeer> peers;
   for (int i = 0; i < 2; ++i) peers.emplace_back(router.endpoint()).say(zmtp::part("hello"));
   ASSERT_TRUE(router.heard(2));
@@ -209,27 +161,6 @@ TEST(StrictPeers, ConnectionsOfOneAddressAreBounded) {
   ZmtpPeer late(router.endpoint());
   late.say(zmtp::part("hello"));
   EXPECT_TRUE(router.heard(3));
-}
-
-// Large messages that never end: the bound of all of them together cuts those beyond it off.
-TEST(StrictPeers, BoundsTheBytesOfMessagesThatAreStillArriving) {
-  constexpr int kMiB = 1 << 20;
-  Router router({.keys = {}, .inbound_mib = 16}, 8 * kMiB);
-  const std::string begun = zmtp::part(std::string(8 * kMiB - 1, 'x')).substr(0, 4096);
-  std::vector<ZmtpPeer> peers;
-  for (int i = 0; i < 2; ++i) peers.emplace_back(router.endpoint()).say(begun);
-  for (auto& peer : peers) EXPECT_FALSE(peer.closed(milliseconds(300)));
-  ZmtpPeer third(router.endpoint());
-  third.say(begun);
-  EXPECT_TRUE(third.closed(kBeforeHeartbeats));
-  peers.clear();
-  EXPECT_TRUE(waitUntil(
-      [&] {
-        ZmtpPeer late(router.endpoint());
-        late.say(begun);
-        return !late.closed(milliseconds(200));
-      },
-      kPatience));
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 """The message that settings make."""
+import os
 import pathlib
 import tempfile
 import unittest
+import warnings
 
 import numpy as np
 
@@ -108,6 +110,19 @@ class Sockets(unittest.TestCase):
         for pair in ((key, None), (None, key), (key, b"short")):
             with self.assertRaises(ValueError):
                 read_keys(*pair)
+
+    def test_a_secret_key_that_all_may_read_is_warned_about(self):
+        with tempfile.NamedTemporaryFile() as file, tempfile.NamedTemporaryFile() as public:
+            for each in (file, public):
+                each.write(b"k" * 40)
+                each.flush()
+            os.chmod(public.name, 0o644)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                read_keys(file.name, public.name)
+            os.chmod(file.name, 0o604)
+            with self.assertWarnsRegex(UserWarning, file.name):
+                read_keys(file.name, public.name)
 
 
 if __name__ == "__main__":

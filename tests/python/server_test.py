@@ -163,6 +163,18 @@ class OwnServer(unittest.TestCase):
         self.assertEqual([two.t0 for two in parts[1:]], [one.t1 for one in parts[:-1]])
         np.testing.assert_array_equal(rows(saccade.concatenate(parts)), rows(whole))
 
+    def test_every_address_of_loopback(self):
+        for host in ("localhost", "[::1]"):
+            with self.subTest(host):
+                try:
+                    server = self.enterContext(Server(endpoints=[f"tcp://{host}:0"] * 3))
+                except RuntimeError:
+                    self.assertEqual(host, "[::1]")  # which some machines lack
+                    continue
+                port = server.address.rsplit(":", 1)[1]
+                with saccade.connect(f"tcp://{host}:{port}") as client, client.open(**SETTINGS) as stream:
+                    self.assertGreater(len(saccade.concatenate(list(stream))), 0)
+
     def test_a_server_with_keys(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)

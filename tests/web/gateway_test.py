@@ -57,6 +57,15 @@ def closed(page, seconds):
     return True
 
 
+def has_ipv6():
+    try:
+        with socket.socket(socket.AF_INET6) as probe:
+            probe.bind(("::1", 0))
+    except OSError:
+        return False
+    return True
+
+
 class Gateway(unittest.TestCase):
     def serve(self, *flags, **options):
         server = ViewedServer(SACCADED, *flags, **options)
@@ -90,6 +99,23 @@ class Gateway(unittest.TestCase):
         self.assertIn(b"limit viewers", refusal.exception.read())
         first.socket.close()
         wait_until(lambda: status_of_refusal(server) == 101)
+
+    def test_every_address_of_loopback_has_a_viewer_and_clients(self):
+        for host in ("localhost", "[::1]"):
+            if host == "[::1]" and not has_ipv6():
+                continue
+            with self.subTest(host):
+                server = self.serve(tcp=f"tcp://{host}:0", http=f"http://{host}:0")
+                page = self.page(server)
+                page.attach(page.open())
+                self.assertGreater(len(page.packet()), 50)
+                broadcast = page.open(delivery="DELIVERY_BROADCAST")
+                page.send({"subscribe": {"streamId": broadcast["streamId"]}})
+                while broadcast["streamId"].encode() not in page.packet():
+                    pass
+                control = f"tcp://{host}:{server.control.rsplit(':', 1)[1]}"
+                done = subprocess.run([SACCADE, "info", "--control", control], capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_nonsense_is_answered_and_harms_nobody(self):
         server = self.serve()

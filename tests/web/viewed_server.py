@@ -9,9 +9,9 @@ FREE = "tcp://127.0.0.1:0"
 class ViewedServer:
     """The program with further flags. `url`: of its viewer, "off" if it has none."""
 
-    def __init__(self, program, *flags, http="http://127.0.0.1:0"):
+    def __init__(self, program, *flags, tcp=FREE, http="http://127.0.0.1:0"):
         self.process = subprocess.Popen(
-            [program, "--control", FREE, "--data", FREE, "--broadcast", FREE, "--http", http, "--limit-cpu", "0",
+            [program, "--control", tcp, "--data", tcp, "--broadcast", tcp, "--http", http, "--limit-cpu", "0",
              *([] if "--threads" in flags else ["--threads", "1"]), *flags], stdout=subprocess.PIPE, text=True)
         ready = next(filter(None, (re.search(r"ready: control (\S+) .*http (\S+) viewer (\S+),", line)
                                    for line in self.process.stdout)), None)

@@ -1,5 +1,7 @@
 #include "app/config/keys.h"
 
+#include <spdlog/spdlog.h>
+
 #include <stdexcept>
 
 #include "stream/endpoint.h"
@@ -9,12 +11,19 @@
 namespace saccade {
 namespace {
 
+std::string readSecretKey(const std::string& path) {
+  std::string key = readCurveKey(path);
+  const std::string warning = warningOfOpenKey(path);
+  if (!warning.empty()) spdlog::warn(warning);
+  return key;
+}
+
 void requireLoopback(const std::string& option, const std::string& endpoint) {
   if (isLoopback(endpoint)) return;
   throw std::runtime_error(
       option + ": " + endpoint +
-      " is open to other machines: give --secret-key and --client-keys, or --insecure to let every machine "
-      "that reaches it in");
+      " is no address of loopback, such as 127.0.0.1 or localhost: give --secret-key and --client-keys, or "
+      "--insecure to let every machine that reaches it in");
 }
 
 std::optional<ServerKeys> openKeys(const Config& config) {
@@ -25,7 +34,7 @@ std::optional<ServerKeys> openKeys(const Config& config) {
     throw std::runtime_error("--insecure contradicts --secret-key and --client-keys: give one or the other");
   }
   if (!config.secret_key.empty()) {
-    return ServerKeys{readCurveKey(config.secret_key), std::make_shared<ClientKeys>(config.client_keys)};
+    return ServerKeys{readSecretKey(config.secret_key), std::make_shared<ClientKeys>(config.client_keys)};
   }
   if (!config.insecure) {
     requireLoopback("--control", config.control);
@@ -43,7 +52,7 @@ std::optional<client::CurveKeys> viewerKeys(const Config& config, const Access& 
     return client::CurveKeys{};
   }
   if (config.viewer_key.empty()) return std::nullopt;
-  const std::string secret = readCurveKey(config.viewer_key);
+  const std::string secret = readSecretKey(config.viewer_key);
   if (!access.keys->clients->allow(publicKeyOf(secret)))
     throw std::runtime_error("--viewer-key: the public key of " + config.viewer_key +
                              " is not one of --client-keys");

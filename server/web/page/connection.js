@@ -12,7 +12,8 @@ export class Refused extends Error {
 }
 
 export class Connection {
-  // `on.open()`, `on.closed(reason)` and `on.packet(ArrayBuffer)` are called as these things happen.
+  // `on.open()`, `on.closed(reason)`, `on.refused(Refused)` of a message that is no call, and `on.packet(ArrayBuffer)` are
+  // called as these things happen.
   constructor(on) {
     this.on = on;
     this.nextId = 1;
@@ -27,13 +28,13 @@ export class Connection {
     this.socket.binaryType = "arraybuffer";
     this.socket.onopen = () => this.on.open();
     this.socket.onmessage = ({ data }) => (typeof data === "string" ? this.answer(JSON.parse(data)) : this.on.packet(data));
-    this.socket.onclose = () => this.lost();
+    this.socket.onclose = ({ reason }) => this.lost(reason);
   }
 
-  async lost() {
+  async lost(reason) {
     for (const { reject } of this.waiting.values()) reject(new Error("the connection is lost"));
     this.waiting.clear();
-    this.on.closed(await this.reason());
+    this.on.closed(reason || (await this.reason()));
     setTimeout(() => this.connect(), RETRY_MS);
   }
 
@@ -50,7 +51,7 @@ export class Connection {
   answer(reply) {
     const waiting = this.waiting.get(reply.requestId);
     this.waiting.delete(reply.requestId);
-    if (!waiting) return;
+    if (!waiting) return reply.requestId === "0" && this.on.refused(new Refused(reply.status));
     if (reply.status.code === "CODE_OK") waiting.resolve(reply[waiting.call]);
     else waiting.reject(new Refused(reply.status));
   }

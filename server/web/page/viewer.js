@@ -25,7 +25,7 @@ const chart = new RateChart(element("rates"));
 const meters = new Meters();
 const queue = new DrawQueue((events) => meters.skipped(events));
 const form = new Form(element("controls"), fromFragment(location.hash), change);
-const connection = new Connection({ open: begin, closed: lost, packet: receive });
+const connection = new Connection({ open: begin, closed: lost, packet: receive, refused: fault });
 const watch = new Watch(connection, { opened, slowed });
 const frames = new FramePictures(connection, watch, () => form.settings);
 let paused = false;
@@ -49,6 +49,11 @@ async function begin() {
 function lost(reason) {
   watch.forget();
   say(reason.trim(), "fault");
+}
+
+function fault({ message }) {
+  refused = true;
+  say(message, "fault");
 }
 
 async function open() {

@@ -3,6 +3,8 @@ from __future__ import annotations
 
 import os
 import pathlib
+import stat
+import warnings
 from typing import Any, NamedTuple, TypeVar, Union
 
 import zmq
@@ -28,6 +30,8 @@ def read_keys(secret_key: Key | None, server_key: Key | None) -> Keys | None:
         return None
     if secret_key is None or server_key is None:
         raise ValueError("give both secret_key and server_key, or neither")
+    if not isinstance(secret_key, bytes) and os.stat(secret_key).st_mode & stat.S_IROTH:
+        warnings.warn(f"every user of this machine can read the secret key {os.fspath(secret_key)}", stacklevel=3)
     return Keys(_read_key(secret_key), _read_key(server_key))
 
 
@@ -41,6 +45,7 @@ def _read_key(key: Key) -> bytes:
 def configure(socket: S, endpoint: str, keys: Keys | None, topics: tuple[str, ...]) -> S:
     """Sets the options of a DEALER or SUB socket, and connects it. It sends heartbeats to detect a lost peer."""
     socket.setsockopt(zmq.LINGER, 0)
+    socket.setsockopt(zmq.IPV6, "[" in endpoint)  # else a name is looked up as IPv6 alone
     # Credit bounds the queue of a DEALER. Heartbeats cut off a SUB with a full queue, and libzmq 4.3 may then end the
     # program (its issue 3937). So the queue of a SUB holds most of a minute.
     socket.setsockopt(zmq.RCVHWM, MOST_WAITING if topics else 0)
