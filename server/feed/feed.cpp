@@ -85,7 +85,7 @@ void Feed::render(const PoolHandle& pool) {
 }
 
 Camera Feed::cameraAt(TimeNs t) const {
-  return {path_.at(t), lens_};
+  return {scene_->inScene(path_.at(t)), lens_};
 }
 
 FeedInterval Feed::interval() const {
