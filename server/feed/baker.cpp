@@ -74,7 +74,7 @@ void Baker::pass(const PoolHandle& pool) {
 // Every pass shifts the pixels, so that all vertices between them are reached. Once memory is full, passes
 // repeat the shifts whose vertices are there.
 Camera Baker::cameraAt(std::size_t pose) const {
-  Camera camera(plan_.poses[pose], lens_);
+  Camera camera(scene_->inScene(plan_.poses[pose]), lens_);
   const auto i = static_cast<std::uint32_t>(isFull() ? pass_.count % pass_.shifts : pass_.count);
   camera.shift(0.5f - halton(i + 1, 2), 0.5f - halton(i + 1, 3));
   return camera;

@@ -71,6 +71,7 @@ void Feed::render(const PoolHandle& pool) {
   frame.index = next_++;
   frame.time = frameTime(frame.index, config_.frame_rate_hz);
   const TimeNs time_prev = frame.index == 0 ? frame.time : frameTime(frame.index - 1, config_.frame_rate_hz);
+  frame.stands = frame.index > 0 && path_.at(frame.time) == path_.at(time_prev);
   const Camera camera = cameraAt(frame.time), prev = cameraAt(time_prev);
   const SeedPlan seeds = makeSeedPlan(seed_reuse_, config_.seed, frame.index, config_.spp);
   if (!frame.surfaces) {
@@ -84,7 +85,7 @@ void Feed::render(const PoolHandle& pool) {
 }
 
 Camera Feed::cameraAt(TimeNs t) const {
-  return {path_.at(t), lens_};
+  return {scene_->inScene(path_.at(t)), lens_};
 }
 
 FeedInterval Feed::interval() const {

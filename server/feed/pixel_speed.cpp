@@ -44,7 +44,7 @@ PixelSpeed measurePixelSpeed(const RenderScene& scene, const Trajectory& path, c
     const FrameIndex frame = 1 + i * all / instants;
     const Pose cur = path.at(frameTime(frame, config.frame_rate_hz));
     const Pose prev = path.at(frameTime(frame - 1, config.frame_rate_hz));
-    const Camera camera(cur, lens);
+    const Camera camera(scene.inScene(cur), lens);
     const Pose step = cur == prev ? Pose{} : inverse(cur) * prev;  // exactly 0 where it stands
     appendImageSteps(gridView(scene, camera, config.camera), step, Pose{}, lens, lengths);
     px_per_focal = 1 / static_cast<double>(camera.pixel);

@@ -60,6 +60,7 @@ struct Frame {
   FrameIndex index = 0;
   TimeNs time{0};
   std::uint64_t light = 0;  // the strengths of all emitters: equal numbers mean equal strengths
+  bool stands = false;      // whether the camera has the pose of the frame before
   GBuffer g;
   FrameSamples samples;
   std::unique_ptr<SurfaceSamples> surfaces;  // nullptr where no method asks

@@ -60,8 +60,9 @@ class IrradianceCache final : public Method {
   std::array<GridEstimate, 2> said_;
   ImageF uncertainty_, uncertainty_prev_;  // with the columns of SurfaceSamples
   FilterPlanes filtered_, scratch_;
-  ImageF i_prev_;             // D[i_{t-1}]
-  std::uint32_t frames_ = 0;  // planned so far
+  ImageF i_prev_;               // D[i_{t-1}]
+  std::uint32_t frames_ = 0;    // planned so far
+  std::uint32_t catch_up_ = 0;  // frames in which svgf_ still follows the last change of light
   // SVGF's estimate, for what the grid does not hold; from the first frame on that needs it.
   std::unique_ptr<Svgf> svgf_;
   std::unique_ptr<IntensityChange> elsewhere_;

@@ -2,11 +2,11 @@
 
 namespace saccade {
 
-Camera::Camera(const Pose& T_world_camera, const CameraModel& model, const Lens* lens)
-    : origin(toFloat(T_world_camera.position)),
-      right(toFloat(rotate(T_world_camera.rotation, {1, 0, 0}))),
-      down(toFloat(rotate(T_world_camera.rotation, {0, 1, 0}))),
-      forward(toFloat(rotate(T_world_camera.rotation, {0, 0, 1}))),
+Camera::Camera(const Pose& T_scene_camera, const CameraModel& model, const Lens* lens)
+    : origin(toFloat(T_scene_camera.position)),
+      right(toFloat(rotate(T_scene_camera.rotation, {1, 0, 0}))),
+      down(toFloat(rotate(T_scene_camera.rotation, {0, 1, 0}))),
+      forward(toFloat(rotate(T_scene_camera.rotation, {0, 0, 1}))),
       pixel(static_cast<float>(1 / model.focal())),
       pixel_x_(static_cast<float>(1 / model.fx)),
       pixel_y_(static_cast<float>(1 / model.fy)),

@@ -1,4 +1,5 @@
-// A camera at a pose. Directions have length 1 along the viewing axis. So the t of a hit is its depth z.
+// A camera at a pose in the axes of a scene, see RenderScene::inScene(). Directions have length 1 along the
+// viewing axis. So the t of a hit is its depth z.
 #pragma once
 
 #include <cmath>
@@ -12,12 +13,12 @@ namespace saccade {
 class Camera {
  public:
   // Without distortion.
-  Camera(const Pose& T_world_camera, const CameraModel& model) : Camera(T_world_camera, model, nullptr) {
+  Camera(const Pose& T_scene_camera, const CameraModel& model) : Camera(T_scene_camera, model, nullptr) {
     SACCADE_CHECK(model.distortion.isNone());
   }
   // `lens` must outlive the camera.
-  Camera(const Pose& T_world_camera, const Lens& lens)
-      : Camera(T_world_camera, lens.camera(), lens.isDistorted() ? &lens : nullptr) {}
+  Camera(const Pose& T_scene_camera, const Lens& lens)
+      : Camera(T_scene_camera, lens.camera(), lens.isDistorted() ? &lens : nullptr) {}
 
   // Moves the grid of pixels over the picture by less than a pixel.
   void shift(float x, float y) { cx_ += x, cy_ += y, shift_.x += x, shift_.y += y; }
@@ -84,7 +85,7 @@ class Camera {
   float pixel;  // the same on the viewing axis
 
  private:
-  Camera(const Pose& T_world_camera, const CameraModel& model, const Lens* lens);
+  Camera(const Pose& T_scene_camera, const CameraModel& model, const Lens* lens);
 
   Projection throughLens(Vec3 d) const;
   float pixelThroughLens(Vec3 direction) const;

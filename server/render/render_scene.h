@@ -20,6 +20,10 @@ class RenderScene : public Obstacles {
   explicit RenderScene(Scene scene);
 
   const Scene& description() const { return scene_; }
+  // A pose of the world in the scene's own axes: that of every Camera that looks at it.
+  Pose inScene(const Pose& T_world_camera) const {
+    return {T_world_camera.position - scene_.origin, T_world_camera.rotation};
+  }
   const EmbreeScene& geometry() const { return geometry_; }
   const Lights& lights() const { return lights_; }
   // The shapes that emit, alone: rays that meet none of them find no light, unless it may be anywhere.

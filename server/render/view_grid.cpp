@@ -33,13 +33,16 @@ std::vector<ViewHit> viewHits(const RenderScene& scene, const Camera& camera, co
   return hits;
 }
 
-std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, const Lens& lens) {
+std::vector<Vec3d> probePoints(const RenderScene& scene, const Pose& T_world_camera, const Lens& lens) {
   constexpr int kWidth = 64, kHeight = 48;
   const CameraModel model = lens.isDistorted() ? lens.camera() : resized(lens.camera(), kWidth, kHeight);
-  const Camera camera = lens.isDistorted() ? Camera(T_world_camera, lens) : Camera(T_world_camera, model);
-  std::vector<Vec3> points;
-  forEachHit(scene, camera, {model.width, model.height, kWidth, kHeight},
-             [&](ViewHit hit, Vec3 direction) { points.push_back(camera.origin + direction * hit.z); });
+  const Pose pose = scene.inScene(T_world_camera);
+  const Camera camera = lens.isDistorted() ? Camera(pose, lens) : Camera(pose, model);
+  const Vec3d origin = scene.description().origin;
+  std::vector<Vec3d> points;
+  forEachHit(scene, camera, {model.width, model.height, kWidth, kHeight}, [&](ViewHit hit, Vec3 direction) {
+    points.push_back(toDouble(camera.origin + direction * hit.z) + origin);
+  });
   return points;
 }
 

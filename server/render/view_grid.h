@@ -25,6 +25,6 @@ std::vector<ViewHit> viewHits(const RenderScene& scene, const Camera& camera, co
 
 // World-space points on the surfaces in view, on a grid over the picture, which is cut or extended to 4:3
 // where there is no distortion. Empty if nothing is in view.
-std::vector<Vec3> probePoints(const RenderScene& scene, const Pose& T_world_camera, const Lens& lens);
+std::vector<Vec3d> probePoints(const RenderScene& scene, const Pose& T_world_camera, const Lens& lens);
 
 }  // namespace saccade

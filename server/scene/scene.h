@@ -1,4 +1,5 @@
-// A scene as plain data in world space, independent of the format of its file.
+// A scene as plain data, independent of the format of its file. Its axes are those of the world, but their
+// origin is where scene_origin.h says.
 #pragma once
 
 #include <array>
@@ -24,8 +25,9 @@ struct Mesh {
   std::vector<Vec2> uvs;      // per vertex; empty: none
   std::vector<std::array<std::uint32_t, 3>> triangles;
   int material = 0;
-  Rgb radiance;            // emitted on the side of the geometric normal (counter-clockwise front); 0: none
-  Strength strength = {};  // of radiance, over time
+  Rgb radiance;             // emitted on the side of the geometric normal (counter-clockwise front); 0: none
+  Strength strength = {};   // of radiance, over time
+  std::string unread = {};  // a sentence on what its file says and the picture does not show; empty: nothing
 };
 
 struct Sphere {
@@ -51,6 +53,7 @@ struct Scene {
   std::optional<Environment> environment = {};
   std::vector<PointLight> point_lights = {};
   std::vector<DirectionalLight> directional_lights = {};
+  Vec3d origin = {};              // of its axes, in the world
   Pose T_world_camera;            // the sensor of the scene file; camera axes x right, y down, z forward
   double fov_x_deg = 45;          // horizontal field of view
   int width = 256, height = 256;  // the film of the scene file

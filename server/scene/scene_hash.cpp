@@ -51,6 +51,7 @@ std::uint64_t hashScene(const Scene& scene) {
   if (scene.environment) add(h, *scene.environment);
   for (const PointLight& l : scene.point_lights) h.add(l.position), h.add(l.intensity);
   for (const DirectionalLight& l : scene.directional_lights) h.add(l.direction), h.add(l.irradiance);
+  if (scene.origin != Vec3d{}) h.add(scene.origin);
   return h.value;
 }
 

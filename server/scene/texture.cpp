@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "scene/files/picture.h"
 
 namespace saccade {
 namespace {
@@ -110,8 +109,8 @@ std::size_t Texture::bytes() const {
   return count * sizeof(Rgb);
 }
 
-Texture loadTexture(const std::string& path, bool raw) {
-  Picture picture = loadPicture(path, raw ? PixelUse::kRawReflectance : PixelUse::kReflectance);
+Texture loadTexture(const std::string& path, PixelUse use) {
+  Picture picture = loadPicture(path, use);
   return Texture(picture.width, picture.height, std::move(picture.pixels));
 }
 

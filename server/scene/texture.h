@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/files/picture.h"
 
 namespace saccade {
 
@@ -42,7 +43,7 @@ class Texture {
   bool grey_;
 };
 
-// `raw`: values are linear already. Throws as loadPicture() does.
-Texture loadTexture(const std::string& path, bool raw);
+// Throws as loadPicture() does.
+Texture loadTexture(const std::string& path, PixelUse use);
 
 }  // namespace saccade

@@ -1,5 +1,6 @@
 #include "eval/bench/reference.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -27,9 +28,10 @@ struct Fixture : ::testing::Test {
     s.spheres.push_back({"ball", {0, 0, 0.8f}, 0.4f, 0, {5, 5, 5}, std::move(strength)});
     return std::make_shared<RenderScene>(std::move(s));
   }
-  ReferenceRenderer renderer(std::shared_ptr<const RenderScene> scene) {
+  ReferenceRenderer renderer(std::shared_ptr<const RenderScene> scene, std::uint64_t seed = 0,
+                             bool whole_pixel = false) {
     std::filesystem::create_directories(files.path("cache"));
-    return {scene, {1, 1}, kW, kH, 60, files.path("cache"), pool};
+    return {scene, {1, 1, whole_pixel}, kW, kH, 60, files.path("cache"), pool, seed};
   }
   ReferenceFrame render(int spp) {
     const auto steady = scene({});
@@ -62,6 +64,27 @@ TEST(ReferenceChange, ByHand) {
   EXPECT_EQ(truth.change.var_dI.at(0, 0), 1);
   EXPECT_EQ(truth.change.var_I_prev.at(0, 0), 0.25);
   EXPECT_EQ(truth.error(), 1);
+}
+
+// The covariance of the errors of two references is that of their noise: 0 where they share nothing.
+TEST_F(Fixture, ReferencesOfTwoSeedsAreIndependent) {
+  for (const bool whole_pixel : {false, true}) {
+    const auto steady = scene({});
+    const auto frame = [&](std::uint64_t seed, int spp) {
+      return renderer(steady, seed, whole_pixel)
+          .frame(steady->description().T_world_camera, 0ms, spp, progress);
+    };
+    const ReferenceFrame first = frame(0, 64), second = frame(7, 64), same = frame(7, 64),
+                         truth = frame(9, 8192);
+    expectEqual(second, same);
+    double both = 0, one = 0, other = 0;
+    forEachPixel(truth.a, [&](int x, int y) {
+      const double e = first.mean(x, y) - truth.mean(x, y), f = second.mean(x, y) - truth.mean(x, y);
+      both += e * f, one += e * e, other += f * f;
+    });
+    ASSERT_GT(one, 0);
+    EXPECT_LT(std::abs(both / std::sqrt(one * other)), 0.5) << "whole pixels: " << whole_pixel;
+  }
 }
 
 TEST_F(Fixture, ShowsAndKeepsAFrameForEveryStrengthOfItsLamp) {

@@ -12,9 +12,8 @@ using namespace std::chrono_literals;
 
 const Pose kStart{{1, 2, 3}, axisAngle({0.3, -0.2, 0.1})};
 // On the axis, so that the pivot of an orbit is 4 ahead.
-std::vector<Vec3> probes() {
-  const Vec3d p = kStart.position + rotate(kStart.rotation, Vec3d{0, 0, 4});
-  return {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}};
+std::vector<Vec3d> probes() {
+  return {kStart.position + rotate(kStart.rotation, Vec3d{0, 0, 4})};
 }
 
 Pose moved(const Trajectory& path, TimeNs t) {

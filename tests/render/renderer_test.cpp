@@ -131,7 +131,7 @@ TEST_F(Fixture, SlopeIsTheStepToTheNextPixel) {
 TEST_F(Fixture, ProbesLieOnSurfaces) {
   const auto points = probePoints(*scene, home, Lens(pinhole(80, 64, 48)));
   ASSERT_EQ(points.size(), 64u * 48);
-  for (const Vec3 p : points) EXPECT_LE(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1.0001f);
+  for (const Vec3d p : points) EXPECT_LE(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1.0001);
 }
 
 }  // namespace

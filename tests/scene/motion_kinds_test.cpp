@@ -15,7 +15,7 @@ constexpr double kDegree = std::numbers::pi / 180, kDistance = 4;
 const Pose kStart{{1, 2, 3}, axisAngle({0.3, -0.8, 0.2})};
 
 // One surface point straight ahead.
-const std::vector<Vec3> kAhead{toFloat(kStart.position + rotate(kStart.rotation, {0, 0, kDistance}))};
+const std::vector<Vec3d> kAhead{kStart.position + rotate(kStart.rotation, {0, 0, kDistance})};
 
 Trajectory make(const std::string& kind, double speed, std::optional<double> turn_s = {},
                 std::uint64_t seed = 0) {
@@ -124,7 +124,7 @@ TEST(MotionKinds, ASpeedOfTheImagesIsThatThroughTheLens) {
                    .cx = 99.5,
                    .distortion = {LensModel::kEquidistant, {}}});
   const Motion pan{.kind = "pan", .speed = 0.5, .image_speed = true};
-  const std::vector<Vec3> aside{{1.6f, 0, 2}};  // a pinhole would show it moving 1.64 times as fast
+  const std::vector<Vec3d> aside{{1.6, 0, 2}};  // a pinhole would show it moving 1.64 times as fast
   const Trajectory path = makeMotion(pan, {}, aside, lens);
   expectNear(rotationVector(path.at(100ms).rotation), {0, 0.05, 0}, 1e-9);
 }
@@ -139,7 +139,7 @@ TEST(MotionKinds, ShakeHasItsSpeedAndItsSeed) {
   for (TimeNs t{0}; t < kShakePeriod; t += 5ms) {
     const auto image = [&](TimeNs time) {
       const Pose camera = inverse(path.at(time));
-      const Vec3d p = camera.position + rotate(camera.rotation, toDouble(kAhead[0]));
+      const Vec3d p = camera.position + rotate(camera.rotation, kAhead[0]);
       return Vec3d{p.x / p.z, p.y / p.z, 0};
     };
     speeds.push_back(length(image(t + 1ms) - image(t)) / 1e-3);

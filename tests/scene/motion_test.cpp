@@ -16,27 +16,27 @@ const Pose kStart{{1, 2, 3}, axisAngle({0.3, -0.8, 0.2})};
 constexpr TimeNs kFrame{2'000'000};  // at kMotionRateHz
 
 // Points within the field of view, 4 to 9 away.
-std::vector<Vec3> probes() {
-  std::vector<Vec3> points;
+std::vector<Vec3d> probes() {
+  std::vector<Vec3d> points;
   const auto unit = [](std::uint64_t i, std::uint64_t axis) -> double { return toUnit(hashKey(i, axis)); };
   for (std::uint64_t i = 0; i < 201; ++i) {
     const double z = 4 + 5 * unit(i, 0), half = z * std::tan(kFov * std::numbers::pi / 360);
     const Vec3d seen{half * (2 * unit(i, 1) - 1), half * (2 * unit(i, 2) - 1), z};
-    points.push_back(toFloat(kStart.position + rotate(kStart.rotation, seen)));
+    points.push_back(kStart.position + rotate(kStart.rotation, seen));
   }
   return points;
 }
 
-Vec2 project(const Pose& camera, Vec3 point) {
+Vec2 project(const Pose& camera, Vec3d point) {
   const Pose to_camera = inverse(camera);
-  const Vec3d p = to_camera.position + rotate(to_camera.rotation, toDouble(point));
+  const Vec3d p = to_camera.position + rotate(to_camera.rotation, point);
   const double focal = kMotionWidth / 2 / std::tan(kFov * std::numbers::pi / 360);
   return {static_cast<float>(focal * p.x / p.z), static_cast<float>(focal * p.y / p.z)};
 }
 
 // Appends how far each probe's image moves in the frame from t on, in pixels.
 void appendSteps(const Trajectory& path, TimeNs t, std::vector<double>& steps) {
-  for (const Vec3 p : probes()) {
+  for (const Vec3d p : probes()) {
     const Vec2 a = project(path.at(t), p), b = project(path.at(t + kFrame), p);
     steps.push_back(std::hypot(b.x - a.x, b.y - a.y));
   }
@@ -95,11 +95,11 @@ TEST(Motion, TurnsBackAndRepeats) {
 }
 
 TEST(Motion, ForwardKeepsItsDistance) {
-  const std::vector<Vec3> points = probes();
+  const std::vector<Vec3d> points = probes();
   const Pose to_start = inverse(kStart);
   double nearest = 1e9, farthest = 0;
-  for (const Vec3 p : points)
-    nearest = std::min(nearest, (to_start.position + rotate(to_start.rotation, toDouble(p))).z);
+  for (const Vec3d p : points)
+    nearest = std::min(nearest, (to_start.position + rotate(to_start.rotation, p)).z);
   const Trajectory path = makeMotion(namedMotion("forward", kFov), kStart, points);
   for (TimeNs t{0}; t < 1s; t += kFrame)
     farthest = std::max(farthest, length(path.at(t).position - kStart.position));
@@ -108,8 +108,8 @@ TEST(Motion, ForwardKeepsItsDistance) {
 }
 
 TEST(Motion, OrbitKeepsLookingAtItsPoint) {
-  std::vector<Vec3> points = probes();
-  const Vec3 middle = toFloat(kStart.position + rotate(kStart.rotation, {0, 0, 5}));
+  std::vector<Vec3d> points = probes();
+  const Vec3d middle = kStart.position + rotate(kStart.rotation, {0, 0, 5});
   points.push_back(middle);
   const Trajectory path = makeMotion(namedMotion("orbit", kFov), kStart, points);
   for (TimeNs t{0}; t < 400ms; t += 20ms) {
@@ -120,9 +120,9 @@ TEST(Motion, OrbitKeepsLookingAtItsPoint) {
 
 // Nothing in view, everything behind, a single point straight ahead (which forward and orbit do not move).
 TEST(Motion, IsFiniteWhateverIsInView) {
-  const Vec3 ahead = toFloat(kStart.position + rotate(kStart.rotation, {0, 0, 5}));
-  const Vec3 behind = toFloat(kStart.position - rotate(kStart.rotation, {0, 0, 5}));
-  for (const std::vector<Vec3>& points : {std::vector<Vec3>{}, {behind}, {ahead}})
+  const Vec3d ahead = kStart.position + rotate(kStart.rotation, {0, 0, 5});
+  const Vec3d behind = kStart.position - rotate(kStart.rotation, {0, 0, 5});
+  for (const std::vector<Vec3d>& points : {std::vector<Vec3d>{}, {behind}, {ahead}})
     for (const std::string& name : motionNames())
       for (const double fov : {1.0, kFov, 179.0}) {
         const Pose p = makeMotion(namedMotion(name, fov), kStart, points).at(60ms);

@@ -31,7 +31,11 @@ TEST(SceneLibrary, NoNameLeadsOutOfTheFolder) {
 
 TEST(SceneLibrary, AFileInPlaceOfANameIsToldAsThat) {
   const SceneLibrary library(kScenes);
-  expectContains(library.unknown("my.gltf"), "my.gltf is no Mitsuba scene; only .xml is read; there are: ");
+  expectContains(library.unknown("my.obj"), "my.obj is no Mitsuba scene; only .xml is read; there are: ");
+  for (const std::string blender : {"my.gltf", "my.glb", "my.blend"})
+    expectContains(library.unknown(blender), blender +
+                                                 " is no Mitsuba scene; only .xml is read, which "
+                                                 "Blender's add-on mitsuba-blender exports; there are: ");
   expectContains(library.unknown("mine/scene.xml"), "mine/scene.xml is a file; give the name of a scene");
   expectContains(library.unknown("mine"), "no scene is named 'mine'; there are: ");
 }
@@ -55,11 +59,14 @@ TEST(SceneLibrary, ASceneWhoseMeshIsAbsentSaysSo) {
   }
 }
 
-TEST(SceneLibrary, TheDefaultFolderOfMeshesIsToldWithItsPackage) {
+TEST(SceneLibrary, ThePackageIsNamedForTheMeshThatItHolds) {
   const Scratch files;
   files.write("scenes/lonely/scene.xml", withMesh("no such mesh.obj"));
-  expectContains(errorOf([&] { SceneLibrary(files.path("scenes")).load("lonely"); }),
-                 "/usr/share/glmark2/models (install the Debian package glmark2-data)");
+  const std::string error = errorOf([&] { SceneLibrary(files.path("scenes")).load("lonely"); });
+  expectContains(error, "SACCADE_MESHES holds it: /usr/share/glmark2/models");
+  EXPECT_EQ(error.find("glmark2-data"), std::string::npos) << error;
+  EXPECT_EQ(describeFolders({kDefaultMeshes}, "bunny.obj"),
+            "/usr/share/glmark2/models (install the Debian package glmark2-data)");
 }
 
 TEST(SceneLibrary, AMeshComesFromBesideTheSceneOrTheFirstFolderThatHoldsIt) {

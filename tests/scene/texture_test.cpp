@@ -98,23 +98,26 @@ std::string writePicture(const Scratch& files, int channels, const std::vector<u
 TEST(LoadTexture, MakesSrgbLinearUnlessRaw) {
   const Scratch files;
   const std::string path = writePicture(files, 3, {255, 128, 0});
-  const Rgb linear = loadTexture(path, false).sample({0.5f, 0.5f}, 0);
+  const Rgb linear = loadTexture(path, PixelUse::kReflectance).sample({0.5f, 0.5f}, 0);
   expectNear(linear, {1, static_cast<float>(std::pow((128 / 255.0 + 0.055) / 1.055, 2.4)), 0}, 1e-6);
-  expectNear(loadTexture(path, true).sample({0.5f, 0.5f}, 0), {1, 128 / 255.0f, 0}, 1e-6);
+  expectNear(loadTexture(path, PixelUse::kRawReflectance).sample({0.5f, 0.5f}, 0), {1, 128 / 255.0f, 0},
+             1e-6);
 }
 
 TEST(LoadTexture, SpreadsOneChannelAndLeavesOutAlpha) {
   const Scratch files;
-  EXPECT_TRUE(loadTexture(writePicture(files, 1, {10, 200}), true).grey());
-  const Rgb seen = loadTexture(writePicture(files, 4, {255, 255, 255, 51}), true).sample({0.5f, 0.5f}, 0);
+  EXPECT_TRUE(loadTexture(writePicture(files, 1, {10, 200}), PixelUse::kRawReflectance).grey());
+  const Rgb seen = loadTexture(writePicture(files, 4, {255, 255, 255, 51}), PixelUse::kRawReflectance)
+                       .sample({0.5f, 0.5f}, 0);
   expectNear(seen, {1, 1, 1}, 1e-6);
 }
 
 TEST(LoadTexture, NamesAFileItCannotRead) {
   const Scratch files;
-  expectContains(errorOf([&] { loadTexture(files.path("absent.png"), false); }), "absent.png");
+  expectContains(errorOf([&] { loadTexture(files.path("absent.png"), PixelUse::kReflectance); }),
+                 "absent.png");
   const std::string faulty = files.write("faulty.png", "\x89PNG\r\n\x1a\n then nothing");
-  expectContains(errorOf([&] { loadTexture(faulty, false); }), "faulty.png");
+  expectContains(errorOf([&] { loadTexture(faulty, PixelUse::kReflectance); }), "faulty.png");
 }
 
 }  // namespace

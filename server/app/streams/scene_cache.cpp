@@ -8,6 +8,7 @@
 #include "scene/files/scene_error.h"
 #include "scene/files/slow_load.h"
 #include "scene/scene_stats.h"
+#include "scene/scene_warnings.h"
 
 namespace saccade {
 namespace {
@@ -93,8 +94,12 @@ SceneCache::ScenePtr SceneCache::load(const std::string& name, FileTime changed)
     const auto scene = prepare(name, std::move(read));
     loads_.ns += (std::chrono::steady_clock::now() - began) / std::chrono::nanoseconds(1);
     ++loads_.done;
-    const std::string stats = statsOf(scene->description()).text();
+    std::string stats = statsOf(scene->description()).text();
     spdlog::info("loaded {}: {}", name, stats);
+    for (const std::string& warning : warningsOf(scene->description())) {
+      spdlog::warn("{}: {}", name, warning);
+      stats += "; warning: " + warning;
+    }
     remember(name, changed, {stats, {}});
     return scene;
   } catch (const SceneError& fault) {

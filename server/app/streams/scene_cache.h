@@ -29,7 +29,7 @@ struct SceneLoads {
 
 // What is known of a scene since its file last changed. Both are empty until it was loaded.
 struct SceneNote {
-  std::string stats;    // triangles, materials, lights, memory, for people
+  std::string stats;    // triangles, materials, lights, memory, and warnings, for people
   std::string failure;  // why the last attempt to load it failed
 };
 

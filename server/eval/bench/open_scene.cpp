@@ -14,6 +14,7 @@
 #include "scene/files/slow_load.h"
 #include "scene/library/scene_format.h"
 #include "scene/library/scene_library.h"
+#include "scene/scene_warnings.h"
 
 namespace saccade::eval {
 namespace {
@@ -103,13 +104,27 @@ void requireTableNames(const std::vector<std::string>& names_or_paths) {
   }
 }
 
-std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {
+namespace {
+
+Scene readScene(const std::string& name_or_path) {
   const LoadProgress progress = tellSlowLoad(
       name_or_path, [](const std::string& text) { std::fprintf(stderr, "loading %s\n", text.c_str()); });
   const fs::path file = fileOf(name_or_path);
-  if (file.empty()) return std::make_shared<RenderScene>(ownLibrary().load(name_or_path, progress));
-  return std::make_shared<RenderScene>(formatOf(file).load(
-      file.string(), {.search_folders = splitFolders(meshFolders()), .progress = progress}));
+  if (!file.empty())
+    return formatOf(file).load(file.string(),
+                               {.search_folders = splitFolders(meshFolders()), .progress = progress});
+  if (!ownLibrary().find(name_or_path) && fs::is_directory(name_or_path))
+    throw SceneError(ownLibrary().unknown(name_or_path) + "; the folder here is ./" + name_or_path);
+  return ownLibrary().load(name_or_path, progress);
+}
+
+}  // namespace
+
+std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {
+  Scene scene = readScene(name_or_path);
+  for (const std::string& warning : warningsOf(scene))
+    std::fprintf(stderr, "warning: %s: %s\n", name_or_path.c_str(), warning.c_str());
+  return std::make_shared<RenderScene>(std::move(scene));
 }
 
 Trajectory openTrajectory(const std::string& scene, const std::string& text, const RenderScene& opened,

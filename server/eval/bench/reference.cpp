@@ -1,5 +1,6 @@
 #include "eval/bench/reference.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include "base/content_hash.h"
@@ -29,6 +30,12 @@ int readKept(const std::string& path, ReferenceFrame& frame) {
   }
 }
 
+constexpr std::uint64_t kSeed = 0x5ecade;  // of seed 0, whose frames older caches hold
+
+float fraction(float v) {
+  return v - std::floor(v);
+}
+
 }  // namespace
 
 ReferenceChange::ReferenceChange(const ReferenceFrame& prev, const ReferenceFrame& cur)
@@ -54,19 +61,25 @@ double ReferenceChange::error() const {
 
 ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings,
                                      int width, int height, double fov_x_deg, std::string cache,
-                                     TilePool& pool)
-    : renderer_(scene, {settings.bounces, settings.channels}),
+                                     TilePool& pool, std::uint64_t seed)
+    : scene_(std::move(scene)),
+      renderer_(scene_, {settings.bounces, settings.channels}),
       pool_(pool),
-      strengths_(scene->description()),
+      strengths_(scene_->description()),
       whole_pixel_(settings.jitter),
       width_(width),
       height_(height),
       fov_x_deg_(fov_x_deg),
-      cache_(std::move(cache)) {
+      cache_(std::move(cache)),
+      seed_(seed == 0 ? kSeed : hashKey(kSeed, seed)) {
   ContentHash h;
-  h.add(hashScene(scene->description())), h.add(settings.bounces), h.add(width), h.add(height),
+  h.add(hashScene(scene_->description())), h.add(settings.bounces), h.add(width), h.add(height),
       h.add(fov_x_deg);
   if (settings.jitter) h.add(settings.jitter);
+  if (seed != 0) {
+    h.add(seed);
+    first_shift_ = {toUnit(hashKey(seed_, 1)), toUnit(hashKey(seed_, 2))};
+  }
   key_ = h.value;
 }
 
@@ -75,6 +88,14 @@ std::string ReferenceRenderer::cachePath(const Pose& pose, int spp) const {
   h.add(pose.position), h.add(pose.rotation), h.add(strengths_.factors()), h.add(spp);
   const std::string name = format("%016llx.exr", static_cast<unsigned long long>(h.value));
   return (std::filesystem::path(cache_) / name).string();
+}
+
+Camera ReferenceRenderer::cameraAt(const Pose& pose, std::uint32_t chunk) const {
+  Camera camera(scene_->inScene(pose), pinhole(fov_x_deg_, width_, height_));
+  if (whole_pixel_)
+    camera.shift(0.5f - fraction(halton(chunk, 2) + first_shift_.x),
+                 0.5f - fraction(halton(chunk, 3) + first_shift_.y));
+  return camera;
 }
 
 ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, Progress& progress) {
@@ -90,9 +111,8 @@ ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, 
   while (done < spp) {
     // Seeds depend on the chunk alone: every frame of every path shares them.
     const auto index = static_cast<std::uint32_t>(done / kChunk);
-    const std::uint64_t seed = hashKey(0x5ecade, index);
-    Camera camera(pose, pinhole(fov_x_deg_, width_, height_));
-    if (whole_pixel_) camera.shift(0.5f - halton(index, 2), 0.5f - halton(index, 3));
+    const std::uint64_t seed = hashKey(seed_, index);
+    const Camera camera = cameraAt(pose, index);
     renderer_.render(camera, camera, {hashKey(seed, 0), hashKey(seed, 1), kChunk / 2, kChunk / 2}, pool_,
                      chunk);
     done += kChunk;

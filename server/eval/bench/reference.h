@@ -31,9 +31,9 @@ class ReferenceRenderer {
  public:
   // Keeps frames in the folder `cache`, named by a hash of scene, view and settings. The hash does not cover
   // the code: empty the folder after a change of the path tracer. With settings.jitter a frame is the mean
-  // over the whole pixel.
+  // over the whole pixel. References of different seeds have nothing in common.
   ReferenceRenderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings, int width, int height,
-                    double fov_x_deg, std::string cache, TilePool& pool);
+                    double fov_x_deg, std::string cache, TilePool& pool, std::uint64_t seed = 0);
 
   // Renders the frame at a stream time, or takes it from the cache. `spp` paths per pixel are rounded up to a
   // multiple of kChunk. The cache is written every few seconds and when interrupted() turns true; the next
@@ -45,7 +45,9 @@ class ReferenceRenderer {
 
  private:
   std::string cachePath(const Pose& pose, int spp) const;  // with strengths_ at the frame's time
+  Camera cameraAt(const Pose& pose, std::uint32_t chunk) const;
 
+  std::shared_ptr<const RenderScene> scene_;
   Renderer renderer_;
   TilePool& pool_;
   EmitterStrengths strengths_;
@@ -53,6 +55,8 @@ class ReferenceRenderer {
   int width_, height_;
   double fov_x_deg_;
   std::string cache_;
+  std::uint64_t seed_;  // of all chunks
+  Vec2 first_shift_;    // of the grid of pixels
   std::uint64_t key_;
 };
 

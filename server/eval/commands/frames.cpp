@@ -88,7 +88,7 @@ void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> sce
         "--reference %d is rounded up to %d: references are rendered in steps of %d paths per pixel\n",
         o.reference, spp, kChunk);
   ReferenceRenderer renderer(scene, {o.feed.bounces, scene->channels(), o.feed.jitter}, w, h,
-                             scene->description().fov_x_deg, o.cache, pool);
+                             scene->description().fov_x_deg, o.cache, pool, o.feed.seed);
   Progress progress("reference", static_cast<double>(spp) * static_cast<double>(o.last - o.first + 2));
   const auto render = [&](int t) {
     const TimeNs time = frameTime(static_cast<FrameIndex>(t), o.feed.frame_rate_hz);
@@ -143,7 +143,8 @@ void addFramesCommand(CLI::App& app) {
   c->add_option("--reference", o->reference,
                 "render the reference instead: paths per pixel, rounded up to a multiple of 64")
       ->check(CLI::Range(1, 1 << 20));
-  c->add_option("--seed", o->feed.seed, "seed of the random numbers")->capture_default_str();
+  c->add_option("--seed", o->feed.seed, "seed of the random numbers, of a method or of the reference")
+      ->capture_default_str();
   addBakeOption(*c, o->bake_error);
   c->add_option("--cache", o->cache, "folder for reference frames and bakes")->capture_default_str();
   c->callback([o] { runFrames(*o); });

@@ -37,7 +37,7 @@ void runRender(const RenderOptions& o) {
   TilePool pool(hardwareThreads());
   Lens lens(withLens(pinhole(s.fov_x_deg, size.width, size.height), o.lens));
   lens.tabulate();
-  const Camera camera(moved(s.T_world_camera, o.offset), lens);
+  const Camera camera(scene->inScene(moved(s.T_world_camera, o.offset)), lens);
   Renderer renderer(scene, {o.bounces, 3});
 
   ImageF sum[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
@@ -69,8 +69,8 @@ void runRender(const RenderOptions& o) {
     }
     writeExr(o.output, {{"Y", &part[0]}});
   }
-  std::printf("%s: %dx%d, %d spp, %d indirect bounces\n", o.output.c_str(), size.width, size.height, o.spp,
-              o.bounces);
+  std::printf("%s: %dx%d, %d spp, %d indirect bounces%s\n", o.output.c_str(), size.width, size.height, o.spp,
+              o.bounces, !o.rgb && scene->channels() == 3 ? "; luminance alone, --rgb writes colours" : "");
 }
 
 }  // namespace

@@ -36,11 +36,11 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-VisiblePoints viewOf(const Pose& camera, const std::vector<Vec3>& points) {
+VisiblePoints viewOf(const Pose& camera, const std::vector<Vec3d>& points) {
   const Pose to_camera = inverse(camera);
   VisiblePoints view;
-  for (const Vec3 point : points) {
-    const Vec3d p = mapPoint(to_camera, toDouble(point));
+  for (const Vec3d point : points) {
+    const Vec3d p = mapPoint(to_camera, point);
     if (p.z > kNear) view.push_back(p);
   }
   if (view.empty()) view.push_back({0, 0, 1});

@@ -13,7 +13,7 @@ using VisiblePoints = std::vector<Vec3d>;
 
 // Those of the world-space `points` that lie in front; without any, one point on the viewing axis at
 // distance 1.
-VisiblePoints viewOf(const Pose& camera, const std::vector<Vec3>& points);
+VisiblePoints viewOf(const Pose& camera, const std::vector<Vec3d>& points);
 
 double medianDepth(const VisiblePoints& view);
 

@@ -69,7 +69,7 @@ std::string speedFault(const std::string& kind, double speed) {
   return fault.empty() ? fault : "of either sign: " + fault;
 }
 
-Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3>& probes,
+Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3d>& probes,
                       const Lens& lens) {
   const auto kind = std::find_if(kindTable().begin(), kindTable().end(),
                                  [&](const Kind& k) { return k.name == motion.kind; });

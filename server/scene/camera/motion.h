@@ -48,7 +48,7 @@ std::string speedFault(const std::string& kind, double speed);
 // one is assumed on the viewing axis at distance 1. An image_speed of what would move no image stands still.
 // Shake has a largest swing: beyond about 250 degrees per second it is slower than asked.
 // `lens`: through which the images are seen; unset: without distortion.
-Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3>& probes,
+Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3d>& probes,
                       const Lens& lens = Lens{});
 
 // Reads KIND:SPEED, such as "dolly:0.2" or "pan:-15"; none where there is no colon. Throws SceneError.

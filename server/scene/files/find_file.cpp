@@ -25,7 +25,7 @@ std::string findFile(const std::string& name, const fs::path& folder, const Load
     if (isThere(other / name, options)) return (other / name).string();
   throw SceneError("the file " + beside.string() +
                    " is absent, and no folder of --meshes or SACCADE_MESHES holds it: " +
-                   describeFolders(options.search_folders));
+                   describeFolders(options.search_folders, name));
 }
 
 }  // namespace saccade

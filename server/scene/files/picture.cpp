@@ -64,6 +64,21 @@ std::unique_ptr<OIIO::ImageInput> openChecked(const std::string& path) {
   return input;
 }
 
+void readChannels(const std::string& path, OIIO::ImageInput& input, int first, int count, Picture& picture) {
+  if (!input.read_image(0, 0, first, first + count, OIIO::TypeDesc::FLOAT, picture.pixels.data(),
+                        sizeof(Rgb)))
+    throw SceneError(path + ": " + input.geterror());
+}
+
+// Fills the picture with its alpha, unless that is 1 all over. Returns whether it did.
+bool readAlpha(const std::string& path, OIIO::ImageInput& input, Picture& picture) {
+  const int alpha = input.spec().alpha_channel;
+  if (alpha < 0) return false;
+  readChannels(path, input, alpha, 1, picture);
+  for (Rgb& c : picture.pixels) c.x = c.y = c.z = clampTo(1, c.x);
+  return std::ranges::any_of(picture.pixels, [](Rgb c) { return c.x < 1; });
+}
+
 }  // namespace
 
 std::size_t countPixels(const std::string& path) {
@@ -75,10 +90,11 @@ Picture loadPicture(const std::string& path, PixelUse use) {
   const OIIO::ImageSpec& spec = input->spec();
   const bool grey = spec.nchannels < 3;
   Picture picture{spec.width, spec.height, std::vector<Rgb>(spec.image_pixels())};
-  if (!input->read_image(0, 0, 0, grey ? 1 : 3, OIIO::TypeDesc::FLOAT, picture.pixels.data(), sizeof(Rgb)))
-    throw SceneError(path + ": " + input->geterror());
+  const bool opacity = use == PixelUse::kOpacity || use == PixelUse::kRawOpacity;
+  if (opacity && readAlpha(path, *input, picture)) return picture;
+  readChannels(path, *input, 0, grey ? 1 : 3, picture);
   const bool integers = spec.format == OIIO::TypeDesc::UINT8 || spec.format == OIIO::TypeDesc::UINT16;
-  const bool encoded = integers && use != PixelUse::kRawReflectance;
+  const bool encoded = integers && use != PixelUse::kRawReflectance && use != PixelUse::kRawOpacity;
   const float max = use == PixelUse::kRadiance ? kMaxRadiance : 1;
   const auto linear = [&](float v) { return encoded ? linearFromSrgb(clampTo(1, v)) : clampTo(max, v); };
   for (Rgb& c : picture.pixels) {

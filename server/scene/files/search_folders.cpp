@@ -14,11 +14,12 @@ std::vector<std::filesystem::path> splitFolders(const std::string& list) {
   return folders;
 }
 
-std::string describeFolders(const std::vector<std::filesystem::path>& folders) {
+std::string describeFolders(const std::vector<std::filesystem::path>& folders, const std::string& file) {
   std::vector<std::string> names;
-  for (const auto& folder : folders)
-    names.push_back(folder.string() +
-                    (folder == kDefaultMeshes ? " (install the Debian package glmark2-data)" : ""));
+  for (const auto& folder : folders) {
+    const bool is_packaged = folder == kDefaultMeshes && file == "bunny.obj";
+    names.push_back(folder.string() + (is_packaged ? " (install the Debian package glmark2-data)" : ""));
+  }
   return joinNames(names);
 }
 

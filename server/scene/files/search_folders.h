@@ -14,7 +14,7 @@ inline constexpr const char* kDefaultMeshes = "/usr/share/glmark2/models";
 // The folders of a list "FOLDER:FOLDER"; empty parts are left out.
 std::vector<std::filesystem::path> splitFolders(const std::string& list);
 
-// "FOLDER, FOLDER" for a message, or "none"; says which package the default folder comes from.
-std::string describeFolders(const std::vector<std::filesystem::path>& folders);
+// "FOLDER, FOLDER" for a message that no folder holds `file`, or "none"; says which package has the bunny.
+std::string describeFolders(const std::vector<std::filesystem::path>& folders, const std::string& file);
 
 }  // namespace saccade

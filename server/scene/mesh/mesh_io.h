@@ -14,12 +14,13 @@
 namespace saccade {
 
 // Wavefront OBJ: v, vt, vn and f (v, v/vt, v//vn, v/vt/vn; negative indices count from the end). The
-// whole file becomes one mesh: groups, objects, smoothing groups, materials and mtllib are ignored.
+// whole file becomes one mesh: groups, objects, smoothing groups and materials are ignored. Mesh::unread
+// tells of materials.
 Mesh loadObj(const std::string& path);
 Mesh parseObj(std::string_view bytes, const std::string& path);  // content of a file; `path` is for messages
 
 // PLY 1.0, ascii or binary of either byte order: vertices with x y z, nx ny nz, and u v or s t; faces with
-// vertex_indices or vertex_index. Other properties and elements are ignored.
+// vertex_indices or vertex_index. Other properties and elements are ignored. Mesh::unread tells of colours.
 Mesh loadPly(const std::string& path);
 Mesh parsePly(std::string_view bytes, const std::string& path);
 

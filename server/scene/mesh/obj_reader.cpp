@@ -45,7 +45,7 @@ class ObjReader {
   std::vector<Vec2> vt_;
   std::unordered_map<Corner, std::uint32_t, CornerHash> vertices_;
   std::vector<std::uint32_t> face_;
-  bool all_uvs_ = true, all_normals_ = true;
+  bool all_uvs_ = true, all_normals_ = true, has_materials_ = false;
   Mesh mesh_;
 };
 
@@ -58,6 +58,8 @@ Mesh ObjReader::read(std::string_view text) {
   if (!all_uvs_) mesh_.uvs.clear();
   if (!all_normals_) mesh_.normals.clear();
   mesh_.name = std::filesystem::path(path_).stem().string();
+  if (has_materials_)
+    mesh_.unread = path_ + ": its materials (usemtl) are not read; the shape is grey without a <bsdf>";
   return std::move(mesh_);
 }
 
@@ -74,6 +76,8 @@ void ObjReader::readLine(std::string_view line) {
     vt_.push_back({u, v});
   } else if (keyword == "f") {
     readFace(line);
+  } else if (keyword == "usemtl") {
+    has_materials_ = true;
   }
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -36,6 +37,10 @@ int slotOf(const std::string& name) {
   return -1;
 }
 
+bool isColour(const PlyProperty& p) {
+  return p.name == "red" || p.name == "diffuse_red";
+}
+
 bool isFaceList(const PlyProperty& p) {
   return p.is_list && !p.type.is_float && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
@@ -44,6 +49,8 @@ Mesh PlyReader::read(std::string_view bytes) {
   const PlyHeader header = takePlyHeader(bytes, path_);
   PlyValues values(bytes, header.format, path_);
   for (const PlyElement& element : header.elements) {
+    if (std::ranges::any_of(element.properties, isColour))
+      mesh_.unread = path_ + ": its colours are not read; the shape is grey without a <bsdf>";
     if (element.properties.empty()) fail("element '" + element.name + "' has no properties");
     if (element.name == "vertex" && mesh_.positions.empty()) {
       readVertices(element, values);

@@ -46,7 +46,8 @@ void readEnvmap(const XmlFile& file, pugi::xml_node emitter, Properties& propert
 void readPoint(const XmlFile& file, pugi::xml_node emitter, Properties& properties, Scene& scene) {
   const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
   const Vec3d position = properties.vector("position").value_or(to_world.translation);
-  scene.point_lights.push_back({toFloat(position), requiredColor(file, emitter, properties, "intensity")});
+  scene.point_lights.push_back(
+      {toFloat(position - scene.origin), requiredColor(file, emitter, properties, "intensity")});
 }
 
 void readDirectional(const XmlFile& file, pugi::xml_node emitter, Properties& properties, Scene& scene) {

@@ -15,16 +15,19 @@ namespace {
 // The properties that shapes of all types have.
 struct Common {
   std::string name;
-  Affine to_world;
+  Affine placement;  // in the scene's axes
+  bool has_bsdf;
   int material;
   Emission emission;
 };
 
 Common parseCommon(const XmlFile& file, pugi::xml_node shape, Properties& properties,
-                   MaterialReader& materials) {
-  const pugi::xml_node emitter = properties.object("emitter");
-  return {shape.attribute("id").value(), parseTransform(file, properties.object("transform", "to_world")),
-          materials.read(properties.object("bsdf")), emitter ? parseEmitter(file, emitter) : Emission{}};
+                   MaterialReader& materials, Vec3d origin) {
+  const pugi::xml_node emitter = properties.object("emitter"), bsdf = properties.object("bsdf");
+  Affine placement = parseTransform(file, properties.object("transform", "to_world"));
+  placement.translation = placement.translation - origin;
+  return {shape.attribute("id").value(), placement, !!bsdf, materials.read(bsdf),
+          emitter ? parseEmitter(file, emitter) : Emission{}};
 }
 
 Mesh loadMesh(const std::string& type, const std::string& path, bool flip_v) {
@@ -45,7 +48,7 @@ bool isFinite(const Mesh& mesh) {
 void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type, MaterialReader& materials,
               FileLoads& loads, Scene& scene) {
   Properties properties(file, shape);
-  const Common common = parseCommon(file, shape, properties, materials);
+  const Common common = parseCommon(file, shape, properties, materials, scene.origin);
   const bool is_file = type == "obj" || type == "ply";
   const std::string path = is_file ? file.locate(shape, properties.text("filename")) : "";
   const bool face_normals = !is_file || properties.flag("face_normals", false);
@@ -55,8 +58,9 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   scene.meshes.emplace_back();
   loads.add(file.errorsAt(shape), [=, &meshes = scene.meshes] {
     Mesh mesh = loadMesh(type, path, flip_v);
-    placeMesh(mesh, common.to_world, face_normals);
+    placeMesh(mesh, common.placement, face_normals);
     if (!isFinite(mesh)) throw SceneError("a vertex of the shape is too far away for float numbers");
+    if (common.has_bsdf) mesh.unread.clear();
     if (!common.name.empty()) mesh.name = common.name;
     if (mesh.name.empty()) mesh.name = type;
     mesh.material = common.material;
@@ -79,11 +83,11 @@ double uniformScale(const XmlFile& file, pugi::xml_node at, const Affine& map) {
 
 void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, Scene& scene) {
   Properties properties(file, shape);
-  const Common common = parseCommon(file, shape, properties, materials);
+  const Common common = parseCommon(file, shape, properties, materials, scene.origin);
   const Vec3d center = properties.vector("center").value_or(Vec3d{});
-  const double radius = properties.number("radius", 1) * uniformScale(file, shape, common.to_world);
+  const double radius = properties.number("radius", 1) * uniformScale(file, shape, common.placement);
   properties.finish();
-  const Vec3 placed = toFloat(mapPoint(common.to_world, center));
+  const Vec3 placed = toFloat(mapPoint(common.placement, center));
   const float size = static_cast<float>(radius);
   if (!(size > 0) || !std::isfinite(size) || !std::isfinite(dot(placed, placed)))
     throw file.error(shape, "a sphere needs a radius above 0 and a centre within reach of float numbers");

@@ -36,19 +36,25 @@ void requireRepeat(const XmlFile& file, pugi::xml_node bitmap, Properties& prope
                        "the " + std::string(name) + " '" + mode + "' is not supported; supported: repeat");
 }
 
+PixelUse pixelUse(TextureReader::Use use, bool raw) {
+  if (use == TextureReader::Use::kOpacity) return raw ? PixelUse::kRawOpacity : PixelUse::kOpacity;
+  return raw ? PixelUse::kRawReflectance : PixelUse::kReflectance;
+}
+
 }  // namespace
 
-SurfaceColor TextureReader::readColor(Properties& properties, const std::string& name, Rgb fallback) {
-  if (const pugi::xml_node texture = properties.object("texture", name)) return readTexture(texture);
+SurfaceColor TextureReader::readColor(Properties& properties, const std::string& name, Rgb fallback,
+                                      Use use) {
+  if (const pugi::xml_node texture = properties.object("texture", name)) return readTexture(texture, use);
   return constantColor(properties.color(name, 1).value_or(fallback));
 }
 
-SurfaceColor TextureReader::readTexture(pugi::xml_node texture) {
+SurfaceColor TextureReader::readTexture(pugi::xml_node texture, Use use) {
   const std::string type = supportedType(file_, texture, {"bitmap", "checkerboard"});
   Properties properties(file_, texture);
   SurfaceColor c;
   if (type == "bitmap") {
-    c = readBitmap(texture, properties);
+    c = readBitmap(texture, properties, use);
   } else {
     c.kind = SurfaceColor::Kind::kCheckerboard;
     readUvMap(file_, properties, c);
@@ -59,7 +65,7 @@ SurfaceColor TextureReader::readTexture(pugi::xml_node texture) {
   return c;
 }
 
-SurfaceColor TextureReader::readBitmap(pugi::xml_node bitmap, Properties& properties) {
+SurfaceColor TextureReader::readBitmap(pugi::xml_node bitmap, Properties& properties, Use use) {
   SurfaceColor c;
   c.kind = SurfaceColor::Kind::kBitmap;
   readUvMap(file_, properties, c);
@@ -71,18 +77,18 @@ SurfaceColor TextureReader::readBitmap(pugi::xml_node bitmap, Properties& proper
   properties.ignore("string", {"filter_type"});  // ours is always trilinear
   properties.ignore("float", {"max_anisotropy"});
   properties.ignore("boolean", {"cache"});
-  c.texture = addPicture(bitmap, file_.locate(bitmap, properties.text("filename")), raw);
+  c.texture = addPicture(bitmap, file_.locate(bitmap, properties.text("filename")), pixelUse(use, raw));
   return c;
 }
 
-int TextureReader::addPicture(pugi::xml_node at, const std::string& path, bool raw) {
+int TextureReader::addPicture(pugi::xml_node at, const std::string& path, PixelUse use) {
   const std::size_t next = scene_.textures.size();
-  const auto [found, added] = pictures_.try_emplace({path, raw}, static_cast<int>(next));
+  const auto [found, added] = pictures_.try_emplace({path, use}, static_cast<int>(next));
   if (!added) return found->second;
   scene_.textures.push_back(Texture(1, 1, {Rgb{}}));
-  loads_.add(file_.errorsAt(at), [&loads = loads_, &textures = scene_.textures, next, path, raw] {
+  loads_.add(file_.errorsAt(at), [&loads = loads_, &textures = scene_.textures, next, path, use] {
     loads.takePixels(countPixels(path));
-    textures[next] = loadTexture(path, raw);
+    textures[next] = loadTexture(path, use);
   });
   return found->second;
 }

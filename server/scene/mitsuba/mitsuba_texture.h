@@ -17,18 +17,22 @@ class TextureReader {
   TextureReader(const XmlFile& file, FileLoads& loads, Scene& scene)
       : file_(file), loads_(loads), scene_(scene) {}
 
+  // What a colour stands for: opacity is the alpha of pictures that have one.
+  enum class Use { kReflectance, kOpacity };
+
   // The property called `name`: a number, a colour or a texture.
-  SurfaceColor readColor(Properties& properties, const std::string& name, Rgb fallback);
-  SurfaceColor readTexture(pugi::xml_node texture);
+  SurfaceColor readColor(Properties& properties, const std::string& name, Rgb fallback,
+                         Use use = Use::kReflectance);
+  SurfaceColor readTexture(pugi::xml_node texture, Use use = Use::kReflectance);
 
  private:
-  SurfaceColor readBitmap(pugi::xml_node bitmap, Properties& properties);
-  int addPicture(pugi::xml_node at, const std::string& path, bool raw);
+  SurfaceColor readBitmap(pugi::xml_node bitmap, Properties& properties, Use use);
+  int addPicture(pugi::xml_node at, const std::string& path, PixelUse use);
 
   const XmlFile& file_;
   FileLoads& loads_;
   Scene& scene_;
-  std::map<std::pair<std::string, bool>, int> pictures_;  // by path and `raw`
+  std::map<std::pair<std::string, PixelUse>, int> pictures_;
 };
 
 }  // namespace saccade

@@ -10,6 +10,7 @@
 #include "scene/mitsuba/mitsuba_material.h"
 #include "scene/mitsuba/mitsuba_sensor.h"
 #include "scene/mitsuba/mitsuba_shape.h"
+#include "scene/scene_origin.h"
 
 namespace saccade {
 namespace {
@@ -45,6 +46,17 @@ void readScene(const XmlFile& file, FileLoads& loads, Scene& scene) {
   properties.finish();
 }
 
+Scene loadScene(const XmlFile& file, const std::string& path, const LoadOptions& options, Vec3d origin) {
+  FileLoads loads;
+  Scene scene;
+  scene.name = std::filesystem::path(path).parent_path().filename().string();
+  scene.origin = origin;
+  readScene(file, loads, scene);
+  loads.run(options);
+  checkTriangles(file, scene);
+  return scene;
+}
+
 }  // namespace
 
 Scene loadMitsubaXml(const std::string& path, const LoadOptions& options) {
@@ -53,13 +65,11 @@ Scene loadMitsubaXml(const std::string& path, const LoadOptions& options) {
 
 Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options) {
   const XmlFile file(std::move(text), path, options);
-  FileLoads loads;
-  Scene scene;
-  scene.name = std::filesystem::path(path).parent_path().filename().string();
-  readScene(file, loads, scene);
-  loads.run(options);
-  checkTriangles(file, scene);
-  return scene;
+  Scene scene = loadScene(file, path, options, {});
+  const Vec3d origin = originOf(scene);
+  if (origin == Vec3d{}) return scene;
+  scene = {};  // its floats are too coarse: it is read once more
+  return loadScene(file, path, options, origin);
 }
 
 void checkMitsubaXml(const std::string& path, const LoadOptions& options) {

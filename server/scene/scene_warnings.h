@@ -1,0 +1,15 @@
+// What users of a scene should know, though it can be opened.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace saccade {
+
+// One sentence each: what of a mesh file is not read, once for each file, and that there is no light. Empty:
+// there is nothing to tell.
+std::vector<std::string> warningsOf(const Scene& scene);
+
+}  // namespace saccade
