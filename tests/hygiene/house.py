@@ -2,7 +2,7 @@
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ["server", "client", "proto", "scenes", "tests", "deploy", ".ci"]
+FOLDERS = ["server", "client", "proto", "pictures", "scenes", "tests", "deploy", ".ci"]
 SOURCES = {".cpp", ".h"}
 TEXTS = SOURCES | {"", ".txt", ".md", ".json", ".proto", ".py", ".xml", ".csv", ".yaml", ".toml", ".service", ".clang-format", ".js", ".mjs", ".html", ".css"}
 
