@@ -20,7 +20,7 @@ const Library& load() {
   void* const module = dlopen(modulePath().c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const entry = module ? dlsym(module, kEntryName) : nullptr;
   if (!entry) throw std::runtime_error(std::string("the library of pictures is not loaded: ") + dlerror());
-  return reinterpret_cast<Entry*>(entry)();
+  return *reinterpret_cast<Entry*>(entry)();
 }
 
 }  // namespace

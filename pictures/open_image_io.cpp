@@ -119,9 +119,9 @@ class OpenImageIo final : public Library {
 
 }  // namespace
 
-const Library& saccadePictures1() {
+const Library* saccadePictures1() {
   static const OpenImageIo library;
-  return library;
+  return &library;
 }
 
 }  // namespace saccade::pictures
