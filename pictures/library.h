@@ -19,7 +19,7 @@ constexpr bool isWhole(Number number) {
 
 struct Shape {
   int width = 0, height = 0;
-  std::vector<std::string> channels;  // their names
+  std::vector<std::string> channels = {};  // their names
   Number number = Number::kF32;
   int alpha = -1;                         // the index of that channel; -1: none
   std::map<std::string, int> notes = {};  // of Saccade, by name
