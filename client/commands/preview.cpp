@@ -1,12 +1,11 @@
 #include "client/commands/preview.h"
 
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
 #include "client/commands/preview_picture.h"
+#include "pictures/library.h"
 
 namespace saccade::client {
 namespace {
@@ -15,13 +14,8 @@ constexpr std::int64_t kShownNs = 10'000'000;  // window of the events: short, s
 constexpr std::int64_t kSpareNs = 7'000'000;   // the picture may be older than the newest events by this much
 
 void writePng(const std::string& path, const RgbPicture& picture) {
-  const auto file = OIIO::ImageOutput::create(path);
-  const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
-  if (!file) throw std::runtime_error(OIIO::geterror());
-  if (!file->open(path, spec) || !file->write_image(OIIO::TypeDesc::UINT8, picture.pixels.data()) ||
-      !file->close()) {
-    throw std::runtime_error(file->geterror());
-  }
+  const pictures::Shape shape{picture.width, picture.height, {"R", "G", "B"}, pictures::Number::kU8};
+  pictures::library().write(path, shape, picture.pixels.data());
 }
 
 std::span<const Event> between(const Events& events, std::int64_t t0_ns, std::int64_t t1_ns) {

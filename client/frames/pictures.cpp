@@ -1,5 +1,3 @@
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -7,17 +5,12 @@
 #include <stdexcept>
 
 #include "client/frames/frame_source.h"
+#include "pictures/library.h"
 
 namespace saccade::client {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isPicture(const std::string& path) {
-  const bool known = OIIO::ImageInput::create(path) != nullptr;
-  if (!known) OIIO::geterror();  // clears it
-  return known;
-}
 
 std::vector<std::string> filesOf(const std::vector<std::string>& paths) {
   std::vector<std::string> files;
@@ -29,7 +22,7 @@ std::vector<std::string> filesOf(const std::vector<std::string>& paths) {
     }
     const auto first = static_cast<std::ptrdiff_t>(files.size());
     for (const auto& entry : fs::directory_iterator(path)) {
-      if (isPicture(entry.path().string())) files.push_back(entry.path().string());
+      if (pictures::library().canRead(entry.path().string())) files.push_back(entry.path().string());
     }
     std::sort(files.begin() + first, files.end());
   }
@@ -62,20 +55,18 @@ class Pictures final : public FrameSource {
 
  private:
   IntensityFrame read(const std::string& file) {
-    const auto input = OIIO::ImageInput::open(file);
-    if (!input) throw std::runtime_error(file + ": " + OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    if (width_ == 0) width_ = spec.width, height_ = spec.height;
-    if (spec.width != width_ || spec.height != height_)
-      throw std::runtime_error(file + ": has " + sizeText(spec.width, spec.height) +
+    const auto input = pictures::library().open(file);
+    const pictures::Shape& shape = input->shape();
+    if (width_ == 0) width_ = shape.width, height_ = shape.height;
+    if (shape.width != width_ || shape.height != height_)
+      throw std::runtime_error(file + ": has " + sizeText(shape.width, shape.height) +
                                " pixels, but the first frame has " + sizeText(width_, height_));
-    const int channels = spec.nchannels;
-    std::vector<float> values(static_cast<std::size_t>(width_) * height_ * channels);
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data()))
-      throw std::runtime_error(file + ": " + input->geterror());
+    const auto channels = static_cast<int>(shape.channels.size());
+    std::vector<float> values(shape.pixels() * channels);
+    input->read(0, channels, values.data(), channels * sizeof(float));
     return luminanceOf(
         values, channels,
-        transfer_.value_or(spec.format.is_floating_point() ? Transfer::kLinear : Transfer::kSrgb));
+        transfer_.value_or(pictures::isWhole(shape.number) ? Transfer::kSrgb : Transfer::kLinear));
   }
 
   static std::string sizeText(int width, int height) {

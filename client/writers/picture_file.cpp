@@ -1,39 +1,31 @@
 #include "client/writers/picture_file.h"
 
-#include <OpenImageIO/imageio.h>
-
-#include <stdexcept>
-
 #include "client/writers/truth_layout.h"
+#include "pictures/library.h"
 
 namespace saccade::client {
 namespace {
 
-OIIO::TypeDesc typeOf(v1::Element element) {
+pictures::Number numberOf(v1::Element element) {
   switch (element) {
     case v1::ELEMENT_U8:
-      return OIIO::TypeDesc::UINT8;
+      return pictures::Number::kU8;
     case v1::ELEMENT_U16:
-      return OIIO::TypeDesc::UINT16;
+      return pictures::Number::kU16;
     case v1::ELEMENT_U32:
-      return OIIO::TypeDesc::UINT32;
+      return pictures::Number::kU32;
     case v1::ELEMENT_F64:
-      return OIIO::TypeDesc::DOUBLE;
+      return pictures::Number::kF64;
     default:
-      return OIIO::TypeDesc::FLOAT;
+      return pictures::Number::kF32;
   }
 }
 
-OIIO::ImageSpec specOf(const v1::RecordedTruth& channel) {
-  const OIIO::TypeDesc type = typeOf(channel.info().element());
-  OIIO::ImageSpec spec(static_cast<int>(channel.width()), static_cast<int>(channel.height()),
-                       channel.info().planes_size(),
-                       type == OIIO::TypeDesc::DOUBLE ? OIIO::TypeDesc::FLOAT : type);
-  spec.channelnames.assign(channel.info().planes().begin(), channel.info().planes().end());
-  spec.alpha_channel = -1;
-  spec.attribute("oiio:UnassociatedAlpha", 1);        // a fourth plane changes no other
-  spec.attribute("DateTime", "1980:01:01 00:00:00");  // none is known: a sample has the same bytes always
-  return spec;
+pictures::Shape shapeOf(const v1::RecordedTruth& channel) {
+  return {static_cast<int>(channel.width()),
+          static_cast<int>(channel.height()),
+          {channel.info().planes().begin(), channel.info().planes().end()},
+          numberOf(channel.info().element())};
 }
 
 }  // namespace
@@ -44,11 +36,7 @@ const char* pictureExtension(const v1::RecordedTruth& channel) {
 }
 
 void writePicture(const std::string& path, const v1::RecordedTruth& channel, const std::string& elements) {
-  const auto file = OIIO::ImageOutput::create(path);
-  const std::string pixels = interleaved(channel, elements);
-  const bool done = file && file->open(path, specOf(channel)) &&
-                    file->write_image(typeOf(channel.info().element()), pixels.data()) && file->close();
-  if (!done) throw std::runtime_error(path + ": " + (file ? file->geterror() : OIIO::geterror()));
+  pictures::library().write(path, shapeOf(channel), interleaved(channel, elements).data());
 }
 
 }  // namespace saccade::client

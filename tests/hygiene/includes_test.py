@@ -7,7 +7,8 @@ import house
 ROOMS = {
     "base": "",
     "frame": "base",
-    "scene": "base",
+    "pictures": "",
+    "scene": "pictures base",
     "wire": "",
     "render": "cache scene frame base",
     "filter": "frame base",
@@ -21,8 +22,8 @@ ROOMS = {
     "feed": "base frame scene render filter cache methods",
     "tables": "base scene wire render methods",
     "app": "base frame scene wire render filter cache methods feed tables events truth stream ops web client",
-    "eval": "base frame scene wire render filter cache methods feed tables events",
-    "client": "wire",
+    "eval": "pictures base frame scene wire render filter cache methods feed tables events",
+    "client": "wire pictures",
 }
 # Each folder of a room, with those of the same room that it may include.
 FOLDERS = {
@@ -47,6 +48,7 @@ FOLDERS = {
 }
 # Headers of libraries, with the only places that may include them.
 OUTSIDE = {
+    "OpenImageIO/": ["server/pictures/open_image_io.cpp", "tests/"],
     "embree3/": ["server/render/embree_scene.cpp"],
     "zmq": ["server/stream/", "server/web/", "client/", "tests/"],
     "prometheus/": ["server/app/metrics.cpp"],

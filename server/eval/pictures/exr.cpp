@@ -1,30 +1,22 @@
 #include "eval/pictures/exr.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <stdexcept>
 
+#include "pictures/library.h"
+
 namespace saccade::eval {
 namespace {
 
-using OIIO::ImageInput;
-using OIIO::ImageOutput;
-using OIIO::ImageSpec;
-using OIIO::TypeDesc;
-
 // Writes beside the target, then renames: no reader sees half a file, nor a mix of two processes.
-void writePicture(const std::string& path, const ImageSpec& spec, const float* data) {
+void writePicture(const std::string& path, const pictures::Shape& shape, const float* data) {
   const std::filesystem::path target(path);
   if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path());
   const std::string partial =
       target.parent_path() / (".partial-" + std::to_string(getpid()) + "-" + target.filename().string());
-  auto out = ImageOutput::create(partial);
-  if (!out || !out->open(partial, spec) || !out->write_image(TypeDesc::FLOAT, data) || !out->close()) {
-    throw std::runtime_error("cannot write " + path + ": " + (out ? out->geterror() : OIIO::geterror()));
-  }
+  pictures::library().write(partial, shape, data);
   std::filesystem::rename(partial, target);
 }
 
@@ -33,10 +25,8 @@ void writePicture(const std::string& path, const ImageSpec& spec, const float* d
 void writeExr(const std::string& path, const std::vector<ExrChannel>& channels,
               const std::map<std::string, int>& attributes) {
   const int width = channels.at(0).plane->width(), height = channels.at(0).plane->height();
-  ImageSpec spec(width, height, static_cast<int>(channels.size()), TypeDesc::FLOAT);
-  spec.channelnames.clear();
-  for (const auto& channel : channels) spec.channelnames.push_back(channel.name);
-  for (const auto& [name, value] : attributes) spec.attribute("saccade:" + name, value);
+  pictures::Shape shape{.width = width, .height = height, .notes = attributes};
+  for (const auto& channel : channels) shape.channels.push_back(channel.name);
   std::vector<float> pixels;
   pixels.reserve(static_cast<std::size_t>(width) * height * channels.size());
   for (int y = 0; y < height; ++y) {
@@ -44,30 +34,24 @@ void writeExr(const std::string& path, const std::vector<ExrChannel>& channels,
       for (const auto& channel : channels) pixels.push_back(channel.plane->at(x, y));
     }
   }
-  writePicture(path, spec, pixels.data());
+  writePicture(path, shape, pixels.data());
 }
 
 ExrPicture readExr(const std::string& path) {
-  auto in = ImageInput::open(path);
-  if (!in) throw std::runtime_error("cannot read " + path + ": " + OIIO::geterror());
-  const ImageSpec spec = in->spec();
-  std::vector<float> pixels(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
-  if (!in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, pixels.data())) {
-    throw std::runtime_error("cannot read " + path + ": " + in->geterror());
-  }
-  ExrPicture picture;
-  for (int c = 0; c < spec.nchannels; ++c) {
-    ImageF plane(spec.width, spec.height);
-    for (int y = 0; y < spec.height; ++y) {
-      for (int x = 0; x < spec.width; ++x) {
-        plane.at(x, y) = pixels[(static_cast<std::size_t>(y) * spec.width + x) * spec.nchannels + c];
+  const auto file = pictures::library().open(path);
+  const pictures::Shape& shape = file->shape();
+  const std::size_t channels = shape.channels.size();
+  std::vector<float> pixels(shape.pixels() * channels);
+  file->read(0, static_cast<int>(channels), pixels.data(), channels * sizeof(float));
+  ExrPicture picture{.planes = {}, .attributes = shape.notes};
+  for (std::size_t c = 0; c < channels; ++c) {
+    ImageF plane(shape.width, shape.height);
+    for (int y = 0; y < shape.height; ++y) {
+      for (int x = 0; x < shape.width; ++x) {
+        plane.at(x, y) = pixels[(static_cast<std::size_t>(y) * shape.width + x) * channels + c];
       }
     }
-    picture.planes.emplace(spec.channelnames[c], std::move(plane));
-  }
-  for (const auto& attribute : spec.extra_attribs) {
-    const std::string name = attribute.name().string();
-    if (name.starts_with("saccade:")) picture.attributes[name.substr(8)] = attribute.get_int();
+    picture.planes.emplace(shape.channels[c], std::move(plane));
   }
   return picture;
 }
@@ -84,15 +68,8 @@ RgbPlanes readRgb(const std::string& path) {
 }
 
 std::string encodePng(int width, int height, const std::vector<Rgb8>& pixels) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  auto out = ImageOutput::create("png");
-  if (!out || !out->set_ioproxy(&memory) ||
-      !out->open("memory.png", ImageSpec(width, height, 3, TypeDesc::UINT8)) ||
-      !out->write_image(TypeDesc::UINT8, pixels.data()) || !out->close()) {
-    throw std::runtime_error("cannot encode a PNG: " + (out ? out->geterror() : OIIO::geterror()));
-  }
-  return {bytes.begin(), bytes.end()};
+  return pictures::library().encodePng({width, height, {"R", "G", "B"}, pictures::Number::kU8},
+                                       pixels.data());
 }
 
 }  // namespace saccade::eval

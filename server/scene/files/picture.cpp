@@ -1,12 +1,11 @@
 #include "scene/files/picture.h"
 
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 
+#include "pictures/library.h"
 #include "scene/files/limits.h"
 #include "scene/files/plain_file.h"
 #include "scene/files/scene_error.h"
@@ -32,49 +31,47 @@ float linearFromSrgb(float encoded) {
   return table[static_cast<std::size_t>(std::lround(encoded * 65535))];
 }
 
-std::unique_ptr<OIIO::ImageInput> openPicture(const std::string& path) {
-  OIIO::ImageSpec keep_colours;  // otherwise OpenImageIO multiplies them by alpha
-  keep_colours.attribute("oiio:UnassociatedAlpha", 1);
-  auto input = OIIO::ImageInput::open(path, &keep_colours);
-  if (!input) throw SceneError(path + ": " + OIIO::geterror());
-  return input;
+auto asSceneError(const auto& act) {
+  try {
+    return act();
+  } catch (const std::runtime_error& fault) {
+    throw SceneError(fault.what());
+  }
 }
 
-void checkSize(const std::string& path, const OIIO::ImageSpec& spec) {
+void checkSize(const std::string& path, const pictures::Shape& shape) {
   const auto within = [](int edge) { return edge >= 1 && edge <= kMaxPictureEdge; };
-  if (within(spec.width) && within(spec.height) && spec.image_pixels() <= kMaxPicturePixels) return;
-  throw SceneError(path + ": a picture of " + std::to_string(spec.width) + " x " +
-                   std::to_string(spec.height) + "; sides of 1 to " + std::to_string(kMaxPictureEdge) +
+  if (within(shape.width) && within(shape.height) && shape.pixels() <= kMaxPicturePixels) return;
+  throw SceneError(path + ": a picture of " + std::to_string(shape.width) + " x " +
+                   std::to_string(shape.height) + "; sides of 1 to " + std::to_string(kMaxPictureEdge) +
                    " and at most " + std::to_string(kMaxPicturePixels) + " pixels are supported");
 }
 
 // Refuses a small file that claims to hold many pixels, before memory is taken for them.
-void checkBytes(const std::string& path, const OIIO::ImageSpec& spec, std::size_t bytes) {
-  if (spec.image_pixels() / kMaxPicturePixelsPerByte <= bytes) return;
-  throw SceneError(path + ": a picture of " + std::to_string(spec.width) + " x " +
-                   std::to_string(spec.height) + " cannot be in a file of " + std::to_string(bytes) +
+void checkBytes(const std::string& path, const pictures::Shape& shape, std::size_t bytes) {
+  if (shape.pixels() / kMaxPicturePixelsPerByte <= bytes) return;
+  throw SceneError(path + ": a picture of " + std::to_string(shape.width) + " x " +
+                   std::to_string(shape.height) + " cannot be in a file of " + std::to_string(bytes) +
                    " bytes");
 }
 
-std::unique_ptr<OIIO::ImageInput> openChecked(const std::string& path) {
+std::unique_ptr<pictures::Input> openChecked(const std::string& path) {
   const std::size_t bytes = plainFileSize(path);
-  auto input = openPicture(path);
-  checkSize(path, input->spec());
-  checkBytes(path, input->spec(), bytes);
+  auto input = asSceneError([&] { return pictures::library().open(path); });
+  checkSize(path, input->shape());
+  checkBytes(path, input->shape(), bytes);
   return input;
 }
 
-void readChannels(const std::string& path, OIIO::ImageInput& input, int first, int count, Picture& picture) {
-  if (!input.read_image(0, 0, first, first + count, OIIO::TypeDesc::FLOAT, picture.pixels.data(),
-                        sizeof(Rgb)))
-    throw SceneError(path + ": " + input.geterror());
+void readChannels(pictures::Input& input, int first, int count, Picture& picture) {
+  asSceneError([&] { input.read(first, count, &picture.pixels[0].x, sizeof(Rgb)); });
 }
 
 // Fills the picture with its alpha, unless that is 1 all over. Returns whether it did.
-bool readAlpha(const std::string& path, OIIO::ImageInput& input, Picture& picture) {
-  const int alpha = input.spec().alpha_channel;
+bool readAlpha(pictures::Input& input, Picture& picture) {
+  const int alpha = input.shape().alpha;
   if (alpha < 0) return false;
-  readChannels(path, input, alpha, 1, picture);
+  readChannels(input, alpha, 1, picture);
   for (Rgb& c : picture.pixels) c.x = c.y = c.z = clampTo(1, c.x);
   return std::ranges::any_of(picture.pixels, [](Rgb c) { return c.x < 1; });
 }
@@ -82,18 +79,18 @@ bool readAlpha(const std::string& path, OIIO::ImageInput& input, Picture& pictur
 }  // namespace
 
 std::size_t countPixels(const std::string& path) {
-  return openChecked(path)->spec().image_pixels();
+  return openChecked(path)->shape().pixels();
 }
 
 Picture loadPicture(const std::string& path, PixelUse use) {
   const auto input = openChecked(path);
-  const OIIO::ImageSpec& spec = input->spec();
-  const bool grey = spec.nchannels < 3;
-  Picture picture{spec.width, spec.height, std::vector<Rgb>(spec.image_pixels())};
+  const pictures::Shape& shape = input->shape();
+  const bool grey = shape.channels.size() < 3;
+  Picture picture{shape.width, shape.height, std::vector<Rgb>(shape.pixels())};
   const bool opacity = use == PixelUse::kOpacity || use == PixelUse::kRawOpacity;
-  if (opacity && readAlpha(path, *input, picture)) return picture;
-  readChannels(path, *input, 0, grey ? 1 : 3, picture);
-  const bool integers = spec.format == OIIO::TypeDesc::UINT8 || spec.format == OIIO::TypeDesc::UINT16;
+  if (opacity && readAlpha(*input, picture)) return picture;
+  readChannels(*input, 0, grey ? 1 : 3, picture);
+  const bool integers = shape.number == pictures::Number::kU8 || shape.number == pictures::Number::kU16;
   const bool encoded = integers && use != PixelUse::kRawReflectance && use != PixelUse::kRawOpacity;
   const float max = use == PixelUse::kRadiance ? kMaxRadiance : 1;
   const auto linear = [&](float v) { return encoded ? linearFromSrgb(clampTo(1, v)) : clampTo(max, v); };

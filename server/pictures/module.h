@@ -1,0 +1,15 @@
+// What the module and its loader agree on.
+#pragma once
+
+#include "pictures/library.h"
+
+namespace saccade::pictures {
+
+using Entry = const Library*();
+
+// The number changes with library.h: after an upgrade, a program that still runs finds no module rather than
+// another.
+extern "C" const Library* saccadePictures1();
+inline constexpr const char* kEntryName = "saccadePictures1";
+
+}  // namespace saccade::pictures

@@ -1,0 +1,128 @@
+// The module: all that knows OpenImageIO.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <array>
+#include <stdexcept>
+#include <string_view>
+
+#include "pictures/module.h"
+
+namespace saccade::pictures {
+namespace {
+
+using OIIO::ImageInput;
+using OIIO::ImageOutput;
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+
+constexpr std::string_view kNotePrefix = "saccade:";
+
+struct NumberType {
+  Number number;
+  TypeDesc::BASETYPE type;
+};
+constexpr std::array kNumberTypes{
+    NumberType{Number::kU8, TypeDesc::UINT8},   NumberType{Number::kU16, TypeDesc::UINT16},
+    NumberType{Number::kU32, TypeDesc::UINT32}, NumberType{Number::kF16, TypeDesc::HALF},
+    NumberType{Number::kF32, TypeDesc::FLOAT},  NumberType{Number::kF64, TypeDesc::DOUBLE},
+};
+
+Number numberOf(const TypeDesc& type) {
+  for (const auto& [number, known] : kNumberTypes)
+    if (type.basetype == known) return number;
+  return Number::kOtherWhole;
+}
+
+TypeDesc typeOf(Number number) {
+  for (const auto& [known, type] : kNumberTypes)
+    if (number == known) return type;
+  throw std::logic_error("pictures have no such numbers");
+}
+
+Shape shapeOf(const ImageSpec& spec) {
+  Shape shape{spec.width, spec.height, spec.channelnames, numberOf(spec.format), spec.alpha_channel};
+  for (const auto& attribute : spec.extra_attribs) {
+    const std::string name = attribute.name().string();
+    if (name.starts_with(kNotePrefix)) shape.notes[name.substr(kNotePrefix.size())] = attribute.get_int();
+  }
+  return shape;
+}
+
+ImageSpec specOf(const Shape& shape) {
+  const Number number = shape.number == Number::kF64 ? Number::kF32 : shape.number;
+  ImageSpec spec(shape.width, shape.height, static_cast<int>(shape.channels.size()), typeOf(number));
+  spec.channelnames = shape.channels;
+  spec.alpha_channel = shape.alpha;
+  spec.attribute("oiio:UnassociatedAlpha", 1);        // a fourth channel changes no other
+  spec.attribute("DateTime", "1980:01:01 00:00:00");  // none is known: equal pictures have equal bytes
+  for (const auto& [name, value] : shape.notes) spec.attribute(std::string(kNotePrefix) + name, value);
+  return spec;
+}
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+  throw std::runtime_error(path + ": " + reason);
+}
+
+class File final : public Input {
+ public:
+  explicit File(const std::string& path) : path_(path) {
+    ImageSpec keep_colours;  // otherwise OpenImageIO multiplies them by alpha
+    keep_colours.attribute("oiio:UnassociatedAlpha", 1);
+    input_ = ImageInput::open(path, &keep_colours);
+    if (!input_) fail(path, OIIO::geterror());
+    const ImageSpec& spec = input_->spec();
+    if (spec.depth != 1 || spec.deep) fail(path, "is not flat: its pixels have depth");
+    shape_ = shapeOf(spec);
+  }
+
+  void read(int first, int count, float* to, std::size_t pixel_bytes) override {
+    const auto stride = static_cast<OIIO::stride_t>(pixel_bytes);
+    if (!input_->read_image(0, 0, first, first + count, TypeDesc::FLOAT, to, stride))
+      fail(path_, input_->geterror());
+  }
+
+ private:
+  const std::string path_;
+  std::unique_ptr<ImageInput> input_;
+};
+
+void put(ImageOutput* output, const std::string& path, const Shape& shape, const void* numbers) {
+  if (!output) fail(path, OIIO::geterror());
+  const bool done = output->open(path, specOf(shape)) && output->write_image(typeOf(shape.number), numbers) &&
+                    output->close();
+  if (!done) fail(path, output->geterror());
+}
+
+class OpenImageIo final : public Library {
+ public:
+  bool canRead(const std::string& path) const override {
+    const bool known = ImageInput::create(path) != nullptr;
+    if (!known) OIIO::geterror();  // clears it
+    return known;
+  }
+
+  std::unique_ptr<Input> open(const std::string& path) const override { return std::make_unique<File>(path); }
+
+  void write(const std::string& path, const Shape& shape, const void* numbers) const override {
+    put(ImageOutput::create(path).get(), path, shape, numbers);
+  }
+
+  std::string encodePng(const Shape& shape, const void* numbers) const override {
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = ImageOutput::create("png");
+    if (output) output->set_ioproxy(&memory);
+    put(output.get(), "memory.png", shape, numbers);
+    return {bytes.begin(), bytes.end()};
+  }
+};
+
+}  // namespace
+
+const Library* saccadePictures1() {
+  static const OpenImageIo library;
+  return &library;
+}
+
+}  // namespace saccade::pictures
