@@ -8,7 +8,7 @@ import prose
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 FLAG = re.compile(r"(?<![\w-])--[a-z][a-z-]+[a-z]")
-FLAGS_OF_OTHERS = {"--build", "--component", "--install", "--prefix", "--preset", "--python", "--ros-args", "--tests"}  # cmake, protoc, ros2, scripts
+FLAGS_OF_OTHERS = {"--build", "--component", "--install", "--prefix", "--preset", "--python", "--ros-args", "--runtime", "--tests"}  # cmake, protoc, ros2, scripts
 
 
 def anchors(page):
