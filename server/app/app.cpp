@@ -8,6 +8,7 @@
 
 #include "app/metrics.h"
 #include "base/instruction_set.h"
+#include "stream/bounded_peers.h"
 #include "web/page_files.h"
 #include "wire/protocol.h"
 
@@ -44,6 +45,7 @@ App::App(const Config& config)
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
   serveHttp(config);
   manager_.tell("READY=1");
+  if (!peersAreBounded()) spdlog::warn(kUnboundedPeers);
   spdlog::info("ready: control {} data {} broadcast {} http {} viewer {}, {} threads, {}, scenes in {}",
                control_.endpoint(), data_.endpoint(), broadcast_.endpoint(), httpEndpoint(), viewerUrl(),
                config.threads, instructionSetName(), config.scenes);

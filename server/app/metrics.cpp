@@ -6,6 +6,7 @@
 #include "app/process_usage.h"
 #include "app/request/enum_names.h"
 #include "ops/log.h"
+#include "stream/bounded_peers.h"
 #include "stream/refused_connections.h"
 
 namespace saccade {
@@ -53,6 +54,7 @@ void addTraffic(Families& all, const Traffic& traffic) {
   all.value(static_cast<double>(traffic.bytes));
   all.counter("saccade_dropped_packets_total", "Packets that live streams without credit have dropped.");
   all.value(static_cast<double>(traffic.dropped_packets));
+  if (!peersAreBounded()) return;
   all.counter("saccade_refused_connections_total",
               "Connections that a limit refused, or that were cut for what they sent.");
   all.value(refusedConnections());

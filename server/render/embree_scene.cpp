@@ -1,7 +1,5 @@
 #include "render/embree_scene.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -10,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/instruction_set.h"
+#include "render/embree_query.h"
 
 namespace saccade {
 namespace {
@@ -64,7 +63,8 @@ EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes) {
     if (shapes == Shapes::kEmitters && !emits(shape)) return;
     if (shapes == Shapes::kStraight && !straight) return;
     RTCGeometry geometry = make(device_, shape);
-    if (shapes == Shapes::kAll) rtcSetGeometryMask(geometry, straight ? kStraightMask : kBlockingMask);
+    const std::uint32_t kind = straight ? kStraightMask : kBlockingMask;
+    rtcSetGeometryMask(geometry, shapes == Shapes::kAll ? kind : kBlockingMask | kStraightMask);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene_, geometry, its_id);
     rtcReleaseGeometry(geometry);
@@ -83,13 +83,11 @@ EmbreeScene::~EmbreeScene() {
 }
 
 Hit EmbreeScene::intersect(const Ray& ray) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit r;
   r.ray = toEmbree(ray);
   r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_, &context, &r);
+  embree::intersect(rtcIntersect1, false, &r, scene_);
   if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return {r.ray.tfar, {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z}, r.hit.u, r.hit.v, r.hit.geomID, r.hit.primID,
           true};
@@ -134,24 +132,20 @@ void EmbreeScene::trace(std::uint32_t lanes, const auto& call) const {
 template <int W>
 void EmbreeScene::intersect(RayPacket<W>& packet, std::uint32_t lanes, Rays rays) const {
   using RayHit = typename PacketCalls<W>::RayHit;
-  static_assert(sizeof(RayPacket<W>) == sizeof(RayHit) && offsetof(RayHit, hit) == 12 * 4 * W);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  if (rays == Rays::kCoherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  static_assert(sizeof(RayPacket<W>) >= sizeof(RayHit) && offsetof(RayHit, hit) == 12 * 4 * W);
   std::fill_n(packet.geometry, W, RTC_INVALID_GEOMETRY_ID);
   std::fill_n(packet.instance, W, RTC_INVALID_GEOMETRY_ID);
   trace<W>(lanes, [&](const int* valid) {
-    PacketCalls<W>::intersect(valid, scene_, &context, reinterpret_cast<RayHit*>(&packet));
+    embree::intersect(PacketCalls<W>::intersect, rays == Rays::kCoherent, reinterpret_cast<RayHit*>(&packet),
+                      valid, scene_);
   });
 }
 
 template <int W>
 void EmbreeScene::occluded(RayPacket<W>& packet, std::uint32_t lanes) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   trace<W>(lanes, [&](const int* valid) {
-    PacketCalls<W>::occluded(valid, scene_, &context,
-                             &reinterpret_cast<typename PacketCalls<W>::RayHit*>(&packet)->ray);
+    embree::occluded(PacketCalls<W>::occluded,
+                     &reinterpret_cast<typename PacketCalls<W>::RayHit*>(&packet)->ray, valid, scene_);
   });
 }
 
@@ -180,10 +174,8 @@ void EmbreeScene::intersect(std::span<const Ray> rays, std::span<Hit> hits) cons
 }
 
 bool EmbreeScene::occluded(const Ray& ray) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRay r = toEmbree(ray);
-  rtcOccluded1(scene_, &context, &r);
+  embree::occluded(rtcOccluded1, &r, scene_);
   return r.tfar < 0;
 }
 

@@ -1,4 +1,4 @@
-// Ray queries on a scene. embree_scene.cpp is the only file that includes Embree.
+// Ray queries on a scene. embree_scene.cpp and its embree_query.h are the only files that include Embree.
 #pragma once
 
 #include <atomic>

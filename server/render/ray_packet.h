@@ -38,6 +38,7 @@ struct alignas(64) RayPacket {
   Bits mask, id, flags;
   Floats normal_x, normal_y, normal_z, u, v;  // of the hit
   Bits primitive, geometry, instance;
+  Bits part_of_instance;  // Embree 4.3 writes it
 };
 
 }  // namespace saccade

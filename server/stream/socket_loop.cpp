@@ -8,7 +8,9 @@
 #include <thread>
 #include <zmq.hpp>
 
+#include "stream/bounded_peers.h"
 #include "stream/curve_probe.h"
+#include "stream/descriptor_owners.h"
 #include "stream/endpoint.h"
 #include "stream/strict_router.h"
 #include "stream/zap_handler.h"
@@ -53,6 +55,7 @@ struct SocketLoop::Impl {
   zmq::socket_t socket;
   std::size_t send_queue_bytes = 0;
   std::map<std::string, std::shared_ptr<Waiting>> waiting;  // by peer that was sent anything
+  DescriptorOwners owners;                                  // where the ends of peers are not told
   std::atomic<bool> stop = false;
   std::atomic<std::chrono::steady_clock::time_point> last_turn = std::chrono::steady_clock::now();
   std::thread thread;
@@ -127,9 +130,13 @@ void SocketLoop::receiveSome(const OnMessage& on_message, const OnGone& on_gone)
 }
 
 void SocketLoop::deliver(Message&& message, const OnMessage& on_message, const OnGone& on_gone) {
+  const auto end = [&](const std::string& peer) {
+    impl_->waiting.erase(peer);
+    on_gone(peer);
+  };
+  if (!message.former.empty()) end(message.former);
   if (message.parts.empty()) {
-    impl_->waiting.erase(message.peer);
-    on_gone(message.peer);
+    end(message.peer);
   } else if (allows(message.user)) {
     on_message(std::move(message));
   }
@@ -148,6 +155,7 @@ std::optional<SocketLoop::Message> SocketLoop::Impl::receive() {
     if (user) message.user = user;
     message.parts.push_back(part.to_string());
   }
+  if (!peersAreBounded()) message.former = owners.take(zmq_msg_get(part.handle(), ZMQ_SRCFD), message.peer);
   return message;
 }
 

@@ -24,6 +24,7 @@ class SocketLoop {
     std::string peer;                // name of its connection
     std::string user;                // the peer's public key; empty without keys
     std::vector<std::string> parts;  // at most kMaxParts of strict_router.h
+    std::string former;              // a peer that this one shows to be gone; empty: none
   };
 
   using OnMessage = std::function<void(Message&&)>;

@@ -2,13 +2,13 @@
 
 #include <stdexcept>
 
+#include "stream/bounded_peers.h"
 #include "stream/refused_connections.h"
-#include "wire/ipv6.h"
+#include "stream/router_options.h"
 
 namespace saccade {
 namespace {
 
-constexpr int kReceiveQueue = 16;  // messages of a peer that wait here; more wait at the peer
 constexpr int kRouterNotify = 97, kNotifyDisconnect = 2;  // ZMQ_..., which zmq.h hides as drafts
 constexpr const char* kCapability = "strict-peers";
 
@@ -16,16 +16,7 @@ void setOption(zmq::socket_t& socket, int option, int value) {
   if (zmq_setsockopt(socket.handle(), option, &value, sizeof value) != 0) throw zmq::error_t();
 }
 
-void configure(zmq::socket_t& socket, const SocketOptions& options) {
-  socket.set(zmq::sockopt::ipv6, isIpv6(options.endpoint));
-  socket.set(zmq::sockopt::linger, 1000);
-  socket.set(zmq::sockopt::heartbeat_ivl, 2000);
-  socket.set(zmq::sockopt::heartbeat_timeout, 6000);
-  socket.set(zmq::sockopt::handshake_ivl, 5000);
-  socket.set(zmq::sockopt::maxmsgsize, options.max_part_bytes);
-  socket.set(zmq::sockopt::sndhwm, options.send_queue);
-  socket.set(zmq::sockopt::rcvhwm, kReceiveQueue);
-  socket.set(zmq::sockopt::router_mandatory, true);
+void bound(zmq::socket_t& socket, const SocketOptions& options) {
   setOption(socket, kRouterNotify, kNotifyDisconnect);
   setOption(socket, ZMQ_MAX_PARTS, kMaxParts);
   setOption(socket, ZMQ_MAX_PEERS, options.access.connections);
@@ -35,6 +26,10 @@ void configure(zmq::socket_t& socket, const SocketOptions& options) {
 
 }  // namespace
 
+bool peersAreBounded() {
+  return true;  // or makeRouter() throws
+}
+
 zmq::socket_t makeRouter(zmq::context_t& context, const SocketOptions& options) {
   if (!zmq_has(kCapability)) {
     throw std::runtime_error(
@@ -42,7 +37,8 @@ zmq::socket_t makeRouter(zmq::context_t& context, const SocketOptions& options) 
   }
   zmq_ctx_set(context.handle(), ZMQ_MAX_INBOUND_MIB, options.access.inbound_mib);
   zmq::socket_t socket(context, zmq::socket_type::router);
-  configure(socket, options);
+  configureRouter(socket, options);
+  bound(socket, options);
   return socket;
 }
 

@@ -1,4 +1,5 @@
-// A ROUTER socket for untrusted peers. The libzmq that deploy/libzmq builds bounds what one may send.
+// A ROUTER socket for untrusted peers. The libzmq that deploy/libzmq builds bounds what one may send. With
+// another libzmq plain_router.cpp makes the socket, without bounds: see bounded_peers.h.
 #pragma once
 
 #include <zmq.hpp>
@@ -9,7 +10,7 @@ namespace saccade {
 
 inline constexpr int kMaxParts = 2;  // of one message: a peer that sends more is disconnected
 
-// A socket that is yet to be bound. Throws std::runtime_error where libzmq has no bounds for peers.
+// A socket that is yet to be bound. Throws std::runtime_error where libzmq is not the one this was built for.
 zmq::socket_t makeRouter(zmq::context_t& context, const SocketOptions& options);
 
 }  // namespace saccade

@@ -49,7 +49,8 @@ FOLDERS = {
 # Headers of libraries, with the only places that may include them.
 OUTSIDE = {
     "OpenImageIO/": ["server/pictures/open_image_io.cpp", "tests/"],
-    "embree3/": ["server/render/embree_scene.cpp"],
+    "embree": ["server/render/embree_query.h"],
+    "render/embree_query.h": ["server/render/embree_scene.cpp"],
     "zmq": ["server/stream/", "server/web/", "client/", "tests/"],
     "prometheus/": ["server/app/metrics.cpp"],
     "microhttpd": ["server/ops/http_"],
@@ -92,7 +93,8 @@ class Includes(unittest.TestCase):
         self.assertIn("eval may include", fault("server/eval/bench/bench.cpp", "app/streams/stream_sink.h"))
         self.assertIn("scene may include", fault("server/scene/scene.cpp", "scene/mitsuba/mitsuba_bsdf.h"))
         self.assertIsNone(fault("server/scene/mitsuba/mitsuba_bsdf.cpp", "scene/scene.h"))
-        self.assertIn("only server/render/embree_scene.cpp", fault("server/render/lights.cpp", "embree3/rtcore.h"))
+        self.assertIn("only server/render/embree_query.h", fault("server/render/lights.cpp", "embree4/rtcore.h"))
+        self.assertIn("only server/render/embree_scene.cpp", fault("server/render/lights.cpp", "render/embree_query.h"))
         self.assertIn("which only", fault("server/app/app.cpp", "zmq.hpp"))
         self.assertIn("client may include wire", fault("client/main.cpp", "base/units.h"))
 

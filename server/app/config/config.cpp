@@ -12,6 +12,7 @@
 #include "base/default_cache.h"
 #include "base/range.h"
 #include "base/tile_pool.h"
+#include "stream/bounded_peers.h"
 #include "tables/accuracy_table.h"
 #include "tables/simplification_table.h"
 
@@ -71,7 +72,8 @@ void addActions(CLI::App& app, CliAction& action) {
       "An ENDPOINT is tcp://ADDRESS:PORT, or ipc://FILE for clients on this machine. Port 0 takes a free "
       "port; the log line `ready:` names it.\n\n"
       "A flag beats the environment (SACCADE_LOG_LEVEL for --log-level), which beats the file of --config "
-      "(log-level = \"debug\").");
+      "(log-level = \"debug\")." +
+      (peersAreBounded() ? std::string() : std::string("\n\nNote: ") + kUnboundedPeers + "."));
 }
 
 void run(const CliAction& action, const Config& config, const ConfigSources& sources) {

@@ -3,7 +3,9 @@
 #include <spdlog/spdlog.h>
 
 #include <stdexcept>
+#include <utility>
 
+#include "stream/bounded_peers.h"
 #include "stream/endpoint.h"
 #include "stream/public_key.h"
 #include "wire/curve_key.h"
@@ -18,12 +20,15 @@ std::string readSecretKey(const std::string& path) {
   return key;
 }
 
-void requireLoopback(const std::string& option, const std::string& endpoint) {
-  if (isLoopback(endpoint)) return;
-  throw std::runtime_error(
-      option + ": " + endpoint +
-      " is no address of loopback, such as 127.0.0.1 or localhost: give --secret-key and --client-keys, or "
-      "--insecure to let every machine that reaches it in");
+// Every address of ZeroMQ is for this machine alone, or `advice` says what else to do.
+void requireLoopback(const Config& config, const char* advice) {
+  const std::pair<const char*, std::string> endpoints[] = {
+      {"--control", config.control}, {"--data", config.data}, {"--broadcast", config.broadcast}};
+  for (const auto& [option, endpoint] : endpoints) {
+    if (isLoopback(endpoint)) continue;
+    throw std::runtime_error(std::string(option) + ": " + endpoint +
+                             " is no address of loopback, such as 127.0.0.1 or localhost" + advice);
+  }
 }
 
 std::optional<ServerKeys> openKeys(const Config& config) {
@@ -37,9 +42,9 @@ std::optional<ServerKeys> openKeys(const Config& config) {
     return ServerKeys{readSecretKey(config.secret_key), std::make_shared<ClientKeys>(config.client_keys)};
   }
   if (!config.insecure) {
-    requireLoopback("--control", config.control);
-    requireLoopback("--data", config.data);
-    requireLoopback("--broadcast", config.broadcast);
+    requireLoopback(config,
+                    ": give --secret-key and --client-keys, or --insecure to let every machine that reaches "
+                    "it in");
   }
   return std::nullopt;
 }
@@ -62,6 +67,11 @@ std::optional<client::CurveKeys> viewerKeys(const Config& config, const Access& 
 }  // namespace
 
 Access openAccess(const Config& config) {
+  if (!peersAreBounded()) {
+    requireLoopback(config,
+                    ", and this saccaded has the system's libzmq, which bounds nothing that they send: run "
+                    "deploy/libzmq/build and build saccaded again");
+  }
   const auto whole = [&](Limit limit) { return static_cast<int>(config.limits[limit]); };
   return {.keys = openKeys(config),
           .connections = whole(Limit::kConnections),

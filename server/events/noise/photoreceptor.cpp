@@ -58,7 +58,8 @@ Photoreceptor::Photoreceptor(const NoiseConfig& noise, int width, int height)
 
 void Photoreceptor::change(const NoiseConfig& noise) {
   noise_ = noise;
-  if (noise.follower_hz > 0 && !follower_lag_) follower_lag_.emplace(lag_.width(), lag_.height());
+  if (noise.follower_hz > 0 && !follower_lag_)
+    follower_lag_ = std::make_unique<ImageF>(lag_.width(), lag_.height());
 }
 
 void Photoreceptor::filter(const IntensityChange& change, ImageF& dL) {

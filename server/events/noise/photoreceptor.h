@@ -1,6 +1,7 @@
 // The bandwidth of the photoreceptor: an intensity-dependent low pass of log brightness.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "events/noise/noise_config.h"
@@ -36,7 +37,7 @@ class Photoreceptor {
  private:
   NoiseConfig noise_;
   ImageF lag_;
-  std::optional<ImageF> follower_lag_;  // of two poles
+  std::unique_ptr<ImageF> follower_lag_;  // of two poles
 };
 
 // Nothing where photoreceptor_hz is 0.
