@@ -4,6 +4,7 @@
 
 #include "client/commands/commands.h"
 #include "client/commands/request_text.h"
+#include "client/poses/pose_file.h"
 
 namespace saccade::client {
 namespace {
@@ -20,11 +21,21 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
   command
       .add_option(
           "--trajectory,--motion", o.trajectory,
-          "a name that `saccade list` prints; or a file of poses in TUM format (seconds, blanks) or ESIM "
-          "format (nanoseconds, commas); or KIND:SPEED per second, or KIND:SPEEDpx in pixels per frame, from "
+          "a name that `saccade list` prints; or a file of poses whose heading names its columns, as EuRoC's "
+          "does, or else in TUM format (seconds, blanks) or ESIM format (nanoseconds, commas); or KIND:SPEED "
+          "per second, or KIND:SPEEDpx in pixels per frame, from "
           "the scene's own camera. KIND is one of " +
               enumWords<v1::MotionKind>())
       ->required();
+  command
+      .add_option("--trajectory-format", o.pose_format,
+                  "kitti or colmap: the file of poses is KITTI's poses/NN.txt or COLMAP's images.txt")
+      ->check(CLI::IsMember(poseReaders()));
+  command
+      .add_option(
+          "--pose-rate", o.pose_rate_hz,
+          "poses per second, for --trajectory-format; of COLMAP, by the numbers in the pictures' names")
+      ->check(CLI::PositiveNumber);
   command.add_option("--turn", o.turn_s, "seconds after which KIND:SPEED turns back, 0: never");
   command.add_option("--motion-seed", o.motion_seed, "seed of the random motion of shake:SPEED")
       ->check(checkWhole<std::uint64_t>);

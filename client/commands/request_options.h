@@ -18,7 +18,9 @@ namespace saccade::client {
 struct RequestOptions {
   ServerOptions server;
   std::string scene;
-  std::string trajectory;  // a name, a file, or KIND:SPEED
+  std::string trajectory;   // a name, a file, or KIND:SPEED
+  std::string pose_format;  // a key of poseReaders(), or empty: the server reads the file
+  std::optional<double> pose_rate_hz;
   std::optional<double> turn_s;
   std::optional<std::uint64_t> motion_seed;
   std::vector<std::string> further_views;  // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_body_camera

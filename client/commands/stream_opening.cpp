@@ -46,8 +46,8 @@ void tellOpening(std::FILE* out, const v1::OpenStream& request, const v1::Stream
   printModel(out, opened);
   printPixelSpeed(out, opened);
   warnOfFastPicture(opened);
-  if (!request.trajectory().has_csv()) return;
-  const std::string warning = trajectoryWarning(request.trajectory().csv(), streamSeconds(opened));
+  if (!request.trajectory().has_csv() || !opened.has_trajectory_s()) return;
+  const std::string warning = trajectoryWarning(opened.trajectory_s(), streamSeconds(opened));
   if (!warning.empty()) std::fprintf(stderr, "saccade: warning: %s\n", warning.c_str());
 }
 

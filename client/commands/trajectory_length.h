@@ -1,12 +1,12 @@
-// Warns of a trajectory file that does not fill its stream.
+// Warns of a trajectory that does not fill its stream.
 #pragma once
 
 #include <string>
 
 namespace saccade::client {
 
-// One sentence if the poses of a TUM or ESIM text end before `stream_s` (seconds; 0: an endless stream), or
-// if their times look like those of the wrong unit. Empty otherwise. `text` has passed the server's checks.
-std::string trajectoryWarning(const std::string& text, double stream_s);
+// One sentence if the last pose, at `trajectory_s`, comes before the end of the stream at `stream_s` (0:
+// there is no end), or if the unit of the file's times looks wrong. Empty otherwise. All in seconds.
+std::string trajectoryWarning(double trajectory_s, double stream_s);
 
 }  // namespace saccade::client

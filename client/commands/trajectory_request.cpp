@@ -1,9 +1,11 @@
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <stdexcept>
 
 #include "client/commands/request_options.h"
 #include "client/commands/request_text.h"
+#include "client/poses/pose_file.h"
+#include "wire/ranges.h"
 
 namespace saccade::client {
 namespace {
@@ -34,8 +36,12 @@ std::string readFile(const std::string& path) {
   };
   std::ifstream file(path, std::ios::binary);
   if (!file) fail("cannot be read");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string text(ranges::kMaxCsvBytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
   if (file.bad()) fail("cannot be read");
+  if (text.size() > ranges::kMaxCsvBytes)
+    fail("is longer than " + std::to_string(ranges::kMaxCsvBytes) + " bytes");
   if (text.empty()) fail("is empty");
   if (!isText(text)) fail("is not a text file");
   return text;
@@ -62,6 +68,13 @@ v1::Motion makeMotion(const RequestOptions& options) {
   return motion;
 }
 
+// Reads a file in a format of poseReaders().
+std::string readPoses(const RequestOptions& options) {
+  if (!options.pose_rate_hz)
+    throw std::invalid_argument("--trajectory-format: give --pose-rate too: the file has no times");
+  return poseReaders().at(options.pose_format)(options.trajectory, *options.pose_rate_hz);
+}
+
 }  // namespace
 
 bool isTrajectoryFile(const std::string& trajectory) {
@@ -69,8 +82,10 @@ bool isTrajectoryFile(const std::string& trajectory) {
 }
 
 v1::Trajectory makeTrajectory(const RequestOptions& options) {
-  const bool file = isTrajectoryFile(options.trajectory);
+  const bool file = !options.pose_format.empty() || isTrajectoryFile(options.trajectory);
   v1::Trajectory trajectory;
+  if (options.pose_rate_hz && options.pose_format.empty())
+    throw std::invalid_argument("--pose-rate goes with --trajectory-format");
   if (!file && options.trajectory.find(':') != std::string::npos) {
     *trajectory.mutable_motion() = makeMotion(options);
     return trajectory;
@@ -78,7 +93,7 @@ v1::Trajectory makeTrajectory(const RequestOptions& options) {
   if (options.turn_s || options.motion_seed)
     throw std::invalid_argument("--turn and --motion-seed go with --motion KIND:SPEED, such as dolly:0.2");
   if (file) {
-    trajectory.set_csv(readFile(options.trajectory));
+    trajectory.set_csv(options.pose_format.empty() ? readFile(options.trajectory) : readPoses(options));
   } else {
     trajectory.set_name(options.trajectory);
   }

@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include "client/bounded_line.h"
+
 namespace saccade::client {
 namespace {
 
@@ -30,12 +32,11 @@ bool TextReader::read(Events& events) {
 
 bool TextReader::nextLine() {
   ++number_;
-  if (!std::getline(file_, line_)) {
-    if (file_.bad()) throw std::system_error(errno, std::generic_category(), path_);
-    return false;
-  }
-  if (line_.ends_with('\r')) line_.pop_back();
-  return true;
+  const LineRead read = takeLine(file_, buffer_, line_);
+  if (read == LineRead::kTooLong || line_.size() > kLongestLine)
+    throw FileFault(path_, "line " + std::to_string(number_) + " is longer than 4 KiB");
+  if (file_.bad()) throw std::system_error(errno, std::generic_category(), path_);
+  return read == LineRead::kLine;
 }
 
 void TextReader::fail() const {

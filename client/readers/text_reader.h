@@ -1,6 +1,7 @@
-// Reads a text format: a first line, then one line per event.
+// Reads a text format: a first line, then one line per event. A line has at most 4 KiB.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <optional>
@@ -24,6 +25,8 @@ class TextReader : public Reader {
   bool read(Events& events) override;
 
  private:
+  static constexpr std::size_t kLongestLine = 4096;
+
   bool nextLine();
   [[noreturn]] void fail() const;
 
@@ -31,7 +34,8 @@ class TextReader : public Reader {
   const std::string form_;
   const ParseLine parse_line_;
   std::ifstream file_;
-  std::string line_;
+  std::array<char, kLongestLine + 2> buffer_;  // with CR and an end
+  std::string_view line_;
   std::uint64_t number_ = 0;  // of the line
   ImageSize size_;
 };

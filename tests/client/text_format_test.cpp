@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <fstream>
 
 #include "client/readers/event_check.h"
@@ -63,6 +64,20 @@ TEST_F(TextFormatTest, AFaultNamesItsLine) {
     EXPECT_NE(faultOf("a.txt", std::string("4 3\n") + line + "\n"), "none") << line;
   EXPECT_NE(faultOf("a.txt", "4\n"), "none");
   EXPECT_NE(faultOf("a.txt", ""), "none");
+}
+
+TEST_F(TextFormatTest, ALineHasAtMost4KiB) {
+  const std::string zeros(4096 - 7, '0');
+  EXPECT_EQ(readBack(*kCsvReader.make(fileOf("a.csv", "t_us,x,y,p\r\n" + zeros + "1,2,3,1\r\n"))),
+            (Events{{1000, 2, 3, 1}}));
+  EXPECT_NE(faultOf("a.csv", "t_us,x,y,p\n" + zeros + "01,2,3,1\n").find("line 2 is longer than 4 KiB"),
+            std::string::npos);
+  for (const char* name : {"a.csv", "a.txt"}) {
+    const std::string file = fileOf(name, "");
+    std::filesystem::resize_file(file, std::uintmax_t{1} << 40);
+    EXPECT_NE(FormatTest::faultOf(readerFor(file), file).find("line 1 is longer than 4 KiB"),
+              std::string::npos);
+  }
 }
 
 TEST_F(TextFormatTest, AFileThatIsNotThereIsNamed) {

@@ -41,7 +41,7 @@ class Settings(Needed, total=False):
         rate_hz, duration_s, delivery, codec, seed and truth.
 
     Of a scene, one of these two says how the camera moves:
-    trajectory: a name from Client.scenes(), the path of a TUM or ESIM file (a Path, or a str that ends in .csv or
+    trajectory: a name from Client.scenes(), the path of a file of poses (a Path, or a str that ends in .csv or
         .txt), or poses, float (n, 8): time in seconds, position x y z, quaternion x y z w of T_world_camera.
     motion: "KIND:SPEED" such as "pan:-15", "KIND:SPEEDpx" in pixels per frame, or a name such as "right".
         turn_s: seconds after which it turns back, 0 for never. motion_seed: of the motion shake.

@@ -10,12 +10,12 @@ OwnFeed FeedMaker::ofScene(const std::shared_ptr<const RenderScene>& scene, cons
   const v1::Timing& timing = stream.request.timing();
   if (!timing.steerable()) {
     const auto rig = std::make_shared<Rig>(makeRig(scene, body, stream, pool));
-    return {run(rig, stream, factsOf(*rig, stream.frames))};
+    return {run(rig, stream, factsOf(*rig, body, stream.frames))};
   }
   const std::size_t waiting = timing.clock() == v1::CLOCK_LOCKSTEP ? most(Limit::kSteers) : 0;
   const auto steering = std::make_shared<Steering>(body, timing.frame_rate_hz(), stream.frames, waiting);
   const auto rig = std::make_shared<SteeredRig>(makeRig(scene, steering->begin(), stream, pool), steering);
-  return {run(rig, stream, factsOf(*rig, stream.frames)), steering};
+  return {run(rig, stream, factsOf(*rig, body, stream.frames)), steering};
 }
 
 OwnFeed FeedMaker::ofClient(const ResolvedStream& stream) const {

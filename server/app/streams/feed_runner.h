@@ -33,6 +33,7 @@ struct FeedPace {
 struct FeedFacts {
   float luminance_p01 = 0, luminance_p50 = 0;  // of frame 0, in view 0
   PixelSpeed pixel_speed = {};
+  TimeNs last_pose{};  // of the body's path
 };
 
 struct FeedProgress {

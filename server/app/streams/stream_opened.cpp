@@ -15,6 +15,8 @@ v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, s
   opened.set_luminance_p50(facts.luminance_p50);
   opened.set_px_per_frame_p50(facts.pixel_speed.p50);
   opened.set_px_per_frame_p99(facts.pixel_speed.p99);
+  const v1::Trajectory& path = opened.resolved().trajectory();
+  if (path.has_csv() || path.has_keyframes()) opened.set_trajectory_s(seconds(facts.last_pose));
   opened.set_channels(static_cast<std::uint32_t>(channels));
   if (resolved.expected) *opened.mutable_expected() = *resolved.expected;
   if (resolved.simplification) *opened.mutable_simplification() = *resolved.simplification;

@@ -34,9 +34,9 @@ Rig makeRig(const std::shared_ptr<const RenderScene>& scene, const Trajectory& b
   return Rig(std::move(feeds));
 }
 
-FeedFacts factsOf(const Rig& rig, FrameIndex frames) {
-  return {rig.first().firstFrameLuminance(0.01), rig.first().firstFrameLuminance(0.5),
-          rig.pixelSpeed(frames)};
+FeedFacts factsOf(const Rig& rig, const Trajectory& body, FrameIndex frames) {
+  return {rig.first().firstFrameLuminance(0.01), rig.first().firstFrameLuminance(0.5), rig.pixelSpeed(frames),
+          body.lastTime()};
 }
 
 BakePlan planBakeOf(const RenderScene& scene, const Trajectory& body, const ResolvedStream& stream) {

@@ -14,8 +14,8 @@ namespace saccade {
 Rig makeRig(const std::shared_ptr<const RenderScene>& scene, const Trajectory& body,
             const ResolvedStream& stream, const PoolHandle& pool);
 
-// `frames`: those of the stream; 0: it has no end. Call it before any step.
-FeedFacts factsOf(const Rig& rig, FrameIndex frames);
+// `body`: the path of `rig`. `frames`: those of the stream; 0: it has no end. Call it before any step.
+FeedFacts factsOf(const Rig& rig, const Trajectory& body, FrameIndex frames);
 
 // What to compute ahead for all views. Throws Refusal.
 BakePlan planBakeOf(const RenderScene& scene, const Trajectory& body, const ResolvedStream& stream);

@@ -60,13 +60,14 @@ class Trajectory {
   std::optional<Pose> mount_;  // T_body_camera, unless it is the identity
 };
 
-// Reads text with one pose a line; `#` comments and one heading line are allowed:
+// Reads text with one pose a line. A heading names the columns, see pose_columns.h. Without one:
 //   TUM   `t x y z qx qy qz qw`   seconds, blanks
 //   ESIM  `t,x,y,z,qx,qy,qz,qw`   whole nanoseconds, commas
+// A heading that names no unit of time has these units too. Other lines that begin with `#` are remarks.
 // Times become relative to the first; quaternions become unit length. `name` is the file's, for errors;
-// empty: errors name the line alone. Throws SceneError at a wrong number of fields, a number that is not
-// finite, a position beyond 1e9, times that do not increase, a quaternion of length 0, and unless there are 1
-// to 1,000,000 poses.
+// empty: errors name the line alone. Throws SceneError at a heading that is not understood, a wrong number of
+// fields, a number that is not finite, a position beyond 1e9, times that do not increase, a quaternion of
+// length 0, and unless there are 1 to 1,000,000 poses.
 Trajectory parseTrajectory(std::string_view csv, const std::string& name);
 
 }  // namespace saccade

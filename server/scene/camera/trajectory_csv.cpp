@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text_cut.h"
+#include "scene/camera/pose_columns.h"
 #include "scene/camera/trajectory.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/text.h"
@@ -11,8 +12,8 @@ namespace saccade {
 namespace {
 
 constexpr std::size_t kMaxPoses = 1'000'000;
-constexpr double kMaxSeconds = 9e9;
-constexpr std::size_t kFields = 8;
+constexpr double kMaxSeconds = 9e9, kNsPerSecond = 1e9;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 class CsvReader {
  public:
@@ -20,12 +21,15 @@ class CsvReader {
   std::vector<TimedPose> read(std::string_view csv);
 
  private:
-  using Fields = std::array<std::string_view, kFields>;
+  using Fields = std::array<std::string_view, PoseColumns::kMost>;
 
   void readLine(std::string_view line);
+  void readHeading(std::string_view line);
+  PoseColumns columnsOf(std::string_view heading) const;
   Fields split(std::string_view line) const;
   double number(std::string_view field) const;
   TimeNs readTime(std::string_view field);
+  TimeNs readNanoseconds(std::string_view field);
   Pose readPose(const Fields& fields) const;
   [[noreturn]] void fail(const std::string& what) const {
     if (name_.empty()) throw SceneError("line " + std::to_string(line_) + ": " + what);
@@ -34,14 +38,16 @@ class CsvReader {
 
   const std::string& name_;
   long line_ = 0;
-  bool header_seen_ = false;
-  bool esim_ = false;                // as the first pose; else TUM
-  double first_seconds_ = 0;         // TUM
-  long long first_nanoseconds_ = 0;  // ESIM
+  PoseColumns columns_;
+  bool heading_seen_ = false;
+  bool commas_ = false;              // as in the first pose; else blanks
+  double first_time_ = 0;            // in units of time
+  long long first_nanoseconds_ = 0;  // the same, where nanoseconds are the unit
   std::vector<TimedPose> keys_;
 };
 
 std::vector<TimedPose> CsvReader::read(std::string_view csv) {
+  if (csv.starts_with(kByteOrderMark)) csv.remove_prefix(kByteOrderMark.size());
   while (!csv.empty()) {
     ++line_;
     readLine(takeLine(csv));
@@ -55,25 +61,38 @@ std::string_view trimmed(std::string_view cell) {
   return first == cell.npos ? std::string_view{} : cell.substr(first, last + 1 - first);
 }
 
-// A heading is a line without a number.
-bool isHeader(std::string_view line) {
+bool hasNumber(std::string_view line) {
   for (auto word = takeWord(line, ","); !word.empty(); word = takeWord(line, ","))
-    if (parseNumber(word)) return false;
-  return true;
+    if (parseNumber(word)) return true;
+  return false;
+}
+
+PoseColumns CsvReader::columnsOf(std::string_view heading) const {
+  try {
+    return readColumns(heading);
+  } catch (const SceneError& fault) {
+    fail(fault.what());
+  }
+}
+
+void CsvReader::readHeading(std::string_view line) {
+  const PoseColumns columns = columnsOf(line);
+  if (heading_seen_ && columns != columns_) fail("a second heading, with other columns");
+  columns_ = columns;
+  heading_seen_ = true;
 }
 
 void CsvReader::readLine(std::string_view line) {
   auto rest = line;
   const auto first = takeWord(rest);
-  if (first.empty() || first[0] == '#') return;
-  if (keys_.empty() && !header_seen_ && isHeader(line)) {
-    header_seen_ = true;
-    return;
-  }
+  if (first.empty()) return;
+  const bool comment = first[0] == '#';
+  if (keys_.empty() && (comment ? namesColumns(line) : !hasNumber(line))) return readHeading(line);
+  if (comment) return;
   if (keys_.size() == kMaxPoses) fail("more than 1000000 poses");
-  if (keys_.empty()) esim_ = line.find(',') != line.npos;
+  if (keys_.empty()) commas_ = line.find(',') != line.npos;
   const Fields fields = split(line);
-  const TimedPose key{readTime(fields[0]), readPose(fields)};
+  const TimedPose key{readTime(fields[columns_.at[0]]), readPose(fields)};
   if (!keys_.empty() && key.time <= keys_.back().time)
     fail("the time is not later than that of the pose before");
   keys_.push_back(key);
@@ -82,21 +101,23 @@ void CsvReader::readLine(std::string_view line) {
 CsvReader::Fields CsvReader::split(std::string_view line) const {
   Fields fields;
   std::size_t count = 0;
-  if (esim_) {
+  if (commas_) {
     count = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
-    for (std::size_t i = 0; i < std::min(count, kFields); ++i) {
+    for (std::size_t i = 0; i < std::min(count, fields.size()); ++i) {
       const std::string_view cell = line.substr(0, line.find(','));
       line.remove_prefix(std::min(cell.size() + 1, line.size()));
       fields[i] = trimmed(cell);
     }
   } else {
     for (auto word = takeWord(line); !word.empty(); word = takeWord(line), ++count)
-      if (count < kFields) fields[count] = word;
+      if (count < fields.size()) fields[count] = word;
   }
-  if (count != kFields)
-    fail("a line of " + std::to_string(count) +
-         " fields; expected 8: " + (esim_ ? "t_ns,x,y,z,qx,qy,qz,qw" : "t x y z qx qy qz qw"));
-  return fields;
+  if (count == columns_.fields) return fields;
+  const std::string expected = heading_seen_ ? ", as the heading names"
+                               : commas_     ? ": t_ns,x,y,z,qx,qy,qz,qw"
+                                             : ": t x y z qx qy qz qw";
+  fail("a line of " + std::to_string(count) + " fields; expected " + std::to_string(columns_.fields) +
+       expected);
 }
 
 double CsvReader::number(std::string_view field) const {
@@ -105,26 +126,41 @@ double CsvReader::number(std::string_view field) const {
   return *value;
 }
 
+// A whole number, which may be written as a float: "40000000.0", "1e7".
+std::optional<long long> parseWhole(std::string_view word) {
+  const std::size_t point = word.find('.');
+  if (point != word.npos && word.find_first_not_of('0', point + 1) == word.npos) word = word.substr(0, point);
+  if (const auto whole = parseInteger(word)) return whole;
+  const auto value = parseNumber(word);
+  if (!value || *value != std::floor(*value) || std::abs(*value) > kNsPerSecond * kMaxSeconds) return {};
+  return static_cast<long long>(*value);
+}
+
+TimeNs CsvReader::readNanoseconds(std::string_view field) {
+  const auto t = parseWhole(field);
+  if (!t || std::abs(static_cast<double>(*t)) > 1e9 * kMaxSeconds / 2)
+    fail(
+        "'" + cutText(field, 40) +
+        "' is not a time in whole nanoseconds, as lines with commas have it; with blanks, times are seconds; "
+        "a heading may name another unit, as in t_s,x,y,z,qx,qy,qz,qw");
+  if (keys_.empty()) first_nanoseconds_ = *t;
+  return TimeNs{*t - first_nanoseconds_};
+}
+
 TimeNs CsvReader::readTime(std::string_view field) {
-  if (esim_) {
-    const auto t = parseInteger(field);
-    if (!t || std::abs(static_cast<double>(*t)) > 1e9 * kMaxSeconds / 2)
-      fail("'" + cutText(field, 40) +
-           "' is not a time in whole nanoseconds, as lines with commas have it; with blanks, times are "
-           "seconds");
-    if (keys_.empty()) first_nanoseconds_ = *t;
-    return TimeNs{*t - first_nanoseconds_};
-  }
+  const double unit = columns_.time_unit > 0 ? columns_.time_unit : commas_ ? 1 : kNsPerSecond;
+  if (unit == 1) return readNanoseconds(field);
   const double t = number(field);
-  if (keys_.empty()) first_seconds_ = t;
-  const double since_first = t - first_seconds_;
-  if (std::abs(since_first) > kMaxSeconds) fail("a time too far from the first, by more than 9e9 s");
-  return TimeNs{std::llround(since_first * 1e9)};
+  if (keys_.empty()) first_time_ = t;
+  const double since_first = (t - first_time_) * unit;
+  if (std::abs(since_first) > kNsPerSecond * kMaxSeconds)
+    fail("a time too far from the first, by more than 9e9 s");
+  return TimeNs{std::llround(since_first)};
 }
 
 Pose CsvReader::readPose(const Fields& fields) const {
-  std::array<double, kFields> v{};
-  for (std::size_t i = 1; i < kFields; ++i) v[i] = number(fields[i]);
+  std::array<double, PoseColumns::kValues> v{};
+  for (std::size_t i = 1; i < v.size(); ++i) v[i] = number(fields[columns_.at[i]]);
   if (std::max({std::abs(v[1]), std::abs(v[2]), std::abs(v[3])}) > kMaxDistance)
     fail("a position beyond 1e9 along an axis");
   const Quaternion q{v[4], v[5], v[6], v[7]};

@@ -1,0 +1,42 @@
+// What the readers of poses share: lines of a file, and the text of a pose.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace saccade::client {
+
+// Lines of a text file, with their numbers for errors.
+class PoseLines {
+ public:
+  // Throws std::invalid_argument where the file cannot be read.
+  explicit PoseLines(const std::string& path);
+
+  // Replaces `words` by those of the next line; false at the end of the file.
+  bool next(std::vector<std::string_view>& words);
+  [[noreturn]] void fail(const std::string& what) const;  // throws std::invalid_argument
+  double number(std::string_view word) const;
+
+ private:
+  const std::string path_;
+  std::ifstream file_;
+  std::vector<char> buffer_;
+  std::uint64_t number_ = 0;  // of the line
+};
+
+using Vector3 = std::array<double, 3>;
+using Matrix3 = std::array<Vector3, 3>;    // rows
+using Quaternion = std::array<double, 4>;  // x y z w
+
+Quaternion quaternionOf(const Matrix3& rotation);
+Matrix3 matrixOf(const Quaternion& unit);
+
+// "t,x,y,z,qx,qy,qz,qw", with the time of `frame` in nanoseconds.
+std::string poseText(double frame, double rate_hz, const Vector3& position, const Quaternion& rotation);
+
+}  // namespace saccade::client
