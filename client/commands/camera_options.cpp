@@ -52,6 +52,12 @@ void addCameraOptions(CLI::App& command, CameraOptions& o) {
 
 v1::View makeView(const CameraOptions& options) {
   const ImageSize size = parseSize("--size", options.size);
+  for (const std::uint32_t side : {size.width, size.height}) {
+    if (side < ranges::kViewSide.min || side > ranges::kViewSide.max)
+      throw std::invalid_argument("--size: '" + options.size + "': a side has " +
+                                  std::to_string(ranges::kViewSide.min) + " to " +
+                                  std::to_string(ranges::kViewSide.max) + " pixels");
+  }
   v1::View view;
   view.set_width(size.width);
   view.set_height(size.height);

@@ -17,14 +17,12 @@ std::string checkWhole(const std::string& text) {
 
 void addPathOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Camera path");
-  command
-      .add_option(
-          "--trajectory,--motion", o.trajectory,
-          "a name that `saccade list` prints; or a file of poses in TUM format (seconds, blanks) or ESIM "
-          "format (nanoseconds, commas); or KIND:SPEED per second, or KIND:SPEEDpx in pixels per frame, from "
-          "the scene's own camera. KIND is one of " +
-              enumWords<v1::MotionKind>())
-      ->required();
+  command.add_option(
+      "--trajectory,--motion", o.trajectory,
+      "a name that `saccade list` prints; or a file of poses in TUM format (seconds, blanks) or ESIM "
+      "format (nanoseconds, commas); or KIND:SPEED per second, or KIND:SPEEDpx in pixels per frame, from "
+      "the scene's own camera. KIND is one of " +
+          enumWords<v1::MotionKind>());
   command.add_option("--turn", o.turn_s, "seconds after which KIND:SPEED turns back, 0: never");
   command.add_option("--motion-seed", o.motion_seed, "seed of the random motion of shake:SPEED")
       ->check(checkWhole<std::uint64_t>);
@@ -51,7 +49,6 @@ void addStreamOptions(CLI::App& command, RequestOptions& o) {
   command
       .add_option("--retry-time", o.retry_time_s,
                   "seconds to try to reconnect to a lost server; 0: not at all")
-      ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command.add_option("--seed", o.seed, "seed of all random numbers")
       ->check(checkWhole<std::uint64_t>)
@@ -67,8 +64,10 @@ void addQualityOptions(CLI::App& command, RequestOptions& o) {
       command.add_option("--bounces", o.bounces, "indirect bounces")->check(checkWhole<std::uint32_t>);
   CLI::Option* disable =
       command
-          .add_option("--disable", o.disabled_features,
-                      "feature of the scene to leave out, see `saccade info`; may be given again")
+          .add_option(
+              "--disable", o.disabled_features,
+              "feature of the scene to leave out, see `saccade info`; may be given again, or several with "
+              "commas")
           ->allow_extra_args(false)
           ->delimiter(',');
   command.add_flag("--jitter", o.jitter,
@@ -77,8 +76,11 @@ void addQualityOptions(CLI::App& command, RequestOptions& o) {
                      "let the server compute the light ahead, to this relative error; for "
                      "irradiance_cache");
   CLI::Option* set =
-      command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")
-          ->allow_extra_args(false);
+      command
+          .add_option("--set", o.params,
+                      "NAME=NUMBER, a parameter of the method; may be given again, or several with commas")
+          ->allow_extra_args(false)
+          ->delimiter(',');
   CLI::Option* max_event_change =
       command
           .add_option(
@@ -114,7 +116,7 @@ void addRequestOptions(CLI::App& command, RequestOptions& o) {
   addQualityOptions(command, o);
   command.option_defaults()->group("Server");
   addServerOptions(command, o.server);
-  sayRanges(command);
+  limitRequest(command);
 }
 
 }  // namespace saccade::client

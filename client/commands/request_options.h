@@ -18,7 +18,7 @@ namespace saccade::client {
 struct RequestOptions {
   ServerOptions server;
   std::string scene;
-  std::string trajectory;  // a name, a file, or KIND:SPEED
+  std::string trajectory;  // a name, a file, or KIND:SPEED; empty: the server tells what there is
   std::optional<double> turn_s;
   std::optional<std::uint64_t> motion_seed;
   std::vector<std::string> further_views;  // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_body_camera
@@ -49,8 +49,8 @@ inline constexpr const char* kMotionHelp =
     "other\n"
     "way.";
 
-// Adds the valid range to the help of each number of the request.
-void sayRanges(CLI::App& record);
+// Each number of the request must lie in its range, which its help says.
+void limitRequest(CLI::App& command);
 
 // Whether --trajectory names a file: *.csv, or any file that exists.
 bool isTrajectoryFile(const std::string& trajectory);

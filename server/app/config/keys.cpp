@@ -17,6 +17,15 @@ void requireLoopback(const std::string& option, const std::string& endpoint) {
       "that reaches it in");
 }
 
+// What `read` returns. Its exception gets the name of the option.
+auto named(const std::string& option, const auto& read) {
+  try {
+    return read();
+  } catch (const std::exception& fault) {
+    throw std::runtime_error(option + ": " + fault.what());
+  }
+}
+
 std::optional<ServerKeys> openKeys(const Config& config) {
   if (config.secret_key.empty() != config.client_keys.empty()) {
     throw std::runtime_error("--secret-key and --client-keys belong together");
@@ -25,7 +34,11 @@ std::optional<ServerKeys> openKeys(const Config& config) {
     throw std::runtime_error("--insecure contradicts --secret-key and --client-keys: give one or the other");
   }
   if (!config.secret_key.empty()) {
-    return ServerKeys{readCurveKey(config.secret_key), std::make_shared<ClientKeys>(config.client_keys)};
+    return ServerKeys{named("--secret-key", [&] { return readSecretKey(config.secret_key); }),
+                      named("--client-keys", [&] {
+                        requirePublic(config.client_keys);
+                        return std::make_shared<ClientKeys>(config.client_keys);
+                      })};
   }
   if (!config.insecure) {
     requireLoopback("--control", config.control);
@@ -43,7 +56,7 @@ std::optional<client::CurveKeys> viewerKeys(const Config& config, const Access& 
     return client::CurveKeys{};
   }
   if (config.viewer_key.empty()) return std::nullopt;
-  const std::string secret = readCurveKey(config.viewer_key);
+  const std::string secret = named("--viewer-key", [&] { return readSecretKey(config.viewer_key); });
   if (!access.keys->clients->allow(publicKeyOf(secret)))
     throw std::runtime_error("--viewer-key: the public key of " + config.viewer_key +
                              " is not one of --client-keys");
