@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const fs::path& path) {
+std::string inQuotes(const fs::path& path) {
   return "'" + path.string() + "'";
 }
 
@@ -28,25 +28,25 @@ fs::path thereOf(fs::path path) {
 
 std::string endpointFault(const std::string& text) {
   if (text.starts_with("tcp://") || text.starts_with("ipc://")) return {};
-  return quoted(text) + " is no endpoint such as tcp://127.0.0.1:5770";
+  return inQuotes(text) + " is no endpoint such as tcp://127.0.0.1:5770";
 }
 
 std::string httpFault(const std::string& text) {
   if (text == "off" || text.starts_with("http://")) return {};
-  return quoted(text) + " is neither off nor an address such as http://127.0.0.1:5773";
+  return inQuotes(text) + " is neither off nor an address such as http://127.0.0.1:5773";
 }
 
 std::string foldersFault(const std::string& list) {
   for (const fs::path& folder : splitFolders(list))
-    if (!fs::is_directory(folder)) return "there is no folder " + quoted(folder);
+    if (!fs::is_directory(folder)) return "there is no folder " + inQuotes(folder);
   return {};
 }
 
 std::string newFolderFault(const std::string& path) {
   if (path.empty()) return {};
   const fs::path there = thereOf(path);
-  if (!fs::is_directory(there)) return quoted(there) + " is not a folder";
-  if (access(there.c_str(), W_OK) != 0) return "the folder " + quoted(there) + " cannot be written";
+  if (!fs::is_directory(there)) return inQuotes(there) + " is not a folder";
+  if (access(there.c_str(), W_OK) != 0) return "the folder " + inQuotes(there) + " cannot be written";
   return {};
 }
 
