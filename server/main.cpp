@@ -57,6 +57,20 @@ sigset_t blockSignals() {
   return signals;
 }
 
+// Whether the server could serve, as an exit status.
+int check(const saccade::Config& config) {
+  spdlog::set_level(spdlog::level::off);
+  try {
+    openAsManyFilesAsAllowed();
+    saccade::App::check(config);
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "saccaded: %s\n", fault.what());
+    return 2;
+  }
+  std::fputs("the configuration is valid\n", stderr);
+  return 0;
+}
+
 // Serves until a signal comes. Returns the exit status.
 int serve(const saccade::Config& config) {
   const sigset_t signals = blockSignals();  // before the threads that inherit it
@@ -90,8 +104,9 @@ int main(int argc, char** argv) {
                stderr);
     return 1;
   }
-  const saccade::Config config = saccade::parseConfig(argc, argv);
+  const auto [config, check_only] = saccade::parseCommandLine(argc, argv);
   std::signal(SIGPIPE, SIG_IGN);  // the reader of the log may end
+  if (check_only) return check(config);
   saccade::setUpLog(config.log_level, config.log_format);
   const int status = serve(config);
   if (!saccade::finishLog()) std::_Exit(status);  // its thread waits for a reader

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "client/commands/request_text.h"
+#include "wire/ranges.h"
 
 namespace saccade::client {
 namespace {
@@ -52,6 +53,12 @@ void addCameraOptions(CLI::App& command, CameraOptions& o) {
 
 v1::View makeView(const CameraOptions& options) {
   const ImageSize size = parseSize("--size", options.size);
+  for (const std::uint32_t side : {size.width, size.height}) {
+    if (side < ranges::kViewSide.min || side > ranges::kViewSide.max)
+      throw std::invalid_argument("--size: '" + options.size + "': a side has " +
+                                  std::to_string(ranges::kViewSide.min) + " to " +
+                                  std::to_string(ranges::kViewSide.max) + " pixels");
+  }
   v1::View view;
   view.set_width(size.width);
   view.set_height(size.height);

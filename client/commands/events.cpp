@@ -86,8 +86,8 @@ void addEventsCommand(CLI::App& app) {
   addSensorOptions(*command, options->sensors);
   command->option_defaults()->group("Server");
   addServerOptions(*command, options->server);
-  saySensorRanges(*command);
-  sayRange(*command, "--rate", ranges::kFrameRate);
+  limitSensors(*command);
+  limitTo(*command, "--rate", ranges::kFrameRate);
   command->footer(
       "The brightness of a pixel changes linearly between two frames. No frames are interpolated: an edge "
       "should move by at most\na pixel per frame. White of a PNG is the luminance 1; --bias is in that "

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "client/commands/commands.h"
+#include "client/commands/option_range.h"
 #include "client/control_client.h"
 
 namespace saccade::client {
@@ -84,8 +85,8 @@ void addInfoCommand(CLI::App& app) {
   const auto options = std::make_shared<InfoOptions>();
   addServerOptions(*command, options->server);
   command->add_option("--wait", options->wait_s, "seconds to wait for a server that is not up yet")
-      ->check(CLI::Range(0.001, 86400.0))
       ->capture_default_str();
+  limitTo(*command, "--wait", Range<double>{0.001, 86400});
   command->callback([options] { runInfo(*options); });
 }
 

@@ -1,19 +1,34 @@
+#include <cmath>
+
 #include "client/commands/option_range.h"
 #include "client/commands/request_options.h"
 
 namespace saccade::client {
 
-void sayRanges(CLI::App& record) {
-  saySensorRanges(record);
-  sayRange(record, "--turn", ranges::kTurn);
-  sayRange(record, "--fov", ranges::kFovX);
-  sayRange(record, "--rate", ranges::kFrameRate);
-  sayRange(record, "--duration", ranges::kDuration);
-  sayRange(record, "--spp", ranges::kSpp);
-  sayRange(record, "--bounces", ranges::kBounces);
-  sayRange(record, "--bake-error", ranges::kBakeError);
-  sayRange(record, "--budget-ms", ranges::kBudget);
-  sayRange(record, "--max-false-rate", ranges::kMaxFalseRate);
+std::string rangeFault(const std::string& text, double min, double max, bool whole) {
+  const auto value = parseNumber<double>(text);
+  if (!value) return "'" + text + "' is not a number";
+  std::ostringstream fault;
+  if (!(*value >= min && *value <= max)) {
+    fault << text << " is outside [" << min << ", " << max << "]";
+  } else if (whole && *value != std::trunc(*value)) {
+    fault << text << " is not a whole number";
+  }
+  return fault.str();
+}
+
+void limitRequest(CLI::App& command) {
+  limitSensors(command);
+  limitTo(command, "--turn", ranges::kTurn, "0");
+  limitTo(command, "--fov", ranges::kFovX);
+  limitTo(command, "--rate", ranges::kFrameRate);
+  limitTo(command, "--duration", ranges::kDuration);
+  limitTo(command, "--retry-time", Range<double>{0, 1e6});
+  limitTo(command, "--spp", ranges::kSpp);
+  limitTo(command, "--bounces", ranges::kBounces);
+  limitTo(command, "--bake-error", ranges::kBakeError);
+  limitTo(command, "--budget-ms", ranges::kBudget);
+  limitTo(command, "--max-false-rate", ranges::kMaxFalseRate);
 }
 
 }  // namespace saccade::client

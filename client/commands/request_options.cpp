@@ -18,15 +18,13 @@ std::string checkWhole(const std::string& text) {
 
 void addPathOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Camera path");
-  command
-      .add_option(
-          "--trajectory,--motion", o.trajectory,
-          "a name that `saccade list` prints; or a file of poses whose heading names its columns, as EuRoC's "
-          "does, or else in TUM format (seconds, blanks) or ESIM format (nanoseconds, commas); or KIND:SPEED "
-          "per second, or KIND:SPEEDpx in pixels per frame, from "
-          "the scene's own camera. KIND is one of " +
-              enumWords<v1::MotionKind>())
-      ->required();
+  command.add_option(
+      "--trajectory,--motion", o.trajectory,
+      "a name that `saccade list` prints; or a file of poses whose heading names its columns, as EuRoC's "
+      "does, or else in TUM format (seconds, blanks) or ESIM format (nanoseconds, commas); or KIND:SPEED "
+      "per second, or KIND:SPEEDpx in pixels per frame, from "
+      "the scene's own camera. KIND is one of " +
+          enumWords<v1::MotionKind>());
   command
       .add_option("--trajectory-format", o.pose_format,
                   "kitti or colmap: the file of poses is KITTI's poses/NN.txt or COLMAP's images.txt")
@@ -62,7 +60,6 @@ void addStreamOptions(CLI::App& command, RequestOptions& o) {
   command
       .add_option("--retry-time", o.retry_time_s,
                   "seconds to try to reconnect to a lost server; 0: not at all")
-      ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command.add_option("--seed", o.seed, "seed of all random numbers")
       ->check(checkWhole<std::uint64_t>)
@@ -78,8 +75,10 @@ void addQualityOptions(CLI::App& command, RequestOptions& o) {
       command.add_option("--bounces", o.bounces, "indirect bounces")->check(checkWhole<std::uint32_t>);
   CLI::Option* disable =
       command
-          .add_option("--disable", o.disabled_features,
-                      "feature of the scene to leave out, see `saccade info`; may be given again")
+          .add_option(
+              "--disable", o.disabled_features,
+              "feature of the scene to leave out, see `saccade info`; may be given again, or several with "
+              "commas")
           ->allow_extra_args(false)
           ->delimiter(',');
   command.add_flag("--jitter", o.jitter,
@@ -88,8 +87,11 @@ void addQualityOptions(CLI::App& command, RequestOptions& o) {
                      "let the server compute the light ahead, to this relative error; for "
                      "irradiance_cache");
   CLI::Option* set =
-      command.add_option("--set", o.params, "NAME=NUMBER, a parameter of the method; may be given again")
-          ->allow_extra_args(false);
+      command
+          .add_option("--set", o.params,
+                      "NAME=NUMBER, a parameter of the method; may be given again, or several with commas")
+          ->allow_extra_args(false)
+          ->delimiter(',');
   CLI::Option* max_event_change =
       command
           .add_option(
@@ -125,7 +127,7 @@ void addRequestOptions(CLI::App& command, RequestOptions& o) {
   addQualityOptions(command, o);
   command.option_defaults()->group("Server");
   addServerOptions(command, o.server);
-  sayRanges(command);
+  limitRequest(command);
 }
 
 }  // namespace saccade::client

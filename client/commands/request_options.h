@@ -18,7 +18,7 @@ namespace saccade::client {
 struct RequestOptions {
   ServerOptions server;
   std::string scene;
-  std::string trajectory;   // a name, a file, or KIND:SPEED
+  std::string trajectory;   // a name, a file, or KIND:SPEED; empty: the server tells what there is
   std::string pose_format;  // a key of poseReaders(), or empty: the server reads the file
   std::optional<double> pose_rate_hz;
   std::optional<double> turn_s;
@@ -51,8 +51,8 @@ inline constexpr const char* kMotionHelp =
     "other\n"
     "way.";
 
-// Adds the valid range to the help of each number of the request.
-void sayRanges(CLI::App& record);
+// Each number of the request must lie in its range, which its help says.
+void limitRequest(CLI::App& command);
 
 // Whether --trajectory names a file: *.csv, or any file that exists.
 bool isTrajectoryFile(const std::string& trajectory);

@@ -43,9 +43,9 @@ int enumNumber(const google::protobuf::EnumDescriptor& names, const std::string&
 }
 
 ImageSize parseSize(const std::string& option, const std::string& text) {
-  const auto [left, right] = splitAt(text, 'x');
+  const auto [left, right] = splitAt(text, text.find('x') == std::string::npos ? 'X' : 'x');
   const auto width = parseNumber<std::uint32_t>(left), height = parseNumber<std::uint32_t>(right);
-  if (!width || !height)
+  if (width.value_or(0) == 0 || height.value_or(0) == 0)
     throw std::invalid_argument(option + ": '" + text + "' is not WIDTHxHEIGHT, such as 346x260");
   return {*width, *height};
 }

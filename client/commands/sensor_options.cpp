@@ -50,12 +50,15 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
   command.option_defaults()->group("Sensors");
   command
       .add_option("--threshold", o.thresholds,
-                  "contrast threshold C, in natural log units; each further value is another sensor")
+                  "contrast threshold C, in natural log units; each further value, after a comma or another "
+                  "--threshold, is another sensor")
       ->allow_extra_args(false)
       ->delimiter(',');
   command
-      .add_option("--threshold-off", o.thresholds_off,
-                  "threshold of OFF events: one value for all sensors, or one each")
+      .add_option(
+          "--threshold-off", o.thresholds_off,
+          "threshold of OFF events: one value for all sensors, or one each; default: as --threshold, with "
+          "--preset in the proportion of its thresholds")
       ->allow_extra_args(false)
       ->delimiter(',');
   command.add_option("--bias", o.bias, "I_eps, the luminance added to each pixel before the logarithm");
@@ -68,23 +71,24 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
   command
       .add_option(
           "--noise", o.noise,
-          "KEY=NUMBER, an amount of the sensor's noise, such as leak_hz=0.1; may be given again. KEY is one "
-          "of " +
+          "KEY=NUMBER, an amount of the sensor's noise, such as leak_hz=0.1; may be given again, or several "
+          "with commas. KEY is one of " +
               fieldNames(*v1::Noise::descriptor()))
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->delimiter(',');
   command.add_option("--max-artefact-odds", o.max_artefact_odds,
                      "withhold events with higher odds to be an artefact of rendering");
   command.add_option("--cutoff", o.cutoff_hz,
                      "Hz below which --reconstruction complementary follows the picture");
 }
 
-void saySensorRanges(CLI::App& command) {
-  sayRange(command, "--threshold", ranges::kThreshold);
-  sayRange(command, "--threshold-off", ranges::kThreshold);
-  sayRange(command, "--bias", ranges::kBias);
-  sayRange(command, "--refractory", ranges::kRefractory);
-  sayRange(command, "--cutoff", ranges::kCutoff);
-  sayRange(command, "--max-artefact-odds", ranges::kArtefactOdds);
+void limitSensors(CLI::App& command) {
+  limitTo(command, "--threshold", ranges::kThreshold);
+  limitTo(command, "--threshold-off", ranges::kThreshold);
+  limitTo(command, "--bias", ranges::kBias);
+  limitTo(command, "--refractory", ranges::kRefractory);
+  limitTo(command, "--cutoff", ranges::kCutoff);
+  limitTo(command, "--max-artefact-odds", ranges::kArtefactOdds);
 }
 
 void addSensors(const SensorOptions& options, v1::OpenStream& open) {

@@ -20,7 +20,7 @@ struct SensorOptions {
 };
 
 void addSensorOptions(CLI::App& command, SensorOptions& options);
-void saySensorRanges(CLI::App& command);  // adds the valid range to the help of each number
+void limitSensors(CLI::App& command);  // each number must lie in its range, which its help says
 
 // Adds a sensor to the request for each threshold. Throws std::invalid_argument with the option at fault.
 void addSensors(const SensorOptions& options, v1::OpenStream& open);

@@ -6,6 +6,7 @@
 #include "client/commands/commands.h"
 #include "client/commands/dv_relay.h"
 #include "client/commands/interrupt.h"
+#include "client/commands/option_range.h"
 #include "client/commands/progress.h"
 #include "client/commands/request_options.h"
 #include "client/commands/stream_opening.h"
@@ -91,8 +92,8 @@ void addServeDvCommand(CLI::App& app) {
   command
       ->add_option("--backlog", options->backlog_mib,
                    "MiB that a slow viewer may leave unread before it is cut")
-      ->check(CLI::Range(1.0, 65536.0))
       ->capture_default_str();
+  limitTo(*command, "--backlog", Range<double>{1, 65536});
   command->add_option(
       "--epoch", options->epoch_us,
       "Unix time in microseconds of stream time 0; by default the first events have the present time");

@@ -8,11 +8,12 @@
 namespace saccade::client {
 namespace {
 
-void checkControl(const std::string& endpoint) {
+// What `read` returns. Its exception gets the name of the option.
+auto named(const std::string& option, const auto& read) {
   try {
-    checkEndpoint(endpoint);
+    return read();
   } catch (const std::invalid_argument& fault) {
-    throw std::invalid_argument(std::string("--control: ") + fault.what());
+    throw std::invalid_argument(option + ": " + fault.what());
   }
 }
 
@@ -34,10 +35,11 @@ ControlClient connectTo(zmq::context_t& context, const ServerOptions& options) {
   if (options.secret_key.empty() != options.server_key.empty()) {
     throw std::invalid_argument("give both --secret-key and --server-key, or neither");
   }
-  checkControl(options.control);
+  named("--control", [&] { checkEndpoint(options.control); });
   CurveKeys keys;
   if (!options.secret_key.empty()) {
-    keys = {readCurveKey(options.secret_key), readCurveKey(options.server_key)};
+    keys = {named("--secret-key", [&] { return readSecretKey(options.secret_key); }),
+            named("--server-key", [&] { return readPublicKey(options.server_key); })};
     const std::string warning = warningOfOpenKey(options.secret_key);
     if (!warning.empty()) std::fprintf(stderr, "saccade: %s\n", warning.c_str());
   }

@@ -11,14 +11,18 @@ namespace saccade::client {
 namespace {
 
 ImageSize sizeOf(const std::string& path, const ImageSize& in_file,
-                 const std::optional<v1::Recording>& recording, const std::string& given) {
+                 const std::optional<v1::Recording>& recording, const std::optional<std::string>& given) {
   ImageSize size = in_file;
   if (size.width == 0 && recording) size = {recording->width(), recording->height()};
-  if (given.empty() && size.width == 0)
+  if (!given && size.width == 0)
+    throw std::invalid_argument("'" + path + "' does not tell the size of the image, nor does " +
+                                sidecarOf(path));
+  if (!given) return size;
+  if (given->empty() && size.width == 0)
     throw std::invalid_argument("--size: '" + path +
                                 "' does not tell the size of the image; give WIDTHxHEIGHT");
-  if (given.empty()) return size;
-  const ImageSize asked = parseSize("--size", given);
+  if (given->empty()) return size;
+  const ImageSize asked = parseSize("--size", *given);
   if (size.width != 0 && (size.width != asked.width || size.height != asked.height))
     throw std::invalid_argument("--size: '" + path + "' has " + std::to_string(size.width) + "x" +
                                 std::to_string(size.height) + " pixels");
@@ -27,7 +31,7 @@ ImageSize sizeOf(const std::string& path, const ImageSize& in_file,
 
 }  // namespace
 
-SourceFile::SourceFile(const std::string& path, const std::string& size, bool labels)
+SourceFile::SourceFile(const std::string& path, const std::optional<std::string>& size, bool labels)
     : path_(path),
       reader_(readerFor(path).make(path)),
       recording_(recordingOf(path)),

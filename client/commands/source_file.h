@@ -13,10 +13,11 @@ namespace saccade::client {
 
 class SourceFile {
  public:
-  // `size`: of the image, where neither the file nor FILE.json tells it; "WIDTHxHEIGHT" or empty. Throws
-  // std::invalid_argument with --size if it is missing or contradicts them, and as Reader does. Says on
-  // stderr what of the file is left out; the labels of events are, unless `labels`.
-  SourceFile(const std::string& path, const std::string& size, bool labels);
+  // `size`: --size of the command, for the image where neither the file nor FILE.json tells its size;
+  // "WIDTHxHEIGHT" or empty; nothing: the command has no such option. Throws std::invalid_argument if the
+  // size is missing or contradicts them, and as Reader does. Says on stderr what of the file is left out; the
+  // labels of events are, unless `labels`.
+  SourceFile(const std::string& path, const std::optional<std::string>& size, bool labels);
 
   // Replaces `events` by the next batch; false at the end. Throws FileFault for events that no sensor of this
   // size sends.

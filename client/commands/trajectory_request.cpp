@@ -94,7 +94,7 @@ v1::Trajectory makeTrajectory(const RequestOptions& options) {
     throw std::invalid_argument("--turn and --motion-seed go with --motion KIND:SPEED, such as dolly:0.2");
   if (file) {
     trajectory.set_csv(options.pose_format.empty() ? readFile(options.trajectory) : readPoses(options));
-  } else {
+  } else if (!options.trajectory.empty()) {  // else the server's refusal names those of the scene
     trajectory.set_name(options.trajectory);
   }
   return trajectory;

@@ -15,8 +15,10 @@ void addTruthOption(CLI::App& command, std::vector<std::string>& channels) {
       .add_option(
           "--truth", channels,
           "NAME or NAME:EVERY, a truth channel that `saccade info` lists, of every EVERY-th frame; may be "
-          "given again. Files .h5, .npz, .bag and .mcap hold it; else the folder FILE.truth does")
+          "given again, or several with commas. Files .h5, .npz, .bag and .mcap hold it; else the folder "
+          "FILE.truth does")
       ->allow_extra_args(false)
+      ->delimiter(',')
       ->group("Truth");
 }
 

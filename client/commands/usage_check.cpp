@@ -35,11 +35,14 @@ bool isOption(const std::string& word) {
 
 std::string optionFault(const CLI::App& command, const std::vector<std::string>& words) {
   std::set<const CLI::Option*> given;
-  for (const std::string& word : words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word.empty()) return (i > 0 && isOption(words[i - 1]) ? words[i - 1] : "an argument") + " is empty";
     if (!isOption(word)) continue;
-    const std::string name = word.substr(0, word.find('='));
+    const std::string name = word.substr(0, word.starts_with("--") ? word.find('=') : 2);
     const CLI::Option* option = command.get_option_no_throw(name);
-    if (!option && name.starts_with("--")) return unknown("option", name, optionNames(command));
+    if (!option) return unknown("option", word.starts_with("--") ? name : word, optionNames(command));
+    if (word == name + "=") return name + " is empty";
     if (option && !given.insert(option).second && option->get_expected_max() <= 1)
       return name + " is given twice";
   }

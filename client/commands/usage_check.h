@@ -1,4 +1,5 @@
-// Finds misspelt commands and options, and options that are given twice, before CLI11 parses the line.
+// Finds misspelt commands and options, empty values, and options that are given twice, before CLI11 parses
+// the line.
 #pragma once
 
 #include <CLI/CLI.hpp>

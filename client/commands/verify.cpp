@@ -15,7 +15,7 @@ namespace {
 void runVerify(const std::string& path) {
   if (!std::filesystem::exists(sidecarOf(path)))
     throw std::runtime_error(path + ": there is no " + sidecarOf(path) + " to compare with");
-  SourceFile source(path, "", false);
+  SourceFile source(path, std::nullopt, false);
   const v1::Recording& expected = *source.recording();
   EventDigest digest;
   std::uint64_t count = 0;

@@ -6,6 +6,7 @@
 #include "client/commands/commands.h"
 #include "client/commands/interrupt.h"
 #include "client/commands/live_view.h"
+#include "client/commands/option_range.h"
 #include "client/commands/request_options.h"
 #include "client/commands/stream_opening.h"
 #include "client/units.h"
@@ -64,8 +65,8 @@ void addViewCommand(CLI::App& app) {
   options->request.delivery = "live";
   command
       ->add_option("--decay", options->decay_s, "seconds of stream time in which an event fades to a third")
-      ->check(CLI::Range(1e-6, 1e6))
       ->capture_default_str();
+  limitTo(*command, "--decay", Range<double>{1e-6, 1e6});
   addRequestOptions(*command, options->request);
   command->footer(std::string(kMotionHelp) +
                   "\n\nWithout --size the image has the terminal's size, two pixels in each letter.\n"

@@ -58,7 +58,7 @@ std::string writerNames();       // ".csv (what it is), ..." for messages
 std::string labelWriterNames();  // ".npz npz, ...": the formats that hold labels
 
 // The format `name`, or without a name that of the extension of `path`; CSV for kStandardOutput. Throws
-// std::invalid_argument with the known formats.
+// std::invalid_argument with the known formats, also where the name has another extension than `path`.
 const WriterInfo& writerFor(const std::string& path, const std::string& name = "");
 
 }  // namespace saccade::client

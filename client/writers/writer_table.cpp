@@ -13,6 +13,15 @@ const WriterInfo* find(const char* WriterInfo::*key, const std::string& value) {
   return nullptr;
 }
 
+// "is one of evt3, evt2"
+std::string formatsOf(const std::string& extension) {
+  std::string names;
+  for (const WriterInfo* writer : writerTable())
+    if (extension == writer->extension)
+      names += (names.empty() ? "is one of " : ", ") + std::string(writer->name);
+  return names.empty() ? "has no known extension" : names;
+}
+
 }  // namespace
 
 const std::vector<const WriterInfo*>& writerTable() {
@@ -50,6 +59,9 @@ const WriterInfo& writerFor(const std::string& path, const std::string& name) {
     throw std::invalid_argument("'" + path + "' has no known extension; known are " + writerNames());
   if (!writer)
     throw std::invalid_argument("--format: '" + name + "' is not known; known are " + writerNames());
+  if (!pipe && extension != writer->extension)
+    throw std::invalid_argument("--format: " + name + " makes " + writer->extension + " files, and '" + path +
+                                "' " + formatsOf(extension));
   if (pipe && !writer->pipe)
     throw std::invalid_argument("--format: " + name + " cannot be written to standard output");
   return *writer;

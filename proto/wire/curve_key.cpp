@@ -29,4 +29,20 @@ std::string warningOfOpenKey(const std::string& path) {
   return "every user of this machine can read the secret key " + path + ": run chmod o-rwx " + path;
 }
 
+std::string readSecretKey(const std::string& path) {
+  if (path.ends_with(".pub"))
+    throw std::invalid_argument(path + " is a public key by its name; the secret one is NAME.key");
+  return readCurveKey(path);
+}
+
+std::string readPublicKey(const std::string& path) {
+  requirePublic(path);
+  return readCurveKey(path);
+}
+
+void requirePublic(const std::string& path) {
+  if (path.ends_with(".key"))
+    throw std::invalid_argument(path + " is a secret key by its name; the public one is NAME.pub");
+}
+
 }  // namespace saccade

@@ -14,7 +14,7 @@
 
 namespace saccade {
 
-App::App(const Config& config)
+App::App(const Config& config, Opened)
     : epoch_(std::stoull(randomHex(8), nullptr, 16)),
       drain_time_(config.drain_s),
       access_(openAccess(config)),
@@ -35,6 +35,11 @@ App::App(const Config& config)
       opener_({scenes_, bakes_, tables_, pool_, quota_, streams_, data_.wake(), broadcast_.wake(), totals_,
                client_log_, epoch_}),
       service_(scenes_, quota_, streams_, opener_, client_log_, describe(config)) {
+  serveHttp(config);
+}
+
+App::App(const Config& config) : App(config, Opened{}) {
+  started_ = true;
   data_.start();
   broadcast_.start();
   control_.start(
@@ -43,12 +48,15 @@ App::App(const Config& config)
       },
       [this](const std::string& connection) { opener_.openings().cancelAllOf(connection); });
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
-  serveHttp(config);
   manager_.tell("READY=1");
   if (!peersAreBounded()) spdlog::warn(kUnboundedPeers);
   spdlog::info("ready: control {} data {} broadcast {} http {} viewer {}, {} threads, {}, scenes in {}",
                control_.endpoint(), data_.endpoint(), broadcast_.endpoint(), httpEndpoint(), viewerUrl(),
                config.threads, instructionSetName(), config.scenes);
+}
+
+void App::check(const Config& config) {
+  App(config, Opened{});
 }
 
 App::~App() {
@@ -145,7 +153,7 @@ void App::sweep(std::stop_token stopped) {
 }
 
 bool App::stop() {
-  if (stopping_.exchange(true)) return true;
+  if (!started_ || stopping_.exchange(true)) return true;
   manager_.tell("STOPPING=1");
   const auto deadline =
       ChangeNotifier::Clock::now() + std::chrono::duration_cast<ChangeNotifier::Clock::duration>(drain_time_);

@@ -30,14 +30,17 @@ class App {
   explicit App(const Config& config);
   ~App();  // stop()
 
+  // All of that but the serving: makes what a server needs, and listens, for a moment. Throws likewise.
+  static void check(const Config& config);
+
   std::string controlEndpoint() const { return control_.endpoint(); }
   std::string viewerUrl() const { return viewer_ ? reachableHere(httpEndpoint()) + "/" : "off"; }
   std::string httpEndpoint() const { return http_ ? http_->endpoint() : "off"; }
 
   void reloadKeys();  // reads the clients' keys again; on a fault it logs it and keeps the old ones
 
-  bool alive() const;                        // every socket thread has completed a loop within kStall
-  bool ready() const { return !stopping_; }  // streams may be opened
+  bool alive() const;  // every socket thread has completed a loop within kStall
+  bool ready() const { return started_ && !stopping_; }  // streams may be opened
 
   // Ends all streams and sends the packets that are left, for at most `config.drain_s`. False: a receiver has
   // not taken all of them, or a frame or a scene being loaded was not done in time. The destructor waits for
@@ -45,6 +48,9 @@ class App {
   bool stop();
 
  private:
+  struct Opened {};
+  App(const Config& config, Opened);  // listens, and does not serve yet
+
   v1::ServerDescription describe(const Config& config) const;
   HttpPages pages() const;
   void serveHttp(const Config& config);
@@ -71,7 +77,7 @@ class App {
   Service service_;
   const ServiceManager manager_;
   std::jthread sweeper_;
-  std::atomic<bool> stopping_ = false;
+  std::atomic<bool> started_ = false, stopping_ = false;
   std::optional<ViewerGateway> viewer_;
   std::optional<HttpServer> http_;
 };

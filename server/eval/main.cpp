@@ -24,6 +24,18 @@ void requireSubcommand(CLI::App& app, const std::string& what) {
 
 }  // namespace saccade::eval
 
+namespace {
+
+void useInstructions(const std::string& name) {
+  try {
+    saccade::useInstructionSet(name);
+  } catch (const std::runtime_error& fault) {
+    throw CLI::ValidationError("--instructions", fault.what());
+  }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   CLI::App app{"Renders pictures and references, runs methods, and measures how accurate they are."};
   saccade::eval::addRenderCommand(app);
@@ -38,7 +50,8 @@ int main(int argc, char** argv) {
   saccade::eval::addSensorCommand(app);
   saccade::eval::addSimplificationCommand(app);
   saccade::eval::requireSubcommand(app, "command");
-  app.add_option_function<std::string>("--instructions", saccade::useInstructionSet,
+  app.set_version_flag("--version", SACCADE_VERSION);
+  app.add_option_function<std::string>("--instructions", useInstructions,
                                        "vector instructions to render with; default: the widest of this "
                                        "processor")
       ->check(CLI::IsMember(saccade::kInstructionSetNames));

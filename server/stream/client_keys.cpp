@@ -24,6 +24,8 @@ std::set<std::string> readKeys(const std::string& path) {
     }
     keys.insert(word);
   }
+  if (file.bad())
+    throw std::runtime_error("the list of client keys " + path + " cannot be read");  // a folder
   return keys;
 }
 

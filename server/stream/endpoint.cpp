@@ -1,5 +1,11 @@
 #include "stream/endpoint.h"
 
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cstring>
 #include <string_view>
 
 namespace saccade {
@@ -18,6 +24,18 @@ Parts split(const std::string& endpoint) {
   return {endpoint.substr(0, host), endpoint.substr(host + 3, port - host - 3), endpoint.substr(port)};
 }
 
+// Whether a program listens on the socket of a file.
+bool answers(const std::string& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.size() >= sizeof address.sun_path) return false;
+  std::memcpy(address.sun_path, path.data(), path.size());
+  const int fd = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  const bool yes = connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  close(fd);
+  return yes;
+}
+
 }  // namespace
 
 bool isLoopback(const std::string& endpoint) {
@@ -30,6 +48,20 @@ bool isLoopback(const std::string& endpoint) {
 std::string bindable(const std::string& endpoint) {
   const auto [scheme, host, port] = split(endpoint);
   return scheme == "tcp" && host == "localhost" ? scheme + "://127.0.0.1" + port : endpoint;
+}
+
+bool hasOnePlace(const std::string& endpoint) {
+  return !endpoint.ends_with(":0") && !endpoint.ends_with(":*") && endpoint != "ipc://*";
+}
+
+std::string ipcFault(const std::string& endpoint) {
+  constexpr std::string_view kScheme = "ipc://";
+  if (!endpoint.starts_with(kScheme)) return {};
+  const std::string path = endpoint.substr(kScheme.size());
+  struct stat file {};
+  if (lstat(path.c_str(), &file) != 0) return {};
+  if (!S_ISSOCK(file.st_mode)) return path + " is a file that is no socket";
+  return answers(path) ? "another server listens there" : "";
 }
 
 std::string reachableHere(const std::string& endpoint) {

@@ -72,6 +72,8 @@ SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Im
     impl_->zap.emplace(impl_->context, keys->clients);
     secureServer(impl_->socket, keys->secret);
   }
+  if (const std::string fault = ipcFault(options.endpoint); !fault.empty())
+    throw std::runtime_error("cannot listen on " + options.endpoint + ": " + fault);
   try {
     impl_->socket.bind(bindable(options.endpoint));
     endpoint_ = impl_->socket.get(zmq::sockopt::last_endpoint);

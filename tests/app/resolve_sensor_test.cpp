@@ -108,11 +108,33 @@ TEST(ResolveSensor, APresetFillsInWhatIsUnset) {
   v1::Sensor again = sensor;
   resolveSensor(again, 0, 1);
   EXPECT_EQ(again.SerializeAsString(), sensor.SerializeAsString());
+}
 
-  v1::Sensor own;
-  own.set_preset(preset.name);
-  own.set_threshold(0.5);
-  EXPECT_EQ(resolveSensor(own, 0, 1).threshold_off, 0.5);
+// DAVIS346: C 14.3 % ON and 22.5 % OFF, by its data sheet.
+TEST(ResolveSensor, AThresholdKeepsTheProportionOfThePreset) {
+  const double off_over_on = std::log1p(0.225) / std::log1p(0.143);
+  v1::Sensor on;
+  on.set_preset("davis346");
+  on.set_threshold(0.15);
+  const SensorConfig by_on = resolveSensor(on, 0, 1);
+  EXPECT_EQ(by_on.threshold, 0.15);
+  EXPECT_NEAR(by_on.threshold_off, 0.15 * off_over_on, 1e-4);
+  EXPECT_EQ(on.threshold_off(), by_on.threshold_off);
+
+  v1::Sensor off;
+  off.set_preset("davis346");
+  off.set_threshold_off(0.3);
+  EXPECT_NEAR(resolveSensor(off, 0, 1).threshold, 0.3 / off_over_on, 1e-4);
+
+  v1::Sensor both = on;
+  both.set_threshold_off(0.4);
+  EXPECT_EQ(resolveSensor(both, 0, 1).threshold, 0.15);
+  EXPECT_EQ(resolveSensor(both, 0, 1).threshold_off, 0.4);
+
+  v1::Sensor even;  // equal thresholds stay equal, bit for bit
+  even.set_preset("imx636");
+  even.set_threshold(0.3);
+  EXPECT_EQ(resolveSensor(even, 0, 1).threshold_off, 0.3);
 }
 
 TEST(ResolveSensor, AnUnknownPresetIsRefusedWithTheNamesOfAll) {

@@ -91,6 +91,13 @@ TEST_F(ConvertCommand, AChangedFileIsFound) {
   EXPECT_TRUE(holds(run("verify " + txt), "has 1 events, not 2"));
 }
 
+TEST_F(ConvertCommand, VerifyAsksForNoOptionThatItHasNot) {
+  const std::string csv = fileOf("a.csv", "t_us,x,y,p\n");
+  fileOf("a.csv.json", "{}");
+  EXPECT_EQ(run("verify " + csv).output,
+            "saccade: '" + csv + "' does not tell the size of the image, nor does " + csv + ".json\n");
+}
+
 TEST_F(ConvertCommand, WrongUsageSaysWhatIsKnown) {
   const std::string csv = fileOf("a.csv", "t_us,x,y,p\n");
   EXPECT_TRUE(holds(run("verify " + csv), "there is no " + csv + ".json"));

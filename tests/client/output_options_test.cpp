@@ -34,6 +34,31 @@ TEST_F(OutputOptionsTest, ANewFileIsRight) {
   EXPECT_EQ(faultOf("-"), "");
 }
 
+// Each format with the extension of each: only those of one row of the table belong together.
+TEST_F(OutputOptionsTest, AFormatFitsItsExtensionAlone) {
+  const auto faultOf = [](const std::string& path, const std::string& format) {
+    try {
+      writerFor(path, format);
+    } catch (const std::invalid_argument& fault) {
+      return std::string(fault.what());
+    }
+    return std::string();
+  };
+  for (const WriterInfo* format : writerTable()) {
+    for (const WriterInfo* other : writerTable()) {
+      const std::string path = std::string("a") + other->extension, fault = faultOf(path, format->name);
+      const bool fits = std::string(format->extension) == other->extension;
+      EXPECT_EQ(fault.empty(), fits) << fault;
+      if (fits) continue;
+      for (const std::string word : {std::string(format->name), path, std::string(other->name)})
+        EXPECT_NE(fault.find(word), std::string::npos) << word << " is not in: " << fault;
+    }
+  }
+  EXPECT_EQ(faultOf("a.csv", "evt3"), "--format: evt3 makes .raw files, and 'a.csv' is one of csv");
+  EXPECT_NE(faultOf("a.dat", "csv").find("'a.dat' has no known extension"), std::string::npos);
+  EXPECT_NE(faultOf("a", "csv").find("'a' has no known extension"), std::string::npos);
+}
+
 TEST_F(OutputOptionsTest, AFileThatExistsIsReplacedOnlyByForce) {
   const std::string file = touch("a.csv"), second = touch("b-1.csv");
   EXPECT_EQ(faultOf(file), "--output: '" + file + "' exists; --force replaces it");

@@ -46,6 +46,18 @@ TEST_F(UsageCheck, AMisspeltOptionIsTold) {
   EXPECT_EQ(faultOf({"list", "--frobnicate"}), "unknown option '--frobnicate'");
 }
 
+TEST_F(UsageCheck, AnUnknownShortOptionIsTold) {
+  EXPECT_EQ(faultOf({"record", "-V"}), "unknown option '-V'");
+  EXPECT_EQ(faultOf({"-V"}), "unknown option '-V'");
+  EXPECT_EQ(faultOf({"record", "-oa.csv"}), "");
+}
+
+TEST_F(UsageCheck, AnEmptyValueIsTold) {
+  EXPECT_EQ(faultOf({"record", "--size", ""}), "--size is empty");
+  EXPECT_EQ(faultOf({"record", "--size="}), "--size is empty");
+  EXPECT_EQ(faultOf({"record", ""}), "an argument is empty");
+}
+
 TEST_F(UsageCheck, AnOptionThatIsGivenTwiceIsTold) {
   EXPECT_EQ(faultOf({"record", "--size", "1x1", "--size", "2x2"}), "--size is given twice");
   EXPECT_EQ(faultOf({"record", "-o", "a", "--output=b"}), "--output is given twice");

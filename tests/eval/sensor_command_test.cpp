@@ -90,8 +90,13 @@ TEST_F(SensorCommand, TakesAPreset) {
   ASSERT_EQ(sensor("--size 4x4 --curves noise --preset v2e-noisy --threshold-off 0.3 --noise leak_hz=0"), 0)
       << text("log");
   const std::string csv = text("out/noise.csv");
-  EXPECT_EQ(csv.find("# threshold=0.2 threshold_off=0.3 bias=0.001 refractory_s=0 "), 0u) << csv;
+  EXPECT_EQ(csv.find("# threshold=0.3 threshold_off=0.3 bias=0.001 refractory_s=0 "), 0u) << csv;
   EXPECT_NE(csv.find(" leak_hz=0 shot_hz=5 "), std::string::npos) << csv;
+}
+
+TEST_F(SensorCommand, WithoutAPresetTheThresholdOfOffEventsIsItsOwn) {
+  ASSERT_EQ(sensor("--size 4x4 --curves noise --threshold-off 0.3"), 0) << text("log");
+  EXPECT_EQ(text("out/noise.csv").find("# threshold=0.2 threshold_off=0.3 "), 0u);
 }
 
 TEST_F(SensorCommand, RefusesWrongFlags) {

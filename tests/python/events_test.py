@@ -51,6 +51,13 @@ class Columns(unittest.TestCase):
             with self.assertRaises(ValueError):
                 saccade.concatenate(wrong)
 
+    def test_a_file_is_what_its_name_says(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.h5", "a.raw", "a.bag", "a"):
+                with self.assertRaisesRegex(ValueError, f"{name} does not end with .npz.*saccade convert"):
+                    events([1]).save(pathlib.Path(folder) / name)
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
+
     def test_what_is_saved_is_read(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "a.npz"

@@ -9,6 +9,8 @@ import sys
 import tempfile
 import unittest
 
+import numpy as np
+
 import saccade
 from saccaded import Server
 
@@ -65,6 +67,15 @@ class Examples(unittest.TestCase):
     def test_look_at_a_stream(self):
         self.run_example("view.py", "cornell-box", self.folder / "view.png")
         self.assertEqual((self.folder / "view.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "matplotlib is not installed")
+    def test_where_no_surface_is_the_depth_has_no_colour(self):
+        spec = importlib.util.spec_from_file_location("look_at_truth", EXAMPLES / "look_at_truth.py")
+        example = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(example)
+        depth = example.surface_depth(np.array([[2, 1e5, 3]], np.float32))
+        self.assertEqual((np.nanmin(depth), np.nanmax(depth)), (2, 3))
+        self.assertTrue(np.isnan(depth[0, 1]))
 
     @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "matplotlib is not installed")
     def test_look_at_truth(self):

@@ -19,6 +19,7 @@ class Package(unittest.TestCase):
         lists = (pathlib.Path(os.environ["SOURCE"]) / "CMakeLists.txt").read_text()
         version = re.search(r"project\(saccade VERSION ([\d.]+)", lists)[1]
         self.assertEqual(importlib.metadata.version("saccade"), version)
+        self.assertEqual(saccade.__version__, version)
 
     def test_the_messages_stand_in_the_package(self):
         from saccade.v1 import control_pb2, events_pb2

@@ -90,6 +90,36 @@ class Readers(unittest.TestCase):
         self.expectFault(path, "no data set 'events/p'")
         self.expectFault(self.write("b.h5", "no"), "file signature not found")
 
+    def with_sidecar(self, begin_ns, end_ns, size=(346, 260)):
+        """The events as CSV, which holds no size, with a description as `saccade record` writes it."""
+        lines = [f"{t},{x},{y},{p}\n" for t, x, y, p in zip(T, X, Y, P)]
+        self.write("a.csv.json", f'{{"width": {size[0]}, "height": {size[1]}, "begin_ns": "{begin_ns}", '
+                                 f'"end_ns": "{end_ns}"}}')
+        return self.write("a.csv", "t_us,x,y,p\n" + "".join(lines))
+
+    def test_a_recording_begins_and_ends_as_its_description_says(self):
+        path = self.with_sidecar(0, 400_000)
+        whole = saccade.read(path)
+        self.assertEqual((whole.t0, whole.t1, whole.size), (0, 400, (346, 260)))
+        self.assertEqual([(w.t0, w.t1, len(w)) for w in whole.windows(duration_us=100)],
+                         [(0, 100, 3), (100, 200, 0), (200, 300, 1), (300, 400, 0)])
+        pieces = list(saccade.open_file(path, chunk=1))
+        self.assertEqual([piece.t.tolist() for piece in pieces], [[5], [7], [7], [249]])
+        self.assertEqual([w.t0 for w in saccade.windows(pieces, duration_us=100)], [0, 100, 200, 300])
+        self.assertEqual(saccade.read(self.with_sidecar(3_000, 250_000)).t0, 3)
+
+    def test_a_recording_without_events_has_its_interval_too(self):
+        self.write("none.csv.json", '{"width": 9, "height": 5, "end_ns": "20000"}')
+        none = saccade.read(self.write("none.csv", "t_us,x,y,p\n"))
+        self.assertEqual((len(none), none.t0, none.t1, none.size), (0, 0, 20, (9, 5)))
+
+    def test_the_description_of_another_recording_is_refused(self):
+        for begin, end in ((0, 249_000), (6_000, 400_000)):
+            self.expectFault(self.with_sidecar(begin, end), "not those that .*a.csv.json describes")
+        self.expectFault(self.with_sidecar(0, 400_000, (9, 5)), "outside 9x5")
+        self.write("a.csv.json", "no")
+        self.expectFault(self.folder / "a.csv", "a.csv.json")
+
     def expectFault(self, path, text, **more):
         with self.assertRaisesRegex(saccade.FormatError, text):
             saccade.read(path, **more)

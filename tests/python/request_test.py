@@ -47,6 +47,25 @@ class Request(unittest.TestCase):
             sensors=[c.Sensor(threshold=0.1, **sensor), c.Sensor(threshold=0.2, **sensor)],
             delivery=c.DELIVERY_LIVE, codec=events_pb2.CODEC_ZSTD, seed=5))
 
+    def test_one_truth_channel_needs_no_list(self):
+        self.assertEqual([truth.name for truth in make_request({**NEEDED, "truth": "depth"}).truth], ["depth"])
+        made = make_request({**NEEDED, "truth": ["pose", ("depth", 5)]}).truth
+        self.assertEqual([(truth.name, truth.every) for truth in made], [("pose", 1), ("depth", 5)])
+
+    def test_where_0_means_unset_0_is_refused(self):
+        for name in ("spp", "speed", "max_events_per_pixel_frame", "max_events_per_frame"):
+            with self.assertRaisesRegex(ValueError, f"{name}: 0 "):
+                make_request({**NEEDED, name: 0})
+        with self.assertRaisesRegex(ValueError, "truth: depth of every 0 frames"):
+            make_request({**NEEDED, "truth": [("depth", 0)]})
+        self.assertEqual(make_request({**NEEDED, "seed": 0, "bounces": 0, "duration_s": 0}).quality.bounces, 0)
+
+    def test_a_size_has_two_whole_numbers(self):
+        for size in (60, (60,), (60.5, 45), "60x45", None, (1, 2, 3)):
+            with self.subTest(size), self.assertRaisesRegex(ValueError, r"^size: .* is not \(width, height\)"):
+                make_request({**NEEDED, "size": size})
+        self.assertEqual(make_request({**NEEDED, "size": np.array([6, 4])}).view, c.View(width=6, height=4))
+
     def test_cameras(self):
         made = make_request({**NEEDED, "intrinsics": (5, 6, 2, 1), "distortion": ("equidistant", [1, 2, 3, 4])}).view
         lens = c.Distortion(model=c.DISTORTION_MODEL_EQUIDISTANT, coefficients=[1, 2, 3, 4])
@@ -123,6 +142,12 @@ class Sockets(unittest.TestCase):
             os.chmod(file.name, 0o604)
             with self.assertWarnsRegex(UserWarning, file.name):
                 read_keys(file.name, public.name)
+
+    def test_a_key_of_the_wrong_kind_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "alice.pub is by its name a public key"):
+            read_keys("alice.pub", "server.pub")
+        with self.assertRaisesRegex(ValueError, "server.key is by its name a secret key"):
+            read_keys(b"k" * 40, "server.key")
 
 
 if __name__ == "__main__":

@@ -55,6 +55,22 @@ class OneServer(unittest.TestCase):
                 self.assertEqual((whole.t0, whole.t1, whole.size), (0, 100_000, (64, 48)))
                 self.assertEqual(stream.losses, saccade.Losses())
 
+    def test_a_stream_gives_its_events_once(self):
+        with self.client.open(**SETTINGS) as stream:
+            self.assertGreater(sum(map(len, stream)), 0)
+            with self.assertRaisesRegex(saccade.StreamFault, "has ended"):
+                list(stream)
+            with self.assertRaisesRegex(saccade.StreamFault, "has ended"):
+                list(stream.samples())
+
+    def test_a_closed_stream_says_so(self):
+        with self.client.open(**SETTINGS) as stream:
+            pass
+        for call in (stream.describe, stream.info, stream.picture, lambda: next(stream)):
+            with self.assertRaisesRegex(saccade.SaccadeError, "closed"):
+                call()
+        stream.close()  # again
+
     def test_several_sensors(self):
         parts, stream = self.receive(threshold=[0.2, 0.4])
         self.assertEqual([sensor.threshold for sensor in stream.resolved.sensors], [0.2, 0.4])

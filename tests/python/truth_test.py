@@ -52,6 +52,17 @@ class OneServer(unittest.TestCase):
                 self.expect(channels, "depth", depth)
                 self.expect(channels, "pose", pose)
 
+    def test_the_files_of_all_sensors_of_a_camera_have_its_truth(self):
+        for kind in ("h5", "npz"):
+            done = record(self.server, self.folder / f"two.{kind}", "--force", *OPTIONS, "--threshold", "0.4",
+                          "--further-view", "0.1,0,0")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            own = [saccade.read_truth(self.folder / f"two-{sensor}.{kind}") for sensor in range(4)]
+            for truth, first in ((own[1], own[0]), (own[3], own[2])):
+                self.assertEqual(truth.keys(), {"depth", "pose"})
+                np.testing.assert_array_equal(truth["depth"].data, first["depth"].data)
+            self.assertTrue((own[0]["depth"].data != own[2]["depth"].data).any())
+
     def test_files_tell_what_the_server_says(self):
         depth = saccade.read_truth(self.recorded("b.h5"))["depth"]
         info = next(channel for channel in self.client.info().truth if channel.name == "depth")

@@ -3,7 +3,8 @@
     python3 look_at_truth.py PICTURE.png stereo-0.h5 stereo-1.h5
 
 The recordings have the truth channels frame, flow_forward and depth. The direction of the flow is the hue: red is to
-the right, and the hues turn clockwise. Its length is the saturation: white stands still. Black has no valid flow.
+the right, and the hues turn clockwise. Its length is the saturation: white stands still. Black has no valid flow. White
+in the depth has no surface.
 Events are those of the exposure: ON is red, OFF is blue.
 """
 from __future__ import annotations
@@ -18,6 +19,7 @@ from numpy.typing import NDArray
 
 import saccade
 
+NO_SURFACE = 1e5  # what the channel depth has there
 
 def frame_with_events(frames: saccade.TruthArrays, sample: int, events: saccade.Events) -> NDArray[np.float64]:
     """Colours, float (height, width, 3)."""
@@ -42,6 +44,11 @@ def flow_colours(flow: NDArray[np.float32]) -> NDArray[np.float64]:
     return colours
 
 
+def surface_depth(depth: NDArray[np.float32]) -> NDArray[np.float32]:
+    """NaN where no surface is, so that it does not set the scale of the colours."""
+    return np.where(depth < NO_SURFACE, depth, np.float32(np.nan))
+
+
 def channel(truth: dict[str, saccade.TruthArrays], kind: str, path: str) -> saccade.TruthArrays:
     """That of a name, or with the number of its view."""
     for name, arrays in truth.items():
@@ -58,7 +65,7 @@ def draw(path: str, row: Any) -> None:
     row[0].set_title(f"{path}: events over the frame at {frames.t[middle] / 1e6:.3f} s")
     row[1].imshow(flow_colours(flow.data[len(flow.t) // 2]))
     row[1].set_title("flow into the next frame")
-    row[2].imshow(depth.data[len(depth.t) // 2, ..., 0], cmap="viridis")
+    row[2].imshow(surface_depth(depth.data[len(depth.t) // 2, ..., 0]), cmap="viridis")
     row[2].set_title("depth")
 
 

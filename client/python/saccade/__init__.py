@@ -22,6 +22,8 @@ from saccade.settings import SensorSettings, Settings
 from saccade.truth import IdNames, Truth, TruthArrays
 from saccade.windowing import windows
 
+__version__ = "0.1.0"
+
 __all__ = [
     "Client", "Events", "FormatError", "IdNames", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer", "NotFound",
     "PacketFault", "PermissionDenied", "Picture", "Refused", "RetryPolicy", "SaccadeError", "SensorSettings",

@@ -63,6 +63,7 @@ class Stream(StreamState):
     """As saccade.Stream, for `async for` and `async with`."""
 
     def __aiter__(self) -> Self:
+        self._require_more()
         return self
 
     async def __anext__(self) -> Events:
@@ -72,6 +73,7 @@ class Stream(StreamState):
         return events
 
     async def samples(self) -> AsyncIterator[Events | Truth]:
+        self._require_more()
         while (item := await self._next_item()) is not None:
             yield item
 

@@ -84,7 +84,7 @@ class Stream(StreamState):
 
     Each Events covers its interval, up to 5 ms, and may be empty: nothing happened then. The Events of one sensor
     follow each other without gaps, except for lost packets of LIVE and BROADCAST. Iteration ends after the last
-    frame. It reconnects after a loss by itself, and logs that as "saccade". It raises StreamFault if the stream cannot
+    frame; a second one raises StreamFault. It reconnects after a loss by itself, and logs that as "saccade". It raises StreamFault if the stream cannot
     go on.
 
     suppressed: events that the sensors have withheld so far.
@@ -93,6 +93,7 @@ class Stream(StreamState):
     """
 
     def __iter__(self) -> Self:
+        self._require_more()
         return self
 
     def __next__(self) -> Events:
@@ -106,6 +107,7 @@ class Stream(StreamState):
 
         Iteration over the stream itself passes over the samples of truth.
         """
+        self._require_more()
         while (item := run(self._next_item())) is not None:
             yield item
 

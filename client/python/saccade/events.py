@@ -122,8 +122,11 @@ class Events:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes a compressed .npz with t, x, y, p, width, height and labels, which saccade.read() reads.
 
-        Raises ValueError where the size is unknown.
+        Raises ValueError for another extension, and where the size is unknown.
         """
+        if not os.fspath(path).endswith(".npz"):
+            raise ValueError(f"{os.fspath(path)} does not end with .npz, which alone is written; "
+                             "`saccade convert` makes other formats of it")
         width, height = representations.known_size(self)
         labels = {name: label for name in LABELS if (label := getattr(self, name)) is not None}
         np.savez_compressed(path, t=self.t, x=self.x, y=self.y, p=self.p.view(np.uint8), width=width, height=height,

@@ -1,4 +1,4 @@
-"""What FILE.json says of the file of events FILE, so that `saccade verify` and `saccade replay` read it."""
+"""FILE.json, which describes the file of events FILE, as `saccade record`, `verify` and `replay` have it."""
 from __future__ import annotations
 
 import hashlib
@@ -35,8 +35,6 @@ def describe_events(events: Events) -> recording_pb2.Recording:
 def save(path: str | os.PathLike[str], events: Events, recording: recording_pb2.Recording) -> None:
     """Writes the events to PATH, which ends with .npz, and the description to PATH.json."""
     path = pathlib.Path(path)
-    if path.suffix != ".npz":
-        raise ValueError(f"{path} does not end with .npz")
     events.save(path)
     path.with_name(path.name + ".json").write_text(
         MessageToJson(recording, preserving_proto_field_name=True) + "\n", encoding="utf-8")

@@ -46,7 +46,7 @@ class Settings(Needed, total=False):
     motion: "KIND:SPEED" such as "pan:-15", "KIND:SPEEDpx" in pixels per frame, or a name such as "right".
         turn_s: seconds after which it turns back, 0 for never. motion_seed: of the motion shake.
 
-    duration_s: stream time; without it the stream goes on until it is closed.
+    duration_s: stream time; without it, or with 0, the stream goes on until it is closed.
     fov_x_deg: horizontal field of view in degrees, without the distortion. Or intrinsics: fx, fy, cx, cy in pixels,
         where the centre of the top left pixel is (0, 0).
     distortion: of the lens, ("radtan", (k1, k2, p1, p2)), with k3 or not, or ("equidistant", (k1, k2, k3, k4)).
@@ -60,15 +60,16 @@ class Settings(Needed, total=False):
     codec: "none", or "zstd", which needs the module zstandard.
 
     Sensors: a sequence stands for one sensor per item, and a single number for all of them.
-    threshold, threshold_off: contrast threshold of ON and OFF events, natural log units.
+    threshold, threshold_off: contrast threshold of ON and OFF events, natural log units. With a preset, one alone gives
+        the other in the proportion of the preset's.
     bias: scene luminance. refractory_s: seconds. cutoff_hz: Hz. seed: of the stream.
     max_events_per_pixel_frame, max_events_per_frame: further events are withheld and counted.
     labels: Events.source and Events.artefact tell where each event comes from.
     max_artefact_odds: events with higher odds to be an error of rendering are withheld and counted.
     preset: the sensor of a known camera, by name. noise: amounts by name, such as {"leak_hz": 0.1}, of all sensors.
 
-    truth: truth channels, each a name of Client.info().truth, or a pair of it and n for every n-th frame. Stream.samples()
-    gives their samples.
+    truth: a truth channel, or a list of them: each a name of Client.info().truth, or a pair of it and n for every n-th
+    frame. Stream.samples() gives their samples.
 
     Rendering: method, spp, params (by name), bounces, jitter, monochrome, bake_error, disable (scene features), or a
     budget instead: budget_ms, max_false_rate; or max_event_change, a share from 0 to 1.
@@ -105,7 +106,7 @@ class Settings(Needed, total=False):
     max_artefact_odds: float
     preset: str
     noise: Mapping[str, float]
-    truth: Sequence[str | tuple[str, int]]
+    truth: str | Sequence[str | tuple[str, int]]
     method: str
     spp: int
     params: Mapping[str, float]

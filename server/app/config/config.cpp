@@ -8,11 +8,12 @@
 #include <filesystem>
 
 #include "app/config/config_sources.h"
-#include "app/config/keys.h"
+#include "app/config/option_faults.h"
 #include "base/default_cache.h"
-#include "base/range.h"
+#include "base/number_in.h"
 #include "base/tile_pool.h"
 #include "stream/bounded_peers.h"
+#include "stream/endpoint.h"
 #include "tables/accuracy_table.h"
 #include "tables/simplification_table.h"
 
@@ -28,31 +29,26 @@ std::string ifThere(const std::string& path) {
 constexpr int kUsage = 2;            // exit status
 constexpr double kUnlimited = 1e12;  // more than any machine has
 
-// Why `text` is no endpoint; empty if it looks like one.
-std::string endpointFault(const std::string& text) {
-  if (text.find("://") != std::string::npos) return {};
-  return "'" + text + "' is no endpoint such as tcp://127.0.0.1:5770";
+// What is without a unit is counted.
+CLI::Validator checkOf(const LimitRow& row) {
+  if (*row.unit) return NumberIn(row.min, kUnlimited);
+  return NumberIn(std::llround(row.min), std::llround(kUnlimited));
 }
 
 void addLimits(CLI::App& app, Limits& limits) {
   for (const LimitRow& row : limitTable()) {
     char fallback[32];
     std::snprintf(fallback, sizeof fallback, "%.15g", limits[row.limit]);
-    const auto fault = [&row](const std::string& text) {
-      double value = std::nan("");
-      CLI::detail::lexical_cast(text, value);
-      return rangeFault(value, row.min, kUnlimited);
-    };
     const std::string unit = row.unit;
     app.add_option(std::string("--limit-") + row.name, limits[row.limit],
                    (unit.empty() ? "" : unit + ": ") + row.what)
         ->group("Limits, of all clients and of one")
-        ->check(fault)
+        ->check(checkOf(row))
         ->default_str(fallback);
   }
 }
 
-// What the command line asks for instead of serving.
+// What the command line asks for besides the configuration.
 struct CliAction {
   std::string file;
   bool print = false, check = false;
@@ -65,7 +61,9 @@ void addActions(CLI::App& app, CliAction& action) {
   app.add_flag("--print-config", action.print,
                "print every option with its value and origin as such a file, and exit")
       ->configurable(false);
-  app.add_flag("--check-config", action.check, "check the configuration, and exit")->configurable(false);
+  app.add_flag("--check-config", action.check,
+               "check all that a start would, such as files, folders and free ports, and exit")
+      ->configurable(false);
   app.set_version_flag("--version", SACCADE_VERSION)->configurable(false);
   app.get_help_ptr()->configurable(false);
   app.footer(
@@ -76,15 +74,25 @@ void addActions(CLI::App& app, CliAction& action) {
       (peersAreBounded() ? std::string() : std::string("\n\nNote: ") + kUnboundedPeers + "."));
 }
 
-void run(const CliAction& action, const Config& config, const ConfigSources& sources) {
+void tell(const CliAction& action, const ConfigSources& sources) {
   for (const std::string& warning : sources.warnings())
     std::fprintf(stderr, "saccaded: %s\n", warning.c_str());
   if (action.print) std::fputs(sources.describe().c_str(), stdout);
-  if (action.check) {
-    openViewer(config, openAccess(config));
-    std::fprintf(stderr, "the configuration is valid\n");
-  }
-  if (action.print || action.check) std::exit(0);
+  if (action.print && !action.check) std::exit(0);
+}
+
+// Throws std::runtime_error for what no option can check by itself.
+void checkTogether(const Config& config) {
+  if (!std::filesystem::is_directory(config.scenes))
+    throw std::runtime_error("--scenes: there is no folder '" + config.scenes + "'");
+  const auto refuseTwin = [](const std::string& option, const std::string& endpoint, const std::string& first,
+                             const std::string& taken) {
+    if (endpoint == taken && hasOnePlace(endpoint))
+      throw std::runtime_error(option + ": " + endpoint + " is the address of " + first + ", too");
+  };
+  refuseTwin("--data", config.data, "--control", config.control);
+  refuseTwin("--broadcast", config.broadcast, "--control", config.control);
+  refuseTwin("--broadcast", config.broadcast, "--data", config.data);
 }
 
 Config defaultConfig() {
@@ -109,6 +117,7 @@ void addOptions(CLI::App& app, Config& config) {
       ->check(endpoint)
       ->capture_default_str();
   app.add_option("--http", config.http, "address of the viewer, /metrics, /healthz and /readyz; off: none")
+      ->check(httpFault)
       ->capture_default_str();
   app.add_option(
          "--viewer", config.viewer,
@@ -120,11 +129,11 @@ void addOptions(CLI::App& app, Config& config) {
       ->capture_default_str();
   app.add_option("--drain-time", config.drain_s,
                  "seconds that receivers have on SIGTERM to take the packets that are left")
-      ->check(CLI::Range(0.0, 3600.0))
+      ->check(NumberIn(0.0, 3600.0))
       ->capture_default_str();
   app.add_option("--lease", config.lease_s,
                  "seconds that a stream without a receiver lives on and can be resumed")
-      ->check(CLI::Range(0.1, 86400.0))
+      ->check(NumberIn(0.1, 86400.0))
       ->capture_default_str();
   app.add_option("--secret-key", config.secret_key, "file of the server's secret key, from `saccade keygen`")
       ->capture_default_str();
@@ -134,17 +143,19 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_flag("--insecure", config.insecure, "let other machines connect without keys")
       ->check(CLI::IsMember({"true", "false"}));  // CLI11 by itself takes 10 for true
   app.add_option("--threads", config.threads, "threads that render; 0: one per CPU that this process may use")
-      ->check(CLI::Range(0, 1024))
+      ->check(NumberIn(0, 1024))
       ->capture_default_str();
   app.add_option("--instructions", config.instructions,
                  "vector instructions to render with; auto: the widest of this processor")
       ->check(CLI::IsMember({"auto", "avx2", "avx512"}))
+      ->check(instructionsFault)
       ->capture_default_str();
   app.add_option("--scenes", config.scenes, "folder of the scenes")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
   app.add_option("--meshes", config.meshes,
                  "folders, separated by ':', of meshes that scenes name but do not hold themselves")
+      ->check(foldersFault)
       ->capture_default_str();
   app.add_option("--accuracy", config.accuracy,
                  "table for streams with a budget: results.csv of `saccade-eval chart`; default: " +
@@ -158,6 +169,7 @@ void addOptions(CLI::App& app, Config& config) {
       ->default_str(config.simplification);
   app.add_option("--bakes", config.bakes,
                  "folder for light that streams let the server compute ahead; empty: they cannot")
+      ->check(newFolderFault)
       ->capture_default_str();
   app.add_option("--log-level", config.log_level, "least severity that is logged")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}))
@@ -168,8 +180,9 @@ void addOptions(CLI::App& app, Config& config) {
   addLimits(app, config.limits);
 }
 
-Config parseConfig(int argc, const char* const* argv) {
-  Config config = defaultConfig();
+CommandLine parseCommandLine(int argc, const char* const* argv) {
+  CommandLine line{.config = defaultConfig()};
+  Config& config = line.config;
   CliAction action;
   CLI::App app("saccaded: renders scenes, and streams what an event camera would see of them");
   addOptions(app, config);
@@ -178,7 +191,8 @@ Config parseConfig(int argc, const char* const* argv) {
     app.parse(argc, argv);
     const char* file = std::getenv("SACCADE_CONFIG");
     if (action.file.empty() && file) action.file = file;
-    run(action, config, ConfigSources(app, action.file));
+    tell(action, ConfigSources(app, action.file));
+    checkTogether(config);
   } catch (const CLI::ParseError& fault) {
     std::exit(app.exit(fault) == 0 ? 0 : kUsage);
   } catch (const std::exception& fault) {
@@ -186,7 +200,8 @@ Config parseConfig(int argc, const char* const* argv) {
     std::exit(kUsage);
   }
   if (config.threads == 0) config.threads = hardwareThreads();
-  return config;
+  line.check = action.check;
+  return line;
 }
 
 std::string findScenes() {

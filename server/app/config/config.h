@@ -41,9 +41,14 @@ struct Config {
 // Adds the options that may be configured. They set `config`, whose values at the call are the defaults.
 void addOptions(CLI::App& app, Config& config);
 
-// Reads the command line, the environment and the file that one of them names. --help, --print-config and
-// --check-config print and end the program. So does a fault, with exit status 2.
-Config parseConfig(int argc, const char* const* argv);
+struct CommandLine {
+  Config config;
+  bool check = false;  // --check-config: do not serve
+};
+
+// Reads the command line, the environment and the file that one of them names. --help, --version and
+// --print-config print and end the program. So does a fault, with exit status 2.
+CommandLine parseCommandLine(int argc, const char* const* argv);
 
 // The folder of scenes of this program's installation, else of the source tree that it was built from.
 std::string findScenes();

@@ -13,8 +13,9 @@
 namespace saccade {
 namespace {
 
-std::string readSecretKey(const std::string& path) {
-  std::string key = readCurveKey(path);
+// Also warns where others can read it.
+std::string openSecretKey(const std::string& path) {
+  std::string key = readSecretKey(path);
   const std::string warning = warningOfOpenKey(path);
   if (!warning.empty()) spdlog::warn(warning);
   return key;
@@ -31,6 +32,15 @@ void requireLoopback(const Config& config, const char* advice) {
   }
 }
 
+// What `read` returns. Its exception gets the name of the option.
+auto named(const std::string& option, const auto& read) {
+  try {
+    return read();
+  } catch (const std::exception& fault) {
+    throw std::runtime_error(option + ": " + fault.what());
+  }
+}
+
 std::optional<ServerKeys> openKeys(const Config& config) {
   if (config.secret_key.empty() != config.client_keys.empty()) {
     throw std::runtime_error("--secret-key and --client-keys belong together");
@@ -39,7 +49,11 @@ std::optional<ServerKeys> openKeys(const Config& config) {
     throw std::runtime_error("--insecure contradicts --secret-key and --client-keys: give one or the other");
   }
   if (!config.secret_key.empty()) {
-    return ServerKeys{readSecretKey(config.secret_key), std::make_shared<ClientKeys>(config.client_keys)};
+    return ServerKeys{named("--secret-key", [&] { return openSecretKey(config.secret_key); }),
+                      named("--client-keys", [&] {
+                        requirePublic(config.client_keys);
+                        return std::make_shared<ClientKeys>(config.client_keys);
+                      })};
   }
   if (!config.insecure) {
     requireLoopback(config,
@@ -57,7 +71,7 @@ std::optional<client::CurveKeys> viewerKeys(const Config& config, const Access& 
     return client::CurveKeys{};
   }
   if (config.viewer_key.empty()) return std::nullopt;
-  const std::string secret = readSecretKey(config.viewer_key);
+  const std::string secret = named("--viewer-key", [&] { return openSecretKey(config.viewer_key); });
   if (!access.keys->clients->allow(publicKeyOf(secret)))
     throw std::runtime_error("--viewer-key: the public key of " + config.viewer_key +
                              " is not one of --client-keys");

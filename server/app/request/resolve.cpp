@@ -26,7 +26,8 @@ void resolveViews(ResolvedStream& stream) {
 
 void checkMethodName(const v1::Method& method) {
   if (method.name().empty() || findMethod(method.name())) return;
-  refuse("method.name", "there is no such method; there are: " + methodNames());
+  refuse("method.name",
+         "there is no method '" + cutText(method.name(), kMaxEcho) + "'; there are: " + methodNames());
 }
 
 // checkMethodName() comes first.

@@ -4,6 +4,7 @@
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
 #include "base/names.h"
+#include "base/text_cut.h"
 #include "render/view_grid.h"
 #include "scene/camera/motion.h"
 #include "scene/files/scene_error.h"
@@ -39,6 +40,23 @@ void checkKeyframes(v1::Keyframes& keyframes) {
     refuse(field + ".keys", "give 1 to " + std::to_string(ranges::kKeyframes.max) + " keys");
 }
 
+// What a trajectory may be instead, for a refusal.
+std::string valid(const SceneEntry& scene) {
+  return joinNames(scene.trajectories) + "; or a motion KIND:SPEED, such as pan:10, with KIND one of " +
+         joinNames(motionKinds());
+}
+
+void checkName(const std::string& name, const SceneEntry& scene) {
+  const auto isIn = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (isIn(scene.trajectories)) return;
+  const std::string quoted = "'" + cutText(name, kMaxEcho) + "'";
+  throw Refusal(v1::CODE_NOT_FOUND, "trajectory.name",
+                isIn(motionKinds()) ? quoted + " is a motion, which needs a speed, such as " + name + ":10"
+                                    : "the scene has no trajectory " + quoted + "; it has: " + valid(scene));
+}
+
 Motion motionOf(const v1::Motion& request, const FeedConfig& feed) {
   Motion motion{.kind = kindOf(request), .speed = request.speed(), .seed = request.seed()};
   if (request.has_turn_s()) motion.turn_s = request.turn_s();
@@ -67,15 +85,11 @@ Trajectory byName(const ResolvedStream& stream, const RenderScene& scene, const 
 }  // namespace
 
 void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene) {
-  const std::string names = joinNames(scene.trajectories);
   if (trajectory.path_case() == v1::Trajectory::PATH_NOT_SET)
-    refuse("trajectory", "give a motion, keyframes, a csv text or a name, one of: " + names);
+    refuse("trajectory", "none is given; the scene has: " + valid(scene));
   if (trajectory.has_motion()) checkMotion(*trajectory.mutable_motion());
   if (trajectory.has_keyframes()) checkKeyframes(*trajectory.mutable_keyframes());
-  if (trajectory.has_name() &&
-      std::count(scene.trajectories.begin(), scene.trajectories.end(), trajectory.name()) == 0)
-    throw Refusal(v1::CODE_NOT_FOUND, "trajectory.name",
-                  "the scene has no such trajectory; it has: " + names);
+  if (trajectory.has_name()) checkName(trajectory.name(), scene);
   if (trajectory.csv().size() > ranges::kMaxCsvBytes)
     refuse("trajectory.csv", "the text is longer than " + std::to_string(ranges::kMaxCsvBytes) + " bytes");
 }

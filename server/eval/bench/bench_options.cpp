@@ -6,6 +6,7 @@
 
 #include "base/cpu_name.h"
 #include "base/default_cache.h"
+#include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/feed_options.h"
 #include "eval/bench/open_scene.h"
@@ -18,7 +19,7 @@ namespace {
 void addCameraOptions(CLI::App& app, BenchOptions& o) {
   app.add_option(kTrajectoryFlag, o.setup.trajectory, trajectoryHelp())->capture_default_str();
   app.add_option("--rate", o.setup.frame_rate_hz, "frames per second")
-      ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
+      ->check(NumberIn(ranges::kFrameRate.min, ranges::kFrameRate.max))
       ->capture_default_str();
   app.add_option("--frames", o.frames, "A:B, the frames to score; every run starts at 0")
       ->capture_default_str();
@@ -54,24 +55,24 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
       "--jitter", o.setup.jitter,
       "start paths anywhere in the pixel, not at its centre; the reference is the mean over the pixel");
   app.add_option("--bounces", o.setup.bounces, "indirect bounces")
-      ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
+      ->check(NumberIn(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
   app.add_option("--reference", o.setup.reference_spp,
                  "paths per pixel of the reference, rounded up to a multiple of 64")
-      ->check(CLI::Range(64, 1 << 20))
+      ->check(NumberIn(64, 1 << 20))
       ->capture_default_str();
   if (o.repeats > 0) {
     app.add_option("--repeats", o.repeats, "runs with different seeds")
-        ->check(CLI::Range(1, 1000))
+        ->check(NumberIn(1, 1000))
         ->capture_default_str();
   }
   if (o.threshold > 0) {
     app.add_option("--threshold", o.threshold, "contrast threshold of both polarities, natural log units")
-        ->check(CLI::Range(ranges::kThreshold.min, ranges::kThreshold.max))
+        ->check(NumberIn(ranges::kThreshold.min, ranges::kThreshold.max))
         ->capture_default_str();
   }
   app.add_option("--bias", o.bias, "I_eps, scene luminance")
-      ->check(CLI::Range(ranges::kBias.min, ranges::kBias.max))
+      ->check(NumberIn(ranges::kBias.min, ranges::kBias.max))
       ->capture_default_str();
   addBakeOption(app, o.setup.bake_error);
   app.add_option("--cache", o.setup.cache, "folder for reference frames and bakes")->capture_default_str();
@@ -95,7 +96,7 @@ void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vec
       ->capture_default_str();
   app.add_option("--spp", spp, "paths per pixel and frame")
       ->delimiter(',')
-      ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
+      ->check(NumberIn(ranges::kSpp.min, ranges::kSpp.max))
       ->capture_default_str();
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/open_scene.h"
 #include "wire/ranges.h"
@@ -14,13 +15,13 @@ void addFeedOptions(CLI::App& app, FeedOptions& o) {
   app.add_option(kTrajectoryFlag, o.trajectory, trajectoryHelp())->capture_default_str();
   app.add_option("--size", o.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
   app.add_option("--rate", o.feed.frame_rate_hz, "frames per second")
-      ->check(CLI::Range(ranges::kFrameRate.min, ranges::kFrameRate.max))
+      ->check(NumberIn(ranges::kFrameRate.min, ranges::kFrameRate.max))
       ->capture_default_str();
   app.add_option("--bounces", o.feed.bounces, "indirect bounces")
-      ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
+      ->check(NumberIn(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
   app.add_option("--threads", o.threads, "threads that render")
-      ->check(CLI::Range(1, 1024))
+      ->check(NumberIn(1, 1024))
       ->capture_default_str();
 }
 
@@ -28,7 +29,7 @@ void addBakeOption(CLI::App& app, double& error) {
   app.add_option("--bake", error,
                  "compute light ahead to this relative error, for methods that can use it; the bake is kept "
                  "beside the reference frames")
-      ->check(CLI::Range(ranges::kBakeError.min, ranges::kBakeError.max));
+      ->check(NumberIn(ranges::kBakeError.min, ranges::kBakeError.max));
 }
 
 OpenedFeed open(FeedOptions& o) {

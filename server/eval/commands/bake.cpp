@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "base/default_cache.h"
+#include "base/number_in.h"
 #include "eval/bench/feed_options.h"
 #include "eval/bench/interrupt.h"
 #include "eval/bench/kept_bake.h"
@@ -57,10 +58,10 @@ void addBakeCommand(CLI::App& app) {
                 "the last frame; 0: all until the camera stands, one period, or a minute")
       ->capture_default_str();
   c->add_option("--error", o->error, "relative error of the light of about a pixel")
-      ->check(CLI::Range(ranges::kBakeError.min, ranges::kBakeError.max))
+      ->check(NumberIn(ranges::kBakeError.min, ranges::kBakeError.max))
       ->capture_default_str();
   c->add_option("--memory", o->memory, "MiB of the grid while it is made")
-      ->check(CLI::Range(1, 65536))
+      ->check(NumberIn(1, 65536))
       ->capture_default_str();
   c->add_option("-o,--output", o->output, "folder for the bake; --cache of the other commands names it")
       ->capture_default_str();

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/default_cache.h"
+#include "base/number_in.h"
 #include "eval/bench/cell_bench.h"
 #include "eval/bench/interrupt.h"
 #include "eval/bench/open_scene.h"
@@ -97,7 +98,7 @@ void addCellsCommand(CLI::App& app) {
       ->capture_default_str();
   c->add_option("--speeds", o->grid.speeds, "pixels per frame")
       ->delimiter(',')
-      ->check(CLI::Range(1e-3, 1e3))
+      ->check(NumberIn(1e-3, 1e3))
       ->capture_default_str();
   c->add_option(
        "--frames", o->frames,

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/commands/commands.h"
 #include "eval/metrics/frame_errors.h"
@@ -126,10 +127,10 @@ void addCompareCommand(CLI::App& app) {
       ->required()
       ->check(CLI::ExistingDirectory);
   command->add_option("--bias", o->bias, "I_eps, scene luminance")
-      ->check(CLI::Range(ranges::kBias.min, ranges::kBias.max))
+      ->check(NumberIn(ranges::kBias.min, ranges::kBias.max))
       ->capture_default_str();
   command->add_option("--threshold", o->threshold, "contrast threshold of both polarities, natural log units")
-      ->check(CLI::Range(ranges::kThreshold.min, ranges::kThreshold.max))
+      ->check(NumberIn(ranges::kThreshold.min, ranges::kThreshold.max))
       ->capture_default_str();
   command->add_option("-o,--output", o->picture,
                       "SVG picture of the last frame's dI: dump, reference and difference");

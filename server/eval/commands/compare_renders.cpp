@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/commands/commands.h"
 #include "eval/pictures/ratio_picture.h"
@@ -56,12 +57,12 @@ void addCompareRendersCommand(CLI::App& app) {
       ->required()
       ->check(CLI::ExistingFile);
   command->add_option("--blocks", o->blocks.edge, "side of a block in pixels of the reference")
-      ->check(CLI::Range(1, 16384))
+      ->check(NumberIn(1, 16384))
       ->capture_default_str();
   command
       ->add_option("--least-light", o->blocks.least_light,
                    "leave out blocks darker than this share of the median block")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(NumberIn(0.0, 1.0))
       ->capture_default_str();
   command->add_option("--leave-out", o->left_out,
                       "X,Y,WxH: leave out the blocks with these pixels of the reference; may be given again");

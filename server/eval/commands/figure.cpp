@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 
+#include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/interrupt.h"
 #include "eval/bench/open_scene.h"
@@ -55,13 +56,13 @@ void addFigure(CLI::App& parent, const Figure& figure) {
   if (!o->speeds.empty()) {
     c->add_option("--speeds", o->speeds, "pixels per frame")
         ->delimiter(',')
-        ->check(CLI::Range(1e-3, 1e3))
+        ->check(NumberIn(1e-3, 1e3))
         ->capture_default_str();
   }
   if (!o->thresholds.empty()) {
     c->add_option("--thresholds", o->thresholds, "C of the events")
         ->delimiter(',')
-        ->check(CLI::Range(ranges::kThreshold.min, ranges::kThreshold.max))
+        ->check(NumberIn(ranges::kThreshold.min, ranges::kThreshold.max))
         ->capture_default_str();
   }
   if (o->pixel) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/default_cache.h"
+#include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/feed_options.h"
 #include "eval/bench/interrupt.h"
@@ -131,7 +132,7 @@ void addFramesCommand(CLI::App& app) {
   addFeedOptions(*c, *o);
   c->add_option("--method", o->feed.method, "one of: " + methodNames())->capture_default_str();
   c->add_option("--spp", o->feed.spp, "paths per pixel and frame, over both passes")
-      ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
+      ->check(NumberIn(ranges::kSpp.min, ranges::kSpp.max))
       ->capture_default_str();
   c->add_option("--frames", o->frames,
                 "A:B, the frames to write; the change of frame 1 is since frame 0. Every run starts at 0")
@@ -142,7 +143,7 @@ void addFramesCommand(CLI::App& app) {
                 "folder for dI_N.exr (change into frame N), Iprev_N.exr (frame N - 1) and variance_N.exr");
   c->add_option("--reference", o->reference,
                 "render the reference instead: paths per pixel, rounded up to a multiple of 64")
-      ->check(CLI::Range(1, 1 << 20));
+      ->check(NumberIn(1, 1 << 20));
   c->add_option("--seed", o->feed.seed, "seed of the random numbers, of a method or of the reference")
       ->capture_default_str();
   addBakeOption(*c, o->bake_error);

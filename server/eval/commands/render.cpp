@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/lens_options.h"
 #include "eval/bench/open_scene.h"
@@ -82,11 +83,9 @@ void addRenderCommand(CLI::App& app) {
   command->add_option("scene", o->scene, "a scene by name, or by the path of a scene.xml or its folder")
       ->required();
   command->add_option("--size", o->size, "WIDTHxHEIGHT, pixels; default: that of the scene");
-  command->add_option("--spp", o->spp, "paths per pixel")
-      ->check(CLI::Range(1, 1 << 20))
-      ->capture_default_str();
+  command->add_option("--spp", o->spp, "paths per pixel")->check(NumberIn(1, 1 << 20))->capture_default_str();
   command->add_option("--bounces", o->bounces, "indirect bounces")
-      ->check(CLI::Range(ranges::kBounces.min, ranges::kBounces.max))
+      ->check(NumberIn(ranges::kBounces.min, ranges::kBounces.max))
       ->capture_default_str();
   command->add_option("--offset", o->offset, "move the camera: right,up,forward in scene units")
       ->delimiter(',')

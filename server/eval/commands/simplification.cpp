@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/names.h"
+#include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/interrupt.h"
 #include "eval/bench/model_bench.h"
@@ -131,7 +132,7 @@ void addSimplificationCommand(CLI::App& app) {
                 "method whose frame times are measured; events are compared on references")
       ->capture_default_str();
   c->add_option("--spp", o->spp, "paths per pixel and frame, for the frame times")
-      ->check(CLI::Range(ranges::kSpp.min, ranges::kSpp.max))
+      ->check(NumberIn(ranges::kSpp.min, ranges::kSpp.max))
       ->capture_default_str();
   c->add_option("--tolerance", o->tolerance,
                 "print the cheapest model that changes at most this share of the events")

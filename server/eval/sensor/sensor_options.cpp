@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/names.h"
+#include "base/number_in.h"
 #include "events/noise/presets.h"
 #include "wire/ranges.h"
 
@@ -25,39 +26,43 @@ void setNoise(NoiseConfig& noise, const std::string& text) {
     throw CLI::ValidationError("--noise", text + ": the value must be a number");
 }
 
-SensorPreset presetOf(const std::string& name) {
+// A sensor without a preset has equal thresholds.
+SensorPreset presetOf(const SensorOptions& o) {
   const SensorConfig defaults;
-  if (name.empty())
-    return {"", "", defaults.threshold, defaults.threshold_off, seconds(defaults.refractory), {}};
-  if (const SensorPreset* preset = findPreset(name)) return *preset;
-  throw CLI::ValidationError("--preset", "there is no \"" + name + "\"; there are: " + presetNames());
+  const double threshold = o.threshold.value_or(defaults.threshold);
+  if (o.preset.empty()) return {"", "", threshold, threshold, seconds(defaults.refractory), {}};
+  if (const SensorPreset* preset = findPreset(o.preset)) return *preset;
+  throw CLI::ValidationError("--preset", "there is no \"" + o.preset + "\"; there are: " + presetNames());
 }
 
 }  // namespace
 
 void addSensorOptions(CLI::App& app, SensorOptions& o) {
-  const CLI::Range threshold(ranges::kThreshold.min, ranges::kThreshold.max);
+  const NumberIn threshold(ranges::kThreshold.min, ranges::kThreshold.max);
   app.add_option("--preset", o.preset, "sensor of a known camera: " + presetNames());
   app.add_option("--threshold", o.threshold, "contrast threshold C, natural log units")->check(threshold);
-  app.add_option("--threshold-off", o.threshold_off, "threshold of OFF events; default: that of ON events")
+  app.add_option("--threshold-off", o.threshold_off,
+                 "threshold of OFF events; default: that of ON events, in the preset's proportion")
       ->check(threshold);
   app.add_option("--refractory", o.refractory_s, "seconds for which a pixel is blind after an event")
-      ->check(CLI::Range(ranges::kRefractory.min, ranges::kRefractory.max));
+      ->check(NumberIn(ranges::kRefractory.min, ranges::kRefractory.max));
   app.add_option(
          "--noise", o.noise,
          "KEY=VALUE, an amount of the noise; may be given again. The keys are " + joinRowNames(noiseFields()))
       ->allow_extra_args(false);
   app.add_option("--bias", o.bias, "I_eps, scene luminance")
-      ->check(CLI::Range(ranges::kBias.min, ranges::kBias.max))
+      ->check(NumberIn(ranges::kBias.min, ranges::kBias.max))
       ->capture_default_str();
   app.add_option("--seed", o.seed, "of the pixels and their noise")->capture_default_str();
 }
 
 SensorConfig configOf(const SensorOptions& o) {
-  const SensorPreset preset = presetOf(o.preset);
+  const SensorPreset preset = presetOf(o);
+  const auto threshold = o.preset.empty() ? std::optional(preset.threshold) : o.threshold;
+  const auto [on, off] = thresholdsOf(preset, threshold, o.threshold_off);
   SensorConfig config;
-  config.threshold = o.threshold.value_or(preset.threshold);
-  config.threshold_off = o.threshold_off.value_or(o.threshold.value_or(preset.threshold_off));
+  config.threshold = on;
+  config.threshold_off = off;
   config.refractory = TimeNs(std::llround(o.refractory_s.value_or(preset.refractory_s) * 1e9));
   config.bias = o.bias;
   config.seed = o.seed;

@@ -65,6 +65,13 @@ const SensorPreset* findPreset(const std::string& name) {
   return findRow(sensorPresets(), name);
 }
 
+Thresholds thresholdsOf(const SensorPreset& preset, std::optional<double> on, std::optional<double> off) {
+  if (!on && !off) return {preset.threshold, preset.threshold_off};
+  if (!on) on = *off * (preset.threshold / preset.threshold_off);
+  if (!off) off = *on * (preset.threshold_off / preset.threshold);
+  return {*on, *off};
+}
+
 std::string presetNames() {
   return joinRowNames(sensorPresets());
 }

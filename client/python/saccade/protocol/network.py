@@ -9,13 +9,14 @@ from typing import Any, Protocol, TypeVar
 import zmq
 import zmq.asyncio
 
+from saccade.errors import SaccadeError
 from saccade.protocol.sockets import Keys, configure
 
 T = TypeVar("T")
 
 
 class Channel(Protocol):
-    """A connected socket."""
+    """A connected socket. Once it is closed, its calls raise SaccadeError."""
 
     async def send(self, message: bytes) -> None: ...
 
@@ -48,9 +49,11 @@ class BlockingChannel:
         self._socket = socket
 
     async def send(self, message: bytes) -> None:
+        _require_open(self._socket)
         self._socket.send(message)
 
     async def receive(self, timeout_s: float) -> list[bytes] | None:
+        _require_open(self._socket)
         # Copied into bytes: numpy then finds the columns aligned, which they are not within a message of ZeroMQ.
         return self._socket.recv_multipart() if self._socket.poll(_milliseconds(timeout_s)) else None
 
@@ -71,9 +74,11 @@ class AsyncChannel:
         self._socket = socket
 
     async def send(self, message: bytes) -> None:
+        _require_open(self._socket)
         await self._socket.send(message)
 
     async def receive(self, timeout_s: float) -> list[bytes] | None:
+        _require_open(self._socket)
         ready = await self._socket.poll(_milliseconds(timeout_s))
         return await self._socket.recv_multipart() if ready else None
 
@@ -87,6 +92,11 @@ class AsyncNetwork:
 
     async def sleep(self, seconds: float) -> None:
         await asyncio.sleep(seconds)
+
+
+def _require_open(socket: zmq.Socket[Any]) -> None:
+    if socket.closed:
+        raise SaccadeError("the client or stream is closed")
 
 
 def _milliseconds(seconds: float) -> int:

@@ -2,7 +2,8 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Mapping
+import operator
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from google.protobuf.internal.enum_type_wrapper import EnumTypeWrapper
@@ -17,6 +18,7 @@ from saccade.v1.truth_pb2 import Truth
 PER_SENSOR = ("threshold", "threshold_off", "bias", "refractory_s", "cutoff_hz")
 OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset", "labels", "max_artefact_odds")
 OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "method", "spp", "params", "disable")
+NEVER_ZERO = ("spp", "speed", "max_events_per_pixel_frame", "max_events_per_frame")
 OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
 
 
@@ -27,6 +29,7 @@ def make_request(settings: Settings) -> c.OpenStream:
     """
     _check_names(settings)
     s: Mapping[str, Any] = settings
+    _check_numbers(s)
     return c.OpenStream(
         view=_view(s),
         timing=c.Timing(frame_rate_hz=s["rate_hz"], clock=_value(c.Clock, s, "clock"),
@@ -35,7 +38,7 @@ def make_request(settings: Settings) -> c.OpenStream:
         further_views=_further_views(s),
         delivery=_value(c.Delivery, s, "delivery"),
         codec=_value(events_pb2.Codec, s, "codec"),
-        truth=[_truth(channel) for channel in s.get("truth", ())],
+        truth=_truths(s.get("truth", ())),
         **_picture_source(s), **_some(s, "seed"))
 
 
@@ -62,6 +65,13 @@ def _check_names(settings: Mapping[str, Any]) -> None:
         raise TypeError(f"the setting '{name}' is missing")
 
 
+def _check_numbers(settings: Mapping[str, Any]) -> None:
+    """In the message 0 means that these are unset."""
+    for name in NEVER_ZERO:
+        if settings.get(name) == 0:
+            raise ValueError(f"{name}: 0 is no value; leave it out for the default")
+
+
 def _some(settings: Mapping[str, Any], *names: str) -> dict[str, Any]:
     return {name: settings[name] for name in names if name in settings}
 
@@ -77,13 +87,27 @@ def _value(enum: EnumTypeWrapper, settings: Mapping[str, Any], name: str) -> Any
     return known[settings[name]]
 
 
+def _truths(channels: str | Sequence[str | tuple[str, int]]) -> list[Truth]:
+    return [_truth(channel) for channel in ([channels] if isinstance(channels, str) else channels)]
+
+
 def _truth(channel: str | tuple[str, int]) -> Truth:
     name, every = (channel, 1) if isinstance(channel, str) else channel
+    if every < 1:
+        raise ValueError(f"truth: {name} of every {every} frames: give at least 1")
     return Truth(name=name, every=every)
 
 
+def _size(settings: Mapping[str, Any]) -> tuple[int, int]:
+    try:
+        width, height = map(operator.index, settings["size"])
+    except (TypeError, ValueError):
+        raise ValueError(f"size: {settings['size']!r} is not (width, height), whole numbers") from None
+    return width, height
+
+
 def _view(settings: Mapping[str, Any]) -> c.View:
-    width, height = settings["size"]
+    width, height = _size(settings)
     view = c.View(width=width, height=height, **_some(settings, "fov_x_deg"))
     if "intrinsics" in settings:
         fx, fy, cx, cy = settings["intrinsics"]

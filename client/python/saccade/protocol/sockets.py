@@ -32,10 +32,13 @@ def read_keys(secret_key: Key | None, server_key: Key | None) -> Keys | None:
         raise ValueError("give both secret_key and server_key, or neither")
     if not isinstance(secret_key, bytes) and os.stat(secret_key).st_mode & stat.S_IROTH:
         warnings.warn(f"every user of this machine can read the secret key {os.fspath(secret_key)}", stacklevel=3)
-    return Keys(_read_key(secret_key), _read_key(server_key))
+    return Keys(_read_key(secret_key, ".pub"), _read_key(server_key, ".key"))
 
 
-def _read_key(key: Key) -> bytes:
+def _read_key(key: Key, wrong: str) -> bytes:
+    """wrong: the ending of the other key's file, as `saccade keygen` names it."""
+    if not isinstance(key, bytes) and os.fspath(key).endswith(wrong):
+        raise ValueError(f"{key} is by its name a {'public' if wrong == '.pub' else 'secret'} key: give the other one")
     text = key if isinstance(key, bytes) else pathlib.Path(key).read_bytes()
     if len(text.strip()) != 40:
         raise ValueError(f"{'the key' if isinstance(key, bytes) else key} is not a key: it has 40 characters")

@@ -44,6 +44,7 @@ class StreamState:
         self.snapshots: dict[int, Snapshot] = {}
         self.truth: list[Truth] = []
         self._samples: deque[Truth] = deque()  # received, not given yet
+        self._given = False  # whether an iteration has come to the end
 
     @property
     def opened(self) -> control_pb2.StreamOpened:
@@ -87,7 +88,13 @@ class StreamState:
         while not self._samples and not self._subscription.sequence.all_ended():
             if (events := await self._receive()) is not None:
                 return events
-        return self._samples.popleft() if self._samples else None
+        self._given = not self._samples
+        return None if self._given else self._samples.popleft()
+
+    def _require_more(self) -> None:
+        """Raises StreamFault where an iteration has given all there is: it would be taken for no events."""
+        if self._given:
+            raise StreamFault("the stream has ended, and its events were given; keep them in a list to use them again")
 
     async def _receive(self) -> Events | None:
         """The events of the next packet. What else it holds is kept."""

@@ -15,6 +15,8 @@ from saccade.errors import FormatError
 from saccade.events import Events, concatenate
 from saccade.readers import aedat4, dsec, npz, raw, text
 from saccade.readers.columns import events_of
+from saccade.readers.recorded import within_recording
+from saccade.readers.sidecar import sidecar_of
 
 CHUNK = 1_000_000  # events
 NONE = np.empty(0)
@@ -40,17 +42,25 @@ def open_file(path: str | os.PathLike[str], *, size: tuple[int, int] | None = No
     chunk: events of a piece; words of a RAW file, which hold about as many.
     size: width and height of the sensor, for files that do not tell them; others must agree.
 
-    Raises FormatError (a ValueError) for an unknown extension, faulty content, a pixel outside the size, and times that
-    run backwards; and OSError.
+    PATH.json beside the file, as `saccade record` writes it, tells the size too, and when the recording began and ended:
+    the first piece covers the time from there, and the last one up to there. Without it they begin with the first event
+    and end with the last.
+
+    Raises FormatError (a ValueError) for an unknown extension, faulty content, a pixel outside the size, times that
+    run backwards, and a PATH.json of another recording; and OSError.
     """
     path = pathlib.Path(path)
     if path.suffix not in FORMATS:
         raise FormatError(f"{path}: the extension is not one of {', '.join(FORMATS)}")
-    return _checked(path, FORMATS[path.suffix](path, chunk), size)
+    about = sidecar_of(path)
+    if about is not None and about.width:
+        size = size or (about.width, about.height)
+    chunks = _checked(path, FORMATS[path.suffix](path, chunk), size)
+    return within_recording(path, chunks, about, size) if about is not None and about.end_ns else chunks
 
 
 def read(path: str | os.PathLike[str], *, size: tuple[int, int] | None = None) -> Events:
-    """All events of a file, as open_file() gives them in pieces."""
+    """All events of a file, as open_file() gives them in pieces, with their interval."""
     parts = list(open_file(path, size=size))
     return concatenate(parts) if parts else events_of(NONE, NONE, NONE, NONE, size)
 

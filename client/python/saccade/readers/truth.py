@@ -6,21 +6,24 @@ import pathlib
 from typing import Any
 
 import numpy as np
-from google.protobuf.json_format import Parse, ParseError
 
 from saccade.errors import FormatError
+from saccade.readers.sidecar import read_sidecar, sidecar_of
 from saccade.truth import IdNames, TruthArrays
-from saccade.v1 import recording_pb2
 
 
 def read_truth(path: str | os.PathLike[str]) -> dict[str, TruthArrays]:
     """The truth channels of an .h5 or .npz file, by name; empty for a file without any.
+
+    A recording with several sensors of a camera keeps its truth in the file of the first one, such as a-0.h5. It is read
+    from there for the others, such as a-1.h5.
 
     Raises FormatError for another extension and for faulty content, and OSError.
     """
     path = pathlib.Path(path)
     if path.suffix not in (".h5", ".npz"):
         raise FormatError(f"{path}: truth channels are read from .h5 and .npz; see {path.name}.truth for others")
+    path = _with_truth(path)
     try:
         channels = _of_hdf5(path) if path.suffix == ".h5" else _of_npz(path)
     except ImportError:
@@ -35,17 +38,22 @@ def read_truth(path: str | os.PathLike[str]) -> dict[str, TruthArrays]:
     return channels
 
 
+def _with_truth(path: pathlib.Path) -> pathlib.Path:
+    """The file of the first sensor of the same view, where PATH.json tells of several; else the path itself."""
+    about = sidecar_of(path)
+    if about is None or not about.request.truth or about.sensor >= len(about.request.sensors):
+        return path
+    views = [sensor.view for sensor in about.request.sensors]
+    first, own = views.index(views[about.sensor]), f"-{about.sensor}"
+    return path.with_stem(path.stem.removesuffix(own) + f"-{first}") if path.stem.endswith(own) else path
+
+
 def read_id_names(path: str | os.PathLike[str]) -> IdNames:
     """The names of the numbers in the channel ids of a recording, from PATH.json; empty without this channel.
 
     Raises FormatError for a file that is no such description, and OSError.
     """
-    file = pathlib.Path(f"{os.fspath(path)}.json")
-    try:
-        recording = Parse(file.read_text(encoding="utf-8"), recording_pb2.Recording())
-    except (ParseError, UnicodeDecodeError) as fault:
-        raise FormatError(f"{file}: {fault}") from fault
-    return IdNames.of(recording.id_names)
+    return IdNames.of(read_sidecar(path).id_names)
 
 
 def _of_hdf5(path: pathlib.Path) -> dict[str, TruthArrays]:

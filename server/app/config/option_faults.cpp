@@ -1,0 +1,60 @@
+#include "app/config/option_faults.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/instruction_set.h"
+#include "scene/files/search_folders.h"
+
+namespace saccade {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string inQuotes(const fs::path& path) {
+  return "'" + path.string() + "'";
+}
+
+// `path`, or the folder above it that is there.
+fs::path thereOf(fs::path path) {
+  std::error_code none;
+  while (!fs::exists(path, none) && path.has_relative_path()) path = path.parent_path();
+  return path.empty() ? "." : path;
+}
+
+}  // namespace
+
+std::string endpointFault(const std::string& text) {
+  if (text.starts_with("tcp://") || text.starts_with("ipc://")) return {};
+  return inQuotes(text) + " is no endpoint such as tcp://127.0.0.1:5770";
+}
+
+std::string httpFault(const std::string& text) {
+  if (text == "off" || text.starts_with("http://")) return {};
+  return inQuotes(text) + " is neither off nor an address such as http://127.0.0.1:5773";
+}
+
+std::string foldersFault(const std::string& list) {
+  for (const fs::path& folder : splitFolders(list))
+    if (!fs::is_directory(folder)) return "there is no folder " + inQuotes(folder);
+  return {};
+}
+
+std::string newFolderFault(const std::string& path) {
+  if (path.empty()) return {};
+  const fs::path there = thereOf(path);
+  if (!fs::is_directory(there)) return inQuotes(there) + " is not a folder";
+  if (access(there.c_str(), W_OK) != 0) return "the folder " + inQuotes(there) + " cannot be written";
+  return {};
+}
+
+std::string instructionsFault(const std::string& name) {
+  const auto at = std::find(kInstructionSetNames.begin(), kInstructionSetNames.end(), name);
+  const auto set = static_cast<InstructionSet>(at - kInstructionSetNames.begin());
+  const bool lacks = at != kInstructionSetNames.end() && set > widestInstructionSet();
+  return lacks ? "this processor has no " + name : "";
+}
+
+}  // namespace saccade
