@@ -150,6 +150,14 @@ TEST_F(SceneNotes, KeepTheReasonOfAFailureUntilTheSceneLoads) {
   EXPECT_NE(scenes_.note("mine").stats, "");
 }
 
+TEST_F(SceneNotes, WarnOfWhatThePictureLacks) {
+  writeMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl brown\nf 1 2 3\n");
+  scenes_.get("mine");
+  const std::string stats = scenes_.note("mine").stats;
+  expectContains(stats, "; warning: " + files_.path("mine/a.obj") + ": its materials (usemtl) are not read");
+  expectContains(stats, "; warning: the scene has no light");
+}
+
 TEST_F(SceneNotes, AreOfTheFileAsItIsNow) {
   writeMesh("v 0 0\n");
   EXPECT_THROW(scenes_.get("mine"), SceneError);

@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
-#include "scene/files/scene_error.h"
+#include "scene/scratch.h"
 
 namespace saccade::eval {
 namespace {
@@ -45,6 +46,36 @@ TEST(OpenTrajectory, ListsAllThatItTakes) {
          {"'fly'", "arc", "slide", "right", "still", "dolly", "KIND:SPEEDpx", ".csv"})
       EXPECT_NE(std::string(fault.what()).find(word), std::string::npos) << word << ": " << fault.what();
   }
+}
+
+// Runs in a folder of its own, so that the name of a folder leads nowhere else.
+struct OpenScene : testing::Test {
+  OpenScene() {
+    files.write("objroom/scene.xml",
+                "<scene version='3.0.0'><sensor type='perspective'><float name='fov' value='40'/></sensor>"
+                "<shape type='obj'><string name='filename' value='a.obj'/></shape></scene>");
+    files.write("objroom/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl brown\nf 1 2 3\n");
+    std::filesystem::current_path(files.path(""));
+  }
+  ~OpenScene() override { std::filesystem::current_path(before); }
+  const std::filesystem::path before = std::filesystem::current_path();
+  const Scratch files;
+};
+
+TEST_F(OpenScene, AFolderWithoutASlashIsToldHowToBeNamed) {
+  const std::string error = errorOf([] { openScene("objroom"); });
+  expectContains(error, "no scene is named 'objroom'; there are: ");
+  expectContains(error, "the folder here is ./objroom");
+  EXPECT_EQ(errorOf([] { openScene("absent"); }).find("./absent"), std::string::npos);
+}
+
+TEST_F(OpenScene, WarnsOfWhatThePictureLacks) {
+  testing::internal::CaptureStderr();
+  openScene("./objroom");
+  const std::string told = testing::internal::GetCapturedStderr();
+  expectContains(told, "warning: ./objroom: ");
+  expectContains(told, "a.obj: its materials (usemtl) are not read");
+  expectContains(told, "the scene has no light");
 }
 
 TEST(SceneName, IsTheServersNameOfAScene) {

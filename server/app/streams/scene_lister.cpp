@@ -61,7 +61,7 @@ v1::SceneInfo SceneLister::describe(const SceneEntry& entry) const {
   for (const auto& name : entry.trajectories) scene.add_trajectories(name);
   scene.set_unavailable(entry.unavailable.empty() ? cutText(note.failure, kMaxEntryBytes)
                                                   : entry.unavailable);
-  scene.set_stats(note.stats);
+  scene.set_stats(cutText(note.stats, kMaxEntryBytes));
   return scene;
 }
 
