@@ -13,12 +13,12 @@ const WriterInfo* find(const char* WriterInfo::*key, const std::string& value) {
   return nullptr;
 }
 
-// "is one of evt3, evt2"
+// "is for evt3, evt2"
 std::string formatsOf(const std::string& extension) {
   std::string names;
   for (const WriterInfo* writer : writerTable())
     if (extension == writer->extension)
-      names += (names.empty() ? "is one of " : ", ") + std::string(writer->name);
+      names += (names.empty() ? "is for " : ", ") + std::string(writer->name);
   return names.empty() ? "has no known extension" : names;
 }
 

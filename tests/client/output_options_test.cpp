@@ -54,7 +54,7 @@ TEST_F(OutputOptionsTest, AFormatFitsItsExtensionAlone) {
         EXPECT_NE(fault.find(word), std::string::npos) << word << " is not in: " << fault;
     }
   }
-  EXPECT_EQ(faultOf("a.csv", "evt3"), "--format: evt3 makes .raw files, and 'a.csv' is one of csv");
+  EXPECT_EQ(faultOf("a.csv", "evt3"), "--format: evt3 makes .raw files, and 'a.csv' is for csv");
   EXPECT_NE(faultOf("a.dat", "csv").find("'a.dat' has no known extension"), std::string::npos);
   EXPECT_NE(faultOf("a", "csv").find("'a' has no known extension"), std::string::npos);
 }

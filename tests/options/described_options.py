@@ -7,11 +7,10 @@ from dataclasses import dataclass
 @dataclass(frozen=True)
 class Option:
     """name: as it is given, "--size"; of a positional one without dashes. kind: "TEXT", "FLOAT", "INT" or "UINT", and ""
-    for a flag. many: whether it may be given again. about: what --help says of it."""
+    for a flag. about: what --help says of it, without its default."""
 
     name: str
     kind: str
-    many: bool
     about: str
 
     @property
@@ -24,7 +23,7 @@ def options_of(*command):
     text = subprocess.run([*command, "--help"], capture_output=True, text=True, check=True).stdout
     text = re.sub(r"\n {30}(?=\S)", " ", text.split("\nSubcommands:")[0])  # what takes two lines becomes one
     rows = re.findall(r"^  (?:-\w,)?(--[\w-]+|[a-z]+)(?:,--\w+)? (TEXT|FLOAT|INT|UINT|FRAMES|NAME)(\S*.*)$", text, re.M)
-    return [Option(name, kind, " ... " in f"{about}  ".partition("  ")[0] + " ", about) for name, kind, about in rows]
+    return [Option(name, kind, re.sub(r"^\S*=\S*", "", rest).strip()) for name, kind, rest in rows]
 
 
 def commands_of(*program):

@@ -47,4 +47,6 @@ WORDS_OF_OTHERS = ["INTERNAL", "INVALID_ARGUMENT", "std::", "basic_", "terminate
 
 def wrong_values(option):
     """Raises KeyError for an option that is new."""
+    if option.name == "--output" and "folder for" in option.about:
+        return [*NEW_FOLDERS, ""]
     return [*(NUMBERS[option.kind] if option.kind in NUMBERS else TEXTS[option.name]), ""]
