@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mock/mock_client.h"
+#include "mock/needs_libzmq.h"
 #include "mock/wait_until.h"
 #include "mock/zmtp_peer.h"
 #include "stream/refused_connections.h"
@@ -70,6 +71,7 @@ std::string nameAfter(std::string name, std::uint32_t steps) {
 // A name that ZeroMQ was about to give to another ended the process; and whoever came next under the name of
 // one who has gone had its packets.
 TEST(StrictPeers, NoPeerHasANameOfItsOwn) {
+  NEEDS_PATCHED_LIBZMQ();
   Router router;
   ZmtpPeer first(router.endpoint());
   first.say(zmtp::part("hello"));
@@ -87,6 +89,7 @@ TEST(StrictPeers, NoPeerHasANameOfItsOwn) {
 }
 
 TEST(StrictPeers, TheEndOfAConnectionIsTold) {
+  NEEDS_PATCHED_LIBZMQ();
   Router router;
   {
     ZmtpPeer peer(router.endpoint());
@@ -107,6 +110,7 @@ TEST(StrictPeers, AnEmptyMessageIsNotTheEnd) {
 
 // More messages than the queue holds, and the end of the connection right behind them.
 TEST(StrictPeers, TheEndOfAConnectionIsToldBehindAFullQueue) {
+  NEEDS_PATCHED_LIBZMQ();
   Router router;
   {
     ZmtpPeer peer(router.endpoint());
@@ -129,6 +133,7 @@ void PrintTo(const Rule& rule, std::ostream* out) {
 class BreakARule : public testing::TestWithParam<Rule> {};
 
 TEST_P(BreakARule, EndsTheConnectionAndNoOther) {
+  NEEDS_PATCHED_LIBZMQ();
   Router router;
   ZmtpPeer honest(router.endpoint());
   honest.say(zmtp::part("hello"));
@@ -161,6 +166,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& rule) { return rule.param.name; });
 
 TEST(StrictPeers, AMessageWithoutEndEndsItsConnection) {
+  NEEDS_PATCHED_LIBZMQ();
   Router router;
   ZmtpPeer peer(router.endpoint());
   peer.say(repeated(zmtp::part("x", true), 100));
@@ -170,6 +176,7 @@ TEST(StrictPeers, AMessageWithoutEndEndsItsConnection) {
 
 // The PONG to a PING without the fields it must have held what lies behind it in memory.
 TEST(StrictPeers, AShortPingIsNotAnswered) {
+  NEEDS_PATCHED_LIBZMQ();
   Router router;
   ZmtpPeer peer(router.endpoint());
   peer.say(zmtp::command("PING", {}));
@@ -178,6 +185,7 @@ TEST(StrictPeers, AShortPingIsNotAnswered) {
 }
 
 TEST(StrictPeers, ConnectionsAreBounded) {
+  NEEDS_PATCHED_LIBZMQ();
   Router router({.keys = {}, .connections = 4});
   std::vector<ZmtpPeer> peers;
   for (int i = 0; i < 4; ++i) peers.emplace_back(router.endpoint()).say(zmtp::part("hello"));
@@ -197,6 +205,7 @@ TEST(StrictPeers, ConnectionsAreBounded) {
 }
 
 TEST(StrictPeers, ConnectionsOfOneAddressAreBounded) {
+  NEEDS_PATCHED_LIBZMQ();
   Router router({.keys = {}, .client_connections = 2});
   std::vector<ZmtpPeer> peers;
   for (int i = 0; i < 2; ++i) peers.emplace_back(router.endpoint()).say(zmtp::part("hello"));
@@ -213,6 +222,7 @@ TEST(StrictPeers, ConnectionsOfOneAddressAreBounded) {
 
 // Large messages that never end: the bound of all of them together cuts those beyond it off.
 TEST(StrictPeers, BoundsTheBytesOfMessagesThatAreStillArriving) {
+  NEEDS_PATCHED_LIBZMQ();
   constexpr int kMiB = 1 << 20;
   Router router({.keys = {}, .inbound_mib = 16}, 8 * kMiB);
   const std::string begun = zmtp::part(std::string(8 * kMiB - 1, 'x')).substr(0, 4096);
