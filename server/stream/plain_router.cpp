@@ -16,6 +16,10 @@ zmq::socket_t makeRouter(zmq::context_t& context, const SocketOptions& options) 
   return socket;
 }
 
+zmq::socket_type peerType(const SocketOptions&) {
+  return zmq::socket_type::dealer;
+}
+
 int refusedConnections() {
   return 0;
 }

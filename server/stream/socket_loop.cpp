@@ -81,8 +81,7 @@ SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Im
     throw std::runtime_error("cannot listen on " + options.endpoint + ": " + fault.what());
   }
   if (!keys) return;
-  probeRefusal(options.for_subscribers ? zmq::socket_type::sub : zmq::socket_type::dealer, endpoint_,
-               keys->secret);
+  probeRefusal(peerType(options), endpoint_, keys->secret);
 }
 
 SocketLoop::~SocketLoop() {

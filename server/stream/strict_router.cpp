@@ -42,6 +42,10 @@ zmq::socket_t makeRouter(zmq::context_t& context, const SocketOptions& options) 
   return socket;
 }
 
+zmq::socket_type peerType(const SocketOptions& options) {
+  return options.for_subscribers ? zmq::socket_type::sub : zmq::socket_type::dealer;
+}
+
 int refusedConnections() {
   zmq::context_t any;  // the count is of the process
   return zmq_ctx_get(any.handle(), ZMQ_REFUSED_PEERS);

@@ -13,4 +13,7 @@ inline constexpr int kMaxParts = 2;  // of one message: a peer that sends more i
 // A socket that is yet to be bound. Throws std::runtime_error where libzmq is not the one this was built for.
 zmq::socket_t makeRouter(zmq::context_t& context, const SocketOptions& options);
 
+// The sockets that may connect to it.
+zmq::socket_type peerType(const SocketOptions& options);
+
 }  // namespace saccade

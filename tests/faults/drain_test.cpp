@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "mock/mock_http.h"
+#include "mock/needs_libzmq.h"
 #include "mock/server_process.h"
 #include "mock/test_server.h"
 #include "mock/wait_until.h"
@@ -17,6 +18,7 @@ constexpr double kDrainSeconds = 5;
 constexpr int kStreams = 4;  // of each delivery
 
 TEST(Drain, EndsAllStreamsInTimeAndLetsNobodyIn) {
+  NEEDS_PATCHED_LIBZMQ();
   ServerProcess server({"--drain-time", std::to_string(kDrainSeconds)});
   MockClient client(server.control());
   std::vector<v1::StreamOpened> streams;

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <future>
 
+#include "mock/needs_libzmq.h"
 #include "mock/server_process.h"
 #include "mock/test_server.h"
 #include "mock/wait_until.h"
@@ -92,6 +93,7 @@ TEST_F(HeavyOpenTest, IsSeenAndCancelled) {
 }
 
 TEST_F(HeavyOpenTest, EndsWithItsConnection) {
+  NEEDS_PATCHED_LIBZMQ();
   heavy_.reset();
   EXPECT_TRUE(waitUntil([&] { return list(client_).opening_size() == 0; }, kSoon));
 }

@@ -9,6 +9,7 @@
 
 #include "faults/echo_router.h"
 #include "mock/mock_keys.h"
+#include "mock/needs_libzmq.h"
 #include "mock/wait_until.h"
 #include "mock/zmtp_peer.h"
 #include "stream/refused_connections.h"
@@ -26,6 +27,7 @@ std::string largePart() {
 
 // Large messages that never end: the bound of all of them together cuts those beyond it off.
 TEST(Inbound, BoundsTheBytesOfMessagesThatAreStillArriving) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router({.keys = {}, .inbound_mib = 16}, 8 * kMiB);
   const std::string begun = largePart().substr(0, 5 * kMiB);  // more than half: there is room for all of it
   std::vector<ZmtpPeer> peers;
@@ -46,6 +48,7 @@ TEST(Inbound, BoundsTheBytesOfMessagesThatAreStillArriving) {
 
 // Some hundred bytes of a few peers held all of the bound, and whoever sent a large message then was cut off.
 TEST(Inbound, AnAnnouncedSizeTakesNoRoom) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router({.keys = {}, .inbound_mib = 16}, 8 * kMiB);
   const std::string hello = zmtp::part("hello"), large = largePart();
   std::vector<ZmtpPeer> liars;
@@ -61,6 +64,7 @@ TEST(Inbound, AnAnnouncedSizeTakesNoRoom) {
 
 // Such as the sockets by which the viewer is a client of its own process.
 TEST(Inbound, SocketsWithoutBoundsAreNotCutOff) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router({.keys = {}, .inbound_mib = 16}, 8 * kMiB);
   std::vector<ZmtpPeer> peers;
   for (int i = 0; i < 2; ++i) peers.emplace_back(router.endpoint()).say(largePart().substr(0, 5 * kMiB));
@@ -80,6 +84,7 @@ TEST(Inbound, SocketsWithoutBoundsAreNotCutOff) {
 
 // Whoever is to take them is busy: decrypted messages count until then, like others.
 TEST(Inbound, MessagesThatWaitCountWithKeysToo) {
+  NEEDS_PATCHED_LIBZMQ();
   const MockKeys server = makeMockKeys(), client = makeMockKeys(server.public_key);
   const std::string list = testing::TempDir() + "strict_peers_" + std::to_string(getpid());
   std::ofstream(list) << client.public_key << "\n";

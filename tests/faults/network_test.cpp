@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "mock/needs_libzmq.h"
 #include "mock/resuming_subscriber.h"
 #include "mock/server_process.h"
 #include "mock/test_server.h"
@@ -30,6 +31,7 @@ bool run(const std::string& command) {
 class Network : public testing::Test {
  protected:
   void SetUp() override {
+    NEEDS_PATCHED_LIBZMQ();
     for (const char* tool : {"ip", "tc", "nsenter", "unshare"}) {
       if (!run(std::string("command -v ") + tool)) GTEST_SKIP() << tool << " is not installed";
     }

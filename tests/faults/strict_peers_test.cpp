@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "faults/echo_router.h"
+#include "mock/needs_libzmq.h"
 #include "mock/zmtp_peer.h"
 #include "stream/refused_connections.h"
 
@@ -22,6 +23,7 @@ std::string nameAfter(std::string name, std::uint32_t steps) {
 // A name that ZeroMQ was about to give to another ended the process; and whoever came next under the name of
 // one who has gone had its packets.
 TEST(StrictPeers, NoPeerHasANameOfItsOwn) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router;
   ZmtpPeer first(router.endpoint());
   first.say(zmtp::part("hello"));
@@ -39,6 +41,7 @@ TEST(StrictPeers, NoPeerHasANameOfItsOwn) {
 }
 
 TEST(StrictPeers, TheEndOfAConnectionIsTold) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router;
   {
     ZmtpPeer peer(router.endpoint());
@@ -59,6 +62,7 @@ TEST(StrictPeers, AnEmptyMessageIsNotTheEnd) {
 
 // More messages than the queue holds, and the end of the connection right behind them.
 TEST(StrictPeers, TheEndOfAConnectionIsToldBehindAFullQueue) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router;
   {
     ZmtpPeer peer(router.endpoint());
@@ -81,6 +85,7 @@ void PrintTo(const Rule& rule, std::ostream* out) {
 class BreakARule : public testing::TestWithParam<Rule> {};
 
 TEST_P(BreakARule, EndsTheConnectionAndNoOther) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router;
   ZmtpPeer honest(router.endpoint());
   honest.say(zmtp::part("hello"));
@@ -113,6 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& rule) { return rule.param.name; });
 
 TEST(StrictPeers, AMessageWithoutEndEndsItsConnection) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router;
   ZmtpPeer peer(router.endpoint());
   peer.say(repeated(zmtp::part("x", true), 100));
@@ -122,6 +128,7 @@ TEST(StrictPeers, AMessageWithoutEndEndsItsConnection) {
 
 // The PONG to a PING without the fields it must have held what lies behind it in memory.
 TEST(StrictPeers, AShortPingIsNotAnswered) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router;
   ZmtpPeer peer(router.endpoint());
   peer.say(zmtp::command("PING", {}));
@@ -130,6 +137,7 @@ TEST(StrictPeers, AShortPingIsNotAnswered) {
 }
 
 TEST(StrictPeers, ConnectionsAreBounded) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router({.keys = {}, .connections = 4});
   std::vector<ZmtpPeer> peers;
   for (int i = 0; i < 4; ++i) peers.emplace_back(router.endpoint()).say(zmtp::part("hello"));
@@ -149,6 +157,7 @@ TEST(StrictPeers, ConnectionsAreBounded) {
 }
 
 TEST(StrictPeers, ConnectionsOfOneAddressAreBounded) {
+  NEEDS_PATCHED_LIBZMQ();
   EchoRouter router({.keys = {}, .client_connections = 2});
   std::vector<ZmtpPeer> peers;
   for (int i = 0; i < 2; ++i) peers.emplace_back(router.endpoint()).say(zmtp::part("hello"));

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "mock/fault_proxy.h"
+#include "mock/needs_libzmq.h"
 #include "mock/test_server.h"
 
 namespace saccade {
@@ -62,6 +63,7 @@ v1::DataRequest credit(std::uint64_t bytes) {
 // Whoever connects next under the name of one who has gone would have its stream, without its token: so a
 // name that a peer gives itself means nothing.
 TEST(Thief, CannotTakeTheNameOfAnother) {
+  NEEDS_PATCHED_LIBZMQ();
   TestServer server;
   const std::string endpoint = server.client().server().data_endpoint();
   const auto stream = server.client().open(tinyRequest());
@@ -89,6 +91,7 @@ TEST(Thief, CannotTakeTheNameOfAnother) {
 
 // A reply may come late, and holds the token.
 TEST(Thief, CannotWaitForTheReplyOfAnother) {
+  NEEDS_PATCHED_LIBZMQ();
   TestServer server;
   v1::Request request;
   request.set_protocol_version(1);
@@ -143,12 +146,14 @@ class Eavesdropper : public testing::Test {
 };
 
 TEST_F(Eavesdropper, ReadsAllWithoutKeys) {
+  NEEDS_PATCHED_LIBZMQ();
   const std::string seen = listen(testConfig(), {});
   ASSERT_GT(secrets_.size(), 10u);
   EXPECT_EQ(told(seen), secrets_.size());
 }
 
 TEST_F(Eavesdropper, ReadsNothingWithKeys) {
+  NEEDS_PATCHED_LIBZMQ();
   const MockKeys own = makeMockKeys(), client = makeMockKeys(own.public_key);
   std::filesystem::create_directories(folder_);
   Config config = testConfig();

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "mock/needs_libzmq.h"
 #include "mock/test_server.h"
 
 namespace saccade {
@@ -179,6 +180,7 @@ TEST(Delivery, CompressedStreamsHoldTheSameEvents) {
 }
 
 TEST(Delivery, BroadcastStartsWithItsFirstSubscriberAndHasNoGap) {
+  NEEDS_PATCHED_LIBZMQ();
   TestServer server;
   v1::OpenStream request = tinyRequest();
   request.set_delivery(v1::DELIVERY_BROADCAST);
@@ -196,6 +198,7 @@ TEST(Delivery, BroadcastStartsWithItsFirstSubscriberAndHasNoGap) {
 }
 
 TEST(Delivery, BroadcastLivesAsLongAsAnybodySubscribes) {
+  NEEDS_PATCHED_LIBZMQ();
   Config config = testConfig();
   config.lease_s = 1;
   TestServer server(config);
@@ -223,6 +226,7 @@ TEST(Delivery, BroadcastLivesAsLongAsAnybodySubscribes) {
 
 // Prefixes would let one subscriber have, and start, the streams of all others.
 TEST(Delivery, BroadcastKnowsOnlyExactTopics) {
+  NEEDS_PATCHED_LIBZMQ();
   TestServer server;
   v1::OpenStream request = tinyRequest();
   request.set_delivery(v1::DELIVERY_BROADCAST);

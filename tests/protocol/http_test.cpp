@@ -11,6 +11,7 @@
 
 #include "mock/loopback.h"
 #include "mock/mock_http.h"
+#include "mock/needs_libzmq.h"
 #include "mock/test_server.h"
 #include "ops/http_server.h"
 
@@ -75,6 +76,7 @@ TEST_F(Http, CountsWhatWasDropped) {
 }
 
 TEST_F(Http, CountsStreamsByDelivery) {
+  NEEDS_PATCHED_LIBZMQ();
   v1::OpenStream request = tinyRequest();
   request.set_delivery(v1::DELIVERY_BROADCAST);
   const auto stream = server_.client().open(request);

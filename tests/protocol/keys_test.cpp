@@ -4,11 +4,13 @@
 #include <fstream>
 
 #include "mock/keyed_server.h"
+#include "mock/needs_libzmq.h"
 
 namespace saccade {
 namespace {
 
 TEST_F(KeyedServer, ServesAllSocketsToAListedKey) {
+  NEEDS_PATCHED_LIBZMQ();
   TestServer server(config_, alice_);
   v1::OpenStream request = tinyRequest();
   const auto info = server.client().server();
@@ -27,6 +29,7 @@ TEST_F(KeyedServer, ServesAllSocketsToAListedKey) {
 }
 
 TEST_F(KeyedServer, TurnsAllOthersAwayOnEverySocket) {
+  NEEDS_PATCHED_LIBZMQ();
   TestServer server(config_, alice_);
   const auto info = server.client().server();
   const auto dealer = zmq::socket_type::dealer, sub = zmq::socket_type::sub;
@@ -103,6 +106,7 @@ TEST_F(KeyedServer, AKeyThatIsTakenOffTheListGetsNoPacketMore) {
 }
 
 TEST_F(KeyedServer, AnOpenAddressWantsKeysOrAWord) {
+  NEEDS_PATCHED_LIBZMQ();
   Config open = testConfig();
   open.data = "tcp://0.0.0.0:*";
   EXPECT_THROW(App{open}, std::runtime_error);

@@ -7,6 +7,7 @@
 
 #include "mock/accuracy_file.h"
 #include "mock/mock_service_manager.h"
+#include "mock/needs_libzmq.h"
 #include "mock/process.h"
 #include "mock/remote_subscriber.h"
 #include "mock/test_server.h"
@@ -211,6 +212,7 @@ TEST(Process, AClientDoesNotFillTheLog) {
 }
 
 TEST(Process, AnOpenAddressWithoutKeysIsRefusedAndSaysWhy) {
+  NEEDS_PATCHED_LIBZMQ();
   Process server({SACCADED, "--check-config", "--control", "tcp://0.0.0.0:0"});
   EXPECT_NE(server.lineWith("--control").find("--insecure"), std::string::npos);
   EXPECT_EQ(server.finish(), 2);

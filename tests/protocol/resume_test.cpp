@@ -1,6 +1,7 @@
 // A stream that goes on from an event, as after the loss of a server.
 #include <gtest/gtest.h>
 
+#include "mock/needs_libzmq.h"
 #include "mock/test_server.h"
 
 namespace saccade {
@@ -65,6 +66,7 @@ TEST_F(Resume, DoesNotKeepThePaceUntilItHasCaughtUp) {
 }
 
 TEST_F(Resume, IsForLosslessStreamsAlone) {
+  NEEDS_PATCHED_LIBZMQ();
   v1::OpenStream request = twoSensors();
   request.mutable_sensors(1)->set_from_event(1);
   for (const v1::Delivery delivery : {v1::DELIVERY_LIVE, v1::DELIVERY_BROADCAST}) {

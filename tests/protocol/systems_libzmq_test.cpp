@@ -59,7 +59,7 @@ TEST(SystemsLibzmq, APeerIsGoneOnceAnotherHasItsDescriptor) {
   NEEDS_SYSTEMS_LIBZMQ();
   std::mutex mutex;
   std::set<std::string> gone;
-  SocketLoop loop({.endpoint = "tcp://127.0.0.1:*"});
+  SocketLoop loop({.endpoint = "tcp://127.0.0.1:*", .access = {}});
   loop.start([](SocketLoop::Message&&) {}, [] { return SocketLoop::kUntilWoken; },
              [&](const std::string& peer) {
                std::lock_guard lock(mutex);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mock/mock_subscriber.h"
+#include "mock/needs_libzmq.h"
 #include "mock/zmtp_peer.h"
 
 namespace saccade {
@@ -14,6 +15,7 @@ namespace {
 
 class Broadcast : public testing::Test {
  protected:
+  void SetUp() override { NEEDS_PATCHED_LIBZMQ(); }
   Broadcast() {
     sessions_.add(session_);
     server_.start();
