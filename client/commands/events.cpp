@@ -1,4 +1,6 @@
 // saccade events: makes events of the frames of somebody else's video.
+#include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <stdexcept>
 
@@ -7,6 +9,7 @@
 #include "client/commands/recording_options.h"
 #include "client/commands/request_text.h"
 #include "client/commands/sensor_options.h"
+#include "client/frames/natural_order.h"
 
 namespace saccade::client {
 namespace {
@@ -26,8 +29,20 @@ std::optional<Transfer> transferOf(const std::string& name) {
   return name == "srgb" ? Transfer::kSrgb : Transfer::kLinear;
 }
 
+// A shell sorts names as text.
+void warnOfFallingNumbers(const std::vector<std::string>& frames) {
+  const auto falls = std::adjacent_find(frames.begin(), frames.end(), numberFalls);
+  if (falls == frames.end()) return;
+  std::fprintf(
+      stderr,
+      "saccade: warning: '%s' comes before '%s', and frames are taken as they are given; a folder's are in "
+      "the order of their numbers\n",
+      falls->c_str(), std::next(falls)->c_str());
+}
+
 std::unique_ptr<FrameSource> openFrames(const EventsOptions& options) {
   const std::optional<Transfer> transfer = transferOf(options.transfer);
+  warnOfFallingNumbers(options.frames);
   try {
     if (options.size.empty()) return openPictures(options.frames, transfer);
     const ImageSize size = parseSize("--size", options.size);
@@ -61,8 +76,9 @@ void addFrameOptions(CLI::App& command, EventsOptions& o) {
   command.option_defaults()->group("Frames");
   command
       .add_option("frames", o.frames,
-                  "pictures of equal size, such as EXR and PNG, or folders of them; with --size raw files, "
-                  "or - for the standard input")
+                  "pictures of equal size, such as EXR and PNG, in the order given, or folders of them, in "
+                  "the order of "
+                  "the numbers in their names; with --size raw files, or - for the standard input")
       ->type_name("FRAMES")
       ->required();
   command.add_option("--rate", o.rate_hz, "frames per second")->required();
@@ -91,7 +107,7 @@ void addEventsCommand(CLI::App& app) {
   command->footer(
       "The brightness of a pixel changes linearly between two frames. No frames are interpolated: an edge "
       "should move by at most\na pixel per frame. White of a PNG is the luminance 1; --bias is in that "
-      "unit.\n\n"
+      "unit. Alpha lies\nover black.\n\n"
       "Examples: saccade events frames/ --rate 240 -o events.h5\n"
       "          ffmpeg -i a.mp4 -f rawvideo -pix_fmt grayf32le - |\n"
       "            saccade events - --size 640x480 --rate 240 --transfer srgb -o events.h5");

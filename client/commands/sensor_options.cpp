@@ -33,6 +33,7 @@ v1::Sensor makeSensor(const SensorOptions& options, std::size_t index) {
   if (options.refractory_s) sensor.set_refractory_s(*options.refractory_s);
   if (options.cutoff_hz) sensor.set_cutoff_hz(*options.cutoff_hz);
   if (options.max_artefact_odds) sensor.set_max_artefact_odds(*options.max_artefact_odds);
+  if (options.max_events) sensor.set_max_events_per_pixel_frame(*options.max_events);
   if (!options.model.empty()) {
     sensor.set_model(enumValue<v1::EventModel>("--model", options.model));
   }
@@ -78,6 +79,10 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
       ->delimiter(',');
   command.add_option("--max-artefact-odds", o.max_artefact_odds,
                      "withhold events with higher odds to be an artefact of rendering");
+  command
+      .add_option("--max-events", o.max_events,
+                  "events of a pixel in one frame; further ones are withheld and counted")
+      ->check(CLI::Range(ranges::kMaxPixelEvents.min, ranges::kMaxPixelEvents.max));
   command.add_option("--cutoff", o.cutoff_hz,
                      "Hz below which --reconstruction complementary follows the picture");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct SensorOptions {
   std::string model, reconstruction, preset;
   std::vector<std::string> noise;  // name=value
   std::optional<double> max_artefact_odds;
+  std::optional<std::uint32_t> max_events;  // of a pixel in a frame
 };
 
 void addSensorOptions(CLI::App& command, SensorOptions& options);

@@ -97,7 +97,7 @@ void printWithheld(std::FILE* out, const Recorder& recorder, const v1::OpenStrea
     std::fprintf(out, "%llu events withheld: ", others);
     if (sensor.refractory_s() > 0)
       std::fprintf(out, "the refractory period is %g s, and ", sensor.refractory_s());
-    std::fprintf(out, "limits are %u per pixel and frame, %llu per frame\n",
+    std::fprintf(out, "limits are %u per pixel and frame, which --max-events raises, and %llu per frame\n",
                  sensor.max_events_per_pixel_frame(), Count{sensor.max_events_per_frame()});
   }
   if (withheld.artefacts > 0)

@@ -1,6 +1,7 @@
 // Frames of a video, one after the other: what `saccade events` sends.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,17 +34,24 @@ class FrameSource {
   int width_ = 0, height_ = 0;
 };
 
-// Pictures that OpenImageIO reads, such as EXR and PNG; of a folder all pictures, in the order of
-// their names. Colours become their Rec. 709 luminance, and whole numbers are fractions of their largest
-// value. Without `transfer`, whole numbers are sRGB and other numbers are linear. Throws
-// std::invalid_argument where a file is missing or there are less than two.
+inline constexpr const char* kStandardInput = "-";
+
+std::string sizeText(std::int64_t width, std::int64_t height);
+// What is wrong with this size of a frame, or nothing. The server may allow less.
+std::string frameSizeFault(std::int64_t width, std::int64_t height);
+
+// Pictures that OpenImageIO reads, such as EXR and PNG; of a folder all pictures, in the order of the numbers
+// in their names. Colours become their Rec. 709 luminance, over black where they have alpha, and whole
+// numbers are fractions of their largest value. Without `transfer`, whole numbers are sRGB and other numbers
+// are linear. Throws std::invalid_argument where a file is missing or no picture, or there are less than
+// two, and as next().
 std::unique_ptr<FrameSource> openPictures(const std::vector<std::string>& paths,
                                           std::optional<Transfer> transfer);
 
 // Files of little-endian float32, row by row from the top, with one frame after the other; "-" is the
-// standard input. Throws std::invalid_argument where a file is missing.
-std::unique_ptr<FrameSource> openRawFrames(std::vector<std::string> paths, int width, int height,
-                                           Transfer transfer);
+// standard input. Throws std::invalid_argument where a file is missing, and for a size that cannot be.
+std::unique_ptr<FrameSource> openRawFrames(std::vector<std::string> paths, std::int64_t width,
+                                           std::int64_t height, Transfer transfer);
 
 // The light of an sRGB value (IEC 61966-2-1). A value above 1 continues the curve, and one below 0 is 0.
 float linearFromSrgb(float value);

@@ -1,48 +1,52 @@
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <span>
 #include <stdexcept>
 
 #include "client/frames/frame_source.h"
-#include "pictures/library.h"
+#include "client/frames/natural_order.h"
+#include "client/frames/picture.h"
 
 namespace saccade::client {
 namespace {
 
 namespace fs = std::filesystem;
 
+void addFolder(const std::string& folder, std::vector<std::string>& files) {
+  const auto first = static_cast<std::ptrdiff_t>(files.size());
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (isPicture(entry.path().string())) files.push_back(entry.path().string());
+  }
+  std::sort(files.begin() + first, files.end(), naturalLess);
+}
+
+void addFile(const std::string& file, std::vector<std::string>& files) {
+  if (file == kStandardInput)
+    throw std::invalid_argument("the standard input has raw frames: give --size WIDTHxHEIGHT");
+  if (!fs::exists(file)) throw std::invalid_argument("there is no file '" + file + "'");
+  if (!isPicture(file)) throw std::invalid_argument(videoAdvice(file) + "; raw frames need --size");
+  files.push_back(file);
+}
+
 std::vector<std::string> filesOf(const std::vector<std::string>& paths) {
   std::vector<std::string> files;
   for (const std::string& path : paths) {
-    if (!fs::exists(path)) throw std::invalid_argument("there is no file '" + path + "'");
-    if (!fs::is_directory(path)) {
-      files.push_back(path);
-      continue;
+    if (fs::is_directory(path)) {
+      addFolder(path, files);
+    } else {
+      addFile(path, files);
     }
-    const auto first = static_cast<std::ptrdiff_t>(files.size());
-    for (const auto& entry : fs::directory_iterator(path)) {
-      if (pictures::library().canRead(entry.path().string())) files.push_back(entry.path().string());
-    }
-    std::sort(files.begin() + first, files.end());
   }
-  if (files.size() < 2) throw std::invalid_argument("events need at least two frames");
   return files;
-}
-
-// The weights of a picture's first channels: grey, or red, green and blue.
-std::span<const float> weightsOf(int channels) {
-  static constexpr std::array kGrey{1.0f};
-  static constexpr std::array kColours{0.2126f, 0.7152f, 0.0722f};
-  if (channels < 3) return kGrey;
-  return kColours;
 }
 
 class Pictures final : public FrameSource {
  public:
   Pictures(std::vector<std::string> files, std::optional<Transfer> transfer)
       : files_(std::move(files)), transfer_(transfer) {
-    first_ = read(files_.front());
+    if (!files_.empty()) first_ = readPicture(files_.front(), transfer_);
+    if (files_.size() < 2) throw std::invalid_argument("events need at least two frames");
+    width_ = first_.width;
+    height_ = first_.height;
   }
 
   std::optional<std::size_t> frames() const override { return files_.size(); }
@@ -50,45 +54,21 @@ class Pictures final : public FrameSource {
   std::optional<IntensityFrame> next() override {
     if (at_ == files_.size()) return std::nullopt;
     const std::string& file = files_[at_++];
-    return at_ == 1 ? std::move(first_) : read(file);
+    return at_ == 1 ? std::move(first_.light) : read(file);
   }
 
  private:
   IntensityFrame read(const std::string& file) {
-    const auto input = pictures::library().open(file);
-    const pictures::Shape& shape = input->shape();
-    if (width_ == 0) width_ = shape.width, height_ = shape.height;
-    if (shape.width != width_ || shape.height != height_)
-      throw std::runtime_error(file + ": has " + sizeText(shape.width, shape.height) +
+    Picture picture = readPicture(file, transfer_);
+    if (picture.width != width_ || picture.height != height_)
+      throw std::runtime_error(file + ": has " + sizeText(picture.width, picture.height) +
                                " pixels, but the first frame has " + sizeText(width_, height_));
-    const auto channels = static_cast<int>(shape.channels.size());
-    std::vector<float> values(shape.pixels() * channels);
-    input->read(0, channels, values.data(), channels * sizeof(float));
-    return luminanceOf(
-        values, channels,
-        transfer_.value_or(pictures::isWhole(shape.number) ? Transfer::kSrgb : Transfer::kLinear));
-  }
-
-  static std::string sizeText(int width, int height) {
-    return std::to_string(width) + "x" + std::to_string(height);
-  }
-
-  static IntensityFrame luminanceOf(const std::vector<float>& values, int channels, Transfer transfer) {
-    const std::span<const float> weights = weightsOf(channels);
-    const auto stride = static_cast<std::size_t>(channels);
-    IntensityFrame frame(values.size() / stride);
-    for (std::size_t i = 0; i < frame.size(); ++i) {
-      for (std::size_t c = 0; c < weights.size(); ++c) {
-        const float value = values[i * stride + c];
-        frame[i] += weights[c] * (transfer == Transfer::kSrgb ? linearFromSrgb(value) : value);
-      }
-    }
-    return frame;
+    return std::move(picture.light);
   }
 
   const std::vector<std::string> files_;
   const std::optional<Transfer> transfer_;
-  IntensityFrame first_;
+  Picture first_{};
   std::size_t at_ = 0;
 };
 

@@ -11,8 +11,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "frames are read as they lie in memory");
 
-constexpr const char* kStandardInput = "-";
-
 class RawFrames final : public FrameSource {
  public:
   RawFrames(std::vector<std::string> paths, int width, int height, Transfer transfer)
@@ -56,13 +54,19 @@ class RawFrames final : public FrameSource {
 
 }  // namespace
 
-std::unique_ptr<FrameSource> openRawFrames(std::vector<std::string> paths, int width, int height,
-                                           Transfer transfer) {
+std::unique_ptr<FrameSource> openRawFrames(std::vector<std::string> paths, std::int64_t width,
+                                           std::int64_t height, Transfer transfer) {
   for (const std::string& path : paths) {
+    if (std::filesystem::is_directory(path))
+      throw std::invalid_argument(
+          "'" + path + "' is a folder: with --size, frames are raw files; leave it out for pictures");
     if (path != kStandardInput && !std::filesystem::is_regular_file(path))
       throw std::invalid_argument("there is no file '" + path + "'");
   }
-  return std::make_unique<RawFrames>(std::move(paths), width, height, transfer);
+  const std::string fault = frameSizeFault(width, height);
+  if (!fault.empty()) throw std::invalid_argument(fault);
+  return std::make_unique<RawFrames>(std::move(paths), static_cast<int>(width), static_cast<int>(height),
+                                     transfer);
 }
 
 }  // namespace saccade::client

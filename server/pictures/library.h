@@ -22,6 +22,8 @@ struct Shape {
   std::vector<std::string> channels = {};  // their names
   Number number = Number::kF32;
   int alpha = -1;                         // the index of that channel; -1: none
+  bool multiplied = false;                // of a file: its colours have been multiplied by alpha
+  bool several = false;                   // of a file: it holds further pictures, as a video does
   std::map<std::string, int> notes = {};  // of Saccade, by name
 
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
@@ -44,7 +46,8 @@ class Input {
 
 class Library {
  public:
-  virtual bool canRead(const std::string& path) const = 0;  // by its name, or by its first bytes
+  // Whether it knows such files, by the extension or the first bytes. A video is no picture.
+  virtual bool canRead(const std::string& path) const = 0;
 
   // Opens a flat picture. Colours are not multiplied by the alpha of a file that keeps both apart. Throws
   // std::runtime_error with the file's name.

@@ -42,6 +42,7 @@ TypeDesc typeOf(Number number) {
 
 Shape shapeOf(const ImageSpec& spec) {
   Shape shape{spec.width, spec.height, spec.channelnames, numberOf(spec.format), spec.alpha_channel};
+  shape.multiplied = shape.alpha >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
   for (const auto& attribute : spec.extra_attribs) {
     const std::string name = attribute.name().string();
     if (name.starts_with(kNotePrefix)) shape.notes[name.substr(kNotePrefix.size())] = attribute.get_int();
@@ -64,6 +65,17 @@ ImageSpec specOf(const Shape& shape) {
   throw std::runtime_error(path + ": " + reason);
 }
 
+// Whether the frames of a video or the pages of a scan are in one file. Parts of OpenEXR are layers of a
+// picture.
+bool holdsSeveral(ImageInput& input) {
+  const std::string_view format = input.format_name();
+  if (format != "gif" && format != "tiff") return false;
+  const bool several = input.seek_subimage(1, 0);
+  if (!several) input.geterror();  // clears it
+  input.seek_subimage(0, 0);
+  return several;
+}
+
 class File final : public Input {
  public:
   explicit File(const std::string& path) : path_(path) {
@@ -74,6 +86,7 @@ class File final : public Input {
     const ImageSpec& spec = input_->spec();
     if (spec.depth != 1 || spec.deep) fail(path, "is not flat: its pixels have depth");
     shape_ = shapeOf(spec);
+    shape_.several = holdsSeveral(*input_);
   }
 
   void read(int first, int count, float* to, std::size_t pixel_bytes) override {
@@ -97,9 +110,9 @@ void put(ImageOutput* output, const std::string& path, const Shape& shape, const
 class OpenImageIo final : public Library {
  public:
   bool canRead(const std::string& path) const override {
-    const bool known = ImageInput::create(path) != nullptr;
-    if (!known) OIIO::geterror();  // clears it
-    return known;
+    const auto input = ImageInput::create(path);
+    if (!input) OIIO::geterror();  // clears it
+    return input && std::string_view(input->format_name()) != "ffmpeg";
   }
 
   std::unique_ptr<Input> open(const std::string& path) const override { return std::make_unique<File>(path); }

@@ -1,4 +1,5 @@
 // `saccade events`: a bar that grows brighter, as raw float.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -78,12 +79,54 @@ TEST_F(EventsCommand, TellsWhatIsWrong) {
     EXPECT_TRUE(holds(result, text)) << result.output;
   };
   expect(events("none.png", "-o " + csv_), 2, "FRAMES: there is no file 'none.png'");
-  expect(events(video_, "-o " + csv_), 2, "FRAMES: events need at least two frames");
+  expect(events(video_, "-o " + csv_), 2, "raw frames need --size");
+  expect(events("- < " + video_, "-o " + csv_), 2, "FRAMES: the standard input has raw frames: give --size");
+  expect(events(folder_.at(""), "-o " + csv_), 2, "FRAMES: events need at least two frames");
+  expect(events(folder_.at(""), size_), 2, "is a folder: with --size, frames are raw files");
+  expect(events(folder_.at("a.mp4"), "-o " + csv_), 2, "there is no file");
+  std::ofstream(folder_.at("a.mp4")) << "no frames";
+  expect(events(folder_.at("a.mp4"), "-o " + csv_), 2,
+         "a.mp4 -f rawvideo -pix_fmt grayf32le - | saccade events -");
+  expect(events(video_, "--size 100000x100000 -o " + csv_), 2, "but this one has 100000x100000");
   expect(events(video_, "--size 8 -o " + csv_), 2, "--size");
   expect(events(video_, size_ + "--truth depth"), 2, "depth needs a scene");
   expect(events(video_, "--size 8x3 -o " + csv_), 1, "ends within a frame");
   expect(events(video_, "--size 8x4 --transfer gamma -o " + csv_), 2, "--transfer");
   expect(events("- < /dev/null", size_ + "--force"), 1, "events need at least two frames");
+}
+
+TEST_F(EventsCommand, TellsThatNumbersFallInAList) {
+  const std::string nine = folder_.at("9.f32"), ten = folder_.at("10.f32");
+  for (const std::string& file : {nine, ten}) fs::copy_file(video_, file);
+  const Result falling = events(ten + " " + nine, size_),
+               rising = events(nine + " " + ten, size_ + "--force");
+  EXPECT_EQ(falling.code + rising.code, 0);
+  EXPECT_TRUE(holds(falling, "10.f32' comes before '")) << falling.output;
+  EXPECT_FALSE(holds(rising, "warning")) << rising.output;
+}
+
+// From 0 to 1 at bias 0.001 are ln(1001) / 0.2 = 34.54 thresholds.
+TEST_F(EventsCommand, NamesTheOptionThatGivesAllEventsOfAStep) {
+  constexpr int kPixels = kWidth * kHeight;
+  {
+    std::ofstream out(video_, std::ios::binary);
+    const std::vector<float> dark(kPixels, 0), light(kPixels, 1);
+    for (const auto& frame : {dark, light})
+      out.write(reinterpret_cast<const char*>(frame.data()), kPixels * 4);
+  }
+  const std::string step = "--size 8x4 --bias 1e-3 --threshold 0.2 -o " + csv_ + " --force ";
+  const auto count = [&] {
+    const std::string text = textOf(csv_);
+    return std::count(text.begin(), text.end(), '\n') - 1;
+  };
+  const Result few = events(video_, step);
+  EXPECT_EQ(count(), 32 * kPixels);
+  EXPECT_TRUE(holds(few, "limits are 32 per pixel and frame, which --max-events raises")) << few.output;
+  const Result all = events(video_, step + "--max-events 64");
+  EXPECT_FALSE(holds(all, "withheld")) << all.output;
+  EXPECT_GE(count(), 34 * kPixels);
+  EXPECT_LE(count(), 35 * kPixels);
+  EXPECT_TRUE(holds(events(video_, step + "--max-events 0"), "--max-events"));
 }
 
 TEST_F(EventsCommand, NamesAFrameThatCannotBe) {

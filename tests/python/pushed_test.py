@@ -1,5 +1,9 @@
 """Streams whose frames the client in Python sends, with a real saccaded."""
 import asyncio
+import os
+import pathlib
+import subprocess
+import tempfile
 import unittest
 
 import numpy as np
@@ -52,6 +56,45 @@ class Pushed(unittest.TestCase):
                 self.assertEqual([one.t for one in stream.truth], [10_000 * k for k in expected])
                 for one, k in zip(stream.truth, expected):
                     np.testing.assert_allclose(one.data[..., 0], frame(k), rtol=1e-6)
+
+    def test_whole_numbers_mean_what_they_mean_to_saccade_events(self):
+        rng = np.random.default_rng(1)
+        for kind, shape in ((np.uint8, (16, 16)), (np.uint16, (256, 256))):
+            values = np.arange(np.prod(shape)).astype(kind)
+            frames = [rng.permutation(values).reshape(shape) for _ in range(3)]
+            with self.subTest(kind=kind), tempfile.TemporaryDirectory() as folder:
+                from_files, light = self.events_of_files(pathlib.Path(folder), frames)
+                size = shape[::-1]
+                with self.client.open(pushed=True, size=size, rate_hz=100, threshold=0.5, truth=["intensity"]) as stream:
+                    steps, truth = [], []
+                    for one in frames:
+                        steps += stream.push(one)
+                        truth += stream.truth
+                for i, one in enumerate(truth):
+                    np.testing.assert_allclose(one.data[..., 0], light[i, ..., 0], rtol=2e-7)
+                pushed = saccade.concatenate(steps)
+                for column in "txyp":
+                    np.testing.assert_array_equal(getattr(pushed, column), getattr(from_files, column))
+                self.assertGreater(len(pushed), len(values))
+                self.assertEqual(light.max(), 1)
+
+    def events_of_files(self, folder, frames):
+        """The events and the light of `saccade events`, from portable grey maps."""
+        for i, one in enumerate(frames):
+            height, width = one.shape
+            header = f"P5 {width} {height} {np.iinfo(one.dtype).max}\n".encode()
+            (folder / f"{i}.pgm").write_bytes(header + one.astype(one.dtype.newbyteorder(">")).tobytes())
+        file = folder / "out.npz"
+        subprocess.run([os.environ["SACCADE"], "events", folder, "--rate", "100", "--threshold", "0.5", "--truth",
+                        "intensity", "--control", self.server.address, "-o", file], check=True, stdout=subprocess.DEVNULL)
+        return saccade.read(file), saccade.read_truth(file)["intensity"].data
+
+    def test_what_is_no_frame_is_refused(self):
+        with self.client.open(**SETTINGS) as stream:
+            for wrong, text in ((frame(0).tolist(), "frames are numpy arrays .* not list"),
+                                (frame(0).astype(int), "not int64"), (frame(0) > 0, "not bool")):
+                with self.subTest(text), self.assertRaisesRegex(TypeError, text):
+                    stream.push(wrong)
 
     def test_faults(self):
         with self.client.open(**SETTINGS) as stream:

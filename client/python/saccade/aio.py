@@ -6,10 +6,8 @@ from collections.abc import AsyncIterator, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
 from saccade.events import Events
+from saccade.frames import Frame
 from saccade.protocol import session
 from saccade.protocol.network import AsyncNetwork
 from saccade.protocol.retry import RetryPolicy
@@ -84,8 +82,8 @@ class Stream(StreamState):
                    velocity: Sequence[float] | None = None) -> list[Events]:
         return await self._step(pose, velocity)
 
-    async def push(self, intensity: NDArray[np.float32]) -> list[Events]:
-        return await self._push(intensity)
+    async def push(self, frame: Frame) -> list[Events]:
+        return await self._push(frame)
 
     async def change_sensor(self, sensor: int = 0, **change: Unpack[SensorSettings]) -> int:
         return await self._change_sensor(sensor, change)

@@ -6,10 +6,8 @@ from collections.abc import Iterator, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
 from saccade.events import Events
+from saccade.frames import Frame
 from saccade.protocol import session
 from saccade.protocol.network import BlockingNetwork, run
 from saccade.protocol.retry import RetryPolicy
@@ -124,13 +122,14 @@ class Stream(StreamState):
         """steer(), and waits for that frame. Returns the events since the last ones, by sensor. For "lockstep"."""
         return run(self._step(pose, velocity))
 
-    def push(self, intensity: NDArray[np.float32]) -> list[Events]:
+    def push(self, frame: Frame) -> list[Events]:
         """Sends the next frame of a stream with pushed=True. Returns the events since the last one, by sensor.
 
-        intensity: float (height, width), linear, at least 0. The first frame makes no events: the list is empty then.
-        Raises InvalidArgument for a value that cannot be.
+        frame: luminance (height, width): float is linear and at least 0; uint8 and uint16 are sRGB, where white is the
+            luminance 1. The first frame makes no events: the list is empty then.
+        Raises TypeError and ValueError for another array, and InvalidArgument for a value that cannot be.
         """
-        return run(self._push(intensity))
+        return run(self._push(frame))
 
     def change_sensor(self, sensor: int = 0, **change: Unpack[SensorSettings]) -> int:
         """Changes a sensor; returns from which microsecond on. saccade.SensorSettings describes the settings."""

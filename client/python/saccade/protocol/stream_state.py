@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from saccade import recording
 from saccade.errors import StreamFault
 from saccade.events import Events, concatenate
+from saccade.frames import Frame, luminance
 from saccade.protocol.columns import NS_PER_US, Snapshot
 from saccade.protocol.samples import Samples
 from saccade.protocol.sequence import Losses
@@ -127,11 +128,8 @@ class StreamState:
     async def _step(self, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> list[Events]:
         return await self._frame_until(await self._subscription.handle.steer(pose, velocity))
 
-    async def _push(self, intensity: NDArray[np.float32]) -> list[Events]:
-        width, height = self.size
-        if intensity.shape != (height, width):
-            raise ValueError(f"a frame of this stream has the shape ({height}, {width}), not {intensity.shape}")
-        pushed = await self._subscription.handle.push(intensity.astype("<f4").tobytes())
+    async def _push(self, frame: Frame) -> list[Events]:
+        pushed = await self._subscription.handle.push(luminance(frame, self.size).tobytes())
         return await self._frame_until(pushed) if pushed.frame > 0 else []
 
     async def _frame_until(self, asked: control_pb2.Steered | control_pb2.FramePushed) -> list[Events]:

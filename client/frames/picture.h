@@ -1,0 +1,26 @@
+// The light of one picture.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "client/frames/frame_source.h"
+
+namespace saccade::client {
+
+struct Picture {
+  int width, height;
+  IntensityFrame light;
+};
+
+// Whether it may be a picture, by the extension or the beginning. A video is none.
+bool isPicture(const std::string& file);
+
+// Throws std::runtime_error with the file: it cannot be read, it holds several pictures, or it is larger than
+// a frame may be, which its header tells before its pixels are read.
+Picture readPicture(const std::string& file, std::optional<Transfer> transfer);
+
+// How to get the frames of a video.
+std::string videoAdvice(const std::string& file);
+
+}  // namespace saccade::client
