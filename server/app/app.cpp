@@ -36,11 +36,9 @@ App::App(const Config& config)
       service_(scenes_, quota_, streams_, opener_, client_log_, describe(config)) {
   data_.start();
   broadcast_.start();
-  control_.start(
-      [this](RawRequest request, const Peer& peer, ControlServer::Answer answer) {
-        service_.handle(std::move(request), peer, std::move(answer));
-      },
-      [this](const std::string& connection) { opener_.openings().cancelAllOf(connection); });
+  control_.start([this](RawRequest request, const Peer& peer,
+                        Answer answer) { service_.handle(std::move(request), peer, std::move(answer)); },
+                 [this](const std::string& connection) { opener_.openings().cancelAllOf(connection); });
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
   serveHttp(config);
   manager_.tell("READY=1");
