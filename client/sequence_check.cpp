@@ -37,7 +37,8 @@ Withheld withheldOf(const v1::PacketHeader& header) {
   return {header.suppressed(), header.artefacts(), header.lost_in_readout()};
 }
 
-SequenceCheck::SequenceCheck(const v1::OpenStream& resolved) {
+SequenceCheck::SequenceCheck(const v1::OpenStream& resolved)
+    : sensors_(static_cast<std::uint32_t>(resolved.sensors_size())) {
   const auto add = [&](std::uint64_t first) {
     due_.push_back({.item = first, .t_ns = {}, .joined = first == 0});
   };
@@ -88,7 +89,7 @@ std::optional<SequenceCheck::FreshRange> SequenceCheck::follow(const Point& due,
   if (gap) {
     ++losses_.gaps;
     losses_.packets += header.seq() - due.seq;
-    losses_.events += header.first_event_index() - due.item;
+    (header.sensor() < sensors_ ? losses_.events : losses_.samples) += header.first_event_index() - due.item;
   }
   return FreshRange{0, header.t0_ns()};
 }

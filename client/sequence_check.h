@@ -15,7 +15,8 @@ namespace saccade::client {
 struct Losses {
   std::uint64_t gaps = 0;     // runs of missing packets
   std::uint64_t packets = 0;  // missing packets
-  std::uint64_t events = 0;   // their events and samples
+  std::uint64_t events = 0;   // their events
+  std::uint64_t samples = 0;  // their samples, of truth channels
 };
 
 // Events of a packet's interval that its sensor withheld.
@@ -67,6 +68,7 @@ class SequenceCheck {
   std::optional<FreshRange> follow(const Point& due, const v1::PacketHeader& header);
 
   std::vector<Point> due_;  // by channel
+  std::uint32_t sensors_;   // the first of them
   Losses losses_;
 };
 

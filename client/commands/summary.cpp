@@ -109,8 +109,10 @@ void printWithheld(std::FILE* out, const Recorder& recorder, const v1::OpenStrea
 
 void printLosses(std::FILE* out, const Losses& losses) {
   if (losses.gaps == 0) return;
-  std::fprintf(out, "lost on the way: %llu packets with %llu events, in %llu gaps\n", Count{losses.packets},
-               Count{losses.events}, Count{losses.gaps});
+  std::fprintf(out, "lost on the way: %llu packets with %llu events", Count{losses.packets},
+               Count{losses.events});
+  if (losses.samples > 0) std::fprintf(out, " and %llu samples of truth", Count{losses.samples});
+  std::fprintf(out, ", in %llu gaps\n", Count{losses.gaps});
 }
 
 void printStages(std::FILE* out, const v1::StreamInfo& info) {

@@ -42,11 +42,9 @@ App::App(const Config& config) : App(config, Opened{}) {
   started_ = true;
   data_.start();
   broadcast_.start();
-  control_.start(
-      [this](RawRequest request, const Peer& peer, ControlServer::Answer answer) {
-        service_.handle(std::move(request), peer, std::move(answer));
-      },
-      [this](const std::string& connection) { opener_.openings().cancelAllOf(connection); });
+  control_.start([this](RawRequest request, const Peer& peer,
+                        Answer answer) { service_.handle(std::move(request), peer, std::move(answer)); },
+                 [this](const std::string& connection) { opener_.openings().cancelAllOf(connection); });
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
   manager_.tell("READY=1");
   if (!peersAreBounded()) spdlog::warn(kUnboundedPeers);

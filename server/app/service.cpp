@@ -1,5 +1,6 @@
 #include "app/service.h"
 
+#include "app/request/push_request.h"
 #include "app/request/refusal.h"
 #include "app/request/request_bounds.h"
 #include "app/request/request_memory.h"
@@ -15,7 +16,7 @@ v1::Reply pictureReply(const Stream& stream) {
   try {
     const auto newest = stream.feed->newest().copy();
     if (!newest) throw Refusal(v1::CODE_UNAVAILABLE, {}, "the stream has no frame yet");
-    *reply.mutable_get_frame() = drawPicture(*newest, stream.request.sensors(0).bias());
+    *reply.mutable_get_frame() = drawPicture(*newest, stream.request->sensors(0).bias());
     *reply.mutable_status() = okStatus();
   } catch (...) {
     reply.Clear();
@@ -48,11 +49,12 @@ Service::Service(const SceneCache& scenes, ResourceQuota& quota, StreamRegistry&
       scenes_(scenes) {}
 
 void Service::handle(RawRequest request, const Peer& peer, Answer answer) {
-  const auto tell = [&log = log_, user = peer.user, answer = std::move(answer)](v1::Reply reply) {
+  const auto give = [&log = log_, user = peer.user, answer](v1::Reply reply) {
     const v1::Status& status = reply.status();
     if (status.code() != v1::CODE_OK) log.info(user, "refused: " + status.field() + " " + status.message());
     answer(std::move(reply));
   };
+  const Answer tell(give, [answer](std::size_t bytes) { answer.expect(bytes); });
   try {
     dispatch(std::move(request), peer, tell);
   } catch (...) {
@@ -65,6 +67,7 @@ void Service::handle(RawRequest request, const Peer& peer, Answer answer) {
 // Hands the request to the part that answers it. Throws what is to be answered instead.
 void Service::dispatch(RawRequest raw, const Peer& peer, const Answer& answer) {
   if (raw.call == v1::Request::kOpenStream) return open(std::move(raw), peer, answer);
+  if (raw.call == v1::Request::kPushFrame) return push(raw, answer);
   const v1::Request request = parseRequest(raw.bytes);
   if (request.has_list_scenes()) return scenes_.ask(answer);
   if (request.has_get_frame()) return getFrame(request.get_frame(), answer);
@@ -84,19 +87,38 @@ void Service::open(RawRequest request, const Peer& peer, Answer answer) {
   });
 }
 
+// Without the registry's lock: a frame may be large.
+void Service::push(const RawRequest& raw, const Answer& answer) {
+  const PushRequest request = readPush(raw.bytes);
+  PushTarget target;
+  streams_.with(request.stream_id, request.token, [&](const Stream& stream) { target = pushTarget(stream); });
+  v1::Reply reply;
+  *reply.mutable_push_frame() = pushFrame(target, request.intensity);
+  *reply.mutable_status() = okStatus();
+  answer(std::move(reply));
+}
+
 // A thread of its own copies and draws, because pictures may be large. It may also end the feed, which takes
 // long: the last holder of a stream does that.
 void Service::getFrame(const v1::GetFrame& call, const Answer& answer) {
   Stream stream = streams_.find(call.stream_id(), call.token());
-  const v1::View& view = stream.request.view();
-  quota_.use(Limit::kPictures, 2.0 * sizeof(float) * view.width() * view.height() / (1 << 20));
+  const v1::View& view = stream.request->view();
+  expect(2 * sizeof(float) * view.width() * view.height(), answer);
   pictures_.post([stream = std::move(stream), answer] { answer(pictureReply(stream)); });
 }
 
-// As getFrame(), because paths may be long.
+// As getFrame(), because paths and changes may be many.
 void Service::describe(const v1::DescribeStream& call, const Answer& answer) {
-  pictures_.post(
-      [stream = streams_.find(call.stream_id(), call.token()), answer] { answer(descriptionReply(stream)); });
+  Stream stream = streams_.find(call.stream_id(), call.token());
+  expect(descriptionBytes(stream), answer);
+  pictures_.post([stream = std::move(stream), answer] { answer(descriptionReply(stream)); });
+}
+
+// Counts a large reply before it is made.
+void Service::expect(std::size_t bytes, const Answer& answer) {
+  constexpr std::size_t kShort = 64 << 10;
+  if (bytes > kShort) quota_.use(Limit::kPictures, static_cast<double>(bytes) / (1 << 20));
+  answer.expect(bytes);
 }
 
 void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& reply) {
@@ -110,9 +132,6 @@ void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& repl
       break;
     case v1::Request::kSteer:
       control(request.steer(), steerStream, *reply.mutable_steer());
-      break;
-    case v1::Request::kPushFrame:
-      control(request.push_frame(), pushFrame, *reply.mutable_push_frame());
       break;
     case v1::Request::kChangeSensor:
       control(request.change_sensor(), changeSensor, *reply.mutable_change_sensor());

@@ -1,7 +1,6 @@
 // Answers the calls of the control socket.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "app/streams/scene_lister.h"
@@ -14,8 +13,6 @@ namespace saccade {
 
 class Service {
  public:
-  using Answer = std::function<void(v1::Reply)>;
-
   // Keeps references. `description` is the answer to ServerInfo.
   Service(const SceneCache& scenes, ResourceQuota& quota, StreamRegistry& streams, StreamOpener& opener,
           ClientLog& log, v1::ServerDescription description);
@@ -27,8 +24,10 @@ class Service {
  private:
   void dispatch(RawRequest request, const Peer& peer, const Answer& answer);
   void open(RawRequest request, const Peer& peer, Answer answer);
+  void push(const RawRequest& request, const Answer& answer);
   void getFrame(const v1::GetFrame& call, const Answer& answer);
   void describe(const v1::DescribeStream& call, const Answer& answer);
+  void expect(std::size_t bytes, const Answer& answer);
   void fill(const v1::Request& request, const Peer& peer, v1::Reply& reply);
   v1::StreamList listStreams(const std::string& user) const;
 

@@ -42,6 +42,14 @@ SensorConfig changed(SensorConfig config, const SensorChange& change) {
   return config;
 }
 
+SensorChange together(SensorChange first, const SensorChange& last) {
+  if (last.threshold) first.threshold = last.threshold;
+  if (last.threshold_off) first.threshold_off = last.threshold_off;
+  if (last.bias) first.bias = last.bias;
+  if (last.noise) first.noise = last.noise;
+  return first;
+}
+
 std::optional<SensorFault> findFault(const SensorConfig& config) {
   if (auto fault = findRangeFault(config)) return fault;
   if (!findEventModel(config.model)) {

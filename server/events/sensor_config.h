@@ -40,6 +40,8 @@ struct SensorChange {
   std::optional<NoiseConfig> noise = {};  // all of it, with the mismatch of before
 };
 SensorConfig changed(SensorConfig config, const SensorChange& change);
+// Both at once: what `last` leaves unset stays as in `first`.
+SensorChange together(SensorChange first, const SensorChange& last);
 
 struct SensorFault {
   std::string field, message;  // the field as the schema names it

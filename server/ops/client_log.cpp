@@ -9,7 +9,7 @@
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMaxLineBytes = 1000, kMaxNameBytes = 8;
+constexpr std::size_t kMaxNameBytes = 8;
 const std::string kOthers;  // the name of no client that has one
 
 }  // namespace
@@ -40,6 +40,14 @@ void LogLimit::forgetQuietOnes(Clock::time_point now) {
 }
 
 void ClientLog::info(const std::string& client, const std::string& line) {
+  write(spdlog::level::info, client, line);
+}
+
+void ClientLog::error(const std::string& client, const std::string& line) {
+  write(spdlog::level::err, client, line);
+}
+
+void ClientLog::write(spdlog::level::level_enum level, const std::string& client, const std::string& line) {
   std::unique_lock lock(mutex_);
   const auto held = limit_.ask(client, LogLimit::Clock::now());
   const std::uint64_t forgotten = limit_.takeForgotten();
@@ -48,7 +56,7 @@ void ClientLog::info(const std::string& client, const std::string& line) {
   if (!held) return;
   const std::string name = client.empty() ? "client" : "client " + cutText(client, kMaxNameBytes);
   if (*held > 0) spdlog::warn("{}: {} lines were held back", name, *held);
-  spdlog::info("{}: {}", name, cutText(line, kMaxLineBytes));
+  spdlog::log(level, "{}: {}", name, cutText(line, kMaxLineBytes));
 }
 
 }  // namespace saccade

@@ -1,7 +1,10 @@
 // Log lines that clients cause, limited so that no client can fill the log.
 #pragma once
 
+#include <spdlog/common.h>
+
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -10,6 +13,8 @@
 #include <utility>
 
 namespace saccade {
+
+inline constexpr std::size_t kMaxLineBytes = 1000;
 
 // Lets each client cause kBurst lines at once, and then one in each kPause.
 class LogLimit {
@@ -43,8 +48,11 @@ class ClientLog {
   // Logs a line, cut if it is long. `client`: a public key; empty without keys, where all clients share one
   // account. From any thread.
   void info(const std::string& client, const std::string& line);
+  void error(const std::string& client, const std::string& line);
 
  private:
+  void write(spdlog::level::level_enum level, const std::string& client, const std::string& line);
+
   std::mutex mutex_;
   LogLimit limit_;
 };

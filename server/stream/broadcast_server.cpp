@@ -139,8 +139,9 @@ bool BroadcastServer::complete(const Session& session, const Audience& audience)
 void BroadcastServer::sendPacketsOf(Session& session, Audience& audience) {
   const auto now = ChangeNotifier::Clock::now();
   while (session.sendOldest([&](const WirePacket& packet) {
-    sendTo(audience, session.topic(packet.sensor), packet.header, packet.payload);
-    return true;  // a subscriber that is too slow for it has lost it
+    const auto payload = session.lend(packet);
+    if (payload) sendTo(audience, session.topic(packet.sensor), packet.header, payload);
+    return true;  // who is too slow for it has lost it, and all have where the slow ones hold too much
   })) {
     audience.last_sent = now;
   }

@@ -94,7 +94,8 @@ bool ControlServer::othersLeaveRoom(const Unread& unread) const {
 }
 
 v1::Status ControlServer::admit(const Unread& unread, v1::Request::CallCase call) const {
-  const bool large = call == v1::Request::kOpenStream || call == v1::Request::kGetFrame;
+  const bool large = call == v1::Request::kOpenStream || call == v1::Request::kGetFrame ||
+                     call == v1::Request::kDescribeStream;
   const bool own_room = unread.replies < kMaxUnread && unread.bytes <= unread_bytes_;
   if (own_room && ((!large && unread.bytes == 0) || othersLeaveRoom(unread))) return okStatus();
   v1::Status status = makeStatus(v1::CODE_RESOURCE_EXHAUSTED,
@@ -103,17 +104,21 @@ v1::Status ControlServer::admit(const Unread& unread, v1::Request::CallCase call
   return status;
 }
 
-ControlServer::Answer ControlServer::answerTo(const std::string& connection, const RawRequest& request,
-                                              std::shared_ptr<Unread> peer) {
+Answer ControlServer::answerTo(const std::string& connection, const RawRequest& request,
+                               std::shared_ptr<Unread> peer) {
   auto unread = std::make_shared<UnreadReply>(std::move(peer), request.bytes.size(), counts_);
-  return [outbox = outbox_, loop = loop_, connection, unread = std::move(unread), id = request.id,
-          call = request.call, &counts = counts_](v1::Reply reply) mutable {
+  const auto expect = [weak = std::weak_ptr(unread)](std::size_t bytes) {
+    if (const auto reply = weak.lock()) reply->expect(bytes);
+  };
+  const auto give = [outbox = outbox_, loop = loop_, connection, unread = std::move(unread), id = request.id,
+                     call = request.call, &counts = counts_](v1::Reply reply) mutable {
     reply.set_request_id(id);
     const v1::Code code = outbox->put(connection, std::move(reply), unread);
     unread.reset();  // a kept copy of this function must not keep the reply counted
     counts.add({call, code});
     loop->wake().wake();
   };
+  return {give, expect};
 }
 
 void ControlServer::sendReplies() {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "saccade/v1/control.pb.h"
+#include "stream/answer.h"
 #include "stream/raw_request.h"
 #include "stream/request_counts.h"
 #include "stream/socket_loop.h"
@@ -40,10 +41,9 @@ class ControlServer {
   // that. Beyond it only short calls of connections without waiting replies are answered.
   static constexpr int kUnreadShares = 16;
 
-  // Sends the reply, whose request_id it fills in. Call it once, at any time, from any thread.
-  using Answer = std::function<void(v1::Reply)>;
-  // Called on the control thread with a request that has a call and the right version; must not block.
-  using Handler = std::function<void(RawRequest request, const Peer& peer, Answer)>;
+  // `answer` sends the reply, whose request_id it fills in. Called on the control thread with a request that
+  // has a call and the right version; must not block.
+  using Handler = std::function<void(RawRequest request, const Peer& peer, Answer answer)>;
   using OnGone = SocketLoop::OnGone;
 
   // Binds; throws std::runtime_error. Adds every answer to `counts`, which outlives the answers.

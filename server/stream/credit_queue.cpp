@@ -23,7 +23,7 @@ CreditQueue::Entry::Entry(const Packet& packet)
       seq(packet.header.seq()),
       header_size(static_cast<std::uint32_t>(bytes.size())),
       sensor(packet.header.sensor()),
-      may_drop(packet.header.kind() == v1::KIND_EVENTS) {
+      may_drop(packet.header.kind() == v1::KIND_EVENTS || packet.header.kind() == v1::KIND_TRUTH) {
   if (packet.payload->size() > kSmallPayload) {
     payload = packet.payload;
   } else {
@@ -63,21 +63,20 @@ bool CreditQueue::hasRoom() const {
   return overflow_ == Overflow::kDropOldest || waiting_memory_ < capacity_;
 }
 
-std::uint64_t CreditQueue::push(const Packet& packet) {
+void CreditQueue::push(const Packet& packet) {
   SACCADE_CHECK(packet.header.sensor() < untold_drops_.size());
   Entry entry(packet);
   std::lock_guard lock(mutex_);
   entry.dropped_before = std::exchange(untold_drops_[entry.sensor], 0);
   wait(std::move(entry));
-  if (overflow_ == Overflow::kHold) return 0;
-  const std::uint64_t dropped_before = dropped_packets_;
-  dropOldest();
-  return dropped_packets_ - dropped_before;
 }
 
-// Keeps the newest packet, however large, and all packets that are not events.
-void CreditQueue::dropOldest() {
-  for (auto it = waiting_.begin(); waiting_memory_ > capacity_ && it + 1 != waiting_.end();) {
+// Before a frame and not within one: else a receiver that keeps up would lose parts of a large frame.
+std::uint64_t CreditQueue::makeRoom() {
+  std::lock_guard lock(mutex_);
+  if (overflow_ == Overflow::kHold) return 0;
+  const std::uint64_t before = dropped_packets_;
+  for (auto it = waiting_.begin(); waiting_memory_ > capacity_ && it != waiting_.end();) {
     if (!it->may_drop) {
       ++it;
       continue;
@@ -87,6 +86,7 @@ void CreditQueue::dropOldest() {
     waiting_memory_ -= it->memory();
     it = waiting_.erase(it);
   }
+  return dropped_packets_ - before;
 }
 
 // Counts the loss in the next packet of the sensor, so that a client that resumes gets the same count again.

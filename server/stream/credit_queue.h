@@ -2,14 +2,15 @@
 // the memory that they take.
 //
 // When it is full, it either holds its producer, who asks hasRoom() before each frame, or drops its oldest
-// events. dropped_before of the sensor's next packet tells how many. Other packets are never dropped.
+// packets of events and truth as the producer begins a frame. dropped_before of the channel's next packet
+// tells how many. Snapshots, END and ERROR are never dropped.
 //
 // Sent packets stay until they are acknowledged, in kKeptBounds times the bound, so that a client may resume
 // on another connection. A client loses nothing if it gives at most one bound of credit and acknowledges when
 // it gives more: the smallest packets take less than kKeptBounds times their bytes.
 //
-// A full queue thus takes the bound and the packets of one frame (where it drops: of one packet), and
-// kKeptBounds times the bound for sent packets.
+// A full queue thus takes the bound and the packets of one frame, and kKeptBounds times the bound for sent
+// packets.
 #pragma once
 
 #include <cstdint>
@@ -43,8 +44,9 @@ class CreditQueue {
   CreditQueue(Overflow overflow, std::uint64_t capacity, std::uint32_t sensors);
 
   // Producer.
-  bool hasRoom() const;                      // always true when the oldest are dropped
-  std::uint64_t push(const Packet& packet);  // never waits for a receiver; returns how many were dropped
+  bool hasRoom() const;             // always true when the oldest are dropped
+  std::uint64_t makeRoom();         // before the packets of a frame; returns how many it has dropped
+  void push(const Packet& packet);  // never waits for a receiver
 
   // Consumer.
   // Hands the oldest packet to `send`. False: there is none, or it could not be sent and stays the oldest.
@@ -74,7 +76,6 @@ class CreditQueue {
   };
   using Entries = std::deque<Entry>;
 
-  void dropOldest();
   void tellLoss(Entries::iterator lost);
   void wait(Entry entry);
   void keep(Entry entry);

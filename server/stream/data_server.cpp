@@ -122,13 +122,13 @@ std::chrono::milliseconds DataServer::sendPackets() {
   return pause;
 }
 
-// Returns kFull also at the end of the connection's turn.
+// Returns kFull also at the end of the connection's turn, and where former connections hold too much.
 SocketLoop::Sent DataServer::sendPacketsOf(const std::string& peer, Connection& connection) {
   auto sent = SocketLoop::Sent::kYes;
   std::uint64_t bytes = 0;
   const auto send = [&](const WirePacket& packet) {
-    sent =
-        bytes < kBytesPerTurn ? loop_.send(peer, {packet.header, packet.payload}) : SocketLoop::Sent::kFull;
+    const auto payload = bytes < kBytesPerTurn ? connection.session->lend(packet) : nullptr;
+    sent = payload ? loop_.send(peer, {packet.header, payload}) : SocketLoop::Sent::kFull;
     if (sent != SocketLoop::Sent::kYes) return false;
     bytes += packet.bytes();
     connection.credit_bytes -= static_cast<std::int64_t>(packet.bytes());

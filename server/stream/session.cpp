@@ -95,8 +95,12 @@ Packet Session::heartbeat(std::uint32_t sensor) const {
   return sealPacket(std::move(header), {});
 }
 
+void Session::makeRoom() {
+  traffic_.dropped_packets += queue_.makeRoom();
+}
+
 void Session::push(const Packet& packet) {
-  traffic_.dropped_packets += queue_.push(packet);
+  queue_.push(packet);
   transport_.wake();
 }
 

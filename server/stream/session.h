@@ -13,6 +13,7 @@
 #include "saccade/v1/control.pb.h"
 #include "stream/change_notifier.h"
 #include "stream/credit_queue.h"
+#include "stream/large_packets.h"
 #include "stream/traffic.h"
 #include "stream/wake_fd.h"
 
@@ -46,6 +47,8 @@ class Session {
   void start();
   void leave();
   bool sendOldest(const CreditQueue::Send& send);
+  // The payload of a packet that is about to be sent; null where receivers hold too many large ones.
+  auto lend(const WirePacket& packet) { return large_.lend(packet.payload); }
   void acknowledge(std::uint32_t sensor, std::uint64_t seq) { queue_.acknowledge(sensor, seq); }
   std::string resume(const std::vector<std::uint64_t>& from_seqs) { return queue_.resume(from_seqs); }
   Packet heartbeat(std::uint32_t sensor = 0) const;
@@ -54,6 +57,7 @@ class Session {
   bool started() const { return started_; }
   bool stopping() const { return stopping_; }
   bool hasRoom() const { return queue_.hasRoom(); }
+  void makeRoom();  // before the packets of each frame
   void push(const Packet& packet);
   // For heartbeats: the newest frame, and how far the stream is behind its clock.
   void setProgress(std::uint64_t frame, std::int64_t t_ns);
@@ -82,6 +86,7 @@ class Session {
   const std::shared_ptr<ChangeNotifier> producer_;
   Traffic& traffic_;
   CreditQueue queue_;
+  LargePackets large_;
   std::atomic<bool> started_ = false, has_receiver_ = false, stopping_ = false, finished_ = false;
   std::atomic<v1::EndReason> end_reason_ = v1::END_REASON_FINISHED;
   struct Progress {

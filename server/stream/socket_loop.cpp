@@ -23,6 +23,22 @@ constexpr std::size_t kBytesPerTurn = 4 << 20;  // likewise
 constexpr std::chrono::milliseconds kFaultPause{100};
 constexpr std::size_t kLeastShared = 1024;  // copying less costs less than sharing it
 
+// Writes of the faults of one loop that messages cause, at most one a second.
+class FaultLog {
+ public:
+  void write(const std::string& endpoint, const char* fault) {
+    ++faults_;
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    spdlog::error("{}: {} ({} faults)", endpoint, fault, std::exchange(faults_, 0));
+    next_ = now + std::chrono::seconds(1);
+  }
+
+ private:
+  std::uint64_t faults_ = 0;  // since the last line
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::time_point::min();
+};
+
 using Waiting = std::atomic<std::size_t>;  // bytes that libzmq has for one peer
 
 // What owns a part while libzmq has it.
@@ -104,6 +120,7 @@ void SocketLoop::stop() {
 }
 
 void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn, const OnGone& on_gone) {
+  FaultLog log;
   auto pause = on_turn();
   while (!impl_->stop) {
     zmq::pollitem_t items[] = {{impl_->socket, 0, ZMQ_POLLIN, 0}, {nullptr, wake_.fd(), ZMQ_POLLIN, 0}};
@@ -113,7 +130,7 @@ void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn, const O
       receiveSome(on_message, on_gone);
       pause = on_turn();
     } catch (const std::exception& fault) {
-      spdlog::error("{}: {}", endpoint_, fault.what());
+      log.write(endpoint_, fault.what());
       pause = kFaultPause;
     }
     impl_->last_turn = std::chrono::steady_clock::now();

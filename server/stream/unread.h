@@ -1,6 +1,7 @@
 // Counts the replies that one peer has asked for and not taken yet.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -20,7 +21,7 @@ struct Unread {
 // One such reply, counted for as long as this object lives. One that is never made counts as dropped.
 class UnreadReply {
  public:
-  // `expected`: the bytes to count until it is made.
+  // `expected`: the bytes to count until it is made, or until expect() says more.
   UnreadReply(std::shared_ptr<Unread> peer, std::size_t expected, RequestCounts& counts)
       : peer_(std::move(peer)), counts_(counts) {
     ++peer_->replies;
@@ -34,6 +35,9 @@ class UnreadReply {
   UnreadReply(const UnreadReply&) = delete;
   UnreadReply& operator=(const UnreadReply&) = delete;
 
+  void expect(std::size_t bytes) {
+    count(std::max(bytes, static_cast<std::size_t>(bytes_)));
+  }                               // before make()
   void make(std::size_t bytes) {  // once
     made_ = true;
     count(bytes);

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/tile_pool.h"
+
 namespace saccade {
 namespace {
 
@@ -49,6 +51,7 @@ std::string flowPlanes(const FlowView& here, const FlowView& there) {
       *to_x++ = flow.x, *to_y++ = flow.y;
       *to_valid++ = isVisible(here.g, x, y, flow, there.g) ? 1.0f : 0.0f;
     }
+    TilePool::yieldToHighPriority();
   }
   return {reinterpret_cast<const char*>(planes.data()), planes.size() * sizeof(float)};
 }

@@ -119,6 +119,11 @@ const TruthChannelInfo* findTruth(const std::string& name) {
   return findRow(truthTable(), name);
 }
 
+double rowsOfFrame(const TruthConfig& config) {
+  if (findTruth(config.name)->layout != v1::LAYOUT_ROWS) return 0;
+  return config.name == "imu" ? config.imu.rate_hz / config.frame_rate_hz : 1;
+}
+
 std::string truthNames() {
   return joinRowNames(truthTable());
 }

@@ -1,7 +1,5 @@
 #include "web/viewer_gateway.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -55,7 +53,7 @@ void ViewerGateway::serve(UpgradedSocket socket, std::stop_token stopped) {
   try {
     Viewer(std::move(socket), context_, settings_.control, settings_.source).run(std::move(stopped));
   } catch (const std::exception& fault) {
-    spdlog::warn("a viewer was cut off: {}", fault.what());
+    log_.write(spdlog::level::warn, std::string("a viewer was cut off: ") + fault.what());
   }
 }
 

@@ -9,6 +9,7 @@
 #include <zmq.hpp>
 
 #include "ops/http_upgrade.h"
+#include "ops/limited_log.h"
 #include "web/viewer_stream.h"
 
 namespace saccade {
@@ -43,6 +44,7 @@ class ViewerGateway {
 
   const ViewerSettings settings_;
   zmq::context_t context_;
+  LimitedLog log_;
   mutable std::mutex mutex_;
   std::list<Seat> seats_;
   bool stopped_ = false;

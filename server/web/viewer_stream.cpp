@@ -3,6 +3,8 @@
 #include <vector>
 #include <zmq_addon.hpp>
 
+#include "web/viewer_json.h"
+
 namespace saccade {
 namespace {
 
@@ -46,8 +48,24 @@ void ViewerStream::forwardTo(WebSocket* viewer) {
     const zmq::message_t &header = parts[parts.size() - 2], &payload = parts.back();
     if (has_credit_) used_ += header.size() + payload.size();
     note(header);
-    if (viewer && (has_credit_ || !viewer->full())) viewer->sendBinary(frameOf(header, payload));
+    if (!viewer || refused_ || !(has_credit_ || !viewer->full())) continue;
+    if (payload.size() > kMostPayload) {
+      refuse(*viewer, payload.size());
+      continue;
+    }
+    const std::string frame = frameOf(header, payload);
+    parts.clear();  // the page's queue takes a copy
+    viewer->sendBinary(frame);
   }
+}
+
+void ViewerStream::refuse(WebSocket& viewer, std::size_t bytes) {
+  refused_ = ended_ = true;
+  v1::Reply reply;
+  reply.mutable_status()->set_code(v1::CODE_RESOURCE_EXHAUSTED);
+  reply.mutable_status()->set_message("a packet of " + std::to_string(bytes) + " bytes exceeds " +
+                                      std::to_string(kMostPayload) + ", the most that a page is sent");
+  viewer.sendText(toJson(reply));
 }
 
 void ViewerStream::note(const zmq::message_t& header) {

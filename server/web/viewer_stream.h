@@ -14,7 +14,8 @@ namespace saccade {
 
 class ViewerStream {
  public:
-  static constexpr std::uint64_t kCredit = 1 << 20;  // bytes that the server may send ahead
+  static constexpr std::uint64_t kCredit = 1 << 20;     // bytes that the server may send ahead
+  static constexpr std::size_t kMostPayload = 4 << 20;  // bytes; a larger packet ends it
 
   // Where the server's packets come from, and with which keys.
   struct Source {
@@ -26,8 +27,9 @@ class ViewerStream {
 
   void* handle() { return socket_.handle(); }  // as zmq_poll() takes it
 
-  // Queues the packets that have come; null: takes them for nobody. A broadcast has no credit: its packets
-  // are dropped while `viewer` is full, and the page sees the gap of their seq.
+  // Queues the packets that have come; null: takes them for nobody. Tells the page of one that is too large,
+  // which ends the stream. A broadcast has no credit: its packets are dropped while `viewer` is full, and the
+  // page sees the gap of their seq.
   void forwardTo(WebSocket* viewer);
   // Gives back the credit of what was forwarded. Call it when that has been written.
   void giveBack();
@@ -38,13 +40,14 @@ class ViewerStream {
 
  private:
   void note(const zmq::message_t& header);
+  void refuse(WebSocket& viewer, std::size_t bytes);
   void send(const v1::DataRequest& request);
   void giveCredit(std::uint64_t bytes);
 
   zmq::socket_t socket_;
   std::optional<ConnectionWatch> attached_;
   bool has_credit_;
-  bool ended_ = false;
+  bool ended_ = false, refused_ = false;
   std::uint64_t used_ = 0;  // bytes forwarded since credit was last given
 };
 

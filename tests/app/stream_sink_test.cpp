@@ -91,6 +91,27 @@ TEST_F(Sink, EndsEverySensor) {
   EXPECT_TRUE(session_->finished());
 }
 
+// As where all streams of a feed are closed in the midst of a frame.
+TEST_F(Sink, EndsEachSensorWhereItHasGot) {
+  publish(1);
+  EXPECT_EQ(sent().size(), 2u);
+  const std::uint64_t before = sink_.events();
+  const StillView view(intervalOf(2, 1, 0.5f));
+  sink_.process(0, view.interval());
+  session_->stop(v1::END_REASON_CLOSED);
+  sink_.end(TimeNs(2 * kPacketTimeNs), 2);
+  const auto headers = sent();
+  ASSERT_EQ(headers.size(), 3u);
+  EXPECT_EQ(headers[0].kind(), v1::KIND_EVENTS);
+  EXPECT_EQ(sink_.events(), before + headers[0].count());
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(headers[1 + i].kind(), v1::KIND_END);
+    EXPECT_EQ(headers[1 + i].sensor(), i);
+    EXPECT_EQ(headers[1 + i].t0_ns(), (2 - i) * kPacketTimeNs);
+    EXPECT_EQ(headers[1 + i].seq(), 2u - i);
+  }
+}
+
 TEST_F(Sink, OfAFeedThatFailsSendsWhatIsLeftAndAnErrorForEverySensor) {
   auto change = intervalOf(1, 1, 0.5f);
   change->t1 = std::chrono::milliseconds(2);  // fills no packet

@@ -63,6 +63,19 @@ TEST(SequenceCheck, AGapIsCountedOnce) {
   EXPECT_EQ(check.losses().events, 70u);
 }
 
+// A LIVE stream drops truth as it drops events.
+TEST(SequenceCheck, CountsTheSamplesOfMissingTruthApart) {
+  v1::OpenStream request = requestFrom({0});
+  request.add_truth();
+  SequenceCheck check(request);
+  expectNext(check, headerOf(0, 2, 70, 5, 4000, 5000));
+  expectNext(check, headerOf(1, 3, 9, 5, 4000, 5000));
+  EXPECT_EQ(check.losses().gaps, 2u);
+  EXPECT_EQ(check.losses().packets, 5u);
+  EXPECT_EQ(check.losses().events, 70u);
+  EXPECT_EQ(check.losses().samples, 9u);
+}
+
 TEST(SequenceCheck, HeartbeatsTakeNoSeq) {
   SequenceCheck check(requestFrom({0}));
   auto heartbeat = headerOf(0, 0, 0, 0, 0, 0);

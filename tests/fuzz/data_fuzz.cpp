@@ -98,6 +98,7 @@ class Served {
     header.set_kind(v1::KIND_EVENTS);
     header.set_sensor(static_cast<std::uint32_t>(sensor));
     header.set_seq(seq);
+    session_->makeRoom();
     session_->push(sealPacket(std::move(header), "payload"));
   }
   World& world_;

@@ -102,6 +102,35 @@ TEST(Delivery, LiveDropsTheOldestAndTheCountsAddUp) {
   EXPECT_LT(summary.events, info.events());
 }
 
+// 476 KB in each of 60 frames, of which the queue holds nine.
+TEST(Delivery, LiveDropsTruthAsItDropsEvents) {
+  TestServer server(2);
+  v1::OpenStream request = largeRequest(v1::DELIVERY_LIVE);
+  for (const char* name : {"intensity", "normals", "frame"}) request.add_truth()->set_name(name);
+  const auto stream = server.client().open(request);
+  MockSubscriber subscriber = server.dataSubscriber();
+  subscriber.attach(stream);
+  while (server.client().info(stream.stream_id()).frames_done() < stream.frames()) {
+    ASSERT_FALSE(subscriber.receive(std::chrono::milliseconds(50)));  // there is no credit
+  }
+  subscriber.giveCredit(64 << 20);
+  std::uint64_t dropped = 0, bytes = 0, largest_frame = 0;
+  for (const auto& [channel, packets] : subscriber.receiveAll(4)) {
+    std::uint64_t seq = 0;
+    for (const Received& packet : packets) {
+      EXPECT_EQ(packet.header.seq(), seq + packet.header.dropped_before()) << channel;
+      seq = packet.header.seq() + 1;
+      dropped += packet.header.dropped_before();
+    }
+    EXPECT_GT(packets.front().header.seq(), 0u) << channel;
+    if (channel > 0) EXPECT_EQ(packets.back().header.first_event_index(), channel == 3 ? 60u : 61u);
+    bytes += totalBytes(packets);
+    largest_frame += largestFrameBytes(packets);
+  }
+  EXPECT_EQ(dropped, server.client().info(stream.stream_id()).dropped_packets());
+  EXPECT_LE(bytes, kQueueBytes + 2 * largest_frame);  // the newest frame, and what is left at the end
+}
+
 TEST(Delivery, OnlyTheTokenOpensTheDoor) {
   TestServer server;
   const auto stream = server.client().open(tinyRequest());

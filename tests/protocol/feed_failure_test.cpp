@@ -1,8 +1,13 @@
 // A feed that fails, or that nobody wants any more amid a frame, is the matter of its own streams.
 #include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <map>
+#include <sstream>
 
 #include "app/streams/feed_runner.h"
 #include "feed/rig.h"
@@ -56,7 +61,7 @@ class FeedFailure : public testing::Test {
     auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method),
                                        SampleRequest{SeedReuse::kIndependent}, pool_);
     return std::make_unique<FeedRunner>(std::make_shared<Rig>(std::move(feed)), FeedPace{kFrames, 100, 0},
-                                        pool_, totals_);
+                                        pool_, totals_, log_);
   }
 
   static std::shared_ptr<StreamSink> makeSink(const std::shared_ptr<Session>& session) {
@@ -86,6 +91,7 @@ class FeedFailure : public testing::Test {
   }
 
   Totals totals_;
+  ClientLog log_;
   TilePool pool_{2};
   WakeFd transport_;
   std::string last_payload_;
@@ -137,6 +143,80 @@ TEST_F(FeedFailure, AFrameThatNobodyWantsIsNotFinished) {
     EXPECT_EQ(last.kind(), v1::KIND_END);
     EXPECT_EQ(last.t1_ns(), 10'000'000);
   }
+}
+
+// Intervals of nothing. Calls `on_second` when it has made the second one.
+class QuietSource : public IntervalSource {
+ public:
+  explicit QuietSource(std::function<void()> on_second) : on_second_(std::move(on_second)) {}
+  const std::vector<FeedInterval>& step(const PoolHandle&) override {
+    IntensityChange& change = changes_[++frame_ % 2];
+    change.frame = frame_;
+    change.t0 = frameTime(frame_ - 1, 100), change.t1 = frameTime(frame_, 100);
+    for (ImageF* plane : {&change.I_prev, &change.I_now}) plane->fill(1);
+    intervals_.clear();
+    intervals_.push_back({change, {}});
+    if (frame_ == 2) on_second_();
+    return intervals_;
+  }
+  StageTimes lastTimes() const override { return {}; }
+  std::chrono::nanoseconds lastChain() const override { return {}; }
+
+ private:
+  const std::function<void()> on_second_;
+  std::array<IntensityChange, 2> changes_{IntensityChange(8, 8), IntensityChange(8, 8)};
+  FrameIndex frame_ = 0;
+  std::vector<FeedInterval> intervals_;
+};
+
+// Their work may take longer than that of the renderer. Each sensor ends where it has got.
+TEST_F(FeedFailure, AFrameThatNobodyWantsIsNotFinishedBySensors) {
+  constexpr std::uint32_t kSensors = 32;
+  std::unique_ptr<FeedRunner> runner;
+  std::shared_ptr<Session> session;
+  runner = std::make_unique<FeedRunner>(std::make_shared<QuietSource>([&] {
+                                          session->stop(v1::END_REASON_CLOSED);
+                                          runner->interrupt();
+                                        }),
+                                        FeedPace{0, 100, 0}, pool_, totals_, log_);
+  session = std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, kSensors, transport_, runner->notifier(),
+                                      totals_.traffic);
+  runner->add(makeSink(session));
+  session->start();
+  ASSERT_TRUE(runner->notifier()->waitUntil(ChangeNotifier::Clock::now() + kPatience,
+                                            [&] { return session->finished(); }));
+  std::map<std::uint32_t, v1::PacketHeader> last;
+  while (session->sendOldest([&](const WirePacket& packet) {
+    v1::PacketHeader header;
+    EXPECT_TRUE(header.ParseFromString(packet.header));
+    EXPECT_EQ(header.t0_ns(), last[header.sensor()].t1_ns());
+    last[header.sensor()] = header;
+    return true;
+  })) {
+  }
+  int whole = 0;
+  for (const auto& [sensor, header] : last) {
+    EXPECT_EQ(header.kind(), v1::KIND_END);
+    EXPECT_TRUE(header.t0_ns() == 10'000'000 || header.t0_ns() == 20'000'000) << header.t0_ns();
+    whole += header.t0_ns() == 20'000'000;
+  }
+  EXPECT_EQ(last.size(), kSensors);
+  EXPECT_LE(whole, pool_.threads());  // what was under way
+}
+
+// A client may open and close streams as fast as it likes.
+TEST_F(FeedFailure, TheEndsOfStreamsDoNotFillTheLog) {
+  std::ostringstream text;
+  const auto before = spdlog::default_logger();
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(text)));
+  const auto began = LogLimit::Clock::now();
+  for (int i = 0; i < 3 * LogLimit::kBurst; ++i) packetsOf(*runner(1));  // which logs a fault, too
+  for (int i = 0; i < 3 * LogLimit::kBurst; ++i) packetsOf(*runner(kFrames + 1));
+  const auto pauses = (LogLimit::Clock::now() - began) / LogLimit::kPause;
+  spdlog::set_default_logger(before);
+  const std::string lines = text.str();
+  EXPECT_LE(std::count(lines.begin(), lines.end(), '\n'), LogLimit::kBurst + 2 * (pauses + 1));
 }
 
 TEST_F(FeedFailure, LetsNobodyJoinAfterwards) {

@@ -23,6 +23,7 @@ class Greedy : public Method {
 TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
   spdlog::set_level(spdlog::level::off);
   Totals totals;
+  ClientLog log;
   WakeFd transport;
   TilePool pool(1);
   const FeedConfig config{.camera = pinhole(45, 8, 8), .frame_rate_hz = 100, .params = {}};
@@ -30,7 +31,7 @@ TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
   FeedRunner runner(std::make_shared<Rig>(std::make_unique<Feed>(
                         scene, Trajectory({{TimeNs(0), Pose{}}}), config, std::make_unique<Greedy>(),
                         SampleRequest{SeedReuse::kIndependent}, pool)),
-                    FeedPace{5, 100, 0}, pool, totals);
+                    FeedPace{5, 100, 0}, pool, totals, log);
   const auto session =
       std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport, runner.notifier(), totals.traffic);
   ResolvedStream stream{.feed = config, .sensors = {{}}, .changes = {{}}};

@@ -69,6 +69,11 @@ TEST(Limits, OneMoreThanAllMayHaveIsRefused) {
 TEST(Limits, ARequestThatExceedsALimitAloneIsNotWorthARetry) {
   v1::OpenStream many = tinyRequest();
   many.add_sensors();
+  v1::OpenStream rows = tinyRequest();  // 500 Hz
+  for (int i = 0; i < 2; ++i) {
+    rows.add_truth()->set_name("imu");
+    rows.mutable_truth(i)->mutable_imu()->set_rate_hz(5000);
+  }
   const struct {
     Limit limit;
     double value;
@@ -76,6 +81,7 @@ TEST(Limits, ARequestThatExceedsALimitAloneIsNotWorthARetry) {
     std::string field;
   } all[]{{Limit::kPixels, 700, tinyRequest(), "view"},
           {Limit::kSensors, 1, many, "sensors"},
+          {Limit::kRows, 19, rows, "truth"},
           {Limit::kFrameRate, 499, tinyRequest(), "timing.frame_rate_hz"},
           {Limit::kTrajectoryPoints, 3, withPoses(4, 0), "trajectory.keyframes.keys"},
           {Limit::kTrajectoryPoints, 3, withPoses(0, 4), "trajectory.csv"}};
@@ -88,6 +94,8 @@ TEST(Limits, ARequestThatExceedsALimitAloneIsNotWorthARetry) {
   TestServer server(withLimit(Limit::kTrajectoryPoints, 4));
   EXPECT_EQ(server.client().tryOpen(withPoses(4, 0)).code(), v1::CODE_OK);
   EXPECT_EQ(server.client().tryOpen(withPoses(0, 4)).code(), v1::CODE_OK);
+  TestServer just(withLimit(Limit::kRows, 20));
+  EXPECT_EQ(just.client().tryOpen(rows).code(), v1::CODE_OK);
 }
 
 TEST(Limits, APlaceIsFreeAgainOnceItsStreamIsOver) {

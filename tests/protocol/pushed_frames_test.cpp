@@ -125,6 +125,10 @@ TEST_F(Pushed, BoundsTheFramesThatWait) {
   EXPECT_EQ(full.code(), v1::CODE_RESOURCE_EXHAUSTED);
   EXPECT_EQ(full.limit(), "pushes");
   EXPECT_GT(full.retry_after_s(), 0);
+  v1::Request bad = frameOf(stream, -1);
+  EXPECT_EQ(call(bad).status().limit(), "pushes") << "it was read, though there is no room for it";
+  bad.mutable_push_frame()->clear_intensity();
+  EXPECT_EQ(call(bad).status().limit(), "pushes");
 }
 
 TEST_F(Pushed, RefusesBadFrames) {

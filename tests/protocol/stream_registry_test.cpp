@@ -105,6 +105,16 @@ TEST_F(StreamRegistryTest, ForgetsAtOnceWhatNobodyHasReceivedWhenItIsClosed) {
   EXPECT_FALSE(sessions_.find("1"));
 }
 
+// A request may have tens of MiB, and each get_frame and describe_stream asks for its stream.
+TEST_F(StreamRegistryTest, ACopyOfAnEntrySharesItsRequest) {
+  Stream stream;
+  stream.request = std::make_shared<const v1::OpenStream>();
+  stream.session = std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport_,
+                                             std::make_shared<ChangeNotifier>(), traffic_);
+  streams_.add(stream);
+  EXPECT_EQ(streams_.find("1", stream.session->token()).request, stream.request);
+}
+
 // Two streams at one feed, and one at another. Each has its own sensors.
 TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
   TilePool pool(1);
@@ -116,12 +126,14 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
     return std::make_shared<FeedRunner>(std::make_shared<Rig>(std::make_unique<Feed>(
                                             std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
                                             Trajectory({{TimeNs(0), Pose{}}}), config, pool)),
-                                        FeedPace{5, 100, 2}, pool, totals);
+                                        FeedPace{5, 100, 2}, pool, totals, log_);
   };
   Stream stream;
-  stream.request.mutable_timing()->set_clock(v1::CLOCK_PACED);
-  stream.request.mutable_timing()->set_frame_rate_hz(100);
-  stream.request.mutable_timing()->set_speed(2);
+  v1::OpenStream request;
+  request.mutable_timing()->set_clock(v1::CLOCK_PACED);
+  request.mutable_timing()->set_frame_rate_hz(100);
+  request.mutable_timing()->set_speed(2);
+  stream.request = std::make_shared<const v1::OpenStream>(request);
   stream.frame_cost = {1e-3, 1e-4, 5e-4, 1e-4};
   const auto shared = feed(), own = feed();
   std::vector<std::shared_ptr<Session>> sessions;

@@ -7,7 +7,8 @@ import saccade
 import saccade.aio
 from fake_server import MS, FakeServer, packet, packets_of, payload_of
 from saccade.protocol.connection import CREDIT
-from saccade.v1 import control_pb2, events_pb2
+from saccade.protocol.sequence import SequenceCheck
+from saccade.v1 import control_pb2, events_pb2, truth_pb2
 
 SETTINGS = {"scene": "room", "motion": "right", "size": (346, 260), "rate_hz": 1000, "delivery": "lossless"}
 POLICY = saccade.RetryPolicy(retry_time_s=5, silence_s=0.4)
@@ -138,6 +139,14 @@ class Subscription(unittest.TestCase):
         self.assertEqual(stream.losses, saccade.Losses(gaps=1, packets=2, events=10))
         with self.assertRaisesRegex(saccade.StreamFault, "LOSSLESS stream are missing"):
             self.receive(script)
+
+    def test_missing_samples_of_truth_are_counted_apart(self):
+        resolved = control_pb2.OpenStream(sensors=[control_pb2.Sensor()], truth=[truth_pb2.Truth()])
+        check = SequenceCheck(resolved)
+        for sensor, seq, first in ((0, 2, 70), (1, 3, 9)):
+            check.add(events_pb2.PacketHeader(
+                kind=events_pb2.KIND_TRUTH, sensor=sensor, seq=seq, first_event_index=first))
+        self.assertEqual(check.losses, saccade.Losses(gaps=2, packets=5, events=70, samples=9))
 
     def test_losses_of_broadcast_are_counted(self):
         def script(server):

@@ -18,8 +18,8 @@ const ControlServer::Options kOptions{.endpoint = "tcp://127.0.0.1:*", .request_
 TEST(ControlServer, ASlowAnswerDelaysNoOther) {
   RequestCounts counts;
   ControlServer server(kOptions, counts);
-  std::promise<ControlServer::Answer> slow;
-  server.start([&](const RawRequest& request, const Peer&, ControlServer::Answer answer) {
+  std::promise<Answer> slow;
+  server.start([&](const RawRequest& request, const Peer&, Answer answer) {
     if (request.call == v1::Request::kOpenStream) return slow.set_value(std::move(answer));
     v1::Reply reply;
     reply.mutable_server_info()->set_version("quick");
@@ -27,7 +27,7 @@ TEST(ControlServer, ASlowAnswerDelaysNoOther) {
   });
   MockClient patient(server.endpoint()), hasty(server.endpoint());
   auto opened = std::async(std::launch::async, [&] { return patient.tryOpen({}); });
-  const ControlServer::Answer answer = slow.get_future().get();  // the server has it
+  const Answer answer = slow.get_future().get();  // the server has it
   EXPECT_EQ(hasty.server().version(), "quick");
   v1::Reply late;
   *late.mutable_status() = makeStatus(v1::CODE_UNAVAILABLE, "late");
@@ -84,7 +84,7 @@ TEST(ControlServer, RefusesAClientThatDoesNotReadItsReplies) {
   RequestCounts counts;
   ControlServer server(kOptions, counts);
   std::atomic<int> handled = 0;
-  server.start([&](const RawRequest&, const Peer&, ControlServer::Answer answer) {
+  server.start([&](const RawRequest&, const Peer&, Answer answer) {
     ++handled;
     answer(replyOf(kReplyBytes));
   });
@@ -113,14 +113,28 @@ TEST(ControlServer, RefusesAClientThatDoesNotReadItsReplies) {
   EXPECT_EQ(lazy.read().code(), v1::CODE_OK);
 }
 
+// A large answer counts before it is made, so that a burst of short requests cannot ask for many.
+TEST(ControlServer, CountsWhatAnAnswerIsExpectedToTake) {
+  RequestCounts counts;
+  ControlServer server(kOptions, counts);
+  std::vector<Answer> late;
+  server.start([&](const RawRequest&, const Peer&, Answer answer) {
+    answer.expect(10 << 20);  // of 16 MiB
+    late.push_back(std::move(answer));
+  });
+  LazyPeer peer(server.endpoint());
+  for (int i = 0; i < 100; ++i) peer.ask();
+  for (int i = 0; i < 98; ++i) EXPECT_EQ(peer.read().limit(), "replies");
+  server.stop();
+  EXPECT_EQ(late.size(), 2u);
+}
+
 // Requests whose answers are yet to come count, too. The first ones too many are refused, the rest counted.
 TEST(ControlServer, DropsAndCountsWhatIsAskedWithoutEnd) {
   RequestCounts counts;
   ControlServer server(kOptions, counts);
-  std::vector<ControlServer::Answer> late;  // the control thread's until it is stopped
-  server.start([&](const RawRequest&, const Peer&, ControlServer::Answer answer) {
-    late.push_back(std::move(answer));
-  });
+  std::vector<Answer> late;  // the control thread's until it is stopped
+  server.start([&](const RawRequest&, const Peer&, Answer answer) { late.push_back(std::move(answer)); });
   LazyPeer lazy(server.endpoint());
   const auto deadline = std::chrono::steady_clock::now() + kPatience;  // until all buffers are full
   while (counts.dropped() < 10 && std::chrono::steady_clock::now() < deadline) lazy.ask();
@@ -133,7 +147,7 @@ TEST(ControlServer, AFaultOfTheHandlerCostsTheRequestOnly) {
   RequestCounts counts;
   ControlServer server(kOptions, counts);
   int calls = 0;
-  server.start([&](const RawRequest&, const Peer&, const ControlServer::Answer& answer) {
+  server.start([&](const RawRequest&, const Peer&, const Answer& answer) {
     if (++calls == 1) throw std::bad_alloc();
     answer(replyOf(1));
   });

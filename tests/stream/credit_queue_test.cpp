@@ -61,6 +61,7 @@ TEST(CreditQueue, DropsTheOldestAndTellsTheNextOfThatSensor) {
     queue.push(makePacket(0, seq, 1000));
     queue.push(makePacket(1, seq, 1000));
     EXPECT_TRUE(queue.hasRoom());
+    queue.makeRoom();
   }
   EXPECT_EQ(queue.droppedPackets(), 7u);  // three fit
   std::uint64_t next[2] = {};
@@ -73,21 +74,43 @@ TEST(CreditQueue, DropsTheOldestAndTellsTheNextOfThatSensor) {
   EXPECT_EQ(next[1], 5u);
 }
 
-TEST(CreditQueue, NeverDropsEnd) {
-  CreditQueue queue(CreditQueue::Overflow::kDropOldest, 2900, 2);
-  queue.push(makePacket(0, 0, 0, v1::KIND_END));
-  for (std::uint64_t seq = 0; seq < 10; ++seq) queue.push(makePacket(1, seq, 1000));
-  EXPECT_EQ(popHeader(queue).kind(), v1::KIND_END);
+// Truth goes as events do.
+TEST(CreditQueue, NeverDropsSnapshotsEndAndErrors) {
+  constexpr v1::Kind kKept[] = {v1::KIND_SNAPSHOT, v1::KIND_END, v1::KIND_ERROR};
+  CreditQueue queue(CreditQueue::Overflow::kDropOldest, 3300, 2);
+  for (const v1::Kind kind : kKept) queue.push(makePacket(0, 0, 0, kind));
+  for (std::uint64_t seq = 0; seq < 10; ++seq)
+    queue.push(makePacket(1, seq, 1000, seq % 2 ? v1::KIND_TRUTH : v1::KIND_EVENTS));
+  EXPECT_EQ(queue.makeRoom(), 8u);
+  for (const v1::Kind kind : kKept) EXPECT_EQ(popHeader(queue).kind(), kind);
   EXPECT_EQ(popHeader(queue).dropped_before(), 8u);
+}
+
+// Who keeps up gets all of a frame, however large it is.
+TEST(CreditQueue, DropsOnlyWhatWasThereBeforeTheFrame) {
+  constexpr std::uint32_t kChannels = 8;
+  CreditQueue queue(CreditQueue::Overflow::kDropOldest, 2500, kChannels);
+  const auto pushFrame = [&](std::uint64_t seq) {
+    const std::uint64_t dropped = queue.makeRoom();
+    for (std::uint32_t i = 0; i < kChannels; ++i) queue.push(makePacket(i, seq, 1000, v1::KIND_TRUTH));
+    return dropped;
+  };
+  EXPECT_EQ(pushFrame(0), 0u);
+  for (std::uint32_t i = 0; i < kChannels; ++i) EXPECT_EQ(popHeader(queue).dropped_before(), 0u);
+  EXPECT_EQ(pushFrame(1), 0u);
+  EXPECT_EQ(pushFrame(2), kChannels - 2u);  // two fit
+  EXPECT_EQ(pushFrame(3), kChannels);
 }
 
 // A packet tells of the drops before it, and they must not be forgotten when it is dropped itself.
 TEST(CreditQueue, DropsToldByADroppedPacketAreToldAgain) {
   CreditQueue queue(CreditQueue::Overflow::kDropOldest, 2500, 1);
   for (std::uint64_t seq = 0; seq < 4; ++seq) queue.push(makePacket(0, seq, 1000));
+  queue.makeRoom();
   const auto refuse = [](const WirePacket&) { return false; };
   EXPECT_FALSE(queue.sendOldest(refuse));
   queue.push(makePacket(0, 4, 1000));
+  queue.makeRoom();
   const v1::PacketHeader header = popHeader(queue);
   EXPECT_EQ(header.seq(), 3u);
   EXPECT_EQ(header.dropped_before(), 3u);
@@ -110,6 +133,7 @@ TEST(CreditQueue, ResumesWithTheDropsWhereTheyWere) {
   for (std::uint64_t seq = 0; seq < 2; ++seq) queue.push(makePacket(0, seq, 1000));
   for (int i = 0; i < 2; ++i) popHeader(queue);
   for (std::uint64_t seq = 2; seq < 6; ++seq) queue.push(makePacket(0, seq, 1000));
+  queue.makeRoom();
   EXPECT_EQ(queue.resume({1}), "");
   for (const std::uint64_t seq : {1, 4, 5}) {
     const v1::PacketHeader header = popHeader(queue);

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "base/hash_rng.h"
+#include "base/thread_time.h"
 
 namespace saccade {
 namespace {
@@ -29,8 +31,9 @@ double tolerance(int n) {
 
 TEST(RandomWalk, StepsAreIndependentAndOfVarianceOne) {
   constexpr int kSteps = 20000;
-  const auto step = [](int i) {
-    return randomWalk(7, static_cast<std::uint64_t>(i) + 1) - randomWalk(7, static_cast<std::uint64_t>(i));
+  RandomWalk walk(7);
+  const auto step = [&](int i) {
+    return walk.at(static_cast<std::uint64_t>(i) + 1) - walk.at(static_cast<std::uint64_t>(i));
   };
   EXPECT_NEAR(meanSquare(kSteps, step), 1, tolerance(kSteps));
   double product = 0;
@@ -41,16 +44,45 @@ TEST(RandomWalk, StepsAreIndependentAndOfVarianceOne) {
 TEST(RandomWalk, ItsVarianceGrowsWithTime) {
   constexpr int kWalks = 2000;
   for (const std::uint64_t steps : {1ull, 10ull, 1000ull, 12'345'678ull}) {
-    const double variance = meanSquare(kWalks, [&](int key) { return randomWalk(keyOf(key), steps); });
+    const double variance = meanSquare(kWalks, [&](int key) { return RandomWalk(keyOf(key)).at(steps); });
     EXPECT_NEAR(variance / static_cast<double>(steps), 1, tolerance(kWalks)) << steps;
   }
-  EXPECT_EQ(randomWalk(3, 0), 0);
+  EXPECT_EQ(RandomWalk(3).at(0), 0);
+}
+
+// The same bits, in order, backwards, and each from a walk of its own.
+TEST(RandomWalk, AStepDoesNotDependOnWhatWasAskedBefore) {
+  RandomWalk forth(11), back(11), leaping(11);
+  std::vector<double> path;
+  for (std::uint64_t i = 0; i < 3000; ++i) path.push_back(forth.at(i));
+  for (std::uint64_t i = 3000; i-- > 0;) {
+    ASSERT_EQ(back.at(i), path[i]) << i;
+    leaping.at(mix64(i) >> 24);
+    ASSERT_EQ(leaping.at(i), path[i]) << i;
+    ASSERT_EQ(RandomWalk(11).at(i), path[i]) << i;
+  }
+}
+
+// From the root each step costs 40 normal numbers, in order two. The ratio of times says so on any machine.
+TEST(RandomWalk, StepsInOrderCostLittle) {
+  constexpr std::uint64_t kSteps = 100'000;
+  const auto seconds = [](const auto& at) {
+    const auto began = threadCpuTime();
+    double sum = 0;
+    for (std::uint64_t i = 0; i < kSteps; ++i) sum += at(i);
+    EXPECT_TRUE(std::isfinite(sum));
+    return std::chrono::duration<double>(threadCpuTime() - began).count();
+  };
+  RandomWalk walk(5);
+  EXPECT_LT(seconds([&](std::uint64_t i) { return walk.at(i); }),
+            0.25 * seconds([](std::uint64_t i) { return RandomWalk(5).at(i); }));
 }
 
 TEST(ImuNoise, WhiteNoiseHasItsDensity) {
   constexpr int kSamples = 20000;
   const ImuConfig config{.rate_hz = 400, .accelerometer_noise = 0.02, .gyroscope_noise = 0.003, .seed = 5};
-  const auto at = [&](int i) { return imuNoise(config, static_cast<std::uint64_t>(i) + 1); };
+  ImuNoise noise(config);
+  const auto at = [&](int i) { return noise.at(static_cast<std::uint64_t>(i) + 1); };
   EXPECT_NEAR(meanSquare(kSamples, [&](int i) { return at(i).force.x; }), 400 * 0.02 * 0.02,
               400 * 0.02 * 0.02 * tolerance(kSamples));
   EXPECT_NEAR(meanSquare(kSamples, [&](int i) { return at(i).rate.z; }), 400 * 0.003 * 0.003,
@@ -67,7 +99,7 @@ TEST(ImuNoise, TheBiasWalksByItsDensity) {
     for (const double t : {0.5, 50.0}) {
       const double variance = meanSquare(kSeeds, [&](int seed) {
         const ImuConfig config{.rate_hz = rate, .gyroscope_walk = 0.01, .seed = keyOf(seed)};
-        return imuNoise(config, static_cast<std::uint64_t>(rate * t)).rate.y;
+        return ImuNoise(config).at(static_cast<std::uint64_t>(rate * t)).rate.y;
       });
       EXPECT_NEAR(variance / (0.01 * 0.01 * t), 1, tolerance(kSeeds)) << rate << " Hz, " << t << " s";
     }
@@ -75,7 +107,7 @@ TEST(ImuNoise, TheBiasWalksByItsDensity) {
 }
 
 TEST(ImuNoise, IsNothingWhereItIsOff) {
-  const ImuReading noise = imuNoise({.seed = 4}, 17);
+  const ImuReading noise = ImuNoise({.seed = 4}).at(17);
   EXPECT_EQ(noise.force, Vec3d{});
   EXPECT_EQ(noise.rate, Vec3d{});
 }

@@ -25,13 +25,14 @@ const std::array<LimitRow, kLimits>& limitTable() {
       {Limit::kRequests, "requests", 64, 1, "", "streams being opened"},
       {Limit::kClientRequests, "client-requests", 32, 1, "", "streams being opened by one client"},
       {Limit::kMemory, "memory", 4096, 1, "MiB",
-       "estimated memory of all feeds, sensors and paths, and of streams being opened"},
+       "estimated memory of all feeds, sensors, paths and requests, and of streams being opened"},
       {Limit::kQueues, "queues", 1024, 1, "MiB", "memory of packets kept for the clients of all streams"},
       {Limit::kQueue, "queue", kQueueBytes / kMiB, 0.0625, "MiB",
        "memory of packets that wait for the client of one stream"},
       {Limit::kCredit, "credit", 4096, 1, "MiB", "credit of one connection"},
       {Limit::kMessage, "message", 9, 0.0625, "MiB", "one request; a longer one ends its connection"},
-      {Limit::kPictures, "pictures", 64, 1, "MiB a second", "pictures that get_frame gives to all clients"},
+      {Limit::kPictures, "pictures", 64, 1, "MiB a second",
+       "pictures and descriptions of streams that all clients are given"},
       {Limit::kFrameRate, "frame-rate", ranges::kFrameRate.max, ranges::kFrameRate.min, "Hz",
        "frame rate of one stream"},
       {Limit::kTrajectoryPoints, "trajectory-points", 2e5, 1, "",
@@ -45,6 +46,7 @@ const std::array<LimitRow, kLimits>& limitTable() {
       {Limit::kPixelRays, "pixel-rays", 1e5, 1, "", "rays of one pixel: spp times (bounces + 2)"},
       {Limit::kEvents, "events", 4 << 20, 64, "",
        "events of one stream in one frame; each sensor has an equal share"},
+      {Limit::kRows, "rows", 1 << 17, 1, "", "rows of the truth channels of one stream in one frame"},
       {Limit::kScenes, "scenes", 4096, 1.0 / 16, "MiB",
        "scenes in memory; unused ones are evicted for others"},
       {Limit::kBakes, "bakes", 4096, 0, "MiB", "memory of bakes in use or being made, 512 MiB for each"},
@@ -81,7 +83,7 @@ std::uint64_t Limits::bytes(Limit limit) const {
 
 std::string amountText(Limit limit, double amount) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.15g", amount >= 1 ? std::ceil(amount) : amount);
+  std::snprintf(text, sizeof text, amount >= 1 ? "%.15g" : "%.3g", amount >= 1 ? std::ceil(amount) : amount);
   const std::string unit = rowOf(limit).unit;
   return unit.empty() ? text : text + (" " + unit);
 }

@@ -39,6 +39,7 @@ enum class Limit {
   kRays,
   kPixelRays,
   kEvents,
+  kRows,
   kScenes,
   kBakes,
   kBakeFiles,

@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "app/admission/limits.h"
+#include "app/admission/queue_cost.h"
 #include "app/request/refusal.h"
+#include "app/request/request_memory.h"
 #include "frame/intensity_change.h"
-#include "stream/credit_queue.h"
 #include "wire/packet_cutter.h"
 
 namespace saccade {
@@ -90,6 +91,7 @@ double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   constexpr double kSensorBytes = 24, kNoiseBytes = 28;  // per pixel
   constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
   constexpr double kTruthBytes = 48;                     // per pixel: a picture, and its copy for the packet
+  constexpr double kRowBytes = 400;                      // likewise: a row of a frame
   constexpr double kPacketBytes = 640;                   // per packet, without its events
   const double rate_hz = stream.feed.frame_rate_hz, packets = 1 + 1e9 / kPacketTimeNs / rate_hz;
   double bytes = 0;
@@ -108,6 +110,7 @@ double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   }
   for (const v1::Truth& truth : stream.request.truth())
     bytes += pixelsOf(stream.feedOf(truth.view())) * kTruthBytes;
+  for (const TruthConfig& truth : stream.truth) bytes += rowsOfFrame(truth) * kRowBytes;
   return bytes / (1 << 20);
 }
 
@@ -156,13 +159,24 @@ void boundSteering(ResolvedStream& stream, const Limits& limits) {
   if (stream.frames == 0) stream.frames = most;
 }
 
+void boundRows(const ResolvedStream& stream, const Limits& limits) {
+  double rows = 0;
+  for (const TruthConfig& truth : stream.truth) rows += rowsOfFrame(truth);
+  checkMost(Limit::kRows, "truth", rows, limits);
+}
+
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) {
   const int sensors = static_cast<int>(stream.sensors.size());
-  return {{Limit::kStreams, 1},
-          {Limit::kSensors, static_cast<double>(sensors), "sensors"},
-          {Limit::kPixels, pixelsOf(stream.request), "view"},
-          {Limit::kMemory, streamMemory(stream, limits), "view"},
-          {Limit::kQueues, limits[Limit::kQueue] * (1 + CreditQueue::kKeptBounds)}};
+  const double views = static_cast<double>(stream.views());
+  std::vector<Share> shares{{Limit::kStreams, 1},
+                            {Limit::kSensors, static_cast<double>(sensors), "sensors"},
+                            {Limit::kPixels, pixelsOf(stream.request), "view"},
+                            {Limit::kMemory, streamMemory(stream, limits), "view"},
+                            {Limit::kMemory, pathMemory(stream.request.trajectory()) * views, "trajectory"},
+                            {Limit::kQueues, queueMemory(stream, limits)}};
+  if (stream.request.timing().steerable())
+    shares.push_back({Limit::kMemory, steeringMemory(stream.frames) * views, "timing"});
+  return shares;
 }
 
 void checkAlone(const v1::OpenStream& request, const Limits& limits) {

@@ -18,6 +18,9 @@ void boundEvents(ResolvedStream& stream, const Limits& limits);
 void checkChange(const v1::OpenStream& request, const v1::Sensor& sensor, const NoiseConfig& first,
                  const SensorChange& change, const std::string& field);
 
+// Throws LimitReached where a frame has more rows of truth channels than the limit `rows`.
+void boundRows(const ResolvedStream& stream, const Limits& limits);
+
 // A stream that can be steered ends when its path has as many keys as a request may have. Throws LimitReached
 // where it shall last longer.
 void boundSteering(ResolvedStream& stream, const Limits& limits);
@@ -25,6 +28,7 @@ void boundSteering(ResolvedStream& stream, const Limits& limits);
 // MiB: an estimate of the most memory of a stream with a feed of its own, without its queue.
 double streamMemory(const ResolvedStream& stream, const Limits& limits);
 
+// But for its request: requestMemory() counts that before it is resolved.
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits);
 
 // Throws LimitReached where the request exceeds a limit of single streams.

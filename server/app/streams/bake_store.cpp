@@ -1,7 +1,5 @@
 #include "app/streams/bake_store.h"
 
-#include <spdlog/spdlog.h>
-
 #include "app/request/refusal.h"
 #include "app/streams/bake_folder.h"
 #include "feed/bake_file.h"
@@ -61,7 +59,7 @@ std::shared_ptr<const Bake> BakeStore::make(const std::shared_ptr<const RenderSc
     return std::make_shared<const Bake>(
         bake(scene, plan, folder_, pool, [&](const Baker& baker) { progress(baker.share()); }));
   } catch (const std::runtime_error& fault) {  // the operator's to repair
-    spdlog::error("bake: {}", fault.what());
+    log_.write(spdlog::level::err, std::string("bake: ") + fault.what());
     throw Refusal(v1::CODE_UNAVAILABLE, kField, "the server cannot keep the light that it computes");
   }
 }

@@ -12,6 +12,7 @@
 
 #include "app/admission/limits.h"
 #include "feed/bake.h"
+#include "ops/limited_log.h"
 
 namespace saccade {
 
@@ -35,6 +36,7 @@ class BakeStore {
 
   const std::string folder_;  // empty: there are no bakes
   const Limits limits_;
+  mutable LimitedLog log_;
   std::mutex mutex_;
   std::condition_variable_any made_;
   std::set<Digest> under_way_;

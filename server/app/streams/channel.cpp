@@ -14,11 +14,13 @@ void Channel::process(const FeedInterval& interval, bool whole) {
   full_ = forClient(makePackets(interval));
   if (whole) std::ranges::move(flush(), std::back_inserter(full_));
   items_ = countItems();
+  reached_.emplace(interval.change.t1, interval.change.frame);
   cost_ = threadCpuTime() - began;
 }
 
 std::vector<Packet> Channel::end(TimeNs t, FrameIndex frame, v1::EndReason reason) {
-  return forClient(endPackets(t, frame, reason));
+  const auto [at, index] = reached_.value_or(std::pair(t, frame));
+  return forClient(endPackets(at, index, reason));
 }
 
 std::vector<Packet> Channel::forClient(std::vector<Packet> packets) const {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,8 @@ class Channel {
 
   virtual SensorSchedule* schedule() { return nullptr; }  // of a sensor
 
-  // What is in no full packet yet; with end() also the END packet.
+  // What is in no full packet yet; with end() also the END packet, at the end of the last interval. `t`,
+  // `frame`: where it has taken none.
   std::vector<Packet> flush() { return forClient(flushPackets()); }
   std::vector<Packet> end(TimeNs t, FrameIndex frame, v1::EndReason reason);
 
@@ -52,6 +54,7 @@ class Channel {
 
   const std::size_t view_;
   std::uint64_t from_item_, items_ = 0;
+  std::optional<std::pair<TimeNs, FrameIndex>> reached_;  // the end of the last interval
   std::chrono::nanoseconds cost_{0};
   std::vector<Packet> full_;
 };

@@ -29,7 +29,8 @@ std::shared_ptr<FeedRunner> FeedMaker::run(std::shared_ptr<IntervalSource> sourc
                                            const ResolvedStream& stream, const FeedFacts& facts) const {
   const v1::Timing& timing = stream.request.timing();
   const FeedPace pace{stream.frames, timing.frame_rate_hz(), timing.speed()};
-  return std::make_shared<FeedRunner>(std::move(source), pace, resources_.pool, resources_.totals, facts);
+  return std::make_shared<FeedRunner>(std::move(source), pace, resources_.pool, resources_.totals,
+                                      resources_.log, facts);
 }
 
 std::size_t FeedMaker::most(Limit limit) const {

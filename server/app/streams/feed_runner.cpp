@@ -23,11 +23,12 @@ void logTimes(FrameIndex frame, const StageTimes& times) {
 }  // namespace
 
 FeedRunner::FeedRunner(std::shared_ptr<IntervalSource> source, const FeedPace& pace, TilePool& pool,
-                       Totals& totals, const FeedFacts& facts)
+                       Totals& totals, ClientLog& log, const FeedFacts& facts)
     : pool_(pool),
       source_(std::move(source)),
       pace_(pace),
       totals_(totals),
+      log_(log),
       facts_(facts),
       clock_(pace.speed) {}
 
@@ -79,7 +80,7 @@ void FeedRunner::run() {
 
 // Allocates nothing, because the fault may be a lack of memory.
 void FeedRunner::giveUp(const char* message) noexcept {
-  spdlog::error("a feed failed at frame {}: {}", frame_, message);
+  logFault(message);
   std::vector<std::shared_ptr<StreamSink>> late;
   {
     std::lock_guard lock(mutex_);
@@ -88,8 +89,16 @@ void FeedRunner::giveUp(const char* message) noexcept {
   }
   for (auto* sinks : {&sinks_, &late}) {
     for (auto& sink : *sinks) {
-      if (!sink->session().finished()) sink->fail(message);
+      if (!sink->session().finished() && !sink->fail(message)) logFault("a stream of it cannot be told");
     }
+  }
+}
+
+void FeedRunner::logFault(const char* message) noexcept {
+  try {
+    log_.error({}, fmt::format("a feed failed at frame {}: {}", frame_, message));
+  } catch (...) {
+    spdlog::error("a feed failed at frame {}: {}", frame_, message);  // takes no memory
   }
 }
 
@@ -164,14 +173,13 @@ void FeedRunner::step() {
   record(times, source_->lastChain() + (threadCpuTime() - before), lag_s);
 }
 
-// Frames of a feed that keeps its pace are due at a certain time.
-Priority FeedRunner::priority() const {
-  return clock_.running() ? Priority::kUrgent : Priority::kNormal;
+// Frames of a feed that keeps its pace are due at a certain time. interrupt() drops what is left of a frame.
+PoolHandle FeedRunner::pool() const {
+  return {pool_, clock_.running() ? Priority::kUrgent : Priority::kNormal, stop_.get_token()};
 }
 
-// Only this can be interrupted: an interval that is made reaches all streams.
 const std::vector<FeedInterval>& FeedRunner::makeIntervals() {
-  const std::vector<FeedInterval>& views = source_->step({pool_, priority(), stop_.get_token()});
+  const std::vector<FeedInterval>& views = source_->step(pool());
   newest_.set(views.front().change);
   frame_ = views.front().change.frame;
   return views;
@@ -187,7 +195,7 @@ std::chrono::nanoseconds FeedRunner::publish(const std::vector<FeedInterval>& vi
     started.push_back(sink.get());
     for (std::size_t i = 0; i < sink->channels(); ++i) channels.emplace_back(sink.get(), i);
   }
-  const auto used = PoolHandle(pool_, priority()).run(static_cast<int>(channels.size()), [&](int i) {
+  const auto used = pool().run(static_cast<int>(channels.size()), [&](int i) {
     const auto [sink, channel] = channels[static_cast<std::size_t>(i)];
     sink->process(channel, views[sink->view(channel)]);
   });
@@ -220,10 +228,13 @@ void FeedRunner::record(const StageTimes& times, std::chrono::nanoseconds chain,
 }
 
 void FeedRunner::finish(StreamSink& sink) {
+  const std::uint64_t events_before = sink.events();
   sink.end(now(), frame_);
+  totals_.events += sink.events() - events_before;
   const std::chrono::duration<double> wall = ChangeNotifier::Clock::now() - began_;
-  spdlog::info("stream {} ended after {} frames: {} events, {:.3g} of real time", sink.session().id(), frame_,
-               sink.events(), seconds(now()) / wall.count());
+  log_.info(sink.user(),
+            fmt::format("stream {} ended after {} frames: {} events, {:.3g} of real time",
+                        sink.session().id(), frame_, sink.events(), seconds(now()) / wall.count()));
 }
 
 }  // namespace saccade

@@ -1,9 +1,10 @@
 // Runs a source of intervals on a thread of its own and hands each interval to the streams that share it.
 //
 // A stream takes part from the first frame after its receiver has attached until it is stopped; then it gets
-// its END. A frame is made when its source is ready, some stream has a receiver, and every stream with a
-// receiver has room. Frames keep the pace, except those that a resumed stream skips. One run of the pool
-// serves the sensors of all streams.
+// its END. Where all are stopped in the midst of a frame, the channels that have made their part of it give
+// it, and the others end before it. A frame is made when its source is ready, some stream has a receiver, and
+// every stream with a receiver has room. Frames keep the pace, except those that a resumed stream skips. One
+// run of the pool serves the sensors of all streams.
 #pragma once
 
 #include <memory>
@@ -19,6 +20,7 @@
 #include "base/recent_mean.h"
 #include "feed/interval_source.h"
 #include "feed/pixel_speed.h"
+#include "ops/client_log.h"
 #include "stream/change_notifier.h"
 
 namespace saccade {
@@ -46,9 +48,10 @@ struct FeedProgress {
 
 class FeedRunner {
  public:
-  // Runs on `pool`, urgently while the feed keeps its pace. Adds to `totals`. Both must outlive this.
+  // Runs on `pool`, urgently while the feed keeps its pace. Adds to `totals`. Logs the ends of streams. All
+  // three must outlive this.
   FeedRunner(std::shared_ptr<IntervalSource> source, const FeedPace& pace, TilePool& pool, Totals& totals,
-             const FeedFacts& facts = {});
+             ClientLog& log, const FeedFacts& facts = {});
   ~FeedRunner();  // waits for the thread: all streams must be stopped, or the feed must have an end
   FeedRunner(const FeedRunner&) = delete;
   FeedRunner& operator=(const FeedRunner&) = delete;
@@ -67,6 +70,7 @@ class FeedRunner {
  private:
   void run();
   void giveUp(const char* message) noexcept;
+  void logFault(const char* message) noexcept;
   bool gather();
   void admit();
   bool close();
@@ -74,7 +78,7 @@ class FeedRunner {
   bool needsCare() const;
   bool allStopping() const;
   void step();
-  Priority priority() const;
+  PoolHandle pool() const;
   std::chrono::nanoseconds publish(const std::vector<FeedInterval>& views, double lag_s);
   const std::vector<FeedInterval>& makeIntervals();
   void holdClock();
@@ -88,6 +92,7 @@ class FeedRunner {
   const std::shared_ptr<IntervalSource> source_;
   const FeedPace pace_;
   Totals& totals_;
+  ClientLog& log_;
   const FeedFacts facts_;
   const std::shared_ptr<ChangeNotifier> notifier_ = std::make_shared<ChangeNotifier>();
   NewestInterval newest_;

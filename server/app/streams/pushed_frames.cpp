@@ -30,14 +30,13 @@ PushedFrames::PushedFrames(int width, int height, double frame_rate_hz, FrameInd
       most_waiting_(most_waiting),
       changes_{IntensityChange(width, height), IntensityChange(width, height)} {}
 
-FrameIndex PushedFrames::push(const std::string& intensity) {
+FrameIndex PushedFrames::push(std::string_view intensity) {
+  std::unique_lock lock(mutex_);
+  checkRoom();
+  lock.unlock();
   ImageF frame = read(intensity);
-  std::lock_guard lock(mutex_);
-  if (frames_ > 0 && pushed_ > frames_)
-    throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "no frame of the stream is left");
-  if (waiting_.size() >= most_waiting_) {
-    throw LimitReached(Limit::kPushes, {}, std::to_string(most_waiting_) + " frames wait", kPushRetrySeconds);
-  }
+  lock.lock();
+  checkRoom();
   if (pushed_ == 0) {
     changes_[0].I_now = std::move(frame);
   } else {
@@ -46,7 +45,16 @@ FrameIndex PushedFrames::push(const std::string& intensity) {
   return pushed_++;
 }
 
-ImageF PushedFrames::read(const std::string& intensity) const {
+// With the lock.
+void PushedFrames::checkRoom() const {
+  if (frames_ > 0 && pushed_ > frames_)
+    throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "no frame of the stream is left");
+  if (waiting_.size() >= most_waiting_) {
+    throw LimitReached(Limit::kPushes, {}, std::to_string(most_waiting_) + " frames wait", kPushRetrySeconds);
+  }
+}
+
+ImageF PushedFrames::read(std::string_view intensity) const {
   const std::size_t bytes = static_cast<std::size_t>(width_) * height_ * sizeof(float);
   if (intensity.size() != bytes) {
     refuse("intensity", "a frame of this stream has " + std::to_string(bytes) + " bytes, not " +

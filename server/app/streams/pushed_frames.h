@@ -4,7 +4,7 @@
 #include <array>
 #include <deque>
 #include <mutex>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "feed/interval_source.h"
@@ -18,9 +18,9 @@ class PushedFrames final : public IntervalSource {
   PushedFrames(int width, int height, double frame_rate_hz, FrameIndex frames, std::size_t most_waiting);
 
   // Takes the next frame: width * height float32, row by row from the top. Returns its index. Throws
-  // LimitReached where too many wait, and Refusal for bytes that are no such frame, or where no frame is
-  // left. From any thread.
-  FrameIndex push(const std::string& intensity);
+  // LimitReached where too many wait, and Refusal where no frame is left; both before it reads the bytes.
+  // Throws Refusal for bytes that are no such frame. From any thread.
+  FrameIndex push(std::string_view intensity);
 
   bool ready() const override;
   const std::vector<FeedInterval>& step(const PoolHandle& pool) override;
@@ -28,7 +28,8 @@ class PushedFrames final : public IntervalSource {
   std::chrono::nanoseconds lastChain() const override { return {}; }
 
  private:
-  ImageF read(const std::string& intensity) const;
+  void checkRoom() const;
+  ImageF read(std::string_view intensity) const;
 
   const int width_, height_;
   const double frame_rate_hz_;

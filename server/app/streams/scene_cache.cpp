@@ -1,7 +1,5 @@
 #include "app/streams/scene_cache.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -85,7 +83,7 @@ SceneCache::Entry& SceneCache::enter(const Key& key) {
 }
 
 SceneCache::ScenePtr SceneCache::load(const std::string& name, FileTime changed) {
-  const auto log = [](const std::string& text) { spdlog::info("loading {}", text); };
+  const auto log = [this](const std::string& text) { log_.write(spdlog::level::info, "loading " + text); };
   const auto began = std::chrono::steady_clock::now();
   try {
     std::unique_lock reading(reading_);
@@ -95,9 +93,9 @@ SceneCache::ScenePtr SceneCache::load(const std::string& name, FileTime changed)
     loads_.ns += (std::chrono::steady_clock::now() - began) / std::chrono::nanoseconds(1);
     ++loads_.done;
     std::string stats = statsOf(scene->description()).text();
-    spdlog::info("loaded {}: {}", name, stats);
+    log_.write(spdlog::level::info, "loaded " + name + ": " + stats);
     for (const std::string& warning : warningsOf(scene->description())) {
-      spdlog::warn("{}: {}", name, warning);
+      log_.write(spdlog::level::warn, name + ": " + warning);
       stats += "; warning: " + warning;
     }
     remember(name, changed, {stats, {}});
@@ -150,7 +148,7 @@ bool SceneCache::evictOne(bool simplified_only) {
     if (oldest == entries_.end() || it->second.used < oldest->second.used) oldest = it;
   }
   if (oldest == entries_.end()) return false;
-  spdlog::info("{} makes room for another scene", oldest->first.first);
+  log_.write(spdlog::level::info, oldest->first.first + " makes room for another scene");
   entries_.erase(oldest);
   ++loads_.evicted;
   return true;

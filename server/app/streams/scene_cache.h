@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/admission/limits.h"
+#include "ops/limited_log.h"
 #include "render/render_scene.h"
 #include "render/simplify.h"
 #include "scene/library/scene_library.h"
@@ -92,6 +93,7 @@ class SceneCache {
   const std::size_t most_simplified_;
   const std::uint64_t most_bytes_;
   SceneLoads loads_;
+  LimitedLog log_;
   std::mutex reading_;  // the size of a scene is known once it is read, so one is read at a time
   mutable std::mutex mutex_;
   std::map<Key, Entry> entries_;

@@ -14,7 +14,7 @@ SensorChannel::SensorChannel(const SensorConfig& config, const PacketSource& sou
 
 std::vector<Packet> SensorChannel::makePackets(const FeedInterval& interval) {
   const IntensityChange& change = interval.change;
-  for (const SensorChange& due : schedule_.takeDue(change.t0, change.t1)) sensor_.change(due);
+  if (const auto due = schedule_.takeDue(change.t0, change.t1)) sensor_.change(*due);
   std::vector<Packet> full;
   if (!std::exchange(joined_, true) && change.frame > 1) full.push_back(snapshot(change));
   sensor_.generate(change, output_);

@@ -16,10 +16,11 @@ TimeNs SensorSchedule::add(SensorChange change) {
   return change.time;
 }
 
-std::vector<SensorChange> SensorSchedule::takeDue(TimeNs t0, TimeNs t1) {
+std::optional<SensorChange> SensorSchedule::takeDue(TimeNs t0, TimeNs t1) {
   std::lock_guard lock(mutex_);
-  std::vector<SensorChange> due;
-  while (done_ < changes_.size() && changes_[done_].time <= t0) due.push_back(changes_[done_++]);
+  std::optional<SensorChange> due;
+  for (; done_ < changes_.size() && changes_[done_].time <= t0; ++done_)
+    due = together(due.value_or(SensorChange{}), changes_[done_]);
   next_ = t1;
   return due;
 }
@@ -27,6 +28,11 @@ std::vector<SensorChange> SensorSchedule::takeDue(TimeNs t0, TimeNs t1) {
 std::vector<SensorChange> SensorSchedule::all() const {
   std::lock_guard lock(mutex_);
   return changes_;
+}
+
+std::size_t SensorSchedule::size() const {
+  std::lock_guard lock(mutex_);
+  return changes_.size();
 }
 
 }  // namespace saccade

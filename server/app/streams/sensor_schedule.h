@@ -18,10 +18,12 @@ class SensorSchedule {
   // are as many as a request may have.
   TimeNs add(SensorChange change);
 
-  // For each interval, in order: the changes that apply from it on.
-  std::vector<SensorChange> takeDue(TimeNs t0, TimeNs t1);
+  // For each interval, in order: what changes with it. Changes that begin with the same interval are one, so
+  // that each interval costs one at most.
+  std::optional<SensorChange> takeDue(TimeNs t0, TimeNs t1);
 
   std::vector<SensorChange> all() const;
+  std::size_t size() const;  // of all()
 
  private:
   mutable std::mutex mutex_;

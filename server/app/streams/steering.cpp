@@ -81,4 +81,9 @@ std::vector<TimedPose> Steering::keys() const {
   return keys_;
 }
 
+std::size_t Steering::frames() const {
+  std::lock_guard lock(mutex_);
+  return keys_.size();
+}
+
 }  // namespace saccade

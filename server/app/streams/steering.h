@@ -35,6 +35,7 @@ class Steering {
 
   // A key for each frame begun, such that a request with these keys goes the same path, bit for bit.
   std::vector<TimedPose> keys() const;
+  std::size_t frames() const;  // how many have been begun, frame 0 included
 
  private:
   Pose nextPose(TimeNs t) const;

@@ -14,9 +14,9 @@ v1::StreamInfo Stream::info() const {
   const FeedProgress progress = feed->progress();
   const double frames = static_cast<double>(std::max<FrameIndex>(1, progress.frames));
   info.set_stream_id(session->id());
-  info.set_scene(request.scene());
-  info.set_delivery(request.delivery());
-  info.set_sensors(static_cast<std::uint32_t>(request.sensors_size()));
+  info.set_scene(request->scene());
+  info.set_delivery(request->delivery());
+  info.set_sensors(static_cast<std::uint32_t>(request->sensors_size()));
   info.set_frames_done(progress.frames);
   info.set_events(sink->events());
   info.set_dropped_packets(session->droppedPackets());
@@ -33,7 +33,7 @@ v1::StreamInfo Stream::info() const {
 
 CpuCost Stream::load() const {
   constexpr FrameIndex kSureFrames = 10;  // so many say more than a measurement before
-  const v1::Timing& timing = request.timing();
+  const v1::Timing& timing = request->timing();
   if (timing.clock() != v1::CLOCK_PACED || session->finished()) return {};
   const FeedProgress done = feed->progress();
   const double frames_per_s = timing.frame_rate_hz() * timing.speed();

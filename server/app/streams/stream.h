@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/streams/feed_runner.h"
 #include "app/streams/pace.h"
@@ -14,10 +15,12 @@
 
 namespace saccade {
 
+// Copies share all that is large.
 struct Stream {
-  std::string user;                // the public key of its client; empty without keys
-  v1::OpenStream request;          // resolved; without the keys or the text of its trajectory
-  std::shared_ptr<void> reserved;  // its share of the quotas
+  std::string user;                               // the public key of its client; empty without keys
+  std::shared_ptr<const v1::OpenStream> request;  // resolved; without the keys or the text of its trajectory
+  std::size_t request_bytes = 0;                  // of the request, serialized
+  std::vector<std::shared_ptr<void>> reserved;    // its shares of the quotas
   CpuCost frame_cost;  // PACED: as measured before it was opened; `feed` is 0 where it joined a feed
   std::shared_ptr<FeedRunner> feed;
   std::shared_ptr<Steering> steering;    // of `feed`, where its client steers it

@@ -86,28 +86,32 @@ v1::Steered steerStream(const Stream& stream, const v1::Steer& call) {
   stream.feed->notifier()->raise();
   v1::Steered steered;
   steered.set_frame(frame);
-  steered.set_t_ns(frameTime(frame, stream.request.timing().frame_rate_hz()).count());
+  steered.set_t_ns(frameTime(frame, stream.request->timing().frame_rate_hz()).count());
   return steered;
 }
 
-v1::FramePushed pushFrame(const Stream& stream, const v1::PushFrame& call) {
+PushTarget pushTarget(const Stream& stream) {
   checkRuns(stream);
   if (!stream.pushed) refuse("stream_id", "open the stream with `pushed` to send its frames");
-  const FrameIndex frame = stream.pushed->push(call.intensity());
-  stream.feed->notifier()->raise();
+  return {stream.pushed, stream.feed->notifier(), stream.request->timing().frame_rate_hz()};
+}
+
+v1::FramePushed pushFrame(const PushTarget& target, std::string_view intensity) {
+  const FrameIndex frame = target.frames->push(intensity);
+  target.feed->raise();
   v1::FramePushed pushed;
   pushed.set_frame(frame);
-  pushed.set_t_ns(frameTime(frame, stream.request.timing().frame_rate_hz()).count());
+  pushed.set_t_ns(frameTime(frame, target.frame_rate_hz).count());
   return pushed;
 }
 
 v1::SensorChanged changeSensor(const Stream& stream, const v1::ChangeSensor& call) {
-  const int sensors = stream.request.sensors_size();
+  const int sensors = stream.request->sensors_size();
   if (call.sensor() >= static_cast<std::uint32_t>(sensors))
     refuse("sensor", "the stream has " + std::to_string(sensors) + " sensors");
   checkRuns(stream);
-  const SensorChange change = readChange(stream.request, call);
-  const double rate_hz = stream.request.timing().frame_rate_hz();
+  const SensorChange change = readChange(*stream.request, call);
+  const double rate_hz = stream.request->timing().frame_rate_hz();
   const FrameIndex frame = frameFrom(stream.sink->schedule(call.sensor()).add(change), rate_hz);
   v1::SensorChanged changed;
   changed.set_frame(frame);
@@ -115,10 +119,20 @@ v1::SensorChanged changeSensor(const Stream& stream, const v1::ChangeSensor& cal
   return changed;
 }
 
+std::size_t descriptionBytes(const Stream& stream) {
+  constexpr std::size_t kKeyBytes = 90, kChangeBytes = 220;  // serialized, at most
+  std::size_t bytes = stream.request_bytes;
+  for (int i = 0; i < stream.request->sensors_size(); ++i) {
+    const auto asked = static_cast<std::size_t>(stream.request->sensors(i).changes_size());
+    bytes += kChangeBytes * (stream.sink->schedule(static_cast<std::size_t>(i)).size() - asked);
+  }
+  return stream.steering ? bytes + kKeyBytes * stream.steering->frames() : bytes;
+}
+
 v1::StreamDescription describeStream(const Stream& stream) {
   v1::StreamDescription description;
   v1::OpenStream& request = *description.mutable_request();
-  request = stream.request;
+  request = *stream.request;
   for (int i = 0; i < request.sensors_size(); ++i) {
     describeChanges(stream.sink->schedule(static_cast<std::size_t>(i)).all(), *request.mutable_sensors(i));
   }

@@ -32,24 +32,25 @@ bool asksForIds(const v1::OpenStream& request) {
 v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
   openings_.setScene(opening, request.scene());
   openings_.begin(opening, "checking the request");
+  Stream stream;
+  stream.user = opening.peer.user;
+  stream.reserved.push_back(reserve(stream.user, {{Limit::kMemory, requestMemory(request), "sensors"}}));
   Plan plan{check(std::move(request))};
   ResolvedStream& resolved = plan.resolved;
   checkAlone(resolved.request, resources_.quota.limits());
   boundEvents(resolved, resources_.quota.limits());
+  boundRows(resolved, resources_.quota.limits());
   boundSteering(resolved, resources_.quota.limits());
-  Stream stream;
-  stream.reserved = reserve(opening.peer.user, resolved);
-  stream.user = opening.peer.user;
+  stream.reserved.push_back(reserve(stream.user, sharesOf(resolved, resources_.quota.limits())));
+  if (!resolved.request.pushed()) loadScenes(plan, opening);
+  keepRequest(resolved.request, stream);
   if (resolved.request.pushed()) {
-    stream.request = resolved.request;
     enter(plan, feeds_.ofClient(resolved), stream);
   } else {
-    loadScenes(plan, opening);
-    stream.request = withoutLongPath(resolved.request);
     openFeed(plan, opening, stream);
   }
-  resources_.log.info(stream.user, "stream " + stream.session->id() +
-                                       " opened: " + cutText(stream.request.ShortDebugString(), kMaxLogged));
+  resources_.log.info(
+      stream.user, "stream " + stream.session->id() + " opened: " + shortText(*stream.request, kMaxLogged));
   const int channels = resolved.request.pushed() || resolved.feed.monochrome ? 1 : plan.scene->channels();
   v1::StreamOpened opened = describeOpened(std::move(resolved), stream, resources_.epoch, channels);
   if (plan.bake) opened.set_bake_digest(plan.bake->digest);
@@ -72,15 +73,8 @@ SceneEntry StreamMaker::findScene(const std::string& name) const {
 }
 
 // Streams that are over give their share back first, and so do closed ones that are about to end.
-std::shared_ptr<void> StreamMaker::reserve(const std::string& user, const ResolvedStream& resolved) {
+std::shared_ptr<void> StreamMaker::reserve(const std::string& user, const std::vector<Share>& shares) {
   StreamRegistry& streams = resources_.streams;
-  std::vector<Share> shares = sharesOf(resolved, resources_.quota.limits());
-  shares.push_back({Limit::kMemory,
-                    pathMemory(resolved.request.trajectory()) * static_cast<double>(resolved.views()),
-                    "trajectory"});
-  if (resolved.request.timing().steerable())
-    shares.push_back(
-        {Limit::kMemory, steeringMemory(resolved.frames) * static_cast<double>(resolved.views()), "timing"});
   streams.sweep(ChangeNotifier::Clock::now());
   try {
     return resources_.quota.take(user, shares);
@@ -182,7 +176,7 @@ bool StreamMaker::connect(const ResolvedStream& resolved, Stream& stream) const 
                                 static_cast<std::uint32_t>(resolved.sensors.size() + resolved.truth.size()),
                                 transport, stream.feed->notifier(), resources_.totals.traffic,
                                 resources_.quota.limits().bytes(Limit::kQueue), resources_.epoch);
-  stream.sink = std::make_shared<StreamSink>(stream.session, resolved, resources_.epoch);
+  stream.sink = std::make_shared<StreamSink>(stream.session, resolved, resources_.epoch, stream.user);
   return stream.feed->add(stream.sink);
 }
 

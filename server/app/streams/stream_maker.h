@@ -32,7 +32,7 @@ class StreamMaker {
   };
   ResolvedStream check(v1::OpenStream request) const;
   SceneEntry findScene(const std::string& name) const;
-  std::shared_ptr<void> reserve(const std::string& user, const ResolvedStream& resolved);
+  std::shared_ptr<void> reserve(const std::string& user, const std::vector<Share>& shares);
   void loadScenes(Plan& plan, Opening& opening);
   void bakeLight(Plan& plan, const Trajectory& body, Opening& opening);
   void openFeed(Plan& plan, Opening& opening, Stream& stream);

@@ -1,5 +1,8 @@
 #include "app/streams/stream_opened.h"
 
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+#include <google/protobuf/text_format.h>
+
 namespace saccade {
 
 v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, std::uint64_t epoch,
@@ -25,12 +28,23 @@ v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, s
   return opened;
 }
 
-v1::OpenStream withoutLongPath(v1::OpenStream& request) {
+void keepRequest(v1::OpenStream& request, Stream& stream) {
   v1::Trajectory* path = request.release_trajectory();
-  v1::OpenStream rest = request;
+  auto rest = std::make_shared<v1::OpenStream>(request);
   request.set_allocated_trajectory(path);
-  if (!path->has_keyframes() && !path->has_csv()) *rest.mutable_trajectory() = *path;
-  return rest;
+  if (path && !path->has_keyframes() && !path->has_csv()) *rest->mutable_trajectory() = *path;
+  stream.request_bytes = rest->ByteSizeLong();
+  stream.request = std::move(rest);
+}
+
+std::string shortText(const google::protobuf::Message& message, std::size_t max_bytes) {
+  std::string text(max_bytes, '\0');
+  google::protobuf::io::ArrayOutputStream out(text.data(), static_cast<int>(text.size()));
+  google::protobuf::TextFormat::Printer printer;
+  printer.SetSingleLineMode(true);
+  const bool whole = printer.Print(message, &out);
+  text.resize(static_cast<std::size_t>(out.ByteCount()));
+  return whole ? text : text + "...";
 }
 
 }  // namespace saccade

@@ -9,7 +9,10 @@ namespace saccade {
 v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, std::uint64_t epoch,
                                 int channels);
 
-// A copy of a resolved request without a path that may be long. `request` is the same afterwards.
-v1::OpenStream withoutLongPath(v1::OpenStream& request);
+// Keeps a copy of a resolved request without a path that may be long. `request` is the same afterwards.
+void keepRequest(v1::OpenStream& request, Stream& stream);
+
+// The text of a message, cut. It takes no more memory, however large the message is.
+std::string shortText(const google::protobuf::Message& message, std::size_t max_bytes);
 
 }  // namespace saccade

@@ -76,7 +76,7 @@ StreamCensus StreamRegistry::census() const {
   std::lock_guard lock(mutex_);
   for (const auto& [id, stream] : streams_) {
     if (stream.session->finished()) continue;
-    census.running[nameWithout("DELIVERY_", v1::Delivery_Name(stream.request.delivery()))] += 1;
+    census.running[nameWithout("DELIVERY_", v1::Delivery_Name(stream.request->delivery()))] += 1;
     census.lag_s = std::max(census.lag_s, stream.feed->progress().lag_s);
   }
   return census;

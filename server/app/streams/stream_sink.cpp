@@ -1,42 +1,49 @@
 #include "app/streams/stream_sink.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <utility>
 
 namespace saccade {
 namespace {
 
-// A step that fails for want of memory does not keep the next one from being tried.
+// A step that fails for want of memory does not keep the next one from being tried. Returns whether it
+// succeeds.
 template <class F>
-void attempt(const F& step) noexcept {
+bool attempt(const F& step) noexcept {
   try {
     step();
-  } catch (const std::exception& fault) {
-    spdlog::error("a stream that fails cannot be told so: {}", fault.what());
+    return true;
+  } catch (const std::exception&) {
+    return false;
   }
 }
 
 }  // namespace
 
-StreamSink::StreamSink(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch)
+StreamSink::StreamSink(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch,
+                       std::string user)
     : session_(std::move(session)),
       channels_(makeChannels(stream, session_->id(), epoch)),
       sensors_(stream.sensors.size()),
-      packet_per_frame_(stream.request.timing().packet_per_frame()) {}
+      packet_per_frame_(stream.request.timing().packet_per_frame()),
+      user_(std::move(user)) {}
 
 void StreamSink::publish(const IntensityChange& change, std::chrono::milliseconds lag) {
   lag_ = lag;
   session_->setLag(lag);
+  deliver();
+  countCost();
+  session_->setProgress(change.frame, change.t1.count());
+}
+
+void StreamSink::deliver() {
+  session_->makeRoom();
   std::uint64_t events = 0;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     push(channels_[i]->takePackets());
     if (i < sensors_) events += channels_[i]->items();
   }
   events_ = events;
-  countCost();
-  session_->setProgress(change.frame, change.t1.count());
 }
 
 void StreamSink::countCost() {
@@ -68,16 +75,19 @@ void StreamSink::push(std::vector<Packet> packets) {
 }
 
 void StreamSink::end(TimeNs t, FrameIndex frame) {
+  deliver();
   for (const auto& channel : channels_) push(channel->end(t, frame, session_->endReason()));
   session_->finish();
 }
 
-void StreamSink::fail(const char* message) noexcept {
+bool StreamSink::fail(const char* message) noexcept {
+  bool told = true;
   for (std::uint32_t i = 0; i < session_->channels(); ++i) {
-    attempt([&] { push(channels_[i]->flush()); });
-    attempt([&] { pushError(i, message); });
+    told &= attempt([&] { push(channels_[i]->flush()); });
+    told &= attempt([&] { pushError(i, message); });
   }
   session_->finish();
+  return told;
 }
 
 void StreamSink::pushError(std::uint32_t channel, const std::string& message) {

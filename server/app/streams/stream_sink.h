@@ -13,10 +13,13 @@ namespace saccade {
 
 class StreamSink {
  public:
-  StreamSink(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch);
+  // `user`: the key of its client, for the log.
+  StreamSink(std::shared_ptr<Session> session, const ResolvedStream& stream, std::uint64_t epoch,
+             std::string user = {});
 
   // From any thread.
   const Session& session() const { return *session_; }
+  const std::string& user() const { return user_; }
   std::uint64_t events() const { return events_; }
   double recentSeconds() const { return recent_s_; }          // CPU time per interval, recent mean
   double recentLongestSeconds() const { return longest_s_; }  // of the channel that takes longest
@@ -33,12 +36,14 @@ class StreamSink {
   void publish(const IntensityChange& change, std::chrono::milliseconds lag);
 
   // On the feed's thread. `frame` is the index of the frame at t.
-  bool catchingUp() const;  // no event is for the client yet
-  void clearLag();          // until the next publish()
-  void end(TimeNs t, FrameIndex frame);
-  void fail(const char* message) noexcept;  // sends what is left, and an ERROR, as far as that is possible
+  bool catchingUp() const;               // no event is for the client yet
+  void clearLag();                       // until the next publish()
+  void end(TimeNs t, FrameIndex frame);  // after process() of all channels, or of some
+  // Sends what is left, and an ERROR, as far as that is possible. Returns whether it was.
+  bool fail(const char* message) noexcept;
 
  private:
+  void deliver();
   void push(std::vector<Packet> packets);
   void pushError(std::uint32_t channel, const std::string& message);
   void countCost();
@@ -47,6 +52,7 @@ class StreamSink {
   std::vector<std::unique_ptr<Channel>> channels_;
   const std::size_t sensors_;  // the first of them
   const bool packet_per_frame_;
+  const std::string user_;
   std::chrono::milliseconds lag_{0};
   std::atomic<std::uint64_t> events_ = 0;
   RecentMean cost_mean_, longest_mean_;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/tile_pool.h"
 #include "truth/channels/channels.h"
 #include "truth/picture_source.h"
 
@@ -52,6 +53,7 @@ class ShapeIds final : public PictureSource {
       for (int x = 0; x < width; x += kPacket)
         trace(*frame.rendered, x, y, std::span(ids).subspan(x, std::min(kPacket, width - x)));
       for (const Ids& id : ids) append(id.object, objects), append(id.material, materials);
+      TilePool::yieldToHighPriority();
     }
     return objects + materials;
   }

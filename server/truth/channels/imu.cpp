@@ -1,6 +1,7 @@
 // Specific force and angular velocity of the body.
 #include <array>
 
+#include "base/tile_pool.h"
 #include "truth/channels/channels.h"
 #include "truth/imu/imu_motion.h"
 #include "truth/imu/imu_noise.h"
@@ -11,13 +12,15 @@ namespace {
 // Sample k = 1, 2, ... has the time of a frame k at the rate of the IMU.
 class ImuSource final : public TruthSource {
  public:
-  explicit ImuSource(const ImuConfig& config) : config_(config) {}
+  explicit ImuSource(const ImuConfig& config) : config_(config), noise_(config) {}
 
   TruthSamples sample(const FeedInterval& interval) override {
     if (next_ == 0) next_ = firstAfter(interval.change.t0);
     TruthSamples samples;
-    for (; timeOf(next_) <= interval.change.t1; ++next_)
+    for (; timeOf(next_) <= interval.change.t1; ++next_) {
       samples.push_back(at(interval.rendered->path, next_));
+      TilePool::yieldToHighPriority();
+    }
     return samples;
   }
 
@@ -30,15 +33,16 @@ class ImuSource final : public TruthSource {
     return k;
   }
 
-  TruthSample at(const Trajectory& path, std::uint64_t k) const {
+  TruthSample at(const Trajectory& path, std::uint64_t k) {
     const ImuReading exact = imuReading(path, timeOf(k - 1), timeOf(k), config_);
-    const ImuReading noise = imuNoise(config_, k);
+    const ImuReading noise = noise_.at(k);
     const Vec3d a = exact.force + noise.force, g = exact.rate + noise.rate;
     const std::array row{a.x, a.y, a.z, g.x, g.y, g.z};
     return {timeOf(k).count(), std::string(reinterpret_cast<const char*>(row.data()), sizeof row)};
   }
 
   ImuConfig config_;
+  ImuNoise noise_;
   std::uint64_t next_ = 0;  // 0: before the first interval
 };
 

@@ -1,16 +1,28 @@
 // The noise of an IMU: white noise, and a bias that walks. Any sample can be asked for on its own.
 #pragma once
 
+#include <vector>
+
 #include "truth/imu/imu_config.h"
+#include "truth/imu/random_walk.h"
 
 namespace saccade {
 
-// A random walk after so many independent steps of variance 1, from 0: equal for equal keys. It costs at most
-// 40 normal numbers, whatever the step: Levy's construction of Brownian motion halves intervals.
-// 0 <= step < 2^40.
-double randomWalk(std::uint64_t key, std::uint64_t step);
+class ImuNoise {
+ public:
+  explicit ImuNoise(const ImuConfig& config);
 
-// What is added to sample 1, 2, ...
-ImuReading imuNoise(const ImuConfig& config, std::uint64_t sample);
+  // What is added to sample 1, 2, ...: equal for equal configs, whatever was asked before.
+  ImuReading at(std::uint64_t sample);
+
+ private:
+  struct Axis {
+    double white, walk;  // standard deviations of a sample, and of a step of the bias
+    std::uint64_t key;
+    RandomWalk bias;
+    double at(std::uint64_t sample);
+  };
+  std::vector<Axis> axes_;  // x, y, z of the accelerometer, and then of the gyroscope
+};
 
 }  // namespace saccade

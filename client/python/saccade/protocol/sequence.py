@@ -1,6 +1,6 @@
 """Checks that the packets of a stream are complete and in order, and finds where a sensor resumes after a break.
 
-Truth channels count as sensors here, and their samples as events.
+Truth channels count as sensors here, and their samples as events, but for losses.
 """
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ class Losses:
     gaps: int = 0  # runs of missing packets
     packets: int = 0
     events: int = 0
+    samples: int = 0  # of truth channels
 
 
 class FreshPart(NamedTuple):
@@ -46,6 +47,7 @@ class SequenceCheck:
 
     def __init__(self, resolved: control_pb2.OpenStream) -> None:
         self.losses = Losses()
+        self._sensors = len(resolved.sensors)
         firsts = [sensor.from_event for sensor in resolved.sensors] + [truth.from_sample for truth in resolved.truth]
         self._due = [_Due(event=first, joined=first == 0) for first in firsts]
 
@@ -75,7 +77,11 @@ class SequenceCheck:
         if header.seq > due.seq:
             self.losses.gaps += 1
             self.losses.packets += header.seq - due.seq
-            self.losses.events += header.first_event_index - due.event
+            missing = header.first_event_index - due.event
+            if header.sensor < self._sensors:
+                self.losses.events += missing
+            else:
+                self.losses.samples += missing
         elif due.t_ns not in (None, header.t0_ns) or header.first_event_index != due.event:
             raise StreamFault("a packet does not continue the one before it")
         return FreshPart(0, header.t0_ns, 0)

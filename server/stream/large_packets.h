@@ -1,0 +1,30 @@
+// The large packets of a stream that its receivers have not taken. A slow receiver holds one more than what
+// may wait for it, however large it is, and each of them may hold another one: so their number is bounded.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace saccade {
+
+class LargePackets {
+ public:
+  static constexpr std::size_t kLarge = 4 << 20;  // bytes; smaller ones are not counted
+  static constexpr int kMost = 4;
+
+  // The payload, counted for as long as somebody holds what is returned. Null where too many are. From one
+  // thread.
+  std::shared_ptr<const std::string> lend(const std::shared_ptr<const std::string>& payload) {
+    if (payload->size() <= kLarge) return payload;
+    if (*lent_ >= kMost) return nullptr;
+    ++*lent_;
+    return {payload.get(), [payload, lent = lent_](const std::string*) { --*lent; }};
+  }
+
+ private:
+  const std::shared_ptr<std::atomic<int>> lent_ = std::make_shared<std::atomic<int>>(0);
+};
+
+}  // namespace saccade
