@@ -70,8 +70,11 @@ class FakeServer:
         reply = control_pb2.Reply(request_id=request.request_id, status=status, **result)
         self.control.send(reply.SerializeToString())
 
-    def open(self, stream):
-        """Answers what is asked until a stream is opened, as `stream`. Returns its OpenStream."""
+    def open(self, stream, epoch=0, lie=lambda opened: None):
+        """Answers what is asked until a stream is opened, as `stream`. Returns its OpenStream.
+
+        lie: changes the reply.
+        """
         while True:
             request = self.control.receive(control_pb2.Request)
             call = request.WhichOneof("call")
@@ -82,7 +85,9 @@ class FakeServer:
                 self.list_streams(request)
             elif call == "open_stream":
                 opened = control_pb2.StreamOpened(stream_id=stream, token="t", frames=self.frames,
-                                                  topics=[f"s/{stream}/0/"], resolved=request.open_stream)
+                                                  topics=[f"s/{stream}/0/"], resolved=request.open_stream,
+                                                  epoch=epoch)
+                lie(opened)
                 self.answer(request, open_stream=opened)
                 return request.open_stream
 
