@@ -5,6 +5,7 @@
 #include <string>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 #include "client/commands/usage_check.h"
 #include "client/control_client.h"
 #include "client/server_probe.h"
@@ -13,7 +14,7 @@ namespace saccade::client {
 namespace {
 
 int fail(const std::string& message, int code) {
-  std::fprintf(stderr, "saccade: %s\n", message.c_str());
+  print(stderr, "saccade: %s\n", printable(message).c_str());
   return code;
 }
 

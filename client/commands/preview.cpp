@@ -3,9 +3,9 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
+#include "client/commands/console.h"
 #include "client/commands/preview_picture.h"
 
 namespace saccade::client {
@@ -41,7 +41,7 @@ void Preview::see(const Batch& batch, StreamHandle& stream) {
   try {
     advance(batch.header.t1_ns(), stream);
   } catch (const std::runtime_error& error) {
-    std::fprintf(stderr, "saccade: no preview: %s\n", error.what());
+    print(stderr, "saccade: no preview: %s\n", error.what());
     state_ = State::kFailed;
   }
 }

@@ -65,7 +65,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
 
   zmq::context_t context;
   ControlClient control = connectTo(context, server);
-  StreamHandle stream = openStream(control, job.request, job.trajectory);
+  StreamHandle stream = openStream(control, {job.request, job.trajectory, job.retry_time_s});
   const v1::StreamOpened opened = stream.opened();
   tellOpening(out, job.request, opened);
   Recorder recorder = startRecorder(job, stream);
