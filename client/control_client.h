@@ -29,7 +29,8 @@ struct Refused : std::runtime_error {
 // Called several times a second during a wait; an exception from it ends the wait.
 using Waiting = std::function<void()>;
 
-// Called about once a second with what the server does for an open_stream that takes long.
+// Called about once a second with what the server does for an open_stream that takes long. With it a call
+// ends with Refused of CODE_UNAVAILABLE where the server no longer knows of it.
 using Watching = std::function<void(const v1::OpeningInfo&)>;
 
 v1::Request listStreams();
@@ -43,7 +44,7 @@ class ControlClient {
 
   // Sends a request and waits for its reply; late replies to earlier requests are ignored. A request made
   // before the server is up reaches it when it comes up. Throws NoAnswer, Refused, std::invalid_argument for
-  // a text that is not UTF-8, and std::runtime_error for an unreadable reply.
+  // a text that is not UTF-8, and std::runtime_error for a reply that is unreadable or has no result.
   v1::Reply call(v1::Request request, std::chrono::milliseconds deadline = kDeadline,
                  const Waiting& waiting = {}, const Watching& watching = {});
 

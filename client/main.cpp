@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 #include "client/commands/field_options.h"
 #include "client/commands/usage_check.h"
 #include "client/control_client.h"
@@ -16,7 +17,7 @@ namespace saccade::client {
 namespace {
 
 int fail(const std::string& message, int code) {
-  std::fprintf(stderr, "saccade: %s\n", message.c_str());
+  print(stderr, "saccade: %s\n", printable(message).c_str());
   return code;
 }
 

@@ -19,7 +19,11 @@ RecordedSensor::RecordedSensor(const std::string& name, const WriterInfo& format
 }
 
 RecordedSensor::~RecordedSensor() {
-  if (!writer_) return;
+  endAnyway();
+}
+
+void RecordedSensor::endAnyway() {
+  if (std::exchange(ended_, true)) return;
   try {
     writer_->finish();
   } catch (const std::exception&) {
@@ -47,7 +51,8 @@ void RecordedSensor::writeTruth(int channel, const TruthSamples& samples) {
 
 void RecordedSensor::close() {
   about_.set_digest(digest_.hex());
-  std::exchange(writer_, nullptr)->finish();
+  ended_ = true;
+  writer_->finish();
   if (truth_folder_) truth_folder_->close();
 }
 

@@ -20,7 +20,7 @@ class RecordedSensor {
   // known now: the interval and the counts are filled in.
   RecordedSensor(const std::string& name, const WriterInfo& format, std::unique_ptr<Writer> writer,
                  v1::Recording about);
-  ~RecordedSensor();  // ends the events
+  ~RecordedSensor();  // as endAnyway()
   RecordedSensor(const RecordedSensor&) = delete;
   RecordedSensor& operator=(const RecordedSensor&) = delete;
 
@@ -32,6 +32,10 @@ class RecordedSensor {
   const v1::Recording& about() const { return about_; }
 
   void close();  // ends the events and fills in the digest; throws std::system_error
+  // After a fault: ends the events as well as can be.
+  void endAnyway();
+  // After that: how many events readers find in the file. All sensors of a file are to be ended before.
+  std::uint64_t kept() const { return writer_->kept(about_.events()); }
   // After close(): writes the JSON, and renames the folder. Throws std::system_error.
   void commit(const std::string& name);
 
@@ -42,9 +46,9 @@ class RecordedSensor {
   std::string name_;
   v1::Recording about_;
   EventDigest digest_;
-  std::unique_ptr<Writer> writer_;           // none once it is closed
+  std::unique_ptr<Writer> writer_;
   std::optional<TruthFolder> truth_folder_;  // of channels that the format does not hold
-  bool begun_ = false;
+  bool begun_ = false, ended_ = false;
 };
 
 }  // namespace saccade::client

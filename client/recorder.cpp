@@ -111,6 +111,12 @@ void Recorder::commit(std::uint64_t lost_events) {
   }
 }
 
+std::uint64_t Recorder::salvage() {
+  std::uint64_t events = 0;
+  for (const auto& file : files_) events += file->salvage();
+  return events;
+}
+
 std::uint64_t Recorder::events() const {
   return std::accumulate(outputs_.begin(), outputs_.end(), std::uint64_t{0},
                          [](std::uint64_t sum, const Output& o) { return sum + o.sensor->about().events(); });

@@ -37,6 +37,8 @@ class Recorder {
   // Gives the files their names. Call it when complete() is true. Throws std::system_error at the first file
   // that cannot be finished: that file and the later ones stay FILE.partial. `lost_events`: by the stream.
   void commit(std::uint64_t lost_events = 0);
+  // After a fault: ends all files as well as can be, and returns how many events readers find in them.
+  std::uint64_t salvage();
 
   std::uint64_t events() const;
   const Withheld& withheld() const { return withheld_; }  // by all sensors

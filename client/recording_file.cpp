@@ -33,6 +33,13 @@ void RecordingFile::close() {
   for (const auto& sensor : sensors_) sensor->close();
 }
 
+std::uint64_t RecordingFile::salvage() {
+  for (const auto& sensor : sensors_) sensor->endAnyway();
+  std::uint64_t events = 0;
+  for (const auto& sensor : sensors_) events += sensor->kept();
+  return events;
+}
+
 void RecordingFile::commit() {
   if (path_ == kStandardOutput) return;
   for (std::size_t i = 0; i < sensors_.size(); ++i) sensors_[i]->commit(nameOfSensor(path_, i));

@@ -24,6 +24,8 @@ class RecordingFile {
   RecordedSensor& sensor(std::size_t index) { return *sensors_.at(index); }
 
   void close();  // closes all sensors; throws std::system_error
+  // After a fault: ends all sensors as well as can be, and returns how many events readers find.
+  std::uint64_t salvage();
   // After close(): gives the file its name. Throws std::system_error; the file then stays FILE.partial.
   void commit();
   const std::string& name() const { return name_; }  // the present one

@@ -11,10 +11,6 @@ using std::chrono::milliseconds;
 constexpr milliseconds kPollInterval{200};  // between two calls of Waiting
 constexpr milliseconds kLongestPause{4000};
 
-bool mayPass(v1::Code code) {
-  return code == v1::CODE_UNAVAILABLE || code == v1::CODE_RESOURCE_EXHAUSTED;
-}
-
 void pause(milliseconds time, const Waiting& waiting) {
   for (; time.count() > 0; time -= kPollInterval) {
     if (waiting) waiting();
@@ -24,18 +20,29 @@ void pause(milliseconds time, const Waiting& waiting) {
 
 }  // namespace
 
-void retry(const std::function<void(milliseconds)>& attempt, std::chrono::steady_clock::time_point until,
-           const Waiting& waiting) {
-  const auto late = [until] { return std::chrono::steady_clock::now() >= until; };
+bool isShortage(const Refused& refused) {
+  return refused.code == v1::CODE_UNAVAILABLE || refused.code == v1::CODE_RESOURCE_EXHAUSTED;
+}
+
+bool isRestart(const Refused& refused) {
+  return refused.code == v1::CODE_UNAVAILABLE && refused.field.empty();
+}
+
+void retry(const std::function<void(milliseconds)>& attempt, const Patience& patience) {
+  const auto fail = [&](const std::exception& fault) {
+    if (std::chrono::steady_clock::now() >= patience.until) throw;
+    if (patience.failed) patience.failed(fault);
+  };
   for (milliseconds deadline = ControlClient::kDeadline;; deadline *= 2) {
     try {
       return attempt(deadline);
-    } catch (const NoAnswer&) {
-      if (late()) throw;
+    } catch (const NoAnswer& silence) {
+      fail(silence);
     } catch (const Refused& refused) {
-      if (!mayPass(refused.code) || late()) throw;
+      if (!patience.mayPass(refused)) throw;
+      fail(refused);
     }
-    pause(std::min(deadline / 12, kLongestPause), waiting);
+    pause(std::min(deadline / 12, kLongestPause), patience.waiting);
   }
 }
 

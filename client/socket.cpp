@@ -9,7 +9,8 @@
 namespace saccade::client {
 namespace {
 
-constexpr int kMostWaiting = 20'000;  // packets
+constexpr int kMostWaiting = 20'000;                // packets
+constexpr std::int64_t kMostMessage = 129LL << 20;  // bytes; the largest picture of truth has 128 MiB
 
 void useKeys(zmq::socket_t& socket, const CurveKeys& keys) {
   if (!isCurveKey(keys.secret) || !isCurveKey(keys.server_public)) {
@@ -29,6 +30,7 @@ zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, cons
   zmq::socket_t socket(context, type);
   socket.set(zmq::sockopt::linger, 0);
   socket.set(zmq::sockopt::ipv6, isIpv6(endpoint));
+  socket.set(zmq::sockopt::maxmsgsize, kMostMessage);
   // Credit bounds the queue of a DEALER. Heartbeats cut off a SUB with a full queue, and libzmq 4.3 may then
   // end the program (its issue 3937). So the queue of a SUB holds most of a minute.
   socket.set(zmq::sockopt::rcvhwm, type == zmq::socket_type::dealer ? 0 : kMostWaiting);

@@ -1,10 +1,18 @@
 #include "client/stream_handle.h"
 
+#include "client/opened_check.h"
+#include "client/retry.h"
+#include "client/stream_fault.h"
+
 namespace saccade::client {
 
-StreamHandle::StreamHandle(ControlClient& control, const v1::OpenStream& request, const Watching& watching)
+StreamHandle::StreamHandle(ControlClient& control, const v1::OpenStream& request, const OpenPolicy& policy)
     : control_(control) {
-  open(request, kOpenDeadline, {}, watching);
+  retry([&](auto) { open(request, kOpenDeadline, policy.waiting, policy.watching); },
+        {.until = std::chrono::steady_clock::now() + policy.retry_time,
+         .waiting = policy.waiting,
+         .mayPass = isRestart,
+         .failed = policy.away});
 }
 
 StreamHandle::~StreamHandle() {
@@ -28,7 +36,9 @@ void StreamHandle::open(const v1::OpenStream& stream, std::chrono::milliseconds 
   server_ = control_.call(std::move(info), ControlClient::kDeadline, waiting).server_info();
   if (!opened_.stream_id().empty()) tellClose();
   *request.mutable_open_stream() = stream;
-  opened_ = control_.call(std::move(request), deadline, waiting, watching).open_stream();
+  v1::Reply reply = control_.call(std::move(request), deadline, waiting, watching);
+  checkOpened(reply.open_stream(), stream);
+  opened_ = std::move(*reply.mutable_open_stream());
 }
 
 void StreamHandle::close() {
@@ -49,17 +59,22 @@ void StreamHandle::tellClose() {
 
 Subscriber StreamHandle::subscribe(zmq::context_t& context,
                                    const std::vector<std::uint64_t>& from_seqs) const {
+  const bool broadcast = delivery() == v1::DELIVERY_BROADCAST;
+  const std::string& announced = broadcast ? server_.broadcast_endpoint() : server_.data_endpoint();
+  const std::string endpoint = reachableEndpoint(announced, control_.endpoint());
   const CurveKeys& keys = control_.keys();
-  if (delivery() == v1::DELIVERY_BROADCAST) {
-    const auto endpoint = reachableEndpoint(server_.broadcast_endpoint(), control_.endpoint());
-    return Subscriber(context, endpoint, {opened_.topics().begin(), opened_.topics().end()}, keys);
+  try {
+    if (broadcast)
+      return Subscriber(context, endpoint, {opened_.topics().begin(), opened_.topics().end()}, keys);
+    return Subscriber(context, {.endpoint = endpoint,
+                                .stream_id = opened_.stream_id(),
+                                .token = opened_.token(),
+                                .from_seqs = from_seqs,
+                                .keys = keys});
+  } catch (const std::invalid_argument& fault) {
+    throw StreamFault(std::string("the server announces an endpoint for packets that is none: ") +
+                      fault.what());
   }
-  const auto endpoint = reachableEndpoint(server_.data_endpoint(), control_.endpoint());
-  return Subscriber(context, {.endpoint = endpoint,
-                              .stream_id = opened_.stream_id(),
-                              .token = opened_.token(),
-                              .from_seqs = from_seqs,
-                              .keys = keys});
 }
 
 std::optional<v1::StreamInfo> StreamHandle::info(const Waiting& waiting) {

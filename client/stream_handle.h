@@ -12,12 +12,22 @@
 
 namespace saccade::client {
 
+// How a stream is opened.
+struct OpenPolicy {
+  // How long to try where no server is up yet or it restarts meanwhile; 0: once.
+  std::chrono::milliseconds retry_time{0};
+  std::function<void(const std::exception&)> away = {};  // called at each attempt that found no server
+  Waiting waiting = {};
+  Watching watching = {};
+};
+
 class StreamHandle {
  public:
   static constexpr std::chrono::minutes kOpenDeadline{10};  // a large scene takes long to load
 
-  // Throws NoAnswer or Refused. `control` must outlive the handle.
-  StreamHandle(ControlClient& control, const v1::OpenStream& request, const Watching& watching = {});
+  // Throws NoAnswer, Refused, or StreamFault for a reply that cannot be, and whatever `waiting` throws.
+  // `control` must outlive the handle.
+  StreamHandle(ControlClient& control, const v1::OpenStream& request, const OpenPolicy& policy = {});
   ~StreamHandle();
   StreamHandle(const StreamHandle&) = delete;
   StreamHandle& operator=(const StreamHandle&) = delete;
@@ -32,7 +42,8 @@ class StreamHandle {
   const v1::ServerDescription& server() const { return server_; }
   v1::Delivery delivery() const { return opened_.resolved().delivery(); }
 
-  // Connects to the stream as its delivery demands; `from_seqs` as in Subscriber::Attachment.
+  // Connects to the stream as its delivery demands; `from_seqs` as in Subscriber::Attachment. Throws
+  // StreamFault where the server has announced no endpoint for it.
   Subscriber subscribe(zmq::context_t& context, const std::vector<std::uint64_t>& from_seqs = {}) const;
 
   // Returns nothing if the server no longer has the stream.

@@ -5,6 +5,15 @@
 #include <zmq_addon.hpp>
 
 namespace saccade::client {
+namespace {
+
+constexpr int kTakenAtOnce = 1024;  // messages
+
+bool takesCredit(v1::Kind kind) {
+  return kind != v1::KIND_HEARTBEAT && kind != v1::KIND_ERROR;
+}
+
+}  // namespace
 
 Subscriber::Subscriber(zmq::context_t& context, const Attachment& attachment)
     : socket_(connectSocket(context, zmq::socket_type::dealer, attachment.endpoint, attachment.keys)),
@@ -27,27 +36,51 @@ Subscriber::Subscriber(zmq::context_t& context, const std::string& endpoint,
 
 std::optional<Batch> Subscriber::receive(std::chrono::milliseconds timeout) {
   giveBack();
-  std::vector<zmq::message_t> parts;
-  if (!waitReadable(socket_, timeout)) return std::nullopt;
-  if (!zmq::recv_multipart(socket_, std::back_inserter(parts), zmq::recv_flags::dontwait))
-    return std::nullopt;
-  const std::size_t first = has_topic_ ? 1 : 0;
-  if (parts.size() != first + 2) throw StreamFault("the server sent a message that is not a packet");
-  const zmq::message_t &head = parts[first], &payload = parts[first + 1];
-  Batch batch;
-  if (!batch.header.ParseFromArray(head.data(), static_cast<int>(head.size()))) {
-    throw StreamFault("the server sent a header that cannot be read");
+  if (arrived_.empty() && !waitReadable(socket_, timeout)) return std::nullopt;
+  for (int i = 0; i < kTakenAtOnce && !endsWith(v1::KIND_ERROR) && take(); ++i) {
   }
-  const std::string fault = decodePacket(batch.header, payload.to_string(), batch);
+  if (arrived_.empty()) return std::nullopt;
+  Arrived arrived = std::move(arrived_.front());
+  arrived_.pop_front();
+  waiting_ -= arrived.cost, used_ += arrived.cost;
+  Batch batch;
+  batch.header = std::move(arrived.header);
+  const std::string fault = decodePacket(batch.header, arrived.payload.to_string(), batch);
   if (!fault.empty()) throw StreamFault("a packet must not be used: " + fault);
   if (batch.header.kind() == v1::KIND_ERROR) {
-    throw StreamRefused(payload.to_string(), !batch.header.stream_id().empty());
+    throw StreamRefused(arrived.payload.to_string(), !batch.header.stream_id().empty());
   }
-  if (batch.header.kind() != v1::KIND_HEARTBEAT) {
-    used_ += head.size() + payload.size();
-    safe_[batch.header.sensor()] = batch.header.seq();
-  }
+  if (batch.header.kind() != v1::KIND_HEARTBEAT) safe_[batch.header.sensor()] = batch.header.seq();
   return batch;
+}
+
+// Takes a message from the socket, if there is one. Its queue has no bound of its own.
+bool Subscriber::take() {
+  std::vector<zmq::message_t> parts;
+  if (!zmq::recv_multipart(socket_, std::back_inserter(parts), zmq::recv_flags::dontwait)) return false;
+  const std::size_t first = has_topic_ ? 1 : 0;
+  if (parts.size() != first + 2) throw StreamFault("the server sent a message that is not a packet");
+  const zmq::message_t& head = parts[first];
+  Arrived arrived{.header = {}, .payload = std::move(parts[first + 1]), .cost = 0};
+  if (!arrived.header.ParseFromArray(head.data(), static_cast<int>(head.size()))) {
+    throw StreamFault("the server sent a header that cannot be read");
+  }
+  if (takesCredit(arrived.header.kind())) arrived.cost = head.size() + arrived.payload.size();
+  add(std::move(arrived));
+  return true;
+}
+
+// The server sends while credit is above zero. A heartbeat stands for those before it.
+void Subscriber::add(Arrived arrived) {
+  if (arrived.header.kind() == v1::KIND_HEARTBEAT && endsWith(v1::KIND_HEARTBEAT)) arrived_.pop_back();
+  if (credit_ > 0 && arrived.cost > 0 && used_ + waiting_ >= credit_)
+    throw StreamFault("the server sends more than it has credit for");
+  waiting_ += arrived.cost;
+  arrived_.push_back(std::move(arrived));
+}
+
+bool Subscriber::endsWith(v1::Kind kind) const {
+  return !arrived_.empty() && arrived_.back().header.kind() == kind;
 }
 
 void Subscriber::send(const v1::DataRequest& request) {

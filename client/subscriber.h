@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -37,18 +38,28 @@ class Subscriber {
 
   // Returns the next batch of any sensor, or a heartbeat; nothing after `timeout` or a signal. Each call
   // acknowledges the batch before, which the server may then forget. Throws StreamRefused for a packet of
-  // KIND_ERROR, and StreamFault for one that fails its checks.
+  // KIND_ERROR, and StreamFault for one that fails its checks or was sent without credit.
   std::optional<Batch> receive(std::chrono::milliseconds timeout);
 
  private:
+  struct Arrived {
+    v1::PacketHeader header;
+    zmq::message_t payload;
+    std::uint64_t cost;  // credit, in bytes
+  };
+  bool take();
+  void add(Arrived arrived);
+  bool endsWith(v1::Kind kind) const;  // what has arrived
   void send(const v1::DataRequest& request);
   void giveCredit(std::uint64_t bytes);
   void giveBack();
 
   zmq::socket_t socket_;
-  bool has_topic_;            // broadcast: a message part before the header
-  std::uint64_t credit_ = 0;  // bytes; 0: broadcast, which has no credit
-  // Received since credit was last given: bytes, and the newest seq of each sensor.
+  bool has_topic_;               // broadcast: a message part before the header
+  std::uint64_t credit_ = 0;     // bytes; 0: broadcast, which has no credit
+  std::deque<Arrived> arrived_;  // and not received yet
+  std::uint64_t waiting_ = 0;    // their cost
+  // Received since credit was last given: cost, and the newest seq of each sensor.
   std::uint64_t used_ = 0;
   std::map<std::uint32_t, std::uint64_t> safe_;
 };

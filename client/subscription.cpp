@@ -78,9 +78,9 @@ std::optional<Batch> Subscription::receiveFromConnection(milliseconds timeout) {
 
 // Whether the batch has something new for the caller.
 bool Subscription::take(Batch& batch) {
+  found();
   heard_ = true;
   last_heard_ = Clock::now();
-  lost_since_.reset();
   if (batch.header.kind() == v1::KIND_HEARTBEAT) return true;
   if (endsEarly(batch.header)) {
     startAgain(endText(batch.header));
@@ -93,6 +93,7 @@ bool Subscription::take(Batch& batch) {
   }
   cutOff(*fresh, batch);
   failure_.clear();
+  lost_for_ = {};
   return true;
 }
 
@@ -120,15 +121,17 @@ void Subscription::reconnect() {
 }
 
 void Subscription::startAgain(const std::string& failure) {
-  const bool repeated = failure == failure_;  // nothing new has arrived since the last one
   if (ownFrames())
     throw StreamFault(failure + "; a stream that its client steers or pushes is not opened again");
-  if (!mayStartAgain() || repeated) throw StreamFault(failure);
+  if (!mayStartAgain()) throw StreamFault(failure);
+  const std::uint64_t epoch = stream_.opened().epoch();
   retryAfter(failure, [&](milliseconds deadline) {
     stream_.reopen(sequence_.items(), deadline, retry_policy_.waiting);
   });
+  // Nothing new has arrived since the last failure, and no restart explains this one.
+  if (failure == failure_ && stream_.opened().epoch() == epoch) throw StreamFault(failure);
   failure_ = failure;
-  lost_since_.reset();
+  found();
   sequence_.restart();
   connect();
 }
@@ -140,19 +143,25 @@ bool Subscription::mayStartAgain() const {
 
 void Subscription::retryAfter(const std::string& loss, const std::function<void(milliseconds)>& attempt) {
   try {
-    retry(attempt, giveUpAt(loss), retry_policy_.waiting);
+    retry(attempt, {.until = giveUpAt(loss), .waiting = retry_policy_.waiting, .mayPass = isShortage});
   } catch (const NoAnswer& silence) {
     throw StreamFault(loss + ", and " + silence.what());
   }
 }
 
-// When the retry time ends that began with the first sign of this loss.
+// When the retry time ends. It runs while the server is lost, and begins anew with new data.
 Subscription::Clock::time_point Subscription::giveUpAt(const std::string& loss) {
   if (!lost_since_) {
     lost_since_ = Clock::now();
     if (retry_policy_.lost && retry_policy_.retry_time.count() > 0) retry_policy_.lost(loss);
   }
-  return *lost_since_ + retry_policy_.retry_time;
+  return *lost_since_ + retry_policy_.retry_time - lost_for_;
+}
+
+// After a loss. The silence before it counts, too.
+void Subscription::found() {
+  if (lost_since_) lost_for_ += Clock::now() - std::min(*lost_since_, last_heard_);
+  lost_since_.reset();
 }
 
 }  // namespace saccade::client

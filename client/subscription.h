@@ -20,7 +20,7 @@ namespace saccade::client {
 class Subscription {
  public:
   struct RetryPolicy {
-    // How long to try to reconnect, from the first sign of a loss; 0: not at all.
+    // How long the server may be lost in all, until new data arrives; 0: it is not looked for.
     std::chrono::milliseconds retry_time{60'000};
     std::chrono::milliseconds silence{3000};  // after this much silence a connection counts as lost
     Waiting waiting = {};                     // called while a lost server is awaited
@@ -59,6 +59,7 @@ class Subscription {
   bool mayStartAgain() const;
   void retryAfter(const std::string& loss, const std::function<void(std::chrono::milliseconds)>& attempt);
   Clock::time_point giveUpAt(const std::string& loss);
+  void found();
 
   zmq::context_t& context_;
   StreamHandle& stream_;
@@ -68,6 +69,7 @@ class Subscription {
   bool heard_ = false;                           // whether this connection has delivered anything
   Clock::time_point last_heard_;                 // at first: when the connection was made
   std::optional<Clock::time_point> lost_since_;  // set while the connection is lost
+  Clock::duration lost_for_{};                   // before, since new data has arrived
   std::string failure_;  // why the stream was opened again; empty once new data arrives
 };
 

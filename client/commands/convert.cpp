@@ -2,8 +2,10 @@
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <system_error>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 #include "client/commands/interrupt.h"
 #include "client/commands/output_options.h"
 #include "client/commands/progress.h"
@@ -65,14 +67,20 @@ void runConvert(const ConvertOptions& options) {
   SourceFile source(options.input, options.size, format.labels);
   RecordingFile file(options.output.path, format, {aboutEvents(source, source.labels() && format.labels)});
   Progress progress(source.recording() ? secondsOf(source.recording()->end_ns()) : 0);
-  copyEvents(source, file.sensor(0), progress);
+  try {
+    copyEvents(source, file.sensor(0), progress);
+    file.close();
+  } catch (const std::system_error& fault) {
+    progress.finish();
+    throw std::runtime_error(fault.what() + ("; " + std::to_string(file.salvage())) + " events are kept in " +
+                             file.name());
+  }
   progress.finish();
-  file.close();
   checkDigest(source, file.sensor(0));
   file.commit();
   std::FILE* out = options.output.path == kStandardOutput ? stderr : stdout;
   printFiles(out, {file.name()}, "");
-  std::fprintf(out, "%llu events\n", static_cast<unsigned long long>(file.sensor(0).about().events()));
+  print(out, "%llu events\n", static_cast<unsigned long long>(file.sensor(0).about().events()));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // saccade info: prints the version, limits, scene features, sensors, truth channels and methods of a server.
 #include <chrono>
-#include <cstdio>
 #include <memory>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 #include "client/commands/option_range.h"
 #include "client/control_client.h"
 
@@ -11,54 +11,54 @@ namespace saccade::client {
 namespace {
 
 void printMethod(const v1::MethodInfo& method) {
-  std::printf("%s  %s\n", method.name().c_str(), method.description().c_str());
+  print("%s  %s\n", method.name().c_str(), method.description().c_str());
   for (const v1::ParamInfo& param : method.params()) {
-    std::printf("  %-20s %g (%g to %g)  %s\n", param.name().c_str(), param.default_value(), param.min(),
-                param.max(), param.description().c_str());
+    print("  %-20s %g (%g to %g)  %s\n", param.name().c_str(), param.default_value(), param.min(),
+          param.max(), param.description().c_str());
   }
 }
 
 void printBudgets(const char* name, const char* options, const v1::BudgetInfo& budgets) {
   if (!budgets.unavailable().empty()) {
-    std::printf("no %s: %s\n", name, budgets.unavailable().c_str());
+    print("no %s: %s\n", name, budgets.unavailable().c_str());
     return;
   }
-  std::printf("%s (record %s) for:", name, options);
-  for (const std::string& scene : budgets.scenes()) std::printf(" %s", scene.c_str());
-  std::printf("\n  measured with %s\n", budgets.measured_on().c_str());
+  print("%s (record %s) for:", name, options);
+  for (const std::string& scene : budgets.scenes()) print(" %s", scene.c_str());
+  print("\n  measured with %s\n", budgets.measured_on().c_str());
 }
 
 void printTruth(const v1::TruthInfo& truth) {
   const char* unit = truth.unit().empty() ? "no unit" : truth.unit().c_str();
-  std::printf("  %-20s %s: ", truth.name().c_str(), truth.layout() == v1::LAYOUT_PICTURE ? "picture" : "row");
+  print("  %-20s %s: ", truth.name().c_str(), truth.layout() == v1::LAYOUT_PICTURE ? "picture" : "row");
   const char* separator = "";
   for (const std::string& plane : truth.planes()) {
-    std::printf("%s%s", separator, plane.c_str());
+    print("%s%s", separator, plane.c_str());
     separator = ", ";
   }
-  std::printf(" (%s)  %s\n", unit, truth.description().c_str());
+  print(" (%s)  %s\n", unit, truth.description().c_str());
 }
 
 void printServer(const v1::ServerDescription& server) {
-  std::printf("saccaded %s, protocol %u, %u threads, %s\n", server.version().c_str(),
-              server.protocol_version(), server.threads(), server.instruction_set().c_str());
-  std::printf("data %s, broadcast %s\n", server.data_endpoint().c_str(), server.broadcast_endpoint().c_str());
+  print("saccaded %s, protocol %u, %u threads, %s\n", server.version().c_str(), server.protocol_version(),
+        server.threads(), server.instruction_set().c_str());
+  print("data %s, broadcast %s\n", server.data_endpoint().c_str(), server.broadcast_endpoint().c_str());
   printBudgets("budgets", "--budget-ms, --max-false-rate", server.budgets());
   printBudgets("simplification", "--max-event-change", server.simplification());
-  std::printf("\nfeatures of scenes (record --disable), and what replaces them:\n");
+  print("\nfeatures of scenes (record --disable), and what replaces them:\n");
   for (const v1::SceneFeatureInfo& feature : server.scene_features())
-    std::printf("  %-20s %s\n", feature.name().c_str(), feature.description().c_str());
-  std::printf("\nsensors of known cameras (record --preset):\n");
+    print("  %-20s %s\n", feature.name().c_str(), feature.description().c_str());
+  print("\nsensors of known cameras (record --preset):\n");
   for (const v1::PresetInfo& preset : server.presets())
-    std::printf("  %-20s %s\n", preset.name().c_str(), preset.description().c_str());
-  std::printf("\nlimits (set by saccaded --limit-NAME):\n");
+    print("  %-20s %s\n", preset.name().c_str(), preset.description().c_str());
+  print("\nlimits (set by saccaded --limit-NAME):\n");
   for (const v1::LimitInfo& limit : server.limits()) {
-    std::printf("  %-20s %9.15g %-3s  %s\n", limit.name().c_str(), limit.value(), limit.unit().c_str(),
-                limit.description().c_str());
+    print("  %-20s %9.15g %-3s  %s\n", limit.name().c_str(), limit.value(), limit.unit().c_str(),
+          limit.description().c_str());
   }
-  std::printf("\ntruth channels (record --truth), with their planes and unit:\n");
+  print("\ntruth channels (record --truth), with their planes and unit:\n");
   for (const v1::TruthInfo& truth : server.truth()) printTruth(truth);
-  std::printf("\nmethods, and their parameters with default and range:\n");
+  print("\nmethods, and their parameters with default and range:\n");
   for (const v1::MethodInfo& method : server.methods()) printMethod(method);
 }
 

@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <memory>
 #include <system_error>
 #include <zmq.hpp>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 
 namespace saccade::client {
 namespace {
@@ -42,7 +42,7 @@ void addKeygenCommand(CLI::App& app) {
   command->add_option("name", *name, "first part of the two file names")->required()->type_name("NAME");
   command->callback([name] {
     writeKeyPair(*name);
-    std::printf("keep %s.key secret; give %s.pub to the other side\n", name->c_str(), name->c_str());
+    print("keep %s.key secret; give %s.pub to the other side\n", name->c_str(), name->c_str());
   });
 }
 

@@ -1,21 +1,21 @@
 // saccade list: prints the scenes of a server.
-#include <cstdio>
 #include <memory>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 #include "client/control_client.h"
 
 namespace saccade::client {
 namespace {
 
 void printScene(const v1::SceneInfo& scene) {
-  std::printf("%s  %s\n", scene.name().c_str(), scene.description().c_str());
-  if (!scene.unavailable().empty()) std::printf("  cannot be opened here: %s\n", scene.unavailable().c_str());
-  if (!scene.stats().empty()) std::printf("  %s\n", scene.stats().c_str());
+  print("%s  %s\n", scene.name().c_str(), scene.description().c_str());
+  if (!scene.unavailable().empty()) print("  cannot be opened here: %s\n", scene.unavailable().c_str());
+  if (!scene.stats().empty()) print("  %s\n", scene.stats().c_str());
   if (scene.trajectories().empty()) return;
-  std::printf("  trajectories:");
-  for (const std::string& name : scene.trajectories()) std::printf(" %s", name.c_str());
-  std::printf("\n");
+  print("  trajectories:");
+  for (const std::string& name : scene.trajectories()) print(" %s", name.c_str());
+  print("\n");
 }
 
 void runList(const ServerOptions& options) {
@@ -24,7 +24,7 @@ void runList(const ServerOptions& options) {
   v1::Request request;
   request.mutable_list_scenes();
   const v1::Reply reply = control.call(std::move(request));
-  if (reply.list_scenes().scenes().empty()) std::printf("the server has no scenes\n");
+  if (reply.list_scenes().scenes().empty()) print("the server has no scenes\n");
   for (const v1::SceneInfo& scene : reply.list_scenes().scenes()) printScene(scene);
 }
 

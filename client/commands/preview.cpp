@@ -1,9 +1,9 @@
 #include "client/commands/preview.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
+#include "client/commands/console.h"
 #include "client/commands/preview_picture.h"
 #include "pictures/library.h"
 
@@ -35,7 +35,7 @@ void Preview::see(const Batch& batch, StreamHandle& stream) {
   try {
     advance(batch.header.t1_ns(), stream);
   } catch (const std::runtime_error& error) {
-    std::fprintf(stderr, "saccade: no preview: %s\n", error.what());
+    print(stderr, "saccade: no preview: %s\n", error.what());
     state_ = State::kFailed;
   }
 }

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "client/commands/console.h"
+
 namespace saccade::client {
 namespace {
 
@@ -61,7 +63,7 @@ void Progress::note(const std::string& text) {
 
 void Progress::tell(const std::string& text) {
   finish();
-  std::fprintf(stderr, "%s\n", text.c_str());
+  print(stderr, "%s\n", text.c_str());
 }
 
 bool Progress::due() {
@@ -72,7 +74,7 @@ bool Progress::due() {
 }
 
 void Progress::show(const std::string& text) {
-  std::fprintf(stderr, terminal_ ? "\r%s\x1b[K" : "%s\n", text.c_str());
+  std::fprintf(stderr, terminal_ ? "\r%s\x1b[K" : "%s\n", printable(text).c_str());
   open_line_ = terminal_;
 }
 

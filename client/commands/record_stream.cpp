@@ -24,8 +24,8 @@ std::optional<Preview> makePreview(const std::string& path, const v1::Timing& ti
                  std::llround(kNsPerSecond / timing.frame_rate_hz()));
 }
 
-std::string keptText(const Recorder& recorder, const std::string& output) {
-  const std::string events = "; " + std::to_string(recorder.events()) + " events";
+std::string keptText(Recorder& recorder, const std::string& output) {
+  const std::string events = "; " + std::to_string(recorder.salvage()) + " events";
   if (output == kStandardOutput) return events + " were written";
   std::string text = events + " are kept in";
   for (const std::string& file : recorder.files()) text += " " + file;
@@ -65,7 +65,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
 
   zmq::context_t context;
   ControlClient control = connectTo(context, server);
-  StreamHandle stream = openStream(control, job.request, job.trajectory);
+  StreamHandle stream = openStream(control, {job.request, job.trajectory, job.retry_time_s});
   const v1::StreamOpened opened = stream.opened();
   tellOpening(out, job.request, opened);
   Recorder recorder = startRecorder(job, stream);
@@ -81,13 +81,13 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
        .lost = [&progress, retry_s](const std::string& loss) { tellLoss(progress, loss, retry_s); }});
   try {
     receiveAll(subscription, stream, recorder, preview, progress, pusher);
+    recorder.commit(subscription.losses().events);
   } catch (const std::exception& error) {
     progress.finish();
     throw std::runtime_error(error.what() + keptText(recorder, job.output));
   }
   progress.finish();
   const double wall_s = progress.elapsed_s();
-  recorder.commit(subscription.losses().events);
   if (job.calibration) writeCalibration(job.output, opened.resolved());
   printFiles(out, recorder.files(), preview && preview->written() ? job.preview : "");
   printRates(out, recorder, wall_s);

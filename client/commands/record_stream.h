@@ -17,7 +17,7 @@ struct RecordJob {
   std::string preview = {};       // PNG file, or none
   bool calibration = false;       // whether the cameras are written beside the output
   std::string trajectory = {};    // what the user gave, for errors
-  double retry_time_s = 60;       // to reconnect to a lost server
+  double retry_time_s = 60;       // to reach a server that is not up yet or lost
   FrameSource* frames = nullptr;  // of a stream with `pushed`
 };
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 #include "client/commands/recording_options.h"
 #include "client/sidecar.h"
 
@@ -45,12 +46,12 @@ std::string difference(const std::string& what, const std::string& then, const s
 
 void compare(const v1::Recording& then, const v1::Recording& now) {
   if (then.lost_events() > 0) {
-    std::printf("the recording had lost %llu events; they are not compared\n",
-                static_cast<unsigned long long>(then.lost_events()));
+    print("the recording had lost %llu events; they are not compared\n",
+          static_cast<unsigned long long>(then.lost_events()));
     return;
   }
   if (then.digest() == now.digest()) {
-    std::printf("the events are those of the recording\n");
+    print("the events are those of the recording\n");
     return;
   }
   throw std::runtime_error(

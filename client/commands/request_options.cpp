@@ -59,7 +59,7 @@ void addStreamOptions(CLI::App& command, RequestOptions& o) {
   command.add_option("--codec", o.codec, "compression of the packets: " + enumWords<v1::Codec>());
   command
       .add_option("--retry-time", o.retry_time_s,
-                  "seconds to try to reconnect to a lost server; 0: not at all")
+                  "seconds to wait for a server that is not up yet, or lost; 0: not at all")
       ->capture_default_str();
   command.add_option("--seed", o.seed, "seed of all random numbers")
       ->check(checkWhole<std::uint64_t>)

@@ -79,10 +79,8 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
       ->delimiter(',');
   command.add_option("--max-artefact-odds", o.max_artefact_odds,
                      "withhold events with higher odds to be an artefact of rendering");
-  command
-      .add_option("--max-events", o.max_events,
-                  "events of a pixel in one frame; further ones are withheld and counted")
-      ->check(CLI::Range(ranges::kMaxPixelEvents.min, ranges::kMaxPixelEvents.max));
+  command.add_option("--max-events", o.max_events,
+                     "events of a pixel in one frame; further ones are withheld and counted");
   command.add_option("--cutoff", o.cutoff_hz,
                      "Hz below which --reconstruction complementary follows the picture");
 }
@@ -94,6 +92,7 @@ void limitSensors(CLI::App& command) {
   limitTo(command, "--refractory", ranges::kRefractory);
   limitTo(command, "--cutoff", ranges::kCutoff);
   limitTo(command, "--max-artefact-odds", ranges::kArtefactOdds);
+  limitTo(command, "--max-events", ranges::kMaxPixelEvents);
 }
 
 void addSensors(const SensorOptions& options, v1::OpenStream& open) {

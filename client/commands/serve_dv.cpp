@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 #include "client/commands/dv_relay.h"
 #include "client/commands/interrupt.h"
 #include "client/commands/option_range.h"
@@ -27,7 +28,7 @@ struct ServeDvOptions {
 };
 
 void tell(const std::string& line) {
-  std::fprintf(stderr, "saccade: %s\n", line.c_str());
+  print(stderr, "saccade: %s\n", line.c_str());
 }
 
 dv::DvServer makeServer(const ServeDvOptions& options, int sensors) {
@@ -57,12 +58,13 @@ void runServeDv(const ServeDvOptions& options) {
   watchInterrupt();
   zmq::context_t context;
   ControlClient control = connectTo(context, options.request.server);
-  StreamHandle stream = openStream(control, request, options.request.trajectory);
+  StreamHandle stream =
+      openStream(control, {request, options.request.trajectory, options.request.retry_time_s});
   tellOpening(stdout, request, stream.opened());
   const v1::View& view = stream.opened().resolved().view();
   server.listen({view.width(), view.height()});
   for (int sensor = 0; const std::string& name : server.names())
-    std::printf("sensor %d: %s\n", sensor++, name.c_str());
+    print("sensor %d: %s\n", sensor++, name.c_str());
   std::fflush(stdout);
 
   Subscription subscription(context, stream, retryPolicy(server, options.request.retry_time_s));

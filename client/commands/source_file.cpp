@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "client/commands/console.h"
 #include "client/commands/request_text.h"
 #include "client/sidecar.h"
 #include "client/writers/truth_folder.h"
@@ -42,8 +43,8 @@ SourceFile::SourceFile(const std::string& path, const std::optional<std::string>
   if (reader_->labels() && !labels) leaveOut("the labels of the events");
   if (std::filesystem::is_directory(truthFolderOf(path))) leaveOut(truthFolderOf(path));
   if (!left_out.empty())
-    std::fprintf(stderr, "saccade: %s: the events of one stream are read; left out: %s\n", path.c_str(),
-                 left_out.c_str());
+    print(stderr, "saccade: %s: the events of one stream are read; left out: %s\n", path.c_str(),
+          left_out.c_str());
 }
 
 bool SourceFile::read(Events& events) {

@@ -2,10 +2,15 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "client/commands/console.h"
+#include "client/commands/interrupt.h"
 #include "client/commands/progress.h"
 #include "client/commands/summary.h"
 #include "client/commands/trajectory_length.h"
+#include "client/server_probe.h"
+#include "client/units.h"
 
 namespace saccade::client {
 namespace {
@@ -16,23 +21,38 @@ std::string textOf(const v1::OpeningInfo& opening) {
   return opening.doing() + ": " + std::to_string(std::lround(100 * opening.done())) + " %";
 }
 
+std::string awayText(const std::exception& fault) {
+  const auto* silence = dynamic_cast<const NoAnswer*>(&fault);
+  return silence ? explainSilence(*silence) : fault.what();
+}
+
 }  // namespace
 
-StreamHandle openStream(ControlClient& control, const v1::OpenStream& request,
-                        const std::string& trajectory) {
+StreamHandle openStream(ControlClient& control, const OpenJob& job) {
   constexpr double kUnknown = 0;
   Progress progress(kUnknown);
-  return openStream(control, request, trajectory, [&](const std::string& text) { progress.note(text); });
+  return openStream(
+      control, job, [&](const std::string& text) { progress.note(text); },
+      [&](const std::string& text) { progress.tell("saccade: " + text); });
 }
 
 // A fault in the trajectory's text becomes one of the user's file.
-StreamHandle openStream(ControlClient& control, const v1::OpenStream& request, const std::string& trajectory,
-                        const std::function<void(const std::string&)>& show) {
+StreamHandle openStream(ControlClient& control, const OpenJob& job,
+                        const std::function<void(const std::string&)>& show,
+                        const std::function<void(const std::string&)>& tell) {
+  const auto away = [&, told = false](const std::exception& fault) mutable {
+    if (!std::exchange(told, true))
+      tell(awayText(fault) + "; trying again for " + timeText(job.retry_time_s));
+  };
   try {
-    return StreamHandle(control, request, [&](const v1::OpeningInfo& opening) { show(textOf(opening)); });
+    return StreamHandle(control, job.request,
+                        {.retry_time = millisecondsOf(job.retry_time_s),
+                         .away = away,
+                         .waiting = throwIfInterrupted,
+                         .watching = [&](const v1::OpeningInfo& opening) { show(textOf(opening)); }});
   } catch (const Refused& refused) {
     if (refused.field != "trajectory.csv") throw;
-    throw std::invalid_argument(trajectory + ": " + refused.message);
+    throw std::invalid_argument(job.trajectory + ": " + refused.message);
   }
 }
 
@@ -48,7 +68,7 @@ void tellOpening(std::FILE* out, const v1::OpenStream& request, const v1::Stream
   warnOfFastPicture(opened);
   if (!request.trajectory().has_csv() || !opened.has_trajectory_s()) return;
   const std::string warning = trajectoryWarning(opened.trajectory_s(), streamSeconds(opened));
-  if (!warning.empty()) std::fprintf(stderr, "saccade: warning: %s\n", warning.c_str());
+  if (!warning.empty()) print(stderr, "saccade: warning: %s\n", warning.c_str());
 }
 
 }  // namespace saccade::client

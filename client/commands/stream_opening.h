@@ -9,12 +9,19 @@
 
 namespace saccade::client {
 
-// Throws as StreamHandle does, and std::invalid_argument with the name of a trajectory file at fault.
-// `trajectory`: what the user gave. Where it takes long, shows on stderr what the server does.
-StreamHandle openStream(ControlClient& control, const v1::OpenStream& request, const std::string& trajectory);
-// The same with `show` for the text.
-StreamHandle openStream(ControlClient& control, const v1::OpenStream& request, const std::string& trajectory,
-                        const std::function<void(const std::string&)>& show);
+struct OpenJob {
+  v1::OpenStream request;
+  std::string trajectory = {};  // what the user gave, for errors
+  double retry_time_s = 60;     // for a server that is not up yet, or restarts
+};
+
+// Throws as StreamHandle does, StreamFault after Ctrl-C, and std::invalid_argument with the name of a
+// trajectory file at fault. Where it takes long, shows on stderr what the server does.
+StreamHandle openStream(ControlClient& control, const OpenJob& job);
+// The same with `show` for the text, and `tell` for a line that says that the server is away.
+StreamHandle openStream(ControlClient& control, const OpenJob& job,
+                        const std::function<void(const std::string&)>& show,
+                        const std::function<void(const std::string&)>& tell);
 
 double streamSeconds(const v1::StreamOpened& opened);  // 0: endless
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "client/commands/console.h"
 #include "client/commands/progress.h"
 
 namespace saccade::client {
@@ -25,24 +26,24 @@ double advisedRate(double rate_hz, double px_per_frame) {
 void printModel(std::FILE* out, const v1::StreamOpened& opened) {
   if (!opened.has_simplification()) return;
   const v1::ExpectedChange& simpler = opened.simplification();
-  std::fprintf(out, "chosen: %s\n", simpler.model().c_str());
-  std::fprintf(out, "expected: %.3g %% of the time of the whole scene, %.3g %% of its events change\n",
-               100 * simpler.time(), 100 * simpler.changed());
-  std::fprintf(out, "  as measured with %s\n", simpler.measured_on().c_str());
+  print(out, "chosen: %s\n", simpler.model().c_str());
+  print(out, "expected: %.3g %% of the time of the whole scene, %.3g %% of its events change\n",
+        100 * simpler.time(), 100 * simpler.changed());
+  print(out, "  as measured with %s\n", simpler.measured_on().c_str());
 }
 
 void printChoice(std::FILE* out, const v1::StreamOpened& opened) {
   if (!opened.has_expected()) return;
   const v1::ExpectedQuality& expected = opened.expected();
-  std::fprintf(out, "chosen: %s at %u spp\n", expected.setting().c_str(), opened.resolved().method().spp());
-  std::fprintf(out, "expected: %.3g CPU ms per frame, %.3g false and %.3g missed events per pixel-frame\n",
-               expected.cpu_ms(), expected.false_rate(), expected.missed_rate());
-  std::fprintf(out, "  as measured with %s\n", expected.measured_on().c_str());
+  print(out, "chosen: %s at %u spp\n", expected.setting().c_str(), opened.resolved().method().spp());
+  print(out, "expected: %.3g CPU ms per frame, %.3g false and %.3g missed events per pixel-frame\n",
+        expected.cpu_ms(), expected.false_rate(), expected.missed_rate());
+  print(out, "  as measured with %s\n", expected.measured_on().c_str());
 }
 
 void printPixelSpeed(std::FILE* out, const v1::StreamOpened& opened) {
-  std::fprintf(out, "the picture moves by %.3g pixels per frame (median; 99th percentile %.3g)\n",
-               opened.px_per_frame_p50(), opened.px_per_frame_p99());
+  print(out, "the picture moves by %.3g pixels per frame (median; 99th percentile %.3g)\n",
+        opened.px_per_frame_p50(), opened.px_per_frame_p99());
   std::fflush(out);  // a warning on stderr may follow
 }
 
@@ -58,35 +59,34 @@ void warnOfFastPicture(const v1::StreamOpened& opened) {
   } else if (rate <= kMaxRateHz) {
     advice = "--rate " + std::to_string(std::llround(rate)) + " would be enough";
   }
-  std::fprintf(stderr, "saccade: warning: above half a pixel per frame events are less accurate; %s\n",
-               advice.c_str());
+  print(stderr, "saccade: warning: above half a pixel per frame events are less accurate; %s\n",
+        advice.c_str());
 }
 
 void printFiles(std::FILE* out, std::vector<std::string> files, const std::string& preview) {
   if (!preview.empty()) files.push_back(preview);
   for (const std::string& file : files) {
-    std::fprintf(out, "wrote %s\n", file == kStandardOutput ? "to standard output" : file.c_str());
+    print(out, "wrote %s\n", file == kStandardOutput ? "to standard output" : file.c_str());
   }
 }
 
 void printRates(std::FILE* out, const Recorder& recorder, double wall_s) {
   const double stream_s = recorder.duration_ns() / 1e9;
-  std::fprintf(out,
-               "%llu events (%.3g per second of the stream); %.6g s of the stream in %s, %.3gx real time\n",
-               Count{recorder.events()}, stream_s > 0 ? recorder.events() / stream_s : 0.0, stream_s,
-               timeText(wall_s).c_str(), stream_s / wall_s);
+  print(out, "%llu events (%.3g per second of the stream); %.6g s of the stream in %s, %.3gx real time\n",
+        Count{recorder.events()}, stream_s > 0 ? recorder.events() / stream_s : 0.0, stream_s,
+        timeText(wall_s).c_str(), stream_s / wall_s);
 }
 
 void printTruth(std::FILE* out, const Recorder& recorder) {
   const char* separator = ": ";
   const auto channels = recorder.truth();
   if (channels.empty()) return;
-  std::fprintf(out, "samples of truth in %s", recorder.truthPlace().c_str());
+  print(out, "samples of truth in %s", recorder.truthPlace().c_str());
   for (const v1::RecordedTruth& channel : channels) {
-    std::fprintf(out, "%s%s %llu", separator, channel.name().c_str(), Count{channel.samples()});
+    print(out, "%s%s %llu", separator, channel.name().c_str(), Count{channel.samples()});
     separator = ", ";
   }
-  std::fprintf(out, "\n");
+  print(out, "\n");
 }
 
 void printWithheld(std::FILE* out, const Recorder& recorder, const v1::OpenStream& resolved) {
@@ -94,37 +94,35 @@ void printWithheld(std::FILE* out, const Recorder& recorder, const v1::OpenStrea
   const v1::Sensor& sensor = resolved.sensors(0);
   const Count others{withheld.suppressed - withheld.artefacts - withheld.lost_in_readout};
   if (others > 0) {
-    std::fprintf(out, "%llu events withheld: ", others);
-    if (sensor.refractory_s() > 0)
-      std::fprintf(out, "the refractory period is %g s, and ", sensor.refractory_s());
-    std::fprintf(out, "limits are %u per pixel and frame, which --max-events raises, and %llu per frame\n",
-                 sensor.max_events_per_pixel_frame(), Count{sensor.max_events_per_frame()});
+    print(out, "%llu events withheld: ", others);
+    if (sensor.refractory_s() > 0) print(out, "the refractory period is %g s, and ", sensor.refractory_s());
+    print(out, "limits are %u per pixel and frame, which --max-events raises, and %llu per frame\n",
+          sensor.max_events_per_pixel_frame(), Count{sensor.max_events_per_frame()});
   }
   if (withheld.artefacts > 0)
-    std::fprintf(out, "%llu events withheld: their odds to be artefacts are above %g\n",
-                 Count{withheld.artefacts}, sensor.max_artefact_odds());
+    print(out, "%llu events withheld: their odds to be artefacts are above %g\n", Count{withheld.artefacts},
+          sensor.max_artefact_odds());
   if (withheld.lost_in_readout > 0)
-    std::fprintf(out, "%llu events lost in the readout\n", Count{withheld.lost_in_readout});
+    print(out, "%llu events lost in the readout\n", Count{withheld.lost_in_readout});
 }
 
 void printLosses(std::FILE* out, const Losses& losses) {
   if (losses.gaps == 0) return;
-  std::fprintf(out, "lost on the way: %llu packets with %llu events", Count{losses.packets},
-               Count{losses.events});
-  if (losses.samples > 0) std::fprintf(out, " and %llu samples of truth", Count{losses.samples});
-  std::fprintf(out, ", in %llu gaps\n", Count{losses.gaps});
+  print(out, "lost on the way: %llu packets with %llu events", Count{losses.packets}, Count{losses.events});
+  if (losses.samples > 0) print(out, " and %llu samples of truth", Count{losses.samples});
+  print(out, ", in %llu gaps\n", Count{losses.gaps});
 }
 
 void printStages(std::FILE* out, const v1::StreamInfo& info) {
-  std::fprintf(out, "CPU ms per frame: %.3g", info.frame_cpu_ms());
+  print(out, "CPU ms per frame: %.3g", info.frame_cpu_ms());
   const char* separator = " (";
   // Sorted by name; the map of protobuf has no order.
   for (const auto& [stage, ms] :
        std::map<std::string, double>(info.stage_cpu_ms().begin(), info.stage_cpu_ms().end())) {
-    std::fprintf(out, "%s%s %.3g", separator, stage.c_str(), ms);
+    print(out, "%s%s %.3g", separator, stage.c_str(), ms);
     separator = ", ";
   }
-  std::fprintf(out, info.stage_cpu_ms().empty() ? "\n" : ")\n");
+  print(out, info.stage_cpu_ms().empty() ? "\n" : ")\n");
 }
 
 }  // namespace saccade::client

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "client/commands/console.h"
+
 namespace saccade::client {
 namespace {
 
@@ -43,7 +45,7 @@ void TerminalScreen::clear() const {
 
 void TerminalScreen::showStatus(const std::string& text) const {
   const Size now = size();
-  const std::string cut = text.substr(0, static_cast<std::size_t>(std::max(now.columns, 0)));
+  const std::string cut = printable(text).substr(0, static_cast<std::size_t>(std::max(now.columns, 0)));
   show("\x1b[" + std::to_string(now.rows) + ";1H" + cut + "\x1b[K");
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 #include "client/commands/source_file.h"
 #include "client/event_digest.h"
 #include "client/sidecar.h"
@@ -28,7 +29,7 @@ void runVerify(const std::string& path) {
                              std::to_string(expected.events()) + " as " + sidecarOf(path) + " says");
   if (digest.hex() != expected.digest())
     throw std::runtime_error(path + ": the events are not those that " + sidecarOf(path) + " describes");
-  std::printf("%s: all %llu events are as recorded\n", path.c_str(), static_cast<unsigned long long>(count));
+  print("%s: all %llu events are as recorded\n", path.c_str(), static_cast<unsigned long long>(count));
 }
 
 }  // namespace

@@ -43,9 +43,10 @@ void runView(ViewOptions options) {
     options.request.camera.size = std::to_string(view.width()) + "x" + std::to_string(view.height());
   }
   screen.showStatus("opening the stream; Ctrl-C ends");
-  StreamHandle stream = openStream(control, makeOpenStream(options.request), options.request.trajectory,
-                                   [&screen](const std::string& text) { screen.showStatus(text); });
   const double retry_s = options.request.retry_time_s;
+  const auto show = [&screen](const std::string& text) { screen.showStatus(text); };
+  StreamHandle stream =
+      openStream(control, {makeOpenStream(options.request), options.request.trajectory, retry_s}, show, show);
   Subscription subscription(
       context, stream,
       {.retry_time = millisecondsOf(retry_s),

@@ -75,6 +75,7 @@ class BagWriter : public Writer {
     splitter_.flush();
     shared_->finish();
   }
+  std::uint64_t kept(std::uint64_t) const override { return shared_->file().kept(topic_); }
 
  private:
   void writeMessage(const Events& events) {

@@ -42,7 +42,11 @@ void appendChunkInfo(std::string& records, const BagChunk& chunk) {
 }
 
 BagFile::BagFile(const std::string& path, const std::vector<BagTopic>& topics)
-    : file_(path), connections_(connectionRecords(topics)), chunk_(connections_), entries_(topics.size()) {
+    : file_(path),
+      connections_(connectionRecords(topics)),
+      chunk_(connections_),
+      entries_(topics.size()),
+      kept_(topics.size()) {
   file_.append(std::string(kVersion) + bagHeader(0, 0, 0));
   startChunk();
 }
@@ -50,7 +54,7 @@ BagFile::BagFile(const std::string& path, const std::vector<BagTopic>& topics)
 void BagFile::startChunk() {
   about_ = {.messages = std::vector<std::uint32_t>(entries_.size())};
   for (std::string& entries : entries_) entries.clear();
-  events_ = 0;
+  events_.assign(entries_.size(), 0);
 }
 
 void BagFile::add(std::size_t topic, const RosTime& time, std::string_view message, std::uint64_t events) {
@@ -63,7 +67,7 @@ void BagFile::add(std::size_t topic, const RosTime& time, std::string_view messa
   BagFields header(BagOp::kMessage);
   header.number("conn", static_cast<std::uint32_t>(topic)).time("time", time);
   appendRecord(chunk_, header, message);
-  events_ += events;
+  events_[topic] += events;
   if (chunk_.size() >= kChunkSize) writeChunk();
 }
 
@@ -79,8 +83,9 @@ void BagFile::writeChunk() {
     appendRecord(records, index, entries_[id]);
   }
   about_.position = file_.size();
-  file_.appendChunk(records, events_);
+  file_.append(records);
   appendChunkInfo(chunk_infos_, about_);
+  for (std::size_t topic = 0; topic < kept_.size(); ++topic) kept_[topic] += events_[topic];
   ++chunk_count_;
   chunk_.clear();
   startChunk();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "client/writers/bag_record.h"
-#include "client/writers/chunked_file.h"
+#include "client/writers/output_file.h"
 
 namespace saccade::client {
 
@@ -22,7 +22,7 @@ struct BagChunk {
 // Appends the record that stands for the chunk at the end of the file.
 void appendChunkInfo(std::string& records, const BagChunk& chunk);
 
-// Every call throws std::system_error as ChunkedFile does.
+// Every call throws std::system_error with the file's name when the file cannot be written.
 class BagFile {
  public:
   BagFile(const std::string& path, const std::vector<BagTopic>& topics);
@@ -36,20 +36,23 @@ class BagFile {
   // message.
   void add(std::size_t topic, const RosTime& time, std::string_view message, std::uint64_t events = 0);
   void finish();  // the last call
+  // Events of a topic that are in the chunks of the file.
+  std::uint64_t kept(std::size_t topic) const { return kept_[topic]; }
 
  private:
   void startChunk();
   void writeChunk();
   void writeIndex();
 
-  ChunkedFile file_;
+  OutputFile file_;
   const std::string connections_;     // the records of the topics
   std::string chunk_;                 // the records of the chunk that is being filled
   std::vector<std::string> entries_;  // its index, by topic
   BagChunk about_;                    // of the same
   std::string chunk_infos_;           // of the chunks in the file
   std::uint32_t chunk_count_ = 0;     // the same
-  std::uint64_t events_ = 0;          // of the chunk that is being filled
+  std::vector<std::uint64_t> events_,
+      kept_;  // by topic: of the chunk that is being filled, and of the others
   bool finished_ = false;
 };
 

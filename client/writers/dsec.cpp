@@ -10,7 +10,6 @@
 #include <deque>
 #include <optional>
 #include <stdexcept>
-#include <system_error>
 
 #include "client/units.h"
 #include "client/writers/hdf5_column.h"
@@ -47,7 +46,7 @@ class DsecWriter : public Writer {
     writeScalar(events_.id(), "height", about.height());
     if (about.labels()) labels_.emplace(events_.id(), kChunk, filters);
     addTruth(about, filters);
-    toDisk(&Hdf5File::commit);
+    toDisk();
   }
 
   void write(const Events& events, std::int64_t until_ns) override {
@@ -61,7 +60,7 @@ class DsecWriter : public Writer {
     for (const TruthSample& sample : samples) truth_bytes_ += sample.elements.size();
     if (truth_bytes_ < kTruthCommit) return;
     truth_bytes_ = 0;
-    toDisk(&Hdf5File::commit);
+    toDisk();
   }
 
   void finish() override {
@@ -70,8 +69,11 @@ class DsecWriter : public Writer {
     x_.flush(), y_.flush(), p_.flush(), t_.flush(), ms_to_idx_.flush();
     if (labels_) labels_->flush();
     for (Hdf5Truth& truth : truth_) truth.flush();
-    toDisk(&Hdf5File::close);
+    file_.close();
+    if (file_.whole()) on_disk_ = count_;
   }
+
+  std::uint64_t kept(std::uint64_t) const override { return on_disk_; }
 
  private:
   void addTruth(const v1::Recording& about, const Hdf5Handle& filters) {
@@ -99,7 +101,7 @@ class DsecWriter : public Writer {
     if (labels_) labels_->push(event);
     if (++count_ % kChunk != 0) return;
     ms_to_idx_.flush();
-    toDisk(&Hdf5File::commit);
+    toDisk();
   }
 
   // Milliseconds up to `last_ms` have no further events before them.
@@ -107,14 +109,9 @@ class DsecWriter : public Writer {
     for (; next_ms_ <= last_ms; ++next_ms_) ms_to_idx_.push(count_);
   }
 
-  void toDisk(void (Hdf5File::*step)()) {
-    try {
-      (file_.*step)();
-    } catch (const std::system_error& error) {
-      throw std::system_error(error.code(),
-                              path_ + ": holds the first " + std::to_string(on_disk_) + " events");
-    }
-    on_disk_ = count_ / kChunk * kChunk;
+  void toDisk() {
+    file_.commit();
+    if (file_.whole()) on_disk_ = count_ / kChunk * kChunk;
   }
 
   const std::string path_;  // for errors

@@ -25,6 +25,7 @@ class Hdf5File {
   // Throws std::system_error with the file's name. The file then stays as it was, and later commits do
   // nothing.
   void commit();
+  bool whole() const { return !failed_; }  // whether all that was committed is on disk
   void close();  // the last call: commits, and closes all that was opened in the file; throws the same
 
  private:

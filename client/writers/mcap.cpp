@@ -62,6 +62,7 @@ class McapWriter : public Writer {
     splitter_.flush();
     shared_->finish();
   }
+  std::uint64_t kept(std::uint64_t) const override { return shared_->file().kept(channel_); }
 
  private:
   void writeMessage(const Events& events) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 #include "client/writers/mcap_record.h"
 
@@ -66,7 +67,7 @@ void McapFile::add(std::size_t channel, std::uint64_t time_ns, std::string_view 
   head.number<std::uint64_t>(time_ns).number<std::uint64_t>(time_ns);  // of the log, and of publishing
   appendRecord(chunk_, McapOp::kMessage, {head.bytes(), message});
   extend(span_, {time_ns, time_ns, 1});
-  events_ += events;
+  count.events += events;
   if (chunk_.size() >= kChunkSize) writeChunk();
 }
 
@@ -87,13 +88,15 @@ void McapFile::writeChunk() {
     appendRecord(records, McapOp::kMessageIndex, {index.bytes()});
   }
   chunk.index_size = records.size() - chunk.size;
-  file_.appendChunk(records, events_);
+  file_.append(records);
   appendChunkIndex(chunk_indexes_, chunk);
   ++chunk_count_;
   extend(whole_, span_);
-  for (Channel& count : counts_) count.messages += count.entries.size() / kEntryBytes, count.entries.clear();
+  for (Channel& count : counts_) {
+    count.messages += count.entries.size() / kEntryBytes, count.entries.clear();
+    count.kept += std::exchange(count.events, 0);
+  }
   span_ = {};
-  events_ = 0;
   chunk_.clear();
 }
 

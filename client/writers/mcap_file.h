@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "client/writers/chunked_file.h"
 #include "client/writers/mcap_channel.h"
+#include "client/writers/output_file.h"
 
 namespace saccade::client {
 
@@ -31,7 +31,7 @@ struct McapChunk {
 // Appends the record that stands for the chunk in the summary.
 void appendChunkIndex(std::string& records, const McapChunk& chunk);
 
-// Every call throws std::system_error as ChunkedFile does.
+// Every call throws std::system_error with the file's name when the file cannot be written.
 class McapFile {
  public:
   // `profile`: "ros2".
@@ -44,6 +44,8 @@ class McapFile {
   // `channel`: its index. `events`: how many there are in the message.
   void add(std::size_t channel, std::uint64_t time_ns, std::string_view message, std::uint64_t events = 0);
   void finish();  // the last call
+  // Events of a channel that are in the chunks of the file.
+  std::uint64_t kept(std::size_t channel) const { return counts_[channel].kept; }
 
  private:
   void writeChunk();
@@ -53,17 +55,18 @@ class McapFile {
     std::string entries;         // of the index of the chunk that is being filled
     std::uint32_t sequence = 0;  // of the next message
     std::uint64_t messages = 0;  // in the chunks of the file
+    std::uint64_t events = 0;    // in the chunk that is being filled
+    std::uint64_t kept = 0;      // events in the chunks of the file
   };
   std::string statisticsRecord() const;
 
-  ChunkedFile file_;
+  OutputFile file_;
   const std::string schemas_, channels_;  // their records
   std::vector<Channel> counts_;           // by channel
   std::string chunk_;                     // the records of the chunk that is being filled
   McapSpan span_, whole_;                 // of the same, and of the chunks in the file
   std::string chunk_indexes_;             // of the chunks in the file
   std::uint32_t chunk_count_ = 0;         // the same
-  std::uint64_t events_ = 0;              // of the chunk that is being filled
   bool finished_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "client/writers/output_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -12,7 +13,14 @@ namespace {
 
 int openFile(const std::string& path) {
   if (path == kStandardOutput) return dup(STDOUT_FILENO);
-  return open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  return open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+}
+
+// Whether another program, or another part of this one, is writing the file. Its lock goes with it.
+bool isTaken(int file) {
+  struct flock whole {};
+  whole.l_type = F_WRLCK, whole.l_whence = SEEK_SET;
+  return fcntl(file, F_OFD_SETLK, &whole) != 0 && (errno == EAGAIN || errno == EACCES);
 }
 
 }  // namespace
@@ -20,6 +28,20 @@ int openFile(const std::string& path) {
 OutputFile::OutputFile(const std::string& path)
     : name_(path == kStandardOutput ? "standard output" : path), file_(openFile(path)) {
   if (file_ < 0) fail();
+  if (path == kStandardOutput) return;
+  try {
+    begin();
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+void OutputFile::begin() {
+  if (isTaken(file_))
+    throw std::system_error(EWOULDBLOCK, std::generic_category(), name_ + ": another program is writing it");
+  struct stat about {};
+  if (fstat(file_, &about) == 0 && S_ISREG(about.st_mode) && ftruncate(file_, 0) != 0) fail();
 }
 
 OutputFile::~OutputFile() {

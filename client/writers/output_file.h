@@ -13,7 +13,8 @@ inline constexpr const char* kStandardOutput = "-";
 // Every call throws std::system_error with the file's name when the file cannot be written.
 class OutputFile {
  public:
-  explicit OutputFile(const std::string& path);  // an existing file is emptied
+  // An existing file is emptied, unless another program is writing it.
+  explicit OutputFile(const std::string& path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -26,6 +27,7 @@ class OutputFile {
   void close();                                 // the last call
 
  private:
+  void begin();
   void takeBack();
   [[noreturn]] void fail() const;
 

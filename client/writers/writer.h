@@ -1,6 +1,7 @@
 // A writer puts the events of one sensor into a file of one format, which it may share with other writers.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -19,15 +20,18 @@ class Writer {
   virtual ~Writer() = default;
   // Adds a batch, and says that no event before `until_ns` will follow. Batches come in time order, and their
   // events lie within the image. If this throws, readers find the earlier batches and no part of this one;
-  // a format of large chunks keeps whole chunks instead, and the error says how many events these are. Throws
-  // std::range_error if the format cannot hold a time.
+  // those of a format of large chunks find whole chunks instead, see kept(). Throws std::range_error if the
+  // format cannot hold a time.
   virtual void write(const Events& events, std::int64_t until_ns) = 0;
   // Adds samples of Recording.truth[channel], in time order. Only of channels that WriterInfo::truth takes.
   virtual void writeTruth(int channel, const TruthSamples& samples) {
     throw std::logic_error("no truth: channel " + std::to_string(channel) + " has " +
                            std::to_string(samples.size()) + " samples");
   }
-  virtual void finish() = 0;  // the last call: the file is complete and closed
+  virtual void finish() = 0;  // the file is complete and closed; nothing is written after it
+  // How many events readers find in the file after finish(), though it or a call before it threw. `written`:
+  // in all batches whose write() did not throw.
+  virtual std::uint64_t kept(std::uint64_t written) const { return written; }
 };
 
 using Writers = std::vector<std::unique_ptr<Writer>>;

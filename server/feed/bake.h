@@ -19,9 +19,11 @@ struct Bake {
 };
 
 // Takes the bake of a plan from its file in `folder`, or makes it and keeps it there. A bake that was stopped
-// goes on where its file ends. Calls `after_pass` after each pass; what it throws stops the bake, and the
-// file then has that pass. Throws std::runtime_error, also where the file is damaged.
+// goes on where its file ends. A file that cannot be used is set aside, and `warn` is told so. Calls
+// `after_pass` after each pass; what it throws stops the bake, and the file then has that pass. Throws
+// std::runtime_error where no file can be written.
 Bake bake(std::shared_ptr<const RenderScene> scene, const BakePlan& plan, const std::string& folder,
-          const PoolHandle& pool, const std::function<void(const Baker&)>& after_pass);
+          const PoolHandle& pool, const std::function<void(const Baker&)>& after_pass,
+          const std::function<void(const std::string&)>& warn);
 
 }  // namespace saccade

@@ -1,19 +1,21 @@
 #include "feed/bake_file.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "base/content_hash.h"
+#include "feed/temporary_file.h"
 
 namespace saccade {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char *kExtension = ".bake", *kAside = ".damaged";
 
 // Before the state of a Baker.
 struct Head {
@@ -39,41 +41,62 @@ std::string bakePath(const std::string& folder, std::uint64_t plan) {
   return (fs::path(folder) / name.data()).string();
 }
 
-std::optional<KeptBake> readBake(const std::string& path, std::uint64_t plan) {
+std::optional<KeptBake> readBake(const std::string& path, std::uint64_t plan, std::uint64_t most_bytes) {
   std::error_code fault;
+  const fs::file_status status = fs::status(path, fault);
+  if (status.type() == fs::file_type::not_found) return {};
+  if (!fs::is_regular_file(status)) fail(path, "is not a file");  // opening a pipe would wait for its writer
   const std::uintmax_t size = fs::file_size(path, fault);
-  if (fault == std::errc::no_such_file_or_directory) return {};
-  if (fault) fail(path, fault.message());
   std::ifstream file(path, std::ios::binary);
   Head head, expected;
   file.read(reinterpret_cast<char*>(&head), sizeof head);
-  if (!file || head.name != expected.name) fail(path, "is not a bake of this version; remove it");
-  if (head.plan != plan) fail(path, "is the bake of something else; remove it");
-  if (head.size != size - sizeof head) fail(path, "is damaged: its size is wrong; remove it");
+  if (!file || head.name != expected.name) fail(path, "is not a bake of this version");
+  if (head.plan != plan) fail(path, "is the bake of something else");
+  if (head.size != size - sizeof head) fail(path, "is damaged: its size is wrong");
+  if (head.size > most_bytes) fail(path, "has more than " + std::to_string(most_bytes) + " bytes");
   KeptBake kept{std::string(head.size, '\0'), head.digest};
   file.read(kept.state.data(), static_cast<std::streamsize>(head.size));
-  if (!file || digestOf(kept.state) != head.digest) fail(path, "is damaged; remove it");
+  if (!file || digestOf(kept.state) != head.digest) fail(path, "is damaged");
   return kept;
+}
+
+std::string setBakeAside(const std::string& path) {
+  const std::string aside = path + kAside;
+  std::error_code fault;
+  fs::remove_all(aside, fault);
+  fs::rename(path, aside, fault);
+  if (fault) fail(path, "cannot be renamed: " + fault.message());
+  return aside;
 }
 
 std::uint64_t writeBake(const std::string& path, std::uint64_t plan, const std::string& state) {
   const fs::path folder = fs::path(path).parent_path();
   std::error_code fault;
   if (!folder.empty()) fs::create_directories(folder, fault);
-  const std::string written = path + "." + std::to_string(getpid());
   Head head;
   head.plan = plan, head.size = state.size(), head.digest = digestOf(state);
-  std::ofstream file(written, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(&head), sizeof head);
-  file.write(state.data(), static_cast<std::streamsize>(state.size()));
-  file.close();
-  if (file) fs::rename(written, path, fault);
-  if (!file || fault) {
-    std::error_code ignored;
-    fs::remove(written, ignored);
-    fail(path, "cannot be written");
+  try {
+    TemporaryFile file(path);
+    file.write(&head, sizeof head);
+    file.write(state.data(), state.size());
+    file.keep();
+  } catch (const std::system_error& error) {
+    fail(path, "cannot be written: " + error.code().message());
   }
   return head.digest;
+}
+
+std::vector<std::string> bakeFiles(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code fault;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, fault)) {
+    const fs::path file = entry.path();
+    const bool is_more = file.stem().extension() == kExtension;  // has letters after it
+    if (is_more && file.extension() != kAside) removeLeftover(file);
+    if ((is_more || file.extension() == kExtension) && fs::is_regular_file(file, fault))
+      files.push_back(file);
+  }
+  return files;
 }
 
 }  // namespace saccade

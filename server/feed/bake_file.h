@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace saccade {
 
@@ -16,12 +17,19 @@ struct KeptBake {
   std::uint64_t digest;
 };
 
-// Nothing where there is no such file. Throws std::runtime_error, which names the file, where it is damaged
-// or is that of another plan.
-std::optional<KeptBake> readBake(const std::string& path, std::uint64_t plan);
+// Nothing where there is no such file. Throws std::runtime_error, which names the file, where it is damaged,
+// is that of another plan, or has more than `most_bytes`; it is then not read.
+std::optional<KeptBake> readBake(const std::string& path, std::uint64_t plan, std::uint64_t most_bytes);
 
-// Returns the digest. Whoever reads meanwhile finds the old file or the new one. Makes the folder. Throws
-// std::runtime_error.
+// Gives a file that cannot be used another name, which it returns. Throws std::runtime_error.
+std::string setBakeAside(const std::string& path);
+
+// Returns the digest. Whoever reads meanwhile, or after a power cut, finds the old file or the new one. Makes
+// the folder. Throws std::runtime_error.
 std::uint64_t writeBake(const std::string& path, std::uint64_t plan, const std::string& state);
+
+// All files of bakes in a folder: also those that were set aside, or are being written. Those that killed
+// programs have left are removed.
+std::vector<std::string> bakeFiles(const std::string& folder);
 
 }  // namespace saccade

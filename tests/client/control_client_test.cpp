@@ -114,6 +114,60 @@ TEST(ControlClient, ARefusalNamesTheField) {
   }
 }
 
+TEST(ControlClient, ARefusalWithoutWordsIsTold) {
+  for (const int code : {0, 99}) {
+    zmq::context_t context;
+    FakeServer server(context);
+    ControlClient client(context, server.endpoint());
+    auto request = answer(server, 0, statusOf(static_cast<v1::Code>(code)));
+    try {
+      client.call(infoRequest(), std::chrono::seconds(10));
+      FAIL() << "no refusal";
+    } catch (const Refused& refused) {
+      EXPECT_EQ(refused.what(), "refused with status " + std::to_string(code) + ", without a reason");
+    }
+  }
+}
+
+TEST(ControlClient, AReplyWithoutTheResultOfItsCallIsTold) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient client(context, server.endpoint());
+  auto request = answer(server, 0, statusOf(v1::CODE_OK));  // with the result of server_info
+  try {
+    client.call(listStreams(), std::chrono::seconds(10));
+    FAIL() << "a reply";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(),
+              "the server at " + server.endpoint() + " sent a reply without the result of the call");
+  }
+}
+
+// As another server does that has taken the place of the one that was asked.
+TEST(ControlClient, AServerThatNoLongerKnowsOfALongCallEndsIt) {
+  zmq::context_t context;
+  FakeServer server(context);
+  ControlClient client(context, server.endpoint());
+  const auto done = std::async(std::launch::async, [&server] {
+    server.receive<v1::Request>();
+    for (int i = 0; i < 3; ++i) {
+      v1::Reply reply;
+      reply.set_request_id(server.receive<v1::Request>().request_id());
+      reply.mutable_list_streams();
+      server.send(reply);
+    }
+  });
+  v1::Request request;
+  request.mutable_open_stream();
+  try {
+    client.call(request, std::chrono::minutes(1), {}, [](const v1::OpeningInfo&) {});
+    FAIL() << "a reply";
+  } catch (const Refused& refused) {
+    EXPECT_EQ(refused.code, v1::CODE_UNAVAILABLE);
+    EXPECT_EQ(refused.field, "");
+  }
+}
+
 TEST(ControlClient, SilenceEndsAtTheDeadlineAndSaysWhatToDo) {
   zmq::context_t context;
   FakeServer server(context);

@@ -75,5 +75,26 @@ TEST_F(LostServer, DrainedTheRecordingIsWhatItWouldHaveBeen) {
   EXPECT_TRUE(textOf("a.csv") == textOf("whole.csv"));
 }
 
+TEST_F(LostServer, ARecordingWaitsForAServerThatIsNotUpYet) {
+  EXPECT_EQ(record("whole.csv", {}).finish(), 0);
+  server_.reset();
+  Process early = record("a.csv", {});
+  const std::string line = early.lineWith("trying again for 60 s");
+  EXPECT_NE(line.find("no saccaded answers at " + control_), std::string::npos) << line;
+  server_.emplace(std::vector<std::string>{"--control", control_, "--data", data_});
+  const std::string output = early.rest();
+  EXPECT_EQ(early.finish(), 0) << output;
+  EXPECT_TRUE(textOf("a.csv") == textOf("whole.csv"));
+}
+
+TEST_F(LostServer, WithoutTimeToRetryAServerThatIsNotUpIsToldAtOnce) {
+  server_.reset();
+  Process early = record("a.csv", {"--retry-time", "0"});
+  const std::string output = early.rest();
+  EXPECT_EQ(early.finish(), 1);
+  EXPECT_NE(output.find("no saccaded answers at " + control_), std::string::npos) << output;
+  EXPECT_EQ(output.find("trying again"), std::string::npos) << output;
+}
+
 }  // namespace
 }  // namespace saccade::client

@@ -7,8 +7,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "client/readers/reader.h"
 #include "client/sidecar.h"
 #include "file_size_limit.h"
+#include "random_events.h"
 #include "scratch_folder.h"
 
 namespace saccade::client {
@@ -217,6 +219,54 @@ TEST_F(RecorderTest, AFullDiskLeavesWholeLinesAndAsManyAsAreTold) {
   EXPECT_GT(recorder.events(), 1000u);
   EXPECT_EQ(text.back(), '\n');
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), std::ptrdiff_t(1 + recorder.events()));
+}
+
+TEST_F(RecorderTest, TheSecondOfTwoOnOneFileIsRefusedAndHarmsNothing) {
+  for (const std::string name : {"a.csv", "a.raw", "a.h5", "a.aedat4", "a.npz", "a.mcap", "a.bag"}) {
+    Recorder first(at(name), writerFor(name), streamOf(1));
+    first.add(batchOf(0, v1::KIND_EVENTS, kEvents));
+    const std::string before = textOf(name + ".partial");
+    try {
+      Recorder second(at(name), writerFor(name), streamOf(1));
+      ADD_FAILURE() << name << ": two write it";
+    } catch (const std::system_error& error) {
+      EXPECT_NE(std::string(error.what()).find(name + ".partial: another program is writing it"),
+                std::string::npos)
+          << error.what();
+    }
+    EXPECT_EQ(textOf(name + ".partial"), before) << name;
+    first.add(batchOf(0, v1::KIND_END, {}));
+    first.commit();
+    EXPECT_NO_THROW(Recorder(at(name), writerFor(name), streamOf(1)));
+  }
+}
+
+// Of each format that can be read here; tests with other programs do the same for .bag and .mcap.
+TEST_F(RecorderTest, AFullDiskKeepsAsManyEventsAsAreTold) {
+  for (const std::string name : {"a.csv", "a.txt", "a.raw", "a.h5", "a.aedat4", "a.npz"}) {
+    auto recorder = std::make_unique<Recorder>(at(name), writerFor(name), streamOf(1));
+    std::uint64_t told = 0;
+    {
+      const FileSizeLimit limit(5'000'000);
+      std::int64_t t_ns = 0;
+      const auto next = [&t_ns] {
+        Batch batch = batchOf(0, v1::KIND_EVENTS, randomEvents(20'000, 346, 260));
+        for (Event& event : batch.events) event.t_ns += t_ns;
+        t_ns = batch.events.back().t_ns + 1000;
+        batch.header.set_t1_ns(t_ns);
+        return batch;
+      };
+      EXPECT_THROW(while (true) recorder->add(next()), std::system_error) << name;
+      told = recorder->salvage();
+    }
+    recorder.reset();
+    fs::rename(at(name + ".partial"), at(name));
+    const auto reader = readerFor(at(name)).make(at(name));
+    std::uint64_t read = 0;
+    for (Events batch; reader->read(batch);) read += batch.size();
+    EXPECT_EQ(read, told) << name;
+    EXPECT_GT(told, 100'000u) << name;
+  }
 }
 
 }  // namespace

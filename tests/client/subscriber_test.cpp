@@ -47,6 +47,19 @@ class SubscriberTest : public testing::Test {
     return "no fault";
   }
 
+  // Until nothing more comes. Returns the last fault.
+  static std::string receiveAll(Subscriber& client) {
+    std::string fault;
+    for (bool more = true; more;) {
+      try {
+        more = client.receive(std::chrono::milliseconds(100)).has_value();
+      } catch (const StreamFault& one) {
+        fault = one.what();
+      }
+    }
+    return fault;
+  }
+
   zmq::context_t context_;
   FakeServer server_{context_};
   PacketCutter cutter_{kSource};
@@ -117,6 +130,51 @@ TEST_F(SubscriberTest, HeartbeatsCostNothing) {
   EXPECT_EQ(batch->header.frame(), 12u);
   client.receive(seconds(0));
   EXPECT_TRUE(server_.saysNothing(std::chrono::milliseconds(10)));
+}
+
+TEST_F(SubscriberTest, ManyHeartbeatsAreOne) {
+  Subscriber client = attach(10);
+  v1::PacketHeader heartbeat;
+  heartbeat.set_kind(v1::KIND_HEARTBEAT);
+  constexpr std::uint64_t kBeats = 50'000;
+  for (std::uint64_t i = 1; i <= kBeats; ++i) {
+    heartbeat.set_frame(i);
+    server_.send(sealPacket(heartbeat, {}));
+  }
+  std::uint64_t received = 0, last = 0;
+  for (; last < kBeats; ++received) {
+    const auto batch = client.receive(seconds(10));
+    ASSERT_TRUE(batch);
+    EXPECT_GT(batch->header.frame(), last);
+    last = batch->header.frame();
+  }
+  EXPECT_LT(received, kBeats / 2);
+}
+
+// Of many packets that are sent at once, some wait together before the client gives anything back.
+TEST_F(SubscriberTest, WhatIsSentWithoutCreditIsAFault) {
+  Subscriber client = attach(1000);
+  std::string fault;
+  for (int flood = 0; flood < 1000 && fault.empty(); ++flood) {
+    for (int i = 0; i < 200; ++i) server_.send(nextPacket());
+    fault = receiveAll(client);
+  }
+  EXPECT_EQ(fault, "the server sends more than it has credit for");
+}
+
+// The last packet may overdraw the credit, however large it is.
+TEST_F(SubscriberTest, AnOverdraftIsNoFault) {
+  Subscriber client = attach(100);
+  const Packet small = nextPacket();
+  ASSERT_LT(bytesOf(small), 100u);
+  Packet large =
+      cutter_.cut(Events(1000, Event{kPacketTimeNs, 1, 2, 1}), {kPacketTimeNs, 2 * kPacketTimeNs, 0, 0})
+          .at(0);
+  ASSERT_GT(bytesOf(large), 9000u);
+  server_.send(small);
+  server_.send(large);
+  EXPECT_TRUE(client.receive(seconds(10)));
+  EXPECT_TRUE(client.receive(seconds(10)));
 }
 
 TEST_F(SubscriberTest, AnErrorIsThrownWithItsText) {

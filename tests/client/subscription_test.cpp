@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <future>
 
@@ -40,23 +41,33 @@ class SubscriptionTest : public testing::Test {
  protected:
   // The server's part. Answers what is asked on control until a stream is opened, as `stream`; what was
   // asked.
-  v1::OpenStream open(const std::string& stream) {
+  // `lie`: changes the reply.
+  using Lie = std::function<void(v1::StreamOpened&)>;
+  v1::OpenStream open(
+      const std::string& stream, std::uint64_t epoch = 0, const Lie& lie = [](v1::StreamOpened&) {}) {
     while (true) {
-      const auto request = control_.receive<v1::Request>();
-      v1::Reply reply;
-      reply.set_request_id(request.request_id());
-      reply.mutable_status()->set_code(v1::CODE_OK);
-      if (request.has_list_streams()) reply.mutable_list_streams();  // it knows of none
-      if (request.has_server_info()) reply.mutable_server_info()->set_data_endpoint(data_.endpoint());
-      if (request.has_open_stream()) {
-        v1::StreamOpened& opened = *reply.mutable_open_stream();
-        opened.set_stream_id(stream);
-        opened.set_frames(20);
-        *opened.mutable_resolved() = request.open_stream();
-      }
-      if (!request.has_close_stream()) control_.send(reply);
+      const auto request = answerNext(stream, epoch, lie);
       if (request.has_open_stream() || testing::Test::HasFailure()) return request.open_stream();
     }
+  }
+  v1::Request answerNext(
+      const std::string& stream, std::uint64_t epoch, const Lie& lie = [](v1::StreamOpened&) {}) {
+    const auto request = control_.receive<v1::Request>();
+    v1::Reply reply;
+    reply.set_request_id(request.request_id());
+    reply.mutable_status()->set_code(v1::CODE_OK);
+    if (request.has_list_streams()) reply.mutable_list_streams();  // it knows of none
+    if (request.has_server_info()) reply.mutable_server_info()->set_data_endpoint(data_.endpoint());
+    if (request.has_open_stream()) {
+      v1::StreamOpened& opened = *reply.mutable_open_stream();
+      opened.set_stream_id(stream);
+      opened.set_epoch(epoch);
+      opened.set_frames(20);
+      *opened.mutable_resolved() = request.open_stream();
+      lie(opened);
+    }
+    if (!request.has_close_stream()) control_.send(reply);
+    return request;
   }
   v1::Attach attached() {
     v1::DataRequest request;
@@ -107,6 +118,9 @@ class SubscriptionTest : public testing::Test {
   v1::OpenStream request_ = [] {
     v1::OpenStream request;
     request.set_delivery(v1::DELIVERY_LOSSLESS);
+    request.mutable_view()->set_width(346);
+    request.mutable_view()->set_height(260);
+    request.mutable_timing()->set_frame_rate_hz(1000);
     request.add_sensors()->set_threshold(0.25);
     return request;
   }();
@@ -202,7 +216,113 @@ TEST_F(SubscriptionTest, TheSameFailureTwiceIsTheEnd) {
     attached();
     data_.send(makeErrorPacket(stream, "the scene is gone"));
   };
-  EXPECT_EQ(faultOf([&] { fail("s1"), fail("s2"); }), "the scene is gone");
+  EXPECT_EQ(faultOf([&] { fail("s1"), fail("s2"), open("s3"); }), "the scene is gone");
+}
+
+// Each restart begins another epoch.
+TEST_F(SubscriptionTest, AnyNumberOfRestartsIsSurvived) {
+  const auto packets = packetsOf("s5");
+  record([&] {
+    for (int epoch = 1; epoch < 5; ++epoch) {
+      const std::string stream = "s" + std::to_string(epoch);
+      open(stream, static_cast<std::uint64_t>(epoch));
+      attached();
+      data_.send(makeErrorPacket(stream, "no stream of this name"));
+    }
+    open("s5", 5), attached();
+    send(packets, 0, 4);
+  });
+  EXPECT_EQ(events_, eventsOf(20));
+}
+
+TEST_F(SubscriptionTest, AServerThatNeverComesFurtherIsGivenUp) {
+  std::uint64_t opened = 0;
+  const auto restartForEver = [&] {
+    while (!control_.saysNothing(milliseconds(1500)))  // silence of 500 ms follows each time
+      if (answerNext("s" + std::to_string(opened), opened).has_open_stream()) ++opened;
+  };
+  EXPECT_EQ(faultOf(restartForEver, {.retry_time = milliseconds(1200)}),
+            "the connection to the server is lost");
+  EXPECT_GT(opened, 1u);
+}
+
+TEST_F(SubscriptionTest, RepliesThatCannotBeAreFaults) {
+  using Opened = v1::StreamOpened;
+  const std::vector<std::pair<std::string, Lie>> lies{
+      {"without stream_id", [](Opened& o) { o.clear_stream_id(); }},
+      {"0 sensors instead of 1", [](Opened& o) { o.mutable_resolved()->clear_sensors(); }},
+      {"2 sensors instead of 1", [](Opened& o) { o.mutable_resolved()->add_sensors(); }},
+      {"1 truth channels instead of 0", [](Opened& o) { o.mutable_resolved()->add_truth(); }},
+      {"1 further views instead of 0", [](Opened& o) { o.mutable_resolved()->add_further_views(); }},
+      {"a sensor of view 7 of 1", [](Opened& o) { o.mutable_resolved()->mutable_sensors(0)->set_view(7); }},
+      {"view.width is 0", [](Opened& o) { o.mutable_resolved()->mutable_view()->set_width(0); }},
+      {"a view of 346x261", [](Opened& o) { o.mutable_resolved()->mutable_view()->set_height(261); }},
+      {"frame_rate_hz is nan",
+       [](Opened& o) { o.mutable_resolved()->mutable_timing()->set_frame_rate_hz(NAN); }},
+      {"duration_s is inf",
+       [](Opened& o) { o.mutable_resolved()->mutable_timing()->set_duration_s(INFINITY); }},
+      {"delivery 99", [](Opened& o) { o.mutable_resolved()->set_delivery(static_cast<v1::Delivery>(99)); }},
+      {"delivery 3", [](Opened& o) { o.mutable_resolved()->set_delivery(v1::DELIVERY_BROADCAST); }},
+  };
+  for (const auto& [text, lie] : lies) {
+    const std::string fault = faultOf([&] { open("s1", 0, lie); });
+    EXPECT_NE(fault.find("reply to open_stream cannot be: "), std::string::npos) << text << ": " << fault;
+    EXPECT_NE(fault.find(text), std::string::npos) << fault;
+  }
+}
+
+TEST_F(SubscriptionTest, TruthOfAViewThatIsNotThereIsAFault) {
+  request_.add_truth()->set_name("depth");
+  const std::string fault = faultOf([&] {
+    open("s1", 0, [](v1::StreamOpened& o) { o.mutable_resolved()->mutable_truth(0)->set_view(9); });
+  });
+  EXPECT_NE(fault.find("truth of view 9 of 1"), std::string::npos) << fault;
+}
+
+TEST_F(SubscriptionTest, AnEndpointThatIsNoneIsAFault) {
+  const std::string fault = faultOf([&] {
+    const auto info = control_.receive<v1::Request>();
+    v1::Reply reply;
+    reply.set_request_id(info.request_id());
+    reply.mutable_status()->set_code(v1::CODE_OK);
+    reply.mutable_server_info();
+    control_.send(reply);
+    open("s1");
+  });
+  EXPECT_NE(fault.find("announces an endpoint for packets that is none: ''"), std::string::npos) << fault;
+}
+
+// It stops, or has not its streams yet; and then another takes its place.
+TEST_F(SubscriptionTest, AnOpenWaitsForAServerThatRestarts) {
+  const auto stop = [&](bool knows) {
+    const auto request = control_.receive<v1::Request>();
+    v1::Reply reply;
+    reply.set_request_id(request.request_id());
+    reply.mutable_status()->set_code(knows ? v1::CODE_OK : v1::CODE_UNAVAILABLE);
+    if (knows) reply.mutable_server_info();
+    control_.send(reply);
+  };
+  auto server = std::async(std::launch::async, [&] { stop(false), stop(true), stop(false), open("s1"); });
+  ControlClient control(context_, control_.endpoint());
+  int away = 0;
+  const StreamHandle stream(
+      control, request_,
+      {.retry_time = milliseconds(10'000), .away = [&away](const std::exception&) { ++away; }});
+  EXPECT_EQ(stream.opened().stream_id(), "s1");
+  EXPECT_EQ(away, 2);
+}
+
+TEST_F(SubscriptionTest, AnOpenDoesNotWaitForASceneThatCannotBeOpened) {
+  auto server = std::async(std::launch::async, [&] {
+    const auto request = control_.receive<v1::Request>();
+    v1::Reply reply;
+    reply.set_request_id(request.request_id());
+    reply.mutable_status()->set_code(v1::CODE_UNAVAILABLE);
+    reply.mutable_status()->set_field("scene");
+    control_.send(reply);
+  });
+  ControlClient control(context_, control_.endpoint());
+  EXPECT_THROW(StreamHandle(control, request_, {.retry_time = std::chrono::minutes(10)}), Refused);
 }
 
 TEST_F(SubscriptionTest, ASteeredStreamIsNotOpenedAgain) {

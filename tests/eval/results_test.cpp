@@ -40,6 +40,24 @@ TEST_F(Fixture, RowsOfAnEarlierRunAreRead) {
   EXPECT_EQ(table.rows()[0].score.time_error_ms, 0.125);
 }
 
+// The server takes a file for a table, and other flags would be refused because of it.
+TEST_F(Fixture, WithoutRowsThereIsNoFile) {
+  { ResultTable(path, "128x128"); }
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(Fixture, AFileWithoutRowsIsReplaced) {
+  ResultTable(path, "64x64").add(makeResult());
+  std::string settings, names;
+  {
+    std::ifstream file(path);
+    std::getline(file, settings), std::getline(file, names);
+  }
+  std::ofstream(path) << settings << '\n' << names << '\n';
+  ResultTable(path, "128x128").add(makeResult());
+  EXPECT_EQ(ResultTable(path, "128x128").rows().size(), 1u);
+}
+
 TEST_F(Fixture, RowsOfOtherSettingsAreNotMixedIn) {
   ResultTable(path, "128x128").add(makeResult());
   try {

@@ -6,6 +6,7 @@ import unittest
 
 import house
 
+PRINTS = re.compile(r"\b(f?printf|fputs|puts|cout|cerr) ?[(<]")
 MACHINE_FOLDERS = ["home", "Users", "root", "work", "mnt"]
 MACHINE_PATH = re.compile(r"(?<![\w.)}])/(?:%s)/\w" % "|".join(MACHINE_FOLDERS))
 
@@ -33,6 +34,14 @@ class Files(unittest.TestCase):
         unformatted = {line.split(":")[0] for line in check.stderr.splitlines() if ": error:" in line}
         self.assertEqual(unformatted, set(), "run clang-format -i on them")
         self.assertEqual(check.returncode, 0, check.stderr)
+
+    def test_the_client_prints_through_its_console(self):
+        """Texts of servers and files have no control characters there."""
+        self.assertTrue(PRINTS.search('  std::printf("%s", name)'))
+        self.assertFalse(PRINTS.search("  std::snprintf(text, sizeof text)"))
+        sources = [p for p in house.files({".cpp"}) if p.parts[0] == "client" and "example" not in p.parts]
+        printing = {p.name for p in sources if PRINTS.search(house.text(p))}
+        self.assertEqual(printing, {"console.cpp", "progress.cpp"})
 
     def test_no_path_of_a_developers_machine(self):
         self.assertTrue(MACHINE_PATH.search('open("/' + 'home/me/a.txt")'))

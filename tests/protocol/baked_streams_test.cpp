@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <thread>
 
 #include "mock/bad_request.h"
@@ -100,11 +101,30 @@ TEST_F(BakedStreams, OldFilesGoWhereOthersNeedTheirPlace) {
   EXPECT_EQ(files(), 1);
 }
 
-// The operator is told the file; clients are not.
-TEST_F(BakedStreams, ADamagedFileIsNoCrash) {
-  { TestServer(config()).client().open(baked()); }
+TEST_F(BakedStreams, ADamagedFileIsMadeAnew) {
+  std::uint64_t digest = 0;
+  {
+    TestServer server(config());
+    digest = server.client().open(baked()).bake_digest();
+  }
   const auto file = *std::filesystem::directory_iterator(folder);
   std::filesystem::resize_file(file.path(), 100);
+  TestServer server(config());
+  EXPECT_EQ(server.client().open(baked()).bake_digest(), digest);
+  EXPECT_EQ(files(), 2);  // the damaged one stays for the operator, who is told
+}
+
+TEST_F(BakedStreams, WhatAKilledServerHasLeftIsRemoved) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder + "/0123456789abcdef.bake.aBcDeF") << "half";
+  TestServer server(config());
+  server.client().open(baked());
+  EXPECT_EQ(files(), 1);
+}
+
+// The reason is the operator's; clients are not told the folder.
+TEST_F(BakedStreams, AFolderThatCannotBeWrittenIsARefusal) {
+  std::ofstream{folder} << "no folder";
   TestServer server(config());
   const v1::Status status = server.client().tryOpen(baked());
   EXPECT_EQ(status.code(), v1::CODE_UNAVAILABLE);

@@ -4,6 +4,7 @@ import unittest
 
 import saccade
 from fake_server import FakeServer
+from saccade.protocol.control import MOST_UNKNOWN
 from saccade.v1 import control_pb2
 
 
@@ -12,7 +13,7 @@ class Control(unittest.TestCase):
         server = FakeServer()
         server.run(script)
         try:
-            with saccade.connect(server.control.endpoint) as client:
+            with saccade.connect(server.control.endpoint, retry=saccade.RetryPolicy(retry_time_s=0)) as client:
                 return call(client)
         finally:
             server.join()
@@ -61,6 +62,32 @@ class Control(unittest.TestCase):
                 server.control.send(*parts)
             with self.subTest(text), self.assertRaisesRegex(saccade.SaccadeError, text):
                 self.ask(script, saccade.Client.info)
+
+    def test_a_refusal_without_words_is_told(self):
+        for code, text in ((99, "refused with status 99"), (0, "refused with status 0")):
+            def script(server, code=code):
+                request = server.control.receive(control_pb2.Request)
+                reply = control_pb2.Reply(request_id=request.request_id, status=control_pb2.Status(code=code))
+                server.control.send(reply.SerializeToString())
+            with self.subTest(text), self.assertRaisesRegex(saccade.Refused, f"^{text}, without a reason$") as caught:
+                self.ask(script, saccade.Client.scenes)
+            self.assertEqual(caught.exception.code, "CODE_99" if code == 99 else "CODE_UNSPECIFIED")
+
+    def test_a_reply_without_a_result_is_told(self):
+        for result in ({}, {"list_streams": control_pb2.StreamList()}):
+            def script(server, result=result):
+                server.answer(server.control.receive(control_pb2.Request), **result)
+            with self.subTest(result), self.assertRaisesRegex(saccade.SaccadeError, "without the result of the call"):
+                self.ask(script, saccade.Client.info)
+
+    def test_a_server_that_no_longer_knows_the_opening_is_told(self):
+        def script(server):
+            server.answer(server.control.receive(control_pb2.Request), server_info=control_pb2.ServerDescription())
+            server.control.receive(control_pb2.Request)
+            for _ in range(MOST_UNKNOWN):
+                server.answer(server.control.receive(control_pb2.Request), list_streams=control_pb2.StreamList())
+        with self.assertRaisesRegex(saccade.Unavailable, "has restarted"):
+            self.ask(script, lambda client: client.open_request(control_pb2.OpenStream()))
 
     def test_a_silent_server_is_told(self):
         with self.assertRaisesRegex(saccade.NoAnswer, "no saccaded answers at tcp://127.0.0.1") as caught:

@@ -70,21 +70,31 @@ class FakeServer:
         reply = control_pb2.Reply(request_id=request.request_id, status=status, **result)
         self.control.send(reply.SerializeToString())
 
-    def open(self, stream):
-        """Answers what is asked until a stream is opened, as `stream`. Returns its OpenStream."""
-        while True:
-            request = self.control.receive(control_pb2.Request)
-            call = request.WhichOneof("call")
-            if call == "server_info":
-                self.answer(request, server_info=control_pb2.ServerDescription(
-                    data_endpoint=self.data.endpoint, broadcast_endpoint=self.broadcast.endpoint))
-            elif call == "list_streams":
-                self.list_streams(request)
-            elif call == "open_stream":
-                opened = control_pb2.StreamOpened(stream_id=stream, token="t", frames=self.frames,
-                                                  topics=[f"s/{stream}/0/"], resolved=request.open_stream)
-                self.answer(request, open_stream=opened)
-                return request.open_stream
+    def open(self, stream, epoch=0, lie=lambda opened: None):
+        """Answers what is asked until a stream is opened, as `stream`. Returns its OpenStream.
+
+        lie: changes the reply.
+        """
+        while (request := self.answer_next(stream, epoch, lie)) is None:
+            pass
+        return request
+
+    def answer_next(self, stream, epoch=0, lie=lambda opened: None):
+        """Answers one request. Returns the OpenStream where it was one."""
+        request = self.control.receive(control_pb2.Request)
+        call = request.WhichOneof("call")
+        if call == "server_info":
+            self.answer(request, server_info=control_pb2.ServerDescription(
+                data_endpoint=self.data.endpoint, broadcast_endpoint=self.broadcast.endpoint))
+        elif call == "list_streams":
+            self.list_streams(request)
+        elif call == "open_stream":
+            opened = control_pb2.StreamOpened(stream_id=stream, token="t", frames=self.frames, epoch=epoch,
+                                              topics=[f"s/{stream}/0/"], resolved=request.open_stream)
+            lie(opened)
+            self.answer(request, open_stream=opened)
+            return request.open_stream
+        return None
 
     def list_streams(self, request):
         infos = [control_pb2.StreamInfo(stream_id="s1", frames_done=self.frames_done)]

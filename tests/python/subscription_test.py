@@ -6,7 +6,8 @@ import unittest
 import saccade
 import saccade.aio
 from fake_server import MS, FakeServer, packet, packets_of, payload_of
-from saccade.protocol.connection import CREDIT
+from saccade.protocol.connection import CREDIT, Connection
+from saccade.protocol.network import run
 from saccade.protocol.sequence import SequenceCheck
 from saccade.v1 import control_pb2, events_pb2, truth_pb2
 
@@ -190,8 +191,129 @@ class Subscription(unittest.TestCase):
                 server.open(stream)
                 server.attached()
                 send_error(server, "the scene has gone", stream)
+            server.open("s3")
         with self.assertRaisesRegex(saccade.StreamFault, "^the scene has gone$"):
             self.receive(script)
+
+    def test_any_number_of_restarts_is_survived(self):
+        def script(server):
+            for epoch in range(1, 5):
+                server.open(f"s{epoch}", epoch)
+                server.attached()
+                send_error(server, "no stream of this name", f"s{epoch}")
+            server.open("s5", 5)
+            server.attached()
+            server.send(packets_of("s5"))
+        self.expect_whole(script)
+
+    def test_a_server_that_never_comes_further_is_given_up(self):
+        opened = []
+
+        def script(server):
+            while server.control.socket.poll(1500):  # silence of 0.4 s follows each time
+                if server.answer_next(f"s{len(opened)}", epoch=len(opened)) is not None:
+                    opened.append(True)
+        with self.assertRaisesRegex(saccade.StreamFault, "the connection to the server is lost"):
+            self.receive(script, saccade.RetryPolicy(retry_time_s=1, silence_s=0.4))
+        self.assertGreater(len(opened), 1)
+
+    def test_a_server_that_restarts_meanwhile_opens_the_stream_later(self):
+        def script(server):
+            for refused in ("server_info", "open_stream"):
+                request = server.control.receive(control_pb2.Request)
+                if refused == "open_stream":
+                    server.answer(request, server_info=control_pb2.ServerDescription())
+                    request = server.control.receive(control_pb2.Request)
+                self.assertEqual(request.WhichOneof("call"), refused)
+                status = control_pb2.Status(code=control_pb2.CODE_UNAVAILABLE, message="the server is stopping")
+                reply = control_pb2.Reply(request_id=request.request_id, status=status)
+                server.control.send(reply.SerializeToString())
+            server.open("s1")
+            server.attached()
+            server.send(packets_of("s1"))
+        self.expect_whole(script)
+
+    def test_a_scene_that_cannot_be_opened_is_not_waited_for(self):
+        def script(server):
+            server.answer(server.control.receive(control_pb2.Request), server_info=control_pb2.ServerDescription())
+            request = server.control.receive(control_pb2.Request)
+            status = control_pb2.Status(code=control_pb2.CODE_UNAVAILABLE, message="is damaged", field="scene")
+            server.control.send(control_pb2.Reply(request_id=request.request_id, status=status).SerializeToString())
+        with self.assertRaisesRegex(saccade.Unavailable, "scene: is damaged"):
+            self.receive(script)
+
+    def test_replies_that_cannot_be_are_told(self):
+        view = control_pb2.View(width=346, height=260)
+        lies = {
+            "without stream_id": lambda o: o.ClearField("stream_id"),
+            "0 sensors instead of 1": lambda o: o.resolved.ClearField("sensors"),
+            "100001 sensors": lambda o: o.resolved.sensors.extend([control_pb2.Sensor()] * 100000),
+            "1 truth instead of 0": lambda o: o.resolved.truth.add(name="depth"),
+            "1 further_views": lambda o: o.resolved.further_views.append(view),
+            "a channel of view 7 of 1": lambda o: setattr(o.resolved.sensors[0], "view", 7),
+            "a view of 346x261": lambda o: setattr(o.resolved.view, "height", 261),
+            "frame_rate_hz is nan": lambda o: setattr(o.resolved.timing, "frame_rate_hz", float("nan")),
+            "frame_rate_hz is 0": lambda o: setattr(o.resolved.timing, "frame_rate_hz", 0),
+            "duration_s is inf": lambda o: setattr(o.resolved.timing, "duration_s", float("inf")),
+            "delivery 99": lambda o: setattr(o.resolved, "delivery", 99),
+            "delivery 0": lambda o: setattr(o.resolved, "delivery", 0),
+        }
+        for text, lie in lies.items():
+            with self.subTest(text), self.assertRaisesRegex(saccade.StreamFault, text):
+                self.receive(lambda server, lie=lie: server.open("s1", lie=lie))
+
+    def test_an_endpoint_that_is_none_is_told(self):
+        def script(server):
+            server.data.endpoint = ""
+            server.open("s1")
+        with self.assertRaisesRegex(saccade.StreamFault, "announces an endpoint for packets that is none"):
+            self.receive(script)
+
+    def test_texts_of_a_server_command_no_terminal(self):
+        def script(server):
+            for stream in ("s1", "s2", "s3"):
+                server.open(stream)
+                if stream != "s3":
+                    server.attached()
+                    send_error(server, "gone\x1b[2J\n", stream)
+        with self.assertLogs("saccade") as logged, self.assertRaises(saccade.StreamFault) as caught:
+            self.receive(script)
+        self.assertEqual(str(caught.exception), "gone\\u001b[2J\\n")
+        self.assertFalse(any(ord(letter) < 32 for line in logged.output for letter in line))
+
+    def test_what_is_sent_without_credit_is_a_fault(self):
+        n, sent = 32768, []
+        payload = payload_of([0] * n, [0] * n, [0] * n, [0] * n)
+
+        class Flood:
+            async def receive_waiting(self):
+                header, body = packet("s1", len(sent), n * len(sent), 0, MS, payload)
+                sent.append(len(body) + header.ByteSize())
+                return [header.SerializeToString(), body]
+
+            async def receive(self, timeout_s):
+                return await self.receive_waiting()
+
+        with self.assertRaisesRegex(saccade.PacketFault, "more than it has credit for"):
+            run(Connection(Flood()).receive(1))
+        self.assertLess(sum(sent[:-2]), CREDIT)  # the last but one may overdraw it
+        self.assertGreaterEqual(sum(sent[:-1]), CREDIT)
+
+    def test_heartbeats_without_end_take_no_memory(self):
+        beats = [packet("s1", 0, 0, 0, t, kind=events_pb2.KIND_HEARTBEAT) for t in range(3000)]
+
+        class Beats:
+            async def receive_waiting(self):
+                return [beats[0][0].SerializeToString(), beats.pop(0)[1]] if beats else None
+
+            async def receive(self, timeout_s):
+                return await self.receive_waiting()
+
+        connection = Connection(Beats())
+        received = []
+        while (beat := run(connection.receive(0))) is not None:
+            received.append(beat.header.t1_ns)
+        self.assertEqual(received, [1024, 2049, 2999])
 
     def test_the_form_for_asyncio_is_the_same(self):
         def script(server):

@@ -28,7 +28,7 @@ def connect(address: str | None = None, *, secret_key: Key | None = None, server
     address: by default $SACCADE_SERVER, or else tcp://127.0.0.1:5770.
     secret_key, server_key: for a server with keys. Files of your secret key and of the server's public key, as
         `saccade keygen` writes them, or the keys as bytes. By default $SACCADE_CLIENT_KEY and $SACCADE_SERVER_KEY.
-    retry: how long streams try to go on after a loss.
+    retry: how long streams wait for a server that is not up yet, and try to go on after a loss.
     Raises ValueError for a malformed address or key, and OSError for a key file that cannot be read.
     """
     return Client(address, secret_key, server_key, retry)
@@ -37,7 +37,8 @@ def connect(address: str | None = None, *, secret_key: Key | None = None, server
 class Client:
     """Asks a server and opens streams. Made by saccade.connect(); a context manager that closes the connection.
 
-    Its calls raise saccade.NoAnswer where no server answers within 3 s, and saccade.Refused.
+    Its calls raise saccade.NoAnswer where no server answers within 3 s, and saccade.Refused. open() waits for a server
+    as `retry` says.
     """
 
     def __init__(self, address: str | None, secret_key: Key | None, server_key: Key | None, retry: RetryPolicy) -> None:

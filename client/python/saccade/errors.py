@@ -4,11 +4,15 @@ Each can be made of its text alone. Libraries that carry exceptions from process
 """
 from __future__ import annotations
 
+from saccade.printable import printable
 from saccade.v1 import control_pb2
 
 
 class SaccadeError(Exception):
-    """Base of all exceptions of this package."""
+    """Base of all exceptions of this package. Their texts have no control characters."""
+
+    def __init__(self, text: str = "") -> None:
+        super().__init__(printable(text))
 
 
 class NoAnswer(SaccadeError, TimeoutError):
@@ -22,7 +26,7 @@ class NoAnswer(SaccadeError, TimeoutError):
 class Refused(SaccadeError):
     """The server refused a request.
 
-    code: name of the status in control.proto, such as "CODE_NOT_FOUND".
+    code: name of the status in control.proto, such as "CODE_NOT_FOUND"; "CODE_99" of one that is not there.
     field: path of the faulty field, such as "sensors[1].threshold"; empty if no field is at fault.
     message: the fault, and the values that are valid.
     limit: name of the exceeded limit of the server; empty if none.
@@ -72,11 +76,18 @@ _BY_CODE = {
 
 def refusal(status: control_pb2.Status) -> Refused:
     """The exception for the status of a refused request."""
-    text = f"{status.field}: {status.message}" if status.field else status.message
+    text = status.message or f"refused with status {status.code}, without a reason"
+    if status.field:
+        text = f"{status.field}: {text}"
     hint = f" (try again in {status.retry_after_s:g} s)" if status.retry_after_s > 0 else ""
-    return _BY_CODE.get(status.code, Refused)(text + hint, code=control_pb2.Code.Name(status.code), field=status.field,
+    return _BY_CODE.get(status.code, Refused)(text + hint, code=_name_of(status.code), field=status.field,
                                               message=status.message, limit=status.limit,
                                               retry_after_s=status.retry_after_s)
+
+
+def _name_of(code: int) -> str:
+    names: dict[int, str] = {number: name for name, number in control_pb2.Code.items()}
+    return names.get(code, f"CODE_{code}")
 
 
 class StreamFault(SaccadeError):

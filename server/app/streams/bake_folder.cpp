@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "feed/bake_file.h"
+
 namespace saccade {
 namespace {
 
@@ -18,9 +20,8 @@ struct File {
 std::vector<File> bakesIn(const fs::path& folder) {
   std::vector<File> files;
   std::error_code fault;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, fault)) {
-    if (entry.path().extension() != ".bake") continue;
-    const File file{entry.path(), entry.file_size(fault), entry.last_write_time(fault)};
+  for (const std::string& name : bakeFiles(folder)) {
+    const File file{name, fs::file_size(name, fault), fs::last_write_time(name, fault)};
     if (!fault) files.push_back(file);
   }
   return files;
@@ -30,11 +31,11 @@ std::vector<File> bakesIn(const fs::path& folder) {
 
 void makeRoomForBake(const std::string& path, std::uint64_t most, std::uint64_t needed) {
   std::error_code fault;
+  std::vector<File> files = bakesIn(fs::path(path).parent_path());
   if (fs::exists(path, fault)) {
     fs::last_write_time(path, fs::file_time_type::clock::now(), fault);
     return;
   }
-  std::vector<File> files = bakesIn(fs::path(path).parent_path());
   std::sort(files.begin(), files.end(), [](const File& a, const File& b) { return a.used > b.used; });
   std::uintmax_t left = most > needed ? most - needed : 0;
   for (const File& file : files) {

@@ -1,5 +1,7 @@
 #include "eval/bench/kept_bake.h"
 
+#include <cstdio>
+
 #include "eval/bench/interrupt.h"
 #include "eval/bench/progress.h"
 
@@ -9,11 +11,13 @@ Bake keptBake(std::shared_ptr<const RenderScene> scene, const BakePlan& plan, co
               const std::string& what, TilePool& pool) {
   Progress progress("bake of " + what, 1);
   double done = 0;
-  return bake(std::move(scene), plan, folder, pool, [&](const Baker& baker) {
+  const auto after_pass = [&](const Baker& baker) {
     progress.add(baker.share() - done);
     done = baker.share();
     if (interrupted()) throw Interrupted{};
-  });
+  };
+  const auto warn = [](const std::string& fault) { std::fprintf(stderr, "%s\n", fault.c_str()); };
+  return bake(std::move(scene), plan, folder, pool, after_pass, warn);
 }
 
 }  // namespace saccade::eval

@@ -11,6 +11,8 @@
 namespace saccade::eval {
 namespace {
 
+constexpr int kHeaderLines = 2;  // settings and names
+
 std::string header() {
   std::string names = "scene,method,spp,cpu_ms,trace_ms,px_per_frame,reference_error";
   for (const ScoreColumn& column : kScoreColumns) names += std::string(",") + column.name;
@@ -41,16 +43,20 @@ Score seedError(const std::vector<Truth>& truth, const std::vector<BenchRun>& ru
   return error;
 }
 
+bool hasRows(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  int lines = 0;
+  while (lines <= kHeaderLines && std::getline(file, line)) ++lines;
+  return lines > kHeaderLines;
+}
+
 }  // namespace
 
 ResultTable::ResultTable(std::string path, std::string settings)
     : path_(std::move(path)), settings_("# " + std::move(settings)) {
   std::filesystem::create_directories(std::filesystem::path(path_).parent_path());
-  if (std::filesystem::exists(path_)) {
-    read();
-    return;
-  }
-  std::ofstream(path_) << settings_ << '\n' << header() << '\n';
+  if (hasRows(path_)) read();
 }
 
 void ResultTable::read() {
@@ -96,7 +102,9 @@ void ResultTable::add(const Result& result) {
   std::ostringstream line;
   line << r.scene << ',' << r.method << ',' << r.spp;
   for (const double* value : numbers(r)) line << ',' << *value;
-  std::ofstream file(path_, std::ios::app);
+  const bool begins = rows_.size() == 1;
+  std::ofstream file(path_, begins ? std::ios::trunc : std::ios::app);
+  if (begins) file << settings_ << '\n' << header() << '\n';
   file << line.str() << '\n';
   if (!file.flush()) throw std::runtime_error("cannot write " + path_);
 }

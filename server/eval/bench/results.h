@@ -1,5 +1,5 @@
 // The table behind a chart or a figure: one row for each scene, method and spp. A row of the file is not
-// measured again.
+// measured again. The file is there once it has a row.
 #pragma once
 
 #include <string>

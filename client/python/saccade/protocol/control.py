@@ -7,7 +7,8 @@ import time
 import zmq
 from google.protobuf.message import DecodeError
 
-from saccade.errors import NoAnswer, SaccadeError, refusal
+from saccade.errors import NoAnswer, SaccadeError, Unavailable, refusal
+from saccade.printable import printable
 from saccade.protocol.network import Network
 from saccade.protocol.sockets import Keys
 from saccade.v1 import control_pb2
@@ -16,6 +17,7 @@ PROTOCOL_VERSION = 1
 DEADLINE_S = 3.0  # for calls that need no rendering or loading
 WATCH_S = 2.0  # between two questions how far a call is
 PARTING_S = 0.2  # to deliver a last message when the socket closes
+MOST_UNKNOWN = 3  # lists without a call, whose reply comes after it has left the list
 UNREAD = 0  # request_id of a reply to an unreadable request; ours count from 1
 log = logging.getLogger("saccade")
 
@@ -31,14 +33,16 @@ class Control:
 
     async def call(self, request: control_pb2.Request, deadline_s: float = DEADLINE_S,
                    watch: bool = False) -> control_pb2.Reply:
-        """Raises NoAnswer, Refused, or SaccadeError for a reply that cannot be read.
+        """Raises NoAnswer, Refused, or SaccadeError for a reply that cannot be read or has no result.
 
-        watch: logs what the server does while it opens a stream.
+        watch: logs what the server does while it opens a stream, and raises Unavailable where it knows of none.
         """
         request_id = await self.tell(request)
         reply = await self._await(request_id, deadline_s, watch)
         if reply.status.code != control_pb2.CODE_OK:
             raise refusal(reply.status)
+        if reply.WhichOneof("result") != request.WhichOneof("call"):
+            raise SaccadeError(f"the server at {self.endpoint} sent a reply without the result of the call")
         return reply
 
     async def tell(self, request: control_pb2.Request) -> int:
@@ -50,6 +54,7 @@ class Control:
 
     async def _await(self, request_id: int, deadline_s: float, watch: bool) -> control_pb2.Reply:
         until = time.monotonic() + deadline_s
+        unknown = 0  # lists in a row that do not have the call
         while (left := until - time.monotonic()) > 0:
             parts = await self._channel.receive(min(left, WATCH_S) if watch else left)
             if parts is None:
@@ -59,10 +64,13 @@ class Control:
             reply = self._parse(parts)
             if reply.request_id in (request_id, UNREAD):  # others are late replies to earlier requests
                 return reply
-            for opening in reply.list_streams.opening:
-                if opening.request_id == request_id:
-                    done = f": {100 * opening.done:.0f} %" if opening.done > 0 else ""
-                    log.warning("opening %s: %s%s", opening.scene, opening.doing, done)
+            if watch and reply.HasField("list_streams"):
+                known = [opening for opening in reply.list_streams.opening if opening.request_id == request_id]
+                for opening in known:
+                    _log_opening(opening)
+                unknown = 0 if known else unknown + 1
+            if unknown == MOST_UNKNOWN:
+                raise Unavailable("the server has restarted and no longer knows the request")
         raise NoAnswer(f"no saccaded answers at {self.endpoint}: is it running, is this its control port, "
                        "and does it want keys?", self.endpoint)
 
@@ -77,3 +85,8 @@ class Control:
 
     def close(self) -> None:
         self._channel.close(PARTING_S)
+
+
+def _log_opening(opening: control_pb2.OpeningInfo) -> None:
+    done = f": {100 * opening.done:.0f} %" if opening.done > 0 else ""
+    log.warning("opening %s: %s%s", printable(opening.scene), printable(opening.doing), done)

@@ -3,8 +3,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from saccade.errors import StreamFault
 from saccade.protocol.connection import BroadcastConnection, Connection
 from saccade.protocol.control import DEADLINE_S, Control
+from saccade.protocol.opened_check import check_opened
 from saccade.protocol.sockets import reachable_endpoint
 from saccade.protocol.steering import make_change, make_describe, make_push, make_steer
 from saccade.v1 import control_pb2, recording_pb2
@@ -21,7 +23,7 @@ class StreamHandle:
 
     @classmethod
     async def open(cls, control: Control, request: control_pb2.OpenStream) -> StreamHandle:
-        """Raises NoAnswer or Refused."""
+        """Raises NoAnswer, Refused, or StreamFault for a reply that cannot be."""
         handle = cls(control)
         await handle._open(request, OPEN_DEADLINE_S)
         return handle
@@ -60,16 +62,20 @@ class StreamHandle:
         if self.opened.stream_id:
             await self._tell_close()
         reply = await self.control.call(control_pb2.Request(open_stream=request), deadline_s, watch=True)
+        check_opened(reply.open_stream, request)
         self.opened = reply.open_stream
 
     async def connect(self, from_seqs: Sequence[int]) -> Connection | BroadcastConnection:
-        """Connects to the stream as its delivery demands."""
-        network, endpoint, keys = self.control.network, self.control.endpoint, self.control.keys
-        if self.broadcast:
-            address = reachable_endpoint(self._server.broadcast_endpoint, endpoint)
-            return BroadcastConnection(network, address, keys, self.opened.topics)
-        address = reachable_endpoint(self._server.data_endpoint, endpoint)
-        return await Connection.attach(network, address, keys, self.opened, from_seqs)
+        """Connects to the stream as its delivery demands. Raises StreamFault if the server announces no endpoint."""
+        network, keys = self.control.network, self.control.keys
+        announced = self._server.broadcast_endpoint if self.broadcast else self._server.data_endpoint
+        address = reachable_endpoint(announced, self.control.endpoint)
+        try:
+            if self.broadcast:
+                return BroadcastConnection(network, address, keys, self.opened.topics)
+            return await Connection.attach(network, address, keys, self.opened, from_seqs)
+        except ValueError as fault:
+            raise StreamFault(f"the server announces an endpoint for packets that is none: {fault}") from fault
 
     async def info(self) -> control_pb2.StreamInfo | None:
         """None if the server no longer has the stream."""

@@ -23,6 +23,9 @@ class Channel(Protocol):
     async def receive(self, timeout_s: float) -> list[bytes] | None:
         """The parts of the next message; None after the timeout."""
 
+    async def receive_waiting(self) -> list[bytes] | None:
+        """The parts of the next message; None if none waits."""
+
     def close(self, linger_s: float = 0) -> None:
         """Closes the socket. Messages that were just sent have `linger_s` seconds to leave."""
 
@@ -57,6 +60,12 @@ class BlockingChannel:
         # Copied into bytes: numpy then finds the columns aligned, which they are not within a message of ZeroMQ.
         return self._socket.recv_multipart() if self._socket.poll(_milliseconds(timeout_s)) else None
 
+    async def receive_waiting(self) -> list[bytes] | None:
+        try:
+            return self._socket.recv_multipart(zmq.NOBLOCK)
+        except zmq.Again:
+            return None
+
     def close(self, linger_s: float = 0) -> None:
         self._socket.close(linger=_milliseconds(linger_s))
 
@@ -81,6 +90,12 @@ class AsyncChannel:
         _require_open(self._socket)
         ready = await self._socket.poll(_milliseconds(timeout_s))
         return await self._socket.recv_multipart() if ready else None
+
+    async def receive_waiting(self) -> list[bytes] | None:
+        try:
+            return await self._socket.recv_multipart(zmq.NOBLOCK)
+        except zmq.Again:
+            return None
 
     def close(self, linger_s: float = 0) -> None:
         self._socket.close(linger=_milliseconds(linger_s))

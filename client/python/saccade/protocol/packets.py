@@ -25,12 +25,21 @@ class Packet:
     content: Events | Snapshot | Samples | None = None
 
 
-def read_packet(head: bytes, payload: bytes) -> Packet:
-    """Raises PacketFault for a packet that must not be used. The payload of KIND_ERROR is a text, and no content."""
+def read_header(head: bytes) -> pb.PacketHeader:
     try:
-        header = pb.PacketHeader.FromString(head)
+        header: pb.PacketHeader = pb.PacketHeader.FromString(head)
     except DecodeError as fault:
         raise PacketFault("the header cannot be read") from fault
+    return header
+
+
+def read_packet(head: bytes, payload: bytes) -> Packet:
+    """Raises PacketFault for a packet that must not be used."""
+    return decode_packet(read_header(head), payload)
+
+
+def decode_packet(header: pb.PacketHeader, payload: bytes) -> Packet:
+    """Raises PacketFault for a packet that must not be used. The payload of KIND_ERROR is a text, and no content."""
     _check_kind(header, len(payload))
     if zlib.crc32(payload) != header.crc32:
         raise PacketFault("crc32 does not match the payload")

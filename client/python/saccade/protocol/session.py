@@ -1,19 +1,23 @@
 """Asks a server, and opens streams, as coroutines: what the blocking and the asyncio form of the client share."""
 from __future__ import annotations
 
+import logging
 import os
+import time
 
+from saccade.errors import SaccadeError
 from saccade.protocol.control import Control
 from saccade.protocol.handle import StreamHandle
 from saccade.protocol.network import Network
 from saccade.protocol.request import make_request
-from saccade.protocol.retry import RetryPolicy
+from saccade.protocol.retry import RetryPolicy, is_absence, retry
 from saccade.protocol.sockets import Key, read_keys
 from saccade.protocol.subscription import Subscription
 from saccade.settings import Settings
 from saccade.v1 import control_pb2
 
 ADDRESS = "tcp://127.0.0.1:5770"
+log = logging.getLogger("saccade")
 
 
 def make_control(network: Network, address: str | None, secret_key: Key | None, server_key: Key | None) -> Control:
@@ -34,13 +38,26 @@ async def info(control: Control) -> control_pb2.ServerDescription:
 
 async def open_subscription(control: Control, settings: Settings | control_pb2.OpenStream,
                             policy: RetryPolicy) -> Subscription:
-    """Each stream has a control socket of its own: it may reconnect while another call waits for its reply."""
+    """Each stream has a control socket of its own: it may reconnect while another call waits for its reply.
+
+    Waits for a server that is not up yet, or restarts, as the policy says.
+    """
     request = settings if isinstance(settings, control_pb2.OpenStream) else make_request(settings)
     own = Control(control.network, control.endpoint, control.keys)
     try:
-        subscription = Subscription(await StreamHandle.open(own, request), policy)
+        subscription = Subscription(await _open(own, request, policy.retry_time_s), policy)
         await subscription.connect()
     except BaseException:
         own.close()
         raise
     return subscription
+
+
+async def _open(control: Control, request: control_pb2.OpenStream, retry_time_s: float) -> StreamHandle:
+    async def attempt(deadline_s: float) -> StreamHandle:
+        return await StreamHandle.open(control, request)
+
+    def tell(fault: SaccadeError) -> None:
+        log.warning("%s; trying again for %g s in all", fault, retry_time_s)
+
+    return await retry(control.network, attempt, time.monotonic() + retry_time_s, is_absence, tell)

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, TypeVar, Union
 import zmq
 
 MOST_WAITING = 20_000  # packets
+MOST_MESSAGE = 129 << 20  # bytes; the largest picture of truth has 128 MiB
 Key = Union[str, "os.PathLike[str]", bytes]
 S = TypeVar("S", bound="zmq.Socket[Any]")
 
@@ -49,6 +50,7 @@ def configure(socket: S, endpoint: str, keys: Keys | None, topics: tuple[str, ..
     """Sets the options of a DEALER or SUB socket, and connects it. It sends heartbeats to detect a lost peer."""
     socket.setsockopt(zmq.LINGER, 0)
     socket.setsockopt(zmq.IPV6, "[" in endpoint)  # else a name is looked up as IPv6 alone
+    socket.setsockopt(zmq.MAXMSGSIZE, MOST_MESSAGE)
     # Credit bounds the queue of a DEALER. Heartbeats cut off a SUB with a full queue, and libzmq 4.3 may then end the
     # program (its issue 3937). So the queue of a SUB holds most of a minute.
     socket.setsockopt(zmq.RCVHWM, MOST_WAITING if topics else 0)

@@ -13,11 +13,12 @@ from dataclasses import replace
 
 from saccade.errors import NoAnswer, StreamFault, StreamRefused
 from saccade.events import Events
+from saccade.printable import printable
 from saccade.protocol.columns import NS_PER_US
 from saccade.protocol.connection import BroadcastConnection, Connection
 from saccade.protocol.handle import StreamHandle
 from saccade.protocol.packets import Packet
-from saccade.protocol.retry import RetryPolicy, retry
+from saccade.protocol.retry import RetryPolicy, is_shortage, retry
 from saccade.protocol.samples import Samples
 from saccade.protocol.sequence import FreshPart, SequenceCheck
 from saccade.v1 import control_pb2, events_pb2
@@ -35,6 +36,7 @@ class Subscription:
         self._heard = False  # whether this connection has delivered anything
         self._last_heard = 0.0  # at first: when the connection was made
         self._lost_since: float | None = None  # set while the connection is lost
+        self._lost_for = 0.0  # before, since new data has arrived
         self._failure = ""  # why the stream was opened again; empty once new data arrives
 
     async def connect(self) -> None:
@@ -76,7 +78,8 @@ class Subscription:
             await self._start_again(str(refused))
 
     async def _take(self, packet: Packet) -> Packet | None:
-        self._heard, self._last_heard, self._lost_since = True, time.monotonic(), None
+        self._found()
+        self._heard, self._last_heard = True, time.monotonic()
         if packet.header.kind == events_pb2.KIND_END and self._ends_early(packet.header):
             await self._start_again(end_text(packet.header))
             return None
@@ -85,7 +88,7 @@ class Subscription:
             return None
         if self.handle.lossless and self.sequence.losses.gaps > 0:
             raise StreamFault("packets of a LOSSLESS stream are missing")
-        self._failure = ""
+        self._failure, self._lost_for = "", 0.0
         return _cut_off(fresh, packet)
 
     def _ends_early(self, header: events_pb2.PacketHeader) -> bool:
@@ -117,33 +120,43 @@ class Subscription:
         await self.connect()
 
     async def _start_again(self, failure: str) -> None:
-        repeated = failure == self._failure  # nothing new has arrived since the last one
         if self.handle.own_frames:
             raise StreamFault(f"{failure}; a stream that its client steers or pushes is not opened again")
-        if not self._may_start_again() or repeated:
+        if not self._may_start_again():
             raise StreamFault(failure)
+        epoch = self.handle.opened.epoch
 
         async def reopen(deadline_s: float) -> None:
             await self.handle.reopen(self.sequence.events(), deadline_s)
 
         await self._retry_after(failure, reopen)
+        if failure == self._failure and self.handle.opened.epoch == epoch:
+            raise StreamFault(failure)  # nothing new has arrived since the last one, and no restart explains this one
         log.warning("the stream was opened again; the server renders up to the last event again")
-        self._failure, self._lost_since = failure, None
+        self._failure = failure
+        self._found()
         self.sequence.restart()
         await self.connect()
 
     async def _retry_after(self, loss: str, attempt: Callable[[float], Awaitable[None]]) -> None:
         until = self._give_up_at(loss)
         try:
-            await retry(self.handle.control.network, attempt, until)
+            await retry(self.handle.control.network, attempt, until, is_shortage)
         except NoAnswer as silence:
             raise StreamFault(f"{loss}, and {silence}") from silence
 
     def _give_up_at(self, loss: str) -> float:
+        """When the retry time ends. It runs while the server is lost, and begins anew with new data."""
         if self._lost_since is None:
             self._lost_since = time.monotonic()
-            log.warning("%s; trying again for %g s", loss, self._policy.retry_time_s)
-        return self._lost_since + self._policy.retry_time_s
+            log.warning("%s; trying again for %g s", printable(loss), self._policy.retry_time_s)
+        return self._lost_since + self._policy.retry_time_s - self._lost_for
+
+    def _found(self) -> None:
+        """Call it after a loss. The silence before it counts, too."""
+        if self._lost_since is not None:
+            self._lost_for += time.monotonic() - min(self._lost_since, self._last_heard)
+        self._lost_since = None
 
 
 def end_text(end: events_pb2.PacketHeader) -> str:
