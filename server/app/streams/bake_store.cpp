@@ -58,7 +58,7 @@ std::shared_ptr<const Bake> BakeStore::make(const std::shared_ptr<const RenderSc
   try {
     return std::make_shared<const Bake>(bake(
         scene, plan, folder_, pool, [&](const Baker& baker) { progress(baker.share()); },
-        [](const std::string& fault) { spdlog::warn("bake: {}", fault); }));
+        [this](const std::string& fault) { log_.write(spdlog::level::warn, "bake: " + fault); }));
   } catch (const std::runtime_error& fault) {  // the operator's to repair
     log_.write(spdlog::level::err, std::string("bake: ") + fault.what());
     throw Refusal(v1::CODE_UNAVAILABLE, kField, "the server cannot keep the light that it computes");
