@@ -50,7 +50,7 @@ TEST_F(OutputOptionsTest, AFormatFitsItsExtensionAlone) {
       const bool fits = std::string(format->extension) == other->extension;
       EXPECT_EQ(fault.empty(), fits) << fault;
       if (fits) continue;
-      for (const std::string word : {std::string(format->name), path, std::string(other->name)})
+      for (const std::string& word : {std::string(format->name), path, std::string(other->name)})
         EXPECT_NE(fault.find(word), std::string::npos) << word << " is not in: " << fault;
     }
   }

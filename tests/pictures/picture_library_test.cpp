@@ -42,7 +42,8 @@ class PictureLibrary : public testing::Test {
 TEST_F(PictureLibrary, WhatIsWrittenIsRead) {
   const std::vector<float> numbers{0.5f, -2, 1e6f, 0, 3, 7};
   const std::string path = folder_.at("a.exr");
-  library().write(path, {3, 1, {"near", "wide"}, Number::kF32, -1, {{"spp", 64}}}, numbers.data());
+  const Shape shape{.width = 3, .height = 1, .channels = {"near", "wide"}, .notes = {{"spp", 64}}};
+  library().write(path, shape, numbers.data());
   const auto file = library().open(path);
   EXPECT_EQ(file->shape().width, 3);
   EXPECT_EQ(file->shape().height, 1);
