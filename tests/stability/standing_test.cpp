@@ -55,7 +55,8 @@ TEST_P(StandingMaterial, NorDoesTheDefaultOverWholePixelsOrWithABake) {
   expectNoGhosts(jittered, "irradiance_cache", pool_);
   Standing baked = standing(scene_);
   const BakePlan plan = planBake(*scene_, baked.path, baked.config, 6, 0.2);
-  baked.config.baked = bake(scene_, plan, files_.path("bakes"), pool_, [](const Baker&) {}).light;
+  const auto ignored = [](const auto&) {};
+  baked.config.baked = bake(scene_, plan, files_.path("bakes"), pool_, ignored, ignored).light;
   expectNoGhosts(baked, "irradiance_cache", pool_);
 }
 
