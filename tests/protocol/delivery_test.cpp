@@ -123,7 +123,9 @@ TEST(Delivery, LiveDropsTruthAsItDropsEvents) {
       dropped += packet.header.dropped_before();
     }
     EXPECT_GT(packets.front().header.seq(), 0u) << channel;
-    if (channel > 0) EXPECT_EQ(packets.back().header.first_event_index(), channel == 3 ? 60u : 61u);
+    if (channel > 0) {
+      EXPECT_EQ(packets.back().header.first_event_index(), channel == 3 ? 60u : 61u);
+    }
     bytes += totalBytes(packets);
     largest_frame += largestFrameBytes(packets);
   }

@@ -38,7 +38,7 @@ class ViewerStreamTest : public testing::Test {
     const std::string text = header.SerializeAsString();
     router_.send(zmq::buffer(name_), zmq::send_flags::sndmore);
     router_.send(zmq::buffer(text), zmq::send_flags::sndmore);
-    router_.send(zmq::message_t(payload_bytes));
+    router_.send(zmq::message_t(payload_bytes), zmq::send_flags::none);
     zmq::pollitem_t items[] = {{stream_->handle(), 0, ZMQ_POLLIN, 0}};
     zmq::poll(items, 1, kPatience);
     const std::size_t before = page_.queuedBytes();
