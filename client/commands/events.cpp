@@ -1,10 +1,10 @@
 // saccade events: makes events of the frames of somebody else's video.
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <stdexcept>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 #include "client/commands/option_range.h"
 #include "client/commands/recording_options.h"
 #include "client/commands/request_text.h"
@@ -33,11 +33,10 @@ std::optional<Transfer> transferOf(const std::string& name) {
 void warnOfFallingNumbers(const std::vector<std::string>& frames) {
   const auto falls = std::adjacent_find(frames.begin(), frames.end(), numberFalls);
   if (falls == frames.end()) return;
-  std::fprintf(
-      stderr,
-      "saccade: warning: '%s' comes before '%s', and frames are taken as they are given; a folder's are in "
-      "the order of their numbers\n",
-      falls->c_str(), std::next(falls)->c_str());
+  print(stderr,
+        "saccade: warning: '%s' comes before '%s', and frames are taken as they are given; a folder's are in "
+        "the order of their numbers\n",
+        falls->c_str(), std::next(falls)->c_str());
 }
 
 std::unique_ptr<FrameSource> openFrames(const EventsOptions& options) {

@@ -69,10 +69,8 @@ void addStreamOptions(CLI::App& command, RequestOptions& o) {
 void addQualityOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Rendering");
   command.add_option("--method", o.method, "how the change is estimated, see `saccade info`");
-  CLI::Option* spp =
-      command.add_option("--spp", o.spp, "paths per pixel and frame")->check(checkWhole<std::uint32_t>);
-  CLI::Option* bounces =
-      command.add_option("--bounces", o.bounces, "indirect bounces")->check(checkWhole<std::uint32_t>);
+  CLI::Option* spp = command.add_option("--spp", o.spp, "paths per pixel and frame");
+  CLI::Option* bounces = command.add_option("--bounces", o.bounces, "indirect bounces");
   CLI::Option* disable =
       command
           .add_option(

@@ -1,7 +1,7 @@
-#include <cstdio>
 #include <stdexcept>
 
 #include "client/commands/commands.h"
+#include "client/commands/console.h"
 #include "client/server_probe.h"
 #include "wire/curve_key.h"
 
@@ -41,7 +41,7 @@ ControlClient connectTo(zmq::context_t& context, const ServerOptions& options) {
     keys = {named("--secret-key", [&] { return readSecretKey(options.secret_key); }),
             named("--server-key", [&] { return readPublicKey(options.server_key); })};
     const std::string warning = warningOfOpenKey(options.secret_key);
-    if (!warning.empty()) std::fprintf(stderr, "saccade: %s\n", warning.c_str());
+    if (!warning.empty()) print(stderr, "saccade: %s\n", warning.c_str());
   }
   return ControlClient(context, options.control, keys);
 }

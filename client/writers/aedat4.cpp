@@ -41,6 +41,7 @@ class Aedat4Writer : public Writer {
 
   void write(const Events& events, std::int64_t until_ns) override;
   void finish() override;
+  std::uint64_t kept(std::uint64_t) const override { return kept_; }
 
  private:
   void appendPackets(std::int64_t until_ns);
@@ -50,7 +51,8 @@ class Aedat4Writer : public Writer {
   IoHeader header_;
   PacketEncoder encoder_{kCompression};
   PacketTable table_;
-  Events due_;  // not in a packet yet
+  Events due_;              // not in a packet yet
+  std::uint64_t kept_ = 0;  // events in packets
 };
 
 void Aedat4Writer::write(const Events& events, std::int64_t until_ns) {
@@ -84,6 +86,7 @@ void Aedat4Writer::appendPackets(std::int64_t until_ns) {
   }
   file_.append(bytes);
   for (const PacketTable::Entry& entry : entries) table_.add(entry);
+  kept_ += due_.size() - rest.size();
   due_.erase(due_.begin(), due_.end() - static_cast<std::ptrdiff_t>(rest.size()));
 }
 

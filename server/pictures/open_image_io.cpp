@@ -112,7 +112,7 @@ class OpenImageIo final : public Library {
   bool canRead(const std::string& path) const override {
     const auto input = ImageInput::create(path);
     if (!input) OIIO::geterror();  // clears it
-    return input && std::string_view(input->format_name()) != "ffmpeg";
+    return input && std::string_view(input->format_name()) != "FFmpeg movie";
   }
 
   std::unique_ptr<Input> open(const std::string& path) const override { return std::make_unique<File>(path); }

@@ -63,7 +63,7 @@ TEST(CommandAndBudget, TellsTheChoiceAndTheExpectedQuality) {
   EXPECT_TRUE(holds(chosen, table.settings())) << chosen.output;
   const Result refused = run(record + "--max-false-rate 0.001 --force");
   EXPECT_EQ(refused.code, 2);
-  EXPECT_TRUE(holds(refused, "quality.max_false_rate: the lowest rate here")) << refused.output;
+  EXPECT_TRUE(holds(refused, "--max-false-rate: the lowest rate here")) << refused.output;
 }
 TEST_F(CommandAndServer, TheCalibrationStandsBesideTheRecording) {
   const std::string record =

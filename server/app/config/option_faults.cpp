@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <string_view>
 
 #include "base/instruction_set.h"
 #include "scene/files/search_folders.h"
@@ -24,10 +26,19 @@ fs::path thereOf(fs::path path) {
   return path.empty() ? "." : path;
 }
 
+// Whether the text ends with a port from 0 to 65535, or with * for a free one. ZeroMQ takes the last 16 bits
+// of any number.
+bool hasPort(std::string_view text) {
+  const std::string_view port = text.substr(text.rfind(':') + 1);
+  unsigned number = 0;
+  const auto [end, fault] = std::from_chars(port.begin(), port.end(), number);
+  return port == "*" || (fault == std::errc() && end == port.end() && number <= 65535);
+}
+
 }  // namespace
 
 std::string endpointFault(const std::string& text) {
-  if (text.starts_with("tcp://") || text.starts_with("ipc://")) return {};
+  if (text.starts_with("ipc://") || (text.starts_with("tcp://") && hasPort(text))) return {};
   return inQuotes(text) + " is no endpoint such as tcp://127.0.0.1:5770";
 }
 
