@@ -21,6 +21,7 @@ void limitRequest(CLI::App& command) {
   limitSensors(command);
   limitTo(command, "--turn", ranges::kTurn, "0");
   limitTo(command, "--fov", ranges::kFovX);
+  limitTo(command, "--pose-rate", ranges::kFrameRate);
   limitTo(command, "--rate", ranges::kFrameRate);
   limitTo(command, "--duration", ranges::kDuration);
   limitTo(command, "--retry-time", Range<double>{0, 1e6});

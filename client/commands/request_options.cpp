@@ -29,11 +29,9 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
       .add_option("--trajectory-format", o.pose_format,
                   "kitti or colmap: the file of poses is KITTI's poses/NN.txt or COLMAP's images.txt")
       ->check(CLI::IsMember(poseReaders()));
-  command
-      .add_option(
-          "--pose-rate", o.pose_rate_hz,
-          "poses per second, for --trajectory-format; of COLMAP, by the numbers in the pictures' names")
-      ->check(CLI::PositiveNumber);
+  command.add_option(
+      "--pose-rate", o.pose_rate_hz,
+      "poses per second, for --trajectory-format; of COLMAP, by the numbers in the pictures' names");
   command.add_option("--turn", o.turn_s, "seconds after which KIND:SPEED turns back, 0: never");
   command.add_option("--motion-seed", o.motion_seed, "seed of the random motion of shake:SPEED")
       ->check(checkWhole<std::uint64_t>);

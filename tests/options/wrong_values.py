@@ -25,7 +25,7 @@ TEXTS = {
     "--codec": NAMES, "--method": NAMES, "--disable": NAMES, "--transfer": NAMES, "--size": SIZES,
     "--noise": ["leak_hz", "leak_hz=much", "leak_hz=-1", "leak_hz=nan", "nosuch=1"],
     "--trajectory": ["nosuch", "pan", "pan:fast", "pan:nan", "pan:1e300", "fly:1", "$NONE.csv", "$FILE"],
-    "--further-view": ["1,2", "a,b,c", "nan,0,0", "1,2,3,0,0,0,0"], "--intrinsics": ["1", "a,b,c,d", "nan,1,1,1", "0,1,1,1"],
+    "--trajectory-format": NAMES, "--further-view": ["1,2", "a,b,c", "nan,0,0", "1,2,3,0,0,0,0"], "--intrinsics": ["1", "a,b,c,d", "nan,1,1,1", "0,1,1,1"],
     "--distortion": LENSES, "--set": ["alpha", "alpha=x", "nosuch=1", "max_history=nan"],
     "--max-event-change": ["2", "0%", "x%", "nan%", "-1%", "200%"],
     "--listen": ["nosuch", "127.0.0.1", "127.0.0.1:99999", "127.0.0.1:x"], "frames": ["$NONE", "$FOLDER"],

@@ -43,7 +43,7 @@ TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
   expectAt4(shape("<boolean name='flip_normals' value='true'/>"),
             "<boolean name=\"flip_normals\"> is not supported");
   expectAt4(shape("<boolean name='flipNormals' value='true'/>"),
-            "supported: <emitter>, <transform name=\"to_world\">");
+            "supported: <emitter>, <bsdf>, <transform name=\"to_world\">");
   expectAt4(shape("<bsdf type='diffuse'><texture type='wood' name='reflectance'/></bsdf>"),
             "bitmap, checkerboard");
   expectAt4(shape("<transform name='to_world'><shear/></transform>"), "supported: matrix, translate");

@@ -1,13 +1,13 @@
 """Frames of a video, as Stream.push() takes them."""
 from __future__ import annotations
 
-from typing import Union
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
-Frame = Union[NDArray[np.floating], NDArray[np.uint8], NDArray[np.uint16]]
-WHOLE = (np.dtype(np.uint8), np.dtype(np.uint16))
+Frame = Union[NDArray[np.floating[Any]], NDArray[np.uint8], NDArray[np.uint16]]
+WHITE = {np.dtype(np.uint8): 255, np.dtype(np.uint16): 65535}
 
 
 def luminance(frame: Frame, size: tuple[int, int]) -> NDArray[np.float32]:
@@ -22,10 +22,10 @@ def luminance(frame: Frame, size: tuple[int, int]) -> NDArray[np.float32]:
         raise ValueError(f"a frame of this stream has the shape ({height}, {width}), not {frame.shape}")
     if np.issubdtype(frame.dtype, np.floating):
         return frame.astype("<f4")
-    number = frame.dtype.newbyteorder("=")
-    if number not in WHOLE:
+    white = WHITE.get(frame.dtype.newbyteorder("="))
+    if white is None:
         raise TypeError(f"frames are float (linear), or uint8 or uint16 (sRGB), not {frame.dtype}")
-    return linear_from_srgb(frame.astype("f4") * np.float32(1 / np.iinfo(number).max)).astype("<f4")
+    return linear_from_srgb(np.multiply(frame, np.float32(1 / white), dtype=np.float32)).astype("<f4")
 
 
 def linear_from_srgb(value: NDArray[np.float32]) -> NDArray[np.float32]:

@@ -31,9 +31,10 @@ def read_keys(secret_key: Key | None, server_key: Key | None) -> Keys | None:
         return None
     if secret_key is None or server_key is None:
         raise ValueError("give both secret_key and server_key, or neither")
+    keys = Keys(_read_key(secret_key, ".pub"), _read_key(server_key, ".key"))
     if not isinstance(secret_key, bytes) and os.stat(secret_key).st_mode & stat.S_IROTH:
         warnings.warn(f"every user of this machine can read the secret key {os.fspath(secret_key)}", stacklevel=3)
-    return Keys(_read_key(secret_key, ".pub"), _read_key(server_key, ".key"))
+    return keys
 
 
 def _read_key(key: Key, wrong: str) -> bytes:

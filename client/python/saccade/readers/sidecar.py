@@ -14,9 +14,11 @@ def read_sidecar(path: str | os.PathLike[str]) -> recording_pb2.Recording:
     """What PATH.json says of PATH. Raises FormatError for a file that is no such description, and OSError."""
     file = pathlib.Path(f"{os.fspath(path)}.json")
     try:
-        return Parse(file.read_text(encoding="utf-8"), recording_pb2.Recording())
+        about = recording_pb2.Recording()
+        Parse(file.read_text(encoding="utf-8"), about)
     except (ParseError, UnicodeDecodeError) as fault:
         raise FormatError(f"{file}: {fault}") from fault
+    return about
 
 
 def sidecar_of(path: str | os.PathLike[str]) -> recording_pb2.Recording | None:
