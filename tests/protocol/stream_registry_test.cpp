@@ -113,6 +113,8 @@ TEST_F(StreamRegistryTest, ACopyOfAnEntrySharesItsRequest) {
                                              std::make_shared<ChangeNotifier>(), traffic_);
   streams_.add(stream);
   EXPECT_EQ(streams_.find("1", stream.session->token()).request, stream.request);
+  stream.session->finish();
+  streams_.sweep(later(31));  // it has no feed that the end of the registry could wait for
 }
 
 // Two streams at one feed, and one at another. Each has its own sensors.
