@@ -78,7 +78,9 @@ Peer probe(const Address& address) {
 }  // namespace
 
 void checkEndpoint(const std::string& endpoint) {
-  if (!endpoint.starts_with(kScheme)) return;
+  if (endpoint.starts_with("ipc://") || endpoint.starts_with("inproc://")) return;
+  if (!endpoint.starts_with(kScheme))
+    throw std::invalid_argument("'" + endpoint + "' is not an endpoint such as tcp://127.0.0.1:5770");
   const Address address = splitEndpoint(endpoint);
   if (!isPort(address.port))
     throw std::invalid_argument("'" + endpoint +

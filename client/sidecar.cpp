@@ -31,12 +31,15 @@ void writeSidecar(const std::string& file, const v1::Recording& recording) {
 }
 
 v1::Recording readSidecar(const std::string& file) {
+  if (std::filesystem::is_directory(file))
+    throw std::system_error(EISDIR, std::generic_category(), file);  // a stream of it throws without its name
   std::ifstream input(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(input), {}};
   if (!input) throw std::system_error(errno, std::generic_category(), file);
   v1::Recording recording;
   const auto status = google::protobuf::util::JsonStringToMessage(text, &recording);
-  if (!status.ok()) throw FileFault(file, "is not the description of a recording: " + status.ToString());
+  if (!status.ok())
+    throw FileFault(file, "is not the description of a recording: " + std::string(status.message()));
   return recording;
 }
 

@@ -44,9 +44,10 @@ int enumNumber(const google::protobuf::EnumDescriptor& names, const std::string&
 
 ImageSize parseSize(const std::string& option, const std::string& text) {
   const auto [left, right] = splitAt(text, text.find('x') == std::string::npos ? 'X' : 'x');
-  const auto width = parseNumber<std::uint32_t>(left), height = parseNumber<std::uint32_t>(right);
+  const auto width = parseNumber<std::uint16_t>(left), height = parseNumber<std::uint16_t>(right);
   if (width.value_or(0) == 0 || height.value_or(0) == 0)
-    throw std::invalid_argument(option + ": '" + text + "' is not WIDTHxHEIGHT, such as 346x260");
+    throw std::invalid_argument(option + ": '" + text +
+                                "' is not WIDTHxHEIGHT with sides up to 65535, such as 346x260");
   return {*width, *height};
 }
 

@@ -56,7 +56,8 @@ const WriterInfo& writerFor(const std::string& path, const std::string& name) {
   const WriterInfo* writer =
       name.empty() ? find(&WriterInfo::extension, extension) : find(&WriterInfo::name, name);
   if (!writer && name.empty())
-    throw std::invalid_argument("'" + path + "' has no known extension; known are " + writerNames());
+    throw std::invalid_argument("the output '" + path + "' has no known extension; known are " +
+                                writerNames());
   if (!writer)
     throw std::invalid_argument("--format: '" + name + "' is not known; known are " + writerNames());
   if (!pipe && extension != writer->extension)

@@ -10,6 +10,7 @@
 #include "app/config/config_sources.h"
 #include "app/config/option_faults.h"
 #include "base/default_cache.h"
+#include "base/new_folder.h"
 #include "base/number_in.h"
 #include "base/tile_pool.h"
 #include "stream/bounded_peers.h"
@@ -57,6 +58,7 @@ struct CliAction {
 void addActions(CLI::App& app, CliAction& action) {
   app.add_option("--config", action.file,
                  "TOML file of these options; default: the file that SACCADE_CONFIG names")
+      ->check(CLI::ExistingFile)
       ->configurable(false);
   app.add_flag("--print-config", action.print,
                "print every option with its value and origin as such a file, and exit")

@@ -1,6 +1,7 @@
 #include "app/config/config_file.h"
 
 #include <toml++/toml.h>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -34,6 +35,7 @@ std::string faultText(const toml::parse_error& fault) {
 }  // namespace
 
 std::vector<Setting> readConfigFile(const std::string& path) {
+  if (std::filesystem::is_directory(path)) throw std::runtime_error(path + ": is a folder, no file");
   std::vector<Setting> settings;
   try {
     for (const auto& [key, node] : toml::parse_file(path)) {

@@ -1,7 +1,5 @@
 #include "app/config/option_faults.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -17,13 +15,6 @@ namespace fs = std::filesystem;
 
 std::string inQuotes(const fs::path& path) {
   return "'" + path.string() + "'";
-}
-
-// `path`, or the folder above it that is there.
-fs::path thereOf(fs::path path) {
-  std::error_code none;
-  while (!fs::exists(path, none) && path.has_relative_path()) path = path.parent_path();
-  return path.empty() ? "." : path;
 }
 
 // Whether the text ends with a port from 0 to 65535, or with * for a free one. ZeroMQ takes the last 16 bits
@@ -43,21 +34,13 @@ std::string endpointFault(const std::string& text) {
 }
 
 std::string httpFault(const std::string& text) {
-  if (text == "off" || text.starts_with("http://")) return {};
+  if (text == "off" || (text.starts_with("http://") && hasPort(text))) return {};
   return inQuotes(text) + " is neither off nor an address such as http://127.0.0.1:5773";
 }
 
 std::string foldersFault(const std::string& list) {
   for (const fs::path& folder : splitFolders(list))
     if (!fs::is_directory(folder)) return "there is no folder " + inQuotes(folder);
-  return {};
-}
-
-std::string newFolderFault(const std::string& path) {
-  if (path.empty()) return {};
-  const fs::path there = thereOf(path);
-  if (!fs::is_directory(there)) return inQuotes(there) + " is not a folder";
-  if (access(there.c_str(), W_OK) != 0) return "the folder " + inQuotes(there) + " cannot be written";
   return {};
 }
 

@@ -8,7 +8,6 @@ namespace saccade {
 std::string endpointFault(const std::string& text);  // of ZeroMQ
 std::string httpFault(const std::string& text);
 std::string foldersFault(const std::string& list);       // "FOLDER:FOLDER", of folders that are there
-std::string newFolderFault(const std::string& path);     // there and ours to write, or yet to be made
 std::string instructionsFault(const std::string& name);  // that this processor has not; any set that there is
 
 }  // namespace saccade

@@ -1,6 +1,7 @@
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
 #include "base/names.h"
+#include "base/text_cut.h"
 
 namespace saccade {
 namespace {
@@ -52,7 +53,8 @@ SceneFeatures resolveDisabledFeatures(v1::Quality& quality) {
     const SceneFeatureInfo* info = findFeature(quality.disabled_features(i));
     if (!info)
       refuse("quality.disabled_features[" + std::to_string(i) + "]",
-             "there is no such feature; there are: " + featureNames());
+             "there is no feature '" + cutText(quality.disabled_features(i), kMaxEcho) +
+                 "'; there are: " + featureNames());
     features.insert(info->feature);
   }
   setDisabledFeatures(features, quality);

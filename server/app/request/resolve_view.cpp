@@ -21,7 +21,8 @@ Distortion distortionOf(const v1::Distortion& given, const std::string& field) {
   const bool fisheye = given.model() == v1::DISTORTION_MODEL_EQUIDISTANT;
   const int count = given.coefficients_size();
   if (count != 4 && (fisheye || count != 5))
-    refuse(field + ".coefficients", fisheye ? "give k1, k2, k3, k4" : "give k1, k2, p1, p2, and k3 or not");
+    refuse(field + ".coefficients",
+           fisheye ? "equidistant takes k1, k2, k3, k4" : "radtan takes k1, k2, p1, p2, and k3 or not");
   Distortion out{.model = fisheye ? LensModel::kEquidistant : LensModel::kRadTan};
   for (int i = 0; i < count; ++i) {
     checkRange(field + ".coefficients[" + std::to_string(i) + "]", given.coefficients(i),

@@ -57,6 +57,18 @@ double parseTolerance(const std::string& text) {
                              "must be a share of the events, over 0% and up to 100%, not " + text);
 }
 
+namespace {
+
+MethodSpec methodOf(const std::string& flag, const std::string& text) {
+  try {
+    return parseMethod(text);
+  } catch (const std::exception& fault) {
+    throw CLI::ValidationError(flag, fault.what());
+  }
+}
+
+}  // namespace
+
 Setting parseSetting(const std::string& flag, const std::string& text) {
   const std::size_t at = text.rfind('@');
   const auto spp =
@@ -65,7 +77,7 @@ Setting parseSetting(const std::string& flag, const std::string& text) {
     throw CLI::ValidationError(flag, "must be METHOD@SPP with 1 to " + std::to_string(ranges::kSpp.max) +
                                          " paths per pixel and frame, such as svgf@2, not " + text);
   }
-  const Setting setting{parseMethod(text.substr(0, at)), *spp};
+  const Setting setting{methodOf(flag, text.substr(0, at)), *spp};
   if (setting.method.takes(*spp)) return setting;
   throw CLI::ValidationError(flag, text + ": the paths must be even, half of them for each pass");
 }

@@ -6,6 +6,7 @@
 
 #include "base/cpu_name.h"
 #include "base/default_cache.h"
+#include "base/new_folder.h"
 #include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/feed_options.h"
@@ -17,7 +18,9 @@ namespace saccade::eval {
 namespace {
 
 void addCameraOptions(CLI::App& app, BenchOptions& o) {
-  app.add_option(kTrajectoryFlag, o.setup.trajectory, trajectoryHelp())->capture_default_str();
+  app.add_option(kTrajectoryFlag, o.setup.trajectory, trajectoryHelp())
+      ->check(readBy(checkMotion))
+      ->capture_default_str();
   app.add_option("--rate", o.setup.frame_rate_hz, "frames per second")
       ->check(NumberIn(ranges::kFrameRate.min, ranges::kFrameRate.max))
       ->capture_default_str();
@@ -75,7 +78,9 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
       ->check(NumberIn(ranges::kBias.min, ranges::kBias.max))
       ->capture_default_str();
   addBakeOption(app, o.setup.bake_error);
-  app.add_option("--cache", o.setup.cache, "folder for reference frames and bakes")->capture_default_str();
+  app.add_option("--cache", o.setup.cache, "folder for reference frames and bakes")
+      ->check(CLI::Validator(newFolderFault, ""))
+      ->capture_default_str();
   app.add_flag("--quick", o.quick,
                std::string(o.camera ? "half the size and rate, fewer frames, "
                                     : "half the size, fewer frames and speeds, ") +
@@ -93,6 +98,7 @@ void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vec
   app.add_option("--methods", methods,
                  "methods, with settings where they differ from the defaults: svgf:as_falcor=1")
       ->delimiter(',')
+      ->check(readBy([](const std::string& text) { parseMethod(text); }))
       ->capture_default_str();
   app.add_option("--spp", spp, "paths per pixel and frame")
       ->delimiter(',')

@@ -12,7 +12,9 @@ namespace saccade::eval {
 void addFeedOptions(CLI::App& app, FeedOptions& o) {
   app.add_option("scene", o.scene, "a scene by name, or by the path of a scene.xml or its folder")
       ->required();
-  app.add_option(kTrajectoryFlag, o.trajectory, trajectoryHelp())->capture_default_str();
+  app.add_option(kTrajectoryFlag, o.trajectory, trajectoryHelp())
+      ->check(readBy(checkMotion))
+      ->capture_default_str();
   app.add_option("--size", o.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
   app.add_option("--rate", o.feed.frame_rate_hz, "frames per second")
       ->check(NumberIn(ranges::kFrameRate.min, ranges::kFrameRate.max))

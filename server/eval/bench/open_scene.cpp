@@ -137,6 +137,11 @@ Trajectory openTrajectory(const std::string& scene, const std::string& text, con
                     probePoints(opened, s.T_world_camera, Lens(pinhole(s.fov_x_deg, 64, 48))));
 }
 
+void checkMotion(std::string text) {
+  if (text.ends_with("px")) text.resize(text.size() - 2);
+  parseMotion(text);
+}
+
 std::string trajectoryHelp() {
   return "path of the camera: " + joinNames(motionNames()) +
          ", KIND:SPEED (dolly:0.2), KIND:SPEEDpx in pixels per frame, a trajectory of the scene, or a .csv "

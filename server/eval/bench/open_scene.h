@@ -36,6 +36,9 @@ Trajectory openTrajectory(const std::string& scene, const std::string& text, con
                           const FeedConfig& feed);
 
 // For the flag that takes such a text; `saccade record` has both of its names.
+// Throws std::exception for a KIND:SPEED that cannot be.
+void checkMotion(std::string text);
+
 inline constexpr const char* kTrajectoryFlag = "--trajectory,--motion";
 std::string trajectoryHelp();
 

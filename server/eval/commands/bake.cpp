@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "base/default_cache.h"
+#include "base/new_folder.h"
 #include "base/number_in.h"
 #include "eval/bench/feed_options.h"
 #include "eval/bench/interrupt.h"
@@ -56,6 +57,7 @@ void addBakeCommand(CLI::App& app) {
   addFeedOptions(*c, *o);
   c->add_option("--frames", o->frames,
                 "the last frame; 0: all until the camera stands, one period, or a minute")
+      ->check(NumberIn(0, 1 << 30))
       ->capture_default_str();
   c->add_option("--error", o->error, "relative error of the light of about a pixel")
       ->check(NumberIn(ranges::kBakeError.min, ranges::kBakeError.max))
@@ -64,6 +66,7 @@ void addBakeCommand(CLI::App& app) {
       ->check(NumberIn(1, 65536))
       ->capture_default_str();
   c->add_option("-o,--output", o->output, "folder for the bake; --cache of the other commands names it")
+      ->check(CLI::Validator(newFolderFault, ""))
       ->capture_default_str();
   c->callback([o] { runBake(*o); });
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/default_cache.h"
+#include "base/new_folder.h"
 #include "base/number_in.h"
 #include "eval/bench/cell_bench.h"
 #include "eval/bench/interrupt.h"
@@ -107,7 +108,9 @@ void addCellsCommand(CLI::App& app) {
       ->delimiter(',')
       ->capture_default_str();
   addBenchOptions(*c, o->bench);
-  c->add_option("-o,--output", o->output, "folder for results.csv and ratios.csv")->capture_default_str();
+  c->add_option("-o,--output", o->output, "folder for results.csv and ratios.csv")
+      ->check(CLI::Validator(newFolderFault, ""))
+      ->capture_default_str();
   c->callback([o] { runCells(*o); });
 }
 

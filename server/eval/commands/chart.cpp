@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "base/default_cache.h"
+#include "base/new_folder.h"
+#include "base/number_in.h"
 #include "eval/bench/bench_options.h"
 #include "eval/bench/interrupt.h"
 #include "eval/bench/open_scene.h"
@@ -123,9 +125,11 @@ void addChartCommand(CLI::App& app) {
   c->add_option("--within", o->within,
                 "20ms: print the most accurate setting in that CPU time; 2%: print the fastest setting with "
                 "at most 0.02 "
-                "false events per pixel and frame. A complete table is not measured again");
+                "false events per pixel and frame. A complete table is not measured again")
+      ->check(readBy(parseWithin));
   addBenchOptions(*c, o->bench);
   c->add_option("-o,--output", o->output, "folder for results.csv, chart.svg and index.html")
+      ->check(CLI::Validator(newFolderFault, ""))
       ->capture_default_str();
   c->callback([o] { runChart(*o); });
 }

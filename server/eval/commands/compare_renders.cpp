@@ -21,7 +21,7 @@ PixelRect parseRect(const std::string& text) {
   PixelRect r;
   int end = 0;
   if (std::sscanf(text.c_str(), "%d,%d,%dx%d%n", &r.x, &r.y, &r.width, &r.height, &end) == 4 &&
-      static_cast<std::size_t>(end) == text.size())
+      static_cast<std::size_t>(end) == text.size() && r.width > 0 && r.height > 0)
     return r;
   throw CLI::ValidationError("--leave-out", "must be X,Y,WxH in pixels of the reference, not " + text);
 }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 
+#include "base/new_folder.h"
 #include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/interrupt.h"
@@ -72,7 +73,9 @@ void addFigure(CLI::App& parent, const Figure& figure) {
         ->check(CLI::NonNegativeNumber);
   }
   addBenchOptions(*c, o->bench);
-  c->add_option("-o,--output", o->output, "folder for the table and the pictures")->capture_default_str();
+  c->add_option("-o,--output", o->output, "folder for the table and the pictures")
+      ->check(CLI::Validator(newFolderFault, ""))
+      ->capture_default_str();
   c->callback([o, &figure] { runFigure(figure, *o); });
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/default_cache.h"
+#include "base/new_folder.h"
 #include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/feed_options.h"
@@ -41,8 +42,17 @@ void writeDump(const FramesOptions& o, int frame, const IntensityChange& change)
   writeExr(dumpPath(o, "variance", frame), {{"I", &change.var_I_prev}, {"dI", &change.var_dI}});
 }
 
+MethodSpec methodOf(const FramesOptions& o) {
+  parseMethod(o.feed.method);  // else a fault is one of its settings
+  try {
+    return parseMethod(o.feed.method, o.set);
+  } catch (const std::exception& fault) {
+    throw CLI::ValidationError("--set", fault.what());
+  }
+}
+
 void resolveMethod(FramesOptions& o) {
-  const MethodSpec method = parseMethod(o.feed.method, o.set);
+  const MethodSpec method = methodOf(o);
   o.feed.params = method.params;
   checkSpp(method, o.feed.spp);
 }
@@ -140,14 +150,18 @@ void addFramesCommand(CLI::App& app) {
   c->add_flag("--jitter", o->feed.jitter, "start paths anywhere in the pixel, not at its centre");
   c->add_option("--set", o->set, "NAME=NUMBER, a parameter of the method; may be given again");
   c->add_option("--dump", o->dump,
-                "folder for dI_N.exr (change into frame N), Iprev_N.exr (frame N - 1) and variance_N.exr");
+                "folder for dI_N.exr (change into frame N), Iprev_N.exr (frame N - 1) and variance_N.exr")
+      ->check(CLI::Validator(newFolderFault, ""));
   c->add_option("--reference", o->reference,
                 "render the reference instead: paths per pixel, rounded up to a multiple of 64")
       ->check(NumberIn(1, 1 << 20));
   c->add_option("--seed", o->feed.seed, "seed of the random numbers, of a method or of the reference")
+      ->check(wholeNumber())
       ->capture_default_str();
   addBakeOption(*c, o->bake_error);
-  c->add_option("--cache", o->cache, "folder for reference frames and bakes")->capture_default_str();
+  c->add_option("--cache", o->cache, "folder for reference frames and bakes")
+      ->check(CLI::Validator(newFolderFault, ""))
+      ->capture_default_str();
   c->callback([o] { runFrames(*o); });
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/new_folder.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/bench_options.h"
 #include "eval/bench/interrupt.h"
@@ -111,7 +112,9 @@ void addOddsCommand(CLI::App& app) {
       ->capture_default_str();
   addMethodOptions(*c, o->methods, o->spp);
   addBenchOptions(*c, o->bench);
-  c->add_option("-o,--output", o->output, "folder for the table and the picture")->capture_default_str();
+  c->add_option("-o,--output", o->output, "folder for the table and the picture")
+      ->check(CLI::Validator(newFolderFault, ""))
+      ->capture_default_str();
   c->callback([o] { runOdds(*o); });
 }
 

@@ -91,7 +91,9 @@ void addRenderCommand(CLI::App& app) {
       ->delimiter(',')
       ->expected(3);
   addLensOptions(*command, o->lens);
-  command->add_option("--seed", o->seed, "seed of the random numbers")->capture_default_str();
+  command->add_option("--seed", o->seed, "seed of the random numbers")
+      ->check(wholeNumber())
+      ->capture_default_str();
   command->add_flag("--rgb", o->rgb, "three channels R, G, B instead of the luminance Y");
   command->add_option("-o,--output", o->output, "picture to write, .exr or .png, in a folder that exists")
       ->required();

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/names.h"
+#include "base/new_folder.h"
 #include "eval/bench/arguments.h"
 #include "eval/commands/commands.h"
 #include "eval/figures/sensor_figure.h"
@@ -73,7 +74,9 @@ void addSensorCommand(CLI::App& app) {
   addSensorOptions(*c, o->sensor);
   c->add_option("--size", o->size, "WIDTHxHEIGHT, pixels to measure")->capture_default_str();
   c->add_option("--curves", o->curves, curves)->delimiter(',')->capture_default_str();
-  c->add_option("-o,--output", o->output, "folder for the tables and pictures")->capture_default_str();
+  c->add_option("-o,--output", o->output, "folder for the tables and pictures")
+      ->check(CLI::Validator(newFolderFault, ""))
+      ->capture_default_str();
   c->callback([o] { runCurves(*o); });
 }
 

@@ -53,7 +53,9 @@ void addSensorOptions(CLI::App& app, SensorOptions& o) {
   app.add_option("--bias", o.bias, "I_eps, scene luminance")
       ->check(NumberIn(ranges::kBias.min, ranges::kBias.max))
       ->capture_default_str();
-  app.add_option("--seed", o.seed, "of the pixels and their noise")->capture_default_str();
+  app.add_option("--seed", o.seed, "of the pixels and their noise")
+      ->check(wholeNumber())
+      ->capture_default_str();
 }
 
 SensorConfig configOf(const SensorOptions& o) {
