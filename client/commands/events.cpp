@@ -42,9 +42,9 @@ void warnOfFallingNumbers(const std::vector<std::string>& frames) {
 std::unique_ptr<FrameSource> openFrames(const EventsOptions& options) {
   const std::optional<Transfer> transfer = transferOf(options.transfer);
   warnOfFallingNumbers(options.frames);
+  const ImageSize size = options.size.empty() ? ImageSize{} : parseSize("--size", options.size);
   try {
     if (options.size.empty()) return openPictures(options.frames, transfer);
-    const ImageSize size = parseSize("--size", options.size);
     return openRawFrames(options.frames, size.width, size.height, transfer.value_or(Transfer::kLinear));
   } catch (const std::invalid_argument& fault) {
     throw std::invalid_argument(std::string("FRAMES: ") + fault.what());

@@ -87,7 +87,7 @@ TEST_F(EventsCommand, TellsWhatIsWrong) {
   std::ofstream(folder_.at("a.mp4")) << "no frames";
   expect(events(folder_.at("a.mp4"), "-o " + csv_), 2,
          "a.mp4 -f rawvideo -pix_fmt grayf32le - | saccade events -");
-  expect(events(video_, "--size 100000x100000 -o " + csv_), 2, "but this one has 100000x100000");
+  expect(events(video_, "--size 10000x10000 -o " + csv_), 2, "but this one has 10000x10000");
   expect(events(video_, "--size 8 -o " + csv_), 2, "--size");
   expect(events(video_, size_ + "--truth depth"), 2, "depth needs a scene");
   expect(events(video_, "--size 8x3 -o " + csv_), 1, "ends within a frame");
