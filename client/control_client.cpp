@@ -40,7 +40,7 @@ const v1::OpeningInfo* findOpening(const v1::StreamList& list, std::uint64_t req
   return at == all.end() ? nullptr : &*at;
 }
 
-// Of a call that has gone with its server.
+// The fault of a call that has gone with its server.
 v1::Status lostCall() {
   v1::Status status;
   status.set_code(v1::CODE_UNAVAILABLE);

@@ -8,7 +8,7 @@
 namespace saccade::client {
 namespace {
 
-// What `read` returns. Its exception gets the name of the option.
+// Returns what `read` returns, and puts the name of the option before the text of its exception.
 auto named(const std::string& option, const auto& read) {
   try {
     return read();

@@ -37,7 +37,7 @@ class FrameSource {
 inline constexpr const char* kStandardInput = "-";
 
 std::string sizeText(std::int64_t width, std::int64_t height);
-// What is wrong with this size of a frame, or nothing. The server may allow less.
+// Says why a frame cannot have this size; empty: it can. The server may allow less.
 std::string frameSizeFault(std::int64_t width, std::int64_t height);
 
 // Pictures that OpenImageIO reads, such as EXR and PNG; of a folder all pictures, in the order of the numbers

@@ -31,7 +31,7 @@ std::optional<std::uint64_t> numberIn(std::string_view name) {
   return takeNumber<std::uint64_t>(digits, kEnd);
 }
 
-// Of the pose from world to camera: the camera's own, T_world_camera.
+// Inverts a pose from world to camera: T_world_camera.
 void invert(Picture& picture) {
   const Matrix3 to_camera = matrixOf(picture.rotation);
   const Vector3 t = picture.position;

@@ -1,4 +1,4 @@
-// What the readers of poses share: lines of a file, and the text of a pose.
+// Lines of a file and the text of a pose, for the readers of poses.
 #pragma once
 
 #include <array>

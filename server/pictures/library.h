@@ -10,7 +10,7 @@
 
 namespace saccade::pictures {
 
-// What the numbers of a file are.
+// Type of the numbers in a file.
 enum class Number { kU8, kU16, kU32, kOtherWhole, kF16, kF32, kF64 };
 
 constexpr bool isWhole(Number number) {

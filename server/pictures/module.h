@@ -1,4 +1,4 @@
-// What the module and its loader agree on.
+// The interface between the module and its loader.
 #pragma once
 
 #include "pictures/library.h"

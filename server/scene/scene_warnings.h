@@ -1,4 +1,4 @@
-// What users of a scene should know, though it can be opened.
+// Warnings of a scene that can be opened, for its users.
 #pragma once
 
 #include <string>

@@ -7,7 +7,7 @@ namespace saccade {
 // peer can end the process or fill its memory, SUB sockets cannot connect, and a peer's end is not told.
 bool peersAreBounded();
 
-// What to tell people where they are not.
+// The warning where they are not.
 inline constexpr const char* kUnboundedPeers =
     "this saccaded has the system's libzmq. It serves this machine alone, and has no broadcast streams. Any "
     "program of this machine can end it or fill its memory: the limits connections, client-connections and "

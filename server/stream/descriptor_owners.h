@@ -1,4 +1,5 @@
-// Who speaks on which connection. For a libzmq that does not tell the end of a peer: see bounded_peers.h.
+// Peers by the descriptor of their connection. For a libzmq that does not tell the end of a peer: see
+// bounded_peers.h.
 #pragma once
 
 #include <map>

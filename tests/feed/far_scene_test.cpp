@@ -43,7 +43,7 @@ struct Seen {
   std::vector<float> dI, I;
 };
 
-// What a camera sees that moves to the right.
+// Frames of a camera that moves to the right.
 Seen look(const std::shared_ptr<const RenderScene>& scene, const std::string& method) {
   const Scene& s = scene->description();
   FeedConfig config;

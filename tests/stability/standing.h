@@ -28,7 +28,7 @@ struct Standing {
   int moving = 0, last = 6;  // frames that may change, and all of them, from 1 on
 };
 
-// What a feed of `method` shows while the camera stands.
+// Changes that a feed shows while its camera stands.
 struct Ghosts {
   long changes = 0;  // values of dI and its variance that are not 0
   long events = 0;   // of a default sensor, but for its thresholds, which are as low as they may be

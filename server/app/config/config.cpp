@@ -30,7 +30,7 @@ std::string ifThere(const std::string& path) {
 constexpr int kUsage = 2;            // exit status
 constexpr double kUnlimited = 1e12;  // more than any machine has
 
-// What is without a unit is counted.
+// A limit without a unit is a count.
 CLI::Validator checkOf(const LimitRow& row) {
   if (*row.unit) return NumberIn(row.min, kUnlimited);
   return NumberIn(std::llround(row.min), std::llround(kUnlimited));
@@ -49,7 +49,7 @@ void addLimits(CLI::App& app, Limits& limits) {
   }
 }
 
-// What the command line asks for besides the configuration.
+// Actions of the command line besides the configuration.
 struct CliAction {
   std::string file;
   bool print = false, check = false;

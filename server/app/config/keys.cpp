@@ -32,7 +32,7 @@ void requireLoopback(const Config& config, const char* advice) {
   }
 }
 
-// What `read` returns. Its exception gets the name of the option.
+// Returns what `read` returns, and puts the name of the option before the text of its exception.
 auto named(const std::string& option, const auto& read) {
   try {
     return read();

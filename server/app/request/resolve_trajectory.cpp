@@ -40,7 +40,7 @@ void checkKeyframes(v1::Keyframes& keyframes) {
     refuse(field + ".keys", "give 1 to " + std::to_string(ranges::kKeyframes.max) + " keys");
 }
 
-// What a trajectory may be instead, for a refusal.
+// Lists the valid trajectories, for a refusal.
 std::string valid(const SceneEntry& scene) {
   return joinNames(scene.trajectories) + "; or a motion KIND:SPEED, such as pan:10, with KIND one of " +
          joinNames(motionKinds());

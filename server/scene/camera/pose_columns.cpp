@@ -130,7 +130,7 @@ void addField(const Column& column, PoseColumns& columns) {
   checkUnit(column, column.unit.empty(), "none");
 }
 
-// What of a line may name columns: not the '#', nor the words before a colon.
+// The part of a line that may name columns: not the '#', nor the words before a colon.
 std::string_view namesOf(std::string_view line) {
   const std::size_t colon = line.rfind(':');
   if (colon != line.npos) return line.substr(colon + 1);

@@ -17,7 +17,7 @@ class TextureReader {
   TextureReader(const XmlFile& file, FileLoads& loads, Scene& scene)
       : file_(file), loads_(loads), scene_(scene) {}
 
-  // What a colour stands for: opacity is the alpha of pictures that have one.
+  // The meaning of a colour: opacity is the alpha of pictures that have one.
   enum class Use { kReflectance, kOpacity };
 
   // The property called `name`: a number, a colour or a texture.
