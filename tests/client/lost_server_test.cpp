@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t kHeaderBytes = 4096;  // at most, of a CSV file, which is written before any events come
+
 class LostServer : public testing::Test {
  protected:
   Process record(const std::string& file, const std::vector<std::string>& more) const {
@@ -27,10 +29,10 @@ class LostServer : public testing::Test {
     return Process(words);
   }
 
-  // Once some of `file` is written, the server gets `signal` and another takes its place.
+  // Once `file` has events, the server gets `signal` and another takes its place.
   void replaceServer(const std::string& file, int signal) {
     const std::string partial = folder_.at(file + ".partial");
-    const auto begun = [&] { return fs::exists(partial) && fs::file_size(partial) > 0; };
+    const auto begun = [&] { return fs::exists(partial) && fs::file_size(partial) > kHeaderBytes; };
     ASSERT_TRUE(waitUntil(begun, kPatience));
     server_->process().signal(signal);
     server_->process().finish();
