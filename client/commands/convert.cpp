@@ -1,4 +1,5 @@
 // saccade convert: reads a file of events and writes it in another format.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>

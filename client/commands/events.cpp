@@ -1,5 +1,6 @@
 // saccade events: makes events of the frames of somebody else's video.
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 

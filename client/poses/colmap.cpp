@@ -2,6 +2,7 @@
 // takes the world to the camera, and then its points `X Y POINT3D`, none or more.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "client/poses/pose_formats.h"

@@ -1,5 +1,6 @@
 #include "client/poses/pose_lines.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>

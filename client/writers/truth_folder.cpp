@@ -1,5 +1,6 @@
 #include "client/writers/truth_folder.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>

@@ -1,5 +1,6 @@
 #include "wire/truth_packer.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 

@@ -1,6 +1,7 @@
 // saccade-eval renders pictures and references, runs methods, and measures them. It uses the code of the
 // server.
 #include <cstdio>
+#include <stdexcept>
 
 #include "base/instruction_set.h"
 #include "base/names.h"

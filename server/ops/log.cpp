@@ -8,6 +8,7 @@
 
 #include <ctime>
 #include <future>
+#include <iterator>
 #include <thread>
 
 #include "ops/escape.h"

@@ -1,6 +1,7 @@
 #include "scene/strength.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/check.h"
 

@@ -1,6 +1,7 @@
 #include "stream/data_server.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/text_cut.h"
 

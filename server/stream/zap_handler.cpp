@@ -1,5 +1,6 @@
 #include "stream/zap_handler.h"
 
+#include <chrono>
 #include <iterator>
 #include <zmq_addon.hpp>
 

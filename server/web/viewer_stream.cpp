@@ -1,5 +1,6 @@
 #include "web/viewer_stream.h"
 
+#include <iterator>
 #include <vector>
 #include <zmq_addon.hpp>
 

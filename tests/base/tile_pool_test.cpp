@@ -5,6 +5,7 @@
 #include <atomic>
 #include <latch>
 #include <limits>
+#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <thread>

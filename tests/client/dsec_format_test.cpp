@@ -1,4 +1,5 @@
 // .h5 files by our own writer and reader. dsec_files_test.py compares both with other programs.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 

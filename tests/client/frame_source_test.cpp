@@ -6,6 +6,7 @@
 
 #include <array>
 #include <fstream>
+#include <stdexcept>
 
 #include "client/frames/natural_order.h"
 #include "scratch_folder.h"

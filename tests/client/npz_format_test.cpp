@@ -1,6 +1,7 @@
 // .npz files by our own writer and reader. npz_files_test.py compares both with NumPy.
 #include <zip.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

@@ -1,5 +1,6 @@
 // Writes events and truth channels whose numbers follow a formula: write_truth FILE [partial]. The tests of
 // files in Python know the formula. With `partial` the recording is interrupted after the last sample.
+#include <algorithm>
 #include <cstring>
 
 #include "client/recording_file.h"

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <set>
+#include <stdexcept>
 
 namespace saccade::eval {
 namespace {

@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include "eval/figures/cell_rows.h"
 
 #include "eval/compared.h"

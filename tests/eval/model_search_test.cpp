@@ -1,3 +1,5 @@
+#include <map>
+
 #include "eval/bench/model_search.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "eval/sensor/expectation.h"
 #include "eval/sensor/frequency_response.h"

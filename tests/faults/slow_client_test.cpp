@@ -1,6 +1,7 @@
 // One of five clients of a live stream stands still: it alone loses something, and is told how much.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>

@@ -1,4 +1,6 @@
 // The state in the file of a bake. Its digest finds damage, but anybody can compute one.
+#include <stdexcept>
+
 #include "feed/baker.h"
 #include "feed/room.h"
 #include "fuzz/fuzz_target.h"

@@ -1,4 +1,6 @@
 // What pages send to the viewer's WebSocket: frames, and the messages in them.
+#include <algorithm>
+
 #include "fuzz/fuzz_target.h"
 #include "web/socket_pair.h"
 #include "web/viewer_json.h"

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <functional>
 #include <sstream>
+#include <stdexcept>
 
 #include "mock/resuming_subscriber.h"
 

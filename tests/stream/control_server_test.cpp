@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <future>
+#include <stdexcept>
 
 #include "mock/mock_client.h"
 #include "mock/wait_until.h"

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <stdexcept>
 
 #include "mock/mock_keys.h"
 #include "stream/curve_probe.h"

@@ -1,4 +1,6 @@
 // What a page is sent of a stream; the server's socket is a ROUTER of this test.
+#include <iterator>
+
 #include "web/viewer_stream.h"
 
 #include <gtest/gtest.h>

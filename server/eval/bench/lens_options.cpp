@@ -1,5 +1,6 @@
 #include "eval/bench/lens_options.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "scene/camera/lens.h"

@@ -1,6 +1,7 @@
 // `saccade-eval bake` computes the light of a scene ahead.
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "base/default_cache.h"
 #include "base/new_folder.h"

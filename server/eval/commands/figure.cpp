@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <stdexcept>
 
 #include "base/new_folder.h"
 #include "base/number_in.h"

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "base/names.h"
 #include "base/number_in.h"

@@ -1,6 +1,7 @@
 #include "scene/camera/trajectory.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/check.h"
 #include "scene/camera/pose_spline.h"
