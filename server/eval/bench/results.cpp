@@ -120,8 +120,8 @@ void printTable(const ResultTable& table) {
   }
 }
 
-const Result& measure(const Bench& truth, const Bench& bench, const std::string& name,
-                      const MethodSpec& method, int spp, const BenchOptions& o, ResultTable& table) {
+Result measure(const Bench& truth, const Bench& bench, const std::string& name, const MethodSpec& method,
+               int spp, const BenchOptions& o, ResultTable& table) {
   if (const Result* stands = table.find(name, method.text, spp)) return *stands;
   Result r;
   r.scene = name, r.method = method.text, r.spp = spp;
@@ -134,7 +134,7 @@ const Result& measure(const Bench& truth, const Bench& bench, const std::string&
   r.score = scoreOf(truth.truth(), runs, o.bias, o.threshold);
   r.seed_error = seedError(truth.truth(), runs, o);
   table.add(r);
-  return table.rows().back();
+  return r;
 }
 
 }  // namespace saccade::eval

@@ -41,12 +41,12 @@ class ResultTable {
 void printTable(const ResultTable& table);
 
 // Returns the row of `name`, method and spp. If `table` has none, runs the method on `bench` with the seeds 1
-// to o.repeats, scores it against the truth of `truth`, and adds the row. Valid until the next row is added.
-const Result& measure(const Bench& truth, const Bench& bench, const std::string& name,
-                      const MethodSpec& method, int spp, const BenchOptions& o, ResultTable& table);
+// to o.repeats, scores it against the truth of `truth`, and adds the row.
+Result measure(const Bench& truth, const Bench& bench, const std::string& name, const MethodSpec& method,
+               int spp, const BenchOptions& o, ResultTable& table);
 // Against its own truth.
-inline const Result& measure(const Bench& bench, const std::string& name, const MethodSpec& method, int spp,
-                             const BenchOptions& o, ResultTable& table) {
+inline Result measure(const Bench& bench, const std::string& name, const MethodSpec& method, int spp,
+                      const BenchOptions& o, ResultTable& table) {
   return measure(bench, bench, name, method, spp, o, table);
 }
 

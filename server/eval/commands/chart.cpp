@@ -51,7 +51,7 @@ void runScene(const ChartOptions& o, const std::string& scene, TilePool& pool, R
     for (const int spp : o.spp) {
       progress.add(1);
       if (!method.takes(spp)) continue;
-      const Result& result = measure(bench, sceneName(scene), method, spp, o.bench, table);
+      const Result result = measure(bench, sceneName(scene), method, spp, o.bench, table);
       if (spp != o.pictures_spp) continue;
       pictures.addMethod(text + ", " + std::to_string(spp) + " spp", bench.run(method, spp, 1).changes.back(),
                          result.score);

@@ -16,7 +16,7 @@ void compareOn(const std::string& scene, const FigureOptions& o, TilePool& pool,
   for (const int spp : o.spp) {
     for (const std::string& text : o.methods) {
       const MethodSpec method = parseMethod(text);
-      const Result& result = measure(bench, sceneName(scene), method, spp, o.bench, table);
+      const Result result = measure(bench, sceneName(scene), method, spp, o.bench, table);
       pictures.addMethod(text + ", " + std::to_string(spp) + " spp", bench.run(method, spp, 1).changes.back(),
                          result.score);
       progress.add(1);

@@ -29,7 +29,7 @@ void sampleOn(const std::string& scene, const FigureOptions& o, TilePool& pool, 
   for (const std::string& text : o.methods) {
     for (const Sampling& s : samplings) {
       const MethodSpec method = parseMethod(text);
-      const Result& result =
+      const Result result =
           measure(truth, s.bench, sceneName(scene) + ": " + s.name, method, o.spp.front(), o.bench, table);
       pictures.addMethod(text + ", " + s.name, s.bench.run(method, o.spp.front(), 1).changes.back(),
                          result.score);

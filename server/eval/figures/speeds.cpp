@@ -36,7 +36,7 @@ void runSpeed(const FigureOptions& o, const std::string& motion, double speed, T
   const std::string name = rowName(setup.scene, motion, speed);
   for (std::size_t m = 0; m < o.methods.size(); ++m) {
     const MethodSpec method = parseMethod(o.methods[m]);
-    const Score& score = measure(bench, name, method, o.spp.front(), o.bench, table).score;
+    const Score score = measure(bench, name, method, o.spp.front(), o.bench, table).score;
     rows[m + 1].push_back(
         signedPicture(brightnessChange(bench.run(method, o.spp.front(), 1).changes.back(), bias), scale,
                       format("L1 %.3f, sigma %.2g", score.dL_l1, score.sigma_dL)));
