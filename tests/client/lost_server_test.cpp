@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kHeaderBytes = 4096;  // at most, of a CSV file, which is written before any events come
+constexpr std::uintmax_t kHeaderBytes =
+    4096;  // at most, of a CSV file, which is written before any events come
 
 class LostServer : public testing::Test {
  protected:
