@@ -4,10 +4,19 @@
 #include <utility>
 
 namespace saccade::client {
+namespace {
+
+[[maybe_unused]] constexpr int kDriverNumber = 256;  // the first of those for drivers that nobody else uses
+
+}  // namespace
 
 const H5FD_class_t& Hdf5File::driverClass() {
   static const H5FD_class_t driver_class = [] {
     H5FD_class_t c{};
+#ifdef H5FD_CLASS_VERSION  // HDF5 1.14
+    c.version = H5FD_CLASS_VERSION;
+    c.value = kDriverNumber;
+#endif
     c.name = "saccade";
     c.maxaddr = INT64_MAX;
     c.fc_degree = H5F_CLOSE_STRONG;
@@ -37,6 +46,7 @@ const H5FD_class_t& Hdf5File::driverClass() {
 // The properties that make the library use `driver`, and keep the whole index of the file in memory.
 Hdf5Handle Hdf5File::accessTo(Driver* driver) {
   static const hid_t driver_id = H5FDregister(&driverClass());
+  checkHdf5(driver_id >= 0, "the driver of Hdf5File");
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_driver(access.id(), driver_id, &driver);
   H5AC_cache_config_t cache{};
