@@ -4,6 +4,7 @@
 #include <netdb.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -39,6 +40,15 @@ Addresses resolve(const std::string& endpoint) {
   const int fault = getaddrinfo(host.c_str(), endpoint.c_str() + colon + 1, &hints, &found);
   if (fault != 0) throw std::runtime_error("cannot listen on " + endpoint + ": " + gai_strerror(fault));
   return {found, freeaddrinfo};
+}
+
+// Why libmicrohttpd could not listen there: some versions leave another fault in errno.
+std::string faultOf(const addrinfo& address) {
+  const int probe = socket(address.ai_family, address.ai_socktype | SOCK_CLOEXEC, 0);
+  const bool bound = bind(probe, address.ai_addr, address.ai_addrlen) == 0;
+  const int fault = errno;
+  close(probe);
+  return bound ? "libmicrohttpd does not start" : std::strerror(fault);
 }
 
 std::string withPortOf(MHD_Daemon* daemon, const std::string& endpoint) {
@@ -89,7 +99,7 @@ HttpServer::Daemon HttpServer::start(const std::string& endpoint) {
                                  MHD_OPTION_END),
                 MHD_stop_daemon);
   // clang-format on
-  if (!daemon) throw std::runtime_error("cannot listen on " + endpoint + ": " + std::strerror(errno));
+  if (!daemon) throw std::runtime_error("cannot listen on " + endpoint + ": " + faultOf(*address));
   return daemon;
 }
 

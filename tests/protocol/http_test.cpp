@@ -127,10 +127,11 @@ TEST_F(Http, AnswersWhatItKnows) {
   EXPECT_EQ(get("/nothing").status, 404);
   EXPECT_EQ(get("/metrics/more").status, 404);
   const std::string endpoint = server_.app().httpEndpoint();
-  const auto post = httpSend(endpoint, "POST /metrics HTTP/1.1\r\nContent-Length: 9\r\n\r\n");  // and no body
+  const auto post =
+      httpSend(endpoint, "POST /metrics HTTP/1.1\r\nHost: a\r\nContent-Length: 9\r\n\r\n");  // and no body
   EXPECT_EQ(post.status, 405);
   EXPECT_NE(post.head.find("\r\nAllow: GET, HEAD\r\n"), std::string::npos) << post.head;
-  const auto head = httpSend(endpoint, "HEAD /healthz HTTP/1.1\r\n\r\n");
+  const auto head = httpSend(endpoint, "HEAD /healthz HTTP/1.1\r\nHost: a\r\n\r\n");
   EXPECT_EQ(head.status, 200);
   EXPECT_NE((head.head + "\r\n").find("\r\nContent-Length: 6\r\n"), std::string::npos) << head.head;
   EXPECT_EQ(head.body, "");
