@@ -2,6 +2,7 @@
 #include <chrono>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "client/commands/commands.h"
 #include "client/commands/interrupt.h"
@@ -34,19 +35,19 @@ void watch(Subscription& subscription, LiveView& view) {
 void runView(ViewOptions options) {
   if (options.request.sensors.thresholds.size() > 1)
     throw std::invalid_argument("--threshold: a view shows the events of one sensor");
+  const bool fits_terminal = options.request.camera.size.empty();
+  if (fits_terminal) options.request.camera.size = "1x1";  // until the terminal's size is known
+  v1::OpenStream request = makeOpenStream(options.request);
   watchInterrupt();
   zmq::context_t context;
   ControlClient control = connectTo(context, options.request.server);
   const TerminalScreen screen;
-  if (options.request.camera.size.empty()) {
-    const v1::View view = viewOf(screen.size());
-    options.request.camera.size = std::to_string(view.width()) + "x" + std::to_string(view.height());
-  }
+  if (fits_terminal) request.mutable_view()->MergeFrom(viewOf(screen.size()));
   screen.showStatus("opening the stream; Ctrl-C ends");
   const double retry_s = options.request.retry_time_s;
   const auto show = [&screen](const std::string& text) { screen.showStatus(text); };
   StreamHandle stream =
-      openStream(control, {makeOpenStream(options.request), options.request.trajectory, retry_s}, show, show);
+      openStream(control, {std::move(request), options.request.trajectory, retry_s}, show, show);
   Subscription subscription(
       context, stream,
       {.retry_time = millisecondsOf(retry_s),

@@ -59,6 +59,9 @@ TEST(View, NeedsATerminalAndOneSensor) {
   const Result piped = run("view cornell-box --motion orbit" + server.option());
   EXPECT_EQ(piped.code, 2);
   EXPECT_TRUE(holds(piped, "standard output is not a terminal")) << piped.output;
+  const Result wrong = run("view cornell-box --size 40" + server.option());
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_TRUE(holds(wrong, "--size")) << wrong.output;
   const Result two = run("view cornell-box --motion orbit --threshold 0.1,0.2" + server.option());
   EXPECT_EQ(two.code, 2);
   EXPECT_TRUE(holds(two, "a view shows the events of one sensor")) << two.output;
