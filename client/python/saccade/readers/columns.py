@@ -29,4 +29,5 @@ def events_of(t: NDArray[Any], x: NDArray[Any], y: NDArray[Any], p: NDArray[Any]
         raise FormatError("a polarity is not 0 and 1, or -1 and 1")
     events = Events(t.astype(np.int64, copy=False), x.astype(np.uint16, copy=False), y.astype(np.uint16, copy=False),
                     p > 0, size)
-    return replace(events, **{name: column.astype(np.uint8, copy=False) for name, column in (labels or {}).items()})
+    known: dict[str, Any] = {name: column.astype(np.uint8, copy=False) for name, column in (labels or {}).items()}
+    return replace(events, **known)
