@@ -10,11 +10,12 @@ using namespace test;
 
 TEST_F(CommandAndServer, ARecordingIsVerifiedConvertedAndRenderedAgain) {
   const std::string csv = folder_.at("a.csv"), txt = folder_.at("a.txt"), again = folder_.at("b.csv");
-  ASSERT_EQ(run("record cornell-box --trajectory right --size 32x24 --duration 0.03 --threshold 0.1 "
-                "--threshold 0.2 --delivery broadcast -o " +
-                csv + server_.option())
-                .code,
-            0);
+  const Result recorded = run(
+      "record cornell-box --trajectory right --size 32x24 --duration 0.03 --threshold 0.1 --threshold 0.2 "
+      "--delivery broadcast -o " +
+      csv + server_.option());
+  if (holds(recorded, "the system's libzmq")) GTEST_SKIP() << recorded.output;
+  ASSERT_EQ(recorded.code, 0) << recorded.output;
   const std::string second = folder_.at("a-1.csv");
   const Result verified = run("verify " + second);
   EXPECT_EQ(verified.code, 0) << verified.output;

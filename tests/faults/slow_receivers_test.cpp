@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "mock/control_calls.h"
+#include "mock/needs_libzmq.h"
 #include "mock/server_process.h"
 #include "mock/test_server.h"
 #include "mock/wait_until.h"
@@ -29,6 +30,10 @@ v1::OpenStream pictures() {
 
 class SlowReceivers : public testing::Test {
  protected:
+  void SetUp() override {
+    NEEDS_PATCHED_LIBZMQ();
+    stream_ = client_.open(pictures());
+  }
   // Sends a frame, and waits until the feed has taken it.
   void push() {
     v1::Request push;
@@ -42,7 +47,7 @@ class SlowReceivers : public testing::Test {
 
   ServerProcess server_;
   MockClient client_{server_.control()};
-  v1::StreamOpened stream_ = client_.open(pictures());
+  v1::StreamOpened stream_;
   std::uint64_t frames_ = 0;
 };
 
@@ -69,6 +74,7 @@ TEST_F(SlowReceivers, TogetherHoldNoMoreThanTheStreamMayLend) {
 }
 
 TEST(LargePictures, CountAsQueues) {
+  NEEDS_PATCHED_LIBZMQ();
   Config config = testConfig();
   config.limits[Limit::kQueues] = 16 + (LargePackets::kMost + 1) * kPictureMiB - 1;
   TestServer server(config);

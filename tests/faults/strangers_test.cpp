@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "mock/mock_http.h"
+#include "mock/needs_libzmq.h"
 #include "mock/raw_peer.h"
 #include "mock/server_process.h"
 #include "mock/test_server.h"
@@ -100,6 +101,7 @@ std::vector<std::string> babble() {
 }
 
 TEST(Strangers, PeersWithAnotherProtocolAreCutOffAndDoNotFillTheLog) {
+  NEEDS_PATCHED_LIBZMQ();
   ServerProcess server;
   std::vector<std::pair<std::string, RawPeer>> peers;
   int number = 0;

@@ -11,6 +11,10 @@ MACHINE_FOLDERS = ["home", "Users", "root", "work", "mnt"]
 MACHINE_PATH = re.compile(r"(?<![\w.)}])/(?:%s)/\w" % "|".join(MACHINE_FOLDERS))
 
 
+def clang_format_version():
+    return subprocess.check_output(["clang-format", "--version"], text=True) if shutil.which("clang-format") else ""
+
+
 class Files(unittest.TestCase):
     def test_every_source_is_listed(self):
         lists = {p.parent: house.text(p) for p in house.files({".txt"}) if p.name == "CMakeLists.txt"}
@@ -26,7 +30,7 @@ class Files(unittest.TestCase):
         for folder in folders:
             self.assertTrue((house.ROOT / folder / "CMakeLists.txt").exists(), folder)
 
-    @unittest.skipUnless(shutil.which("clang-format"), "clang-format is not installed")
+    @unittest.skipUnless(" 14." in clang_format_version(), "clang-format 14 is not installed; others format otherwise")
     def test_sources_are_formatted(self):
         sources = [str(p) for p in house.files(house.SOURCES)]
         check = subprocess.run(["clang-format", "--dry-run", "-Werror", *sources], cwd=house.ROOT,

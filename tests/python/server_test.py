@@ -49,7 +49,11 @@ class OneServer(unittest.TestCase):
         self.assertGreater(self.reference.shape[1], 1000)
         for settings in ({}, {"delivery": "live"}, {"delivery": "broadcast"}, {"codec": "zstd"}):
             with self.subTest(**settings):
-                parts, stream = self.receive(**settings)
+                try:
+                    parts, stream = self.receive(**settings)
+                except saccade.Refused as refused:
+                    self.assertIn("the system's libzmq", str(refused))
+                    self.skipTest(str(refused))
                 whole = saccade.concatenate(parts)
                 np.testing.assert_array_equal(rows(whole), self.reference)
                 self.assertEqual((whole.t0, whole.t1, whole.size), (0, 100_000, (64, 48)))
