@@ -29,6 +29,8 @@ struct FeedConfig {
   bool monochrome = false;
   std::uint64_t seed = 0;
   std::shared_ptr<const BakedLight> baked = {};  // of this scene; nullptr: the method knows nothing ahead
+
+  double pixels() const { return static_cast<double>(camera.width) * camera.height; }
 };
 
 class Feed {

@@ -8,16 +8,12 @@
 namespace saccade {
 namespace {
 
-double pixelsOf(const FeedConfig& feed) {
-  return static_cast<double>(feed.camera.width) * feed.camera.height;
-}
-
 // Only a stream that may join a running feed has snapshots.
 double snapshotBytes(const ResolvedStream& stream) {
   if (stream.request.timing().clock() != v1::CLOCK_PACED) return 0;
   double bytes = 0;
   for (const v1::Sensor& sensor : stream.request.sensors())
-    bytes = std::max(bytes, 2 * sizeof(float) * pixelsOf(stream.feedOf(sensor.view())));
+    bytes = std::max(bytes, 2 * sizeof(float) * stream.feedOf(sensor.view()).pixels());
   return bytes;
 }
 
@@ -27,7 +23,7 @@ double pictureBytes(const ResolvedStream& stream) {
     const TruthChannelInfo& info = *findTruth(truth.name());
     if (info.layout != v1::LAYOUT_PICTURE) continue;
     const auto planes = static_cast<double>(bytesOf(info.element) * info.planes.size());
-    bytes = std::max(bytes, planes * pixelsOf(stream.feedOf(truth.view())));
+    bytes = std::max(bytes, planes * stream.feedOf(truth.view()).pixels());
   }
   return bytes;
 }

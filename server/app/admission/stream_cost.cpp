@@ -18,10 +18,6 @@ void checkMost(Limit limit, const std::string& field, double value, const Limits
   throw LimitReached(limit, field, amountText(limit, value) + " exceed " + amountText(limit, limits[limit]));
 }
 
-double pixelsOf(const FeedConfig& feed) {
-  return static_cast<double>(feed.camera.width) * feed.camera.height;
-}
-
 double pixelsWithBorder(const FeedConfig& feed) {
   return (feed.camera.width + 2.0 * ImageF::kBorder) * (feed.camera.height + 2.0 * ImageF::kBorder);
 }
@@ -78,9 +74,9 @@ double pushedBytes(const FeedConfig& feed, const Limits& limits) {
 
 double feedBytes(const FeedConfig& feed) {
   constexpr double kFeedBytes = 260;  // per pixel
-  const double lens_bytes = feed.camera.distortion.isNone() ? 0 : pixelsOf(feed) * sizeof(Vec2);
+  const double lens_bytes = feed.camera.distortion.isNone() ? 0 : feed.pixels() * sizeof(Vec2);
   return pixelsWithBorder(feed) * kFeedBytes + lens_bytes +
-         findMethod(feed.method)->memory(feed.params, pixelsOf(feed), feed.jitter);
+         findMethod(feed.method)->memory(feed.params, feed.pixels(), feed.jitter);
 }
 
 }  // namespace
@@ -103,13 +99,13 @@ double streamMemory(const ResolvedStream& stream, const Limits& limits) {
     const SensorConfig& sensor = stream.sensors[i];
     const FeedConfig& view = feedOfSensor(stream, i);
     const double events =
-        pixelsOf(view) * (sensor.max_events_per_pixel_frame + noiseRoom(sensor.noise, rate_hz));
+        view.pixels() * (sensor.max_events_per_pixel_frame + noiseRoom(sensor.noise, rate_hz));
     bytes += pixelsWithBorder(view) * (kSensorBytes + kNoiseBytes) + packets * kPacketBytes +
              kEventBytes * (std::min(events, static_cast<double>(sensor.max_events_per_frame)) +
                             bufferRoom(sensor.noise));
   }
   for (const v1::Truth& truth : stream.request.truth())
-    bytes += pixelsOf(stream.feedOf(truth.view())) * kTruthBytes;
+    bytes += stream.feedOf(truth.view()).pixels() * kTruthBytes;
   for (const TruthConfig& truth : stream.truth) bytes += rowsOfFrame(truth) * kRowBytes;
   return bytes / (1 << 20);
 }
