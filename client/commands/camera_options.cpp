@@ -36,6 +36,18 @@ v1::Distortion parseDistortion(const std::string& text) {
   return out;
 }
 
+void setSize(const CameraOptions& options, v1::View& view) {
+  const ImageSize size = parseSize("--size", options.size);
+  for (const std::uint32_t side : {size.width, size.height}) {
+    if (side < ranges::kViewSide.min || side > ranges::kViewSide.max)
+      throw std::invalid_argument("--size: '" + options.size + "': a side has " +
+                                  std::to_string(ranges::kViewSide.min) + " to " +
+                                  std::to_string(ranges::kViewSide.max) + " pixels");
+  }
+  view.set_width(size.width);
+  view.set_height(size.height);
+}
+
 }  // namespace
 
 void addCameraOptions(CLI::App& command, CameraOptions& o) {
@@ -52,16 +64,8 @@ void addCameraOptions(CLI::App& command, CameraOptions& o) {
 }
 
 v1::View makeView(const CameraOptions& options) {
-  const ImageSize size = parseSize("--size", options.size);
-  for (const std::uint32_t side : {size.width, size.height}) {
-    if (side < ranges::kViewSide.min || side > ranges::kViewSide.max)
-      throw std::invalid_argument("--size: '" + options.size + "': a side has " +
-                                  std::to_string(ranges::kViewSide.min) + " to " +
-                                  std::to_string(ranges::kViewSide.max) + " pixels");
-  }
   v1::View view;
-  view.set_width(size.width);
-  view.set_height(size.height);
+  if (!options.size.empty()) setSize(options, view);
   if (options.fov_x_deg) view.set_fov_x_deg(*options.fov_x_deg);
   if (!options.intrinsics.empty()) *view.mutable_intrinsics() = parseIntrinsics(options.intrinsics);
   if (!options.distortion.empty()) *view.mutable_distortion() = parseDistortion(options.distortion);

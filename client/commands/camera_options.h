@@ -19,7 +19,7 @@ struct CameraOptions {
 // The values in `options` are the defaults.
 void addCameraOptions(CLI::App& command, CameraOptions& options);
 
-// Throws std::invalid_argument with the option at fault.
+// Without a size where that is empty. Throws std::invalid_argument with the option at fault.
 v1::View makeView(const CameraOptions& options);
 
 }  // namespace saccade::client

@@ -32,17 +32,21 @@ void watch(Subscription& subscription, LiveView& view) {
   }
 }
 
-void runView(ViewOptions options) {
+void fitTo(const TerminalScreen& screen, v1::OpenStream& request) {
+  const v1::View fitting = viewOf(screen.size());
+  request.mutable_view()->MergeFrom(fitting);
+  for (v1::View& further : *request.mutable_further_views()) further.MergeFrom(fitting);
+}
+
+void runView(const ViewOptions& options) {
   if (options.request.sensors.thresholds.size() > 1)
     throw std::invalid_argument("--threshold: a view shows the events of one sensor");
-  const bool fits_terminal = options.request.camera.size.empty();
-  if (fits_terminal) options.request.camera.size = "1x1";  // until the terminal's size is known
   v1::OpenStream request = makeOpenStream(options.request);
   watchInterrupt();
   zmq::context_t context;
   ControlClient control = connectTo(context, options.request.server);
   const TerminalScreen screen;
-  if (fits_terminal) request.mutable_view()->MergeFrom(viewOf(screen.size()));
+  if (options.request.camera.size.empty()) fitTo(screen, request);
   screen.showStatus("opening the stream; Ctrl-C ends");
   const double retry_s = options.request.retry_time_s;
   const auto show = [&screen](const std::string& text) { screen.showStatus(text); };

@@ -54,6 +54,14 @@ TEST_F(CommandAndServer, ShowsEventsUntilCtrlCAndGivesTheTerminalBack) {
   EXPECT_NE(shown.find("\x1b[?1049l"), std::string::npos) << "the terminal is not given back";
 }
 
+TEST_F(CommandAndServer, EveryViewOfARigHasTheTerminalsSize) {
+  TerminalChild view(SACCADE_COMMAND
+                     " view cornell-box --motion orbit --duration 0.02 --further-view 0.1,0,0" +
+                     server_.option());
+  const std::string shown = view.readUntil("\x1b[?1049l");
+  EXPECT_EQ(view.exitCode(), 0) << shown;
+}
+
 TEST(View, NeedsATerminalAndOneSensor) {
   const Server server;
   const Result piped = run("view cornell-box --motion orbit" + server.option());
