@@ -45,10 +45,10 @@ Addresses resolve(const std::string& endpoint) {
 // Why libmicrohttpd could not listen there: some versions leave another fault in errno.
 std::string faultOf(const addrinfo& address) {
   const int probe = socket(address.ai_family, address.ai_socktype | SOCK_CLOEXEC, 0);
-  const bool bound = bind(probe, address.ai_addr, address.ai_addrlen) == 0;
-  const int fault = errno;
+  if (probe < 0) return std::strerror(errno);
+  const int fault = bind(probe, address.ai_addr, address.ai_addrlen) == 0 ? 0 : errno;
   close(probe);
-  return bound ? "libmicrohttpd does not start" : std::strerror(fault);
+  return fault == 0 ? "libmicrohttpd does not start" : std::strerror(fault);
 }
 
 std::string withPortOf(MHD_Daemon* daemon, const std::string& endpoint) {
