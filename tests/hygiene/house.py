@@ -1,10 +1,14 @@
 """The files of the project, for the hygiene tests."""
+import functools
+import re
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ["server", "client", "proto", "scenes", "tests", "deploy", ".ci"]
 SOURCES = {".cpp", ".h"}
 TEXTS = SOURCES | {"", ".txt", ".md", ".json", ".proto", ".py", ".xml", ".csv", ".yaml", ".toml", ".service", ".clang-format", ".js", ".mjs", ".html", ".css"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
 def files(suffixes):
@@ -17,3 +21,9 @@ def files(suffixes):
 
 def text(path):
     return (ROOT / path).read_text(encoding="utf-8", errors="replace")
+
+
+@functools.cache
+def includes(path):
+    """What a source includes: pairs of `<` or `"`, and a name."""
+    return INCLUDE.findall(text(path))

@@ -1,5 +1,4 @@
 """Rooms, and folders within a room, include only those before them in the flow of data."""
-import re
 import unittest
 
 import house
@@ -58,7 +57,6 @@ OUTSIDE = {
     "nettle/": ["server/web/web_handshake.cpp"],
     "toml++/": ["server/app/config/config_file.cpp"],
 }
-INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
 def room_of(path):
@@ -101,7 +99,7 @@ class Includes(unittest.TestCase):
     def test_every_file_keeps_it(self):
         paths = [p.as_posix() for p in house.files(house.SOURCES)]
         self.assertTrue({room_of(p) for p in paths} >= {"base", "frame", "events", "wire"}, "files were not found")
-        faults = [f for p in paths for i in INCLUDE.findall(house.text(p)) if (f := fault(p, i))]
+        faults = [f for p in paths for _, i in house.includes(p) if (f := fault(p, i))]
         self.assertEqual(faults, [])
 
     def test_every_folder_of_the_server_is_a_room(self):

@@ -3,6 +3,7 @@
 Standard headers include each other differently in each version of a compiler: a source that relies on it
 fails to build with another one.
 """
+import functools
 import re
 import unittest
 
@@ -35,9 +36,9 @@ NAMES = {
     "thread": "jthread this_thread thread",
 }
 USES = {header: re.compile(rf"std::({'|'.join(names.split())})\b") for header, names in NAMES.items()}
-INCLUDE = re.compile(r'#include (<[\w./]+>|"[\w./]+")')
 
 
+@functools.cache
 def resolve(name, folder):
     places = [house.ROOT / root / name for root in SOURCE_ROOTS] + [house.ROOT / folder / name]
     return next((p.relative_to(house.ROOT) for p in places if p.is_file()), None)
@@ -48,11 +49,11 @@ def standard_headers(path, seen):
     if path is None or path in seen:
         return
     seen.add(path)
-    for name in INCLUDE.findall(house.text(path)):
-        if name[0] == "<":
-            yield name[1:-1]
+    for bracket, name in house.includes(path):
+        if bracket == "<":
+            yield name
         else:
-            yield from standard_headers(resolve(name[1:-1], path.parent), seen)
+            yield from standard_headers(resolve(name, path.parent), seen)
 
 
 class StandardHeaders(unittest.TestCase):
