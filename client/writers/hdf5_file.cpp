@@ -4,18 +4,13 @@
 #include <utility>
 
 namespace saccade::client {
-namespace {
-
-[[maybe_unused]] constexpr int kDriverNumber = 256;  // the first of those for drivers that nobody else uses
-
-}  // namespace
 
 const H5FD_class_t& Hdf5File::driverClass() {
   static const H5FD_class_t driver_class = [] {
     H5FD_class_t c{};
 #ifdef H5FD_CLASS_VERSION  // HDF5 1.14
     c.version = H5FD_CLASS_VERSION;
-    c.value = kDriverNumber;
+    c.value = 256;  // the first of those for drivers that nobody else uses
 #endif
     c.name = "saccade";
     c.maxaddr = INT64_MAX;

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kHeaderBytes =
-    4096;  // at most, of a CSV file, which is written before any events come
+// At most, of a CSV file. The header is written before any events come.
+constexpr std::uintmax_t kHeaderBytes = 4096;
 
 class LostServer : public testing::Test {
  protected:

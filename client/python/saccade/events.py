@@ -77,7 +77,8 @@ class Events:
         """The events of a slice, a mask, or an array of increasing indices. They cover the same interval."""
         if not isinstance(which, (slice, np.ndarray)):
             raise TypeError("index Events with a slice or an array; for one event, index its columns")
-        labels: dict[str, Any] = {name: None if (label := getattr(self, name)) is None else label[which] for name in LABELS}
+        labels: dict[str, Any] = {name: None if (label := getattr(self, name)) is None else label[which]
+                                  for name in LABELS}
         return replace(self, t=self.t[which], x=self.x[which], y=self.y[which], p=self.p[which],
                        interval=(self.t0, self.t1), **labels)
 
