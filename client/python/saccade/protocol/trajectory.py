@@ -55,6 +55,6 @@ def _motion(settings: Mapping[str, Any]) -> c.Motion:
 def _keyframes(poses: NDArray[np.float64]) -> c.Keyframes:
     if poses.ndim != 2 or poses.shape[1] != 8:
         raise ValueError(f"trajectory has shape {poses.shape}: poses are (n, 8), t x y z qx qy qz qw")
-    rows: list[list[float]] = poses.tolist()
+    rows: Any = poses.tolist()  # lists of eight floats; stubs of numpy do not know how deep
     return c.Keyframes(keys=[c.Keyframe(time_s=row[0], position=Vector3(x=row[1], y=row[2], z=row[3]),
                                         rotation=Quaternion(x=row[4], y=row[5], z=row[6], w=row[7])) for row in rows])
