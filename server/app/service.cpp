@@ -68,7 +68,7 @@ void Service::handle(RawRequest request, const Peer& peer, Answer answer) {
 void Service::dispatch(RawRequest raw, const Peer& peer, const Answer& answer) {
   if (raw.call == v1::Request::kOpenStream) return open(std::move(raw), peer, answer);
   if (raw.call == v1::Request::kPushFrame) return push(raw, answer);
-  const v1::Request request = parseRequest(raw.bytes);
+  const v1::Request request = parseRequest(raw.message.bytes);
   if (request.has_list_scenes()) return scenes_.ask(answer);
   if (request.has_get_frame()) return getFrame(request.get_frame(), answer);
   if (request.has_describe_stream()) return describe(request.describe_stream(), answer);
@@ -80,7 +80,7 @@ void Service::dispatch(RawRequest raw, const Peer& peer, const Answer& answer) {
 
 void Service::open(RawRequest request, const Peer& peer, Answer answer) {
   auto slot =
-      quota_.take(peer.user, {{Limit::kRequests, 1}, {Limit::kMemory, openingMemory(request.bytes.size())}});
+      quota_.take(peer.user, {{Limit::kRequests, 1}, {Limit::kMemory, openingMemory(request.message.bytes.size())}});
   opener_.open(std::move(request), peer, [answer = std::move(answer), slot](v1::Reply reply) mutable {
     slot.reset();  // before the answer: its client may send the next request at once
     answer(std::move(reply));
@@ -89,7 +89,7 @@ void Service::open(RawRequest request, const Peer& peer, Answer answer) {
 
 // Without the registry's lock: a frame may be large.
 void Service::push(const RawRequest& raw, const Answer& answer) {
-  const PushRequest request = readPush(raw.bytes);
+  const PushRequest request = readPush(raw.message.bytes);
   PushTarget target;
   streams_.with(request.stream_id, request.token, [&](const Stream& stream) { target = pushTarget(stream); });
   v1::Reply reply;

@@ -26,13 +26,14 @@ struct Subscription {
 
 // A subscription is one part: 1 (or 0 to end it) and the topic [ZMTP 3.0], or a command of that name
 // [ZMTP 3.1].
-std::optional<Subscription> readSubscription(const std::vector<std::string>& parts) {
+std::optional<Subscription> readSubscription(const std::vector<MessagePart>& parts) {
   using namespace std::string_view_literals;
   if (parts.size() != 1) return {};
   constexpr std::pair<std::string_view, bool> kForms[] = {
       {"\1"sv, true}, {"\0"sv, false}, {"\x09SUBSCRIBE"sv, true}, {"\6CANCEL"sv, false}};
+  const std::string_view bytes = parts[0].bytes;
   for (const auto& [begin, wanted] : kForms) {
-    if (parts[0].starts_with(begin)) return Subscription{wanted, parts[0].substr(begin.size())};
+    if (bytes.starts_with(begin)) return Subscription{wanted, std::string(bytes.substr(begin.size()))};
   }
   return {};
 }
@@ -153,7 +154,7 @@ void BroadcastServer::sendPacketsOf(Session& session, Audience& audience) {
 }
 
 void BroadcastServer::sendTo(const Audience& audience, const std::string& topic,
-                             const SocketLoop::Part& header, const SocketLoop::Part& payload) {
+                             const MessagePart& header, const MessagePart& payload) {
   const auto peers = audience.peers.find(topic);
   if (peers == audience.peers.end()) return;
   for (const std::string& peer : peers->second) {

@@ -53,8 +53,8 @@ class BroadcastServer {
   void serve(Session& session, Audience& audience);
   bool complete(const Session& session, const Audience& audience) const;  // or kJoinTime is over
   void sendPacketsOf(Session& session, Audience& audience);
-  void sendTo(const Audience& audience, const std::string& topic, const SocketLoop::Part& header,
-              const SocketLoop::Part& payload);
+  void sendTo(const Audience& audience, const std::string& topic, const MessagePart& header,
+              const MessagePart& payload);
 
   SocketLoop loop_;
   const SessionDirectory& sessions_;

@@ -5,9 +5,9 @@
 #include <new>
 
 namespace saccade {
-v1::Status readRequest(std::vector<std::string>&& parts, RawRequest& request) {
+v1::Status readRequest(std::vector<MessagePart>&& parts, RawRequest& request) {
   if (parts.size() != 1) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNoRequest);
-  request.bytes = std::move(parts[0]);
+  request.message = std::move(parts[0]);
   return readHead(request);
 }
 
@@ -106,7 +106,7 @@ v1::Status ControlServer::admit(const Unread& unread, v1::Request::CallCase call
 
 Answer ControlServer::answerTo(const std::string& connection, const RawRequest& request,
                                std::shared_ptr<Unread> peer) {
-  auto unread = std::make_shared<UnreadReply>(std::move(peer), request.bytes.size(), counts_);
+  auto unread = std::make_shared<UnreadReply>(std::move(peer), request.message.bytes.size(), counts_);
   const auto expect = [weak = std::weak_ptr(unread)](std::size_t bytes) {
     if (const auto reply = weak.lock()) reply->expect(bytes);
   };

@@ -24,7 +24,7 @@ struct Peer {
 };
 
 // Reads the head of a request from the parts of a message. Returns OK, or why it must be refused.
-v1::Status readRequest(std::vector<std::string>&& parts, RawRequest& request);
+v1::Status readRequest(std::vector<MessagePart>&& parts, RawRequest& request);
 
 class ControlServer {
  public:

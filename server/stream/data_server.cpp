@@ -11,6 +11,10 @@ namespace {
 constexpr std::chrono::milliseconds kFullPause{2};  // until a peer whose queue is full is tried again
 constexpr std::uint64_t kBytesPerTurn = 1 << 20;    // of a connection; then the others have theirs
 
+bool parse(std::string_view bytes, v1::DataRequest& request) {
+  return request.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()));
+}
+
 }  // namespace
 
 DataServer::DataServer(const std::string& endpoint, const SessionDirectory& sessions, std::int64_t max_credit,
@@ -26,7 +30,7 @@ void DataServer::start() {
 
 void DataServer::receive(const SocketLoop::Message& message) {
   v1::DataRequest request;
-  const bool parsed = message.parts.size() == 1 && request.ParseFromString(message.parts[0]);
+  const bool parsed = message.parts.size() == 1 && parse(message.parts[0].bytes, request);
   const std::string fault =
       parsed ? handle(message, request) : "a request is one part: a serialized saccade.v1.DataRequest";
   if (!parsed) request.Clear();  // a half-parsed request may hold a text that is not UTF-8

@@ -3,6 +3,9 @@
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/wire_format_lite.h>
 
+#include <string>
+#include <string_view>
+
 #include "stream/status.h"
 #include "wire/protocol.h"
 
@@ -43,8 +46,9 @@ bool readFields(google::protobuf::io::CodedInputStream& in, RawRequest& raw) {
 }  // namespace
 
 v1::Status readHead(RawRequest& raw) {
-  google::protobuf::io::CodedInputStream in(reinterpret_cast<const std::uint8_t*>(raw.bytes.data()),
-                                            static_cast<int>(raw.bytes.size()));
+  const std::string_view bytes = raw.message.bytes;
+  google::protobuf::io::CodedInputStream in(reinterpret_cast<const std::uint8_t*>(bytes.data()),
+                                            static_cast<int>(bytes.size()));
   if (!readFields(in, raw)) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNoRequest);
   if (raw.version != kProtocolVersion) {
     return makeStatus(v1::CODE_UNIMPLEMENTED,
@@ -56,7 +60,7 @@ v1::Status readHead(RawRequest& raw) {
     return makeStatus(v1::CODE_UNIMPLEMENTED, "the request holds no call that this server knows", "call");
   }
   const bool may_be_long = raw.call == v1::Request::kOpenStream || raw.call == v1::Request::kPushFrame;
-  if (!may_be_long && raw.bytes.size() > kMaxShortRequest) {
+  if (!may_be_long && bytes.size() > kMaxShortRequest) {
     return makeStatus(
         v1::CODE_INVALID_ARGUMENT,
         "only open_stream and push_frame may take more than " + std::to_string(kMaxShortRequest) + " bytes",

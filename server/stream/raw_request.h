@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "saccade/v1/control.pb.h"
+#include "stream/message_part.h"
 
 namespace saccade {
 
@@ -12,13 +12,13 @@ struct RawRequest {
   std::uint64_t id = 0;
   std::uint32_t version = 0;
   v1::Request::CallCase call = v1::Request::CALL_NOT_SET;
-  std::string bytes;
+  MessagePart message;
 };
 
 // Most bytes of any request but open_stream and push_frame.
 inline constexpr std::size_t kMaxShortRequest = 4 << 10;
 
-// Reads the head of `raw.bytes` into the other members, in a time that does not depend on their size. Returns
+// Reads the head of `raw.message` into the other members, in a time that does not depend on their size. Returns
 // OK, or why the request must be refused.
 v1::Status readHead(RawRequest& raw);
 

@@ -43,23 +43,31 @@ using Waiting = std::atomic<std::size_t>;  // bytes that libzmq has for one peer
 
 // What owns a part while libzmq has it.
 struct Loan {
-  std::shared_ptr<const std::string> owner;
+  MessagePart part;
   std::shared_ptr<Waiting> waiting;
 };
 
 void giveBack(void*, void* loan) {
   const std::unique_ptr<Loan> own(static_cast<Loan*>(loan));
-  *own->waiting -= own->owner->size();
+  *own->waiting -= own->part.bytes.size();
 }
 
-zmq::message_t messageOf(const SocketLoop::Part& part, const std::shared_ptr<Waiting>& waiting) {
+zmq::message_t messageOf(const MessagePart& part, const std::shared_ptr<Waiting>& waiting) {
   if (!part.owner || part.bytes.size() < kLeastShared) {
     return zmq::message_t(part.bytes.data(), part.bytes.size());
   }
-  auto loan = std::make_unique<Loan>(Loan{part.owner, waiting});
+  auto loan = std::make_unique<Loan>(Loan{part, waiting});
   *waiting += part.bytes.size();
   void* bytes = const_cast<char*>(part.bytes.data());  // libzmq does not write to it
   return zmq::message_t(bytes, part.bytes.size(), giveBack, loan.release());
+}
+
+// Large messages stay where libzmq has received them: copying those of others would delay every request.
+MessagePart receivedPart(zmq::message_t& message) {
+  if (message.size() < kLeastShared) return std::make_shared<const std::string>(message.to_string());
+  const auto owner = std::make_shared<zmq::message_t>();
+  owner->copy(message);  // another reference to the same bytes
+  return {owner->to_string_view(), owner};
 }
 
 }  // namespace
@@ -142,7 +150,7 @@ void SocketLoop::receiveSome(const OnMessage& on_message, const OnGone& on_gone)
   for (int i = 0; i < kMessagesPerTurn && bytes < kBytesPerTurn && !impl_->stop; ++i) {
     std::optional<Message> message = impl_->receive();
     if (!message) break;
-    for (const auto& part : message->parts) bytes += part.size();
+    for (const auto& part : message->parts) bytes += part.bytes.size();
     deliver(std::move(*message), on_message, on_gone);
   }
 }
@@ -171,7 +179,7 @@ std::optional<SocketLoop::Message> SocketLoop::Impl::receive() {
     // Without keys the property is what the peer says of itself.
     const char* user = clients ? zmq_msg_gets(part.handle(), "User-Id") : nullptr;
     if (user) message.user = user;
-    message.parts.push_back(part.to_string());
+    message.parts.push_back(receivedPart(part));
   }
   if (!peersAreBounded()) message.former = owners.take(zmq_msg_get(part.handle(), ZMQ_SRCFD), message.peer);
   return message;
@@ -185,7 +193,7 @@ bool SocketLoop::allows(const std::string& user) const {
   return !impl_->clients || impl_->clients->allow(user);
 }
 
-SocketLoop::Sent SocketLoop::send(const std::string& peer, std::initializer_list<Part> parts) {
+SocketLoop::Sent SocketLoop::send(const std::string& peer, std::initializer_list<MessagePart> parts) {
   auto& waiting = impl_->waiting[peer];
   if (!waiting) waiting = std::make_shared<Waiting>(0);
   if (*waiting >= impl_->send_queue_bytes) return Sent::kFull;
@@ -194,7 +202,7 @@ SocketLoop::Sent SocketLoop::send(const std::string& peer, std::initializer_list
     zmq::message_t name(peer.data(), peer.size());
     if (!impl_->socket.send(name, zmq::send_flags::sndmore | zmq::send_flags::dontwait)) return Sent::kFull;
     std::size_t left = parts.size();
-    for (const Part& part : parts) {
+    for (const MessagePart& part : parts) {
       const auto more = --left > 0 ? zmq::send_flags::sndmore : zmq::send_flags::none;
       zmq::message_t message = messageOf(part, waiting);
       impl_->socket.send(message, more | zmq::send_flags::dontwait);

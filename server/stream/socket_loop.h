@@ -10,9 +10,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "stream/message_part.h"
 #include "stream/socket_options.h"
 #include "stream/wake_fd.h"
 
@@ -23,7 +23,7 @@ class SocketLoop {
   struct Message {
     std::string peer;                // name of its connection
     std::string user;                // the peer's public key; empty without keys
-    std::vector<std::string> parts;  // at most kMaxParts of strict_router.h
+    std::vector<MessagePart> parts;  // with their owners; at most kMaxParts of strict_router.h
     std::string former;              // a peer that this one shows to be gone; empty: none
   };
 
@@ -49,17 +49,10 @@ class SocketLoop {
   // Ends the thread, sends what was accepted for at most a second, and closes the socket.
   void stop();
 
-  // A part that is copied, or one that is shared until it has been sent.
-  struct Part {
-    Part(std::string_view bytes) : bytes(bytes) {}
-    Part(const std::string& bytes) : bytes(bytes) {}
-    Part(std::shared_ptr<const std::string> text) : bytes(*text), owner(std::move(text)) {}
-    std::string_view bytes;
-    std::shared_ptr<const std::string> owner;
-  };
-  // From the loop's own thread, without blocking. kFull: the peer does not read; kGone: it has disconnected.
+  // From the loop's own thread, without blocking. Parts without an owner are copied, others are shared until
+  // they have been sent. kFull: the peer does not read; kGone: it has disconnected.
   enum class Sent { kYes, kFull, kGone };
-  Sent send(const std::string& peer, std::initializer_list<Part> parts);
+  Sent send(const std::string& peer, std::initializer_list<MessagePart> parts);
   // Whether the key is on the list now: it may have been removed since its owner connected.
   bool allows(const std::string& user) const;
 

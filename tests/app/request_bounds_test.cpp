@@ -121,7 +121,7 @@ TEST(RequestBounds, KnowEveryRepeatedField) {
 }
 
 RawRequest headOf(const std::string& bytes, v1::Code expected) {
-  RawRequest raw{.bytes = bytes};
+  RawRequest raw{.message = std::make_shared<const std::string>(bytes)};
   EXPECT_EQ(readHead(raw).code(), expected);
   return raw;
 }

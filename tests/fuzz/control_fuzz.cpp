@@ -71,7 +71,7 @@ v1::Status open(const v1::OpenStream& request, const World& world) {
   }
 }
 
-v1::Status parseAndOpen(const std::string& bytes, const World& world) {
+v1::Status parseAndOpen(std::string_view bytes, const World& world) {
   try {
     return open(parseRequest(bytes).open_stream(), world);
   } catch (...) {
@@ -80,7 +80,7 @@ v1::Status parseAndOpen(const std::string& bytes, const World& world) {
 }
 
 v1::Status answer(const RawRequest& request, World& world) {
-  if (request.call == v1::Request::kOpenStream) return parseAndOpen(request.bytes, world);
+  if (request.call == v1::Request::kOpenStream) return parseAndOpen(request.message.bytes, world);
   std::promise<v1::Status> status;
   world.service.handle(request, {}, [&](const v1::Reply& reply) { status.set_value(reply.status()); });
   return status.get_future().get();
@@ -89,7 +89,7 @@ v1::Status answer(const RawRequest& request, World& world) {
 bool read(std::string_view bytes) {
   static World world;
   RawRequest request;
-  v1::Status status = readRequest({std::string(bytes)}, request);
+  v1::Status status = readRequest({bytes}, request);
   if (status.code() == v1::CODE_OK) status = answer(request, world);
   SACCADE_CHECK(status.code() != v1::CODE_UNSPECIFIED && status.code() != v1::CODE_INTERNAL);
   SACCADE_CHECK(status.code() == v1::CODE_OK || !status.message().empty());

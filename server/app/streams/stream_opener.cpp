@@ -42,8 +42,8 @@ bool StreamOpener::wait(ChangeNotifier::Clock::time_point deadline) {
 v1::Reply StreamOpener::reply(RawRequest raw, Opening& opening) {
   v1::Reply reply;
   try {
-    v1::Request request = parseRequest(raw.bytes);
-    raw.bytes = {};
+    v1::Request request = parseRequest(raw.message.bytes);
+    raw.message = {};
     *reply.mutable_open_stream() = maker_.make(std::move(*request.mutable_open_stream()), opening);
     *reply.mutable_status() = okStatus();
   } catch (const Cancelled&) {
