@@ -6,6 +6,9 @@ namespace saccade {
 namespace {
 
 constexpr int kReceiveQueue = 16;  // messages of a peer that wait here; more wait at the peer
+// Bytes that one read of a connection takes at most: the system would let it grow to megabytes, and all other
+// connections wait meanwhile.
+constexpr int kReceiveBuffer = 256 << 10;
 
 }  // namespace
 
@@ -18,6 +21,7 @@ void configureRouter(zmq::socket_t& socket, const SocketOptions& options) {
   socket.set(zmq::sockopt::maxmsgsize, options.max_part_bytes);
   socket.set(zmq::sockopt::sndhwm, options.send_queue);
   socket.set(zmq::sockopt::rcvhwm, kReceiveQueue);
+  socket.set(zmq::sockopt::rcvbuf, kReceiveBuffer);
   socket.set(zmq::sockopt::router_mandatory, true);
 }
 
