@@ -13,12 +13,9 @@
 #include <memory>
 #include <stop_token>
 
-namespace saccade {
+#include "base/cancelled.h"
 
-// A job was stopped before its end.
-struct Cancelled : std::exception {
-  const char* what() const noexcept override { return "cancelled"; }
-};
+namespace saccade {
 
 // Makes denormals zero, in and out, for the calling thread.
 void flushDenormalsToZero();

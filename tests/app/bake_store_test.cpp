@@ -1,9 +1,8 @@
-// Who makes a bake, who waits for it, and who stops.
+// Bakes that streams share: one is made for all who ask, and goes on where it was stopped.
 #include "app/streams/bake_store.h"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <filesystem>
 #include <future>
 
@@ -20,7 +19,7 @@ struct BakeStoreTest : testing::Test {
   }
   std::shared_ptr<const Bake> get(
       const std::stop_token& stop = {}, const std::function<void(double)>& progress = [](double) {}) {
-    return store.get(scene, plan, PoolHandle(pool, Priority::kNormal, stop), stop, progress);
+    return store.get(scene, plan, pool, stop, progress);
   }
 
   const std::string folder =
@@ -40,24 +39,20 @@ TEST_F(BakeStoreTest, TellsItsProgress) {
   EXPECT_EQ(last, 1);
 }
 
-TEST_F(BakeStoreTest, OneMakesItAndTheOthersWait) {
+TEST_F(BakeStoreTest, OneIsMadeForAllWhoAsk) {
   std::promise<void> go_on;
-  std::promise<void> begun;
-  std::atomic<int> passes = 0;
-  const auto count = [&](double) {
-    if (++passes == 1) begun.set_value(), go_on.get_future().wait();
-  };
-  auto maker = std::async(std::launch::async, [&] { return get({}, count); });
-  begun.get_future().wait();
-  auto waiting = std::async(std::launch::async,
-                            [&] { return get({}, [](double) { ADD_FAILURE() << "it is made twice"; }); });
+  auto busy = std::async(std::launch::async, [&] {
+    const std::shared_future<void> gone_on = go_on.get_future().share();
+    PoolHandle(pool).run(2, [&](int) { gone_on.wait(); });
+  });
+  auto first = std::async(std::launch::async, [&] { return get(); });
+  auto second = std::async(std::launch::async, [&] { return get(); });
   std::stop_source stopped;
   auto leaving = std::async(std::launch::async, [&] { return get(stopped.get_token()); });
   stopped.request_stop();
   EXPECT_THROW(leaving.get(), Cancelled);
-  EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(20)), std::future_status::timeout);
   go_on.set_value();
-  EXPECT_EQ(maker.get(), waiting.get());
+  EXPECT_EQ(first.get(), second.get());
 }
 
 TEST_F(BakeStoreTest, AnotherGoesOnWhereTheMakerStops) {

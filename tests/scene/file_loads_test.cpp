@@ -1,5 +1,6 @@
 #include "scene/files/file_loads.h"
 
+#include "base/cancelled.h"
 #include "scene/files/limits.h"
 #include "scene/mitsuba_scratch.h"
 
@@ -39,6 +40,19 @@ TEST(FileLoads, ProgressCountsEveryFileOnce) {
                                     seen.push_back(done);
                                   }});
   EXPECT_EQ(seen, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+TEST(FileLoads, NoMoreFilesAreReadAfterAStop) {
+  const Scratch files;
+  const std::string body = manyMeshes(files, 9);
+  std::stop_source stopped;
+  int read = 0;
+  LoadOptions options{.threads = 1, .stop = stopped.get_token()};
+  options.progress = [&](int done, int) {
+    if ((read = done) == 2) stopped.request_stop();
+  };
+  EXPECT_THROW(loadBody(files, body, "3.0.0", options), Cancelled);
+  EXPECT_EQ(read, 2);
 }
 
 TEST(FileLoads, TheFirstFaultInTheFileIsTheOneThatIsTold) {

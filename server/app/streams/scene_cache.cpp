@@ -11,16 +11,6 @@
 namespace saccade {
 namespace {
 
-// Ready, and held by nothing but the future.
-bool isIdle(const std::shared_future<SceneCache::ScenePtr>& scene) {
-  if (scene.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-  try {
-    return scene.get().use_count() == 1;
-  } catch (...) {
-    return false;  // it could not be loaded
-  }
-}
-
 std::string mib(std::uint64_t bytes) {
   constexpr double kMiB = 1 << 20;
   return std::to_string(std::lround(static_cast<double>(bytes) / kMiB));
@@ -32,64 +22,87 @@ bool SceneCache::Version::operator==(const Version& other) const {
   return changed == other.changed && !whole.owner_before(other.whole) && !other.whole.owner_before(whole);
 }
 
-SceneCache::ScenePtr SceneCache::get(const std::string& name) {
-  const FileTime changed = library_.lastChange(name);
-  return getOrBuild({name, {}}, {changed, {}}, [&] { return load(name, changed); });
+SceneCache::ScenePtr SceneCache::get(const std::string& name, const std::stop_token& stop,
+                                     const std::function<void(double)>& progress) {
+  const Key key{name, {}};
+  const Version version{library_.lastChange(name), {}};
+  if (auto scene = find(key, version)) return scene;
+  const auto loadIt = [=, this](const BuildContext& context) {
+    return build(key, version, [&] { return load(name, version.changed, context); });
+  };
+  return builds_.get({name, {}, version.changed, nullptr}, stop, loadIt, progress);
 }
 
 SceneCache::ScenePtr SceneCache::simplify(const std::string& name, const ScenePtr& whole,
-                                          const SceneFeatures& disabled) {
+                                          const SceneFeatures& disabled, const std::stop_token& stop) {
   if (disabled.empty()) return whole;
-  return getOrBuild({name, disabled}, {{}, whole},
-                    [&] { return prepare(name, simplified(whole->description(), disabled)); });
+  const Key key{name, disabled};
+  const Version version{{}, whole};
+  if (auto scene = find(key, version)) return scene;
+  return builds_.get({name, disabled, {}, whole.get()}, stop, [=, this](const BuildContext&) {
+    return build(key, version, [&] { return prepare(name, simplified(whole->description(), disabled)); });
+  });
 }
 
-// The first caller builds, the others wait for it.
-SceneCache::ScenePtr SceneCache::getOrBuild(const Key& key, const Version& version,
-                                            const std::function<ScenePtr()>& build) {
-  std::packaged_task<ScenePtr()> task(build);
-  std::unique_lock lock(mutex_);
-  Entry& entry = enter(key);
-  const bool first = !entry.scene.valid() || !(entry.version == version);
-  if (first) entry = {version, task.get_future().share()};
-  entry.used = ++uses_;
-  const std::shared_future<ScenePtr> scene = entry.scene;
-  lock.unlock();
-  if (first) task();
+// The scene that is kept; another thread may just have built it.
+SceneCache::ScenePtr SceneCache::build(const Key& key, const Version& version,
+                                       const std::function<ScenePtr()>& make) {
+  if (auto scene = find(key, version)) return scene;
+  enter(key, version);
+  ScenePtr scene;
   try {
-    return scene.get();
+    scene = make();
   } catch (...) {
-    if (!first) throw;
-    lock.lock();
-    const auto failed = entries_.find(key);
-    if (failed != entries_.end() && failed->second.version == version) entries_.erase(failed);
+    keep(key, version, nullptr);
     throw;
   }
+  keep(key, version, scene);
+  return scene;
 }
 
-// The entry of the key, perhaps a new one.
-SceneCache::Entry& SceneCache::enter(const Key& key) {
-  const auto known = entries_.find(key);
-  if (known != entries_.end() || key.second.empty()) return entries_[key];
+// Null: it is not there.
+SceneCache::ScenePtr SceneCache::find(const Key& key, const Version& version) {
+  std::lock_guard lock(mutex_);
+  const auto found = entries_.find(key);
+  if (found == entries_.end() || !(found->second.version == version)) return nullptr;
+  found->second.used = ++uses_;
+  return found->second.scene;
+}
+
+// Makes an entry for a scene that is about to be built. It replaces that of another version.
+void SceneCache::enter(const Key& key, const Version& version) {
+  std::lock_guard lock(mutex_);
   const auto count = [&] {
     return static_cast<std::size_t>(std::count_if(
         entries_.begin(), entries_.end(), [](const auto& entry) { return !entry.first.second.empty(); }));
   };
-  while (count() >= most_simplified_ && evictOne(true)) {
+  const bool is_new = !entries_.contains(key);
+  if (!key.second.empty() && is_new) {
+    while (count() >= most_simplified_ && evictOne(true)) {
+    }
+    if (count() >= most_simplified_) {
+      throw LimitReached(Limit::kReducedScenes, "quality.disabled_features",
+                         std::to_string(most_simplified_) + " other simplified scenes are in use",
+                         kRetrySeconds);
+    }
   }
-  if (count() < most_simplified_) return entries_[key];
-  throw LimitReached(Limit::kReducedScenes, "quality.disabled_features",
-                     std::to_string(most_simplified_) + " other simplified scenes are in use", kRetrySeconds);
+  entries_[key] = {version, nullptr, ++uses_};
 }
 
-SceneCache::ScenePtr SceneCache::load(const std::string& name, FileTime changed) {
-  const auto log = [this](const std::string& text) { log_.write(spdlog::level::info, "loading " + text); };
+// Ends what enter() began. Null: it could not be built.
+void SceneCache::keep(const Key& key, const Version& version, const ScenePtr& scene) {
+  std::lock_guard lock(mutex_);
+  const auto found = entries_.find(key);
+  if (found == entries_.end() || !(found->second.version == version)) return;  // there is a newer version
+  found->second.scene = scene;
+  if (!scene) entries_.erase(found);
+}
+
+SceneCache::ScenePtr SceneCache::load(const std::string& name, FileTime changed,
+                                      const BuildContext& context) {
   const auto began = std::chrono::steady_clock::now();
   try {
-    std::unique_lock reading(reading_);
-    Scene read = library_.load(name, tellSlowLoad(name, log));
-    reading.unlock();
-    const auto scene = prepare(name, std::move(read));
+    const ScenePtr scene = read(name, context);
     loads_.ns += (std::chrono::steady_clock::now() - began) / std::chrono::nanoseconds(1);
     ++loads_.done;
     std::string stats = statsOf(scene->description()).text();
@@ -100,6 +113,9 @@ SceneCache::ScenePtr SceneCache::load(const std::string& name, FileTime changed)
     }
     remember(name, changed, {stats, {}});
     return scene;
+  } catch (const Cancelled&) {
+    log_.write(spdlog::level::info, "stopped loading " + name + ", for which nobody waits any more");
+    throw;
   } catch (const SceneError& fault) {
     ++loads_.failed;
     remember(name, changed, {{}, fault.what()});
@@ -108,6 +124,20 @@ SceneCache::ScenePtr SceneCache::load(const std::string& name, FileTime changed)
     ++loads_.failed;
     throw;
   }
+}
+
+SceneCache::ScenePtr SceneCache::read(const std::string& name, const BuildContext& context) {
+  auto tell = tellSlowLoad(
+      name, [this](const std::string& text) { log_.write(spdlog::level::info, "loading " + text); });
+  const auto tellBoth = [&](int done, int total) {
+    tell(done, total);
+    context.setProgress(static_cast<double>(done) / total);
+  };
+  std::unique_lock reading(reading_);
+  throwIfStopped(context.stop);
+  Scene scene = library_.load(name, tellBoth, context.stop);
+  reading.unlock();
+  return prepare(name, std::move(scene));
 }
 
 // Makes the scene ready for tracing. It is counted with what is known of it before, and then with all of it.
@@ -144,7 +174,7 @@ bool SceneCache::evictOne(bool simplified_only) {
   auto oldest = entries_.end();
   for (auto it = entries_.begin(); it != entries_.end(); ++it) {
     const bool whole = it->first.second.empty();
-    if ((simplified_only && whole) || !isIdle(it->second.scene)) continue;
+    if ((simplified_only && whole) || it->second.scene.use_count() != 1) continue;
     if (oldest == entries_.end() || it->second.used < oldest->second.used) oldest = it;
   }
   if (oldest == entries_.end()) return false;

@@ -6,15 +6,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "app/admission/limits.h"
+#include "base/shared_build.h"
 #include "ops/limited_log.h"
 #include "render/render_scene.h"
 #include "render/simplify.h"
@@ -50,12 +52,15 @@ class SceneCache {
   std::uint64_t bytes() const;  // of all scenes in memory
   SceneNote note(const std::string& name) const;
 
-  // The scene as its file now describes it. Loads it, or waits for another thread that does. Throws
-  // SceneError, and LimitReached where there is no room; the next call tries again.
-  ScenePtr get(const std::string& name);
+  // The scene as its file now describes it. Loads it, or waits for a load that others have asked for;
+  // `progress` is then told the share of files that are read. Throws SceneError, and LimitReached where there
+  // is no room; the next call tries again. Throws Cancelled as soon as `stop` is requested.
+  ScenePtr get(const std::string& name, const std::stop_token& stop = {},
+               const std::function<void(double)>& progress = {});
   // `whole`, which get() returned, without some features. Throws LimitReached where too many simplified
-  // scenes are in use, or there is no room.
-  ScenePtr simplify(const std::string& name, const ScenePtr& whole, const SceneFeatures& disabled);
+  // scenes are in use, or there is no room, and Cancelled.
+  ScenePtr simplify(const std::string& name, const ScenePtr& whole, const SceneFeatures& disabled,
+                    const std::stop_token& stop = {});
 
  private:
   using FileTime = std::filesystem::file_time_type;
@@ -68,7 +73,7 @@ class SceneCache {
   };
   struct Entry {
     Version version;
-    std::shared_future<ScenePtr> scene;
+    ScenePtr scene;          // null while it is being built
     std::uint64_t used = 0;  // the value of uses_ at the last use
   };
   struct Counted {
@@ -79,9 +84,16 @@ class SceneCache {
     FileTime changed;
     SceneNote note;
   };
-  ScenePtr getOrBuild(const Key& key, const Version& version, const std::function<ScenePtr()>& build);
-  Entry& enter(const Key& key);
-  ScenePtr load(const std::string& name, FileTime changed);
+  // Name, what is disabled, and the version.
+  using BuildKey = std::tuple<std::string, SceneFeatures, FileTime, const RenderScene*>;
+  using Builds = SharedBuild<BuildKey, RenderScene>;
+
+  ScenePtr build(const Key& key, const Version& version, const std::function<ScenePtr()>& make);
+  ScenePtr find(const Key& key, const Version& version);
+  void enter(const Key& key, const Version& version);
+  void keep(const Key& key, const Version& version, const ScenePtr& scene);
+  ScenePtr load(const std::string& name, FileTime changed, const BuildContext& context);
+  ScenePtr read(const std::string& name, const BuildContext& context);
   ScenePtr prepare(const std::string& name, Scene scene);
   void count(const std::string& name, std::weak_ptr<const void> scene, std::uint64_t bytes);
   void makeRoom(const std::string& name, std::uint64_t bytes);
@@ -100,6 +112,7 @@ class SceneCache {
   std::uint64_t uses_ = 0;
   std::vector<Counted> counted_;  // the scenes in memory, and some that are gone
   std::map<std::string, Noted> notes_;
+  Builds builds_;  // last: its threads use all others
 };
 
 }  // namespace saccade

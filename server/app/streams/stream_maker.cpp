@@ -88,15 +88,16 @@ std::shared_ptr<void> StreamMaker::reserve(const std::string& user, const std::v
 void StreamMaker::loadScenes(Plan& plan, Opening& opening) {
   openings_.begin(opening, "loading the scene");
   const std::string& name = plan.resolved.request.scene();
-  plan.whole = resources_.scenes.get(name);
+  const std::stop_token stop = opening.stop.get_token();
+  plan.whole = resources_.scenes.get(name, stop, [&](double share) { openings_.setDone(opening, share); });
   fitTo(plan.whole->description(), plan.resolved);
-  plan.scene = resources_.scenes.simplify(name, plan.whole, plan.resolved.disabled_features);
+  plan.scene = resources_.scenes.simplify(name, plan.whole, plan.resolved.disabled_features, stop);
 }
 
 void StreamMaker::bakeLight(Plan& plan, const Trajectory& body, Opening& opening) {
   if (!plan.resolved.request.quality().has_bake_error()) return;
   openings_.begin(opening, "computing light ahead");
-  plan.bake = resources_.bakes.get(plan.scene, planBakeOf(*plan.scene, body, plan.resolved), poolFor(opening),
+  plan.bake = resources_.bakes.get(plan.scene, planBakeOf(*plan.scene, body, plan.resolved), resources_.pool,
                                    opening.stop.get_token(),
                                    [&](double share) { openings_.setDone(opening, share); });
   plan.resolved.feed.baked = {plan.bake, plan.bake->light.get()};

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "base/cancelled.h"
 #include "scene/files/limits.h"
 
 namespace saccade {
@@ -33,7 +34,7 @@ void FileLoads::run(const LoadOptions& options) const {
   std::map<int, std::exception_ptr> faults;  // by the index of the load
   int done = 0;
   const auto work = [&] {
-    for (int i = next++; i < total; i = next++) {
+    for (int i = next++; i < total && !options.stop.stop_requested(); i = next++) {
       std::exception_ptr fault;
       try {
         loads_[static_cast<std::size_t>(i)].run();
@@ -50,6 +51,7 @@ void FileLoads::run(const LoadOptions& options) const {
     for (int i = 1; i < threadsFor(options, total); ++i) helpers.emplace_back(work);
     work();
   }
+  throwIfStopped(options.stop);
   if (faults.empty()) return;
   const auto& [first, fault] = *faults.begin();
   try {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 #include <vector>
 
 namespace saccade {
@@ -19,6 +20,7 @@ struct LoadOptions {
   std::vector<std::filesystem::path> confined_to = {};
   int threads = 0;  // that read files; 0: one for each core, at most kMaxLoadThreads
   LoadProgress progress = {};
+  std::stop_token stop = {};  // once requested, no more files are read, and Cancelled is thrown
 };
 
 inline constexpr int kMaxLoadThreads = 8;

@@ -77,10 +77,11 @@ std::string SceneLibrary::unknown(const std::string& name) const {
   return what + "; there are: " + joinNames(names);
 }
 
-Scene SceneLibrary::load(const std::string& name, const LoadProgress& progress) const {
+Scene SceneLibrary::load(const std::string& name, const LoadProgress& progress,
+                         const std::stop_token& stop) const {
   if (!contains(name)) throw SceneError(unknown(name));
   LoadOptions options = options_;
-  options.progress = progress;
+  options.progress = progress, options.stop = stop;
   const fs::path file = sceneFileIn(folder_ / name);
   return formatOf(file).load(file.string(), options);
 }

@@ -30,8 +30,10 @@ class SceneLibrary {
   std::vector<SceneEntry> list() const;
   // Name and trajectories of one scene; reads no file. Empty: there is no such scene.
   std::optional<SceneEntry> find(const std::string& name) const;
-  // Throws SceneError: an unknown name, with the valid ones; a faulty file.
-  Scene load(const std::string& name, const LoadProgress& progress = {}) const;
+  // Throws SceneError: an unknown name, with the valid ones; a faulty file. Throws Cancelled between files
+  // once `stop` is requested.
+  Scene load(const std::string& name, const LoadProgress& progress = {},
+             const std::stop_token& stop = {}) const;
   // Says that there is no such scene, and which there are. Throws SceneError where the folder cannot be read.
   std::string unknown(const std::string& name) const;
   // When the scene's file was last written; the beginning of time where there is none.
