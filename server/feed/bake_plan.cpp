@@ -6,7 +6,6 @@
 
 #include "base/content_hash.h"
 #include "scene/emitter_strengths.h"
-#include "scene/scene_hash.h"
 
 namespace saccade {
 namespace {
@@ -37,7 +36,7 @@ BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedCo
 
 std::uint64_t digestOf(const RenderScene& scene, const BakePlan& plan) {
   ContentHash h;
-  h.add(kVersion), h.add(hashScene(scene.description()));
+  h.add(kVersion), h.add(scene.digest());
   for (const Pose& pose : plan.poses) h.add(pose.position), h.add(pose.rotation);
   const CameraModel& camera = plan.camera;
   h.add(camera.width), h.add(camera.height), h.add(camera.fx), h.add(camera.fy), h.add(camera.cx);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/scene_hash.h"
 #include "scene/scene_stats.h"
 
 namespace saccade {
@@ -26,6 +27,11 @@ RenderScene::RenderScene(Scene scene)
           std::any_of(scene_.materials.begin(), scene_.materials.end(), transmitsStraight)),
       epsilon_(kRelativeEpsilon * geometry_.diagonal()) {
   for (const Material& m : scene_.materials) tables_.emplace_back(m.model);
+}
+
+std::uint64_t RenderScene::digest() const {
+  std::call_once(hashed_, [&] { digest_ = hashScene(scene_); });
+  return digest_;
 }
 
 std::size_t RenderScene::bytes() const {

@@ -2,6 +2,8 @@
 // can share it.
 #pragma once
 
+#include <cstdint>
+#include <mutex>
 #include <vector>
 
 #include "frame/obstacles.h"
@@ -37,6 +39,7 @@ class RenderScene : public Obstacles {
   Shading shading() const { return shading_; }  // what the scene has
   int channels() const { return channels_; }
   Met find(const Ways& ways) const override;
+  std::uint64_t digest() const;  // hashScene() of the description, which is computed once
   std::size_t bytes() const;  // nearly all of its memory: geometry, Embree's tree, textures
 
   // Whether some surface lets shadow rays through.
@@ -64,6 +67,8 @@ class RenderScene : public Obstacles {
   bool has_straight_transmission_;
   float epsilon_;
   std::vector<BsdfTables> tables_;  // by material
+  mutable std::once_flag hashed_;
+  mutable std::uint64_t digest_ = 0;
 };
 
 }  // namespace saccade
