@@ -68,7 +68,7 @@ void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstim
   std::array<BakedPoints, kSteps> batches;  // wanted, located, found and read in turn
   int batch = 0;
   const auto turn = [&] {
-    batches[batch].want(levels_, params_.finest_px);
+    batches[batch].want(levels_, params_.cell_px);
     batches[(batch + 3) % kSteps].locate();
     batches[(batch + 2) % kSteps].find();
     batch = (batch + 1) % kSteps;
@@ -115,7 +115,7 @@ void BakedLight::add(const BakedPoints& points, SurfaceSamples& on, const GBuffe
     return F(blend(variances, of_rest, of_coarse) / (scale_ * scale_) +
              U * U * blend(variances, of_visibility, of_coarse));
   };
-  const F cells = points.scale() / params_.finest_px;
+  const F cells = points.scale() / params_.cell_px;
   const F var_i = variance(kVarRest, kVarVisibility, of_coarse);
   const F var_step = cells * cells * px2 * variance(kStepRest, kStepVisibility, F(of_coarse * kStepToFine));
   LaneMemory<3> said;

@@ -31,10 +31,10 @@ class BakedPoints {
     points_[count_++] = point;
   }
 
-  // Splits the edge of cells into level and scale as gridPoint() does. `finest_px`: edge of the finest cells,
+  // Splits the edge of cells into level and scale as gridPoint() does. `cell_px`: edge of the finest cells,
   // pixels.
-  void want(const BakedLevels& levels, float finest_px) {
-    const Uints<kMost> bits = std::bit_cast<Uints<kMost>>(F(finest_px * load<kMost>(footprint_)));
+  void want(const BakedLevels& levels, float cell_px) {
+    const Uints<kMost> bits = std::bit_cast<Uints<kMost>>(F(cell_px * load<kMost>(footprint_)));
     constexpr std::uint32_t kExponent = 0x7f800000, kOne = 0x3f800000;
     scale_ = std::bit_cast<F>(Uints<kMost>((bits & ~kExponent) | kOne));
     tetrahedra_.find(1.f / std::bit_cast<F>(Uints<kMost>(bits & kExponent)));

@@ -10,9 +10,9 @@
 namespace saccade {
 
 struct BlendParams {
-  float tau;      // standard deviations that a level's detail must exceed its noise by
-  float noise;    // variance of an interpolated mean, of that of one sample, at a density of one
-  float caution;  // how many times the noise of detail counts, beside its energy
+  float tau;           // standard deviations that a level's detail must exceed its noise by
+  float noise;         // variance of an interpolated mean, of that of one sample, at a density of one
+  float noise_weight;  // of the noise of detail, against its energy
 };
 
 inline constexpr int kTop = kGridLevels - 1;  // the slot of the coarsest level
@@ -30,14 +30,14 @@ struct BlendedLight {
   F value = 0.f, variance = 0.f;         // of the estimate so far, with the detail that it leaves out
   std::array<F, kTop> alpha{}, noise{};  // of each level: alpha_k, and the variance of E_k
 
-  // `sum` of samples of the weight `samples`. alpha = energy / (energy + caution * noise): what evidence
+  // `sum` of samples of the weight `samples`. alpha = energy / (energy + noise_weight * noise): what evidence
   // says of the energy of the detail, against the variance of the level's mean.
   void refine(int k, F sum, F samples, F x, F x2, F residual2, F weight, F fraction, const BlendParams& p) {
     using std::max, std::sqrt;
     const auto known = samples > 0.f;
     const F energy = select(weight > 0.f, max(F(0.f), F(x - p.tau * sqrt(x2))) / weight, F(0.f));
     noise[k] = varianceOf<F>(residual2, weight, samples, p);
-    F a = select(energy > 0.f, energy / (energy + p.caution * noise[k]), F(0.f));
+    F a = select(energy > 0.f, energy / (energy + p.noise_weight * noise[k]), F(0.f));
     const F left_out = (1.f - a) * (1.f - a) * energy;
     // The coarsest level fades in, and the finest fades out, as the point moves away.
     if (k == kTop - 1) a += (1.f - fraction) * (1.f - a);

@@ -14,8 +14,8 @@ constexpr std::uint32_t kOneBits = 0x3f800000;  // of the float 1
 
 }  // namespace
 
-GridPoint gridPoint(const SurfacePlace& place, float finest_px) {
-  const auto bits = std::bit_cast<std::uint32_t>(finest_px * place.footprint);
+GridPoint gridPoint(const SurfacePlace& place, float cell_px) {
+  const auto bits = std::bit_cast<std::uint32_t>(cell_px * place.footprint);
   const float scale = std::bit_cast<float>((bits & 0x7fffff) | kOneBits);
   return {.level = static_cast<int>(bits >> 23) - 127,
           .fraction = std::log2(scale),
@@ -23,7 +23,7 @@ GridPoint gridPoint(const SurfacePlace& place, float finest_px) {
           .position = place.position};
 }
 
-void Placement::place(const SurfaceSamples& on, float finest_px) {
+void Placement::place(const SurfaceSamples& on, float cell_px) {
   constexpr int kMaxBins = 3;
   const std::size_t most = on.indexOf(0, on.height());
   points.clear(), points.reserve(most);
@@ -37,7 +37,7 @@ void Placement::place(const SurfaceSamples& on, float finest_px) {
     for (int x0 = 0; x0 < on.columns(); x0 += square) {
       const int x1 = std::min(x0 + square, on.columns());
       for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) add(on, static_cast<std::uint32_t>(on.indexOf(x, y)), finest_px);
+        for (int x = x0; x < x1; ++x) add(on, static_cast<std::uint32_t>(on.indexOf(x, y)), cell_px);
     }
     band_ends.push_back(points.size());
   }
@@ -45,12 +45,12 @@ void Placement::place(const SurfaceSamples& on, float finest_px) {
     if (slot.size() < bins.size()) slot.resize(bins.size());
 }
 
-void Placement::add(const SurfaceSamples& on, std::uint32_t index, float finest_px) {
+void Placement::add(const SurfaceSamples& on, std::uint32_t index, float cell_px) {
   const SurfaceKind kind = on[index].kind;
   if (kind == SurfaceKind::kNone || on[index].baked) return;
   const SurfacePlace& place = on.place(index);
   const NormalBins normal(place.normal);
-  GridPoint& point = points.emplace_back(gridPoint(place, finest_px));
+  GridPoint& point = points.emplace_back(gridPoint(place, cell_px));
   point.index = index;
   point.first = static_cast<std::uint32_t>(bins.size()),
   point.count = static_cast<std::uint32_t>(normal.count);

@@ -26,8 +26,8 @@ struct GridPoint {
   static bool isSlot(int slot) { return slot >= 0 && slot < kSlots; }
 };
 
-// The place of a point, without taps. `finest_px`: edge of the finest cells, pixels.
-GridPoint gridPoint(const SurfacePlace& place, float finest_px);
+// The place of a point, without taps. `cell_px`: edge of the finest cells, pixels.
+GridPoint gridPoint(const SurfacePlace& place, float cell_px);
 inline constexpr int kVertexBins = 12;  // and as many for each further side of a cut
 // The vertex on a side of the cut of one on side 0.
 inline VertexKey onSide(VertexKey vertex, std::uint32_t side) {
@@ -50,8 +50,8 @@ struct Taps {
 
 struct Placement {
   // Takes the points of a frame that can share light, and whose light is not known ahead. Fills all but
-  // `taps`. `finest_px`: edge of the finest cells, pixels.
-  void place(const SurfaceSamples& on, float finest_px);
+  // `taps`. `cell_px`: edge of the finest cells, pixels.
+  void place(const SurfaceSamples& on, float cell_px);
 
   // The share of a point's own sample in what it gathers in a slot.
   float ownShare(const GridPoint& p, int slot) const {
@@ -74,7 +74,7 @@ struct Placement {
   int least_level = 0, most_level = -1;        // of any slot
 
  private:
-  void add(const SurfaceSamples& on, std::uint32_t index, float finest_px);
+  void add(const SurfaceSamples& on, std::uint32_t index, float cell_px);
 };
 
 }  // namespace saccade

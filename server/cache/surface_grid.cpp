@@ -42,7 +42,7 @@ SurfaceGrid::Time forEachBand(const SurfaceSamples& on, const PoolHandle& pool, 
 
 // Adds what the grid says of a few points to their pixels.
 void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes, const SurfaceSamples& on,
-                  const GBuffer& g, const Placement& at, float finest_px, GridEstimate& out) {
+                  const GBuffer& g, const Placement& at, float cell_px, GridEstimate& out) {
   LaneMemory<2> of_points;  // unoccluded light, and motion in finest cells
   std::array<int, kPointLanes> x, y;
   for (int i = 0; i < lanes.count; ++i) {
@@ -50,7 +50,7 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
     x[i] = on.columnOf(p.index) / on.perPixel(), y[i] = on.rowOf(p.index);
     const float mx = g.motion_x.at(x[i], y[i]), my = g.motion_y.at(x[i], y[i]);
     of_points.values[0][i] = on.place(p.index).unoccluded;
-    of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / finest_px;
+    of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / cell_px;
   }
   const auto [U, cells] = of_points.lanes();
   LaneMemory<3> said;
@@ -68,14 +68,14 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
 }  // namespace
 
 int GridParams::pixelSlot() const {
-  return std::clamp(static_cast<int>(std::lround(std::log2(1.4f / finest_px))), 0, kTop - 1);
+  return std::clamp(static_cast<int>(std::lround(std::log2(1.4f / cell_px))), 0, kTop - 1);
 }
 
 SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const PoolHandle& pool, Placement& prev,
                                      Placement& out) {
   ++now_;
   if (vertices() > params_.max_vertices) drop(prev);
-  Time time = pool.run(1, [&](int) { out.place(on, params_.finest_px); });
+  Time time = pool.run(1, [&](int) { out.place(on, params_.cell_px); });
   if (out.empty()) return time;
   levels_.makeAll(out.least_level, out.most_level);
   new_.resize(std::max<std::size_t>(new_.size(), out.most_level - out.least_level + 1));
@@ -185,7 +185,7 @@ SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer
     PointLanes lanes;
     const auto finish = [&] {
       const LevelBlend<PointFloats> blend = lanes.blend(params_.blend);
-      addEstimates(blend, lanes, on, g, at, params_.finest_px, out);
+      addEstimates(blend, lanes, on, g, at, params_.cell_px, out);
       each(blend, lanes);
       lanes.count = 0;
     };

@@ -19,8 +19,8 @@
 namespace saccade {
 
 struct GridParams {
-  float finest_px = 1.4f;  // edge of the finest cells, pixels
-  BlendParams blend{.tau = 1, .noise = 0.23f, .caution = 4};
+  float cell_px = 1.4f;  // edge of the finest cells, pixels
+  BlendParams blend{.tau = 1, .noise = 0.23f, .noise_weight = 4};
   std::size_t max_vertices = 2'000'000;  // beyond, those go that were not used for longest
   // Of cells of about two pixels.
   int pixelSlot() const;

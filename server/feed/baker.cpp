@@ -17,7 +17,7 @@ constexpr std::size_t kMiB = 1 << 20;
 
 // Finest cells of half the size of a feed's, or of the same. It never drops vertices.
 GridParams gridOf(bool larger_cells) {
-  return {.finest_px = GridParams{}.finest_px * (larger_cells ? 1.f : 0.5f),
+  return {.cell_px = GridParams{}.cell_px * (larger_cells ? 1.f : 0.5f),
           .max_vertices = std::numeric_limits<std::size_t>::max()};
 }
 

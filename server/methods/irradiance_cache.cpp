@@ -15,23 +15,24 @@ using P = IrradianceCacheParams;
 
 const std::vector<ParamField<P>>& fields() {
   static const std::vector<ParamField<P>> table{
-      {"finest", &P::finest, 0.1, 16, "edge of the finest cells, pixels", "[ours]"},
+      {"cell_px", &P::cell_px, 0.1, 16, "edge of the finest cells, pixels", "[ours]", "finest"},
       {"tau", &P::tau, 0, 10, "standard deviations by which detail must exceed its noise", "[ours]"},
-      {"noise", &P::noise, 0.001, 100, "variance of an interpolated mean, of that of one sample", "[ours]"},
-      {"caution", &P::caution, 0, 100, "times that the noise of detail counts, beside its energy", "[ours]"},
+      {"noise", &P::noise, 0.001, 100, "variance of an interpolated mean, relative to that of one sample",
+       "[ours]"},
+      {"noise_weight", &P::noise_weight, 0, 100,
+       "weight of noise against energy when detail is kept or dropped", "[ours]", "caution"},
       {"iterations", &P::iterations, 0, 5, "a-trous iterations, of spacing 1, 2, 4, ...", "[ours]"},
       {"sigma_l", &P::sigma_l, 0.01, 1000,
        "luminance tolerance of the primal, standard deviations of the mean", "[ours]"},
       {"sigma_l_diff", &P::sigma_l_diff, 0.01, 1000, "luminance tolerance of the difference, likewise",
        "[ours]"},
       {"target", &P::target, 0.0001, 10,
-       "relative error of light below which a pixel gets fewer of 2 paths; of n paths, sqrt(2 / n) times it",
-       "[ours]"},
+       "relative error below which a pixel gets fewer paths; it is scaled by sqrt(2 / spp)", "[ours]"},
       {"grid_paths", &P::grid_paths, 0, 64,
-       "paths per pixel whose time the grid takes: so many are left out, half of those asked at most",
-       "[ours]"},
-      {"memory", &P::memory, 1, 65536,
-       "MiB of the grid, which has at most 5 kB per pixel; at least what two frames need", "[ours]"},
+       "time of the grid in paths per pixel: so many paths are dropped, at most half of spp", "[ours]"},
+      {"memory_mib", &P::memory_mib, 1, 65536,
+       "MiB of the grid, which has at most 5 kB per pixel; at least what two frames need", "[ours]",
+       "memory"},
       {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
       {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
   };
@@ -44,24 +45,24 @@ constexpr int kBakedIterations = 1;
 // Frames after a change of light, until 3 % of it are missing in a history of SVGF.
 constexpr std::uint32_t kCatchUp = 32;
 
-// Bytes of a grid: what `memory` allows, but no more than 25 pictures show that have nothing in common.
+// Bytes of a grid: what `memory_mib` allows, but no more than 25 pictures show that have nothing in common.
 double gridBytes(int memory, double pixels) {
   constexpr double kMostPerPixel = 5000;
   return std::min(memory * double(1 << 20), kMostPerPixel * pixels);
 }
 
-// Measured with the least `memory` on pictures of 512x512 of curved meshes and of the staircase.
+// Measured with the least `memory_mib` on pictures of 512x512 of curved meshes and of the staircase.
 double mostBytes(const ParamValues& params, double pixels, bool jitter) {
   constexpr double kPlaces = 1900, kMorePlaces = 1700, kTwoFrames = 600;  // per pixel
   return pixels * (jitter ? kPlaces + kMorePlaces : kPlaces) +
-         std::max(pixels * kTwoFrames, gridBytes(static_cast<int>(params.at("memory")), pixels));
+         std::max(pixels * kTwoFrames, gridBytes(static_cast<int>(params.at("memory_mib")), pixels));
 }
 
 }  // namespace
 
 MethodInfo IrradianceCache::info() {
   return {"irradiance_cache",
-          "keeps light on surfaces, and reads the change from it: for scenes that stand still",
+          "caches light on surfaces, and reads the change from it: for static scenes",
           paramSpecs(fields()),
           [](const ParamValues&) {
             return SampleRequest{SeedReuse::kIndependent, true};
@@ -79,8 +80,9 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
     : params_(p),
       atrous_{
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
-      light_({.finest_px = p.finest, .blend = {.tau = p.tau, .noise = p.noise, .caution = p.caution}},
-             static_cast<std::size_t>(gridBytes(p.memory, 1. * w * h))),
+      light_(
+          {.cell_px = p.cell_px, .blend = {.tau = p.tau, .noise = p.noise, .noise_weight = p.noise_weight}},
+          static_cast<std::size_t>(gridBytes(p.memory_mib, 1. * w * h))),
       baked_(std::move(baked)),
       said_{GridEstimate(w, h), GridEstimate(w, h)},
       filtered_(w, h),
@@ -175,7 +177,8 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   SurfaceGrid &grid = light_.current().grid, &grid_prev = light_.previous().grid;
   times[Stage::kTemporal] += grid.add(on, at_, pool);
   times[Stage::kVariance] += grid.readAdded(on, frames.cur.g, at_, pool, now);
-  if (!first) times[Stage::kVariance] += grid_prev.read(on_prev, frames.prev.g, at_prev_, pool, before);
+  if (!first)
+    times[Stage::kVariance] += grid_prev.read(on_prev, frames.prev.g, at_prev_, pool, before);
   times[Stage::kTemporal] += grid.learn(at_, pool);
   // What is seen for the first time has only now been judged.
   const auto again = [&](const SurfaceGrid& from, const Frame& frame, const Placement& at,

@@ -1,5 +1,6 @@
-// Light that stands still is computed once: irradiance is kept on surfaces, and the change is read from one
-// state of it at both frames' points. README.md is the section of a paper on it.
+// Caches irradiance on surfaces, for static lighting. The change of a pixel is the difference of two
+// look-ups, at its points in both frames, in one state of the cache. README.md is the section of a paper on
+// it.
 #pragma once
 
 #include <array>
@@ -15,16 +16,16 @@ namespace saccade {
 
 // irradiance_cache.cpp states the range and the source of each parameter.
 struct IrradianceCacheParams {
-  float finest = GridParams{}.finest_px;
+  float cell_px = GridParams{}.cell_px;
   float tau = GridParams{}.blend.tau;
   float noise = GridParams{}.blend.noise;
-  float caution = GridParams{}.blend.caution;
+  float noise_weight = GridParams{}.blend.noise_weight;
   int iterations = 3;
   float sigma_l = 3;
   float sigma_l_diff = 6;
   float target = 0.15f;
   float grid_paths = 1;
-  int memory = 256;
+  int memory_mib = 256;
   float sigma_n = 128;
   float sigma_z = 1;
 };

@@ -33,6 +33,7 @@ struct ParamSpec {
   bool whole;          // only whole numbers
   std::string what;    // meaning and unit
   std::string source;  // "paper 5.1", "Falcor", "[ours] why"
+  std::string former;  // the name that it had in an earlier version, which is refused; empty: none
 };
 using ParamValues = std::map<std::string, double>;
 

@@ -30,16 +30,26 @@ std::string methodNames() {
   return joinRowNames(methodTable());
 }
 
+namespace {
+
+std::string unknownParam(const MethodInfo& method, const std::string& name) {
+  for (const ParamSpec& spec : method.params) {
+    if (!name.empty() && spec.former == name)
+      return "the parameter \"" + name + "\" is named \"" + spec.name + "\" now";
+  }
+  return method.name + " has no parameter \"" + cutText(name, 64) +
+         "\"; it has: " + joinRowNames(method.params);
+}
+
+}  // namespace
+
 std::string resolveParams(const MethodInfo& method, const ParamValues& given, ParamValues& resolved,
                           std::string& bad_name) {
   resolved.clear();
   for (const ParamSpec& spec : method.params) resolved[spec.name] = spec.fallback;
   for (const auto& [name, value] : given) {
     bad_name = name;
-    if (!resolved.contains(name)) {
-      return method.name + " has no parameter \"" + cutText(name, 64) +
-             "\"; it has: " + joinRowNames(method.params);
-    }
+    if (!resolved.contains(name)) return unknownParam(method, name);
     resolved[name] = value;
   }
   for (const ParamSpec& spec : method.params) {

@@ -14,6 +14,7 @@ struct ParamField {
   std::variant<float Params::*, int Params::*, bool Params::*> member;
   double min, max;
   const char *what, *source;
+  const char* former = "";  // the name that it had in an earlier version
 };
 
 template <class Params>
@@ -23,7 +24,7 @@ std::vector<ParamSpec> paramSpecs(const std::vector<ParamField<Params>>& fields)
   for (const auto& f : fields) {
     const bool whole = !std::holds_alternative<float Params::*>(f.member);
     const double fallback = std::visit([&](auto m) { return static_cast<double>(defaults.*m); }, f.member);
-    specs.push_back({f.name, f.min, f.max, fallback, whole, f.what, f.source});
+    specs.push_back({f.name, f.min, f.max, fallback, whole, f.what, f.source, f.former});
   }
   return specs;
 }

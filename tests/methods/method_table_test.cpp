@@ -23,21 +23,30 @@ TEST(MethodTable, NamesAreUniqueAndFound) {
   EXPECT_EQ(defaultMethod(true).name, "irradiance_cache");
 }
 
-// What `memory` allows counts in full for large pictures only: small ones could not fill it.
+// What `memory_mib` allows counts in full for large pictures only: small ones could not fill it.
 TEST(MethodTable, TellsTheMemoryThatAGridMayTake) {
   constexpr double kMiB = 1 << 20;
   const MethodInfo& cache = *findMethod("irradiance_cache");
   const auto bytes = [&](double memory, double pixels) {
     ParamValues resolved;
     std::string bad_name;
-    EXPECT_EQ(resolveParams(cache, {{"memory", memory}}, resolved, bad_name), "");
+    EXPECT_EQ(resolveParams(cache, {{"memory_mib", memory}}, resolved, bad_name), "");
     return cache.memory(resolved, pixels, false);
   };
   EXPECT_NEAR(bytes(512, 2e5) - bytes(256, 2e5), 256 * kMiB, 1);
   EXPECT_EQ(bytes(512, 1e3), bytes(256, 1e3));
   EXPECT_EQ(bytes(1, 1e6), bytes(2, 1e6)) << "two frames need more";
-  EXPECT_GT(cache.memory({{"memory", 256}}, 1e5, true), bytes(256, 1e5)) << "more points in a pixel";
+  EXPECT_GT(cache.memory({{"memory_mib", 256}}, 1e5, true), bytes(256, 1e5)) << "more points in a pixel";
   EXPECT_EQ(findMethod("event_svgf")->memory({}, 1e5, false), 0);
+}
+
+TEST(MethodTable, AFormerNameOfAParameterIsRefusedWithTheNewOne) {
+  ParamValues resolved;
+  std::string bad_name;
+  const std::string fault =
+      resolveParams(*findMethod("irradiance_cache"), {{"caution", 4}}, resolved, bad_name);
+  EXPECT_EQ(fault, "the parameter \"caution\" is named \"noise_weight\" now");
+  EXPECT_EQ(bad_name, "caution");
 }
 
 TEST(MethodTable, EveryParameterHasAPlaceASourceAndADefaultInItsRange) {

@@ -49,7 +49,7 @@ TEST(DefaultMethod, FollowsThePictureWhereLightChanges) {
   const v1::OpenStream resolved = resolvedBy(server, request);
   EXPECT_EQ(resolved.method().name(), "event_svgf");
   EXPECT_EQ(resolved.method().params().count("alpha"), 1u);
-  EXPECT_EQ(resolved.method().params().count("finest"), 0u);
+  EXPECT_EQ(resolved.method().params().count("cell_px"), 0u);
   EXPECT_EQ(resolvedBy(server, resolved).DebugString(), resolved.DebugString());
 }
 

@@ -42,7 +42,7 @@ TEST(Limits, TheGridOfAMethodCountsAsMemory) {
   TestServer server(withLimit(Limit::kMemory, 8));
   v1::OpenStream request = tinyRequest();
   expectReached(server.client().tryOpen(request), Limit::kMemory, "view");
-  (*request.mutable_method()->mutable_params())["memory"] = 1;
+  (*request.mutable_method()->mutable_params())["memory_mib"] = 1;
   EXPECT_EQ(server.client().tryOpen(request).code(), v1::CODE_OK);
 }
 
