@@ -17,7 +17,7 @@ std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, co
   const Frame &cur = frames.cur, &prev = frames.prev;
   const auto spp1 = static_cast<float>(cur.samples.spp1), spp2 = static_cast<float>(cur.samples.spp2);
   const float share1 = spp1 / (spp1 + spp2), share2 = spp2 / (spp1 + spp2);  // 1/2 each in [E (9)]
-  const float difference = &cur == &prev ? 0.f : 1.f;
+  const float difference = frames.is_first ? 0.f : 1.f;
   return pool.forEachRow(cur.height(), [&](int y) {
     const float *I1 = cur.samples.I1.row(y), *I2 = cur.samples.I2.row(y), *I2_prev = prev.samples.I2.row(y);
     const float *A = cur.g.albedo.row(y), *A_prev = prev.g.albedo.row(y);

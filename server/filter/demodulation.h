@@ -31,7 +31,7 @@ inline float modulationAlbedo(float A, Demodulation by) {
   return A == 0 && by == Demodulation::kAlbedo ? 0 : filterAlbedo(A, by);
 }
 
-// i = (I - E) / A [E (17)]. For the first frame of a feed pass frames.prev == frames.cur: d is then 0.
+// i = (I - E) / A [E (17)]. d of a first frame is 0.
 // Illumination that is not finite counts as 0, and so does any beyond 1e18, whose moments would overflow.
 std::chrono::nanoseconds demodulate(const FramePair& frames, Demodulation by, const PoolHandle& pool,
                                     IlluminationSamples& out);

@@ -68,8 +68,12 @@ struct Frame {
 
 // Two consecutive frames. A view; never stored.
 struct FramePair {
+  // The first frame of a history: it stands for the one before it too, and shows no difference.
+  static FramePair first(const Frame& frame) { return {frame, frame, true}; }
+
   const Frame& cur;
   const Frame& prev;
+  bool is_first = false;
 };
 
 // The two newest frames of a feed. swap() makes the current frame the previous one.

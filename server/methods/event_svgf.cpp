@@ -70,7 +70,7 @@ EventSvgf::EventSvgf(const EventSvgfParams& p, int w, int h)
 void EventSvgf::start(const Frame& first, const PoolHandle& pool) {
   StageTimes unused;
   // No pixel has a history: lengths are 0, so W_t finds only frames of length 0 and every mean starts anew.
-  filter({first, first}, pool, unused);
+  filter(FramePair::first(first), pool, unused);
 }
 
 void EventSvgf::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,

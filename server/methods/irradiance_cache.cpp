@@ -121,7 +121,7 @@ void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTi
 
 void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
   StageTimes unused;
-  filter({first, first}, pool, unused);
+  filter(FramePair::first(first), pool, unused);
 }
 
 void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
@@ -172,12 +172,11 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   if (frames.cur.surfaces->need_paths) light_.current().bounces.add(*frames.cur.surfaces);
   if (at_.empty() && at_prev_.empty()) return;
   const SurfaceSamples &on = *frames.cur.surfaces, &on_prev = *frames.prev.surfaces;
-  const bool first = &frames.cur == &frames.prev;
   GridEstimate &now = saidOf(frames.cur), &before = saidOf(frames.prev);
   SurfaceGrid &grid = light_.current().grid, &grid_prev = light_.previous().grid;
   times[Stage::kTemporal] += grid.add(on, at_, pool);
   times[Stage::kVariance] += grid.readAdded(on, frames.cur.g, at_, pool, now);
-  if (!first)
+  if (!frames.is_first)
     times[Stage::kVariance] += grid_prev.read(on_prev, frames.prev.g, at_prev_, pool, before);
   times[Stage::kTemporal] += grid.learn(at_, pool);
   // What is seen for the first time has only now been judged.
@@ -187,7 +186,7 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
         from.readAgain(*frame.surfaces, frame.g, at, pool, uncertainty_, uncertainty_prev_, out);
   };
   again(grid, frames.cur, at_, now);
-  if (!first) again(grid_prev, frames.prev, at_prev_, before);
+  if (!frames.is_first) again(grid_prev, frames.prev, at_prev_, before);
   // The errors of two states of the light have nothing in common.
   if (light_.changed())
     times[Stage::kVariance] += pool.forEachRow(now.i.height(), [&](int y) {
@@ -197,14 +196,13 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
 }
 
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
-  const bool first = &frames.cur == &frames.prev;
   read(frames, pool, times);
   const GridEstimate &now = saidOf(frames.cur), &before = saidOf(frames.prev);
   times[Stage::kVariance] += pool.forEachRow(now.i.height(), [&](int y) {
     for (int x = 0; x < now.i.width(); ++x) {
       filtered_.i.at(x, y) = now.i.at(x, y);
       filtered_.var_i.at(x, y) = now.var_i.at(x, y);
-      filtered_.d.at(x, y) = first ? 0 : now.i.at(x, y) - before.i.at(x, y);
+      filtered_.d.at(x, y) = frames.is_first ? 0 : now.i.at(x, y) - before.i.at(x, y);
       filtered_.var_d.at(x, y) = now.var_step.at(x, y);
     }
   });

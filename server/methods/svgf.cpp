@@ -87,7 +87,7 @@ void Svgf::estimate(const FramePair& frames, const PoolHandle& pool, IntensityCh
 
 void Svgf::start(const Frame& first, const ImageF* known, const PoolHandle& pool) {
   StageTimes unused;
-  filter({first, first}, known, pool, unused);
+  filter(FramePair::first(first), known, pool, unused);
   remodulate(first, pool, I_prev_, var_I_prev_);
 }
 

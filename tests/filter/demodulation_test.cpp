@@ -33,7 +33,7 @@ struct Fixture : ::testing::Test {
 
 // Eq. 19 is an identity: with D the identity it gives back I_t - I_{t-1} for any albedos and emissions.
 TEST_F(Fixture, ModulationUndoesDemodulation) {
-  demodulate({prev, prev}, Demodulation::kAlbedo, pool, samples_prev);
+  demodulate(FramePair::first(prev), Demodulation::kAlbedo, pool, samples_prev);
   demodulate({cur, prev}, Demodulation::kAlbedo, pool, samples);
   for (int y = 0; y < kH; ++y) {
     for (int x = 0; x < kW; ++x) filtered.d.at(x, y) = samples.i.at(x, y) - samples_prev.i.at(x, y);
@@ -56,7 +56,7 @@ TEST_F(Fixture, DifferenceIsOfThePassesThatShareSeeds) {
   const float expected = (cur.samples.I1.at(4, 5) - cur.g.emission.at(4, 5)) / cur.g.albedo.at(4, 5) -
                          (prev.samples.I2.at(4, 5) - prev.g.emission.at(4, 5)) / prev.g.albedo.at(4, 5);
   EXPECT_NEAR(samples.d.at(4, 5), expected, 1e-5f);
-  demodulate({cur, cur}, Demodulation::kAlbedo, pool, samples);
+  demodulate(FramePair::first(cur), Demodulation::kAlbedo, pool, samples);
   EXPECT_EQ(samples.d.at(4, 5), 0);  // the first frame has none
 }
 

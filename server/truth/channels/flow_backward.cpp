@@ -11,7 +11,7 @@ class FlowBackward final : public TruthSource {
 
   TruthSamples sample(const FeedInterval& interval) override {
     const RenderedInterval& rendered = *interval.rendered;
-    const auto& [cur, prev] = rendered.frames;
+    const Frame &cur = rendered.frames.cur, &prev = rendered.frames.prev;
     if (!frames_.takes(cur.index, cur.time)) return {};
     return {{cur.time.count(), flowPlanes({cur.g, rendered.camera}, {prev.g, rendered.camera_t0})}};
   }

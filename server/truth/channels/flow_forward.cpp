@@ -11,7 +11,7 @@ class FlowForward final : public TruthSource {
 
   TruthSamples sample(const FeedInterval& interval) override {
     const RenderedInterval& rendered = *interval.rendered;
-    const auto& [cur, prev] = rendered.frames;
+    const Frame &cur = rendered.frames.cur, &prev = rendered.frames.prev;
     if (!frames_.takes(prev.index, prev.time)) return {};
     return {{prev.time.count(), flowPlanes({prev.g, rendered.camera_t0}, {cur.g, rendered.camera})}};
   }
