@@ -89,9 +89,9 @@ CutPlanes CutSearch::inherit(const GridPoint& p, int slot, Vec3 place, float h) 
 
 CutPlanes CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
   CutPlanes planes;
-  if (!on_.obstacles) return planes;
+  if (!obstacles_) return planes;
   const Vec3 n = on_.place(p.index).normal;
-  Obstacles::Ways ways;
+  Obstacles::ProbeRays ways;
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
     const Vec3 d = kDirections[i], from = p.position + n * (isDownwards(d, n) ? -h * kClose : h * kLift);
     ways[i] = {from, d, std::max(0.f, dot(d, place - from) + h)};
@@ -100,7 +100,7 @@ CutPlanes CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
   const Vec3 across = place - p.position, along_surface = across - n * dot(across, n);
   if (const float distance = length(along_surface); distance > 0)
     ways[kDirections.size()] = {p.position + n * (h * kLift), along_surface / distance, distance + h};
-  const Obstacles::Met met = on_.obstacles->find(ways);
+  const Obstacles::Hits met = obstacles_->find(ways);
   std::array<std::size_t, kDirections.size() + 1> order{0, 1, 2, 3, 4, 5, 6};
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return met[i].distance; });
   for (const std::size_t i : order) {  // the nearest first
@@ -115,32 +115,31 @@ CutPlanes CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
 }
 
 // Whether a surface of normal n goes on behind what has been met.
-bool CutSearch::isWall(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const {
+bool CutSearch::isWall(const Obstacles::ProbeRay& way, const Obstacle& met, Vec3 n, float h) const {
   if (isDownwards(way.along, n)) return isAlike(met.normal, n);
   return dot(way.along, n) > kSide ? isAbove(way, met, n, h) : isBeside(way, met, n, h);
 }
 
 // Whether there is another surface of this normal above what has been met.
-bool CutSearch::isAbove(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const {
+bool CutSearch::isAbove(const Obstacles::ProbeRay& way, const Obstacle& met, Vec3 n, float h) const {
   const float begin = met.distance + h * kClose;
-  const Obstacles::Met above =
-      on_.obstacles->find({{{way.from + way.along * begin, way.along, way.reach - begin}}});
+  const Obstacles::Hits above =
+      obstacles_->find({{{way.from + way.along * begin, way.along, way.reach - begin}}});
   return isAlike(above[0].normal, n);
 }
 
 // Whether the surface, or another one of its normal, goes on beside what has been met.
-bool CutSearch::isBeside(const Obstacles::Way& way, const Obstacle& met, Vec3 n, float h) const {
+bool CutSearch::isBeside(const Obstacles::ProbeRay& way, const Obstacle& met, Vec3 n, float h) const {
   if (isAlike(met.normal, n)) return false;
-  Obstacles::Ways down;
-  for (int i = 0; i < Obstacles::kWays; ++i) {
-    const float share = (static_cast<float>(i) + 0.5f) / Obstacles::kWays;
+  Obstacles::ProbeRays down;
+  for (int i = 0; i < Obstacles::kRays; ++i) {
+    const float share = (static_cast<float>(i) + 0.5f) / Obstacles::kRays;
     down[i] = {way.from + way.along * (met.distance + share * (way.reach - met.distance)), -n, h};
   }
-  return std::ranges::any_of(on_.obstacles->find(down),
-                             [&](const Obstacle& o) { return isAlike(o.normal, n); });
+  return std::ranges::any_of(obstacles_->find(down), [&](const Obstacle& o) { return isAlike(o.normal, n); });
 }
 
-void leadAround(const GridLevel& level, int l, const NewVertices& found, Placement& at) {
+void remapTaps(const GridLevel& level, int l, const NewVertices& found, Placement& at) {
   for (const auto& [point, tap] : found.taps) {
     const GridPoint& p = at.points[point];
     for (std::uint32_t& v : at.taps[l - p.level][tap].vertex) v = level.cuts.of(v, p.position);

@@ -71,8 +71,8 @@ int GridParams::pixelSlot() const {
   return std::clamp(static_cast<int>(std::lround(std::log2(1.4f / cell_px))), 0, kTop - 1);
 }
 
-SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const PoolHandle& pool, Placement& prev,
-                                     Placement& out) {
+SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const Obstacles* obstacles,
+                                     const PoolHandle& pool, Placement& prev, Placement& out) {
   ++now_;
   if (vertices() > params_.max_vertices) drop(prev);
   Time time = pool.run(1, [&](int) { out.place(on, params_.cell_px); });
@@ -80,16 +80,17 @@ SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const PoolHandle&
   levels_.makeAll(out.least_level, out.most_level);
   new_.resize(std::max<std::size_t>(new_.size(), out.most_level - out.least_level + 1));
   time += forEachLevel(out, pool, [&](int l) { findVertices(l, out); });
-  return time + cutAtWalls(on, pool, out);
+  return time + cutAtWalls(on, obstacles, pool, out);
 }
 
-SurfaceGrid::Time SurfaceGrid::cutAtWalls(const SurfaceSamples& on, const PoolHandle& pool, Placement& out) {
+SurfaceGrid::Time SurfaceGrid::cutAtWalls(const SurfaceSamples& on, const Obstacles* obstacles,
+                                          const PoolHandle& pool, Placement& out) {
   const Time time = pool.run(1, [&](int) {
-    CutSearch search(on, out, levels_, now_);
+    CutSearch search(on, obstacles, out, levels_, now_);
     for (int l = out.most_level; l >= out.least_level; --l) search.cut(l, new_[l - out.least_level]);
   });
   return time +
-         forEachLevel(out, pool, [&](int l) { leadAround(levels_[l], l, new_[l - out.least_level], out); });
+         forEachLevel(out, pool, [&](int l) { remapTaps(levels_[l], l, new_[l - out.least_level], out); });
 }
 
 void SurfaceGrid::findVertices(int l, Placement& out) {

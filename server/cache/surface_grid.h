@@ -15,6 +15,7 @@
 #include "cache/evidence.h"
 #include "cache/new_vertices.h"
 #include "frame/frame.h"
+#include "frame/obstacles.h"
 
 namespace saccade {
 
@@ -50,9 +51,10 @@ class SurfaceGrid {
   explicit SurfaceGrid(const GridParams& params) : params_(params) {}
 
   // Finds the vertices around the points of a frame, and adds those that are missing. Vertices do not reach
-  // through SurfaceSamples::obstacles. The frame before it is at `prev`, and stays valid: where the grid has
-  // become too large, it drops vertices that neither of them uses.
-  Time place(const SurfaceSamples& on, const PoolHandle& pool, Placement& prev, Placement& out);
+  // through `obstacles`; nullptr: there are none. The frame before it is at `prev`, and stays valid: where
+  // the grid has become too large, it drops vertices that neither of them uses.
+  Time place(const SurfaceSamples& on, const Obstacles* obstacles, const PoolHandle& pool, Placement& prev,
+             Placement& out);
   // Relative standard deviation of the mean over a cell of about two pixels, whether its detail is believed
   // or not, at the points of a frame; kUnknown where nothing is known yet, and 0 where there is no point.
   // `out` has the columns of `on`.
@@ -84,7 +86,8 @@ class SurfaceGrid {
  private:
   void drop(Placement& prev);
   void findVertices(int l, Placement& out);
-  Time cutAtWalls(const SurfaceSamples& on, const PoolHandle& pool, Placement& out);
+  Time cutAtWalls(const SurfaceSamples& on, const Obstacles* obstacles, const PoolHandle& pool,
+                  Placement& out);
   void prefetch(const Placement& at, const GridPoint& p) const;
   Time readBands(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
                  const auto& wanted, const auto& each, GridEstimate& out) const;

@@ -53,12 +53,13 @@ double Baker::share() const {
 void Baker::pass(const PoolHandle& pool) {
   pixels_ = below_ = progress_ = 0;
   for (std::size_t pose = 0; pose < pass_.poses; ++pose) {
-    if (!look(pose, pool)) {
+    const auto next = look(pose, pool);
+    if (!next) {
       if (useLargerCells()) return pass(pool);
       break;
     }
     const SeedPlan seeds = SeedPlan::independent(hashKey(kSeed, pass_.count), pose, 0);
-    renderer_.renderPaths(cameraAt(pose), seeds, pool, frame_);
+    renderer_.renderPaths(cameraAt(pose), seeds, *next, &bounces_, pool);
     grid_.add(*frame_.surfaces, at_, pool);
     grid_.readAdded(*frame_.surfaces, frame_.g, at_, pool, estimate_);
     grid_.learn(at_, pool);
@@ -87,23 +88,22 @@ bool Baker::useLargerCells() {
   return true;
 }
 
-bool Baker::look(std::size_t pose, const PoolHandle& pool) {
+std::optional<SurfaceFrame> Baker::look(std::size_t pose, const PoolHandle& pool) {
   const Camera camera = cameraAt(pose);
-  renderer_.renderSurfaces(camera, camera, pool, frame_);
-  SurfaceSamples& on = *frame_.surfaces;
-  on.bounces = &bounces_;
-  grid_.place(on, pool, none_, at_);
+  const SurfaceFrame next = renderer_.renderSurfaces(camera, camera, pool, frame_);
+  const SurfaceSamples& on = *frame_.surfaces;
+  grid_.place(on, &next.obstacles, pool, none_, at_);
   if (passes() == 0 && pose > 0 && vertices() > max_vertices_ / kFirstPassShare) {
     pass_.poses = pose;
-    return false;
+    return {};
   }
   if (passes() > 0 && !isFull() && vertices() > max_vertices_) {
     pass_.shifts = pass_.count;
-    return false;
+    return {};
   }
   grid_.uncertainty(on, at_, pool, uncertainty_);
   planPaths();
-  return true;
+  return next;
 }
 
 void Baker::planPaths() {

@@ -39,7 +39,7 @@ class Baker {
  private:
   Camera cameraAt(std::size_t pose) const;
   // Finds the surfaces, and plans their paths. False where memory does not suffice for them.
-  bool look(std::size_t pose, const PoolHandle& pool);
+  std::optional<SurfaceFrame> look(std::size_t pose, const PoolHandle& pool);
   void planPaths();
   // Starts again with cells of twice the size, if the first pass found too little memory for them all.
   bool useLargerCells();

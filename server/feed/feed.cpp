@@ -7,18 +7,6 @@
 namespace saccade {
 namespace {
 
-SeedPlan makeSeedPlan(SeedReuse reuse, std::uint64_t seed, FrameIndex t, int spp) {
-  switch (reuse) {
-    case SeedReuse::kIndependent:
-      return SeedPlan::independent(seed, t, spp);
-    case SeedReuse::kIndependentPairs:
-      return SeedPlan::independentPairs(seed, t, spp);
-    case SeedReuse::kCorrelated:
-      return SeedPlan::correlated(seed, t, spp);
-  }
-  return {};
-}
-
 const MethodInfo& methodOf(const FeedConfig& config) {
   const MethodInfo* info = findMethod(config.method);
   SACCADE_CHECK(info != nullptr);
@@ -31,19 +19,19 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
            const PoolHandle& pool)
     : Feed(std::move(scene), std::move(path), config,
            methodOf(config).make({config.params, config.camera.width, config.camera.height, config.baked}),
-           methodOf(config).samples(config.params), pool) {}
+           methodOf(config).seeds(config.params), pool) {}
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
-           std::unique_ptr<Method> method, SampleRequest samples, const PoolHandle& pool)
+           std::unique_ptr<Method> method, SeedPlanner seeds, const PoolHandle& pool)
     : config_(config),
       lens_(config.camera),
       scene_(std::move(scene)),
       path_(std::move(path)),
       renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}),
       method_(std::move(method)),
-      seed_reuse_(samples.reuse),
+      seeds_(seeds),
       frames_(config.camera.width, config.camera.height,
-              samples.on_surfaces ? (config.jitter ? kSubPixels : 1) : 0),
+              method_->onSurfaces() ? (config.jitter ? kSubPixels : 1) : 0),
       changes_{IntensityChange(config.camera.width, config.camera.height),
                IntensityChange(config.camera.width, config.camera.height)} {
   lens_.tabulate();
@@ -73,15 +61,16 @@ void Feed::render(const PoolHandle& pool) {
   const TimeNs time_prev = frame.index == 0 ? frame.time : frameTime(frame.index - 1, config_.frame_rate_hz);
   frame.stands = frame.index > 0 && path_.at(frame.time) == path_.at(time_prev);
   const Camera camera = cameraAt(frame.time), prev = cameraAt(time_prev);
-  const SeedPlan seeds = makeSeedPlan(seed_reuse_, config_.seed, frame.index, config_.spp);
-  if (!frame.surfaces) {
+  const SeedPlan seeds = seeds_(config_.seed, frame.index, config_.spp);
+  SurfaceMethod* method = method_->onSurfaces();
+  if (!method) {
     times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, pool, frame);
     return;
   }
-  times_[Stage::kTrace] +=
-      renderer_.renderSurfaces(camera, prev, pool, frame, [&](Tile tile) { method_->look(tile, frame); });
-  method_->plan(config_.spp, pool, frame, times_);
-  times_[Stage::kTrace] += renderer_.renderPaths(camera, seeds, pool, frame);
+  const SurfaceFrame next =
+      renderer_.renderSurfaces(camera, prev, pool, frame, [&](Tile tile) { method->readBaked(tile, frame); });
+  const BounceGrid* known = method->plan(config_.spp, next, pool, times_);
+  times_[Stage::kTrace] += next.time + renderer_.renderPaths(camera, seeds, next, known, pool);
 }
 
 Camera Feed::cameraAt(TimeNs t) const {

@@ -28,7 +28,7 @@ struct FeedConfig {
   bool jitter = false;                            // RenderSettings::jitter
   bool monochrome = false;
   std::uint64_t seed = 0;
-  std::shared_ptr<const BakedLight> baked = {};  // of this scene; nullptr: the method knows nothing ahead
+  std::shared_ptr<const BakedLight> baked = {};  // precomputed light of this scene; nullptr: none
 
   double pixels() const { return static_cast<double>(camera.width) * camera.height; }
 };
@@ -39,9 +39,9 @@ class Feed {
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
        const PoolHandle& pool);
 
-  // With a method of the caller's instead of `config.method`, and the samples that it needs.
+  // With a method of the caller's instead of `config.method`, and the passes that it needs.
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
-       std::unique_ptr<Method> method, SampleRequest samples, const PoolHandle& pool);
+       std::unique_ptr<Method> method, SeedPlanner seeds, const PoolHandle& pool);
 
   // Adds a key to the path, after its last one.
   void steer(const TimedPose& key) { path_.append(key); }
@@ -71,7 +71,7 @@ class Feed {
   Trajectory path_;
   Renderer renderer_;
   std::unique_ptr<Method> method_;
-  SeedReuse seed_reuse_;
+  SeedPlanner seeds_;
   FrameRing frames_;
   std::array<IntensityChange, 2> changes_;  // in turn
   StageTimes times_;

@@ -15,17 +15,17 @@ struct Obstacle {
 
 class Obstacles {
  public:
-  static constexpr int kWays = 8;  // looked along at once
-  struct Way {
+  static constexpr int kRays = 8;  // traced at once
+  struct ProbeRay {
     Vec3 from, along;  // `along` has unit length
     float reach = 0;   // scene units
   };
-  using Ways = std::array<Way, kWays>;
-  using Met = std::array<Obstacle, kWays>;
+  using ProbeRays = std::array<ProbeRay, kRays>;
+  using Hits = std::array<Obstacle, kRays>;
 
   virtual ~Obstacles() = default;
-  // The nearest surface on each way that lets no light straight through.
-  virtual Met find(const Ways& ways) const = 0;
+  // The nearest surface on each ray that lets no light straight through.
+  virtual Hits find(const ProbeRays& rays) const = 0;
 };
 
 }  // namespace saccade

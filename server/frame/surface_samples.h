@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "frame/obstacles.h"
 
 namespace saccade {
 
@@ -32,8 +31,8 @@ struct SurfacePoint {
   bool baked = false;       // whether its light is known ahead, as the method finds
   std::uint32_t paths = 0;  // that it gets, as the method plans
 
-  // Whether it reflects light but cannot share it.
-  bool isOther() const { return share > 0 && kind == SurfaceKind::kNone; }
+  // Whether it reflects light that depends on the view, so that it cannot be shared.
+  bool isUncacheable() const { return share > 0 && kind == SurfaceKind::kNone; }
 };
 
 // Where a point lies, unless it is of kNone.
@@ -55,8 +54,6 @@ struct SurfaceLight {
   float rest = 0;        // an estimate of all other light
   BounceSample bounce;   // of the last of the paths that did not end at known light
 };
-
-class BounceGrid;
 
 // The points of all pixels. A pixel shows `per_pixel` at most: one, unless there is jitter. Those of pixel x
 // are the columns from x * per_pixel on.
@@ -96,17 +93,22 @@ class SurfaceSamples {
   std::span<const SurfacePoint> of(int x, int y) const { return row(y).subspan(x * per_pixel_, per_pixel_); }
 
   // Whether a pixel shows something that reflects light but cannot share it.
-  bool showsOthers(int x, int y) const {
-    return std::ranges::any_of(of(x, y), [](const SurfacePoint& p) { return p.isOther(); });
+  bool hasUncacheable(int x, int y) const {
+    return std::ranges::any_of(of(x, y), [](const SurfacePoint& p) { return p.isUncacheable(); });
   }
 
-  bool need_paths = true;   // whether any point may get paths: not where nothing reflects but baked light
-  bool show_others = true;  // whether any pixel showsOthers()
-  const Obstacles* obstacles = nullptr;  // of the scene; nullptr: there are none
-  const BounceGrid* bounces = nullptr;   // light that ends paths at their second vertex, as the method has it
+  // Whether any point may get paths: not where nothing reflects but baked light.
+  bool needPaths() const { return need_paths_; }
+  // Whether any pixel hasUncacheable().
+  bool hasUncacheable() const { return has_uncacheable_; }
+  // Sets both, once all points are known.
+  void summarize(bool need_paths, bool has_uncacheable) {
+    need_paths_ = need_paths, has_uncacheable_ = has_uncacheable;
+  }
 
  private:
   int per_pixel_, columns_;
+  bool need_paths_ = true, has_uncacheable_ = true;
   std::vector<SurfacePoint> points_;
   std::vector<SurfacePlace> places_;
   std::vector<SurfaceLight> lights_;

@@ -64,9 +64,7 @@ MethodInfo IrradianceCache::info() {
   return {"irradiance_cache",
           "caches light on surfaces, and reads the change from it: for static scenes",
           paramSpecs(fields()),
-          [](const ParamValues&) {
-            return SampleRequest{SeedReuse::kIndependent, true};
-          },
+          [](const ParamValues&) -> SeedPlanner { return SeedPlan::independent; },
           [](const MethodSetup& setup) -> std::unique_ptr<Method> {
             return std::make_unique<IrradianceCache>(makeParams(fields(), setup.params), setup.width,
                                                      setup.height, setup.baked);
@@ -84,39 +82,41 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
           {.cell_px = p.cell_px, .blend = {.tau = p.tau, .noise = p.noise, .noise_weight = p.noise_weight}},
           static_cast<std::size_t>(gridBytes(p.memory_mib, 1. * w * h))),
       baked_(std::move(baked)),
-      said_{GridEstimate(w, h), GridEstimate(w, h)},
+      estimates_{GridEstimate(w, h), GridEstimate(w, h)},
       filtered_(w, h),
       scratch_(w, h),
       i_prev_(w, h) {}
 
-void IrradianceCache::look(Tile tile, Frame& next) {
-  GridEstimate& said = saidOf(next);
+void IrradianceCache::readBaked(Tile tile, Frame& next) {
+  GridEstimate& estimate = estimateOf(next);
   if (baked_ && light_.isAt(next.light))
-    baked_->read(tile, *next.surfaces, next.g, said);
+    baked_->read(tile, *next.surfaces, next.g, estimate);
   else
-    said.clear(tile);
+    estimate.clear(tile);
 }
 
-void IrradianceCache::plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) {
-  SurfaceSamples& on = *next.surfaces;
+const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const PoolHandle& pool,
+                                        StageTimes& times) {
+  SurfaceSamples& on = *next.frame.surfaces;
   std::swap(at_, at_prev_);
   std::swap(uncertainty_, uncertainty_prev_);
-  light_.enter(next.light, frames_);
+  light_.enter(next.frame.light, frames_);
   SurfaceGrid& grid = light_.current().grid;
-  on.bounces = &light_.current().bounces;
   if (light_.changed()) baked_.reset();
   catch_up_ = light_.changed() ? kCatchUp : std::max(catch_up_, 1u) - 1;
   if (frames_++ == 0)
     for (ImageF* plane : {&uncertainty_, &uncertainty_prev_}) *plane = ImageF(on.columns(), on.height());
   Placement none;
-  times[Stage::kTemporal] += grid.place(on, pool, light_.changed() ? none : at_prev_, at_);
+  times[Stage::kTemporal] += grid.place(on, &next.obstacles, pool, light_.changed() ? none : at_prev_, at_);
   times[Stage::kTemporal] += grid.uncertainty(on, at_, pool, uncertainty_);
-  if (!on.need_paths) return;
+  const BounceGrid* known = &light_.current().bounces;
+  if (!on.needPaths()) return known;
   const auto asked = static_cast<float>(spp);
   const PathPlan paths{.asked = asked,
                        .usual = std::max(asked - params_.grid_paths, 0.5f * asked),
                        .target = params_.target * std::sqrt(2 / asked)};
   times[Stage::kTemporal] += planPaths(paths, uncertainty_, frames_, pool, on);
+  return known;
 }
 
 void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
@@ -127,9 +127,9 @@ void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
 void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                                StageTimes& times) {
   filter(frames, pool, times);
-  // D[i_{t-1}] is what today's grid says of the frame before, not what was said then. The filter takes the
-  // errors of neighbours for independent, but they share vertices: it lessens them by little.
-  const GridEstimate& now = saidOf(frames.cur);
+  // D[i_{t-1}] is what today's grid estimates for the frame before, not the estimate of then. The filter
+  // takes the errors of neighbours for independent, but they share vertices: it lessens them by little.
+  const GridEstimate& now = estimateOf(frames.cur);
   times[Stage::kModulate] += pool.forEachRow(i_prev_.height(), [&](int y) {
     const int width = i_prev_.width();
     for (int x = 0; x < width; ++x) i_prev_.at(x, y) = filtered_.i.at(x, y) - filtered_.d.at(x, y);
@@ -138,29 +138,29 @@ void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, 
   times[Stage::kModulate] +=
       modulate(frames, Demodulation::kAlbedo, 1, filtered_, i_prev_, now.var_i, pool, out);
 
-  fillIn(frames, pool, out, times);
+  fillUncached(frames, pool, out, times);
 }
 
-void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
-                             StageTimes& times) {
+void IrradianceCache::fillUncached(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
+                                   StageTimes& times) {
   const int width = out.dI.width(), height = out.dI.height();
   const bool all = light_.isNew();
   const auto needed = [&](int x, int y) {
-    return all || frames.cur.surfaces->showsOthers(x, y) || frames.prev.surfaces->showsOthers(x, y);
+    return all || frames.cur.surfaces->hasUncacheable(x, y) || frames.prev.surfaces->hasUncacheable(x, y);
   };
   if (!svgf_) {
-    if (!all && !frames.cur.surfaces->show_others && !frames.prev.surfaces->show_others) return;
+    if (!all && !frames.cur.surfaces->hasUncacheable() && !frames.prev.surfaces->hasUncacheable()) return;
     svgf_ = std::make_unique<Svgf>(SvgfParams{}, width, height);
-    elsewhere_ = std::make_unique<IntensityChange>(width, height);
-    svgf_->start(frames.prev, &saidOf(frames.prev).i, pool);
+    uncached_ = std::make_unique<IntensityChange>(width, height);
+    svgf_->start(frames.prev, &estimateOf(frames.prev).i, pool);
   }
-  svgf_->estimate(frames, &saidOf(frames.cur).i, pool, *elsewhere_, times);
+  svgf_->estimate(frames, &estimateOf(frames.cur).i, pool, *uncached_, times);
   // Its frames differ by the noise of their seeds, even where nothing has changed.
   const bool unchanged = frames.cur.stands && catch_up_ == 0;
   times[Stage::kModulate] += pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       if (!needed(x, y)) continue;
-      for (const auto plane : kChangePlanes) (out.*plane).at(x, y) = (*elsewhere_.*plane).at(x, y);
+      for (const auto plane : kChangePlanes) (out.*plane).at(x, y) = (*uncached_.*plane).at(x, y);
       if (!unchanged) continue;
       out.dI.at(x, y) = out.var_dI.at(x, y) = 0;
       out.I_prev.at(x, y) = out.I_now.at(x, y);
@@ -169,10 +169,10 @@ void IrradianceCache::fillIn(const FramePair& frames, const PoolHandle& pool, In
 }
 
 void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
-  if (frames.cur.surfaces->need_paths) light_.current().bounces.add(*frames.cur.surfaces);
+  if (frames.cur.surfaces->needPaths()) light_.current().bounces.add(*frames.cur.surfaces);
   if (at_.empty() && at_prev_.empty()) return;
   const SurfaceSamples &on = *frames.cur.surfaces, &on_prev = *frames.prev.surfaces;
-  GridEstimate &now = saidOf(frames.cur), &before = saidOf(frames.prev);
+  GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
   SurfaceGrid &grid = light_.current().grid, &grid_prev = light_.previous().grid;
   times[Stage::kTemporal] += grid.add(on, at_, pool);
   times[Stage::kVariance] += grid.readAdded(on, frames.cur.g, at_, pool, now);
@@ -197,7 +197,7 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
 
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   read(frames, pool, times);
-  const GridEstimate &now = saidOf(frames.cur), &before = saidOf(frames.prev);
+  const GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
   times[Stage::kVariance] += pool.forEachRow(now.i.height(), [&](int y) {
     for (int x = 0; x < now.i.width(); ++x) {
       filtered_.i.at(x, y) = now.i.at(x, y);

@@ -30,35 +30,36 @@ struct IrradianceCacheParams {
   float sigma_z = 1;
 };
 
-class IrradianceCache final : public Method {
+class IrradianceCache final : public SurfaceMethod {
  public:
   // `baked`: light that is known ahead; may be nullptr. A change of the scene's light ends its use.
   IrradianceCache(const IrradianceCacheParams& params, int width, int height,
                   std::shared_ptr<const BakedLight> baked = nullptr);
   static MethodInfo info();
 
-  void look(Tile tile, Frame& next) override;
-  void plan(int spp, const PoolHandle& pool, Frame& next, StageTimes& times) override;
+  void readBaked(Tile tile, Frame& next) override;
+  const BounceGrid* plan(int spp, const SurfaceFrame& next, const PoolHandle& pool,
+                         StageTimes& times) override;
   void start(const Frame& first, const PoolHandle& pool) override;
   void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                 StageTimes& times) override;
 
  private:
-  // What is said of a frame, the newest or the one before it. Where light is baked it was read in look().
-  GridEstimate& saidOf(const Frame& frame) { return said_[frame.index % 2]; }
+  // The grid's estimate for the current or the previous frame. readBaked() has set it where light is baked.
+  GridEstimate& estimateOf(const Frame& frame) { return estimates_[frame.index % 2]; }
   // Reads the grid at all other points of both frames, from one state of what is known.
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Reads, and filters both frames' points into filtered_.
   void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
-  // Replaces what the grid cannot know.
-  void fillIn(const FramePair& frames, const PoolHandle& pool, IntensityChange& out, StageTimes& times);
+  // Replaces the change of pixels whose light cannot be cached.
+  void fillUncached(const FramePair& frames, const PoolHandle& pool, IntensityChange& out, StageTimes& times);
 
   IrradianceCacheParams params_;
   AtrousParams atrous_;
   LightStates light_;
   std::shared_ptr<const BakedLight> baked_;
   Placement at_, at_prev_;
-  std::array<GridEstimate, 2> said_;
+  std::array<GridEstimate, 2> estimates_;
   ImageF uncertainty_, uncertainty_prev_;  // with the columns of SurfaceSamples
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;               // D[i_{t-1}]
@@ -66,7 +67,7 @@ class IrradianceCache final : public Method {
   std::uint32_t catch_up_ = 0;  // frames in which svgf_ still follows the last change of light
   // SVGF's estimate, for what the grid does not hold; from the first frame on that needs it.
   std::unique_ptr<Svgf> svgf_;
-  std::unique_ptr<IntensityChange> elsewhere_;
+  std::unique_ptr<IntensityChange> uncached_;
 };
 
 }  // namespace saccade

@@ -9,22 +9,17 @@
 #include "base/pool_handle.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
+#include "frame/seed_plan.h"
+#include "frame/surface_frame.h"
 #include "methods/stage_times.h"
 
 namespace saccade {
 
-// How the two passes of a frame are seeded (paper, 4.3).
-enum class SeedReuse {
-  kIndependent,       // one pass, fresh seeds: spp paths
-  kIndependentPairs,  // two passes of spp/2 paths, both with fresh seeds (ablation of Fig. 9 A)
-  kCorrelated,        // two passes of spp/2 paths, pass 1 with the seeds of the previous frame [E (8)]
-};
+class BakedLight;
+class BounceGrid;
 
-// What a method needs from the renderer.
-struct SampleRequest {
-  SeedReuse reuse;
-  bool on_surfaces = false;  // SurfaceSamples too, which take kIndependent
-};
+// The passes of frame t, with `spp` paths per pixel in both together: a maker of SeedPlan.
+using SeedPlanner = SeedPlan (*)(std::uint64_t stream_seed, FrameIndex t, int spp);
 
 // A parameter as users meet it. Whole numbers and switches (0 or 1) are doubles too.
 struct ParamSpec {
@@ -37,37 +32,47 @@ struct ParamSpec {
 };
 using ParamValues = std::map<std::string, double>;
 
+class SurfaceMethod;
+
 class Method {
  public:
   virtual ~Method() = default;
+  // Not nullptr: its frames have SurfaceSamples.
+  virtual SurfaceMethod* onSurfaces() { return nullptr; }
   // Takes the first frame of a feed, which has no difference yet. Called once, before estimate().
   virtual void start(const Frame& first, const PoolHandle& pool) = 0;
-  // Marks the points of a tile whose light is known ahead, with the tile's features and surfaces known: they
-  // need no paths. Called by several threads at once, for each tile of a frame before its plan().
-  virtual void look(Tile /*tile*/, Frame& /*next*/) {}
-  // Says how many paths each pixel of a frame gets, about `spp` in the mean: fills next.surfaces->paths, with
-  // the frame's features and surfaces known. Called for each frame, the first too, if the method takes
-  // samples on surfaces.
-  virtual void plan(int /*spp*/, const PoolHandle& /*pool*/, Frame& /*next*/, StageTimes& /*times*/) {}
   // Fills `out`, which has the size of the frames, but for t0, t1 and frame. Called from the second frame on.
   virtual void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                         StageTimes& times) = 0;
 };
 
-class BakedLight;
+// A method that keeps light on surfaces. It plans the paths of each frame, the first too, and takes them in
+// one pass: SeedPlan::independent.
+class SurfaceMethod : public Method {
+ public:
+  SurfaceMethod* onSurfaces() final { return this; }
+  // Reads precomputed light, and marks the points of a tile that have it: they need no paths. Features and
+  // surfaces of the tile are known. Called by several threads at once, for each tile of a frame before its
+  // plan().
+  virtual void readBaked(Tile tile, Frame& next) = 0;
+  // Sets SurfacePoint::paths of each point, about `spp` a pixel in the mean. Returns the light that ends
+  // paths at their second vertex, which stays as it is until start() or estimate(); nullptr: there is none.
+  virtual const BounceGrid* plan(int spp, const SurfaceFrame& next, const PoolHandle& pool,
+                                 StageTimes& times) = 0;
+};
 
 // What a method is made for.
 struct MethodSetup {
   ParamValues params;  // what resolveParams() returned
   int width, height;
-  std::shared_ptr<const BakedLight> baked = nullptr;  // light of this scene that is known ahead, if any is
+  std::shared_ptr<const BakedLight> baked = nullptr;  // precomputed light of this scene, if there is any
 };
 
-// A row of the table of methods. samples() too takes what resolveParams() returned.
+// A row of the table of methods. seeds() too takes what resolveParams() returned.
 struct MethodInfo {
   std::string name, description;
   std::vector<ParamSpec> params;
-  SampleRequest (*samples)(const ParamValues& params);
+  SeedPlanner (*seeds)(const ParamValues& params);
   std::unique_ptr<Method> (*make)(const MethodSetup& setup);
   bool takes_baked = false;  // whether it makes use of a bake
   // Bytes that it takes at most for a view, beside what every method takes.

@@ -63,7 +63,8 @@ std::string resolveParams(const MethodInfo& method, const ParamValues& given, Pa
 }
 
 bool takesSpp(const MethodInfo& method, const ParamValues& resolved, int spp) {
-  return spp % 2 == 0 || method.samples(resolved).reuse == SeedReuse::kIndependent;
+  const SeedPlan plan = method.seeds(resolved)(0, 1, spp);
+  return plan.spp1 + plan.spp2 == spp;
 }
 
 }  // namespace saccade

@@ -41,7 +41,7 @@ std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, st
     std::uint64_t row_others = 0, row_planned = 0;
     for (int column = 0; column < on.columns(); ++column) {
       SurfacePoint& p = on.at(column, y);
-      if (p.isOther()) {
+      if (p.isUncacheable()) {
         ++row_others;
         continue;
       }
@@ -49,7 +49,8 @@ std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, st
       if (const float e = error.at(column, y); e > 0)
         p.paths = static_cast<std::uint32_t>(p.share * wantedPaths(plan, e) + ditherAt(column, y, frame));
       // The whole pixel is sampled, if another method is to estimate it.
-      if (on.show_others && on.showsOthers(column / on.perPixel(), y)) p.paths = std::max(p.paths, 1u);
+      if (on.hasUncacheable() && on.hasUncacheable(column / on.perPixel(), y))
+        p.paths = std::max(p.paths, 1u);
       row_planned += p.paths;
     }
     others += row_others, planned += row_planned;
@@ -58,7 +59,7 @@ std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, st
   const std::uint32_t paths = pathsForOthers(plan, on, others, planned);
   return time + pool.forEachRow(on.height(), [&](int y) {
     for (SurfacePoint& p : on.row(y))
-      if (p.isOther()) p.paths = paths;
+      if (p.isUncacheable()) p.paths = paths;
   });
 }
 

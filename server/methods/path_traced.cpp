@@ -6,33 +6,28 @@ MethodInfo PathTraced::independentInfo() {
   return {"pt",
           "path tracing, fresh seeds in every frame, no filter",
           {},
-          [](const ParamValues&) { return SampleRequest{SeedReuse::kIndependent}; },
-          [](const MethodSetup&) -> std::unique_ptr<Method> {
-            return std::make_unique<PathTraced>(SeedReuse::kIndependent);
-          }};
+          [](const ParamValues&) -> SeedPlanner { return SeedPlan::independent; },
+          [](const MethodSetup&) -> std::unique_ptr<Method> { return std::make_unique<PathTraced>(false); }};
 }
 
 MethodInfo PathTraced::correlatedInfo() {
   return {"pt-correlated",
           "path tracing, seeds of the previous frame reused for the difference, no filter",
           {},
-          [](const ParamValues&) { return SampleRequest{SeedReuse::kCorrelated}; },
-          [](const MethodSetup&) -> std::unique_ptr<Method> {
-            return std::make_unique<PathTraced>(SeedReuse::kCorrelated);
-          }};
+          [](const ParamValues&) -> SeedPlanner { return SeedPlan::correlated; },
+          [](const MethodSetup&) -> std::unique_ptr<Method> { return std::make_unique<PathTraced>(true); }};
 }
 
 void PathTraced::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                           StageTimes& times) {
   const FrameSamples &cur = frames.cur.samples, &prev = frames.prev.samples;
-  const bool correlated = seeds_ == SeedReuse::kCorrelated;
-  const float share1 = correlated ? 0.5f : 0.f;  // of pass 1 in the primal [E (9)]
+  const float share1 = correlated_ ? 0.5f : 0.f;  // of pass 1 in the primal [E (9)]
   times[Stage::kModulate] += pool.forEachRow(out.dI.height(), [&](int y) {
     const float *I1 = cur.I1.row(y), *I2 = cur.I2.row(y), *I1_prev = prev.I1.row(y),
                 *I2_prev = prev.I2.row(y);
     float *dI = out.dI.row(y), *I_prev = out.I_prev.row(y), *I_now = out.I_now.row(y);
     for (int x = 0; x < out.dI.width(); ++x) {
-      dI[x] = (correlated ? I1[x] : I2[x]) - I2_prev[x];  // [E (8)]
+      dI[x] = (correlated_ ? I1[x] : I2[x]) - I2_prev[x];  // [E (8)]
       I_prev[x] = share1 * I1_prev[x] + (1 - share1) * I2_prev[x];
       I_now[x] = share1 * I1[x] + (1 - share1) * I2[x];
     }

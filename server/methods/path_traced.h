@@ -8,7 +8,7 @@ namespace saccade {
 
 class PathTraced final : public Method {
  public:
-  explicit PathTraced(SeedReuse seeds) : seeds_(seeds) {}
+  explicit PathTraced(bool correlated) : correlated_(correlated) {}
   static MethodInfo independentInfo();
   static MethodInfo correlatedInfo();
 
@@ -17,7 +17,7 @@ class PathTraced final : public Method {
                 StageTimes& times) override;
 
  private:
-  SeedReuse seeds_;
+  bool correlated_;
 };
 
 }  // namespace saccade

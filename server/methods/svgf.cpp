@@ -38,7 +38,7 @@ std::chrono::nanoseconds replaceKnown(const Frame& frame, const ImageF& known, c
                                       ImageF& i) {
   return pool.forEachRow(frame.height(), [&](int y) {
     for (int x = 0; x < frame.width(); ++x)
-      if (!frame.surfaces->showsOthers(x, y)) i.at(x, y) = known.at(x, y);
+      if (!frame.surfaces->hasUncacheable(x, y)) i.at(x, y) = known.at(x, y);
   });
 }
 
@@ -46,7 +46,7 @@ std::chrono::nanoseconds replaceKnown(const Frame& frame, const ImageF& known, c
 
 MethodInfo Svgf::info() {
   return {"svgf", "SVGF: fresh seeds, filters each frame by itself, then takes the difference",
-          paramSpecs(fields()), [](const ParamValues&) { return SampleRequest{SeedReuse::kIndependent}; },
+          paramSpecs(fields()), [](const ParamValues&) -> SeedPlanner { return SeedPlan::independent; },
           [](const MethodSetup& setup) -> std::unique_ptr<Method> {
             return std::make_unique<Svgf>(makeParams(fields(), setup.params), setup.width, setup.height);
           }};

@@ -40,12 +40,12 @@ std::size_t RenderScene::bytes() const {
          stats.texture_bytes;
 }
 
-Obstacles::Met RenderScene::find(const Ways& ways) const {
-  RayPacket<kWays> packet(kBlockingMask);
-  for (int i = 0; i < kWays; ++i) packet.set(i, {ways[i].from, ways[i].along, ways[i].reach});
-  geometry_.intersect(packet, (1u << kWays) - 1, EmbreeScene::Rays::kScattered);
-  Met met;
-  for (int i = 0; i < kWays; ++i)
+Obstacles::Hits RenderScene::find(const ProbeRays& ways) const {
+  RayPacket<kRays> packet(kBlockingMask);
+  for (int i = 0; i < kRays; ++i) packet.set(i, {ways[i].from, ways[i].along, ways[i].reach});
+  geometry_.intersect(packet, (1u << kRays) - 1, EmbreeScene::Rays::kScattered);
+  Hits met;
+  for (int i = 0; i < kRays; ++i)
     if (const Hit hit = packet.hit(i); hit.valid) met[i] = {hit.t, normalize(hit.normal)};
   return met;
 }

@@ -64,8 +64,8 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
                           [&](Tile t) { tile(view, seeds, settings_.bounces, t, out); });
 }
 
-std::chrono::nanoseconds Renderer::renderSurfaces(const Camera& camera, const Camera& prev,
-                                                  const PoolHandle& pool, Frame& out, const OnTile& on_tile) {
+SurfaceFrame Renderer::renderSurfaces(const Camera& camera, const Camera& prev, const PoolHandle& pool,
+                                      Frame& out, const OnTile& on_tile) {
   strengths_.setTime(out.time);
   out.light = strengths_.state();
   const Shading& has = scene_->shading();
@@ -76,22 +76,23 @@ std::chrono::nanoseconds Renderer::renderSurfaces(const Camera& camera, const Ca
   const auto tile = withKernel(scene_->shading(), []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
                                      [&](Tile t) { tile(view, t, on_tile, starts_, out); });
-  out.surfaces->need_paths = starts_.any();
-  out.surfaces->show_others = starts_.anyOfOthers();
-  out.surfaces->obstacles = scene_.get();
-  return time;
+  out.surfaces->summarize(starts_.any(), starts_.anyOfOthers());
+  return {out, *scene_, time};
 }
 
 std::chrono::nanoseconds Renderer::renderPaths(const Camera& camera, const SeedPlan& seeds,
-                                               const PoolHandle& pool, Frame& out) {
+                                               const SurfaceFrame& next, const BounceGrid* known,
+                                               const PoolHandle& pool) {
+  Frame& out = next.frame;
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
   const PixelContext view{*scene_, strengths_, camera, camera};
+  const Tracing tracing{*scene_, strengths_, settings_.bounces, {known, camera.origin, camera.pixel}};
   const auto tile = withKernel(scene_->shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
-                          [&](Tile t) { tile(view, seeds, settings_.bounces, t, starts_, out); });
+                          [&](Tile t) { tile(view, seeds, tracing, t, starts_, out); });
 }
 
 void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, const PoolHandle& pool,

@@ -6,10 +6,12 @@
 #include <memory>
 
 #include "base/pool_handle.h"
+#include "cache/bounce_grid.h"
 #include "frame/frame.h"
+#include "frame/seed_plan.h"
+#include "frame/surface_frame.h"
 #include "render/camera.h"
 #include "render/render_scene.h"
-#include "render/seed_plan.h"
 #include "render/surface_start.h"
 #include "scene/emitter_strengths.h"
 
@@ -36,13 +38,14 @@ class Renderer {
 
   // The same for frames with SurfaceSamples, in two steps. First features, and the surfaces that samples are
   // of; then as many paths as SurfacePoint::paths says, of pass 2 alone. `on_tile` is called with each tile
-  // as soon as it is known. It may mark points as baked: they get paths only if their pixel shows others.
-  // Where no point needs paths, the second step copies what the picture emits.
-  std::chrono::nanoseconds renderSurfaces(
+  // as soon as it is known. It may mark points as baked: they get paths only if their pixel hasUncacheable().
+  // `known`: light that ends paths at their second vertex; nullptr: there is none. Where no point needs
+  // paths, the second step copies what the picture emits.
+  SurfaceFrame renderSurfaces(
       const Camera& camera, const Camera& prev, const PoolHandle& pool, Frame& out,
       const OnTile& on_tile = [](Tile) {});
-  std::chrono::nanoseconds renderPaths(const Camera& camera, const SeedPlan& seeds, const PoolHandle& pool,
-                                       Frame& out);
+  std::chrono::nanoseconds renderPaths(const Camera& camera, const SeedPlan& seeds, const SurfaceFrame& next,
+                                       const BounceGrid* known, const PoolHandle& pool);
 
   // Renders one picture in colour at out.time, into three planes. All of the `spp` paths per pixel start at
   // its centre. Features go to `out.g`; `out.samples` does not change.

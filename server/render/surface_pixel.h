@@ -74,7 +74,7 @@ inline bool hasPaths(const SurfaceSamples& on, Tile tile) {
 
 // The light of a tile's points, of pass 2 alone.
 template <Shading S, int C>
-void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile,
+void renderPathTile(const PixelContext& view, const SeedPlan& seeds, const Tracing& tracing, Tile tile,
                     const SurfaceStarts& starts, Frame& out) {
   SurfaceSamples& on = *out.surfaces;
   forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
@@ -85,8 +85,6 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, int bounces
   const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
     addPath(found, slot, starts.base((*points)[owner]).albedo, (*sums)[owner]);
   };
-  const Tracing tracing{
-      view.scene, view.strengths, bounces, {on.bounces, view.camera.origin, view.camera.pixel}};
   PathRun<S, C, true, decltype(onPath)> run(tracing, onPath);
   PlainPaths plain(view.camera.pixel, run);
   const SequencePlace places(seeds.stream, seeds.frame2);

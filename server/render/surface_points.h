@@ -81,7 +81,7 @@ class TilePoints {
     const SurfaceSamples& on = *out_.surfaces;
     bool any = false, any_of_others = false;
     forEachPixel(tile_, [&](int x, int y) {
-      const bool all = on.showsOthers(x, y);
+      const bool all = on.hasUncacheable(x, y);
       any_of_others |= all;
       for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
         if (const SurfacePoint& p = on.at(column, y); p.share > 0 && (all || !p.baked))

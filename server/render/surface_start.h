@@ -52,7 +52,8 @@ class SurfaceStarts {
   }
   void set(std::size_t i, const PlainStart& start) { plain_[i] = start, is_plain_[i] = true; }
   void set(std::size_t i, const SurfaceStart& start) { others_[i] = start, is_plain_[i] = false; }
-  // Tells of the starts of a tile that there are any, and whether SurfacePoint::isOther() is true of some.
+  // Tells of the starts of a tile that there are any, and whether SurfacePoint::isUncacheable() is true of
+  // some.
   void setAny(bool of_others) {
     any_ = true;
     if (of_others) any_of_others_ = true;

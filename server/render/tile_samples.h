@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "frame/seed_plan.h"
 #include "render/blocks.h"
 #include "render/paths/path_run.h"
-#include "render/seed_plan.h"
 #include "render/sub_pixel.h"
 
 namespace saccade {

@@ -56,7 +56,7 @@ struct BakedLightTest : testing::Test, View {
 TEST_F(BakedLightTest, LightDoesNotPassBelowAThinWall) {
   const Curtain curtain;
   View view;
-  wall.frame.surfaces->obstacles = &curtain;
+  wall.obstacles = &curtain;
   wall.unoccluded = 0, wall.visibility = [](float) { return 0.f; };
   wall.light = [](float x) { return x < Curtain().x ? 1.f : 0.f; };
   for (int t = 0; t < 60; ++t) view.look(wall, 0.37f * t, t);

@@ -19,7 +19,7 @@ TEST_F(CutSearchTest, LightDoesNotPassBelowAThinWall) {
   const auto error = [](const Obstacles* obstacles) {
     View view;
     Wall wall;
-    wall.frame.surfaces->obstacles = obstacles;
+    wall.obstacles = obstacles;
     wall.noise = 0.5f;
     wall.light = [](float x) { return x < Curtain().x ? 1.f : 0.f; };
     for (int t = 0; t < 8; ++t) view.look(wall, 0.37f * t, t);
@@ -35,9 +35,9 @@ struct Corner final : Obstacles {
   explicit Corner(bool small) : sign(small ? -1.f : 1.f) {}
   bool isWithin(Vec3 p) const { return sign * (p.x - kX) > 0 && sign * (p.y - kY) > 0; }
 
-  Met find(const Ways& ways) const override {
-    Met met;
-    for (int i = 0; i < kWays; ++i) {
+  Hits find(const ProbeRays& ways) const override {
+    Hits met;
+    for (int i = 0; i < kRays; ++i) {
       const auto& [from, along, reach] = ways[i];
       const auto meet = [&](float distance, Vec3 normal, const auto& is_there) {
         const Vec3 at = from + along * distance;
@@ -63,7 +63,7 @@ TEST_F(CutSearchTest, LightDoesNotPassBelowWallsThatMeet) {
     const Corner corner(small);
     View view;
     Wall wall;
-    wall.frame.surfaces->obstacles = &corner;
+    wall.obstacles = &corner;
     const auto light = [&](std::size_t i) {
       return corner.isWithin(wall.frame.surfaces->place(i).position) ? 1.f : 0.f;
     };
@@ -84,7 +84,7 @@ TEST_F(CutSearchTest, LightDoesNotPassBelowWallsThatMeet) {
 TEST_F(CutSearchTest, WallsStayWhereVerticesAreDropped) {
   const Curtain curtain;
   Wall wall;
-  wall.frame.surfaces->obstacles = &curtain;
+  wall.obstacles = &curtain;
   wall.light = [](float x) { return x < Curtain().x ? 1.f : 8 * (x - Curtain().x); };
   for (int t = 0; t < 40; ++t) {
     if (t == 30) grid.limit(1);

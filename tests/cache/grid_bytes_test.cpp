@@ -35,7 +35,7 @@ bool hasCuts(const GridLevels& levels) {
 struct GridBytesTest : testing::Test, View {
   GridBytesTest() {
     wall.noise = 1;
-    wall.frame.surfaces->obstacles = &curtain;
+    wall.obstacles = &curtain;
     for (int t = 0; t < 3; ++t) look(wall, 0.7f * t, t);
   }
   Wall wall;

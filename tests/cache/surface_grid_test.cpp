@@ -156,7 +156,7 @@ TEST_F(SurfaceGridTest, PixelsWithoutASurfaceAreLeftOut) {
   wall.show(0, 1);
   for (int y = 0; y < kH; ++y)
     for (int x = 0; x < kW; ++x) wall.frame.surfaces->at(x, y).kind = SurfaceKind::kNone;
-  grid.place(*wall.frame.surfaces, pool, prev, at);
+  grid.place(*wall.frame.surfaces, nullptr, pool, prev, at);
   grid.add(*wall.frame.surfaces, at, pool);
   grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
   grid.learn(at, pool);
@@ -170,7 +170,7 @@ TEST_F(SurfaceGridTest, PointsWhoseLightIsKnownAheadAddNothing) {
   for (int y = 0; y < kH; ++y)
     for (SurfacePoint& p : wall.frame.surfaces->row(y)) p.baked = true;
   wall.frame.surfaces->at(3, 3).baked = false;
-  grid.place(*wall.frame.surfaces, pool, prev, at);
+  grid.place(*wall.frame.surfaces, nullptr, pool, prev, at);
   ASSERT_EQ(at.points.size(), 1u);
   EXPECT_EQ(at.points[0].index, 3u * kW + 3);
   EXPECT_EQ(grid.vertices(), 4u * kSlots);

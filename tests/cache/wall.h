@@ -14,6 +14,7 @@ inline constexpr float kPixel = 0.01f;  // on the wall
 // A camera slides along a wall z = 0, pixel by pixel of kPixel. Samples of `light` with noise.
 struct Wall {
   Frame frame{kW, kH, 1};
+  const Obstacles* obstacles = nullptr;
   float noise = 0, unoccluded = 0;
   std::function<float(float)> light = [](float) { return 1.f; };       // of x
   std::function<float(float)> visibility = [](float) { return 1.f; };  // of x
@@ -43,9 +44,9 @@ struct Wall {
 struct Curtain final : Obstacles {
   float x = 24 * kPixel;
 
-  Met find(const Ways& ways) const override {
-    Met met;
-    for (int i = 0; i < kWays; ++i) {
+  Hits find(const ProbeRays& ways) const override {
+    Hits met;
+    for (int i = 0; i < kRays; ++i) {
       const auto& [from, along, reach] = ways[i];
       const float to_curtain = (x - from.x) / along.x, to_wall = -from.z / along.z;
       if (along.x != 0 && to_curtain > 0 && to_curtain <= reach) met[i] = {to_curtain, {1, 0, 0}};
@@ -66,7 +67,7 @@ struct View {
   // The view as it is.
   void add(const Wall& wall) {
     std::swap(at, prev);
-    grid.place(*wall.frame.surfaces, pool, prev, at);
+    grid.place(*wall.frame.surfaces, wall.obstacles, pool, prev, at);
     grid.add(*wall.frame.surfaces, at, pool);
     grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
     grid.learn(at, pool);

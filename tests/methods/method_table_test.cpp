@@ -60,18 +60,18 @@ TEST(MethodTable, EveryParameterHasAPlaceASourceAndADefaultInItsRange) {
 }
 
 // Paper 4.3: correlated methods draw two passes, of which one replays the seeds of the previous frame.
-TEST(MethodTable, SaysWhatSamplesAMethodNeeds) {
-  const auto samplesOf = [](const std::string& name, const ParamValues& given) {
+TEST(MethodTable, SaysWhichPassesAMethodNeeds) {
+  const auto seedsOf = [](const std::string& name, const ParamValues& given) {
     ParamValues resolved;
     std::string bad_name;
     EXPECT_EQ(resolveParams(*findMethod(name), given, resolved, bad_name), "");
-    return findMethod(name)->samples(resolved).reuse;
+    return findMethod(name)->seeds(resolved);
   };
-  EXPECT_EQ(samplesOf("pt", {}), SeedReuse::kIndependent);
-  EXPECT_EQ(samplesOf("svgf", {}), SeedReuse::kIndependent);
-  EXPECT_EQ(samplesOf("pt-correlated", {}), SeedReuse::kCorrelated);
-  EXPECT_EQ(samplesOf("event_svgf", {}), SeedReuse::kCorrelated);
-  EXPECT_EQ(samplesOf("event_svgf", {{"correlated", 0}}), SeedReuse::kIndependentPairs);
+  EXPECT_EQ(seedsOf("pt", {}), &SeedPlan::independent);
+  EXPECT_EQ(seedsOf("svgf", {}), &SeedPlan::independent);
+  EXPECT_EQ(seedsOf("pt-correlated", {}), &SeedPlan::correlated);
+  EXPECT_EQ(seedsOf("event_svgf", {}), &SeedPlan::correlated);
+  EXPECT_EQ(seedsOf("event_svgf", {{"correlated", 0}}), &SeedPlan::independentPairs);
 }
 
 TEST(ResolveParams, FillsInThePapersDefaults) {

@@ -59,7 +59,7 @@ class FeedFailure : public testing::Test {
   std::unique_ptr<FeedRunner> runner(std::unique_ptr<Method> method) {
     const FeedConfig config{.camera = pinhole(45, 8, 8), .frame_rate_hz = 100, .params = {}};
     auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method),
-                                       SampleRequest{SeedReuse::kIndependent}, pool_);
+                                       SeedPlan::independent, pool_);
     return std::make_unique<FeedRunner>(std::make_shared<Rig>(std::move(feed)), FeedPace{kFrames, 100, 0},
                                         pool_, totals_, log_);
   }

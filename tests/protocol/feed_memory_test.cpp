@@ -28,10 +28,10 @@ TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
   TilePool pool(1);
   const FeedConfig config{.camera = pinhole(45, 8, 8), .frame_rate_hz = 100, .params = {}};
   const auto scene = std::make_shared<RenderScene>(test::furnace(0.5f, 1));
-  FeedRunner runner(std::make_shared<Rig>(std::make_unique<Feed>(
-                        scene, Trajectory({{TimeNs(0), Pose{}}}), config, std::make_unique<Greedy>(),
-                        SampleRequest{SeedReuse::kIndependent}, pool)),
-                    FeedPace{5, 100, 0}, pool, totals, log);
+  FeedRunner runner(
+      std::make_shared<Rig>(std::make_unique<Feed>(scene, Trajectory({{TimeNs(0), Pose{}}}), config,
+                                                   std::make_unique<Greedy>(), SeedPlan::independent, pool)),
+      FeedPace{5, 100, 0}, pool, totals, log);
   const auto session =
       std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport, runner.notifier(), totals.traffic);
   ResolvedStream stream{.feed = config, .sensors = {{}}, .changes = {{}}};

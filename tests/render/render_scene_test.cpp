@@ -16,10 +16,10 @@ TEST(RenderScene, ObstaclesAreSurfacesThatLetNoLightStraightThrough) {
   scene.meshes = {test::quad({2, -1, -1}, {0, 2, 0}, {0, 0, 2}, 0),
                   test::quad({1, -1, -1}, {0, 2, 0}, {0, 0, 2}, 1)};
   const RenderScene render(scene);
-  const Obstacles::Met met = render.find({{{{0, 0, 0}, {1, 0, 0}, 3},
-                                           {{0, 0, 0}, {1, 0, 0}, 1.9f},
-                                           {{3, 0, 0}, {-1, 0, 0}, 3},
-                                           {{0, 0, 0}, {-1, 0, 0}, 3}}});
+  const Obstacles::Hits met = render.find({{{{0, 0, 0}, {1, 0, 0}, 3},
+                                            {{0, 0, 0}, {1, 0, 0}, 1.9f},
+                                            {{3, 0, 0}, {-1, 0, 0}, 3},
+                                            {{0, 0, 0}, {-1, 0, 0}, 3}}});
   EXPECT_FLOAT_EQ(met[0].distance, 2);
   EXPECT_FLOAT_EQ(std::abs(met[0].normal.x), 1);
   EXPECT_TRUE(std::isinf(met[1].distance));  // out of reach

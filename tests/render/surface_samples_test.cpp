@@ -37,13 +37,12 @@ Frame render(const Scene& scene, int spp, int channels = 1, std::uint64_t seed =
   const auto s = std::make_shared<RenderScene>(scene);
   TilePool pool(2);
   Frame frame(kSize, kSize, points);
-  frame.surfaces->bounces = bounces;
   const Camera camera(s->description().T_world_camera, pinhole(s->description().fov_x_deg, kSize, kSize));
   Renderer renderer(s, {2, channels});
-  renderer.renderSurfaces(camera, camera, pool, frame);
+  const SurfaceFrame next = renderer.renderSurfaces(camera, camera, pool, frame);
   for (int y = 0; y < kSize; ++y)
     for (SurfacePoint& p : frame.surfaces->row(y)) p.paths = static_cast<std::uint32_t>(spp);
-  renderer.renderPaths(camera, SeedPlan::independent(seed, 0, spp), pool, frame);
+  renderer.renderPaths(camera, SeedPlan::independent(seed, 0, spp), next, bounces, pool);
   return frame;
 }
 
@@ -154,7 +153,7 @@ TEST(SurfaceSamples, MetalSharesNoLight) {
 TEST(SurfaceSamples, ABlackSurfaceHasNoPoint) {
   const Frame frame = render(lampRoom(test::grey(0)), 1);
   EXPECT_EQ(frame.surfaces->at(1, 1).share, 0);
-  EXPECT_FALSE(frame.surfaces->showsOthers(1, 1));
+  EXPECT_FALSE(frame.surfaces->hasUncacheable(1, 1));
   EXPECT_EQ(frame.samples.I2.at(1, 1), 0);
 }
 
@@ -211,15 +210,15 @@ TEST(SurfaceSamples, BakedPointsBesideOthersCanHavePaths) {
   const auto renderWith = [&](bool baked) {
     Frame frame(kSize, kSize, kSubPixels);
     Renderer renderer(s, {2, 1, true});
-    renderer.renderSurfaces(camera, camera, pool, frame, [&](Tile tile) {
+    const SurfaceFrame next = renderer.renderSurfaces(camera, camera, pool, frame, [&](Tile tile) {
       for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x)
           for (SurfacePoint& p : frame.surfaces->of(x, y)) p.baked = baked && p.kind != SurfaceKind::kNone;
     });
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x)
-        for (SurfacePoint& p : frame.surfaces->of(x, y)) p.paths = frame.surfaces->showsOthers(x, y);
-    renderer.renderPaths(camera, SeedPlan::independent(1, 0, 1), pool, frame);
+        for (SurfacePoint& p : frame.surfaces->of(x, y)) p.paths = frame.surfaces->hasUncacheable(x, y);
+    renderer.renderPaths(camera, SeedPlan::independent(1, 0, 1), next, nullptr, pool);
     return frame;
   };
   const Frame expected = renderWith(false), found = renderWith(true);
@@ -227,7 +226,7 @@ TEST(SurfaceSamples, BakedPointsBesideOthersCanHavePaths) {
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
       ASSERT_EQ(found.samples.I2.at(x, y), expected.samples.I2.at(x, y));
-      edges += found.surfaces->showsOthers(x, y) &&
+      edges += found.surfaces->hasUncacheable(x, y) &&
                std::ranges::any_of(found.surfaces->of(x, y), &SurfacePoint::baked);
     }
   }
@@ -242,12 +241,12 @@ TEST(SurfaceSamples, NeedPathsUnlessAllPointsAreBaked) {
   Frame frame(kSize, kSize, 1);
   Renderer renderer(s, {2, 1});
   for (const int learned : {kSize * kSize, 7, kSize * kSize}) {
-    renderer.renderSurfaces(camera, camera, pool, frame, [&](Tile tile) {
+    const SurfaceFrame next = renderer.renderSurfaces(camera, camera, pool, frame, [&](Tile tile) {
       for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x) frame.surfaces->at(x, y).baked = y * kSize + x < learned;
     });
-    EXPECT_EQ(frame.surfaces->need_paths, learned < kSize * kSize);
-    renderer.renderPaths(camera, SeedPlan::independent(1, 0, 1), pool, frame);
+    EXPECT_EQ(frame.surfaces->needPaths(), learned < kSize * kSize);
+    renderer.renderPaths(camera, SeedPlan::independent(1, 0, 1), next, nullptr, pool);
     double light = 0;
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x) {
