@@ -79,8 +79,8 @@ void Service::dispatch(RawRequest raw, const Peer& peer, const Answer& answer) {
 }
 
 void Service::open(RawRequest request, const Peer& peer, Answer answer) {
-  auto slot =
-      quota_.take(peer.user, {{Limit::kRequests, 1}, {Limit::kMemory, openingMemory(request.message.bytes.size())}});
+  auto slot = quota_.take(
+      peer.user, {{Limit::kRequests, 1}, {Limit::kMemory, openingMemory(request.message.bytes.size())}});
   opener_.open(std::move(request), peer, [answer = std::move(answer), slot](v1::Reply reply) mutable {
     slot.reset();  // before the answer: its client may send the next request at once
     answer(std::move(reply));

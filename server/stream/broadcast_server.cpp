@@ -153,8 +153,8 @@ void BroadcastServer::sendPacketsOf(Session& session, Audience& audience) {
   audience.last_sent = now;
 }
 
-void BroadcastServer::sendTo(const Audience& audience, const std::string& topic,
-                             const MessagePart& header, const MessagePart& payload) {
+void BroadcastServer::sendTo(const Audience& audience, const std::string& topic, const MessagePart& header,
+                             const MessagePart& payload) {
   const auto peers = audience.peers.find(topic);
   if (peers == audience.peers.end()) return;
   for (const std::string& peer : peers->second) {

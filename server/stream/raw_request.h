@@ -18,8 +18,8 @@ struct RawRequest {
 // Most bytes of any request but open_stream and push_frame.
 inline constexpr std::size_t kMaxShortRequest = 4 << 10;
 
-// Reads the head of `raw.message` into the other members, in a time that does not depend on their size. Returns
-// OK, or why the request must be refused.
+// Reads the head of `raw.message` into the other members, in a time that does not depend on their size.
+// Returns OK, or why the request must be refused.
 v1::Status readHead(RawRequest& raw);
 
 }  // namespace saccade

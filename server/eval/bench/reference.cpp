@@ -73,8 +73,7 @@ ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, R
       cache_(std::move(cache)),
       seed_(seed == 0 ? kSeed : hashKey(kSeed, seed)) {
   ContentHash h;
-  h.add(scene_->digest()), h.add(settings.bounces), h.add(width), h.add(height),
-      h.add(fov_x_deg);
+  h.add(scene_->digest()), h.add(settings.bounces), h.add(width), h.add(height), h.add(fov_x_deg);
   if (settings.jitter) h.add(settings.jitter);
   if (seed != 0) {
     h.add(seed);
