@@ -5,8 +5,8 @@
 
 namespace saccade::client {
 
-// Throws StreamFault unless the reply has a stream with the sensors, truth channels and views of `asked`, and
-// with sizes, a frame rate and a delivery that can be.
+// Throws StreamFault unless the reply has a stream with the sensors, truth channels and views of `asked`.
+// Sizes, frame rate and delivery must be possible ones too.
 void checkOpened(const v1::StreamOpened& opened, const v1::OpenStream& asked);
 
 }  // namespace saccade::client

@@ -10,8 +10,8 @@
 
 namespace saccade::client {
 
-// What the JSON and the folder of truth of a sensor are named after: the file `path`, and for further sensors
-// in the same file "PATH.sensor1", "PATH.sensor2".
+// The base of the names of a sensor's JSON and folder of truth. It is the file `path`, and for further
+// sensors in the same file "PATH.sensor1", "PATH.sensor2".
 std::string nameOfSensor(const std::string& path, std::size_t sensor);
 
 class RecordingFile {

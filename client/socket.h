@@ -13,8 +13,8 @@ struct CurveKeys {
   std::string server_public;  // the server's
 };
 
-// Connects a socket that drops unsent messages when it closes, that sends heartbeats to detect a lost peer,
-// and that cuts off one whose message is larger than any of the protocol. Throws std::invalid_argument for a
+// Connects a socket that drops unsent messages when it closes, and sends heartbeats to detect a lost peer. It
+// cuts off a peer whose message is larger than any of the protocol. Throws std::invalid_argument for a
 // malformed endpoint or key.
 zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, const std::string& endpoint,
                             const CurveKeys& keys = {});

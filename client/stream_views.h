@@ -20,8 +20,8 @@ inline const v1::View& viewOf(const v1::OpenStream& resolved, std::uint32_t numb
   return number == 0 ? resolved.view() : resolved.further_views(static_cast<int>(number) - 1);
 }
 
-// The sensor whose recording gets truth channel `channel` of the stream: the first sensor of the channel's
-// view, and where there is none, the first of all.
+// The sensor whose recording gets truth channel `channel` of the stream. It is the first sensor of the
+// channel's view, or the first of all where the view has none.
 int sensorOfTruth(const v1::OpenStream& stream, int channel);
 
 // The channels that the recording of `sensor` gets, as indices in stream.truth.

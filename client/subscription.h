@@ -1,9 +1,10 @@
 // Receives the batches of a stream, and reconnects when the connection or the server is lost.
 //
 // Heartbeats come every second; after silence a new connection resumes where the old one stopped. If the
-// server has lost a LOSSLESS stream, or ended it early, the stream is opened again, unless it is steered or
-// pushed: only its client knows the next poses or frames. The server then renders up to the last batch again;
-// no event is missing and none comes twice. Of a LIVE or BROADCAST stream, lost packets are counted.
+// server has lost a LOSSLESS stream, or ended it early, the stream is opened again. The server then renders
+// up to the last batch again; no event is missing and none comes twice. Steered and pushed streams are not
+// opened again: only their client knows the next poses or frames. Lost packets of a LIVE or BROADCAST stream
+// are counted.
 #pragma once
 
 #include <chrono>

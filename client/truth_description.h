@@ -1,4 +1,4 @@
-// What a stream and its server say of the truth channels that are recorded.
+// The truth channels that are recorded, as a stream and its server describe them.
 #pragma once
 
 #include "saccade/v1/control.pb.h"

@@ -1,8 +1,8 @@
 // The XML text of a header, which describes the streams of a file or connection.
 //
 // dv-processing wants the root `dv` of version 2.0, in it one node `outInfo`, and in that a node for each
-// stream, named by its number. It skips a stream without originalOutputName or typeIdentifier, finds the
-// events by the name "events", and wants sizeX and sizeY of type int, and a source MODEL_SERIAL.
+// stream, named by its number. It skips a stream without originalOutputName or typeIdentifier, and finds the
+// events by the name "events". It wants sizeX and sizeY of type int, and a source MODEL_SERIAL.
 // Sources: dv-processing io/reader.hpp, io/mono_camera_recording.hpp, io/network_reader.hpp.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What Kalibr and DSEC say alike of a camera with its lens.
+// The part of a camera with its lens that Kalibr and DSEC write alike.
 #pragma once
 
 #include <string>

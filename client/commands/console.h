@@ -1,4 +1,4 @@
-// Text for the terminal. What comes of a server or a file cannot command it.
+// Text for the terminal. Text of a server or a file cannot command it.
 #pragma once
 
 #include <cstdio>

@@ -23,7 +23,7 @@ struct ConvertOptions {
   OutputOptions output;
 };
 
-// What is known of the events before the first is read. `labels`: whether the new file has them.
+// Facts about the events that are known before the first is read. `labels`: whether the new file has them.
 v1::Recording aboutEvents(const SourceFile& source, bool labels) {
   v1::Recording about = source.recording().value_or(v1::Recording());
   about.clear_begin_ns();

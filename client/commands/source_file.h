@@ -13,7 +13,7 @@ namespace saccade::client {
 
 class SourceFile {
  public:
-  // `size`: --size of the command, for the image where neither the file nor FILE.json tells its size;
+  // `size`: --size of the command, for the image where neither the file nor FILE.json tells its size. It is
   // "WIDTHxHEIGHT" or empty; nothing: the command has no such option. Throws std::invalid_argument if the
   // size is missing or contradicts them, and as Reader does. Says on stderr what of the file is left out; the
   // labels of events are, unless `labels`.

@@ -14,8 +14,9 @@ class TimeSurface {
 
   void add(const Events& events);  // in time order, within the image
 
-  // The weight at stream time `now_ns` of the newest event of a square of pixels: exp(-age / decay), negative
-  // for OFF, and 0 without an event. The square has its first pixel at x, y, and may exceed the image.
+  // The weight at stream time `now_ns` of the newest event of a square of pixels: exp(-age / decay). It is
+  // negative for OFF, and 0 without an event. The square has its first pixel at x, y, and may exceed the
+  // image.
   float weight(int x, int y, int side, std::int64_t now_ns) const;
 
   int width() const { return width_; }

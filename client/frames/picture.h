@@ -16,8 +16,8 @@ struct Picture {
 // Whether it may be a picture, by the extension or the beginning. A video is none.
 bool isPicture(const std::string& file);
 
-// Throws std::runtime_error with the file: it cannot be read, it holds several pictures, or it is larger than
-// a frame may be, which its header tells before its pixels are read.
+// Throws std::runtime_error that names the file: it cannot be read, holds several pictures, or is larger than
+// a frame may be. The header of the file tells the size before pixels are read.
 Picture readPicture(const std::string& file, std::optional<Transfer> transfer);
 
 // How to get the frames of a video.

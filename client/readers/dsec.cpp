@@ -1,5 +1,5 @@
-// HDF5 as the DSEC data set has it: /events/x, y, p, t as whole numbers of any width, and perhaps /t_offset,
-// which is added to t; microseconds. Labels may be /events/source and artefact. The size of the image may
+// HDF5 as the DSEC data set has it: /events/x, y, p, t as whole numbers of any width, t in microseconds. Adds
+// /t_offset, if there is one, to t. Labels may be /events/source and artefact. The size of the image may
 // stand in attributes of the root or in /events. A file of a killed writer opens up to its last flush.
 #include <algorithm>
 #include <optional>

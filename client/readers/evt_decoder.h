@@ -26,7 +26,7 @@ class EvtDecoder {
 std::unique_ptr<EvtDecoder> makeEvt3Decoder(const std::string& path, std::uint64_t at);
 std::unique_ptr<EvtDecoder> makeEvt2Decoder(const std::string& path, std::uint64_t at);
 
-// What both have in common. TIME_HIGH has `high_bits` bits, above `low_bits` bits of microseconds.
+// Shared by both decoders. TIME_HIGH has `high_bits` bits, above `low_bits` bits of microseconds.
 template <class Word>
 class WordDecoder : public EvtDecoder {
  public:

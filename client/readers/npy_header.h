@@ -15,8 +15,8 @@ struct NpyHeader {
   std::optional<std::uint64_t> length;  // values of a one-dimensional array; none: a single value
 };
 
-// Takes the text of a header, such as "{'descr': '<i8', 'fortran_order': False, 'shape': (3,), }". nullopt if
-// it is of another form: an array of several dimensions, or of structures.
+// Takes the text of a header, such as "{'descr': '<i8', 'fortran_order': False, 'shape': (3,), }". Returns
+// nullopt for another form: an array of several dimensions, or of structures.
 std::optional<NpyHeader> parseNpyHeader(const std::string& text);
 
 }  // namespace saccade::client

@@ -1,6 +1,6 @@
-// NumPy's .npz: arrays t (microseconds), x, y and p (0 or 1, or bool) of equal lengths, whole numbers of any
-// width, stored or compressed; perhaps labels in source and artefact, and single numbers width and height. A
-// cut file cannot be read, because its directory stands at the end.
+// NumPy's .npz: arrays t (microseconds), x, y and p (0 or 1, or bool) of equal lengths. They are whole
+// numbers of any width, stored or compressed. There may be labels in source and artefact, and single numbers
+// width and height. A cut file cannot be read, because its directory stands at the end.
 #include <algorithm>
 #include <initializer_list>
 #include <optional>

@@ -27,7 +27,7 @@ class Reader {
   virtual ~Reader() = default;
   virtual ImageSize size() const = 0;
   virtual bool labels() const { return false; }  // whether the events have labels: Event::source and artefact
-  // What the file holds that read() passes over, such as "frames (FRME)"; empty: nothing.
+  // The kinds of content that read() passes over, such as "frames (FRME)"; empty: none.
   virtual std::string leftOut() const { return ""; }
   // Replaces `events` by the next batch, in the order of the file. A batch is small, whatever the file's
   // size, and may be empty. Returns false at the end, with no events.

@@ -1,4 +1,4 @@
-// A message of ROS 2 in CDR, little-endian: each number lies at a multiple of its size, counted from the end
+// A message of ROS 2 in CDR, little-endian. Each number lies at a multiple of its size, counted from the end
 // of the four bytes at the front. Source: the DDS Interoperability Wire Protocol of the OMG, section 10.
 #pragma once
 

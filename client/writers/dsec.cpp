@@ -1,9 +1,9 @@
-// HDF5 as the DSEC data set has it: /events/x, y, p, t and /ms_to_idx, where entry m is the number of events
-// before millisecond m; an event is at t + /t_offset microseconds. Compressed by gzip, or by Blosc with zstd.
-// See dsec.ifi.uzh.ch/data-format, and scripts/utils/eventslicer.py of github.com/uzh-rpg/DSEC. Width and
-// height stand where others look for them: in attributes of the root, and in /events.
+// HDF5 as the DSEC data set has it: /events/x, y, p, t and /ms_to_idx. Entry m is the number of events before
+// millisecond m; an event is at t + /t_offset microseconds. Compressed by gzip, or by Blosc with zstd. See
+// dsec.ifi.uzh.ch/data-format, and scripts/utils/eventslicer.py of github.com/uzh-rpg/DSEC. Width and height
+// stand where others look for them: in attributes of the root, and in /events.
 //
-// t has 32 bits, as readers expect. The file on disk ends with a whole chunk until finish(): after a full
+// t has 32 bits, as readers expect. The file on disk ends with a whole chunk until finish(). After a full
 // disk or a kill it lacks the latest events, up to 131071, and the end of /ms_to_idx. The group /truth has
 // the truth channels, and then lacks the latest pictures, up to 4 MiB, and up to 1023 rows. Labels are
 // /events/source and /events/artefact, u8, as in Event.

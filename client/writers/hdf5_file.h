@@ -29,7 +29,7 @@ class Hdf5File {
   void close();  // the last call: commits, and closes all that was opened in the file; throws the same
 
  private:
-  // What the library sees as its file. It reads nothing, because it forgets nothing.
+  // The file as the HDF5 library sees it. It reads nothing, because it forgets nothing.
   struct Driver : H5FD_t {
     haddr_t end = 0;  // of the space that is in use
     std::vector<std::pair<haddr_t, std::string>> held =

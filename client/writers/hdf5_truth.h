@@ -1,6 +1,6 @@
-// A truth channel in an HDF5 file: the group NAME with t [n], i64 microseconds, and data, [n, height, width,
-// planes] of pictures and [n, planes] of rows. Pictures have exposure_begin and exposure_end too, as t.
-// Attributes: unit, planes, description.
+// A truth channel in an HDF5 file: the group NAME with t [n], i64 microseconds, and data. The shape of data
+// is [n, height, width, planes] for pictures and [n, planes] for rows. Pictures have exposure_begin and
+// exposure_end too, as t. Attributes: unit, planes, description.
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,10 @@
 // NumPy's .npz: arrays t (i64 microseconds), x, y (u16) and p (u8) of equal lengths, and numbers width and
-// height, as evutils has them and SpikingJelly reads them. Labels are arrays source and artefact (u8), as in
-// Event. Truth channels have arrays beside them. See numpy.lib.format, and zip_archive.h.
+// height. This is the layout of evutils, and SpikingJelly reads it. Labels are arrays source and artefact
+// (u8), as in Event. Truth channels have arrays beside them. See numpy.lib.format, and zip_archive.h.
 //
-// An array is one piece of the file and says its length first, so each column waits in a spool file for the
-// end of the events. A part of the disk is taken at the start and given back at the end, so that there is
-// room to finish a file when the disk is full. A kill leaves an empty file.
+// An array is one piece of the file and says its length first. So each column waits in a spool file for the
+// end of the events. A part of the disk is taken at the start and given back at the end. So there is room to
+// finish a file when the disk is full. A kill leaves an empty file.
 #include <zlib.h>
 
 #include <cstring>

@@ -1,5 +1,6 @@
-// A truth channel in an .npz file: the arrays NAME, (n, height, width, planes) of pictures and (n, planes) of
-// rows, and NAME_t (n), i64 microseconds. Pictures have NAME_exposure (n, 2) too: begin and end, as NAME_t.
+// A truth channel in an .npz file: the arrays NAME and NAME_t. NAME is (n, height, width, planes) of pictures
+// and (n, planes) of rows; NAME_t is (n), i64 microseconds. Pictures have NAME_exposure (n, 2) too: begin and
+// end, as NAME_t.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// What the sensors of a stream have in one file of ROS. The first sensor of view 0 has /dvs/events, the next
-// ones /dvs/events_1, /dvs/events_2; the first of view 1 has /dvs_1/events.
+// The topics and cameras of the sensors of a stream in one file of ROS. The first sensor of view 0 has
+// /dvs/events, the next ones /dvs/events_1, /dvs/events_2; the first of view 1 has /dvs_1/events.
 #pragma once
 
 #include <string>

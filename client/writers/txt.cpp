@@ -1,6 +1,6 @@
-// The text format that rpg_e2vid reads: a line `width height`, then one line `t x y p` per event; t in
-// seconds with nine decimals, p is 1 ON, 0 OFF. (`events.txt` of the rpg data sets is the same without the
-// first line.)
+// The text format that rpg_e2vid reads: a line `width height`, then one line `t x y p` per event. Here t is
+// in seconds with nine decimals; p is 1 for ON, 0 for OFF. (`events.txt` of the rpg data sets is the same
+// without the first line.)
 #include "client/units.h"
 #include "client/writers/text_writer.h"
 

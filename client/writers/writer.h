@@ -19,8 +19,8 @@ class Writer {
  public:
   virtual ~Writer() = default;
   // Adds a batch, and says that no event before `until_ns` will follow. Batches come in time order, and their
-  // events lie within the image. If this throws, readers find the earlier batches and no part of this one;
-  // those of a format of large chunks find whole chunks instead, see kept(). Throws std::range_error if the
+  // events lie within the image. If this throws, readers find the earlier batches and no part of this one.
+  // Readers of a format of large chunks find whole chunks instead, see kept(). Throws std::range_error if the
   // format cannot hold a time.
   virtual void write(const Events& events, std::int64_t until_ns) = 0;
   // Adds samples of Recording.truth[channel], in time order. Only of channels that WriterInfo::truth takes.

@@ -23,7 +23,7 @@ std::uint16_t short16(std::size_t number) {
   return static_cast<std::uint16_t>(number);
 }
 
-// What a header and an entry of the directory share.
+// Fields that a header and an entry of the directory share.
 std::string common(const ZipMember& member, std::uint32_t packed, std::uint32_t size, std::size_t extra) {
   return littleEndian(kZip64Version, std::uint16_t{0}, member.deflated ? kDeflated : kStored,
                       std::uint16_t{0}, kDate, member.crc, packed, size, short16(member.name.size()),

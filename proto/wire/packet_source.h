@@ -1,4 +1,4 @@
-// What all packets of one sensor or truth channel have in common.
+// State shared by all packets of one sensor or truth channel.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// An allocator for large tables that are read here and there: their memory lies in huge pages where the
-// system has some, so that finding a page rarely costs a walk through the page tables.
+// An allocator for large tables that are read here and there. Their memory lies in huge pages where the
+// system has some. So finding a page rarely costs a walk through the page tables.
 #pragma once
 
 #include <sys/mman.h>

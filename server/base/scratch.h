@@ -7,7 +7,7 @@
 namespace saccade {
 
 // A piece may run within another one of the same thread (TilePool::yieldToHighPriority), so each takes its
-// own. What an earlier piece has left in it stays there.
+// own. The memory is not cleared: it keeps the values of earlier pieces.
 template <class T>
 class Scratch {
  public:

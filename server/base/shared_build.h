@@ -18,7 +18,7 @@
 
 namespace saccade {
 
-// What a build is given.
+// Given to a build.
 struct BuildContext {
   std::stop_token stop;                     // once requested, the build should throw Cancelled
   std::function<void(double)> setProgress;  // share that is done, 0 to 1

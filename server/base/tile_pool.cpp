@@ -44,7 +44,7 @@ struct TilePool::Workers {
     std::vector<Job*> jobs;
     std::size_t turn = 0;  // whose it is
   };
-  // What a thread is at.
+  // The work that a thread is at.
   struct Running {
     Workers* workers = nullptr;
     bool urgent = false;

@@ -12,8 +12,8 @@ struct SinCos {
   F sin, cos;
 };
 
-// Of the angle 2 pi u, for u in [0, 1]. The error is below 2e-7: the Taylor polynomials are of angles up to
-// pi / 4, and quarters of a turn are added by swapping and negating.
+// Takes the angle 2 pi u, for u in [0, 1]. The error is below 2e-7: the Taylor polynomials are of angles up
+// to pi / 4. Swapping and negating add quarters of a turn.
 template <class F>
 [[gnu::always_inline]] inline SinCos<F> sinCosOfTurn(F u) {
   using std::floor;

@@ -5,8 +5,8 @@
 
 namespace saccade {
 
-// The minimum of two numbers: the CPUs that it may run on, and the CPU quota of its control groups (version 2
-// or 1) and their parents. > 0, may be a fraction.
+// The CPUs that it may run on. If it is less, the CPU quota of its control groups (version 2 or 1) and their
+// parents. > 0, may be a fraction.
 double usableCpus();
 
 // The least CPU quota of some control groups; infinite where there is none. `memberships`: their names, as in

@@ -124,7 +124,7 @@ inline constexpr auto kSetLanes = [] {
   return table;
 }();
 
-// Writes the lanes of a mask one after another. What follows them in out[0, W) is overwritten too.
+// Writes the lanes of a mask one after another. The values that follow them in out[0, W) are overwritten too.
 [[gnu::always_inline]] inline void compress(std::uint32_t lanes, const Floats<8>& v, float* out) {
   const __m256i index = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kSetLanes[lanes])));
   _mm256_storeu_ps(out, _mm256_permutevar8x32_ps(static_cast<__m256>(v), index));

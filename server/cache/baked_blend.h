@@ -1,4 +1,4 @@
-// What the levels of a grid say at their own vertices.
+// The light and evidence of a grid's levels at their own vertices.
 #pragma once
 
 #include "base/pool_handle.h"

@@ -12,7 +12,7 @@ constexpr float kLeastShare = 0.5f;  // of a point's weights, on known vertices 
 // From a level to the one below: a step is half as many cells there, and a quarter of the variance.
 constexpr float kStepToFine = 0.25f;
 
-// The power of two that brings the brightest light of a grid to somewhat less than 2^7: half floats then tell
+// The power of two that brings the brightest light of a grid to somewhat less than 2^7. Half floats then hold
 // all that is brighter than a two millionth of it.
 float scaleFor(const GridLevels& grid) {
   float brightest = 0;

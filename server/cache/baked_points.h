@@ -62,7 +62,7 @@ class BakedPoints {
       if (BakedLevel::lacks(indices_[t])) levels_[i].coarse->prefetch(coarseCorners(t).key[0]);
     }
   }
-  // What the vertices around each point say: the columns of BakedSums.
+  // Sums over the vertices around each point: the columns of BakedSums.
   struct Light {
     std::array<Octet, kMost> means, variances;
   };
@@ -92,7 +92,7 @@ class BakedPoints {
     const double per_edge = powerOfTwo(std::max(-levels_[i].exponent - 1, -126));
     return {toDouble(tetrahedra_.point(i)) * per_edge, taps_.bin(tap)};
   }
-  // What the corners of a tap say.
+  // Sums over the corners of a tap.
   BakedSums read(int tap) const {
     const int i = taps_.point(tap);
     const Quad weights = tetrahedra_.weights(i) * taps_.share(tap);

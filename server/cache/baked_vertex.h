@@ -1,4 +1,5 @@
-// What a bake keeps at a vertex. It is small, because frames read it here and there in a large memory.
+// The values that a bake keeps at a vertex. It is small, because frames read it here and there in a large
+// memory.
 #pragma once
 
 #include <immintrin.h>
@@ -11,8 +12,8 @@
 
 namespace saccade {
 
-// The light of one level at a vertex. Variances are those of rest and visibility, and those of a step over
-// the length of a cell if they went on growing with its square.
+// The light of one level at a vertex. Variances are those of rest and visibility. Variances of a step are
+// extrapolated with its square to the length of a cell.
 struct BakedVertex {
   bool known = false;
   float rest = 0, visibility = 0;
@@ -99,8 +100,8 @@ class alignas(16) BakedPair {
 };
 static_assert(sizeof(BakedPair) == 16);
 
-// The lanes of the light around a point. kKnown is the share of its weights that is on known vertices, and
-// the fourth mean says nothing. Lanes of the coarser level come kOfCoarse later.
+// The lanes of the light around a point. kKnown is the share of its weights on known vertices; the fourth
+// mean has no meaning. Lanes of the coarser level come kOfCoarse later.
 enum BakedMean { kRest, kVisibility, kKnown };
 enum BakedVariance { kVarRest, kVarVisibility, kStepRest, kStepVisibility };
 inline constexpr int kOfCoarse = 4;

@@ -58,7 +58,7 @@ class BinLanes {
   alignas(64) float normal_[3][kLanes] = {};
   alignas(64) std::uint32_t first_[kLanes] = {};
   int size_ = 0;
-  // What compress() overwrites goes beyond the last one.
+  // compress() may overwrite lanes beyond the last one.
   alignas(64) std::uint32_t point_[kMostBins + kLanes];
   alignas(64) std::uint32_t bin_[kMostBins + kLanes];
   alignas(64) float share_[kMostBins + kLanes];

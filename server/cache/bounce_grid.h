@@ -1,5 +1,5 @@
-// Light at the second vertices of paths, kept on surfaces: a path that reaches a cell whose light is known
-// ends there, so that most paths are short, and what they find has less noise [ours, after NVIDIA's SHaRC].
+// Light at the second vertices of paths, kept on surfaces. A path that reaches a cell whose light is known
+// ends there. So most paths are short, and their light has less noise [ours, after NVIDIA's SHaRC].
 //
 // A sample is what a path of full length finds from its second vertex on. So a path that ends there counts as
 // many bounces as one that goes on. Cells are cubes of 8 to 16 pixels as the camera sees them, and the six
@@ -39,7 +39,7 @@ class BounceGrid {
 
   std::size_t cells() const { return light_.size(); }
 
-  // What it keeps, by cell.
+  // Its state, by cell.
   std::vector<std::uint64_t> keys() const { return table_.keys(); }
   const std::vector<Quad>& light() const { return light_; }
   // Fills an empty grid with that. False if a key is not valid or stands twice.

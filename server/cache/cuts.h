@@ -1,5 +1,5 @@
-// Where walls cut the surroundings of vertices. Light does not pass there, so that a vertex keeps what lies
-// on one side of them, and others at the same place what lies on other sides [ours].
+// Where walls cut the surroundings of vertices. Light does not pass there. So a vertex keeps the light of one
+// side of them, and others at the same place keep that of other sides [ours].
 #pragma once
 
 #include <array>

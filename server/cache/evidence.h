@@ -1,8 +1,8 @@
-// What a pixel's own samples say of the detail that each level claims [ours].
+// Evidence of a pixel's own samples for the detail that each level claims [ours].
 //
-// With c what the coarser levels say and d the detail of a level, both without the sample i itself, x = (i -
-// c) d has the mean of d times what is truly there: the sample knows nothing of the noise of d. Its sum is an
-// estimate of the energy of the detail without bias, and the sum of x^2 bounds the noise of that.
+// Let c be the estimate of the coarser levels and d the detail of a level, both without the sample i itself.
+// Then x = (i - c) d has the mean of d times the true detail: the sample knows nothing of the noise of d. Its
+// sum is an estimate of the energy of the detail without bias, and the sum of x^2 bounds the noise of that.
 #pragma once
 
 #include "cache/point_lanes.h"

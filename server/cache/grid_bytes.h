@@ -1,4 +1,4 @@
-// What grids keep, as bytes.
+// The state of grids, as bytes.
 #pragma once
 
 #include "base/bytes.h"

@@ -1,4 +1,4 @@
-// What the grid keeps: on each level its vertices, and at each vertex sums of samples.
+// The state of the grid: on each level its vertices, and at each vertex sums of samples.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct GridLevel {
   // Sums over samples of weight, rest, visible / U and unoccluded / U (the two estimates by paths).
   HugeVector<Quad> light;
   // Evidence of the level kPoolSteps below, for `rest` and then for visibility: sums of x, x^2, squared
-  // residuals, and the weights of samples. evidence.h says what x is.
+  // residuals, and weights of samples. evidence.h defines x.
   HugeVector<Octet> evidence;
   Cuts cuts;
 

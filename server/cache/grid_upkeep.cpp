@@ -1,4 +1,4 @@
-// What keeps the grid small and true: dropping vertices, and forgetting light.
+// Upkeep of the grid: dropping vertices, and forgetting light.
 #include <algorithm>
 
 #include "cache/surface_grid.h"
@@ -6,8 +6,8 @@
 namespace saccade {
 namespace {
 
-// The number of frames that vertices may be unused so that at most `most` of them stay; at least 1, for those
-// that the last frame uses.
+// The number of frames that vertices may be unused so that at most `most` of them stay. It is at least 1, for
+// those that the last frame uses.
 std::uint32_t longestUnused(const GridLevels& levels, std::uint32_t now, std::size_t most) {
   std::vector<std::size_t> of_age(1);
   levels.forEach([&](int, const GridLevel& level) {

@@ -1,7 +1,7 @@
 // Where a surface point lies in the grid: the vertices around it on one level, with their weights.
 //
 // Within a level the cells are cubes of edge 2^level scene units. Each is cut into six tetrahedra by the
-// order of the coordinates within it (Kuhn 1960): weights are linear within a tetrahedron, continuous, and
+// order of the coordinates within it (Kuhn 1960). Weights are linear within a tetrahedron, continuous, and
 // sum to 1. Normals fall into six bins, one for each direction of an axis, with weights that are continuous
 // in the normal.
 #pragma once

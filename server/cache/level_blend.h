@@ -23,15 +23,15 @@ F varianceOf(F residual2, F weight, F samples, const BlendParams& p) {
   return select(weight > 0.f && samples > 0.f, p.noise * residual2 / (weight * samples), F(0.f));
 }
 
-// One kind of light, from coarse to fine: E += alpha_k (E_k - E), with alpha_k the share of the detail of
+// One kind of light, from coarse to fine: E += alpha_k (E_k - E). Here alpha_k is the share of the detail of
 // level k that is not noise [ours]. Of one point, or of a point in each lane (F is Floats then).
 template <class F>
 struct BlendedLight {
   F value = 0.f, variance = 0.f;         // of the estimate so far, with the detail that it leaves out
   std::array<F, kTop> alpha{}, noise{};  // of each level: alpha_k, and the variance of E_k
 
-  // `sum` of samples of the weight `samples`. alpha = energy / (energy + noise_weight * noise): what evidence
-  // says of the energy of the detail, against the variance of the level's mean.
+  // `sum` of samples of the weight `samples`. Sets alpha = energy / (energy + noise_weight * noise): the
+  // energy of the detail by its evidence, against the variance of the level's mean.
   void refine(int k, F sum, F samples, F x, F x2, F residual2, F weight, F fraction, const BlendParams& p) {
     using std::max, std::sqrt;
     const auto known = samples > 0.f;
@@ -47,7 +47,7 @@ struct BlendedLight {
     variance = select(known, F((1.f - a) * (1.f - a) * variance + a * a * noise[k] + left_out), variance);
   }
 
-  // Variance of the change over a step of `cells` finest cells, without the detail that is left out: the
+  // Variance of the change over a step of `cells` finest cells, without the detail that is left out. The
   // weights of vertices change by as much.
   F stepVariance(F cells) const {
     using std::min;

@@ -1,5 +1,5 @@
-// What is kept of the light while emitters have one set of strengths: a lamp that flickers comes back to
-// those it had, and so to light that is known.
+// The light that is kept while emitters have one set of strengths. A lamp that flickers comes back to
+// strengths that it had, and so to known light.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What a frame adds to a level.
+// The vertices that a frame adds to a level.
 #pragma once
 
 #include <cstdint>

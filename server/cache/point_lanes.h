@@ -1,4 +1,4 @@
-// What the grid has at several points, a point in each lane.
+// The state of the grid at several points, a point in each lane.
 #pragma once
 
 #include "cache/level_blend.h"

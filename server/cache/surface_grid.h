@@ -27,7 +27,7 @@ struct GridParams {
   int pixelSlot() const;
 };
 
-// What the grid says of each pixel: the sum over its points, by their shares. Planes of the size of the
+// The grid's estimate for each pixel: the sum over its points, by their shares. Planes of the size of the
 // frame.
 struct GridEstimate {
   GridEstimate(int w, int h) : i(w, h), var_i(w, h), var_step(w, h) {}
@@ -55,9 +55,9 @@ class SurfaceGrid {
   // the grid has become too large, it drops vertices that neither of them uses.
   Time place(const SurfaceSamples& on, const Obstacles* obstacles, const PoolHandle& pool, Placement& prev,
              Placement& out);
-  // Relative standard deviation of the mean over a cell of about two pixels, whether its detail is believed
-  // or not, at the points of a frame; kUnknown where nothing is known yet, and 0 where there is no point.
-  // `out` has the columns of `on`.
+  // Relative standard deviation of the mean over a cell of about two pixels at the points of a frame. It does
+  // not matter whether its detail is believed. It is kUnknown where nothing is known yet, and 0 where there
+  // is no point. `out` has the columns of `on`.
   Time uncertainty(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool, ImageF& out) const;
   // Adds a frame's samples, which `at` has placed.
   Time add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool);
@@ -77,7 +77,7 @@ class SurfaceGrid {
   // Changes GridParams::max_vertices.
   void limit(std::size_t max_vertices) { params_.max_vertices = max_vertices; }
 
-  // What it keeps. A grid with the levels of another goes on as that would.
+  // Its state. A grid with the levels of another goes on as that would.
   const GridLevels& levels() const { return levels_; }
   GridLevels& levels() { return levels_; }
   std::size_t vertices() const;

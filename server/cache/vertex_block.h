@@ -1,4 +1,4 @@
-// Vertices in blocks of 4 x 4 x 4, within a level: most vertices lie in the block of the one that was asked
+// Vertices in blocks of 4 x 4 x 4, within a level. Most vertices lie in the block of the one that was asked
 // for before.
 #pragma once
 
@@ -52,7 +52,7 @@ inline std::size_t homeOf(VertexKey block, int bits) {
 template <class Found>
 class BlockMemo {
  public:
-  // What find(block) returns for the block of a vertex.
+  // Returned by find(block) for the block of a vertex.
   const Found& of(VertexKey vertex, const auto& find) {
     Known& known = known_[entryOf(vertex)];
     if (const VertexKey block = blockOf(vertex); known.block != block) known = {block, find(block)};

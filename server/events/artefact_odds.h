@@ -16,8 +16,8 @@ namespace saccade {
 //   E[clamp(dL - truth, 0, dL)] / dL    for dL > 0    [ours]
 //
 // It is 0 without error, and nears 1 where errors are much larger than dL, and dL than true changes. For tau
-// without bound it falls as phi(0) sigma / |dL|: phi(0) sigma / C false events per frame, half of [E (32)],
-// whose other half are missed events. `tau` may be infinite. `sigma` that is 0 or NaN gives 0.
+// without bound it falls as phi(0) sigma / |dL|. That makes phi(0) sigma / C false events per frame, half of
+// [E (32)], whose other half are missed events. `tau` may be infinite. `sigma` that is 0 or NaN gives 0.
 double artefactOdds(double dL, double sigma, double tau);
 
 // Labels the events of an interval, in any order, with their odds. `dL`: the change of log brightness that

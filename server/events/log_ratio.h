@@ -15,7 +15,7 @@ inline float clampTo(float v, float lo, float hi) {
 
 // log(b / a) for a, b > 0 and change = b - a, relative error below 1e-6; exactly 0 where nothing changes.
 //
-// log(b / a) = k log 2 + 2 atanh(s), s = (b - a 2^k) / (b + a 2^k), where b / (a 2^k) lies in [sqrt(1/2),
+// log(b / a) = k log 2 + 2 atanh(s), s = (b - a 2^k) / (b + a 2^k). There b / (a 2^k) lies in [sqrt(1/2),
 // sqrt 2]. For small changes k is 0 and the numerator b - a is the change itself: nothing cancels.
 inline float logRatio(float a, float b, float change) {
   constexpr float kLog2 = 0x1.62e430p-1f;

@@ -23,7 +23,7 @@ namespace saccade {
 //                  default. Compared with direct, EventSVGF has 10 to 33 % fewer false events, 0 to 11 % more
 //                  missed ones, and at most half the drift (saccade-eval figure 7).
 //
-// Some methods know no variance of the primal: var_I_prev is 0 for pt and pt-correlated. kalman then equals
+// Some methods know no variance of the primal: var_I_prev is 0 for pt and pt-correlated. Then kalman equals
 // direct, but keeps L^ within the brightness that a pixel can have.
 //
 // L^prim = log(I_eps + I_now). L^_0 is that of the first I_prev; its error decays like a drift.

@@ -8,7 +8,7 @@
 namespace saccade {
 namespace {
 
-// What is wrong with the numbers, or nothing.
+// Returns an error text for the numbers, or nothing.
 std::optional<SensorFault> findRangeFault(const SensorConfig& config) {
   std::optional<SensorFault> fault;
   const auto check = [&](const std::string& field, double value, auto range) {

@@ -19,8 +19,8 @@ struct SensorConfig {
   std::string model = "accumulating";     // a name of eventModelTable()
   std::string reconstruction = "kalman";  // a name of reconstructionTable()
   // Hz, of complementary: the sensor follows the primal below it and the difference above it. At 0.5 Hz a
-  // drift decays within 0.3 s, which is 160 frames at 500 Hz: long enough to average over a primal that
-  // remembers 19.
+  // drift decays within 0.3 s, which is 160 frames at 500 Hz. That is long enough to average over a primal
+  // that remembers 19.
   double reconstruction_cutoff_hz = 0.5;
   TimeNs refractory{0};  // a pixel is blind so long after an event, then starts from the level it sees
   int max_events_per_pixel_frame = 32;  // further events are suppressed and counted

@@ -22,8 +22,8 @@ void restore(const std::string& path, const KeptBake& kept, Baker& baker) {
   }
 }
 
-// More than any state of such a plan. Memory counts 128 bytes of a vertex, of which a file has about half;
-// the last pose before memory is full may add some vertices for each of its pixels.
+// More than any state of such a plan. Memory counts 128 bytes of a vertex; a file has about half. The last
+// pose before memory is full may add some vertices for each of its pixels.
 std::uint64_t mostBytesOf(const BakePlan& plan) {
   constexpr std::uint64_t kOfPixel = 1024;
   const auto pixels =

@@ -24,7 +24,7 @@ std::optional<KeptBake> readBake(const std::string& path, std::uint64_t plan, st
 // Gives a file that cannot be used another name, which it returns. Throws std::runtime_error.
 std::string setBakeAside(const std::string& path);
 
-// Returns the digest. Whoever reads meanwhile, or after a power cut, finds the old file or the new one. Makes
+// Returns the digest. A reader finds the old file or the new one, even meanwhile or after a power cut. Makes
 // the folder. Throws std::runtime_error.
 std::uint64_t writeBake(const std::string& path, std::uint64_t plan, const std::string& state);
 

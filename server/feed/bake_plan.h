@@ -1,4 +1,4 @@
-// What a bake is made from, beside the scene. Equal plans give equal bakes.
+// The input of a bake, beside the scene. Equal plans give equal bakes.
 #pragma once
 
 #include <vector>

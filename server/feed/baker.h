@@ -33,7 +33,7 @@ class Baker {
   std::string state() const;
   void restore(std::string_view state);
 
-  // What feeds read.
+  // Read by feeds.
   std::shared_ptr<const BakedLight> light(const PoolHandle& pool) const;
 
  private:

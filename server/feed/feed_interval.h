@@ -1,4 +1,4 @@
-// What a feed has made of one interval between two frames.
+// The result of a feed for one interval between two frames.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace saccade {
 
-// What the renderer knows of an interval.
+// The renderer's part of an interval.
 struct RenderedInterval {
   FramePair frames;          // at t1 and at t0
   Camera camera, camera_t0;  // likewise

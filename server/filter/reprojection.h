@@ -1,5 +1,5 @@
-// Finds a surface point in the previous frame: those of four bilinear taps that show the same surface, or
-// else those of the nine pixels around it.
+// Finds a surface point in the previous frame. Takes those of four bilinear taps that show the same surface,
+// or else those of the nine pixels around it.
 #pragma once
 
 #include <algorithm>

@@ -10,10 +10,10 @@
 
 namespace saccade {
 
-// One plane of width x height values. Rows start on 64-byte boundaries. kBorder pixels can be read and
-// written on every side: row(y)[x] is valid for x in [-kBorder, width + kBorder), and y likewise. The border
-// is zero at first and keeps what fill() wrote there.
-// Owns its memory. It can be moved; copyFrom() is the only way to copy it.
+// One plane of width x height values. Rows start on 64-byte boundaries. On every side kBorder pixels can be
+// read and written: row(y)[x] is valid for x in [-kBorder, width + kBorder). The same holds for y. The border
+// is zero at first and keeps what fill() wrote there. Owns its memory. It can be moved; copyFrom() is the
+// only way to copy it.
 template <class T>
 class Image {
  public:

@@ -1,4 +1,4 @@
-// What stands around a surface point, for methods that keep light on surfaces.
+// Obstacles around a surface point, for methods that keep light on surfaces.
 #pragma once
 
 #include <array>

@@ -11,14 +11,14 @@
 
 namespace saccade {
 
-// What light a surface point can share with the points around it.
+// The light that a surface point can share with the points around it.
 enum class SurfaceKind : std::uint8_t {
   kNone,     // nothing: no surface, or one whose light depends on the view, such as metal
   kDiffuse,  // reflects alike into all directions
   kMixed,    // nearly so: a plastic, or a surface seen in a mirror or through glass
 };
 
-// What a path has found from its second vertex on.
+// The light that a path has found from its second vertex on.
 struct BounceSample {
   std::uint64_t cell = 0;  // that the vertex lies in, BounceCell::key; 0: there is no sample
   Rgb light;               // reflected radiance over albedo, of each colour
@@ -43,9 +43,9 @@ struct SurfacePlace {
   float unoccluded = 0;  // light in closed form, see SurfaceLight
 };
 
-// What the paths of a point have found, if it gets any. All light is demodulated: a part of I - E, divided by
-// the luminance of the albedo. Direct light that a diffuse base reflects has a closed form but for shadows,
-// where lamps are simple:
+// The light that the paths of a point have found, if it gets any. All light is demodulated: a part of I - E,
+// divided by the luminance of the albedo. Direct light that a diffuse base reflects has a closed form but for
+// shadows, where lamps are simple:
 //   i = place.unoccluded * visibility + rest,   visibility = visible / unoccluded in the mean.
 // Where there is no such light, all light is in `rest`.
 struct SurfaceLight {

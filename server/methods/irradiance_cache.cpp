@@ -179,7 +179,7 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   if (!frames.is_first)
     times[Stage::kVariance] += grid_prev.read(on_prev, frames.prev.g, at_prev_, pool, before);
   times[Stage::kTemporal] += grid.learn(at_, pool);
-  // What is seen for the first time has only now been judged.
+  // Points that are seen for the first time have only now been judged.
   const auto again = [&](const SurfaceGrid& from, const Frame& frame, const Placement& at,
                          GridEstimate& out) {
     times[Stage::kVariance] +=

@@ -61,7 +61,7 @@ class SurfaceMethod : public Method {
                                  StageTimes& times) = 0;
 };
 
-// What a method is made for.
+// The setup that a method is made for.
 struct MethodSetup {
   ParamValues params;  // what resolveParams() returned
   int width, height;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr float kMostForOthers = 8;  // times `asked`
 
-// In [0, 1), spread evenly over any few neighbours in space and time: the R2 sequence (Roberts 2018) in x and
-// y, moved on by the golden ratio in every frame.
+// In [0, 1), spread evenly over any few neighbours in space and time. It is the R2 sequence (Roberts 2018) in
+// x and y, moved on by the golden ratio in every frame.
 float ditherAt(int x, int y, std::uint32_t frame) {
   const std::uint32_t bits = static_cast<std::uint32_t>(x) * 0xc13fa9a9u +
                              static_cast<std::uint32_t>(y) * 0x91e10da5u + frame * 0x9e3779b9u;
@@ -23,7 +23,8 @@ float wantedPaths(const PathPlan& plan, float error) {
   return std::min(plan.asked, plan.usual * std::max(std::min(1.f, r), 0.5f * r));
 }
 
-// What each of `others` points of kNone gets, once `planned` paths are those of all other points.
+// The number of paths of each of `others` points of kNone, once `planned` paths are those of all other
+// points.
 std::uint32_t pathsForOthers(const PathPlan& plan, const SurfaceSamples& on, std::uint64_t others,
                              std::uint64_t planned) {
   const double pixels = static_cast<double>(on.columns() / on.perPixel()) * on.height();

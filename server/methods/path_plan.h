@@ -16,9 +16,9 @@ struct PathPlan {
   float target;  // relative error below which a pixel gets fewer
 };
 
-// Sets SurfacePoint::paths. The more is known the fewer they are, and none where the light is baked. What is
-// left over goes to points of kNone. `error`: relative, with the columns of `on`. `frame` moves the rounding
-// on.
+// Sets SurfacePoint::paths. The more is known the fewer they are, and none where the light is baked. Paths
+// that are left over go to points of kNone. `error`: relative, with the columns of `on`. `frame` moves the
+// rounding on.
 std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, std::uint32_t frame,
                                    const PoolHandle& pool, SurfaceSamples& on);
 

@@ -19,7 +19,7 @@ const std::vector<ParamField<P>>& fields() {
   return table;
 }
 
-// What as_falcor switches.
+// The switches of as_falcor.
 struct Variant {
   SurfaceTest surface_test;
   Demodulation demodulation;

@@ -1,4 +1,4 @@
-// What the HTTP server answers to a request.
+// The answer of the HTTP server to a request.
 #pragma once
 
 #include <map>

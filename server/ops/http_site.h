@@ -1,4 +1,4 @@
-// What an HTTP server serves, and the connections that it has.
+// The pages that an HTTP server serves, and the connections that it has.
 #pragma once
 
 #include <functional>

@@ -14,7 +14,7 @@ struct RTCSceneTy;
 
 namespace saccade {
 
-// What packets took, for measurements.
+// Counts of packets, for measurements.
 struct PacketCounts {
   std::uint64_t rays = 0, lanes = 0;  // asked for, and those that the packets had
   std::chrono::nanoseconds time{0};   // inside Embree
@@ -36,8 +36,8 @@ class EmbreeScene {
   bool occluded(const Ray& ray) const;  // anything in (0, tfar)
 
   // The same for those rays of a packet whose bits are set, W = 8 or 16. Rays that lie close together are
-  // `coherent`: it helps them much, and costs others much. intersect() sets what follows `flags` in the
-  // packet, and `far`. occluded() makes `far` negative where anything is in the way.
+  // `coherent`: a hint that makes them faster, and others slower. In the packet, intersect() sets the members
+  // that follow `flags`, and `far`. Where anything is in the way, occluded() makes `far` negative.
   enum class Rays { kScattered, kCoherent };
   template <int W>
   void intersect(RayPacket<W>& packet, std::uint32_t lanes, Rays rays) const;

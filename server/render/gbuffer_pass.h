@@ -23,7 +23,7 @@ inline constexpr std::size_t kMostPoints = 16;  // at once
 template <Shading S>
 void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std::span<PrimaryHit> hits);
 
-// What a traced ray shows.
+// The features that a traced ray shows.
 template <Shading S>
 void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, PrimaryHit& out);
 

@@ -73,7 +73,7 @@ class LampLanes {
    public:
     // `none`: where nothing is below.
     Horizon(const V& normal, const M& none) : normal_(normal), none_(none) {}
-    // What of a side is above.
+    // The part of a side that is above.
     Side above(const Side& side) {
       const F height_a = dot(side.a, normal_), height_b = dot(side.b, normal_);
       const M a = none_ || height_a > 0.f, b = none_ || height_b > 0.f;

@@ -68,7 +68,7 @@ class Scatter {
   }
 
   // Whether a sample is the direction that a viewer sees here: the likelier one of a mirror, of clear glass
-  // or of a mask. sample(0.5, ...) returns it if there is one.
+  // or of a mask. If there is one, sample(0.5, ...) returns it.
   bool isView(const BsdfSample& next) const {
     return next.delta && next.pdf >= 0.5f && (traits().delta || next.transmitted);
   }

@@ -40,8 +40,8 @@ inline constexpr auto kCentreAndSubPixelOffsets = [] {
   return points;
 }();
 
-// The same for pixels on edges: a Hammersley set, which tells how much of a pixel lies on one side of an
-// upright or level edge to 1/32.
+// The same for pixels on edges: a Hammersley set. It tells to 1/32 how much of a pixel lies on one side of an
+// upright or level edge.
 inline constexpr std::uint32_t kEdgeSubPixels = 16;
 inline constexpr auto kEdgeSubPixelOffsets = [] {
   std::array<Vec2, kEdgeSubPixels> points{};

@@ -19,8 +19,8 @@ inline bool isOneSurface(const PrimaryHit& a, const PrimaryHit& b, float pixel) 
   return dot(g.normal, h.normal) > kLeastCosine && offset < kMostOffset * pixel * g.t;
 }
 
-// What the sub-pixels of a pixel show: kSubPixels of them, or kEdgeSubPixels where they lie on several
-// surfaces.
+// The surfaces that the sub-pixels of a pixel show: kSubPixels of them, or kEdgeSubPixels where they lie on
+// several surfaces.
 template <Shading S>
 class SubPixels {
  public:
@@ -42,8 +42,8 @@ class SubPixels {
     for (std::uint32_t i = 0; i < count_; ++i) E += luminance(hits_[i].guide.emission) / count_;
     return E;
   }
-  // The surfaces that they show, kSubPixels at most: what is left belongs to the last one.
-  // f(its brightest sub-pixel, the albedo of all that show it).
+  // Calls f(its brightest sub-pixel, the albedo of all that show it) for the surfaces that they show,
+  // kSubPixels at most. The last one takes all further ones.
   void forEachSurface(const auto& f) const {
     std::array<bool, kEdgeSubPixels> told{};
     std::uint32_t surfaces = 0;

@@ -7,7 +7,7 @@
 
 namespace saccade {
 
-// What the paths of a point have found, and its parts: sums of luminance.
+// The light that the paths of a point have found, and its parts: sums of luminance.
 struct ReflectedParts {
   double all = 0, unoccluded = 0, visible = 0, weighed = 0;
   BounceSample bounce;  // of the last path that has one

@@ -9,7 +9,7 @@
 
 namespace saccade {
 
-// What of a surface is seen directly and reflects alike into all directions.
+// The directly visible part of a surface that reflects alike into all directions.
 struct DiffuseBase {
   Rgb albedo;        // 0: there is none
   bool all = false;  // the surface is nothing else

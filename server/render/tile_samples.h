@@ -14,7 +14,7 @@ namespace saccade {
 inline constexpr int kMaxTileEdge = 32;
 inline constexpr float kLeastAlbedo = 1e-3f;  // of a point that shows illumination, over the pixel's average
 
-// What the paths of each pixel of a tile have found, pass by pass.
+// The light that the paths of each pixel of a tile have found, pass by pass.
 class TileSums {
  public:
   TileSums(Tile tile, const SeedPlan& seeds) : tile_(tile), spp_{seeds.spp1, seeds.spp2} {}
@@ -37,9 +37,9 @@ class TileSums {
   std::array<double, 2 * kMaxTileEdge * kMaxTileEdge> sums_{};
 };
 
-// Traces the centres of a tile's pixels, and adds their paths to `run`. forEachPath(f) calls f(pathOf) for
-// each path of a pixel: pathOf(x, y) is that path. on_emission(x, y, E) is told what each pixel shows of
-// light itself.
+// Traces the centres of a tile's pixels, and adds their paths to `run`. For each path of a pixel
+// forEachPath(f) calls f(pathOf): pathOf(x, y) is that path. Calls on_emission(x, y, E) with the light that
+// each pixel itself emits.
 template <Shading S>
 void addPaths(const PixelContext& view, Tile tile, GBuffer& g, auto& run, const auto& forEachPath,
               const auto& on_emission) {

@@ -1,4 +1,4 @@
-// What a material is made of: the same at all its points, in Mitsuba's terms.
+// The model of a material: the same at all its points, in Mitsuba's terms.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ enum class BsdfKind {
 };
 inline constexpr auto kBsdfKindCount = static_cast<std::size_t>(BsdfKind::kCount);
 
-// What the program decides by the kind of a BSDF.
+// Properties of a kind of BSDF.
 struct BsdfTraits {
   BsdfKind kind;
   const char* name;                 // the type of its <bsdf> in Mitsuba's XML

@@ -8,8 +8,8 @@
 namespace saccade {
 
 // Radiance from infinitely far away, in all directions. The picture shows the unit direction (x, y, z) of its
-// own space at atan2(x, -z) / 2 pi of its width, modulo 1, and at acos(y) / pi of its height from the top, as
-// in Mitsuba.
+// own space at atan2(x, -z) / 2 pi of its width, modulo 1. Its height from the top is acos(y) / pi, as in
+// Mitsuba.
 struct Environment {
   Rgb radiance;     // of all directions, or a factor on the picture
   Picture picture;  // linear, at least 0; without pixels: `radiance` alone

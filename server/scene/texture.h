@@ -9,8 +9,8 @@
 
 namespace saccade {
 
-// Coordinates repeat with period 1; v = 0 is the bottom edge of the picture (the convention of Mitsuba and
-// OBJ), and the centre of pixel i of n lies at (i + 0.5) / n. Every level has the mean of the whole picture.
+// Coordinates repeat with period 1, and v = 0 is the bottom edge of the picture, as in Mitsuba and OBJ. The
+// centre of pixel i of n lies at (i + 0.5) / n. Every level has the mean of the whole picture.
 class Texture {
  public:
   Texture(int width, int height, std::vector<Rgb> linear_pixels);  // row 0 on top; builds the mip chain

@@ -1,8 +1,8 @@
 // The broadcast socket: sends packets to any number of subscribers, each behind its topic.
 //
 // SUB sockets take it for an XPUB. It is a ROUTER, so that each subscriber has its own subscriptions and
-// queue. A stream starts once all its topics are subscribed, or kJoinTime after the first: a subscriber of
-// several sensors must not miss the beginning of one. A stream has a receiver while anybody subscribes to any
+// queue. A stream starts once all its topics are subscribed, or kJoinTime after the first. So a subscriber of
+// several sensors does not miss the beginning of one. A stream has a receiver while anybody subscribes to any
 // of its topics. A slow subscriber loses packets and delays nobody. A stream with nothing to send for
 // kHeartbeatPause sends a heartbeat on each topic.
 #pragma once

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kSmallPayload = 64;  // bytes
 
-// What the heap takes for a block: its own word, in steps of 16.
+// The size of a block in the heap: with its own word, in steps of 16.
 std::uint64_t blockOf(std::uint64_t bytes) {
   return std::max<std::uint64_t>(32, (bytes + 8 + 15) / 16 * 16);
 }

@@ -1,13 +1,13 @@
 // The queue of one stream's packets, from the thread that makes them to the one that sends them. It bounds
 // the memory that they take.
 //
-// When it is full, it either holds its producer, who asks hasRoom() before each frame, or drops its oldest
-// packets of events and truth as the producer begins a frame. dropped_before of the channel's next packet
-// tells how many. Snapshots, END and ERROR are never dropped.
+// A full queue either holds its producer, who asks hasRoom() before each frame. Or it drops its oldest
+// packets of events and truth as the producer begins a frame. Then dropped_before of the channel's next
+// packet tells how many. Snapshots, END and ERROR are never dropped.
 //
 // Sent packets stay until they are acknowledged, in kKeptBounds times the bound, so that a client may resume
 // on another connection. A client loses nothing if it gives at most one bound of credit and acknowledges when
-// it gives more: the smallest packets take less than kKeptBounds times their bytes.
+// it gives more. The smallest packets take less than kKeptBounds times their bytes.
 //
 // A full queue thus takes the bound and the packets of one frame, and kKeptBounds times the bound for sent
 // packets.

@@ -1,5 +1,5 @@
-// The large packets of a stream that its receivers have not taken. A slow receiver holds one more than what
-// may wait for it, however large it is, and each of them may hold another one: so their number is bounded.
+// The large packets of a stream that its receivers have not taken. A slow receiver holds one more than may
+// wait for it, however large it is, and each of them may hold another one. So their number is bounded.
 #pragma once
 
 #include <atomic>

@@ -41,7 +41,7 @@ class FaultLog {
 
 using Waiting = std::atomic<std::size_t>;  // bytes that libzmq has for one peer
 
-// What owns a part while libzmq has it.
+// The owner of a part while libzmq has it.
 struct Loan {
   MessagePart part;
   std::shared_ptr<Waiting> waiting;

@@ -33,8 +33,8 @@ class SocketLoop {
   using OnGone = std::function<void(const std::string& peer)>;  // the connection has ended
   static constexpr std::chrono::milliseconds kUntilWoken{-1};
 
-  // Binds. Throws std::runtime_error naming the endpoint where that fails, where a socket with keys lets an
-  // unknown client in, and where libzmq has no bounds for peers.
+  // Binds. Throws std::runtime_error naming the endpoint where that fails. Throws as well where a socket with
+  // keys lets an unknown client in, or libzmq has no bounds for peers.
   explicit SocketLoop(const SocketOptions& options);
   ~SocketLoop();
   SocketLoop(const SocketLoop&) = delete;

@@ -37,7 +37,7 @@ AccuracyTable readAccuracyTable(const std::string& path);
 // The default path of the file.
 std::string defaultAccuracyTable();
 
-// What a client wants to render.
+// A client's wish for rendering.
 struct SettingsQuery {
   std::string scene;
   double pixels = 0;     // of a frame

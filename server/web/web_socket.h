@@ -25,7 +25,7 @@ class WebSocket {
   using OnText = std::function<void(std::string_view)>;
   WebSocket(UpgradedSocket socket, OnText on_text);
 
-  // What to wait for, as poll() takes it.
+  // The events to wait for, as poll() takes them.
   int fd() const { return socket_.fd; }
   short events() const;
 

@@ -30,7 +30,7 @@ class Sources : public testing::Test {
     app_.parse(flags);
     return ConfigSources(app_, file_);
   }
-  // What is said about the faulty file or environment.
+  // Messages about the faulty file or environment.
   std::string fault(const std::string& file_text) {
     try {
       apply({}, file_text);

@@ -1,4 +1,4 @@
-// What saccaded says about its configuration, and how it exits.
+// Messages of saccaded about its configuration, and its exit status.
 #include <gtest/gtest.h>
 
 #include <algorithm>

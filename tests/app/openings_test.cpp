@@ -1,4 +1,4 @@
-// Who may see and end what is being opened.
+// Openings are seen and ended by their owners alone.
 #include "app/streams/openings.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a request would make is counted before it is made.
+// The results of a request are counted before they are made.
 #include "app/request/request_bounds.h"
 
 #include <gtest/gtest.h>

@@ -103,7 +103,7 @@ TEST(ResolveSensor, APresetFillsInWhatIsUnset) {
   EXPECT_EQ(seconds(config.refractory), preset.refractory_s);
   EXPECT_EQ(config.noise.leak_hz, 0);
   EXPECT_EQ(config.noise.shot_hz, preset.noise.shot_hz);
-  // What is resolved says it all, and resolves to itself.
+  // A resolved request is complete, and resolves to itself.
   EXPECT_EQ(sensor.noise().mismatch(), preset.noise.mismatch);
   v1::Sensor again = sensor;
   resolveSensor(again, 0, 1);

@@ -23,7 +23,7 @@ TEST(CutText, ReplacesWhatIsNoUtf8) {
   EXPECT_EQ(cutText("\xFF\xFF", 5), "\uFFFD...");
 }
 
-// Whatever the bytes, and wherever the cut.
+// For any bytes, and any place of the cut.
 TEST(CutText, IsAlwaysUtf8) {
   const std::string bytes =
       "a\xE2\x82\xAC\xC3\xA9\xF0\x9F\x98\x80\xED\xA0\x80\xC0\x80\xF4\x90\x80\x80\xE2\x82";

@@ -5,8 +5,8 @@
 namespace saccade {
 namespace {
 
-// Every frame time is the exact one rounded to whole microseconds, also where the period is no whole number
-// of them, and late in a long stream.
+// Every frame time is the exact one rounded to whole microseconds. This holds where the period is no whole
+// number of them, and late in a long stream.
 TEST(FrameTime, IsTheExactTimeRoundedToMicroseconds) {
   for (const std::int64_t rate : {1, 24, 30, 200, 500, 960, 3000}) {
     for (const FrameIndex t : {0ull, 1ull, 2ull, 7ull, 1000ull, 123'456'789ull}) {

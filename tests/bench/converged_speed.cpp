@@ -1,8 +1,8 @@
-// What a frame costs whose light is known:
+// The cost of a frame whose light is known:
 //   build/dev/bin/converged_speed [SCENE...]
-// Bakes each scene for some frames, or takes the kept bake. Prints CPU milliseconds per frame of one thread:
-// the primary rays alone, in packets; each stage of the method that reads the bake, which it does while it
-// traces; and the ratio of the whole to the rays. The best of some rounds in turn.
+// Bakes each scene for some frames, or takes the kept bake. Prints CPU milliseconds per frame of one thread.
+// Columns are the primary rays alone, in packets, and each stage of the method that reads the bake, which it
+// does while it traces. The last is the ratio of the whole to the rays. The best of some rounds in turn.
 #include <cstdio>
 #include <limits>
 

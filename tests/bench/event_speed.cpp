@@ -1,10 +1,10 @@
-// What sensors and their packets cost:
+// The cost of sensors and their packets:
 //   build/dev/bin/event_speed [SCENE [TRAJECTORY]]
 // Renders some frames once with the default method. Gives them to sensors of each event model and
-// reconstruction, at a coarse and a fine contrast threshold. Prints for each the events per pixel and frame;
-// million events per second and core, from the change of intensity to the packet; and the cost of 64 such
-// sensors and the frame, in frames. Times are CPU times of one thread, the best of some rounds in turn; that
-// of the frame is a median.
+// reconstruction, at a coarse and a fine contrast threshold. Prints for each the events per pixel and frame,
+// and million events per second and core, from the change of intensity to the packet. The last column is the
+// cost of 64 such sensors and the frame, in frames. Times are CPU times of one thread, the best of some
+// rounds in turn; that of the frame is a median.
 #include <cstdio>
 #include <limits>
 

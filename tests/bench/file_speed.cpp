@@ -1,4 +1,4 @@
-// What files of events cost:
+// The cost of files of events:
 //   build/dev/bin/file_speed [FILE [WIDTHxHEIGHT]]
 // Takes the events of a file that `saccade convert` reads; without one, those of an edge that moves. Writes
 // them in each format, and reads them where that is possible. Prints bytes per event, and CPU seconds per

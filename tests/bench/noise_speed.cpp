@@ -1,8 +1,8 @@
-// What the parts of sensor noise cost:
+// The cost of the parts of sensor noise:
 //   build/dev/bin/noise_speed [SCENE [TRAJECTORY]]
 // Renders some frames once with the default method, and gives them to sensors with one part of noise each.
-// Prints the CPU time per frame of 346 x 260 pixels, of one thread, beyond that of the sensor without noise;
-// and its share of the frame. Each is the best of some rounds in turn.
+// Prints the CPU time per frame of 346 x 260 pixels, of one thread, beyond that of the sensor without noise.
+// Beside it is its share of the frame. Each is the best of some rounds in turn.
 #include <algorithm>
 #include <cstdio>
 #include <limits>

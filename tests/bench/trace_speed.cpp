@@ -1,8 +1,8 @@
-// What tracing costs, and how far it is from its rays:
+// The cost of tracing, and how far it is from its rays:
 //   build/dev/bin/trace_speed [SCENE...]
-// Prints CPU milliseconds per frame of one thread, the best of some rounds in turn, and their ratios: the
-// plain path tracer, one ray at a time, against the stages with both sets of instructions; their time inside
-// Embree; rays per pixel; how full packets are; two threads against one.
+// Prints CPU milliseconds per frame of one thread, the best of some rounds in turn, and their ratios. It
+// compares the plain path tracer, one ray at a time, with the stages for both sets of instructions. Further
+// columns are time inside Embree, rays per pixel, how full packets are, and two threads against one.
 #include <cstdio>
 #include <map>
 

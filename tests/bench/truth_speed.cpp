@@ -1,4 +1,4 @@
-// What truth channels cost:
+// The cost of truth channels:
 //   build/dev/bin/truth_speed [SCENE [TRAJECTORY]]
 // Renders some frames with the default method, and takes the samples of each channel. Prints CPU milliseconds
 // per frame of one thread, without packets, and their share of the frame. A channel's time is that of the

@@ -52,7 +52,7 @@ struct BakedLightTest : testing::Test, View {
   Wall wall;
 };
 
-// What stands on the wall has light of its own on both sides: the bake knows none of one side on the other.
+// An obstacle on the wall has light of its own on both sides. On each side the bake knows none of the other.
 TEST_F(BakedLightTest, LightDoesNotPassBelowAThinWall) {
   const Curtain curtain;
   View view;

@@ -39,7 +39,7 @@ struct BakedPointsTest : testing::Test {
   std::uint64_t drawn = 0;
 };
 
-// What a level knows around a point, and the share of the weights that is on what it knows.
+// The light of a level around a point, and the share of the weights on known vertices.
 struct Known {
   float rest = 0, var_rest = 0, share = 0;
 };

@@ -22,7 +22,7 @@ class FakeServer {
 
   std::string endpoint() const { return socket_.get(zmq::sockopt::last_endpoint); }
 
-  // What the client says next; fails the test when nothing comes.
+  // The client's next message; fails the test when nothing comes.
   template <class Message>
   Message receive() {
     Message message;

@@ -33,7 +33,7 @@ class FormatTest : public testing::Test {
     writer->finish();
   }
 
-  // What is wrong with a file; "none" if all of it can be read.
+  // The fault of a file; "none" if all of it can be read.
   static std::string faultOf(const ReaderInfo& format, const std::string& file) {
     try {
       readBack(*format.make(file));

@@ -13,7 +13,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// What a client got: events by sensor, and those that END says there were.
+// A client's result: events by sensor, and those that END says there were.
 struct Recording {
   std::map<std::uint32_t, Events> events;
   std::uint64_t told = 0;

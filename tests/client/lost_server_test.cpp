@@ -1,4 +1,5 @@
-// What `saccade record` writes when its server is lost in the middle and comes back: the same, byte by byte.
+// The output of `saccade record` when its server is lost in the middle and comes back: the same, byte by
+// byte.
 #include <gtest/gtest.h>
 
 #include <filesystem>

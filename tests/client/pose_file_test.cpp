@@ -83,8 +83,8 @@ TEST_F(PoseFile, KittisRowsArePosesOfTheCamera) {
   expectRow(rows[4], {4e8, 0, 0, 0, 0, 0, 1, 0});
 }
 
-// The pose of the second picture takes a point p of the world to R p + t, with a quarter turn R about x: the
-// camera is at -R^T t, and R^T takes (1, 2, 3) to (1, 3, -2).
+// The pose of the second picture takes a point p of the world to R p + t, with a quarter turn R about x. So
+// the camera is at -R^T t, and R^T takes (1, 2, 3) to (1, 3, -2).
 TEST_F(PoseFile, ColmapsPosesAreInvertedAndOrderedByTheNumbersOfThePictures) {
   const std::string half = std::to_string(kHalf);
   const auto rows = rowsOf(read("colmap",

@@ -80,7 +80,7 @@ TEST_F(SubscriberTest, NothingArrivesInTime) {
   EXPECT_FALSE(client.receive(std::chrono::milliseconds(0)));
 }
 
-// What was received last is not yet safe: the client may still be writing it.
+// The packet that was received last is not yet safe: the client may still be writing it.
 TEST_F(SubscriberTest, RefillsCreditAtHalfAndAcknowledgesWhatIsSafe) {
   const std::uint64_t kCredit = 1000;
   Subscriber client = attach(kCredit);

@@ -65,8 +65,8 @@ TEST(ReferenceChange, ByHand) {
   EXPECT_EQ(truth.error(), 1);
 }
 
-// The errors of two references have equal signs at half of the pixels where they share nothing: at all of
-// them where they share their seeds. Of 8 x 48 pixels, 0.5 to 0.63 are five standard deviations.
+// The errors of two references have equal signs at half of the pixels where they share nothing. They do at
+// all of them where they share their seeds. Of 8 x 48 pixels, 0.5 to 0.63 are five standard deviations.
 TEST_F(Fixture, ReferencesOfTwoSeedsAreIndependent) {
   const auto steady = scene({});
   for (const bool whole_pixel : {false, true}) {

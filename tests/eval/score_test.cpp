@@ -140,8 +140,8 @@ TEST(Score, OfALateRunIsWrongInTimeAlone) {
 }
 
 // After a rise by 2 C all levels lie in [0, C), evenly. To rise by C gives each pixel an event, at even
-// phases. To fall by 2 C gives each an event in the second half, since the OFF threshold lies C below 0: half
-// of the events are in another tenth.
+// phases. A fall by 2 C gives each an event in the second half, since the OFF threshold lies C below 0. So
+// half of the events are in another tenth.
 TEST(Score, TellsPhasesAfterTheFirstFrame) {
   constexpr int kWidth = 5'000;
   const auto everywhere = [](float dL) {

@@ -132,9 +132,9 @@ TEST(Accumulating, RefractoryPeriodSpacesEventsAndCountsWhatItHides) {
   EXPECT_LE(suppressed, 2 * times.size());
 }
 
-// Where blindness hides whole thresholds (here 2, and a hair more against rounding), sent and suppressed add
-// up to what an eye always open sees: at least 159 thresholds a pixel, of which 3 may still be hidden or lost
-// to hairs.
+// Blindness hides whole thresholds here: 2, and a hair more against rounding. Then sent and suppressed add up
+// to the events of an eye that is always open. That is at least 159 thresholds a pixel, of which 3 may still
+// be hidden or lost to rounding.
 TEST(Accumulating, SentAndSuppressedAddUp) {
   SensorConfig config = sensor(0.125, 0.125);
   ModelRun open(config, 16, 16);

@@ -90,7 +90,7 @@ TEST(NoiseChange, EventsStayInOrderAndInsideTheInterval) {
   }
 }
 
-// What a photoreceptor lags behind after a step of 1 in the first millisecond, by how many Hz it has.
+// The lag of a photoreceptor after a step of 1 in the first millisecond, by how many Hz it has.
 class PhotoreceptorChange : public testing::Test {
  protected:
   float step(float dL) {

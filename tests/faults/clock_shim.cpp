@@ -1,5 +1,6 @@
-// Loaded before the C library: a wall clock that stands as many seconds off as the file named by
-// SACCADE_TEST_CLOCK says, which a test writes to while the program runs. The steady clocks are left alone.
+// Loaded before the C library: a wall clock that is as many seconds off as the file named by
+// SACCADE_TEST_CLOCK says. A test writes to that file while the program runs. The steady clocks are left
+// alone.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>

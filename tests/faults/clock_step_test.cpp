@@ -40,7 +40,7 @@ class SteppedClock {
 
 class ClockStep : public testing::Test {
  protected:
-  // What the server's log says of the time of a line that it writes now.
+  // The time in the server's log of a line that it writes now.
   int hourOfLog() {
     v1::OpenStream wrong = tinyRequest();
     wrong.set_scene("nowhere");

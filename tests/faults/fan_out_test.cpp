@@ -81,7 +81,7 @@ class FanOut : public testing::Test {
   std::deque<zmq::socket_t> sockets_;
 };
 
-// Who subscribes late begins late; from there on a stream that fits the server's queues has no gap.
+// A late subscriber begins late; from there on a stream that fits the server's queues has no gap.
 TEST_F(FanOut, ABroadcastReachesAllItsSubscribers) {
   NEEDS_PATCHED_LIBZMQ();
   const auto stream = client_.open(pacedRequest(v1::DELIVERY_BROADCAST));

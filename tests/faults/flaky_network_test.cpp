@@ -1,4 +1,4 @@
-// What networks do to connections, between a server and a client that attaches anew when its connection is
+// Faults of networks on connections between a server and a client that attaches anew when its connection is
 // lost.
 #include <gtest/gtest.h>
 

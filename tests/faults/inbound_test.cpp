@@ -82,7 +82,7 @@ TEST(Inbound, SocketsWithoutBoundsAreNotCutOff) {
   EXPECT_EQ(received.size(), std::size_t{8 * kMiB});
 }
 
-// Whoever is to take them is busy: decrypted messages count until then, like others.
+// The thread that takes them is busy: decrypted messages count until then, like others.
 TEST(Inbound, MessagesThatWaitCountWithKeysToo) {
   NEEDS_PATCHED_LIBZMQ();
   const MockKeys server = makeMockKeys(), client = makeMockKeys(server.public_key);

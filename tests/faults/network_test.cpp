@@ -1,5 +1,5 @@
-// A real link between a server and its client, which goes down or is narrow: a pair of virtual ones, each end
-// in a network namespace of its own, gone with the test.
+// A real link between a server and its client, which goes down or is narrow. It is a pair of virtual ones,
+// each end in a network namespace of its own, and gone with the test.
 #include <gtest/gtest.h>
 #include <sched.h>
 

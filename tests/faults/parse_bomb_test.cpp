@@ -64,7 +64,7 @@ TEST(ParseBomb, IsRefusedAtOnce) {
   EXPECT_LT(peakKib(server.process().pid()) - before, kMaxGrowthKib);
 }
 
-// What a client sends is told back only as far as it helps to recognise it.
+// A client's text is repeated only as far as it helps to recognise it.
 TEST(Echo, IsShort) {
   TestServer server;
   v1::Request request;

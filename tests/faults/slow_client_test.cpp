@@ -27,8 +27,8 @@ constexpr double kLatencyRatio = 1.5, kTickSeconds = 0.05;  // p99; asked of a f
 constexpr std::int64_t kSlackBytes = 8 << 20;               // what the heap does not give back
 constexpr std::uint64_t kCredit = 256 << 10, kEventBytes = 9;
 
-// Of one feed with any other threshold. What the clients that keep up want fits the server's queue as a
-// whole: however slow the machine is, nothing of theirs is dropped for its sake.
+// Of one feed with any other threshold. The packets of the clients that keep up fit the server's queue as a
+// whole. However slow the machine is, none of theirs is dropped for its sake.
 constexpr double kMany = 0.02, kFew = 2;
 
 v1::OpenStream liveRequest(double threshold) {
@@ -119,7 +119,7 @@ TEST_F(SlowClient, AloneLosesPacketsAndCanCountThem) {
   const Summary summary = stopped_.summary();
   threads_.clear();
 
-  // What waits for it and what it has not acknowledged, and as much on the way as its credit.
+  // Packets that wait for it, and those that it has not acknowledged, with as much on the way as its credit.
   RecordProperty("resident_growth_bytes", std::to_string(grown));
   EXPECT_LT(grown,
             static_cast<std::int64_t>((1 + CreditQueue::kKeptBounds) * kQueueBytes + kCredit) + kSlackBytes);

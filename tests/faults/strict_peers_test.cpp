@@ -20,8 +20,8 @@ std::string nameAfter(std::string name, std::uint32_t steps) {
   return name;
 }
 
-// A name that ZeroMQ was about to give to another ended the process; and whoever came next under the name of
-// one who has gone had its packets.
+// A name that ZeroMQ was about to give to another ended the process. And a peer that came next under the name
+// of one who has gone had its packets.
 TEST(StrictPeers, NoPeerHasANameOfItsOwn) {
   NEEDS_PATCHED_LIBZMQ();
   EchoRouter router;

@@ -60,8 +60,8 @@ v1::DataRequest credit(std::uint64_t bytes) {
   return request;
 }
 
-// Whoever connects next under the name of one who has gone would have its stream, without its token: so a
-// name that a peer gives itself means nothing.
+// The next peer under the name of one who has gone would have its stream, without its token. So a name that a
+// peer gives itself means nothing.
 TEST(Thief, CannotTakeTheNameOfAnother) {
   NEEDS_PATCHED_LIBZMQ();
   TestServer server;

@@ -72,8 +72,8 @@ double relativeL1(const std::vector<float>& a, const std::vector<float>& b) {
   return off / all;
 }
 
-// Coordinates of the shapes are those of the room at 0 but for their last bit, so that a path here and there
-// meets the other side of an edge.
+// Coordinates of the shapes are those of the room at 0 but for their last bit. So a path here and there meets
+// the other side of an edge.
 TEST(FarScene, LooksAsAtTheOrigin) {
   for (const char* method : {"irradiance_cache", "event_svgf"}) {
     const Seen near = look(openRoom(0, 0), method);

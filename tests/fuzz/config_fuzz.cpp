@@ -50,7 +50,7 @@ bool isAscii(std::string_view text) {
   return std::none_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) > 127; });
 }
 
-// What is described says the same again.
+// A description gives the same description again.
 void checkDescribed(const Sources& sources, const Scratch& files) {
   const Sources again = readSources({}, files.write("again.toml", sources.described));
   SACCADE_CHECK(again.config == sources.config);

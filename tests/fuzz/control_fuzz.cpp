@@ -47,7 +47,7 @@ struct World {
   Service service{scenes, budget, streams, opener, log, {}};
 };
 
-// Whoever asks for what was resolved gets it.
+// A request for the resolved stream gets it.
 void checkResolved(const ResolvedStream& stream, const World& world) {
   ResolvedStream again = resolve(stream.request, world.entry, world.tables);
   fitTo(world.scene->description(), again);

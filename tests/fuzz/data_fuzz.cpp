@@ -1,5 +1,5 @@
-// What one client says to a data server, over a real connection. The names of the streams stand for those of
-// this input, which have packets to send; their tokens are filled in.
+// Messages of one client to a data server, over a real connection. The names of the streams stand for those
+// of this input, which have packets to send; their tokens are filled in.
 #include <algorithm>
 #include <zmq.hpp>
 
@@ -30,7 +30,7 @@ class Client {
   }
   void send(const std::string& bytes) { socket_.send(zmq::buffer(bytes)); }
 
-  // What comes before the refusal of one more request.
+  // Bytes before the refusal of one more request.
   Answer receiveAll() {
     v1::DataRequest last;
     last.mutable_attach()->set_stream_id("none");

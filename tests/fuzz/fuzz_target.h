@@ -1,7 +1,7 @@
 // A reader of what other people wrote or sent: whatever the bytes, it takes or refuses them, and says why.
 //
-// Each target is two programs: <name>_fuzz_test, which reads its seeds, its corpus and mutations of them,
-// always the same ones, and where the compiler is Clang <name>_fuzz, which looks for new ones with libFuzzer.
+// Each target is two programs. <name>_fuzz_test reads its seeds, its corpus and mutations of them, always the
+// same ones. Where the compiler is Clang, <name>_fuzz looks for new ones with libFuzzer.
 #pragma once
 
 #include <string>

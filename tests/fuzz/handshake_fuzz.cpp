@@ -1,5 +1,5 @@
-// What a peer says from the first byte of its connection on: greeting, metadata, a request. Whatever it was,
-// the server answers the next client.
+// Bytes of a peer from the beginning of its connection: greeting, metadata, a request. In any case, the
+// server answers the next client.
 #include <algorithm>
 #include <zmq.hpp>
 
@@ -41,7 +41,7 @@ struct World {
   zmq::socket_t client{context, zmq::socket_type::dealer};
 };
 
-// Whether the answer to the request comes. What waits for more bytes is not waited for.
+// Whether the answer to the request comes. An input that waits for more bytes is not waited for.
 bool isAnswered(RawPeer& peer, std::chrono::milliseconds patience) {
   std::string answer;
   for (std::string byte = "?"; !byte.empty() && answer.find(kAsked) == answer.npos; answer += byte)

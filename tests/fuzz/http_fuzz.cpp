@@ -1,4 +1,4 @@
-// What a server's HTTP port reads, over a real connection.
+// Bytes to a server's HTTP port, over a real connection.
 #include <arpa/inet.h>
 #include <sys/socket.h>
 #include <unistd.h>

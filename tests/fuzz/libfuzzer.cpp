@@ -1,4 +1,4 @@
-// What libFuzzer calls.
+// Called by libFuzzer.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

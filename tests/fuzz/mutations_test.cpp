@@ -9,7 +9,7 @@ TEST(Fuzz, SeedsAreAccepted) {
   for (const std::string& seed : fuzzTarget().seeds) EXPECT_TRUE(fuzzTarget().read(seed)) << seed;
 }
 
-// What libFuzzer found of use, and what once did harm.
+// Inputs that libFuzzer found of use, and those that once did harm.
 TEST(Fuzz, TheCorpusIsReadOrRefused) {
   const auto corpus = readCorpus();
   EXPECT_FALSE(corpus.empty());

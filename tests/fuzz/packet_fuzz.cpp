@@ -1,4 +1,4 @@
-// What a client reads: packets of a server that may be anyone's.
+// Input of a client: packets of a server that may be anyone's.
 #include "client/sequence_check.h"
 #include "client/stream_fault.h"
 #include "fuzz/fuzz_target.h"

@@ -1,4 +1,4 @@
-// What holds for every path that was accepted.
+// Rules for every path that was accepted.
 #pragma once
 
 #include <cmath>

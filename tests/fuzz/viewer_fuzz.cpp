@@ -1,4 +1,4 @@
-// What pages send to the viewer's WebSocket: frames, and the messages in them.
+// Input from pages to the viewer's WebSocket: frames, and the messages in them.
 #include <algorithm>
 
 #include "fuzz/fuzz_target.h"

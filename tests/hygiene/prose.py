@@ -1,4 +1,4 @@
-"""The sentences of the pages and of the schema's comments, for the hygiene tests."""
+"""The sentences of the pages, and of the comments of schema and sources, for the hygiene tests."""
 import re
 
 import house
@@ -31,6 +31,15 @@ def paragraphs_of_schema(schema):
     text = re.sub(r"^ *[^\s/].*?(//.*)$", r"\n\1\n", schema, flags=re.MULTILINE)
     blocks = re.findall(r"(?:^ *//.*\n?)+", text, re.MULTILINE)
     return [" ".join(re.sub(r"^ *// ?", "", block, flags=re.MULTILINE).split()) for block in blocks]
+
+
+def sources():
+    return [p.as_posix() for p in house.files(house.SOURCES)]
+
+
+def paragraphs_of_source(source):
+    """Its comments, without lines that are indented: lists, tables and formulas."""
+    return paragraphs_of_schema(re.sub(r"^ *//(?:(?:  | - | ?\S+  ).*)?$", "", source, flags=re.MULTILINE))
 
 
 def sentences(paragraph):

@@ -1,4 +1,4 @@
-"""The pages and the schema's comments read easily: short sentences, none with a clause as its subject."""
+"""The pages and the comments of schema and sources read easily: short sentences, none with a clause as its subject."""
 import re
 import unittest
 
@@ -42,6 +42,8 @@ class Prose(unittest.TestCase):
         self.assertEqual(prose.paragraphs_of_page(page), ["One line. Two.", "item", "other"])
         schema = "// Above\n// it.\nmessage A {\n  int32 a = 1;  // beside\n  // below\n}\n"
         self.assertEqual(prose.paragraphs_of_schema(schema), ["Above it.", "beside", "below"])
+        source = "// Above:\n// - item\n//   a = b\n// below.\nint a;  // beside\n"
+        self.assertEqual(prose.paragraphs_of_source(source), ["Above:", "below.", "beside"])
 
     def test_pages(self):
         self.assertGreater(len(prose.pages()), 5)
@@ -53,6 +55,10 @@ class Prose(unittest.TestCase):
     def test_schema(self):
         self.assertEqual(len(prose.schemas()), 7)
         self.assertEqual(faults(prose.schemas(), prose.paragraphs_of_schema), [])
+
+    def test_sources(self):
+        self.assertGreater(len(prose.sources()), 1000)
+        self.assertEqual(faults(prose.sources(), prose.paragraphs_of_source), [])
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ TEST(MethodTable, NamesAreUniqueAndFound) {
   EXPECT_EQ(defaultMethod(true).name, "irradiance_cache");
 }
 
-// What `memory_mib` allows counts in full for large pictures only: small ones could not fill it.
+// The memory of `memory_mib` counts in full for large pictures only: small ones could not fill it.
 TEST(MethodTable, TellsTheMemoryThatAGridMayTake) {
   constexpr double kMiB = 1 << 20;
   const MethodInfo& cache = *findMethod("irradiance_cache");

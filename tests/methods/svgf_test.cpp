@@ -50,7 +50,7 @@ TEST_F(Fixture, CleansThePictureButItsDifferenceStaysAlive) {
   run(method, 20);
   const double noise = 1 / std::sqrt(12.0);  // of one sample
   EXPECT_LT(rmsOf(change.I_now, 1), 0.1 * noise);
-  // What the paper holds against filtering frames by themselves: a standing wall goes on changing.
+  // The paper's objection to filtering frames by themselves: a standing wall goes on changing.
   EXPECT_GT(rmsOf(change.dI, 0), 0);
   for (int y = 0; y < kH; ++y) {
     for (int x = 0; x < kW; ++x) {

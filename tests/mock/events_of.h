@@ -1,4 +1,4 @@
-// What the packets of one sensor or truth channel carry.
+// The content of the packets of one sensor or truth channel.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A TCP proxy that does to connections what networks do to them. It has one thread; a test says at any time
+// A TCP proxy that does to connections what networks do to them. It has one thread. A test says at any time
 // what is to go wrong, and it goes wrong at a byte, not at a time.
 #pragma once
 
@@ -20,8 +20,8 @@ struct Faults {
   std::chrono::milliseconds delay{0};  // of every byte, either way
   bool stall = false;                  // nothing passes, either way; connections stay open
   std::uint64_t bytes_per_s = 0;       // of each connection, towards the client; 0: no limit
-  // What happens to a connection after `cut_after` bytes towards the client: RST to both ends; FIN to both,
-  // the rest is lost; FIN to the client, whose own bytes still pass.
+  // The fate of a connection after `cut_after` bytes towards the client. RST goes to both ends; FIN goes to
+  // both, and the rest is lost; or FIN goes to the client, whose own bytes still pass.
   Cut cut = Cut::kNone;
   std::uint64_t cut_after = 0;
 };

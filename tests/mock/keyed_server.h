@@ -1,4 +1,4 @@
-// What a test of a server with keys begins with: its configuration, and two clients on its list.
+// The begin of a test of a server with keys: its configuration, and two clients on its list.
 #pragma once
 
 #include <gtest/gtest.h>

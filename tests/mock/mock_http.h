@@ -10,7 +10,7 @@ struct HttpReply {
   std::string head, body;
 };
 
-// What http://127.0.0.1:port sends back for `request`; by itself a GET of a path.
+// The answer of http://127.0.0.1:port to `request`; by default that is a GET of a path.
 HttpReply httpSend(const std::string& endpoint, const std::string& request);
 HttpReply httpGet(const std::string& endpoint, const std::string& path);
 

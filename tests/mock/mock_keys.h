@@ -15,7 +15,7 @@ struct MockKeys {
 
 MockKeys makeMockKeys(const std::string& server = {});
 
-// What becomes of a socket's first handshake: an event of zmq_socket_monitor, 0 where nothing comes of it in
+// The outcome of a socket's first handshake: an event of zmq_socket_monitor, or 0 where there is none within
 // `patience_ms`.
 int handshake(const std::string& endpoint, const MockKeys& keys, int patience_ms = 10000,
               zmq::socket_type type = zmq::socket_type::dealer);

@@ -51,10 +51,10 @@ struct Summary {
   std::int64_t end_ns = 0;
 };
 
-// Decodes the packets of one sensor and adds a test failure for whatever the schema does not allow: a seq or
-// event index that the drops told do not explain, time that runs backwards or has holes, a pixel outside the
-// view, a missing END. `lossy`: packets may be missing, if told. `begin_ns`: a stream that joins a feed
-// begins where it joined.
+// Decodes the packets of one sensor and adds a test failure for whatever the schema does not allow. Such
+// faults are a seq or event index that the drops told do not explain, and time that runs backwards or has
+// holes. A pixel outside the view and a missing END are others. `lossy`: packets may be missing, if told.
+// `begin_ns`: a stream that joins a feed begins where it joined.
 Summary checkPackets(const Packets& packets, bool lossy = false, std::int64_t begin_ns = 0);
 
 // The packets as sent, but for what names the stream and the run of the server, and its lag.

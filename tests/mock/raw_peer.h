@@ -18,7 +18,7 @@ class RawPeer {
   void say(const std::string& bytes);
   // The next bytes, at most so many; fewer where nothing comes for `patience`.
   std::string hear(std::size_t bytes, std::chrono::milliseconds patience);
-  // Whether the other side has closed the connection, or does so within `limit`. What it says is thrown away.
+  // Whether the other side has closed the connection, or does so within `limit`. Its output is thrown away.
   bool closed(std::chrono::milliseconds limit);
 
  private:

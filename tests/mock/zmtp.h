@@ -1,4 +1,4 @@
-// What a peer without keys says on a connection before its messages [ZMTP 3.0, rfc.zeromq.org/spec/23].
+// The first bytes of a peer without keys, before its messages [ZMTP 3.0, rfc.zeromq.org/spec/23].
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a server bounds: every limit is named, and reaching it harms nobody else.
+// The limits of a server: each is named, and reaching it harms nobody else.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -186,7 +186,7 @@ TEST(Limits, AFloodOfStartsIsRefused) {
   EXPECT_EQ(checkPackets(subscriber.receiveAll(1)[0]).end_ns, 200'000'000);
 }
 
-// Whoever asks and does not read must not fill the server's memory with pictures.
+// A client that asks and does not read must not fill the server's memory with pictures.
 TEST(Limits, PicturesComeAtTheirRate) {
   TestServer server(withLimit(Limit::kPictures, 1));
   v1::OpenStream request = tinyRequest();

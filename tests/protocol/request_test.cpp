@@ -201,7 +201,7 @@ void addUnknownField(google::protobuf::Message& message) {
   message.GetReflection()->MutableUnknownFields(&message)->AddVarint(kOfTheFuture, 1);
 }
 
-// What a newer client may say: more than this server knows, in a version that it does.
+// Requests of a newer client: more than this server knows, in a version that it does.
 TEST(Request, FieldsOfTheFutureArePassedOver) {
   TestServer server;
   v1::Request open;

@@ -33,8 +33,8 @@ TEST(Service, ServesTwoClientsThatWantDifferentThings) {
   }
 }
 
-// In the accumulating model a pixel fires once per threshold of change, so that half the threshold gives
-// twice the events, but for what is left in each pixel at the end.
+// In the accumulating model a pixel fires once per threshold of change. So half the threshold gives twice the
+// events, but for the rest in each pixel at the end.
 TEST(Service, SensorsOfOneFeedDifferByTheirThresholds) {
   TestServer server(2);
   v1::OpenStream request = tinyRequest();

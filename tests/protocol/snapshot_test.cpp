@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kC = 0.3, kBias = 1e-3;
 
-// Path tracing without a filter and without reconstruction: the change of each frame is exactly the
+// Path tracing without a filter and without reconstruction. The change of each frame is exactly the
 // difference of its pictures, and the brightness of a sensor is that of the picture.
 v1::OpenStream sharedRequest(v1::EventModel model) {
   v1::OpenStream request = tinyRequest();

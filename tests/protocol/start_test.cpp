@@ -1,4 +1,4 @@
-// What the program says of its machine before it serves.
+// The program's report on its machine before it serves.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// What becomes of streams that nobody looks after, with a clock that the test moves.
+// The end of streams that nobody looks after, with a clock that the test moves.
 #include "app/streams/stream_registry.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What holds for each kind of BSDF, and the choice between them.
+// Rules for each kind of BSDF, and the choice between them.
 #include <gtest/gtest.h>
 
 #include "render/bsdf/bsdf.h"

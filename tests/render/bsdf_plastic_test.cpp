@@ -30,8 +30,8 @@ TEST(Plastic, LetsDiffuseLightThroughAsInClosedForm) {
   }
 }
 
-// What remains of a base of albedo a at an index of 1.5, measured on other people's renders: 0.404 a / (1 -
-// 0.596 a) of the light that enters.
+// The share that is left of a base of albedo a at an index of 1.5, measured on other people's renders. It is
+// 0.404 a / (1 - 0.596 a) of the light that enters.
 TEST(Plastic, NonlinearBaseIsDarkerThanItsReflectance) {
   for (const BsdfKind kind : {BsdfKind::kPlastic, BsdfKind::kRoughPlastic}) {
     const BsdfTables tables = plastic(kind, true);
@@ -65,7 +65,7 @@ TEST(Plastic, DiffusePartIsMitsubas) {
               1e-4);
 }
 
-// What a rough interface lets through, from the BTDF [Walter 2007 (21)] by midpoints over all directions
+// The transmission of a rough interface, from the BTDF [Walter 2007 (21)] by midpoints over all directions
 // below it.
 double integratedTransmittance(const Microfacets& f, Vec3 wo, float ior, int steps = 300) {
   double sum = 0;

@@ -1,4 +1,4 @@
-// What guides the filter in mirrors, through glass and through masks, and what light they show.
+// The guides of the filter in mirrors, through glass and through masks, and the light that they show.
 #include <gtest/gtest.h>
 
 #include "render/render_mean.h"
@@ -15,8 +15,8 @@ Material clear(BsdfKind kind) {
   return m;
 }
 
-// A camera at z = 3 over a floor of `material` at z = 0, and a ceiling at z = 5 that emits `radiance` and
-// reflects 0.3; a lamp between.
+// A camera at z = 3 over a floor of `material` at z = 0. A ceiling at z = 5 emits `radiance` and reflects
+// 0.3; a lamp is between.
 Scene hall(const Material& material, float radiance) {
   Scene s = test::floorFromAbove(0.3f);
   s.materials.push_back(material);
@@ -73,7 +73,7 @@ TEST(Guide, OfAPaneIsWhatIsBehind) {
   EXPECT_NEAR(frame.g.albedo.at(kMiddle, kMiddle), reflected + (1 - reflected) * 0.3, 1e-3);
 }
 
-// What is emitted along the view is known exactly: were it sampled too, it would count twice.
+// Emission along the view is known exactly: were it sampled too, it would count twice.
 TEST(Guide, EmissionInAMirrorAndThroughAPaneIsFreeOfNoise) {
   for (const BsdfKind kind : {BsdfKind::kConductor, BsdfKind::kThinDielectric}) {
     Scene scene = hall(clear(kind), 2);

@@ -136,8 +136,8 @@ TEST(LensRender, SlopeIsTheStepToTheNextPixel) {
   }
 }
 
-// A fisheye shows equal angles in equal pixels: at 60 degrees a pixel is 1 / cos^2 times as deep, and
-// tan(t) / t times as wide, as in the middle.
+// A fisheye shows equal angles in equal pixels. At 60 degrees a pixel is 1 / cos^2 times as deep, and tan(t)
+// / t times as wide, as in the middle.
 TEST(LensRender, PixelsOfAFisheyeGrowTowardsTheEdge) {
   const Lens lens({.width = kW,
                    .height = kH,

@@ -25,7 +25,7 @@ Scene ball(const Material& m) {
   return s;
 }
 
-// What loses no light cannot be told from the sky.
+// A surface that loses no light cannot be told from the sky.
 TEST(Materials, WithoutLossVanishInAFurnace) {
   for (const BsdfKind kind : {BsdfKind::kConductor, BsdfKind::kDielectric, BsdfKind::kThinDielectric}) {
     const test::Mean m = test::renderMean(ball(of(kind)), 0, 256);
@@ -122,7 +122,7 @@ TEST(Kernels, AreTheSmallestThatHoldTheScene) {
   }
 }
 
-// What a plastic scene lacks, its kernel need not know; a sky or a mask brings in no other BSDF.
+// The kernel of a scene of plastics need not know other features; a sky or a mask brings in no other BSDF.
 TEST(Kernels, OfPlasticsKnowNoMetalsAndNoGlass) {
   Scene plastic = test::furnace(0.5f, 1), sky = plastic, lamp = plastic, mask = plastic;
   plastic.materials.push_back(of(BsdfKind::kRoughPlastic));

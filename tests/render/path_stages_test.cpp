@@ -1,5 +1,5 @@
-// The stages against the plain path tracer: the same numbers into both, path by path, for every kind of
-// material and light, every set of features, both widths of lanes, one and three channels.
+// The stages against the plain path tracer: the same numbers into both, path by path. They run for every kind
+// of material and light, every set of features, both widths of lanes, and one and three channels.
 #include <gtest/gtest.h>
 
 #include "base/instruction_set.h"

@@ -28,8 +28,8 @@ TEST(Furnace, IsTheSameInOneChannelAndThree) {
               renderMean(test::furnace(0.5f, 1), 2, 4, 16, 3).mean, 1e-5);
 }
 
-// Irradiance at height h under the middle of a square of half-width a (four corner form factors):
-// E = L * 4 * (a / sqrt(a^2 + h^2)) * atan(a / sqrt(a^2 + h^2)).
+// Irradiance at height h under the middle of a square of half-width a, from four corner form factors. E = L *
+// 4 * (a / sqrt(a^2 + h^2)) * atan(a / sqrt(a^2 + h^2)).
 TEST(AreaLight, SquareOverAFloor) {
   Scene scene = test::floorFromAbove(0.6f);
   const double a = 0.7, h = 1.5, L = 3;

@@ -9,7 +9,7 @@
 
 namespace saccade::test {
 
-// What the scene's own camera sees from where it stood before.
+// The view of the scene's own camera from where it stood before.
 inline Frame renderFrame(Scene scene, const SeedPlan& seeds, RenderSettings settings, int size) {
   auto s = std::make_shared<RenderScene>(std::move(scene));
   TilePool pool(2);

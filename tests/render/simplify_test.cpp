@@ -199,7 +199,7 @@ TEST(Simplify, WithoutMipFilteringAPictureIsLookedUpAtAPoint) {
   EXPECT_EQ(scene.textures[0].sample({0.75f, 0.5f}, 1).x, 0.5f);
 }
 
-// What makes textures makes mips for them.
+// Textures get their mips where they are made.
 TEST(Simplify, PartsGoTogether) {
   Material m;
   m.model.kind = BsdfKind::kPlastic;

@@ -5,7 +5,7 @@
 namespace saccade {
 namespace {
 
-// The error of a scene whose line 4 is `line`, after a sensor on line 2 and a bsdf with the id `paint` on
+// The error of a scene whose line 4 is `line`. It has a sensor on line 2 and a bsdf with the id `paint` on
 // line 3.
 std::string errorAt4(const std::string& line) {
   const Scratch files;

@@ -71,7 +71,7 @@ TEST(MitsubaMaterial, MetalsHaveNames) {
   EXPECT_EQ(named("Au").eta, findConductor("Au")->eta);
   EXPECT_EQ(named("Au").k, findConductor("Au")->k);
   EXPECT_EQ(named("none").eta, (Rgb{0, 0, 0}));
-  // What Mitsuba takes if nothing is said.
+  // Mitsuba's default.
   EXPECT_EQ(material("<bsdf type='conductor'/>", "3.5.0").model.eta, findConductor("none")->eta);
   EXPECT_EQ(material("<bsdf type='conductor'/>", "0.6.0").model.eta, findConductor("Cu")->eta);
 }
@@ -131,7 +131,7 @@ TEST(MitsubaMaterial, WrappersMayStandInAnyOrder) {
   EXPECT_TRUE(isOpaque(plain));
 }
 
-// A bsdf at the top that has no id is meant by the id of what is within it; one that has an id is not.
+// A bsdf at the top that has no id is meant by the id of its inner one. One that has an id is not.
 TEST(MitsubaMaterial, AnIdWithinAWrapperNamesTheWhole) {
   const Scratch files;
   files.write("bump.ppm", "P3 2 1 255  0 0 0  255 255 255");

@@ -3,7 +3,7 @@
 namespace saccade {
 namespace {
 
-// What a material's texture shows at the uv of a mesh.
+// The texture of a material at the uv of a mesh.
 float shown(const Scene& scene, Vec2 uv) {
   const SurfaceColor& c = scene.materials.at(0).reflectance;
   return scene.textures.at(static_cast<std::size_t>(c.texture))

@@ -43,7 +43,7 @@ TEST(MotionKinds, LinearOnesGoTheirWayAtTheirSpeed) {
   }
 }
 
-// What the camera sees in its middle, and what is to its right, after a turn to the right, up, or clockwise.
+// The camera's view in its middle, and to its right, after a turn to the right, up, or clockwise.
 TEST(MotionKinds, RotationsTurnByTheirAngle) {
   for (const double speed : {15.0, -40.0}) {
     for (const TimeNs t : {1ms, 100ms, 200ms}) {

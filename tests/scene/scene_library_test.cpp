@@ -106,7 +106,7 @@ TEST(SceneLibrary, TheIndexFollowsChangesOfAScene) {
   EXPECT_TRUE(library.list().empty());
 }
 
-// What has not changed is not read again: a file whose time stays as it was keeps its entry.
+// An unchanged file is not read again: it keeps its entry while its time stays as it was.
 TEST(SceneLibrary, TheIndexReadsOnlyWhatHasChanged) {
   const Scratch files;
   files.write("scenes/mine/scene.xml", std::string(kSensor) + "</scene>");

@@ -1,4 +1,4 @@
-// What the scene tests share: a folder of files that is gone afterwards, and the text of a SceneError.
+// Shared by the scene tests: a folder of files that is gone afterwards, and the text of a SceneError.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 
 namespace saccade::test {
 
-// What a method must hold in a case.
+// The bounds that a method must hold in a case.
 struct Claim {
   std::string method;
   double bound;  // of the figure that the case judges

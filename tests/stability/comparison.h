@@ -11,7 +11,7 @@ namespace saccade::test {
 
 using MethodFigures = std::vector<std::pair<std::string, Figures>>;  // by method
 
-// What the case claims of a method; nullptr: nothing.
+// The claim of the case for a method; nullptr: none.
 const Claim* claimOf(const StabilityCase& c, const std::string& method);
 
 const Figures& figuresOf(const std::string& method, const MethodFigures& figures);  // it is one of them

@@ -1,4 +1,4 @@
-// What is said of a method in a case of the stability suite.
+// Text about a method in a case of the stability suite.
 #pragma once
 
 #include <array>

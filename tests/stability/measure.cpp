@@ -36,7 +36,7 @@ BenchSetup startOf(BenchSetup setup) {
   return setup;
 }
 
-// What a client gets who asks for no more.
+// The parameters of a client that asks for no more.
 SensorConfig sensorOf(const StabilityCase& c) {
   return {.threshold = c.threshold, .threshold_off = c.threshold, .bias = c.bias};
 }

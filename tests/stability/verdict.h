@@ -1,4 +1,4 @@
-// What the stability suite expects of methods.
+// The stability suite's expectations of methods.
 #pragma once
 
 #include "stability/comparison.h"

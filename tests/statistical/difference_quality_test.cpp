@@ -1,5 +1,6 @@
-// EventSVGF does what the paper says: error of dI after 21 frames against a correlated reference of many
-// paths, beside path tracing and beside itself with one part switched off (Fig. 9).
+// EventSVGF does what the paper says. The error of dI after 21 frames is taken against a correlated
+// reference of many paths. It stands beside that of path tracing and of EventSVGF with one part off (Figure
+// 9).
 //
 // Quick by default: 96x96 and 1024 paths, the same motion in space. SACCADE_FULL=1 takes
 // 256x256 and 4096 paths; its references are kept in $SACCADE_CACHE (default: ~/.cache/saccade).

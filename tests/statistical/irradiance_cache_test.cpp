@@ -40,7 +40,7 @@ TEST_P(IrradianceCacheOf, ErrsFarLessThanMethodsThatKeepLightInThePicture) {
   EXPECT_LT(wrong(ours), 0.7 * std::min(wrong(event), wrong(svgf)));
 }
 
-// What is found over what is claimed, of all pixels and of the typical one.
+// The ratio of errors found and claimed, of all pixels and of the typical one.
 class Claims {
  public:
   void add(double found, double claimed) {

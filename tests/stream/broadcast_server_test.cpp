@@ -27,7 +27,7 @@ class Broadcast : public testing::Test {
     for (std::uint32_t sensor : {0u, 1u}) stream.add_topics(session_->topic(sensor));
     return {server_.endpoint(), stream};
   }
-  // What a peer that has asked for nothing that there is hears while the others hear heartbeats.
+  // A peer that has asked for an unknown topic hears this while the others hear heartbeats.
   std::string spyHears(ZmtpPeer& spy) {
     MockSubscriber other = subscribe();
     for (int i = 0; i < 4; ++i) EXPECT_TRUE(other.receiveAny());

@@ -78,7 +78,7 @@ class LazyPeer {
   zmq::socket_t socket_;
 };
 
-// What fits into the buffers between the two is not counted: the replies are larger than these.
+// Replies that fit into the buffers between the two are not counted: these are larger.
 TEST(ControlServer, RefusesAClientThatDoesNotReadItsReplies) {
   constexpr int kRequests = 200;
   constexpr std::size_t kReplyBytes = 1 << 20;

@@ -86,7 +86,7 @@ TEST(CreditQueue, NeverDropsSnapshotsEndAndErrors) {
   EXPECT_EQ(popHeader(queue).dropped_before(), 8u);
 }
 
-// Who keeps up gets all of a frame, however large it is.
+// A client that keeps up gets all of a frame, however large it is.
 TEST(CreditQueue, DropsOnlyWhatWasThereBeforeTheFrame) {
   constexpr std::uint32_t kChannels = 8;
   CreditQueue queue(CreditQueue::Overflow::kDropOldest, 2500, kChannels);

@@ -107,7 +107,7 @@ TEST_F(Curve, WithoutAHandlerNobodyComesIn) {
   EXPECT_THROW(probeRefusal(zmq::socket_type::dealer, endpoint, server_.secret), std::runtime_error);
 }
 
-// What libzmq does by itself: CURVE without a handler lets any key in.
+// The default of libzmq: CURVE without a handler lets any key in.
 TEST_F(Curve, TheProbeFindsADoorThatIsOpen) {
   zmq::context_t context;
   zmq::socket_t socket(context, zmq::socket_type::router);

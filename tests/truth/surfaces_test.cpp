@@ -32,7 +32,7 @@ struct Surface {
   unsigned object, material;
 };
 
-// What the ray through (x, y) meets; `edge` is set where that is too near to call.
+// The surface that the ray through (x, y) meets; `edge` is set where that is too near to call.
 std::optional<Surface> surfaceAt(int x, int y, bool& edge) {
   const Vec3d d = rotate(kCamera.rotation, kLens.direction(x, y)), to = kCamera.position - kCenter;
   const double b = dot(d, to) / dot(d, d), c = (dot(to, to) - kRadius * kRadius) / dot(d, d);

@@ -41,7 +41,7 @@ class ViewerGatewayTest : public testing::Test {
     pages_.push_back(page);
     return page;
   }
-  // What a page receives until its connection ends.
+  // The output to a page until its connection ends.
   static std::string readAll(int page) {
     std::string all;
     char buffer[4096];

@@ -1,4 +1,4 @@
-// What a page is sent of a stream; the server's socket is a ROUTER of this test.
+// The part of a stream that is sent to a page; the server's socket is a ROUTER of this test.
 #include <iterator>
 
 #include "web/viewer_stream.h"

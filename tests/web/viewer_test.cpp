@@ -39,7 +39,7 @@ class ViewerTest : public testing::Test {
     shutdown(page_.client(), SHUT_WR);
     if (thread_.joinable()) thread_.join();
   }
-  // What the page has received when the viewer has ended by itself.
+  // The output to the page when the viewer has ended by itself.
   std::string lastWords() {
     thread_.join();
     return page_.received();

@@ -10,7 +10,7 @@ namespace {
 
 using Headers = std::map<std::string, std::string>;
 
-// What a browser sends from a page of the server.
+// The headers that a browser sends from a page of the server.
 Headers headersAt(const std::string& host) {
   return {{"Host", host},
           {"Origin", "http://" + host},

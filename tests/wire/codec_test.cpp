@@ -1,4 +1,4 @@
-// What a codec encodes comes back, and nothing else does.
+// Encoding and decoding give the same bytes back, and nothing else decodes.
 #include <gtest/gtest.h>
 
 #include <random>

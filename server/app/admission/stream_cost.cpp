@@ -46,7 +46,7 @@ double noisePerFrame(const NoiseConfig& noise, double rate_hz) {
   return noiseRate(noise) / rate_hz;
 }
 
-// What every sensor has room for, so that its noise may change: noise events of a pixel in a frame.
+// Noise events of a pixel in a frame for which every sensor has room, so that its noise may change.
 constexpr double kNoiseRoom = 1;
 double noiseRoom(const NoiseConfig& first, double rate_hz) {
   return std::max(kNoiseRoom, noisePerFrame(first, rate_hz));

@@ -24,7 +24,7 @@ std::string valueText(const Setting& setting, const toml::node& node) {
   return text.str();
 }
 
-// What toml++ says of a value that it cannot read, which most often is a text without quotes.
+// The message of toml++ for a value that it cannot read, most often a text without quotes.
 std::string faultText(const toml::parse_error& fault) {
   const std::string text(fault.description());
   const auto says = [&](const char* words) { return text.find(words) != std::string::npos; };

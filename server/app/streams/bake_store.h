@@ -20,8 +20,9 @@ class BakeStore {
   BakeStore(std::string folder, const Limits& limits) : folder_(std::move(folder)), limits_(limits) {}
 
   // The bake of a plan: one that a stream uses, or the one in its file. If there is none it is made on the
-  // pool, once for all who ask, which may take minutes; `progress` is then told the share that is done. From
-  // any thread. The pool must outlive this. Throws Refusal, and Cancelled as soon as `stop` is requested.
+  // pool, once for all who ask, which may take minutes. Meanwhile `progress` is told the share that is done.
+  // From any thread. The pool must outlive this. Throws Refusal, and Cancelled as soon as `stop` is
+  // requested.
   std::shared_ptr<const Bake> get(const std::shared_ptr<const RenderScene>& scene, const BakePlan& plan,
                                   TilePool& pool, const std::stop_token& stop,
                                   const std::function<void(double)>& progress);

@@ -35,8 +35,8 @@ class Channel {
 
   virtual SensorSchedule* schedule() { return nullptr; }  // of a sensor
 
-  // What is in no full packet yet; with end() also the END packet, at the end of the last interval. `t`,
-  // `frame`: where it has taken none.
+  // The events or samples that are in no full packet yet; with end() also the END packet, at the end of the
+  // last interval. `t`, `frame`: where it has taken none.
   std::vector<Packet> flush() { return forClient(flushPackets()); }
   std::vector<Packet> end(TimeNs t, FrameIndex frame, v1::EndReason reason);
 

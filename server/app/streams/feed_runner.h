@@ -1,10 +1,10 @@
 // Runs a source of intervals on a thread of its own and hands each interval to the streams that share it.
 //
 // A stream takes part from the first frame after its receiver has attached until it is stopped; then it gets
-// its END. Where all are stopped in the midst of a frame, the channels that have made their part of it give
-// it, and the others end before it. A frame is made when its source is ready, some stream has a receiver, and
-// every stream with a receiver has room. Frames keep the pace, except those that a resumed stream skips. One
-// run of the pool serves the sensors of all streams.
+// its END. Where all are stopped in the midst of a frame, channels that have made their part of it give it.
+// The others end before it. A frame is made when its source is ready, some stream has a receiver, and every
+// stream with a receiver has room. Frames keep the pace, except those that a resumed stream skips. One run of
+// the pool serves the sensors of all streams.
 #pragma once
 
 #include <memory>

@@ -32,7 +32,7 @@ struct CpuSupply {
 };
 CpuSupply cpuSupply(const TilePool& pool);  // by the CPUs there are, and what the pool got of them of late
 
-// What PACED streams take in a second.
+// The load by PACED streams: their CPU time in a second, and their lag.
 struct PaceLoad {
   double total = 0;  // CPU time of all of them
   CpuCost feed;      // that of the streams of one feed together
@@ -42,9 +42,9 @@ struct PaceLoad {
 // A PACED stream that is further behind its clock says so in its packets, and no other is taken meanwhile.
 inline constexpr double kMostLagSeconds = 1;
 
-// Throws LimitReached unless a PACED stream of such frames fits beside what others take: the CPU time of all
-// into the threads, and one frame after the other of its feed into its period. `taken.feed`: of the feed that
-// the stream joins, and then `frame.feed` is 0.
+// Throws LimitReached unless a PACED stream of such frames fits beside the others. The CPU time of all must
+// fit into the threads, and one frame after the other of its feed into its period. `taken.feed`: of the feed
+// that the stream joins, and then `frame.feed` is 0.
 void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& taken, const CpuSupply& supply,
                const Limits& limits);
 

@@ -30,7 +30,7 @@ struct SceneLoads {
   std::atomic<std::int64_t> ns = 0;  // wall time of those that are done
 };
 
-// What is known of a scene since its file last changed. Both are empty until it was loaded.
+// Facts about a scene since its file last changed. Both are empty until it was loaded.
 struct SceneNote {
   std::string stats;    // triangles, materials, lights, memory, and warnings, for people
   std::string failure;  // why the last attempt to load it failed
@@ -65,7 +65,7 @@ class SceneCache {
  private:
   using FileTime = std::filesystem::file_time_type;
   using Key = std::pair<std::string, SceneFeatures>;  // name, and what is disabled
-  // What an entry was built from: the scene's file as of a time, or a whole scene.
+  // The source of an entry: the scene's file as of a time, or a whole scene.
   struct Version {
     FileTime changed = {};
     std::weak_ptr<const RenderScene> whole = {};

@@ -1,5 +1,5 @@
-// What a client may do to a running stream: steer its camera or send its frames, change its sensors, and ask
-// what came of it.
+// The calls of a client on a running stream: steer its camera, send its frames, change its sensors, and ask
+// for results.
 #pragma once
 
 #include "app/streams/stream.h"

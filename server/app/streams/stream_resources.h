@@ -1,4 +1,4 @@
-// What all streams of a server share.
+// The resources that all streams of a server share.
 #pragma once
 
 #include <cstdint>

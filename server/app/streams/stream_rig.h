@@ -17,7 +17,7 @@ Rig makeRig(const std::shared_ptr<const RenderScene>& scene, const Trajectory& b
 // `body`: the path of `rig`. `frames`: those of the stream; 0: it has no end. Call it before any step.
 FeedFacts factsOf(const Rig& rig, const Trajectory& body, FrameIndex frames);
 
-// What to compute ahead for all views. Throws Refusal.
+// The plan of a bake for all views. Throws Refusal.
 BakePlan planBakeOf(const RenderScene& scene, const Trajectory& body, const ResolvedStream& stream);
 
 }  // namespace saccade

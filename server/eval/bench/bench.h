@@ -36,7 +36,7 @@ struct Truth : ReferenceChange {
   RegionMap regions;
 };
 
-// What the scored frames show.
+// Statistics of the scored frames.
 struct BenchView {
   double surface = 1;       // the share of pixels that show one, in the frame with the least
   double px_per_frame = 0;  // median motion of the images of surfaces, into the last frame; 0: none in view

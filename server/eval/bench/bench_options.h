@@ -35,9 +35,9 @@ void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vec
 // Whether the command line left this flag out; true where none was parsed.
 bool isFree(const BenchOptions& o, const char* flag);
 
-// Reads the texts after parsing. --quick halves the sides of the picture, with them the frame rate (motion
-// keeps its pixels per frame), and reduces frames and reference; it leaves flags that were given. Throws
-// CLI::ValidationError.
+// Reads the texts after parsing. --quick halves the sides of the picture, and with them the frame rate:
+// motion keeps its pixels per frame. It reduces frames and reference, too, and leaves flags that were given.
+// Throws CLI::ValidationError.
 void resolve(BenchOptions& o);
 
 }  // namespace saccade::eval

@@ -109,10 +109,10 @@ std::vector<MeasuredModel> ModelBench::measure(const std::vector<SceneModel>& mo
   return measured;
 }
 
-// Fills in the events that change, and how many change by noise alone. With d = dL(simpler) - dL(whole) and
-// d_a, d_b the same of the two halves, n = (d_a - d_b) / 2 has the variance of d: the events between whole +
-// n and whole are those of the noise. Noise is subtracted in squares, as variances are: so measured, a bounce
-// of cornell-box changes the same from 64 to 4096 paths.
+// Fills in the events that change, and how many change by noise alone. Let d = dL(simpler) - dL(whole), and
+// d_a, d_b the same of the two halves. Then n = (d_a - d_b) / 2 has the variance of d, and the events between
+// whole + n and whole are those of the noise. Noise is subtracted in squares, as variances are: so measured,
+// a bounce of cornell-box changes the same from 64 to 4096 paths.
 void ModelBench::compare(const Bench& bench, MeasuredModel& model) const {
   EventRates noise;
   const EventRates rates = meanOver(frames_.size(), [&](std::size_t f) {

@@ -29,9 +29,9 @@ void requireTableNames(const std::vector<std::string>& names_or_paths);
 // Throws SceneError.
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path);
 
-// The words for a trajectory: a motion by name ("right"), KIND:SPEED ("dolly:0.2"), KIND:SPEEDpx in pixels
-// per frame, a .csv or .txt file by path, or a trajectory of the scene. The width and the frame rate of
-// `feed` give pixels per frame. Throws SceneError, which lists all of these.
+// The words for a trajectory. A motion is a name ("right"), KIND:SPEED ("dolly:0.2"), or KIND:SPEEDpx in
+// pixels per frame. Else it is a .csv or .txt file by path, or a trajectory of the scene. The width and the
+// frame rate of `feed` give pixels per frame. Throws SceneError, which lists all of these.
 Trajectory openTrajectory(const std::string& scene, const std::string& text, const RenderScene& opened,
                           const FeedConfig& feed);
 

@@ -36,7 +36,7 @@ class ReferenceRenderer {
                     double fov_x_deg, std::string cache, TilePool& pool, std::uint64_t seed = 0);
 
   // Renders the frame at a stream time, or takes it from the cache. `spp` paths per pixel are rounded up to a
-  // multiple of kChunk. The cache is written every few seconds and when interrupted() turns true; the next
+  // multiple of kChunk. The cache is written every few seconds and when interrupted() turns true. The next
   // call continues from there, or starts anew where the file is not such a frame. Frames of different spp
   // have files of their own: their difference would hold the noise of the paths that only one of them has.
   ReferenceFrame frame(const Pose& pose, TimeNs time, int spp, Progress& progress);

@@ -41,7 +41,7 @@ class ResultTable {
 void printTable(const ResultTable& table);
 
 // Returns the row of `name`, method and spp. If `table` has none, runs the method on `bench` with the seeds 1
-// to o.repeats, scores it against the truth of `truth`, and adds the row.
+// to o.repeats. Scores it against the truth of `truth`, and adds the row.
 Result measure(const Bench& truth, const Bench& bench, const std::string& name, const MethodSpec& method,
                int spp, const BenchOptions& o, ResultTable& table);
 // Against its own truth.

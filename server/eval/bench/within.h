@@ -17,8 +17,8 @@ struct Within {
 // "20ms", "2%". Throws std::runtime_error naming both forms.
 Within parseWithin(const std::string& text);
 
-// A line for each scene: the most accurate setting within the time, or the fastest within the rate, at the
-// size and C of the table, with its time and error rates. Without one the line names the nearest.
+// A line for each scene, with time and error rates. It is the most accurate setting within the time, or the
+// fastest within the rate, at the size and C of the table. Without one the line names the nearest.
 std::string answerWithin(const AccuracyTable& table, const Within& within);
 
 }  // namespace saccade::eval

@@ -21,13 +21,13 @@ struct Pixel {
 };
 
 // The pixel at the quantile kTypicalSpan of the span of brightness, among those that show a smooth surface in
-// every frame (else among all): light moves over it, but no edge.
+// every frame (else among all). Light moves over it, but no edge.
 Pixel typicalPixel(const std::vector<Truth>& truth, const BrightnessSequence& L);
 inline constexpr double kTypicalSpan = 0.75;
 
-// Writes, for the curves of one scene, figure<number>_<scene>_time.csv (L at the pixel, a column for each
-// curve), ..._spectrum.csv (power density of L by frequency, mean over the pixels within kSpectrumReach of it
-// in x and in y) and ....svg with both. Throws std::runtime_error.
+// Writes three files of the curves of one scene, figure<number>_<scene>: _time.csv, _spectrum.csv and .svg
+// with both. The first has L at the pixel, a column for each curve. The second has the power density of L by
+// frequency, the mean over the pixels within kSpectrumReach of it in x and in y. Throws std::runtime_error.
 void writeBrightness(const FigureOptions& o, const std::string& scene,
                      const std::vector<BrightnessCurve>& curves, Pixel pixel, double rate_hz);
 inline constexpr int kSpectrumReach = 4;

@@ -8,8 +8,8 @@
 
 namespace saccade::eval {
 
-// CSV with a header: a row for each cell, candidate and column of kComparedColumns, and one for each cell
-// that is left out, with the reason as its mark.
+// CSV with a header. It has a row for each cell, candidate and column of kComparedColumns. A cell that is
+// left out has one row, with the reason as its mark.
 std::string csvOf(const std::vector<ComparedCell>& cells);
 
 // For stdout: the figures of one cell, and below each candidate its ratios.

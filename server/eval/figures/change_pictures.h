@@ -1,5 +1,5 @@
-// Draws methods side by side, as Figure 6 of the paper does: a column for each method, and rows for the
-// picture, the change of intensity, the change of brightness and the events of one frame.
+// Draws methods side by side, as Figure 6 of the paper does, a column for each. Rows are the picture, the
+// change of intensity, the change of brightness and the events of one frame.
 #pragma once
 
 #include <array>

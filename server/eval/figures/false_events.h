@@ -1,11 +1,11 @@
 // Measures the law of Appendix B: the false events that the noise dL - dL_truth makes.
 //
-// For an unchanging truth, a change d makes |d| / C events in the mean over the threshold phase [E (31)], and
-// all are false: E[K] = mean |noise| / C [E (32)], or sqrt(2 / pi) sigma / C for Gaussian noise [E (33)].
+// For an unchanging truth, a change d makes |d| / C events in the mean over the threshold phase [E (31)]. All
+// are false: E[K] = mean |noise| / C [E (32)], or sqrt(2 / pi) sigma / C for Gaussian noise [E (33)].
 //
-// For a truth that changes by r, with the same phase and |d| + |r| <= C: with equal signs, the larger of d
-// and r crosses where the smaller does not, so false + missed = ||d| - |r|| / C. With opposite signs they
-// cross at the two ends of the cell, never both, so false + missed = (|d| + |r|) / C. Both are |noise| / C.
+// Let the truth change by r, with the same phase and |d| + |r| <= C. With equal signs, the larger of d and r
+// crosses where the smaller does not, so false + missed = ||d| - |r|| / C. With opposite signs they cross at
+// the two ends of the cell, never both, so false + missed = (|d| + |r|) / C. Both are |noise| / C.
 #pragma once
 
 #include "eval/bench/sequence.h"
@@ -24,8 +24,8 @@ NoiseSize noiseSize(const std::vector<float>& noise);  // 0 if empty
 struct QuietEvents {
   double share = 0;  // of all pixel-frames
   NoiseSize noise;
-  // Of two sensors: one draws a fresh phase in each frame, as the law assumes; one accumulates from frame to
-  // frame, with OFF events 2 C below the next ON.
+  // One of two sensors draws a fresh phase in each frame, as the law assumes. The other accumulates from
+  // frame to frame, with OFF events 2 C below the next ON.
   double fresh_phase = 0, accumulating = 0;
 };
 struct MovingEvents {

@@ -22,9 +22,9 @@ struct OddsBins {
   double error() const;
 };
 
-// Judges the events of a sensor with the bias I_eps and thresholds C. Of an event in a pixel whose brightness
-// changes by dL, and by `ref` in truth, the share clamp(1 - ref / dL, 0, 1) is false: artefact_odds.h. Both
-// sequences are of the same frames.
+// Judges the events of a sensor with the bias I_eps and thresholds C. Takes an event in a pixel whose
+// brightness changes by dL, and by `ref` in truth. The share clamp(1 - ref / dL, 0, 1) is false:
+// artefact_odds.h. Both sequences are of the same frames.
 OddsBins binsOfOdds(const ChangeSequence& run, const ChangeSequence& truth, double bias, double C);
 
 }  // namespace saccade::eval

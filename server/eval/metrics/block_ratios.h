@@ -36,8 +36,8 @@ struct BlockRatios {
 };
 
 // Leaves out incomplete blocks at the right and the bottom, and blocks with a value that is not finite. The
-// picture has the size of the reference, or is smaller by a factor that leaves blocks of whole pixels;
-// otherwise, and with nothing to compare, throws std::runtime_error.
+// picture has the size of the reference, or is smaller by a factor that leaves blocks of whole pixels.
+// Otherwise, and with nothing to compare, throws std::runtime_error.
 BlockRatios blockRatios(const RgbPlanes& picture, const RgbPlanes& reference, const BlockSettings& settings);
 
 }  // namespace saccade::eval

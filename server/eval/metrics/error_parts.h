@@ -1,5 +1,5 @@
 // Splits an error into bias and noise, both free of the noise of the reference. The reference comes in two
-// independent halves a and b: the mean of (x - a)(x - b) over their noise is (x - truth)^2, while (x - ref)^2
+// independent halves a and b. The mean of (x - a)(x - b) over their noise is (x - truth)^2, while (x - ref)^2
 // is too large.
 #pragma once
 

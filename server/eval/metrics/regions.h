@@ -30,7 +30,7 @@ inline constexpr float kSlopes = 2, kDepthTolerance = 0.01f;
 inline constexpr float kSameNormalDeg = 25, kCurvedDeg = 1;
 
 // Median of `plane` over the pixels in any of the regions `which`, the mean of the middle two where their
-// number is even; NaN if there are none, or one is NaN.
+// number is even. It is NaN if there are none, or one is NaN.
 double median(const ImageF& plane, const RegionMap& regions, std::uint32_t which);
 
 }  // namespace saccade::eval

@@ -14,7 +14,7 @@ struct GridPicture {
   std::vector<Rgb8> pixels;
 };
 
-// What the colours of signed pictures mean.
+// The meaning of the colours of signed pictures.
 struct ColorKey {
   std::string blue, white, red;
 };

@@ -15,7 +15,7 @@ struct FrequencyPoint {
 
 // Shows log intensity that swings by `amplitude` around that of `I`.
 //
-// From one extreme to the other a pixel's reference follows all of the swing but a part of a threshold: it
+// From one extreme to the other a pixel's reference follows all of the swing but a part of a threshold. It
 // ends between 0 and C+ below the top, and between 0 and C- above the bottom. On average over pixels with
 // equal thresholds [ours]
 //

@@ -1,4 +1,4 @@
-// What a sensor is shown to measure it: a uniform picture whose intensity changes over time.
+// Stimuli that measure a sensor: a uniform picture whose intensity changes over time.
 #pragma once
 
 #include <vector>

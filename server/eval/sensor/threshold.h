@@ -11,9 +11,10 @@ namespace saccade::eval {
 // The pixels are at any level between their thresholds when it comes.
 double shareAnswering(const SensorSetup& setup, double I, double step);
 
-// The change of log intensity, near `I`, from the first to the second event of each pixel: its threshold, as
-// its level is known after an event. The change is slow: no low pass delays the second event more than the
-// first. `sign`: 1 for ON, -1 for OFF. Ascending, without pixels that sent fewer than two events.
+// The change of log intensity, near `I`, from the first to the second event of each pixel. It is the pixel's
+// threshold, as its level is known after an event. The change is slow: no low pass delays the second event
+// more than the first. `sign`: 1 for ON, -1 for OFF. Ascending, without pixels that sent fewer than two
+// events.
 std::vector<double> pixelThresholds(const SensorSetup& setup, double I, int sign);
 
 // The share of `pixels` whose threshold is at most `change`.

@@ -5,9 +5,9 @@
 
 namespace saccade::eval {
 
-// Standard deviation of t' - t in seconds, where t' is the time that the sensor gives to the first ON
-// event of a pixel, and t is that of a sensor without jitter. Frames are `interval` apart, a multiple of
-// kEventTimeUnit. NaN where no pixel sends anything.
+// Standard deviation of t' - t in seconds. Here t' is the time that the sensor gives to the first ON event of
+// a pixel, and t that of a sensor without jitter. Frames are `interval` apart, a multiple of kEventTimeUnit.
+// NaN where no pixel sends anything.
 double measureTimeError(const SensorSetup& setup, TimeNs interval);
 
 // A normal distribution that is mirrored at the ends of an interval of length T is the heat kernel of a rod

@@ -18,8 +18,8 @@ namespace saccade {
 //   g' = q2 g + phi(0, a2) dL + phi(a1, a2) (a1 e - dL)
 //   dL becomes dL - (e' - e) - (g' - g)          [ours: the exact response to a ramp]
 //
-// R is the reference luminance. e is the lag of the photoreceptor, L minus its output, with a1. g is the lag
-// of the follower, whose a2 is the same everywhere.
+// R is the reference luminance. The lag of the photoreceptor is e, L minus its output, with a1. The lag of
+// the follower is g; its a2 is the same everywhere.
 //
 // I is the intensity at the end of the interval. Both lags are 0 at first: the pixels have seen the first
 // frame for long. Lags below 1e-7 become 0, so that a scene at rest comes to rest.

@@ -11,8 +11,9 @@ namespace saccade {
 //
 //   r(I) = shot_hz (1 - 3/4 min(I, R) / R), R the reference luminance; half of them are ON  [v2e]
 //
-// One process of the rate pixels * shot_hz proposes events at uniform pixels; one at a pixel of intensity I
-// is taken with the probability r(I) / shot_hz. This is the same process for each pixel, at a cost per event.
+// One process of the rate pixels * shot_hz proposes events at uniform pixels. An event at a pixel of
+// intensity I is taken with the probability r(I) / shot_hz. This is the same process for each pixel, at a
+// cost per event.
 class ShotNoise final : public NoiseSource {
  public:
   ShotNoise(const NoiseConfig& noise, std::uint64_t key, int width, int height);

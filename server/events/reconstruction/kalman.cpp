@@ -3,10 +3,10 @@
 //   k = P / (P + R),  P = (Q + sqrt(Q^2 + 4 Q R)) / 2
 //   Q = var_dI / (I_eps + I_prev)^2,  R = (2 - alpha) / alpha var_I_prev / (I_eps + I_prev)^2
 //
-// P is the variance of the prediction for constant Q and R: the fixed point of P = (1 - k) P + Q. [Ours; the
-// P of WNSM21 follows them frame by frame.] Without a change there is thus nothing to correct, at once: a
-// camera that stops makes no more events. Both variances are relative, which to first order makes them those
-// of a logarithm. var_I_prev replaces that of I_now, whose relative noise is much the same.
+// P is the variance of the prediction for constant Q and R: the fixed point of P = (1 - k) P + Q. Without a
+// change there is thus nothing to correct, at once: a camera that stops makes no more events. [Ours; the P of
+// WNSM21 follows them frame by frame.] Both variances are relative: to first order they are those of a
+// logarithm. The variance of I_now is replaced by var_I_prev: the relative noise is much the same.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -18,11 +18,11 @@
 namespace saccade {
 namespace {
 
-// The filter assumes that the errors of successive primals are independent, but those of an accumulated
-// primal have the correlation (1 - alpha)^n between frames n apart. A mean over many frames then has 1 + 2
-// sum (1 - alpha)^n = (2 - alpha) / alpha times the variance of independent ones. A sensor does not know the
-// method's alpha; this is the default of all methods that accumulate. With half of it R is too small by 2,
-// and k too large by sqrt 2.
+// The filter assumes that the errors of successive primals are independent. Those of an accumulated primal
+// have the correlation (1 - alpha)^n between frames n apart. A mean over many frames then has 1 + 2 sum (1 -
+// alpha)^n = (2 - alpha) / alpha times the variance of independent ones. A sensor does not know the method's
+// alpha; this is the default of all methods that accumulate. With half of it R is too small by 2, and k too
+// large by sqrt 2.
 //
 // The errors of an accumulated dI are correlated, too. Inflating Q as well, which equals inflating neither,
 // would give L^ the least error. Inflating R alone gives the change of L^ the least noise, and the change

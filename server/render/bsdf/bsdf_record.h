@@ -1,6 +1,6 @@
 // The arguments and results of BSDFs. Directions are unit vectors in the shading frame and point away from
-// the surface. wo points to the camera's side of the path, wi to where light comes from. z is the normal. The
-// normal of a dielectric points outside.
+// the surface. The camera's side of the path is at wo, and the light at wi. The normal is z. The normal of a
+// dielectric points outside.
 #pragma once
 
 #include "render/bsdf/bsdf_tables.h"

@@ -20,8 +20,8 @@ struct Node {
   float u, weight;
 };
 
-// The mean of at(wo, m) over the microfacets that are visible from cosine cos_o. wo lies in the xz plane, so
-// that by symmetry half of u2 is enough.
+// The mean of at(wo, m) over the microfacets that are visible from cosine cos_o. As wo lies in the xz plane,
+// half of u2 is enough by symmetry.
 template <class Function>
 auto meanOverNormals(const Microfacets& f, float cos_o, Function at) {
   const Vec3 wo{std::sqrt(1 - cos_o * cos_o), 0, cos_o};

@@ -1,4 +1,4 @@
-// The rays of a packet have come to their end: light found there is added, and paths that go on are moved to
+// The rays of a packet have come to their end. Light found there is added, and paths that go on are moved to
 // the next vertex.
 #pragma once
 

@@ -71,7 +71,7 @@ class BounceRays {
   RayPacket<W> packet_;
 };
 
-// What a bounce changes of the W paths from `first` on, where lanes have shaded it.
+// The changes of a bounce to the W paths from `first` on, where lanes have shaded it.
 template <int W, int C, bool kMixed>
 [[gnu::always_inline]] inline void keepBounce(const Batch<C>& b, int first, const Mask<W>& shaded,
                                               const Floats<W>& pdf,

@@ -8,7 +8,7 @@
 
 namespace saccade {
 
-// What surfaces scatter of light from `direction`, at this cosine with their shading normals.
+// The share of light from `direction` that surfaces scatter, at this cosine with their shading normals.
 template <int W, int C, bool kMixed>
 [[gnu::always_inline]] inline ScatteredLanes<W, C> evaluateLanes(const Batch<C>& b, int first,
                                                                  const Vec3T<Floats<W>>& direction,

@@ -14,7 +14,7 @@ struct PathNumbers {
   [[gnu::always_inline]] Floats<W> u(std::uint32_t dimension) const {
     return unit(mix32(key_low ^ ofUpperKey(dimension)));
   }
-  // What all paths with the same upper part of the key share.
+  // The numbers that all paths with the same upper part of the key share.
   [[gnu::always_inline]] Uints<W> ofUpperKey(std::uint32_t dimension) const {
     return mix32(Uints<W>(key_high + dimension * 0x9e3779b9u));
   }

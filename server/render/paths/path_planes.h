@@ -48,7 +48,7 @@ struct PlasticPlanes {
   Plane specular_probability;  // of sampling the interface
 };
 
-// What a path keeps from one vertex to the next. A path is at its vertex, and about to choose a direction.
+// The state of a path from one vertex to the next. A path is at its vertex, and about to choose a direction.
 template <int Channels>
 struct LivePaths {
   int count = 0;
@@ -67,7 +67,7 @@ struct LivePaths {
   std::array<Surface, kBatchRoom> surfaces;
 };
 
-// What paths have found, each at its own place.
+// The results of paths, each at its own place.
 template <int Channels>
 struct PathResults {
   ColorPlanes<Channels> radiance;

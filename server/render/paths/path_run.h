@@ -16,7 +16,7 @@ struct PathMemory {
   std::array<std::uint32_t, kBatchPaths> owners;
 };
 
-// What is a path's own, wherever it begins.
+// A path's own data, wherever it begins.
 struct NewPath {
   PathSampler sampler;
   std::uint32_t owner = 0;

@@ -1,11 +1,11 @@
-// The random numbers of the first vertices of paths whose samples are averaged over neighbours and frames:
-// they are spread evenly over any few of these. So the mean of n such samples has less noise than that of n
+// The random numbers of the first vertices of paths whose samples are averaged over neighbours and frames.
+// They are spread evenly over any few of these. So the mean of n such samples has less noise than that of n
 // random ones [ours].
 //
 // A number is a sum of whole multiples of irrational steps: one for each column, row, path of a pixel and
-// frame, from a random start for each dimension (Cranley and Patterson 1976). Steps of frames are the R
-// sequences of Roberts (2018), the others fractions of square roots of primes. After kRunFrames frames there
-// is a new start: otherwise errors that a moving camera keeps would never average out.
+// frame. Each dimension has a random start (Cranley and Patterson 1976). Steps of frames are the R sequences
+// of Roberts (2018), the others fractions of square roots of primes. After kRunFrames frames there is a new
+// start: otherwise errors that a moving camera keeps would never average out.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace saccade {
 
-// The lower part of a path's key holds its place: column, row, the number among the paths of its pixel, and
-// the frame within the run. The upper part is that of the run, and of what does not fit the place.
+// The lower part of a path's key holds its place: column, row, number among the paths of its pixel, and frame
+// within the run. The upper part is that of the run, and of what does not fit the place.
 class SequencePlace {
  public:
   static constexpr int kEdgeBits = 11, kPathBits = 8, kFrameBits = 2;

@@ -1,4 +1,4 @@
-// What paths over surfaces that are not all diffuse know besides, packed into LivePaths::state.
+// The further state of paths over surfaces that are not all diffuse, packed into LivePaths::state.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What lanes read of the shapes that rays hit: a row for each, by its geometry id.
+// The data that lanes read of the shapes that rays hit: a row for each, by its geometry id.
 #pragma once
 
 #include <array>

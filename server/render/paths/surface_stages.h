@@ -1,5 +1,5 @@
-// The stages that go path by path, because each path meets another kind of surface: what a ray has found, and
-// surfaces that are not plain diffuse. Compiled for each set of features (shading.h).
+// The stages that go path by path, because each path meets another kind of surface. They handle the end of a
+// ray, and surfaces that are not plain diffuse. Compiled for each set of features (shading.h).
 #pragma once
 
 #include "render/path_sampler.h"
@@ -30,7 +30,7 @@ template <int C>
 struct SurfaceStages {
   // Adds a path at its first vertex.
   void (*begin)(const PathStart& start, const PathSampler& sampler, std::uint32_t slot, LivePaths<C>& to);
-  // The ray of path i has come to its end: adds the light that it has found there to the results, and the
+  // The ray of path i has come to its end. Adds the light that it has found there to the results, and the
   // path to `to` if it goes on. `vertex` is the number of the vertex that the ray left.
   void (*arrive)(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_t i, const Arrival& at,
                  LivePaths<C>& to, PathResults<C>& results);

@@ -1,4 +1,4 @@
-// What all stages of a tile's paths read.
+// The input of all stages of a tile's paths.
 #pragma once
 
 #include "cache/bounce_grid.h"

@@ -35,8 +35,8 @@ CameraModel pinhole(double fov_x_deg, int width, int height);
 // The horizontal field of view that pinhole() takes to give fx.
 double fovXDeg(const CameraModel& camera);
 
-// The same view in pixels of another size: the width of the picture stays, and so does its centre. What the
-// new height lacks or adds is at the top and at the bottom.
+// The same view in pixels of another size: the width of the picture stays, and so does its centre. The rows
+// that the new height lacks or adds are at the top and at the bottom.
 CameraModel resized(const CameraModel& camera, int width, int height);
 
 }  // namespace saccade

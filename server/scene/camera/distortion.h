@@ -1,5 +1,5 @@
-// Lens distortion: from the point (x / z, y / z) of an ideal pinhole to the point where the lens shows it,
-// both in the plane at distance 1. Sources: OpenCV, modules calib3d (radial-tangential, "plumb_bob") and
+// Lens distortion. It maps the point (x / z, y / z) of an ideal pinhole to the point where the lens shows it.
+// Both lie in the plane at distance 1. Sources: OpenCV, modules calib3d (radial-tangential, "plumb_bob") and
 // fisheye (equidistant, Kannala and Brandt 2006). Kalibr and ROS have the same formulas.
 #pragma once
 

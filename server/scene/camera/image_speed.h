@@ -25,13 +25,13 @@ struct Twist {
 // Median over the view, in focal lengths per second: CameraModel::focal() pixels.
 double medianImageSpeed(const VisiblePoints& view, const Twist& camera, const Lens& lens);
 
-// The same for a camera that goes along `path`, poses relative to the one of the view, `step_s` seconds
-// apart: median over the view and the path.
+// The same for a camera that goes along `path`, poses relative to the one of the view and `step_s` seconds
+// apart. Median over the view and the path.
 double medianImageSpeed(const VisiblePoints& view, const std::vector<Pose>& path, double step_s,
                         const Lens& lens);
 
-// Appends how far the image of each point moves when the camera goes from one pose to another, both relative
-// to that of the view: focal lengths. Points that are behind at either are left out.
+// Appends how far the image of each point moves, in focal lengths, when the camera goes from one pose to
+// another. Both are relative to the pose of the view. Points that are behind at either are left out.
 void appendImageSteps(const VisiblePoints& view, const Pose& from, const Pose& to, const Lens& lens,
                       std::vector<double>& lengths);
 

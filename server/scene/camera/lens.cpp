@@ -15,8 +15,8 @@ Vec2 toFloat(PlanePoint p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y)};
 }
 
-// The largest distance from the centre of the plane that is shown by the corners of a picture `times` as
-// large; infinity where one shows nothing.
+// The largest distance from the centre of the plane that the corners of a picture `times` as large show. It
+// is infinity where one shows nothing.
 double distanceShown(const CameraModel& camera, double times) {
   double largest = 0;
   for (const double x : {-kMargin, camera.width - 1 + kMargin}) {

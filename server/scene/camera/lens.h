@@ -9,8 +9,8 @@
 
 namespace saccade {
 
-// Empty, or why no picture can be taken with this distortion: the lens folds the picture, or parts of it lie
-// too far from the viewing axis.
+// Empty, or why no picture can be taken with this distortion. The lens may fold the picture, or parts of it
+// lie too far from the viewing axis.
 std::string lensFault(const CameraModel& camera);
 
 class Lens {

@@ -19,7 +19,7 @@ struct PoseColumns {
 };
 
 // Whether a line that begins with '#' is a heading and no remark. It names a part of the quaternion, or it
-// begins with the time and has at least eight words. What stands before a colon does not count.
+// begins with the time and has at least eight words. Text before a colon does not count.
 bool namesColumns(std::string_view comment);
 
 // Reads names such as `#timestamp [ns],p_RS_R_x [m],...,q_RS_w [],...`, between commas or blanks. Throws

@@ -8,7 +8,7 @@ namespace saccade {
 // Below this angle the closed forms lose digits and the first terms of their series are exact.
 inline constexpr double kSmallAngle = 1e-4;
 
-// Where the body gets in one unit of time, when it turns by `turn`, a vector of radians, and moves by
+// The place of the body after one unit of time. It turns by `turn`, a vector of radians, and moves by
 // `travel`, both in its own axes.
 Pose screwStep(Vec3d turn, Vec3d travel);
 

@@ -65,9 +65,9 @@ class Trajectory {
 //   ESIM  `t,x,y,z,qx,qy,qz,qw`   whole nanoseconds, commas
 // A heading that names no unit of time has these units too. Other lines that begin with `#` are remarks.
 // Times become relative to the first; quaternions become unit length. `name` is the file's, for errors;
-// empty: errors name the line alone. Throws SceneError at a heading that is not understood, a wrong number of
-// fields, a number that is not finite, a position beyond 1e9, times that do not increase, a quaternion of
-// length 0, and unless there are 1 to 1,000,000 poses.
+// empty: errors name the line alone. Throws SceneError at an unknown heading, a wrong number of fields, a
+// number that is not finite, or a position beyond 1e9. The same holds for times that do not increase, a
+// quaternion of length 0, and for less than 1 or more than 1,000,000 poses.
 Trajectory parseTrajectory(std::string_view csv, const std::string& name);
 
 }  // namespace saccade

@@ -18,8 +18,8 @@ class FileLoads {
   // Adds the place in the scene's file to a message.
   using Locate = std::function<SceneError(const std::string& what)>;
 
-  // `load` reads one file. It runs on any thread beside the others, so it must write what no other writes.
-  // What it throws as SceneError is told as located(what).
+  // `load` reads one file. It runs on any thread beside the others, so it must write what no other writes. A
+  // SceneError that it throws is told as located(what).
   void add(Locate located, std::function<void()> load) {
     loads_.push_back({std::move(located), std::move(load)});
   }

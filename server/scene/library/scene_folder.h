@@ -12,7 +12,7 @@ namespace saccade {
 
 inline constexpr std::size_t kMaxEntryBytes = 1000;  // of each text of a SceneEntry
 
-// What a scene offers. All texts are UTF-8.
+// The parts of a scene that clients can ask for. All texts are UTF-8.
 struct SceneEntry {
   std::string name;
   std::string description;                // the first line of text in README.md, or why it cannot be read

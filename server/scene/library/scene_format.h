@@ -27,8 +27,8 @@ const SceneFormat& formatOf(const std::filesystem::path& path);
 // format is known.
 std::string formatFault(const std::filesystem::path& path);
 
-// The file of the scene in `folder`: "scene" with the extension of the first format that has a file there, or
-// of the first format at all.
+// The file of the scene in `folder`: "scene" with the extension of the first format that has a file there.
+// Where none has, that of the first format.
 std::filesystem::path sceneFileIn(const std::filesystem::path& folder);
 
 // Whether someone who gives `text` for a scene means a file rather than a name.

@@ -12,8 +12,8 @@ Mesh makeRectangle();
 // [-1, 1]^3, normals outwards, each face with uv in [0, 1]^2.
 Mesh makeCube();
 
-// The disk of radius 1 at z = 0, normal +z, as a polygon inscribed in it: its area is 1e-4 too small. u is
-// the radius, and v the angle from +x to +y in turns.
+// The disk of radius 1 at z = 0, normal +z, as a polygon inscribed in it; its area is 1e-4 too small. In uv,
+// u is the radius, and v the angle from +x to +y in turns.
 inline constexpr int kDiskCorners = 256;
 Mesh makeDisk();
 

@@ -1,9 +1,10 @@
-// Reads mesh files. The result is raw: in the space of the file, `positions` without the spare entry,
-// `normals` and `uvs` empty unless the file has them for every vertex. placeMesh() makes it part of a scene.
+// Reads mesh files. The result is raw: in the space of the file, `positions` without the spare entry.
+// `normals` and `uvs` are empty unless the file has them for every vertex. placeMesh() makes it part of a
+// scene.
 //
-// All functions throw SceneError, which names the line or the face: malformed text, an index out of range, a
-// number that is not finite, a mesh without triangles, a mesh beyond limits.h. Polygons become fans of
-// triangles, so they should be convex.
+// All functions throw SceneError, which names the line or the face. Causes are malformed text, an index out
+// of range, a number that is not finite, a mesh without triangles, or one beyond limits.h. Polygons become
+// fans of triangles, so they should be convex.
 #pragma once
 
 #include <string>
@@ -19,7 +20,7 @@ namespace saccade {
 Mesh loadObj(const std::string& path);
 Mesh parseObj(std::string_view bytes, const std::string& path);  // content of a file; `path` is for messages
 
-// PLY 1.0, ascii or binary of either byte order: vertices with x y z, nx ny nz, and u v or s t; faces with
+// PLY 1.0, ascii or binary of either byte order. Vertices have x y z, nx ny nz, and u v or s t; faces have
 // vertex_indices or vertex_index. Other properties and elements are ignored. Mesh::unread tells of colours.
 Mesh loadPly(const std::string& path);
 Mesh parsePly(std::string_view bytes, const std::string& path);

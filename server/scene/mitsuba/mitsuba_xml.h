@@ -18,7 +18,7 @@
 // radiance.
 //   <string name="strength" value="0:1, 0.05:1, 0.05:0.2"/>   keys, seconds:factor, times never decreasing
 //   <float name="strength_period" value="0.1"/>               seconds; with it, the keys repeat for ever
-// It is linear between keys and held before the first and after the last; two keys at one time switch, and at
+// It is linear between keys and held before the first and after the last. Two keys at one time switch; at
 // that time the later one holds. Every frame shows the factor at its time, not a mean over the time since the
 // frame before.
 #pragma once

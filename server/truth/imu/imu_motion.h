@@ -1,4 +1,4 @@
-// What an IMU without noise measures on a path.
+// The measurement of an IMU without noise on a path.
 #pragma once
 
 #include "scene/camera/trajectory.h"

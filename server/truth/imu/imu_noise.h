@@ -12,7 +12,7 @@ class ImuNoise {
  public:
   explicit ImuNoise(const ImuConfig& config);
 
-  // What is added to sample 1, 2, ...: equal for equal configs, whatever was asked before.
+  // The noise of sample 1, 2, ...: equal for equal configs, in whatever order it is asked for.
   ImuReading at(std::uint64_t sample);
 
  private:

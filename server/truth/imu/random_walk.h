@@ -11,7 +11,7 @@ double normalAt(std::uint64_t key);
 
 // The place after so many independent steps of variance 1, from 0: equal for equal keys, whatever was asked
 // before. Levy's construction of Brownian motion halves intervals, and the intervals around the last step are
-// kept: the next step costs two normal numbers on average, and any other one at most 40.
+// kept. The next step costs two normal numbers on average, and any other one at most 40.
 class RandomWalk {
  public:
   explicit RandomWalk(std::uint64_t key);
