@@ -2,8 +2,8 @@
 //
 // A client gets the header of an AEDAT 4 file, without the line before it, and then packets of events. A port
 // has one stream of one type, and no packet is empty: another type ends a program of dv-processing. The
-// protocol cannot tell of a loss, so a viewer that is too slow is cut. Sources: dv-processing
-// io/network_writer.hpp, io/network_reader.hpp.
+// protocol cannot tell of a loss, so a viewer that is too slow is cut.
+// Sources: dv-processing io/network_writer.hpp, io/network_reader.hpp.
 #pragma once
 
 #include <chrono>

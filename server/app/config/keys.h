@@ -10,8 +10,8 @@
 namespace saccade {
 
 // The keys and connection limits of all sockets. Throws std::runtime_error or std::invalid_argument naming
-// the option. Faults: one key file alone, an unreadable key file, or an address that is open to other
-// machines without keys and without `insecure`.
+// the option: only one of the two key files is given, or one cannot be read. Throws too if an address is open
+// to other machines without keys and without `insecure`.
 Access openAccess(const Config& config);
 
 // The keys with which viewers are clients of this server; nothing: there are no viewers. Throws as
