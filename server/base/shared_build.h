@@ -82,13 +82,20 @@ class SharedBuild {
     if (!changed_.wait(lock, stop, may_join)) throw Cancelled();
     ended_.clear();
     const auto [entry, is_new] = running_.try_emplace(key);
-    const std::shared_ptr<Job> job = entry->second.job;
-    ++job->waiting;
-    if (is_new) {
-      entry->second.thread = std::jthread(
-          [this, key, job, build = std::move(build)]() mutable { run(key, *job, std::move(build)); });
+    if (is_new) start(entry, std::move(build));
+    ++entry->second.job->waiting;
+    return entry->second.job;
+  }
+
+  void start(const typename std::map<Key, Running>::iterator& entry, Build build) {
+    try {
+      entry->second.thread =
+          std::jthread([this, key = entry->first, job = entry->second.job,
+                        build = std::move(build)]() mutable { run(key, *job, std::move(build)); });
+    } catch (...) {  // the system has no thread
+      running_.erase(entry);
+      throw;
     }
-    return job;
   }
 
   // Waits for the end of the build, or for the stop.
