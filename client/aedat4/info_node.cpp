@@ -83,7 +83,7 @@ Stream streamOf(pugi::xml_node node) {
   Stream stream{0, valueOf(node, kTypeKey), sizeOf(node)};
   const std::string_view name = node.attribute("name").value();
   if (std::from_chars(name.data(), name.data() + name.size(), stream.id).ec != std::errc())
-    throw std::runtime_error("names a stream '" + std::string(name) + "', which is no number");
+    throw std::runtime_error("names a stream '" + std::string(name) + "', which is not a number");
   return stream;
 }
 

@@ -75,7 +75,7 @@ Picture readPicture(const std::string& file, std::optional<Transfer> transfer) {
 }
 
 std::string videoAdvice(const std::string& file) {
-  return "'" + file + "' is no single picture; of a video, let ffmpeg make the frames: ffmpeg -i " + file +
+  return "'" + file + "' is not a single picture; of a video, let ffmpeg make the frames: ffmpeg -i " + file +
          " -f rawvideo -pix_fmt grayf32le - | saccade events - --size WIDTHxHEIGHT --rate HZ --transfer srgb";
 }
 

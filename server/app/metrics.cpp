@@ -94,7 +94,7 @@ void addScenes(Families& all, const SceneCache& scenes) {
 }
 
 void addProcess(Families& all) {
-  all.counter("saccade_dropped_log_lines_total", "Log lines dropped since nobody read them in time.");
+  all.counter("saccade_dropped_log_lines_total", "Log lines dropped because the log's reader was too slow.");
   all.value(static_cast<double>(droppedLogLines()));
   const ProcessUsage usage = processUsage();
   all.counter("process_cpu_seconds_total", "User and system CPU time.");

@@ -30,7 +30,7 @@ using Addresses = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
 Addresses resolve(const std::string& endpoint) {
   const std::size_t colon = endpoint.rfind(':');
   if (!endpoint.starts_with(kScheme) || colon < kScheme.size())
-    throw std::runtime_error(endpoint + " is no address such as http://127.0.0.1:5773");
+    throw std::runtime_error(endpoint + " is not an address such as http://127.0.0.1:5773");
   std::string host = endpoint.substr(kScheme.size(), colon - kScheme.size());
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
   addrinfo hints{};

@@ -60,7 +60,7 @@ std::string ipcFault(const std::string& endpoint) {
   const std::string path = endpoint.substr(kScheme.size());
   struct stat file {};
   if (lstat(path.c_str(), &file) != 0) return {};
-  if (!S_ISSOCK(file.st_mode)) return path + " is a file that is no socket";
+  if (!S_ISSOCK(file.st_mode)) return path + " is a file and not a socket";
   return answers(path) ? "another server listens there" : "";
 }
 

@@ -79,7 +79,7 @@ TEST_F(CheckConfig, TwoSocketsNeedTwoAddresses) {
 
 TEST_F(CheckConfig, AnAddressMustBeOfItsKind) {
   for (const std::string wrong : {"http://127.0.0.1:5770", "pgm://eth0:5", "5770"})
-    expectFault({"--control", wrong}, {"--control: '" + wrong + "' is no endpoint such as tcp://"});
+    expectFault({"--control", wrong}, {"--control: '" + wrong + "' is not an endpoint such as tcp://"});
   expectFault({"--control", "tcp://127.0.0.1:99999"}, {"tcp://127.0.0.1:99999"});
   expectFault({"--http", "5773"}, {"--http: '5773' is neither off nor an address"});
 }
@@ -87,7 +87,7 @@ TEST_F(CheckConfig, AnAddressMustBeOfItsKind) {
 // ZeroMQ removes the file of an ipc address before it listens there.
 TEST_F(CheckConfig, AnIpcAddressTakesNoFileOfOthers) {
   const std::string file = touch("thesis", "kept"), socket = "ipc://" + folder_.at("socket");
-  expectFault({"--control", "ipc://" + file}, {file + " is a file that is no socket"});
+  expectFault({"--control", "ipc://" + file}, {file + " is a file and not a socket"});
   EXPECT_EQ(std::filesystem::file_size(file), 4u);
   ServerProcess other({"--control", socket});
   expectFault({"--control", socket}, {socket + ": another server listens there"});

@@ -109,11 +109,11 @@ TEST_F(Sources, AFaultNamesItsPlace) {
 
 TEST_F(Sources, ATextWithoutQuotesIsToldToWantThem) {
   for (const char* value : {"tcp://127.0.0.1:1", "debug", "info", "/usr/share", "127.0.0.1:1"}) {
-    EXPECT_NE(fault(std::string("data = ") + value + "\n").find("a text wants quotes"), std::string::npos)
+    EXPECT_NE(fault(std::string("data = ") + value + "\n").find("strings need quotes"), std::string::npos)
         << value;
   }
   for (const char* line : {"data = \"a", "data = ", "data = \"b\"\ndata = \"c\""}) {
-    EXPECT_EQ(fault(std::string(line) + "\n").find("a text wants quotes"), std::string::npos) << line;
+    EXPECT_EQ(fault(std::string(line) + "\n").find("strings need quotes"), std::string::npos) << line;
   }
 }
 

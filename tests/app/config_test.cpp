@@ -59,7 +59,7 @@ TEST(Config, AFaultEndsItNamingThePlace) {
 TEST(Config, APortAloneIsNoEndpoint) {
   const Said said = check({"--control", "6140"});
   EXPECT_EQ(said.status, 2);
-  EXPECT_NE(said.text.find("--control: '6140' is no endpoint such as tcp://127.0.0.1:5770"),
+  EXPECT_NE(said.text.find("--control: '6140' is not an endpoint such as tcp://127.0.0.1:5770"),
             std::string::npos)
       << said.text;
   EXPECT_EQ(check({"--control", "ipc://config_test.sock"}).status, 0);

@@ -264,7 +264,7 @@ TEST_F(Aedat4Test, AFaultNamesItsPlace) {
   EXPECT_EQ(faultOf(contentOf(events, "<dv/>")), "the header has no node outInfo");
   EXPECT_EQ(faultOf(contentOf(events, infoOf(streamOf("0", "FRME")))), "has no stream of events (EVTS)");
   EXPECT_EQ(faultOf(contentOf(events, infoOf(streamOf("a", "EVTS")))),
-            "the header names a stream 'a', which is no number");
+            "the header names a stream 'a', which is not a number");
   EXPECT_EQ(faultOf(contentOf(events, infoOf(streamOf("0", "EVTS", "40000")))),
             "the header has the sizeX '40000', which is not a number from 1 to 32768");
   EXPECT_EQ(faultOf(contentOf(events, infoOf(streamOf("0", "EVTS")), Compression(5))),

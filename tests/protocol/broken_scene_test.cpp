@@ -55,8 +55,8 @@ TEST_F(BrokenScene, WithAFifoIsListedAndRefusedAtOnce) {
   ASSERT_EQ(scenes.scenes_size(), 3);
   EXPECT_NE(scenes.scenes(0).unavailable().find("fifo/scene.xml: cannot be read"), std::string::npos);
   EXPECT_NE(scenes.scenes(2).unavailable().find("is not UTF-8"), std::string::npos);
-  expectUnavailable(server, "fifo", "scene.xml: cannot be read: is no plain file");
-  expectUnavailable(server, "mesh", "a.obj: cannot be read: is no plain file");
+  expectUnavailable(server, "fifo", "scene.xml: cannot be read: is not a plain file");
+  expectUnavailable(server, "mesh", "a.obj: cannot be read: is not a plain file");
 }
 
 }  // namespace

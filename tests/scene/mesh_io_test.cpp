@@ -193,7 +193,8 @@ TEST(MeshFiles, AreNoLargerThanTheirLimit) {
 TEST(MeshFiles, AFifoIsNotWaitedFor) {
   const Scratch files;
   ASSERT_EQ(mkfifo(files.path("a.obj").c_str(), 0600), 0);
-  expectContains(errorOf([&] { loadObj(files.path("a.obj")); }), "a.obj: cannot be read: is no plain file");
+  expectContains(errorOf([&] { loadObj(files.path("a.obj")); }),
+                 "a.obj: cannot be read: is not a plain file");
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ TEST(ParseMotion, ReadsKindAndSpeed) {
   EXPECT_EQ(parseMotion("pan:-15")->speed, -15);
   EXPECT_EQ(parseMotion("dolly:2e-1")->speed, 0.2);
   EXPECT_FALSE(parseMotion("right"));
-  expectContains(errorOf([] { parseMotion("fly:1"); }), "'fly' is no motion; there are: dolly, truck");
+  expectContains(errorOf([] { parseMotion("fly:1"); }), "'fly' is not a motion; there are: dolly, truck");
   for (const std::string text : {"pan:", "pan:fast", "pan:1:2", "pan:nan"})
     expectContains(errorOf([&] { parseMotion(text); }), "'" + text + "' is not KIND:SPEED");
   expectContains(errorOf([] { parseMotion("pan:0"); }), "of either sign: 0 is outside");

@@ -51,10 +51,10 @@ class OddFolders : public testing::Test {
 TEST_F(OddFolders, AFifoOrAFolderIsNoSceneFile) {
   fs::create_directories(at("fifo"));
   makeFifo("fifo/scene.xml");
-  expectUnavailable("fifo", "fifo/scene.xml: cannot be read: is no plain file");
+  expectUnavailable("fifo", "fifo/scene.xml: cannot be read: is not a plain file");
   fs::remove_all(at("fifo"));
   fs::create_directories(at("folder/scene.xml"));
-  expectUnavailable("folder", "folder/scene.xml: cannot be read: is no plain file");
+  expectUnavailable("folder", "folder/scene.xml: cannot be read: is not a plain file");
 }
 
 TEST_F(OddFolders, LinksInCirclesAreToldBySceneAndHurtNoOther) {
@@ -110,7 +110,7 @@ TEST_F(OddFolders, AFifoAsTrajectoryIsNamed) {
   fs::create_directories(at("good/trajectories"));
   makeFifo("good/trajectories/path.csv");
   expectContains(errorOf([&] { SceneLibrary(at("")).loadTrajectory("good", "path"); }),
-                 "path.csv: cannot be read: is no plain file");
+                 "path.csv: cannot be read: is not a plain file");
 }
 }  // namespace
 }  // namespace saccade

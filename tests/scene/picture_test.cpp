@@ -47,7 +47,7 @@ TEST(Picture, AFifoIsNotWaitedFor) {
   const Scratch files;
   ASSERT_EQ(mkfifo(files.path("a.png").c_str(), 0600), 0);
   expectContains(errorOf([&] { loadPicture(files.path("a.png"), PixelUse::kReflectance); }),
-                 "a.png: cannot be read: is no plain file");
+                 "a.png: cannot be read: is not a plain file");
 }
 
 // The 1.5 GiB that its pixels would take are not asked for.

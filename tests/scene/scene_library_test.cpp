@@ -31,10 +31,10 @@ TEST(SceneLibrary, NoNameLeadsOutOfTheFolder) {
 
 TEST(SceneLibrary, AFileInPlaceOfANameIsToldAsThat) {
   const SceneLibrary library(kScenes);
-  expectContains(library.unknown("my.obj"), "my.obj is no Mitsuba scene; only .xml is read; there are: ");
+  expectContains(library.unknown("my.obj"), "my.obj is not a Mitsuba scene; only .xml is read; there are: ");
   for (const std::string blender : {"my.gltf", "my.glb", "my.blend"})
     expectContains(library.unknown(blender), blender +
-                                                 " is no Mitsuba scene; only .xml is read, which "
+                                                 " is not a Mitsuba scene; only .xml is read, which "
                                                  "Blender's add-on mitsuba-blender exports; there are: ");
   expectContains(library.unknown("mine/scene.xml"), "mine/scene.xml is a file; give the name of a scene");
   expectContains(library.unknown("mine"), "no scene is named 'mine'; there are: ");

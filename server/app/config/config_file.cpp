@@ -29,7 +29,7 @@ std::string faultText(const toml::parse_error& fault) {
   const std::string text(fault.description());
   const auto says = [&](const char* words) { return text.find(words) != std::string::npos; };
   if (!says("parsing") || says("parsing string") || says("parsing key")) return text;
-  return text + "; a text wants quotes, such as log-level = \"debug\"";
+  return text + "; strings need quotes, such as log-level = \"debug\"";
 }
 
 }  // namespace

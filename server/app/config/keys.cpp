@@ -28,7 +28,7 @@ void requireLoopback(const Config& config, const char* advice) {
   for (const auto& [option, endpoint] : endpoints) {
     if (isLoopback(endpoint)) continue;
     throw std::runtime_error(std::string(option) + ": " + endpoint +
-                             " is no address of loopback, such as 127.0.0.1 or localhost" + advice);
+                             " is not a loopback address such as 127.0.0.1 or localhost" + advice);
   }
 }
 

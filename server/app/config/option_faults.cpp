@@ -30,7 +30,7 @@ bool hasPort(std::string_view text) {
 
 std::string endpointFault(const std::string& text) {
   if (text.starts_with("ipc://") || (text.starts_with("tcp://") && hasPort(text))) return {};
-  return inQuotes(text) + " is no endpoint such as tcp://127.0.0.1:5770";
+  return inQuotes(text) + " is not an endpoint such as tcp://127.0.0.1:5770";
 }
 
 std::string httpFault(const std::string& text) {

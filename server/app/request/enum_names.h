@@ -19,8 +19,9 @@ Enum resolveEnum(const std::string& field, Enum value, Enum fallback) {
   if (names->FindValueByNumber(value)) return value;
   std::vector<std::string> valid;
   for (int i = 1; i < names->value_count(); ++i) valid.push_back(names->value(i)->name());
-  throw Refusal(v1::CODE_INVALID_ARGUMENT, field,
-                std::to_string(value) + " is no " + names->name() + "; valid: " + joinNames(valid));
+  throw Refusal(
+      v1::CODE_INVALID_ARGUMENT, field,
+      std::to_string(value) + " is not a value of " + names->name() + "; valid: " + joinNames(valid));
 }
 
 // A value's name in lower case and without its prefix: "kalman" of RECONSTRUCTION_KALMAN without

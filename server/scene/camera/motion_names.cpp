@@ -53,7 +53,7 @@ std::optional<Motion> parseMotion(const std::string& text) {
   if (colon == text.npos) return {};
   const std::string kind = text.substr(0, colon);
   if (std::find(motionKinds().begin(), motionKinds().end(), kind) == motionKinds().end())
-    throw SceneError("'" + kind + "' is no motion; there are: " + joinNames(motionKinds()));
+    throw SceneError("'" + kind + "' is not a motion; there are: " + joinNames(motionKinds()));
   const auto speed = parseNumber(std::string_view(text).substr(colon + 1));
   if (!speed) throw SceneError("'" + text + "' is not KIND:SPEED, such as dolly:0.2 or pan:-15");
   if (const std::string fault = speedFault(kind, *speed); !fault.empty())

@@ -23,7 +23,7 @@ class PlainFile {
     size_ = static_cast<std::size_t>(status.st_size);
     if (plain) return;
     close(fd_);
-    fail("is no plain file");
+    fail("is not a plain file");
   }
   ~PlainFile() { close(fd_); }
   PlainFile(const PlainFile&) = delete;

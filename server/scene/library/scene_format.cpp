@@ -40,7 +40,7 @@ std::string formatFault(const fs::path& path) {
   if (findFormat(path)) return {};
   const std::string extension = path.extension().string();
   const bool opens_in_blender = extension == ".gltf" || extension == ".glb" || extension == ".blend";
-  return path.string() + " is no " + join(&SceneFormat::name) + " scene; only " +
+  return path.string() + " is not a " + join(&SceneFormat::name) + " scene; only " +
          join(&SceneFormat::extension) + " is read" +
          (opens_in_blender ? ", which Blender's add-on mitsuba-blender exports" : "");
 }

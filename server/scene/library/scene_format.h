@@ -23,8 +23,8 @@ const std::vector<SceneFormat>& sceneFormats();
 
 // The format of a file, by its extension. Throws SceneError with formatFault().
 const SceneFormat& formatOf(const std::filesystem::path& path);
-// "a.obj is no Mitsuba scene; only .xml is read", and what exports it from Blender's formats; empty where the
-// format is known.
+// "a.obj is not a Mitsuba scene; only .xml is read", and what exports it from Blender's formats; empty where
+// the format is known.
 std::string formatFault(const std::filesystem::path& path);
 
 // The file of the scene in `folder`: "scene" with the extension of the first format that has a file there.

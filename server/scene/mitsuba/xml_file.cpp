@@ -129,7 +129,7 @@ pugi::xml_node XmlFile::resolve(pugi::xml_node node) const {
     return found->second;
   std::vector<std::string> names;
   for (const auto& [name, target] : ids_) names.push_back(name);
-  throw error(node, "ref to '" + id + "', which is no object before this line; ids: " + joinNames(names));
+  throw error(node, "ref to '" + id + "', which names no object before this line; ids: " + joinNames(names));
 }
 
 std::string XmlFile::locate(pugi::xml_node at, const std::string& filename) const {
