@@ -1,5 +1,5 @@
-// The values that a bake keeps at a vertex. It is small, because frames read it here and there in a large
-// memory.
+// The values that a bake keeps at a vertex. They are small, because frames read them here and there in a
+// large memory.
 #pragma once
 
 #include <immintrin.h>

@@ -2,6 +2,7 @@
 import json
 import re
 import subprocess
+import unittest
 
 FREE = "tcp://127.0.0.1:0"
 
@@ -59,9 +60,12 @@ class Page:
 
     def open(self, delivery="DELIVERY_LIVE", width=32, threshold=0.1, **options):
         """Opens a small stream without end; options are those of its timing. Returns StreamOpened."""
-        return self.call("openStream", scene="cornell-box", view={"width": width, "height": width * 3 // 4},
+        reply = self.call("openStream", scene="cornell-box", view={"width": width, "height": width * 3 // 4},
                          trajectory={"name": "right"}, timing={"frameRateHz": 500, "clock": "CLOCK_PACED", **options},
-                         sensors=[{"threshold": threshold}], delivery=delivery)["openStream"]
+                         sensors=[{"threshold": threshold}], delivery=delivery)
+        if reply["status"].get("field") == "delivery":  # the system's libzmq has no broadcasts
+            raise unittest.SkipTest(reply["status"]["message"])
+        return reply["openStream"]
 
     def streams(self):
         """Ids of all streams of the server."""
