@@ -45,8 +45,7 @@ void closeUpgraded(MHD_UpgradeResponseHandle* handle) {
   MHD_upgrade_action(handle, MHD_UPGRADE_ACTION_CLOSE);
 }
 
-// A client of the protocol waits for the answer. Bytes that it sent before (`early`) are not part of the
-// message.
+// A client of the protocol waits for the answer: one that has sent bytes before (`early`) is refused.
 void take(void* site, MHD_Connection*, void* upgrade, const char*, std::size_t early, MHD_socket fd,
           MHD_UpgradeResponseHandle* handle) {
   UpgradedSocket socket{fd, {handle, closeUpgraded}};

@@ -7,9 +7,9 @@
 
 namespace saccade {
 
-// Radiance from infinitely far away, in all directions. The picture shows the unit direction (x, y, z) of its
-// own space at atan2(x, -z) / 2 pi of its width, modulo 1. Its height from the top is acos(y) / pi, as in
-// Mitsuba.
+// Radiance from infinitely far away, in all directions. The picture shows the unit direction (x, y, z) of
+// its own space at atan2(x, -z) / 2 pi of the picture's width, modulo 1. That is at acos(y) / pi of the
+// picture's height from the top, as in Mitsuba.
 struct Environment {
   Rgb radiance;     // of all directions, or a factor on the picture
   Picture picture;  // linear, at least 0; without pixels: `radiance` alone

@@ -1,9 +1,9 @@
 // The queue of one stream's packets, from the thread that makes them to the one that sends them. It bounds
 // the memory that they take.
 //
-// A full queue either holds its producer, who asks hasRoom() before each frame. Or it drops its oldest
-// packets of events and truth as the producer begins a frame. Then dropped_before of the channel's next
-// packet tells how many. Snapshots, END and ERROR are never dropped.
+// A full queue holds its producer, who asks hasRoom() before each frame. Or it drops its oldest packets
+// of events and truth as the producer begins a frame. Then dropped_before of the channel's next packet
+// tells how many. Snapshots, END and ERROR are never dropped.
 //
 // Sent packets stay until they are acknowledged, in kKeptBounds times the bound, so that a client may resume
 // on another connection. A client loses nothing if it gives at most one bound of credit and acknowledges when

@@ -40,8 +40,8 @@ class ResultTable {
 // Prints the main columns on stdout.
 void printTable(const ResultTable& table);
 
-// Returns the row of `name`, method and spp. If `table` has none, runs the method on `bench` with the seeds 1
-// to o.repeats. Scores it against the truth of `truth`, and adds the row.
+// Returns the row of `name`, method and spp. If `table` has none, it is made and added. Then the method runs
+// on `bench` with the seeds 1 to o.repeats, and is scored against the truth of `truth`.
 Result measure(const Bench& truth, const Bench& bench, const std::string& name, const MethodSpec& method,
                int spp, const BenchOptions& o, ResultTable& table);
 // Against its own truth.

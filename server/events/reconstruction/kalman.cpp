@@ -3,10 +3,11 @@
 //   k = P / (P + R),  P = (Q + sqrt(Q^2 + 4 Q R)) / 2
 //   Q = var_dI / (I_eps + I_prev)^2,  R = (2 - alpha) / alpha var_I_prev / (I_eps + I_prev)^2
 //
-// P is the variance of the prediction for constant Q and R: the fixed point of P = (1 - k) P + Q. Without a
-// change there is thus nothing to correct, at once: a camera that stops makes no more events. [Ours; the P of
-// WNSM21 follows them frame by frame.] Both variances are relative: to first order they are those of a
-// logarithm. The variance of I_now is replaced by var_I_prev: the relative noise is much the same.
+// P is the variance of the prediction for constant Q and R: the fixed point of P = (1 - k) P + Q. This is
+// ours: the P of WNSM21 follows Q and R frame by frame. Without a change there is thus nothing to
+// correct, at once: a camera that stops makes no more events. Both variances are relative: to first order
+// they are those of a logarithm. The variance of I_now is replaced by var_I_prev: the relative noise is
+// much the same.
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -26,9 +26,10 @@ struct Motion {
   std::string kind;          // one of motionKinds()
   double speed = 0;          // as above
   bool image_speed = false;  // the speed is the median of the images at the start, focal lengths per second
-  // When to turn back, and again at the start, and so on: at least 1e-3. 0: never. Unset: after kTurnTime. A
-  // dolly turns sooner, when it has gone a quarter of the way to the nearest surface. An orbit turns when it
-  // has gone by kMaxOrbitRad. So both stay in the scene. Of no use to shake, which is periodic.
+  // When to turn back, and again at the start, and so on: at least 1e-3. 0: never. Unset: after
+  // kTurnTime. A dolly may turn sooner, when it has gone a quarter of the way to the nearest surface. So
+  // may an orbit, when it has turned by kMaxOrbitRad. So both stay in the scene. Of no use to shake,
+  // which is periodic.
   std::optional<double> turn_s = {};
   std::uint64_t seed = 0;  // of shake
 };
