@@ -173,7 +173,7 @@ std::chrono::nanoseconds TilePool::runJob(Job& job) {
   workers_->submit(job);
   job.done.wait(lock, [&] { return job.next == job.count && job.running == 0; });
   chain_time += std::max(job.cpu / threads(), job.longest);
-  if (job.stop.stop_requested()) throw Cancelled();
+  throwIfStopped(job.stop);
   if (job.fault) std::rethrow_exception(job.fault);
   return job.cpu;
 }

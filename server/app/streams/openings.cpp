@@ -1,7 +1,7 @@
 #include "app/streams/openings.h"
 
+#include "base/cancelled.h"
 #include "base/text_cut.h"
-#include "base/tile_pool.h"
 
 namespace saccade {
 
@@ -23,7 +23,7 @@ void Openings::setScene(Opening& opening, const std::string& scene) {
 }
 
 void Openings::begin(Opening& opening, const char* doing) {
-  if (opening.stop.stop_requested()) throw Cancelled();
+  throwIfStopped(opening.stop.get_token());
   std::lock_guard lock(mutex_);
   opening.doing = doing, opening.done = 0;
 }

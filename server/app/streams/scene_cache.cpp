@@ -18,30 +18,33 @@ std::string mib(std::uint64_t bytes) {
 
 }  // namespace
 
-bool SceneCache::Version::operator==(const Version& other) const {
-  return changed == other.changed && !whole.owner_before(other.whole) && !other.whole.owner_before(whole);
+bool SceneCache::Version::operator<(const Version& other) const {
+  return changed != other.changed ? changed < other.changed : whole.owner_before(other.whole);
 }
 
 SceneCache::ScenePtr SceneCache::get(const std::string& name, const std::stop_token& stop,
                                      const std::function<void(double)>& progress) {
-  const Key key{name, {}};
-  const Version version{library_.lastChange(name), {}};
-  if (auto scene = find(key, version)) return scene;
-  const auto loadIt = [=, this](const BuildContext& context) {
-    return build(key, version, [&] { return load(name, version.changed, context); });
-  };
-  return builds_.get({name, {}, version.changed, nullptr}, stop, loadIt, progress);
+  const FileTime changed = library_.lastChange(name);
+  const auto make = [=, this](const BuildContext& context) { return load(name, changed, context); };
+  return getOrBuild({name, {}}, {changed, {}}, stop, make, progress);
 }
 
 SceneCache::ScenePtr SceneCache::simplify(const std::string& name, const ScenePtr& whole,
                                           const SceneFeatures& disabled, const std::stop_token& stop) {
   if (disabled.empty()) return whole;
-  const Key key{name, disabled};
-  const Version version{{}, whole};
-  if (auto scene = find(key, version)) return scene;
-  return builds_.get({name, disabled, {}, whole.get()}, stop, [=, this](const BuildContext&) {
-    return build(key, version, [&] { return prepare(name, simplified(whole->description(), disabled)); });
+  return getOrBuild({name, disabled}, {{}, whole}, stop, [=, this](const BuildContext&) {
+    return prepare(name, simplified(whole->description(), disabled));
   });
+}
+
+SceneCache::ScenePtr SceneCache::getOrBuild(const Key& key, const Version& version,
+                                            const std::stop_token& stop, const Builds::Build& make,
+                                            const Builds::Progress& progress) {
+  if (auto scene = find(key, version)) return scene;
+  const auto buildIt = [=, this](const BuildContext& context) {
+    return build(key, version, [&] { return make(context); });
+  };
+  return builds_.get({key, version}, stop, buildIt, progress);
 }
 
 // The scene that is kept; another thread may just have built it.

@@ -11,7 +11,6 @@
 #include <mutex>
 #include <stop_token>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -69,7 +68,8 @@ class SceneCache {
   struct Version {
     FileTime changed = {};
     std::weak_ptr<const RenderScene> whole = {};
-    bool operator==(const Version& other) const;
+    bool operator<(const Version& other) const;
+    bool operator==(const Version& other) const { return !(*this < other) && !(other < *this); }
   };
   struct Entry {
     Version version;
@@ -84,10 +84,10 @@ class SceneCache {
     FileTime changed;
     SceneNote note;
   };
-  // Name, what is disabled, and the version.
-  using BuildKey = std::tuple<std::string, SceneFeatures, FileTime, const RenderScene*>;
-  using Builds = SharedBuild<BuildKey, RenderScene>;
+  using Builds = SharedBuild<std::pair<Key, Version>, RenderScene>;
 
+  ScenePtr getOrBuild(const Key& key, const Version& version, const std::stop_token& stop,
+                      const Builds::Build& make, const Builds::Progress& progress = {});
   ScenePtr build(const Key& key, const Version& version, const std::function<ScenePtr()>& make);
   ScenePtr find(const Key& key, const Version& version);
   void enter(const Key& key, const Version& version);
