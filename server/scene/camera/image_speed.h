@@ -25,8 +25,8 @@ struct Twist {
 // Median over the view, in focal lengths per second: CameraModel::focal() pixels.
 double medianImageSpeed(const VisiblePoints& view, const Twist& camera, const Lens& lens);
 
-// The same for a camera that goes along `path`, poses relative to the one of the view and `step_s` seconds
-// apart. Median over the view and the path.
+// Median over the view and the path, for a camera that goes along `path`. Its poses are relative to the one
+// of the view, and `step_s` seconds apart.
 double medianImageSpeed(const VisiblePoints& view, const std::vector<Pose>& path, double step_s,
                         const Lens& lens);
 
