@@ -91,50 +91,50 @@ CutPlanes CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
   CutPlanes planes;
   if (!obstacles_) return planes;
   const Vec3 n = on_.place(p.index).normal;
-  Obstacles::ProbeRays ways;
+  Obstacles::ProbeRays rays;
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
     const Vec3 d = kDirections[i], from = p.position + n * (isDownwards(d, n) ? -h * kClose : h * kLift);
-    ways[i] = {from, d, std::max(0.f, dot(d, place - from) + h)};
+    rays[i] = {from, d, std::max(0.f, dot(d, place - from) + h)};
   }
   // To what is neither beside nor above the point, but across the vertex from it.
   const Vec3 across = place - p.position, along_surface = across - n * dot(across, n);
   if (const float distance = length(along_surface); distance > 0)
-    ways[kDirections.size()] = {p.position + n * (h * kLift), along_surface / distance, distance + h};
-  const Obstacles::Hits met = obstacles_->find(ways);
+    rays[kDirections.size()] = {p.position + n * (h * kLift), along_surface / distance, distance + h};
+  const Obstacles::Hits met = obstacles_->find(rays);
   std::array<std::size_t, kDirections.size() + 1> order{0, 1, 2, 3, 4, 5, 6};
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return met[i].distance; });
   for (const std::size_t i : order) {  // the nearest first
     if (!std::isfinite(met[i].distance)) break;
-    const Vec3 hit = ways[i].from + ways[i].along * met[i].distance;
+    const Vec3 hit = rays[i].from + rays[i].along * met[i].distance;
     const CutPlane plane =
-        isDownwards(ways[i].along, n) ? planeAt((hit + p.position) * 0.5f, n) : planeAt(hit, met[i].normal);
+        isDownwards(rays[i].along, n) ? planeAt((hit + p.position) * 0.5f, n) : planeAt(hit, met[i].normal);
     const CutPlane facing = plane.facing(p.position);
-    if (planes.lack(facing) && isWall(ways[i], met[i], n, h)) planes.add(facing);
+    if (planes.lack(facing) && isWall(rays[i], met[i], n, h)) planes.add(facing);
   }
   return planes;
 }
 
 // Whether a surface of normal n goes on behind what has been met.
-bool CutSearch::isWall(const Obstacles::ProbeRay& way, const Obstacle& met, Vec3 n, float h) const {
-  if (isDownwards(way.along, n)) return isAlike(met.normal, n);
-  return dot(way.along, n) > kSide ? isAbove(way, met, n, h) : isBeside(way, met, n, h);
+bool CutSearch::isWall(const Obstacles::ProbeRay& ray, const Obstacle& met, Vec3 n, float h) const {
+  if (isDownwards(ray.along, n)) return isAlike(met.normal, n);
+  return dot(ray.along, n) > kSide ? isAbove(ray, met, n, h) : isBeside(ray, met, n, h);
 }
 
 // Whether there is another surface of this normal above what has been met.
-bool CutSearch::isAbove(const Obstacles::ProbeRay& way, const Obstacle& met, Vec3 n, float h) const {
+bool CutSearch::isAbove(const Obstacles::ProbeRay& ray, const Obstacle& met, Vec3 n, float h) const {
   const float begin = met.distance + h * kClose;
   const Obstacles::Hits above =
-      obstacles_->find({{{way.from + way.along * begin, way.along, way.reach - begin}}});
+      obstacles_->find({{{ray.from + ray.along * begin, ray.along, ray.reach - begin}}});
   return isAlike(above[0].normal, n);
 }
 
 // Whether the surface, or another one of its normal, goes on beside what has been met.
-bool CutSearch::isBeside(const Obstacles::ProbeRay& way, const Obstacle& met, Vec3 n, float h) const {
+bool CutSearch::isBeside(const Obstacles::ProbeRay& ray, const Obstacle& met, Vec3 n, float h) const {
   if (isAlike(met.normal, n)) return false;
   Obstacles::ProbeRays down;
   for (int i = 0; i < Obstacles::kRays; ++i) {
     const float share = (static_cast<float>(i) + 0.5f) / Obstacles::kRays;
-    down[i] = {way.from + way.along * (met.distance + share * (way.reach - met.distance)), -n, h};
+    down[i] = {ray.from + ray.along * (met.distance + share * (ray.reach - met.distance)), -n, h};
   }
   return std::ranges::any_of(obstacles_->find(down), [&](const Obstacle& o) { return isAlike(o.normal, n); });
 }

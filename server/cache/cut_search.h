@@ -18,15 +18,14 @@ class CutSearch {
   void cut(int l, const NewVertices& added);
 
  private:
-  // Planes through what lies around a vertex at `place`, with the point in front. `h`: edge of a cell.
-
-  // Those of the nearest obstacles that have a surface of the point's normal behind them.
+  // The planes of a cut have the point in front, and pass near a vertex at `place`. `h`: edge of a cell. New
+  // planes stand at the nearest obstacles with a surface of the point's normal behind. Inherited ones are the
+  // nearest of the next coarser level.
   CutPlanes probe(const GridPoint& p, Vec3 place, float h) const;
-  bool isWall(const Obstacles::ProbeRay& way, const Obstacle& met, Vec3 n, float h) const;
-  bool isAbove(const Obstacles::ProbeRay& way, const Obstacle& met, Vec3 n, float h) const;
-  bool isBeside(const Obstacles::ProbeRay& way, const Obstacle& met, Vec3 n, float h) const;
-  // The nearest of the next coarser level.
   CutPlanes inherit(const GridPoint& p, int slot, Vec3 place, float h) const;
+  bool isWall(const Obstacles::ProbeRay& ray, const Obstacle& met, Vec3 n, float h) const;
+  bool isAbove(const Obstacles::ProbeRay& ray, const Obstacle& met, Vec3 n, float h) const;
+  bool isBeside(const Obstacles::ProbeRay& ray, const Obstacle& met, Vec3 n, float h) const;
   // Calls f(plane) for each plane of the next coarser level around the point.
   void forEachCoarser(const GridPoint& p, int slot, const auto& f) const;
 

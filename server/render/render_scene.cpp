@@ -40,9 +40,9 @@ std::size_t RenderScene::bytes() const {
          stats.texture_bytes;
 }
 
-Obstacles::Hits RenderScene::find(const ProbeRays& ways) const {
+Obstacles::Hits RenderScene::find(const ProbeRays& rays) const {
   RayPacket<kRays> packet(kBlockingMask);
-  for (int i = 0; i < kRays; ++i) packet.set(i, {ways[i].from, ways[i].along, ways[i].reach});
+  for (int i = 0; i < kRays; ++i) packet.set(i, {rays[i].from, rays[i].along, rays[i].reach});
   geometry_.intersect(packet, (1u << kRays) - 1, EmbreeScene::Rays::kScattered);
   Hits met;
   for (int i = 0; i < kRays; ++i)

@@ -38,7 +38,7 @@ class RenderScene : public Obstacles {
   const AnalyticLight& analyticLight() const { return analytic_light_; }
   Shading shading() const { return shading_; }  // what the scene has
   int channels() const { return channels_; }
-  Hits find(const ProbeRays& ways) const override;
+  Hits find(const ProbeRays& rays) const override;
   std::uint64_t digest() const;  // hashScene() of the description, which is computed once
   std::size_t bytes() const;     // nearly all of its memory: geometry, Embree's tree, textures
 

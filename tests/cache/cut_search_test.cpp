@@ -35,10 +35,10 @@ struct Corner final : Obstacles {
   explicit Corner(bool small) : sign(small ? -1.f : 1.f) {}
   bool isWithin(Vec3 p) const { return sign * (p.x - kX) > 0 && sign * (p.y - kY) > 0; }
 
-  Hits find(const ProbeRays& ways) const override {
+  Hits find(const ProbeRays& rays) const override {
     Hits met;
     for (int i = 0; i < kRays; ++i) {
-      const auto& [from, along, reach] = ways[i];
+      const auto& [from, along, reach] = rays[i];
       const auto meet = [&](float distance, Vec3 normal, const auto& is_there) {
         const Vec3 at = from + along * distance;
         if (distance > 0 && distance <= std::min(reach, met[i].distance) && is_there(at))

@@ -44,10 +44,10 @@ struct Wall {
 struct Curtain final : Obstacles {
   float x = 24 * kPixel;
 
-  Hits find(const ProbeRays& ways) const override {
+  Hits find(const ProbeRays& rays) const override {
     Hits met;
     for (int i = 0; i < kRays; ++i) {
-      const auto& [from, along, reach] = ways[i];
+      const auto& [from, along, reach] = rays[i];
       const float to_curtain = (x - from.x) / along.x, to_wall = -from.z / along.z;
       if (along.x != 0 && to_curtain > 0 && to_curtain <= reach) met[i] = {to_curtain, {1, 0, 0}};
       if (along.z != 0 && to_wall > 0 && to_wall <= reach) met[i] = {to_wall, {0, 0, 1}};
