@@ -3,16 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
-#include <future>
 
-#include "fake_server.h"
+#include "subscription_fixture.h"
 
 namespace saccade::client {
 namespace {
-
-using std::chrono::milliseconds;
 
 constexpr std::int64_t kMs = 1'000'000;
 
@@ -36,99 +32,6 @@ Events eventsOf(std::int64_t until_ms) {
     events.push_back({t * kMs, static_cast<std::uint16_t>(t), 2, 1});
   return events;
 }
-
-class SubscriptionTest : public testing::Test {
- protected:
-  // The server's part. Answers what is asked on control until a stream is opened, as `stream`; what was
-  // asked.
-  // `lie`: changes the reply.
-  using Lie = std::function<void(v1::StreamOpened&)>;
-  v1::OpenStream open(
-      const std::string& stream, std::uint64_t epoch = 0, const Lie& lie = [](v1::StreamOpened&) {}) {
-    while (true) {
-      const auto request = answerNext(stream, epoch, lie);
-      if (request.has_open_stream() || testing::Test::HasFailure()) return request.open_stream();
-    }
-  }
-  v1::Request answerNext(
-      const std::string& stream, std::uint64_t epoch, const Lie& lie = [](v1::StreamOpened&) {}) {
-    const auto request = control_.receive<v1::Request>();
-    v1::Reply reply;
-    reply.set_request_id(request.request_id());
-    reply.mutable_status()->set_code(v1::CODE_OK);
-    if (request.has_list_streams()) reply.mutable_list_streams();  // it knows of none
-    if (request.has_server_info()) reply.mutable_server_info()->set_data_endpoint(data_.endpoint());
-    if (request.has_open_stream()) {
-      v1::StreamOpened& opened = *reply.mutable_open_stream();
-      opened.set_stream_id(stream);
-      opened.set_epoch(epoch);
-      opened.set_frames(20);
-      *opened.mutable_resolved() = request.open_stream();
-      lie(opened);
-    }
-    if (!request.has_close_stream()) control_.send(reply);
-    return request;
-  }
-  v1::Attach attached() {
-    v1::DataRequest request;
-    while (!request.has_attach() && !testing::Test::HasFailure()) request = data_.receive();
-    return request.attach();
-  }
-  void send(const std::vector<Packet>& packets, std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i <= last; ++i) data_.send(packets.at(i));
-  }
-
-  // The client's part: its batches until END, while the server does `script`.
-  void record(const std::function<void()>& script,
-              Subscription::RetryPolicy retry_policy = {.retry_time = milliseconds(5000)}) {
-    auto server = std::async(std::launch::async, script);
-    retry_policy.silence = milliseconds(500);
-    ControlClient control(context_, control_.endpoint());
-    StreamHandle stream(control, request_);
-    Subscription subscription(context_, stream, retry_policy);
-    for (bool ended = false; !ended;) {
-      const auto batch = subscription.receive(milliseconds(1000));
-      if (!batch) continue;
-      if (batch->header.kind() == v1::KIND_HEARTBEAT) {
-        EXPECT_TRUE(subscription.catchingUp());
-        ++heartbeats_;
-        continue;
-      }
-      EXPECT_FALSE(subscription.catchingUp());
-      EXPECT_EQ(batch->header.first_event_index(), events_.size() + subscription.losses().events);
-      EXPECT_EQ(batch->header.count(), batch->events.size());
-      events_.insert(events_.end(), batch->events.begin(), batch->events.end());
-      suppressed_ += batch->header.suppressed();
-      ended = batch->header.kind() == v1::KIND_END;
-    }
-    losses_ = subscription.losses();
-  }
-  std::string faultOf(const std::function<void()>& script,
-                      const Subscription::RetryPolicy& retry_policy = {.retry_time = milliseconds(5000)}) {
-    try {
-      record(script, retry_policy);
-    } catch (const std::runtime_error& fault) {
-      return fault.what();
-    }
-    return "no fault";
-  }
-
-  zmq::context_t context_;
-  FakeServer control_{context_}, data_{context_};
-  v1::OpenStream request_ = [] {
-    v1::OpenStream request;
-    request.set_delivery(v1::DELIVERY_LOSSLESS);
-    request.mutable_view()->set_width(346);
-    request.mutable_view()->set_height(260);
-    request.mutable_timing()->set_frame_rate_hz(1000);
-    request.add_sensors()->set_threshold(0.25);
-    return request;
-  }();
-  Events events_;
-  Losses losses_;
-  std::uint64_t suppressed_ = 0;
-  int heartbeats_ = 0;
-};
 
 TEST_F(SubscriptionTest, AfterSilenceAnotherConnectionGoesOn) {
   const auto packets = packetsOf("s1");
@@ -244,85 +147,6 @@ TEST_F(SubscriptionTest, AServerThatNeverComesFurtherIsGivenUp) {
   EXPECT_EQ(faultOf(restartForEver, {.retry_time = milliseconds(1200)}),
             "the connection to the server is lost");
   EXPECT_GT(opened, 1u);
-}
-
-TEST_F(SubscriptionTest, RepliesThatCannotBeAreFaults) {
-  using Opened = v1::StreamOpened;
-  const std::vector<std::pair<std::string, Lie>> lies{
-      {"without stream_id", [](Opened& o) { o.clear_stream_id(); }},
-      {"0 sensors instead of 1", [](Opened& o) { o.mutable_resolved()->clear_sensors(); }},
-      {"2 sensors instead of 1", [](Opened& o) { o.mutable_resolved()->add_sensors(); }},
-      {"1 truth channels instead of 0", [](Opened& o) { o.mutable_resolved()->add_truth(); }},
-      {"1 further views instead of 0", [](Opened& o) { o.mutable_resolved()->add_further_views(); }},
-      {"a sensor of view 7 of 1", [](Opened& o) { o.mutable_resolved()->mutable_sensors(0)->set_view(7); }},
-      {"view.width is 0", [](Opened& o) { o.mutable_resolved()->mutable_view()->set_width(0); }},
-      {"a view of 346x261", [](Opened& o) { o.mutable_resolved()->mutable_view()->set_height(261); }},
-      {"frame_rate_hz is nan",
-       [](Opened& o) { o.mutable_resolved()->mutable_timing()->set_frame_rate_hz(NAN); }},
-      {"duration_s is inf",
-       [](Opened& o) { o.mutable_resolved()->mutable_timing()->set_duration_s(INFINITY); }},
-      {"delivery 99", [](Opened& o) { o.mutable_resolved()->set_delivery(static_cast<v1::Delivery>(99)); }},
-      {"delivery 3", [](Opened& o) { o.mutable_resolved()->set_delivery(v1::DELIVERY_BROADCAST); }},
-  };
-  for (const auto& [text, lie] : lies) {
-    const std::string fault = faultOf([&] { open("s1", 0, lie); });
-    EXPECT_NE(fault.find("reply to open_stream cannot be: "), std::string::npos) << text << ": " << fault;
-    EXPECT_NE(fault.find(text), std::string::npos) << fault;
-  }
-}
-
-TEST_F(SubscriptionTest, TruthOfAViewThatIsNotThereIsAFault) {
-  request_.add_truth()->set_name("depth");
-  const std::string fault = faultOf([&] {
-    open("s1", 0, [](v1::StreamOpened& o) { o.mutable_resolved()->mutable_truth(0)->set_view(9); });
-  });
-  EXPECT_NE(fault.find("truth of view 9 of 1"), std::string::npos) << fault;
-}
-
-TEST_F(SubscriptionTest, AnEndpointThatIsNoneIsAFault) {
-  const std::string fault = faultOf([&] {
-    const auto info = control_.receive<v1::Request>();
-    v1::Reply reply;
-    reply.set_request_id(info.request_id());
-    reply.mutable_status()->set_code(v1::CODE_OK);
-    reply.mutable_server_info();
-    control_.send(reply);
-    open("s1");
-  });
-  EXPECT_NE(fault.find("announces an endpoint for packets that is none: ''"), std::string::npos) << fault;
-}
-
-// It stops, or has not its streams yet; and then another takes its place.
-TEST_F(SubscriptionTest, AnOpenWaitsForAServerThatRestarts) {
-  const auto stop = [&](bool knows) {
-    const auto request = control_.receive<v1::Request>();
-    v1::Reply reply;
-    reply.set_request_id(request.request_id());
-    reply.mutable_status()->set_code(knows ? v1::CODE_OK : v1::CODE_UNAVAILABLE);
-    if (knows) reply.mutable_server_info();
-    control_.send(reply);
-  };
-  auto server = std::async(std::launch::async, [&] { stop(false), stop(true), stop(false), open("s1"); });
-  ControlClient control(context_, control_.endpoint());
-  int away = 0;
-  const StreamHandle stream(
-      control, request_,
-      {.retry_time = milliseconds(10'000), .away = [&away](const std::exception&) { ++away; }});
-  EXPECT_EQ(stream.opened().stream_id(), "s1");
-  EXPECT_EQ(away, 2);
-}
-
-TEST_F(SubscriptionTest, AnOpenDoesNotWaitForASceneThatCannotBeOpened) {
-  auto server = std::async(std::launch::async, [&] {
-    const auto request = control_.receive<v1::Request>();
-    v1::Reply reply;
-    reply.set_request_id(request.request_id());
-    reply.mutable_status()->set_code(v1::CODE_UNAVAILABLE);
-    reply.mutable_status()->set_field("scene");
-    control_.send(reply);
-  });
-  ControlClient control(context_, control_.endpoint());
-  EXPECT_THROW(StreamHandle(control, request_, {.retry_time = std::chrono::minutes(10)}), Refused);
 }
 
 TEST_F(SubscriptionTest, ASteeredStreamIsNotOpenedAgain) {
