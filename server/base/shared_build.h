@@ -54,7 +54,7 @@ class SharedBuild {
     const bool last = --job->waiting == 0;
     if (last) job->stop.request_stop();
     throwIfStopped(stop);
-    if (job->fault) std::rethrow_exception(job->fault);
+    if (job->fault) std::rethrow_exception(last ? std::move(job->fault) : job->fault);
     return last ? std::move(job->result) : job->result;
   }
 
@@ -129,7 +129,7 @@ class SharedBuild {
     }
     build = {};  // what it holds must not outlast the wait
     std::lock_guard lock(mutex_);
-    job.result = std::move(result), job.fault = fault, job.ended = true;
+    job.result = std::move(result), job.fault = std::move(fault), job.ended = true;
     const auto mine = running_.find(key);
     ended_.push_back(std::move(mine->second.thread));
     running_.erase(mine);
