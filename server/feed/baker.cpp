@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "cache/grid_bytes.h"
-#include "render/sub_pixel.h"
+#include "render/primary/sub_pixel.h"
 
 namespace saccade {
 namespace {

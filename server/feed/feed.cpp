@@ -2,7 +2,7 @@
 
 #include "base/quantile.h"
 #include "base/thread_time.h"
-#include "render/sub_pixel.h"
+#include "render/primary/sub_pixel.h"
 
 namespace saccade {
 namespace {

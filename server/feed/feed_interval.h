@@ -5,8 +5,8 @@
 
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
-#include "render/camera.h"
-#include "render/render_scene.h"
+#include "render/camera/camera.h"
+#include "render/world/render_scene.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {

@@ -5,7 +5,7 @@
 
 #include "base/quantile.h"
 #include "feed/feed.h"
-#include "render/view_grid.h"
+#include "render/camera/view_grid.h"
 #include "scene/camera/image_speed.h"
 
 namespace saccade {

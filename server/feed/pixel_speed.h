@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/units.h"
-#include "render/render_scene.h"
+#include "render/world/render_scene.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {

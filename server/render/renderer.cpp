@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/surface_pixel.h"
-#include "render/surface_points.h"
+#include "render/tiles/surface_pixel.h"
+#include "render/tiles/surface_points.h"
 
 namespace saccade {
 namespace {

@@ -10,9 +10,9 @@
 #include "frame/frame.h"
 #include "frame/seed_plan.h"
 #include "frame/surface_frame.h"
-#include "render/camera.h"
-#include "render/render_scene.h"
-#include "render/surface_start.h"
+#include "render/camera/camera.h"
+#include "render/tiles/surface_start.h"
+#include "render/world/render_scene.h"
 #include "scene/emitter_strengths.h"
 
 namespace saccade {

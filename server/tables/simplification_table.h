@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/simplify.h"
+#include "render/features/simplify.h"
 
 namespace saccade {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "frame/frame.h"
-#include "render/camera.h"
+#include "render/camera/camera.h"
 
 namespace saccade {
 

@@ -10,7 +10,7 @@
 #include "eval/bench/kept_bake.h"
 #include "eval/bench/open_scene.h"
 #include "methods/method_spec.h"
-#include "render/blocks.h"
+#include "render/primary/blocks.h"
 
 namespace saccade {
 namespace {

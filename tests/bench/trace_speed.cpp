@@ -8,8 +8,8 @@
 
 #include "base/instruction_set.h"
 #include "eval/bench/open_scene.h"
-#include "render/blocks.h"
 #include "render/one_ray_tracer.h"
+#include "render/primary/blocks.h"
 #include "render/renderer.h"
 
 namespace saccade {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "feed/feed.h"
-#include "render/view_grid.h"
+#include "render/camera/view_grid.h"
 #include "scene/camera/motion.h"
 #include "scene/mitsuba/mitsuba_xml.h"
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "render/render_scene.h"
 #include "render/test_scenes.h"
+#include "render/world/render_scene.h"
 
 namespace saccade::test {
 

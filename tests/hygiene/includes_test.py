@@ -32,6 +32,18 @@ FOLDERS = {
     "scene/mesh": "scene scene/files",
     "scene/mitsuba": "scene scene/files scene/camera scene/mesh",
     "scene/library": "scene scene/files scene/camera scene/mitsuba",
+    "render/bsdf": "",
+    "render/sampling": "",
+    "render/features": "render/bsdf",
+    "render/surface": "render/bsdf",
+    "render/lights": "render/bsdf render/surface",
+    "render/world": "render/bsdf render/surface render/lights",
+    "render/camera": "render/bsdf render/surface render/lights render/world",
+    "render/primary": "render/bsdf render/surface render/lights render/world render/camera",
+    "render/paths": "render/bsdf render/surface render/lights render/world render/camera render/primary render/sampling",
+    "render/kernels": "render/primary render/paths",
+    "render/tiles": "render/surface render/world render/camera render/primary render/sampling render/paths",
+    "render": "render/surface render/lights render/world render/camera render/primary render/paths render/tiles render/features",
     "app/request": "",
     "app/admission": "app/request",
     "app/config": "app/admission",
@@ -48,8 +60,8 @@ FOLDERS = {
 # Headers of libraries, with the only places that may include them.
 OUTSIDE = {
     "OpenImageIO/": ["server/pictures/open_image_io.cpp", "tests/"],
-    "embree": ["server/render/embree_query.h"],
-    "render/embree_query.h": ["server/render/embree_scene.cpp"],
+    "embree": ["server/render/world/embree_query.h"],
+    "render/world/embree_query.h": ["server/render/world/embree_scene.cpp"],
     "zmq": ["server/stream/", "server/web/", "client/", "tests/"],
     "prometheus/": ["server/app/metrics.cpp"],
     "microhttpd": ["server/ops/http_"],
@@ -91,8 +103,8 @@ class Includes(unittest.TestCase):
         self.assertIn("eval may include", fault("server/eval/bench/bench.cpp", "app/streams/stream_sink.h"))
         self.assertIn("scene may include", fault("server/scene/scene.cpp", "scene/mitsuba/mitsuba_bsdf.h"))
         self.assertIsNone(fault("server/scene/mitsuba/mitsuba_bsdf.cpp", "scene/scene.h"))
-        self.assertIn("only server/render/embree_query.h", fault("server/render/lights.cpp", "embree4/rtcore.h"))
-        self.assertIn("only server/render/embree_scene.cpp", fault("server/render/lights.cpp", "render/embree_query.h"))
+        self.assertIn("only server/render/world/embree_query.h", fault("server/render/lights/lights.cpp", "embree4/rtcore.h"))
+        self.assertIn("only server/render/world/embree_scene.cpp", fault("server/render/lights/lights.cpp", "render/world/embree_query.h"))
         self.assertIn("which only", fault("server/app/app.cpp", "zmq.hpp"))
         self.assertIn("client may include wire", fault("client/main.cpp", "base/units.h"))
 

@@ -1,4 +1,4 @@
-#include "render/analytic_light.h"
+#include "render/lights/analytic_light.h"
 
 #include <gtest/gtest.h>
 

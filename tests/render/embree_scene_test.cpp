@@ -1,4 +1,4 @@
-#include "render/embree_scene.h"
+#include "render/world/embree_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Light from infinitely far away: look-up, and samples against their density.
-#include "render/environment_light.h"
+#include "render/lights/environment_light.h"
 
 #include <gtest/gtest.h>
 

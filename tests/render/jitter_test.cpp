@@ -1,8 +1,8 @@
 // Paths that start all over the pixel.
 #include <gtest/gtest.h>
 
+#include "render/primary/sub_pixel.h"
 #include "render/render_mean.h"
-#include "render/sub_pixel.h"
 #include "render/test_scenes.h"
 
 namespace saccade {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "render/render_mean.h"
-#include "render/surface_at.h"
 #include "render/test_scenes.h"
+#include "render/world/surface_at.h"
 
 namespace saccade {
 namespace {

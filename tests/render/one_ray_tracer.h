@@ -3,11 +3,11 @@
 
 #include <limits>
 
-#include "render/path_sampler.h"
-#include "render/path_start.h"
 #include "render/paths/tracing.h"
-#include "render/scatter.h"
-#include "render/surface_at.h"
+#include "render/sampling/path_sampler.h"
+#include "render/surface/path_start.h"
+#include "render/surface/scatter.h"
+#include "render/world/surface_at.h"
 
 namespace saccade::test {
 

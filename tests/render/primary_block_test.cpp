@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/instruction_set.h"
-#include "render/gbuffer_pass.h"
+#include "render/primary/gbuffer_pass.h"
 #include "render/test_scenes.h"
 
 namespace saccade {

@@ -1,4 +1,4 @@
-#include "render/render_scene.h"
+#include "render/world/render_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "render/camera/view_grid.h"
 #include "render/test_scenes.h"
-#include "render/view_grid.h"
 
 namespace saccade {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/simplify.h"
+#include "render/features/simplify.h"
 
 #include <gtest/gtest.h>
 

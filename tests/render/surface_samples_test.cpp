@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "cache/bounce_grid.h"
+#include "render/primary/sub_pixel.h"
 #include "render/renderer.h"
-#include "render/sub_pixel.h"
 #include "render/test_scenes.h"
 
 namespace saccade {

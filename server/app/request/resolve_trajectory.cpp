@@ -5,7 +5,7 @@
 #include "app/request/resolve.h"
 #include "base/names.h"
 #include "base/text_cut.h"
-#include "render/view_grid.h"
+#include "render/camera/view_grid.h"
 #include "scene/camera/motion.h"
 #include "scene/files/scene_error.h"
 

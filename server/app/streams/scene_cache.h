@@ -17,8 +17,8 @@
 #include "app/admission/limits.h"
 #include "base/shared_build.h"
 #include "ops/limited_log.h"
-#include "render/render_scene.h"
-#include "render/simplify.h"
+#include "render/features/simplify.h"
+#include "render/world/render_scene.h"
 #include "scene/library/scene_library.h"
 
 namespace saccade {

@@ -9,7 +9,7 @@
 #include "eval/bench/open_scene.h"
 #include "eval/bench/steady_path.h"
 #include "eval/metrics/for_each_pixel.h"
-#include "render/simplify.h"
+#include "render/features/simplify.h"
 
 namespace saccade::eval {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "base/names.h"
-#include "render/view_grid.h"
+#include "render/camera/view_grid.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/slow_load.h"
 #include "scene/library/scene_format.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "feed/feed.h"
-#include "render/render_scene.h"
+#include "render/world/render_scene.h"
 #include "scene/camera/motion.h"
 
 namespace saccade::eval {

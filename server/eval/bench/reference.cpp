@@ -9,7 +9,7 @@
 #include "eval/metrics/plane_error.h"
 #include "eval/pictures/exr.h"
 #include "eval/pictures/text.h"
-#include "render/sub_pixel.h"
+#include "render/primary/sub_pixel.h"
 #include "scene/scene_hash.h"
 
 namespace saccade::eval {

@@ -1,5 +1,6 @@
-// BSDFs are free functions over plain records. They are compiled for sets of kinds, which render/shading.h
-// lists. Kinds outside the set cost nothing. In a set of one kind, the kind is not even read.
+// BSDFs are free functions over plain records. They are compiled for sets of kinds, which
+// render/surface/shading.h lists. Kinds outside the set cost nothing. In a set of one kind, the kind is not
+// even read.
 #pragma once
 
 #include <tuple>

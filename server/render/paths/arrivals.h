@@ -3,8 +3,8 @@
 #pragma once
 
 #include "render/paths/found_light.h"
-#include "render/paths/surface_lanes.h"
-#include "render/texture_color.h"
+#include "render/world/surface_lanes.h"
+#include "render/world/texture_color.h"
 
 namespace saccade {
 

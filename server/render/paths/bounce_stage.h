@@ -7,8 +7,8 @@
 #include "render/bsdf/shading_frame.h"
 #include "render/paths/arrivals.h"
 #include "render/paths/lane_queue.h"
-#include "render/paths/path_numbers.h"
 #include "render/paths/plastic_lanes.h"
+#include "render/sampling/path_numbers.h"
 
 namespace saccade {
 

@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "render/path_sampler.h"
 #include "render/paths/path_planes.h"
 #include "render/paths/tracing.h"
+#include "render/sampling/path_sampler.h"
 
 namespace saccade {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/paths/batch.h"
-#include "render/paths/path_numbers.h"
+#include "render/sampling/path_numbers.h"
 
 namespace saccade {
 

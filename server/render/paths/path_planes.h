@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "base/wide.h"
-#include "render/path_start.h"
+#include "render/surface/path_start.h"
 
 namespace saccade {
 

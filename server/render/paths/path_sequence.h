@@ -10,9 +10,9 @@
 
 #include <array>
 
-#include "render/path_sampler.h"
-#include "render/paths/path_numbers.h"
 #include "render/paths/tracing.h"
+#include "render/sampling/path_numbers.h"
+#include "render/sampling/path_sampler.h"
 
 namespace saccade {
 

@@ -2,12 +2,12 @@
 // ray, and surfaces that are not plain diffuse. Compiled for each set of features (shading.h).
 #pragma once
 
-#include "render/path_sampler.h"
 #include "render/paths/path_planes.h"
 #include "render/paths/path_state.h"
 #include "render/paths/tracing.h"
-#include "render/scatter.h"
-#include "render/surface_at.h"
+#include "render/sampling/path_sampler.h"
+#include "render/surface/scatter.h"
+#include "render/world/surface_at.h"
 
 namespace saccade {
 

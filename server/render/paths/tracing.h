@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cache/bounce_grid.h"
-#include "render/render_scene.h"
+#include "render/world/render_scene.h"
 #include "scene/emitter_strengths.h"
 
 namespace saccade {

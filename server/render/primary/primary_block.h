@@ -4,11 +4,11 @@
 
 #include <array>
 
+#include "base/lane_vectors.h"
 #include "base/pool_handle.h"
 #include "frame/frame.h"
-#include "render/lane_vectors.h"
-#include "render/pixel_context.h"
-#include "render/ray.h"
+#include "render/camera/pixel_context.h"
+#include "render/world/ray.h"
 
 namespace saccade {
 

@@ -5,10 +5,10 @@
 #include <cstring>
 #include <limits>
 
-#include "render/paths/surface_lanes.h"
-#include "render/pixel_features.h"
+#include "render/camera/pixel_features.h"
 #include "render/primary/primary_block.h"
-#include "render/texture_color.h"
+#include "render/world/surface_lanes.h"
+#include "render/world/texture_color.h"
 
 namespace saccade::detail {
 

@@ -1,8 +1,0 @@
-#include "render/kernel.h"
-
-namespace saccade {
-
-SACCADE_COMPILE_KERNEL(kPlainDiffuse)
-SACCADE_COMPILE_KERNEL(kTexturedDiffuse)
-
-}  // namespace saccade

@@ -1,7 +1,0 @@
-#include "render/kernel.h"
-
-namespace saccade {
-
-SACCADE_COMPILE_KERNEL(kEverything)
-
-}  // namespace saccade

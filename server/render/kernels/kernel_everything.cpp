@@ -1,0 +1,7 @@
+#include "render/kernels/kernel.h"
+
+namespace saccade {
+
+SACCADE_COMPILE_KERNEL(kEverything)
+
+}  // namespace saccade

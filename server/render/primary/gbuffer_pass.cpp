@@ -1,0 +1,91 @@
+#include "render/primary/gbuffer_pass.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "render/camera/pixel_features.h"
+#include "render/world/surface_at.h"
+
+namespace saccade {
+namespace {
+
+void setMotion(const Camera::Projection& now, const Camera::Projection& before, int x, int y, GBuffer& g) {
+  const auto [motion_x, motion_y] = motionBetween(now, before);
+  g.motion_x.at(x, y) = motion_x, g.motion_y.at(x, y) = motion_y;
+  g.z_in_prev.at(x, y) = before.z;
+}
+
+// `now` and `before`: from the cameras to the point, or the direction of a point at infinity.
+void projectMotion(const Camera& camera, const Camera& prev, Vec3 now, Vec3 before, int x, int y,
+                   GBuffer& g) {
+  if (!camera.isPlain())
+    return setMotion(camera.projectDirection(now), prev.projectDirection(before), x, y, g);
+  setMotion(camera.projectPlain(now), prev.projectPlain(before), x, y, g);
+}
+
+void setNormal(Vec3 n, int x, int y, GBuffer& g) {
+  g.nx.at(x, y) = n.x, g.ny.at(x, y) = n.y, g.nz.at(x, y) = n.z;
+}
+
+// A ray that hits nothing counts as a hit on one far surface.
+void setFar(const Camera& camera, const Camera& prev, Vec3 direction, int x, int y, GBuffer& g) {
+  setNormal({0, 0, 1}, x, y, g);
+  projectMotion(camera, prev, direction, direction, x, y, g);
+  g.z.at(x, y) = g.z_in_prev.at(x, y) = kMissDepth;
+  g.dz.at(x, y) = 0;
+}
+
+}  // namespace
+
+// Makes the parts of `out` where they lie: a copy would wait for each of its values to reach the cache.
+template <Shading S>
+void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, PrimaryHit& out) {
+  out.direction = ray.direction;
+  out.valid = hit.valid;
+  const Vec3 unit = normalize(ray.direction);
+  if (!hit.valid) {
+    out.start = {}, out.guide = {};
+    out.guide.hit = false;
+    if constexpr (S.extras) out.guide.emission = view.scene.lights().distantRadiance(unit);
+    return;
+  }
+  RayCone cone{0, view.camera.pixelAt(ray.direction)};
+  cone.width = cone.at(hit.t);
+  new (&out.start) PathStart{surfaceAt<S>(view.scene, ray, hit, cone.width), unit, cone};
+  new (&out.guide) Guide(findGuide<S>(view.scene, view.strengths, ray, hit, out.start));
+}
+
+template <Shading S>
+void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std::span<PrimaryHit> hits) {
+  std::array<Ray, kMostPoints> rays;
+  std::array<Hit, kMostPoints> found;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    rays[i] = {view.camera.origin, view.camera.direction(points[i].x, points[i].y),
+               std::numeric_limits<float>::infinity()};
+  view.scene.geometry().intersect(rays, std::span(found).first(hits.size()));
+  for (std::size_t i = 0; i < hits.size(); ++i) shadePrimary<S>(view, rays[i], found[i], hits[i]);
+}
+
+void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,
+                   GBuffer& g) {
+  const Guide& guide = primary.guide;
+  g.albedo.at(x, y) = luminance(guide.albedo);
+  g.emission.at(x, y) = luminance(guide.emission);
+  if (!guide.hit) return setFar(camera, prev, primary.direction, x, y, g);
+  setNormal(guide.normal, x, y, g);
+  projectMotion(camera, prev, guide.point - camera.origin, guide.point - prev.origin, x, y, g);
+  g.z.at(x, y) = guide.t;
+  g.dz.at(x, y) = planeSlope(camera.nextRight(primary.direction), camera.nextDown(primary.direction),
+                             guide.point - camera.origin, guide.plane_normal, guide.t);
+}
+
+#define INSTANTIATE(S)                                                                     \
+  template void shadePrimary<S>(const PixelContext&, const Ray&, const Hit&, PrimaryHit&); \
+  template void tracePrimaries<S>(const PixelContext&, std::span<const Vec2>, std::span<PrimaryHit>);
+INSTANTIATE(kPlainDiffuse)
+INSTANTIATE(kTexturedDiffuse)
+INSTANTIATE(kPlastics)
+INSTANTIATE(kEverything)
+
+}  // namespace saccade

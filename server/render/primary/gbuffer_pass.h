@@ -1,0 +1,34 @@
+// The primary hit of a pixel, and the features of that pixel that guide the filter.
+#pragma once
+
+#include <span>
+
+#include "frame/frame.h"
+#include "render/camera/pixel_context.h"
+#include "render/primary/guide.h"
+
+namespace saccade {
+
+struct PrimaryHit {
+  Vec3 direction;      // of the ray, 1 along the viewing axis
+  PathStart start;     // valid where a surface is hit
+  Guide guide;         // its emission has no noise; where nothing is hit, that of the environment
+  bool valid = false;  // whether a surface is hit
+};
+
+inline constexpr std::size_t kMostPoints = 16;  // at once
+
+// Traces the rays through points (x, y) in pixels, as many as there are hits. Pixel centres are whole
+// numbers. Neighbours should follow each other, because packets of rays are traced together.
+template <Shading S>
+void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std::span<PrimaryHit> hits);
+
+// The features that a traced ray shows.
+template <Shading S>
+void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, PrimaryHit& out);
+
+// Writes the features of a hit to pixel (x, y) of `g`. `prev` is the camera of the previous frame.
+void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,
+                   GBuffer& g);
+
+}  // namespace saccade

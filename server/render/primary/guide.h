@@ -1,0 +1,29 @@
+// The surface that guides the filter: the first one that the pixel shows. Mirrors and clear glass show other
+// surfaces.
+#pragma once
+
+#include "render/surface/path_start.h"
+#include "render/world/render_scene.h"
+#include "scene/emitter_strengths.h"
+
+namespace saccade {
+
+// A guide treats mirrors as flat, and glass as if it did not bend light. The surface behind them is placed
+// where it appears to be [Falcor: primary surface replacement].
+struct Guide {
+  Vec3 point;             // apparent position, world space
+  Vec3 normal;            // unit shading normal at the real position
+  Vec3 plane_normal;      // unit geometric normal at the apparent position
+  float t;                // along the pixel's ray
+  Rgb albedo;             // of the surface, and of the mirrors and panes that show it
+  Rgb emission;           // of the surface, and of the mirrors and panes that show it
+  bool hit = true;        // false: nothing is hit, and only albedo and emission are valid
+  bool has_base = false;  // whether it has a diffuse base
+};
+
+// `ray` is the ray of the pixel. It meets `hit` at `start`.
+template <Shading S>
+Guide findGuide(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& ray, const Hit& hit,
+                const PathStart& start);
+
+}  // namespace saccade

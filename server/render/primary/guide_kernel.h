@@ -1,0 +1,83 @@
+// Follows the view to the surface that guides the filter. For kernel.h.
+#pragma once
+
+#include "render/primary/guide.h"
+
+#include <array>
+#include <limits>
+
+#include "render/surface/scatter.h"
+#include "render/world/surface_at.h"
+
+namespace saccade {
+namespace detail {
+
+inline constexpr float kView = 0.5f;  // Scatter::isView()
+
+inline Vec3 mirrored(Vec3 v, Vec3 about) {
+  return v - about * (2 * dot(v, about));
+}
+
+// Follows the view from `start` through mirrors, clear glass and masks. It ends at any other surface.
+template <Shading S>
+Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& primary,
+                 const Hit& first, const PathStart& start) {
+  Guide g{};
+  Rgb throughput{1, 1, 1};
+  float distance = 0;  // beyond `start`
+  std::array<Vec3, kMaxViewDepth> mirrors;
+  std::size_t mirror_count = 0;
+  Surface s = start.surface;
+  Vec3 direction = start.direction;
+  RayCone cone = start.cone;
+  std::uint32_t geometry = first.geometry;
+  for (int depth = 0;; ++depth) {
+    g.emission = g.emission + throughput * s.radiance * strengths[geometry];
+    const Scatter<S> scatter(s, direction);
+    const BsdfSample next = scatter.sample(kView, kView, kView);
+    if (depth == kMaxViewDepth || !scatter.isView(next)) {
+      g.albedo = g.albedo + throughput * scatter.albedo();
+      break;
+    }
+    g.albedo = g.albedo + throughput * (1 - next.pdf);  // of the light that leaves the view here
+    throughput = throughput * next.weight * next.pdf;
+    if (!next.transmitted) mirrors[mirror_count++] = scatter.normal();
+    const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
+    const Hit hit = scene.geometry().intersect(ray);
+    if (!hit.valid) {
+      g.emission = g.emission + throughput * scene.lights().distantRadiance(next.wi);
+      g.hit = false;
+      return g;
+    }
+    distance += hit.t;
+    cone.width = cone.at(hit.t);
+    s = surfaceAt<S>(scene, ray, hit, cone.width);
+    direction = next.wi, geometry = hit.geometry;
+  }
+  g.has_base = S.diffuseOnly() || traitsOf(s.bsdf.tables->model.kind).base;
+  g.normal = s.shading_normal;
+  g.plane_normal = s.geometric_normal;
+  while (mirror_count > 0) g.plane_normal = mirrored(g.plane_normal, mirrors[--mirror_count]);
+  g.t = first.t + distance / length(primary.direction);
+  g.point = distance > 0 ? primary.origin + primary.direction * g.t : s.point;
+  return g;
+}
+
+}  // namespace detail
+
+template <Shading S>
+Guide findGuide(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& ray, const Hit& hit,
+                const PathStart& start) {
+  if constexpr (S.extras) return detail::followView<S>(scene, strengths, ray, hit, start);
+  const Surface& s = start.surface;
+  return {s.point,
+          s.shading_normal,
+          s.geometric_normal,
+          hit.t,
+          Scatter<S>(s, start.direction).albedo(),
+          s.radiance * strengths[hit.geometry],
+          true,
+          true};
+}
+
+}  // namespace saccade

@@ -1,0 +1,120 @@
+// The samples of a tile's points, for frames with SurfaceSamples.
+#pragma once
+
+#include "render/paths/path_sequence.h"
+#include "render/surface/scatter.h"
+#include "render/tiles/surface_points.h"
+
+namespace saccade {
+
+// The light that the paths of a point have found, and its parts: sums of luminance.
+struct ReflectedParts {
+  double all = 0, unoccluded = 0, visible = 0, weighed = 0;
+  BounceSample bounce;  // of the last path that has one
+};
+
+template <int C>
+void addPath(const PathResults<C>& found, std::uint32_t slot, Rgb base, ReflectedParts& sum) {
+  const Color<C> end = found.radiance.at(slot);
+  Color<C> path = end;
+  const bool began_anew = found.tail_cell[slot] != 0;
+  if (began_anew) path = found.before.at(slot), path += found.carried.at(slot) * end;
+  const float unoccluded = (Color<C>(base) * found.unoccluded.at(slot)).luminance();
+  if (!std::isfinite(path.luminance() + unoccluded)) return;
+  sum.all += path.luminance();
+  sum.unoccluded += unoccluded;
+  sum.visible += (Color<C>(base) * found.visible.at(slot)).luminance();
+  sum.weighed += found.weighed.at(slot).luminance();
+  if (!began_anew) return;
+  const Rgb light = end.rgb(), albedo = found.tail_albedo[slot];
+  sum.bounce = {found.tail_cell[slot], {light.x / albedo.x, light.y / albedo.y, light.z / albedo.z}};
+}
+
+// The means over the paths of a point, over its albedo.
+inline SurfaceLight lightOf(const ReflectedParts& sum, double paths, DiffuseBase base, float albedo) {
+  // Of a diffuse surface the path's own estimate of such light goes: what is left has the least noise. Of a
+  // plastic that estimate holds other light too.
+  const double direct = base.all ? sum.weighed : sum.visible;
+  return {static_cast<float>(sum.unoccluded / paths) / albedo,
+          static_cast<float>(sum.visible / paths) / albedo,
+          static_cast<float>((sum.all - direct) / paths) / albedo, sum.bounce};
+}
+
+// Paths that start at plain surfaces, kept until they fill all lanes.
+template <class Run>
+class PlainPaths {
+ public:
+  PlainPaths(float spread, Run& run) : spread_(spread), run_(run) {}
+  void add(const PlainStart& start, const NewPath& path) {
+    start.put(count_, surfaces_);
+    paths_[count_++] = path;
+    if (count_ == kLaneVectors) finish();
+  }
+  void finish() {
+    run_.addPlain(surfaces_, (1u << count_) - 1, spread_, [this](int lane) { return paths_[lane]; });
+    count_ = 0;
+  }
+
+ private:
+  float spread_;  // of the cones
+  Run& run_;
+  int count_ = 0;
+  PlainSurfaces surfaces_;
+  std::array<NewPath, kLaneVectors> paths_;
+};
+
+// Whether any point of a tile gets some.
+inline bool hasPaths(const SurfaceSamples& on, Tile tile) {
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (const SurfacePoint& p :
+         on.row(y).subspan(tile.x0 * on.perPixel(), (tile.x1 - tile.x0) * on.perPixel()))
+      if (p.paths > 0) return true;
+  return false;
+}
+
+// The light of a tile's points, of pass 2 alone.
+template <Shading S, int C>
+void renderPathTile(const PixelContext& view, const SeedPlan& seeds, const Tracing& tracing, Tile tile,
+                    const SurfaceStarts& starts, Frame& out) {
+  SurfaceSamples& on = *out.surfaces;
+  forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
+  if (!hasPaths(on, tile)) return;
+  const Scratch<std::array<ReflectedParts, kMaxTilePoints>> sums;
+  const Scratch<std::array<std::uint32_t, kMaxTilePoints>> points;  // those with paths
+  std::uint32_t count = 0;
+  const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
+    addPath(found, slot, starts.base((*points)[owner]).albedo, (*sums)[owner]);
+  };
+  PathRun<S, C, true, decltype(onPath)> run(tracing, onPath);
+  PlainPaths plain(view.camera.pixel, run);
+  const SequencePlace places(seeds.stream, seeds.frame2);
+  forEachPixel(tile, [&](int x, int y) {
+    for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
+      const auto i = static_cast<std::uint32_t>(on.indexOf(column, y));
+      if (on[i].share <= 0 || on[i].paths == 0) continue;
+      (*sums)[count] = {}, (*points)[count] = i;
+      for (std::uint32_t path = 0; path < on[i].paths; ++path) {
+        const NewPath one{places.of(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(y), path),
+                          count};
+        if (starts.isPlain(i))
+          plain.add(starts.plain(i), one);
+        else
+          run.add(starts.other(i).path, one);
+      }
+      ++count;
+    }
+  });
+  plain.finish();
+  run.finish();
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t i = (*points)[k];
+    const int x = on.columnOf(i) / on.perPixel(), y = on.rowOf(i);
+    const double paths = on[i].paths;
+    const float albedo = starts.albedo(i);
+    on.light(i) = lightOf((*sums)[k], paths, starts.base(i), albedo);
+    const double all = (*sums)[k].all / paths / albedo;
+    out.samples.I2.at(x, y) += static_cast<float>(all * on[i].share * out.g.albedo.at(x, y));
+  }
+}
+
+}  // namespace saccade

@@ -1,0 +1,79 @@
+// Where the paths of a pixel's points start, for SurfaceSamples.
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "render/primary/primary_block.h"
+#include "render/surface/path_start.h"
+
+namespace saccade {
+
+// The directly visible part of a surface that reflects alike into all directions.
+struct DiffuseBase {
+  Rgb albedo;        // 0: there is none
+  bool all = false;  // the surface is nothing else
+};
+
+struct SurfaceStart {
+  PathStart path;
+  DiffuseBase base;
+  float albedo = 0;  // luminance
+};
+
+// A start at a plain surface: a lane of PlainSurfaces.
+struct PlainStart {
+  PlainStart() = default;
+  PlainStart(const PlainSurfaces& s, int lane)
+      : point(s.point.at(lane)),
+        geometric_normal(s.geometric_normal.at(lane)),
+        shading_normal(s.shading_normal.at(lane)),
+        reflectance(s.reflectance.at(lane)),
+        albedo(s.albedo[lane]),
+        width(s.width[lane]) {}
+  void put(int lane, PlainSurfaces& s) const {
+    s.point.set(lane, point), s.geometric_normal.set(lane, geometric_normal);
+    s.shading_normal.set(lane, shading_normal), s.reflectance.set(lane, reflectance);
+    s.albedo[lane] = albedo, s.width[lane] = width;
+  }
+
+  Vec3 point, geometric_normal, shading_normal;
+  Rgb reflectance;
+  float albedo = 0, width = 0;
+};
+
+// The starts of a frame's points, by index. Each is one of both. Tiles are filled by several threads.
+class SurfaceStarts {
+ public:
+  // `plain_only`: there is no start of another kind.
+  void resize(std::size_t points, bool plain_only) {
+    plain_.resize(points), is_plain_.resize(points), others_.resize(plain_only ? 0 : points);
+    any_ = any_of_others_ = false;
+  }
+  void set(std::size_t i, const PlainStart& start) { plain_[i] = start, is_plain_[i] = true; }
+  void set(std::size_t i, const SurfaceStart& start) { others_[i] = start, is_plain_[i] = false; }
+  // Tells of the starts of a tile that there are any, and whether SurfacePoint::isUncacheable() is true of
+  // some.
+  void setAny(bool of_others) {
+    any_ = true;
+    if (of_others) any_of_others_ = true;
+  }
+  bool any() const { return any_; }  // since resize()
+  bool anyOfOthers() const { return any_of_others_; }
+
+  bool isPlain(std::size_t i) const { return is_plain_[i]; }
+  const PlainStart& plain(std::size_t i) const { return plain_[i]; }
+  const SurfaceStart& other(std::size_t i) const { return others_[i]; }
+  DiffuseBase base(std::size_t i) const {
+    return isPlain(i) ? DiffuseBase{plain_[i].reflectance, true} : others_[i].base;
+  }
+  float albedo(std::size_t i) const { return isPlain(i) ? plain_[i].albedo : others_[i].albedo; }
+
+ private:
+  std::vector<PlainStart> plain_;
+  std::vector<SurfaceStart> others_;
+  std::vector<char> is_plain_;
+  std::atomic<bool> any_ = false, any_of_others_ = false;
+};
+
+}  // namespace saccade

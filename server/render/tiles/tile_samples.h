@@ -1,0 +1,136 @@
+// The samples of a tile's pixels, in both passes.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "frame/seed_plan.h"
+#include "render/paths/path_run.h"
+#include "render/primary/blocks.h"
+#include "render/primary/sub_pixel.h"
+
+namespace saccade {
+
+inline constexpr int kMaxTileEdge = 32;
+inline constexpr float kLeastAlbedo = 1e-3f;  // of a point that shows illumination, over the pixel's average
+
+// The light that the paths of each pixel of a tile have found, pass by pass.
+class TileSums {
+ public:
+  TileSums(Tile tile, const SeedPlan& seeds) : tile_(tile), spp_{seeds.spp1, seeds.spp2} {}
+
+  std::uint32_t owner(int x, int y, int pass) const {
+    return static_cast<std::uint32_t>(((y - tile_.y0) * kMaxTileEdge + x - tile_.x0) * 2 + pass);
+  }
+  // A path without a finite estimate counts as black. Such a path is rare: its light sample is the very point
+  // that it lights, or its lamp is too bright for floats.
+  void add(std::uint32_t owner, float light) {
+    if (std::isfinite(light)) sums_[owner] += light;
+  }
+  float mean(int x, int y, int pass) const {
+    return spp_[pass] > 0 ? static_cast<float>(sums_[owner(x, y, pass)] / spp_[pass]) : 0;
+  }
+
+ private:
+  Tile tile_;
+  std::array<int, 2> spp_;
+  std::array<double, 2 * kMaxTileEdge * kMaxTileEdge> sums_{};
+};
+
+// Traces the centres of a tile's pixels, and adds their paths to `run`. For each path of a pixel
+// forEachPath(f) calls f(pathOf): pathOf(x, y) is that path. Calls on_emission(x, y, E) with the light that
+// each pixel itself emits.
+template <Shading S>
+void addPaths(const PixelContext& view, Tile tile, GBuffer& g, auto& run, const auto& forEachPath,
+              const auto& on_emission) {
+  const auto onPlain = [&](const PrimaryBlock& block) {
+    forEachPath([&](const auto& pathOf) {
+      run.addPlain(block.surfaces, block.plain, view.camera.pixel,
+                   [&](int lane) { return pathOf(block.x(lane), block.y(lane)); });
+    });
+    forEachLane(block.plain, [&](int lane) {
+      on_emission(block.x(lane), block.y(lane), block.surfaces.emission.at(lane));
+    });
+  };
+  const auto onOther = [&](int x, int y, const PrimaryHit& primary) {
+    if (primary.valid) forEachPath([&](const auto& pathOf) { run.add(primary.start, pathOf(x, y)); });
+    on_emission(x, y, primary.guide.emission);
+  };
+  forEachPrimary<S>(view, tile, g, onPlain, onOther);
+  run.finish();
+}
+
+// All paths start at the centre of the pixel.
+template <Shading S, int C>
+void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile, Frame& out) {
+  TileSums sums(tile, seeds);
+  const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
+    sums.add(owner, found.radiance.at(slot).luminance());
+  };
+  const Tracing tracing{view.scene, view.strengths, bounces, {}};
+  PathRun<S, C, false, decltype(onPath)> run(tracing, onPath);
+  const auto forEachPath = [&](const auto& f) {
+    const auto ofPass = [&](int pass, std::uint64_t seed, int spp) {
+      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(spp); ++i)
+        f([&](int x, int y) {
+          const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
+          return NewPath{PathSampler(seed, pixel, i), sums.owner(x, y, pass)};
+        });
+    };
+    ofPass(0, seeds.seed1, seeds.spp1);
+    ofPass(1, seeds.seed2, seeds.spp2);
+  };
+  addPaths<S>(view, tile, out.g, run, forEachPath, [](int, int, Rgb) {});
+  forEachPixel(tile, [&](int x, int y) {
+    const float E = out.g.emission.at(x, y);
+    out.samples.I1.at(x, y) = seeds.spp1 > 0 ? E + sums.mean(x, y, 0) : 0;
+    out.samples.I2.at(x, y) = seeds.spp2 > 0 ? E + sums.mean(x, y, 1) : 0;
+  });
+}
+
+// The paths of each pass start at its own point of the pixel.
+// A sample is scaled as if it came off the average albedo of the pixel. For the filter smooths illumination,
+// and the average is without noise [paper, 5.5]. Guides are of the centre.
+template <Shading S, int C>
+void renderJitteredTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile, Frame& out) {
+  TileSums sums(tile, seeds);
+  std::array<float, 2 * kMaxTileEdge * kMaxTileEdge> scale{};  // by owner
+  const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
+    sums.add(owner, found.radiance.at(slot).luminance());
+  };
+  const Tracing tracing{view.scene, view.strengths, bounces, {}};
+  PathRun<S, C, false, decltype(onPath)> run(tracing, onPath);
+  forEachPixel(tile, [&](int x, int y) {
+    const auto found = traceSubPixels<S>(view, x, y, kCentreAndSubPixelOffsets);
+    const auto hits = std::span(found).subspan(1);
+    writeFeatures(found[0], view.camera, view.prev, x, y, out.g);
+    std::array<float, kSubPixels> albedo;
+    float A = 0, E = 0;
+    for (std::size_t i = 0; i < kSubPixels; ++i) {
+      albedo[i] = luminance(hits[i].guide.albedo);
+      A += albedo[i] / kSubPixels, E += luminance(hits[i].guide.emission) / kSubPixels;
+    }
+    out.g.albedo.at(x, y) = A, out.g.emission.at(x, y) = E;
+    if (A <= 0) return;
+    const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
+    const auto addPaths = [&](int pass, std::uint64_t seed, int spp, FrameIndex jitter) {
+      std::size_t i = jitter % kSubPixels;
+      while (albedo[i] < kLeastAlbedo * A) i = (i + 1) % kSubPixels;  // a black point shows no illumination
+      const std::uint32_t owner = sums.owner(x, y, pass);
+      scale[owner] = A / albedo[i];
+      for (int path = 0; path < spp; ++path)
+        run.add(hits[i].start, {PathSampler(seed, pixel, static_cast<std::uint32_t>(path)), owner});
+    };
+    addPaths(0, seeds.seed1, seeds.spp1, seeds.frame1);
+    addPaths(1, seeds.seed2, seeds.spp2, seeds.frame2);
+  });
+  run.finish();
+  forEachPixel(tile, [&](int x, int y) {
+    const float E = out.g.emission.at(x, y);
+    const auto sample = [&](int pass) { return E + sums.mean(x, y, pass) * scale[sums.owner(x, y, pass)]; };
+    out.samples.I1.at(x, y) = seeds.spp1 > 0 ? sample(0) : 0;
+    out.samples.I2.at(x, y) = seeds.spp2 > 0 ? sample(1) : 0;
+  });
+}
+
+}  // namespace saccade

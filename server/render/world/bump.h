@@ -1,0 +1,32 @@
+// Bump maps: normals of the surface that a height over the mesh makes [Blinn 1978].
+#pragma once
+
+#include "render/surface/surface_color.h"
+#include "render/world/patch.h"
+
+namespace saccade {
+
+// The unit normal n, bent by the bump map. Slopes are measured over the footprint, and at least over a texel.
+inline Vec3 bumpedNormal(const Scene& scene, const Material& m, Vec3 n, const TexturePatch& patch,
+                         float footprint) {
+  const auto height = [&](Vec2 uv) {
+    return luminance(lookUp(scene, m.height, {uv, footprint})) * m.height_scale;
+  };
+  float step = std::max(footprint, 1e-6f);
+  if (m.height.kind == SurfaceColor::Kind::kBitmap) {
+    const Texture& t = scene.textures[m.height.texture];
+    const float scale = std::max(std::abs(m.height.uv_scale.x), std::abs(m.height.uv_scale.y));
+    step = std::max(step, 1 / (static_cast<float>(std::max(t.width(), t.height())) * scale));
+  }
+  const auto [u, v] = patch.uv;
+  const float dh_du = (height({u + step / 2, v}) - height({u - step / 2, v})) / step;
+  const float dh_dv = (height({u, v + step / 2}) - height({u, v - step / 2})) / step;
+  // Tangents of the displaced surface. The part of the patch's tangents along n is left out.
+  const Vec3 du = patch.dp_du + n * (dh_du - dot(n, patch.dp_du));
+  const Vec3 dv = patch.dp_dv + n * (dh_dv - dot(n, patch.dp_dv));
+  const Vec3 bent = cross(du, dv);
+  if (!(dot(bent, bent) > 0)) return n;
+  return normalize(dot(bent, n) < 0 ? -bent : bent);
+}
+
+}  // namespace saccade

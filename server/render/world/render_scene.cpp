@@ -1,0 +1,53 @@
+#include "render/world/render_scene.h"
+
+#include <algorithm>
+
+#include "scene/scene_hash.h"
+#include "scene/scene_stats.h"
+
+namespace saccade {
+namespace {
+
+constexpr float kRelativeEpsilon = 2e-5f;  // of the scene's diagonal: some hundred ulps of its coordinates
+
+}  // namespace
+
+RenderScene::RenderScene(Scene scene)
+    : scene_(std::move(scene)),
+      geometry_(scene_),
+      emitters_(scene_, EmbreeScene::Shapes::kEmitters),
+      straight_(scene_, EmbreeScene::Shapes::kStraight),
+      lights_(scene_, geometry_.diagonal() / 2),
+      analytic_light_(scene_),
+      light_columns_(lights_, analytic_light_),
+      shape_rows_(saccade::shapeRows(scene_)),
+      shading_(shadingOf(scene_)),
+      channels_(colorChannels(scene_)),
+      has_straight_transmission_(
+          std::any_of(scene_.materials.begin(), scene_.materials.end(), transmitsStraight)),
+      epsilon_(kRelativeEpsilon * geometry_.diagonal()) {
+  for (const Material& m : scene_.materials) tables_.emplace_back(m.model);
+}
+
+std::uint64_t RenderScene::digest() const {
+  std::call_once(hashed_, [&] { digest_ = hashScene(scene_); });
+  return digest_;
+}
+
+std::size_t RenderScene::bytes() const {
+  const SceneStats stats = statsOf(scene_);
+  return stats.geometry_bytes + geometry_.bytes() + emitters_.bytes() + straight_.bytes() +
+         stats.texture_bytes;
+}
+
+Obstacles::Hits RenderScene::find(const ProbeRays& rays) const {
+  RayPacket<kRays> packet(kBlockingMask);
+  for (int i = 0; i < kRays; ++i) packet.set(i, {rays[i].from, rays[i].along, rays[i].reach});
+  geometry_.intersect(packet, (1u << kRays) - 1, EmbreeScene::Rays::kScattered);
+  Hits met;
+  for (int i = 0; i < kRays; ++i)
+    if (const Hit hit = packet.hit(i); hit.valid) met[i] = {hit.t, normalize(hit.normal)};
+  return met;
+}
+
+}  // namespace saccade

@@ -1,0 +1,74 @@
+// A scene that is ready for tracing: geometry in Embree, lights, and tables of materials. Any number of feeds
+// can share it.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include "frame/obstacles.h"
+#include "render/lights/analytic_light.h"
+#include "render/lights/light_columns.h"
+#include "render/lights/lights.h"
+#include "render/surface/surface.h"
+#include "render/world/embree_scene.h"
+#include "render/world/shape_rows.h"
+#include "scene/scene.h"
+
+namespace saccade {
+
+class RenderScene : public Obstacles {
+ public:
+  explicit RenderScene(Scene scene);
+
+  const Scene& description() const { return scene_; }
+  // A pose of the world in the scene's own axes: that of every Camera that looks at it.
+  Pose inScene(const Pose& T_world_camera) const {
+    return {T_world_camera.position - scene_.origin, T_world_camera.rotation};
+  }
+  const EmbreeScene& geometry() const { return geometry_; }
+  const Lights& lights() const { return lights_; }
+  // The shapes that emit, alone: rays that meet none of them find no light, unless it may be anywhere.
+  const EmbreeScene& emitters() const { return emitters_; }
+  // The shapes that let light straight through, alone.
+  const EmbreeScene& straight() const { return straight_; }
+  bool lightMayBeAnywhere() const { return scene_.environment.has_value(); }
+  const LightColumns& lightColumns() const { return light_columns_; }
+  const std::vector<ShapeRow>& shapeRows() const { return shape_rows_; }
+  const AnalyticLight& analyticLight() const { return analytic_light_; }
+  Shading shading() const { return shading_; }  // what the scene has
+  int channels() const { return channels_; }
+  Hits find(const ProbeRays& rays) const override;
+  std::uint64_t digest() const;  // hashScene() of the description, which is computed once
+  std::size_t bytes() const;     // nearly all of its memory: geometry, Embree's tree, textures
+
+  // Whether some surface lets shadow rays through.
+  bool hasStraightTransmission() const { return has_straight_transmission_; }
+
+  // The tables of a material.
+  const BsdfTables& tables(int material) const { return tables_[material]; }
+
+  // The origin of a ray that leaves the surface. It is moved off the surface, so that the ray does not hit it
+  // again. It lies on the side that the last ray came from, or on the other side for `through`.
+  float epsilon() const { return epsilon_; }
+  Vec3 leave(const Surface& s, bool through = false) const {
+    return s.point + s.geometric_normal * (through ? -epsilon_ : epsilon_);
+  }
+
+ private:
+  Scene scene_;
+  EmbreeScene geometry_, emitters_, straight_;
+  Lights lights_;
+  AnalyticLight analytic_light_;
+  LightColumns light_columns_;
+  std::vector<ShapeRow> shape_rows_;
+  Shading shading_;
+  int channels_;
+  bool has_straight_transmission_;
+  float epsilon_;
+  std::vector<BsdfTables> tables_;  // by material
+  mutable std::once_flag hashed_;
+  mutable std::uint64_t digest_ = 0;
+};
+
+}  // namespace saccade

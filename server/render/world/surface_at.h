@@ -1,0 +1,82 @@
+// The surface at a hit.
+#pragma once
+
+#include "render/world/bump.h"
+#include "render/world/render_scene.h"
+
+namespace saccade {
+
+template <Shading S>
+Rgb colorAt(const Scene& scene, const SurfaceColor& c, TexturePoint at) {
+  if constexpr (!S.textures) return c.color0;
+  return lookUp(scene, c, at);
+}
+
+// `footprint`: at a right angle to a ray that makes an angle of this cosine with the surface.
+inline TexturePoint texturePoint(const TexturePatch& patch, float cosine, float footprint) {
+  const float across = footprint / std::max(std::abs(cosine), 0.05f);  // grazing: blur along both axes
+  return {patch.uv, across * patch.uv_per_length};
+}
+
+template <Shading S>
+Bsdf bsdfAt(const Scene& scene, const Material& m, TexturePoint at) {
+  Bsdf b{nullptr, colorAt<S>(scene, m.reflectance, at)};
+  if constexpr (!S.diffuseOnly()) b.specular = colorAt<S>(scene, m.specular, at);
+  if constexpr (S.has(&BsdfTraits::transmits)) b.transmittance = colorAt<S>(scene, m.transmittance, at);
+  return b;
+}
+
+// The shape that a hit lies on: one of both is nullptr.
+struct HitShape {
+  HitShape(const Scene& scene, const Hit& hit)
+      : mesh(hit.geometry < scene.meshes.size() ? &scene.meshes[hit.geometry] : nullptr),
+        sphere(mesh ? nullptr : &scene.spheres[hit.geometry - scene.meshes.size()]) {}
+  const Mesh* mesh;
+  const Sphere* sphere;
+};
+
+// `n` is the unit geometric normal as wound, and `cosine` that between it and the ray's reverse. `footprint`
+// is the width of the region that one path stands for, at a right angle to the ray, in scene units. S must
+// cover scene.shading().
+template <Shading S>
+Surface surfaceOf(const RenderScene& render_scene, const Hit& hit, const Patch& patch, Vec3 n, float cosine,
+                  float footprint) {
+  const Scene& scene = render_scene.description();
+  const bool front = cosine > 0;
+  const auto [mesh, sphere] = HitShape(scene, hit);
+  const int id = mesh ? mesh->material : sphere->material;
+  const Material& material = scene.materials[id];
+  TexturePatch texture;
+  if (S.diffuseOnly() ? S.textures && isTextured(material.reflectance) : isTextured(material))
+    texture = mesh ? texturePatchAt(*mesh, hit) : texturePatchAt(*sphere, n);
+  const TexturePoint at = texturePoint(texture, cosine, footprint);
+
+  Vec3 ns = patch.shading_normal;
+  const Rgb radiance = mesh ? mesh->radiance : sphere->radiance;
+  Surface s{patch.point, n, ns, bsdfAt<S>(scene, material, at), front ? radiance : Rgb{}, false, 1};
+  bool black = !front && !material.twosided;
+  if constexpr (S.has(&BsdfTraits::transmits)) {
+    const bool transmits = traitsOf(material.model.kind).transmits;
+    black = black && !transmits;
+    s.inside = transmits && !front;
+  }
+  if constexpr (!S.diffuseOnly()) s.bsdf.tables = &render_scene.tables(id);
+  if constexpr (S.extras) {
+    s.opacity = luminance(lookUp(scene, material.opacity, at));
+    if (isBumpy(material)) ns = bumpedNormal(scene, material, ns, texture, at.footprint);
+  }
+  if (!front) s.geometric_normal = -n;
+  s.shading_normal = dot(ns, s.geometric_normal) < 0 ? -ns : ns;
+  if (black) s.bsdf.diffuse = s.bsdf.specular = {};
+  return s;
+}
+
+template <Shading S>
+Surface surfaceAt(const RenderScene& scene, const Ray& ray, const Hit& hit, float footprint) {
+  const Vec3 n = normalize(hit.normal);
+  const Mesh* mesh = HitShape(scene.description(), hit).mesh;
+  const Patch patch{ray.origin + ray.direction * hit.t, mesh ? shadingNormalAt(*mesh, hit, n) : n};
+  return surfaceOf<S>(scene, hit, patch, n, -dot(n, ray.direction) / length(ray.direction), footprint);
+}
+
+}  // namespace saccade

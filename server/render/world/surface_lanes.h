@@ -1,0 +1,77 @@
+// Where on their shapes the rays of a packet have come to their end.
+#pragma once
+
+#include "base/lane_vectors.h"
+#include "render/world/render_scene.h"
+
+namespace saccade {
+
+// Valid where a lane has hit a surface.
+template <int W>
+struct SurfaceLanes {
+  Vec3T<Floats<W>> point;
+  Vec3T<Floats<W>> normal;          // geometric, unit, as wound
+  Vec3T<Floats<W>> shading_normal;  // unit, on either side
+  Floats<W> cosine;                 // between the normal and the ray's reverse
+
+  Mask<W> front() const { return cosine > 0.f; }
+};
+
+// The corners' normals of each lane's triangle, as memory that lanes can be loaded from.
+template <int W>
+struct alignas(64) CornerLanes {
+  float x[3][W] = {}, y[3][W] = {}, z[3][W] = {};
+
+  void set(int lane, const Vec3* of, const std::array<std::uint32_t, 3>& corners) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 v = of[corners[k]];
+      x[k][lane] = v.x, y[k][lane] = v.y, z[k][lane] = v.z;
+    }
+  }
+  [[gnu::always_inline]] Vec3T<Floats<W>> corner(int k) const {
+    return {load<W>(x[k]), load<W>(y[k]), load<W>(z[k])};
+  }
+};
+
+// Interpolated normals of the lanes whose shapes have some, unit; of other lanes the geometric normal.
+template <int W>
+[[gnu::always_inline]] inline Vec3T<Floats<W>> shadingNormals(const std::vector<ShapeRow>& rows,
+                                                              const RayPacket<W>& packet, std::uint32_t lanes,
+                                                              const Vec3T<Floats<W>>& geometric) {
+  using F = Floats<W>;
+  std::uint32_t smooth = 0;
+  forEachLane(lanes, [&](int i) {  // so that the triangles of all lanes come from memory at once
+    const ShapeRow& row = rows[packet.geometry[i]];
+    if (!row.normals) return;
+    smooth |= 1u << i;
+    __builtin_prefetch(&row.triangles[packet.primitive[i]]);
+  });
+  if (smooth == 0) return geometric;
+  CornerLanes<W> normals;
+  forEachLane(smooth, [&](int i) {
+    const ShapeRow& row = rows[packet.geometry[i]];
+    normals.set(i, row.normals, row.triangles[packet.primitive[i]]);
+  });
+  const F u = load<W>(packet.u), v = load<W>(packet.v);
+  const Vec3T<F> between = normals.corner(0) * F(1.f - u - v) + normals.corner(1) * u + normals.corner(2) * v;
+  const F length2 = dot(between, between);
+  return selectLanes(length2 > 0.f, between * F(1.f / sqrt(length2)), geometric);
+}
+
+// `lanes`: those that have hit a surface.
+template <int W>
+[[gnu::always_inline]] inline SurfaceLanes<W> surfacesAt(const RenderScene& scene, const RayPacket<W>& packet,
+                                                         std::uint32_t lanes) {
+  using F = Floats<W>;
+  const auto unit = [](const Vec3T<F>& a) { return a * F(1.f / sqrt(dot(a, a))); };
+  const Vec3T<F> direction{load<W>(packet.x), load<W>(packet.y), load<W>(packet.z)};
+  SurfaceLanes<W> s;
+  s.normal = unit({load<W>(packet.normal_x), load<W>(packet.normal_y), load<W>(packet.normal_z)});
+  s.cosine = -dot(s.normal, unit(direction));
+  s.point = Vec3T<F>{load<W>(packet.origin_x), load<W>(packet.origin_y), load<W>(packet.origin_z)} +
+            direction * load<W>(packet.far);
+  s.shading_normal = shadingNormals<W>(scene.shapeRows(), packet, lanes, s.normal);
+  return s;
+}
+
+}  // namespace saccade
