@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "cache/grid_bytes.h"
+#include "cache/grid/grid_bytes.h"
 #include "render/primary/sub_pixel.h"
 
 namespace saccade {

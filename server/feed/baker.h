@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "cache/baked_light.h"
-#include "cache/bounce_grid.h"
+#include "cache/bake/baked_light.h"
+#include "cache/grid/bounce_grid.h"
 #include "feed/bake_plan.h"
 
 namespace saccade {

@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "cache/baked_light.h"
-#include "cache/light_states.h"
+#include "cache/bake/baked_light.h"
+#include "cache/grid/light_states.h"
 #include "filter/atrous.h"
 #include "filter/filter_planes.h"
 #include "methods/method.h"

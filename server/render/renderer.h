@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "base/pool_handle.h"
-#include "cache/bounce_grid.h"
+#include "cache/grid/bounce_grid.h"
 #include "frame/frame.h"
 #include "frame/seed_plan.h"
 #include "frame/surface_frame.h"

@@ -1,4 +1,4 @@
-#include "cache/baked_level.h"
+#include "cache/bake/baked_level.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cache/baked_light.h"
+#include "cache/bake/baked_light.h"
 
 #include <gtest/gtest.h>
 

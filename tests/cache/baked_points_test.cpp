@@ -1,4 +1,4 @@
-#include "cache/baked_points.h"
+#include "cache/bake/baked_points.h"
 
 #include <gtest/gtest.h>
 

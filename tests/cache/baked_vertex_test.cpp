@@ -1,4 +1,4 @@
-#include "cache/baked_vertex.h"
+#include "cache/bake/baked_vertex.h"
 
 #include <gtest/gtest.h>
 

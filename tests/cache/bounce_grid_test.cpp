@@ -1,4 +1,4 @@
-#include "cache/bounce_grid.h"
+#include "cache/grid/bounce_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Light in the grid beside walls that stand on a surface.
-#include "cache/cut_search.h"
+#include "cache/grid/cut_search.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cache/grid_bytes.h"
+#include "cache/grid/grid_bytes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cache/index_table.h"
+#include "cache/lattice/index_table.h"
 
 #include <gtest/gtest.h>
 

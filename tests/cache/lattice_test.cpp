@@ -1,4 +1,4 @@
-#include "cache/lattice.h"
+#include "cache/lattice/lattice.h"
 
 #include <gtest/gtest.h>
 

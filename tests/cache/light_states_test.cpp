@@ -1,4 +1,4 @@
-#include "cache/light_states.h"
+#include "cache/grid/light_states.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cache/surface_grid.h"
+#include "cache/grid/surface_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cache/vertex_table.h"
+#include "cache/grid/vertex_table.h"
 
 #include <gtest/gtest.h>
 

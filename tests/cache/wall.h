@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "cache/surface_grid.h"
+#include "cache/grid/surface_grid.h"
 #include "filter/synthetic.h"
 
 namespace saccade::test {

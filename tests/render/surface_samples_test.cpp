@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "cache/bounce_grid.h"
+#include "cache/grid/bounce_grid.h"
 #include "render/primary/sub_pixel.h"
 #include "render/renderer.h"
 #include "render/test_scenes.h"

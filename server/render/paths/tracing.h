@@ -1,7 +1,7 @@
 // The input of all stages of a tile's paths.
 #pragma once
 
-#include "cache/bounce_grid.h"
+#include "cache/grid/bounce_grid.h"
 #include "render/world/render_scene.h"
 #include "scene/emitter_strengths.h"
 

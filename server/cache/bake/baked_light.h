@@ -1,0 +1,33 @@
+// Light that was computed ahead: what a grid has learned, blended once at each of its vertices. It never
+// changes, so that any number of feeds can share it, and reading it is cheap [ours].
+//
+// takes    the levels of a grid that has learned
+// returns  illumination at points whose surroundings the grid knows, and its variance
+#pragma once
+
+#include "cache/bake/baked_blend.h"
+#include "cache/bake/baked_points.h"
+#include "cache/grid/surface_grid.h"
+
+namespace saccade {
+
+class BakedLight {
+ public:
+  BakedLight(const GridLevels& grid, const GridParams& params, const PoolHandle& pool);
+
+  // Reads at the points of a tile, and marks those of pixels all of whose light is known as baked. Sets these
+  // pixels to the sum over their points, by shares, and clears all others of the tile.
+  void read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const;
+  std::size_t vertices() const { return vertices_; }  // whose light is known
+
+ private:
+  // Reads points, and adds them to their pixels.
+  void add(const BakedPoints& points, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const;
+
+  GridParams params_;
+  float scale_;  // of rest, in what vertices keep
+  BakedLevels levels_;
+  std::size_t vertices_ = 0;
+};
+
+}  // namespace saccade

@@ -1,0 +1,227 @@
+#include "cache/grid/surface_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cache/grid/cut_search.h"
+#include "cache/grid/vertex_search.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kAhead = 4;  // pixels whose values are on their way from memory
+// Sums of floats take no more than so many samples, which leave a thousandth of one sample's noise.
+constexpr float kEnough = 1 << 20;
+
+// One piece for each level: vertices and sums are the same for any number of threads.
+template <class F>
+SurfaceGrid::Time forEachLevel(const Placement& at, const PoolHandle& pool, const F& f) {
+  if (at.empty()) return {};
+  return pool.run(at.most_level - at.least_level + 1, [&](int i) { f(at.least_level + i); });
+}
+
+// f(index, point, slot) for the points that take part in level l, in order.
+template <class F>
+void forEachPointOf(const Placement& at, int l, const F& f) {
+  for (std::size_t i = 0; i < at.points.size(); ++i) {
+    const GridPoint& p = at.points[i];
+    if (const int slot = l - p.level; GridPoint::isSlot(slot)) f(i, p, slot);
+  }
+}
+
+constexpr auto kAll = [](int, int) { return true; };
+constexpr auto kNothingElse = [](const auto&, const PointLanes&) {};
+
+// Calls f(band, y0, y1) for each band of rows, y0 to y1 - 1.
+template <class F>
+SurfaceGrid::Time forEachBand(const SurfaceSamples& on, const PoolHandle& pool, const F& f) {
+  return pool.run((on.height() + kBandRows - 1) / kBandRows, [&](int band) {
+    f(band, band * kBandRows, std::min((band + 1) * kBandRows, on.height()));
+  });
+}
+
+// Adds what the grid says of a few points to their pixels.
+void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes, const SurfaceSamples& on,
+                  const GBuffer& g, const Placement& at, float cell_px, GridEstimate& out) {
+  LaneMemory<2> of_points;  // unoccluded light, and motion in finest cells
+  std::array<int, kPointLanes> x, y;
+  for (int i = 0; i < lanes.count; ++i) {
+    const GridPoint& p = at.points[lanes.points[i]];
+    x[i] = on.columnOf(p.index) / on.perPixel(), y[i] = on.rowOf(p.index);
+    const float mx = g.motion_x.at(x[i], y[i]), my = g.motion_y.at(x[i], y[i]);
+    of_points.values[0][i] = on.place(p.index).unoccluded;
+    of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / cell_px;
+  }
+  const auto [U, cells] = of_points.lanes();
+  LaneMemory<3> said;
+  store(blend.value(U), said.values[0]);
+  store(blend.variance(U), said.values[1]);
+  store(blend.stepVariance(U, cells), said.values[2]);
+  for (int i = 0; i < lanes.count; ++i) {
+    const float share = on[at.points[lanes.points[i]].index].share;
+    out.i.at(x[i], y[i]) += share * said.values[0][i];
+    out.var_i.at(x[i], y[i]) += share * share * said.values[1][i];
+    out.var_step.at(x[i], y[i]) += share * share * said.values[2][i];
+  }
+}
+
+}  // namespace
+
+int GridParams::pixelSlot() const {
+  return std::clamp(static_cast<int>(std::lround(std::log2(1.4f / cell_px))), 0, kTop - 1);
+}
+
+SurfaceGrid::Time SurfaceGrid::place(const SurfaceSamples& on, const Obstacles* obstacles,
+                                     const PoolHandle& pool, Placement& prev, Placement& out) {
+  ++now_;
+  if (vertices() > params_.max_vertices) drop(prev);
+  Time time = pool.run(1, [&](int) { out.place(on, params_.cell_px); });
+  if (out.empty()) return time;
+  levels_.makeAll(out.least_level, out.most_level);
+  new_.resize(std::max<std::size_t>(new_.size(), out.most_level - out.least_level + 1));
+  time += forEachLevel(out, pool, [&](int l) { findVertices(l, out); });
+  return time + cutAtWalls(on, obstacles, pool, out);
+}
+
+SurfaceGrid::Time SurfaceGrid::cutAtWalls(const SurfaceSamples& on, const Obstacles* obstacles,
+                                          const PoolHandle& pool, Placement& out) {
+  const Time time = pool.run(1, [&](int) {
+    CutSearch search(on, obstacles, out, levels_, now_);
+    for (int l = out.most_level; l >= out.least_level; --l) search.cut(l, new_[l - out.least_level]);
+  });
+  return time +
+         forEachLevel(out, pool, [&](int l) { remapTaps(levels_[l], l, new_[l - out.least_level], out); });
+}
+
+void SurfaceGrid::findVertices(int l, Placement& out) {
+  GridLevel& level = levels_[l];
+  NewVertices& found = new_[l - out.least_level];
+  found.clear();
+  VertexSearch search(level, l, now_, out, found);
+  forEachPointOf(out, l, [&](std::size_t, const GridPoint& p, int slot) { search.add(p, slot); });
+  search.finish();
+  level.resize();
+}
+
+SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool) {
+  samples_.resize(at.points.size());
+  const Time time = forEachBand(on, pool, [&](int band, int, int) {
+    const auto [first, end] = at.ofBand(band);
+    for (std::size_t i = first; i < end; ++i) {
+      const std::uint32_t index = at.points[i].index;
+      samples_[i] = Quad{};
+      if (on[index].paths == 0) continue;
+      const SurfaceLight& light = on.light(index);
+      const auto n = static_cast<float>(on[index].paths);
+      const float U = on.place(index).unoccluded, inv = U > 0 ? n / U : 0;
+      samples_[i] = Quad{n, n * light.rest, light.visible * inv, light.unoccluded * inv};
+    }
+  });
+  return time + forEachLevel(at, pool, [&](int l) {
+           auto& light = levels_[l].light;
+           forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
+             if (slot > kTop || samples_[i][0] == 0) return;
+             scatter(samples_[i], at, p, slot, light, [](const Quad& sum) { return sum[0] < kEnough; });
+           });
+         });
+}
+
+SurfaceGrid::Time SurfaceGrid::learn(const Placement& at, const PoolHandle& pool) {
+  return forEachLevel(at, pool, [&](int l) {
+    auto& evidence = levels_[l].evidence;
+    forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
+      if (slot < kPoolSteps || samples_[i][0] == 0) return;
+      scatter(evidence_[i].ofSlot(slot - kPoolSteps), at, p, slot, evidence,
+              [](const Octet& sum) { return sum[3] < kEnough; });
+    });
+  });
+}
+
+void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
+  constexpr int kFine = 4;  // coarser levels are at hand: pixels share them
+  for (int k = 0; k < kFine; ++k) {
+    const int pool = k + kPoolSteps;
+    for (const auto v : at.taps[k][p.first].vertex) __builtin_prefetch(&levels_[p.level + k].light[v]);
+    for (const auto v : at.taps[pool][p.first].vertex)
+      __builtin_prefetch(&levels_[p.level + pool].evidence[v]);
+  }
+}
+
+SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Placement& at,
+                                           const PoolHandle& pool, ImageF& out) const {
+  const int slot = params_.pixelSlot();
+  return forEachBand(on, pool, [&](int band, int y0, int y1) {
+    for (int y = y0; y < y1; ++y) std::fill_n(out.row(y), out.width(), 0.f);
+    const auto [first, end] = at.ofBand(band);
+    for (std::size_t i = first; i < end; ++i) {
+      const GridPoint& p = at.points[i];
+      const Quad l = gather(levels_[p.level + slot].light, at, p, slot);
+      const Octet e = gather(levels_[p.level + slot + kPoolSteps].evidence, at, p, slot + kPoolSteps);
+      const bool known = l[0] > 0 && e[3] > 0, shadows = l[3] > 0 && e[7] > 0;
+      const float U = on.place(p.index).unoccluded;
+      const float variance = varianceOf<float>(e[2], e[3], l[0], params_.blend) +
+                             U * U * varianceOf<float>(e[6], e[7], l[3], params_.blend);
+      const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
+      out.at(on.columnOf(p.index), on.rowOf(p.index)) =
+          known ? std::sqrt(variance) / std::max(light, 1e-6f) : kUnknown;
+    }
+  });
+}
+
+// Sets the pixels of each band for which wanted(x, y), and calls each(blend, lanes) for a few of its points
+// at once.
+SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
+                                         const PoolHandle& pool, const auto& wanted, const auto& each,
+                                         GridEstimate& out) const {
+  return forEachBand(on, pool, [&](int band, int, int) {
+    const auto ends = at.ofBand(band);
+    const auto forEachWanted = [&](const auto& f) {
+      for (std::size_t i = ends.first; i < ends.second; ++i) {
+        const std::uint32_t index = at.points[i].index;
+        const int x = on.columnOf(index) / on.perPixel(), y = on.rowOf(index);
+        if (wanted(x, y)) f(i, x, y);
+      }
+    };
+    forEachWanted([&](std::size_t, int x, int y) { out.clear({x, y, x + 1, y + 1}); });
+    PointLanes lanes;
+    const auto finish = [&] {
+      const LevelBlend<PointFloats> blend = lanes.blend(params_.blend);
+      addEstimates(blend, lanes, on, g, at, params_.cell_px, out);
+      each(blend, lanes);
+      lanes.count = 0;
+    };
+    forEachWanted([&](std::size_t i, int, int) {
+      if (i + kAhead < ends.second) prefetch(at, at.points[i + kAhead]);
+      lanes.add(levels_, at, i);
+      if (lanes.full()) finish();
+    });
+    if (lanes.count > 0) finish();
+  });
+}
+
+SurfaceGrid::Time SurfaceGrid::read(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
+                                    const PoolHandle& pool, GridEstimate& out) const {
+  return readBands(on, g, at, pool, kAll, kNothingElse, out);
+}
+
+SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
+                                         const PoolHandle& pool, GridEstimate& out) {
+  evidence_.resize(at.points.size());
+  const auto compare = [&](const auto& blend, const PointLanes& lanes) {
+    findEvidence(blend, lanes, samples_, at, evidence_);
+  };
+  return readBands(on, g, at, pool, kAll, compare, out);
+}
+
+SurfaceGrid::Time SurfaceGrid::readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
+                                         const PoolHandle& pool, const ImageF& uncertainty,
+                                         const ImageF& uncertainty_prev, GridEstimate& out) const {
+  const auto unknown = [&](int x, int y) {
+    for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
+      if (uncertainty.at(column, y) == kUnknown || uncertainty_prev.at(column, y) == kUnknown) return true;
+    return false;
+  };
+  return readBands(on, g, at, pool, unknown, kNothingElse, out);
+}
+
+}  // namespace saccade

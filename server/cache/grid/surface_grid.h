@@ -1,0 +1,104 @@
+// Light on surfaces, kept in the world: a grid of several resolutions that every frame adds its samples to.
+//
+// takes    samples of frames, each at its surface point
+// returns  illumination at any point that is placed in the grid, and its variance
+//
+// Work on a frame is place(), add(), readAdded(), learn(), in this order, with read() for other points in
+// between.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+
+#include "base/pool_handle.h"
+#include "cache/grid/evidence.h"
+#include "cache/grid/new_vertices.h"
+#include "frame/frame.h"
+#include "frame/obstacles.h"
+
+namespace saccade {
+
+struct GridParams {
+  float cell_px = 1.4f;  // edge of the finest cells, pixels
+  BlendParams blend{.tau = 1, .noise = 0.23f, .noise_weight = 4};
+  std::size_t max_vertices = 2'000'000;  // beyond, those go that were not used for longest
+  // Of cells of about two pixels.
+  int pixelSlot() const;
+};
+
+// The grid's estimate for each pixel: the sum over its points, by their shares. Planes of the size of the
+// frame.
+struct GridEstimate {
+  GridEstimate(int w, int h) : i(w, h), var_i(w, h), var_step(w, h) {}
+  ImageF i;         // illumination, 0 where no point is in the grid
+  ImageF var_i;     // its variance
+  ImageF var_step;  // the variance of its change from here to where the pixel's motion vector points
+
+  void clear(Tile tile) {
+    for (int y = tile.y0; y < tile.y1; ++y)
+      for (ImageF* plane : {&i, &var_i, &var_step})
+        std::fill(plane->row(y) + tile.x0, plane->row(y) + tile.x1, 0.f);
+  }
+};
+
+class SurfaceGrid {
+ public:
+  using Time = std::chrono::nanoseconds;  // CPU time, over all threads
+  static constexpr float kUnknown = 1e18f;
+  static constexpr std::size_t kBytesPerVertex = 128;
+
+  explicit SurfaceGrid(const GridParams& params) : params_(params) {}
+
+  // Finds the vertices around the points of a frame, and adds those that are missing. Vertices do not reach
+  // through `obstacles`; nullptr: there are none. The frame before it is at `prev`, and stays valid: where
+  // the grid has become too large, it drops vertices that neither of them uses.
+  Time place(const SurfaceSamples& on, const Obstacles* obstacles, const PoolHandle& pool, Placement& prev,
+             Placement& out);
+  // Relative standard deviation of the mean over a cell of about two pixels at the points of a frame. It does
+  // not matter whether its detail is believed. It is kUnknown where nothing is known yet, and 0 where there
+  // is no point. `out` has the columns of `on`.
+  Time uncertainty(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool, ImageF& out) const;
+  // Adds a frame's samples, which `at` has placed.
+  Time add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool);
+  // Reads at the points of a frame, and sets the pixels that show any.
+  Time read(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
+            GridEstimate& out) const;
+  // The same for the frame that was added last. Compares its samples with what all others say there.
+  Time readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
+                 GridEstimate& out);
+  // Learns from that comparison which levels to believe.
+  Time learn(const Placement& at, const PoolHandle& pool);
+  // Reads again, but only where uncertainty() of either frame was kUnknown.
+  Time readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
+                 const ImageF& uncertainty, const ImageF& uncertainty_prev, GridEstimate& out) const;
+  // Forgets all light: it has changed.
+  void forget();
+  // Changes GridParams::max_vertices.
+  void limit(std::size_t max_vertices) { params_.max_vertices = max_vertices; }
+
+  // Its state. A grid with the levels of another goes on as that would.
+  const GridLevels& levels() const { return levels_; }
+  GridLevels& levels() { return levels_; }
+  std::size_t vertices() const;
+  std::uint64_t dropped() const { return dropped_; }  // vertices, so far
+
+ private:
+  void drop(Placement& prev);
+  void findVertices(int l, Placement& out);
+  Time cutAtWalls(const SurfaceSamples& on, const Obstacles* obstacles, const PoolHandle& pool,
+                  Placement& out);
+  void prefetch(const Placement& at, const GridPoint& p) const;
+  Time readBands(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
+                 const auto& wanted, const auto& each, GridEstimate& out) const;
+
+  GridParams params_;
+  GridLevels levels_;
+  std::uint32_t now_ = 0;  // frames placed so far
+  std::uint64_t dropped_ = 0;
+  std::vector<NewVertices> new_;    // of the frame, from its least level on
+  std::vector<Quad> samples_;       // of the frame, by point, as GridLevel::light adds them up
+  std::vector<Evidence> evidence_;  // of them
+};
+
+}  // namespace saccade
