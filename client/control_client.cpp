@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <random>
 
-#include "wire/protocol.h"
+#include "saccade/wire/protocol.h"
 
 namespace saccade::client {
 namespace {

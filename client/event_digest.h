@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::client {
 

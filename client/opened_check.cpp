@@ -4,7 +4,7 @@
 
 #include "client/stream_fault.h"
 #include "client/stream_views.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::client {
 namespace {

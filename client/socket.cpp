@@ -3,8 +3,8 @@
 #include <cerrno>
 #include <stdexcept>
 
-#include "wire/curve_key.h"
-#include "wire/ipv6.h"
+#include "saccade/wire/curve_key.h"
+#include "saccade/wire/ipv6.h"
 
 namespace saccade::client {
 namespace {

@@ -12,7 +12,7 @@
 #include "client/socket.h"
 #include "client/stream_fault.h"
 #include "saccade/v1/events.pb.h"
-#include "wire/packet.h"
+#include "saccade/wire/packet.h"
 
 namespace saccade::client {
 

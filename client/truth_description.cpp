@@ -5,7 +5,7 @@
 
 #include "client/stream_fault.h"
 #include "client/stream_views.h"
-#include "wire/truth_samples.h"
+#include "saccade/wire/truth_samples.h"
 
 namespace saccade::client {
 namespace {

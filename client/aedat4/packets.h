@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "client/aedat4/compression.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::client::aedat4 {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "client/commands/request_text.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::client {
 namespace {

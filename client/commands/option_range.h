@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "client/commands/request_text.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::client {
 

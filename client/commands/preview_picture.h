@@ -6,7 +6,7 @@
 
 #include "client/commands/preview_canvas.h"
 #include "saccade/v1/control.pb.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::client {
 

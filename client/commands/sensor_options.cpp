@@ -5,7 +5,7 @@
 
 #include "client/commands/option_range.h"
 #include "client/commands/request_text.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::client {
 namespace {

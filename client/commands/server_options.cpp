@@ -3,7 +3,7 @@
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
 #include "client/server_probe.h"
-#include "wire/curve_key.h"
+#include "saccade/wire/curve_key.h"
 
 namespace saccade::client {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::client {
 

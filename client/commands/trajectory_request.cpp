@@ -5,7 +5,7 @@
 #include "client/commands/request_options.h"
 #include "client/commands/request_text.h"
 #include "client/poses/pose_file.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::client {
 namespace {

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <set>
 
-#include "wire/edit_distance.h"
+#include "saccade/wire/edit_distance.h"
 
 namespace saccade::client {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "client/frames/frame_source.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::client {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::client {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "client/evt_words.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::client {
 

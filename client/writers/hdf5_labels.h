@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/writers/hdf5_column.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::client {
 

@@ -9,7 +9,7 @@
 
 #include "client/writers/hdf5_column.h"
 #include "client/writers/truth_layout.h"
-#include "wire/truth_samples.h"
+#include "saccade/wire/truth_samples.h"
 
 namespace saccade::client {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "client/writers/truth_layout.h"
-#include "wire/truth_samples.h"
+#include "saccade/wire/truth_samples.h"
 
 namespace saccade::client {
 

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "wire/truth_samples.h"
+#include "saccade/wire/truth_samples.h"
 
 namespace saccade::client {
 

@@ -9,8 +9,8 @@
 
 #include "client/writers/output_file.h"
 #include "saccade/v1/recording.pb.h"
-#include "wire/event.h"
-#include "wire/truth_samples.h"
+#include "saccade/wire/event.h"
+#include "saccade/wire/truth_samples.h"
 
 namespace saccade::client {
 

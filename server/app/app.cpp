@@ -8,9 +8,9 @@
 
 #include "app/metrics.h"
 #include "base/instruction_set.h"
+#include "saccade/wire/protocol.h"
 #include "stream/bounded_peers.h"
 #include "web/page_files.h"
-#include "wire/protocol.h"
 
 namespace saccade {
 

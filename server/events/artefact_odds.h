@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "frame/intensity_change.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade {
 

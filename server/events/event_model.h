@@ -9,7 +9,7 @@
 #include "base/units.h"
 #include "events/sensor_config.h"
 #include "frame/image.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade {
 

@@ -16,8 +16,8 @@
 #include "events/sensor_config.h"
 #include "events/time_order.h"
 #include "frame/intensity_change.h"
-#include "wire/event.h"
-#include "wire/planes.h"
+#include "saccade/wire/event.h"
+#include "saccade/wire/planes.h"
 
 namespace saccade {
 

@@ -3,7 +3,7 @@
 #include "base/range.h"
 #include "events/event_model.h"
 #include "events/reconstruction.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade {
 namespace {

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "wire/curve_key.h"
+#include "saccade/wire/curve_key.h"
 
 namespace saccade {
 namespace {

@@ -12,7 +12,7 @@
 #include "stream/raw_request.h"
 #include "stream/request_counts.h"
 #include "stream/socket_loop.h"
-#include "stream/status.h"
+#include "reply/status.h"
 #include "stream/unread.h"
 
 namespace saccade {

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "wire/packet.h"
+#include "saccade/wire/packet.h"
 
 namespace saccade {
 

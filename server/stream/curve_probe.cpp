@@ -3,9 +3,9 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "saccade/wire/ipv6.h"
 #include "stream/endpoint.h"
 #include "stream/public_key.h"
-#include "wire/ipv6.h"
 
 namespace saccade {
 namespace {

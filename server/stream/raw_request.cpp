@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "stream/status.h"
-#include "wire/protocol.h"
+#include "reply/status.h"
+#include "saccade/wire/protocol.h"
 
 namespace saccade {
 namespace {

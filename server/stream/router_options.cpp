@@ -1,6 +1,6 @@
 #include "stream/router_options.h"
 
-#include "wire/ipv6.h"
+#include "saccade/wire/ipv6.h"
 
 namespace saccade {
 namespace {

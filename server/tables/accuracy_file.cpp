@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "saccade/wire/ranges.h"
 #include "tables/accuracy_table.h"
 #include "tables/table_file.h"
-#include "wire/ranges.h"
 
 namespace saccade {
 namespace {

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "saccade/wire/ranges.h"
 #include "tables/simplification_table.h"
 #include "tables/table_file.h"
-#include "wire/ranges.h"
 
 namespace saccade {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "feed/feed_interval.h"
 #include "saccade/v1/truth.pb.h"
+#include "saccade/wire/truth_samples.h"
 #include "truth/frame_selection.h"
 #include "truth/imu/imu_config.h"
-#include "wire/truth_samples.h"
 
 namespace saccade {
 

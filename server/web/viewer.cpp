@@ -4,8 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "saccade/wire/protocol.h"
 #include "web/viewer_json.h"
-#include "wire/protocol.h"
 
 namespace saccade {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "feed/feed_interval.h"
 #include "render/test_scenes.h"
-#include "wire/packet_cutter.h"
+#include "saccade/wire/packet_cutter.h"
 
 namespace saccade {
 

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "app/request/refusal.h"
+#include "saccade/wire/protocol.h"
+#include "saccade/wire/ranges.h"
 #include "stream/raw_request.h"
-#include "wire/protocol.h"
-#include "wire/ranges.h"
 
 namespace saccade {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <zmq.hpp>
 
-#include "wire/packet_cutter.h"
+#include "saccade/wire/packet_cutter.h"
 
 namespace saccade {
 

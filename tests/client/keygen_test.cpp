@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <zmq.hpp>
 
+#include "saccade/wire/curve_key.h"
 #include "scratch_folder.h"
-#include "wire/curve_key.h"
 
 namespace saccade::client {
 namespace {

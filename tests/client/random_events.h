@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade {
 

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "client/commands/truth_option.h"
+#include "saccade/wire/codec_table.h"
 #include "scratch_folder.h"
-#include "wire/codec_table.h"
 
 namespace saccade::client {
 namespace {

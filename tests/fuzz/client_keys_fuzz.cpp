@@ -1,7 +1,7 @@
 #include "fuzz/fuzz_target.h"
+#include "saccade/wire/curve_key.h"
 #include "scene/scratch.h"
 #include "stream/client_keys.h"
-#include "wire/curve_key.h"
 
 namespace saccade {
 namespace {

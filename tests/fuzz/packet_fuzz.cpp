@@ -4,7 +4,7 @@
 #include "fuzz/fuzz_target.h"
 #include "fuzz/inputs.pb.h"
 #include "fuzz/message_mutator.h"
-#include "wire/packet.h"
+#include "saccade/wire/packet.h"
 
 namespace saccade {
 namespace {

@@ -15,12 +15,13 @@ ROOMS = {
     "methods": "cache filter frame base",
     "events": "frame wire base",
     "truth": "base frame scene render feed wire",
-    "stream": "wire base",
+    "reply": "wire base",
+    "stream": "reply wire base",
     "ops": "base",
     "web": "wire base client ops",
     "feed": "base frame scene render filter cache methods",
     "tables": "base scene wire render methods",
-    "app": "base frame scene wire render filter cache methods feed tables events truth stream ops web client",
+    "app": "base frame scene wire reply render filter cache methods feed tables events truth stream ops web client",
     "eval": "pictures base frame scene wire render filter cache methods feed tables events",
     "client": "wire pictures",
 }
@@ -82,12 +83,20 @@ def room_of(path):
     return {"client": "client", "proto": "wire"}.get(top)
 
 
+def room_included(included):
+    """The room of a header by the name that sources include it by."""
+    first, *rest = included.split("/")
+    if first != "saccade":
+        return first
+    return "wire" if rest[0] in {"wire", "v1"} else "client"
+
+
 def fault(path, included):
     """What is wrong with this file including that one, or None."""
     for prefix, places in OUTSIDE.items():
         if included.startswith(prefix) and not any(path.startswith(place) for place in places):
             return f"{path} includes {included}, which only {', '.join(places)} may"
-    room, other = room_of(path), included.split("/")[0]
+    room, other = room_of(path), room_included(included)
     if room and other in ROOMS and other != room and other not in ROOMS[room].split():
         return f"{path} includes {included}: {room} may include {ROOMS[room] or 'no other room'}"
     own, folder = path.removeprefix("server/").rpartition("/")[0], included.rpartition("/")[0]

@@ -1,4 +1,4 @@
-"""The schema and PROTOCOL.md give each number the range that proto/wire/ranges.h gives it."""
+"""The schema and PROTOCOL.md give each number the range that proto/saccade/wire/ranges.h gives it."""
 import re
 import unittest
 
@@ -12,7 +12,7 @@ IN_BRACKETS = re.compile(rf"\[({NUMBER}), ({NUMBER})\]")    # [1e-3, 10]
 
 def table():
     """(message, field): (min, max) of every row of ranges.h."""
-    rows = ROW.findall(house.text("proto/wire/ranges.h"))
+    rows = ROW.findall(house.text("proto/saccade/wire/ranges.h"))
     return {tuple(name.split(".")): (float(low), float(high)) for low, high, names in rows for name in names.split(", ")}
 
 
@@ -38,7 +38,7 @@ def rows_of(document, field):
 
 class Ranges(unittest.TestCase):
     def test_the_table_is_read(self):
-        lines = [line for line in house.text("proto/wire/ranges.h").splitlines() if "Range<" in line]
+        lines = [line for line in house.text("proto/saccade/wire/ranges.h").splitlines() if "Range<" in line]
         self.assertEqual(len(lines), len(ROW.findall("\n".join(lines))))
         self.assertEqual(table()["Sensor", "threshold_off"], (1e-3, 10))
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "wire/protocol.h"
+#include "saccade/wire/protocol.h"
 
 namespace saccade {
 

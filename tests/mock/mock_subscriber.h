@@ -9,7 +9,7 @@
 #include <zmq.hpp>
 
 #include "mock/mock_client.h"
-#include "wire/packet.h"
+#include "saccade/wire/packet.h"
 
 namespace saccade {
 

@@ -7,7 +7,7 @@
 
 #include "app/admission/limits.h"
 #include "mock/keyed_server.h"
-#include "wire/protocol.h"
+#include "saccade/wire/protocol.h"
 
 namespace saccade {
 namespace {

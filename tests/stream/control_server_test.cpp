@@ -8,7 +8,7 @@
 
 #include "mock/mock_client.h"
 #include "mock/wait_until.h"
-#include "wire/protocol.h"
+#include "saccade/wire/protocol.h"
 
 namespace saccade {
 namespace {

@@ -4,7 +4,7 @@
 #include <malloc.h>
 
 #include "mock/server_process.h"
-#include "wire/packet_cutter.h"
+#include "saccade/wire/packet_cutter.h"
 
 namespace saccade {
 namespace {

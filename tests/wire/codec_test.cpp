@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "wire/codec_table.h"
-#include "wire/packet_cutter.h"
+#include "saccade/wire/codec_table.h"
+#include "saccade/wire/packet_cutter.h"
 
 namespace saccade {
 namespace {

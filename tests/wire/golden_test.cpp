@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "wire/packet.h"
+#include "saccade/wire/packet.h"
 
 namespace saccade {
 namespace {

@@ -1,4 +1,4 @@
-#include "wire/packet_cutter.h"
+#include "saccade/wire/packet_cutter.h"
 
 #include <gtest/gtest.h>
 

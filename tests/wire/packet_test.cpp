@@ -1,10 +1,10 @@
-#include "wire/packet.h"
+#include "saccade/wire/packet.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "wire/codec_table.h"
+#include "saccade/wire/codec_table.h"
 
 namespace saccade {
 namespace {

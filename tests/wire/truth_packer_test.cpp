@@ -1,10 +1,10 @@
-#include "wire/truth_packer.h"
+#include "saccade/wire/truth_packer.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "wire/packet_cutter.h"
+#include "saccade/wire/packet_cutter.h"
 
 namespace saccade {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/request/refusal.h"
 #include "app/request/request_memory.h"
 #include "frame/intensity_change.h"
-#include "wire/packet_cutter.h"
+#include "saccade/wire/packet_cutter.h"
 
 namespace saccade {
 namespace {

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "saccade/wire/curve_key.h"
 #include "stream/bounded_peers.h"
 #include "stream/endpoint.h"
 #include "stream/public_key.h"
-#include "wire/curve_key.h"
 
 namespace saccade {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
-#include "wire/edit_distance.h"
+#include "saccade/wire/edit_distance.h"
 
 namespace saccade {
 

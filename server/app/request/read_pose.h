@@ -4,8 +4,8 @@
 #include <string>
 
 #include "saccade/v1/control.pb.h"
+#include "saccade/wire/ranges.h"
 #include "scene/camera/pose.h"
-#include "wire/ranges.h"
 
 namespace saccade {
 

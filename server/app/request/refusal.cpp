@@ -4,7 +4,7 @@
 
 #include "base/range.h"
 #include "scene/files/scene_error.h"
-#include "stream/status.h"
+#include "reply/status.h"
 
 namespace saccade {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "saccade/v1/control.pb.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/request/refusal.h"
-#include "stream/status.h"
-#include "wire/ranges.h"
+#include "reply/status.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/request/resolve.h"
 #include "app/streams/sensor_schedule.h"
 #include "feed/feed_interval.h"
-#include "wire/packet.h"
+#include "saccade/wire/packet.h"
 
 namespace saccade {
 

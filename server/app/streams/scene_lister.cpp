@@ -5,7 +5,7 @@
 #include "app/request/refusal.h"
 #include "base/text_cut.h"
 #include "scene/library/scene_format.h"
-#include "stream/status.h"
+#include "reply/status.h"
 
 namespace saccade {
 

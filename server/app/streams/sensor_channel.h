@@ -6,7 +6,7 @@
 
 #include "app/streams/channel.h"
 #include "events/sensor.h"
-#include "wire/packet_cutter.h"
+#include "saccade/wire/packet_cutter.h"
 
 namespace saccade {
 

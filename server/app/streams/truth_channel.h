@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/streams/channel.h"
+#include "saccade/wire/truth_packer.h"
 #include "truth/truth_source.h"
-#include "wire/truth_packer.h"
 
 namespace saccade {
 

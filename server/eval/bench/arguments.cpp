@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "base/names.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 namespace {

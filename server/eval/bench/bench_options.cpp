@@ -11,7 +11,7 @@
 #include "eval/bench/arguments.h"
 #include "eval/bench/feed_options.h"
 #include "eval/bench/open_scene.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 

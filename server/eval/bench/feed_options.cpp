@@ -5,7 +5,7 @@
 #include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/open_scene.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 

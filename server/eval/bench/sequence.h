@@ -7,7 +7,7 @@
 
 #include "eval/bench/bench.h"
 #include "events/sensor_config.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::eval {
 

@@ -12,7 +12,7 @@
 #include "eval/bench/open_scene.h"
 #include "eval/commands/commands.h"
 #include "feed/bake_file.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 namespace {

@@ -11,7 +11,7 @@
 #include "eval/metrics/frame_errors.h"
 #include "eval/pictures/signed_picture.h"
 #include "eval/pictures/text.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 namespace {

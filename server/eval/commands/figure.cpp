@@ -12,7 +12,7 @@
 #include "eval/commands/commands.h"
 #include "eval/figures/figure.h"
 #include "eval/pictures/page.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 namespace {

@@ -18,7 +18,7 @@
 #include "eval/pictures/text.h"
 #include "feed/feed.h"
 #include "methods/method_spec.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 namespace {

@@ -11,7 +11,7 @@
 #include "eval/commands/commands.h"
 #include "eval/pictures/exr.h"
 #include "render/renderer.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 namespace {

@@ -14,8 +14,8 @@
 #include "eval/bench/open_scene.h"
 #include "eval/commands/commands.h"
 #include "eval/pictures/text.h"
+#include "saccade/wire/ranges.h"
 #include "scene/scene_stats.h"
-#include "wire/ranges.h"
 
 namespace saccade::eval {
 namespace {

@@ -5,7 +5,7 @@
 #include "eval/metrics/event_rates.h"
 #include "eval/metrics/for_each_pixel.h"
 #include "events/sensor.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::eval {
 

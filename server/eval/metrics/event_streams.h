@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::eval {
 

@@ -8,7 +8,7 @@
 #include "base/names.h"
 #include "base/number_in.h"
 #include "events/noise/presets.h"
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "eval/sensor/stimuli.h"
 #include "events/sensor_config.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade::eval {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "events/noise/pixel_choice.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade {
 

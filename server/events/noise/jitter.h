@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "events/event_model.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "wire/ranges.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade {
 

@@ -6,7 +6,7 @@
 
 #include "events/sensor_config.h"
 #include "frame/intensity_change.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade {
 

@@ -2,7 +2,7 @@
 // million events per second. The packet's crc32 replaces its checksum.
 #include <zstd.h>
 
-#include "wire/codec_table.h"
+#include "saccade/wire/codec_table.h"
 
 namespace saccade {
 namespace {

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "wire/packet.h"
-#include "wire/packet_source.h"
-#include "wire/truth_samples.h"
+#include "saccade/wire/packet.h"
+#include "saccade/wire/packet_source.h"
+#include "saccade/wire/truth_samples.h"
 
 namespace saccade {
 

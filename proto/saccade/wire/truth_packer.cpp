@@ -1,10 +1,10 @@
-#include "wire/truth_packer.h"
+#include "saccade/wire/truth_packer.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-#include "wire/packet_cutter.h"
+#include "saccade/wire/packet_cutter.h"
 
 namespace saccade {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "saccade/v1/events.pb.h"
-#include "wire/event.h"
-#include "wire/planes.h"
-#include "wire/truth_samples.h"
+#include "saccade/wire/event.h"
+#include "saccade/wire/planes.h"
+#include "saccade/wire/truth_samples.h"
 
 namespace saccade {
 

@@ -1,6 +1,6 @@
-#include "wire/packet_source.h"
+#include "saccade/wire/packet_source.h"
 
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade {
 

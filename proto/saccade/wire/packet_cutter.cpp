@@ -1,9 +1,9 @@
-#include "wire/packet_cutter.h"
+#include "saccade/wire/packet_cutter.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "wire/columns.h"
+#include "saccade/wire/columns.h"
 
 namespace saccade {
 namespace {

@@ -1,4 +1,4 @@
-#include "wire/edit_distance.h"
+#include "saccade/wire/edit_distance.h"
 
 #include <algorithm>
 #include <numeric>

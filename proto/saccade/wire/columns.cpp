@@ -1,4 +1,4 @@
-#include "wire/columns.h"
+#include "saccade/wire/columns.h"
 
 #include <bit>
 #include <cstring>

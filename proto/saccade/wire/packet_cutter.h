@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "wire/packet.h"
-#include "wire/packet_source.h"
+#include "saccade/wire/packet.h"
+#include "saccade/wire/packet_source.h"
 
 namespace saccade {
 

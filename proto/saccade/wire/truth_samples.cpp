@@ -1,11 +1,11 @@
-#include "wire/truth_samples.h"
+#include "saccade/wire/truth_samples.h"
 
 #include <bit>
 #include <cstring>
 #include <utility>
 
-#include "wire/event.h"
-#include "wire/packet.h"
+#include "saccade/wire/event.h"
+#include "saccade/wire/packet.h"
 
 namespace saccade {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "saccade/v1/events.pb.h"
-#include "wire/codec_table.h"
+#include "saccade/wire/codec_table.h"
 
 namespace saccade {
 

@@ -1,4 +1,4 @@
-#include "wire/codec_table.h"
+#include "saccade/wire/codec_table.h"
 
 namespace saccade {
 

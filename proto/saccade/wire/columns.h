@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "saccade/v1/events.pb.h"
-#include "wire/event.h"
+#include "saccade/wire/event.h"
 
 namespace saccade {
 

@@ -1,4 +1,4 @@
-#include "wire/curve_key.h"
+#include "saccade/wire/curve_key.h"
 
 #include <filesystem>
 #include <fstream>

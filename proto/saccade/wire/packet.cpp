@@ -1,12 +1,12 @@
-#include "wire/packet.h"
+#include "saccade/wire/packet.h"
 
 #include <zlib.h>
 
 #include <optional>
 #include <utility>
 
-#include "wire/codec_table.h"
-#include "wire/columns.h"
+#include "saccade/wire/codec_table.h"
+#include "saccade/wire/columns.h"
 
 namespace saccade {
 namespace {

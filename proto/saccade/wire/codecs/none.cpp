@@ -1,5 +1,5 @@
 // No compression: clients read the columns in place.
-#include "wire/codec_table.h"
+#include "saccade/wire/codec_table.h"
 
 namespace saccade {
 namespace {

@@ -1,4 +1,4 @@
-#include "wire/planes.h"
+#include "saccade/wire/planes.h"
 
 #include <bit>
 #include <cstring>

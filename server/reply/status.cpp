@@ -1,4 +1,4 @@
-#include "stream/status.h"
+#include "reply/status.h"
 
 #include "base/text_cut.h"
 
