@@ -10,8 +10,8 @@
 #include "client/commands/console.h"
 #include "client/commands/field_options.h"
 #include "client/commands/usage_check.h"
-#include "client/control_client.h"
-#include "client/server_probe.h"
+#include "saccade/control_client.h"
+#include "saccade/server_probe.h"
 
 namespace saccade::client {
 namespace {

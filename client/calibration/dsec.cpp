@@ -3,7 +3,7 @@
 #include "client/calibration/formats.h"
 #include "client/calibration/lens_yaml.h"
 #include "client/calibration/rig.h"
-#include "client/stream_views.h"
+#include "saccade/stream_views.h"
 
 namespace saccade::client {
 namespace {

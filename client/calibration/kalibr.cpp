@@ -2,8 +2,8 @@
 #include "client/calibration/formats.h"
 #include "client/calibration/lens_yaml.h"
 #include "client/calibration/rig.h"
-#include "client/stream_views.h"
-#include "client/writers/ros_names.h"
+#include "client/formats/common/ros_names.h"
+#include "saccade/stream_views.h"
 
 namespace saccade::client {
 

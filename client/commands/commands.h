@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "client/control_client.h"
+#include "saccade/control_client.h"
 
 namespace saccade::client {
 

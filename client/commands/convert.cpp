@@ -12,8 +12,8 @@
 #include "client/commands/progress.h"
 #include "client/commands/source_file.h"
 #include "client/commands/summary.h"
-#include "client/recording_file.h"
-#include "client/units.h"
+#include "client/formats/common/units.h"
+#include "client/recording/recording_file.h"
 
 namespace saccade::client {
 namespace {

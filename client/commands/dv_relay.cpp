@@ -5,7 +5,7 @@
 
 #include "client/commands/interrupt.h"
 #include "client/commands/summary.h"
-#include "client/units.h"
+#include "client/formats/common/units.h"
 
 namespace saccade::client {
 namespace {

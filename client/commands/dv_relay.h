@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "client/dv/dv_server.h"
-#include "client/subscription.h"
+#include "saccade/subscription.h"
 
 namespace saccade::client {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "client/units.h"
+#include "client/formats/common/units.h"
 
 namespace saccade::client {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "client/frames/frame_source.h"
-#include "client/stream_handle.h"
+#include "saccade/stream_handle.h"
 
 namespace saccade::client {
 

@@ -5,7 +5,7 @@
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
 #include "client/commands/option_range.h"
-#include "client/control_client.h"
+#include "saccade/control_client.h"
 
 namespace saccade::client {
 namespace {

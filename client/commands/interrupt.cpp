@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-#include "client/stream_fault.h"
+#include "saccade/stream_fault.h"
 
 namespace saccade::client {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "client/commands/half_blocks.h"
-#include "client/units.h"
+#include "client/formats/common/units.h"
 
 namespace saccade::client {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "client/commands/terminal_screen.h"
 #include "client/commands/time_surface.h"
-#include "client/subscription.h"
+#include "saccade/subscription.h"
 
 namespace saccade::client {
 

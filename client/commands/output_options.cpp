@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "client/recorder.h"
-#include "client/sidecar.h"
+#include "client/recording/recorder.h"
+#include "client/recording/sidecar.h"
 
 namespace saccade::client {
 

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "client/writers/writer.h"
+#include "client/formats/common/writer.h"
 
 namespace saccade::client {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "client/stream_handle.h"
+#include "saccade/stream_handle.h"
 
 namespace saccade::client {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "client/commands/interrupt.h"
-#include "client/units.h"
+#include "client/formats/common/units.h"
 
 namespace saccade::client {
 namespace {

@@ -7,8 +7,8 @@
 #include "client/commands/frame_pusher.h"
 #include "client/commands/preview.h"
 #include "client/commands/progress.h"
-#include "client/recorder.h"
-#include "client/subscription.h"
+#include "client/recording/recorder.h"
+#include "saccade/subscription.h"
 
 namespace saccade::client {
 

@@ -12,7 +12,7 @@
 #include "client/commands/receive_all.h"
 #include "client/commands/stream_opening.h"
 #include "client/commands/summary.h"
-#include "client/units.h"
+#include "client/formats/common/units.h"
 
 namespace saccade::client {
 namespace {

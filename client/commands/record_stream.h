@@ -4,8 +4,8 @@
 #include <string>
 
 #include "client/commands/commands.h"
+#include "client/formats/common/writer.h"
 #include "client/frames/frame_source.h"
-#include "client/writers/writer.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade::client {

@@ -6,7 +6,7 @@
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
 #include "client/commands/recording_options.h"
-#include "client/sidecar.h"
+#include "client/recording/sidecar.h"
 
 namespace saccade::client {
 namespace {

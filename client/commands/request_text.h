@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "client/readers/reader.h"
+#include "client/formats/common/reader.h"
 
 namespace saccade::client {
 

@@ -11,7 +11,7 @@
 #include "client/commands/progress.h"
 #include "client/commands/request_options.h"
 #include "client/commands/stream_opening.h"
-#include "client/units.h"
+#include "client/formats/common/units.h"
 
 namespace saccade::client {
 namespace {

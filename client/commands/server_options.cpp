@@ -2,7 +2,7 @@
 
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
-#include "client/server_probe.h"
+#include "saccade/server_probe.h"
 #include "saccade/wire/curve_key.h"
 
 namespace saccade::client {

@@ -5,8 +5,8 @@
 
 #include "client/commands/console.h"
 #include "client/commands/request_text.h"
-#include "client/sidecar.h"
-#include "client/writers/truth_folder.h"
+#include "client/formats/truth_folder/truth_folder.h"
+#include "client/recording/sidecar.h"
 
 namespace saccade::client {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "client/readers/event_check.h"
-#include "client/readers/reader.h"
+#include "client/formats/common/event_check.h"
+#include "client/formats/common/reader.h"
 #include "saccade/v1/recording.pb.h"
 
 namespace saccade::client {

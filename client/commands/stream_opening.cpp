@@ -9,8 +9,8 @@
 #include "client/commands/progress.h"
 #include "client/commands/summary.h"
 #include "client/commands/trajectory_length.h"
-#include "client/server_probe.h"
-#include "client/units.h"
+#include "client/formats/common/units.h"
+#include "saccade/server_probe.h"
 
 namespace saccade::client {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "client/recorder.h"
-#include "client/sequence_check.h"
+#include "client/recording/recorder.h"
+#include "saccade/sequence_check.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade::client {

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "client/commands/request_text.h"
-#include "client/recorder.h"
-#include "client/stream_views.h"
-#include "client/writers/truth_folder.h"
+#include "client/formats/truth_folder/truth_folder.h"
+#include "client/recording/recorder.h"
+#include "saccade/stream_views.h"
 
 namespace saccade::client {
 

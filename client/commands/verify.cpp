@@ -7,8 +7,8 @@
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
 #include "client/commands/source_file.h"
-#include "client/event_digest.h"
-#include "client/sidecar.h"
+#include "client/recording/event_digest.h"
+#include "client/recording/sidecar.h"
 
 namespace saccade::client {
 namespace {

@@ -10,7 +10,7 @@
 #include "client/commands/option_range.h"
 #include "client/commands/request_options.h"
 #include "client/commands/stream_opening.h"
-#include "client/units.h"
+#include "client/formats/common/units.h"
 
 namespace saccade::client {
 namespace {

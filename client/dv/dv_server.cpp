@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "client/aedat4/info_node.h"
-#include "client/aedat4/io_header.h"
+#include "client/formats/aedat4/info_node.h"
+#include "client/formats/aedat4/io_header.h"
 
 namespace saccade::client::dv {
 namespace {

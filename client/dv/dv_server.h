@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "client/aedat4/packets.h"
 #include "client/dv/listener.h"
 #include "client/dv/viewer.h"
-#include "client/readers/reader.h"
+#include "client/formats/aedat4/packets.h"
+#include "client/formats/common/reader.h"
 
 namespace saccade::client::dv {
 

@@ -2,7 +2,7 @@
 // machine.
 #include <iostream>
 
-#include "client/subscription.h"
+#include <saccade/subscription.h>
 
 int main(int argc, char** argv) {
   using namespace saccade;

@@ -5,9 +5,9 @@
 #include <iterator>
 #include <optional>
 
+#include "client/formats/text/text_reader.h"
 #include "client/poses/pose_formats.h"
 #include "client/poses/pose_lines.h"
-#include "client/readers/text_reader.h"
 
 namespace saccade::client {
 namespace {

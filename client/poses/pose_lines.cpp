@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "client/bounded_line.h"
-#include "client/readers/text_reader.h"
+#include "client/formats/common/bounded_line.h"
+#include "client/formats/text/text_reader.h"
 
 namespace saccade::client {
 namespace {

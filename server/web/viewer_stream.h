@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "client/socket.h"
+#include "saccade/socket.h"
 #include "saccade/v1/viewer.pb.h"
 #include "web/connection_watch.h"
 #include "web/web_socket.h"

@@ -13,7 +13,7 @@
 
 #include "base/hash_rng.h"
 #include "client/commands/source_file.h"
-#include "client/writers/writer.h"
+#include "client/formats/common/writer.h"
 
 namespace saccade::client {
 namespace {

@@ -3,9 +3,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "client/aedat4/packet_file.h"
-#include "client/aedat4/packet_table.h"
-#include "client/recording_file.h"
+#include "client/formats/aedat4/packet_file.h"
+#include "client/formats/aedat4/packet_table.h"
+#include "client/recording/recording_file.h"
 #include "file_size_limit.h"
 #include "format_test.h"
 

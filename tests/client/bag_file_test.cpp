@@ -1,4 +1,4 @@
-#include "client/writers/bag_file.h"
+#include "client/formats/ros/bag_file.h"
 
 #include <gtest/gtest.h>
 

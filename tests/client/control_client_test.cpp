@@ -1,4 +1,4 @@
-#include "client/control_client.h"
+#include "saccade/control_client.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // `saccade convert`, `saccade verify` and `saccade replay`.
 #include "client/command.h"
-#include "client/sidecar.h"
+#include "client/recording/sidecar.h"
 
 namespace saccade {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "client/recording_file.h"
+#include "client/recording/recording_file.h"
 #include "file_size_limit.h"
 #include "format_test.h"
 #include "random_events.h"

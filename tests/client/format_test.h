@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "client/readers/reader.h"
-#include "client/writers/writer.h"
+#include "client/formats/common/reader.h"
+#include "client/formats/common/writer.h"
 #include "scratch_folder.h"
 
 namespace saccade::client {

@@ -1,8 +1,8 @@
 // Labels of events in files of columns, where they are not as our own writers have them.
 #include <fstream>
 
-#include "client/readers/event_columns.h"
-#include "client/writers/npz_column.h"
+#include "client/formats/common/event_columns.h"
+#include "client/formats/npz/npz_column.h"
 #include "format_test.h"
 
 namespace saccade::client {

@@ -1,7 +1,7 @@
 // `saccade record --labels` and `--max-artefact-odds`, and what other commands make of such files.
 #include "client/command.h"
-#include "client/readers/reader.h"
-#include "client/sidecar.h"
+#include "client/formats/common/reader.h"
+#include "client/recording/sidecar.h"
 
 namespace saccade {
 namespace {

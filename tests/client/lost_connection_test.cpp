@@ -3,10 +3,10 @@
 
 #include <map>
 
-#include "client/subscription.h"
 #include "control_relay.h"
 #include "mock/fault_proxy.h"
 #include "mock/test_server.h"
+#include "saccade/subscription.h"
 
 namespace saccade::client {
 namespace {

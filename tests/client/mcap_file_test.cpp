@@ -1,4 +1,4 @@
-#include "client/writers/mcap_file.h"
+#include "client/formats/ros/mcap_file.h"
 
 #include <gtest/gtest.h>
 

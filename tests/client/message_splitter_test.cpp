@@ -1,4 +1,4 @@
-#include "client/writers/message_splitter.h"
+#include "client/formats/common/message_splitter.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "client/readers/npy_column.h"
-#include "client/recording_file.h"
-#include "client/writers/zip_archive.h"
+#include "client/formats/npz/npy_column.h"
+#include "client/formats/npz/zip_archive.h"
+#include "client/recording/recording_file.h"
 #include "file_size_limit.h"
 #include "format_test.h"
 #include "random_events.h"

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "client/recording_file.h"
+#include "client/recording/recording_file.h"
 #include "file_size_limit.h"
 #include "format_test.h"
 

@@ -1,4 +1,4 @@
-#include "client/recorder.h"
+#include "client/recording/recorder.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "client/readers/reader.h"
-#include "client/sidecar.h"
+#include "client/formats/common/reader.h"
+#include "client/recording/sidecar.h"
 #include "file_size_limit.h"
 #include "random_events.h"
 #include "scratch_folder.h"

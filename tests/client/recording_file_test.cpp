@@ -1,10 +1,10 @@
-#include "client/recording_file.h"
+#include "client/recording/recording_file.h"
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
-#include "client/sidecar.h"
+#include "client/recording/sidecar.h"
 #include "format_test.h"
 
 namespace saccade::client {

@@ -1,8 +1,8 @@
-#include "client/sequence_check.h"
+#include "saccade/sequence_check.h"
 
 #include <gtest/gtest.h>
 
-#include "client/stream_fault.h"
+#include "saccade/stream_fault.h"
 
 namespace saccade::client {
 namespace {

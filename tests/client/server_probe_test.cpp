@@ -1,4 +1,4 @@
-#include "client/server_probe.h"
+#include "saccade/server_probe.h"
 
 #include <gtest/gtest.h>
 #include <netinet/in.h>

@@ -1,4 +1,4 @@
-#include "client/subscriber.h"
+#include "saccade/subscriber.h"
 
 #include <gtest/gtest.h>
 

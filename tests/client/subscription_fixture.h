@@ -6,8 +6,8 @@
 #include <functional>
 #include <future>
 
-#include "client/subscription.h"
 #include "fake_server.h"
+#include "saccade/subscription.h"
 
 namespace saccade::client {
 

@@ -1,5 +1,5 @@
 // A stream whose connection and server come and go as a test says: both ends of the server are played by it.
-#include "client/subscription.h"
+#include "saccade/subscription.h"
 
 #include <gtest/gtest.h>
 

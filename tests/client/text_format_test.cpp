@@ -1,7 +1,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "client/readers/event_check.h"
+#include "client/formats/common/event_check.h"
 #include "format_test.h"
 
 namespace saccade::client {

@@ -1,6 +1,6 @@
 // `saccade record --truth`, and what `convert`, `verify` and `replay` make of such files.
 #include "client/command.h"
-#include "client/sidecar.h"
+#include "client/recording/sidecar.h"
 
 namespace saccade {
 namespace {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "client/recorder.h"
+#include "client/recording/recorder.h"
 #include "scratch_folder.h"
 
 namespace saccade::client {

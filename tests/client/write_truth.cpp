@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "client/recording_file.h"
+#include "client/recording/recording_file.h"
 
 namespace saccade::client {
 namespace {

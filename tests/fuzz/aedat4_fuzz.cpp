@@ -1,7 +1,7 @@
-#include "client/aedat4/info_node.h"
-#include "client/aedat4/io_header.h"
-#include "client/aedat4/packets.h"
-#include "client/readers/reader.h"
+#include "client/formats/aedat4/info_node.h"
+#include "client/formats/aedat4/io_header.h"
+#include "client/formats/aedat4/packets.h"
+#include "client/formats/common/reader.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/memory_file.h"
 

@@ -1,5 +1,5 @@
-#include "client/readers/reader.h"
-#include "client/writers/npz_column.h"
+#include "client/formats/common/reader.h"
+#include "client/formats/npz/npz_column.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/memory_file.h"
 

@@ -1,9 +1,9 @@
 // Input of a client: packets of a server that may be anyone's.
-#include "client/sequence_check.h"
-#include "client/stream_fault.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/inputs.pb.h"
 #include "fuzz/message_mutator.h"
+#include "saccade/sequence_check.h"
+#include "saccade/stream_fault.h"
 #include "saccade/wire/packet.h"
 
 namespace saccade {

@@ -1,4 +1,4 @@
-#include "client/readers/event_check.h"
+#include "client/formats/common/event_check.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/memory_file.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/config/config.h"
-#include "client/socket.h"
+#include "saccade/socket.h"
 #include "stream/socket_loop.h"
 
 namespace saccade {

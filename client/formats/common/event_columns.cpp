@@ -1,0 +1,54 @@
+#include "client/formats/common/event_columns.h"
+#include "client/formats/common/units.h"
+
+namespace saccade::client {
+namespace {
+
+bool isPixel(std::int64_t value) {
+  return value >= 0 && value <= UINT16_MAX;
+}
+
+bool isByte(std::int64_t value) {
+  return value >= 0 && value <= UINT8_MAX;
+}
+
+}  // namespace
+
+std::string LabelColumns::alone() const {
+  return both() ? "" : source ? "source without artefact" : artefact ? "artefact without source" : "";
+}
+
+void EventColumns::toEvents(const std::string& path, std::uint64_t before, Events& events) const {
+  events.resize(t_us.size());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    std::int64_t t_ns;
+    if (__builtin_mul_overflow(t_us[i], kNsPerUs, &t_ns) || !isPixel(x[i]) || !isPixel(y[i]) || p[i] < 0 ||
+        p[i] > 1)
+      throw FileFault(path, "event " + std::to_string(before + i + 1) + " has t " + std::to_string(t_us[i]) +
+                                ", x " + std::to_string(x[i]) + ", y " + std::to_string(y[i]) + ", p " +
+                                std::to_string(p[i]) + "; t counts microseconds, x and y are 0 to 65535, " +
+                                "p is 0 or 1");
+    events[i] = {t_ns, static_cast<std::uint16_t>(x[i]), static_cast<std::uint16_t>(y[i]),
+                 static_cast<std::uint8_t>(p[i])};
+  }
+  if (!source.empty()) addLabels(path, before, events);
+}
+
+void EventColumns::addLabels(const std::string& path, std::uint64_t before, Events& events) const {
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (!isByte(source[i]) || !isByte(artefact[i]))
+      throw FileFault(path, "event " + std::to_string(before + i + 1) + " has source " +
+                                std::to_string(source[i]) + ", artefact " + std::to_string(artefact[i]) +
+                                "; both are 0 to 255");
+    events[i].source = static_cast<std::uint8_t>(source[i]);
+    events[i].artefact = static_cast<std::uint8_t>(artefact[i]);
+  }
+}
+
+std::uint32_t toSide(const std::string& path, const std::string& name, std::int64_t pixels) {
+  if (pixels < 0 || pixels > UINT16_MAX + 1)
+    throw FileFault(path, "has " + name + " " + std::to_string(pixels) + "; valid are 1 to 65536");
+  return static_cast<std::uint32_t>(pixels);
+}
+
+}  // namespace saccade::client

@@ -1,0 +1,165 @@
+// HDF5 as the DSEC data set has it: /events/x, y, p, t and /ms_to_idx. Entry m is the number of events before
+// millisecond m; an event is at t + /t_offset microseconds. Compressed by gzip, or by Blosc with zstd. See
+// dsec.ifi.uzh.ch/data-format, and scripts/utils/eventslicer.py of github.com/uzh-rpg/DSEC. Width and height
+// stand where others look for them: in attributes of the root, and in /events.
+//
+// t has 32 bits, as readers expect. The file on disk ends with a whole chunk until finish(). After a full
+// disk or a kill it lacks the latest events, up to 131071, and the end of /ms_to_idx. The group /truth has
+// the truth channels, and then lacks the latest pictures, up to 4 MiB, and up to 1023 rows. Labels are
+// /events/source and /events/artefact, u8, as in Event.
+#include <deque>
+#include <optional>
+#include <stdexcept>
+
+#include "client/formats/common/units.h"
+#include "client/formats/common/writer.h"
+#include "client/formats/hdf5/hdf5_column.h"
+#include "client/formats/hdf5/hdf5_file.h"
+#include "client/formats/hdf5/hdf5_labels.h"
+#include "client/formats/hdf5/hdf5_truth.h"
+
+namespace saccade::client {
+namespace {
+
+constexpr std::int64_t kUsPerMs = 1000, kUsPerSecond = 1'000'000;
+constexpr std::int64_t kMaxUs = UINT32_MAX;
+constexpr std::uint64_t kChunk = 131072, kIndexChunk = 4096;
+constexpr std::uint64_t kTruthCommit = 4 << 20;  // bytes of samples after which they go to the disk
+constexpr const char* kLimit =
+    "the DSEC layout holds times from 0 to 4294.9 s (71 min 34 s); .npz and .csv hold others";
+
+class DsecWriter : public Writer {
+ public:
+  // `filters`: properties of the datasets that name their filters.
+  DsecWriter(const std::string& path, const v1::Recording& about, const Hdf5Handle& filters)
+      : path_(path),
+        file_(path),
+        events_(H5Gcreate2(file_.id(), "events", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose),
+        x_(events_.id(), "x", kChunk, filters),
+        y_(events_.id(), "y", kChunk, filters),
+        p_(events_.id(), "p", kChunk, filters),
+        t_(events_.id(), "t", kChunk, filters),
+        ms_to_idx_(file_.id(), "ms_to_idx", kIndexChunk, filters) {
+    writeAttribute(file_.id(), "width", about.width());
+    writeAttribute(file_.id(), "height", about.height());
+    writeScalar(events_.id(), "width", about.width());
+    writeScalar(events_.id(), "height", about.height());
+    if (about.labels()) labels_.emplace(events_.id(), kChunk, filters);
+    addTruth(about, filters);
+    toDisk();
+  }
+
+  void write(const Events& events, std::int64_t until_ns) override {
+    if (!events.empty()) checkTimes(events);
+    for (const Event& event : events) add(event);
+    until_us_ = until_ns / kNsPerUs;
+  }
+
+  void writeTruth(int channel, const TruthSamples& samples) override {
+    truth_.at(channel).write(samples);
+    for (const TruthSample& sample : samples) truth_bytes_ += sample.elements.size();
+    if (truth_bytes_ < kTruthCommit) return;
+    truth_bytes_ = 0;
+    toDisk();
+  }
+
+  void finish() override {
+    if (!offset_us_) chooseOffset(0);
+    indexUntil((until_us_ - *offset_us_) / kUsPerMs + 1);
+    x_.flush(), y_.flush(), p_.flush(), t_.flush(), ms_to_idx_.flush();
+    if (labels_) labels_->flush();
+    for (Hdf5Truth& truth : truth_) truth.flush();
+    file_.close();
+    if (file_.whole()) on_disk_ = count_;
+  }
+
+  std::uint64_t kept(std::uint64_t) const override { return on_disk_; }
+
+ private:
+  void addTruth(const v1::Recording& about, const Hdf5Handle& filters) {
+    if (about.truth_size() == 0) return;
+    const Hdf5Handle group(H5Gcreate2(file_.id(), "truth", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    for (const v1::RecordedTruth& channel : about.truth()) truth_.emplace_back(group.id(), channel, filters);
+  }
+
+  // 0, except for times that count from an epoch long ago.
+  void chooseOffset(std::int64_t first_us) {
+    offset_us_ = first_us > kMaxUs ? first_us / kUsPerMs * kUsPerMs : 0;
+    writeScalar(file_.id(), "t_offset", *offset_us_);
+  }
+
+  void checkTimes(const Events& events) {
+    if (!offset_us_) chooseOffset(events.front().t_ns / kNsPerUs);
+    if (events.front().t_ns < 0 || events.back().t_ns / kNsPerUs - *offset_us_ > kMaxUs)
+      throw std::range_error(path_ + ": " + kLimit);
+  }
+
+  void add(const Event& event) {
+    const std::int64_t t_us = event.t_ns / kNsPerUs - *offset_us_;
+    indexUntil(t_us / kUsPerMs);
+    x_.push(event.x), y_.push(event.y), p_.push(event.p), t_.push(static_cast<std::uint32_t>(t_us));
+    if (labels_) labels_->push(event);
+    if (++count_ % kChunk != 0) return;
+    ms_to_idx_.flush();
+    toDisk();
+  }
+
+  // Milliseconds up to `last_ms` have no further events before them.
+  void indexUntil(std::int64_t last_ms) {
+    for (; next_ms_ <= last_ms; ++next_ms_) ms_to_idx_.push(count_);
+  }
+
+  void toDisk() {
+    file_.commit();
+    if (file_.whole()) on_disk_ = count_ / kChunk * kChunk;
+  }
+
+  const std::string path_;  // for errors
+  Hdf5File file_;
+  const Hdf5Handle events_;
+  Hdf5Column<std::uint16_t> x_, y_;
+  Hdf5Column<std::uint8_t> p_;
+  Hdf5Column<std::uint32_t> t_;
+  Hdf5Column<std::uint64_t> ms_to_idx_;
+  std::optional<Hdf5Labels> labels_;
+  std::deque<Hdf5Truth> truth_;    // by channel
+  std::uint64_t truth_bytes_ = 0;  // since the last commit
+  std::optional<std::int64_t> offset_us_;
+  std::int64_t until_us_ = 0, next_ms_ = 0;
+  std::uint64_t count_ = 0, on_disk_ = 0;  // events
+};
+
+void addGzip(const Hdf5Handle& filters) {
+  H5Pset_shuffle(filters.id());
+  H5Pset_deflate(filters.id(), 1);
+}
+
+void addBlosc(const Hdf5Handle& filters) {
+  constexpr H5Z_filter_t kBlosc = 32001;
+  // Four places that the filter fills in, the level, 1 to shuffle bytes, 5 for zstd.
+  constexpr unsigned kSettings[] = {0, 0, 0, 0, 1, 1, 5};
+  if (H5Zfilter_avail(kBlosc) <= 0)
+    throw std::invalid_argument(
+        "--format: dsec-blosc needs the Blosc filter of HDF5; install hdf5-filter-plugin-blosc-serial");
+  H5Pset_filter(filters.id(), kBlosc, H5Z_FLAG_MANDATORY, std::size(kSettings), kSettings);
+}
+
+template <void (*addFilters)(const Hdf5Handle&)>
+std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {
+  if (about.request().timing().duration_s() * kUsPerSecond > kMaxUs)
+    throw std::invalid_argument(std::string("--format: ") + kLimit);
+  startHdf5();
+  const Hdf5Handle filters(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  addFilters(filters);
+  return std::make_unique<DsecWriter>(path, about, filters);
+}
+
+}  // namespace
+
+const WriterInfo kDsecWriter{"dsec",        ".h5", "HDF5 as in DSEC, up to 71 min", make<addGzip>, false,
+                             holdsAllTruth, true};
+const WriterInfo kDsecBloscWriter{
+    "dsec-blosc",  ".h5", "the same, compressed by Blosc with zstd", make<addBlosc>, false,
+    holdsAllTruth, true};
+
+}  // namespace saccade::client

@@ -1,0 +1,24 @@
+// Opens HDF5 files, and reads single numbers from them. Every call throws FileFault with the file's name.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "client/formats/hdf5/hdf5_handle.h"
+
+namespace saccade::client {
+
+// Throws std::system_error if there is no such file.
+Hdf5Handle openHdf5(const std::string& path);
+
+// A dataset of one number; nullopt if there is nothing of this name. `path` here and below: for errors.
+std::optional<std::int64_t> readScalar(const std::string& path, const Hdf5Handle& file,
+                                       const std::string& name);
+std::optional<std::int64_t> readRootAttribute(const std::string& path, const Hdf5Handle& file,
+                                              const std::string& name);
+
+// Whether values can be read as whole numbers. The bool of NumPy is an enumeration.
+bool isInteger(const Hdf5Handle& type);
+
+}  // namespace saccade::client
