@@ -12,7 +12,7 @@
 
 #include "app/app.h"
 #include "base/instruction_set.h"
-#include "ops/log.h"
+#include "log/log.h"
 
 namespace {
 

@@ -1,5 +1,6 @@
 // Prints how many events a camera sees that moves to the right. Argument: the server, by default on this
 // machine.
+#include <chrono>
 #include <iostream>
 
 #include <saccade/subscription.h>

@@ -11,7 +11,7 @@
 #include "app/config/keys.h"
 #include "app/request/measured_source.h"
 #include "app/service.h"
-#include "ops/client_log.h"
+#include "log/client_log.h"
 #include "ops/http_server.h"
 #include "ops/service_manager.h"
 #include "stream/broadcast_server.h"

@@ -5,7 +5,7 @@
 
 #include "app/process_usage.h"
 #include "app/request/enum_names.h"
-#include "ops/log.h"
+#include "log/log.h"
 #include "stream/bounded_peers.h"
 #include "stream/refused_connections.h"
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "app/streams/scene_cache.h"
+#include "app/feeds/totals.h"
+#include "app/stores/scene_cache.h"
 #include "app/streams/stream_registry.h"
-#include "app/streams/totals.h"
 
 namespace saccade {
 

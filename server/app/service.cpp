@@ -7,6 +7,7 @@
 #include "app/streams/frame_picture.h"
 #include "app/streams/stream_control.h"
 #include "events/noise/presets.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

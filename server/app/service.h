@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/streams/scene_lister.h"
+#include "app/stores/scene_lister.h"
 #include "app/streams/stream_opener.h"
 #include "app/streams/stream_registry.h"
 #include "base/worker.h"

@@ -4,34 +4,17 @@
 
 #include <array>
 #include <memory>
-#include <string>
 
 #include "base/pool_handle.h"
+#include "feed/feed_config.h"
 #include "feed/feed_interval.h"
 #include "feed/pixel_speed.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
-#include "methods/method.h"
 #include "render/renderer.h"
-#include "scene/camera/lens.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {
-
-struct FeedConfig {
-  CameraModel camera = pinhole(45, 256, 256);
-  double frame_rate_hz = 500;
-  std::string method = defaultMethod(true).name;  // of methodTable()
-  ParamValues params;                             // resolved by resolveParams()
-  int spp = 2;                                    // paths per pixel and frame over both passes
-  int bounces = 3;                                // indirect bounces
-  bool jitter = false;                            // RenderSettings::jitter
-  bool monochrome = false;
-  std::uint64_t seed = 0;
-  std::shared_ptr<const BakedLight> baked = {};  // precomputed light of this scene; nullptr: none
-
-  double pixels() const { return static_cast<double>(camera.width) * camera.height; }
-};
 
 class Feed {
  public:

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "reply/status.h"
 #include "saccade/v1/control.pb.h"
 #include "stream/answer.h"
 #include "stream/raw_request.h"
 #include "stream/request_counts.h"
 #include "stream/socket_loop.h"
-#include "reply/status.h"
 #include "stream/unread.h"
 
 namespace saccade {

@@ -37,8 +37,6 @@ class CreditQueue {
  public:
   enum class Overflow { kHold, kDropOldest };
 
-  static constexpr std::uint64_t kKeptBounds = 3;
-
   using Send = std::function<bool(const WirePacket&)>;  // whether it could be sent
 
   CreditQueue(Overflow overflow, std::uint64_t capacity, std::uint32_t sensors);

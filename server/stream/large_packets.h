@@ -7,18 +7,17 @@
 #include <memory>
 #include <string>
 
+#include "base/queue_bounds.h"
+
 namespace saccade {
 
 class LargePackets {
  public:
-  static constexpr std::size_t kLarge = 4 << 20;  // bytes; smaller ones are not counted
-  static constexpr int kMost = 4;
-
   // The payload, counted for as long as somebody holds what is returned. Null where too many are. From one
   // thread.
   std::shared_ptr<const std::string> lend(const std::shared_ptr<const std::string>& payload) {
-    if (payload->size() <= kLarge) return payload;
-    if (*lent_ >= kMost) return nullptr;
+    if (payload->size() <= kLargePacket) return payload;
+    if (*lent_ >= kMostLargePackets) return nullptr;
     ++*lent_;
     return {payload.get(), [payload, lent = lent_](const std::string*) { --*lent; }};
   }

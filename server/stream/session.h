@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/queue_bounds.h"
 #include "saccade/v1/control.pb.h"
 #include "stream/change_notifier.h"
 #include "stream/credit_queue.h"
@@ -18,9 +19,6 @@
 #include "stream/wake_fd.h"
 
 namespace saccade {
-
-// Memory of the packets that wait for one stream's client. CreditQueue bounds the unacknowledged ones.
-inline constexpr std::uint64_t kQueueBytes = 4 << 20;
 
 inline constexpr std::string_view kTopicPrefix = "s/";  // of every topic; the stream's id follows
 

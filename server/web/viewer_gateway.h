@@ -8,8 +8,8 @@
 #include <thread>
 #include <zmq.hpp>
 
+#include "log/limited_log.h"
 #include "ops/http_upgrade.h"
-#include "ops/limited_log.h"
 #include "web/viewer_stream.h"
 
 namespace saccade {

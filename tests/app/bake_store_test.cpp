@@ -1,5 +1,5 @@
 // Bakes that streams share: one is made for all who ask, and goes on where it was stopped.
-#include "app/streams/bake_store.h"
+#include "app/stores/bake_store.h"
 
 #include <gtest/gtest.h>
 

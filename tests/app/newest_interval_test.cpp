@@ -1,4 +1,4 @@
-#include "app/streams/newest_interval.h"
+#include "app/feeds/newest_interval.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,8 @@
 #include <limits>
 
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_sensor.h"
+#include "events/noise/presets.h"
 
 namespace saccade {
 namespace {

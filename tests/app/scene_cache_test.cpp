@@ -1,4 +1,4 @@
-#include "app/streams/scene_cache.h"
+#include "app/stores/scene_cache.h"
 
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>

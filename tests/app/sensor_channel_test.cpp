@@ -1,4 +1,4 @@
-#include "app/streams/sensor_channel.h"
+#include "app/sequence/sensor_channel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/streams/sensor_schedule.h"
+#include "app/sequence/sensor_schedule.h"
 
 #include <gtest/gtest.h>
 

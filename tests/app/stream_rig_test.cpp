@@ -1,9 +1,10 @@
-#include "app/streams/stream_rig.h"
+#include "app/sequence/stream_rig.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "app/request/resolve_parts.h"
 #include "feed/room.h"
 
 namespace saccade {

@@ -1,4 +1,4 @@
-#include "app/streams/stream_sink.h"
+#include "app/feeds/stream_sink.h"
 
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>

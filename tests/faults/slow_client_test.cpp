@@ -121,8 +121,7 @@ TEST_F(SlowClient, AloneLosesPacketsAndCanCountThem) {
 
   // Packets that wait for it, and those that it has not acknowledged, with as much on the way as its credit.
   RecordProperty("resident_growth_bytes", std::to_string(grown));
-  EXPECT_LT(grown,
-            static_cast<std::int64_t>((1 + CreditQueue::kKeptBounds) * kQueueBytes + kCredit) + kSlackBytes);
+  EXPECT_LT(grown, static_cast<std::int64_t>((1 + kKeptBounds) * kQueueBytes + kCredit) + kSlackBytes);
   const v1::StreamInfo info = client_.info(slow.stream_id());
   EXPECT_GT(summary.dropped, 0u);
   EXPECT_EQ(summary.dropped, info.dropped_packets());
@@ -167,7 +166,7 @@ TEST(StoppedDataset, IsHeldInBoundsAndThenGoesOnWithoutLoss) {
   ASSERT_TRUE(waitUntil(heldForAWhile, kPatience));
   EXPECT_LT(frames, stream.frames());
   EXPECT_LT(server.usage().resident_bytes - before,
-            static_cast<std::int64_t>((1 + CreditQueue::kKeptBounds) * kQueueBytes + kCredit) + kSlackBytes);
+            static_cast<std::int64_t>((1 + kKeptBounds) * kQueueBytes + kCredit) + kSlackBytes);
   stopped.signal(SIGCONT);
   const Summary summary = stopped.summary();
   EXPECT_EQ(summary.dropped, 0u);

@@ -69,14 +69,14 @@ TEST_F(SlowReceivers, TogetherHoldNoMoreThanTheStreamMayLend) {
     top = std::max(top, residentMiB());
   }
   constexpr int kOnTheWay = 4;  // a frame that is pushed: its message, and what is made of it
-  EXPECT_LT(top - before, (LargePackets::kMost + 2 + kOnTheWay) * kPictureMiB)
+  EXPECT_LT(top - before, (kMostLargePackets + 2 + kOnTheWay) * kPictureMiB)
       << kSubscribers << " subscribers";
 }
 
 TEST(LargePictures, CountAsQueues) {
   NEEDS_PATCHED_LIBZMQ();
   Config config = testConfig();
-  config.limits[Limit::kQueues] = 16 + (LargePackets::kMost + 1) * kPictureMiB - 1;
+  config.limits[Limit::kQueues] = 16 + (kMostLargePackets + 1) * kPictureMiB - 1;
   TestServer server(config);
   EXPECT_EQ(server.client().tryOpen(pictures()).limit(), "queues");
   v1::OpenStream smaller = pictures();

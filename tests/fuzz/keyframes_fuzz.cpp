@@ -1,5 +1,5 @@
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_trajectory.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/message_mutator.h"
 #include "fuzz/path_check.h"

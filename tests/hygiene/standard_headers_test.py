@@ -9,7 +9,7 @@ import unittest
 
 import house
 
-SOURCE_ROOTS = ["", "server", "tests", "proto"]  # of the includes in quotes, beside the file's own folder
+SOURCE_ROOTS = ["", "server", "client", "tests", "proto"]  # of the includes in quotes, beside the file's own folder
 ALGORITHMS = ("adjacent_find all_of any_of binary_search clamp copy copy_backward copy_if copy_n count count_if equal "
               "equal_range fill fill_n find find_if find_if_not for_each generate is_sorted lexicographical_compare "
               "lower_bound max max_element merge min min_element minmax_element mismatch none_of nth_element "

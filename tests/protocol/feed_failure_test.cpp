@@ -8,8 +8,9 @@
 #include <atomic>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 
-#include "app/streams/feed_runner.h"
+#include "app/feeds/feed_runner.h"
 #include "feed/rig.h"
 #include "mock/mock_client.h"
 #include "mock/wait_until.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
-#include "app/streams/feed_runner.h"
+#include "app/feeds/feed_runner.h"
 #include "base/counting_new.h"
 #include "feed/rig.h"
 #include "mock/mock_client.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/admission/limits.h"
-#include "app/streams/pace.h"
+#include "app/feeds/pace.h"
 #include "mock/test_server.h"
 
 namespace saccade {

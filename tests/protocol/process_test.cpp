@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "log/log.h"
 #include "mock/accuracy_file.h"
 #include "mock/mock_service_manager.h"
 #include "mock/needs_libzmq.h"
@@ -12,7 +13,6 @@
 #include "mock/remote_subscriber.h"
 #include "mock/test_server.h"
 #include "mock/wait_until.h"
-#include "ops/log.h"
 
 namespace saccade {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include "base/queue_bounds.h"
 #include "mock/server_process.h"
 #include "saccade/wire/packet_cutter.h"
 
@@ -229,7 +230,7 @@ TEST(CreditQueue, CountsTheMemoryThatPacketsTake) {
       }
     }
     const double kept = static_cast<double>(mallinfo2().uordblks - before) / kMiB;
-    EXPECT_NEAR(kept, CreditQueue::kKeptBounds, 0.2) << events << " events are kept";
+    EXPECT_NEAR(kept, kKeptBounds, 0.2) << events << " events are kept";
   }
 }
 

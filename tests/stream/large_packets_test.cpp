@@ -16,14 +16,14 @@ Payload payload(std::size_t bytes) {
 TEST(LargePackets, NoMoreThanSoManyAreHeld) {
   LargePackets packets;
   std::vector<Payload> held;
-  for (int i = 0; i < LargePackets::kMost; ++i) {
-    held.push_back(packets.lend(payload(LargePackets::kLarge + 1)));
+  for (int i = 0; i < kMostLargePackets; ++i) {
+    held.push_back(packets.lend(payload(kLargePacket + 1)));
     ASSERT_TRUE(held.back());
-    EXPECT_EQ(held.back()->size(), LargePackets::kLarge + 1);
+    EXPECT_EQ(held.back()->size(), kLargePacket + 1);
   }
-  const Payload next = payload(LargePackets::kLarge + 1);
+  const Payload next = payload(kLargePacket + 1);
   EXPECT_FALSE(packets.lend(next));
-  EXPECT_TRUE(packets.lend(payload(LargePackets::kLarge)));  // small ones are not counted
+  EXPECT_TRUE(packets.lend(payload(kLargePacket)));  // small ones are not counted
   Payload copy = held.front();
   held.erase(held.begin());
   EXPECT_FALSE(packets.lend(next));  // the copy holds it
@@ -36,7 +36,7 @@ TEST(LargePackets, AHeldOneOutlivesItsStream) {
   Payload held;
   {
     LargePackets packets;
-    held = packets.lend(payload(LargePackets::kLarge + 1));
+    held = packets.lend(payload(kLargePacket + 1));
   }
   EXPECT_EQ(held->back(), 'x');
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "client/formats/common/units.h"
 #include "client/formats/common/ros_names.h"
+#include "client/formats/common/units.h"
 
 namespace saccade::client {
 namespace {

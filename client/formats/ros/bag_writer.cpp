@@ -7,11 +7,11 @@
 
 #include "client/formats/common/little_endian.h"
 #include "client/formats/common/message_splitter.h"
+#include "client/formats/common/ros_names.h"
 #include "client/formats/common/shared_file.h"
 #include "client/formats/common/units.h"
 #include "client/formats/common/writer.h"
 #include "client/formats/ros/bag_truth.h"
-#include "client/formats/common/ros_names.h"
 
 namespace saccade::client {
 namespace {

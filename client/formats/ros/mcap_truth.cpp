@@ -1,7 +1,7 @@
 #include "client/formats/ros/mcap_truth.h"
 
-#include "client/formats/common/units.h"
 #include "client/formats/common/ros_names.h"
+#include "client/formats/common/units.h"
 
 namespace saccade::client {
 namespace {

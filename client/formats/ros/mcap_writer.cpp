@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "client/formats/common/message_splitter.h"
+#include "client/formats/common/ros_names.h"
 #include "client/formats/common/shared_file.h"
 #include "client/formats/common/units.h"
 #include "client/formats/common/writer.h"
 #include "client/formats/evt/evt3_encoder.h"
 #include "client/formats/ros/mcap_truth.h"
-#include "client/formats/common/ros_names.h"
 
 namespace saccade::client {
 namespace {

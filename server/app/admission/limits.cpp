@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "stream/session.h"
+#include "base/queue_bounds.h"
 
 namespace saccade {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "stream/credit_queue.h"
-#include "stream/large_packets.h"
+#include "base/queue_bounds.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {
@@ -33,8 +33,8 @@ double pictureBytes(const ResolvedStream& stream) {
 // The newest packet that was sent stays, however large, and receivers may hold others.
 double queueMemory(const ResolvedStream& stream, const Limits& limits) {
   const double largest = std::max(snapshotBytes(stream), pictureBytes(stream));
-  const double beyond = largest > LargePackets::kLarge ? (LargePackets::kMost + 1) * largest : 0;
-  return limits[Limit::kQueue] * (1 + CreditQueue::kKeptBounds) + beyond / (1 << 20);
+  const double beyond = largest > kLargePacket ? (kMostLargePackets + 1) * largest : 0;
+  return limits[Limit::kQueue] * (1 + kKeptBounds) + beyond / (1 << 20);
 }
 
 }  // namespace saccade

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/admission/limits.h"
-#include "app/request/resolve.h"
+#include "app/request/resolved_stream.h"
 
 namespace saccade {
 

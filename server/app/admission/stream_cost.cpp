@@ -9,6 +9,7 @@
 #include "app/request/request_memory.h"
 #include "frame/intensity_change.h"
 #include "saccade/wire/packet_cutter.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

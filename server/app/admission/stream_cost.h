@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/admission/resource_quota.h"
-#include "app/request/resolve.h"
+#include "app/request/resolved_stream.h"
 
 namespace saccade {
 

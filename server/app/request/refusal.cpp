@@ -3,8 +3,8 @@
 #include <new>
 
 #include "base/range.h"
-#include "scene/files/scene_error.h"
 #include "reply/status.h"
+#include "scene/files/scene_error.h"
 
 namespace saccade {
 

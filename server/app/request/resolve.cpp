@@ -1,4 +1,8 @@
 #include "app/request/resolve.h"
+#include "app/request/resolve_parts.h"
+#include "app/request/resolve_quality.h"
+#include "app/request/resolve_trajectory.h"
+#include "app/request/resolve_view.h"
 
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_quality.h"
 
 namespace saccade {
 namespace {

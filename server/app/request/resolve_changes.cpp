@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_sensor.h"
 
 namespace saccade {
 

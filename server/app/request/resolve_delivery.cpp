@@ -1,7 +1,6 @@
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
-#include "stream/bounded_peers.h"
+#include "app/request/resolve_parts.h"
 
 namespace saccade {
 namespace {
@@ -29,9 +28,6 @@ void checkFromItems(const v1::OpenStream& request) {
 void resolveDelivery(v1::OpenStream& request) {
   request.set_delivery(resolveEnum("delivery", request.delivery(), v1::DELIVERY_LOSSLESS));
   request.set_codec(resolveEnum("codec", request.codec(), v1::CODEC_NONE));
-  if (request.delivery() == v1::DELIVERY_BROADCAST && !peersAreBounded()) {
-    refuse("delivery", "this saccaded has the system's libzmq, with which it serves no BROADCAST stream");
-  }
   checkFromItems(request);
 }
 

@@ -1,6 +1,6 @@
 #include "app/request/read_pose.h"
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_truth.h"
 
 namespace saccade {
 namespace {

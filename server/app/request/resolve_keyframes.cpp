@@ -2,7 +2,7 @@
 
 #include "app/request/read_pose.h"
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_trajectory.h"
 
 namespace saccade {
 namespace {

@@ -1,8 +1,9 @@
 #include <optional>
 
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_sensor.h"
 #include "base/text_cut.h"
+#include "events/noise/presets.h"
 
 namespace saccade {
 namespace {

@@ -1,6 +1,9 @@
 // A stream whose client sends the frames: there is no scene, no camera and nothing to render.
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
+#include "app/request/resolve_parts.h"
+#include "app/request/resolve_view.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

@@ -4,7 +4,8 @@
 
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_parts.h"
+#include "app/request/resolve_sensor.h"
 #include "base/hash_rng.h"
 
 namespace saccade {

@@ -1,5 +1,5 @@
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_quality.h"
 #include "base/names.h"
 #include "base/text_cut.h"
 

@@ -1,6 +1,6 @@
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_parts.h"
 
 namespace saccade {
 

@@ -2,7 +2,7 @@
 
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_trajectory.h"
 #include "base/names.h"
 #include "base/text_cut.h"
 #include "render/camera/view_grid.h"

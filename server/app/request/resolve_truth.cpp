@@ -2,9 +2,11 @@
 #include <cmath>
 
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
+#include "app/request/resolve_parts.h"
+#include "app/request/resolve_truth.h"
 #include "base/hash_rng.h"
 #include "base/text_cut.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

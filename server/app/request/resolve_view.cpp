@@ -1,6 +1,6 @@
+#include "app/request/resolve_view.h"
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
-#include "app/request/resolve.h"
 
 namespace saccade {
 namespace {

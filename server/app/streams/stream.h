@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "app/streams/feed_runner.h"
-#include "app/streams/pace.h"
-#include "app/streams/pushed_frames.h"
-#include "app/streams/steering.h"
-#include "app/streams/stream_sink.h"
+#include "app/feeds/feed_runner.h"
+#include "app/feeds/pace.h"
+#include "app/feeds/pushed_frames.h"
+#include "app/feeds/steering.h"
+#include "app/feeds/stream_sink.h"
 #include "stream/session.h"
 
 namespace saccade {

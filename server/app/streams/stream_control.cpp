@@ -5,6 +5,7 @@
 #include "app/admission/stream_cost.h"
 #include "app/request/read_pose.h"
 #include "app/request/refusal.h"
+#include "app/request/resolve_sensor.h"
 
 namespace saccade {
 namespace {

@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "app/admission/stream_cost.h"
+#include "app/feeds/pace.h"
 #include "app/request/refusal.h"
 #include "app/request/request_memory.h"
-#include "app/streams/pace.h"
+#include "app/request/resolve_trajectory.h"
+#include "app/sequence/stream_rig.h"
 #include "app/streams/stream_opened.h"
-#include "app/streams/stream_rig.h"
 #include "base/text_cut.h"
+#include "stream/bounded_peers.h"
 #include "truth/id_names.h"
 
 namespace saccade {
@@ -59,6 +61,8 @@ v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
 }
 
 ResolvedStream StreamMaker::check(v1::OpenStream request) const {
+  if (request.delivery() == v1::DELIVERY_BROADCAST && !peersAreBounded())
+    refuse("delivery", "this saccaded has the system's libzmq, with which it serves no BROADCAST stream");
   if (request.pushed()) return resolvePushed(std::move(request));
   const SceneEntry entry = findScene(request.scene());
   return resolve(std::move(request), entry, resources_.tables);

@@ -4,10 +4,10 @@
 #include <memory>
 #include <mutex>
 
+#include "app/feeds/feed_maker.h"
+#include "app/feeds/shared_feeds.h"
 #include "app/request/resolve.h"
-#include "app/streams/feed_maker.h"
 #include "app/streams/openings.h"
-#include "app/streams/shared_feeds.h"
 #include "app/streams/stream_resources.h"
 
 namespace saccade {
@@ -16,7 +16,9 @@ class StreamMaker {
  public:
   // `openings` is told what is being done; it must outlive this.
   StreamMaker(const StreamResources& resources, Openings& openings)
-      : resources_(resources), feeds_(resources), openings_(openings) {}
+      : resources_(resources),
+        feeds_(resources.pool, resources.totals, resources.log, resources.quota.limits()),
+        openings_(openings) {}
 
   // Makes the stream and enters it into the registry. May take seconds. From any thread. Throws Refusal,
   // SceneError, and Cancelled.

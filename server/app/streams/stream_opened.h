@@ -1,7 +1,7 @@
 // The reply about a stream that has been opened, and the request that is kept of it.
 #pragma once
 
-#include "app/request/resolve.h"
+#include "app/request/resolved_stream.h"
 #include "app/streams/stream.h"
 
 namespace saccade {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "app/streams/pace.h"
+#include "app/feeds/pace.h"
 #include "app/streams/stream.h"
-#include "ops/client_log.h"
+#include "log/client_log.h"
 #include "stream/session_directory.h"
 
 namespace saccade {

@@ -4,13 +4,13 @@
 #include <cstdint>
 
 #include "app/admission/resource_quota.h"
+#include "app/feeds/totals.h"
 #include "app/request/measured_source.h"
-#include "app/streams/bake_store.h"
-#include "app/streams/scene_cache.h"
+#include "app/stores/bake_store.h"
+#include "app/stores/scene_cache.h"
 #include "app/streams/stream_registry.h"
-#include "app/streams/totals.h"
 #include "base/tile_pool.h"
-#include "ops/client_log.h"
+#include "log/client_log.h"
 #include "stream/wake_fd.h"
 
 namespace saccade {

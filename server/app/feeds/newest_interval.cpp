@@ -1,0 +1,18 @@
+#include "app/feeds/newest_interval.h"
+
+namespace saccade {
+
+void NewestInterval::set(const IntensityChange& change) {
+  std::lock_guard lock(mutex_);
+  newest_ = &change;
+}
+
+std::unique_ptr<const IntensityChange> NewestInterval::copy() const {
+  std::lock_guard lock(mutex_);
+  if (!newest_) return nullptr;
+  auto copy = std::make_unique<IntensityChange>(newest_->dI.width(), newest_->dI.height());
+  copy->copyFrom(*newest_);
+  return copy;
+}
+
+}  // namespace saccade

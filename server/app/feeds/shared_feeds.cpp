@@ -1,0 +1,31 @@
+#include "app/feeds/shared_feeds.h"
+
+namespace saccade {
+namespace {
+
+// A paced stream that may drop packets never waits for its client, so such streams cannot hold each other up.
+bool mayShare(const v1::OpenStream& request) {
+  return isPaced(request) && request.delivery() != v1::DELIVERY_LOSSLESS && !request.timing().steerable();
+}
+
+}  // namespace
+
+bool isPaced(const v1::OpenStream& request) {
+  return request.timing().clock() == v1::CLOCK_PACED;
+}
+
+std::shared_ptr<FeedRunner> SharedFeeds::find(const ResolvedStream& stream) {
+  if (!mayShare(stream.request)) return nullptr;
+  std::lock_guard lock(mutex_);
+  std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });
+  const auto found = feeds_.find(stream.feedKey());
+  return found == feeds_.end() ? nullptr : found->second.lock();
+}
+
+void SharedFeeds::add(const ResolvedStream& stream, const std::shared_ptr<FeedRunner>& feed) {
+  if (!mayShare(stream.request)) return;
+  std::lock_guard lock(mutex_);
+  feeds_[stream.feedKey()] = feed;
+}
+
+}  // namespace saccade

@@ -1,0 +1,21 @@
+// Resolves the path of a request.
+#pragma once
+
+#include "app/request/resolved_stream.h"
+#include "render/world/render_scene.h"
+#include "scene/camera/trajectory.h"
+#include "scene/library/scene_library.h"
+
+namespace saccade {
+
+// Checks what needs no loaded scene, and fills in the defaults. Throws Refusal.
+void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene);
+
+// Throws Refusal naming the key.
+Trajectory resolveKeyframes(const v1::Keyframes& keyframes);
+
+// The body's path, once the field of view is known. Throws Refusal, with the line of a faulty text.
+Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
+                             const SceneLibrary& library);
+
+}  // namespace saccade

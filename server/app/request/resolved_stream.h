@@ -1,0 +1,38 @@
+// A request whose every value is checked, and every default filled in.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "events/sensor_config.h"
+#include "feed/feed_config.h"
+#include "render/features/simplify.h"
+#include "saccade/v1/control.pb.h"
+#include "scene/camera/pose.h"
+#include "truth/truth_config.h"
+
+namespace saccade {
+
+struct ResolvedStream {
+  v1::OpenStream request = {};                 // as StreamOpened.resolved
+  FeedConfig feed = {};                        // of view 0
+  std::vector<FeedConfig> further = {};        // of the further views
+  std::vector<Pose> T_body_camera = {Pose{}};  // of each view
+  std::vector<SensorConfig> sensors = {};
+  std::vector<std::vector<SensorChange>> changes = {};  // by sensor, in order of time
+  std::vector<TruthConfig> truth = {};
+  FrameIndex frames = 0;  // intervals to render; 0: until closed
+  SceneFeatures disabled_features = {};
+  bool chooses_method = false;  // the request, or its budget; otherwise fitTo() may take another one
+  std::optional<v1::ExpectedQuality> expected = {};       // of a request with a budget
+  std::optional<v1::ExpectedChange> simplification = {};  // of a request with a max_event_change
+
+  std::size_t views() const { return T_body_camera.size(); }
+  const FeedConfig& feedOf(std::size_t view) const { return view == 0 ? feed : further[view - 1]; }
+
+  // Streams with equal keys share a feed.
+  std::string feedKey() const;
+};
+
+}  // namespace saccade
