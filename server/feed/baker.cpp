@@ -28,10 +28,10 @@ constexpr std::size_t kFirstPassShare = 2;
 }  // namespace
 
 Baker::Baker(std::shared_ptr<const RenderScene> scene, BakePlan plan)
-    : scene_(std::move(scene)),
+    : posed_(std::move(scene)),
       plan_(std::move(plan)),
       lens_(plan_.camera),
-      renderer_(scene_, {plan_.bounces, plan_.channels}),
+      renderer_({plan_.bounces, plan_.channels}),
       pass_{.poses = plan_.poses.size()},
       max_vertices_(static_cast<std::size_t>(plan_.memory) * kMiB / SurfaceGrid::kBytesPerVertex),
       grid_(gridOf(pass_.larger_cells)),
@@ -59,7 +59,8 @@ void Baker::pass(const PoolHandle& pool) {
       break;
     }
     const SeedPlan seeds = SeedPlan::independent(hashKey(kSeed, pass_.count), pose, 0);
-    renderer_.renderPaths(cameraAt(pose), seeds, *next, &bounces_, pool);
+    const Camera camera = cameraAt(pose);
+    renderer_.renderPaths(PixelContext({posed_, camera}), seeds, *next, &bounces_, pool);
     grid_.add(*frame_.surfaces, at_, pool);
     grid_.readAdded(*frame_.surfaces, frame_.g, at_, pool, estimate_);
     grid_.learn(at_, pool);
@@ -75,7 +76,7 @@ void Baker::pass(const PoolHandle& pool) {
 // Every pass shifts the pixels, so that all vertices between them are reached. Once memory is full, passes
 // repeat the shifts whose vertices are there.
 Camera Baker::cameraAt(std::size_t pose) const {
-  Camera camera(scene_->inScene(plan_.poses[pose]), lens_);
+  Camera camera(posed_.still().inScene(plan_.poses[pose]), lens_);
   const auto i = static_cast<std::uint32_t>(isFull() ? pass_.count % pass_.shifts : pass_.count);
   camera.shift(0.5f - halton(i + 1, 2), 0.5f - halton(i + 1, 3));
   return camera;
@@ -90,7 +91,7 @@ bool Baker::useLargerCells() {
 
 std::optional<SurfaceFrame> Baker::look(std::size_t pose, const PoolHandle& pool) {
   const Camera camera = cameraAt(pose);
-  const SurfaceFrame next = renderer_.renderSurfaces(camera, camera, pool, frame_);
+  const SurfaceFrame next = renderer_.renderSurfaces(PixelContext({posed_, camera}), pool, frame_);
   const SurfaceSamples& on = *frame_.surfaces;
   grid_.place(on, &next.obstacles, pool, none_, at_);
   if (passes() == 0 && pose > 0 && vertices() > max_vertices_ / kFirstPassShare) {

@@ -44,7 +44,7 @@ class Baker {
   // Starts again with cells of twice the size, if the first pass found too little memory for them all.
   bool useLargerCells();
 
-  std::shared_ptr<const RenderScene> scene_;
+  PosedScene posed_;  // with steady lamps
   BakePlan plan_;
   Lens lens_;
   Renderer renderer_;

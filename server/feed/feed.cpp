@@ -25,9 +25,9 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
            std::unique_ptr<Method> method, SeedPlanner seeds, const PoolHandle& pool)
     : config_(config),
       lens_(config.camera),
-      scene_(std::move(scene)),
+      posed_{PosedScene(scene), PosedScene(scene)},
       path_(std::move(path)),
-      renderer_(scene_, {config.bounces, config.monochrome ? 1 : scene_->channels(), config.jitter}),
+      renderer_({config.bounces, config.monochrome ? 1 : scene->channels(), config.jitter}),
       method_(std::move(method)),
       seeds_(seeds),
       frames_(config.camera.width, config.camera.height,
@@ -61,29 +61,32 @@ void Feed::render(const PoolHandle& pool) {
   const TimeNs time_prev = frame.index == 0 ? frame.time : frameTime(frame.index - 1, config_.frame_rate_hz);
   frame.stands = frame.index > 0 && path_.at(frame.time) == path_.at(time_prev);
   const Camera camera = cameraAt(frame.time), prev = cameraAt(time_prev);
+  PosedScene& posed = posed_[frame.index % 2];
+  posed.setTime(frame.time);
+  const PixelContext view({posed, camera}, {frame.index == 0 ? posed : posed_[(frame.index + 1) % 2], prev});
   const SeedPlan seeds = seeds_(config_.seed, frame.index, config_.spp);
   SurfaceMethod* method = method_->onSurfaces();
   if (!method) {
-    times_[Stage::kTrace] += renderer_.render(camera, prev, seeds, pool, frame);
+    times_[Stage::kTrace] += renderer_.render(view, seeds, pool, frame);
     return;
   }
   const SurfaceFrame next =
-      renderer_.renderSurfaces(camera, prev, pool, frame, [&](Tile tile) { method->readBaked(tile, frame); });
+      renderer_.renderSurfaces(view, pool, frame, [&](Tile tile) { method->readBaked(tile, frame); });
   const BounceGrid* known = method->plan(config_.spp, next, pool, times_);
-  times_[Stage::kTrace] += next.time + renderer_.renderPaths(camera, seeds, next, known, pool);
+  times_[Stage::kTrace] += next.time + renderer_.renderPaths(view, seeds, next, known, pool);
 }
 
 Camera Feed::cameraAt(TimeNs t) const {
-  return {scene_->inScene(path_.at(t)), lens_};
+  return {scene().inScene(path_.at(t)), lens_};
 }
 
 FeedInterval Feed::interval() const {
   const IntensityChange& done = change();
-  return {done, RenderedInterval{frames(), cameraAt(done.t1), cameraAt(done.t0), path_, *scene_}};
+  return {done, RenderedInterval{frames(), cameraAt(done.t1), cameraAt(done.t0), path_, scene()}};
 }
 
 PixelSpeed Feed::pixelSpeed(FrameIndex frames) const {
-  return measurePixelSpeed(*scene_, path_, config_, frames);
+  return measurePixelSpeed(scene(), path_, config_, frames);
 }
 
 float Feed::firstFrameLuminance(double fraction) const {

@@ -47,10 +47,11 @@ class Feed {
  private:
   void render(const PoolHandle& pool);
   Camera cameraAt(TimeNs t) const;
+  const RenderScene& scene() const { return posed_[0].still(); }
 
   FeedConfig config_;
   Lens lens_;
-  std::shared_ptr<const RenderScene> scene_;
+  std::array<PosedScene, 2> posed_;  // at the times of two frames, in turn
   Trajectory path_;
   Renderer renderer_;
   std::unique_ptr<Method> method_;

@@ -21,7 +21,7 @@ void renderStillTile(const PixelContext& view, std::uint64_t seed, int spp, int 
     const Rgb path = found.radiance.at(slot).rgb();
     if (std::isfinite(luminance(path))) (*sums)[of] = (*sums)[of] + toDouble(path);
   };
-  const Tracing tracing{view.scene, view.strengths, bounces, {}};
+  const Tracing tracing{view.now.scene, bounces, {}};
   PathRun<S, 3, false, decltype(onPath)> run(tracing, onPath);
   forEachPixel(tile, [&](int x, int y) { (*sums)[owner(x, y)] = {}; });
   const auto forEachPath = [&](const auto& f) {
@@ -49,13 +49,11 @@ int tileEdge(int spp, int bounces) {
 
 }  // namespace
 
-std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& prev, const SeedPlan& seeds,
+std::chrono::nanoseconds Renderer::render(const PixelContext& view, const SeedPlan& seeds,
                                           const PoolHandle& pool, Frame& out) {
-  strengths_.setTime(out.time);
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
-  const PixelContext view{*scene_, strengths_, camera, prev};
-  const auto tile = withKernel(scene_->shading(), [this]<Shading S>() {
+  const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
     if (settings_.jitter)
       return settings_.channels == 1 ? renderJitteredTile<S, 1> : renderJitteredTile<S, 3>;
     return settings_.channels == 1 ? renderTile<S, 1> : renderTile<S, 3>;
@@ -64,42 +62,40 @@ std::chrono::nanoseconds Renderer::render(const Camera& camera, const Camera& pr
                           [&](Tile t) { tile(view, seeds, settings_.bounces, t, out); });
 }
 
-SurfaceFrame Renderer::renderSurfaces(const Camera& camera, const Camera& prev, const PoolHandle& pool,
-                                      Frame& out, const OnTile& on_tile) {
-  strengths_.setTime(out.time);
-  out.light = strengths_.state();
-  const Shading& has = scene_->shading();
+SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle& pool, Frame& out,
+                                      const OnTile& on_tile) {
+  const RenderScene& scene = view.now.scene.still();
+  out.light = view.now.scene.strengths().state();
+  const Shading has = scene.shading();
   const bool plain_only =
-      has.diffuseOnly() && !has.extras && camera.isPlain() && out.surfaces->perPixel() == 1;
+      has.diffuseOnly() && !has.extras && view.now.camera.isPlain() && out.surfaces->perPixel() == 1;
   starts_.resize(out.surfaces->indexOf(0, out.height()), plain_only);
-  const PixelContext view{*scene_, strengths_, camera, prev};
-  const auto tile = withKernel(scene_->shading(), []<Shading S>() { return renderSurfaceTile<S>; });
+  const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
                                      [&](Tile t) { tile(view, t, on_tile, starts_, out); });
   out.surfaces->summarize(starts_.any(), starts_.anyOfOthers());
-  return {out, *scene_, time};
+  return {out, scene, time};
 }
 
-std::chrono::nanoseconds Renderer::renderPaths(const Camera& camera, const SeedPlan& seeds,
+std::chrono::nanoseconds Renderer::renderPaths(const PixelContext& view, const SeedPlan& seeds,
                                                const SurfaceFrame& next, const BounceGrid* known,
                                                const PoolHandle& pool) {
   Frame& out = next.frame;
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
-  const PixelContext view{*scene_, strengths_, camera, camera};
-  const Tracing tracing{*scene_, strengths_, settings_.bounces, {known, camera.origin, camera.pixel}};
-  const auto tile = withKernel(scene_->shading(), [this]<Shading S>() {
+  const Camera& camera = view.now.camera;
+  const Tracing tracing{view.now.scene, settings_.bounces, {known, camera.origin, camera.pixel}};
+  const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
                           [&](Tile t) { tile(view, seeds, tracing, t, starts_, out); });
 }
 
-void Renderer::renderStill(const Camera& camera, std::uint64_t seed, int spp, const PoolHandle& pool,
+void Renderer::renderStill(const PixelContext& view, std::uint64_t seed, int spp, const PoolHandle& pool,
                            Frame& out, ImageF (&rgb)[3]) {
-  strengths_.setTime(out.time);
-  const PixelContext view{*scene_, strengths_, camera, camera};
-  const auto tile = withKernel(scene_->shading(), []<Shading S>() { return renderStillTile<S>; });
+  const auto tile =
+      withKernel(view.now.scene.still().shading(), []<Shading S>() { return renderStillTile<S>; });
   pool.forEachTile(out.width(), out.height(), tileEdge(spp, settings_.bounces),
                    [&](Tile t) { tile(view, seed, spp, settings_.bounces, t, out, rgb); });
 }

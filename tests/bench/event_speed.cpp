@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "app/streams/sensor_channel.h"
+#include "app/sequence/sensor_channel.h"
 #include "bench/recording.h"
 #include "events/event_model.h"
 #include "events/reconstruction.h"

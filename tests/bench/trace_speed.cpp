@@ -20,7 +20,10 @@ const SeedPlan kSeeds = SeedPlan::correlated(1, 21, 2);
 
 struct View {
   std::shared_ptr<const RenderScene> scene;
+  PosedScene posed;
   Camera now, prev;
+
+  PixelContext context() const { return {{posed, now}, {posed, prev}}; }
 };
 
 View open(const std::string& name) {
@@ -31,24 +34,22 @@ View open(const std::string& name) {
   const auto at = [&](FrameIndex t) {
     return Camera(path.at(frameTime(t, feed.frame_rate_hz)), feed.camera);
   };
-  return {scene, at(21), at(20)};
+  return {scene, PosedScene(scene), at(21), at(20)};
 }
 
 std::chrono::nanoseconds renderOneRayAtATime(const View& s, const PoolHandle& pool, Frame& out) {
-  const EmitterStrengths strengths(s.scene->description());
-  const PixelContext view{*s.scene, strengths, s.now, s.prev};
+  const PixelContext view = s.context();
   return withKernel(s.scene->shading(), [&]<Shading S>() {
     return pool.forEachTile(kWidth, kHeight, 32, [&](Tile tile) {
       forEachPixel(tile, [&](int x, int y) {
         const Vec2 point{static_cast<float>(x), static_cast<float>(y)};
         PrimaryHit hit;
         tracePrimaries<S>(view, {&point, 1}, {&hit, 1});
-        writeFeatures(hit, view.camera, view.prev, x, y, out.g);
+        writeFeatures(hit, s.now, s.prev, x, y, out.g);
         const auto pixel = static_cast<std::uint32_t>(y * kWidth + x);
         const auto pass = [&](std::uint64_t seed) {
           if (!hit.valid) return 0.f;
-          return test::traceOneRay<S, 3>(*s.scene, strengths, hit.start, PathSampler(seed, pixel, 0),
-                                         kBounces)
+          return test::traceOneRay<S, 3>(s.posed, hit.start, PathSampler(seed, pixel, 0), kBounces)
               .luminance();
         };
         out.samples.I1.at(x, y) = pass(kSeeds.seed1), out.samples.I2.at(x, y) = pass(kSeeds.seed2);
@@ -86,12 +87,12 @@ void measure(const std::string& name) {
     for (const std::string& set : sets) {
       useInstructionSet(set);
       const View& s = scenes.at(set);
-      Renderer renderer(s.scene, {kBounces, 3});
-      best.add(set, renderer.render(s.now, s.prev, kSeeds, one, frame));
-      best.add(set + ", two threads", renderer.render(s.now, s.prev, kSeeds, two, frame));
+      Renderer renderer({kBounces, 3});
+      best.add(set, renderer.render(s.context(), kSeeds, one, frame));
+      best.add(set + ", two threads", renderer.render(s.context(), kSeeds, two, frame));
       scene = parts = {};
       s.scene->geometry().count(&scene), s.scene->emitters().count(&parts), s.scene->straight().count(&parts);
-      renderer.render(s.now, s.prev, kSeeds, one, frame);
+      renderer.render(s.context(), kSeeds, one, frame);
       for (const EmbreeScene* of : {&s.scene->geometry(), &s.scene->emitters(), &s.scene->straight()})
         of->count(nullptr);
       best.add(set + ", in Embree", scene.time + parts.time);

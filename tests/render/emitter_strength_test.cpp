@@ -25,12 +25,11 @@ Scene lamps(Rgb panel, Rgb ball) {
 const SeedPlan kSeeds = SeedPlan::correlated(7, 5, 4);
 
 Frame render(const Scene& scene, TimeNs time, const SeedPlan& seeds = kSeeds, int channels = 1) {
-  auto s = std::make_shared<RenderScene>(scene);
+  const PosedScene posed(std::make_shared<RenderScene>(scene), time);
   TilePool pool(2);
   Frame frame(kSize, kSize);
-  frame.time = time;
   const Camera camera(scene.T_world_camera, pinhole(scene.fov_x_deg, kSize, kSize));
-  Renderer(s, {2, channels}).render(camera, camera, seeds, pool, frame);
+  Renderer({2, channels}).render(PixelContext({posed, camera}), seeds, pool, frame);
   return frame;
 }
 
@@ -66,12 +65,12 @@ TEST(EmitterStrength, OfAStillIsThatAtTheTimeOfItsFrame) {
   const auto s = std::make_shared<RenderScene>(scene);
   const Camera camera(scene.T_world_camera, pinhole(scene.fov_x_deg, kSize, kSize));
   TilePool pool(2);
-  Renderer renderer(s, {1, 3});
+  Renderer renderer({1, 3});
   const auto green = [&](TimeNs time) {
     Frame frame(kSize, kSize);
-    frame.time = time;
+    const PosedScene posed(s, time);
     ImageF rgb[3] = {{kSize, kSize}, {kSize, kSize}, {kSize, kSize}};
-    renderer.renderStill(camera, 7, 2, pool, frame, rgb);
+    renderer.renderStill(PixelContext({posed, camera}), 7, 2, pool, frame, rgb);
     return std::move(rgb[1]);
   };
   const ImageF first = green(0ms), later = green(10ms);

@@ -34,7 +34,9 @@ Frame renderMoved(Scene scene, Vec3d by) {
   const Pose home = s->description().T_world_camera;
   const Camera before(home, pinhole(s->description().fov_x_deg, kSize, kSize));
   const Camera now(home * Pose{by, {}}, pinhole(s->description().fov_x_deg, kSize, kSize));
-  Renderer(s, {2, 1}).render(now, before, SeedPlan::correlated(1, 1, 2), pool, frame);
+  const PosedScene posed(s);
+  Renderer({2, 1}).render(PixelContext({posed, now}, {posed, before}), SeedPlan::correlated(1, 1, 2), pool,
+                          frame);
   return frame;
 }
 

@@ -56,8 +56,9 @@ Vec3d inAxesOf(const Pose& pose, Vec3 point) {
 Frame render(const Scene& scene, const Camera& now, const Camera& prev) {
   TilePool pool(1);
   Frame frame(kW, kH);
-  Renderer(std::make_shared<RenderScene>(scene), {0, 1})
-      .render(now, prev, SeedPlan::correlated(1, 1, 2), pool, frame);
+  const PosedScene posed(std::make_shared<RenderScene>(scene));
+  Renderer({0, 1}).render(PixelContext({posed, now}, {posed, prev}), SeedPlan::correlated(1, 1, 2), pool,
+                          frame);
   return frame;
 }
 

@@ -79,9 +79,9 @@ TEST(Materials, ABumpMapBendsTheNormal) {
   m.height.kind = SurfaceColor::Kind::kBitmap;
   m.height.texture = 0;
   m.height_scale = 10;
-  const RenderScene s(scene);
+  const PosedScene s(std::make_shared<RenderScene>(scene));
   const Ray ray{{0.3f, 0.2f, 1}, {0, 0, -1}, 9};
-  const Surface at = surfaceAt<kEverything>(s, ray, s.geometry().intersect(ray), 0.001f);
+  const Surface at = surfaceAt<kEverything>(s, ray, s.still().geometry().intersect(ray), 0.001f);
   EXPECT_NEAR(at.shading_normal.x, -std::sqrt(0.5), 1e-3);
   EXPECT_NEAR(at.shading_normal.y, 0, 1e-3);
   EXPECT_EQ(at.geometric_normal.z, 1);

@@ -13,28 +13,28 @@ namespace saccade::test {
 
 // The light that panes and masks let through along a shadow ray.
 template <Shading S>
-Transmittance transmittanceAlong(const RenderScene& scene, Ray ray, Vec3 direction) {
+Transmittance transmittanceAlong(const PosedScene& scene, Ray ray, Vec3 direction) {
   RayPacket<8> packet(kBlockingMask);
   packet.set(0, ray);
-  scene.geometry().occluded(packet, 1);
+  scene.still().geometry().occluded(packet, 1);
   if (packet.far[0] < 0) return {{}, 0};
   Transmittance all;
-  for (Hit hit; (hit = scene.straight().intersect(ray)).valid;) {
+  for (Hit hit; (hit = scene.still().straight().intersect(ray)).valid;) {
     const Surface s = surfaceAt<S>(scene, ray, hit, RayCone::kDiffuseSpread * hit.t);
     const Transmittance one = Scatter<S>(s, direction).straightTransmittance();
     all = {all.fraction * one.fraction, all.probability * one.probability};
-    ray.origin = scene.leave(s, true);
+    ray.origin = scene.still().leave(s, true);
     ray.tfar -= hit.t;
   }
   return all;
 }
 
 template <Shading S, int C>
-Color<C> directLight(const RenderScene& scene, const EmitterStrengths& strengths, const Surface& s,
-                     const Scatter<S>& scatter, const PathSampler& sampler, std::uint32_t dimension) {
-  const Vec3 origin = scene.leave(s);
-  const IncidentLight light =
-      scene.lights().at(origin, sampler.u(dimension), sampler.u(dimension + 1), sampler.u(dimension + 2));
+Color<C> directLight(const PosedScene& scene, const Surface& s, const Scatter<S>& scatter,
+                     const PathSampler& sampler, std::uint32_t dimension) {
+  const Vec3 origin = scene.still().leave(s);
+  const IncidentLight light = scene.still().lights().at(origin, sampler.u(dimension),
+                                                        sampler.u(dimension + 1), sampler.u(dimension + 2));
   if (light.pdf <= 0) return {};
   BsdfValue f = scatter.evaluate(light.direction);
   if (f.pdf <= 0) return {};
@@ -42,27 +42,26 @@ Color<C> directLight(const RenderScene& scene, const EmitterStrengths& strengths
       transmittanceAlong<S>(scene, {origin, light.segment, light.reach}, light.direction);
   f = {f.value * through.fraction, f.pdf * through.probability};
   float weight = light.delta ? 1 : balance(light.pdf, f.pdf);
-  if (light.geometry != IncidentLight::kNoGeometry) weight *= strengths[light.geometry];
+  if (light.geometry != IncidentLight::kNoGeometry) weight *= scene.strengths()[light.geometry];
   return Color<C>(light.radiance) * Color<C>(f.value) * (weight / light.pdf);
 }
 
 template <Shading S, int C>
-Color<C> traceOneRay(const RenderScene& scene, const EmitterStrengths& strengths, const PathStart& start,
-                     const PathSampler& sampler, int bounces) {
+Color<C> traceOneRay(const PosedScene& scene, const PathStart& start, const PathSampler& sampler,
+                     int bounces) {
   Color<C> radiance, throughput(1.f);
-  const Lights& lights = scene.lights();
+  const Lights& lights = scene.still().lights();
   Surface s = start.surface;
   Vec3 arriving = start.direction;
   RayCone cone = start.cone;
   float pdf = 1, distance = 0;  // of the last direction that was not straight on, and since then
   bool delta = true, in_view = S.extras;
-  const bool transmission = S.extras && scene.hasStraightTransmission();
+  const bool transmission = S.extras && scene.still().hasStraightTransmission();
   for (int vertex = 0, bounce = 0; vertex <= bounces + kMaxDeltas; ++vertex) {
     const std::uint32_t dimension = static_cast<std::uint32_t>(vertex) * kDimensions;
     const Scatter<S> scatter(s, arriving);
     const bool spent = transmission && bounce > bounces;
-    if (!spent)
-      radiance += throughput * directLight<S, C>(scene, strengths, s, scatter, sampler, dimension + kLight);
+    if (!spent) radiance += throughput * directLight<S, C>(scene, s, scatter, sampler, dimension + kLight);
     const BsdfSample next = scatter.sample(sampler.u(dimension + kLobe), sampler.u(dimension + kBounce),
                                            sampler.u(dimension + kBounce + 1));
     throughput = throughput * Color<C>(next.weight);
@@ -75,11 +74,12 @@ Color<C> traceOneRay(const RenderScene& scene, const EmitterStrengths& strengths
       pdf = next.pdf, delta = next.delta, distance = 0;
     in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
     if (!next.delta) cone.spread = RayCone::lobeSpread(next.pdf);
-    const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
+    const Ray ray{scene.still().leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
     bounce += !next.delta;
     const bool last = bounce > bounces && !transmission;  // it can only find light
-    if (last && !scene.lightMayBeAnywhere() && !scene.emitters().occluded(ray)) return radiance;
-    const Hit hit = scene.geometry().intersect(ray);
+    if (last && !scene.still().lightMayBeAnywhere() && !scene.still().emitters().occluded(ray))
+      return radiance;
+    const Hit hit = scene.still().geometry().intersect(ray);
     if (!hit.valid) {
       if (in_view) return radiance;
       const float weight = delta ? 1 : balance(pdf, lights.distantPdf(next.wi));
@@ -93,7 +93,7 @@ Color<C> traceOneRay(const RenderScene& scene, const EmitterStrengths& strengths
       const float cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
       const float pdf_light = lights.pdf(s.radiance) * distance * distance / cos_light;
       const float weight = delta ? 1 : balance(pdf, pdf_light);
-      radiance += throughput * Color<C>(s.radiance) * (weight * strengths[hit.geometry]);
+      radiance += throughput * Color<C>(s.radiance) * (weight * scene.strengths()[hit.geometry]);
     }
     if (last) return radiance;
   }

@@ -40,14 +40,14 @@ struct Difference {
 };
 
 template <Shading S, int C>
-Difference compare(const RenderScene& scene, TraceBatch<C> trace) {
-  EmitterStrengths strengths(scene.description());
+Difference compare(const PosedScene& posed, TraceBatch<C> trace) {
+  const RenderScene& scene = posed.still();
   constexpr int kSize = 16, kPaths = 4;
   const Camera camera(scene.description().T_world_camera,
                       pinhole(scene.description().fov_x_deg, kSize, kSize));
   const auto now = std::make_unique<LivePaths<C>>(), next = std::make_unique<LivePaths<C>>();
   const auto results = std::make_unique<PathResults<C>>();
-  const Tracing tracing{scene, strengths, kBounces, {}};
+  const Tracing tracing{posed, kBounces, {}};
   const auto stages = surfaceStages<S, C, false>();
   std::vector<float> expected;
   for (std::uint32_t pixel = 0; pixel < kSize * kSize; ++pixel) {
@@ -57,13 +57,13 @@ Difference compare(const RenderScene& scene, TraceBatch<C> trace) {
     const Hit hit = scene.geometry().intersect(ray);
     if (!hit.valid) continue;
     const RayCone cone{camera.pixel * hit.t, camera.pixel};
-    const PathStart start{surfaceAt<S>(scene, ray, hit, cone.width), ray.direction, cone};
+    const PathStart start{surfaceAt<S>(posed, ray, hit, cone.width), ray.direction, cone};
     for (std::uint32_t i = 0; i < kPaths && expected.size() < kBatchPaths; ++i) {
       const PathSampler sampler(7, pixel, i);
       const auto slot = static_cast<std::uint32_t>(expected.size());
       results->radiance.set(slot, Color<C>());
       stages.begin(start, sampler, slot, *now);
-      expected.push_back(test::traceOneRay<S, C>(scene, strengths, start, sampler, kBounces).luminance());
+      expected.push_back(test::traceOneRay<S, C>(posed, start, sampler, kBounces).luminance());
     }
   }
   trace(tracing, stages, *now, *next, *results);
@@ -79,10 +79,12 @@ Difference compare(const RenderScene& scene, TraceBatch<C> trace) {
 
 // A path that passes an edge within rounding may take another course: few do.
 template <int C>
-void expectSame(const RenderScene& scene, const std::string& name) {
+void expectSame(Scene of, const std::string& name) {
+  const PosedScene posed(std::make_shared<RenderScene>(std::move(of)));
+  const RenderScene& scene = posed.still();
   const auto check = [&](TraceBatch<C> trace, const char* lanes) {
     const Difference d =
-        withKernel(scene.shading(), [&]<Shading S>() { return compare<S, C>(scene, trace); });
+        withKernel(scene.shading(), [&]<Shading S>() { return compare<S, C>(posed, trace); });
     EXPECT_GT(d.paths, 500) << name << lanes;
     EXPECT_LE(d.differing, d.paths / 100) << name << lanes;
     EXPECT_GT(d.one_ray, 0) << name << lanes;
@@ -100,9 +102,9 @@ void makeGrey(Scene& scene) {
 }
 
 void expectSame(Scene scene, const std::string& name) {
-  expectSame<3>(RenderScene(scene), name + ", in colour");
+  expectSame<3>(scene, name + ", in colour");
   makeGrey(scene);
-  expectSame<1>(RenderScene(std::move(scene)), name + ", grey");
+  expectSame<1>(std::move(scene), name + ", grey");
 }
 
 Material of(const test::BsdfCase& c) {

@@ -43,14 +43,13 @@ Scene room() {
 
 struct PrimaryBlockTest : testing::Test {
   PrimaryBlockTest()
-      : scene(room()),
-        strengths(scene.description()),
+      : scene(std::make_shared<RenderScene>(room())),
         now({{0, 0, -0.9}, {}}, pinhole(75, kW, kH)),
         before({{0.02, 0, -0.91}, {}}, pinhole(75, kW, kH)) {}
 
   // Calls check(block, lane, the same hit one by one) for each pixel, and returns how many are plain.
   int forEachPixel(const auto& trace, GBuffer& g, const auto& check) {
-    const PixelContext view{scene, strengths, now, before};
+    const PixelContext view({scene, now}, {scene, before});
     int plain = 0;
     PrimaryBlock block;
     for (int y0 = 0; y0 < kH; y0 += kBlockEdge)
@@ -64,7 +63,7 @@ struct PrimaryBlockTest : testing::Test {
           const auto x = static_cast<float>(block.x(lane)), y = static_cast<float>(block.y(lane));
           const Ray ray{now.origin, now.direction(x, y), std::numeric_limits<float>::infinity()};
           PrimaryHit one;
-          shadePrimary<kEverything>(view, ray, scene.geometry().intersect(ray), one);
+          shadePrimary<kEverything>(view, ray, scene.still().geometry().intersect(ray), one);
           check(block, lane, one);
         });
         plain += std::popcount(block.plain);
@@ -101,8 +100,7 @@ struct PrimaryBlockTest : testing::Test {
     EXPECT_LT(plain, kW * kH);
   }
 
-  RenderScene scene;
-  EmitterStrengths strengths;
+  PosedScene scene;
   Camera now, before;
 };
 
@@ -127,7 +125,7 @@ TEST_F(PrimaryBlockTest, WritesItsOwnPixelsAlone) {
   GBuffer g(kW, kH);
   g.z.fill(-1);
   PrimaryBlock block;
-  tracePrimaryBlock({scene, strengths, now, before}, {8, 4, 11, 6}, g, block);
+  tracePrimaryBlock(PixelContext({scene, now}, {scene, before}), {8, 4, 11, 6}, g, block);
   for (int y = -1; y <= kH; ++y)
     for (int x = -1; x <= kW; ++x) {
       const bool inside = x >= 8 && x < 11 && y >= 4 && y < 6;

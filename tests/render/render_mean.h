@@ -15,7 +15,8 @@ inline Frame renderFrame(Scene scene, const SeedPlan& seeds, RenderSettings sett
   TilePool pool(2);
   Frame frame(size, size);
   const Camera camera(s->description().T_world_camera, pinhole(s->description().fov_x_deg, size, size));
-  Renderer(s, settings).render(camera, camera, seeds, pool, frame);
+  const PosedScene posed(s);
+  Renderer(settings).render(PixelContext({posed, camera}), seeds, pool, frame);
   return frame;
 }
 inline Frame renderFrame(Scene scene, int bounces, int spp, int size = 32, int channels = 1) {

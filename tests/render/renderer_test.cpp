@@ -28,7 +28,8 @@ struct Fixture : ::testing::Test {
   Frame render(const Camera& camera, const Camera& prev, const SeedPlan& seeds, int threads = 2) const {
     TilePool pool(threads);
     Frame frame(kW, kH);
-    Renderer(scene, {3, 1}).render(camera, prev, seeds, pool, frame);
+    const PosedScene posed(scene);
+    Renderer({3, 1}).render(PixelContext({posed, camera}, {posed, prev}), seeds, pool, frame);
     return frame;
   }
 };

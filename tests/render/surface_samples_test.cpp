@@ -34,15 +34,16 @@ Scene lampRoom(const Material& material) {
 
 Frame render(const Scene& scene, int spp, int channels = 1, std::uint64_t seed = 1,
              const BounceGrid* bounces = nullptr, int points = 1) {
-  const auto s = std::make_shared<RenderScene>(scene);
+  const PosedScene posed(std::make_shared<RenderScene>(scene));
   TilePool pool(2);
   Frame frame(kSize, kSize, points);
-  const Camera camera(s->description().T_world_camera, pinhole(s->description().fov_x_deg, kSize, kSize));
-  Renderer renderer(s, {2, channels});
-  const SurfaceFrame next = renderer.renderSurfaces(camera, camera, pool, frame);
+  const Camera camera(scene.T_world_camera, pinhole(scene.fov_x_deg, kSize, kSize));
+  const PixelContext view({posed, camera});
+  Renderer renderer({2, channels});
+  const SurfaceFrame next = renderer.renderSurfaces(view, pool, frame);
   for (int y = 0; y < kSize; ++y)
     for (SurfacePoint& p : frame.surfaces->row(y)) p.paths = static_cast<std::uint32_t>(spp);
-  renderer.renderPaths(camera, SeedPlan::independent(seed, 0, spp), next, bounces, pool);
+  renderer.renderPaths(view, SeedPlan::independent(seed, 0, spp), next, bounces, pool);
   return frame;
 }
 
@@ -204,13 +205,14 @@ TEST(SurfaceSamples, BakedPointsBesideOthersCanHavePaths) {
   Scene scene = lampRoom(test::grey(0.5f));
   scene.materials.push_back(plastic(BsdfKind::kRoughConductor));
   scene.meshes[4].material = 2;  // the box
-  const auto s = std::make_shared<RenderScene>(scene);
+  const PosedScene posed(std::make_shared<RenderScene>(scene));
   const Camera camera(scene.T_world_camera, pinhole(scene.fov_x_deg, kSize, kSize));
+  const PixelContext view({posed, camera});
   TilePool pool(2);
   const auto renderWith = [&](bool baked) {
     Frame frame(kSize, kSize, kSubPixels);
-    Renderer renderer(s, {2, 1, true});
-    const SurfaceFrame next = renderer.renderSurfaces(camera, camera, pool, frame, [&](Tile tile) {
+    Renderer renderer({2, 1, true});
+    const SurfaceFrame next = renderer.renderSurfaces(view, pool, frame, [&](Tile tile) {
       for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x)
           for (SurfacePoint& p : frame.surfaces->of(x, y)) p.baked = baked && p.kind != SurfaceKind::kNone;
@@ -218,7 +220,7 @@ TEST(SurfaceSamples, BakedPointsBesideOthersCanHavePaths) {
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x)
         for (SurfacePoint& p : frame.surfaces->of(x, y)) p.paths = frame.surfaces->hasUncacheable(x, y);
-    renderer.renderPaths(camera, SeedPlan::independent(1, 0, 1), next, nullptr, pool);
+    renderer.renderPaths(view, SeedPlan::independent(1, 0, 1), next, nullptr, pool);
     return frame;
   };
   const Frame expected = renderWith(false), found = renderWith(true);
@@ -235,18 +237,19 @@ TEST(SurfaceSamples, BakedPointsBesideOthersCanHavePaths) {
 
 // Of frames in turn that show the lamp, too.
 TEST(SurfaceSamples, NeedPathsUnlessAllPointsAreBaked) {
-  const auto s = std::make_shared<RenderScene>(lampRoom(test::grey(0.5f)));
+  const PosedScene posed(std::make_shared<RenderScene>(lampRoom(test::grey(0.5f))));
   const Camera camera({{0, 0, 0.5f}, {0, 0, 0, 1}}, pinhole(70, kSize, kSize));  // looks up
+  const PixelContext view({posed, camera});
   TilePool pool(2);
   Frame frame(kSize, kSize, 1);
-  Renderer renderer(s, {2, 1});
+  Renderer renderer({2, 1});
   for (const int learned : {kSize * kSize, 7, kSize * kSize}) {
-    const SurfaceFrame next = renderer.renderSurfaces(camera, camera, pool, frame, [&](Tile tile) {
+    const SurfaceFrame next = renderer.renderSurfaces(view, pool, frame, [&](Tile tile) {
       for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x) frame.surfaces->at(x, y).baked = y * kSize + x < learned;
     });
     EXPECT_EQ(frame.surfaces->needPaths(), learned < kSize * kSize);
-    renderer.renderPaths(camera, SeedPlan::independent(1, 0, 1), next, nullptr, pool);
+    renderer.renderPaths(view, SeedPlan::independent(1, 0, 1), next, nullptr, pool);
     double light = 0;
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x) {
@@ -261,11 +264,11 @@ TEST(SurfaceSamples, NeedPathsUnlessAllPointsAreBaked) {
 TEST(SurfaceSamples, PointsShowTheLightOfTheWholePixel) {
   constexpr int kFine = 16, kFineSize = kFine * kSize;
   const Scene scene = lampRoom(test::grey(0.05f));
-  const auto s = std::make_shared<RenderScene>(scene);
+  const PosedScene posed(std::make_shared<RenderScene>(scene));
   const Camera camera(scene.T_world_camera, pinhole(scene.fov_x_deg, kFineSize, kFineSize));
   TilePool pool(2);
   Frame fine(kFineSize, kFineSize);
-  Renderer(s, {2, 1}).render(camera, camera, SeedPlan::independent(7, 0, 8), pool, fine);
+  Renderer({2, 1}).render(PixelContext({posed, camera}), SeedPlan::independent(7, 0, 8), pool, fine);
   const auto error = [&](int points) {
     const Frame frame = render(scene, 512, 1, 3, nullptr, points);
     return mean([&](int x, int y) {

@@ -80,7 +80,8 @@ Ours renderOurs(int spp) {
   auto scene = std::make_shared<RenderScene>(loadMitsubaXml(test::realScene("cornell-box/scene.xml")));
   const Scene& s = scene->description();
   TilePool pool(2);
-  Renderer renderer(scene, {kBounces, 3});
+  const PosedScene posed(scene);
+  Renderer renderer({kBounces, 3});
   const Camera camera[2] = {{s.T_world_camera, pinhole(s.fov_x_deg, kSize, kSize)},
                             {s.T_world_camera * Pose{{0.01, 0, 0}, {}}, pinhole(s.fov_x_deg, kSize, kSize)}};
   Frame frame(kSize, kSize);
@@ -95,7 +96,7 @@ Ours renderOurs(int spp) {
     const SeedPlan seeds = SeedPlan::independent(1, static_cast<FrameIndex>(b), spp / kBatches);
     Plane p[2];
     for (int k : {0, 1}) {
-      renderer.render(camera[k], camera[k], seeds, pool, frame);
+      renderer.render(PixelContext({posed, camera[k]}), seeds, pool, frame);
       p[k] = toPlane(frame.samples.I2);
       if (b == 0) markEdges(frame.g, out.smooth);
     }

@@ -26,10 +26,12 @@ RgbPlanes render(const std::string& file, Effort effort) {
   const Scene& s = scene->description();
   const int w = s.width / effort.shrink, h = s.height / effort.shrink;
   TilePool pool(2);
-  Renderer renderer(scene, {effort.bounces, 3});
+  const PosedScene posed(scene);
+  const Camera camera(s.T_world_camera, pinhole(s.fov_x_deg, w, h));
+  Renderer renderer({effort.bounces, 3});
   Frame frame(w, h);
   ImageF rgb[3] = {{w, h}, {w, h}, {w, h}};
-  renderer.renderStill(Camera(s.T_world_camera, pinhole(s.fov_x_deg, w, h)), 1, effort.spp, pool, frame, rgb);
+  renderer.renderStill(PixelContext({posed, camera}), 1, effort.spp, pool, frame, rgb);
   return {std::move(rgb[0]), std::move(rgb[1]), std::move(rgb[2])};
 }
 

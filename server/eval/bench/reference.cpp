@@ -62,10 +62,9 @@ double ReferenceChange::error() const {
 ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings,
                                      int width, int height, double fov_x_deg, std::string cache,
                                      TilePool& pool, std::uint64_t seed)
-    : scene_(std::move(scene)),
-      renderer_(scene_, {settings.bounces, settings.channels}),
+    : posed_(std::move(scene)),
+      renderer_({settings.bounces, settings.channels}),
       pool_(pool),
-      strengths_(scene_->description()),
       whole_pixel_(settings.jitter),
       width_(width),
       height_(height),
@@ -73,7 +72,7 @@ ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, R
       cache_(std::move(cache)),
       seed_(seed == 0 ? kSeed : hashKey(kSeed, seed)) {
   ContentHash h;
-  h.add(scene_->digest()), h.add(settings.bounces), h.add(width), h.add(height), h.add(fov_x_deg);
+  h.add(posed_.still().digest()), h.add(settings.bounces), h.add(width), h.add(height), h.add(fov_x_deg);
   if (settings.jitter) h.add(settings.jitter);
   if (seed != 0) {
     h.add(seed);
@@ -84,13 +83,13 @@ ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, R
 
 std::string ReferenceRenderer::cachePath(const Pose& pose, int spp) const {
   ContentHash h{key_};
-  h.add(pose.position), h.add(pose.rotation), h.add(strengths_.factors()), h.add(spp);
+  h.add(pose.position), h.add(pose.rotation), h.add(posed_.strengths().factors()), h.add(spp);
   const std::string name = format("%016llx.exr", static_cast<unsigned long long>(h.value));
   return (std::filesystem::path(cache_) / name).string();
 }
 
 Camera ReferenceRenderer::cameraAt(const Pose& pose, std::uint32_t chunk) const {
-  Camera camera(scene_->inScene(pose), pinhole(fov_x_deg_, width_, height_));
+  Camera camera(posed_.still().inScene(pose), pinhole(fov_x_deg_, width_, height_));
   if (whole_pixel_)
     camera.shift(0.5f - fraction(halton(chunk, 2) + first_shift_.x),
                  0.5f - fraction(halton(chunk, 3) + first_shift_.y));
@@ -98,7 +97,7 @@ Camera ReferenceRenderer::cameraAt(const Pose& pose, std::uint32_t chunk) const 
 }
 
 ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, Progress& progress) {
-  strengths_.setTime(time);
+  posed_.setTime(time);
   const std::string path = cachePath(pose, spp);
   ReferenceFrame out(width_, height_);
   int done = readKept(path, out);
@@ -112,8 +111,8 @@ ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, 
     const auto index = static_cast<std::uint32_t>(done / kChunk);
     const std::uint64_t seed = hashKey(seed_, index);
     const Camera camera = cameraAt(pose, index);
-    renderer_.render(camera, camera, {hashKey(seed, 0), hashKey(seed, 1), kChunk / 2, kChunk / 2}, pool_,
-                     chunk);
+    renderer_.render(PixelContext({posed_, camera}),
+                     {hashKey(seed, 0), hashKey(seed, 1), kChunk / 2, kChunk / 2}, pool_, chunk);
     done += kChunk;
     const float share = static_cast<float>(kChunk) / static_cast<float>(done);
     for (int y = 0; y < height_; ++y) {

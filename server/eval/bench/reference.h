@@ -8,7 +8,6 @@
 #include "eval/bench/progress.h"
 #include "frame/intensity_change.h"
 #include "render/renderer.h"
-#include "scene/emitter_strengths.h"
 
 namespace saccade::eval {
 
@@ -44,13 +43,12 @@ class ReferenceRenderer {
   static constexpr int kChunk = 64;  // paths per pixel between two checks of the clock
 
  private:
-  std::string cachePath(const Pose& pose, int spp) const;  // with strengths_ at the frame's time
+  std::string cachePath(const Pose& pose, int spp) const;  // with posed_ at the frame's time
   Camera cameraAt(const Pose& pose, std::uint32_t chunk) const;
 
-  std::shared_ptr<const RenderScene> scene_;
+  PosedScene posed_;  // at the time of the frame
   Renderer renderer_;
   TilePool& pool_;
-  EmitterStrengths strengths_;
   bool whole_pixel_;
   int width_, height_;
   double fov_x_deg_;

@@ -39,7 +39,8 @@ void runRender(const RenderOptions& o) {
   Lens lens(withLens(pinhole(s.fov_x_deg, size.width, size.height), o.lens));
   lens.tabulate();
   const Camera camera(scene->inScene(moved(s.T_world_camera, o.offset)), lens);
-  Renderer renderer(scene, {o.bounces, 3});
+  const PosedScene posed(scene);
+  Renderer renderer({o.bounces, 3});
 
   ImageF sum[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
   ImageF part[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
@@ -48,7 +49,8 @@ void runRender(const RenderOptions& o) {
   constexpr int kChunk = 16;
   for (int done = 0; done < o.spp;) {
     const int n = std::min(kChunk, o.spp - done);
-    renderer.renderStill(camera, hashKey(o.seed, static_cast<std::uint64_t>(done)), n, pool, frame, part);
+    renderer.renderStill(PixelContext({posed, camera}), hashKey(o.seed, static_cast<std::uint64_t>(done)), n,
+                         pool, frame, part);
     done += n;
     for (int c = 0; c < 3; ++c) {
       for (int y = 0; y < size.height; ++y) {

@@ -2,15 +2,22 @@
 #pragma once
 
 #include "render/camera/camera.h"
-#include "render/world/render_scene.h"
-#include "scene/emitter_strengths.h"
+#include "render/world/posed_scene.h"
 
 namespace saccade {
 
+// A camera, and the scene at the time of its picture.
+struct PosedView {
+  const PosedScene& scene;
+  const Camera& camera;
+};
+
 struct PixelContext {
-  const RenderScene& scene;
-  const EmitterStrengths& strengths;
-  const Camera &camera, &prev;
+  PixelContext(const PosedView& now, const PosedView& before) : now(now), before(before) {}
+  // Of a picture without a frame before it.
+  explicit PixelContext(const PosedView& now) : PixelContext(now, now) {}
+
+  PosedView now, before;  // of the frame, and of the one before it
 };
 
 }  // namespace saccade

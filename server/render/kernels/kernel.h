@@ -5,10 +5,9 @@
 #include "render/paths/surface_stages_kernel.h"
 #include "render/primary/guide_kernel.h"
 
-#define SACCADE_COMPILE_KERNEL(S)                                                                  \
-  template SurfaceStages<1> surfaceStages<S, 1, false>();                                          \
-  template SurfaceStages<3> surfaceStages<S, 3, false>();                                          \
-  template SurfaceStages<1> surfaceStages<S, 1, true>();                                           \
-  template SurfaceStages<3> surfaceStages<S, 3, true>();                                           \
-  template Guide findGuide<S>(const RenderScene&, const EmitterStrengths&, const Ray&, const Hit&, \
-                              const PathStart&);
+#define SACCADE_COMPILE_KERNEL(S)                         \
+  template SurfaceStages<1> surfaceStages<S, 1, false>(); \
+  template SurfaceStages<3> surfaceStages<S, 3, false>(); \
+  template SurfaceStages<1> surfaceStages<S, 1, true>();  \
+  template SurfaceStages<3> surfaceStages<S, 3, true>();  \
+  template Guide findGuide<S>(const PosedScene&, const Ray&, const Hit&, const PathStart&);

@@ -2,7 +2,9 @@
 // the next vertex.
 #pragma once
 
+#include "render/paths/batch.h"
 #include "render/paths/found_light.h"
+#include "render/world/surface_at.h"
 #include "render/world/surface_lanes.h"
 #include "render/world/texture_color.h"
 
@@ -35,12 +37,12 @@ std::array<Floats<W>, C> reflectances(const Batch<C>& b, const RayPacket<W>& pac
   std::array<Floats<W>, C> reflectance{};
   const std::uint32_t front = bitsOf(s.front());
   forEachLane(lanes, [&](int i) {
-    const ShapeRow& row = b.t.scene.shapeRows()[packet.geometry[i]];
+    const ShapeRow& row = b.t.scene.still().shapeRows()[packet.geometry[i]];
     if (!row.twosided && !(front >> i & 1)) return;
     setLane(reflectance, i,
-            Color<C>(row.textured
-                         ? textureColor(b.t.scene.description(), packet.hit(i), s.cosine[i], footprint[i])
-                         : row.reflectance));
+            Color<C>(row.textured ? textureColor(b.t.scene.still().description(), packet.hit(i), s.cosine[i],
+                                                 footprint[i])
+                                  : row.reflectance));
   });
   return reflectance;
 }
@@ -55,10 +57,10 @@ void arriveTogether(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t
   const std::uint32_t front = bitsOf(s.front());
   forEachLane(hits & front, [&](int i) {
     const std::uint32_t geometry = packet.geometry[i], p = path[i];
-    if (!b.t.scene.shapeRows()[geometry].emits) return;
+    if (!b.t.scene.still().shapeRows()[geometry].emits) return;
     const PathState state = kMixed ? PathState::unpack(from.state[p]) : diffuseState(b.vertex);
     if (state.in_view) return;
-    const auto [mesh, sphere] = HitShape(b.t.scene.description(), packet.hit(i));
+    const auto [mesh, sphere] = HitShape(b.t.scene.still().description(), packet.hit(i));
     const Found found{from.slot[p], geometry, packet.far[i] + (kMixed ? from.distance[p] : 0), s.cosine[i],
                       mesh ? mesh->radiance : sphere->radiance};
     addFound<C, kParts>(b.t, found, from.throughput.at(p), state.delta ? kDeltaPdf : from.pdf[p],
@@ -67,7 +69,7 @@ void arriveTogether(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t
   Uints<W> state = 0;
   if constexpr (kMixed) {
     state = (gather(&from.state[0], path) & ~PathState::kSurface) | std::uint32_t(ShadedAs::kDiffuse);
-    if (!b.t.scene.hasStraightTransmission())
+    if (!b.t.scene.still().hasStraightTransmission())
       hits &= bitsOf(toFloats(Uints<W>(state >> 8)) <= static_cast<float>(b.t.bounces));
     if (b.vertex >= b.t.bounces + kMaxDeltas) return;
   } else if (b.vertex >= b.t.bounces) {
@@ -121,7 +123,7 @@ template <int W, int C, bool kMixed, bool kParts>
   for (int i = 0; i < count; ++i) {
     if (packet.geometry[i] == RayPacket<W>::kNone) continue;
     hits |= 1u << i;
-    plain |= (!kMixed || b.t.scene.shapeRows()[packet.geometry[i]].plain ? 1u : 0u) << i;
+    plain |= (!kMixed || b.t.scene.still().shapeRows()[packet.geometry[i]].plain ? 1u : 0u) << i;
   }
   const SurfaceLanes<W> s = surfacesAt<W>(b.t.scene, packet, hits);
   if (plain != 0) arriveTogether<W, C, kMixed, kParts>(b, packet, plain, s, path);

@@ -50,9 +50,9 @@ class BounceRays {
     Entries e;
     const int count = last_.take(e);
     std::uint32_t found = (1u << count) - 1;
-    if (!b_.t.scene.lightMayBeAnywhere()) {
+    if (!b_.t.scene.still().lightMayBeAnywhere()) {
       set(e);
-      b_.t.scene.emitters().template occluded<W>(packet_, found);
+      b_.t.scene.still().emitters().template occluded<W>(packet_, found);
       found &= bitsOf(load<W>(packet_.far) < 0.f);
     }
     pushOn(found, e);
@@ -62,7 +62,8 @@ class BounceRays {
     Entries e;
     const int count = on_.take(e);
     set(e);
-    b_.t.scene.geometry().template intersect<W>(packet_, (1u << count) - 1, EmbreeScene::Rays::kScattered);
+    b_.t.scene.still().geometry().template intersect<W>(packet_, (1u << count) - 1,
+                                                        EmbreeScene::Rays::kScattered);
     arrive<W, C, kMixed, kParts>(b_, packet_, count, std::bit_cast<Uints<W>>(e[6]));
   }
 
@@ -129,7 +130,7 @@ void bounce(const Batch<C>& b) {
         for (int k = 0; k < C; ++k) weight[k] = select(these, f.value[k] / f.pdf, weight[k]);
       }
     Vec3T<F> direction = frame.toWorld(local);
-    Vec3T<F> origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.epsilon());
+    Vec3T<F> origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.still().epsilon());
     auto throughput = colorLanes<W>(p.throughput, first);
     for (int k = 0; k < C; ++k) throughput[k] *= weight[k];
     lanes = lanes && pdf > 0.f && dot(direction, ng) > 0.f && luminanceOf(throughput) > 0.f;
@@ -143,7 +144,7 @@ void bounce(const Batch<C>& b) {
         going |= 1u << i;
       });
       const Uints<W> bounces = load<W>(&p.state[first]) >> 8;
-      last = b.t.scene.hasStraightTransmission()
+      last = b.t.scene.still().hasStraightTransmission()
                  ? 0
                  : going & bitsOf(toFloats(bounces) > static_cast<float>(b.t.bounces));
     }

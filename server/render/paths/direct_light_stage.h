@@ -48,7 +48,7 @@ void directLight(const Batch<C>& b) {
     const Vec3T<F> ng = p.geometric_normal.template lanes<W>(first);
     const Vec3T<F> ns = p.shading_normal.template lanes<W>(first);
     typename ShadowRays<W, C, kMixed, kParts>::Lanes ray;
-    ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.epsilon());
+    ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.still().epsilon());
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
     const auto u = [&](int k) { return numbersAt<W, kParts>(b, numbers, kLight + k); };
     const auto light = sampleLights<W, C>(b.t, ray.origin, u(0), u(1), u(2), bitsOf(lanes));

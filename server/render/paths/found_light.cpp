@@ -7,13 +7,15 @@ namespace saccade {
 template <int C, bool kParts>
 void addFound(const Tracing& t, const Found& found, Color<C> throughput, float pdf, bool from_start,
               PathResults<C>& results) {
-  const float pdf_light =
-      t.scene.lights().pdf(found.radiance) * found.distance * found.distance / std::max(found.cosine, 1e-6f);
+  const float pdf_light = t.scene.still().lights().pdf(found.radiance) * found.distance * found.distance /
+                          std::max(found.cosine, 1e-6f);
   const float weight = pdf == kDeltaPdf ? 1 : balance(pdf, pdf_light);
-  const Color<C> light = throughput * Color<C>(found.radiance) * (weight * t.strengths[found.geometry]);
+  const Color<C> light =
+      throughput * Color<C>(found.radiance) * (weight * t.scene.strengths()[found.geometry]);
   results.radiance.add(found.slot, light);
   if constexpr (kParts)
-    if (from_start && t.scene.analyticLight().holds(found.geometry)) results.weighed.add(found.slot, light);
+    if (from_start && t.scene.still().analyticLight().holds(found.geometry))
+      results.weighed.add(found.slot, light);
 }
 
 template <int C>

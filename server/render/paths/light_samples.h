@@ -51,20 +51,20 @@ template <int W, int C>
 [[gnu::always_inline]] inline LightSamples<W, C> sampleLights(const Tracing& t, const Vec3T<Floats<W>>& point,
                                                               const Floats<W>& u_light, const Floats<W>& u1,
                                                               const Floats<W>& u2, std::uint32_t lanes) {
-  const LightColumns& columns = t.scene.lightColumns();
+  const LightColumns& columns = t.scene.still().lightColumns();
   const Uints<W> chosen = columns.choose<W>(u_light);
-  LightSamples<W, C> light = sampleTriangles<W, C>(columns, chosen, t.strengths, point, u1, u2);
+  LightSamples<W, C> light = sampleTriangles<W, C>(columns, chosen, t.scene.strengths(), point, u1, u2);
   if (columns.allTriangles()) return light;
   const std::uint32_t others = bitsOf(columns.at<W>(LightColumns::kTriangle, chosen) == 0.f) & lanes;
   forEachLane(others, [&](int i) {
-    const IncidentLight one = t.scene.lights().at(laneOf(point, i), u_light[i], u1[i], u2[i]);
+    const IncidentLight one = t.scene.still().lights().at(laneOf(point, i), u_light[i], u1[i], u2[i]);
     setLane(light.direction, i, one.direction);
     setLane(light.segment, i, one.segment);
-    const float strength = one.geometry == IncidentLight::kNoGeometry ? 1 : t.strengths[one.geometry];
+    const float strength = one.geometry == IncidentLight::kNoGeometry ? 1 : t.scene.strengths()[one.geometry];
     setLane(light.radiance, i, Color<C>(one.radiance) * strength);
     light.reach[i] = one.reach, light.pdf[i] = one.pdf;
     light.delta[i] = one.delta ? 1.f : 0.f;
-    light.held[i] = t.scene.analyticLight().holds(one) ? 1.f : 0.f;
+    light.held[i] = t.scene.still().analyticLight().holds(one) ? 1.f : 0.f;
   });
   return light;
 }

@@ -86,7 +86,7 @@ class ShadowRays {
     Entries e;
     std::uint32_t open = (1u << queue_.take(e)) - 1;
     setRays<W>(e, e[6], packet_);
-    b_.t.scene.geometry().template occluded<W>(packet_, open);
+    b_.t.scene.still().geometry().template occluded<W>(packet_, open);
     open &= ~bitsOf(load<W>(packet_.far) < 0.f);
     if (has_panes_) {
       unblocked_.push(open, e);
@@ -103,7 +103,8 @@ class ShadowRays {
     const int count = unblocked_.take(e);
     RayPacket<W> packet;
     setRays<W>(e, e[6], packet);
-    b_.t.scene.straight().template intersect<W>(packet, (1u << count) - 1, EmbreeScene::Rays::kScattered);
+    b_.t.scene.still().straight().template intersect<W>(packet, (1u << count) - 1,
+                                                        EmbreeScene::Rays::kScattered);
     const Unpacked rays(e);
     for (int i = 0; i < count; ++i) {
       const Hit hit = packet.hit(i);
@@ -121,7 +122,7 @@ class ShadowRays {
   }
 
   const Batch<C>& b_;
-  const bool has_panes_ = kMixed && b_.t.scene.hasStraightTransmission();
+  const bool has_panes_ = kMixed && b_.t.scene.still().hasStraightTransmission();
   Queue queue_, unblocked_;
   RayPacket<W> packet_{has_panes_ ? kBlockingMask : kBlockingMask | kStraightMask};
 };

@@ -62,7 +62,7 @@ void arrive(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_
   PathState state = PathState::unpack(from.state[i]);
   if (!at.hit.valid) {
     if (state.in_view) return;
-    const Lights& lights = t.scene.lights();
+    const Lights& lights = t.scene.still().lights();
     const float weight = state.delta ? 1 : balance(from.pdf[i], lights.distantPdf(at.direction));
     results.radiance.add(slot, throughput * Color<C>(lights.distantRadiance(at.direction)) * weight);
     return;
@@ -75,7 +75,7 @@ void arrive(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_
     addFound<C, kParts>(t, found, throughput, state.delta ? kDeltaPdf : from.pdf[i], state.from_start,
                         results);
   }
-  if (state.bounces > t.bounces && !t.scene.hasStraightTransmission()) return;
+  if (state.bounces > t.bounces && !t.scene.still().hasStraightTransmission()) return;
   if (vertex >= t.bounces + kMaxDeltas) return;
   const PathSampler sampler(from.key_low[i], from.key_high[i]);
   if constexpr (kParts) {
@@ -114,7 +114,7 @@ Departure depart(const Tracing& t, int vertex, LivePaths<C>& paths, std::uint32_
   if (!next.delta) paths.spread[i] = RayCone::lobeSpread(next.pdf);
   paths.state[i] = state.pack();
   paths.throughput.set(i, throughput);
-  return {t.scene.leave(s, next.transmitted), next.wi, true};
+  return {t.scene.still().leave(s, next.transmitted), next.wi, true};
 }
 
 template <Shading S, int C>
@@ -129,13 +129,13 @@ Transmittance transmit(const Tracing& t, const Ray& shadow, const Hit& first) {
   const Vec3 direction = normalize(shadow.direction);
   Ray ray = shadow;
   Hit hit = first;
-  for (int i = 0; hit.valid; hit = t.scene.straight().intersect(ray), ++i) {
+  for (int i = 0; hit.valid; hit = t.scene.still().straight().intersect(ray), ++i) {
     if (i == kMaxTransmissions) return {{}, 0};
     const Surface s = surfaceAt<S>(t.scene, ray, hit, RayCone::kDiffuseSpread * hit.t);
     const Transmittance one = Scatter<S>(s, direction).straightTransmittance();
     all = {all.fraction * one.fraction, all.probability * one.probability};
     if (luminance(all.fraction) <= 0) return {{}, 0};
-    ray.origin = t.scene.leave(s, true);
+    ray.origin = t.scene.still().leave(s, true);
     ray.tfar -= hit.t;
   }
   return all;

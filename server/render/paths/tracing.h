@@ -2,8 +2,7 @@
 #pragma once
 
 #include "cache/grid/bounce_grid.h"
-#include "render/world/render_scene.h"
-#include "scene/emitter_strengths.h"
+#include "render/world/posed_scene.h"
 
 namespace saccade {
 
@@ -15,8 +14,7 @@ struct KnownBounces {
 };
 
 struct Tracing {
-  const RenderScene& scene;
-  const EmitterStrengths& strengths;
+  const PosedScene& scene;
   int bounces;  // indirect, off rough surfaces; 0: direct light only
   KnownBounces known;
 };

@@ -32,7 +32,7 @@ void forEachPrimary(const PixelContext& view, Tile tile, GBuffer& g, const OnPla
       forEachLane(block->others, [&](int i) {
         shadePrimary<S>(view, block->rays[static_cast<std::size_t>(i)],
                         block->hits[static_cast<std::size_t>(i)], hit);
-        writeFeatures(hit, view.camera, view.prev, block->x(i), block->y(i), g);
+        writeFeatures(hit, view.now.camera, view.before.camera, block->x(i), block->y(i), g);
         on_other(block->x(i), block->y(i), hit);
       });
     }

@@ -47,13 +47,13 @@ void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, Prim
   if (!hit.valid) {
     out.start = {}, out.guide = {};
     out.guide.hit = false;
-    if constexpr (S.extras) out.guide.emission = view.scene.lights().distantRadiance(unit);
+    if constexpr (S.extras) out.guide.emission = view.now.scene.still().lights().distantRadiance(unit);
     return;
   }
-  RayCone cone{0, view.camera.pixelAt(ray.direction)};
+  RayCone cone{0, view.now.camera.pixelAt(ray.direction)};
   cone.width = cone.at(hit.t);
-  new (&out.start) PathStart{surfaceAt<S>(view.scene, ray, hit, cone.width), unit, cone};
-  new (&out.guide) Guide(findGuide<S>(view.scene, view.strengths, ray, hit, out.start));
+  new (&out.start) PathStart{surfaceAt<S>(view.now.scene, ray, hit, cone.width), unit, cone};
+  new (&out.guide) Guide(findGuide<S>(view.now.scene, ray, hit, out.start));
 }
 
 template <Shading S>
@@ -61,9 +61,9 @@ void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std:
   std::array<Ray, kMostPoints> rays;
   std::array<Hit, kMostPoints> found;
   for (std::size_t i = 0; i < hits.size(); ++i)
-    rays[i] = {view.camera.origin, view.camera.direction(points[i].x, points[i].y),
+    rays[i] = {view.now.camera.origin, view.now.camera.direction(points[i].x, points[i].y),
                std::numeric_limits<float>::infinity()};
-  view.scene.geometry().intersect(rays, std::span(found).first(hits.size()));
+  view.now.scene.still().geometry().intersect(rays, std::span(found).first(hits.size()));
   for (std::size_t i = 0; i < hits.size(); ++i) shadePrimary<S>(view, rays[i], found[i], hits[i]);
 }
 

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "render/surface/path_start.h"
-#include "render/world/render_scene.h"
-#include "scene/emitter_strengths.h"
+#include "render/world/posed_scene.h"
 
 namespace saccade {
 
@@ -23,7 +22,6 @@ struct Guide {
 
 // `ray` is the ray of the pixel. It meets `hit` at `start`.
 template <Shading S>
-Guide findGuide(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& ray, const Hit& hit,
-                const PathStart& start);
+Guide findGuide(const PosedScene& scene, const Ray& ray, const Hit& hit, const PathStart& start);
 
 }  // namespace saccade

@@ -20,8 +20,7 @@ inline Vec3 mirrored(Vec3 v, Vec3 about) {
 
 // Follows the view from `start` through mirrors, clear glass and masks. It ends at any other surface.
 template <Shading S>
-Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& primary,
-                 const Hit& first, const PathStart& start) {
+Guide followView(const PosedScene& scene, const Ray& primary, const Hit& first, const PathStart& start) {
   Guide g{};
   Rgb throughput{1, 1, 1};
   float distance = 0;  // beyond `start`
@@ -32,7 +31,7 @@ Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, co
   RayCone cone = start.cone;
   std::uint32_t geometry = first.geometry;
   for (int depth = 0;; ++depth) {
-    g.emission = g.emission + throughput * s.radiance * strengths[geometry];
+    g.emission = g.emission + throughput * s.radiance * scene.strengths()[geometry];
     const Scatter<S> scatter(s, direction);
     const BsdfSample next = scatter.sample(kView, kView, kView);
     if (depth == kMaxViewDepth || !scatter.isView(next)) {
@@ -42,10 +41,10 @@ Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, co
     g.albedo = g.albedo + throughput * (1 - next.pdf);  // of the light that leaves the view here
     throughput = throughput * next.weight * next.pdf;
     if (!next.transmitted) mirrors[mirror_count++] = scatter.normal();
-    const Ray ray{scene.leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
-    const Hit hit = scene.geometry().intersect(ray);
+    const Ray ray{scene.still().leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
+    const Hit hit = scene.still().geometry().intersect(ray);
     if (!hit.valid) {
-      g.emission = g.emission + throughput * scene.lights().distantRadiance(next.wi);
+      g.emission = g.emission + throughput * scene.still().lights().distantRadiance(next.wi);
       g.hit = false;
       return g;
     }
@@ -66,16 +65,15 @@ Guide followView(const RenderScene& scene, const EmitterStrengths& strengths, co
 }  // namespace detail
 
 template <Shading S>
-Guide findGuide(const RenderScene& scene, const EmitterStrengths& strengths, const Ray& ray, const Hit& hit,
-                const PathStart& start) {
-  if constexpr (S.extras) return detail::followView<S>(scene, strengths, ray, hit, start);
+Guide findGuide(const PosedScene& scene, const Ray& ray, const Hit& hit, const PathStart& start) {
+  if constexpr (S.extras) return detail::followView<S>(scene, ray, hit, start);
   const Surface& s = start.surface;
   return {s.point,
           s.shading_normal,
           s.geometric_normal,
           hit.t,
           Scatter<S>(s, start.direction).albedo(),
-          s.radiance * strengths[hit.geometry],
+          s.radiance * scene.strengths()[hit.geometry],
           true,
           true};
 }

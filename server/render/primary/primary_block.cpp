@@ -9,7 +9,7 @@ namespace {
 
 // Of a camera with distortion, whose rays are found one by one.
 void traceDistorted(const PixelContext& view, Tile pixels, PrimaryBlock& out) {
-  const Ray none{view.camera.origin, view.camera.forward, -1};  // hits nothing
+  const Ray none{view.now.camera.origin, view.now.camera.forward, -1};  // hits nothing
   out.plain = out.others = 0;
   out.rays.fill(none);
   for (int y = pixels.y0; y < pixels.y1; ++y)
@@ -17,17 +17,17 @@ void traceDistorted(const PixelContext& view, Tile pixels, PrimaryBlock& out) {
       const int lane = (y - pixels.y0) * kBlockEdge + x - pixels.x0;
       out.others |= 1u << lane;
       out.rays[static_cast<std::size_t>(lane)] = {
-          view.camera.origin, view.camera.direction(static_cast<float>(x), static_cast<float>(y)),
+          view.now.camera.origin, view.now.camera.direction(static_cast<float>(x), static_cast<float>(y)),
           std::numeric_limits<float>::infinity()};
     }
-  view.scene.geometry().intersect(out.rays, out.hits);
+  view.now.scene.still().geometry().intersect(out.rays, out.hits);
 }
 
 }  // namespace
 
 void tracePrimaryBlock(const PixelContext& view, Tile pixels, GBuffer& g, PrimaryBlock& out) {
   out.x0 = pixels.x0, out.y0 = pixels.y0;
-  if (!view.camera.isPlain()) return traceDistorted(view, pixels, out);
+  if (!view.now.camera.isPlain()) return traceDistorted(view, pixels, out);
   if (instructionSet() == InstructionSet::kAvx512) return tracePrimaryBlockAvx512(view, pixels, g, out);
   tracePrimaryBlockAvx2(view, pixels, g, out);
 }

@@ -7,6 +7,7 @@
 
 #include "render/camera/pixel_features.h"
 #include "render/primary/primary_block.h"
+#include "render/world/surface_at.h"
 #include "render/world/surface_lanes.h"
 #include "render/world/texture_color.h"
 
@@ -62,14 +63,14 @@ template <int W>
       selectLanes(dot(s.shading_normal, lanes.geometric_normal) < 0.f, -s.shading_normal, s.shading_normal);
   const std::uint32_t front = bitsOf(s.front());
   LaneVectors reflectance{}, emission{};
-  const Scene& scene = view.scene.description();
+  const Scene& scene = view.now.scene.still().description();
   forEachLane(plain, [&](int i) {
     const std::uint32_t geometry = packet.geometry[i];
-    const ShapeRow& row = view.scene.shapeRows()[geometry];
+    const ShapeRow& row = view.now.scene.still().shapeRows()[geometry];
     const bool seen_front = front >> i & 1;
     if (row.emits && seen_front) {
       const auto [mesh, sphere] = HitShape(scene, packet.hit(i));
-      emission.set(i, (mesh ? mesh->radiance : sphere->radiance) * view.strengths[geometry]);
+      emission.set(i, (mesh ? mesh->radiance : sphere->radiance) * view.now.scene.strengths()[geometry]);
     }
     if (!row.twosided && !seen_front) return;
     reflectance.set(
@@ -85,14 +86,15 @@ template <int W>
                                                  const Vec3T<Floats<W>>& point, const PlainLanes<W>& surface,
                                                  const Floats<W>& albedo, GBuffer& g) {
   using F = Floats<W>;
-  const Vec3T<F> offset = point - splat<F>(view.camera.origin);
-  const auto now = view.camera.projectPlain(offset);
-  const auto before = view.prev.projectPlain(Vec3T<F>(point - splat<F>(view.prev.origin)));
+  const Vec3T<F> offset = point - splat<F>(view.now.camera.origin);
+  const auto now = view.now.camera.projectPlain(offset);
+  const auto before = view.before.camera.projectPlain(Vec3T<F>(point - splat<F>(view.before.camera.origin)));
   const auto motion = motionBetween<F>(now, before);
   part.write(motion.x, g.motion_x), part.write(motion.y, g.motion_y);
   part.write(before.z, g.z_in_prev);
   part.write(z, g.z);
-  const Vec3T<F> right = view.camera.nextRightPlain(direction), down = view.camera.nextDownPlain(direction);
+  const Vec3T<F> right = view.now.camera.nextRightPlain(direction),
+                 down = view.now.camera.nextDownPlain(direction);
   part.write(planeSlope<F>(right, down, offset, surface.geometric_normal, z), g.dz);
   part.write(surface.shading_normal.x, g.nx);
   part.write(surface.shading_normal.y, g.ny);
@@ -106,8 +108,8 @@ template <int W>
                                               const Vec3T<Floats<W>>& direction, const RayPacket<W>& packet,
                                               std::uint32_t plain, GBuffer& g, PlainSurfaces& out) {
   using F = Floats<W>;
-  const SurfaceLanes<W> s = surfacesAt<W>(view.scene, packet, plain);
-  const F z = load<W>(packet.far), width = view.camera.pixel * z;
+  const SurfaceLanes<W> s = surfacesAt<W>(view.now.scene, packet, plain);
+  const F z = load<W>(packet.far), width = view.now.camera.pixel * z;
   const PlainLanes<W> surface = plainLanes<W>(view, packet, plain, s, width);
   const F albedo = luminance<F>(surface.reflectance);
   writeFeatures<W>(view, part, direction, z, s.point, surface, albedo, g);
@@ -125,15 +127,16 @@ void tracePrimaryBlock(const PixelContext& view, Tile pixels, GBuffer& g, Primar
   for (int first = 0; first < kBlockPixels; first += W) {
     const BlockPart<W> part{pixels, first};
     const std::uint32_t inside = part.inside();
-    const Vec3T<F> direction = part.directions(view.camera), origin = splat<F>(view.camera.origin);
+    const Vec3T<F> direction = part.directions(view.now.camera), origin = splat<F>(view.now.camera.origin);
     RayPacket<W> packet;
     setRays<W>(std::array{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z},
                F(std::numeric_limits<float>::infinity()), packet);
-    view.scene.geometry().template intersect<W>(packet, inside, EmbreeScene::Rays::kCoherent);
+    view.now.scene.still().geometry().template intersect<W>(packet, inside, EmbreeScene::Rays::kCoherent);
     std::uint32_t plain = 0;
     forEachLane(inside, [&](int i) {
       const std::uint32_t geometry = packet.geometry[i];
-      const bool is_plain = geometry != RayPacket<W>::kNone && view.scene.shapeRows()[geometry].plain;
+      const bool is_plain =
+          geometry != RayPacket<W>::kNone && view.now.scene.still().shapeRows()[geometry].plain;
       plain |= std::uint32_t(is_plain) << i;
     });
     const std::uint32_t others = inside & ~plain;

@@ -68,7 +68,7 @@ class SubPixels {
     std::ranges::copy(hits, hits_.begin());
   }
 
-  float pixel() const { return view_.camera.pixelAt(hits_[0].direction); }
+  float pixel() const { return view_.now.camera.pixelAt(hits_[0].direction); }
 
   const PixelContext& view_;
   int x_, y_;

@@ -86,7 +86,7 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, const Traci
     addPath(found, slot, starts.base((*points)[owner]).albedo, (*sums)[owner]);
   };
   PathRun<S, C, true, decltype(onPath)> run(tracing, onPath);
-  PlainPaths plain(view.camera.pixel, run);
+  PlainPaths plain(view.now.camera.pixel, run);
   const SequencePlace places(seeds.stream, seeds.frame2);
   forEachPixel(tile, [&](int x, int y) {
     for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {

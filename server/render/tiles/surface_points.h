@@ -39,8 +39,8 @@ class TilePoints {
   void set(const PrimaryBlock& block) {
     const PlainSurfaces& s = memory_->plain[blockOf(block.x0, block.y0)] = block.surfaces;
     LaneVectors white;
-    view_.scene.analyticLight().at({s.point, s.shading_normal, s.geometric_normal}, block.plain,
-                                   view_.strengths, white);
+    view_.now.scene.still().analyticLight().at({s.point, s.shading_normal, s.geometric_normal}, block.plain,
+                                               view_.now.scene.strengths(), white);
     forEachLane(block.plain, [&](int lane) {
       SurfacePoint& point = out_.surfaces->at(block.x(lane), block.y(lane)) = {};
       isPlain(block.x(lane), block.y(lane)) = true;
@@ -62,13 +62,13 @@ class TilePoints {
   void setJittered(int x, int y) {
     const SubPixels<S> shown(view_, x, y);
     const PrimaryHit& centre = shown.centre();
-    writeFeatures(centre, view_.camera, view_.prev, x, y, out_.g);
+    writeFeatures(centre, view_.now.camera, view_.before.camera, x, y, out_.g);
     const float A = out_.g.albedo.at(x, y) = shown.albedo();
     out_.g.emission.at(x, y) = shown.emission();
     for (SurfacePoint& p : out_.surfaces->of(x, y)) p = {};
     if (A <= 0) return;
     int column = x * out_.surfaces->perPixel();
-    const float pixel = view_.camera.pixelAt(centre.direction);
+    const float pixel = view_.now.camera.pixelAt(centre.direction);
     shown.forEachSurface([&](const PrimaryHit& hit, float albedo) {
       const bool central =
           isOneSurface(hit, centre, pixel) && luminance(centre.guide.albedo) >= kLeastAlbedo * A;
@@ -110,10 +110,11 @@ class TilePoints {
     point.share = share;
     if (!guide.hit || !guide.has_base || albedo <= kLeastSurfaceAlbedo) return;
     point.kind = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
-    const Rgb white = view_.scene.analyticLight().at(litPoint(hit.start), view_.strengths);
-    out_.surfaces->place(out_.surfaces->indexOf(column, y)) = {guide.point, guide.normal,
-                                                               view_.camera.pixelAt(hit.direction) * guide.t,
-                                                               luminance(start.base.albedo * white) / albedo};
+    const Rgb white =
+        view_.now.scene.still().analyticLight().at(litPoint(hit.start), view_.now.scene.strengths());
+    out_.surfaces->place(out_.surfaces->indexOf(column, y)) = {
+        guide.point, guide.normal, view_.now.camera.pixelAt(hit.direction) * guide.t,
+        luminance(start.base.albedo * white) / albedo};
   }
 
   void keepStart(int column, int y, SurfaceStarts& starts) const {

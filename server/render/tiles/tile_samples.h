@@ -45,7 +45,7 @@ void addPaths(const PixelContext& view, Tile tile, GBuffer& g, auto& run, const 
               const auto& on_emission) {
   const auto onPlain = [&](const PrimaryBlock& block) {
     forEachPath([&](const auto& pathOf) {
-      run.addPlain(block.surfaces, block.plain, view.camera.pixel,
+      run.addPlain(block.surfaces, block.plain, view.now.camera.pixel,
                    [&](int lane) { return pathOf(block.x(lane), block.y(lane)); });
     });
     forEachLane(block.plain, [&](int lane) {
@@ -67,7 +67,7 @@ void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Ti
   const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
     sums.add(owner, found.radiance.at(slot).luminance());
   };
-  const Tracing tracing{view.scene, view.strengths, bounces, {}};
+  const Tracing tracing{view.now.scene, bounces, {}};
   PathRun<S, C, false, decltype(onPath)> run(tracing, onPath);
   const auto forEachPath = [&](const auto& f) {
     const auto ofPass = [&](int pass, std::uint64_t seed, int spp) {
@@ -98,12 +98,12 @@ void renderJitteredTile(const PixelContext& view, const SeedPlan& seeds, int bou
   const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
     sums.add(owner, found.radiance.at(slot).luminance());
   };
-  const Tracing tracing{view.scene, view.strengths, bounces, {}};
+  const Tracing tracing{view.now.scene, bounces, {}};
   PathRun<S, C, false, decltype(onPath)> run(tracing, onPath);
   forEachPixel(tile, [&](int x, int y) {
     const auto found = traceSubPixels<S>(view, x, y, kCentreAndSubPixelOffsets);
     const auto hits = std::span(found).subspan(1);
-    writeFeatures(found[0], view.camera, view.prev, x, y, out.g);
+    writeFeatures(found[0], view.now.camera, view.before.camera, x, y, out.g);
     std::array<float, kSubPixels> albedo;
     float A = 0, E = 0;
     for (std::size_t i = 0; i < kSubPixels; ++i) {

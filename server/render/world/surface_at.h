@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/world/bump.h"
-#include "render/world/render_scene.h"
+#include "render/world/posed_scene.h"
 
 namespace saccade {
 
@@ -37,11 +37,11 @@ struct HitShape {
 
 // `n` is the unit geometric normal as wound, and `cosine` that between it and the ray's reverse. `footprint`
 // is the width of the region that one path stands for, at a right angle to the ray, in scene units. S must
-// cover scene.shading().
+// cover the shading of the scene.
 template <Shading S>
-Surface surfaceOf(const RenderScene& render_scene, const Hit& hit, const Patch& patch, Vec3 n, float cosine,
+Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, Vec3 n, float cosine,
                   float footprint) {
-  const Scene& scene = render_scene.description();
+  const Scene& scene = posed.still().description();
   const bool front = cosine > 0;
   const auto [mesh, sphere] = HitShape(scene, hit);
   const int id = mesh ? mesh->material : sphere->material;
@@ -60,7 +60,7 @@ Surface surfaceOf(const RenderScene& render_scene, const Hit& hit, const Patch& 
     black = black && !transmits;
     s.inside = transmits && !front;
   }
-  if constexpr (!S.diffuseOnly()) s.bsdf.tables = &render_scene.tables(id);
+  if constexpr (!S.diffuseOnly()) s.bsdf.tables = &posed.still().tables(id);
   if constexpr (S.extras) {
     s.opacity = luminance(lookUp(scene, material.opacity, at));
     if (isBumpy(material)) ns = bumpedNormal(scene, material, ns, texture, at.footprint);
@@ -72,9 +72,9 @@ Surface surfaceOf(const RenderScene& render_scene, const Hit& hit, const Patch& 
 }
 
 template <Shading S>
-Surface surfaceAt(const RenderScene& scene, const Ray& ray, const Hit& hit, float footprint) {
+Surface surfaceAt(const PosedScene& scene, const Ray& ray, const Hit& hit, float footprint) {
   const Vec3 n = normalize(hit.normal);
-  const Mesh* mesh = HitShape(scene.description(), hit).mesh;
+  const Mesh* mesh = HitShape(scene.still().description(), hit).mesh;
   const Patch patch{ray.origin + ray.direction * hit.t, mesh ? shadingNormalAt(*mesh, hit, n) : n};
   return surfaceOf<S>(scene, hit, patch, n, -dot(n, ray.direction) / length(ray.direction), footprint);
 }

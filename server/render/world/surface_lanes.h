@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/lane_vectors.h"
-#include "render/world/render_scene.h"
+#include "render/world/posed_scene.h"
 
 namespace saccade {
 
@@ -60,7 +60,7 @@ template <int W>
 
 // `lanes`: those that have hit a surface.
 template <int W>
-[[gnu::always_inline]] inline SurfaceLanes<W> surfacesAt(const RenderScene& scene, const RayPacket<W>& packet,
+[[gnu::always_inline]] inline SurfaceLanes<W> surfacesAt(const PosedScene& scene, const RayPacket<W>& packet,
                                                          std::uint32_t lanes) {
   using F = Floats<W>;
   const auto unit = [](const Vec3T<F>& a) { return a * F(1.f / sqrt(dot(a, a))); };
@@ -70,7 +70,7 @@ template <int W>
   s.cosine = -dot(s.normal, unit(direction));
   s.point = Vec3T<F>{load<W>(packet.origin_x), load<W>(packet.origin_y), load<W>(packet.origin_z)} +
             direction * load<W>(packet.far);
-  s.shading_normal = shadingNormals<W>(scene.shapeRows(), packet, lanes, s.normal);
+  s.shading_normal = shadingNormals<W>(scene.still().shapeRows(), packet, lanes, s.normal);
   return s;
 }
 
