@@ -37,7 +37,7 @@ void DvRelay::run(Subscription& subscription, int sensors) {
   checkEnd(end);
 }
 
-void DvRelay::pass(const Batch& batch) {
+void DvRelay::pass(const DecodedPacket& batch) {
   if (!epoch_us_) epoch_us_ = unixTimeUs() - batch.header.t0_ns() / kNsPerUs;
   server_.send(batch.header.sensor(), batch.events, *epoch_us_);
 }

@@ -20,7 +20,7 @@ class DvRelay {
   void run(Subscription& subscription, int sensors);
 
  private:
-  void pass(const Batch& batch);
+  void pass(const DecodedPacket& batch);
   void tellLosses(const Losses& losses);
 
   dv::DvServer& server_;

@@ -40,7 +40,7 @@ v1::View viewOf(const TerminalScreen::Size& terminal) {
 LiveView::LiveView(const TerminalScreen& screen, const v1::View& view, double decay_s)
     : screen_(screen), surface_(static_cast<int>(view.width()), static_cast<int>(view.height()), decay_s) {}
 
-void LiveView::see(const Batch& batch) {
+void LiveView::see(const DecodedPacket& batch) {
   if (batch.header.kind() == v1::KIND_HEARTBEAT) return;
   if (!begin_ns_) begin_ns_ = batch.header.t0_ns();
   surface_.add(batch.events);

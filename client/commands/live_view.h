@@ -17,7 +17,7 @@ class LiveView {
   // `decay_s`: see TimeSurface.
   LiveView(const TerminalScreen& screen, const v1::View& view, double decay_s);
 
-  void see(const Batch& batch);  // every batch, in order
+  void see(const DecodedPacket& batch);  // every batch, in order
   // Draws the image and a line of figures, 20 times a second. Squares of pixels become one where the terminal
   // is smaller than the image.
   void drawIfDue(const Losses& losses);

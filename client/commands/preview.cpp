@@ -29,7 +29,7 @@ std::span<const Event> between(const Events& events, std::int64_t t0_ns, std::in
 Preview::Preview(const std::string& path, std::int64_t at_ns, std::int64_t frame_ns)
     : path_(path), at_ns_(at_ns), window_ns_(std::max(kShownNs, frame_ns)) {}
 
-void Preview::see(const Batch& batch, StreamHandle& stream) {
+void Preview::see(const DecodedPacket& batch, StreamHandle& stream) {
   if (batch.header.sensor() != 0 || state_ == State::kWritten || state_ == State::kFailed) return;
   keepTail(batch);
   try {
@@ -41,7 +41,7 @@ void Preview::see(const Batch& batch, StreamHandle& stream) {
 }
 
 // Drops old events until the picture has been taken, and then keeps all until they reach its time.
-void Preview::keepTail(const Batch& batch) {
+void Preview::keepTail(const DecodedPacket& batch) {
   if (state_ == State::kWaiting) {
     const std::int64_t oldest = batch.header.t1_ns() - window_ns_ - kSpareNs;
     std::erase_if(tail_, [=](const Event& e) { return e.t_ns < oldest; });

@@ -16,13 +16,13 @@ class Preview {
 
   // Call it with every batch of the stream, in order. A failure is reported on stderr and does not end the
   // recording.
-  void see(const Batch& batch, StreamHandle& stream);
+  void see(const DecodedPacket& batch, StreamHandle& stream);
 
   bool written() const { return state_ == State::kWritten; }
 
  private:
   enum class State { kWaiting, kAsked, kWritten, kFailed };
-  void keepTail(const Batch& batch);
+  void keepTail(const DecodedPacket& batch);
   void advance(std::int64_t time_ns, StreamHandle& stream);
   void write() const;
 

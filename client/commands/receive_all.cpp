@@ -18,7 +18,7 @@ void heedInterrupt(StreamHandle& stream) {
   stream.close();
 }
 
-void showProgress(const Subscription& subscription, const StreamHandle& stream, const Batch& batch,
+void showProgress(const Subscription& subscription, const StreamHandle& stream, const DecodedPacket& batch,
                   const Recorder& recorder, Progress& progress) {
   if (subscription.catchingUp()) {
     const std::uint64_t frames = stream.opened().frames();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "client/recording/truth_description.h"
+#include "saccade/stream_fault.h"
 #include "saccade/stream_views.h"
 
 namespace saccade::client {
@@ -74,7 +75,7 @@ void Recorder::addFile(const std::string& path, const WriterInfo& format,
   for (std::size_t i = 0; i < count; ++i) outputs_.push_back({&file, &file.sensor(i)});
 }
 
-void Recorder::add(const Batch& batch) {
+void Recorder::add(const DecodedPacket& batch) {
   const v1::PacketHeader& header = batch.header;
   if (header.sensor() >= outputs_.size() + truth_.size())
     throw StreamFault("a packet is of a sensor that the stream does not have");
@@ -88,7 +89,7 @@ void Recorder::add(const Batch& batch) {
   output.ended |= header.kind() == v1::KIND_END;
 }
 
-void Recorder::addTruth(Truth& truth, const Batch& batch) {
+void Recorder::addTruth(Truth& truth, const DecodedPacket& batch) {
   RecordedSensor& sensor = *outputs_[truth.sensor].sensor;
   if (!batch.truth.empty()) {
     checkTruthPacket(sensor.about().truth(truth.channel), batch.header);

@@ -1,4 +1,4 @@
-// Writes the batches of a stream to files: one per sensor, or one for all of them where the format holds
+// Writes the packets of a stream to files: one per sensor, or one for all of them where the format holds
 // several. A truth channel goes with the sensor of sensorOfTruth().
 #pragma once
 
@@ -10,8 +10,8 @@
 
 #include "client/recording/recording_file.h"
 #include "saccade/sequence_check.h"
-#include "saccade/subscriber.h"
 #include "saccade/v1/control.pb.h"
+#include "saccade/wire/packet.h"
 
 namespace saccade::client {
 
@@ -32,7 +32,7 @@ class Recorder {
            const v1::ServerDescription& server = {});
 
   // Throws StreamFault if the stream has no such sensor or truth channel, and as RecordingFile does.
-  void add(const Batch& batch);
+  void add(const DecodedPacket& batch);
   bool complete() const;  // every sensor and truth channel has ended
   // Gives the files their names. Call it when complete() is true. Throws std::system_error at the first file
   // that cannot be finished: that file and the later ones stay FILE.partial. `lost_events`: by the stream.
@@ -61,7 +61,7 @@ class Recorder {
     bool ended = false;
   };
   void addFile(const std::string& path, const WriterInfo& format, std::vector<v1::Recording> sensors);
-  void addTruth(Truth& truth, const Batch& batch);
+  void addTruth(Truth& truth, const DecodedPacket& batch);
 
   std::vector<std::unique_ptr<RecordingFile>> files_;
   std::vector<Output> outputs_;

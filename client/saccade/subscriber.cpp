@@ -34,7 +34,7 @@ Subscriber::Subscriber(zmq::context_t& context, const std::string& endpoint,
   for (const std::string& topic : topics) socket_.set(zmq::sockopt::subscribe, topic);
 }
 
-std::optional<Batch> Subscriber::receive(std::chrono::milliseconds timeout) {
+std::optional<DecodedPacket> Subscriber::receive(std::chrono::milliseconds timeout) {
   giveBack();
   if (arrived_.empty() && !waitReadable(socket_, timeout)) return std::nullopt;
   for (int i = 0; i < kTakenAtOnce && !endsWith(v1::KIND_ERROR) && take(); ++i) {
@@ -43,7 +43,7 @@ std::optional<Batch> Subscriber::receive(std::chrono::milliseconds timeout) {
   Arrived arrived = std::move(arrived_.front());
   arrived_.pop_front();
   waiting_ -= arrived.cost, used_ += arrived.cost;
-  Batch batch;
+  DecodedPacket batch;
   batch.header = std::move(arrived.header);
   const std::string fault = decodePacket(batch.header, arrived.payload.to_string(), batch);
   if (!fault.empty()) throw StreamFault("a packet must not be used: " + fault);

@@ -16,10 +16,6 @@
 
 namespace saccade::client {
 
-struct Batch : PacketContent {
-  v1::PacketHeader header;
-};
-
 class Subscriber {
  public:
   static constexpr std::uint64_t kCredit = 4 << 20;  // bytes that the server may send ahead
@@ -39,7 +35,7 @@ class Subscriber {
   // Returns the next batch of any sensor, or a heartbeat; nothing after `timeout` or a signal. Each call
   // acknowledges the batch before, which the server may then forget. Throws StreamRefused for a packet of
   // KIND_ERROR, and StreamFault for one that fails its checks or was sent without credit.
-  std::optional<Batch> receive(std::chrono::milliseconds timeout);
+  std::optional<DecodedPacket> receive(std::chrono::milliseconds timeout);
 
  private:
   struct Arrived {

@@ -13,7 +13,7 @@ using std::chrono::milliseconds;
 constexpr const char* kConnectionLost = "the connection to the server is lost";
 
 // Removes from a packet what arrived before.
-void cutOff(const SequenceCheck::FreshRange& fresh, Batch& batch) {
+void cutOff(const SequenceCheck::FreshRange& fresh, DecodedPacket& batch) {
   const auto known = static_cast<std::ptrdiff_t>(fresh.known_items);
   if (!batch.events.empty()) batch.events.erase(batch.events.begin(), batch.events.begin() + known);
   if (!batch.truth.empty()) batch.truth.erase(batch.truth.begin(), batch.truth.begin() + known);
@@ -51,7 +51,7 @@ void Subscription::connect() {
   last_heard_ = Clock::now();
 }
 
-std::optional<Batch> Subscription::receive(milliseconds timeout) {
+std::optional<DecodedPacket> Subscription::receive(milliseconds timeout) {
   const auto until = Clock::now() + timeout;
   while (true) {
     const auto left = std::min(until, last_heard_ + retry_policy_.silence) - Clock::now();
@@ -63,7 +63,7 @@ std::optional<Batch> Subscription::receive(milliseconds timeout) {
   }
 }
 
-std::optional<Batch> Subscription::receiveFromConnection(milliseconds timeout) {
+std::optional<DecodedPacket> Subscription::receiveFromConnection(milliseconds timeout) {
   try {
     return connection_->receive(timeout);
   } catch (const StreamRefused& refused) {
@@ -77,7 +77,7 @@ std::optional<Batch> Subscription::receiveFromConnection(milliseconds timeout) {
 }
 
 // Whether the batch has something new for the caller.
-bool Subscription::take(Batch& batch) {
+bool Subscription::take(DecodedPacket& batch) {
   found();
   heard_ = true;
   last_heard_ = Clock::now();

@@ -36,7 +36,7 @@ class Subscription {
   // the server may then forget. After a reconnection, a header describes the new part of its batch, with the
   // stream_id, epoch and seq of the new stream. Throws StreamFault or Refused if the stream cannot go on, and
   // whatever `waiting` throws.
-  std::optional<Batch> receive(std::chrono::milliseconds timeout);
+  std::optional<DecodedPacket> receive(std::chrono::milliseconds timeout);
 
   // True while a stream that was opened again is rendering what has already arrived. Heartbeats tell its
   // frame.
@@ -52,8 +52,8 @@ class Subscription {
     return request.pushed() || request.timing().steerable();
   }
   void connect();
-  std::optional<Batch> receiveFromConnection(std::chrono::milliseconds timeout);
-  bool take(Batch& batch);
+  std::optional<DecodedPacket> receiveFromConnection(std::chrono::milliseconds timeout);
+  bool take(DecodedPacket& batch);
   bool endsEarly(const v1::PacketHeader& header) const;
   void reconnect();
   void startAgain(const std::string& failure);

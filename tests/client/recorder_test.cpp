@@ -11,6 +11,7 @@
 #include "client/recording/sidecar.h"
 #include "file_size_limit.h"
 #include "random_events.h"
+#include "saccade/stream_fault.h"
 #include "scratch_folder.h"
 
 namespace saccade::client {
@@ -31,8 +32,8 @@ class RecorderTest : public testing::Test {
   const ScratchFolder folder_;
 };
 
-Batch batchOf(std::uint32_t sensor, v1::Kind kind, Events events) {
-  Batch batch;
+DecodedPacket batchOf(std::uint32_t sensor, v1::Kind kind, Events events) {
+  DecodedPacket batch;
   batch.header.set_sensor(sensor);
   batch.header.set_kind(kind);
   batch.header.set_t1_ns(3'000'000'000);
@@ -147,7 +148,7 @@ TEST_F(RecorderTest, UnknownFormatNamesTheKnown) {
 TEST_F(RecorderTest, ARecordingMayBeginInTheMiddleOfAFeed) {
   Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(2));
   EXPECT_EQ(recorder.duration_ns(), 0);
-  Batch batch = batchOf(0, v1::KIND_EVENTS, {});
+  DecodedPacket batch = batchOf(0, v1::KIND_EVENTS, {});
   batch.header.set_t0_ns(2'900'000'000);
   recorder.add(batch);
   EXPECT_EQ(recorder.duration_ns(), 0);  // nothing is known of sensor 1
@@ -159,11 +160,11 @@ TEST_F(RecorderTest, ARecordingMayBeginInTheMiddleOfAFeed) {
 
 TEST_F(RecorderTest, SnapshotsAndHeartbeatsLeaveNoTrace) {
   Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(1));
-  Batch snapshot = batchOf(0, v1::KIND_SNAPSHOT, {});
+  DecodedPacket snapshot = batchOf(0, v1::KIND_SNAPSHOT, {});
   snapshot.header.set_t0_ns(3'000'000'000);
   snapshot.pixels = {{0.5f}, {0.25f}};
   recorder.add(snapshot);
-  Batch heartbeat = batchOf(0, v1::KIND_HEARTBEAT, {});
+  DecodedPacket heartbeat = batchOf(0, v1::KIND_HEARTBEAT, {});
   heartbeat.header.set_t1_ns(9'000'000'000);  // rendered, not received
   recorder.add(heartbeat);
   EXPECT_EQ(recorder.time_ns(), 3'000'000'000);
@@ -210,7 +211,7 @@ TEST_F(RecorderTest, AFolderThatIsNotThereIsNamed) {
 
 TEST_F(RecorderTest, AFullDiskLeavesWholeLinesAndAsManyAsAreTold) {
   Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(1));
-  const Batch batch = batchOf(0, v1::KIND_EVENTS, kEvents);
+  const DecodedPacket batch = batchOf(0, v1::KIND_EVENTS, kEvents);
   {
     const FileSizeLimit limit(100'001);
     EXPECT_THROW(while (true) recorder.add(batch), std::system_error);
@@ -251,7 +252,7 @@ TEST_F(RecorderTest, AFullDiskKeepsAsManyEventsAsAreTold) {
       const FileSizeLimit limit(5'000'000);
       std::int64_t t_ns = 0;
       const auto next = [&t_ns] {
-        Batch batch = batchOf(0, v1::KIND_EVENTS, randomEvents(20'000, 346, 260));
+        DecodedPacket batch = batchOf(0, v1::KIND_EVENTS, randomEvents(20'000, 346, 260));
         for (Event& event : batch.events) event.t_ns += t_ns;
         t_ns = batch.events.back().t_ns + 1000;
         batch.header.set_t1_ns(t_ns);

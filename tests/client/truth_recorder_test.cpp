@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "client/recording/recorder.h"
+#include "saccade/stream_fault.h"
 #include "scratch_folder.h"
 
 namespace saccade::client {
@@ -48,16 +49,16 @@ class TruthRecorder : public testing::Test {
   v1::StreamOpened stream_;
 };
 
-Batch endOf(std::uint32_t channel) {
-  Batch batch;
+DecodedPacket endOf(std::uint32_t channel) {
+  DecodedPacket batch;
   batch.header.set_sensor(channel);
   batch.header.set_kind(v1::KIND_END);
   return batch;
 }
 
 // A packet of `rows`, as channel 1, with a row for each time.
-Batch rowsAt(const std::vector<std::int64_t>& times_ns) {
-  Batch batch;
+DecodedPacket rowsAt(const std::vector<std::int64_t>& times_ns) {
+  DecodedPacket batch;
   batch.header.set_sensor(1);
   batch.header.set_kind(v1::KIND_TRUTH);
   batch.header.set_layout(v1::LAYOUT_ROWS);
@@ -133,7 +134,7 @@ TEST_F(TruthRecorder, OnlyTheFirstSensorHasTheTruth) {
   Recorder recorder = record("a.csv");
   EXPECT_EQ(recorder.about(0).truth_size(), 1);
   EXPECT_EQ(recorder.about(1).truth_size(), 0);
-  Batch rows = rowsAt({0});
+  DecodedPacket rows = rowsAt({0});
   rows.header.set_sensor(2);
   recorder.add(rows);
   EXPECT_EQ(recorder.about(0).truth(0).samples(), 1u);
@@ -149,7 +150,7 @@ TEST_F(TruthRecorder, SensorsOfASharedFileHaveFoldersOfTheirOwn) {
   request.mutable_truth(1)->set_view(1);
   Recorder recorder = record("a.bag");
   for (const std::uint32_t channel : {2, 3}) {
-    Batch rows = rowsAt(std::vector<std::int64_t>(channel, 0));
+    DecodedPacket rows = rowsAt(std::vector<std::int64_t>(channel, 0));
     rows.header.set_sensor(channel);
     recorder.add(rows);
   }
@@ -178,7 +179,7 @@ TEST_F(TruthRecorder, AViewHasItsTruthInTheFileOfItsSensor) {
       names.push_back(std::to_string(sensor) + channel.name() + std::to_string(channel.width()));
   EXPECT_EQ(names,
             (std::vector<std::string>{"0rows2", "0depth_view26", "0rows_view26", "1rows4", "1depth4"}));
-  Batch rows = rowsAt({0});
+  DecodedPacket rows = rowsAt({0});
   rows.header.set_sensor(3 + 1);
   recorder.add(rows);
   EXPECT_EQ(recorder.about(0).truth(0).samples(), 0u);
@@ -191,7 +192,7 @@ TEST_F(TruthRecorder, APacketThatIsNotAsDescribedIsAFault) {
   ask("rows");
   Recorder recorder = record("a.csv");
   const auto faulty = [&](auto change) {
-    Batch batch = rowsAt({0});
+    DecodedPacket batch = rowsAt({0});
     change(batch.header);
     EXPECT_THROW(recorder.add(batch), StreamFault) << batch.header.ShortDebugString();
   };
@@ -204,7 +205,7 @@ TEST_F(TruthRecorder, APacketThatIsNotAsDescribedIsAFault) {
 TEST_F(TruthRecorder, APictureOfAnotherSizeIsAFault) {
   ask("depth");
   Recorder recorder = record("a.csv");
-  Batch batch = rowsAt({0});
+  DecodedPacket batch = rowsAt({0});
   batch.header.set_layout(v1::LAYOUT_PICTURE);
   batch.header.set_planes(1);
   batch.header.set_width(1), batch.header.set_height(2);

@@ -4,6 +4,7 @@
 #include "app/admission/stream_cost.h"
 #include "app/request/refusal.h"
 #include "app/request/request_bounds.h"
+#include "app/request/resolve.h"
 #include "app/request/resolve_trajectory.h"
 #include "app/service.h"
 #include "fuzz/fuzz_target.h"

@@ -70,7 +70,7 @@ FOLDERS = {
     "app/admission": "app/request",
     "app/config": "app/admission",
     "app/stores": "app/request app/admission",
-    "app/sequence": "app/request",
+    "app/sequence": "app/request app/admission app/stores",
     "app/feeds": "app/request app/admission app/sequence",
     "app/streams": "app/request app/admission app/stores app/sequence app/feeds",
     "app": "app/request app/admission app/config app/stores app/feeds app/streams",
@@ -84,6 +84,10 @@ FOLDERS = {
 }
 # Folders of those rooms that no other folder includes.
 WITHOUT_ORDER = {"client/example"}
+# Folders from a request to packets, which a batch uses without a socket; and what they may not include, not
+# even by other headers.
+WITHOUT_SOCKETS = ["server/app/request/", "server/app/admission/", "server/app/stores/", "server/app/sequence/"]
+SOCKETS = ("zmq", "microhttpd", "wslay/", "server/stream/", "server/ops/", "server/web/", "client/")
 # Headers of libraries, with the only places that may include them.
 OUTSIDE = {
     "OpenImageIO/": ["server/pictures/open_image_io.cpp", "tests/"],
@@ -153,6 +157,18 @@ class Includes(unittest.TestCase):
         self.assertTrue({room_of(p) for p in paths} >= {"base", "frame", "events", "wire"}, "files were not found")
         faults = [f for p in paths for _, i in house.includes(p) if (f := fault(p, i))]
         self.assertEqual(faults, [])
+
+    def test_requests_become_packets_without_sockets(self):
+        todo = [p.as_posix() for p in house.files(house.SOURCES) if p.as_posix().startswith(tuple(WITHOUT_SOCKETS))]
+        reached = set(todo)
+        self.assertGreater(len(todo), 50)
+        while todo:
+            for _, included in house.includes(todo.pop()):
+                own = next((f for root in ("server/", "proto/", "client/") if (house.ROOT / (f := root + included)).is_file()), None)
+                self.assertFalse((own or included).startswith(SOCKETS), included)
+                if own and own not in reached:
+                    reached.add(own)
+                    todo.append(own)
 
     def test_every_folder_of_the_server_is_a_room(self):
         rooms = {p.name for p in (house.ROOT / "server").iterdir() if p.is_dir()}

@@ -44,6 +44,10 @@ struct PacketContent {
   TruthSamples truth;
 };
 
+struct DecodedPacket : PacketContent {
+  v1::PacketHeader header;
+};
+
 // checkPacket(), then decodes the content into `out`; what the kind does not carry stays empty. Returns an
 // empty text, or what is wrong.
 std::string decodePacket(const v1::PacketHeader& header, std::string payload, PacketContent& out);

@@ -7,7 +7,6 @@
 #include "app/request/refusal.h"
 #include "app/request/request_memory.h"
 #include "app/request/resolve_trajectory.h"
-#include "app/sequence/stream_rig.h"
 #include "app/streams/stream_opened.h"
 #include "base/text_cut.h"
 #include "stream/bounded_peers.h"
@@ -25,6 +24,11 @@ CpuCost costOfJoining(const CpuCost& frame) {
   return {0, frame.sensors, 0, frame.longest};
 }
 
+void checkDelivery(const v1::OpenStream& request) {
+  if (request.delivery() == v1::DELIVERY_BROADCAST && !peersAreBounded())
+    refuse("delivery", "this saccaded has the system's libzmq, with which it serves no BROADCAST stream");
+}
+
 bool asksForIds(const v1::OpenStream& request) {
   return std::ranges::any_of(request.truth(), [](const v1::Truth& truth) { return truth.name() == "ids"; });
 }
@@ -37,14 +41,12 @@ v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
   Stream stream;
   stream.user = opening.peer.user;
   stream.reserved.push_back(reserve(stream.user, {{Limit::kMemory, requestMemory(request), "sensors"}}));
-  Plan plan{check(std::move(request))};
+  checkDelivery(request);
+  Plan plan{planStream(std::move(request), resources_.scenes.library(), resources_.tables,
+                       resources_.quota.limits())};
   ResolvedStream& resolved = plan.resolved;
-  checkAlone(resolved.request, resources_.quota.limits());
-  boundEvents(resolved, resources_.quota.limits());
-  boundRows(resolved, resources_.quota.limits());
-  boundSteering(resolved, resources_.quota.limits());
   stream.reserved.push_back(reserve(stream.user, sharesOf(resolved, resources_.quota.limits())));
-  if (!resolved.request.pushed()) loadScenes(plan, opening);
+  if (!resolved.request.pushed()) loadScenes(plan, resources_.scenes, begin(opening, "loading the scene"));
   keepRequest(resolved.request, stream);
   if (resolved.request.pushed()) {
     enter(plan, feeds_.ofClient(resolved), stream);
@@ -60,22 +62,6 @@ v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
   return opened;
 }
 
-ResolvedStream StreamMaker::check(v1::OpenStream request) const {
-  if (request.delivery() == v1::DELIVERY_BROADCAST && !peersAreBounded())
-    refuse("delivery", "this saccaded has the system's libzmq, with which it serves no BROADCAST stream");
-  if (request.pushed()) return resolvePushed(std::move(request));
-  const SceneEntry entry = findScene(request.scene());
-  return resolve(std::move(request), entry, resources_.tables);
-}
-
-SceneEntry StreamMaker::findScene(const std::string& name) const {
-  const SceneLibrary& library = resources_.scenes.library();
-  const std::optional<SceneEntry> entry = library.find(name);
-  if (!entry) throw Refusal(v1::CODE_NOT_FOUND, "scene", library.unknown(name));
-  if (!entry->unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, "scene", entry->unavailable);
-  return *entry;
-}
-
 // Streams that are over give their share back first, and so do closed ones that are about to end.
 std::shared_ptr<void> StreamMaker::reserve(const std::string& user, const std::vector<Share>& shares) {
   StreamRegistry& streams = resources_.streams;
@@ -89,30 +75,17 @@ std::shared_ptr<void> StreamMaker::reserve(const std::string& user, const std::v
   }
 }
 
-void StreamMaker::loadScenes(Plan& plan, Opening& opening) {
-  openings_.begin(opening, "loading the scene");
-  const std::string& name = plan.resolved.request.scene();
-  const std::stop_token stop = opening.stop.get_token();
-  plan.whole = resources_.scenes.get(name, stop, [&](double share) { openings_.setDone(opening, share); });
-  fitTo(plan.whole->description(), plan.resolved);
-  plan.scene = resources_.scenes.simplify(name, plan.whole, plan.resolved.disabled_features, stop);
-}
-
-void StreamMaker::bakeLight(Plan& plan, const Trajectory& body, Opening& opening) {
-  if (!plan.resolved.request.quality().has_bake_error()) return;
-  openings_.begin(opening, "computing light ahead");
-  plan.bake = resources_.bakes.get(plan.scene, planBakeOf(*plan.scene, body, plan.resolved), resources_.pool,
-                                   opening.stop.get_token(),
-                                   [&](double share) { openings_.setDone(opening, share); });
-  plan.resolved.feed.baked = {plan.bake, plan.bake->light.get()};
-  for (FeedConfig& feed : plan.resolved.further) feed.baked = plan.resolved.feed.baked;
+// The next step of an opening, which may be slow.
+BuildContext StreamMaker::begin(Opening& opening, const char* doing) {
+  openings_.begin(opening, doing);
+  return {opening.stop.get_token(), [this, &opening](double share) { openings_.setDone(opening, share); }};
 }
 
 // The slow steps, a measurement and the first frame of a feed, come before the lock that others wait for.
 void StreamMaker::openFeed(Plan& plan, Opening& opening, Stream& stream) {
   const ResolvedStream& resolved = plan.resolved;
   const Trajectory body = resolveTrajectory(resolved, *plan.whole, resources_.scenes.library());
-  bakeLight(plan, body, opening);
+  bakeLight(plan, body, resources_.bakes, resources_.pool, begin(opening, "computing light ahead"));
   openings_.begin(opening, "measuring the first frames");
   if (keepsPace(resolved)) plan.frame = measure(plan, body, opening);
   const auto running = shared_.find(resolved);

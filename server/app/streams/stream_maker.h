@@ -6,7 +6,7 @@
 
 #include "app/feeds/feed_maker.h"
 #include "app/feeds/shared_feeds.h"
-#include "app/request/resolve.h"
+#include "app/sequence/stream_plan.h"
 #include "app/streams/openings.h"
 #include "app/streams/stream_resources.h"
 
@@ -25,18 +25,11 @@ class StreamMaker {
   v1::StreamOpened make(v1::OpenStream request, Opening& opening);
 
  private:
-  // A checked request with its scenes.
-  struct Plan {
-    ResolvedStream resolved;
-    SceneCache::ScenePtr whole = {}, scene = {};  // `scene` lacks what the stream disables
-    std::shared_ptr<const Bake> bake = {};        // where the stream asks for one
-    CpuCost frame = {};                           // of a frame, where the stream keeps a pace
+  struct Plan : StreamPlan {
+    CpuCost frame = {};  // of a frame, where the stream keeps a pace
   };
-  ResolvedStream check(v1::OpenStream request) const;
-  SceneEntry findScene(const std::string& name) const;
+  BuildContext begin(Opening& opening, const char* doing);
   std::shared_ptr<void> reserve(const std::string& user, const std::vector<Share>& shares);
-  void loadScenes(Plan& plan, Opening& opening);
-  void bakeLight(Plan& plan, const Trajectory& body, Opening& opening);
   void openFeed(Plan& plan, Opening& opening, Stream& stream);
   bool enter(const Plan& plan, const OwnFeed& own, Stream& stream);
   PoolHandle poolFor(const Opening& opening) const;

@@ -1,0 +1,57 @@
+#include "app/sequence/stream_plan.h"
+
+#include <optional>
+#include <utility>
+
+#include "app/admission/stream_cost.h"
+#include "app/request/refusal.h"
+#include "app/request/resolve.h"
+#include "app/sequence/stream_rig.h"
+
+namespace saccade {
+namespace {
+
+SceneEntry findScene(const std::string& name, const SceneLibrary& library) {
+  const std::optional<SceneEntry> entry = library.find(name);
+  if (!entry) throw Refusal(v1::CODE_NOT_FOUND, "scene", library.unknown(name));
+  if (!entry->unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, "scene", entry->unavailable);
+  return *entry;
+}
+
+ResolvedStream check(v1::OpenStream request, const SceneLibrary& library, const MeasuredTables& tables) {
+  if (request.pushed()) return resolvePushed(std::move(request));
+  const SceneEntry entry = findScene(request.scene(), library);
+  return resolve(std::move(request), entry, tables);
+}
+
+}  // namespace
+
+StreamPlan planStream(v1::OpenStream request, const SceneLibrary& library, const MeasuredTables& tables,
+                      const Limits& limits) {
+  StreamPlan plan{check(std::move(request), library, tables)};
+  checkAlone(plan.resolved.request, limits);
+  boundEvents(plan.resolved, limits);
+  boundRows(plan.resolved, limits);
+  boundSteering(plan.resolved, limits);
+  return plan;
+}
+
+void loadScenes(StreamPlan& plan, SceneCache& scenes, const BuildContext& context) {
+  ResolvedStream& resolved = plan.resolved;
+  const std::string& name = resolved.request.scene();
+  plan.whole = scenes.get(name, context.stop, context.setProgress);
+  fitTo(plan.whole->description(), resolved);
+  plan.scene = scenes.simplify(name, plan.whole, resolved.disabled_features, context.stop);
+}
+
+void bakeLight(StreamPlan& plan, const Trajectory& body, BakeStore& bakes, TilePool& pool,
+               const BuildContext& context) {
+  ResolvedStream& resolved = plan.resolved;
+  if (!resolved.request.quality().has_bake_error()) return;
+  plan.bake =
+      bakes.get(plan.scene, planBakeOf(*plan.scene, body, resolved), pool, context.stop, context.setProgress);
+  resolved.feed.baked = {plan.bake, plan.bake->light.get()};
+  for (FeedConfig& feed : resolved.further) feed.baked = resolved.feed.baked;
+}
+
+}  // namespace saccade
