@@ -23,7 +23,7 @@ LightColumns::LightColumns(const Lights& lights, const AnalyticLight& analytic)
     set(kRed, light.radiance);
     columns_[kLuminance].push_back(luminance(light.radiance));
     columns_[kPdf].push_back(lights.pdf(light.radiance));
-    columns_[kHeld].push_back(triangle && analytic.holds(light.geometry) ? 1.f : 0.f);
+    columns_[kClosedForm].push_back(triangle && analytic.holds(light.geometry) ? 1.f : 0.f);
     columns_[kTriangle].push_back(triangle ? 1.f : 0.f);
     columns_[kGeometry].push_back(triangle ? static_cast<float>(light.geometry) : 0.f);
   }

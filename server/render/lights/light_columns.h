@@ -14,7 +14,7 @@ class Lights;
 
 class LightColumns {
  public:
-  // `held`: AnalyticLight::holds().
+  // kClosedForm: AnalyticLight::holds().
   enum Column {
     kCornerX,
     kCornerY,
@@ -33,7 +33,7 @@ class LightColumns {
     kBlue,
     kLuminance,
     kPdf,
-    kHeld,
+    kClosedForm,
     kTriangle,
     kGeometry,
     kColumns

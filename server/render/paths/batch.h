@@ -8,7 +8,6 @@
 
 namespace saccade {
 
-// kMixed: surfaces are not all diffuse, or let light through. kParts: light is told in parts.
 template <int C>
 struct Batch {
   const Tracing& t;
@@ -22,10 +21,10 @@ struct Batch {
 };
 
 // The random numbers of W paths at their vertex.
-template <int W, bool kParts, int C>
+template <int W, bool kSplit, int C>
 [[gnu::always_inline]] inline Floats<W> numbersAt(const Batch<C>& b, const PathNumbers<W>& of, int d) {
   const auto dimension = static_cast<Dimension>(d);
-  if (kParts && b.vertex == 0) return sequenceNumbers<W>(of, dimension);
+  if (kSplit && b.vertex == 0) return sequenceNumbers<W>(of, dimension);
   return of.u(b.dimension(dimension));
 }
 

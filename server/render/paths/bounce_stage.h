@@ -5,15 +5,16 @@
 
 #include "render/bsdf/sampling.h"
 #include "render/bsdf/shading_frame.h"
-#include "render/paths/arrivals.h"
 #include "render/paths/lane_queue.h"
 #include "render/paths/plastic_lanes.h"
+#include "render/paths/shade_hits.h"
 #include "render/sampling/path_numbers.h"
 
 namespace saccade {
 
-template <int W, int C, bool kMixed, bool kParts>
+template <int W, PathKind K>
 class BounceRays {
+  static constexpr int C = K.channels;
   using F = Floats<W>;
 
  public:
@@ -64,7 +65,7 @@ class BounceRays {
     set(e);
     b_.t.scene.still().geometry().template intersect<W>(packet_, (1u << count) - 1,
                                                         EmbreeScene::Rays::kScattered);
-    arrive<W, C, kMixed, kParts>(b_, packet_, count, std::bit_cast<Uints<W>>(e[6]));
+    shadeHits<W, K>(b_, packet_, count, std::bit_cast<Uints<W>>(e[6]));
   }
 
   const Batch<C>& b_;
@@ -73,15 +74,16 @@ class BounceRays {
 };
 
 // The changes of a bounce to the W paths from `first` on, where lanes have shaded it.
-template <int W, int C, bool kMixed>
-[[gnu::always_inline]] inline void keepBounce(const Batch<C>& b, int first, const Mask<W>& shaded,
+template <int W, PathKind K>
+[[gnu::always_inline]] inline void keepBounce(const Batch<K.channels>& b, int first, const Mask<W>& shaded,
                                               const Floats<W>& pdf,
-                                              const std::array<Floats<W>, C>& throughput) {
+                                              const std::array<Floats<W>, K.channels>& throughput) {
+  constexpr int C = K.channels;
   using F = Floats<W>;
   LivePaths<C>& p = *b.now;
   // As RayCone::lobeSpread().
   F spread = RayCone::kDiffuseSpread * min(F(1.f), F(1.f / sqrt(std::numbers::pi_v<float> * pdf)));
-  if constexpr (!kMixed) {
+  if constexpr (!K.mixed) {
     store(pdf, &p.pdf[first]), store(spread, &p.spread[first]);
     for (int k = 0; k < C; ++k) store(throughput[k], &p.throughput.of[k][first]);
     return;
@@ -98,29 +100,30 @@ template <int W, int C, bool kMixed>
   });
 }
 
-template <int W, int C, bool kMixed, bool kParts>
-void bounce(const Batch<C>& b) {
+template <int W, PathKind K>
+void bounce(const Batch<K.channels>& b) {
+  constexpr int C = K.channels;
   using F = Floats<W>;
   LivePaths<C>& p = *b.now;
-  BounceRays<W, C, kMixed, kParts> rays(b);
+  BounceRays<W, K> rays(b);
   for (int first = 0; first < p.count; first += W) {
     auto lanes = firstLanes<W>(p.count - first);
     std::uint32_t others = 0, plastic = 0;
-    if constexpr (kMixed) {
+    if constexpr (K.mixed) {
       others = lanesShadedAs<W>(ShadedAs::kOther, p, first, bitsOf(lanes));
       const Uints<W> bounces = load<W>(&p.state[first]) >> 8;
       lanes = lanes && !maskOf<W>(others) && toFloats(bounces) <= static_cast<float>(b.t.bounces);
       plastic = lanesShadedAs<W>(ShadedAs::kPlastic, p, first, bitsOf(lanes));
     }
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
-    const auto u = [&](int d) { return numbersAt<W, kParts>(b, numbers, d); };
+    const auto u = [&](int d) { return numbersAt<W, K.split>(b, numbers, d); };
     const F u1 = u(kBounce), u2 = u(kBounce + 1);
     Vec3T<F> local = cosineHemisphere(u1, u2);
     const Vec3T<F> ng = p.geometric_normal.template lanes<W>(first);
     const ShadingFrame<F> frame(p.shading_normal.template lanes<W>(first));
     F pdf = cosinePdf(local.z);
     auto weight = colorLanes<W>(p.reflectance, first);
-    if constexpr (kMixed)
+    if constexpr (K.mixed)
       if (plastic != 0) {
         const PlasticLanes<W, C> surfaces(p, first, frame, plastic);
         const auto these = maskOf<W>(plastic);
@@ -134,11 +137,11 @@ void bounce(const Batch<C>& b) {
     auto throughput = colorLanes<W>(p.throughput, first);
     for (int k = 0; k < C; ++k) throughput[k] *= weight[k];
     lanes = lanes && pdf > 0.f && dot(direction, ng) > 0.f && luminanceOf(throughput) > 0.f;
-    keepBounce<W, C, kMixed>(b, first, lanes, pdf, throughput);
+    keepBounce<W, K>(b, first, lanes, pdf, throughput);
     std::uint32_t going = bitsOf(lanes), last = b.vertex >= b.t.bounces ? going : 0;
-    if constexpr (kMixed) {
+    if constexpr (K.mixed) {
       forEachLane(others, [&](int i) {
-        const Departure one = b.stages.depart(b.t, b.vertex, p, static_cast<std::uint32_t>(first + i));
+        const ScatteredRay one = b.stages.sampleBsdf(b.t, b.vertex, p, static_cast<std::uint32_t>(first + i));
         if (!one.goes) return;
         setLane(origin, i, one.origin), setLane(direction, i, one.direction);
         going |= 1u << i;

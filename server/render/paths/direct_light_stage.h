@@ -9,17 +9,16 @@
 namespace saccade {
 
 // The share of light from `direction` that surfaces scatter, at this cosine with their shading normals.
-template <int W, int C, bool kMixed>
-[[gnu::always_inline]] inline ScatteredLanes<W, C> evaluateLanes(const Batch<C>& b, int first,
-                                                                 const Vec3T<Floats<W>>& direction,
-                                                                 const Vec3T<Floats<W>>& ns,
-                                                                 const Floats<W>& cosine,
-                                                                 std::uint32_t lanes) {
+template <int W, PathKind K>
+[[gnu::always_inline]] inline ScatteredLanes<W, K.channels> evaluateLanes(
+    const Batch<K.channels>& b, int first, const Vec3T<Floats<W>>& direction, const Vec3T<Floats<W>>& ns,
+    const Floats<W>& cosine, std::uint32_t lanes) {
+  constexpr int C = K.channels;
   ScatteredLanes<W, C> f;
   f.pdf = cosinePdf(cosine);
   f.value = colorLanes<W>(b.now->reflectance, first);
   for (int k = 0; k < C; ++k) f.value[k] *= f.pdf;
-  if constexpr (kMixed) {
+  if constexpr (K.mixed) {
     if (const std::uint32_t plastic = lanesShadedAs<W>(ShadedAs::kPlastic, *b.now, first, lanes)) {
       const ShadingFrame<Floats<W>> frame(ns);
       mergeLanes(plastic,
@@ -35,36 +34,37 @@ template <int W, int C, bool kMixed>
   return f;
 }
 
-// kParts: of the first vertex, whose direct light is told in parts.
-template <int W, int C, bool kMixed, bool kParts>
-void directLight(const Batch<C>& b) {
+// K.split: of the first vertex, whose direct light is split.
+template <int W, PathKind K>
+void directLight(const Batch<K.channels>& b) {
+  constexpr int C = K.channels;
   using F = Floats<W>;
   const LivePaths<C>& p = *b.now;
-  ShadowRays<W, C, kMixed, kParts> shadow_rays(b);
+  ShadowRays<W, K> shadow_rays(b);
   for (int first = 0; first < p.count; first += W) {
     auto lanes = firstLanes<W>(p.count - first);
-    if constexpr (kMixed)  // what is spent only goes straight on, see PathState
+    if constexpr (K.mixed)  // paths without bounces left only go straight on, see PathState
       lanes = lanes && toFloats(Uints<W>(load<W>(&p.state[first]) >> 8)) <= static_cast<float>(b.t.bounces);
     const Vec3T<F> ng = p.geometric_normal.template lanes<W>(first);
     const Vec3T<F> ns = p.shading_normal.template lanes<W>(first);
-    typename ShadowRays<W, C, kMixed, kParts>::Lanes ray;
+    typename ShadowRays<W, K>::Lanes ray;
     ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.still().epsilon());
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
-    const auto u = [&](int k) { return numbersAt<W, kParts>(b, numbers, kLight + k); };
+    const auto u = [&](int k) { return numbersAt<W, K.split>(b, numbers, kLight + k); };
     const auto light = sampleLights<W, C>(b.t, ray.origin, u(0), u(1), u(2), bitsOf(lanes));
     lanes = lanes && light.pdf > 0.f && dot(light.direction, ng) > 0.f;
     const F cosine = dot(light.direction, ns);
-    const auto f = evaluateLanes<W, C, kMixed>(b, first, light.direction, ns, cosine, bitsOf(lanes));
+    const auto f = evaluateLanes<W, K>(b, first, light.direction, ns, cosine, bitsOf(lanes));
     lanes = lanes && f.pdf > 0.f;
     ray.segment = light.segment, ray.reach = light.reach;
     ray.slot = load<W>(&p.slot[first]);
     ray.pdf_light = light.pdf, ray.pdf_bsdf = select(light.delta > 0.f, 0.f, f.pdf);
     const auto throughput = colorLanes<W>(p.throughput, first);
     for (int k = 0; k < C; ++k) ray.light[k] = throughput[k] * light.radiance[k] * f.value[k] / light.pdf;
-    if constexpr (kParts) {
-      ray.held = light.held;
+    if constexpr (K.split) {
+      ray.closed_form = light.closed_form;
       for (int k = 0; k < C; ++k)
-        ray.unoccluded[k] = light.radiance[k] * light.held * cosinePdf(cosine) / light.pdf;
+        ray.unoccluded[k] = light.radiance[k] * light.closed_form * cosinePdf(cosine) / light.pdf;
       forEachLane(bitsOf(lanes), [&](int i) {
         for (int k = 0; k < C; ++k) b.results.unoccluded.of[k][ray.slot[i]] = ray.unoccluded[k][i];
       });

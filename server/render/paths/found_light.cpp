@@ -4,7 +4,7 @@
 
 namespace saccade {
 
-template <int C, bool kParts>
+template <int C, bool kSplit>
 void addFound(const Tracing& t, const Found& found, Color<C> throughput, float pdf, bool from_start,
               PathResults<C>& results) {
   const float pdf_light = t.scene.still().lights().pdf(found.radiance) * found.distance * found.distance /
@@ -13,9 +13,9 @@ void addFound(const Tracing& t, const Found& found, Color<C> throughput, float p
   const Color<C> light =
       throughput * Color<C>(found.radiance) * (weight * t.scene.strengths()[found.geometry]);
   results.radiance.add(found.slot, light);
-  if constexpr (kParts)
+  if constexpr (kSplit)
     if (from_start && t.scene.still().analyticLight().holds(found.geometry))
-      results.weighed.add(found.slot, light);
+      results.mis_weighted.add(found.slot, light);
 }
 
 template <int C>
@@ -31,7 +31,7 @@ bool endsAtKnownLight(const Tracing& t, const SecondVertex& v, const PathSampler
     results.radiance.add(slot, throughput * Color<C>(v.albedo * *light));
     return true;
   }
-  results.tail_cell[slot] = cell.key, results.tail_albedo[slot] = v.albedo;
+  results.suffix_cell[slot] = cell.key, results.suffix_albedo[slot] = v.albedo;
   results.before.set(slot, results.radiance.at(slot)), results.carried.set(slot, throughput);
   results.radiance.set(slot, Color<C>()), throughput = Color<C>(1.f);
   return false;

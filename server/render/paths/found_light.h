@@ -19,9 +19,9 @@ struct Found {
 inline constexpr float kDeltaPdf =
     std::numeric_limits<float>::infinity();  // samples of the lights cannot find it
 
-// Adds it to what a path has found, whose direction was sampled with `pdf`. With light in parts, `from_start`
+// Adds it to what a path has found, whose direction was sampled with `pdf`. With split light, `from_start`
 // tells whether the first vertex chose that direction.
-template <int C, bool kParts>
+template <int C, bool kSplit>
 void addFound(const Tracing& t, const Found& found, Color<C> throughput, float pdf, bool from_start,
               PathResults<C>& results);
 
@@ -32,8 +32,8 @@ struct SecondVertex {
   float width;  // of the cone
 };
 
-// Light that is known there ends the path. Returns whether it does. If not, but the light can be kept, the
-// rest of the path is told apart: its light begins anew.
+// Light that is known there ends the path. Returns whether it does. Otherwise, if the vertex can be cached,
+// the radiance of the path's suffix is accumulated separately from here on.
 template <int C>
 bool endsAtKnownLight(const Tracing& t, const SecondVertex& v, const PathSampler& sampler, std::uint32_t slot,
                       Color<C>& throughput, PathResults<C>& results);

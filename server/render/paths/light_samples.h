@@ -12,7 +12,7 @@ struct LightSamples {
   Vec3T<Floats<W>> direction, segment;
   Floats<W> reach, pdf;
   std::array<Floats<W>, C> radiance;  // at the strength of this time
-  Floats<W> delta, held;              // 1 or 0; held: see AnalyticLight
+  Floats<W> delta, closed_form;       // 1 or 0; closed_form: AnalyticLight::holds()
 };
 
 // Uniform points on triangles, by the square-root map.
@@ -36,7 +36,7 @@ template <int W, int C>
   light.pdf = select(cosine > 0.f, lights.at<W>(Columns::kPdf, chosen) * distance2 / cosine, 0.f);
   light.reach = kShadowEnd;
   light.delta = 0.f;
-  light.held = lights.at<W>(Columns::kHeld, chosen);
+  light.closed_form = lights.at<W>(Columns::kClosedForm, chosen);
   F strength = 1.f;
   if (!strengths.areSteady())
     strength = gather(strengths.factors().data(), toUints(lights.at<W>(Columns::kGeometry, chosen)));
@@ -64,7 +64,7 @@ template <int W, int C>
     setLane(light.radiance, i, Color<C>(one.radiance) * strength);
     light.reach[i] = one.reach, light.pdf[i] = one.pdf;
     light.delta[i] = one.delta ? 1.f : 0.f;
-    light.held[i] = t.scene.still().analyticLight().holds(one) ? 1.f : 0.f;
+    light.closed_form[i] = t.scene.still().analyticLight().holds(one) ? 1.f : 0.f;
   });
   return light;
 }

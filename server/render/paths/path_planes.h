@@ -71,11 +71,12 @@ struct LivePaths {
 template <int Channels>
 struct PathResults {
   ColorPlanes<Channels> radiance;
-  // In parts, see PathParts.
-  ColorPlanes<Channels> unoccluded, visible, weighed;
-  ColorPlanes<Channels> before, carried;  // of paths that began anew at their second vertex
-  std::array<Rgb, kBatchRoom> tail_albedo;
-  std::array<std::uint64_t, kBatchRoom> tail_cell;
+  // Split: components of the direct light of the first vertex, per unit of albedo but for the last. Of lamps
+  // whose light has a closed form: all of it, what no surface blocks, and the paths' own estimate by MIS.
+  ColorPlanes<Channels> unoccluded, visible, mis_weighted;
+  ColorPlanes<Channels> before, carried;  // of paths split at their second vertex, see endsAtKnownLight()
+  std::array<Rgb, kBatchRoom> suffix_albedo;
+  std::array<std::uint64_t, kBatchRoom> suffix_cell;
 };
 
 }  // namespace saccade

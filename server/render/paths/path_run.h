@@ -23,7 +23,7 @@ struct NewPath {
 };
 
 // Takes paths, and tells what each has found in the order in which they were added.
-template <Shading S, int C, bool kParts, class OnPath>
+template <Shading S, int C, bool kSplit, class OnPath>
 class PathRun {
  public:
   // on_path(owner, results, slot) is called once for each path.
@@ -65,21 +65,21 @@ class PathRun {
 
  private:
   static TraceBatch<C> tracer() {
-    return instructionSet() == InstructionSet::kAvx512 ? batchTracerAvx512<C>(S.extras, kParts)
-                                                       : batchTracerAvx2<C>(S.extras, kParts);
+    return instructionSet() == InstructionSet::kAvx512 ? batchTracerAvx512<C>(S.extras, kSplit)
+                                                       : batchTracerAvx2<C>(S.extras, kSplit);
   }
   void clear(std::uint32_t slot) {
     PathResults<C>& r = memory_->results;
     const Color<C> black;
     r.radiance.set(slot, black);
-    if constexpr (kParts) {
-      r.unoccluded.set(slot, black), r.visible.set(slot, black), r.weighed.set(slot, black);
-      r.tail_cell[slot] = 0;
+    if constexpr (kSplit) {
+      r.unoccluded.set(slot, black), r.visible.set(slot, black), r.mis_weighted.set(slot, black);
+      r.suffix_cell[slot] = 0;
     }
   }
 
   const Tracing& t_;
-  const SurfaceStages<C> stages_ = surfaceStages<S, C, kParts>();
+  const SurfaceStages<C> stages_ = surfaceStages<S, C, kSplit>();
   const OnPath& on_path_;
   Scratch<PathMemory<C>> memory_;
 };

@@ -5,11 +5,13 @@
 
 #include "render/paths/batch.h"
 #include "render/paths/lane_queue.h"
+#include "render/paths/trace_batch.h"
 
 namespace saccade {
 
-template <int W, int C, bool kMixed, bool kParts>
+template <int W, PathKind K>
 class ShadowRays {
+  static constexpr int C = K.channels;
   using F = Floats<W>;
 
  public:
@@ -19,8 +21,8 @@ class ShadowRays {
     Uints<W> slot;
     F pdf_light, pdf_bsdf;        // pdf_bsdf 0: only samples of the lights find this light
     std::array<F, C> light;       // of the path, over pdf_light, before the balance of both pdfs
-    std::array<F, C> unoccluded;  // in parts: of a white surface, where the lamp is held
-    F held;
+    std::array<F, C> unoccluded;  // split: of a white surface, where the lamp's light has a closed form
+    F closed_form;
   };
 
   explicit ShadowRays(const Batch<C>& batch) : b_(batch) {}
@@ -37,7 +39,7 @@ class ShadowRays {
   }
 
  private:
-  static constexpr int kFields = 10 + C + (kParts ? C + 1 : 0);
+  static constexpr int kFields = 10 + C + (K.split ? C + 1 : 0);
   using Queue = LaneQueue<W, kFields>;
   using Entries = typename Queue::Entries;
 
@@ -47,9 +49,9 @@ class ShadowRays {
     e[3] = r.segment.x, e[4] = r.segment.y, e[5] = r.segment.z;
     e[6] = r.reach, e[7] = std::bit_cast<F>(r.slot), e[8] = r.pdf_light, e[9] = r.pdf_bsdf;
     for (int k = 0; k < C; ++k) e[10 + k] = r.light[k];
-    if constexpr (kParts) {
+    if constexpr (K.split) {
       for (int k = 0; k < C; ++k) e[10 + C + k] = r.unoccluded[k];
-      e[10 + 2 * C] = r.held;
+      e[10 + 2 * C] = r.closed_form;
     }
   }
 
@@ -59,16 +61,17 @@ class ShadowRays {
       store(e[6], reach), store(std::bit_cast<Uints<W>>(e[7]), slot);
       store(e[8], pdf_light), store(e[9], pdf_bsdf), store(balance(e[8], e[9]), weight);
       for (int k = 0; k < C; ++k) store(e[10 + k], light[k]);
-      if constexpr (kParts) {
+      if constexpr (K.split) {
         for (int k = 0; k < C; ++k) store(e[10 + C + k], unoccluded[k]);
-        store(e[10 + 2 * C], held);
+        store(e[10 + 2 * C], closed_form);
       }
     }
     static Color<C> at(const float (&lanes)[C][W], int i) {
       if constexpr (C == 1) return Color<1>(lanes[0][i]);
       if constexpr (C == 3) return Color<3>(Rgb{lanes[0][i], lanes[1][i], lanes[2][i]});
     }
-    alignas(64) float reach[W], pdf_light[W], pdf_bsdf[W], weight[W], light[C][W], unoccluded[C][W], held[W];
+    alignas(64) float reach[W], pdf_light[W], pdf_bsdf[W], weight[W], light[C][W], unoccluded[C][W],
+        closed_form[W];
     alignas(64) std::uint32_t slot[W];
   };
 
@@ -76,9 +79,9 @@ class ShadowRays {
   void add(const Unpacked& rays, int i, Color<C> through, float weight) {
     const Color<C> found = Unpacked::at(rays.light, i) * through * weight;
     b_.results.radiance.add(rays.slot[i], found);
-    if constexpr (kParts) {
+    if constexpr (K.split) {
       b_.results.visible.set(rays.slot[i], Unpacked::at(rays.unoccluded, i) * through);
-      if (rays.held[i] > 0) b_.results.weighed.set(rays.slot[i], found);
+      if (rays.closed_form[i] > 0) b_.results.mis_weighted.set(rays.slot[i], found);
     }
   }
 
@@ -122,7 +125,7 @@ class ShadowRays {
   }
 
   const Batch<C>& b_;
-  const bool has_panes_ = kMixed && b_.t.scene.still().hasStraightTransmission();
+  const bool has_panes_ = K.mixed && b_.t.scene.still().hasStraightTransmission();
   Queue queue_, unblocked_;
   RayPacket<W> packet_{has_panes_ ? kBlockingMask : kBlockingMask | kStraightMask};
 };

@@ -11,8 +11,8 @@
 
 namespace saccade {
 
-// Where a ray has come to its end. The rest is valid if the hit is.
-struct Arrival {
+// The end of a path's ray. All but the direction is valid if the hit is.
+struct PathHit {
   Vec3 direction;  // of the ray, unit
   Hit hit;
   Patch patch;
@@ -20,8 +20,8 @@ struct Arrival {
   float cosine;  // between it and the ray's reverse
 };
 
-// A ray that leaves a surface.
-struct Departure {
+// A ray in the direction that a BSDF was sampled for.
+struct ScatteredRay {
   Vec3 origin, direction;
   bool goes = false;  // else the path ends
 };
@@ -30,20 +30,20 @@ template <int C>
 struct SurfaceStages {
   // Adds a path at its first vertex.
   void (*begin)(const PathStart& start, const PathSampler& sampler, std::uint32_t slot, LivePaths<C>& to);
-  // The ray of path i has come to its end. Adds the light that it has found there to the results, and the
-  // path to `to` if it goes on. `vertex` is the number of the vertex that the ray left.
-  void (*arrive)(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_t i, const Arrival& at,
-                 LivePaths<C>& to, PathResults<C>& results);
-  // Of surfaces that are not diffuse, or let light through. depart() chooses the direction in which path i
-  // goes on.
-  Departure (*depart)(const Tracing& t, int vertex, LivePaths<C>& paths, std::uint32_t i);
+  // Shades the end of the ray of path i: adds the light found there to the results, and the path to `to` if
+  // it goes on. `vertex` is the number of the vertex that the ray left.
+  void (*shadeHit)(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_t i, const PathHit& at,
+                   LivePaths<C>& to, PathResults<C>& results);
+  // Of surfaces that are not diffuse, or let light through. sampleBsdf() chooses the direction in which path
+  // i goes on.
+  ScatteredRay (*sampleBsdf)(const Tracing& t, int vertex, LivePaths<C>& paths, std::uint32_t i);
   BsdfValue (*evaluate)(const LivePaths<C>& paths, std::uint32_t i, Vec3 direction);
   // The light that panes and masks let through along a shadow ray, whose first hit with them is given.
   Transmittance (*transmit)(const Tracing& t, const Ray& shadow, const Hit& first);
 };
 
-// With light in parts, or without.
-template <Shading S, int C, bool kParts>
+// kSplit: see PathKind.
+template <Shading S, int C, bool kSplit>
 SurfaceStages<C> surfaceStages();
 
 }  // namespace saccade

@@ -54,9 +54,9 @@ void begin(const PathStart& start, const PathSampler& sampler, std::uint32_t slo
   }
 }
 
-template <Shading S, int C, bool kParts>
-void arrive(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_t i, const Arrival& at,
-            LivePaths<C>& to, PathResults<C>& results) {
+template <Shading S, int C, bool kSplit>
+void shadeHit(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_t i, const PathHit& at,
+              LivePaths<C>& to, PathResults<C>& results) {
   const std::uint32_t slot = from.slot[i];
   Color<C> throughput = from.throughput.at(i);
   PathState state = PathState::unpack(from.state[i]);
@@ -72,13 +72,13 @@ void arrive(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_
   const float distance = at.hit.t + from.distance[i];
   if (luminance(s.radiance) > 0 && !state.in_view) {
     const Found found{slot, at.hit.geometry, distance, at.cosine, s.radiance};
-    addFound<C, kParts>(t, found, throughput, state.delta ? kDeltaPdf : from.pdf[i], state.from_start,
+    addFound<C, kSplit>(t, found, throughput, state.delta ? kDeltaPdf : from.pdf[i], state.from_start,
                         results);
   }
   if (state.bounces > t.bounces && !t.scene.still().hasStraightTransmission()) return;
   if (vertex >= t.bounces + kMaxDeltas) return;
   const PathSampler sampler(from.key_low[i], from.key_high[i]);
-  if constexpr (kParts) {
+  if constexpr (kSplit) {
     const Scatter<S> scatter(s, at.direction);
     if (vertex == 0 && !state.delta_last && scatter.hasBase() && s.opacity >= 1 &&
         endsAtKnownLight<C>(t, {s.point, s.geometric_normal, scatter.albedo(), cone.width}, sampler, slot,
@@ -92,7 +92,7 @@ void arrive(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_
 }
 
 template <Shading S, int C>
-Departure depart(const Tracing& t, int vertex, LivePaths<C>& paths, std::uint32_t i) {
+ScatteredRay sampleBsdf(const Tracing& t, int vertex, LivePaths<C>& paths, std::uint32_t i) {
   const Surface& s = paths.surfaces[i];
   PathState state = PathState::unpack(paths.state[i]);
   const PathSampler sampler(paths.key_low[i], paths.key_high[i]);
@@ -143,12 +143,12 @@ Transmittance transmit(const Tracing& t, const Ray& shadow, const Hit& first) {
 
 }  // namespace detail
 
-template <Shading S, int C, bool kParts>
+template <Shading S, int C, bool kSplit>
 SurfaceStages<C> surfaceStages() {
   SurfaceStages<C> stages{detail::begin<S, C>, nullptr, nullptr, nullptr, nullptr};
   if constexpr (S.extras) {
-    stages.arrive = detail::arrive<S, C, kParts>;
-    stages.depart = detail::depart<S, C>;
+    stages.shadeHit = detail::shadeHit<S, C, kSplit>;
+    stages.sampleBsdf = detail::sampleBsdf<S, C>;
     stages.evaluate = detail::evaluate<S, C>;
     stages.transmit = detail::transmit<S>;
   }

@@ -10,10 +10,17 @@ template <int C>
 using TraceBatch = void (*)(const Tracing& t, const SurfaceStages<C>& stages, LivePaths<C>& now,
                             LivePaths<C>& next, PathResults<C>& results);
 
-// mixed: surfaces are not all diffuse, or let light through. parts: light is told in parts.
+// The kind of a batch's paths, for which stages are compiled.
+struct PathKind {
+  int channels;  // of light, 1 or 3
+  bool mixed;    // surfaces are not all diffuse, or let light through
+  bool split;    // light comes in components, see PathResults
+};
+
+// See PathKind.
 template <int C>
-TraceBatch<C> batchTracerAvx2(bool mixed, bool parts);
+TraceBatch<C> batchTracerAvx2(bool mixed, bool split);
 template <int C>
-TraceBatch<C> batchTracerAvx512(bool mixed, bool parts);
+TraceBatch<C> batchTracerAvx512(bool mixed, bool split);
 
 }  // namespace saccade

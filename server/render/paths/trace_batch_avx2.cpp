@@ -3,12 +3,12 @@
 namespace saccade {
 
 template <>
-TraceBatch<1> batchTracerAvx2<1>(bool mixed, bool parts) {
-  return detail::batchTracer<8, 1>(mixed, parts);
+TraceBatch<1> batchTracerAvx2<1>(bool mixed, bool split) {
+  return detail::batchTracer<8, 1>(mixed, split);
 }
 template <>
-TraceBatch<3> batchTracerAvx2<3>(bool mixed, bool parts) {
-  return detail::batchTracer<8, 3>(mixed, parts);
+TraceBatch<3> batchTracerAvx2<3>(bool mixed, bool split) {
+  return detail::batchTracer<8, 3>(mixed, split);
 }
 
 }  // namespace saccade

@@ -7,25 +7,26 @@
 
 namespace saccade::detail {
 
-template <int W, int C, bool kMixed, bool kParts>
-void traceBatch(const Tracing& t, const SurfaceStages<C>& stages, LivePaths<C>& now, LivePaths<C>& next,
-                PathResults<C>& results) {
-  Batch<C> b{t, stages, results, &now, &next};
+template <int W, PathKind K>
+void traceBatch(const Tracing& t, const SurfaceStages<K.channels>& stages, LivePaths<K.channels>& now,
+                LivePaths<K.channels>& next, PathResults<K.channels>& results) {
+  constexpr PathKind kLater{K.channels, K.mixed, false};  // direct light is split at the first vertex alone
+  Batch<K.channels> b{t, stages, results, &now, &next};
   for (; b.now->count > 0; ++b.vertex) {
-    if (kParts && b.vertex == 0)
-      directLight<W, C, kMixed, kParts>(b);
+    if (K.split && b.vertex == 0)
+      directLight<W, K>(b);
     else
-      directLight<W, C, kMixed, false>(b);
+      directLight<W, kLater>(b);
     b.next->count = 0;
-    bounce<W, C, kMixed, kParts>(b);
+    bounce<W, K>(b);
     std::swap(b.now, b.next);
   }
 }
 
 template <int W, int C>
-TraceBatch<C> batchTracer(bool mixed, bool parts) {
-  if (mixed) return parts ? traceBatch<W, C, true, true> : traceBatch<W, C, true, false>;
-  return parts ? traceBatch<W, C, false, true> : traceBatch<W, C, false, false>;
+TraceBatch<C> batchTracer(bool mixed, bool split) {
+  if (mixed) return split ? traceBatch<W, {C, true, true}> : traceBatch<W, {C, true, false}>;
+  return split ? traceBatch<W, {C, false, true}> : traceBatch<W, {C, false, false}>;
 }
 
 }  // namespace saccade::detail

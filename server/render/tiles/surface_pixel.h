@@ -7,34 +7,34 @@
 
 namespace saccade {
 
-// The light that the paths of a point have found, and its parts: sums of luminance.
-struct ReflectedParts {
-  double all = 0, unoccluded = 0, visible = 0, weighed = 0;
+// The light that the paths of a point have found, and its components: sums of luminance.
+struct ReflectedLight {
+  double all = 0, unoccluded = 0, visible = 0, mis_weighted = 0;
   BounceSample bounce;  // of the last path that has one
 };
 
 template <int C>
-void addPath(const PathResults<C>& found, std::uint32_t slot, Rgb base, ReflectedParts& sum) {
+void addPath(const PathResults<C>& found, std::uint32_t slot, Rgb base, ReflectedLight& sum) {
   const Color<C> end = found.radiance.at(slot);
   Color<C> path = end;
-  const bool began_anew = found.tail_cell[slot] != 0;
-  if (began_anew) path = found.before.at(slot), path += found.carried.at(slot) * end;
+  const bool continued = found.suffix_cell[slot] != 0;
+  if (continued) path = found.before.at(slot), path += found.carried.at(slot) * end;
   const float unoccluded = (Color<C>(base) * found.unoccluded.at(slot)).luminance();
   if (!std::isfinite(path.luminance() + unoccluded)) return;
   sum.all += path.luminance();
   sum.unoccluded += unoccluded;
   sum.visible += (Color<C>(base) * found.visible.at(slot)).luminance();
-  sum.weighed += found.weighed.at(slot).luminance();
-  if (!began_anew) return;
-  const Rgb light = end.rgb(), albedo = found.tail_albedo[slot];
-  sum.bounce = {found.tail_cell[slot], {light.x / albedo.x, light.y / albedo.y, light.z / albedo.z}};
+  sum.mis_weighted += found.mis_weighted.at(slot).luminance();
+  if (!continued) return;
+  const Rgb light = end.rgb(), albedo = found.suffix_albedo[slot];
+  sum.bounce = {found.suffix_cell[slot], {light.x / albedo.x, light.y / albedo.y, light.z / albedo.z}};
 }
 
 // The means over the paths of a point, over its albedo.
-inline SurfaceLight lightOf(const ReflectedParts& sum, double paths, DiffuseBase base, float albedo) {
+inline SurfaceLight lightOf(const ReflectedLight& sum, double paths, DiffuseBase base, float albedo) {
   // Of a diffuse surface the path's own estimate of such light goes: what is left has the least noise. Of a
   // plastic that estimate holds other light too.
-  const double direct = base.all ? sum.weighed : sum.visible;
+  const double direct = base.all ? sum.mis_weighted : sum.visible;
   return {static_cast<float>(sum.unoccluded / paths) / albedo,
           static_cast<float>(sum.visible / paths) / albedo,
           static_cast<float>((sum.all - direct) / paths) / albedo, sum.bounce};
@@ -79,7 +79,7 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, const Traci
   SurfaceSamples& on = *out.surfaces;
   forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
   if (!hasPaths(on, tile)) return;
-  const Scratch<std::array<ReflectedParts, kMaxTilePoints>> sums;
+  const Scratch<std::array<ReflectedLight, kMaxTilePoints>> sums;
   const Scratch<std::array<std::uint32_t, kMaxTilePoints>> points;  // those with paths
   std::uint32_t count = 0;
   const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {

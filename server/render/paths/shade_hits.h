@@ -1,9 +1,10 @@
-// The rays of a packet have come to their end. Light found there is added, and paths that go on are moved to
-// the next vertex.
+// Shades the hits of a packet: adds the light that is found there, and moves paths that go on to the next
+// vertex.
 #pragma once
 
 #include "render/paths/batch.h"
 #include "render/paths/found_light.h"
+#include "render/paths/trace_batch.h"
 #include "render/world/surface_at.h"
 #include "render/world/surface_lanes.h"
 #include "render/world/texture_color.h"
@@ -12,16 +13,16 @@ namespace saccade {
 
 // Paths that miss, and those at surfaces of other kinds.
 template <int W, int C>
-void arriveOneByOne(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t lanes,
-                    const SurfaceLanes<W>& s, const Uints<W>& path) {
+void shadeHitsOneByOne(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t lanes,
+                       const SurfaceLanes<W>& s, const Uints<W>& path) {
   forEachLane(lanes, [&](int i) {
-    b.stages.arrive(b.t, b.vertex, *b.now, path[i],
-                    {packet.ray(i).direction,
-                     packet.hit(i),
-                     {laneOf(s.point, i), laneOf(s.shading_normal, i)},
-                     laneOf(s.normal, i),
-                     s.cosine[i]},
-                    *b.next, b.results);
+    b.stages.shadeHit(b.t, b.vertex, *b.now, path[i],
+                      {packet.ray(i).direction,
+                       packet.hit(i),
+                       {laneOf(s.point, i), laneOf(s.shading_normal, i)},
+                       laneOf(s.normal, i),
+                       s.cosine[i]},
+                      *b.next, b.results);
   });
 }
 
@@ -48,9 +49,10 @@ std::array<Floats<W>, C> reflectances(const Batch<C>& b, const RayPacket<W>& pac
 }
 
 // Paths at surfaces that are diffuse and opaque.
-template <int W, int C, bool kMixed, bool kParts>
-void arriveTogether(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t hits,
-                    const SurfaceLanes<W>& s, const Uints<W>& path) {
+template <int W, PathKind K>
+void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, std::uint32_t hits,
+                       const SurfaceLanes<W>& s, const Uints<W>& path) {
+  constexpr int C = K.channels;
   using F = Floats<W>;
   const LivePaths<C>& from = *b.now;
   LivePaths<C>& to = *b.next;
@@ -58,16 +60,16 @@ void arriveTogether(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t
   forEachLane(hits & front, [&](int i) {
     const std::uint32_t geometry = packet.geometry[i], p = path[i];
     if (!b.t.scene.still().shapeRows()[geometry].emits) return;
-    const PathState state = kMixed ? PathState::unpack(from.state[p]) : diffuseState(b.vertex);
+    const PathState state = K.mixed ? PathState::unpack(from.state[p]) : diffuseState(b.vertex);
     if (state.in_view) return;
     const auto [mesh, sphere] = HitShape(b.t.scene.still().description(), packet.hit(i));
-    const Found found{from.slot[p], geometry, packet.far[i] + (kMixed ? from.distance[p] : 0), s.cosine[i],
+    const Found found{from.slot[p], geometry, packet.far[i] + (K.mixed ? from.distance[p] : 0), s.cosine[i],
                       mesh ? mesh->radiance : sphere->radiance};
-    addFound<C, kParts>(b.t, found, from.throughput.at(p), state.delta ? kDeltaPdf : from.pdf[p],
-                        state.from_start, b.results);
+    addFound<C, K.split>(b.t, found, from.throughput.at(p), state.delta ? kDeltaPdf : from.pdf[p],
+                         state.from_start, b.results);
   });
   Uints<W> state = 0;
-  if constexpr (kMixed) {
+  if constexpr (K.mixed) {
     state = (gather(&from.state[0], path) & ~PathState::kSurface) | std::uint32_t(ShadedAs::kDiffuse);
     if (!b.t.scene.still().hasStraightTransmission())
       hits &= bitsOf(toFloats(Uints<W>(state >> 8)) <= static_cast<float>(b.t.bounces));
@@ -83,9 +85,9 @@ void arriveTogether(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t
   std::array<F, C> throughput;
   for (int k = 0; k < C; ++k) throughput[k] = gather(&from.throughput.of[k][0], path);
   std::uint32_t going = hits;
-  if constexpr (kParts)
+  if constexpr (K.split)
     if (b.vertex == 0)
-      forEachLane(kMixed ? hits & bitsOf(toFloats(Uints<W>(state & PathState::kDeltaLast)) == 0.f) : hits,
+      forEachLane(K.mixed ? hits & bitsOf(toFloats(Uints<W>(state & PathState::kDeltaLast)) == 0.f) : hits,
                   [&](int i) {
                     Color<C> carried = colorOf(throughput, i);
                     const PathSampler sampler(from.key_low[path[i]], from.key_high[path[i]]);
@@ -108,7 +110,7 @@ void arriveTogether(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t
   keep(width, to.width), keep(spread, to.spread);
   keep(gather(&from.key_low[0], path), to.key_low), keep(gather(&from.key_high[0], path), to.key_high);
   keep(gather(&from.slot[0], path), to.slot);
-  if constexpr (kMixed) {
+  if constexpr (K.mixed) {
     keep(state, to.state), keep(gather(&from.pdf[0], path), to.pdf);
     keep(gather(&from.distance[0], path) + load<W>(packet.far), to.distance);
   }
@@ -116,18 +118,19 @@ void arriveTogether(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t
 }
 
 // `path`: the places of the packet's first `count` paths among those at their vertex.
-template <int W, int C, bool kMixed, bool kParts>
-[[gnu::always_inline]] inline void arrive(const Batch<C>& b, const RayPacket<W>& packet, int count,
-                                          const Uints<W>& path) {
+template <int W, PathKind K>
+[[gnu::always_inline]] inline void shadeHits(const Batch<K.channels>& b, const RayPacket<W>& packet,
+                                             int count, const Uints<W>& path) {
+  constexpr int C = K.channels;
   std::uint32_t hits = 0, plain = 0;
   for (int i = 0; i < count; ++i) {
     if (packet.geometry[i] == RayPacket<W>::kNone) continue;
     hits |= 1u << i;
-    plain |= (!kMixed || b.t.scene.still().shapeRows()[packet.geometry[i]].plain ? 1u : 0u) << i;
+    plain |= (!K.mixed || b.t.scene.still().shapeRows()[packet.geometry[i]].plain ? 1u : 0u) << i;
   }
   const SurfaceLanes<W> s = surfacesAt<W>(b.t.scene, packet, hits);
-  if (plain != 0) arriveTogether<W, C, kMixed, kParts>(b, packet, plain, s, path);
-  if constexpr (kMixed) arriveOneByOne<W, C>(b, packet, ((1u << count) - 1) & ~plain, s, path);
+  if (plain != 0) shadeHitsTogether<W, K>(b, packet, plain, s, path);
+  if constexpr (K.mixed) shadeHitsOneByOne<W, C>(b, packet, ((1u << count) - 1) & ~plain, s, path);
 }
 
 }  // namespace saccade
