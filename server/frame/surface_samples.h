@@ -46,12 +46,12 @@ struct SurfacePlace {
 // The light that the paths of a point have found, if it gets any. All light is demodulated: a part of I - E,
 // divided by the luminance of the albedo. Direct light that a diffuse base reflects has a closed form but for
 // shadows, where lamps are simple:
-//   i = place.unoccluded * visibility + rest,   visibility = visible / unoccluded in the mean.
-// Where there is no such light, all light is in `rest`.
+//   i = place.unoccluded * visibility + residual,   visibility = visible / unoccluded in the mean.
+// Where there is no such light, all light is in `residual`.
 struct SurfaceLight {
   float unoccluded = 0;  // an estimate of the closed form, as if nothing cast a shadow; mean over the paths
   float visible = 0;     // what of that estimate nothing stands in the way of
-  float rest = 0;        // an estimate of all other light
+  float residual = 0;    // an estimate of all other light
   BounceSample bounce;   // of the last of the paths that did not end at known light
 };
 

@@ -15,7 +15,8 @@ VertexKey keyAt(VertexKey x, VertexKey y, VertexKey z) {
 [[gnu::noinline]] std::array<float, 4> find(const BakedLevel& level, VertexKey lowest, unsigned order) {
   std::array<float, 4> light;
   const auto found = level.find(level.locate(lowest), order);
-  for (int c = 0; c < 4; ++c) light[c] = found[c] == BakedLevel::kNothing ? -1 : level[found[c]].fine().rest;
+  for (int c = 0; c < 4; ++c)
+    light[c] = found[c] == BakedLevel::kNothing ? -1 : level[found[c]].fine().residual;
   return light;
 }
 
@@ -33,7 +34,7 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
   });
   std::vector<BakedPair> light(keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i)
-    light[i] = {{.known = true, .rest = static_cast<float>(i)}, {}};
+    light[i] = {{.known = true, .residual = static_cast<float>(i)}, {}};
   const BakedLevel level(keys, light);
   EXPECT_EQ(level.vertices(), keys.size());
   const auto expected = [&](VertexKey key) {
@@ -52,16 +53,16 @@ TEST(BakedLevel, FindsEachOfItsVerticesAndNoOther) {
 // Two neighbours, at the coordinates -1 and 0 of x.
 TEST(BakedLevel, TellsItsLightAtFinerVertices) {
   constexpr VertexKey kZero = Tetrahedron::kCentre;
-  const auto vertex = [](float rest) {
-    return BakedPair({.known = true, .rest = rest, .var_rest = 2 * rest}, {});
+  const auto vertex = [](float residual) {
+    return BakedPair({.known = true, .residual = residual, .var_residual = 2 * residual}, {});
   };
   const BakedLevel level({keyAt(kZero - 1, kZero, kZero), keyAt(kZero, kZero, kZero)},
                          {vertex(2), vertex(6)});
   const auto at = [&](VertexKey x, VertexKey y) { return level.between(keyAt(kZero + x, kZero + y, kZero)); };
-  EXPECT_EQ(at(-2, 0).rest, 2);
-  EXPECT_EQ(at(-1, 0).rest, 4);
-  EXPECT_EQ(at(-1, 0).var_rest, 8);
-  EXPECT_EQ(at(0, 0).rest, 6);
+  EXPECT_EQ(at(-2, 0).residual, 2);
+  EXPECT_EQ(at(-1, 0).residual, 4);
+  EXPECT_EQ(at(-1, 0).var_residual, 8);
+  EXPECT_EQ(at(0, 0).residual, 6);
   EXPECT_TRUE(at(0, 0).known);
   for (const VertexKey x : {-3, 1}) EXPECT_FALSE(at(x, 0).known);
   EXPECT_FALSE(at(0, 1).known);

@@ -41,7 +41,7 @@ struct BakedPointsTest : testing::Test {
 
 // The light of a level around a point, and the share of the weights on known vertices.
 struct Known {
-  float rest = 0, var_rest = 0, share = 0;
+  float residual = 0, var_residual = 0, share = 0;
 };
 Known readLevel(const BakedLevels& levels, int exponent, const SurfacePlace& place, SurfaceKind kind) {
   const NormalBins bins(place.normal);
@@ -52,7 +52,7 @@ Known readLevel(const BakedLevels& levels, int exponent, const SurfacePlace& pla
     for (int c = 0; c < 4; ++c) {
       const BakedVertex light = levels.at(exponent).at(corners.key[c]).fine();
       const float w = corners.weight[c] * bins.weight[b];
-      sum.rest += light.rest * w, sum.var_rest += light.var_rest * w;
+      sum.residual += light.residual * w, sum.var_residual += light.var_residual * w;
       if (light.known) sum.share += w;
     }
   }
@@ -80,8 +80,8 @@ TEST_F(BakedPointsTest, ReadTwoLevelsAsIfEachWereReadByItself) {
         const Known expected = readLevel(levels, kFinest + slot, places[i], kind);
         const int lane = slot * kOfCoarse;
         ASSERT_NEAR(means[lane + kKnown][i], expected.share, 1e-4f) << batch << " " << i << " " << slot;
-        ASSERT_NEAR(means[lane + kRest][i], expected.rest, 3e-4f) << batch << " " << i << " " << slot;
-        ASSERT_NEAR(variances[lane + kVarRest][i], expected.var_rest, 0.07f);
+        ASSERT_NEAR(means[lane + kResidual][i], expected.residual, 3e-4f) << batch << " " << i << " " << slot;
+        ASSERT_NEAR(variances[lane + kVarResidual][i], expected.var_residual, 0.07f);
       }
   }
 }

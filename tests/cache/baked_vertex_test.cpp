@@ -25,11 +25,11 @@ const BakedVertex kFine{true, 0.3f, 0.7f, 0.5f, 0.25f, 2, 0.125f}, kCoarse{true,
 void expectNear(const BakedVertex& a, const BakedVertex& b) {
   constexpr float kHalfFloat = 0x1p-11f;
   EXPECT_EQ(a.known, b.known);
-  EXPECT_NEAR(a.rest, b.rest, kHalfFloat * b.rest);
+  EXPECT_NEAR(a.residual, b.residual, kHalfFloat * b.residual);
   EXPECT_NEAR(a.visibility, b.visibility, kHalfFloat * b.visibility);
-  EXPECT_EQ(a.var_rest, b.var_rest);
+  EXPECT_EQ(a.var_residual, b.var_residual);
   EXPECT_EQ(a.var_visibility, b.var_visibility);
-  EXPECT_EQ(a.step_rest, b.step_rest);
+  EXPECT_EQ(a.step_residual, b.step_residual);
   EXPECT_EQ(a.step_visibility, b.step_visibility);
 }
 
@@ -55,15 +55,15 @@ TEST(BakedSums, AddUpByLane) {
   const Octet w{0.5f, 0.5f, 0.5f, 0.5f, 0.25f, 0.25f, 0.25f, 0.25f};
   sums.add(BakedPair(kFine, kCoarse), w);
   sums.add(BakedPair(kFine, {}), w);
-  EXPECT_NEAR(sums.means[kRest], 0.3f, 1e-3f);
+  EXPECT_NEAR(sums.means[kResidual], 0.3f, 1e-3f);
   EXPECT_NEAR(sums.means[kVisibility], 0.7f, 1e-3f);
   EXPECT_EQ(sums.means[kKnown], 1);
-  EXPECT_EQ(sums.means[kOfCoarse + kRest], 1.25f);
+  EXPECT_EQ(sums.means[kOfCoarse + kResidual], 1.25f);
   EXPECT_EQ(sums.means[kOfCoarse + kVisibility], 0.25f);
   EXPECT_EQ(sums.means[kOfCoarse + kKnown], 0.25f);
-  EXPECT_EQ(sums.variances[kVarRest], 0.5f);
+  EXPECT_EQ(sums.variances[kVarResidual], 0.5f);
   EXPECT_EQ(sums.variances[kStepVisibility], 0.125f);
-  EXPECT_NEAR(sums.variances[kOfCoarse + kStepRest], 2, 1e-6f);
+  EXPECT_NEAR(sums.variances[kOfCoarse + kStepResidual], 2, 1e-6f);
 }
 
 }  // namespace

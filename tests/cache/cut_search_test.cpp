@@ -69,7 +69,7 @@ TEST_F(CutSearchTest, LightDoesNotPassBelowWallsThatMeet) {
     };
     for (int t = 0; t < 8; ++t) {
       wall.show(0.37f * static_cast<float>(t), t);
-      for (std::size_t i = 0; i < kW * kH; ++i) wall.frame.surfaces->light(i).rest = light(i);
+      for (std::size_t i = 0; i < kW * kH; ++i) wall.frame.surfaces->light(i).residual = light(i);
       view.add(wall);
     }
     double sum = 0;

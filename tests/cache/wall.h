@@ -31,7 +31,7 @@ struct Wall {
         frame.surfaces->place(index) = {
             {at, static_cast<float>(y) * kPixel, 0}, normal, kPixel * footprint_px, unoccluded};
         SurfaceLight& found = frame.surfaces->light(index);
-        found.rest = light(at) + noise * (2 * randomAt(seed, x, y) - 1);
+        found.residual = light(at) + noise * (2 * randomAt(seed, x, y) - 1);
         found.unoccluded = unoccluded * (0.5f + randomAt(seed + 77, x, y));
         found.visible = randomAt(seed + 99, x, y) < visibility(at) ? found.unoccluded : 0;
         frame.g.motion_x.at(x, y) = 1;

@@ -91,7 +91,7 @@ TEST_P(SurfaceSamplesOf, PartsAddUp) {
   });
   const double parts = mean([&](int x, int y) {
     const SurfaceLight& light = lightAt(frame, x, y);
-    return placeAt(frame, x, y).unoccluded * light.visible / light.unoccluded + light.rest;
+    return placeAt(frame, x, y).unoccluded * light.visible / light.unoccluded + light.residual;
   });
   EXPECT_NEAR(parts, whole, 0.01 * whole);
 }
@@ -117,15 +117,15 @@ TEST(SurfaceSamples, EndedPathsFindTheSameLight) {
   int kept = 0, kept_at_first = 0;
   constexpr std::uint64_t kFrames = 48, kLearning = 16;
   for (std::uint64_t seed = 0; seed < kFrames; ++seed) {
-    const auto rest = [&](const BounceGrid* bounces) {
+    const auto residual = [&](const BounceGrid* bounces) {
       const Frame frame = render(scene, 16, 3, seed, bounces);
       if (bounces) known.add(*frame.surfaces);
       kept = 0;
       for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x) kept += lightAt(frame, x, y).bounce.cell != 0;
-      return mean([&](int x, int y) { return lightAt(frame, x, y).rest; });
+      return mean([&](int x, int y) { return lightAt(frame, x, y).residual; });
     };
-    const double without = rest(nullptr), with = rest(&known);
+    const double without = residual(nullptr), with = residual(&known);
     if (seed >= kLearning) all += without, ended += with;
     if (seed == 0) kept_at_first = kept;
   }
@@ -141,7 +141,7 @@ TEST(SurfaceSamples, AllOfDirectLightIsInClosedForm) {
   s.materials[1] = test::grey(0);                              // of the lamp
   const Frame frame = render(s, 4);
   for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) ASSERT_NEAR(lightAt(frame, x, y).rest, 0, 1e-5);
+    for (int x = 0; x < kSize; ++x) ASSERT_NEAR(lightAt(frame, x, y).residual, 0, 1e-5);
 }
 
 TEST(SurfaceSamples, MetalSharesNoLight) {

@@ -81,16 +81,17 @@ BakedVertex blendAround(Surroundings& around, const GridParams& params, float sc
     return light.stepVariance(kSmallStep) / (kSmallStep * kSmallStep);
   };
   return {.known = true,
-          .rest = scale * blend.rest.value,
+          .residual = scale * blend.residual.value,
           .visibility = blend.visibility.value,
-          .var_rest = scale * scale * blend.rest.variance,
+          .var_residual = scale * scale * blend.residual.variance,
           .var_visibility = blend.visibility.variance,
-          .step_rest = scale * scale * step(blend.rest),
+          .step_residual = scale * scale * step(blend.residual),
           .step_visibility = step(blend.visibility)};
 }
 
 bool isAlike(const BakedVertex& a, const BakedVertex& b) {
-  return a.known && b.known && std::abs(a.rest - b.rest) <= kAlike * std::max(a.rest, b.rest) &&
+  return a.known && b.known &&
+         std::abs(a.residual - b.residual) <= kAlike * std::max(a.residual, b.residual) &&
          std::abs(a.visibility - b.visibility) <= kAlike;
 }
 

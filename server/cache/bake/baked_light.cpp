@@ -108,26 +108,27 @@ void BakedLight::add(const BakedPoints& points, SurfaceSamples& on, const GBuffe
     return F(lanes(columns[k]) * of_fine + lanes(columns[kOfCoarse + k]) * of_coarse);
   };
   const F visibility = blend(means, kVisibility, of_coarse);
-  const F rest = blend(means, kRest, of_coarse) / scale_;
-  // Of `of_rest` and of what U is a factor of.
-  const auto variance = [&, &U = U, &variances = variances](int of_rest, int of_visibility,
+  const F residual = blend(means, kResidual, of_coarse) / scale_;
+  // Of `of_residual` and of what U is a factor of.
+  const auto variance = [&, &U = U, &variances = variances](int of_residual, int of_visibility,
                                                             const F& of_coarse) {
-    return F(blend(variances, of_rest, of_coarse) / (scale_ * scale_) +
+    return F(blend(variances, of_residual, of_coarse) / (scale_ * scale_) +
              U * U * blend(variances, of_visibility, of_coarse));
   };
   const F cells = points.scale() / params_.cell_px;
-  const F var_i = variance(kVarRest, kVarVisibility, of_coarse);
-  const F var_step = cells * cells * px2 * variance(kStepRest, kStepVisibility, F(of_coarse * kStepToFine));
-  LaneMemory<3> said;
-  store(F(share * (rest + U * visibility)), said.values[0]);
-  store(F(share * share * var_i), said.values[1]);
-  store(F(share * share * min(F(2.f * var_i), var_step)), said.values[2]);
+  const F var_i = variance(kVarResidual, kVarVisibility, of_coarse);
+  const F var_step =
+      cells * cells * px2 * variance(kStepResidual, kStepVisibility, F(of_coarse * kStepToFine));
+  LaneMemory<3> estimate;
+  store(F(share * (residual + U * visibility)), estimate.values[0]);
+  store(F(share * share * var_i), estimate.values[1]);
+  store(F(share * share * min(F(2.f * var_i), var_step)), estimate.values[2]);
   forEachLane(bitsOf(known) & ((1u << points.count()) - 1), [&](int i) {
     const auto [x, y, index] = points[i];
     on[index].baked = true;
-    out.i.at(x, y) += said.values[0][i];
-    out.var_i.at(x, y) += said.values[1][i];
-    out.var_step.at(x, y) += said.values[2][i];
+    out.i.at(x, y) += estimate.values[0][i];
+    out.var_i.at(x, y) += estimate.values[1][i];
+    out.var_step.at(x, y) += estimate.values[2][i];
   });
 }
 

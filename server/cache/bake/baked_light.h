@@ -25,7 +25,7 @@ class BakedLight {
   void add(const BakedPoints& points, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const;
 
   GridParams params_;
-  float scale_;  // of rest, in what vertices keep
+  float scale_;  // of the residual that vertices keep
   BakedLevels levels_;
   std::size_t vertices_ = 0;
 };

@@ -12,23 +12,23 @@
 
 namespace saccade {
 
-// The light of one level at a vertex. Variances are those of rest and visibility. Variances of a step are
+// The light of one level at a vertex. Variances are those of residual and visibility. Variances of a step are
 // extrapolated with its square to the length of a cell.
 struct BakedVertex {
   bool known = false;
-  float rest = 0, visibility = 0;
-  float var_rest = 0, var_visibility = 0, step_rest = 0, step_visibility = 0;
+  float residual = 0, visibility = 0;
+  float var_residual = 0, var_visibility = 0, step_residual = 0, step_visibility = 0;
 };
 // Of two that are known.
 inline BakedVertex meanOf(const BakedVertex& a, const BakedVertex& b) {
   const auto mean = [&](float BakedVertex::*member) { return 0.5f * (a.*member + b.*member); };
   using V = BakedVertex;
   return {true,
-          mean(&V::rest),
+          mean(&V::residual),
           mean(&V::visibility),
-          mean(&V::var_rest),
+          mean(&V::var_residual),
           mean(&V::var_visibility),
-          mean(&V::step_rest),
+          mean(&V::step_residual),
           mean(&V::step_visibility)};
 }
 
@@ -61,11 +61,11 @@ class alignas(16) BakedPair {
   BakedPair(const BakedVertex& fine, const BakedVertex& coarse) {
     // Where nothing is known, visibility has a sign.
     const auto visibility = [](const BakedVertex& v) { return v.known ? std::max(v.visibility, 0.f) : -0.f; };
-    const __m128 all = _mm_setr_ps(fine.rest, visibility(fine), coarse.rest, visibility(coarse));
+    const __m128 all = _mm_setr_ps(fine.residual, visibility(fine), coarse.residual, visibility(coarse));
     means_ = std::bit_cast<Means>(_mm_cvtsi128_si64(_mm_cvtps_ph(all, _MM_FROUND_TO_NEAREST_INT)));
     const auto pack = [](const BakedVertex& v) {
-      return Variances{VarianceByte(v.var_rest), VarianceByte(v.var_visibility), VarianceByte(v.step_rest),
-                       VarianceByte(v.step_visibility)};
+      return Variances{VarianceByte(v.var_residual), VarianceByte(v.var_visibility),
+                       VarianceByte(v.step_residual), VarianceByte(v.step_visibility)};
     };
     variances_ = {pack(fine), pack(coarse)};
   }
@@ -83,16 +83,17 @@ class alignas(16) BakedPair {
 
  private:
   struct Mean {
-    std::uint16_t rest, visibility;
+    std::uint16_t residual, visibility;
   };
   using Means = std::array<Mean, 2>;
   using Variances = std::array<VarianceByte, 4>;
 
   BakedVertex unpacked(int i) const {
     const Mean& mean = means_[i];
-    const auto& [var_rest, var_visibility, step_rest, step_visibility] = variances_[i];
-    return {mean.visibility >> 15 == 0, _cvtsh_ss(mean.rest), _cvtsh_ss(mean.visibility), var_rest.value(),
-            var_visibility.value(),     step_rest.value(),    step_visibility.value()};
+    const auto& [var_residual, var_visibility, step_residual, step_visibility] = variances_[i];
+    return {mean.visibility >> 15 == 0, _cvtsh_ss(mean.residual), _cvtsh_ss(mean.visibility),
+            var_residual.value(),       var_visibility.value(),   step_residual.value(),
+            step_visibility.value()};
   }
 
   Means means_;
@@ -102,14 +103,14 @@ static_assert(sizeof(BakedPair) == 16);
 
 // The lanes of the light around a point. kKnown is the share of its weights on known vertices; the fourth
 // mean has no meaning. Lanes of the coarser level come kOfCoarse later.
-enum BakedMean { kRest, kVisibility, kKnown };
-enum BakedVariance { kVarRest, kVarVisibility, kStepRest, kStepVisibility };
+enum BakedMean { kResidual, kVisibility, kKnown };
+enum BakedVariance { kVarResidual, kVarVisibility, kStepResidual, kStepVisibility };
 inline constexpr int kOfCoarse = 4;
 
 struct BakedSums {
   void add(const BakedPair& vertex, Octet weights) {
     const __m128i bits = vertex.bits();
-    const __m256i lanes = _mm256_setr_epi32(0, 1, 1, 1, 2, 3, 3, 3);  // of rest, visibility and its sign
+    const __m256i lanes = _mm256_setr_epi32(0, 1, 1, 1, 2, 3, 3, 3);  // of residual, visibility and its sign
     const __m256 both = _mm256_permutevar8x32_ps(_mm256_castps128_ps256(_mm_cvtph_ps(bits)), lanes);
     const __m256i unknown = _mm256_srai_epi32(_mm256_castps_si256(both), 31);
     const __m256 known = _mm256_andnot_ps(_mm256_castsi256_ps(unknown), _mm256_set1_ps(1));

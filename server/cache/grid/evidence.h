@@ -10,13 +10,13 @@
 namespace saccade {
 
 struct Evidence {
-  std::array<float, kTop> rest{}, visibility{};      // x, by the slot of the detail
-  float residual_rest = 0, residual_visibility = 0;  // of the whole estimate
-  float weight = 0, unoccluded = 0;                  // of the samples
-  Octet ofSlot(int k) const {                        // as GridLevel::evidence adds it up
+  std::array<float, kTop> residual{}, visibility{};        // x, by the slot of the detail
+  float deviation_residual = 0, deviation_visibility = 0;  // of the whole estimate
+  float weight = 0, unoccluded = 0;                        // of the samples
+  Octet ofSlot(int k) const {                              // as GridLevel::evidence adds it up
     const auto square = [](float v) { return v * v; };
-    return Octet{rest[k],       square(rest[k]),       square(residual_rest),       weight,
-                 visibility[k], square(visibility[k]), square(residual_visibility), unoccluded};
+    return Octet{residual[k],   square(residual[k]),   square(deviation_residual),   weight,
+                 visibility[k], square(visibility[k]), square(deviation_visibility), unoccluded};
   }
 };
 
@@ -35,28 +35,28 @@ inline void findEvidence(const LevelBlend<PointFloats>& blend, const PointLanes&
   const auto sample = sample_lanes.lanes();
   const auto own = own_lanes.lanes();
   LaneMemory<2 * kTop + 2> found;
-  F rest = 0.f, visibility = 1.f;  // what all others say so far
+  F residual = 0.f, visibility = 1.f;  // the estimate without the samples, by the levels so far
   for (int k = kTop; k >= 0; --k) {
     const auto others = [&](int part) { return blend.light[k][part] - sample[part] * own[k]; };
-    const F level_rest = select(others(0) > kLeastSamples, others(1) / others(0), rest);
+    const F level_residual = select(others(0) > kLeastSamples, others(1) / others(0), residual);
     const F level_visibility = select(others(3) > kLeastSamples, others(2) / others(3), visibility);
     if (k == kTop) {
-      rest = level_rest, visibility = level_visibility;
+      residual = level_residual, visibility = level_visibility;
       continue;
     }
-    store(F((sample[1] - rest * sample[0]) * (level_rest - rest)), found.values[k]);
+    store(F((sample[1] - residual * sample[0]) * (level_residual - residual)), found.values[k]);
     store(F((sample[2] - visibility * sample[3]) * (level_visibility - visibility)), found.values[kTop + k]);
-    rest += blend.rest.alpha[k] * (level_rest - rest);
+    residual += blend.residual.alpha[k] * (level_residual - residual);
     visibility += blend.visibility.alpha[k] * (level_visibility - visibility);
   }
-  store(F(sample[1] - rest * sample[0]), found.values[2 * kTop]);
+  store(F(sample[1] - residual * sample[0]), found.values[2 * kTop]);
   store(F(sample[2] - visibility * sample[3]), found.values[2 * kTop + 1]);
   for (int i = 0; i < lanes.count; ++i) {
     const Quad& s = samples[lanes.points[i]];
     Evidence& e = out[lanes.points[i]];
     for (int k = 0; k < kTop; ++k)
-      e.rest[k] = found.values[k][i], e.visibility[k] = found.values[kTop + k][i];
-    e.residual_rest = found.values[2 * kTop][i], e.residual_visibility = found.values[2 * kTop + 1][i];
+      e.residual[k] = found.values[k][i], e.visibility[k] = found.values[kTop + k][i];
+    e.deviation_residual = found.values[2 * kTop][i], e.deviation_visibility = found.values[2 * kTop + 1][i];
     e.weight = s[0], e.unoccluded = s[3];
   }
 }

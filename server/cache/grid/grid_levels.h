@@ -15,10 +15,10 @@ namespace saccade {
 
 struct GridLevel {
   VertexTable table;
-  // Sums over samples of weight, rest, visible / U and unoccluded / U (the two estimates by paths).
+  // Sums over samples of weight, residual, visible / U and unoccluded / U (the two estimates by paths).
   HugeVector<Quad> light;
-  // Evidence of the level kPoolSteps below, for `rest` and then for visibility: sums of x, x^2, squared
-  // residuals, and weights of samples. evidence.h defines x.
+  // Evidence of the level kPoolSteps below, for `residual` and then for visibility: sums of x, x^2, squared
+  // deviations, and weights of samples. evidence.h defines x.
   HugeVector<Octet> evidence;
   Cuts cuts;
 

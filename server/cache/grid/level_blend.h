@@ -1,4 +1,4 @@
-// Blends what the levels of the grid say at a point.
+// Blends the estimates of the grid's levels at a point.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,19 @@ struct BlendParams {
 
 inline constexpr int kTop = kGridLevels - 1;  // the slot of the coarsest level
 
-// Variance of the mean of samples of that weight, by the squared residuals of others.
+// Variance of the mean of samples of that weight, by the squared deviations of others.
 template <class F>
-F varianceOf(F residual2, F weight, F samples, const BlendParams& p) {
-  return select(weight > 0.f && samples > 0.f, p.noise * residual2 / (weight * samples), F(0.f));
+F varianceOf(F deviation2, F weight, F samples, const BlendParams& p) {
+  return select(weight > 0.f && samples > 0.f, p.noise * deviation2 / (weight * samples), F(0.f));
 }
+
+// The mean of one kind of light on a level, and the evidence for the detail that it adds, see evidence.h.
+template <class F>
+struct LevelEvidence {
+  F sum, samples;        // of the level's light: sum / samples is its mean
+  F x, x2;               // sums of x and of x^2
+  F deviation2, weight;  // sum of squared deviations of samples, and their weight
+};
 
 // One kind of light, from coarse to fine: E += alpha_k (E_k - E). Here alpha_k is the share of the detail of
 // level k that is not noise [ours]. Of one point, or of a point in each lane (F is Floats then).
@@ -30,13 +38,14 @@ struct BlendedLight {
   F value = 0.f, variance = 0.f;         // of the estimate so far, with the detail that it leaves out
   std::array<F, kTop> alpha{}, noise{};  // of each level: alpha_k, and the variance of E_k
 
-  // `sum` of samples of the weight `samples`. Sets alpha = energy / (energy + noise_weight * noise): the
-  // energy of the detail by its evidence, against the variance of the level's mean.
-  void refine(int k, F sum, F samples, F x, F x2, F residual2, F weight, F fraction, const BlendParams& p) {
+  // Sets alpha = energy / (energy + noise_weight * noise): the energy of the detail by its evidence, against
+  // the variance of the level's mean. `fraction`: of the way to the next level.
+  void refine(int k, const LevelEvidence<F>& e, F fraction, const BlendParams& p) {
     using std::max, std::sqrt;
+    const auto& [sum, samples, x, x2, deviation2, weight] = e;
     const auto known = samples > 0.f;
     const F energy = select(weight > 0.f, max(F(0.f), F(x - p.tau * sqrt(x2))) / weight, F(0.f));
-    noise[k] = varianceOf<F>(residual2, weight, samples, p);
+    noise[k] = varianceOf<F>(deviation2, weight, samples, p);
     F a = select(energy > 0.f, energy / (energy + p.noise_weight * noise[k]), F(0.f));
     const F left_out = (1.f - a) * (1.f - a) * energy;
     // The coarsest level fades in, and the finest fades out, as the point moves away.
@@ -70,28 +79,32 @@ struct LevelBlend {
       light[k] = {l[0], l[1], l[2], l[3]};
     };
     setLight(kTop);
-    rest.value = select(light[kTop][0] > 0.f, light[kTop][1] / light[kTop][0], F(0.f));
+    residual.value = select(light[kTop][0] > 0.f, light[kTop][1] / light[kTop][0], F(0.f));
     visibility.value = select(light[kTop][3] > 0.f, light[kTop][2] / light[kTop][3], F(1.f));
     for (int k = kTop - 1; k >= 0; --k) {
       setLight(k);
       const auto& l = light[k];
       const auto e = evidenceAt(k + kPoolSteps);
       if (k == kTop - 1) {  // of the coarsest level there is no evidence of its own
-        rest.variance = varianceOf<F>(e[2], e[3], light[kTop][0], params);
+        residual.variance = varianceOf<F>(e[2], e[3], light[kTop][0], params);
         visibility.variance = varianceOf<F>(e[6], e[7], light[kTop][3], params);
       }
-      rest.refine(k, l[1], l[0], e[0], e[1], e[2], e[3], fraction, params);
-      visibility.refine(k, l[2], l[3], e[4], e[5], e[6], e[7], fraction, params);
+      residual.refine(
+          k, {.sum = l[1], .samples = l[0], .x = e[0], .x2 = e[1], .deviation2 = e[2], .weight = e[3]},
+          fraction, params);
+      visibility.refine(
+          k, {.sum = l[2], .samples = l[3], .x = e[4], .x2 = e[5], .deviation2 = e[6], .weight = e[7]},
+          fraction, params);
     }
   }
 
-  // i = U V + rest, with U the unoccluded direct light.
-  F value(F U) const { return rest.value + U * visibility.value; }
-  F variance(F U) const { return rest.variance + U * U * visibility.variance; }
+  // i = U V + residual, with U the unoccluded direct light.
+  F value(F U) const { return residual.value + U * visibility.value; }
+  F variance(F U) const { return residual.variance + U * U * visibility.variance; }
   F stepVariance(F U, F cells) const {
-    return rest.stepVariance(cells) + U * U * visibility.stepVariance(cells);
+    return residual.stepVariance(cells) + U * U * visibility.stepVariance(cells);
   }
-  BlendedLight<F> rest, visibility;
+  BlendedLight<F> residual, visibility;
   std::array<std::array<F, 4>, kGridLevels> light;  // by slot
 };
 

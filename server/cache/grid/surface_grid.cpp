@@ -53,15 +53,15 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
     of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / cell_px;
   }
   const auto [U, cells] = of_points.lanes();
-  LaneMemory<3> said;
-  store(blend.value(U), said.values[0]);
-  store(blend.variance(U), said.values[1]);
-  store(blend.stepVariance(U, cells), said.values[2]);
+  LaneMemory<3> estimate;
+  store(blend.value(U), estimate.values[0]);
+  store(blend.variance(U), estimate.values[1]);
+  store(blend.stepVariance(U, cells), estimate.values[2]);
   for (int i = 0; i < lanes.count; ++i) {
     const float share = on[at.points[lanes.points[i]].index].share;
-    out.i.at(x[i], y[i]) += share * said.values[0][i];
-    out.var_i.at(x[i], y[i]) += share * share * said.values[1][i];
-    out.var_step.at(x[i], y[i]) += share * share * said.values[2][i];
+    out.i.at(x[i], y[i]) += share * estimate.values[0][i];
+    out.var_i.at(x[i], y[i]) += share * share * estimate.values[1][i];
+    out.var_step.at(x[i], y[i]) += share * share * estimate.values[2][i];
   }
 }
 
@@ -114,7 +114,7 @@ SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at
       const SurfaceLight& light = on.light(index);
       const auto n = static_cast<float>(on[index].paths);
       const float U = on.place(index).unoccluded, inv = U > 0 ? n / U : 0;
-      samples_[i] = Quad{n, n * light.rest, light.visible * inv, light.unoccluded * inv};
+      samples_[i] = Quad{n, n * light.residual, light.visible * inv, light.unoccluded * inv};
     }
   });
   return time + forEachLevel(at, pool, [&](int l) {
