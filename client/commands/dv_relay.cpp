@@ -29,7 +29,7 @@ void DvRelay::run(Subscription& subscription, int sensors) {
   for (int ended = 0; ended < sensors && !interrupted();) {
     server_.serve(std::chrono::milliseconds(0));
     const auto batch = subscription.receive(kTurn);
-    tellLosses(subscription.losses());
+    reportLosses(subscription.losses());
     if (!batch || batch->header.kind() == v1::KIND_HEARTBEAT) continue;
     pass(*batch);
     if (batch->header.kind() == v1::KIND_END) ++ended, end = batch->header;
@@ -42,7 +42,7 @@ void DvRelay::pass(const DecodedPacket& batch) {
   server_.send(batch.header.sensor(), batch.events, *epoch_us_);
 }
 
-void DvRelay::tellLosses(const Losses& losses) {
+void DvRelay::reportLosses(const Losses& losses) {
   if (losses.packets == told_) return;
   told_ = losses.packets;
   printLosses(stderr, losses);

@@ -21,7 +21,7 @@ class DvRelay {
 
  private:
   void pass(const DecodedPacket& batch);
-  void tellLosses(const Losses& losses);
+  void reportLosses(const Losses& losses);
 
   dv::DvServer& server_;
   std::optional<std::int64_t> epoch_us_;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::chrono::milliseconds kPollInterval{500};  // for Ctrl-C and the progress
 
 // Ctrl-C is the normal end of an endless stream, and a fault of any other.
-void heedInterrupt(StreamHandle& stream) {
+void handleInterrupt(StreamHandle& stream) {
   if (stream.opened().frames() > 0) throw StreamFault("interrupted");
   stream.close();
 }
@@ -42,7 +42,7 @@ void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& reco
   std::uint64_t epoch = stream.opened().epoch();
   v1::PacketHeader end;
   while (!recorder.complete()) {
-    if (interrupted()) heedInterrupt(stream);
+    if (interrupted()) handleInterrupt(stream);
     if (pusher) pusher->push(recorder.time_ns());
     const auto batch = subscription.receive(kPollInterval);
     if (std::exchange(epoch, stream.opened().epoch()) != stream.opened().epoch()) {
@@ -62,7 +62,7 @@ void showWaiting(Progress& progress) {
   progress.note("waiting for the server");
 }
 
-void tellLoss(Progress& progress, const std::string& loss, double retry_s) {
+void reportLoss(Progress& progress, const std::string& loss, double retry_s) {
   progress.tell("saccade: " + loss + "; trying again for " + timeText(retry_s));
 }
 

@@ -21,6 +21,6 @@ void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& reco
 // For Subscription::RetryPolicy::waiting: shows that it waits. Throws StreamFault after Ctrl-C.
 void showWaiting(Progress& progress);
 // For Subscription::RetryPolicy::lost.
-void tellLoss(Progress& progress, const std::string& loss, double retry_s);
+void reportLoss(Progress& progress, const std::string& loss, double retry_s);
 
 }  // namespace saccade::client

@@ -78,7 +78,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
       context, stream,
       {.retry_time = millisecondsOf(retry_s),
        .waiting = [&progress] { showWaiting(progress); },
-       .lost = [&progress, retry_s](const std::string& loss) { tellLoss(progress, loss, retry_s); }});
+       .lost = [&progress, retry_s](const std::string& loss) { reportLoss(progress, loss, retry_s); }});
   try {
     receiveAll(subscription, stream, recorder, preview, progress, pusher);
     recorder.commit(subscription.losses().events);

@@ -44,7 +44,7 @@ App::App(const Config& config) : App(config, Opened{}) {
   broadcast_.start();
   control_.start([this](RawRequest request, const Peer& peer,
                         Answer answer) { service_.handle(std::move(request), peer, std::move(answer)); },
-                 [this](const std::string& connection) { opener_.openings().cancelAllOf(connection); });
+                 [this](const std::string& connection) { opener_.pendingOpens().cancelAllOf(connection); });
   sweeper_ = std::jthread([this](std::stop_token stopped) { sweep(stopped); });
   manager_.tell("READY=1");
   if (!peersAreBounded()) spdlog::warn(kUnboundedPeers);

@@ -144,7 +144,7 @@ void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& repl
       *reply.mutable_server_info() = description_;
       break;
     case v1::Request::kCancelOpen:
-      if (!opener_.openings().cancel(peer, request.cancel_open().request_id()))
+      if (!opener_.pendingOpens().cancel(peer, request.cancel_open().request_id()))
         throw Refusal(v1::CODE_NOT_FOUND, "request_id", "no stream is being opened by that request");
       reply.mutable_cancel_open();
       break;
@@ -156,7 +156,7 @@ void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& repl
 v1::StreamList Service::listStreams(const std::string& user) const {
   v1::StreamList list;
   for (auto& info : streams_.list(user)) *list.add_streams() = std::move(info);
-  for (auto& info : opener_.openings().list(user)) *list.add_opening() = std::move(info);
+  for (auto& info : opener_.pendingOpens().list(user)) *list.add_opening() = std::move(info);
   return list;
 }
 

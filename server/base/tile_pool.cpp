@@ -163,7 +163,7 @@ double TilePool::receivedShare() const {
   return workers_->share.value();
 }
 
-std::chrono::nanoseconds TilePool::chainTime() {
+std::chrono::nanoseconds TilePool::criticalPathTime() {
   return chain_time;
 }
 

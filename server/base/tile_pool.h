@@ -41,7 +41,7 @@ class TilePool {
 
   // How long the jobs of the calling thread would have taken so far, each with all workers to itself. A job
   // takes at least as long as its longest piece.
-  static std::chrono::nanoseconds chainTime();
+  static std::chrono::nanoseconds criticalPathTime();
 
   // Lets the worker do all open urgent pieces first, unless its own piece is urgent. Call it between the
   // steps of a piece that may take longer than a few milliseconds. The caller must not hold a lock.

@@ -40,7 +40,7 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
 }
 
 const IntensityChange& Feed::step(const PoolHandle& pool) {
-  const auto began = threadCpuTime() + TilePool::chainTime();
+  const auto began = threadCpuTime() + TilePool::criticalPathTime();
   times_ = {};
   frames_.swap();
   render(pool);
@@ -50,7 +50,7 @@ const IntensityChange& Feed::step(const PoolHandle& pool) {
   change.t1 = frames.cur.time;
   change.frame = frames.cur.index;
   method_->estimate(frames, pool, change, times_);
-  chain_ = threadCpuTime() + TilePool::chainTime() - began;
+  critical_path_ = threadCpuTime() + TilePool::criticalPathTime() - began;
   return change;
 }
 

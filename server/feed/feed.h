@@ -39,7 +39,7 @@ class Feed {
   float firstFrameLuminance(double fraction) const;
   const StageTimes& lastTimes() const { return times_; }  // of the last step
   // The least wall time of the last step: its passes one after the other, each with all threads to itself.
-  std::chrono::nanoseconds lastChain() const { return chain_; }
+  std::chrono::nanoseconds lastCriticalPath() const { return critical_path_; }
   const IntensityChange& change() const { return changes_[(next_ - 1) % 2]; }
   FeedInterval interval() const;                       // of the last step
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
@@ -59,7 +59,7 @@ class Feed {
   FrameRing frames_;
   std::array<IntensityChange, 2> changes_;  // in turn
   StageTimes times_;
-  std::chrono::nanoseconds chain_{0};
+  std::chrono::nanoseconds critical_path_{0};
   FrameIndex next_ = 0;
 };
 

@@ -21,8 +21,8 @@ class IntervalSource {
   virtual const std::vector<FeedInterval>& step(const PoolHandle& pool) = 0;
 
   // Of the last step, all views together:
-  virtual StageTimes lastTimes() const = 0;                // CPU time
-  virtual std::chrono::nanoseconds lastChain() const = 0;  // the least wall time
+  virtual StageTimes lastTimes() const = 0;                       // CPU time
+  virtual std::chrono::nanoseconds lastCriticalPath() const = 0;  // the least wall time
 };
 
 }  // namespace saccade

@@ -32,9 +32,9 @@ StageTimes Rig::lastTimes() const {
   return sum;
 }
 
-std::chrono::nanoseconds Rig::lastChain() const {
+std::chrono::nanoseconds Rig::lastCriticalPath() const {
   std::chrono::nanoseconds sum{0};
-  for (const auto& feed : feeds_) sum += feed->lastChain();
+  for (const auto& feed : feeds_) sum += feed->lastCriticalPath();
   return sum;
 }
 

@@ -24,7 +24,7 @@ class Rig : public IntervalSource {
   // Of the view in which it is largest, as Feed::pixelSpeed().
   PixelSpeed pixelSpeed(FrameIndex frames) const;
   StageTimes lastTimes() const override;
-  std::chrono::nanoseconds lastChain() const override;  // the views are rendered one after the other
+  std::chrono::nanoseconds lastCriticalPath() const override;  // the views are rendered one after the other
 
  private:
   std::vector<std::unique_ptr<Feed>> feeds_;

@@ -55,7 +55,7 @@ CreditQueue::CreditQueue(Overflow overflow, std::uint64_t capacity, std::uint32_
     : overflow_(overflow),
       capacity_(capacity),
       sent_(sensors),
-      untold_drops_(sensors),
+      unreported_drops_(sensors),
       first_held_(sensors),
       first_unsent_(sensors) {}
 
@@ -65,10 +65,10 @@ bool CreditQueue::hasRoom() const {
 }
 
 void CreditQueue::push(const Packet& packet) {
-  SACCADE_CHECK(packet.header.sensor() < untold_drops_.size());
+  SACCADE_CHECK(packet.header.sensor() < unreported_drops_.size());
   Entry entry(packet);
   std::lock_guard lock(mutex_);
-  entry.dropped_before = std::exchange(untold_drops_[entry.sensor], 0);
+  entry.dropped_before = std::exchange(unreported_drops_[entry.sensor], 0);
   wait(std::move(entry));
 }
 
@@ -82,7 +82,7 @@ std::uint64_t CreditQueue::makeRoom() {
       ++it;
       continue;
     }
-    tellLoss(it);
+    reportLoss(it);
     ++dropped_packets_;
     waiting_memory_ -= it->memory();
     it = waiting_.erase(it);
@@ -91,11 +91,11 @@ std::uint64_t CreditQueue::makeRoom() {
 }
 
 // Counts the loss in the next packet of the sensor, so that a client that resumes gets the same count again.
-void CreditQueue::tellLoss(Entries::iterator lost) {
+void CreditQueue::reportLoss(Entries::iterator lost) {
   const std::uint64_t drops = 1 + lost->dropped_before;
   const auto next = std::find_if(lost + 1, waiting_.end(),
                                  [&](const Entry& entry) { return entry.sensor == lost->sensor; });
-  (next == waiting_.end() ? untold_drops_[lost->sensor] : next->dropped_before) += drops;
+  (next == waiting_.end() ? unreported_drops_[lost->sensor] : next->dropped_before) += drops;
 }
 
 bool CreditQueue::sendOldest(const Send& send) {

@@ -74,7 +74,7 @@ class CreditQueue {
   };
   using Entries = std::deque<Entry>;
 
-  void tellLoss(Entries::iterator lost);
+  void reportLoss(Entries::iterator lost);
   void wait(Entry entry);
   void keep(Entry entry);
   void forgetFirst(Entries& sent);
@@ -87,7 +87,7 @@ class CreditQueue {
   std::vector<Entries> sent_;                           // by sensor, so that acknowledging scans nothing
   std::uint64_t waiting_memory_ = 0, sent_memory_ = 0;  // bytes
   std::uint64_t next_place_ = 0;
-  std::vector<std::uint64_t> untold_drops_;  // by sensor: for the next packet to be pushed
+  std::vector<std::uint64_t> unreported_drops_;  // by sensor: for the next packet to be pushed
   std::uint64_t dropped_packets_ = 0;
   // By sensor: the seq after the last forgotten packet, and after the last sent one.
   std::vector<std::uint64_t> first_held_, first_unsent_;

@@ -1,5 +1,5 @@
-// Openings are seen and ended by their owners alone.
-#include "app/streams/openings.h"
+// PendingOpens are seen and ended by their owners alone.
+#include "app/streams/pending_opens.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ namespace {
 
 const Peer kAlice{"1", "alice"}, kAliceToo{"2", "alice"}, kBob{"3", "bob"}, kNobody{"4", ""}, kOther{"5", ""};
 
-TEST(Openings, AreListedToTheirOwnerUntilTheyGo) {
-  Openings all;
+TEST(PendingOpens, AreListedToTheirOwnerUntilTheyGo) {
+  PendingOpens all;
   auto one = all.add(kAlice, 7);
   all.setScene(*one, std::string(100, 'x'));
   all.begin(*one, "waiting");
@@ -28,8 +28,8 @@ TEST(Openings, AreListedToTheirOwnerUntilTheyGo) {
   EXPECT_TRUE(all.list("alice").empty());
 }
 
-TEST(Openings, AreCancelledByTheirConnectionOrKey) {
-  Openings all;
+TEST(PendingOpens, AreCancelledByTheirConnectionOrKey) {
+  PendingOpens all;
   const auto one = all.add(kAlice, 7), other = all.add(kNobody, 7);
   EXPECT_FALSE(all.cancel(kBob, 7));
   EXPECT_FALSE(all.cancel(kOther, 7));  // without keys nobody is the same client
@@ -43,8 +43,8 @@ TEST(Openings, AreCancelledByTheirConnectionOrKey) {
   EXPECT_TRUE(other->stop.stop_requested());
 }
 
-TEST(Openings, EndWithTheirConnection) {
-  Openings all;
+TEST(PendingOpens, EndWithTheirConnection) {
+  PendingOpens all;
   const auto gone = all.add(kAlice, 7), also = all.add(kAlice, 8), stays = all.add(kAliceToo, 7);
   all.cancelAllOf(kAlice.connection);
   EXPECT_TRUE(gone->stop.stop_requested() && also->stop.stop_requested());

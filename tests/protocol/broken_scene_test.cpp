@@ -39,7 +39,7 @@ TEST_F(BrokenScene, IsToldAndDoesNotStopTheServer) {
   EXPECT_EQ(server.client().server().protocol_version(), 1u);
 }
 
-// Opening a FIFO to read it waits for a writer.
+// PendingOpen a FIFO to read it waits for a writer.
 TEST_F(BrokenScene, WithAFifoIsListedAndRefusedAtOnce) {
   write("mesh",
         "<scene version='3.0.0'><sensor type='perspective'><float name='fov' value='40'/></sensor>\n"

@@ -161,7 +161,7 @@ class QuietSource : public IntervalSource {
     return intervals_;
   }
   StageTimes lastTimes() const override { return {}; }
-  std::chrono::nanoseconds lastChain() const override { return {}; }
+  std::chrono::nanoseconds lastCriticalPath() const override { return {}; }
 
  private:
   const std::function<void()> on_second_;

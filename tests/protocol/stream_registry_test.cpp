@@ -152,7 +152,7 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
   const CpuCost both = streams_.load(shared.get()).feed;
   EXPECT_DOUBLE_EQ(both.feed, 0.2);
   EXPECT_DOUBLE_EQ(both.sensors, 2 * 0.02);
-  EXPECT_DOUBLE_EQ(both.chain, 0.1);
+  EXPECT_DOUBLE_EQ(both.critical_path, 0.1);
   EXPECT_DOUBLE_EQ(both.longest, 0.02);
   sessions[0]->finish();
   EXPECT_DOUBLE_EQ(streams_.load(nullptr).total, 2 * 0.2 + 2 * 0.02);

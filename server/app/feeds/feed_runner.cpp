@@ -72,14 +72,14 @@ void FeedRunner::run() {
   } catch (const Cancelled&) {
     for (auto& sink : sinks_) finish(*sink);
   } catch (const std::exception& fault) {
-    giveUp(fault.what());
+    fail(fault.what());
   } catch (...) {
-    giveUp("unknown fault");
+    fail("unknown fault");
   }
 }
 
 // Allocates nothing, because the fault may be a lack of memory.
-void FeedRunner::giveUp(const char* message) noexcept {
+void FeedRunner::fail(const char* message) noexcept {
   logFault(message);
   std::vector<std::shared_ptr<StreamSink>> late;
   {
@@ -110,7 +110,7 @@ bool FeedRunner::gather() {
     if (sinks_.empty() && close()) return false;
     if (ready()) return true;
     holdClock();
-    notifier_->wait([&] { return ready() || needsCare(); });
+    notifier_->wait([&] { return ready() || needsAttention(); });
   }
 }
 
@@ -155,7 +155,7 @@ bool FeedRunner::ready() const {
   return any;
 }
 
-bool FeedRunner::needsCare() const {
+bool FeedRunner::needsAttention() const {
   std::lock_guard lock(mutex_);
   return !newcomers_.empty() || std::any_of(sinks_.begin(), sinks_.end(),
                                             [](const auto& sink) { return sink->session().stopping(); });
@@ -170,7 +170,7 @@ void FeedRunner::step() {
   StageTimes times = source_->lastTimes();
   const auto before = threadCpuTime();
   times[Stage::kEvents] += publish(views, lag_s);
-  record(times, source_->lastChain() + (threadCpuTime() - before), lag_s);
+  record(times, source_->lastCriticalPath() + (threadCpuTime() - before), lag_s);
 }
 
 // Frames of a feed that keeps its pace are due at a certain time. interrupt() drops what is left of a frame.
@@ -215,7 +215,7 @@ double FeedRunner::waitUntilDue(TimeNs t) {
   return std::max(0.0, std::chrono::duration<double>(ChangeNotifier::Clock::now() - due).count());
 }
 
-void FeedRunner::record(const StageTimes& times, std::chrono::nanoseconds chain, double lag_s) {
+void FeedRunner::record(const StageTimes& times, std::chrono::nanoseconds critical_path, double lag_s) {
   logTimes(frame_, times);
   totals_.frames += 1;
   totals_.add(times);
@@ -224,7 +224,7 @@ void FeedRunner::record(const StageTimes& times, std::chrono::nanoseconds chain,
   progress_.lag_s = lag_s;
   progress_.cpu += times;
   progress_.recent_s.add(seconds(times.total() - times[Stage::kEvents]));
-  progress_.chain_s.add(seconds(chain));
+  progress_.critical_path_s.add(seconds(critical_path));
 }
 
 void FeedRunner::finish(StreamSink& sink) {

@@ -32,11 +32,11 @@ struct FeedPace {
 };
 
 struct FeedProgress {
-  FrameIndex frames = 0;  // intervals done
-  double lag_s = 0;       // by how much the last one missed its time; 0 without a pace
-  StageTimes cpu;         // of all intervals together
-  RecentMean recent_s;    // CPU time for an interval, without its events
-  RecentMean chain_s;     // the part of that time that more threads do not shorten
+  FrameIndex frames = 0;       // intervals done
+  double lag_s = 0;            // by how much the last one missed its time; 0 without a pace
+  StageTimes cpu;              // of all intervals together
+  RecentMean recent_s;         // CPU time for an interval, without its events
+  RecentMean critical_path_s;  // the part of that time that more threads do not shorten
 };
 
 class FeedRunner {
@@ -62,13 +62,13 @@ class FeedRunner {
 
  private:
   void run();
-  void giveUp(const char* message) noexcept;
+  void fail(const char* message) noexcept;
   void logFault(const char* message) noexcept;
   bool gather();
   void admit();
   bool close();
   bool ready() const;
-  bool needsCare() const;
+  bool needsAttention() const;
   bool allStopping() const;
   void step();
   PoolHandle pool() const;
@@ -77,7 +77,7 @@ class FeedRunner {
   void holdClock();
   void endStopped();
   double waitUntilDue(TimeNs t);
-  void record(const StageTimes& times, std::chrono::nanoseconds chain, double lag_s);
+  void record(const StageTimes& times, std::chrono::nanoseconds critical_path, double lag_s);
   void finish(StreamSink& sink);
   TimeNs now() const { return frameTime(frame_, pace_.frame_rate_hz); }
 

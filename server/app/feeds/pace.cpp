@@ -28,11 +28,11 @@ std::string atMost(double value) {
 }
 
 CpuCost operator-(const CpuCost& a, const CpuCost& b) {
-  return {a.feed - b.feed, a.sensors - b.sensors, a.chain - b.chain, a.longest - b.longest};
+  return {a.feed - b.feed, a.sensors - b.sensors, a.critical_path - b.critical_path, a.longest - b.longest};
 }
 
 CpuCost operator*(const CpuCost& cost, double factor) {
-  return {cost.feed * factor, cost.sensors * factor, cost.chain * factor, cost.longest * factor};
+  return {cost.feed * factor, cost.sensors * factor, cost.critical_path * factor, cost.longest * factor};
 }
 
 double longestOf(const std::vector<std::unique_ptr<Channel>>& channels) {
@@ -43,13 +43,14 @@ double longestOf(const std::vector<std::unique_ptr<Channel>>& channels) {
 
 // How many frame periods pass from the start of a frame to its packets. `feed` is the cost of a second.
 double periodsOf(const CpuCost& feed, const CpuSupply& supply) {
-  return feed.chain / supply.speed + std::max(feed.longest / supply.speed, feed.sensors / supply.threads);
+  return feed.critical_path / supply.speed +
+         std::max(feed.longest / supply.speed, feed.sensors / supply.threads);
 }
 
 }  // namespace
 
 CpuCost together(const CpuCost& a, const CpuCost& b) {
-  return {std::max(a.feed, b.feed), a.sensors + b.sensors, std::max(a.chain, b.chain),
+  return {std::max(a.feed, b.feed), a.sensors + b.sensors, std::max(a.critical_path, b.critical_path),
           std::max(a.longest, b.longest)};
 }
 
@@ -66,7 +67,7 @@ CpuCost measureFrame(const std::shared_ptr<const RenderScene>& scene, const Traj
   while (frames < kLeastFrames || (frames < kMostFrames && spent.feed + spent.sensors < kEnoughSeconds)) {
     const std::vector<FeedInterval>& views = rig.step(pool);
     spent.feed += seconds(rig.lastTimes().total());
-    spent.chain += seconds(rig.lastChain());
+    spent.critical_path += seconds(rig.lastCriticalPath());
     spent.sensors +=
         each([&](Channel& channel) { channel.process(views[channel.view()], packet_per_frame); });
     spent.longest += longestOf(channels);

@@ -13,10 +13,10 @@ namespace saccade {
 
 // CPU seconds, of a frame or of a second.
 struct CpuCost {
-  double feed = 0;     // until the change of every pixel is known, over all threads
-  double sensors = 0;  // until that has become packets, over all threads
-  double chain = 0;    // the part of `feed` that does not become shorter by more threads
-  double longest = 0;  // the sensor that takes longest
+  double feed = 0;           // until the change of every pixel is known, over all threads
+  double sensors = 0;        // until that has become packets, over all threads
+  double critical_path = 0;  // the part of `feed` that does not become shorter by more threads
+  double longest = 0;        // the sensor that takes longest
 };
 
 // The cost of two streams that share a feed.

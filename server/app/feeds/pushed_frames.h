@@ -25,7 +25,7 @@ class PushedFrames final : public IntervalSource {
   bool ready() const override;
   const std::vector<FeedInterval>& step(const PoolHandle& pool) override;
   StageTimes lastTimes() const override { return {}; }
-  std::chrono::nanoseconds lastChain() const override { return {}; }
+  std::chrono::nanoseconds lastCriticalPath() const override { return {}; }
 
  private:
   void checkRoom() const;

@@ -13,7 +13,7 @@
 
 namespace saccade {
 
-struct Opening {
+struct PendingOpen {
   const Peer peer;
   const std::uint64_t request_id;
   const ChangeNotifier::Clock::time_point began = ChangeNotifier::Clock::now();
@@ -24,14 +24,14 @@ struct Opening {
 };
 
 // All members may be called from any thread.
-class Openings {
+class PendingOpens {
  public:
   // Adds an opening, which is listed until it is destroyed. This must outlive it.
-  std::shared_ptr<Opening> add(const Peer& peer, std::uint64_t request_id);
-  void setScene(Opening& opening, const std::string& scene);
+  std::shared_ptr<PendingOpen> add(const Peer& peer, std::uint64_t request_id);
+  void setScene(PendingOpen& opening, const std::string& scene);
   // Notes the next step. Throws Cancelled where the opening was cancelled.
-  void begin(Opening& opening, const char* doing);
-  void setDone(Opening& opening, double share);  // of that step
+  void begin(PendingOpen& opening, const char* doing);
+  void setDone(PendingOpen& opening, double share);  // of that step
 
   std::vector<v1::OpeningInfo> list(const std::string& user) const;  // those of a user
   bool cancel(const Peer& peer, std::uint64_t request_id);           // false: there is none; see CancelOpen
@@ -43,7 +43,7 @@ class Openings {
   bool cancelWhere(Mine mine);
 
   mutable std::mutex mutex_;
-  std::set<Opening*> all_;
+  std::set<PendingOpen*> all_;
 };
 
 }  // namespace saccade

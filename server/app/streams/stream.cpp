@@ -40,7 +40,7 @@ CpuCost Stream::load() const {
   const bool sure = done.frames >= kSureFrames;
   return {(sure ? done.recent_s.value() : frame_cost.feed) * frames_per_s,
           std::max(frame_cost.sensors, sink->recentSeconds()) * frames_per_s,
-          (sure ? done.chain_s.value() : frame_cost.chain) * frames_per_s,
+          (sure ? done.critical_path_s.value() : frame_cost.critical_path) * frames_per_s,
           std::max(frame_cost.longest, sink->recentLongestSeconds()) * frames_per_s};
 }
 

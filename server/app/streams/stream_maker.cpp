@@ -35,9 +35,9 @@ bool asksForIds(const v1::OpenStream& request) {
 
 }  // namespace
 
-v1::StreamOpened StreamMaker::make(v1::OpenStream request, Opening& opening) {
-  openings_.setScene(opening, request.scene());
-  openings_.begin(opening, "checking the request");
+v1::StreamOpened StreamMaker::make(v1::OpenStream request, PendingOpen& opening) {
+  pending_opens_.setScene(opening, request.scene());
+  pending_opens_.begin(opening, "checking the request");
   Stream stream;
   stream.user = opening.peer.user;
   stream.reserved.push_back(reserve(stream.user, {{Limit::kMemory, requestMemory(request), "sensors"}}));
@@ -76,24 +76,25 @@ std::shared_ptr<void> StreamMaker::reserve(const std::string& user, const std::v
 }
 
 // The next step of an opening, which may be slow.
-BuildContext StreamMaker::begin(Opening& opening, const char* doing) {
-  openings_.begin(opening, doing);
-  return {opening.stop.get_token(), [this, &opening](double share) { openings_.setDone(opening, share); }};
+BuildContext StreamMaker::begin(PendingOpen& opening, const char* doing) {
+  pending_opens_.begin(opening, doing);
+  return {opening.stop.get_token(),
+          [this, &opening](double share) { pending_opens_.setDone(opening, share); }};
 }
 
 // The slow steps, a measurement and the first frame of a feed, come before the lock that others wait for.
-void StreamMaker::openFeed(Plan& plan, Opening& opening, Stream& stream) {
+void StreamMaker::openFeed(Plan& plan, PendingOpen& opening, Stream& stream) {
   const ResolvedStream& resolved = plan.resolved;
   const Trajectory body = resolveTrajectory(resolved, *plan.whole, resources_.scenes.library());
   bakeLight(plan, body, resources_.bakes, resources_.pool, begin(opening, "computing light ahead"));
-  openings_.begin(opening, "measuring the first frames");
+  pending_opens_.begin(opening, "measuring the first frames");
   if (keepsPace(resolved)) plan.frame = measure(plan, body, opening);
   const auto running = shared_.find(resolved);
   admit(resolved, running ? costOfJoining(plan.frame) : plan.frame, running.get());
-  openings_.begin(opening, "rendering frame 0");
+  pending_opens_.begin(opening, "rendering frame 0");
   const auto make = [&] { return feeds_.ofScene(plan.scene, body, resolved, poolFor(opening)); };
   OwnFeed own = running ? OwnFeed{} : make();
-  openings_.begin(opening, "joining the feed");
+  pending_opens_.begin(opening, "joining the feed");
   while (!enter(plan, own, stream)) own = make();
 }
 
@@ -125,11 +126,11 @@ bool StreamMaker::enter(const Plan& plan, const OwnFeed& own, Stream& stream) {
 }
 
 // For what is done while the stream is opened: an opening can be cancelled.
-PoolHandle StreamMaker::poolFor(const Opening& opening) const {
+PoolHandle StreamMaker::poolFor(const PendingOpen& opening) const {
   return {resources_.pool, Priority::kNormal, opening.stop.get_token()};
 }
 
-CpuCost StreamMaker::measure(const Plan& plan, const Trajectory& body, const Opening& opening) const {
+CpuCost StreamMaker::measure(const Plan& plan, const Trajectory& body, const PendingOpen& opening) const {
   return measureFrame(plan.scene, body, plan.resolved, poolFor(opening));
 }
 

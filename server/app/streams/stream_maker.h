@@ -7,40 +7,40 @@
 #include "app/feeds/feed_maker.h"
 #include "app/feeds/shared_feeds.h"
 #include "app/sequence/stream_plan.h"
-#include "app/streams/openings.h"
+#include "app/streams/pending_opens.h"
 #include "app/streams/stream_resources.h"
 
 namespace saccade {
 
 class StreamMaker {
  public:
-  // `openings` is told what is being done; it must outlive this.
-  StreamMaker(const StreamResources& resources, Openings& openings)
+  // `pending_opens` is told what is being done; it must outlive this.
+  StreamMaker(const StreamResources& resources, PendingOpens& pending_opens)
       : resources_(resources),
         feeds_(resources.pool, resources.totals, resources.log, resources.quota.limits()),
-        openings_(openings) {}
+        pending_opens_(pending_opens) {}
 
   // Makes the stream and enters it into the registry. May take seconds. From any thread. Throws Refusal,
   // SceneError, and Cancelled.
-  v1::StreamOpened make(v1::OpenStream request, Opening& opening);
+  v1::StreamOpened make(v1::OpenStream request, PendingOpen& opening);
 
  private:
   struct Plan : StreamPlan {
     CpuCost frame = {};  // of a frame, where the stream keeps a pace
   };
-  BuildContext begin(Opening& opening, const char* doing);
+  BuildContext begin(PendingOpen& opening, const char* doing);
   std::shared_ptr<void> reserve(const std::string& user, const std::vector<Share>& shares);
-  void openFeed(Plan& plan, Opening& opening, Stream& stream);
+  void openFeed(Plan& plan, PendingOpen& opening, Stream& stream);
   bool enter(const Plan& plan, const OwnFeed& own, Stream& stream);
-  PoolHandle poolFor(const Opening& opening) const;
-  CpuCost measure(const Plan& plan, const Trajectory& body, const Opening& opening) const;
+  PoolHandle poolFor(const PendingOpen& opening) const;
+  CpuCost measure(const Plan& plan, const Trajectory& body, const PendingOpen& opening) const;
   bool keepsPace(const ResolvedStream& resolved) const;
   void admit(const ResolvedStream& resolved, const CpuCost& frame, const FeedRunner* joined) const;
   bool connect(const ResolvedStream& resolved, Stream& stream) const;
 
   const StreamResources resources_;
   const FeedMaker feeds_;
-  Openings& openings_;
+  PendingOpens& pending_opens_;
   SharedFeeds shared_;
   std::mutex admitting_;  // held from a check of the load until the new stream is part of it
 };

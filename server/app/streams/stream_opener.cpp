@@ -18,7 +18,7 @@ void StreamOpener::open(RawRequest request, const Peer& peer, std::function<void
   if (stopped_) throw Refusal(v1::CODE_UNAVAILABLE, {}, kStopping);
   std::erase_if(under_way_,
                 [](auto& one) { return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
-  auto opening = openings_.add(peer, request.id);
+  auto opening = pending_opens_.add(peer, request.id);
   under_way_.push_back(std::async(std::launch::async, [this, request = std::move(request), answer,
                                                        opening = std::move(opening)]() mutable {
     lowerPriority();
@@ -31,7 +31,7 @@ void StreamOpener::open(RawRequest request, const Peer& peer, std::function<void
 void StreamOpener::stop() {
   std::lock_guard lock(mutex_);
   stopped_ = true;  // from here on open() leaves under_way_ alone
-  openings_.cancelAll();
+  pending_opens_.cancelAll();
 }
 
 bool StreamOpener::wait(ChangeNotifier::Clock::time_point deadline) {
@@ -39,7 +39,7 @@ bool StreamOpener::wait(ChangeNotifier::Clock::time_point deadline) {
                      [&](auto& one) { return one.wait_until(deadline) == std::future_status::ready; });
 }
 
-v1::Reply StreamOpener::reply(RawRequest raw, Opening& opening) {
+v1::Reply StreamOpener::reply(RawRequest raw, PendingOpen& opening) {
   v1::Reply reply;
   try {
     v1::Request request = parseRequest(raw.message.bytes);

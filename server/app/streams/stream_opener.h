@@ -7,28 +7,28 @@
 #include <mutex>
 #include <vector>
 
-#include "app/streams/openings.h"
+#include "app/streams/pending_opens.h"
 #include "app/streams/stream_maker.h"
 
 namespace saccade {
 
 class StreamOpener {
  public:
-  explicit StreamOpener(const StreamResources& resources) : maker_(resources, openings_) {}
+  explicit StreamOpener(const StreamResources& resources) : maker_(resources, pending_opens_) {}
 
   // Does not block. `answer` is called once, on another thread. The caller bounds how many requests are under
   // way. Throws Refusal after stop().
   void open(RawRequest request, const Peer& peer, std::function<void(v1::Reply)> answer);
-  Openings& openings() { return openings_; }
+  PendingOpens& pendingOpens() { return pending_opens_; }
   void stop();  // refuses every further request, and cancels those under way
   // After stop(): waits for the requests under way, and returns whether all were done before `deadline`. The
   // destructor waits for the rest.
   bool wait(ChangeNotifier::Clock::time_point deadline);
 
  private:
-  v1::Reply reply(RawRequest request, Opening& opening);
+  v1::Reply reply(RawRequest request, PendingOpen& opening);
 
-  Openings openings_;
+  PendingOpens pending_opens_;
   StreamMaker maker_;
   std::mutex mutex_;
   std::vector<std::future<void>> under_way_;
