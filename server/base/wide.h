@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <experimental/simd>
 
+#include "base/lane_set.h"
+
 namespace saccade {
 
 namespace stdx = std::experimental;
@@ -72,14 +74,14 @@ template <class T, class Abi>
   v.copy_to(p, stdx::vector_aligned);
 }
 
-// The bits of a mask; lane 0 is the lowest.
+// The lanes of a mask.
 template <class Abi>
-[[gnu::always_inline]] inline std::uint32_t bitsOf(const stdx::simd_mask<float, Abi>& mask) {
+[[gnu::always_inline]] inline LaneSet lanesOf(const stdx::simd_mask<float, Abi>& mask) {
   if constexpr (sizeof(mask) == sizeof(std::uint16_t)) {
-    return std::bit_cast<std::uint16_t>(mask);
+    return {std::bit_cast<std::uint16_t>(mask)};
   } else {
     const auto sign = select(mask, -1.f, 0.f);
-    return static_cast<std::uint32_t>(_mm256_movemask_ps(static_cast<__m256>(sign)));
+    return {static_cast<std::uint32_t>(_mm256_movemask_ps(static_cast<__m256>(sign)))};
   }
 }
 
@@ -88,10 +90,10 @@ template <int W>
 [[gnu::always_inline]] inline Uints<W> laneNumbers() {
   return Uints<W>([](auto lane) { return static_cast<std::uint32_t>(lane); });
 }
-// The mask of these bits.
+// The mask of a set.
 template <int W>
-[[gnu::always_inline]] inline Mask<W> maskOf(std::uint32_t bits) {
-  const Uints<W> lane = Uints<W>(bits) >> laneNumbers<W>();
+[[gnu::always_inline]] inline Mask<W> maskOf(LaneSet lanes) {
+  const Uints<W> lane = Uints<W>(lanes.bits) >> laneNumbers<W>();
   return toFloats(Uints<W>(lane & 1u)) > 0.f;
 }
 // The lanes below `count`.
@@ -124,27 +126,22 @@ inline constexpr auto kSetLanes = [] {
   return table;
 }();
 
-// Writes the lanes of a mask one after another. The values that follow them in out[0, W) are overwritten too.
-[[gnu::always_inline]] inline void compress(std::uint32_t lanes, const Floats<8>& v, float* out) {
-  const __m256i index = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kSetLanes[lanes])));
+// Writes the lanes of a set one after another. The values that follow them in out[0, W) are overwritten too.
+[[gnu::always_inline]] inline void compress(LaneSet lanes, const Floats<8>& v, float* out) {
+  const __m256i index =
+      _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kSetLanes[lanes.bits])));
   _mm256_storeu_ps(out, _mm256_permutevar8x32_ps(static_cast<__m256>(v), index));
 }
 #ifdef __AVX512F__
-[[gnu::always_inline]] inline void compress(std::uint32_t lanes, const Floats<16>& v, float* out) {
-  _mm512_storeu_ps(out, _mm512_maskz_compress_ps(static_cast<__mmask16>(lanes), static_cast<__m512>(v)));
+[[gnu::always_inline]] inline void compress(LaneSet lanes, const Floats<16>& v, float* out) {
+  _mm512_storeu_ps(out, _mm512_maskz_compress_ps(static_cast<__mmask16>(lanes.bits), static_cast<__m512>(v)));
 }
 #endif
 template <class Abi>
-[[gnu::always_inline]] inline void compress(std::uint32_t lanes, const stdx::simd<std::uint32_t, Abi>& v,
+[[gnu::always_inline]] inline void compress(LaneSet lanes, const stdx::simd<std::uint32_t, Abi>& v,
                                             std::uint32_t* out) {
   using F = stdx::rebind_simd_t<float, stdx::simd<std::uint32_t, Abi>>;
   compress(lanes, std::bit_cast<F>(v), reinterpret_cast<float*>(out));
-}
-
-// Calls f(lane) for each lane of a mask, from the first to the last.
-template <class F>
-[[gnu::always_inline]] inline void forEachLane(std::uint32_t lanes, const F& f) {
-  for (; lanes != 0; lanes &= lanes - 1) f(std::countr_zero(lanes));
 }
 
 }  // namespace saccade

@@ -72,7 +72,8 @@ void ThresholdPixels<Thresholds>::advanceRow(int y, const float* dL, float* v, E
     // Strictly between these bounds is between the thresholds, as advance() sees them.
     const auto quiet =
         changes && moved > thresholds_.lowBounds(x0, y) && moved < thresholds_.highBounds(x0, y);
-    const std::uint32_t loud = bitsOf(changes) & (blindness_.empty() ? ~bitsOf(quiet) : ~0u);
+    LaneSet loud = lanesOf(changes);
+    if (blindness_.empty()) loud = loud - lanesOf(quiet);
     if (blindness_.empty()) store(select(quiet, moved, level), v + x0);
     forEachLane(loud, [&](int lane) {
       const int x = x0 + lane;

@@ -12,15 +12,15 @@ namespace saccade {
 namespace {
 
 TEST(Wide, MasksAndBitsAreTheSame) {
-  for (std::uint32_t bits = 0; bits < 256; ++bits) EXPECT_EQ(bitsOf(maskOf<8>(bits)), bits);
-  for (int count = 0; count <= 8; ++count) EXPECT_EQ(bitsOf(firstLanes<8>(count)), (1u << count) - 1);
+  for (std::uint32_t bits = 0; bits < 256; ++bits) EXPECT_EQ(lanesOf(maskOf<8>({bits})).bits, bits);
+  for (int count = 0; count <= 8; ++count) EXPECT_EQ(lanesOf(firstLanes<8>(count)), LaneSet::first(count));
 }
 
 TEST(Wide, CompressMovesTheLanesOfAMaskTogether) {
   const Floats<8> v([](auto lane) { return 10.f + static_cast<float>(lane); });
   for (std::uint32_t bits = 0; bits < 256; ++bits) {
     float out[8] = {};
-    compress(bits, v, out);
+    compress({bits}, v, out);
     int next = 0;
     for (int lane = 0; lane < 8; ++lane) {
       if (!(bits >> lane & 1)) continue;
@@ -39,7 +39,7 @@ TEST(Wide, GatherTakesTheElementOfEachLane) {
 
 TEST(Wide, ForEachLaneGoesFromTheFirstToTheLast) {
   std::vector<int> lanes;
-  forEachLane(0b10010110u, [&](int i) { lanes.push_back(i); });
+  forEachLane({0b10010110u}, [&](int i) { lanes.push_back(i); });
   EXPECT_EQ(lanes, (std::vector{1, 2, 4, 7}));
 }
 

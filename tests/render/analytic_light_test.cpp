@@ -105,7 +105,7 @@ TEST(AnalyticLight, IsTheSameForManyPoints) {
       geometric_normal.set(i, i % 3 == 0 ? n : normalize(n + Vec3{0.2f, 0, 0}));
     }
     const LitPoints points{point, normal, geometric_normal};
-    light.at(points, 0x7fff, EmitterStrengths(s), together);
+    light.at(points, {0x7fff}, EmitterStrengths(s), together);
     for (int i = 0; i < kLaneVectors - 1; ++i) {
       const float one = luminance(light.at(points.at(i), EmitterStrengths(s)));
       EXPECT_NEAR(luminance(together.at(i)), one, 1e-5f * (1 + one)) << block << " " << i;

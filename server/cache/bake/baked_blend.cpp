@@ -35,7 +35,7 @@ class Surroundings {
       sampled |= std::uint32_t{levels_[0]->light[cut_->vertices[side]][0] > 0} << side;
     return sampled != 0 ? sampled : all;
   }
-  // From now on, what is on a side.
+  // Selects the side that light() and evidence() read.
   void goTo(std::uint32_t side) {
     if (!cut_) return;
     const float aside = static_cast<float>(h_) * kAside;
@@ -99,7 +99,7 @@ bool isAlike(const BakedVertex& a, const BakedVertex& b) {
 BakedVertex blendSides(Surroundings& around, const GridParams& params, float scale) {
   std::optional<BakedVertex> all;
   bool alike = true;
-  forEachLane(around.sides(), [&](std::uint32_t side) {
+  forEachLane({around.sides()}, [&](int side) {
     around.goTo(side);
     const BakedVertex one = blendAround(around, params, scale);
     if (all)

@@ -123,7 +123,7 @@ void BakedLight::add(const BakedPoints& points, SurfaceSamples& on, const GBuffe
   store(F(share * (residual + U * visibility)), estimate.values[0]);
   store(F(share * share * var_i), estimate.values[1]);
   store(F(share * share * min(F(2.f * var_i), var_step)), estimate.values[2]);
-  forEachLane(bitsOf(known) & ((1u << points.count()) - 1), [&](int i) {
+  forEachLane(lanesOf(known) & LaneSet::first(points.count()), [&](int i) {
     const auto [x, y, index] = points[i];
     on[index].baked = true;
     out.i.at(x, y) += estimate.values[0][i];

@@ -36,9 +36,9 @@ class BinLanes {
     store(toUints(select(x, toFloats(bin[0]), select(y, toFloats(bin[1]), toFloats(bin[2])))), bin_);
     store(select(x, w[0], select(y, w[1], w[2])), share_);
     size_ = count;
-    addOthers(bitsOf(w[0] > 0.f && !x), bin[0], w[0], count);
-    addOthers(bitsOf(w[1] > 0.f && !y), bin[1], w[1], count);
-    addOthers(bitsOf(w[2] > 0.f && !z), bin[2], w[2], count);
+    addOthers(lanesOf(w[0] > 0.f && !x), bin[0], w[0], count);
+    addOthers(lanesOf(w[1] > 0.f && !y), bin[1], w[1], count);
+    addOthers(lanesOf(w[2] > 0.f && !z), bin[2], w[2], count);
   }
 
   int size() const { return size_; }
@@ -47,12 +47,12 @@ class BinLanes {
   float share(int i) const { return share_[i]; }  // of the point's weights
 
  private:
-  void addOthers(std::uint32_t lanes, const U& bin, const F& share, int count) {
-    lanes &= (1u << count) - 1;
+  void addOthers(LaneSet lanes, const U& bin, const F& share, int count) {
+    lanes &= LaneSet::first(count);
     compress(lanes, laneNumbers<kLanes>(), &point_[size_]);
     compress(lanes, bin, &bin_[size_]);
     compress(lanes, share, &share_[size_]);
-    size_ += std::popcount(lanes);
+    size_ += lanes.size();
   }
 
   alignas(64) float normal_[3][kLanes] = {};

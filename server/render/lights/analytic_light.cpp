@@ -117,15 +117,15 @@ Rgb AnalyticLight::at(const LitPoint& p, const EmitterStrengths& strengths) cons
   return sum;
 }
 
-void AnalyticLight::at(const LitPoints& points, std::uint32_t lanes, const EmitterStrengths& strengths,
+void AnalyticLight::at(const LitPoints& points, LaneSet lanes, const EmitterStrengths& strengths,
                        LaneVectors& result) const {
   if (!point_lights_.empty() || !directional_lights_.empty())
     forEachLane(lanes, [&](int i) { result.set(i, fromPointsAndDirections(points.at(i))); });
   else
     result = {};
   for (int first = 0; first < kLaneVectors; first += LampLanes::kLanes) {
-    const std::uint32_t here = lanes >> first & ((1u << LampLanes::kLanes) - 1);
-    if (here == 0) continue;
+    const LaneSet here = lanes.from(first) & LaneSet::first(LampLanes::kLanes);
+    if (!here.any()) continue;
     const LampLanes seen_from(points.point, points.normal, points.geometric_normal, first, here);
     for (const Side& side : sides_) {
       const LampLanes::F factor = seen_from.formFactor(side.corners, side.normal);

@@ -34,7 +34,7 @@ class AnalyticLight {
   // Radiance that a white diffuse surface would reflect: irradiance / pi.
   Rgb at(const LitPoint& p, const EmitterStrengths& strengths) const;
   // The same for the lanes of a mask. Other lanes of the result are undefined.
-  void at(const LitPoints& points, std::uint32_t lanes, const EmitterStrengths& strengths,
+  void at(const LitPoints& points, LaneSet lanes, const EmitterStrengths& strengths,
           LaneVectors& result) const;
 
  private:

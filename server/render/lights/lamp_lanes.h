@@ -39,7 +39,7 @@ class LampLanes {
 
   // `lanes`: those whose results count.
   LampLanes(const LaneVectors& points, const LaneVectors& normals, const LaneVectors& geometric_normals,
-            int first, std::uint32_t lanes)
+            int first, LaneSet lanes)
       : point_(points.lanes<kLanes>(first)),
         normal_(normals.lanes<kLanes>(first)),
         geometric_normal_(geometric_normals.lanes<kLanes>(first)),
@@ -56,7 +56,7 @@ class LampLanes {
       any = any || above, any_geometric = any_geometric || above_geometric;
     }
     const M cut = front && any && any_geometric && !all;
-    if ((bitsOf(cut) & lanes_) == 0) return select(all, ofWhole(corners), 0.f);
+    if (!(lanesOf(cut) & lanes_).any()) return select(all, ofWhole(corners), 0.f);
     return select(all || cut, ofPart(corners), 0.f);
   }
 
@@ -123,7 +123,7 @@ class LampLanes {
   }
 
   V point_, normal_, geometric_normal_;
-  std::uint32_t lanes_;
+  LaneSet lanes_;
 };
 
 }  // namespace saccade

@@ -37,10 +37,10 @@ template <int W, int C>
 
 // The lanes among `lanes` whose surfaces are shaded like that, of the paths from `first` on.
 template <int W, int C>
-[[gnu::always_inline]] inline std::uint32_t lanesShadedAs(ShadedAs kind, const LivePaths<C>& paths, int first,
-                                                          std::uint32_t lanes) {
+[[gnu::always_inline]] inline LaneSet lanesShadedAs(ShadedAs kind, const LivePaths<C>& paths, int first,
+                                                    LaneSet lanes) {
   const Uints<W> of = load<W>(&paths.state[first]) & PathState::kSurface;
-  return lanes & bitsOf(toFloats(of) == static_cast<float>(kind));
+  return lanes & lanesOf(toFloats(of) == static_cast<float>(kind));
 }
 
 }  // namespace saccade

@@ -7,14 +7,14 @@
 
 namespace saccade {
 
-// Adds a path for each lane of a mask, all but its random numbers and its slot. There must be room for them.
+// Adds a path for each lane of a set, all but its random numbers and its slot. There must be room for them.
 // `mixed`: surfaces of the scene are not all diffuse, or let light through.
 template <int C>
-void beginPlain(const PlainSurfaces& s, std::uint32_t lanes, float spread, bool mixed, LivePaths<C>& to) {
+void beginPlain(const PlainSurfaces& s, LaneSet lanes, float spread, bool mixed, LivePaths<C>& to) {
   constexpr int kLanes = 8;
   for (int first = 0; first < kLaneVectors; first += kLanes) {
-    const std::uint32_t here = lanes >> first & ((1u << kLanes) - 1);
-    if (here == 0) continue;
+    const LaneSet here = lanes.from(first) & LaneSet::first(kLanes);
+    if (!here.any()) continue;
     const auto at = static_cast<std::size_t>(to.count);
     const auto keep = [&](const float* from, Plane& plane) {
       compress(here, load<kLanes>(from + first), &plane[at]);
@@ -38,7 +38,7 @@ void beginPlain(const PlainSurfaces& s, std::uint32_t lanes, float spread, bool 
       std::fill_n(&to.state[at], kLanes, state);
       set(1, to.pdf), set(0, to.distance);
     }
-    to.count += std::popcount(here);
+    to.count += here.size();
   }
 }
 

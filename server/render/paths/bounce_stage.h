@@ -21,11 +21,11 @@ class BounceRays {
   explicit BounceRays(const Batch<C>& batch) : b_(batch) {}
 
   // `path`: the place of each lane's path in LivePaths.
-  void add(std::uint32_t lanes, const Vec3T<F>& origin, const Vec3T<F>& direction, const Uints<W>& path) {
+  void add(LaneSet lanes, const Vec3T<F>& origin, const Vec3T<F>& direction, const Uints<W>& path) {
     pushOn(lanes, entries(origin, direction, path));
   }
   // The same for rays that can only find light: they are traced where a lamp is in their direction.
-  void addLast(std::uint32_t lanes, const Vec3T<F>& origin, const Vec3T<F>& direction, const Uints<W>& path) {
+  void addLast(LaneSet lanes, const Vec3T<F>& origin, const Vec3T<F>& direction, const Uints<W>& path) {
     last_.push(lanes, entries(origin, direction, path));
     if (last_.full()) traceLast();
   }
@@ -41,7 +41,7 @@ class BounceRays {
   static Entries entries(const Vec3T<F>& origin, const Vec3T<F>& direction, const Uints<W>& path) {
     return {origin.x, origin.y, origin.z, direction.x, direction.y, direction.z, std::bit_cast<F>(path)};
   }
-  void pushOn(std::uint32_t lanes, const Entries& e) {
+  void pushOn(LaneSet lanes, const Entries& e) {
     on_.push(lanes, e);
     if (on_.full()) trace();
   }
@@ -50,11 +50,11 @@ class BounceRays {
   void traceLast() {
     Entries e;
     const int count = last_.take(e);
-    std::uint32_t found = (1u << count) - 1;
+    LaneSet found = LaneSet::first(count);
     if (!b_.t.scene.still().lightMayBeAnywhere()) {
       set(e);
       b_.t.scene.still().emitters().template occluded<W>(packet_, found);
-      found &= bitsOf(load<W>(packet_.far) < 0.f);
+      found &= lanesOf(load<W>(packet_.far) < 0.f);
     }
     pushOn(found, e);
   }
@@ -63,7 +63,7 @@ class BounceRays {
     Entries e;
     const int count = on_.take(e);
     set(e);
-    b_.t.scene.still().geometry().template intersect<W>(packet_, (1u << count) - 1,
+    b_.t.scene.still().geometry().template intersect<W>(packet_, LaneSet::first(count),
                                                         EmbreeScene::Rays::kScattered);
     shadeHits<W, K>(b_, packet_, count, std::bit_cast<Uints<W>>(e[6]));
   }
@@ -93,7 +93,7 @@ template <int W, PathKind K>
   };
   keep(pdf, p.pdf), keep(spread, p.spread), keep(0.f, p.distance);
   for (int k = 0; k < C; ++k) keep(throughput[k], p.throughput.of[k]);
-  forEachLane(bitsOf(shaded), [&](int i) {
+  forEachLane(lanesOf(shaded), [&](int i) {
     std::uint32_t& state = p.state[static_cast<std::size_t>(first + i)];
     state = (state & ~(PathState::kOneBounce - 1)) + PathState::kOneBounce;
     if (b.vertex == 0) state |= PathState::kFromStart;
@@ -108,12 +108,12 @@ void bounce(const Batch<K.channels>& b) {
   BounceRays<W, K> rays(b);
   for (int first = 0; first < p.count; first += W) {
     auto lanes = firstLanes<W>(p.count - first);
-    std::uint32_t others = 0, plastic = 0;
+    LaneSet others, plastic;
     if constexpr (K.mixed) {
-      others = lanesShadedAs<W>(ShadedAs::kOther, p, first, bitsOf(lanes));
+      others = lanesShadedAs<W>(ShadedAs::kOther, p, first, lanesOf(lanes));
       const Uints<W> bounces = load<W>(&p.state[first]) >> 8;
       lanes = lanes && !maskOf<W>(others) && toFloats(bounces) <= static_cast<float>(b.t.bounces);
-      plastic = lanesShadedAs<W>(ShadedAs::kPlastic, p, first, bitsOf(lanes));
+      plastic = lanesShadedAs<W>(ShadedAs::kPlastic, p, first, lanesOf(lanes));
     }
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
     const auto u = [&](int d) { return numbersAt<W, K.split>(b, numbers, d); };
@@ -124,7 +124,7 @@ void bounce(const Batch<K.channels>& b) {
     F pdf = cosinePdf(local.z);
     auto weight = colorLanes<W>(p.reflectance, first);
     if constexpr (K.mixed)
-      if (plastic != 0) {
+      if (plastic.any()) {
         const PlasticLanes<W, C> surfaces(p, first, frame, plastic);
         const auto these = maskOf<W>(plastic);
         local = selectLanes(these, surfaces.sample(u(kLobe), u1, u2, local), local);
@@ -138,22 +138,22 @@ void bounce(const Batch<K.channels>& b) {
     for (int k = 0; k < C; ++k) throughput[k] *= weight[k];
     lanes = lanes && pdf > 0.f && dot(direction, ng) > 0.f && luminanceOf(throughput) > 0.f;
     keepBounce<W, K>(b, first, lanes, pdf, throughput);
-    std::uint32_t going = bitsOf(lanes), last = b.vertex >= b.t.bounces ? going : 0;
+    LaneSet going = lanesOf(lanes), last = b.vertex >= b.t.bounces ? going : LaneSet{};
     if constexpr (K.mixed) {
       forEachLane(others, [&](int i) {
         const ScatteredRay one = b.stages.sampleBsdf(b.t, b.vertex, p, static_cast<std::uint32_t>(first + i));
         if (!one.goes) return;
         setLane(origin, i, one.origin), setLane(direction, i, one.direction);
-        going |= 1u << i;
+        going.add(i);
       });
       const Uints<W> bounces = load<W>(&p.state[first]) >> 8;
       last = b.t.scene.still().hasStraightTransmission()
-                 ? 0
-                 : going & bitsOf(toFloats(bounces) > static_cast<float>(b.t.bounces));
+                 ? LaneSet{}
+                 : going & lanesOf(toFloats(bounces) > static_cast<float>(b.t.bounces));
     }
     const Uints<W> path = laneNumbers<W>() + static_cast<std::uint32_t>(first);
-    rays.add(going & ~last, origin, direction, path);
-    if (last != 0) rays.addLast(last, origin, direction, path);
+    rays.add(going - last, origin, direction, path);
+    if (last.any()) rays.addLast(last, origin, direction, path);
   }
   rays.finish();
 }

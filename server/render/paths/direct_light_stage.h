@@ -12,14 +12,15 @@ namespace saccade {
 template <int W, PathKind K>
 [[gnu::always_inline]] inline ScatteredLanes<W, K.channels> evaluateLanes(
     const Batch<K.channels>& b, int first, const Vec3T<Floats<W>>& direction, const Vec3T<Floats<W>>& ns,
-    const Floats<W>& cosine, std::uint32_t lanes) {
+    const Floats<W>& cosine, LaneSet lanes) {
   constexpr int C = K.channels;
   ScatteredLanes<W, C> f;
   f.pdf = cosinePdf(cosine);
   f.value = colorLanes<W>(b.now->reflectance, first);
   for (int k = 0; k < C; ++k) f.value[k] *= f.pdf;
   if constexpr (K.mixed) {
-    if (const std::uint32_t plastic = lanesShadedAs<W>(ShadedAs::kPlastic, *b.now, first, lanes)) {
+    const LaneSet plastic = lanesShadedAs<W>(ShadedAs::kPlastic, *b.now, first, lanes);
+    if (plastic.any()) {
       const ShadingFrame<Floats<W>> frame(ns);
       mergeLanes(plastic,
                  PlasticLanes<W, C>(*b.now, first, frame, plastic).evaluate(frame.toLocal(direction)), f);
@@ -51,10 +52,10 @@ void directLight(const Batch<K.channels>& b) {
     ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.still().epsilon());
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
     const auto u = [&](int k) { return numbersAt<W, K.split>(b, numbers, kLight + k); };
-    const auto light = sampleLights<W, C>(b.t, ray.origin, u(0), u(1), u(2), bitsOf(lanes));
+    const auto light = sampleLights<W, C>(b.t, ray.origin, u(0), u(1), u(2), lanesOf(lanes));
     lanes = lanes && light.pdf > 0.f && dot(light.direction, ng) > 0.f;
     const F cosine = dot(light.direction, ns);
-    const auto f = evaluateLanes<W, K>(b, first, light.direction, ns, cosine, bitsOf(lanes));
+    const auto f = evaluateLanes<W, K>(b, first, light.direction, ns, cosine, lanesOf(lanes));
     lanes = lanes && f.pdf > 0.f;
     ray.segment = light.segment, ray.reach = light.reach;
     ray.slot = load<W>(&p.slot[first]);
@@ -65,11 +66,11 @@ void directLight(const Batch<K.channels>& b) {
       ray.closed_form = light.closed_form;
       for (int k = 0; k < C; ++k)
         ray.unoccluded[k] = light.radiance[k] * light.closed_form * cosinePdf(cosine) / light.pdf;
-      forEachLane(bitsOf(lanes), [&](int i) {
+      forEachLane(lanesOf(lanes), [&](int i) {
         for (int k = 0; k < C; ++k) b.results.unoccluded.of[k][ray.slot[i]] = ray.unoccluded[k][i];
       });
     }
-    shadow_rays.add(bitsOf(lanes), ray);
+    shadow_rays.add(lanesOf(lanes), ray);
   }
   shadow_rays.finish();
 }

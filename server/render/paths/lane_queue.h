@@ -13,10 +13,10 @@ class LaneQueue {
  public:
   using Entries = std::array<Floats<W>, kFields>;  // a lane each
 
-  // Adds the lanes of a mask. There must be fewer than W entries.
-  [[gnu::always_inline]] void push(std::uint32_t lanes, const Entries& entries) {
+  // Adds the lanes of a set. There must be fewer than W entries.
+  [[gnu::always_inline]] void push(LaneSet lanes, const Entries& entries) {
     for (int k = 0; k < kFields; ++k) compress(lanes, entries[k], &fields_[k][count_]);
-    count_ += std::popcount(lanes);
+    count_ += lanes.size();
   }
   bool full() const { return count_ >= W; }
   int size() const { return count_; }

@@ -50,12 +50,12 @@ template <int W, int C>
 template <int W, int C>
 [[gnu::always_inline]] inline LightSamples<W, C> sampleLights(const Tracing& t, const Vec3T<Floats<W>>& point,
                                                               const Floats<W>& u_light, const Floats<W>& u1,
-                                                              const Floats<W>& u2, std::uint32_t lanes) {
+                                                              const Floats<W>& u2, LaneSet lanes) {
   const LightColumns& columns = t.scene.still().lightColumns();
   const Uints<W> chosen = columns.choose<W>(u_light);
   LightSamples<W, C> light = sampleTriangles<W, C>(columns, chosen, t.scene.strengths(), point, u1, u2);
   if (columns.allTriangles()) return light;
-  const std::uint32_t others = bitsOf(columns.at<W>(LightColumns::kTriangle, chosen) == 0.f) & lanes;
+  const LaneSet others = lanesOf(columns.at<W>(LightColumns::kTriangle, chosen) == 0.f) & lanes;
   forEachLane(others, [&](int i) {
     const IncidentLight one = t.scene.still().lights().at(laneOf(point, i), u_light[i], u1[i], u2[i]);
     setLane(light.direction, i, one.direction);

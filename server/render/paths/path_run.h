@@ -37,10 +37,10 @@ class PathRun {
     stages_.begin(start, path.sampler, slot, memory_->now);
   }
 
-  // A path for each lane of a mask, at plain surfaces, with path(lane).
-  void addPlain(const PlainSurfaces& surfaces, std::uint32_t lanes, float spread, const auto& path) {
+  // A path for each lane of a set, at plain surfaces, with path(lane).
+  void addPlain(const PlainSurfaces& surfaces, LaneSet lanes, float spread, const auto& path) {
     LivePaths<C>& now = memory_->now;
-    if (now.count + std::popcount(lanes) > kBatchPaths) finish();
+    if (now.count + lanes.size() > kBatchPaths) finish();
     auto slot = static_cast<std::uint32_t>(now.count);
     beginPlain<C>(surfaces, lanes, spread, S.extras, now);
     forEachLane(lanes, [&](int lane) {

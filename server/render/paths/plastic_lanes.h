@@ -15,7 +15,7 @@ struct ScatteredLanes {
 };
 
 template <int W, int C>
-[[gnu::always_inline]] inline void mergeLanes(std::uint32_t lanes, const ScatteredLanes<W, C>& from,
+[[gnu::always_inline]] inline void mergeLanes(LaneSet lanes, const ScatteredLanes<W, C>& from,
                                               ScatteredLanes<W, C>& to) {
   const auto these = maskOf<W>(lanes);
   for (int k = 0; k < C; ++k) to.value[k] = select(these, from.value[k], to.value[k]);
@@ -28,7 +28,7 @@ class PlasticLanes {
 
  public:
   // Those of the paths from `first` on whose state says so.
-  PlasticLanes(const LivePaths<C>& paths, int first, const ShadingFrame<F>& frame, std::uint32_t lanes)
+  PlasticLanes(const LivePaths<C>& paths, int first, const ShadingFrame<F>& frame, LaneSet lanes)
       : paths_(paths),
         first_(first),
         lanes_(lanes),
@@ -85,7 +85,7 @@ class PlasticLanes {
 
   const LivePaths<C>& paths_;
   int first_;
-  std::uint32_t lanes_;
+  LaneSet lanes_;
   Vec3T<F> wo_;
   F alpha_;
 };

@@ -13,8 +13,8 @@ namespace saccade {
 
 // Paths that miss, and those at surfaces of other kinds.
 template <int W, int C>
-void shadeHitsOneByOne(const Batch<C>& b, const RayPacket<W>& packet, std::uint32_t lanes,
-                       const SurfaceLanes<W>& s, const Uints<W>& path) {
+void shadeHitsOneByOne(const Batch<C>& b, const RayPacket<W>& packet, LaneSet lanes, const SurfaceLanes<W>& s,
+                       const Uints<W>& path) {
   forEachLane(lanes, [&](int i) {
     b.stages.shadeHit(b.t, b.vertex, *b.now, path[i],
                       {packet.ray(i).direction,
@@ -34,12 +34,12 @@ inline PathState diffuseState(int vertex) {
 // Of diffuse surfaces: reflectances, at the hits of `lanes`.
 template <int W, int C>
 std::array<Floats<W>, C> reflectances(const Batch<C>& b, const RayPacket<W>& packet, const SurfaceLanes<W>& s,
-                                      const Floats<W>& footprint, std::uint32_t lanes) {
+                                      const Floats<W>& footprint, LaneSet lanes) {
   std::array<Floats<W>, C> reflectance{};
-  const std::uint32_t front = bitsOf(s.front());
+  const LaneSet front = lanesOf(s.front());
   forEachLane(lanes, [&](int i) {
     const ShapeRow& row = b.t.scene.still().shapeRows()[packet.geometry[i]];
-    if (!row.twosided && !(front >> i & 1)) return;
+    if (!row.twosided && !front.has(i)) return;
     setLane(reflectance, i,
             Color<C>(row.textured ? textureColor(b.t.scene.still().description(), packet.hit(i), s.cosine[i],
                                                  footprint[i])
@@ -50,13 +50,13 @@ std::array<Floats<W>, C> reflectances(const Batch<C>& b, const RayPacket<W>& pac
 
 // Paths at surfaces that are diffuse and opaque.
 template <int W, PathKind K>
-void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, std::uint32_t hits,
+void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, LaneSet hits,
                        const SurfaceLanes<W>& s, const Uints<W>& path) {
   constexpr int C = K.channels;
   using F = Floats<W>;
   const LivePaths<C>& from = *b.now;
   LivePaths<C>& to = *b.next;
-  const std::uint32_t front = bitsOf(s.front());
+  const LaneSet front = lanesOf(s.front());
   forEachLane(hits & front, [&](int i) {
     const std::uint32_t geometry = packet.geometry[i], p = path[i];
     if (!b.t.scene.still().shapeRows()[geometry].emits) return;
@@ -72,7 +72,7 @@ void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, s
   if constexpr (K.mixed) {
     state = (gather(&from.state[0], path) & ~PathState::kSurface) | std::uint32_t(ShadedAs::kDiffuse);
     if (!b.t.scene.still().hasStraightTransmission())
-      hits &= bitsOf(toFloats(Uints<W>(state >> 8)) <= static_cast<float>(b.t.bounces));
+      hits &= lanesOf(toFloats(Uints<W>(state >> 8)) <= static_cast<float>(b.t.bounces));
     if (b.vertex >= b.t.bounces + kMaxDeltas) return;
   } else if (b.vertex >= b.t.bounces) {
     return;
@@ -84,17 +84,17 @@ void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, s
   const Vec3T<F> ns = selectLanes(dot(s.shading_normal, ng) < 0.f, -s.shading_normal, s.shading_normal);
   std::array<F, C> throughput;
   for (int k = 0; k < C; ++k) throughput[k] = gather(&from.throughput.of[k][0], path);
-  std::uint32_t going = hits;
+  LaneSet going = hits;
   if constexpr (K.split)
     if (b.vertex == 0)
-      forEachLane(K.mixed ? hits & bitsOf(toFloats(Uints<W>(state & PathState::kDeltaLast)) == 0.f) : hits,
+      forEachLane(K.mixed ? hits & lanesOf(toFloats(Uints<W>(state & PathState::kDeltaLast)) == 0.f) : hits,
                   [&](int i) {
                     Color<C> carried = colorOf(throughput, i);
                     const PathSampler sampler(from.key_low[path[i]], from.key_high[path[i]]);
                     if (endsAtKnownLight<C>(
                             b.t, {laneOf(s.point, i), laneOf(ng, i), colorOf(reflectance, i).rgb(), width[i]},
                             sampler, from.slot[path[i]], carried, b.results))
-                      going &= ~(1u << i);
+                      going.remove(i);
                     setLane(throughput, i, carried);
                   });
   const auto at = static_cast<std::size_t>(to.count);
@@ -114,7 +114,7 @@ void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, s
     keep(state, to.state), keep(gather(&from.pdf[0], path), to.pdf);
     keep(gather(&from.distance[0], path) + load<W>(packet.far), to.distance);
   }
-  to.count += std::popcount(going);
+  to.count += going.size();
 }
 
 // `path`: the places of the packet's first `count` paths among those at their vertex.
@@ -122,15 +122,15 @@ template <int W, PathKind K>
 [[gnu::always_inline]] inline void shadeHits(const Batch<K.channels>& b, const RayPacket<W>& packet,
                                              int count, const Uints<W>& path) {
   constexpr int C = K.channels;
-  std::uint32_t hits = 0, plain = 0;
+  LaneSet hits, plain;
   for (int i = 0; i < count; ++i) {
     if (packet.geometry[i] == RayPacket<W>::kNone) continue;
-    hits |= 1u << i;
-    plain |= (!K.mixed || b.t.scene.still().shapeRows()[packet.geometry[i]].plain ? 1u : 0u) << i;
+    hits.add(i);
+    plain.add(i, !K.mixed || b.t.scene.still().shapeRows()[packet.geometry[i]].plain);
   }
   const SurfaceLanes<W> s = surfacesAt<W>(b.t.scene, packet, hits);
-  if (plain != 0) shadeHitsTogether<W, K>(b, packet, plain, s, path);
-  if constexpr (K.mixed) shadeHitsOneByOne<W, C>(b, packet, ((1u << count) - 1) & ~plain, s, path);
+  if (plain.any()) shadeHitsTogether<W, K>(b, packet, plain, s, path);
+  if constexpr (K.mixed) shadeHitsOneByOne<W, C>(b, packet, LaneSet::first(count) - plain, s, path);
 }
 
 }  // namespace saccade

@@ -27,7 +27,7 @@ class ShadowRays {
 
   explicit ShadowRays(const Batch<C>& batch) : b_(batch) {}
 
-  void add(std::uint32_t lanes, const Lanes& rays) {
+  void add(LaneSet lanes, const Lanes& rays) {
     typename Queue::Entries e;
     put(rays, e);
     queue_.push(lanes, e);
@@ -87,10 +87,10 @@ class ShadowRays {
 
   void trace() {
     Entries e;
-    std::uint32_t open = (1u << queue_.take(e)) - 1;
+    LaneSet open = LaneSet::first(queue_.take(e));
     setRays<W>(e, e[6], packet_);
     b_.t.scene.still().geometry().template occluded<W>(packet_, open);
-    open &= ~bitsOf(load<W>(packet_.far) < 0.f);
+    open = open - lanesOf(load<W>(packet_.far) < 0.f);
     if (has_panes_) {
       unblocked_.push(open, e);
       if (unblocked_.full()) traceThrough();
@@ -106,7 +106,7 @@ class ShadowRays {
     const int count = unblocked_.take(e);
     RayPacket<W> packet;
     setRays<W>(e, e[6], packet);
-    b_.t.scene.still().straight().template intersect<W>(packet, (1u << count) - 1,
+    b_.t.scene.still().straight().template intersect<W>(packet, LaneSet::first(count),
                                                         EmbreeScene::Rays::kScattered);
     const Unpacked rays(e);
     for (int i = 0; i < count; ++i) {

@@ -28,7 +28,7 @@ void forEachPrimary(const PixelContext& view, Tile tile, GBuffer& g, const OnPla
     for (int x0 = tile.x0; x0 < tile.x1; x0 += kBlockEdge) {
       const Tile pixels{x0, y0, std::min(x0 + kBlockEdge, tile.x1), std::min(y0 + kBlockEdge, tile.y1)};
       tracePrimaryBlock(view, pixels, g, *block);
-      if (block->plain != 0) on_plain(*block);
+      if (block->plain.any()) on_plain(*block);
       forEachLane(block->others, [&](int i) {
         shadePrimary<S>(view, block->rays[static_cast<std::size_t>(i)],
                         block->hits[static_cast<std::size_t>(i)], hit);

@@ -10,12 +10,12 @@ namespace {
 // Of a camera with distortion, whose rays are found one by one.
 void traceDistorted(const PixelContext& view, Tile pixels, PrimaryBlock& out) {
   const Ray none{view.now.camera.origin, view.now.camera.forward, -1};  // hits nothing
-  out.plain = out.others = 0;
+  out.plain = out.others = {};
   out.rays.fill(none);
   for (int y = pixels.y0; y < pixels.y1; ++y)
     for (int x = pixels.x0; x < pixels.x1; ++x) {
       const int lane = (y - pixels.y0) * kBlockEdge + x - pixels.x0;
-      out.others |= 1u << lane;
+      out.others.add(lane);
       out.rays[static_cast<std::size_t>(lane)] = {
           view.now.camera.origin, view.now.camera.direction(static_cast<float>(x), static_cast<float>(y)),
           std::numeric_limits<float>::infinity()};

@@ -31,7 +31,7 @@ struct PrimaryBlock {
   int y(int lane) const { return y0 + lane / kBlockEdge; }
 
   int x0, y0;
-  std::uint32_t plain, others;         // masks of lanes
+  LaneSet plain, others;               // lanes
   PlainSurfaces surfaces;              // of plain lanes
   std::array<Ray, kBlockPixels> rays;  // of other lanes, and their hits
   std::array<Hit, kBlockPixels> hits;

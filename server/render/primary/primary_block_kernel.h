@@ -19,11 +19,11 @@ struct BlockPart {
   Tile pixels;
   int first;
 
-  [[gnu::always_inline]] std::uint32_t inside() const {
-    std::uint32_t lanes = 0;
-    const std::uint32_t row = (1u << (pixels.x1 - pixels.x0)) - 1;
+  [[gnu::always_inline]] LaneSet inside() const {
+    LaneSet lanes;
+    const std::uint32_t row = LaneSet::first(pixels.x1 - pixels.x0).bits;
     for (int y = 0; y < W / kBlockEdge; ++y)
-      if (pixels.y0 + first / kBlockEdge + y < pixels.y1) lanes |= row << (y * kBlockEdge);
+      if (pixels.y0 + first / kBlockEdge + y < pixels.y1) lanes.bits |= row << (y * kBlockEdge);
     return lanes;
   }
   [[gnu::always_inline]] Vec3T<Floats<W>> directions(const Camera& camera) const {
@@ -55,19 +55,19 @@ struct PlainLanes {
 
 template <int W>
 [[gnu::always_inline]] inline PlainLanes<W> plainLanes(const PixelContext& view, const RayPacket<W>& packet,
-                                                       std::uint32_t plain, const SurfaceLanes<W>& s,
+                                                       LaneSet plain, const SurfaceLanes<W>& s,
                                                        const Floats<W>& width) {
   PlainLanes<W> lanes;
   lanes.geometric_normal = selectLanes(s.front(), s.normal, -s.normal);
   lanes.shading_normal =
       selectLanes(dot(s.shading_normal, lanes.geometric_normal) < 0.f, -s.shading_normal, s.shading_normal);
-  const std::uint32_t front = bitsOf(s.front());
+  const LaneSet front = lanesOf(s.front());
   LaneVectors reflectance{}, emission{};
   const Scene& scene = view.now.scene.still().description();
   forEachLane(plain, [&](int i) {
     const std::uint32_t geometry = packet.geometry[i];
     const ShapeRow& row = view.now.scene.still().shapeRows()[geometry];
-    const bool seen_front = front >> i & 1;
+    const bool seen_front = front.has(i);
     if (row.emits && seen_front) {
       const auto [mesh, sphere] = HitShape(scene, packet.hit(i));
       emission.set(i, (mesh ? mesh->radiance : sphere->radiance) * view.now.scene.strengths()[geometry]);
@@ -106,7 +106,7 @@ template <int W>
 template <int W>
 [[gnu::always_inline]] inline void shadePlain(const PixelContext& view, const BlockPart<W>& part,
                                               const Vec3T<Floats<W>>& direction, const RayPacket<W>& packet,
-                                              std::uint32_t plain, GBuffer& g, PlainSurfaces& out) {
+                                              LaneSet plain, GBuffer& g, PlainSurfaces& out) {
   using F = Floats<W>;
   const SurfaceLanes<W> s = surfacesAt<W>(view.now.scene, packet, plain);
   const F z = load<W>(packet.far), width = view.now.camera.pixel * z;
@@ -123,29 +123,29 @@ template <int W>
 template <int W>
 void tracePrimaryBlock(const PixelContext& view, Tile pixels, GBuffer& g, PrimaryBlock& out) {
   using F = Floats<W>;
-  out.plain = out.others = 0;
+  out.plain = out.others = {};
   for (int first = 0; first < kBlockPixels; first += W) {
     const BlockPart<W> part{pixels, first};
-    const std::uint32_t inside = part.inside();
+    const LaneSet inside = part.inside();
     const Vec3T<F> direction = part.directions(view.now.camera), origin = splat<F>(view.now.camera.origin);
     RayPacket<W> packet;
     setRays<W>(std::array{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z},
                F(std::numeric_limits<float>::infinity()), packet);
     view.now.scene.still().geometry().template intersect<W>(packet, inside, EmbreeScene::Rays::kCoherent);
-    std::uint32_t plain = 0;
+    LaneSet plain;
     forEachLane(inside, [&](int i) {
       const std::uint32_t geometry = packet.geometry[i];
       const bool is_plain =
           geometry != RayPacket<W>::kNone && view.now.scene.still().shapeRows()[geometry].plain;
-      plain |= std::uint32_t(is_plain) << i;
+      plain.add(i, is_plain);
     });
-    const std::uint32_t others = inside & ~plain;
+    const LaneSet others = inside - plain;
     forEachLane(others, [&](int i) {
       out.rays[static_cast<std::size_t>(first + i)] = packet.ray(i);
       out.hits[static_cast<std::size_t>(first + i)] = packet.hit(i);
     });
-    out.plain |= plain << first, out.others |= others << first;
-    if (plain != 0) shadePlain<W>(view, part, direction, packet, plain, g, out.surfaces);
+    out.plain.bits |= plain.bits << first, out.others.bits |= others.bits << first;
+    if (plain.any()) shadePlain<W>(view, part, direction, packet, plain, g, out.surfaces);
   }
 }
 

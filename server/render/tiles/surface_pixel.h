@@ -51,7 +51,7 @@ class PlainPaths {
     if (count_ == kLaneVectors) finish();
   }
   void finish() {
-    run_.addPlain(surfaces_, (1u << count_) - 1, spread_, [this](int lane) { return paths_[lane]; });
+    run_.addPlain(surfaces_, LaneSet::first(count_), spread_, [this](int lane) { return paths_[lane]; });
     count_ = 0;
   }
 

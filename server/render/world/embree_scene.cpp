@@ -111,26 +111,26 @@ struct PacketCalls<16> {
 
 template <int W>
 struct alignas(64) Valid {
-  explicit Valid(std::uint32_t bits) {
-    for (int i = 0; i < W; ++i) lanes[i] = -static_cast<int>(bits >> i & 1);
+  explicit Valid(LaneSet of) {
+    for (int i = 0; i < W; ++i) lanes[i] = -static_cast<int>(of.has(i));
   }
   int lanes[W];
 };
 
 // Calls call(lanes as Embree wants them).
 template <int W>
-void EmbreeScene::trace(std::uint32_t lanes, const auto& call) const {
+void EmbreeScene::trace(LaneSet lanes, const auto& call) const {
   const Valid<W> valid(lanes);
   PacketCounts* counts = counts_.load(std::memory_order_relaxed);
   if (!counts) return call(valid.lanes);
   const auto begin = std::chrono::steady_clock::now();
   call(valid.lanes);
   counts->time += std::chrono::steady_clock::now() - begin;
-  counts->rays += static_cast<std::uint64_t>(std::popcount(lanes)), counts->lanes += W;
+  counts->rays += static_cast<std::uint64_t>(lanes.size()), counts->lanes += W;
 }
 
 template <int W>
-void EmbreeScene::intersect(RayPacket<W>& packet, std::uint32_t lanes, Rays rays) const {
+void EmbreeScene::intersect(RayPacket<W>& packet, LaneSet lanes, Rays rays) const {
   using RayHit = typename PacketCalls<W>::RayHit;
   static_assert(sizeof(RayPacket<W>) >= sizeof(RayHit) && offsetof(RayHit, hit) == 12 * 4 * W);
   std::fill_n(packet.geometry, W, RTC_INVALID_GEOMETRY_ID);
@@ -142,7 +142,7 @@ void EmbreeScene::intersect(RayPacket<W>& packet, std::uint32_t lanes, Rays rays
 }
 
 template <int W>
-void EmbreeScene::occluded(RayPacket<W>& packet, std::uint32_t lanes) const {
+void EmbreeScene::occluded(RayPacket<W>& packet, LaneSet lanes) const {
   trace<W>(lanes, [&](const int* valid) {
     embree::occluded(PacketCalls<W>::occluded,
                      &reinterpret_cast<typename PacketCalls<W>::RayHit*>(&packet)->ray, valid, scene_);
@@ -155,14 +155,14 @@ void intersectCoherent(const EmbreeScene& scene, std::span<const Ray> rays, std:
   for (std::size_t first = 0; first < hits.size(); first += W) {
     const int count = static_cast<int>(std::min<std::size_t>(W, hits.size() - first));
     for (int i = 0; i < count; ++i) packet.set(i, rays[first + static_cast<std::size_t>(i)]);
-    scene.intersect(packet, (1u << count) - 1, EmbreeScene::Rays::kCoherent);
+    scene.intersect(packet, LaneSet::first(count), EmbreeScene::Rays::kCoherent);
     for (int i = 0; i < count; ++i) hits[first + static_cast<std::size_t>(i)] = packet.hit(i);
   }
 }
 
-#define INSTANTIATE(W)                                                                            \
-  template void EmbreeScene::intersect<W>(RayPacket<W>&, std::uint32_t, EmbreeScene::Rays) const; \
-  template void EmbreeScene::occluded<W>(RayPacket<W>&, std::uint32_t) const;
+#define INSTANTIATE(W)                                                                      \
+  template void EmbreeScene::intersect<W>(RayPacket<W>&, LaneSet, EmbreeScene::Rays) const; \
+  template void EmbreeScene::occluded<W>(RayPacket<W>&, LaneSet) const;
 INSTANTIATE(8)
 INSTANTIATE(16)
 

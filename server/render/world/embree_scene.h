@@ -40,9 +40,9 @@ class EmbreeScene {
   // that follow `flags`, and `far`. Where anything is in the way, occluded() makes `far` negative.
   enum class Rays { kScattered, kCoherent };
   template <int W>
-  void intersect(RayPacket<W>& packet, std::uint32_t lanes, Rays rays) const;
+  void intersect(RayPacket<W>& packet, LaneSet lanes, Rays rays) const;
   template <int W>
-  void occluded(RayPacket<W>& packet, std::uint32_t lanes) const;
+  void occluded(RayPacket<W>& packet, LaneSet lanes) const;
   // Of rays that lie close together, as many as there are hits.
   void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
 
@@ -54,7 +54,7 @@ class EmbreeScene {
 
  private:
   template <int W>
-  void trace(std::uint32_t lanes, const auto& call) const;
+  void trace(LaneSet lanes, const auto& call) const;
 
   std::atomic<std::size_t> bytes_ = 0;
   mutable std::atomic<PacketCounts*> counts_ = nullptr;

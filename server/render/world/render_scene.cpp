@@ -43,7 +43,7 @@ std::size_t RenderScene::bytes() const {
 Obstacles::Hits RenderScene::find(const ProbeRays& rays) const {
   RayPacket<kRays> packet(kBlockingMask);
   for (int i = 0; i < kRays; ++i) packet.set(i, {rays[i].from, rays[i].along, rays[i].reach});
-  geometry_.intersect(packet, (1u << kRays) - 1, EmbreeScene::Rays::kScattered);
+  geometry_.intersect(packet, LaneSet::first(kRays), EmbreeScene::Rays::kScattered);
   Hits met;
   for (int i = 0; i < kRays; ++i)
     if (const Hit hit = packet.hit(i); hit.valid) met[i] = {hit.t, normalize(hit.normal)};

@@ -36,17 +36,17 @@ struct alignas(64) CornerLanes {
 // Interpolated normals of the lanes whose shapes have some, unit; of other lanes the geometric normal.
 template <int W>
 [[gnu::always_inline]] inline Vec3T<Floats<W>> shadingNormals(const std::vector<ShapeRow>& rows,
-                                                              const RayPacket<W>& packet, std::uint32_t lanes,
+                                                              const RayPacket<W>& packet, LaneSet lanes,
                                                               const Vec3T<Floats<W>>& geometric) {
   using F = Floats<W>;
-  std::uint32_t smooth = 0;
+  LaneSet smooth;
   forEachLane(lanes, [&](int i) {  // so that the triangles of all lanes come from memory at once
     const ShapeRow& row = rows[packet.geometry[i]];
     if (!row.normals) return;
-    smooth |= 1u << i;
+    smooth.add(i);
     __builtin_prefetch(&row.triangles[packet.primitive[i]]);
   });
-  if (smooth == 0) return geometric;
+  if (!smooth.any()) return geometric;
   CornerLanes<W> normals;
   forEachLane(smooth, [&](int i) {
     const ShapeRow& row = rows[packet.geometry[i]];
@@ -61,7 +61,7 @@ template <int W>
 // `lanes`: those that have hit a surface.
 template <int W>
 [[gnu::always_inline]] inline SurfaceLanes<W> surfacesAt(const PosedScene& scene, const RayPacket<W>& packet,
-                                                         std::uint32_t lanes) {
+                                                         LaneSet lanes) {
   using F = Floats<W>;
   const auto unit = [](const Vec3T<F>& a) { return a * F(1.f / sqrt(dot(a, a))); };
   const Vec3T<F> direction{load<W>(packet.x), load<W>(packet.y), load<W>(packet.z)};
