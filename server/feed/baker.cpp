@@ -61,9 +61,8 @@ void Baker::pass(const PoolHandle& pool) {
     const SeedPlan seeds = SeedPlan::independent(hashKey(kSeed, pass_.count), pose, 0);
     const Camera camera = cameraAt(pose);
     renderer_.renderPaths(PixelContext({posed_, camera}), seeds, *next, &bounces_, pool);
-    grid_.add(*frame_.surfaces, at_, pool);
-    grid_.readAdded(*frame_.surfaces, frame_.g, at_, pool, estimate_);
-    grid_.learn(at_, pool);
+    const SurfaceGrid::Added added = grid_.add({*frame_.surfaces, frame_.g, at_}, pool);
+    grid_.learn(grid_.readAdded(added, pool, estimate_), pool);
     bounces_.add(*frame_.surfaces);
   }
   ++pass_.count;
@@ -102,7 +101,7 @@ std::optional<SurfaceFrame> Baker::look(std::size_t pose, const PoolHandle& pool
     pass_.shifts = pass_.count;
     return {};
   }
-  grid_.uncertainty(on, at_, pool, uncertainty_);
+  grid_.uncertainty({on, frame_.g, at_}, pool, uncertainty_);
   planPaths();
   return next;
 }

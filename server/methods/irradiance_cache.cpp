@@ -108,7 +108,7 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
     for (ImageF* plane : {&uncertainty_, &uncertainty_prev_}) *plane = ImageF(on.columns(), on.height());
   Placement none;
   times[Stage::kTemporal] += grid.place(on, &next.obstacles, pool, light_.changed() ? none : at_prev_, at_);
-  times[Stage::kTemporal] += grid.uncertainty(on, at_, pool, uncertainty_);
+  times[Stage::kTemporal] += grid.uncertainty({on, next.frame.g, at_}, pool, uncertainty_);
   const BounceGrid* known = &light_.current().bounces;
   if (!on.needPaths()) return known;
   const auto asked = static_cast<float>(spp);
@@ -171,22 +171,21 @@ void IrradianceCache::fillUncached(const FramePair& frames, const PoolHandle& po
 void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   if (frames.cur.surfaces->needPaths()) light_.current().bounces.add(*frames.cur.surfaces);
   if (at_.empty() && at_prev_.empty()) return;
-  const SurfaceSamples &on = *frames.cur.surfaces, &on_prev = *frames.prev.surfaces;
+  const FrameOnGrid cur{*frames.cur.surfaces, frames.cur.g, at_};
+  const FrameOnGrid prev{*frames.prev.surfaces, frames.prev.g, at_prev_};
   GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
   SurfaceGrid &grid = light_.current().grid, &grid_prev = light_.previous().grid;
-  times[Stage::kTemporal] += grid.add(on, at_, pool);
-  times[Stage::kVariance] += grid.readAdded(on, frames.cur.g, at_, pool, now);
-  if (!frames.is_first)
-    times[Stage::kVariance] += grid_prev.read(on_prev, frames.prev.g, at_prev_, pool, before);
-  times[Stage::kTemporal] += grid.learn(at_, pool);
+  const SurfaceGrid::Added added = grid.add(cur, pool);
+  const SurfaceGrid::Compared compared = grid.readAdded(added, pool, now);
+  times[Stage::kTemporal] += added.time, times[Stage::kVariance] += compared.time;
+  if (!frames.is_first) times[Stage::kVariance] += grid_prev.read(prev, pool, before);
+  times[Stage::kTemporal] += grid.learn(compared, pool);
   // Points that are seen for the first time have only now been judged.
-  const auto again = [&](const SurfaceGrid& from, const Frame& frame, const Placement& at,
-                         GridEstimate& out) {
-    times[Stage::kVariance] +=
-        from.readAgain(*frame.surfaces, frame.g, at, pool, uncertainty_, uncertainty_prev_, out);
+  const auto again = [&](const SurfaceGrid& from, const FrameOnGrid& frame, GridEstimate& out) {
+    times[Stage::kVariance] += from.readAgain(frame, pool, uncertainty_, uncertainty_prev_, out);
   };
-  again(grid, frames.cur, at_, now);
-  if (!frames.is_first) again(grid_prev, frames.prev, at_prev_, before);
+  again(grid, cur, now);
+  if (!frames.is_first) again(grid_prev, prev, before);
   // The errors of two states of the light have nothing in common.
   if (light_.changed())
     times[Stage::kVariance] += pool.forEachRow(now.i.height(), [&](int y) {

@@ -82,7 +82,7 @@ TEST_F(BakedLightTest, KnowsTheVarianceOfSteps) {
   for (const float px : {0.1f, 0.4f}) {
     wall.frame.g.motion_x.fill(px);
     GridEstimate from_grid(kW, kH);
-    grid.read(*wall.frame.surfaces, wall.frame.g, at, pool, from_grid);
+    grid.read({*wall.frame.surfaces, wall.frame.g, at}, pool, from_grid);
     const Read from_bake = read(baked);
     double sum = 0, expected = 0;
     for (int y = 0; y < kH; ++y)

@@ -88,8 +88,8 @@ TEST_F(SurfaceGridTest, ReadsTheSameAtTheSamePlace) {
   wall.noise = 1;
   for (int t = 0; t < 5; ++t) look(wall, 0.7f * t, t);
   GridEstimate again(kW, kH), once_more(kW, kH);
-  grid.read(*wall.frame.surfaces, wall.frame.g, at, pool, again);
-  grid.read(*wall.frame.surfaces, wall.frame.g, at, pool, once_more);
+  grid.read({*wall.frame.surfaces, wall.frame.g, at}, pool, again);
+  grid.read({*wall.frame.surfaces, wall.frame.g, at}, pool, once_more);
   for (int x = 0; x < kW; ++x) EXPECT_EQ(again.i.at(x, 7), once_more.i.at(x, 7));
 }
 
@@ -146,7 +146,7 @@ TEST_F(SurfaceGridTest, DroppingLeavesTheFrameBeforeReadable) {
     look(wall, 3.f * t, t);
     if (t == 0) continue;
     GridEstimate before(kW, kH);
-    grid.read(*wall.frame.surfaces, wall.frame.g, prev, pool, before);
+    grid.read({*wall.frame.surfaces, wall.frame.g, prev}, pool, before);
     for (int x = 0; x < kW; ++x) EXPECT_NEAR(before.i.at(x, 9), 1, 1e-5);
   }
 }
@@ -157,9 +157,7 @@ TEST_F(SurfaceGridTest, PixelsWithoutASurfaceAreLeftOut) {
   for (int y = 0; y < kH; ++y)
     for (int x = 0; x < kW; ++x) wall.frame.surfaces->at(x, y).kind = SurfaceKind::kNone;
   grid.place(*wall.frame.surfaces, nullptr, pool, prev, at);
-  grid.add(*wall.frame.surfaces, at, pool);
-  grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
-  grid.learn(at, pool);
+  grid.learn(grid.readAdded(grid.add({*wall.frame.surfaces, wall.frame.g, at}, pool), pool, now), pool);
   EXPECT_EQ(now.i.at(3, 3), 0);
   EXPECT_EQ(grid.vertices(), 0u);
 }

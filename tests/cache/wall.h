@@ -68,9 +68,7 @@ struct View {
   void add(const Wall& wall) {
     std::swap(at, prev);
     grid.place(*wall.frame.surfaces, wall.obstacles, pool, prev, at);
-    grid.add(*wall.frame.surfaces, at, pool);
-    grid.readAdded(*wall.frame.surfaces, wall.frame.g, at, pool, now);
-    grid.learn(at, pool);
+    grid.learn(grid.readAdded(grid.add({*wall.frame.surfaces, wall.frame.g, at}, pool), pool, now), pool);
   }
   // Root of the mean square of now.i - f(x), and of what the grid says of it.
   std::pair<double, double> errors(const Wall& wall, const std::function<float(float)>& f) const {

@@ -40,9 +40,10 @@ SurfaceGrid::Time forEachBand(const SurfaceSamples& on, const PoolHandle& pool, 
   });
 }
 
-// Adds what the grid says of a few points to their pixels.
-void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes, const SurfaceSamples& on,
-                  const GBuffer& g, const Placement& at, float cell_px, GridEstimate& out) {
+// Adds the estimates at a few points to their pixels.
+void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes, const FrameOnGrid& frame,
+                  float cell_px, GridEstimate& out) {
+  const auto& [on, g, at] = frame;
   LaneMemory<2> of_points;  // unoccluded light, and motion in finest cells
   std::array<int, kPointLanes> x, y;
   for (int i = 0; i < lanes.count; ++i) {
@@ -103,9 +104,11 @@ void SurfaceGrid::findVertices(int l, Placement& out) {
   level.resize();
 }
 
-SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool) {
+SurfaceGrid::Added SurfaceGrid::add(const FrameOnGrid& frame, const PoolHandle& pool) {
+  const SurfaceSamples& on = frame.on;
+  const Placement& at = frame.at;
   samples_.resize(at.points.size());
-  const Time time = forEachBand(on, pool, [&](int band, int, int) {
+  Time time = forEachBand(on, pool, [&](int band, int, int) {
     const auto [first, end] = at.ofBand(band);
     for (std::size_t i = first; i < end; ++i) {
       const std::uint32_t index = at.points[i].index;
@@ -117,16 +120,18 @@ SurfaceGrid::Time SurfaceGrid::add(const SurfaceSamples& on, const Placement& at
       samples_[i] = Quad{n, n * light.residual, light.visible * inv, light.unoccluded * inv};
     }
   });
-  return time + forEachLevel(at, pool, [&](int l) {
-           auto& light = levels_[l].light;
-           forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
-             if (slot > kTop || samples_[i][0] == 0) return;
-             scatter(samples_[i], at, p, slot, light, [](const Quad& sum) { return sum[0] < kEnough; });
-           });
-         });
+  time += forEachLevel(at, pool, [&](int l) {
+    auto& light = levels_[l].light;
+    forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
+      if (slot > kTop || samples_[i][0] == 0) return;
+      scatter(samples_[i], at, p, slot, light, [](const Quad& sum) { return sum[0] < kEnough; });
+    });
+  });
+  return {frame, time};
 }
 
-SurfaceGrid::Time SurfaceGrid::learn(const Placement& at, const PoolHandle& pool) {
+SurfaceGrid::Time SurfaceGrid::learn(const Compared& compared, const PoolHandle& pool) {
+  const Placement& at = compared.at;
   return forEachLevel(at, pool, [&](int l) {
     auto& evidence = levels_[l].evidence;
     forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
@@ -147,8 +152,10 @@ void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
   }
 }
 
-SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Placement& at,
-                                           const PoolHandle& pool, ImageF& out) const {
+SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolHandle& pool,
+                                           ImageF& out) const {
+  const SurfaceSamples& on = frame.on;
+  const Placement& at = frame.at;
   const int slot = params_.pixelSlot();
   return forEachBand(on, pool, [&](int band, int y0, int y1) {
     for (int y = y0; y < y1; ++y) std::fill_n(out.row(y), out.width(), 0.f);
@@ -170,9 +177,10 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const SurfaceSamples& on, const Place
 
 // Sets the pixels of each band for which wanted(x, y), and calls each(blend, lanes) for a few of its points
 // at once.
-SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
-                                         const PoolHandle& pool, const auto& wanted, const auto& each,
-                                         GridEstimate& out) const {
+SurfaceGrid::Time SurfaceGrid::readBands(const FrameOnGrid& frame, const PoolHandle& pool, const auto& wanted,
+                                         const auto& each, GridEstimate& out) const {
+  const SurfaceSamples& on = frame.on;
+  const Placement& at = frame.at;
   return forEachBand(on, pool, [&](int band, int, int) {
     const auto ends = at.ofBand(band);
     const auto forEachWanted = [&](const auto& f) {
@@ -186,7 +194,7 @@ SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer
     PointLanes lanes;
     const auto finish = [&] {
       const LevelBlend<PointFloats> blend = lanes.blend(params_.blend);
-      addEstimates(blend, lanes, on, g, at, params_.cell_px, out);
+      addEstimates(blend, lanes, frame, params_.cell_px, out);
       each(blend, lanes);
       lanes.count = 0;
     };
@@ -199,29 +207,30 @@ SurfaceGrid::Time SurfaceGrid::readBands(const SurfaceSamples& on, const GBuffer
   });
 }
 
-SurfaceGrid::Time SurfaceGrid::read(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
-                                    const PoolHandle& pool, GridEstimate& out) const {
-  return readBands(on, g, at, pool, kAll, kNothingElse, out);
+SurfaceGrid::Time SurfaceGrid::read(const FrameOnGrid& frame, const PoolHandle& pool,
+                                    GridEstimate& out) const {
+  return readBands(frame, pool, kAll, kNothingElse, out);
 }
 
-SurfaceGrid::Time SurfaceGrid::readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
-                                         const PoolHandle& pool, GridEstimate& out) {
+SurfaceGrid::Compared SurfaceGrid::readAdded(const Added& added, const PoolHandle& pool, GridEstimate& out) {
+  const Placement& at = added.frame.at;
   evidence_.resize(at.points.size());
   const auto compare = [&](const auto& blend, const PointLanes& lanes) {
     findEvidence(blend, lanes, samples_, at, evidence_);
   };
-  return readBands(on, g, at, pool, kAll, compare, out);
+  return {at, readBands(added.frame, pool, kAll, compare, out)};
 }
 
-SurfaceGrid::Time SurfaceGrid::readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at,
-                                         const PoolHandle& pool, const ImageF& uncertainty,
-                                         const ImageF& uncertainty_prev, GridEstimate& out) const {
+SurfaceGrid::Time SurfaceGrid::readAgain(const FrameOnGrid& frame, const PoolHandle& pool,
+                                         const ImageF& uncertainty, const ImageF& uncertainty_prev,
+                                         GridEstimate& out) const {
+  const SurfaceSamples& on = frame.on;
   const auto unknown = [&](int x, int y) {
     for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
       if (uncertainty.at(column, y) == kUnknown || uncertainty_prev.at(column, y) == kUnknown) return true;
     return false;
   };
-  return readBands(on, g, at, pool, unknown, kNothingElse, out);
+  return readBands(frame, pool, unknown, kNothingElse, out);
 }
 
 }  // namespace saccade

@@ -3,8 +3,8 @@
 // takes    samples of frames, each at its surface point
 // returns  illumination at any point that is placed in the grid, and its variance
 //
-// Work on a frame is place(), add(), readAdded(), learn(), in this order, with read() for other points in
-// between.
+// Work on a frame begins with place(). The result of add() goes to readAdded(), and its result to learn().
+// Other frames are read in between.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace saccade {
 struct GridParams {
   float cell_px = 1.4f;  // edge of the finest cells, pixels
   BlendParams blend{.tau = 1, .noise = 0.23f, .noise_weight = 4};
-  std::size_t max_vertices = 2'000'000;  // beyond, those go that were not used for longest
+  std::size_t max_vertices = 2'000'000;  // above it, the least recently used are evicted
   // Of cells of about two pixels.
   int pixelSlot() const;
 };
@@ -42,6 +42,13 @@ struct GridEstimate {
   }
 };
 
+// A frame, and the vertices around its points.
+struct FrameOnGrid {
+  const SurfaceSamples& on;
+  const GBuffer& g;
+  const Placement& at;
+};
+
 class SurfaceGrid {
  public:
   using Time = std::chrono::nanoseconds;  // CPU time, over all threads
@@ -58,26 +65,33 @@ class SurfaceGrid {
   // Relative standard deviation of the mean over a cell of about two pixels at the points of a frame. It does
   // not matter whether its detail is believed. It is kUnknown where nothing is known yet, and 0 where there
   // is no point. `out` has the columns of `on`.
-  Time uncertainty(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool, ImageF& out) const;
-  // Adds a frame's samples, which `at` has placed.
-  Time add(const SurfaceSamples& on, const Placement& at, const PoolHandle& pool);
+  Time uncertainty(const FrameOnGrid& frame, const PoolHandle& pool, ImageF& out) const;
+  // The steps that a frame has gone through.
+  struct Added {
+    FrameOnGrid frame;
+    Time time;
+  };
+  struct Compared {
+    const Placement& at;
+    Time time;
+  };
+  // Adds a frame's samples.
+  Added add(const FrameOnGrid& frame, const PoolHandle& pool);
   // Reads at the points of a frame, and sets the pixels that show any.
-  Time read(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
-            GridEstimate& out) const;
-  // The same for the frame that was added last. Compares its samples with what all others say there.
-  Time readAdded(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
-                 GridEstimate& out);
+  Time read(const FrameOnGrid& frame, const PoolHandle& pool, GridEstimate& out) const;
+  // The same for the frame that was added last. Compares its samples with the estimate by all others there.
+  Compared readAdded(const Added& added, const PoolHandle& pool, GridEstimate& out);
   // Learns from that comparison which levels to believe.
-  Time learn(const Placement& at, const PoolHandle& pool);
+  Time learn(const Compared& compared, const PoolHandle& pool);
   // Reads again, but only where uncertainty() of either frame was kUnknown.
-  Time readAgain(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
-                 const ImageF& uncertainty, const ImageF& uncertainty_prev, GridEstimate& out) const;
+  Time readAgain(const FrameOnGrid& frame, const PoolHandle& pool, const ImageF& uncertainty,
+                 const ImageF& uncertainty_prev, GridEstimate& out) const;
   // Forgets all light: it has changed.
   void forget();
   // Changes GridParams::max_vertices.
   void limit(std::size_t max_vertices) { params_.max_vertices = max_vertices; }
 
-  // Its state. A grid with the levels of another goes on as that would.
+  // Its state. A grid given another's levels continues identically.
   const GridLevels& levels() const { return levels_; }
   GridLevels& levels() { return levels_; }
   std::size_t vertices() const;
@@ -89,8 +103,8 @@ class SurfaceGrid {
   Time cutAtWalls(const SurfaceSamples& on, const Obstacles* obstacles, const PoolHandle& pool,
                   Placement& out);
   void prefetch(const Placement& at, const GridPoint& p) const;
-  Time readBands(const SurfaceSamples& on, const GBuffer& g, const Placement& at, const PoolHandle& pool,
-                 const auto& wanted, const auto& each, GridEstimate& out) const;
+  Time readBands(const FrameOnGrid& frame, const PoolHandle& pool, const auto& wanted, const auto& each,
+                 GridEstimate& out) const;
 
   GridParams params_;
   GridLevels levels_;
