@@ -4,6 +4,9 @@
 
 namespace saccade::client {
 
+// Each in the file of its format.
+extern const ReaderInfo kRawReader, kAedat4Reader, kDsecReader, kNpzReader, kCsvReader, kTxtReader;
+
 const std::vector<const ReaderInfo*>& readerTable() {
   static const std::vector<const ReaderInfo*> table{&kRawReader, &kAedat4Reader, &kDsecReader,
                                                     &kNpzReader, &kCsvReader,    &kTxtReader};

@@ -4,6 +4,11 @@
 #include "client/formats/common/writer.h"
 
 namespace saccade::client {
+
+// Each in the file of its format.
+extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kDsecWriter, kDsecBloscWriter, kNpzWriter,
+    kBagWriter, kMcapWriter, kCsvWriter, kTxtWriter;
+
 namespace {
 
 const WriterInfo* find(const char* WriterInfo::*key, const std::string& value) {

@@ -92,8 +92,8 @@ TEST(Limits, AmountsAreWholeAboveOneAndHaveTheirUnit) {
 
 TEST(Limits, TheTableIsInTheOrderOfItsEnumeration) {
   for (std::size_t i = 0; i < kLimits; ++i) {
-    EXPECT_EQ(limitTable()[i].limit, static_cast<Limit>(i)) << limitTable()[i].name;
-    EXPECT_GE(limitTable()[i].fallback, limitTable()[i].min) << limitTable()[i].name;
+    EXPECT_EQ(kLimitTable[i].limit, static_cast<Limit>(i)) << kLimitTable[i].name;
+    EXPECT_GE(kLimitTable[i].fallback, kLimitTable[i].min) << kLimitTable[i].name;
   }
 }
 

@@ -12,6 +12,9 @@
 namespace saccade::client {
 namespace {
 
+const WriterInfo& kAedat4Writer = writerFor("a.aedat4", "aedat4");
+const ReaderInfo& kAedat4Reader = readerFor("a.aedat4");
+
 namespace fs = std::filesystem;
 using namespace aedat4;
 

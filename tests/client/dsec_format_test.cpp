@@ -16,6 +16,10 @@ extern "C" const char* __lsan_default_suppressions() {
 namespace saccade::client {
 namespace {
 
+const WriterInfo& kDsecWriter = writerFor("a.h5", "dsec");
+const WriterInfo& kDsecBloscWriter = writerFor("a.h5", "dsec-blosc");
+const ReaderInfo& kDsecReader = readerFor("a.h5");
+
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kLastNs = 4'294'967'295'000;  // the largest time in 32 bits of microseconds

@@ -8,6 +8,8 @@
 namespace saccade::client {
 namespace {
 
+const ReaderInfo& kNpzReader = readerFor("a.npz");
+
 class LabelColumnsTest : public FormatTest {
  protected:
   // An archive of two events, with these columns of small numbers beside them.

@@ -16,6 +16,9 @@
 namespace saccade::client {
 namespace {
 
+const WriterInfo& kNpzWriter = writerFor("a.npz", "npz");
+const ReaderInfo& kNpzReader = readerFor("a.npz");
+
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = 1 << 16;  // events

@@ -10,6 +10,10 @@
 namespace saccade::client {
 namespace {
 
+const WriterInfo& kEvt2Writer = writerFor("a.raw", "evt2");
+const WriterInfo& kEvt3Writer = writerFor("a.raw", "evt3");
+const ReaderInfo& kRawReader = readerFor("a.raw");
+
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kUs = 1000;

@@ -10,6 +10,9 @@
 namespace saccade::client {
 namespace {
 
+const WriterInfo& kCsvWriter = writerFor("a.csv", "csv");
+const ReaderInfo& kCsvReader = readerFor("a.csv");
+
 namespace fs = std::filesystem;
 
 // Python: hashlib.blake2b(struct.pack('<qHHB', 5, 1, 2, 1) + struct.pack('<qHHB', 70000, 345, 259, 0),

@@ -7,6 +7,11 @@
 namespace saccade::client {
 namespace {
 
+const WriterInfo& kCsvWriter = writerFor("a.csv", "csv");
+const WriterInfo& kTxtWriter = writerFor("a.txt", "txt");
+const ReaderInfo& kCsvReader = readerFor("a.csv");
+const ReaderInfo& kTxtReader = readerFor("a.txt");
+
 const Events kEvents{{0, 1, 2, 1}, {1'234'567'000, 345, 259, 0}, {4'000'000'001'000, 0, 0, 1}};
 
 class TextFormatTest : public FormatTest {

@@ -8,6 +8,8 @@
 namespace saccade {
 namespace {
 
+const client::ReaderInfo& kAedat4Reader = client::readerFor("a.aedat4");
+
 using namespace client::aedat4;
 
 // Short, so that there are more changes of the rest.
@@ -37,7 +39,7 @@ const FuzzTarget& fuzzTarget() {
       [](std::string_view bytes) {
         const MemoryFile file(bytes);
         return accepts<client::FileFault>([&] {
-          const auto reader = client::kAedat4Reader.make(file.path());
+          const auto reader = kAedat4Reader.make(file.path());
           for (Events events; reader->read(events);) SACCADE_CHECK(events.size() <= 1 << 16);
         });
       }};

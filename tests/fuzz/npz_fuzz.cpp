@@ -6,6 +6,8 @@
 namespace saccade {
 namespace {
 
+const client::ReaderInfo& kNpzReader = client::readerFor("a.npz");
+
 using namespace client;
 
 std::string archive(const std::vector<std::pair<std::string, std::string>>& arrays) {

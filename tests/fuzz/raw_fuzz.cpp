@@ -5,11 +5,13 @@
 namespace saccade {
 namespace {
 
+const client::ReaderInfo& kRawReader = client::readerFor("a.raw");
+
 using namespace std::string_literals;
 
 // Reads the whole file, as `saccade convert` does.
 void readAll(const std::string& path) {
-  const auto reader = client::kRawReader.make(path);
+  const auto reader = kRawReader.make(path);
   client::EventCheck check(path, reader->size());
   for (Events events; reader->read(events);) check.check(events);
 }

@@ -42,7 +42,7 @@ class Pages(unittest.TestCase):
 
     def test_flags_exist(self):
         sources = "\n".join(house.text(p) for p in house.files({".cpp", ".h"}) if p.parts[0] in {"server", "client"})
-        limits = house.text("server/app/admission/limits.cpp")
+        limits = house.text("server/app/admission/limits.h")
         known = FLAGS_OF_OTHERS | set(FLAG.findall(sources)) | {"--limit-" + name for name in re.findall(r'"([a-z-]+)"', limits)}
         told = {flag for page in prose.pages() for flag in FLAG.findall(house.text(page))}
         self.assertGreater(len(told), 30)

@@ -229,13 +229,13 @@ TEST(Limits, TheServerListsThemAndTheProtocolExplainsThem) {
   std::map<std::string, double> told;
   const auto description = server.client().server();
   for (const auto& limit : description.limits()) told[limit.name()] = limit.value();
-  EXPECT_EQ(told.size(), limitTable().size());
+  EXPECT_EQ(told.size(), kLimitTable.size());
   EXPECT_EQ(told["streams"], 5);
   EXPECT_EQ(told["queue"], 4);
   std::ifstream file(SACCADE_SOURCE_DIR "/proto/PROTOCOL.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   for (const auto& [name, value] : told) EXPECT_NE(page.find("`" + name + "`"), std::string::npos) << name;
-  for (const LimitRow& row : limitTable()) EXPECT_EQ(&row, &rowOf(row.limit)) << row.name;
+  for (const LimitRow& row : kLimitTable) EXPECT_EQ(&row, &rowOf(row.limit)) << row.name;
 }
 
 }  // namespace

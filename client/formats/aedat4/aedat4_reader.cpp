@@ -85,6 +85,6 @@ std::unique_ptr<Reader> make(const std::string& path) {
 
 }  // namespace
 
-const ReaderInfo kAedat4Reader{".aedat4", "AEDAT 4, the first stream of events", make};
+extern const ReaderInfo kAedat4Reader{".aedat4", "AEDAT 4, the first stream of events", make};
 
 }  // namespace saccade::client

@@ -108,6 +108,6 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kAedat4Writer{"aedat4", ".aedat4", "AEDAT 4, as DV and dv-processing read it", make};
+extern const WriterInfo kAedat4Writer{"aedat4", ".aedat4", "AEDAT 4, as DV and dv-processing read it", make};
 
 }  // namespace saccade::client

@@ -40,8 +40,6 @@ struct ReaderInfo {
   std::unique_ptr<Reader> (*make)(const std::string& path);
 };
 
-extern const ReaderInfo kRawReader, kAedat4Reader, kDsecReader, kNpzReader, kCsvReader, kTxtReader;
-
 // All formats that can be read.
 const std::vector<const ReaderInfo*>& readerTable();
 

@@ -53,9 +53,6 @@ struct WriterInfo {
   Writers (*makeJoint)(const std::string& path, const std::vector<v1::Recording>& sensors) = nullptr;
 };
 
-extern const WriterInfo kEvt3Writer, kEvt2Writer, kAedat4Writer, kDsecWriter, kDsecBloscWriter, kNpzWriter,
-    kBagWriter, kMcapWriter, kCsvWriter, kTxtWriter;
-
 // All file formats. The first of an extension is the one that it stands for.
 const std::vector<const WriterInfo*>& writerTable();
 std::string writerNames();       // ".csv (what it is), ..." for messages

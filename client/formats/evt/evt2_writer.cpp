@@ -66,6 +66,6 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kEvt2Writer{"evt2", ".raw", "EVT2 of Prophesee", make};
+extern const WriterInfo kEvt2Writer{"evt2", ".raw", "EVT2 of Prophesee", make};
 
 }  // namespace saccade::client

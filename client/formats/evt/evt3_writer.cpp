@@ -51,6 +51,6 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kEvt3Writer{"evt3", ".raw", "EVT3 of Prophesee", make};
+extern const WriterInfo kEvt3Writer{"evt3", ".raw", "EVT3 of Prophesee", make};
 
 }  // namespace saccade::client

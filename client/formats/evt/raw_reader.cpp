@@ -58,6 +58,6 @@ std::unique_ptr<Reader> make(const std::string& path) {
 
 }  // namespace
 
-const ReaderInfo kRawReader{".raw", "EVT3 or EVT2 of Prophesee", make};
+extern const ReaderInfo kRawReader{".raw", "EVT3 or EVT2 of Prophesee", make};
 
 }  // namespace saccade::client

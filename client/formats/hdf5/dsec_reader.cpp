@@ -101,6 +101,6 @@ std::unique_ptr<Reader> make(const std::string& path) {
 
 }  // namespace
 
-const ReaderInfo kDsecReader{".h5", "HDF5 as in DSEC", make};
+extern const ReaderInfo kDsecReader{".h5", "HDF5 as in DSEC", make};
 
 }  // namespace saccade::client

@@ -156,9 +156,9 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kDsecWriter{"dsec",        ".h5", "HDF5 as in DSEC, up to 71 min", make<addGzip>, false,
-                             holdsAllTruth, true};
-const WriterInfo kDsecBloscWriter{
+extern const WriterInfo kDsecWriter{
+    "dsec", ".h5", "HDF5 as in DSEC, up to 71 min", make<addGzip>, false, holdsAllTruth, true};
+extern const WriterInfo kDsecBloscWriter{
     "dsec-blosc",  ".h5", "the same, compressed by Blosc with zstd", make<addBlosc>, false,
     holdsAllTruth, true};
 

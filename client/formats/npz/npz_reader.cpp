@@ -96,6 +96,6 @@ std::unique_ptr<Reader> make(const std::string& path) {
 
 }  // namespace
 
-const ReaderInfo kNpzReader{".npz", "arrays t[us], x, y, p of NumPy", make};
+extern const ReaderInfo kNpzReader{".npz", "arrays t[us], x, y, p of NumPy", make};
 
 }  // namespace saccade::client

@@ -134,7 +134,7 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kNpzWriter{"npz",         ".npz", "arrays t[us], x, y, p of NumPy", make, false,
-                            holdsAllTruth, true};
+extern const WriterInfo kNpzWriter{"npz",         ".npz", "arrays t[us], x, y, p of NumPy", make, false,
+                                   holdsAllTruth, true};
 
 }  // namespace saccade::client

@@ -123,7 +123,7 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kBagWriter{"bag", ".bag",   "ROS 1 bag with dvs_msgs/EventArray", make, false, rosHolds,
-                            false, makeJoint};
+extern const WriterInfo kBagWriter{
+    "bag", ".bag", "ROS 1 bag with dvs_msgs/EventArray", make, false, rosHolds, false, makeJoint};
 
 }  // namespace saccade::client

@@ -135,8 +135,8 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kMcapWriter{"mcap", ".mcap",  "ROS 2 MCAP with event_camera_msgs/EventPacket",
-                             make,   false,    rosHolds,
-                             false,  makeJoint};
+extern const WriterInfo kMcapWriter{"mcap", ".mcap",  "ROS 2 MCAP with event_camera_msgs/EventPacket",
+                                    make,   false,    rosHolds,
+                                    false,  makeJoint};
 
 }  // namespace saccade::client

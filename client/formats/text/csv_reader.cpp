@@ -29,6 +29,6 @@ std::unique_ptr<Reader> make(const std::string& path) {
 
 }  // namespace
 
-const ReaderInfo kCsvReader{".csv", "t_us,x,y,p with a heading", make};
+extern const ReaderInfo kCsvReader{".csv", "t_us,x,y,p with a heading", make};
 
 }  // namespace saccade::client

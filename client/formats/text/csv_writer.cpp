@@ -20,6 +20,6 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording&) {
 
 }  // namespace
 
-const WriterInfo kCsvWriter{"csv", ".csv", "t_us,x,y,p with a heading", make, true};
+extern const WriterInfo kCsvWriter{"csv", ".csv", "t_us,x,y,p with a heading", make, true};
 
 }  // namespace saccade::client

@@ -43,6 +43,6 @@ std::unique_ptr<Reader> make(const std::string& path) {
 
 }  // namespace
 
-const ReaderInfo kTxtReader{".txt", "a line \"width height\", then t[s] x y p", make};
+extern const ReaderInfo kTxtReader{".txt", "a line \"width height\", then t[s] x y p", make};
 
 }  // namespace saccade::client

@@ -25,7 +25,7 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-const WriterInfo kTxtWriter{"txt", ".txt", "a line \"width height\", then t[s] x y p, as rpg_e2vid reads it",
-                            make, true};
+extern const WriterInfo kTxtWriter{
+    "txt", ".txt", "a line \"width height\", then t[s] x y p, as rpg_e2vid reads it", make, true};
 
 }  // namespace saccade::client

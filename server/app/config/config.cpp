@@ -37,7 +37,7 @@ CLI::Validator checkOf(const LimitRow& row) {
 }
 
 void addLimits(CLI::App& app, Limits& limits) {
-  for (const LimitRow& row : limitTable()) {
+  for (const LimitRow& row : kLimitTable) {
     char fallback[32];
     std::snprintf(fallback, sizeof fallback, "%.15g", limits[row.limit]);
     const std::string unit = row.unit;

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "frame/plane_bytes.h"
-#include "truth/channels/channels.h"
 #include "truth/picture_source.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

@@ -1,7 +1,7 @@
 // Depth of the surface that the pixel centre shows.
 #include "frame/plane_bytes.h"
-#include "truth/channels/channels.h"
 #include "truth/picture_source.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

@@ -1,6 +1,6 @@
 // Optical flow into the frame before. Frame 0 has none.
-#include "truth/channels/channels.h"
 #include "truth/flow.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

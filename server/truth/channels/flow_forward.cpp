@@ -1,6 +1,6 @@
 // Optical flow into the next frame. It is known once that is rendered; the last frame has none.
-#include "truth/channels/channels.h"
 #include "truth/flow.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

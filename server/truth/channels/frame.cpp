@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frame/plane_bytes.h"
-#include "truth/channels/channels.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

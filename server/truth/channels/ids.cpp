@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/tile_pool.h"
-#include "truth/channels/channels.h"
 #include "truth/picture_source.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

@@ -2,9 +2,9 @@
 #include <array>
 
 #include "base/tile_pool.h"
-#include "truth/channels/channels.h"
 #include "truth/imu/imu_motion.h"
 #include "truth/imu/imu_noise.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

@@ -1,7 +1,7 @@
 // Intensity from which the sensors make events.
 #include "frame/plane_bytes.h"
-#include "truth/channels/channels.h"
 #include "truth/picture_source.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {

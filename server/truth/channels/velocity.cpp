@@ -1,6 +1,6 @@
 // Velocity of the camera at each frame.
-#include "truth/channels/channels.h"
 #include "truth/path_source.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {
