@@ -12,7 +12,7 @@ PerSensor = Union[float, Sequence[float]]
 
 
 class SensorSettings(TypedDict, total=False):
-    """What Stream.change_sensor() changes; unset ones stay. time_s: stream time, 0 for as soon as possible.
+    """Settings that Stream.change_sensor() changes; unset ones stay. time_s: stream time, 0 for as soon as possible.
 
     noise: all amounts by name from then on; those left out are as the stream was opened.
     """
