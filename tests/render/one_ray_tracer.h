@@ -16,7 +16,7 @@ template <Shading S>
 Transmittance transmittanceAlong(const PosedScene& scene, Ray ray, Vec3 direction) {
   RayPacket<8> packet(kBlockingMask);
   packet.set(0, ray);
-  scene.still().geometry().occluded(packet, 1);
+  scene.still().geometry().occluded(packet, LaneSet::first(1));
   if (packet.far[0] < 0) return {{}, 0};
   Transmittance all;
   for (Hit hit; (hit = scene.still().straight().intersect(ray)).valid;) {

@@ -30,8 +30,8 @@ template <int C>
 struct SurfaceStages {
   // Adds a path at its first vertex.
   void (*begin)(const PathStart& start, const PathSampler& sampler, std::uint32_t slot, LivePaths<C>& to);
-  // Shades the end of the ray of path i: adds the light found there to the results, and the path to `to` if
-  // it goes on. `vertex` is the number of the vertex that the ray left.
+  // Shades the end of the ray of path i. Light found there is added to the results. The path is added to
+  // `to` if it goes on. `vertex` is the number of the vertex that the ray left.
   void (*shadeHit)(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint32_t i, const PathHit& at,
                    LivePaths<C>& to, PathResults<C>& results);
   // Of surfaces that are not diffuse, or let light through. sampleBsdf() chooses the direction in which path
