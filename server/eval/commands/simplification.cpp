@@ -14,6 +14,7 @@
 #include "eval/bench/open_scene.h"
 #include "eval/commands/commands.h"
 #include "eval/pictures/text.h"
+#include "methods/method.h"
 #include "saccade/wire/ranges.h"
 #include "scene/scene_stats.h"
 
@@ -23,7 +24,7 @@ namespace {
 struct SimplificationOptions {
   BenchOptions bench;
   std::vector<std::string> scenes;
-  std::string method = "event_svgf", tolerance = "2%";
+  std::string method = defaultMethod(true).name, tolerance = "2%";
   int spp = 2;
   std::string output = defaultSimplificationTable();
 };
