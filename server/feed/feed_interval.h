@@ -6,10 +6,11 @@
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
 #include "render/camera/camera.h"
-#include "render/world/render_scene.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {
+
+class RenderScene;
 
 // The renderer's part of an interval.
 struct RenderedInterval {

@@ -6,6 +6,7 @@
 #include "base/quantile.h"
 #include "feed/feed.h"
 #include "render/camera/view_grid.h"
+#include "render/world/render_scene.h"
 #include "scene/camera/image_speed.h"
 
 namespace saccade {

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "base/units.h"
-#include "render/world/render_scene.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {
+
+class RenderScene;
 
 struct FeedConfig;
 

@@ -6,6 +6,7 @@
 
 #include "feed/feed_interval.h"
 #include "render/test_scenes.h"
+#include "render/world/render_scene.h"
 #include "saccade/wire/packet_cutter.h"
 
 namespace saccade {

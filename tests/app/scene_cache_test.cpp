@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/admission/limits.h"
+#include "render/world/render_scene.h"
 #include "scene/scratch.h"
 
 namespace saccade {

@@ -6,10 +6,11 @@
 #include "app/admission/limits.h"
 #include "app/request/resolved_stream.h"
 #include "base/pool_handle.h"
-#include "render/world/render_scene.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {
+
+class RenderScene;
 
 // CPU seconds, of a frame or of a second.
 struct CpuCost {

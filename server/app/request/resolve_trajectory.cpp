@@ -6,6 +6,7 @@
 #include "base/names.h"
 #include "base/text_cut.h"
 #include "render/camera/view_grid.h"
+#include "render/world/render_scene.h"
 #include "scene/camera/motion.h"
 #include "scene/files/scene_error.h"
 

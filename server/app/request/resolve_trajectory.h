@@ -2,11 +2,12 @@
 #pragma once
 
 #include "app/request/resolved_stream.h"
-#include "render/world/render_scene.h"
 #include "scene/camera/trajectory.h"
 #include "scene/library/scene_library.h"
 
 namespace saccade {
+
+class RenderScene;
 
 // Checks what needs no loaded scene, and fills in the defaults. Throws Refusal.
 void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene);

@@ -7,6 +7,7 @@
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
 #include "app/sequence/stream_rig.h"
+#include "render/world/render_scene.h"
 
 namespace saccade {
 namespace {

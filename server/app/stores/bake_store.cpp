@@ -3,6 +3,7 @@
 #include "app/request/refusal.h"
 #include "app/stores/bake_folder.h"
 #include "feed/bake_file.h"
+#include "render/world/render_scene.h"
 
 namespace saccade {
 namespace {

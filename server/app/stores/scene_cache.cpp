@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/world/render_scene.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/slow_load.h"
 #include "scene/scene_stats.h"

@@ -18,10 +18,11 @@
 #include "base/shared_build.h"
 #include "log/limited_log.h"
 #include "render/features/simplify.h"
-#include "render/world/render_scene.h"
 #include "scene/library/scene_library.h"
 
 namespace saccade {
+
+class RenderScene;
 
 // Counted since the server started.
 struct SceneLoads {

@@ -9,6 +9,7 @@
 #include "app/request/resolve_trajectory.h"
 #include "app/streams/stream_opened.h"
 #include "base/text_cut.h"
+#include "render/world/render_scene.h"
 #include "stream/bounded_peers.h"
 #include "truth/id_names.h"
 

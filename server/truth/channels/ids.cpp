@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/tile_pool.h"
+#include "render/world/render_scene.h"
 #include "truth/picture_source.h"
 #include "truth/truth_source.h"
 
