@@ -108,7 +108,8 @@ bool Subscription::endsEarly(const v1::PacketHeader& header) const {
 
 // Called after silence. Tries a new connection first; if that is silent too, asks the server for the stream.
 void Subscription::reconnect() {
-  if (Clock::now() >= giveUpAt(kConnectionLost)) throw StreamFault(kConnectionLost);
+  const auto until = giveUpAt(kConnectionLost);  // begins the loss, so it comes before the clock
+  if (Clock::now() >= until) throw StreamFault(kConnectionLost);
   if (heard_ && !broadcast()) return connect();
   std::optional<v1::StreamInfo> info;
   retryAfter(kConnectionLost, [&](milliseconds) { info = stream_.info(retry_policy_.waiting); });
