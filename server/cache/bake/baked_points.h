@@ -118,7 +118,7 @@ class BakedPoints {
 
   int count_ = 0;
   std::array<Point, kMost> points_;
-  alignas(64) float footprint_[kMost] = {};
+  alignas(64) float footprint_[kMost] = {1, 1, 1, 1, 1, 1, 1, 1};  // lanes without a point have a valid one
   F scale_ = 1.f;
   std::array<BakedLevels::Two, kMost> levels_;  // of each point
   TetrahedronLanes tetrahedra_;
