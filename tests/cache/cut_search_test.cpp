@@ -39,7 +39,8 @@ struct Corner final : Obstacles {
     Hits met;
     for (int i = 0; i < kRays; ++i) {
       const auto& [from, along, reach] = rays[i];
-      const auto meet = [&](float distance, Vec3 normal, const auto& is_there) {
+      const auto meet = [&, from = from, along = along, reach = reach](float distance, Vec3 normal,
+                                                                       const auto& is_there) {
         const Vec3 at = from + along * distance;
         if (distance > 0 && distance <= std::min(reach, met[i].distance) && is_there(at))
           met[i] = {distance, normal};

@@ -27,7 +27,7 @@ TEST_F(OpeningTest, RepliesThatCannotBeAreFaults) {
       {"delivery 3", [](Opened& o) { o.mutable_resolved()->set_delivery(v1::DELIVERY_BROADCAST); }},
   };
   for (const auto& [text, lie] : lies) {
-    const std::string fault = faultOf([&] { open("s1", 0, lie); });
+    const std::string fault = faultOf([&, lie = lie] { open("s1", 0, lie); });
     EXPECT_NE(fault.find("reply to open_stream cannot be: "), std::string::npos) << text << ": " << fault;
     EXPECT_NE(fault.find(text), std::string::npos) << fault;
   }

@@ -25,8 +25,8 @@ void traceBatch(const Tracing& t, const SurfaceStages<K.channels>& stages, LiveP
 
 template <int W, int C>
 TraceBatch<C> batchTracer(bool mixed, bool split) {
-  if (mixed) return split ? traceBatch<W, {C, true, true}> : traceBatch<W, {C, true, false}>;
-  return split ? traceBatch<W, {C, false, true}> : traceBatch<W, {C, false, false}>;
+  if (mixed) return split ? traceBatch<W, PathKind{C, true, true}> : traceBatch<W, PathKind{C, true, false}>;
+  return split ? traceBatch<W, PathKind{C, false, true}> : traceBatch<W, PathKind{C, false, false}>;
 }
 
 }  // namespace saccade::detail
