@@ -6,6 +6,7 @@
 #include "app/request/request_memory.h"
 #include "app/streams/frame_picture.h"
 #include "app/streams/stream_control.h"
+#include "base/mebibyte.h"
 #include "events/noise/presets.h"
 #include "truth/truth_source.h"
 
@@ -118,7 +119,7 @@ void Service::describe(const v1::DescribeStream& call, const Answer& answer) {
 // Counts a large reply before it is made.
 void Service::expect(std::size_t bytes, const Answer& answer) {
   constexpr std::size_t kShort = 64 << 10;
-  if (bytes > kShort) quota_.use(Limit::kPictures, static_cast<double>(bytes) / (1 << 20));
+  if (bytes > kShort) quota_.use(Limit::kPictures, static_cast<double>(bytes) / kMiB);
   answer.expect(bytes);
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/mebibyte.h"
+
 namespace saccade {
 
 std::optional<Limit> ofOneClient(Limit limit) {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/request/refusal.h"
+#include "base/mebibyte.h"
 #include "base/queue_bounds.h"
 #include "saccade/v1/control.pb.h"
 #include "saccade/wire/ranges.h"
@@ -57,8 +58,6 @@ struct LimitRow {
   const char* unit;  // empty: a count
   const char* what;  // for people
 };
-
-inline constexpr double kMiB = 1 << 20;
 
 // In the order of Limit.
 inline constexpr std::array<LimitRow, kLimits> kLimitTable{{

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/mebibyte.h"
 #include "base/queue_bounds.h"
 #include "truth/truth_source.h"
 
@@ -34,7 +35,7 @@ double pictureBytes(const ResolvedStream& stream) {
 double queueMemory(const ResolvedStream& stream, const Limits& limits) {
   const double largest = std::max(snapshotBytes(stream), pictureBytes(stream));
   const double beyond = largest > kLargePacket ? (kMostLargePackets + 1) * largest : 0;
-  return limits[Limit::kQueue] * (1 + kKeptBounds) + beyond / (1 << 20);
+  return limits[Limit::kQueue] * (1 + kKeptBounds) + beyond / kMiB;
 }
 
 }  // namespace saccade

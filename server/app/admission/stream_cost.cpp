@@ -7,6 +7,7 @@
 #include "app/admission/queue_cost.h"
 #include "app/request/refusal.h"
 #include "app/request/request_memory.h"
+#include "base/mebibyte.h"
 #include "frame/intensity_change.h"
 #include "saccade/wire/packet_cutter.h"
 #include "truth/truth_source.h"
@@ -108,7 +109,7 @@ double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   for (const v1::Truth& truth : stream.request.truth())
     bytes += stream.feedOf(truth.view()).pixels() * kTruthBytes;
   for (const TruthConfig& truth : stream.truth) bytes += rowsOfFrame(truth) * kRowBytes;
-  return bytes / (1 << 20);
+  return bytes / kMiB;
 }
 
 void boundEvents(ResolvedStream& stream, const Limits& limits) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/mebibyte.h"
+
 namespace saccade {
 namespace {
 
@@ -9,7 +11,6 @@ namespace {
 constexpr double kPointBytes = 250, kOpeningBytes = 12;
 // Measured on 64 sensors of 1000 changes, each with all of its noise.
 constexpr double kFieldBytes = 4, kChangeBytes = 1000;
-constexpr double kMiB = 1 << 20;
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/mebibyte.h"
 #include "render/world/render_scene.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/slow_load.h"
@@ -13,7 +14,6 @@ namespace saccade {
 namespace {
 
 std::string mib(std::uint64_t bytes) {
-  constexpr double kMiB = 1 << 20;
   return std::to_string(std::lround(static_cast<double>(bytes) / kMiB));
 }
 
