@@ -60,7 +60,7 @@ void Baker::pass(const PoolHandle& pool) {
     }
     const SeedPlan seeds = SeedPlan::independent(hashKey(kSeed, pass_.count), pose, 0);
     const Camera camera = cameraAt(pose);
-    renderer_.renderPaths(PixelContext({posed_, camera}), seeds, *next, &bounces_, pool);
+    renderer_.renderPaths({posed_, camera}, seeds, *next, &bounces_, pool);
     const SurfaceGrid::Added added = grid_.add({*frame_.surfaces, frame_.g, at_}, pool);
     grid_.learn(grid_.readAdded(added, pool, estimate_), pool);
     bounces_.add(*frame_.surfaces);

@@ -73,7 +73,7 @@ void Feed::render(const PoolHandle& pool) {
   const SurfaceFrame next =
       renderer_.renderSurfaces(view, pool, frame, [&](Tile tile) { method->readBaked(tile, frame); });
   const BounceGrid* known = method->plan(config_.spp, next, pool, times_);
-  times_[Stage::kTrace] += next.time + renderer_.renderPaths(view, seeds, next, known, pool);
+  times_[Stage::kTrace] += next.time + renderer_.renderPaths(view.now, seeds, next, known, pool);
 }
 
 Camera Feed::cameraAt(TimeNs t) const {

@@ -77,19 +77,19 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
   return {out, scene, time};
 }
 
-std::chrono::nanoseconds Renderer::renderPaths(const PixelContext& view, const SeedPlan& seeds,
+std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const SeedPlan& seeds,
                                                const SurfaceFrame& next, const BounceGrid* known,
                                                const PoolHandle& pool) {
   Frame& out = next.frame;
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
-  const Camera& camera = view.now.camera;
-  const Tracing tracing{view.now.scene, settings_.bounces, {known, camera.origin, camera.pixel}};
-  const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
+  const Camera& camera = view.camera;
+  const Tracing tracing{view.scene, settings_.bounces, {known, camera.origin, camera.pixel}};
+  const auto tile = withKernel(view.scene.still().shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
-                          [&](Tile t) { tile(view, seeds, tracing, t, starts_, out); });
+                          [&](Tile t) { tile(seeds, tracing, t, starts_, out); });
 }
 
 void Renderer::renderStill(const PixelContext& view, std::uint64_t seed, int spp, const PoolHandle& pool,

@@ -37,9 +37,8 @@ class Renderer {
   // paths, the second step copies what the picture emits.
   SurfaceFrame renderSurfaces(
       const PixelContext& view, const PoolHandle& pool, Frame& out, const OnTile& on_tile = [](Tile) {});
-  std::chrono::nanoseconds renderPaths(const PixelContext& view, const SeedPlan& seeds,
-                                       const SurfaceFrame& next, const BounceGrid* known,
-                                       const PoolHandle& pool);
+  std::chrono::nanoseconds renderPaths(const PosedView& view, const SeedPlan& seeds, const SurfaceFrame& next,
+                                       const BounceGrid* known, const PoolHandle& pool);
 
   // Renders one picture in colour, into three planes. All of the `spp` paths per pixel start at
   // its centre. Features go to `out.g`; `out.samples` does not change.

@@ -43,7 +43,7 @@ Frame render(const Scene& scene, int spp, int channels = 1, std::uint64_t seed =
   const SurfaceFrame next = renderer.renderSurfaces(view, pool, frame);
   for (int y = 0; y < kSize; ++y)
     for (SurfacePoint& p : frame.surfaces->row(y)) p.paths = static_cast<std::uint32_t>(spp);
-  renderer.renderPaths(view, SeedPlan::independent(seed, 0, spp), next, bounces, pool);
+  renderer.renderPaths(view.now, SeedPlan::independent(seed, 0, spp), next, bounces, pool);
   return frame;
 }
 
@@ -220,7 +220,7 @@ TEST(SurfaceSamples, BakedPointsBesideOthersCanHavePaths) {
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x)
         for (SurfacePoint& p : frame.surfaces->of(x, y)) p.paths = frame.surfaces->hasUncacheable(x, y);
-    renderer.renderPaths(view, SeedPlan::independent(1, 0, 1), next, nullptr, pool);
+    renderer.renderPaths(view.now, SeedPlan::independent(1, 0, 1), next, nullptr, pool);
     return frame;
   };
   const Frame expected = renderWith(false), found = renderWith(true);
@@ -249,7 +249,7 @@ TEST(SurfaceSamples, NeedPathsUnlessAllPointsAreBaked) {
         for (int x = tile.x0; x < tile.x1; ++x) frame.surfaces->at(x, y).baked = y * kSize + x < learned;
     });
     EXPECT_EQ(frame.surfaces->needPaths(), learned < kSize * kSize);
-    renderer.renderPaths(view, SeedPlan::independent(1, 0, 1), next, nullptr, pool);
+    renderer.renderPaths(view.now, SeedPlan::independent(1, 0, 1), next, nullptr, pool);
     double light = 0;
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x) {

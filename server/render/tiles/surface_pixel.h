@@ -74,8 +74,8 @@ inline bool hasPaths(const SurfaceSamples& on, Tile tile) {
 
 // The light of a tile's points, of pass 2 alone.
 template <Shading S, int C>
-void renderPathTile(const PixelContext& view, const SeedPlan& seeds, const Tracing& tracing, Tile tile,
-                    const SurfaceStarts& starts, Frame& out) {
+void renderPathTile(const SeedPlan& seeds, const Tracing& tracing, Tile tile, const SurfaceStarts& starts,
+                    Frame& out) {
   SurfaceSamples& on = *out.surfaces;
   forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
   if (!hasPaths(on, tile)) return;
@@ -86,7 +86,7 @@ void renderPathTile(const PixelContext& view, const SeedPlan& seeds, const Traci
     addPath(found, slot, starts.base((*points)[owner]).albedo, (*sums)[owner]);
   };
   PathRun<S, C, true, decltype(onPath)> run(tracing, onPath);
-  PlainPaths plain(view.now.camera.pixel, run);
+  PlainPaths plain(tracing.known.pixel, run);
   const SequencePlace places(seeds.stream, seeds.frame2);
   forEachPixel(tile, [&](int x, int y) {
     for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
