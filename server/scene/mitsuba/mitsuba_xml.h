@@ -4,8 +4,7 @@
 // Supported:
 //   sensor    perspective: fov along x, or fov_axis y|x|smaller|larger
 //   shape     obj, ply (face_normals, flip_tex_coords), rectangle, cube, disk, sphere
-//   bsdf      diffuse, plastic, roughplastic, conductor, roughconductor, dielectric, thindielectric;
-//             around one, in any order, twosided, mask, bumpmap
+//   bsdf      the kinds of bsdf_model.h; around one, in any order, twosided, mask, bumpmap
 //   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
 //   emitter   area, of a shape; envmap, constant, point, directional
 //   transform of matrix, translate, rotate, scale, lookat in order
