@@ -8,11 +8,12 @@ namespace saccade {
 namespace {
 
 bool read(std::string_view bytes) {
-  v1::Trajectory path;
-  if (!path.mutable_keyframes()->ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
+  ResolvedStream stream;
+  v1::Keyframes& keyframes = *stream.request.mutable_trajectory()->mutable_keyframes();
+  if (!keyframes.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
   return accepts<Refusal>([&] {
-    checkTrajectory(path, {});
-    checkPath(resolveKeyframes(path.keyframes()), TimeNs{0});
+    checkTrajectory(stream, {});
+    checkPath(*stream.given_path, TimeNs{0});
   });
 }
 

@@ -81,7 +81,7 @@ void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
 ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const MeasuredTables& tables) {
   ResolvedStream stream{.request = std::move(request)};
   v1::OpenStream& r = stream.request;
-  checkTrajectory(*r.mutable_trajectory(), scene);
+  checkTrajectory(stream, scene);
   resolveViews(stream);
   resolveTiming(stream);
   resolveSensors(stream);

@@ -3,9 +3,25 @@
 #include "app/request/resolve_parts.h"
 
 namespace saccade {
+namespace {
+
+// Replaces until_path_ends by the duration of the path.
+void takeDuration(const std::optional<Trajectory>& path, v1::Timing& timing) {
+  const std::string field = "timing.until_path_ends";
+  if (timing.duration_s() != 0) refuse(field, "timing.duration_s is given too");
+  if (!path)
+    refuse(field, "only trajectory.keyframes and trajectory.csv have an end; give timing.duration_s");
+  if (path->lastTime() <= TimeNs{0})
+    refuse(field, "the path has no pose after time 0; give timing.duration_s");
+  timing.set_duration_s(seconds(path->lastTime()));
+  timing.clear_until_path_ends();
+}
+
+}  // namespace
 
 void resolveTiming(ResolvedStream& stream) {
   v1::Timing& timing = *stream.request.mutable_timing();
+  if (timing.until_path_ends()) takeDuration(stream.given_path, timing);
   checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), ranges::kFrameRate);
   checkRange("timing.duration_s", timing.duration_s(), ranges::kDuration);
   if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), ranges::kSpeed);

@@ -74,6 +74,19 @@ Trajectory fromCamera(const Motion& motion, const RenderScene& scene, const Came
   return makeMotion(motion, start, probePoints(scene, start, lens), lens);
 }
 
+void readCsv(const std::string& csv, ResolvedStream& stream) {
+  const std::string field = "trajectory.csv";
+  if (csv.size() > ranges::kMaxCsvBytes)
+    refuse(field, "the text is longer than " + std::to_string(ranges::kMaxCsvBytes) + " bytes");
+  try {
+    PoseText text = readPoses(csv, "");
+    stream.given_path = Trajectory(std::move(text.poses));
+    stream.path_begin_ns = text.begin.count();
+  } catch (const SceneError& fault) {
+    refuse(field, fault.what());
+  }
+}
+
 Trajectory byName(const ResolvedStream& stream, const RenderScene& scene, const SceneLibrary& library) {
   const std::string& name = stream.request.trajectory().name();
   const CameraModel& camera = stream.feed.camera;
@@ -85,14 +98,17 @@ Trajectory byName(const ResolvedStream& stream, const RenderScene& scene, const 
 
 }  // namespace
 
-void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene) {
+void checkTrajectory(ResolvedStream& stream, const SceneEntry& scene) {
+  v1::Trajectory& trajectory = *stream.request.mutable_trajectory();
   if (trajectory.path_case() == v1::Trajectory::PATH_NOT_SET)
     refuse("trajectory", "none is given; the scene has: " + valid(scene));
   if (trajectory.has_motion()) checkMotion(*trajectory.mutable_motion());
-  if (trajectory.has_keyframes()) checkKeyframes(*trajectory.mutable_keyframes());
   if (trajectory.has_name()) checkName(trajectory.name(), scene);
-  if (trajectory.csv().size() > ranges::kMaxCsvBytes)
-    refuse("trajectory.csv", "the text is longer than " + std::to_string(ranges::kMaxCsvBytes) + " bytes");
+  if (trajectory.has_keyframes()) {
+    checkKeyframes(*trajectory.mutable_keyframes());
+    stream.given_path = resolveKeyframes(trajectory.keyframes());
+  }
+  if (trajectory.has_csv()) readCsv(trajectory.csv(), stream);
 }
 
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
@@ -100,11 +116,10 @@ Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& sc
   const v1::Trajectory& path = stream.request.trajectory();
   try {
     if (path.has_motion()) return fromCamera(motionOf(path.motion(), stream.feed), scene, stream.feed.camera);
-    if (path.has_keyframes()) return resolveKeyframes(path.keyframes());
-    if (path.has_csv()) return parseTrajectory(path.csv(), "");
+    if (stream.given_path) return *stream.given_path;
     return byName(stream, scene, library);
   } catch (const SceneError& fault) {
-    refuse(path.has_csv() ? "trajectory.csv" : "trajectory.name", fault.what());
+    refuse("trajectory.name", fault.what());
   }
 }
 

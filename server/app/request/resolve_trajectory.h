@@ -9,13 +9,14 @@ namespace saccade {
 
 class RenderScene;
 
-// Checks what needs no loaded scene, and fills in the defaults. Throws Refusal.
-void checkTrajectory(v1::Trajectory& trajectory, const SceneEntry& scene);
+// Checks what needs no loaded scene, fills in the defaults, and reads keyframes and csv. Throws Refusal, with
+// the line of a faulty text.
+void checkTrajectory(ResolvedStream& stream, const SceneEntry& scene);
 
 // Throws Refusal naming the key.
 Trajectory resolveKeyframes(const v1::Keyframes& keyframes);
 
-// The body's path, once the field of view is known. Throws Refusal, with the line of a faulty text.
+// The body's path, once the field of view is known. Throws Refusal.
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
                              const SceneLibrary& library);
 

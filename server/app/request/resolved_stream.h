@@ -9,7 +9,7 @@
 #include "feed/feed_config.h"
 #include "render/features/simplify.h"
 #include "saccade/v1/control.pb.h"
-#include "scene/camera/pose.h"
+#include "scene/camera/trajectory.h"
 #include "truth/truth_config.h"
 
 namespace saccade {
@@ -22,7 +22,9 @@ struct ResolvedStream {
   std::vector<SensorConfig> sensors = {};
   std::vector<std::vector<SensorChange>> changes = {};  // by sensor, in order of time
   std::vector<TruthConfig> truth = {};
-  FrameIndex frames = 0;  // intervals to render; 0: until closed
+  FrameIndex frames = 0;                           // intervals to render; 0: until closed
+  std::optional<Trajectory> given_path = {};       // of keyframes and csv; other paths need the scene
+  std::optional<std::int64_t> path_begin_ns = {};  // of csv: the time that its text gives the first pose
   SceneFeatures disabled_features = {};
   bool chooses_method = false;  // the request, or its budget; otherwise fitTo() may take another one
   std::optional<v1::ExpectedQuality> expected = {};       // of a request with a budget

@@ -20,6 +20,7 @@ v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, s
   opened.set_px_per_frame_p99(facts.pixel_speed.p99);
   const v1::Trajectory& path = opened.resolved().trajectory();
   if (path.has_csv() || path.has_keyframes()) opened.set_trajectory_s(seconds(facts.last_pose));
+  if (resolved.path_begin_ns) opened.set_trajectory_begin_ns(*resolved.path_begin_ns);
   opened.set_channels(static_cast<std::uint32_t>(channels));
   if (resolved.expected) *opened.mutable_expected() = *resolved.expected;
   if (resolved.simplification) *opened.mutable_simplification() = *resolved.simplification;

@@ -68,6 +68,11 @@ class Trajectory {
 // empty: errors name the line alone. Throws SceneError at an unknown heading, a wrong number of fields, a
 // number that is not finite, or a position beyond 1e9. The same holds for times that do not increase, a
 // quaternion of length 0, and for less than 1 or more than 1,000,000 poses.
-Trajectory parseTrajectory(std::string_view csv, const std::string& name);
+struct PoseText {
+  std::vector<TimedPose> poses;
+  TimeNs begin;  // the time of the first pose in the text
+};
+PoseText readPoses(std::string_view csv, const std::string& name);
+Trajectory parseTrajectory(std::string_view csv, const std::string& name);  // of these poses
 
 }  // namespace saccade

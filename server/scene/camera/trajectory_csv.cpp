@@ -18,7 +18,7 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 class CsvReader {
  public:
   explicit CsvReader(const std::string& name) : name_(name) {}
-  std::vector<TimedPose> read(std::string_view csv);
+  PoseText read(std::string_view csv);
 
  private:
   using Fields = std::array<std::string_view, PoseColumns::kMost>;
@@ -40,20 +40,20 @@ class CsvReader {
   long line_ = 0;
   PoseColumns columns_;
   bool heading_seen_ = false;
-  bool commas_ = false;              // as in the first pose; else blanks
-  double first_time_ = 0;            // in units of time
-  long long first_nanoseconds_ = 0;  // the same, where nanoseconds are the unit
+  bool commas_ = false;    // as in the first pose; else blanks
+  double first_time_ = 0;  // in units of time
+  TimeNs begin_{0};        // the same, as nanoseconds
   std::vector<TimedPose> keys_;
 };
 
-std::vector<TimedPose> CsvReader::read(std::string_view csv) {
+PoseText CsvReader::read(std::string_view csv) {
   if (csv.starts_with(kByteOrderMark)) csv.remove_prefix(kByteOrderMark.size());
   while (!csv.empty()) {
     ++line_;
     readLine(takeLine(csv));
   }
   if (keys_.empty()) fail("no pose in the text; expected lines of t x y z qx qy qz qw");
-  return std::move(keys_);
+  return {std::move(keys_), begin_};
 }
 
 std::string_view trimmed(std::string_view cell) {
@@ -143,15 +143,18 @@ TimeNs CsvReader::readNanoseconds(std::string_view field) {
         "'" + cutText(field, 40) +
         "' is not a time in whole nanoseconds, as lines with commas have it; with blanks, times are seconds; "
         "a heading may name another unit, as in t_s,x,y,z,qx,qy,qz,qw");
-  if (keys_.empty()) first_nanoseconds_ = *t;
-  return TimeNs{*t - first_nanoseconds_};
+  if (keys_.empty()) begin_ = TimeNs{*t};
+  return TimeNs{*t} - begin_;
 }
 
 TimeNs CsvReader::readTime(std::string_view field) {
   const double unit = columns_.time_unit > 0 ? columns_.time_unit : commas_ ? 1 : kNsPerSecond;
   if (unit == 1) return readNanoseconds(field);
   const double t = number(field);
-  if (keys_.empty()) first_time_ = t;
+  if (keys_.empty()) {
+    if (std::abs(t * unit) > kNsPerSecond * kMaxSeconds) fail("a time beyond 9e9 s");
+    first_time_ = t, begin_ = TimeNs{std::llround(t * unit)};
+  }
   const double since_first = (t - first_time_) * unit;
   if (std::abs(since_first) > kNsPerSecond * kMaxSeconds)
     fail("a time too far from the first, by more than 9e9 s");
@@ -170,8 +173,12 @@ Pose CsvReader::readPose(const Fields& fields) const {
 
 }  // namespace
 
+PoseText readPoses(std::string_view csv, const std::string& name) {
+  return CsvReader(name).read(csv);
+}
+
 Trajectory parseTrajectory(std::string_view csv, const std::string& name) {
-  return Trajectory(CsvReader(name).read(csv));
+  return Trajectory(readPoses(csv, name).poses);
 }
 
 }  // namespace saccade
