@@ -50,7 +50,8 @@ void addCompareRendersCommand(CLI::App& app) {
       "share of blocks that agree, draw a picture");
   command
       ->add_option("picture", o->picture,
-                   "OpenEXR with R, G, B, as render --rgb writes it; may be smaller by a whole factor")
+                   "OpenEXR with R, G, B, as render writes it without --grey; may be smaller by a "
+                   "whole factor")
       ->required()
       ->check(CLI::ExistingFile);
   command->add_option("reference", o->reference, "OpenEXR with R, G, B, linear")

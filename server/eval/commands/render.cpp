@@ -22,7 +22,7 @@ struct RenderOptions {
   LensOptions lens;
   int spp = 64, bounces = 3;
   std::uint64_t seed = 0;
-  bool rgb = false;
+  bool grey = false;
 };
 
 // The pose moved by right, up, forward in scene units along the camera's axes.
@@ -62,7 +62,7 @@ void runRender(const RenderOptions& o) {
     }
     progress.add(n);
   }
-  if (o.rgb) {
+  if (!o.grey) {
     writeExr(o.output, {{"R", &sum[0]}, {"G", &sum[1]}, {"B", &sum[2]}});
   } else {
     for (int y = 0; y < size.height; ++y) {
@@ -72,8 +72,8 @@ void runRender(const RenderOptions& o) {
     }
     writeExr(o.output, {{"Y", &part[0]}});
   }
-  std::printf("%s: %dx%d, %d spp, %d indirect bounces%s\n", o.output.c_str(), size.width, size.height, o.spp,
-              o.bounces, !o.rgb && scene->channels() == 3 ? "; luminance alone, --rgb writes colours" : "");
+  std::printf("%s: %dx%d, %d spp, %d indirect bounces\n", o.output.c_str(), size.width, size.height, o.spp,
+              o.bounces);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ void addRenderCommand(CLI::App& app) {
   command->add_option("--seed", o->seed, "seed of the random numbers")
       ->check(wholeNumber())
       ->capture_default_str();
-  command->add_flag("--rgb", o->rgb, "three channels R, G, B instead of the luminance Y");
+  command->add_flag("--grey", o->grey, "the luminance Y instead of colours");
   command->add_option("-o,--output", o->output, "picture to write, .exr or .png, in a folder that exists")
       ->required();
   command->callback([o] { runRender(*o); });
