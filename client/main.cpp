@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
 #include "client/commands/field_options.h"
+#include "client/commands/help_formatter.h"
 #include "client/commands/usage_check.h"
 #include "saccade/control_client.h"
 #include "saccade/server_probe.h"
@@ -50,6 +52,8 @@ int run(int argc, char** argv) {
   CLI::App app("Client of saccaded, the event-camera daemon", "saccade");
   app.require_subcommand(1);
   app.failure_message(parseFault);
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_help_all_flag("--help-all", "Print all options, also the rare ones, and exit");
   addListCommand(app);
   addInfoCommand(app);
   addRecordCommand(app);

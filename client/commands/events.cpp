@@ -6,6 +6,7 @@
 
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
+#include "client/commands/help_formatter.h"
 #include "client/commands/option_range.h"
 #include "client/commands/recording_options.h"
 #include "client/commands/request_text.h"
@@ -104,6 +105,8 @@ void addEventsCommand(CLI::App& app) {
   addServerOptions(*command, options->server);
   limitSensors(*command);
   limitTo(*command, "--rate", ranges::kFrameRate);
+  showInHelp(*command, {"--output", "--force", "--preview", "--rate", "--size", "--transfer", "--threshold",
+                        "--threshold-off", "--bias", "--preset", "--seed", "--control"});
   command->footer(
       "The brightness of a pixel changes linearly between two frames. No frames are interpolated: an edge "
       "should move by at most\na pixel per frame. White of a PNG is the luminance 1; --bias is in that "

@@ -43,10 +43,11 @@ void checkOutputs(const OutputOptions& options, int sensors) {
 void addOutputOptions(CLI::App& command, OutputOptions& options, const std::string& name) {
   command
       .add_option(name, options.path,
-                  "file to write, in the format of its extension: " + writerNames() +
+                  "file to write, in the format of its extension: " + writerExtensions() +
                       "; - writes CSV to standard output")
       ->required();
-  command.add_option("--format", options.format, "name of the format, where an extension has several");
+  command.add_option("--format", options.format,
+                     "name of the format, where an extension has several: " + writerNames());
   command.add_flag("--force", options.force, "replace files that exist");
 }
 

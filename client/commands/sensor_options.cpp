@@ -52,7 +52,7 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
   command
       .add_option("--threshold", o.thresholds,
                   "contrast threshold C, in natural log units; each further value, after a comma or another "
-                  "--threshold, is another sensor")
+                  "--threshold, is another sensor; default 0.2")
       ->allow_extra_args(false)
       ->delimiter(',');
   command
@@ -62,12 +62,16 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
           "--preset in the proportion of its thresholds")
       ->allow_extra_args(false)
       ->delimiter(',');
-  command.add_option("--bias", o.bias, "I_eps, the luminance added to each pixel before the logarithm");
-  command.add_option("--refractory", o.refractory_s, "seconds for which a pixel is blind after an event");
-  command.add_option("--model", o.model, "event model: " + enumWords<v1::EventModel>());
+  command.add_option("--bias", o.bias,
+                     "I_eps, the luminance added to each pixel before the logarithm; default 0.001");
+  command.add_option("--refractory", o.refractory_s,
+                     "seconds for which a pixel is blind after an event; default 0");
+  command.add_option("--model", o.model,
+                     "event model: " + enumWords<v1::EventModel>() + "; default accumulating");
   command.add_option("--reconstruction", o.reconstruction,
                      "how a sensor finds its brightness: " + enumWords<v1::Reconstruction>() +
-                         "; direct sums the changes and drifts, the others also use the picture");
+                         "; direct sums the changes and drifts, the others also use the picture; default "
+                         "kalman");
   command.add_option("--preset", o.preset, "sensor of a known camera, see `saccade info`");
   command
       .add_option(
@@ -80,9 +84,9 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
   command.add_option("--max-artefact-odds", o.max_artefact_odds,
                      "withhold events with higher odds to be an artefact of rendering");
   command.add_option("--max-events", o.max_events,
-                     "events of a pixel in one frame; further ones are withheld and counted");
+                     "events of a pixel in one frame; further ones are withheld and counted; default 32");
   command.add_option("--cutoff", o.cutoff_hz,
-                     "Hz below which --reconstruction complementary follows the picture");
+                     "Hz below which --reconstruction complementary follows the picture; default 0.5");
 }
 
 void limitSensors(CLI::App& command) {

@@ -2,10 +2,12 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
 #include "client/commands/dv_relay.h"
+#include "client/commands/help_formatter.h"
 #include "client/commands/interrupt.h"
 #include "client/commands/option_range.h"
 #include "client/commands/progress.h"
@@ -100,6 +102,9 @@ void addServeDvCommand(CLI::App& app) {
       "--epoch", options->epoch_us,
       "Unix time in microseconds of stream time 0; by default the first events have the present time");
   addRequestOptions(*command, options->request);
+  std::set<std::string> common = commonRequestOptions();
+  common.insert("--listen");
+  showInHelp(*command, common);
   command->footer(
       std::string(kMotionHelp) +
       "\n\nIn DV, add a module for network input, and give it the address and port that are printed.\n"

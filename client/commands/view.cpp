@@ -1,10 +1,12 @@
 // saccade view: shows the events of a stream in the terminal.
 #include <chrono>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "client/commands/commands.h"
+#include "client/commands/help_formatter.h"
 #include "client/commands/interrupt.h"
 #include "client/commands/live_view.h"
 #include "client/commands/option_range.h"
@@ -46,7 +48,7 @@ void runView(const ViewOptions& options) {
   zmq::context_t context;
   ControlClient control = connectTo(context, options.request.server);
   const TerminalScreen screen;
-  if (options.request.camera.size.empty()) fitTo(screen, request);
+  if (request.view().width() == 0) fitTo(screen, request);
   screen.showStatus("opening the stream; Ctrl-C ends");
   const double retry_s = options.request.retry_time_s;
   const auto show = [&screen](const std::string& text) { screen.showStatus(text); };
@@ -66,7 +68,7 @@ void runView(const ViewOptions& options) {
 void addViewCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("view", "show the events of a stream in the terminal");
   const auto options = std::make_shared<ViewOptions>();
-  options->request.camera.size.clear();
+  options->request.camera.default_size.clear();
   options->request.duration_s = 0;
   options->request.delivery = "live";
   command
@@ -74,6 +76,9 @@ void addViewCommand(CLI::App& app) {
       ->capture_default_str();
   limitTo(*command, "--decay", Range<double>{1e-6, 1e6});
   addRequestOptions(*command, options->request);
+  std::set<std::string> common = commonRequestOptions();
+  common.insert("--decay");
+  showInHelp(*command, common);
   command->footer(std::string(kMotionHelp) +
                   "\n\nWithout --size the image has the terminal's size, two pixels in each letter.\n"
                   "The terminal must show 24-bit colours, as most do.\n\n"

@@ -45,6 +45,16 @@ std::string writerNames() {
   return names;
 }
 
+std::string writerExtensions() {
+  std::string list, last;
+  for (const WriterInfo* writer : writerTable()) {
+    if (writer->extension == last) continue;
+    last = writer->extension;
+    list += (list.empty() ? "" : ", ") + last;
+  }
+  return list;
+}
+
 std::string labelWriterNames() {
   std::string names;
   for (const WriterInfo* writer : writerTable()) {
