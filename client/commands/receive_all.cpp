@@ -19,13 +19,14 @@ void handleInterrupt(StreamHandle& stream) {
 }
 
 void showProgress(const Subscription& subscription, const StreamHandle& stream, const DecodedPacket& batch,
-                  const Recorder& recorder, Progress& progress) {
+                  const RecordSinks& sinks, Progress& progress) {
+  const Recorder& recorder = sinks.recorder;
   if (subscription.catchingUp()) {
     const std::uint64_t frames = stream.opened().frames();
     progress.note("rendering again: frame " + std::to_string(batch.header.frame()) +
                   (frames > 0 ? " of " + std::to_string(frames) : ""));
   } else {
-    progress.update(secondsOf(recorder.time_ns()), secondsOf(recorder.duration_ns()), recorder.events());
+    progress.update(secondsOf(sinks.streamTime()), secondsOf(recorder.duration_ns()), recorder.events());
   }
 }
 
@@ -35,26 +36,47 @@ void checkWhole(const v1::StreamOpened& opened, double stream_s, const v1::Packe
   if (opened.frames() > 0 && frames < opened.frames() - 0.5) throw StreamFault(endText(end));
 }
 
+// The same batch with other times.
+DecodedPacket later(DecodedPacket batch, std::int64_t offset_ns) {
+  batch.header.set_t0_ns(batch.header.t0_ns() + offset_ns);
+  batch.header.set_t1_ns(batch.header.t1_ns() + offset_ns);
+  for (Event& event : batch.events) event.t_ns += offset_ns;
+  for (TruthSample& sample : batch.truth) {
+    sample.t_ns += offset_ns;
+    if (sample.exposure_end_ns == 0) continue;  // it was not exposed
+    sample.exposure_begin_ns += offset_ns, sample.exposure_end_ns += offset_ns;
+  }
+  return batch;
+}
+
 }  // namespace
 
-void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& recorder,
-                std::optional<Preview>& preview, Progress& progress, std::optional<FramePusher>& pusher) {
+void RecordSinks::take(const DecodedPacket& batch, StreamHandle& stream) {
+  const auto write = [this](const DecodedPacket& timed) {
+    recorder.add(timed);
+    if (poses) poses->add(timed);
+  };
+  time_offset_ns == 0 ? write(batch) : write(later(batch, time_offset_ns));
+  if (preview && batch.header.kind() == v1::KIND_EVENTS) preview->see(batch, stream);
+}
+
+void receiveAll(Subscription& subscription, StreamHandle& stream, RecordSinks& sinks, Progress& progress,
+                std::optional<FramePusher>& pusher) {
   std::uint64_t epoch = stream.opened().epoch();
   v1::PacketHeader end;
-  while (!recorder.complete()) {
+  while (!sinks.recorder.complete()) {
     if (interrupted()) handleInterrupt(stream);
-    if (pusher) pusher->push(recorder.time_ns());
+    if (pusher) pusher->push(sinks.streamTime());
     const auto batch = subscription.receive(kPollInterval);
     if (std::exchange(epoch, stream.opened().epoch()) != stream.opened().epoch()) {
       progress.tell("saccade: the server has restarted; it renders again up to the recorded frame");
     }
     if (!batch) continue;
-    recorder.add(*batch);
-    if (preview && batch->header.kind() == v1::KIND_EVENTS) preview->see(*batch, stream);
+    sinks.take(*batch, stream);
     if (batch->header.kind() == v1::KIND_END) end = batch->header;
-    showProgress(subscription, stream, *batch, recorder, progress);
+    showProgress(subscription, stream, *batch, sinks, progress);
   }
-  checkWhole(stream.opened(), secondsOf(recorder.time_ns()), end);
+  checkWhole(stream.opened(), secondsOf(sinks.streamTime()), end);
 }
 
 void showWaiting(Progress& progress) {

@@ -1,4 +1,4 @@
-// Hands every batch of a stream to the recorder, the preview and the progress line.
+// Hands every batch of a stream to the files, the preview and the progress line.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,27 @@
 #include "client/commands/preview.h"
 #include "client/commands/progress.h"
 #include "client/recording/recorder.h"
+#include "client/recording/tum_files.h"
 #include "saccade/subscription.h"
 
 namespace saccade::client {
 
+// What is written of a stream.
+struct RecordSinks {
+  Recorder recorder;
+  std::optional<Preview> preview;
+  std::optional<TumFiles> poses;
+  std::int64_t time_offset_ns = 0;  // added to the times of all but the preview
+
+  void take(const DecodedPacket& batch, StreamHandle& stream);
+  std::int64_t streamTime() const { return recorder.time_ns() - time_offset_ns; }  // of the recorder
+};
+
 // Returns when every sensor has ended: at the last frame, or after Ctrl-C on an endless stream. Throws
 // StreamFault if the stream ends early, and as Subscription, Recorder and FramePusher do. `pusher`: of a
 // stream with `pushed`.
-void receiveAll(Subscription& subscription, StreamHandle& stream, Recorder& recorder,
-                std::optional<Preview>& preview, Progress& progress, std::optional<FramePusher>& pusher);
+void receiveAll(Subscription& subscription, StreamHandle& stream, RecordSinks& sinks, Progress& progress,
+                std::optional<FramePusher>& pusher);
 
 // For Subscription::RetryPolicy::waiting: shows that it waits. Throws StreamFault after Ctrl-C.
 void showWaiting(Progress& progress);

@@ -32,9 +32,17 @@ std::string keptText(Recorder& recorder, const std::string& output) {
   return text;
 }
 
-Recorder startRecorder(const RecordJob& job, const StreamHandle& stream) {
+RecordSinks startSinks(const RecordJob& job, const StreamHandle& stream) {
+  const v1::OpenStream& resolved = stream.opened().resolved();
   try {
-    return Recorder(job.output, *job.format, stream.opened(), stream.server());
+    RecordSinks sinks{
+        .recorder = Recorder(job.output, *job.format, stream.opened(), stream.server()),
+        .preview = makePreview(job.preview, resolved.timing()),
+        .poses = std::nullopt,
+        .time_offset_ns = job.keep_times ? stream.opened().trajectory_begin_ns() : job.time_offset_ns};
+    sinks.recorder.setTimeOffset(sinks.time_offset_ns);
+    if (job.poses) sinks.poses.emplace(job.output, resolved);
+    return sinks;
   } catch (const std::system_error& error) {
     throw std::invalid_argument(std::string("--output: ") + error.what());
   }
@@ -68,8 +76,8 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
   StreamHandle stream = openStream(control, {job.request, job.trajectory, job.retry_time_s});
   const v1::StreamOpened opened = stream.opened();
   tellOpening(out, job.request, opened);
-  Recorder recorder = startRecorder(job, stream);
-  auto preview = makePreview(job.preview, opened.resolved().timing());
+  RecordSinks sinks = startSinks(job, stream);
+  Recorder& recorder = sinks.recorder;
   std::optional<FramePusher> pusher;
   if (job.frames) pusher.emplace(stream, *job.frames);
   Progress progress(streamSeconds(opened));
@@ -80,8 +88,9 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
        .waiting = [&progress] { showWaiting(progress); },
        .lost = [&progress, retry_s](const std::string& loss) { reportLoss(progress, loss, retry_s); }});
   try {
-    receiveAll(subscription, stream, recorder, preview, progress, pusher);
+    receiveAll(subscription, stream, sinks, progress, pusher);
     recorder.commit(subscription.losses().events);
+    if (sinks.poses) sinks.poses->close();
   } catch (const std::exception& error) {
     progress.finish();
     throw std::runtime_error(error.what() + keptText(recorder, job.output));
@@ -89,7 +98,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
   progress.finish();
   const double wall_s = progress.elapsed_s();
   if (job.calibration) writeCalibration(job.output, opened.resolved());
-  printFiles(out, recorder.files(), preview && preview->written() ? job.preview : "");
+  printFiles(out, recorder.files(), sinks.preview && sinks.preview->written() ? job.preview : "");
   printRates(out, recorder, wall_s);
   printTruth(out, recorder);
   printWithheld(out, recorder, opened.resolved());

@@ -14,11 +14,14 @@ struct RecordJob {
   v1::OpenStream request;
   std::string output;  // file, or kStandardOutput
   const WriterInfo* format;
-  std::string preview = {};       // PNG file, or none
-  bool calibration = false;       // whether the cameras are written beside the output
-  std::string trajectory = {};    // what the user gave, for errors
-  double retry_time_s = 60;       // to reach a server that is not up yet or lost
-  FrameSource* frames = nullptr;  // of a stream with `pushed`
+  std::string preview = {};         // PNG file, or none
+  bool calibration = false;         // whether the cameras are written beside the output
+  bool poses = false;               // whether their poses are, as TumFiles
+  std::string trajectory = {};      // what the user gave, for errors
+  bool keep_times = false;          // files get the times that the trajectory's text has
+  std::int64_t time_offset_ns = 0;  // else this is added to stream time
+  double retry_time_s = 60;         // to reach a server that is not up yet or lost
+  FrameSource* frames = nullptr;    // of a stream with `pushed`
 };
 
 // Returns what was recorded of sensor 0. Throws as ControlClient and Subscription do; std::invalid_argument

@@ -25,7 +25,7 @@ v1::OpenStream requestOf(const std::string& file, const v1::Recording& recording
     fail("names a sensor that its request does not have");
   if (recording.request().pushed())
     fail("is of frames that a client sent, which it does not hold: use `saccade events` again");
-  if (recording.begin_ns() != 0)
+  if (recording.begin_ns() != recording.time_offset_ns())
     fail("is of a client that joined a running stream, which cannot be repeated");
   v1::OpenStream request = recording.request();
   const v1::Sensor sensor = request.sensors(static_cast<int>(recording.sensor()));
@@ -33,7 +33,7 @@ v1::OpenStream requestOf(const std::string& file, const v1::Recording& recording
   *request.add_sensors() = sensor;
   request.mutable_sensors(0)->clear_from_event();
   for (v1::Truth& truth : *request.mutable_truth()) truth.clear_from_sample();
-  request.mutable_timing()->set_duration_s(recording.end_ns() / 1e9);
+  request.mutable_timing()->set_duration_s((recording.end_ns() - recording.time_offset_ns()) / 1e9);
   request.mutable_timing()->set_clock(v1::CLOCK_FAST);
   request.set_delivery(v1::DELIVERY_LOSSLESS);
   return request;
@@ -63,7 +63,8 @@ void compare(const v1::Recording& then, const v1::Recording& now) {
 
 void runReplay(const ReplayOptions& options) {
   const v1::Recording recording = readSidecar(options.recording);
-  const RecordJob job = makeJob({.output = options.output}, requestOf(options.recording, recording));
+  RecordJob job = makeJob({.output = options.output}, requestOf(options.recording, recording));
+  job.time_offset_ns = recording.time_offset_ns();
   compare(recording, recordStream(options.server, job));
 }
 

@@ -67,7 +67,8 @@ void tellOpening(std::FILE* out, const v1::OpenStream& request, const v1::Stream
   printPixelSpeed(out, opened);
   warnOfFastPicture(opened);
   if (!request.trajectory().has_csv() || !opened.has_trajectory_s()) return;
-  const std::string warning = trajectoryWarning(opened.trajectory_s(), streamSeconds(opened));
+  const std::string warning = trajectoryWarning(opened.trajectory_s(), streamSeconds(opened),
+                                                1 / opened.resolved().timing().frame_rate_hz());
   if (!warning.empty()) print(stderr, "saccade: warning: %s\n", warning.c_str());
 }
 

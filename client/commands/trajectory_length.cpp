@@ -20,15 +20,17 @@ std::string durationText(double seconds) {
 
 }  // namespace
 
-std::string trajectoryWarning(double trajectory_s, double stream_s) {
+std::string trajectoryWarning(double trajectory_s, double stream_s, double frame_s) {
   if (trajectory_s == 0) return "the trajectory has one pose: the camera does not move";
   const bool too_long = trajectory_s > kLongestPlausible;
-  if (!too_long && trajectory_s >= stream_s) return "";
   const std::string lasts = "the trajectory lasts " + durationText(trajectory_s);
   if (too_long) return lasts + kUnits;
+  if (stream_s > 0 && trajectory_s - stream_s > frame_s)
+    return lasts + ", the stream " + durationText(stream_s) + ": the rest of the path is left out";
+  if (stream_s > 0 && trajectory_s >= stream_s) return "";
   const bool too_short = trajectory_s < kShortestPlausible * stream_s;
-  return lasts + ", the stream " + durationText(stream_s) + ": then the camera stands still" +
-         (too_short ? kUnits : "");
+  const std::string stream = stream_s > 0 ? "the stream " + durationText(stream_s) : "the stream has no end";
+  return lasts + ", " + stream + ": then the camera stands still" + (too_short ? kUnits : "");
 }
 
 }  // namespace saccade::client

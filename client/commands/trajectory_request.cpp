@@ -81,8 +81,12 @@ bool isTrajectoryFile(const std::string& trajectory) {
   return trajectory.ends_with(".csv") || std::filesystem::is_regular_file(trajectory);
 }
 
+bool namesPoses(const RequestOptions& options) {
+  return !options.pose_format.empty() || isTrajectoryFile(options.trajectory);
+}
+
 v1::Trajectory makeTrajectory(const RequestOptions& options) {
-  const bool file = !options.pose_format.empty() || isTrajectoryFile(options.trajectory);
+  const bool file = namesPoses(options);
   v1::Trajectory trajectory;
   if (options.pose_rate_hz && options.pose_format.empty())
     throw std::invalid_argument("--pose-rate goes with --trajectory-format");

@@ -75,6 +75,10 @@ void Recorder::addFile(const std::string& path, const WriterInfo& format,
   for (std::size_t i = 0; i < count; ++i) outputs_.push_back({&file, &file.sensor(i)});
 }
 
+void Recorder::setTimeOffset(std::int64_t offset_ns) {
+  for (Output& output : outputs_) output.sensor->about().set_time_offset_ns(offset_ns);
+}
+
 void Recorder::add(const DecodedPacket& batch) {
   const v1::PacketHeader& header = batch.header;
   if (header.sensor() >= outputs_.size() + truth_.size())

@@ -31,6 +31,8 @@ class Recorder {
   Recorder(const std::string& path, const WriterInfo& format, const v1::StreamOpened& stream,
            const v1::ServerDescription& server = {});
 
+  // Says in the files' JSON that the batches of add() have times of their own, see Recording.time_offset_ns.
+  void setTimeOffset(std::int64_t offset_ns);
   // Throws StreamFault if the stream has no such sensor or truth channel, and as RecordingFile does.
   void add(const DecodedPacket& batch);
   bool complete() const;  // every sensor and truth channel has ended

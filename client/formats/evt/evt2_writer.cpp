@@ -66,6 +66,7 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-extern const WriterInfo kEvt2Writer{"evt2", ".raw", "EVT2 of Prophesee", make};
+extern const WriterInfo kEvt2Writer{
+    .name = "evt2", .extension = ".raw", .description = "EVT2 of Prophesee", .make = make, .wraps = true};
 
 }  // namespace saccade::client

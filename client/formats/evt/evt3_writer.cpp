@@ -51,6 +51,7 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-extern const WriterInfo kEvt3Writer{"evt3", ".raw", "EVT3 of Prophesee", make};
+extern const WriterInfo kEvt3Writer{
+    .name = "evt3", .extension = ".raw", .description = "EVT3 of Prophesee", .make = make, .wraps = true};
 
 }  // namespace saccade::client
