@@ -6,6 +6,11 @@
 #include "saccade/stream_views.h"
 
 namespace saccade::client {
+namespace {
+
+constexpr double kNoNoise = 1e-6;  // stands for 0; a thousandth of the noise of good sensors, or less
+
+}  // namespace
 
 std::string kalibrYaml(const v1::OpenStream& stream) {
   const double scale = metresPerUnit(stream);
@@ -30,10 +35,13 @@ std::string imuYaml(const v1::Truth& truth) {
   const auto line = [](const char* name, double value) {
     return std::string(name) + ": " + yamlNumber(value) + "\n";
   };
-  return line("accelerometer_noise_density", imu.accelerometer_noise()) +
-         line("accelerometer_random_walk", imu.accelerometer_walk()) +
-         line("gyroscope_noise_density", imu.gyroscope_noise()) +
-         line("gyroscope_random_walk", imu.gyroscope_walk()) +
+  const auto noise = [&](const char* name, double value) {
+    return value > 0 ? line(name, value) : line(name, kNoNoise) + "# in place of 0, which Kalibr refuses\n";
+  };
+  return noise("accelerometer_noise_density", imu.accelerometer_noise()) +
+         noise("accelerometer_random_walk", imu.accelerometer_walk()) +
+         noise("gyroscope_noise_density", imu.gyroscope_noise()) +
+         noise("gyroscope_random_walk", imu.gyroscope_walk()) +
          "rostopic: " + rosSpace(kRos1Space, truth.view()) + "/imu\n" + line("update_rate", imu.rate_hz());
 }
 

@@ -12,7 +12,10 @@ using Transform = std::array<double, 16>;
 
 // T_body_camera, with lengths times `scale`.
 Transform bodyFromCamera(const v1::View& view, double scale);
+// The same back, with lengths times `scale`.
+v1::RigidTransform rigidTransform(const Transform& T_body_camera, double scale);
 Transform inverse(const Transform& T_a_b);                                 // T_b_a
+Transform product(const Transform& T_a_b, const Transform& T_b_c);         // T_a_c
 Transform relative(const Transform& T_body_a, const Transform& T_body_b);  // T_a_b
 
 // The first truth channel that is an IMU, which is the body; nullptr: there is none.

@@ -43,7 +43,9 @@ v1::Quality makeQuality(const RequestOptions& options) {
 v1::Timing makeTiming(const RequestOptions& options) {
   v1::Timing timing;
   timing.set_frame_rate_hz(options.rate_hz);
-  timing.set_duration_s(options.duration_s);
+  const bool until_path_ends = !options.duration_s && namesPoses(options);
+  timing.set_until_path_ends(until_path_ends);
+  if (!until_path_ends) timing.set_duration_s(options.duration_s.value_or(kDuration));
   timing.set_clock(enumValue<v1::Clock>("--clock", options.clock));
   if (timing.clock() == v1::CLOCK_LOCKSTEP)
     throw std::invalid_argument("--clock: lockstep is for clients that send poses, such as those in Python");
@@ -55,13 +57,13 @@ v1::Timing makeTiming(const RequestOptions& options) {
 v1::OpenStream makeOpenStream(const RequestOptions& options) {
   v1::OpenStream open;
   open.set_scene(options.scene);
-  *open.mutable_view() = makeView(options.camera);
   *open.mutable_trajectory() = makeTrajectory(options);
   *open.mutable_timing() = makeTiming(options);
   *open.mutable_method() = makeMethod(options);
   *open.mutable_quality() = makeQuality(options);
   addSensors(options.sensors, open);
-  addFurtherViews(options, open);
+  const double units_per_metre = 1 / options.rig.metres_per_unit.value_or(1);
+  addViews(options.rig, makeViews(options.camera, units_per_metre), open);
   open.set_delivery(enumValue<v1::Delivery>("--delivery", options.delivery));
   if (!options.codec.empty()) open.set_codec(enumValue<v1::Codec>("--codec", options.codec));
   open.set_seed(options.seed);

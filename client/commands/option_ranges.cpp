@@ -21,6 +21,7 @@ void limitRequest(CLI::App& command) {
   limitSensors(command);
   limitTo(command, "--turn", ranges::kTurn, "0");
   limitTo(command, "--fov", ranges::kFovX);
+  limitTo(command, "--metres-per-unit", ranges::kMetresPerUnit);
   limitTo(command, "--pose-rate", ranges::kFrameRate);
   limitTo(command, "--rate", ranges::kFrameRate);
   limitTo(command, "--duration", ranges::kDuration);

@@ -35,18 +35,19 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
   command.add_option("--turn", o.turn_s, "seconds after which KIND:SPEED turns back, 0: never");
   command.add_option("--motion-seed", o.motion_seed, "seed of the random motion of shake:SPEED")
       ->check(checkWhole<std::uint64_t>);
-  command
-      .add_option("--further-view", o.further_views,
-                  "X,Y,Z[,QX,QY,QZ,QW]: a second camera on the same body, at this pose in the axes of the "
-                  "first (x right, y down, z forward), with sensors of its own; may be given again")
-      ->allow_extra_args(false);
+}
+
+// Of a command whose options have one, else that of openTiming().
+std::string durationDefault(const RequestOptions& o) {
+  if (o.duration_s) return " " + CLI::detail::to_string(*o.duration_s);
+  return " to the end of a file of poses, and 0.5 with other trajectories";
 }
 
 void addStreamOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Stream");
   command.add_option("--rate", o.rate_hz, "frames per second of the stream")->capture_default_str();
-  command.add_option("--duration", o.duration_s, "seconds of the stream; 0: until Ctrl-C")
-      ->capture_default_str();
+  command.add_option("--duration", o.duration_s,
+                     "seconds of the stream; 0: until Ctrl-C; by default" + durationDefault(o));
   command
       .add_option("--delivery", o.delivery,
                   "what happens when this client is slow: " + enumWords<v1::Delivery>() +
@@ -118,6 +119,7 @@ void addRequestOptions(CLI::App& command, RequestOptions& o) {
   command.add_option("scene", o.scene, "name of a scene, see `saccade list`")->required();
   addPathOptions(command, o);
   addCameraOptions(command, o.camera);
+  addRigOptions(command, o.rig);
   addSensorOptions(command, o.sensors);
   addStreamOptions(command, o);
   addQualityOptions(command, o);

@@ -9,10 +9,13 @@
 
 #include "client/commands/camera_options.h"
 #include "client/commands/commands.h"
+#include "client/commands/rig_options.h"
 #include "client/commands/sensor_options.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade::client {
+
+inline constexpr double kDuration = 0.5;  // seconds
 
 // Options that are not given are left to the server's defaults.
 struct RequestOptions {
@@ -23,10 +26,11 @@ struct RequestOptions {
   std::optional<double> pose_rate_hz;
   std::optional<double> turn_s;
   std::optional<std::uint64_t> motion_seed;
-  std::vector<std::string> further_views;  // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_body_camera
+  RigOptions rig;
   SensorOptions sensors;
   CameraOptions camera;
-  double rate_hz = 1000, duration_s = 0.5;
+  double rate_hz = 1000;
+  std::optional<double> duration_s;  // unset: to the end of a file of poses, or kDuration
   std::string delivery = "lossless", clock = "fast";
   std::string codec;
   double retry_time_s = 60;
@@ -56,12 +60,10 @@ void limitRequest(CLI::App& command);
 
 // Whether --trajectory names a file: *.csv, or any file that exists.
 bool isTrajectoryFile(const std::string& trajectory);
+bool namesPoses(const RequestOptions& options);  // likewise, or it has a --trajectory-format
 
 // makeTrajectory() reads the trajectory's file. Both throw std::invalid_argument with the option at fault.
 v1::Trajectory makeTrajectory(const RequestOptions& options);
-// Adds cameras to the body, like that of `open.view`, each with sensors of its own like those of `open`.
-// Throws std::invalid_argument.
-void addFurtherViews(const RequestOptions& options, v1::OpenStream& open);
 v1::OpenStream makeOpenStream(const RequestOptions& options);
 
 }  // namespace saccade::client

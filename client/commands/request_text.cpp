@@ -2,7 +2,7 @@
 
 #include <cctype>
 #include <stdexcept>
-#include <vector>
+#include <tuple>
 
 namespace saccade::client {
 namespace {
@@ -40,6 +40,17 @@ int enumNumber(const google::protobuf::EnumDescriptor& names, const std::string&
   if (at == words.end())
     throw std::invalid_argument(option + ": '" + word + "' is none of " + enumWords(names));
   return names.value(1 + static_cast<int>(at - words.begin()))->number();
+}
+
+std::vector<double> parseNumbers(const std::string& option, const std::string& text) {
+  std::vector<double> values;
+  for (auto [head, rest] = splitAt(text, ','); !head.empty() || !rest.empty();
+       std::tie(head, rest) = splitAt(rest, ',')) {
+    const auto value = parseNumber<double>(head);
+    if (!value) throw std::invalid_argument(option + ": '" + head + "' is not a number");
+    values.push_back(*value);
+  }
+  return values;
 }
 
 ImageSize parseSize(const std::string& option, const std::string& text) {

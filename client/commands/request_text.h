@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "client/formats/common/reader.h"
 
@@ -44,6 +45,9 @@ std::optional<T> parseNumber(std::string_view text) {
   if (error != std::errc() || rest != text.data() + text.size()) return std::nullopt;
   return value;
 }
+
+// Reads numbers with commas between them. Throws std::invalid_argument with `option`.
+std::vector<double> parseNumbers(const std::string& option, const std::string& text);
 
 // Reads WIDTHxHEIGHT. Throws std::invalid_argument with `option`.
 ImageSize parseSize(const std::string& option, const std::string& text);

@@ -1,13 +1,14 @@
 // Lines of a file and the text of a pose, for the readers of poses.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "client/calibration/rotation.h"
 
 namespace saccade::client {
 
@@ -28,13 +29,6 @@ class PoseLines {
   std::vector<char> buffer_;
   std::uint64_t number_ = 0;  // of the line
 };
-
-using Vector3 = std::array<double, 3>;
-using Matrix3 = std::array<Vector3, 3>;    // rows
-using Quaternion = std::array<double, 4>;  // x y z w
-
-Quaternion quaternionOf(const Matrix3& rotation);
-Matrix3 matrixOf(const Quaternion& unit);
 
 // "t,x,y,z,qx,qy,qz,qw", with the time of `frame` in nanoseconds.
 std::string poseText(double frame, double rate_hz, const Vector3& position, const Quaternion& rotation);

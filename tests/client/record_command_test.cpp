@@ -67,7 +67,7 @@ TEST(CommandAndBudget, TellsTheChoiceAndTheExpectedQuality) {
 }
 TEST_F(CommandAndServer, TheCalibrationStandsBesideTheRecording) {
   const std::string record =
-      "record cornell-box --trajectory right --size 32x24 --duration 0.01 --calibration "
+      "record cornell-box --trajectory right --size 32x24 --duration 0.01 --write-calibration "
       "--intrinsics 40,41,15,12.5 --distortion radtan:-0.1,0.02,0.001,-0.002 -o " +
       folder_.at("a.h5") + server_.option();
   const Result result = run(record);
@@ -81,7 +81,7 @@ TEST_F(CommandAndServer, TheCalibrationStandsBesideTheRecording) {
   fs::remove(folder_.at("a.h5")), fs::remove(folder_.at("a.h5.json"));
   const Result again = run(record);
   EXPECT_EQ(again.code, 2);
-  EXPECT_TRUE(holds(again, "--calibration: ")) << again.output;
+  EXPECT_TRUE(holds(again, "--write-calibration: ")) << again.output;
 }
 TEST_F(CommandAndServer, AnExistingFileIsKeptUnlessForced) {
   const std::string record = "record cornell-box --trajectory right --size 32x24 --duration 0.01 -o " +

@@ -22,7 +22,7 @@ FREE = "tcp://127.0.0.1:*"
 INTRINSICS = [60, 62, 30.5, 25]
 RECORD = ["record", "cornell-box", "--trajectory", "right", "--size", "64x48", "--rate", "100", "--duration", "0.02",
           "--intrinsics", "60,62,30.5,25", "--further-view", "0.2,0.1,-0.05,0.02,-0.06,0.1,1", "--truth", "depth",
-          "--truth", "pose", "--truth", "imu", "--calibration"]
+          "--truth", "pose", "--truth", "imu", "--write-calibration"]
 
 
 def matrix(intrinsics):

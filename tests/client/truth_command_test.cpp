@@ -32,7 +32,7 @@ TEST_F(TruthCommand, ChangesNoEventAndTellsTheSamples) {
 
 TEST_F(TruthCommand, EachViewHasItsTruthAndTheBodyItsImu) {
   const Result result =
-      record("--further-view 0.1,0,0 --truth depth:10 --truth imu --calibration -o " + csv_);
+      record("--further-view 0.1,0,0 --truth depth:10 --truth imu --write-calibration -o " + csv_);
   const std::string left = folder_.at("a-0.csv"), right = folder_.at("a-1.csv");
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(

@@ -50,7 +50,7 @@ FOLDERS = {
     "client/formats/truth_folder": "client/formats/common",
     "client/formats": "client/formats/common",
     "client/recording": "client/saccade client/formats/common client/formats/truth_folder",
-    "client/poses": "client/formats/common client/formats/text",
+    "client/poses": "client/formats/common client/formats/text client/calibration",
     "client/dv": "client/formats/common client/formats/aedat4",
     "client/commands": "client/saccade client/frames client/formats/common client/formats/truth_folder client/calibration client/recording client/poses client/dv",
     "client": "client/saccade client/commands",
