@@ -30,7 +30,8 @@ class Readers(unittest.TestCase):
 
     def test_csv(self):
         lines = [f"{t},{x},{y},{p}\n" for t, x, y, p in zip(T, X, Y, P)]
-        path = self.write("a.csv", "t_us,x,y,p\n" + "".join(lines))
+        self.expect(self.write("old.csv", "t_us,x,y,p\n" + "".join(lines)), None)
+        path = self.write("a.csv", "t,x,y,p\n" + "".join(lines))
         self.expect(path, None)
         self.expect(path, (346, 260), size=(346, 260))
         self.assertEqual(len(saccade.read(self.write("none.csv", "t_us,x,y,p\n"))), 0)

@@ -11,6 +11,7 @@ from saccade.protocol.request import make_request
 from saccade.protocol.sockets import reachable_endpoint, read_keys
 from saccade.v1 import control_pb2 as c
 from saccade.v1 import events_pb2, noise_pb2
+from saccade.v1.truth_pb2 import Imu, Truth
 
 NEEDED = {"scene": "room", "size": (6, 4), "rate_hz": 100, "motion": "right"}
 
@@ -51,12 +52,37 @@ class Request(unittest.TestCase):
         self.assertEqual([truth.name for truth in make_request({**NEEDED, "truth": "depth"}).truth], ["depth"])
         made = make_request({**NEEDED, "truth": ["pose", ("depth", 5)]}).truth
         self.assertEqual([(truth.name, truth.every) for truth in made], [("pose", 1), ("depth", 5)])
+        made = make_request({**NEEDED, "truth": ("depth", 5)}).truth
+        self.assertEqual([(truth.name, truth.every) for truth in made], [("depth", 5)])
+
+    def test_every_camera_has_the_truth_and_the_body_has_the_imu(self):
+        made = make_request({**NEEDED, "further_views": [(1, 0, 0)], "truth": [("depth", 3), "imu"], "imu_rate_hz": 100,
+                             "metres_per_unit": 0.1, "gravity": (0, 0, -9.81),
+                             "imu_noise": {"gyroscope_noise": 1e-3, "accelerometer_walk": 2e-3}}).truth
+        imu = Imu(rate_hz=100, metres_per_unit=0.1, gravity=c.Vector3(z=-9.81), gyroscope_noise=1e-3,
+                  accelerometer_walk=2e-3)
+        self.assertEqual([*made], [Truth(name="depth", every=3), Truth(name="depth", every=3, view=1),
+                                   Truth(name="imu", every=1, imu=imu)])
+        for wrong in ({"gravity": (0, 0, 0)}, {"imu_noise": {"gyroscope_noise": 1}}):
+            with self.assertRaisesRegex(TypeError, f"{next(iter(wrong))} goes with the truth channel 'imu'"):
+                make_request({**NEEDED, "truth": "pose", **wrong})
+
+    def test_the_place_of_the_camera_on_its_body(self):
+        turned = np.array([[0, 0, 1, 0.1], [1, 0, 0, 0.2], [0, 1, 0, 0.3], [0, 0, 0, 1]])
+        for place in (turned, turned.tolist(), (0.1, 0.2, 0.3, 0.5, 0.5, 0.5, 0.5)):
+            view = make_request({**NEEDED, "T_body_camera": place}).view.body_camera
+            self.assertEqual(view.position, c.Vector3(x=0.1, y=0.2, z=0.3))
+            np.testing.assert_allclose([view.rotation.x, view.rotation.y, view.rotation.z, view.rotation.w], 0.5)
+        second = make_request({**NEEDED, "T_body_camera": turned, "further_views": [(1, 0, 0)]}).further_views[0]
+        self.assertEqual(second.body_camera.position, c.Vector3(x=0.1, y=1.2, z=0.3))  # its x is the body's y
+        self.assertEqual(make_request({**NEEDED, "T_body_camera": (1, 2, 3)}).view.body_camera,
+                         c.RigidTransform(position=c.Vector3(x=1, y=2, z=3)))
 
     def test_where_0_means_unset_0_is_refused(self):
         for name in ("spp", "speed", "max_events_per_pixel_frame", "max_events_per_frame"):
             with self.assertRaisesRegex(ValueError, f"{name}: 0 "):
                 make_request({**NEEDED, name: 0})
-        with self.assertRaisesRegex(ValueError, "truth: depth of every 0 frames"):
+        with self.assertRaisesRegex(ValueError, "truth: 0 is not a whole number from 1"):
             make_request({**NEEDED, "truth": [("depth", 0)]})
         self.assertEqual(make_request({**NEEDED, "seed": 0, "bounces": 0, "duration_s": 0}).quality.bounces, 0)
 
@@ -71,7 +97,7 @@ class Request(unittest.TestCase):
         lens = c.Distortion(model=c.DISTORTION_MODEL_EQUIDISTANT, coefficients=[1, 2, 3, 4])
         self.assertEqual(made, c.View(width=6, height=4, intrinsics=c.Intrinsics(fx=5, fy=6, cx=2, cy=1),
                                       distortion=lens))
-        with self.assertRaisesRegex(ValueError, "distortion: 'thin_prism' is not one of radtan, equidistant"):
+        with self.assertRaisesRegex(ValueError, "distortion: .*'thin_prism'.* is not .'radtan'.*'equidistant'"):
             make_request({**NEEDED, "distortion": ("thin_prism", [0] * 4)})
 
     def test_further_views_have_sensors_of_their_own(self):
@@ -79,7 +105,8 @@ class Request(unittest.TestCase):
                              "further_views": [(1, 2, 3), (0, 0, 0, 0, 1, 0, 1)]})
         self.assertEqual(made.further_views[0], c.View(width=6, height=4, fov_x_deg=40, body_camera=c.RigidTransform(
             position=c.Vector3(x=1, y=2, z=3))))
-        self.assertEqual(made.further_views[1].body_camera.rotation, c.Quaternion(y=1, w=1))
+        turned = made.further_views[1].body_camera.rotation
+        np.testing.assert_allclose([turned.x, turned.y, turned.z, turned.w], [0, 0.5**0.5, 0, 0.5**0.5], atol=1e-15)
         self.assertEqual([(s.view, s.threshold) for s in made.sensors],
                          [(view, threshold) for view in range(3) for threshold in (0.1, 0.2)])
         with self.assertRaisesRegex(ValueError, "further_views"):

@@ -1,5 +1,6 @@
 """The client with a real saccaded. The reference is the client in C++, `saccade record`."""
 import asyncio
+import concurrent.futures
 import logging
 import os
 import pathlib
@@ -74,6 +75,27 @@ class OneServer(unittest.TestCase):
             with self.assertRaisesRegex(saccade.SaccadeError, "closed"):
                 call()
         stream.close()  # again
+
+    def test_another_thread_is_told_to_connect(self):
+        with self.client.open(**SETTINGS) as stream, concurrent.futures.ThreadPoolExecutor(1) as pool:
+            for call in (stream.describe, self.client.info, lambda: next(stream)):
+                with self.assertRaisesRegex(saccade.SaccadeError, r"belong to the thread .* connect\(\) in each thread"):
+                    pool.submit(call).result()
+            self.assertGreater(sum(map(len, stream)), 0)
+
+    def test_events_have_their_camera(self):
+        turned = [[0, 0, 1, 0.25], [1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1]]
+        parts, stream = self.receive(duration_s=0.01, fov_x_deg=90, T_body_camera=turned, further_views=[(0.5, 0, 0)])
+        left, right = (saccade.concatenate([part for part in parts if part.sensor == i]).camera for i in (0, 1))
+        self.assertEqual((left.size, left.distortion), ((64, 48), None))
+        np.testing.assert_allclose(left.intrinsics, (32, 32, 31.5, 23.5))  # 32 pixels at 45 degrees
+        np.testing.assert_allclose(left.T_body_camera, turned, atol=1e-12)
+        np.testing.assert_allclose(right.T_body_camera[:3, 3], (0.25, 0.5, 0), atol=1e-12)
+        self.assertEqual(stream.cameras, [left, right])
+        lens = ("radtan", (-0.1, 0.02, 0.001, 0.002))
+        parts, _ = self.receive(duration_s=0.01, intrinsics=(60, 61, 30, 20), distortion=lens)
+        camera = parts[0].camera
+        self.assertEqual((camera.intrinsics, camera.distortion, camera.T_body_camera), ((60, 61, 30, 20), lens, None))
 
     def test_several_sensors(self):
         parts, stream = self.receive(threshold=[0.2, 0.4])

@@ -45,6 +45,7 @@ class OneServer(unittest.TestCase):
             self.assertEqual([sample.t for sample in pose], list(range(0, 60_001, 2_000)))
             self.assertEqual((depth[0].data.shape, depth[0].data.dtype), ((24, 32, 1), np.float32))
             self.assertEqual((depth[0].name, depth[0].exposure, pose[0].name), ("depth", None, "pose"))
+            self.assertEqual({sample.view for sample in truth}, {0})
             self.assertFalse(depth[0].data.flags.writeable)
             for file in ("a.npz", "a.h5"):
                 channels = saccade.read_truth(self.recorded(file))
@@ -62,6 +63,23 @@ class OneServer(unittest.TestCase):
                 self.assertEqual(truth.keys(), {"depth", "pose"})
                 np.testing.assert_array_equal(truth["depth"].data, first["depth"].data)
             self.assertTrue((own[0]["depth"].data != own[2]["depth"].data).any())
+
+    def test_a_sample_tells_its_camera(self):
+        with self.client.open(**SETTINGS, further_views=[(0.1, 0, 0)], truth=["depth", "imu"]) as stream:
+            truth = [item for item in stream.samples() if isinstance(item, saccade.Truth)]
+        self.assertEqual({(sample.name, sample.view, sample.channel) for sample in truth},
+                         {("depth", 0, 0), ("depth", 1, 1), ("imu", None, 2)})
+
+    def test_the_imu_is_set(self):
+        imu = {"imu_rate_hz": 1000, "metres_per_unit": 0.1, "gravity": (0, 0, -9.81), "imu_noise": {"gyroscope_noise": 1e-2}}
+        with self.client.open(**{**SETTINGS, "motion": "still"}, truth="imu", **imu) as stream:
+            resolved = stream.resolved.truth[0].imu
+            rows = np.array([item.data for item in stream.samples() if isinstance(item, saccade.Truth)])
+        self.assertEqual((resolved.metres_per_unit, resolved.gravity.z, resolved.gyroscope_noise), (0.1, -9.81, 1e-2))
+        self.assertEqual(len(rows), 60)  # of 60 ms
+        np.testing.assert_allclose(np.linalg.norm(rows[:, :3], axis=1), 9.81, rtol=1e-9)
+        expected = 1e-2 * 1000**0.5  # the standard deviation of one sample
+        self.assertLess(abs(rows[:, 3:].std() / expected - 1), 0.3)
 
     def test_files_tell_what_the_server_says(self):
         depth = saccade.read_truth(self.recorded("b.h5"))["depth"]

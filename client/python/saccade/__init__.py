@@ -7,6 +7,7 @@
             for events in stream:
                 print(events.t0, len(events), events.p.sum())
 """
+from saccade.camera import Camera
 from saccade.client import Client, Stream, connect
 from saccade.errors import (FormatError, InvalidArgument, LimitExceeded, NoAnswer, NotFound, PacketFault,
                             PermissionDenied, Refused, SaccadeError, StreamFault, StreamRefused, Unavailable,
@@ -17,6 +18,7 @@ from saccade.protocol.retry import RetryPolicy
 from saccade.protocol.sequence import Losses
 from saccade.protocol.stream_state import Picture
 from saccade.readers import open_file, read
+from saccade.readers.calibration import read_calibration
 from saccade.readers.truth import read_id_names, read_truth
 from saccade.settings import SensorSettings, Settings
 from saccade.truth import IdNames, Truth, TruthArrays
@@ -25,8 +27,8 @@ from saccade.windowing import windows
 __version__ = "0.1.0"
 
 __all__ = [
-    "Client", "Events", "FormatError", "IdNames", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer", "NotFound",
+    "Camera", "Client", "Events", "FormatError", "IdNames", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer", "NotFound",
     "PacketFault", "PermissionDenied", "Picture", "Refused", "RetryPolicy", "SaccadeError", "SensorSettings",
     "Settings", "Snapshot", "Stream", "StreamFault", "StreamRefused", "Truth", "TruthArrays", "Unavailable",
-    "Unimplemented", "concatenate", "connect", "open_file", "read", "read_id_names", "read_truth", "windows",
+    "Unimplemented", "concatenate", "connect", "open_file", "read", "read_calibration", "read_id_names", "read_truth", "windows",
 ]

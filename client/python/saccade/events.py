@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from saccade import conversions, representations
+from saccade.camera import Camera
 
 if TYPE_CHECKING:
     import torch
@@ -30,6 +31,7 @@ class Events:
     sensor: index of the sensor in its stream.
     source: uint8 (n), 0 is the scene, 1 is noise of the sensor; None without the setting labels.
     artefact: uint8 (n), 255 times the odds that the event is an error of rendering; None likewise.
+    camera: the calibration; None where it is not known, as of a file without FILE.json.
 
     x, y and p of a stream are read-only views of the received packet. Raises ValueError for columns of unequal length.
     """
@@ -43,6 +45,7 @@ class Events:
     sensor: int = 0
     source: NDArray[np.uint8] | None = None
     artefact: NDArray[np.uint8] | None = None
+    camera: Camera | None = None
 
     def __post_init__(self) -> None:
         for name, dtype in (("t", np.int64), ("x", np.uint16), ("y", np.uint16), ("p", np.bool_)):
@@ -134,6 +137,12 @@ class Events:
                             **labels)
 
 
+def seen_by(events: Events, camera: Camera | None) -> Events:
+    """Sets the camera of Events that nobody else has yet; a copy for each packet would cost more than its events."""
+    object.__setattr__(events, "camera", camera)
+    return events
+
+
 def concatenate(parts: Sequence[Events]) -> Events:
     """One Events of all parts, which follow each other in time and are of one sensor.
 
@@ -150,4 +159,4 @@ def concatenate(parts: Sequence[Events]) -> Events:
     t, x, y, p = (np.concatenate([getattr(part, name) for part in parts]) for name in "txyp")
     labelled = all(part.source is not None for part in parts)
     labels = {name: np.concatenate([getattr(part, name) for part in parts]) for name in LABELS} if labelled else {}
-    return Events(t, x, y, p, first.size, (first.t0, last.t1), first.sensor, **labels)
+    return Events(t, x, y, p, first.size, (first.t0, last.t1), first.sensor, **labels, camera=first.camera)

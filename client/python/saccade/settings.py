@@ -8,7 +8,10 @@ from typing import Literal, TypedDict, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from saccade.camera import Camera
+
 PerSensor = Union[float, Sequence[float]]
+Place = Union[NDArray[np.float64], Sequence[float], Sequence[Sequence[float]]]
 
 
 class SensorSettings(TypedDict, total=False):
@@ -25,12 +28,8 @@ class SensorSettings(TypedDict, total=False):
 
 
 class Needed(TypedDict):
-    """What every stream needs.
+    """What every stream needs. rate_hz: frames per second of stream time."""
 
-    size: width and height in pixels. rate_hz: frames per second of stream time.
-    """
-
-    size: tuple[int, int]
     rate_hz: float
 
 
@@ -46,12 +45,19 @@ class Settings(Needed, total=False):
     motion: "KIND:SPEED" such as "pan:-15", "KIND:SPEEDpx" in pixels per frame, or a name such as "right".
         turn_s: seconds after which it turns back, 0 for never. motion_seed: of the motion shake.
 
-    duration_s: stream time; without it, or with 0, the stream goes on until it is closed.
+    The camera:
+    size: width and height in pixels. It is needed, but with a calibration.
     fov_x_deg: horizontal field of view in degrees, without the distortion. Or intrinsics: fx, fy, cx, cy in pixels,
         where the centre of the top left pixel is (0, 0).
     distortion: of the lens, ("radtan", (k1, k2, p1, p2)), with k3 or not, or ("equidistant", (k1, k2, k3, k4)).
-    further_views: more cameras on the same body: x y z, or x y z qx qy qz qw, of each in the axes of the first. Each
-        has sensors of its own, which are numbered after those of the camera before.
+    calibration: gives size, intrinsics, distortion and T_body_camera: a saccade.Camera, or the path of a file that
+        saccade.read_calibration() reads. Of a camchain it is cam0.
+    T_body_camera: the place of the camera on the body that follows the trajectory and carries the IMU, in scene units:
+        a matrix (4, 4), or x y z, or x y z qx qy qz qw. It takes points from the camera's axes to the body's.
+    further_views: more cameras on the same body: the place of each, likewise, in the axes of the first. Each has sensors
+        of its own, which are numbered after those of the camera before, and the truth channels.
+
+    duration_s: stream time; without it, or with 0, the stream goes on until it is closed.
     clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed, "lockstep" renders a frame
         for each Stream.step().
     steerable: Stream.steer() may be called; with "lockstep" it always may.
@@ -70,6 +76,10 @@ class Settings(Needed, total=False):
 
     truth: a truth channel, or a list of them: each a name of Client.info().truth, or a pair of it and n for every n-th
     frame. Stream.samples() gives their samples.
+    Of the channel imu: imu_rate_hz, 200 by default. metres_per_unit: of the scene, 1 by default. gravity: x y z in
+    m/s^2 in world axes, (0, -9.81, 0) by default; (0, 0, -9.81) where z is up. imu_noise: amounts by name, 0 by
+    default, as Kalibr's imu.yaml has them: accelerometer_noise (m/s^2/sqrt(Hz)), gyroscope_noise (rad/s/sqrt(Hz)),
+    accelerometer_walk (m/s^3/sqrt(Hz)), gyroscope_walk (rad/s^2/sqrt(Hz)).
 
     Rendering: method, spp, params (by name), bounces, jitter, monochrome, bake_error, disable (scene features), or a
     budget instead: budget_ms, max_false_rate; or max_event_change, a share from 0 to 1.
@@ -82,10 +92,13 @@ class Settings(Needed, total=False):
     turn_s: float
     motion_seed: int
     duration_s: float
+    size: tuple[int, int]
     fov_x_deg: float
     intrinsics: tuple[float, float, float, float]
     distortion: tuple[Literal["radtan", "equidistant"], Sequence[float]]
-    further_views: Sequence[Sequence[float]]
+    calibration: str | os.PathLike[str] | Camera
+    T_body_camera: Place
+    further_views: Sequence[Place]
     clock: Literal["fast", "paced", "lockstep"]
     speed: float
     steerable: bool
@@ -107,6 +120,10 @@ class Settings(Needed, total=False):
     preset: str
     noise: Mapping[str, float]
     truth: str | Sequence[str | tuple[str, int]]
+    imu_rate_hz: float
+    metres_per_unit: float
+    gravity: Sequence[float]
+    imu_noise: Mapping[str, float]
     method: str
     spp: int
     params: Mapping[str, float]

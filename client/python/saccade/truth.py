@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from saccade.v1 import truth_pb2
 
+OF_BODY = "imu"  # the channel of the body; the others are of a camera
+
 
 @dataclass(frozen=True, eq=False)
 class Truth:
@@ -19,6 +21,7 @@ class Truth:
     data: a picture (height, width, planes), or a row (planes); a read-only view of the received packet.
     exposure: begin and end in microseconds of a picture that was exposed, else None.
     channel: index into `truth` of the request.
+    view: the number of its camera, as further_views counts them from 1; None of the body, whose channel is imu.
     """
 
     name: str
@@ -26,6 +29,7 @@ class Truth:
     data: NDArray[Any]
     exposure: tuple[int, int] | None
     channel: int
+    view: int | None
 
 
 @dataclass(frozen=True)

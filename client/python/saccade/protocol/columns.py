@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,7 +47,7 @@ def read_columns(header: events_pb2.PacketHeader, payload: bytes) -> Events:
     return Events(t, x, y, p.view(np.bool_), (header.width, header.height), interval, header.sensor, **labels)
 
 
-def _read_labels(n: int, payload: bytes) -> dict[str, NDArray[np.uint8]]:
+def _read_labels(n: int, payload: bytes) -> dict[str, Any]:
     source = np.frombuffer(payload, "u1", n, offset=9 * n)
     if n > 0 and source.max() > max(events_pb2.EventSource.values()):
         raise PacketFault("a source that is unknown")

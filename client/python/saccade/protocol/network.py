@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import asyncio
+import threading
 import time
 from collections.abc import Coroutine
 from typing import Any, Protocol, TypeVar
@@ -49,14 +50,14 @@ def run(coroutine: Coroutine[Any, Any, T]) -> T:
 
 class BlockingChannel:
     def __init__(self, socket: zmq.Socket[bytes]) -> None:
-        self._socket = socket
+        self._socket, self._thread = socket, threading.get_ident()
 
     async def send(self, message: bytes) -> None:
-        _require_open(self._socket)
+        self._require_usable()
         self._socket.send(message)
 
     async def receive(self, timeout_s: float) -> list[bytes] | None:
-        _require_open(self._socket)
+        self._require_usable()
         # Copied into bytes: numpy then finds the columns aligned, which they are not within a message of ZeroMQ.
         return self._socket.recv_multipart() if self._socket.poll(_milliseconds(timeout_s)) else None
 
@@ -68,6 +69,11 @@ class BlockingChannel:
 
     def close(self, linger_s: float = 0) -> None:
         self._socket.close(linger=_milliseconds(linger_s))
+
+    def _require_usable(self) -> None:
+        _require_open(self._socket)
+        if threading.get_ident() != self._thread:
+            raise SaccadeError("a client and its streams belong to the thread that made them: connect() in each thread")
 
 
 class BlockingNetwork:

@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NoReturn
 
+from saccade.camera import cameras_of
 from saccade.errors import StreamFault
 from saccade.v1 import control_pb2
 
@@ -29,6 +30,10 @@ def check_opened(opened: control_pb2.StreamOpened, asked: control_pb2.OpenStream
         _fail(f"timing.frame_rate_hz is {resolved.timing.frame_rate_hz}")
     if not 0 <= resolved.timing.duration_s <= MOST_DURATION_S:
         _fail(f"timing.duration_s is {resolved.timing.duration_s}")
+    try:
+        cameras_of(resolved)
+    except ValueError as fault:
+        _fail(str(fault))
     _check_delivery(opened, asked.delivery)
 
 

@@ -1,6 +1,7 @@
 """A stream as coroutines: what its blocking and its asyncio form share."""
 from __future__ import annotations
 
+import functools
 import os
 from collections import Counter, deque
 from collections.abc import Sequence
@@ -10,15 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from saccade import recording
+from saccade.camera import Camera, cameras_of
 from saccade.errors import StreamFault
-from saccade.events import Events, concatenate
+from saccade.events import Events, concatenate, seen_by
 from saccade.frames import Frame, luminance
 from saccade.protocol.columns import NS_PER_US, Snapshot
+from saccade.protocol.request import make_sensor_change
 from saccade.protocol.samples import Samples
 from saccade.protocol.sequence import Losses
 from saccade.protocol.subscription import Subscription, end_text
 from saccade.settings import SensorSettings
-from saccade.truth import IdNames, Truth
+from saccade.truth import OF_BODY, IdNames, Truth
 from saccade.v1 import control_pb2, events_pb2
 
 
@@ -61,6 +64,11 @@ class StreamState:
     def size(self) -> tuple[int, int]:
         """Width and height in pixels."""
         return self.resolved.view.width, self.resolved.view.height
+
+    @functools.cached_property
+    def cameras(self) -> list[Camera | None]:
+        """The calibration of each view; None for frames that are pushed."""
+        return cameras_of(self.resolved)
 
     @property
     def suppressed(self) -> int:
@@ -107,14 +115,19 @@ class StreamState:
             self._keep(packet.header.sensor - len(self.resolved.sensors), packet.content)
         elif packet.content is None and self._subscription.sequence.all_ended():
             self._check_whole(packet.header)
-        return packet.content if isinstance(packet.content, Events) else None
+        if not isinstance(packet.content, Events):
+            return None
+        if packet.header.sensor >= len(self.resolved.sensors):
+            raise StreamFault("a packet of events is of a truth channel")
+        return seen_by(packet.content, self.cameras[self.resolved.sensors[packet.header.sensor].view])
 
     def _keep(self, channel: int, samples: Samples) -> None:
         if channel < 0:
             raise StreamFault("a packet of truth is of a sensor")
-        name = self.resolved.truth[channel].name
+        asked = self.resolved.truth[channel]
+        view = None if asked.name == OF_BODY else asked.view
         for t, data in zip(samples.t, samples.data):
-            self._samples.append(Truth(name, int(t), data, samples.exposure, channel))
+            self._samples.append(Truth(asked.name, int(t), data, samples.exposure, channel, view))
 
     def _check_whole(self, end: events_pb2.PacketHeader) -> None:
         frames = self._subscription.sequence.end_ns() * 1e-9 * self.resolved.timing.frame_rate_hz
@@ -146,7 +159,7 @@ class StreamState:
         return [concatenate(part) for part in parts]
 
     async def _change_sensor(self, sensor: int, change: SensorSettings) -> int:
-        message = control_pb2.SensorChange(**change)
+        message = make_sensor_change(change)
         return (await self._subscription.handle.change_sensor(sensor, message)).t_ns // NS_PER_US
 
     async def _save(self, path: str | os.PathLike[str], events: Events) -> None:

@@ -1,6 +1,7 @@
 """Makes the Trajectory message from the settings `trajectory` and `motion`."""
 from __future__ import annotations
 
+import math
 import os
 import pathlib
 from collections.abc import Mapping
@@ -14,7 +15,10 @@ from saccade.v1.geometry_pb2 import Quaternion, Vector3
 
 
 def make_trajectory(settings: Mapping[str, Any]) -> c.Trajectory:
-    """Raises ValueError for a faulty one, TypeError for none or two, and OSError for a file that cannot be read."""
+    """Of checked settings.
+
+    Raises ValueError for a faulty one, TypeError for none or two, and OSError for a file that cannot be read.
+    """
     if ("trajectory" in settings) == ("motion" in settings):
         raise TypeError("give either trajectory or motion")
     moving = ":" in settings.get("motion", "")
@@ -27,10 +31,13 @@ def make_trajectory(settings: Mapping[str, Any]) -> c.Trajectory:
         return c.Trajectory(name=settings["motion"])
     path = settings["trajectory"]
     if not isinstance(path, (str, os.PathLike)):
-        return c.Trajectory(keyframes=_keyframes(np.asarray(path, np.float64)))
+        return c.Trajectory(keyframes=_keyframes(path))
     if isinstance(path, str) and not path.endswith((".csv", ".txt")):
         return c.Trajectory(name=path)
-    return c.Trajectory(csv=pathlib.Path(path).read_text(encoding="utf-8"))
+    try:
+        return c.Trajectory(csv=pathlib.Path(path).read_text(encoding="utf-8"))
+    except UnicodeDecodeError:
+        raise ValueError(f"trajectory: {os.fspath(path)} is not a text of poses") from None
 
 
 def _motion(settings: Mapping[str, Any]) -> c.Motion:
@@ -41,20 +48,21 @@ def _motion(settings: Mapping[str, Any]) -> c.Motion:
         raise ValueError(f"motion: '{kind}' is not one of {', '.join(known)}")
     motion = c.Motion(kind=known[kind], seed=settings.get("motion_seed", 0))
     try:
-        if speed.endswith("px"):
-            motion.px_per_frame = float(speed.removesuffix("px"))
-        else:
-            motion.speed = float(speed)
+        number = float(speed.removesuffix("px"))
     except ValueError:
-        raise ValueError(f"motion: '{settings['motion']}' is not KIND:SPEED, such as 'pan:-15'") from None
+        number = math.nan
+    if not math.isfinite(number):
+        raise ValueError(f"motion: '{settings['motion']}' is not KIND:SPEED, such as 'pan:-15'")
+    if speed.endswith("px"):
+        motion.px_per_frame = number
+    else:
+        motion.speed = number
     if "turn_s" in settings:
         motion.turn_s = settings["turn_s"]
     return motion
 
 
 def _keyframes(poses: NDArray[np.float64]) -> c.Keyframes:
-    if poses.ndim != 2 or poses.shape[1] != 8:
-        raise ValueError(f"trajectory has shape {poses.shape}: poses are (n, 8), t x y z qx qy qz qw")
     rows: Any = poses.tolist()  # lists of eight floats; stubs of numpy do not know how deep
     return c.Keyframes(keys=[c.Keyframe(time_s=row[0], position=Vector3(x=row[1], y=row[2], z=row[3]),
                                         rotation=Quaternion(x=row[4], y=row[5], z=row[6], w=row[7])) for row in rows])

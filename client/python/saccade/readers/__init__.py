@@ -38,7 +38,7 @@ def open_file(path: str | os.PathLike[str], *, size: tuple[int, int] | None = No
 
     .raw: Prophesee RAW of EVT2 or EVT3. .aedat4: inivation AEDAT 4, which needs lz4 or zstandard if compressed.
     .h5: HDF5 as DSEC has it, which needs h5py. .npz: numpy arrays t (microseconds), x, y, p.
-    .csv: lines t_us,x,y,p under a heading. .txt: lines t x y p, t in seconds, under a line `width height` or none.
+    .csv: lines t,x,y,p under a heading, t in microseconds. .txt: lines t x y p, t in seconds, under a line `width height` or none.
     chunk: events of a piece; words of a RAW file, which hold about as many.
     size: width and height of the sensor, for files that do not tell them; others must agree.
 

@@ -16,11 +16,11 @@ US_PER_S = 1e6
 
 
 def csv_chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
-    """Lines `t_us,x,y,p` under a heading of these words."""
+    """Lines `t,x,y,p`, whole microseconds, under a heading of these words; older files have `t_us`."""
     with path.open() as file:
         heading = file.readline().strip()
-        if heading != "t_us,x,y,p":
-            raise FormatError(f"the heading is '{heading[:40]}', not 't_us,x,y,p'")
+        if heading not in ("t,x,y,p", "t_us,x,y,p"):
+            raise FormatError(f"the heading is '{heading[:40]}', not 't,x,y,p'")
         yield from _chunks(file, ",", chunk, 1.0, None)
 
 
