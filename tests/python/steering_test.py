@@ -83,8 +83,14 @@ class Steering(unittest.TestCase):
             first, whole = saccade.concatenate(steps[:STEPS + 5]), saccade.concatenate(steps)
             for path, events in (("first.npz", first), ("whole.npz", whole)):
                 stream.save(folder / path, events)
-            with self.assertRaisesRegex(ValueError, "does not end with .npz"):
-                stream.save(folder / "a.h5", whole)
+            for path, text in (("a.raw", "does not end with .npz or .h5"), ("a.bag", "saccade replay FILE.json -o a.bag"),
+                               ("a.mcap", "saccade replay FILE.json -o a.mcap")):
+                with self.assertRaisesRegex(ValueError, text):
+                    stream.save(folder / path, whole)
+            for wrong, kind, text in (([], ValueError, "no Events"), ([1], TypeError, "not int"),
+                                      (stream.truth, ValueError, "no Events")):
+                with self.assertRaisesRegex(kind, text):
+                    stream.save(folder / "a.npz", wrong)
         for path, events in (("first.npz", first), ("whole.npz", whole)):
             self.assertGreater(len(events), 500)
             self.assertIn(f"all {len(events)} events are as recorded", self.command("verify", folder / path))

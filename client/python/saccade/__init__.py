@@ -20,6 +20,7 @@ from saccade.protocol.stream_state import Picture
 from saccade.readers import open_file, read
 from saccade.readers.calibration import read_calibration
 from saccade.readers.truth import read_id_names, read_truth
+from saccade.recording import Recording
 from saccade.settings import SensorSettings, Settings
 from saccade.truth import IdNames, Truth, TruthArrays
 from saccade.windowing import windows
@@ -28,7 +29,7 @@ __version__ = "0.1.0"
 
 __all__ = [
     "Camera", "Client", "Events", "FormatError", "IdNames", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer", "NotFound",
-    "PacketFault", "PermissionDenied", "Picture", "Refused", "RetryPolicy", "SaccadeError", "SensorSettings",
+    "PacketFault", "PermissionDenied", "Picture", "Recording", "Refused", "RetryPolicy", "SaccadeError", "SensorSettings",
     "Settings", "Snapshot", "Stream", "StreamFault", "StreamRefused", "Truth", "TruthArrays", "Unavailable",
     "Unimplemented", "concatenate", "connect", "open_file", "read", "read_calibration", "read_id_names", "read_truth", "windows",
 ]

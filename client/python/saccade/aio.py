@@ -16,6 +16,7 @@ from saccade.protocol.stream_state import Picture, StreamState
 from saccade.settings import SensorSettings, Settings
 from saccade.truth import Truth
 from saccade.v1 import control_pb2
+from saccade.writers import Items
 
 if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
@@ -91,7 +92,7 @@ class Stream(StreamState):
     async def describe(self) -> control_pb2.OpenStream:
         return await self._subscription.handle.describe()
 
-    async def save(self, path: str | os.PathLike[str], events: Events) -> None:
+    async def save(self, path: str | os.PathLike[str], events: Items) -> None:
         await self._save(path, events)
 
     async def info(self) -> control_pb2.StreamInfo:

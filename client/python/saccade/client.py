@@ -16,6 +16,7 @@ from saccade.protocol.stream_state import Picture, StreamState
 from saccade.settings import SensorSettings, Settings
 from saccade.truth import Truth
 from saccade.v1 import control_pb2
+from saccade.writers import Items
 
 if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
@@ -140,12 +141,15 @@ class Stream(StreamState):
         """The request that repeats the stream, as it was steered and changed so far, with equal events."""
         return run(self._subscription.handle.describe())
 
-    def save(self, path: str | os.PathLike[str], events: Events) -> None:
-        """Writes events of one sensor to PATH, an .npz, and to PATH.json what repeats them.
+    def save(self, path: str | os.PathLike[str], events: Items) -> None:
+        """Writes events of one sensor or of all to PATH, an .npz or .h5, and to PATH.json what repeats them.
 
-        events: from the begin of the stream up to any frame, as saccade.concatenate() joins them.
+        events: Events from the begin of the stream up to any frame, and perhaps samples of truth, such as
+            `list(stream.samples())`, or what step() and `stream.truth` gave, in one list.
+        Of several sensors an .h5 holds all, and an .npz becomes a file for each: a-0.npz, a-1.npz.
         `saccade replay PATH.json` renders the stream again as it was steered and changed, and compares the events.
-        Raises ValueError for another extension, and OSError.
+        Raises ValueError for another extension, for none or some of several sensors, ImportError for .h5 without h5py,
+        and OSError.
         """
         run(self._save(path, events))
 

@@ -131,10 +131,8 @@ class Events:
         if not os.fspath(path).endswith(".npz"):
             raise ValueError(f"{os.fspath(path)} does not end with .npz, which alone is written; "
                              "`saccade convert` makes other formats of it")
-        width, height = representations.known_size(self)
-        labels = {name: label for name in LABELS if (label := getattr(self, name)) is not None}
-        np.savez_compressed(path, t=self.t, x=self.x, y=self.y, p=self.p.view(np.uint8), width=width, height=height,
-                            **labels)
+        from saccade.writers.npz import write_npz
+        write_npz(path, self)
 
 
 def seen_by(events: Events, camera: Camera | None) -> Events:

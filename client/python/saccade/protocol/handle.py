@@ -9,7 +9,7 @@ from saccade.protocol.control import DEADLINE_S, Control
 from saccade.protocol.opened_check import check_opened
 from saccade.protocol.sockets import reachable_endpoint
 from saccade.protocol.steering import make_change, make_describe, make_push, make_steer
-from saccade.v1 import control_pb2, recording_pb2
+from saccade.v1 import control_pb2, recording_pb2, truth_pb2
 
 OPEN_DEADLINE_S = 600.0  # a large scene takes long to load
 
@@ -109,11 +109,12 @@ class StreamHandle:
             request.trajectory.CopyFrom(self.opened.resolved.trajectory)
         return request
 
-    def describe_maker(self, recording: recording_pb2.Recording) -> None:
-        """Fills in who has made the events."""
+    def describe_maker(self, recording: recording_pb2.Recording) -> dict[str, truth_pb2.TruthInfo]:
+        """Fills in who has made the events. Returns the truth channels of the server, by name."""
         recording.bake_digest = self.opened.bake_digest
         recording.server_version = self._server.version
         recording.instruction_set = self._server.instruction_set
+        return {info.name: info for info in self._server.truth}
 
     async def close(self) -> None:
         """Ends the stream at its next frame: the packets up to there still come, and then END. Does not wait."""

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from saccade import recording
 from saccade.camera import Camera, cameras_of
 from saccade.errors import StreamFault
 from saccade.events import Events, concatenate, seen_by
@@ -22,7 +21,8 @@ from saccade.protocol.sequence import Losses
 from saccade.protocol.subscription import Subscription, end_text
 from saccade.settings import SensorSettings
 from saccade.truth import OF_BODY, IdNames, Truth
-from saccade.v1 import control_pb2, events_pb2
+from saccade.v1 import control_pb2, events_pb2, recording_pb2
+from saccade.writers import Items, Saved
 
 
 @dataclass(frozen=True)
@@ -162,12 +162,13 @@ class StreamState:
         message = make_sensor_change(change)
         return (await self._subscription.handle.change_sensor(sensor, message)).t_ns // NS_PER_US
 
-    async def _save(self, path: str | os.PathLike[str], events: Events) -> None:
-        about = recording.describe_events(events)
-        about.request.CopyFrom(await self._subscription.handle.describe())
-        self._subscription.handle.describe_maker(about)
-        about.lost_events, about.suppressed = self.losses.events, self._suppressed[events.sensor]
-        recording.save(path, events, about)
+    async def _save(self, path: str | os.PathLike[str], events: Items) -> None:
+        saved = Saved(path, events)
+        maker = recording_pb2.Recording(lost_events=self.losses.events)
+        if self.opened.HasField("id_names"):
+            maker.id_names.CopyFrom(self.opened.id_names)
+        maker.request.CopyFrom(await self._subscription.handle.describe())
+        saved.write(maker, self._suppressed, self._subscription.handle.describe_maker(maker))
 
     async def _info(self) -> control_pb2.StreamInfo:
         info = await self._subscription.handle.info()

@@ -15,8 +15,8 @@ from saccade.errors import FormatError
 from saccade.events import Events, concatenate
 from saccade.readers import aedat4, dsec, npz, raw, text
 from saccade.readers.columns import events_of
+from saccade.readers.files import Place, find_files
 from saccade.readers.recorded import within_recording
-from saccade.readers.sidecar import sidecar_of
 
 CHUNK = 1_000_000  # events
 NONE = np.empty(0)
@@ -32,18 +32,20 @@ FORMATS: dict[str, Chunks] = {
 }
 
 
-def open_file(path: str | os.PathLike[str], *, size: tuple[int, int] | None = None,
+def open_file(path: str | os.PathLike[str], *, size: tuple[int, int] | None = None, sensor: int | None = None,
               chunk: int = CHUNK) -> Iterator[Events]:
     """The events of a file, piece by piece. The extension names the format:
 
     .raw: Prophesee RAW of EVT2 or EVT3. .aedat4: inivation AEDAT 4, which needs lz4 or zstandard if compressed.
     .h5: HDF5 as DSEC has it, which needs h5py. .npz: numpy arrays t (microseconds), x, y, p.
     .csv: lines t,x,y,p under a heading, t in microseconds. .txt: lines t x y p, t in seconds, under a line `width height` or none.
+    sensor: of a recording with several, in one .h5 or in numbered files, of which any may be given; by default that of
+        the file, or its first one.
     chunk: events of a piece; words of a RAW file, which hold about as many.
     size: width and height of the sensor, for files that do not tell them; others must agree.
 
-    PATH.json beside the file, as `saccade record` writes it, tells the size too, and when the recording began and ended:
-    the first piece covers the time from there, and the last one up to there. Without it they begin with the first event
+    PATH.json beside the file, as `saccade record` writes it, tells the size and the camera, and when the recording began
+    and ended: the first piece covers the time from there, and the last one up to there. Without it they begin with the first event
     and end with the last.
 
     Raises FormatError (a ValueError) for an unknown extension, faulty content, a pixel outside the size, times that
@@ -52,26 +54,35 @@ def open_file(path: str | os.PathLike[str], *, size: tuple[int, int] | None = No
     path = pathlib.Path(path)
     if path.suffix not in FORMATS:
         raise FormatError(f"{path}: the extension is not one of {', '.join(FORMATS)}")
-    about = sidecar_of(path)
+    files = find_files(path)
+    number = files.own if sensor is None else sensor
+    place, about = files.sensor(number), files.sidecar(number)
     if about is not None and about.width:
         size = size or (about.width, about.height)
-    chunks = _checked(path, FORMATS[path.suffix](path, chunk), size)
-    return within_recording(path, chunks, about, size) if about is not None and about.end_ns else chunks
+    chunks = _checked(place.path, _pieces(place, chunk), size, number)
+    return within_recording(place.path, chunks, about, size) if about is not None and about.end_ns else chunks
 
 
-def read(path: str | os.PathLike[str], *, size: tuple[int, int] | None = None) -> Events:
-    """All events of a file, as open_file() gives them in pieces, with their interval."""
-    parts = list(open_file(path, size=size))
+def read(path: str | os.PathLike[str], *, size: tuple[int, int] | None = None, sensor: int | None = None) -> Events:
+    """All events of a sensor in a file, as open_file() gives them in pieces, with their interval."""
+    parts = list(open_file(path, size=size, sensor=sensor))
     return concatenate(parts) if parts else events_of(NONE, NONE, NONE, NONE, size)
 
 
-def _checked(path: pathlib.Path, chunks: Iterator[Events], size: tuple[int, int] | None) -> Iterator[Events]:
+def _pieces(place: Place, chunk: int) -> Iterator[Events]:
+    if place.group:
+        return dsec.chunks(place.path, chunk, place.group)
+    return FORMATS[place.path.suffix](place.path, chunk)
+
+
+def _checked(path: pathlib.Path, chunks: Iterator[Events], size: tuple[int, int] | None,
+             sensor: int) -> Iterator[Events]:
     newest = None  # time of the last event of the chunk before
     try:
         for events in chunks:
             if size is not None and events.size not in (None, size):
                 raise FormatError(f"the size is {events.size}, not {size}")
-            events = replace(events, size=events.size or size)
+            events = replace(events, size=events.size or size, sensor=sensor)
             if len(events):
                 _check(events, newest)
                 newest = int(events.t[-1])

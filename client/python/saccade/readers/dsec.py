@@ -1,5 +1,7 @@
 """HDF5 as the data set DSEC has it: /events/t, x, y, p, and /t_offset, which counts for each t; microseconds.
 
+Further sensors of a recording have the same in the groups /sensor_1, /sensor_2 and so on.
+
 Labels are /events/source and artefact.
 """
 from __future__ import annotations
@@ -15,9 +17,13 @@ from saccade.events import LABELS, Events
 from saccade.readers.columns import events_of
 
 
-def chunks(path: pathlib.Path, chunk: int) -> Iterator[Events]:
+def chunks(path: pathlib.Path, chunk: int, group: str = "") -> Iterator[Events]:
+    """group: of the sensor, where it is not the first: "sensor_1/"."""
     import h5py
-    with h5py.File(path, "r") as file:
+    with h5py.File(path, "r") as whole:
+        if group and group not in whole:
+            raise FormatError(f"no group '{group.rstrip('/')}'")
+        file = whole[group] if group else whole
         names = [f"events/{name}" for name in "txyp"]
         missing = [name for name in names if name not in file]
         if missing:

@@ -8,24 +8,29 @@ from typing import Any
 import numpy as np
 
 from saccade.errors import FormatError
-from saccade.readers.sidecar import read_sidecar, sidecar_of
+from saccade.readers.files import find_files
+from saccade.readers.sidecar import read_sidecar
 from saccade.truth import IdNames, TruthArrays
 
 
-def read_truth(path: str | os.PathLike[str]) -> dict[str, TruthArrays]:
-    """The truth channels of an .h5 or .npz file, by name; empty for a file without any.
+def read_truth(path: str | os.PathLike[str], *, view: int | None = None) -> dict[str, TruthArrays]:
+    """The truth channels of a camera in a recording, by name; empty without any.
 
-    A recording with several sensors of a camera keeps its truth in the file of the first one, such as a-0.h5. It is read
-    from there for the others, such as a-1.h5.
+    path: an .h5 or .npz file. Of a file of another format they are in the folder FILE.truth: its rows are read, such as
+        poses. Its pictures are files of their own, and left out here.
+    view: the number of the camera; by default that of the file's sensor, or of its first one. The sensors of a camera
+        share its truth, so it may be in the file of another one: read_truth("a-1.h5") finds it in a-0.h5.
 
-    Raises FormatError for another extension and for faulty content, and OSError.
+    Raises FormatError for a view that is not there and for faulty content, and OSError.
     """
-    path = pathlib.Path(path)
-    if path.suffix not in (".h5", ".npz"):
-        raise FormatError(f"{path}: truth channels are read from .h5 and .npz; see {path.name}.truth for others")
-    path = _with_truth(path)
+    files = find_files(path)
+    place = files.truth(files.view_of(files.own) if view is None else view)
+    path = place.path
     try:
-        channels = _of_hdf5(path) if path.suffix == ".h5" else _of_npz(path)
+        if path.suffix == ".h5":
+            channels = _of_hdf5(path, place.group)
+        else:
+            channels = _of_npz(path) if path.suffix == ".npz" else _of_folder(path.with_name(path.name + ".truth"))
     except ImportError:
         raise
     except Exception as fault:
@@ -38,16 +43,6 @@ def read_truth(path: str | os.PathLike[str]) -> dict[str, TruthArrays]:
     return channels
 
 
-def _with_truth(path: pathlib.Path) -> pathlib.Path:
-    """The file of the first sensor of the same view, where PATH.json tells of several; else the path itself."""
-    about = sidecar_of(path)
-    if about is None or not about.request.truth or about.sensor >= len(about.request.sensors):
-        return path
-    views = [sensor.view for sensor in about.request.sensors]
-    first, own = views.index(views[about.sensor]), f"-{about.sensor}"
-    return path.with_stem(path.stem.removesuffix(own) + f"-{first}") if path.stem.endswith(own) else path
-
-
 def read_id_names(path: str | os.PathLike[str]) -> IdNames:
     """The names of the numbers in the channel ids of a recording, from PATH.json; empty without this channel.
 
@@ -56,10 +51,10 @@ def read_id_names(path: str | os.PathLike[str]) -> IdNames:
     return IdNames.of(read_sidecar(path).id_names)
 
 
-def _of_hdf5(path: pathlib.Path) -> dict[str, TruthArrays]:
+def _of_hdf5(path: pathlib.Path, group: str) -> dict[str, TruthArrays]:
     import h5py
     with h5py.File(path, "r") as file:
-        groups = file["truth"].items() if "truth" in file else ()
+        groups = file[group + "truth"].items() if group + "truth" in file else ()
         return {name: _of_group(group) for name, group in groups}
 
 
@@ -70,6 +65,17 @@ def _of_group(group: Any) -> TruthArrays:
     planes = tuple(map(str, group.attrs.get("planes", ())))
     return TruthArrays(group["t"][:], group["data"][:], exposure, planes, str(group.attrs.get("unit", "")),
                        str(group.attrs.get("description", "")))
+
+
+def _of_folder(folder: pathlib.Path) -> dict[str, TruthArrays]:
+    """Channels of rows: NAME.csv, with the time in microseconds and the planes under their names."""
+    channels = {}
+    for path in sorted(folder.glob("*.csv")):
+        with path.open(encoding="utf-8") as file:
+            planes = file.readline().strip().split(",")[1:]
+            rows = np.loadtxt(file, np.float64, delimiter=",", ndmin=2).reshape(-1, 1 + len(planes))
+        channels[path.stem] = TruthArrays(rows[:, 0].astype(np.int64), rows[:, 1:], None, tuple(planes))
+    return channels
 
 
 def _of_npz(path: pathlib.Path) -> dict[str, TruthArrays]:
