@@ -99,7 +99,8 @@ class Files(unittest.TestCase):
         size, intrinsics, distortion, place = self.read(KALIBR)
         self.assertEqual((size, intrinsics), ((752, 480), (461.629, 460.152, 362.680, 246.049)))
         self.assertEqual(distortion, ("radtan", (-0.27695497, 0.06712482, 0.00087538, 1e-5)))
-        imu_to_camera = [[0.01779318, 0.99967549, -0.01822936, 0.07008565], [-0.9998017, 0.01795239, 0.00860714, -0.01771023],
+        imu_to_camera = [[0.01779318, 0.99967549, -0.01822936, 0.07008565],
+                         [-0.9998017, 0.01795239, 0.00860714, -0.01771023],
                          [0.00893160, 0.01807260, 0.99979678, 0.00399246], [0, 0, 0, 1]]
         np.testing.assert_allclose(place @ imu_to_camera, np.eye(4), atol=1e-5)
         self.assertEqual(self.read(KALIBR, camera=1), ((346, 260), (300, 301, 170, 131),
@@ -142,9 +143,12 @@ class Files(unittest.TestCase):
                           (ROS.replace("plumb_bob", "rational_polynomial"), "lens 'rational_polynomial' is not one of"),
                           (ROS.replace("0.000505, 0.0", "0.000505, 0.1, 0.2"), "4 or 5 coefficients, not 6"),
                           (ROS.replace("image_width", "width"), "image_width is not a finite number"),
-                          (ROS.replace("640", "no"), "image_width is not"), (ROS.replace("640", "[]"), "image_width is not"), (ROS.replace("640", "0.5"), "none of a picture"),
-                          (ROS.replace("438.783367", ".nan"), "data is not 9 finite"), (ROS.replace("438.783367, 0.0", "4, 0.1"), "skew"),
-                          (ROS.replace("438.783367, 0.0", "4"), "data is not 9 finite"), (ROS.replace("data", "date"), "data is not"),
+                          (ROS.replace("640", "no"), "image_width is not"),
+                          (ROS.replace("640", "[]"), "image_width is not"), (ROS.replace("640", "0.5"), "none of a picture"),
+                          (ROS.replace("438.783367", ".nan"), "data is not 9 finite"),
+                          (ROS.replace("438.783367, 0.0", "4, 0.1"), "skew"),
+                          (ROS.replace("438.783367, 0.0", "4"), "data is not 9 finite"),
+                          (ROS.replace("data", "date"), "data is not"),
                           (KALIBR.replace("pinhole", "omni"), "'omni' is not pinhole"),
                           (KALIBR.replace("- [0.0, 0.0, 0.0, 1.0]", "- [0.0, 0.0, 0.0, 2.0]"), "no rotation"),
                           (KALIBR.replace("[752, 480]", "[752]"), "resolution is not 2 finite"),

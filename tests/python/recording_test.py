@@ -67,7 +67,8 @@ class Rig(unittest.TestCase):
     def test_windows_begin_where_the_recording_began(self):
         windows = [list(self.recorded.windows(duration_us=20_000, sensor=sensor)) for sensor in range(4)]
         for sensor, of_one in enumerate(windows):
-            self.assertEqual([(w.t0, w.t1, w.sensor) for w in of_one], [(t, t + 20_000, sensor) for t in (0, 20_000, 40_000)])
+            self.assertEqual([(w.t0, w.t1, w.sensor) for w in of_one],
+                             [(t, t + 20_000, sensor) for t in (0, 20_000, 40_000)])
             np.testing.assert_array_equal(rows(saccade.concatenate(of_one)), rows(self.recorded.events[sensor]))
         self.assertGreater(self.recorded.events[0].t[0], 0)
         self.assertEqual([w.sensor for w in self.recorded.windows(count=10**6)], [0])
@@ -158,7 +159,8 @@ class Rig(unittest.TestCase):
         with h5py.File(self.folder / "rig.h5") as file:
             self.assertEqual(file.keys(), {"events", "ms_to_idx", "t_offset", "truth", "sensor_1", "sensor_2", "sensor_3",
                                            "view_1"})
-            self.assertEqual((file["truth"].keys(), file["view_1/truth"].keys()), ({"depth", "pose", "imu"}, {"depth", "pose"}))
+            self.assertEqual((file["truth"].keys(), file["view_1/truth"].keys()),
+                             ({"depth", "pose", "imu"}, {"depth", "pose"}))
             for sensor in range(4):
                 group = file[f"sensor_{sensor}"] if sensor else file
                 t, index = group["events/t"][:], group["ms_to_idx"][:]

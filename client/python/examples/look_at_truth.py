@@ -1,8 +1,8 @@
-"""Draws recordings with truth, a row for each: events over the exposed frame, optical flow as colours, and depth.
+"""Draws a recording, a row for each camera: events over the exposed frame, optical flow as colours, and depth.
 
-    python3 look_at_truth.py PICTURE.png stereo-0.h5 stereo-1.h5
+    python3 look_at_truth.py PICTURE.png stereo.h5
 
-The recordings have the truth channels frame, flow_forward and depth. The direction of the flow is the hue: red is to
+The recording has the truth channels frame, flow_forward and depth. The direction of the flow is the hue: red is to
 the right, and the hues turn clockwise. Its length is the saturation: white stands still. Black has no valid flow. White
 in the depth has no surface.
 Events are those of the exposure: ON is red, OFF is blue.
@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 import saccade
 
 NO_SURFACE = 1e5  # what the channel depth has there
+
 
 def frame_with_events(frames: saccade.TruthArrays, sample: int, events: saccade.Events) -> NDArray[np.float64]:
     """Colours, float (height, width, 3)."""
@@ -49,20 +50,16 @@ def surface_depth(depth: NDArray[np.float32]) -> NDArray[np.float32]:
     return np.where(depth < NO_SURFACE, depth, np.float32(np.nan))
 
 
-def channel(truth: dict[str, saccade.TruthArrays], kind: str, path: str) -> saccade.TruthArrays:
-    """That of a name, or with the number of its view."""
-    for name, arrays in truth.items():
-        if name == kind or name.startswith(kind + "_view"):
-            return arrays
-    raise SystemExit(f"{path} has no truth channel {kind}; record it with --truth {kind}")
-
-
-def draw(path: str, row: Any) -> None:
-    truth, events = saccade.read_truth(path), saccade.read(path)
-    frames, flow, depth = (channel(truth, kind, path) for kind in ("frame", "flow_forward", "depth"))
+def draw(recording: saccade.Recording, view: int, row: Any) -> None:
+    truth = recording.truth[view]
+    for kind in ("frame", "flow_forward", "depth"):
+        if kind not in truth:
+            raise SystemExit(f"camera {view} has no truth channel {kind}; record it with --truth {kind}")
+    sensor = next(sensor for sensor in recording.sensors if recording.view_of(sensor) == view)
+    frames, flow, depth = truth["frame"], truth["flow_forward"], truth["depth"]
     middle = len(frames.t) // 2
-    row[0].imshow(frame_with_events(frames, middle, events))
-    row[0].set_title(f"{path}: events over the frame at {frames.t[middle] / 1e6:.3f} s")
+    row[0].imshow(frame_with_events(frames, middle, recording.events[sensor]))
+    row[0].set_title(f"camera {view}: events over the frame at {frames.t[middle] / 1e6:.3f} s")
     row[1].imshow(flow_colours(flow.data[len(flow.t) // 2]))
     row[1].set_title("flow into the next frame")
     row[2].imshow(surface_depth(depth.data[len(depth.t) // 2, ..., 0]), cmap="viridis")
@@ -70,14 +67,14 @@ def draw(path: str, row: Any) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description="Draws recordings with truth.")
+    parser = argparse.ArgumentParser(description="Draws a recording with truth.")
     parser.add_argument("picture", help="PNG to write")
-    parser.add_argument("recordings", nargs="+", help=".h5 or .npz with frame, flow_forward and depth")
+    parser.add_argument("recording", help=".h5 or .npz with frame, flow_forward and depth")
     options = parser.parse_args()
-    count = len(options.recordings)
-    figure, rows = plt.subplots(count, 3, figsize=(15, 4.5 * count), squeeze=False)
-    for path, row in zip(options.recordings, rows):
-        draw(path, row)
+    recording = saccade.Recording(options.recording)
+    figure, rows = plt.subplots(len(recording.truth), 3, figsize=(15, 4.5 * len(recording.truth)), squeeze=False)
+    for view, row in zip(recording.truth, rows):
+        draw(recording, view, row)
     figure.tight_layout()
     figure.savefig(options.picture)
 

@@ -28,8 +28,9 @@ from saccade.windowing import windows
 __version__ = "0.1.0"
 
 __all__ = [
-    "Camera", "Client", "Events", "FormatError", "IdNames", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer", "NotFound",
-    "PacketFault", "PermissionDenied", "Picture", "Recording", "Refused", "RetryPolicy", "SaccadeError", "SensorSettings",
-    "Settings", "Snapshot", "Stream", "StreamFault", "StreamRefused", "Truth", "TruthArrays", "Unavailable",
-    "Unimplemented", "concatenate", "connect", "open_file", "read", "read_calibration", "read_id_names", "read_truth", "windows",
+    "Camera", "Client", "Events", "FormatError", "IdNames", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer",
+    "NotFound", "PacketFault", "PermissionDenied", "Picture", "Recording", "Refused", "RetryPolicy", "SaccadeError",
+    "SensorSettings", "Settings", "Snapshot", "Stream", "StreamFault", "StreamRefused", "Truth", "TruthArrays",
+    "Unavailable", "Unimplemented", "concatenate", "connect", "open_file", "read", "read_calibration", "read_id_names",
+    "read_truth", "windows",
 ]

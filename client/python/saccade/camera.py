@@ -20,7 +20,7 @@ class Camera:
 
     size: width and height in pixels.
     intrinsics: fx, fy, cx, cy in pixels, where the centre of the top left pixel is (0, 0), as in OpenCV.
-    distortion: of the lens, ("radtan", (k1, k2, p1, p2)), with k3 or not, or ("equidistant", (k1, k2, k3, k4)); or None.
+    distortion: ("radtan", (k1, k2, p1, p2)), with k3 or not, or ("equidistant", (k1, k2, k3, k4)), or None.
     T_body_camera: float64 (4, 4), takes points from the axes of the camera to those of its body; None where the camera
         is the body. Lengths are scene units.
     """

@@ -84,8 +84,8 @@ class Stream(StreamState):
 
     Each Events covers its interval, up to 5 ms, and may be empty: nothing happened then. The Events of one sensor
     follow each other without gaps, except for lost packets of LIVE and BROADCAST. Iteration ends after the last
-    frame; a second one raises StreamFault. It reconnects after a loss by itself, and logs that as "saccade". It raises StreamFault if the stream cannot
-    go on.
+    frame; a second one raises StreamFault. It reconnects after a loss by itself, and logs that as "saccade". It raises
+    StreamFault if the stream cannot go on.
 
     suppressed: events that the sensors have withheld so far.
     snapshots: by sensor, the pixels where the events begin; only of streams that joined a running feed.
@@ -114,8 +114,11 @@ class Stream(StreamState):
     def steer(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None) -> int:
         """Sets the camera from the next frame on; returns the time of that frame in microseconds.
 
+        Before the first call the camera is where the motion or trajectory of the stream begins.
+
         pose: position x y z and quaternion x y z w of T_world_camera. velocity: linear in scene units and angular in
-            radians, per second, along the camera's axes x right, y down, z forward.
+            radians, per second, along and about the camera's axes x right, y down, z forward. A positive wx turns it
+            up, wy to the right, and wz clockwise.
         Raises InvalidArgument if the stream is not steerable, and LimitExceeded if too many poses wait.
         """
         return run(self._steer(pose, velocity))

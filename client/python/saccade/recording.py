@@ -22,7 +22,7 @@ US_PER_S = 1e6
 
 
 class Recording:
-    """What `saccade record` or Stream.save() has written, all of it on the clock of the recording.
+    """All that `saccade record` or Stream.save() has written, on the clock of the recording.
 
     path: any of its files of events, such as a.h5, or a-0.npz or a-1.npz of numbered ones. FILE.json beside it tells of
         the others. Without that the file is a recording of one sensor, whose camera is not known.
@@ -87,7 +87,7 @@ class Recording:
         """
         channels = self.truth.get(view, {})
         if "pose" not in channels:
-            raise FormatError(f"{self._files.path}: view {view} has no truth channel 'pose': record with `--truth pose`")
+            raise FormatError(f"{self._files.path}: view {view} has no truth channel 'pose': record with --truth pose")
         pose = channels["pose"]
         return np.column_stack([pose.t / US_PER_S, pose.data])
 

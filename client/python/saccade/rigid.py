@@ -13,7 +13,7 @@ ROUNDING = 1e-3  # of a rotation that is written with few digits
 
 
 def from_numbers(numbers: Any) -> Matrix:
-    """Of x y z, of x y z and a quaternion x y z w of any length, or of a matrix (4, 4). Raises ValueError for others."""
+    """Of x y z, of x y z and a quaternion x y z w of any length, or of a matrix (4, 4). Raises ValueError else."""
     given = np.asarray(numbers, np.float64)
     if not np.isfinite(given).all():
         raise ValueError("a number is not finite")

@@ -54,8 +54,8 @@ class Settings(Needed, total=False):
         saccade.read_calibration() reads. Of a camchain it is cam0.
     T_body_camera: the place of the camera on the body that follows the trajectory and carries the IMU, in scene units:
         a matrix (4, 4), or x y z, or x y z qx qy qz qw. It takes points from the camera's axes to the body's.
-    further_views: more cameras on the same body: the place of each, likewise, in the axes of the first. Each has sensors
-        of its own, which are numbered after those of the camera before, and the truth channels.
+    further_views: more cameras on the same body: the place of each, likewise, in the axes of the first. Each has
+        sensors of its own, which are numbered after those of the camera before, and the truth channels.
 
     duration_s: stream time; without it, or with 0, the stream goes on until it is closed.
     clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed, "lockstep" renders a frame

@@ -38,15 +38,16 @@ def open_file(path: str | os.PathLike[str], *, size: tuple[int, int] | None = No
 
     .raw: Prophesee RAW of EVT2 or EVT3. .aedat4: inivation AEDAT 4, which needs lz4 or zstandard if compressed.
     .h5: HDF5 as DSEC has it, which needs h5py. .npz: numpy arrays t (microseconds), x, y, p.
-    .csv: lines t,x,y,p under a heading, t in microseconds. .txt: lines t x y p, t in seconds, under a line `width height` or none.
+    .csv: lines t,x,y,p under a heading, t in microseconds. .txt: lines t x y p, t in seconds, under a line
+        `width height` or none.
     sensor: of a recording with several, in one .h5 or in numbered files, of which any may be given; by default that of
         the file, or its first one.
     chunk: events of a piece; words of a RAW file, which hold about as many.
     size: width and height of the sensor, for files that do not tell them; others must agree.
 
-    PATH.json beside the file, as `saccade record` writes it, tells the size and the camera, and when the recording began
-    and ended: the first piece covers the time from there, and the last one up to there. Without it they begin with the first event
-    and end with the last.
+    PATH.json beside the file, as `saccade record` writes it, tells the size and the camera, and when the recording
+    began and ended: the first piece covers the time from there, and the last one up to there. Without it they begin
+    with the first event and end with the last.
 
     Raises FormatError (a ValueError) for an unknown extension, faulty content, a pixel outside the size, times that
     run backwards, and a PATH.json of another recording; and OSError.

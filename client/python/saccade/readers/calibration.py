@@ -101,7 +101,8 @@ def _lens(model: Any, coefficients: rigid.Matrix) -> Lens:
     while len(numbers) > counts[0] and numbers[-1] == 0:
         del numbers[-1]
     if len(numbers) not in counts:
-        raise FormatError(f"a lens {LENSES[model]} has {' or '.join(map(str, counts))} coefficients, not {len(numbers)}")
+        needed = " or ".join(map(str, counts))
+        raise FormatError(f"a lens {LENSES[model]} has {needed} coefficients, not {len(numbers)}")
     return LENSES[model], tuple(numbers)
 
 

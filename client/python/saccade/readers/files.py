@@ -54,7 +54,8 @@ class RecordingFiles:
         """Of the camera with this number: with its first sensor. Raises FormatError where it is not there."""
         views = _views(self.about)
         if view not in (views or [0]):
-            raise FormatError(f"{self.path}: there is no view {view}; there are: {', '.join(map(str, sorted(set(views))))}")
+            known = ", ".join(map(str, sorted({*views, 0})))
+            raise FormatError(f"{self.path}: there is no view {view}; there are: {known}")
         if self.joint:
             return Place(self.path, f"view_{view}/" if view > 0 else "")
         return self.sensors.get(views.index(view) if views else 0, Place(self.path))

@@ -68,8 +68,9 @@ class Saved:
         """Sensor k in the group sensor_k, and the truth of view v in view_v; one sensor alone stands at the root."""
         alone = len(self.sensors) == 1
         views = {sensor: about.request.sensors[sensor].view for sensor, about in self._abouts.items()}
-        write_hdf5(self.path, {_group("sensor", 0 if alone else i): events for i, events in self.sensors.items()},
-                   {_group("view", 0 if alone else views[i]): channels for i, channels in self._truth.items() if channels})
+        sensors = {_group("sensor", 0 if alone else i): events for i, events in self.sensors.items()}
+        truth = {_group("view", 0 if alone else views[i]): found for i, found in self._truth.items() if found}
+        write_hdf5(self.path, sensors, truth)
         for sensor, about in self._abouts.items():
             number = "" if alone or sensor == 0 else f".sensor{sensor}"
             write_description(self.path.with_name(self.path.name + number), about)

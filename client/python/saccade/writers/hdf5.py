@@ -17,7 +17,8 @@ MOST_US = (1 << 32) - 1
 PACKED: dict[str, Any] = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
 
 
-def write_hdf5(path: pathlib.Path, sensors: Mapping[str, Events], truth: Mapping[str, Mapping[str, TruthArrays]]) -> None:
+def write_hdf5(path: pathlib.Path, sensors: Mapping[str, Events],
+               truth: Mapping[str, Mapping[str, TruthArrays]]) -> None:
     """Both by group, "/" for the first. Raises ValueError for times that cannot be, and ImportError without h5py."""
     import h5py
     with h5py.File(path, "w") as file:
