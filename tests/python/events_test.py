@@ -50,6 +50,9 @@ class Columns(unittest.TestCase):
         for wrong in ([], [events([3]), events([2])], [events([1]), events([2], sensor=1)]):
             with self.assertRaises(ValueError):
                 saccade.concatenate(wrong)
+        for wrong in (events([1]), [1], [None]):
+            with self.assertRaisesRegex(TypeError, "a list of Events"):
+                saccade.concatenate(wrong)
 
     def test_a_file_is_what_its_name_says(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -98,7 +101,8 @@ class Windows(unittest.TestCase):
         self.assertEqual([(w.sensor, w.t.tolist()) for w in cut], [(1, [2, 5]), (0, [1])])
 
     def test_one_of_both_is_needed(self):
-        for wrong in ({}, {"duration_us": 1, "count": 1}, {"count": 0}, {"duration_us": -1}):
+        for wrong in ({}, {"duration_us": 1, "count": 1}, {"count": 0}, {"duration_us": "5"}, {"count": 2.5},
+                      {"duration_us": -1}):
             with self.assertRaises(ValueError):
                 saccade.windows(self.PARTS, **wrong)
 

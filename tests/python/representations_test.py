@@ -52,7 +52,9 @@ class Representations(unittest.TestCase):
 
     def test_faulty_settings_are_refused(self):
         unsized = saccade.Events(EVENTS.t, EVENTS.x, EVENTS.y, EVENTS.p)
-        for text, call in (("at least 2", lambda: EVENTS.voxel(1)), ("positive", lambda: EVENTS.time_surface(0)),
+        for text, call in (("bins: 1 is not a whole number from 2", lambda: EVENTS.voxel(1)),
+                           ("bins: '5' is not", lambda: EVENTS.voxel("5")),
+                           ("tau_us: 0 is not a finite number above 0", lambda: EVENTS.time_surface(0)),
                            ("size of the sensor is unknown", unsized.frame)):
             with self.assertRaisesRegex(ValueError, text):
                 call()

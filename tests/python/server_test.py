@@ -75,6 +75,28 @@ class OneServer(unittest.TestCase):
             with self.assertRaisesRegex(saccade.SaccadeError, "closed"):
                 call()
         stream.close()  # again
+        client = saccade.connect(self.server.address)
+        client.close()
+        for call in (client.info, lambda: client.open(**SETTINGS)):
+            with self.assertRaisesRegex(saccade.SaccadeError, "closed"):
+                call()
+
+    def test_arguments_of_other_types_are_refused_in_words(self):
+        unwilling = self.enterContext(saccade.connect(self.server.address, retry=5))
+        for text, call in (("an address is a text such as 'tcp://", lambda: saccade.connect(5)),
+                           ("retry is a saccade.RetryPolicy, not int", lambda: unwilling.open(**SETTINGS)),
+                           ("a request is an OpenStream, .* not dict", lambda: self.client.open_request({}))):
+            with self.subTest(text), self.assertRaisesRegex(TypeError, text):
+                call()
+        with self.client.open(**SETTINGS, clock="lockstep") as stream:
+            for text, call in (("pose: 5 is not x y z qx", lambda: stream.step(5)),
+                               ("pose: .*'a'.* is not", lambda: stream.steer(["a"] * 7)),
+                               ("velocity: .*nan.* is not vx", lambda: stream.step(velocity=[float("nan")] * 6)),
+                               ("sensor: 'a' is not a whole", lambda: stream.change_sensor("a", threshold=1))):
+                with self.subTest(text), self.assertRaisesRegex(ValueError, text):
+                    call()
+            with self.assertRaisesRegex(TypeError, "Events and Truth are saved, not NoneType"):
+                stream.save("a.npz", None)
 
     def test_another_thread_is_told_to_connect(self):
         with self.client.open(**SETTINGS) as stream, concurrent.futures.ThreadPoolExecutor(1) as pool:

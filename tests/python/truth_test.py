@@ -131,6 +131,11 @@ class Files(unittest.TestCase):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def test_other_formats_and_content_are_refused(self):
+        with self.assertRaisesRegex(saccade.FormatError, "not one of .raw, "):
+            saccade.read_truth(self.folder / "a.bag")
+        for missing in ("a.csv", "a.npz", "a.h5"):
+            with self.assertRaisesRegex(FileNotFoundError, missing):
+                saccade.read_truth(self.folder / missing)
         np.savez(self.folder / "a.npz", depth=np.zeros((3, 2, 2, 1)), depth_t=np.zeros(2))
         with self.assertRaisesRegex(saccade.FormatError, "depth has 3 samples, but 2 times"):
             saccade.read_truth(self.folder / "a.npz")

@@ -10,6 +10,7 @@ from saccade.events import Events
 from saccade.frames import Frame
 from saccade.protocol import session
 from saccade.protocol.network import AsyncNetwork
+from saccade.protocol.request import make_request
 from saccade.protocol.retry import RetryPolicy
 from saccade.protocol.sockets import Key
 from saccade.protocol.stream_state import Picture, StreamState
@@ -42,7 +43,7 @@ class Client:
         return await session.info(self._control)
 
     async def open(self, **settings: Unpack[Settings]) -> Stream:
-        return Stream(await session.open_subscription(self._control, settings, self._retry))
+        return Stream(await session.open_subscription(self._control, make_request(settings), self._retry))
 
     async def open_request(self, request: control_pb2.OpenStream) -> Stream:
         return Stream(await session.open_subscription(self._control, request, self._retry))

@@ -10,6 +10,7 @@ from saccade.events import Events
 from saccade.frames import Frame
 from saccade.protocol import session
 from saccade.protocol.network import BlockingNetwork, run
+from saccade.protocol.request import make_request
 from saccade.protocol.retry import RetryPolicy
 from saccade.protocol.sockets import Key
 from saccade.protocol.stream_state import Picture, StreamState
@@ -62,7 +63,7 @@ class Client:
         Raises TypeError or ValueError for a setting that cannot be, and InvalidArgument, NotFound, LimitExceeded or
         another Refused where the server does not take the request.
         """
-        return Stream(run(session.open_subscription(self._control, settings, self._retry)))
+        return Stream(run(session.open_subscription(self._control, make_request(settings), self._retry)))
 
     def open_request(self, request: control_pb2.OpenStream) -> Stream:
         """Opens a stream by its message, such as the `resolved` of an earlier stream, which gives equal events."""

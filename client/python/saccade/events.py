@@ -144,8 +144,10 @@ def seen_by(events: Events, camera: Camera | None) -> Events:
 def concatenate(parts: Sequence[Events]) -> Events:
     """One Events of all parts, which follow each other in time and are of one sensor.
 
-    Raises ValueError for no parts, for parts of different sensors or sizes, and for parts out of time order.
+    Raises TypeError for other parts, and ValueError for no parts, for parts of different sensors or sizes, and for parts out of time order.
     """
+    if isinstance(parts, Events) or not all(isinstance(part, Events) for part in parts):
+        raise TypeError("concatenate() takes a list of Events")
     if not parts:
         raise ValueError("concatenate() needs at least one part")
     first, last = parts[0], parts[-1]

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from saccade.values import MOST_U32, check, positive, whole
+
 if TYPE_CHECKING:
     from saccade.events import Events
 
@@ -28,8 +30,7 @@ def voxel(events: Events, bins: int) -> NDArray[np.float32]:
 
     t* = (bins - 1) (t - t_first) / (t_last - t_first), and an event adds p max(0, 1 - |b - t*|) to bin b.
     """
-    if bins < 2:
-        raise ValueError(f"bins is {bins}: a voxel grid has at least 2")
+    bins = check("bins", bins, whole(2, MOST_U32))
     width, height = known_size(events)
     grid = np.zeros(bins * height * width)
     if len(events):
@@ -44,8 +45,7 @@ def voxel(events: Events, bins: int) -> NDArray[np.float32]:
 
 def time_surface(events: Events, tau_us: float, at_us: int) -> NDArray[np.float32]:
     """As X. Lagorce et al. define it, "HOTS: A Hierarchy of Event-Based Time-Surfaces", PAMI 2017."""
-    if not tau_us > 0:
-        raise ValueError(f"tau_us is {tau_us}: it must be positive")
+    tau_us = check("tau_us", tau_us, positive)
     width, height = known_size(events)
     past = events[: int(np.searchsorted(events.t, at_us, side="right"))]
     surface = np.zeros(2 * height * width, np.float32)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from saccade.events import Events, concatenate
+from saccade.values import MOST_U64, check, whole
 
 
 def windows(parts: Iterable[Events], *, duration_us: int | None = None, count: int | None = None) -> Iterator[Events]:
@@ -14,15 +15,13 @@ def windows(parts: Iterable[Events], *, duration_us: int | None = None, count: i
     duration_us: windows [t, t + duration_us), one after the other from the start of each sensor on. A window comes as
     soon as its interval is complete, also if it has no events. The last one may be shorter.
     count: windows of so many events. The last one may have fewer.
-    Raises ValueError unless exactly one of the two is given, and positive.
+    Raises ValueError unless exactly one of the two is given, a positive whole number.
     """
     if (duration_us is None) == (count is None):
         raise ValueError("give either duration_us or count")
-    if (duration_us or count or 0) <= 0:
-        raise ValueError("duration_us and count must be positive")
     if duration_us is not None:
-        return _cut(parts, _OfDuration(duration_us))
-    return _cut(parts, _OfCount(count or 0))
+        return _cut(parts, _OfDuration(check("duration_us", duration_us, whole(1, MOST_U64))))
+    return _cut(parts, _OfCount(check("count", count, whole(1, MOST_U64))))
 
 
 @dataclass

@@ -30,6 +30,7 @@ class Control:
         self.network, self.endpoint, self.keys = network, endpoint, keys
         self._channel = network.connect(zmq.DEALER, endpoint, keys)
         self._request_id = 0
+        self.closed = False
 
     async def call(self, request: control_pb2.Request, deadline_s: float = DEADLINE_S,
                    watch: bool = False) -> control_pb2.Reply:
@@ -84,6 +85,7 @@ class Control:
         return reply
 
     def close(self) -> None:
+        self.closed = True
         self._channel.close(PARTING_S)
 
 

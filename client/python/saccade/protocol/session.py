@@ -9,11 +9,9 @@ from saccade.errors import SaccadeError
 from saccade.protocol.control import Control
 from saccade.protocol.handle import StreamHandle
 from saccade.protocol.network import Network
-from saccade.protocol.request import make_request
 from saccade.protocol.retry import RetryPolicy, is_absence, retry
 from saccade.protocol.sockets import Key, read_keys
 from saccade.protocol.subscription import Subscription
-from saccade.settings import Settings
 from saccade.v1 import control_pb2
 
 ADDRESS = "tcp://127.0.0.1:5770"
@@ -22,6 +20,8 @@ log = logging.getLogger("saccade")
 
 def make_control(network: Network, address: str | None, secret_key: Key | None, server_key: Key | None) -> Control:
     """The variables of the command `saccade` stand in for arguments that are None."""
+    if address is not None and not isinstance(address, str):
+        raise TypeError(f"an address is a text such as '{ADDRESS}', not {type(address).__name__}")
     keys = read_keys(secret_key or os.environ.get("SACCADE_CLIENT_KEY"),
                      server_key or os.environ.get("SACCADE_SERVER_KEY"))
     return Control(network, address or os.environ.get("SACCADE_SERVER") or ADDRESS, keys)
@@ -36,13 +36,17 @@ async def info(control: Control) -> control_pb2.ServerDescription:
     return (await control.call(control_pb2.Request(server_info=control_pb2.ServerInfo()))).server_info
 
 
-async def open_subscription(control: Control, settings: Settings | control_pb2.OpenStream,
-                            policy: RetryPolicy) -> Subscription:
+async def open_subscription(control: Control, request: control_pb2.OpenStream, policy: RetryPolicy) -> Subscription:
     """Each stream has a control socket of its own: it may reconnect while another call waits for its reply.
 
     Waits for a server that is not up yet, or restarts, as the policy says.
     """
-    request = settings if isinstance(settings, control_pb2.OpenStream) else make_request(settings)
+    if not isinstance(request, control_pb2.OpenStream):
+        raise TypeError(f"a request is an OpenStream, such as Stream.resolved, not {type(request).__name__}")
+    if not isinstance(policy, RetryPolicy):
+        raise TypeError(f"retry is a saccade.RetryPolicy, not {type(policy).__name__}")
+    if control.closed:
+        raise SaccadeError("the client is closed")
     own = Control(control.network, control.endpoint, control.keys)
     try:
         subscription = Subscription(await _open(own, request, policy.retry_time_s), policy)

@@ -10,7 +10,7 @@ import numpy as np
 
 from saccade import rigid
 from saccade.camera import Camera
-from saccade.protocol.values import (MOST_U32, MOST_U64, Check, Invalid, amounts, check, flag, items, number,
+from saccade.values import (MOST_U32, MOST_U64, Check, Invalid, amounts, check, flag, items, number,
                                      numbers_of, one_of, positive, several, text, whole)
 from saccade.v1 import control_pb2 as c
 from saccade.v1 import events_pb2, noise_pb2

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from saccade.protocol.values import MOST_U32, check, numbers_of, whole
+from saccade.values import MOST_U32, check, numbers_of, whole
 from saccade.v1 import control_pb2 as c
 from saccade.v1.geometry_pb2 import Quaternion, Vector3
 

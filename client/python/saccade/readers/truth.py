@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from saccade.errors import FormatError
+from saccade.readers import FORMATS
 from saccade.readers.files import find_files
 from saccade.readers.sidecar import read_sidecar
 from saccade.truth import IdNames, TruthArrays
@@ -21,11 +22,14 @@ def read_truth(path: str | os.PathLike[str], *, view: int | None = None) -> dict
     view: the number of the camera; by default that of the file's sensor, or of its first one. The sensors of a camera
         share its truth, so it may be in the file of another one: read_truth("a-1.h5") finds it in a-0.h5.
 
-    Raises FormatError for a view that is not there and for faulty content, and OSError.
+    Raises FormatError for an unknown extension, a view that is not there and faulty content, and OSError.
     """
     files = find_files(path)
     place = files.truth(files.view_of(files.own) if view is None else view)
     path = place.path
+    if path.suffix not in FORMATS:
+        raise FormatError(f"{path}: the extension is not one of {', '.join(FORMATS)}")
+    path.stat()  # raises OSError for a file that is not there
     try:
         if path.suffix == ".h5":
             channels = _of_hdf5(path, place.group)

@@ -29,6 +29,8 @@ class Saved:
         _check_extension(self.path)
         parts: dict[int, list[Events]] = {}
         self._samples: list[Truth] = []
+        if not isinstance(items, Iterable):
+            raise TypeError(f"Events and Truth are saved, not {type(items).__name__}")
         for item in [items] if isinstance(items, Events) else items:
             if isinstance(item, Truth):
                 self._samples.append(item)
