@@ -29,7 +29,7 @@ class Saved:
         _check_extension(self.path)
         parts: dict[int, list[Events]] = {}
         self._samples: list[Truth] = []
-        if not isinstance(items, Iterable):
+        if not isinstance(items, (Events, Iterable)):
             raise TypeError(f"Events and Truth are saved, not {type(items).__name__}")
         for item in [items] if isinstance(items, Events) else items:
             if isinstance(item, Truth):
