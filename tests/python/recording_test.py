@@ -121,7 +121,8 @@ class Rig(unittest.TestCase):
         self.assertIn("events are as recorded", command("verify", first))
         told = command("replay", f"{first}.json", "-o", self.folder / "again.npz", "--control", self.server.address)
         self.assertIn("the events are those of the recording", told)
-        self.assertEqual(saccade.Recording(third).truth[1].keys(), {"depth", "pose"})
+        self.assertEqual((saccade.Recording(third).truth[1].keys(), saccade.Recording(third).truth[0]),
+                         ({"depth", "pose"}, {}))
         self.assertEqual(saccade.read(third).sensor, 2)
 
     def test_rows_of_the_folder_of_truth(self):
@@ -156,6 +157,8 @@ class Rig(unittest.TestCase):
                 items = list(stream.samples())
                 stream.save(self.folder / "rig.h5", items)
                 stream.save(self.folder / "one.h5", [i for i in items if isinstance(i, saccade.Events) and i.sensor == 3])
+                stream.save(self.folder / "right.h5", [i for i in items if getattr(i, "sensor", 2) == 2
+                                                       and getattr(i, "view", 1) == 1])
         with h5py.File(self.folder / "rig.h5") as file:
             self.assertEqual(file.keys(), {"events", "ms_to_idx", "t_offset", "truth", "sensor_1", "sensor_2", "sensor_3",
                                            "view_1"})
@@ -175,6 +178,8 @@ class Rig(unittest.TestCase):
                          [["depth", "pose", "imu"], [], ["depth", "pose"], []])
         np.testing.assert_array_equal(rows(saccade.read(self.folder / "rig.h5", sensor=3)),
                                       rows(saccade.read(self.folder / "one.h5")))
+        right = saccade.Recording(self.folder / "right.h5")
+        self.assertEqual((right.sensors, right.truth[0], right.truth[1].keys()), ([2], {}, {"depth", "pose"}))
         for name in ("", ".sensor1", ".sensor2", ".sensor3"):  # groups tell, too
             (self.folder / f"rig.h5{name}.json").unlink()
         self.assertGreater(len(saccade.read(self.folder / "rig.h5", sensor=3)), 10)

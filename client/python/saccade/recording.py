@@ -63,8 +63,7 @@ class Recording:
     @functools.cached_property
     def truth(self) -> dict[int, dict[str, TruthArrays]]:
         """The truth channels, by view and name; the IMU of the body is with camera 0. See saccade.read_truth()."""
-        views = sorted({self.view_of(sensor) for sensor in self.sensors})
-        return {view: read_truth(self._files.path, view=view) for view in views}
+        return {view: read_truth(self._files.path, view=view) for view in self._files.views}
 
     @property
     def id_names(self) -> IdNames:

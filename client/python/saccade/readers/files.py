@@ -50,15 +50,28 @@ class RecordingFiles:
     def view_of(self, sensor: int) -> int:
         return _views(self.about)[sensor] if sensor < len(_views(self.about)) else 0
 
-    def truth(self, view: int) -> Place:
-        """Of the camera with this number: with its first sensor. Raises FormatError where it is not there."""
-        views = _views(self.about)
-        if view not in (views or [0]):
-            known = ", ".join(map(str, sorted({*views, 0})))
-            raise FormatError(f"{self.path}: there is no view {view}; there are: {known}")
+    @property
+    def views(self) -> list[int]:
+        """The numbers of the cameras."""
+        return list(range(1 + (len(self.about.request.further_views) if self.about is not None else 0)))
+
+    def truth(self, view: int) -> Place | None:
+        """Where the truth of a camera is; without a group, at the root or in /view_1 and so on. None: in no file here.
+
+        Raises FormatError where there is no such camera.
+        """
+        if view not in self.views:
+            raise FormatError(f"{self.path}: there is no view {view}; there are: {', '.join(map(str, self.views))}")
+        group = f"view_{view}/" if view > 0 else ""
         if self.joint:
-            return Place(self.path, f"view_{view}/" if view > 0 else "")
-        return self.sensors.get(views.index(view) if views else 0, Place(self.path))
+            return Place(self.path, group)
+        views = _views(self.about)
+        first = views.index(view) if view in views else None
+        if first is not None and first in self.sensors:
+            return Place(self.sensors[first].path)
+        if view == self.view_of(self.own):
+            return Place(self.path)
+        return Place(next(iter(self.sensors.values())).path, group) if self.path.suffix == ".h5" else None
 
 
 def find_files(path: str | os.PathLike[str]) -> RecordingFiles:

@@ -25,14 +25,17 @@ def read_truth(path: str | os.PathLike[str], *, view: int | None = None) -> dict
     Raises FormatError for an unknown extension, a view that is not there and faulty content, and OSError.
     """
     files = find_files(path)
-    place = files.truth(files.view_of(files.own) if view is None else view)
+    number = files.view_of(files.own) if view is None else view
+    place = files.truth(number)
+    if place is None:
+        return {}
     path = place.path
     if path.suffix not in FORMATS:
         raise FormatError(f"{path}: the extension is not one of {', '.join(FORMATS)}")
     path.stat()  # raises OSError for a file that is not there
     try:
         if path.suffix == ".h5":
-            channels = _of_hdf5(path, place.group)
+            channels = _of_hdf5(path, [place.group] if place.group else [f"view_{number}/", ""])
         else:
             channels = _of_npz(path) if path.suffix == ".npz" else _of_folder(path.with_name(path.name + ".truth"))
     except ImportError:
@@ -55,11 +58,12 @@ def read_id_names(path: str | os.PathLike[str]) -> IdNames:
     return IdNames.of(read_sidecar(path).id_names)
 
 
-def _of_hdf5(path: pathlib.Path, group: str) -> dict[str, TruthArrays]:
+def _of_hdf5(path: pathlib.Path, groups: list[str]) -> dict[str, TruthArrays]:
+    """From the first of the groups that has truth."""
     import h5py
     with h5py.File(path, "r") as file:
-        groups = file[group + "truth"].items() if group + "truth" in file else ()
-        return {name: _of_group(group) for name, group in groups}
+        found: Any = next((file[group + "truth"] for group in groups if group + "truth" in file), {})
+        return {name: _of_group(group) for name, group in found.items()}
 
 
 def _of_group(group: Any) -> TruthArrays:

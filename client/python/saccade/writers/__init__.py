@@ -7,12 +7,12 @@ from collections.abc import Iterable, Mapping
 from typing import Union
 
 from saccade.events import Events, concatenate
-from saccade.truth import Truth, TruthArrays
+from saccade.truth import Truth
 from saccade.v1 import control_pb2, recording_pb2
 from saccade.writers.description import describe_events, write_description
 from saccade.writers.hdf5 import write_hdf5
 from saccade.writers.npz import write_npz
-from saccade.writers.truth import Described, gather_truth, sensor_of
+from saccade.writers.truth import Channel, Described, gather_truth, sensor_of
 
 Items = Union[Events, Iterable[Union[Events, Truth]]]
 ROS = (".bag", ".mcap")
@@ -42,7 +42,7 @@ class Saved:
             raise ValueError("there are no Events to save")
         self.sensors = {sensor: concatenate(parts[sensor]) for sensor in sorted(parts)}
         self._abouts: dict[int, recording_pb2.Recording] = {}
-        self._truth: dict[int, dict[str, TruthArrays]] = {}
+        self._truth: dict[int, dict[str, Channel]] = {}  # by sensor
 
     def write(self, maker: recording_pb2.Recording, suppressed: Mapping[int, int], known: Described) -> None:
         """maker: what the descriptions of all sensors have in common. suppressed: events, by sensor.
@@ -67,11 +67,11 @@ class Saved:
                 raise ValueError(f"the truth '{sample.name}' goes with the events of sensor {home}, not with {given}")
 
     def _write_hdf5(self) -> None:
-        """Sensor k in the group sensor_k, and the truth of view v in view_v; one sensor alone stands at the root."""
+        """Sensor k in the group sensor_k, or alone at the root, and the truth of view v in view_v."""
         alone = len(self.sensors) == 1
-        views = {sensor: about.request.sensors[sensor].view for sensor, about in self._abouts.items()}
         sensors = {_group("sensor", 0 if alone else i): events for i, events in self.sensors.items()}
-        truth = {_group("view", 0 if alone else views[i]): found for i, found in self._truth.items() if found}
+        truth = {f"{_group('view', channel.view)}/truth/{channel.name}": channel.arrays
+                 for channels in self._truth.values() for channel in channels.values()}
         write_hdf5(self.path, sensors, truth)
         for sensor, about in self._abouts.items():
             number = "" if alone or sensor == 0 else f".sensor{sensor}"
@@ -82,7 +82,7 @@ class Saved:
         for sensor, events in self.sensors.items():
             number = "" if len(self.sensors) == 1 else f"-{sensor}"
             path = self.path.with_name(f"{self.path.stem}{number}.npz")
-            write_npz(path, events, self._truth[sensor])
+            write_npz(path, events, {name: channel.arrays for name, channel in self._truth[sensor].items()})
             write_description(path, self._abouts[sensor])
 
 

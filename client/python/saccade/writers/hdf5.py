@@ -17,16 +17,14 @@ MOST_US = (1 << 32) - 1
 PACKED: dict[str, Any] = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
 
 
-def write_hdf5(path: pathlib.Path, sensors: Mapping[str, Events],
-               truth: Mapping[str, Mapping[str, TruthArrays]]) -> None:
-    """Both by group, "/" for the first. Raises ValueError for times that cannot be, and ImportError without h5py."""
+def write_hdf5(path: pathlib.Path, sensors: Mapping[str, Events], truth: Mapping[str, TruthArrays]) -> None:
+    """Both by group, such as "/" and "/truth/depth". Raises ValueError for times that cannot be, and ImportError."""
     import h5py
     with h5py.File(path, "w") as file:
         for name, events in sensors.items():
             _write_sensor(file.require_group(name), events)
-        for name, channels in truth.items():
-            for channel, arrays in channels.items():
-                _write_channel(file.create_group(f"{name}/truth/{channel}"), arrays)
+        for name, arrays in truth.items():
+            _write_channel(file.create_group(name), arrays)
 
 
 def _write_sensor(group: Any, events: Events) -> None:

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,20 +14,28 @@ from saccade.v1 import control_pb2, events_pb2, recording_pb2, truth_pb2
 Described = dict[str, truth_pb2.TruthInfo]  # by name, as the server tells
 
 
-def gather_truth(samples: Sequence[Truth], about: recording_pb2.Recording, known: Described) -> dict[str, TruthArrays]:
+class Channel(NamedTuple):
+    """name: among those of its view; an .h5 has it in the group of the view."""
+
+    view: int
+    name: str
+    arrays: TruthArrays
+
+
+def gather_truth(samples: Sequence[Truth], about: recording_pb2.Recording, known: Described) -> dict[str, Channel]:
     """The channels that belong to the sensor of `about`, by the names in recording.proto. Describes them there."""
     request = about.request
-    own, names, channels = request.sensors[about.sensor].view, list[str](), {}
+    own, names, channels = request.sensors[about.sensor].view, list[str](), dict[str, Channel]()
     for index, asked in enumerate(request.truth):
         if sensor_of(request, asked) != about.sensor:
             continue
         name = asked.name + ("" if asked.view == own else f"_view{asked.view}")
+        number = f"_{names.count(name)}" if name in names else ""
         names.append(name)
-        before = names.count(name) - 1
         view = request.further_views[asked.view - 1] if asked.view else request.view
         arrays = _arrays([sample for sample in samples if sample.channel == index], known[asked.name], view)
-        channels[name + (f"_{before}" if before else "")] = arrays
-        about.truth.add(name=list(channels)[-1], info=known[asked.name], width=view.width, height=view.height,
+        channels[name + number] = Channel(asked.view, asked.name + number, arrays)
+        about.truth.add(name=name + number, info=known[asked.name], width=view.width, height=view.height,
                         samples=len(arrays.t))
     return channels
 
