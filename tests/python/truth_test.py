@@ -58,11 +58,13 @@ class OneServer(unittest.TestCase):
             done = record(self.server, self.folder / f"two.{kind}", "--force", *OPTIONS, "--threshold", "0.4",
                           "--further-view", "0.1,0,0")
             self.assertEqual(done.returncode, 0, done.stderr)
-            own = [saccade.read_truth(self.folder / f"two-{sensor}.{kind}") for sensor in range(4)]
-            for truth, first in ((own[1], own[0]), (own[3], own[2])):
-                self.assertEqual(truth.keys(), {"depth", "pose"})
-                np.testing.assert_array_equal(truth["depth"].data, first["depth"].data)
-            self.assertTrue((own[0]["depth"].data != own[2]["depth"].data).any())
+            left, right = (saccade.read_truth(self.folder / f"two.{kind}", view=view) for view in (0, 1))
+            self.assertEqual((left.keys(), right.keys()), ({"depth", "pose"}, {"depth", "pose"}))
+            self.assertTrue((left["depth"].data != right["depth"].data).any())
+        for sensor, truth in ((1, left), (3, right)):
+            found = saccade.read_truth(self.folder / f"two-{sensor}.npz")
+            self.assertEqual(found.keys(), {"depth", "pose"})
+            np.testing.assert_array_equal(found["depth"].data, truth["depth"].data)
 
     def test_a_sample_tells_its_camera(self):
         with self.client.open(**SETTINGS, further_views=[(0.1, 0, 0)], truth=["depth", "imu"]) as stream:
