@@ -12,6 +12,7 @@ import numpy as np
 
 import saccade
 import saccade.aio
+from saccade import rigid
 from fake_server import FakeServer, packet
 from saccaded import Server
 from saccade.v1 import events_pb2
@@ -112,6 +113,18 @@ class Steering(unittest.TestCase):
             for wrong in ({}, {"pose": pose(0), "velocity": [0] * 6}, {"pose": [1, 2]}):
                 with self.subTest(**wrong), self.assertRaises(ValueError):
                     stream.steer(**wrong)
+
+    def test_signs_of_turns_and_where_a_stream_begins(self):
+        right, down, forward = range(3)
+        for turn, axis, towards, sign in (((0.5, 0, 0), forward, down, -1),  # up
+                                          ((0, 0.5, 0), forward, right, 1),
+                                          ((0, 0, 0.5), right, down, 1)):  # clockwise
+            with self.client.open(**SETTINGS, clock="lockstep", truth="pose") as stream:
+                stream.step(velocity=[0, 0, 0, *turn])
+                before, after = (rigid.from_numbers(sample.data)[:3, :3] for sample in stream.truth)
+                np.testing.assert_allclose(stream.truth[0].data[:3], pose(0)[:3], atol=1e-6)
+            angle = 0.5 / SETTINGS["rate_hz"]
+            self.assertAlmostEqual((before.T @ after)[towards, axis], sign * np.sin(angle), 9)
 
     def test_a_stream_that_runs_by_itself_is_steered(self):
         with self.client.open(**SETTINGS, steerable=True, duration_s=1) as stream:

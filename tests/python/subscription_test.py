@@ -244,6 +244,8 @@ class Subscription(unittest.TestCase):
 
     def test_replies_that_cannot_be_are_told(self):
         view = control_pb2.View(width=346, height=260)
+        nowhere = control_pb2.View(fov_x_deg=40)
+        nowhere.body_camera.rotation.SetInParent()  # all of it is 0
         lies = {
             "without stream_id": lambda o: o.ClearField("stream_id"),
             "0 sensors instead of 1": lambda o: o.resolved.ClearField("sensors"),
@@ -252,6 +254,8 @@ class Subscription(unittest.TestCase):
             "1 further_views": lambda o: o.resolved.further_views.append(view),
             "a channel of view 7 of 1": lambda o: setattr(o.resolved.sensors[0], "view", 7),
             "a view of 346x261": lambda o: setattr(o.resolved.view, "height", 261),
+            "a field of view of nan degrees": lambda o: setattr(o.resolved.view, "fov_x_deg", float("nan")),
+            "the quaternion has no length": lambda o: o.resolved.view.MergeFrom(nowhere),
             "frame_rate_hz is nan": lambda o: setattr(o.resolved.timing, "frame_rate_hz", float("nan")),
             "frame_rate_hz is 0": lambda o: setattr(o.resolved.timing, "frame_rate_hz", 0),
             "duration_s is inf": lambda o: setattr(o.resolved.timing, "duration_s", float("inf")),
