@@ -83,6 +83,19 @@ class Rig(unittest.TestCase):
         fov = self.recorded.request.view.fov_x_deg
         np.testing.assert_allclose(focal, 16 / np.tan(np.radians(fov) / 2))
 
+    @unittest.skipUnless(importlib.util.find_spec("yaml"), "yaml is not installed")
+    def test_calibrations_that_the_command_writes_are_read(self):
+        done = record(self.server, self.folder / "c.npz", *OPTIONS, "--calibration")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for view, camera in enumerate(saccade.Recording(self.folder / "c.npz").cameras):
+            ros = self.folder / ("c.npz.camera_info.yaml" if view == 0 else "c.npz.cam1.camera_info.yaml")
+            for found in (saccade.read_calibration(self.folder / "c.npz.kalibr.yaml", camera=view),
+                          saccade.read_calibration(ros)):
+                self.assertEqual((found.size, found.distortion), (camera.size, camera.distortion))
+                np.testing.assert_allclose(found.intrinsics, camera.intrinsics)
+            kalibr = saccade.read_calibration(self.folder / "c.npz.kalibr.yaml", camera=view)
+            np.testing.assert_allclose(kalibr.T_body_camera[:3, 3], (0.1 * view, 0, 0))
+
     def test_poses_as_tum(self):
         self.recorded.save_tum(self.folder / "gt.txt", view=1)
         lines = [line.split() for line in (self.folder / "gt.txt").read_text().splitlines()]
