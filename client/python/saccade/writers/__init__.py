@@ -93,7 +93,7 @@ def _group(what: str, number: int) -> str:
 def _check_extension(path: pathlib.Path) -> None:
     if path.suffix in ROS:
         raise ValueError(f"{path}: a stream is saved as .npz or .h5. Then `saccade replay FILE.json -o {path.name}` "
-                         "makes a file for ROS of it")
+                         f"makes a file for ROS of all of it, or `saccade convert FILE {path.name}` of the events alone")
     if path.suffix not in (".npz", ".h5"):
         raise ValueError(f"{path} does not end with .npz or .h5, which are written; `saccade convert` makes other "
                          "formats of them")
