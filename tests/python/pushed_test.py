@@ -48,7 +48,7 @@ class Pushed(unittest.TestCase):
     def check_ramp(self, steps):
         for sensor, threshold in enumerate(SETTINGS["threshold"]):
             events = saccade.concatenate([step[sensor] for step in steps])
-            self.assertEqual((events.t0, events.t1), (0, 10_000 * len(steps)))
+            self.assertEqual((events.t0, events.t1, events.camera), (0, 10_000 * len(steps), None))
             self.assertEqual({*zip(events.x, events.y, events.p)}, {(3, 2, True)})
             np.testing.assert_allclose(np.diff(events.t), threshold / STEP * 10_000, atol=2)
             self.assertLess(events.t1 - events.t[-1], threshold / STEP * 10_000)
