@@ -4,6 +4,7 @@
 
 #include "base/hash_rng.h"
 #include "scene/camera/motion.h"
+#include "scene/camera/shake.h"
 #include "scene/scratch.h"
 
 namespace saccade {

@@ -28,6 +28,15 @@ double imageStep(PlanePoint at, double x, double y, const Lens& lens) {
                     (slope.yx * x + slope.yy * y) * (c.fy / c.focal()));
 }
 
+void appendImageSpeeds(const VisiblePoints& view, const Twist& camera, const Lens& lens,
+                       std::vector<double>& speeds) {
+  for (const Vec3d p : view) {
+    const Vec3d v = -camera.linear - cross(camera.angular, p);
+    const PlanePoint at{p.x / p.z, p.y / p.z};
+    speeds.push_back(imageStep(at, v.x - at.x * v.z, v.y - at.y * v.z, lens) / p.z);
+  }
+}
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + std::ssize(values) / 2;
   std::nth_element(values.begin(), middle, values.end());
@@ -47,18 +56,23 @@ VisiblePoints viewOf(const Pose& camera, const std::vector<Vec3d>& points) {
   return view;
 }
 
-double medianDepth(const VisiblePoints& view) {
-  std::vector<double> depths;
-  for (const Vec3d p : view) depths.push_back(p.z);
-  return median(std::move(depths));
+double nearestDepth(const VisiblePoints& view) {
+  return std::min_element(view.begin(), view.end(), [](Vec3d a, Vec3d b) { return a.z < b.z; })->z;
 }
 
 double medianImageSpeed(const VisiblePoints& view, const Twist& camera, const Lens& lens) {
   std::vector<double> speeds;
-  for (const Vec3d p : view) {
-    const Vec3d v = -camera.linear - cross(camera.angular, p);
-    const PlanePoint at{p.x / p.z, p.y / p.z};
-    speeds.push_back(imageStep(at, v.x - at.x * v.z, v.y - at.y * v.z, lens) / p.z);
+  appendImageSpeeds(view, camera, lens, speeds);
+  return median(std::move(speeds));
+}
+
+double medianImageSpeed(const VisiblePoints& view, const SinePath& path, const Lens& lens) {
+  constexpr int kInstants = 200;  // enough to know the median
+  std::vector<double> speeds;
+  for (int i = 0; i < kInstants; ++i) {
+    const TimeNs t = path.period / kInstants * i;
+    const Velocity v = path.velocityAt(t);
+    appendImageSpeeds(view, {rotate(conjugate(path.at(t).rotation), v.linear), v.angular}, lens, speeds);
   }
   return median(std::move(speeds));
 }
@@ -72,15 +86,6 @@ void appendImageSteps(const VisiblePoints& view, const Pose& from, const Pose& t
     const PlanePoint begin = imageOf(a, lens), end = imageOf(b, lens);
     lengths.push_back(std::hypot(end.x - begin.x, end.y - begin.y));
   }
-}
-
-double medianImageSpeed(const VisiblePoints& view, const std::vector<Pose>& path, double step_s,
-                        const Lens& lens) {
-  constexpr std::size_t kStride = 10;  // enough to know the median
-  std::vector<double> lengths{0};
-  for (std::size_t i = 0; i + 1 < path.size(); i += kStride)
-    appendImageSteps(view, path[i], path[i + 1], lens, lengths);
-  return median(std::move(lengths)) / step_s;
 }
 
 }  // namespace saccade

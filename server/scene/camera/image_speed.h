@@ -5,6 +5,7 @@
 
 #include "scene/camera/lens.h"
 #include "scene/camera/pose.h"
+#include "scene/camera/sine_path.h"
 
 namespace saccade {
 
@@ -15,7 +16,7 @@ using VisiblePoints = std::vector<Vec3d>;
 // distance 1.
 VisiblePoints viewOf(const Pose& camera, const std::vector<Vec3d>& points);
 
-double medianDepth(const VisiblePoints& view);
+double nearestDepth(const VisiblePoints& view);
 
 // Velocity of the camera in its own axes, per second: linear in scene units, angular in radians.
 struct Twist {
@@ -25,10 +26,8 @@ struct Twist {
 // Median over the view, in focal lengths per second: CameraModel::focal() pixels.
 double medianImageSpeed(const VisiblePoints& view, const Twist& camera, const Lens& lens);
 
-// Median over the view and the path, for a camera that goes along `path`. Its poses are relative to the one
-// of the view, and `step_s` seconds apart.
-double medianImageSpeed(const VisiblePoints& view, const std::vector<Pose>& path, double step_s,
-                        const Lens& lens);
+// Median over the view and the period, for a camera that has this view, in its axes, all the way.
+double medianImageSpeed(const VisiblePoints& view, const SinePath& path, const Lens& lens);
 
 // Appends how far the image of each point moves, in focal lengths, when the camera goes from one pose to
 // another. Both are relative to the pose of the view. Points that are behind at either are left out.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/check.h"
+#include "base/names.h"
 #include "base/range.h"
 #include "scene/camera/screw_motion.h"
 #include "scene/camera/shake.h"
@@ -15,27 +16,27 @@ namespace {
 
 constexpr double kPi = std::numbers::pi, kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMinSpeed = 1e-6, kMaxSpeed = 1e6;
-constexpr const char* kShake = "shake";
 
-// THE list of kinds. Of shake, which has no constant velocity, only the name.
+using Draw = SinePath(const Pose&, const VisiblePoints&, double image_speed, std::uint64_t seed, const Lens&);
+
+// THE list of kinds.
 struct Kind {
   std::string name;
-  Twist velocity;  // at speed 1: scene units or radians per second; see Screw
+  Twist velocity;        // at speed 1: scene units or radians per second; see Screw
+  Draw* draw = nullptr;  // of what has no constant velocity
 };
 const std::vector<Kind>& kindTable() {
-  static const std::vector<Kind> table{{"dolly", {{0, 0, 1}, {}}},     {"truck", {{1, 0, 0}, {}}},
-                                       {"pedestal", {{0, -1, 0}, {}}}, {"pan", {{}, {0, 1, 0}}},
-                                       {"tilt", {{}, {1, 0, 0}}},      {"roll", {{}, {0, 0, 1}}},
-                                       {"orbit", {{}, {0, -1, 0}}},    {kShake, {}}};
+  static const std::vector<Kind> table{
+      {"dolly", {{0, 0, 1}, {}}},  {"truck", {{1, 0, 0}, {}}}, {"pedestal", {{0, -1, 0}, {}}},
+      {"pan", {{}, {0, 1, 0}}},    {"tilt", {{}, {1, 0, 0}}},  {"roll", {{}, {0, 0, 1}}},
+      {"orbit", {{}, {0, -1, 0}}}, {"shake", {}, makeShake}};
   return table;
 }
 
 Screw makeScrew(const Kind& kind, const VisiblePoints& view) {
-  const auto nearer = [](Vec3d a, Vec3d b) { return a.z < b.z; };
   const auto off_axis = [](Vec3d p) { return std::hypot(p.x, p.y) / p.z; };
   const auto more_central = [&](Vec3d a, Vec3d b) { return off_axis(a) < off_axis(b); };
-  if (kind.name == "dolly")
-    return {kind.velocity, {}, std::min_element(view.begin(), view.end(), nearer)->z / 4};
+  if (kind.name == "dolly") return {kind.velocity, {}, nearestDepth(view) / 4};
   if (kind.name == "orbit")
     return {kind.velocity, {0, 0, std::min_element(view.begin(), view.end(), more_central)->z}, kMaxOrbitRad};
   return {kind.velocity, {}, kInfinity};
@@ -63,21 +64,26 @@ const std::vector<std::string>& motionKinds() {
   return names;
 }
 
+bool isSeeded(const std::string& kind) {
+  const Kind* found = findRow(kindTable(), kind);
+  return found && found->draw;
+}
+
 std::string speedFault(const std::string& kind, double speed) {
-  if (kind == kShake) return rangeFault(speed, kMinSpeed, kMaxSpeed);
+  if (isSeeded(kind)) return rangeFault(speed, kMinSpeed, kMaxSpeed);
   const std::string fault = rangeFault(std::abs(speed), kMinSpeed, kMaxSpeed);
   return fault.empty() ? fault : "of either sign: " + fault;
 }
 
 Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3d>& probes,
                       const Lens& lens) {
-  const auto kind = std::find_if(kindTable().begin(), kindTable().end(),
-                                 [&](const Kind& k) { return k.name == motion.kind; });
-  SACCADE_CHECK(kind != kindTable().end());
+  const Kind* kind = findRow(kindTable(), motion.kind);
+  SACCADE_CHECK(kind);
   const VisiblePoints view = viewOf(start, probes);
-  if (kind->name == kShake)
-    return makeShake(start, view, motion.image_speed ? motion.speed : motion.speed * kPi / 180, motion.seed,
-                     lens);
+  if (kind->draw) {
+    const double image_speed = motion.image_speed ? motion.speed : motion.speed * kPi / 180;
+    return Trajectory(kind->draw(start, view, image_speed, motion.seed, lens));
+  }
   const Screw screw = makeScrew(*kind, view);
   const double rate = rateOf(motion, screw, view, lens);
   if (rate == 0) return Trajectory({{TimeNs{0}, start}});

@@ -20,29 +20,30 @@ namespace saccade {
 //   tilt      turns up                      degrees
 //   roll      turns clockwise               degrees
 //   orbit     to the right around the point looked at, and keeps looking at it: degrees
-//   shake     hand-held, a sum of seeded sines in all six axes: degrees that the images move, median over the
-//             view and the period; a focal length counts as a radian
+//   shake     hand-held, see shake.h: degrees that the images move, median over the view and the period; a
+//             focal length counts as a radian
 struct Motion {
   std::string kind;          // one of motionKinds()
   double speed = 0;          // as above
   bool image_speed = false;  // the speed is the median of the images at the start, focal lengths per second
   // When to turn back, and again at the start, and so on: at least 1e-3. 0: never. Unset: after
   // kTurnTime. A dolly may turn sooner, when it has gone a quarter of the way to the nearest surface. So
-  // may an orbit, when it has turned by kMaxOrbitRad. So both stay in the scene. Of no use to shake,
-  // which is periodic.
+  // may an orbit, when it has turned by kMaxOrbitRad. So both stay in the scene. Of no use to what has a
+  // seed.
   std::optional<double> turn_s = {};
-  std::uint64_t seed = 0;  // of shake
+  std::uint64_t seed = 0;  // where isSeeded()
 };
 
-inline constexpr TimeNs kTurnTime{200'000'000}, kShakePeriod{2'000'000'000};
+inline constexpr TimeNs kTurnTime{200'000'000};
 inline constexpr double kMaxOrbitRad = 0.25;
 // Bounds on every motion: a rotation turns back after so many turns, and any other motion after kMaxDistance.
 // A motion that never turns back stays there.
 inline constexpr double kMaxTurns = 1000, kMaxTurnsPerSecond = 100;
 
 const std::vector<std::string>& motionKinds();
-// Empty, or why this kind cannot have this speed: its magnitude is 1e-6 to 1e6, and that of shake is
-// positive.
+bool isSeeded(const std::string& kind);  // shake: it has no time to turn back
+// Empty, or why this kind cannot have this speed: its magnitude is 1e-6 to 1e6, and that of
+// what has a seed is positive.
 std::string speedFault(const std::string& kind, double speed);
 
 // `probes` are world-space points on the surfaces in view. Those behind the camera do not count; without any,

@@ -3,54 +3,65 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "base/hash_rng.h"
 
 namespace saccade {
 namespace {
 
-constexpr TimeNs kStep{1'000'000};
-constexpr double kTravel = 0.25;  // a hand turns more than it travels: weight of translation in the picture
-constexpr double kMaxScale = 2;   // keeps the swing below half a radian
+constexpr double kMaxScale = 2;  // keeps the swing below half a radian
+constexpr double kArm = 0.3;  // scene units from the camera to the elbow: a turn of the arm moves the camera
 
-// One axis, told apart by its key: sines of these many cycles in a period, all of the same speed; 0 at the
-// start.
-double shakeAt(std::uint64_t key, double t) {
-  double sum = 0;
-  for (const int cycles : {4, 7, 10, 13, 19}) {
-    const double rate = 2 * std::numbers::pi * cycles / seconds(kShakePeriod);
-    const double phase = 2 * std::numbers::pi * toUnit(hashKey(key, static_cast<std::uint64_t>(cycles)));
-    sum += (std::sin(rate * t + phase) - std::sin(phase)) / rate;
-  }
-  return sum;
+// Cycles in a period of two seconds. Hand and forearm tremble at about 4 Hz, and pressing a button swings the
+// camera at 2 Hz [Japanese Journal of Ergonomics 31 (1995) 399]. Translation is slower than rotation.
+constexpr int kMoves[] = {2, 3, 4, 6}, kTurns[] = {4, 7, 10, 13, 19};
+
+double rateOf(int cycles) {
+  return 2 * std::numbers::pi * cycles / seconds(kShakePeriod);
 }
 
-// Poses relative to the start, for a picture whose surfaces are `depth` away.
-std::vector<Pose> shakePoses(double depth, double scale, std::uint64_t seed) {
-  std::vector<Pose> poses;
-  for (TimeNs time{0}; time < kShakePeriod; time += kStep) {
-    const auto at = [&](std::uint64_t axis) { return scale * shakeAt(8 * seed + axis, seconds(time)); };
-    poses.push_back({Vec3d{at(0), at(1), at(2)} * (kTravel * depth), axisAngle({at(3), at(4), at(5)})});
+// One axis, told apart by its key: sines that all have this greatest speed, per second; 0 at the start.
+SineSum shakeAxis(std::span<const int> cycles, double speed, std::uint64_t key) {
+  SineSum axis;
+  for (const int n : cycles) {
+    const double phase = 2 * std::numbers::pi * toUnit(hashKey(key, static_cast<std::uint64_t>(n)));
+    axis.sines.push_back({speed / rateOf(n), n, phase});
   }
-  return poses;
+  axis.offset = -axis.at(0);
+  return axis;
+}
+
+// The speed of each sine of translation, in scene units per second, within the bounds of all three axes.
+double moveSpeed(double scale, double nearest) {
+  double rates = 0, swings = 0;  // where the sines of one axis add up: per unit of their speed
+  for (const int n : kMoves) rates += rateOf(n), swings += 2 / rateOf(n);
+  const double reach = kMaxShakeReach * nearest;
+  return std::min({std::min(kArm, reach) * scale, kMaxShakeAcceleration / (std::sqrt(3.0) * rates),
+                   reach / (std::sqrt(3.0) * swings)});
+}
+
+SinePath shakePath(const Pose& start, double nearest, double scale, std::uint64_t seed) {
+  SinePath path{start, kShakePeriod, {}};
+  for (std::size_t i = 0; i < path.axes.size(); ++i) {
+    const std::uint64_t key = 8 * seed + i;
+    path.axes[i] = i < 3 ? shakeAxis(kMoves, moveSpeed(scale, nearest), key) : shakeAxis(kTurns, scale, key);
+  }
+  return path;
 }
 
 }  // namespace
 
-Trajectory makeShake(const Pose& start, const VisiblePoints& view, double speed, std::uint64_t seed,
-                     const Lens& lens) {
-  const double depth = medianDepth(view);
+SinePath makeShake(const Pose& start, const VisiblePoints& view, double speed, std::uint64_t seed,
+                   const Lens& lens) {
+  const double nearest = nearestDepth(view);
   // Speed is nearly proportional to the scale, so that a few corrections find it.
   double scale = 0.01;
   for (int i = 0; i < 5; ++i) {
-    const double found = medianImageSpeed(view, shakePoses(depth, scale, seed), seconds(kStep), lens);
+    const double found = medianImageSpeed(view, shakePath(start, nearest, scale, seed), lens);
     scale = std::min(kMaxScale, scale * speed / found);
   }
-  std::vector<TimedPose> keys;
-  for (const Pose& pose : shakePoses(depth, scale, seed))
-    keys.push_back({std::ssize(keys) * kStep, start * pose});
-  keys.push_back({kShakePeriod, keys.front().pose});
-  return Trajectory::periodic(std::move(keys));
+  return shakePath(start, nearest, scale, seed);
 }
 
 }  // namespace saccade

@@ -23,8 +23,12 @@ Trajectory Trajectory::periodic(std::vector<TimedPose> keys) {
   return path;
 }
 
+Trajectory::Trajectory(SinePath path) : sines_(std::move(path)) {
+  SACCADE_CHECK(sines_->period > TimeNs{0});
+}
+
 void Trajectory::append(const TimedPose& key) {
-  SACCADE_CHECK(!periodic_ && key.time > lastTime());
+  SACCADE_CHECK(!periodic_ && !sines_ && key.time > lastTime());
   keys_.push_back(key);
 }
 
@@ -40,6 +44,7 @@ Pose Trajectory::at(TimeNs t) const {
 }
 
 Pose Trajectory::bodyAt(TimeNs t) const {
+  if (sines_) return sines_->at(t);
   const auto [next, s, span_s, stands] = find(t, Side::kAfter);
   if (stands) return keys_[next == 0 ? 0 : next - 1].pose;
   if (interpolation_ == Interpolation::kLinear) return interpolate(keys_[next - 1].pose, keys_[next].pose, s);
@@ -54,6 +59,7 @@ Velocity Trajectory::velocityAt(TimeNs t) const {
 }
 
 Velocity Trajectory::bodyVelocityAt(TimeNs t) const {
+  if (sines_) return sines_->velocityAt(t);
   const auto [next, s, span_s, stands] = find(t, t == TimeNs(0) ? Side::kAfter : Side::kBefore);
   if (stands) return {};
   if (interpolation_ == Interpolation::kCubic) return cubicVelocity(keys_, next, s);

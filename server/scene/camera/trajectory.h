@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "scene/camera/pose.h"
+#include "scene/camera/sine_path.h"
 
 namespace saccade {
 
@@ -30,8 +31,9 @@ class Trajectory {
   explicit Trajectory(std::vector<TimedPose> keys, Interpolation interpolation = Interpolation::kLinear);
   // Repeats for ever with the time of the last key as period. The first key is at 0; the last has its pose.
   static Trajectory periodic(std::vector<TimedPose> keys);
+  explicit Trajectory(SinePath path);  // repeats for ever, too
 
-  // Adds a key after the last one. Not to a periodic path.
+  // Adds a key after the last one. Not to a path that repeats.
   void append(const TimedPose& key);
   // The path of a camera that is fixed to a body on this one. Where T_body_camera is the identity, it has the
   // same bits.
@@ -42,7 +44,8 @@ class Trajectory {
   // The derivatives of both, in closed form. Where they jump, they are those just before t; at 0, just after.
   Velocity velocityAt(TimeNs t) const;
   Velocity bodyVelocityAt(TimeNs t) const;
-  TimeNs lastTime() const { return keys_.back().time; }  // for a periodic path: the period
+  // For a path that repeats: the period.
+  TimeNs lastTime() const { return sines_ ? sines_->period : keys_.back().time; }
 
  private:
   // Between keys[next - 1] and keys[next], of which one may be missing.
@@ -54,8 +57,9 @@ class Trajectory {
   enum class Side { kBefore, kAfter };
   Place find(TimeNs t, Side side) const;  // the segment just before or just after t
 
+  std::optional<SinePath> sines_;  // instead of keys
   std::vector<TimedPose> keys_;
-  Interpolation interpolation_;
+  Interpolation interpolation_ = Interpolation::kLinear;
   bool periodic_ = false;
   std::optional<Pose> mount_;  // T_body_camera, unless it is the identity
 };
