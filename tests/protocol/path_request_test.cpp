@@ -61,6 +61,25 @@ TEST(PathRequest, TheReplyTellsThePixelSpeedOfATruckPastAWall) {
   EXPECT_NEAR(opened.px_per_frame_p99(), px, 1e-4 * px);
 }
 
+// The wall is at depth 5 from the scene's camera, whose rotation stays where the request has none.
+TEST(PathRequest, AMotionStartsWhereItIsTold) {
+  const WallScene scene;
+  TestServer server(1, scene.folder());
+  v1::OpenStream request = motionRequest(v1::MOTION_KIND_TRUCK);
+  request.set_scene("wall");
+  request.mutable_view()->set_fov_x_deg(90);  // the focal length is 16 pixels
+  v1::Motion& motion = *request.mutable_trajectory()->mutable_motion();
+  motion.set_speed(0.5);
+  motion.mutable_start()->mutable_position()->set_z(3);
+  EXPECT_NEAR(server.client().open(request).px_per_frame_p50(), 16 * 0.5 / 500 / 2, 1e-6);
+  motion.mutable_start()->mutable_rotation()->set_w(1);  // looks along z too, and is upside down
+  EXPECT_NEAR(server.client().open(request).px_per_frame_p50(), 16 * 0.5 / 500 / 2, 1e-6);
+  motion.mutable_start()->clear_position();
+  EXPECT_NEAR(server.client().open(request).px_per_frame_p50(), 16 * 0.5 / 500 / 5, 1e-6);
+  motion.mutable_start()->mutable_rotation()->set_x(1e3);  // half a turn: away from the wall
+  EXPECT_EQ(server.client().open(request).px_per_frame_p50(), 0);
+}
+
 TEST(PathRequest, EveryKindOfMotionMovesThePicture) {
   TestServer server;
   const auto* kinds = v1::MotionKind_descriptor();
@@ -83,26 +102,30 @@ TEST(PathRequest, AMotionMayBeAskedForInPixelsPerFrame) {
 
 TEST(PathRequest, FieldsThatAKindDoesNotUseAreNotKept) {
   TestServer server;
-  v1::OpenStream pan = motionRequest(v1::MOTION_KIND_PAN), shake = motionRequest(v1::MOTION_KIND_SHAKE);
-  for (v1::OpenStream* request : {&pan, &shake}) {
-    request->mutable_trajectory()->mutable_motion()->set_speed(3);
-    request->mutable_trajectory()->mutable_motion()->set_turn_s(0);
-    request->mutable_trajectory()->mutable_motion()->set_seed(4);
+  const auto kept = [&](v1::MotionKind kind) {
+    v1::OpenStream request = motionRequest(kind);
+    v1::Motion& motion = *request.mutable_trajectory()->mutable_motion();
+    motion.set_speed(3), motion.set_turn_s(0), motion.set_seed(4);
+    return server.client().open(request).resolved().trajectory().motion();
+  };
+  const v1::Motion pan = kept(v1::MOTION_KIND_PAN);
+  EXPECT_TRUE(pan.has_turn_s() && pan.seed() == 0);
+  for (const v1::MotionKind kind : {v1::MOTION_KIND_SHAKE, v1::MOTION_KIND_RANDOM}) {
+    const v1::Motion seeded = kept(kind);
+    EXPECT_TRUE(!seeded.has_turn_s() && seeded.seed() == 4);
   }
-  const auto pan_kept = server.client().open(pan).resolved().trajectory().motion();
-  const auto shake_kept = server.client().open(shake).resolved().trajectory().motion();
-  EXPECT_TRUE(pan_kept.has_turn_s() && pan_kept.seed() == 0);
-  EXPECT_TRUE(!shake_kept.has_turn_s() && shake_kept.seed() == 4);
 }
 
-TEST(PathRequest, TheSeedOfAShakeChangesItsPath) {
+TEST(PathRequest, TheSeedOfAShakeAndOfARandomPathChangesThePath) {
   TestServer server;
-  v1::OpenStream request = motionRequest(v1::MOTION_KIND_SHAKE);
-  request.mutable_trajectory()->mutable_motion()->set_px_per_frame(3);
-  const std::string bytes = bytesOf(server, request);
-  EXPECT_EQ(bytesOf(server, request), bytes);
-  request.mutable_trajectory()->mutable_motion()->set_seed(1);
-  EXPECT_NE(bytesOf(server, request), bytes);
+  for (const v1::MotionKind kind : {v1::MOTION_KIND_SHAKE, v1::MOTION_KIND_RANDOM}) {
+    v1::OpenStream request = motionRequest(kind);
+    request.mutable_trajectory()->mutable_motion()->set_px_per_frame(3);
+    const std::string bytes = bytesOf(server, request);
+    EXPECT_EQ(bytesOf(server, request), bytes);
+    request.mutable_trajectory()->mutable_motion()->set_seed(1);
+    EXPECT_NE(bytesOf(server, request), bytes);
+  }
 }
 
 TEST(PathRequest, KeyframesAreTheSameAsTheirCsv) {

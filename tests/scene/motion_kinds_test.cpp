@@ -174,6 +174,7 @@ TEST(ParseMotion, ReadsKindAndSpeed) {
     expectContains(errorOf([&] { parseMotion(text); }), "'" + text + "' is not KIND:SPEED");
   expectContains(errorOf([] { parseMotion("pan:0"); }), "of either sign: 0 is outside");
   expectContains(errorOf([] { parseMotion("shake:-2"); }), "shake:-2: -2 is outside");
+  expectContains(errorOf([] { parseMotion("random:-2"); }), "random:-2: -2 is outside");
 }
 
 }  // namespace

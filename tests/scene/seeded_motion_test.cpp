@@ -1,9 +1,10 @@
-// The motions that a seed draws.
+// The motions that a seed draws: what a hand can do, and random paths.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "scene/camera/motion.h"
+#include "scene/camera/random_path.h"
 #include "scene/camera/shake.h"
 #include "scene/scratch.h"
 
@@ -101,8 +102,53 @@ double medianSpeed(const Trajectory& path, double radius) {
 
 TEST(SeededMotions, HaveTheMedianSpeedThatIsAskedFor) {
   for (const std::uint64_t seed : {0, 1, 2}) {
+    EXPECT_NEAR(medianSpeed(seeded("random", 12, seed), 5), 12 * kDegree, 0.02 * 12 * kDegree) << seed;
     EXPECT_NEAR(medianSpeed(seeded("shake", 12, seed), 5), 12 * kDegree, 0.02 * 12 * kDegree) << seed;
   }
+}
+
+TEST(RandomPath, StaysWithinItsBounds) {
+  double reach = 0, aside = 0, up = 0, rolled = 0;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Trajectory path = seeded("random", 10, seed);
+    for (int i = 0; i < 200; ++i) {
+      const Pose p = inverse(kStart) * path.at(path.lastTime() / 200 * i);
+      const Vec3d ahead = rotate(p.rotation, {0, 0, 1}), right = rotate(p.rotation, {1, 0, 0});
+      reach = std::max(reach, length(p.position));
+      aside = std::max(aside, std::abs(std::atan2(ahead.x, ahead.z)));
+      up = std::max(up, std::abs(std::asin(ahead.y)));
+      const Vec3d level{std::cos(std::atan2(ahead.x, ahead.z)), 0, -std::sin(std::atan2(ahead.x, ahead.z))};
+      rolled = std::max(rolled, std::acos(std::min(1.0, dot(level, right))));
+    }
+  }
+  const auto fills = [](double found, double bound) { return found <= bound + 1e-9 && found > bound / 2; };
+  EXPECT_TRUE(fills(reach, kMaxRandomReach * nearestIn(5))) << reach;
+  EXPECT_TRUE(fills(aside, kMaxRandomPan)) << aside;
+  EXPECT_TRUE(fills(up, kMaxRandomTilt)) << up;
+  EXPECT_TRUE(fills(rolled, kMaxRandomRoll)) << rolled;
+}
+
+TEST(RandomPath, EverySeedBeginsElsewhereAndGoesItsOwnWay) {
+  std::vector<Pose> starts;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Trajectory path = seeded("random", 10, seed);
+    EXPECT_EQ(path.at(path.lastTime() + 7ms), path.at(7ms));
+    for (const Pose& other : starts) {
+      EXPECT_GT(length(path.at(TimeNs{0}).position - other.position), 1e-3);
+      EXPECT_NE(path.at(TimeNs{0}).rotation, other.rotation);
+    }
+    starts.push_back(path.at(TimeNs{0}));
+    EXPECT_GT(farthest(path), 3 * farthest(seeded("shake", 10, seed)));
+  }
+  EXPECT_EQ(seeded("random", 10, 4).at(1s), seeded("random", 10, 4).at(1s));
+}
+
+// A quicker path goes the same way.
+TEST(RandomPath, TheSpeedSetsThePeriodAlone) {
+  const Trajectory slow = seeded("random", 2), quick = seeded("random", 20);
+  EXPECT_NEAR(seconds(slow.lastTime()), 10 * seconds(quick.lastTime()), 1e-8);
+  expectNear(slow.at(10s).position, quick.at(1s).position, 1e-6);
+  EXPECT_EQ(seeded("random", 1e6).lastTime(), kMinRandomPeriod);
 }
 
 }  // namespace

@@ -12,12 +12,19 @@ Vec3d readVector(const v1::Vector3& v, const Range<double>& range, const std::st
   return {v.x(), v.y(), v.z()};
 }
 
-Pose readPose(const v1::Vector3& position, const v1::Quaternion& rotation, const std::string& field) {
-  const Vec3d p = readVector(position, {-kMaxDistance, kMaxDistance}, field + ".position");
+Vec3d readPosition(const v1::Vector3& position, const std::string& field) {
+  return readVector(position, {-kMaxDistance, kMaxDistance}, field + ".position");
+}
+
+Quaternion readRotation(const v1::Quaternion& rotation, const std::string& field) {
   const Quaternion q{rotation.x(), rotation.y(), rotation.z(), rotation.w()};
   if (!isRotation(q))
     refuse(field + ".rotation", "the length of the quaternion x y z w is near 0 or far from 1");
-  return {p, q};
+  return q;
+}
+
+Pose readPose(const v1::Vector3& position, const v1::Quaternion& rotation, const std::string& field) {
+  return {readPosition(position, field), readRotation(rotation, field)};
 }
 
 }  // namespace saccade

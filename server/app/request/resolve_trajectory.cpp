@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/request/enum_names.h"
+#include "app/request/read_pose.h"
 #include "app/request/refusal.h"
 #include "app/request/resolve_trajectory.h"
 #include "base/names.h"
@@ -17,6 +18,15 @@ std::string kindOf(const v1::Motion& motion) {
   return nameWithout("MOTION_KIND_", v1::MotionKind_Name(motion.kind()));
 }
 
+// The pose of the scene's own camera gives what the request leaves out. Throws Refusal.
+Pose startOf(const v1::Motion& motion, Pose pose) {
+  const std::string field = "trajectory.motion.start";
+  const v1::RigidTransform& start = motion.start();
+  if (start.has_position()) pose.position = readPosition(start.position(), field);
+  if (start.has_rotation()) pose.rotation = unitNear(readRotation(start.rotation(), field), pose.rotation);
+  return pose;
+}
+
 void checkMotion(v1::Motion& motion) {
   const std::string field = "trajectory.motion";
   if (motion.kind() == v1::MOTION_KIND_UNSPECIFIED)
@@ -28,9 +38,10 @@ void checkMotion(v1::Motion& motion) {
       speedFault(kindOf(motion), motion.has_speed() ? motion.speed() : motion.px_per_frame());
   if (!fault.empty()) refuse(field + rate, fault);
   if (motion.turn_s() != 0) checkRange(field + ".turn_s", motion.turn_s(), ranges::kTurn);
+  startOf(motion, {});
   // Fields that the kind ignores must not make equal feeds different.
-  if (motion.kind() == v1::MOTION_KIND_SHAKE) motion.clear_turn_s();
-  if (motion.kind() != v1::MOTION_KIND_SHAKE) motion.clear_seed();
+  if (isSeeded(kindOf(motion))) motion.clear_turn_s();
+  if (!isSeeded(kindOf(motion))) motion.clear_seed();
 }
 
 void checkKeyframes(v1::Keyframes& keyframes) {
@@ -68,8 +79,8 @@ Motion motionOf(const v1::Motion& request, const FeedConfig& feed) {
   return motion;
 }
 
-Trajectory fromCamera(const Motion& motion, const RenderScene& scene, const CameraModel& camera) {
-  const Pose& start = scene.description().T_world_camera;
+Trajectory from(const Pose& start, const Motion& motion, const RenderScene& scene,
+                const CameraModel& camera) {
   const Lens lens(camera);
   return makeMotion(motion, start, probePoints(scene, start, lens), lens);
 }
@@ -92,7 +103,8 @@ Trajectory byName(const ResolvedStream& stream, const RenderScene& scene, const 
   const CameraModel& camera = stream.feed.camera;
   const v1::View& view = stream.request.view();
   const double fov = view.has_fov_x_deg() ? view.fov_x_deg() : fovXDeg(camera);
-  if (isMotionName(name)) return fromCamera(namedMotion(name, fov), scene, camera);
+  if (isMotionName(name))
+    return from(scene.description().T_world_camera, namedMotion(name, fov), scene, camera);
   return library.loadTrajectory(stream.request.scene(), name);
 }
 
@@ -115,7 +127,9 @@ Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& sc
                              const SceneLibrary& library) {
   const v1::Trajectory& path = stream.request.trajectory();
   try {
-    if (path.has_motion()) return fromCamera(motionOf(path.motion(), stream.feed), scene, stream.feed.camera);
+    if (path.has_motion())
+      return from(startOf(path.motion(), scene.description().T_world_camera),
+                  motionOf(path.motion(), stream.feed), scene, stream.feed.camera);
     if (stream.given_path) return *stream.given_path;
     return byName(stream, scene, library);
   } catch (const SceneError& fault) {

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/names.h"
 #include "base/range.h"
+#include "scene/camera/random_path.h"
 #include "scene/camera/screw_motion.h"
 #include "scene/camera/shake.h"
 
@@ -29,7 +30,7 @@ const std::vector<Kind>& kindTable() {
   static const std::vector<Kind> table{
       {"dolly", {{0, 0, 1}, {}}},  {"truck", {{1, 0, 0}, {}}}, {"pedestal", {{0, -1, 0}, {}}},
       {"pan", {{}, {0, 1, 0}}},    {"tilt", {{}, {1, 0, 0}}},  {"roll", {{}, {0, 0, 1}}},
-      {"orbit", {{}, {0, -1, 0}}}, {"shake", {}, makeShake}};
+      {"orbit", {{}, {0, -1, 0}}}, {"shake", {}, makeShake},   {"random", {}, makeRandomPath}};
   return table;
 }
 

@@ -22,6 +22,8 @@ namespace saccade {
 //   orbit     to the right around the point looked at, and keeps looking at it: degrees
 //   shake     hand-held, see shake.h: degrees that the images move, median over the view and the period; a
 //             focal length counts as a radian
+//   random    a smooth path about the start, see random_path.h: the unit is that of shake
+// The last two are drawn by a seed, and periodic.
 struct Motion {
   std::string kind;          // one of motionKinds()
   double speed = 0;          // as above
@@ -41,14 +43,15 @@ inline constexpr double kMaxOrbitRad = 0.25;
 inline constexpr double kMaxTurns = 1000, kMaxTurnsPerSecond = 100;
 
 const std::vector<std::string>& motionKinds();
-bool isSeeded(const std::string& kind);  // shake: it has no time to turn back
+bool isSeeded(const std::string& kind);  // shake and random: they have no time to turn back
 // Empty, or why this kind cannot have this speed: its magnitude is 1e-6 to 1e6, and that of
 // what has a seed is positive.
 std::string speedFault(const std::string& kind, double speed);
 
 // `probes` are world-space points on the surfaces in view. Those behind the camera do not count; without any,
 // one is assumed on the viewing axis at distance 1. An image_speed of what would move no image stands still.
-// Shake has a largest swing: beyond about 250 degrees per second it is slower than asked.
+// Shake has a largest swing: beyond about 250 degrees per second it is slower than asked. A random path has
+// the bounds of random_path.h.
 // `lens`: through which the images are seen; unset: without distortion.
 Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3d>& probes,
                       const Lens& lens = Lens{});
