@@ -11,7 +11,7 @@ namespace saccade::client {
 namespace {
 
 v1::Intrinsics parseIntrinsics(const std::string& text) {
-  const std::vector<double> values = parseNumbers("--intrinsics", text);
+  const std::vector<double> values = parseNumbers(text);
   if (values.size() != 4) throw std::invalid_argument("--intrinsics: '" + text + "' is not FX,FY,CX,CY");
   v1::Intrinsics out;
   out.set_fx(values[0]), out.set_fy(values[1]), out.set_cx(values[2]), out.set_cy(values[3]);
@@ -22,7 +22,11 @@ v1::Distortion parseDistortion(const std::string& text) {
   const auto [model, coefficients] = splitAt(text, ':');
   v1::Distortion out;
   out.set_model(enumValue<v1::DistortionModel>("--distortion", model));
-  for (const double k : parseNumbers("--distortion", coefficients)) out.add_coefficients(k);
+  const std::vector<double> numbers = parseNumbers(coefficients);
+  if (numbers.empty() && !coefficients.empty())
+    throw std::invalid_argument("--distortion: '" + coefficients +
+                                "' are not numbers with commas between them");
+  for (const double k : numbers) out.add_coefficients(k);
   return out;
 }
 

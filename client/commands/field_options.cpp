@@ -14,6 +14,7 @@ constexpr struct {
                 {"view", "--size"},
                 {"further_views", "--further-view"},
                 {"trajectory.motion.turn_s", "--turn"},
+                {"trajectory.motion.start", "--start"},
                 {"trajectory", "--trajectory"},
                 {"timing.frame_rate_hz", "--rate"},
                 {"timing.duration_s", "--duration"},

@@ -54,7 +54,7 @@ void readSettings(const std::vector<std::string>& settings, v1::Imu& imu) {
 void setGravity(const ImuOptions& options, v1::Imu& imu) {
   std::vector<double> g;
   if (!options.gravity.empty()) {
-    g = parseNumbers("--gravity", options.gravity);
+    g = parseNumbers(options.gravity);
     if (g.size() != 3) throw std::invalid_argument("--gravity: '" + options.gravity + "' is not X,Y,Z");
   } else if (!options.up.empty()) {
     g.assign(3, 0);

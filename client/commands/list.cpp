@@ -3,6 +3,7 @@
 
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
+#include "client/commands/request_text.h"
 #include "saccade/control_client.h"
 
 namespace saccade::client {
@@ -24,8 +25,10 @@ void runList(const ServerOptions& options) {
   v1::Request request;
   request.mutable_list_scenes();
   const v1::Reply reply = control.call(std::move(request));
-  if (reply.list_scenes().scenes().empty()) print("the server has no scenes\n");
+  if (reply.list_scenes().scenes().empty()) return print("the server has no scenes\n");
   for (const v1::SceneInfo& scene : reply.list_scenes().scenes()) printScene(scene);
+  print("every scene also has the motions KIND:SPEED, such as pan:10, with KIND one of %s\n",
+        enumWords<v1::MotionKind>().c_str());
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
       "--trajectory,--motion", o.trajectory,
       "a name that `saccade list` prints; or a file of poses whose heading names its columns, as EuRoC's "
       "does, or else in TUM format (seconds, blanks) or ESIM format (nanoseconds, commas); or KIND:SPEED "
-      "per second, or KIND:SPEEDpx in pixels per frame, from "
-      "the scene's own camera. KIND is one of " +
+      "per second, or KIND:SPEEDpx in pixels per frame. "
+      "KIND is one of " +
           enumWords<v1::MotionKind>());
   command
       .add_option("--trajectory-format", o.pose_format,
@@ -33,7 +33,11 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
       "--pose-rate", o.pose_rate_hz,
       "poses per second, for --trajectory-format; of COLMAP, by the numbers in the pictures' names");
   command.add_option("--turn", o.turn_s, "seconds after which KIND:SPEED turns back, 0: never");
-  command.add_option("--motion-seed", o.motion_seed, "seed of the random motion of shake:SPEED")
+  command.add_option(
+      "--start", o.start,
+      "X,Y,Z[,QX,QY,QZ,QW]: T_world_camera at the start of KIND:SPEED; without it, or without a "
+      "rotation, that of the scene's own camera");
+  command.add_option("--motion-seed", o.motion_seed, "seed of the motions shake:SPEED and random:SPEED")
       ->check(checkWhole<std::uint64_t>);
 }
 

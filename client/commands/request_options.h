@@ -27,6 +27,7 @@ struct RequestOptions {
   std::optional<double> turn_s;
   std::optional<std::uint64_t> motion_seed;
   RigOptions rig;
+  std::optional<std::string> start;  // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_world_camera
   SensorOptions sensors;
   CameraOptions camera;
   double rate_hz = 1000;
@@ -49,11 +50,9 @@ void addRequestOptions(CLI::App& command, RequestOptions& options);
 
 // Says in the help of a command what --motion may be.
 inline constexpr const char* kMotionHelp =
-    "Motions: dolly (forward), truck (right), pedestal (up) in scene units per second; pan (right), tilt "
-    "(up),\n"
-    "roll (clockwise), orbit (right), shake (hand-held) in degrees per second. A negative speed goes the "
-    "other\n"
-    "way.";
+    "Motions: dolly (forward), truck (right), pedestal (up) in scene units per second; pan (right),\n"
+    "tilt (up), roll (clockwise), orbit (right), shake (hand-held), random (a smooth path about the\n"
+    "start) in degrees per second. A negative speed goes the other way, except of shake and random.";
 
 // Each number of the request must lie in its range, which its help says.
 void limitRequest(CLI::App& command);

@@ -2,7 +2,6 @@
 
 #include <cctype>
 #include <stdexcept>
-#include <tuple>
 
 namespace saccade::client {
 namespace {
@@ -42,15 +41,29 @@ int enumNumber(const google::protobuf::EnumDescriptor& names, const std::string&
   return names.value(1 + static_cast<int>(at - words.begin()))->number();
 }
 
-std::vector<double> parseNumbers(const std::string& option, const std::string& text) {
-  std::vector<double> values;
-  for (auto [head, rest] = splitAt(text, ','); !head.empty() || !rest.empty();
-       std::tie(head, rest) = splitAt(rest, ',')) {
-    const auto value = parseNumber<double>(head);
-    if (!value) throw std::invalid_argument(option + ": '" + head + "' is not a number");
-    values.push_back(*value);
+std::vector<double> parseNumbers(std::string text) {
+  std::vector<double> numbers;
+  while (!text.empty()) {
+    const auto [first, rest] = splitAt(text, ',');
+    const auto number = parseNumber<double>(first);
+    if (!number) return {};
+    numbers.push_back(*number);
+    text = rest;
   }
-  return values;
+  return numbers;
+}
+
+v1::RigidTransform parsePose(const std::string& option, const std::string& text) {
+  const std::vector<double> n = parseNumbers(text);
+  if (n.size() != 3 && n.size() != 7)
+    throw std::invalid_argument(option + ": '" + text + "' is not X,Y,Z or X,Y,Z,QX,QY,QZ,QW");
+  v1::RigidTransform pose;
+  v1::Vector3& position = *pose.mutable_position();
+  position.set_x(n[0]), position.set_y(n[1]), position.set_z(n[2]);
+  if (n.size() == 3) return pose;
+  v1::Quaternion& rotation = *pose.mutable_rotation();
+  rotation.set_x(n[3]), rotation.set_y(n[4]), rotation.set_z(n[5]), rotation.set_w(n[6]);
+  return pose;
 }
 
 ImageSize parseSize(const std::string& option, const std::string& text) {

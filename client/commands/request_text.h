@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "client/formats/common/reader.h"
+#include "saccade/v1/geometry.pb.h"
 
 namespace saccade::client {
 
@@ -46,8 +47,10 @@ std::optional<T> parseNumber(std::string_view text) {
   return value;
 }
 
-// Reads numbers with commas between them. Throws std::invalid_argument with `option`.
-std::vector<double> parseNumbers(const std::string& option, const std::string& text);
+// Reads numbers with commas between them; none where one is no number.
+std::vector<double> parseNumbers(std::string text);
+// Reads X,Y,Z, which sets no rotation, or X,Y,Z,QX,QY,QZ,QW. Throws std::invalid_argument with `option`.
+v1::RigidTransform parsePose(const std::string& option, const std::string& text);
 
 // Reads WIDTHxHEIGHT. Throws std::invalid_argument with `option`.
 ImageSize parseSize(const std::string& option, const std::string& text);

@@ -1,25 +1,10 @@
 #include "client/commands/rig_options.h"
 
-#include <stdexcept>
-
 #include "client/calibration/rig.h"
 #include "client/commands/request_text.h"
 
 namespace saccade::client {
 namespace {
-
-v1::RigidTransform parseTransform(const std::string& option, const std::string& text) {
-  const std::vector<double> n = parseNumbers(option, text);
-  if (n.size() != 3 && n.size() != 7)
-    throw std::invalid_argument(option + ": '" + text + "' is not X,Y,Z or X,Y,Z,QX,QY,QZ,QW");
-  v1::RigidTransform transform;
-  v1::Vector3& position = *transform.mutable_position();
-  position.set_x(n[0]), position.set_y(n[1]), position.set_z(n[2]);
-  if (n.size() == 3) return transform;
-  v1::Quaternion& rotation = *transform.mutable_rotation();
-  rotation.set_x(n[3]), rotation.set_y(n[4]), rotation.set_z(n[5]), rotation.set_w(n[6]);
-  return transform;
-}
 
 // Puts the camera `view`, whose place is in the axes of the first camera, into those of the body.
 void mount(const v1::View& first, v1::View& view) {
@@ -46,12 +31,12 @@ void addRigOptions(CLI::App& command, RigOptions& o) {
 void addViews(const RigOptions& options, const std::vector<v1::View>& views, v1::OpenStream& open) {
   v1::View first = views.front();
   if (!options.body_camera.empty())
-    *first.mutable_body_camera() = parseTransform("--body-camera", options.body_camera);
+    *first.mutable_body_camera() = parsePose("--body-camera", options.body_camera);
   *open.mutable_view() = first;
   open.mutable_further_views()->Add(views.begin() + 1, views.end());
   for (const std::string& text : options.further_views) {
     v1::View& view = *open.add_further_views() = first;
-    *view.mutable_body_camera() = parseTransform("--further-view", text);
+    *view.mutable_body_camera() = parsePose("--further-view", text);
     mount(first, view);
   }
   const auto sensors = open.sensors();  // of one view

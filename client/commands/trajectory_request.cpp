@@ -65,6 +65,7 @@ v1::Motion makeMotion(const RequestOptions& options) {
   }
   if (options.turn_s) motion.set_turn_s(*options.turn_s);
   motion.set_seed(options.motion_seed.value_or(0));
+  if (options.start) *motion.mutable_start() = parsePose("--start", *options.start);
   return motion;
 }
 
@@ -96,6 +97,9 @@ v1::Trajectory makeTrajectory(const RequestOptions& options) {
   }
   if (options.turn_s || options.motion_seed)
     throw std::invalid_argument("--turn and --motion-seed go with --motion KIND:SPEED, such as dolly:0.2");
+  if (options.start)
+    throw std::invalid_argument("--start: '" + *options.start +
+                                "' goes with --motion KIND:SPEED, such as dolly:0.2");
   if (file) {
     trajectory.set_csv(options.pose_format.empty() ? readFile(options.trajectory) : readPoses(options));
   } else if (!options.trajectory.empty()) {  // else the server's refusal names those of the scene

@@ -70,6 +70,8 @@ TEST_F(CommandAndServer, ListsScenesAndMethods) {
   const Result list = run("list" + server_.option());
   EXPECT_EQ(list.code, 0);
   EXPECT_TRUE(holds(list, "cornell-box") && holds(list, "right")) << list.output;
+  EXPECT_TRUE(holds(list, "such as pan:10, with KIND one of dolly, truck") && holds(list, "random"))
+      << list.output;
 }
 TEST_F(CommandAndServer, RefusalsNameWhatIsValid) {
   const Result scene = run("record nowhere --trajectory right -o a.csv" + server_.option());
@@ -90,6 +92,8 @@ TEST_F(CommandAndServer, ARefusalNamesTheOptionTheValueAndWhatIsValid) {
   } rows[] = {{"--motion pan", "--trajectory: 'pan' is a motion, which needs a speed, such as pan:10", ""},
               {"--motion rihgt", "--trajectory: the scene has no trajectory 'rihgt'", "KIND one of dolly"},
               {"", "--trajectory: none is given; the scene has: ", "right"},
+              {"--motion pan:1 --start nan,0,0", "--start: nan is outside", "[-1000000000, 1000000000]"},
+              {"--motion pan:1 --start 0,0,0,0,0,0,0", "--start: the length of the quaternion", ""},
               {"--motion right --preset eye", "--preset: there is no preset 'eye'", "davis346"},
               {"--motion right --method magic", "--method: there is no method 'magic'", "event_svgf"},
               {"--motion right --spp 3 --method event_svgf", "--spp: ", "even"},

@@ -273,11 +273,26 @@ TEST(RequestOptions, AFaultyMotionIsNamed) {
     return std::string();
   };
   EXPECT_EQ(fault("fly:1"),
-            "--trajectory: 'fly' is none of dolly, truck, pedestal, pan, tilt, roll, orbit, shake");
+            "--trajectory: 'fly' is none of dolly, truck, pedestal, pan, tilt, roll, orbit, shake, random");
   EXPECT_NE(fault("unspecified:1").find("is none of"), std::string::npos);
   for (const std::string text : {"pan:", "pan:px", "pan:1p", "pan:1:2", ":1"}) {
     EXPECT_EQ(fault(text).find("--trajectory: '"), 0u) << text;
   }
+  for (const std::string start : {"''", "1,2", "a,b,c", "1,2,3,0"})
+    EXPECT_NE(fault("pan:1 --start " + start).find("is not X,Y,Z or X,Y,Z,QX,QY,QZ,QW"), std::string::npos)
+        << start;
+}
+
+TEST(RequestOptions, AMotionHasAStartWhereOneIsGiven) {
+  EXPECT_FALSE(openMotion("pan:1").trajectory().motion().has_start());
+  const v1::RigidTransform place = openMotion("pan:1 --start 1,-2,3e-1").trajectory().motion().start();
+  EXPECT_EQ(place.position().y(), -2);
+  EXPECT_EQ(place.position().z(), 0.3);
+  EXPECT_FALSE(place.has_rotation());
+  const v1::RigidTransform pose =
+      openMotion("random:2px --start 0,0,0,0,1,0,2").trajectory().motion().start();
+  EXPECT_EQ(pose.rotation().y(), 1);
+  EXPECT_EQ(pose.rotation().w(), 2);
 }
 
 TEST(RequestOptions, TrajectoryAndMotionTakeTheSameWords) {
@@ -296,6 +311,8 @@ TEST(RequestOptions, ThereIsOneTrajectoryOrTheServerTellsWhatThereIs) {
   EXPECT_NE(faultOf("--motion pan:1").find("--trajectory"), std::string::npos);  // the second one
   EXPECT_NE(faultOf("--turn 1").find("--motion"), std::string::npos);
   EXPECT_NE(faultOf("--motion-seed 1").find("--motion"), std::string::npos);
+  EXPECT_NE(faultOf("--start 1,2,3").find("--start: '1,2,3' goes with --motion KIND:SPEED"),
+            std::string::npos);
   EXPECT_EQ(makeOpenStream(parse("cornell-box")).trajectory().path_case(), v1::Trajectory::PATH_NOT_SET);
 }
 
