@@ -24,7 +24,8 @@ class Request(unittest.TestCase):
                                             quality=c.Quality(), sensors=[c.Sensor()]))
 
     def test_every_setting_has_its_field(self):
-        made = make_request({**NEEDED, "motion": "shake:-3px", "turn_s": 0, "motion_seed": 9, "duration_s": 2,
+        made = make_request({**NEEDED, "motion": "shake:-3px", "turn_s": 0, "motion_seed": 9,
+                             "start": (1, 2, 3, 0, 0.5, 0, 1), "duration_s": 2,
                              "speed": 0.5, "fov_x_deg": 40, "clock": "paced", "delivery": "live", "codec": "zstd",
                              "seed": 5, "threshold": [0.1, 0.2], "threshold_off": 0.3, "bias": 1e-4,
                              "refractory_s": 1e-3, "cutoff_hz": 2, "model": "probabilistic", "reconstruction": "direct",
@@ -40,7 +41,9 @@ class Request(unittest.TestCase):
                       preset="davis346", noise=noise_pb2.Noise(leak_hz=0.5))
         self.assertEqual(made, c.OpenStream(
             scene="room", view=c.View(width=6, height=4, fov_x_deg=40),
-            trajectory=c.Trajectory(motion=c.Motion(kind=c.MOTION_KIND_SHAKE, px_per_frame=-3, turn_s=0, seed=9)),
+            trajectory=c.Trajectory(motion=c.Motion(
+                kind=c.MOTION_KIND_SHAKE, px_per_frame=-3, turn_s=0, seed=9, start=c.RigidTransform(
+                    position=c.Vector3(x=1, y=2, z=3), rotation=c.Quaternion(y=0.5, w=1)))),
             timing=c.Timing(frame_rate_hz=100, duration_s=2, clock=c.CLOCK_PACED, speed=0.5),
             method=c.Method(name="svgf", spp=4, params={"alpha": 0.5}),
             quality=c.Quality(bounces=1, jitter=True, monochrome=True, bake_error=0.1, disabled_features=["masks"],
@@ -129,7 +132,11 @@ class Request(unittest.TestCase):
 
     def test_faults_are_named(self):
         faults = [(TypeError, "did you mean 'rate_hz'", {"rate": 5}), (TypeError, "either", {"trajectory": "a"}),
-                  (TypeError, "turn_s goes with", {"turn_s": 1}), (ValueError, "pan, tilt", {"motion": "jump:5"}),
+                  (TypeError, "turn_s goes with", {"turn_s": 1}),
+                  (TypeError, "start goes with", {"start": (1, 2, 3)}),
+                  *[(ValueError, "^start: .* is not x y z", {"motion": "pan:2", "start": start})
+                    for start in ((1, 2), 5, "123456", "abc", ())],
+                  (ValueError, "pan, tilt", {"motion": "jump:5"}),
                   (ValueError, "KIND:SPEED", {"motion": "pan:fast"}),
                   (ValueError, "mismatch, photoreceptor_hz", {"noise": {"leak": 1}}),
                   (ValueError, "lossless, live", {"delivery": "slow"}),

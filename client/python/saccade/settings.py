@@ -43,7 +43,8 @@ class Settings(Needed, total=False):
     trajectory: a name from Client.scenes(), the path of a file of poses (a Path, or a str that ends in .csv or
         .txt), or poses, float (n, 8): time in seconds, position x y z, quaternion x y z w of T_world_camera.
     motion: "KIND:SPEED" such as "pan:-15", "KIND:SPEEDpx" in pixels per frame, or a name such as "right".
-        turn_s: seconds after which it turns back, 0 for never. motion_seed: of the motion shake.
+        turn_s: seconds after which it turns back, 0 for never. motion_seed: of the motions shake and random.
+        start: x y z, or x y z qx qy qz qw, of T_world_camera at its start; unset parts are those of the scene's camera.
 
     The camera:
     size: width and height in pixels. It is needed, but with a calibration.
@@ -61,6 +62,7 @@ class Settings(Needed, total=False):
     clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed, "lockstep" renders a frame
         for each Stream.step().
     steerable: Stream.steer() may be called; with "lockstep" it always may.
+    until_path_ends: instead of duration_s, the stream ends with the last pose of a `trajectory` of the client.
     packet_per_frame: each frame ends its packet; with "lockstep" it always does.
     delivery: "lossless" waits for a slow client, "live" drops and counts, "broadcast" loses and shows the gap.
     codec: "none", or "zstd", which needs the module zstandard.
@@ -91,6 +93,7 @@ class Settings(Needed, total=False):
     motion: str
     turn_s: float
     motion_seed: int
+    start: Sequence[float]
     duration_s: float
     size: tuple[int, int]
     fov_x_deg: float
@@ -103,6 +106,7 @@ class Settings(Needed, total=False):
     speed: float
     steerable: bool
     packet_per_frame: bool
+    until_path_ends: bool
     delivery: Literal["lossless", "live", "broadcast"]
     codec: Literal["none", "zstd"]
     seed: int

@@ -15,7 +15,7 @@ from saccade.v1 import noise_pb2
 
 OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset", "labels", "max_artefact_odds",
                   "model", "reconstruction")
-OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "method", "spp", "params", "disable",
+OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "start", "method", "spp", "params", "disable",
              "calibration", "fov_x_deg", "intrinsics", "distortion", "T_body_camera", "further_views")
 OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
 NEEDED = ("rate_hz", "size")
@@ -38,7 +38,7 @@ def make_request(settings: Settings) -> c.OpenStream:
     return c.OpenStream(
         view=make_view(s), further_views=make_further_views(s), sensors=_sensors(s), truth=make_truth(s),
         timing=c.Timing(frame_rate_hz=s["rate_hz"],
-                        **_some(s, "clock", "duration_s", "speed", "steerable", "packet_per_frame")),
+                        **_some(s, "clock", "duration_s", "speed", "steerable", "packet_per_frame", "until_path_ends")),
         **({"pushed": True} if pushed else _scene(s)), **_some(s, "delivery", "codec", "seed"))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from saccade.v1 import control_pb2 as c
-from saccade.v1.geometry_pb2 import Quaternion, Vector3
+from saccade.v1.geometry_pb2 import Quaternion, RigidTransform, Vector3
 
 
 def make_trajectory(settings: Mapping[str, Any]) -> c.Trajectory:
@@ -22,7 +22,7 @@ def make_trajectory(settings: Mapping[str, Any]) -> c.Trajectory:
     if ("trajectory" in settings) == ("motion" in settings):
         raise TypeError("give either trajectory or motion")
     moving = ":" in settings.get("motion", "")
-    for name in ("turn_s", "motion_seed"):
+    for name in ("turn_s", "motion_seed", "start"):
         if name in settings and not moving:
             raise TypeError(f"{name} goes with a motion KIND:SPEED, such as 'pan:-15'")
     if moving:
@@ -59,7 +59,15 @@ def _motion(settings: Mapping[str, Any]) -> c.Motion:
         motion.speed = number
     if "turn_s" in settings:
         motion.turn_s = settings["turn_s"]
+    if "start" in settings:
+        motion.start.CopyFrom(_pose(settings["start"]))
     return motion
+
+
+def _pose(numbers: list[float]) -> RigidTransform:
+    """Of x y z, which sets no rotation, or x y z qx qy qz qw."""
+    rotation = Quaternion(**dict(zip("xyzw", numbers[3:]))) if len(numbers) > 3 else None
+    return RigidTransform(position=Vector3(**dict(zip("xyz", numbers))), rotation=rotation)
 
 
 def _keyframes(poses: NDArray[np.float64]) -> c.Keyframes:
