@@ -71,8 +71,9 @@ std::vector<v1::View> readViews(const CameraOptions& options, double units_per_m
 void addCameraOptions(CLI::App& command, CameraOptions& o) {
   command.option_defaults()->group("Camera");
   command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->default_str(o.default_size);
-  CLI::Option* fov =
-      command.add_option("--fov", o.fov_x_deg, "horizontal field of view without the distortion, degrees");
+  CLI::Option* fov = command.add_option(
+      "--fov", o.fov_x_deg,
+      "horizontal field of view without the distortion, degrees; default: that of the scene");
   command
       .add_option("--intrinsics", o.intrinsics,
                   "FX,FY,CX,CY in pixels; the centre of the top left pixel is 0,0")

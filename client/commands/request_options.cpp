@@ -32,7 +32,7 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
   command.add_option(
       "--pose-rate", o.pose_rate_hz,
       "poses per second, for --trajectory-format; of COLMAP, by the numbers in the pictures' names");
-  command.add_option("--turn", o.turn_s, "seconds after which KIND:SPEED turns back, 0: never");
+  command.add_option("--turn", o.turn_s, "seconds after which KIND:SPEED turns back, 0: never; default 0.2");
   command.add_option(
       "--start", o.start,
       "X,Y,Z[,QX,QY,QZ,QW]: T_world_camera at the start of KIND:SPEED; without it, or without a "
@@ -59,7 +59,8 @@ void addStreamOptions(CLI::App& command, RequestOptions& o) {
       ->capture_default_str();
   command.add_option("--clock", o.clock, "fast renders as fast as possible, paced keeps to the wall clock")
       ->capture_default_str();
-  command.add_option("--codec", o.codec, "compression of the packets: " + enumWords<v1::Codec>());
+  command.add_option("--codec", o.codec,
+                     "compression of the packets: " + enumWords<v1::Codec>() + "; default none");
   command
       .add_option("--retry-time", o.retry_time_s,
                   "seconds to wait for a server that is not up yet, or lost; 0: not at all")
@@ -71,9 +72,12 @@ void addStreamOptions(CLI::App& command, RequestOptions& o) {
 
 void addQualityOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Rendering");
-  command.add_option("--method", o.method, "how the change is estimated, see `saccade info`");
-  CLI::Option* spp = command.add_option("--spp", o.spp, "paths per pixel and frame");
-  CLI::Option* bounces = command.add_option("--bounces", o.bounces, "indirect bounces");
+  command.add_option(
+      "--method", o.method,
+      "how the change is estimated, see `saccade info`; default irradiance_cache, or event_svgf where a "
+      "lamp changes");
+  CLI::Option* spp = command.add_option("--spp", o.spp, "paths per pixel and frame; default 2");
+  CLI::Option* bounces = command.add_option("--bounces", o.bounces, "indirect bounces; default 3");
   CLI::Option* disable =
       command
           .add_option(
