@@ -84,6 +84,17 @@ TEST_F(Quota, ARateMayBeExceededOnceAndIsThenPaidOff) {
   EXPECT_LE(refused.retry_after_s, 1000);
 }
 
+// As from clients that each ask for a little at one time.
+TEST_F(Quota, ARateMayBeTakenAtOnceForASecond) {
+  const auto began = std::chrono::steady_clock::now();
+  int taken = 0;
+  for (int i = 0; i < 1000; ++i)
+    taken += refusalOf([&] { quota_.use(Limit::kPictures, 0.5); }).code == v1::CODE_OK;
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - began;
+  EXPECT_GE(taken, 8);  // 4 MiB
+  EXPECT_LE(taken, 9 + 8 * time.count());
+}
+
 TEST(Limits, AmountsAreWholeAboveOneAndHaveTheirUnit) {
   EXPECT_EQ(amountText(Limit::kMemory, 1.2), "2 MiB");
   EXPECT_EQ(amountText(Limit::kMemory, 0.25), "0.25 MiB");

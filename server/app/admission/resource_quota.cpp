@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace saccade {
+namespace {
+
+constexpr std::chrono::seconds kBurst{1};  // the amount of a rate that may be taken at once
+
+}  // namespace
 
 std::shared_ptr<void> ResourceQuota::take(const std::string& client, const std::vector<Share>& shares) {
   std::lock_guard lock(mutex_);
@@ -22,12 +27,14 @@ std::shared_ptr<void> ResourceQuota::take(const std::string& client, const std::
 void ResourceQuota::use(Limit rate, double amount) {
   std::lock_guard lock(mutex_);
   const auto now = Clock::now();
-  const std::chrono::duration<double> left = paid_off_[rate] - now, added(amount / limits_[rate]);
+  Clock::time_point& paid_off = paid_off_[rate];
+  paid_off = std::max(paid_off, now - kBurst);
+  const std::chrono::duration<double> left = paid_off - now, added(amount / limits_[rate]);
   if (left.count() > 0) {
     throw LimitReached(rate, {}, "more than " + amountText(rate, limits_[rate]) + " are asked for",
                        left.count());
   }
-  paid_off_[rate] = now + std::chrono::duration_cast<Clock::duration>(added);
+  paid_off += std::chrono::duration_cast<Clock::duration>(added);
 }
 
 void ResourceQuota::check(const Taken& taken, Limit limit, const Share& share) const {

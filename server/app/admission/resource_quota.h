@@ -28,8 +28,9 @@ class ResourceQuota {
   // limit that is too low.
   std::shared_ptr<void> take(const std::string& client, const std::vector<Share>& shares);
 
-  // Takes an amount of a limit that is a rate. Throws LimitReached until the time that earlier amounts take
-  // at this rate is over. A single amount may exceed the limit.
+  // Takes an amount of a limit that is a rate. So much as a second brings may be taken at once. Throws
+  // LimitReached until the time that earlier amounts take beyond that is over. A single amount may exceed the
+  // limit.
   void use(Limit rate, double amount);
 
  private:
