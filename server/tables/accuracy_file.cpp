@@ -47,6 +47,7 @@ AccuracyTable readAccuracyTable(const std::string& path) {
   readSettings(file, table);
   file.readColumns({"scene", "method", "spp", "cpu_ms", "false_events", "missed_events"});
   while (file.nextRow()) table.rows.push_back(readRow(file));
+  if (table.rows.empty()) file.fail("no row: nothing is measured");
   return table;
 }
 

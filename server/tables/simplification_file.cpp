@@ -56,6 +56,7 @@ SimplificationTable readSimplificationTable(const std::string& path) {
     if (table.modelsOf(row.scene).size() == 1 && (!row.model.disabled_features.empty() || row.changed != 0))
       file.fail("the first row of " + row.scene + " must be its whole model, with changed 0");
   }
+  if (table.rows.empty()) file.fail("no row: nothing is measured");
   return table;
 }
 
