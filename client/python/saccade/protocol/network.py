@@ -11,13 +11,13 @@ import zmq
 import zmq.asyncio
 
 from saccade.errors import SaccadeError
-from saccade.protocol.sockets import Keys, configure
+from saccade.protocol.sockets import Keys, KeyWatch, configure
 
 T = TypeVar("T")
 
 
 class Channel(Protocol):
-    """A connected socket. Once it is closed, its calls raise SaccadeError."""
+    """A connected socket. Once it is closed, its calls raise SaccadeError, and PermissionDenied for a refused key."""
 
     async def send(self, message: bytes) -> None: ...
 
@@ -49,17 +49,21 @@ def run(coroutine: Coroutine[Any, Any, T]) -> T:
 
 
 class BlockingChannel:
-    def __init__(self, socket: zmq.Socket[bytes]) -> None:
-        self._socket, self._thread = socket, threading.get_ident()
+    def __init__(self, socket: zmq.Socket[bytes], key: KeyWatch) -> None:
+        self._socket, self._key, self._thread = socket, key, threading.get_ident()
 
     async def send(self, message: bytes) -> None:
         self._require_usable()
+        self._key.require()
         self._socket.send(message)
 
     async def receive(self, timeout_s: float) -> list[bytes] | None:
         self._require_usable()
+        if not self._socket.poll(_milliseconds(timeout_s)):
+            self._key.require()
+            return None
         # Copied into bytes: numpy then finds the columns aligned, which they are not within a message of ZeroMQ.
-        return self._socket.recv_multipart() if self._socket.poll(_milliseconds(timeout_s)) else None
+        return self._socket.recv_multipart()
 
     async def receive_waiting(self) -> list[bytes] | None:
         try:
@@ -68,6 +72,7 @@ class BlockingChannel:
             return None
 
     def close(self, linger_s: float = 0) -> None:
+        self._key.close()
         self._socket.close(linger=_milliseconds(linger_s))
 
     def _require_usable(self) -> None:
@@ -78,24 +83,29 @@ class BlockingChannel:
 
 class BlockingNetwork:
     def connect(self, kind: int, endpoint: str, keys: Keys | None, topics: tuple[str, ...] = ()) -> BlockingChannel:
-        return BlockingChannel(configure(zmq.Context.instance().socket(kind), endpoint, keys, topics))
+        socket = zmq.Context.instance().socket(kind)
+        key = KeyWatch(socket, keys)
+        return BlockingChannel(configure(socket, endpoint, keys, topics), key)
 
     async def sleep(self, seconds: float) -> None:
         time.sleep(seconds)
 
 
 class AsyncChannel:
-    def __init__(self, socket: zmq.asyncio.Socket) -> None:
-        self._socket = socket
+    def __init__(self, socket: zmq.asyncio.Socket, key: KeyWatch) -> None:
+        self._socket, self._key = socket, key
 
     async def send(self, message: bytes) -> None:
         _require_open(self._socket)
+        self._key.require()
         await self._socket.send(message)
 
     async def receive(self, timeout_s: float) -> list[bytes] | None:
         _require_open(self._socket)
-        ready = await self._socket.poll(_milliseconds(timeout_s))
-        return await self._socket.recv_multipart() if ready else None
+        if not await self._socket.poll(_milliseconds(timeout_s)):
+            self._key.require()
+            return None
+        return await self._socket.recv_multipart()
 
     async def receive_waiting(self) -> list[bytes] | None:
         try:
@@ -104,12 +114,15 @@ class AsyncChannel:
             return None
 
     def close(self, linger_s: float = 0) -> None:
+        self._key.close()
         self._socket.close(linger=_milliseconds(linger_s))
 
 
 class AsyncNetwork:
     def connect(self, kind: int, endpoint: str, keys: Keys | None, topics: tuple[str, ...] = ()) -> AsyncChannel:
-        return AsyncChannel(configure(zmq.asyncio.Context.instance().socket(kind), endpoint, keys, topics))
+        socket = zmq.asyncio.Context.instance().socket(kind)
+        key = KeyWatch(socket, keys)
+        return AsyncChannel(configure(socket, endpoint, keys, topics), key)
 
     async def sleep(self, seconds: float) -> None:
         await asyncio.sleep(seconds)

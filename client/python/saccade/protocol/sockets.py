@@ -1,6 +1,7 @@
 """Options, keys and endpoints of the client's sockets."""
 from __future__ import annotations
 
+import itertools
 import os
 import pathlib
 import stat
@@ -9,8 +10,12 @@ from typing import Any, NamedTuple, TypeVar, Union
 
 import zmq
 
+from saccade.errors import PermissionDenied
+
 MOST_WAITING = 20_000  # packets
 MOST_MESSAGE = 129 << 20  # bytes; the largest picture of truth has 128 MiB
+REFUSED_KEY = "the server refuses your key: it is not on its list, the file of saccaded --client-keys"
+_WATCHES = itertools.count()  # makes their addresses
 Key = Union[str, "os.PathLike[str]", bytes]
 S = TypeVar("S", bound="zmq.Socket[Any]")
 
@@ -45,6 +50,32 @@ def _read_key(key: Key, wrong: str) -> bytes:
     if len(text.strip()) != 40:
         raise ValueError(f"{'the key' if isinstance(key, bytes) else key} is not a key: it has 40 characters")
     return text.strip()
+
+
+class KeyWatch:
+    """Tells whether the server refuses the key of a socket, which is yet to connect."""
+
+    def __init__(self, socket: zmq.Socket[Any], keys: Keys | None) -> None:
+        self._watched, self._refused = socket, False
+        self._events: zmq.Socket[bytes] | None = None
+        if keys:
+            address = f"inproc://key-watch-{next(_WATCHES)}"
+            socket.monitor(address, zmq.EVENT_HANDSHAKE_FAILED_AUTH)
+            self._events = zmq.Context.shadow(socket.context.underlying).socket(zmq.PAIR)
+            self._events.connect(address)
+
+    def require(self) -> None:
+        """Raises PermissionDenied where it does: libzmq then tries no more."""
+        if self._events and not self._refused:
+            self._refused = bool(self._events.poll(0))
+        if self._refused:
+            raise PermissionDenied(REFUSED_KEY, code="CODE_PERMISSION_DENIED", message=REFUSED_KEY)
+
+    def close(self) -> None:
+        if self._events:
+            self._watched.disable_monitor()
+            self._events.close(linger=0)
+            self._events = None
 
 
 def configure(socket: S, endpoint: str, keys: Keys | None, topics: tuple[str, ...]) -> S:
