@@ -13,13 +13,23 @@
 #include "web/page_files.h"
 
 namespace saccade {
+namespace {
+
+// For the log: the names of the list.
+ClientLog::NameOf namesOf(const ClientKeys* clients) {
+  return [clients](const std::string& key) { return clients ? clients->find(key).name : std::string(); };
+}
+
+}  // namespace
 
 App::App(const Config& config, Opened)
     : epoch_(std::stoull(randomHex(8), nullptr, 16)),
       drain_time_(config.drain_s),
       access_(openAccess(config)),
+      clients_(access_.keys ? access_.keys->clients.get() : nullptr),
       tables_{openAccuracySource(config.accuracy), openSimplificationSource(config.simplification)},
       quota_(config.limits),
+      client_log_(namesOf(clients_)),
       pool_(config.threads),
       scenes_(config.scenes, config.limits, config.meshes),
       bakes_(config.bakes, config.limits),
@@ -33,7 +43,7 @@ App::App(const Config& config, Opened)
       broadcast_(config.broadcast, sessions_, access_),
       streams_(sessions_, client_log_, StreamRegistry::Lease(config.lease_s)),
       opener_({scenes_, bakes_, tables_, pool_, quota_, streams_, data_.wake(), broadcast_.wake(), totals_,
-               client_log_, epoch_}),
+               client_log_, clients_, epoch_}),
       service_(scenes_, quota_, streams_, opener_, client_log_, describe(config)) {
   serveHttp(config);
 }
@@ -62,10 +72,10 @@ App::~App() {
 }
 
 void App::reloadKeys() {
-  if (!access_.keys) return;
+  if (!clients_) return;
   try {
-    access_.keys->clients->reload();
-    spdlog::info("{} clients may connect", access_.keys->clients->size());
+    clients_->reload();
+    spdlog::info("{} clients may connect", clients_->size());
   } catch (const std::runtime_error& fault) {
     spdlog::error("the keys stay as they were: {}", fault.what());
   }
@@ -107,9 +117,9 @@ HttpPages App::pages() const {
       {"/readyz", [=, this] { return ready() ? say(true, "ready\n") : say(false, "stopping\n"); }},
       {"/metrics",
        [this] {
-         return HttpAnswer{
-             .type = "text/plain; version=0.0.4; charset=utf-8",
-             .body = metricsText(totals_, streams_, scenes_, viewer_ ? viewer_->viewers() : 0, ready())};
+         return HttpAnswer{.type = "text/plain; version=0.0.4; charset=utf-8",
+                           .body = metricsText(totals_, streams_, scenes_, clients_,
+                                               viewer_ ? viewer_->viewers() : 0, ready())};
        }},
   };
 }

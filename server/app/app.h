@@ -61,6 +61,7 @@ class App {
   const std::uint64_t epoch_;
   const std::chrono::duration<double> drain_time_;
   const Access access_;
+  ClientKeys* const clients_;  // of `access_`; null without keys
   const MeasuredTables tables_;
   ResourceQuota quota_;
   Totals totals_;

@@ -72,12 +72,27 @@ void addRequests(Families& all, const RequestCounts& requests) {
   all.value(static_cast<double>(requests.dropped()));
 }
 
-void addStreams(Families& all, const StreamRegistry& streams) {
-  const StreamCensus census = streams.census();
+void addStreams(Families& all, const StreamCensus& census) {
   all.gauge("saccade_streams", "Streams that have not ended, by delivery.");
   for (const auto& [delivery, count] : census.running) all.value(count, {{"delivery", delivery}});
   all.gauge("saccade_lag_seconds", "Lag of the paced stream that is furthest behind its clock.");
   all.value(census.lag_s);
+}
+
+void addClients(Families& all, const ClientKeys& clients, const StreamCensus& census) {
+  all.counter("saccade_refused_keys_total", "Connections whose key was not on the list of clients.");
+  all.value(static_cast<double>(clients.refused()));
+  const ClientKeys::CountsByName counts = clients.counts();
+  std::map<std::string, int> streams;
+  for (const auto& [key, running] : census.running_of) streams[clients.find(key).name] += running;
+  all.gauge("saccade_client_streams", "Streams that have not ended, by the client's name on the list.");
+  for (const auto& [name, one] : counts) all.value(streams[name], {{"client", name}});
+  all.counter("saccade_client_sent_bytes_total",
+              "Bytes of saccade_sent_bytes_total, by the owner of the stream.");
+  for (const auto& [name, one] : counts) all.value(static_cast<double>(one->sent_bytes), {{"client", name}});
+  all.counter("saccade_client_refused_requests_total",
+              "Requests of saccade_requests_total with another code than ok, by client.");
+  for (const auto& [name, one] : counts) all.value(static_cast<double>(one->refusals), {{"client", name}});
 }
 
 void addScenes(Families& all, const SceneCache& scenes) {
@@ -110,7 +125,7 @@ void addProcess(Families& all) {
 }  // namespace
 
 std::string metricsText(const Totals& totals, const StreamRegistry& streams, const SceneCache& scenes,
-                        std::size_t viewers, bool ready) {
+                        const ClientKeys* clients, std::size_t viewers, bool ready) {
   Families all;
   all.gauge("saccade_info", "1, labelled with the version of the server.");
   all.value(1, {{"version", SACCADE_VERSION}});
@@ -121,7 +136,9 @@ std::string metricsText(const Totals& totals, const StreamRegistry& streams, con
   addWork(all, totals);
   addTraffic(all, totals.traffic);
   addRequests(all, totals.requests);
-  addStreams(all, streams);
+  const StreamCensus census = streams.census();
+  addStreams(all, census);
+  if (clients) addClients(all, *clients, census);
   addScenes(all, scenes);
   addProcess(all);
   return all.text();

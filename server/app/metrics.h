@@ -9,8 +9,9 @@
 
 namespace saccade {
 
-// All metrics in the text format 0.0.4, in base units. No label grows with the number of clients.
+// All metrics in the text format 0.0.4, in base units. Of clients, only the names on the list are labels.
+// `clients`: null without keys.
 std::string metricsText(const Totals& totals, const StreamRegistry& streams, const SceneCache& scenes,
-                        std::size_t viewers, bool ready);
+                        const ClientKeys* clients, std::size_t viewers, bool ready);
 
 }  // namespace saccade

@@ -13,6 +13,10 @@
 namespace saccade {
 namespace {
 
+std::string refusalText(const v1::Status& status) {
+  return "refused: " + (status.field().empty() ? "" : status.field() + ": ") + status.message();
+}
+
 v1::Reply pictureReply(const Stream& stream) {
   v1::Reply reply;
   try {
@@ -52,8 +56,7 @@ Service::Service(const SceneCache& scenes, ResourceQuota& quota, StreamRegistry&
 
 void Service::handle(RawRequest request, const Peer& peer, Answer answer) {
   const auto give = [&log = log_, user = peer.user, answer](v1::Reply reply) {
-    const v1::Status& status = reply.status();
-    if (status.code() != v1::CODE_OK) log.info(user, "refused: " + status.field() + " " + status.message());
+    if (reply.status().code() != v1::CODE_OK) log.info(user, refusalText(reply.status()));
     answer(std::move(reply));
   };
   const Answer tell(give, [answer](std::size_t bytes) { answer.expect(bytes); });
@@ -129,7 +132,7 @@ void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& repl
   };
   switch (request.call_case()) {
     case v1::Request::kCloseStream:
-      streams_.close(request.close_stream().stream_id(), request.close_stream().token());
+      streams_.close(request.close_stream().stream_id(), request.close_stream().token(), peer);
       reply.mutable_close_stream();
       break;
     case v1::Request::kSteer:
@@ -139,7 +142,7 @@ void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& repl
       control(request.change_sensor(), changeSensor, *reply.mutable_change_sensor());
       break;
     case v1::Request::kListStreams:
-      *reply.mutable_list_streams() = listStreams(peer.user);
+      *reply.mutable_list_streams() = listStreams(peer, request.list_streams().all());
       break;
     case v1::Request::kServerInfo:
       *reply.mutable_server_info() = description_;
@@ -154,10 +157,10 @@ void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& repl
   }
 }
 
-v1::StreamList Service::listStreams(const std::string& user) const {
+v1::StreamList Service::listStreams(const Peer& peer, bool all) const {
   v1::StreamList list;
-  for (auto& info : streams_.list(user)) *list.add_streams() = std::move(info);
-  for (auto& info : opener_.pendingOpens().list(user)) *list.add_opening() = std::move(info);
+  for (auto& info : streams_.list(peer, all)) *list.add_streams() = std::move(info);
+  for (auto& info : opener_.pendingOpens().list(peer, all, log_)) *list.add_opening() = std::move(info);
   return list;
 }
 

@@ -17,8 +17,8 @@ class Service {
   Service(const SceneCache& scenes, ResourceQuota& quota, StreamRegistry& streams, StreamOpener& opener,
           ClientLog& log, v1::ServerDescription description);
 
-  // Does not block. `answer` is called once, now or later, on any thread. `peer` is the client; it sees only
-  // the streams that it has opened.
+  // Does not block. `answer` is called once, now or later, on any thread. `peer` is the client; unless it is
+  // an admin, it sees only the streams that it has opened.
   void handle(RawRequest request, const Peer& peer, Answer answer);
 
  private:
@@ -29,7 +29,7 @@ class Service {
   void describe(const v1::DescribeStream& call, const Answer& answer);
   void expect(std::size_t bytes, const Answer& answer);
   void fill(const v1::Request& request, const Peer& peer, v1::Reply& reply);
-  v1::StreamList listStreams(const std::string& user) const;
+  v1::StreamList listStreams(const Peer& peer, bool all) const;
 
   ResourceQuota& quota_;
   StreamRegistry& streams_;

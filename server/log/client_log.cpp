@@ -9,8 +9,8 @@
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMaxNameBytes = 8;
-const std::string kOthers;  // the name of no client that has one
+constexpr std::size_t kShortKey = 8;  // characters
+const std::string kOthers;            // the name of no client that has one
 
 }  // namespace
 
@@ -47,6 +47,11 @@ void ClientLog::error(const std::string& client, const std::string& line) {
   write(spdlog::level::err, client, line);
 }
 
+std::string ClientLog::nameOf(const std::string& client) const {
+  const std::string name = name_of_(client);
+  return name.empty() ? client.substr(0, kShortKey) : name;
+}
+
 void ClientLog::write(spdlog::level::level_enum level, const std::string& client, const std::string& line) {
   std::unique_lock lock(mutex_);
   const auto held = limit_.ask(client, LogLimit::Clock::now());
@@ -54,7 +59,7 @@ void ClientLog::write(spdlog::level::level_enum level, const std::string& client
   lock.unlock();
   if (forgotten > 0) spdlog::warn("{} lines of clients that are quiet now were held back", forgotten);
   if (!held) return;
-  const std::string name = client.empty() ? "client" : "client " + cutText(client, kMaxNameBytes);
+  const std::string name = client.empty() ? "client" : "client " + nameOf(client);
   if (*held > 0) spdlog::warn("{}: {} lines were held back", name, *held);
   spdlog::log(level, "{}: {}", name, cutText(line, kMaxLineBytes));
 }

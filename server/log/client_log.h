@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -45,14 +46,23 @@ class LogLimit {
 
 class ClientLog {
  public:
+  using NameOf = std::function<std::string(const std::string& key)>;  // empty: it has none
+
+  // `name_of`: the names of public keys.
+  explicit ClientLog(NameOf name_of = [](const std::string&) { return std::string(); })
+      : name_of_(std::move(name_of)) {}
+
   // Logs a line, cut if it is long. `client`: a public key; empty without keys, where all clients share one
   // account. From any thread.
   void info(const std::string& client, const std::string& line);
   void error(const std::string& client, const std::string& line);
+  // The name of a client, or else the first 8 characters of its key.
+  std::string nameOf(const std::string& client) const;
 
  private:
   void write(spdlog::level::level_enum level, const std::string& client, const std::string& line);
 
+  const NameOf name_of_;
   std::mutex mutex_;
   LogLimit limit_;
 };

@@ -58,7 +58,7 @@ void BroadcastServer::start() {
 
 void BroadcastServer::receive(const SocketLoop::Message& message) {
   const auto asked = readSubscription(message.parts);
-  if (!asked) return;
+  if (!asked || message.revoked) return;
   if (asked->wanted) {
     subscribe(message, asked->topic);
   } else {

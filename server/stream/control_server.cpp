@@ -4,6 +4,8 @@
 #include <mutex>
 #include <new>
 
+#include "stream/endpoint.h"
+
 namespace saccade {
 v1::Status readRequest(std::vector<MessagePart>&& parts, RawRequest& request) {
   if (parts.size() != 1) return makeStatus(v1::CODE_INVALID_ARGUMENT, kNoRequest);
@@ -40,6 +42,7 @@ struct ControlServer::Outbox {
 
 ControlServer::ControlServer(const Options& options, RequestCounts& counts)
     : unread_bytes_(options.unread_bytes),
+      clients_(options.access.keys ? options.access.keys->clients : nullptr),
       counts_(counts),
       loop_(std::make_shared<SocketLoop>(
           SocketOptions{.endpoint = options.endpoint,
@@ -74,13 +77,17 @@ void ControlServer::receive(SocketLoop::Message&& message) {
   RawRequest request;
   v1::Status status = readRequest(std::move(message.parts), request);
   if (status.code() == v1::CODE_OK) status = admit(*unread, request.call);
+  if (message.revoked) status = makeStatus(v1::CODE_PERMISSION_DENIED, kRevokedKey);
   Answer answer = answerTo(connection, request, unread);
-  if (status.code() == v1::CODE_OK) {
-    return handler_(std::move(request), {connection, message.user}, std::move(answer));
-  }
+  if (status.code() == v1::CODE_OK) return handler_(std::move(request), peerOf(message), std::move(answer));
   v1::Reply refusal;
   *refusal.mutable_status() = std::move(status);
   answer(std::move(refusal));
+}
+
+Peer ControlServer::peerOf(const SocketLoop::Message& message) const {
+  const bool admin = clients_ ? clients_->find(message.user).admin : isLoopback(loop_->endpoint());
+  return {message.peer, message.user, admin};
 }
 
 bool ControlServer::othersLeaveRoom(const Unread& unread) const {
@@ -106,16 +113,18 @@ v1::Status ControlServer::admit(const Unread& unread, v1::Request::CallCase call
 
 Answer ControlServer::answerTo(const std::string& connection, const RawRequest& request,
                                std::shared_ptr<Unread> peer) {
+  const auto client = clients_ ? clients_->countsOf(peer->user) : nullptr;
   auto unread = std::make_shared<UnreadReply>(std::move(peer), request.message.bytes.size(), counts_);
   const auto expect = [weak = std::weak_ptr(unread)](std::size_t bytes) {
     if (const auto reply = weak.lock()) reply->expect(bytes);
   };
   const auto give = [outbox = outbox_, loop = loop_, connection, unread = std::move(unread), id = request.id,
-                     call = request.call, &counts = counts_](v1::Reply reply) mutable {
+                     call = request.call, &counts = counts_, client](v1::Reply reply) mutable {
     reply.set_request_id(id);
     const v1::Code code = outbox->put(connection, std::move(reply), unread);
     unread.reset();  // a kept copy of this function must not keep the reply counted
     counts.add({call, code});
+    if (client && code != v1::CODE_OK) ++client->refusals;
     loop->wake().wake();
   };
   return {give, expect};

@@ -21,6 +21,10 @@ namespace saccade {
 struct Peer {
   std::string connection;  // its name on the control socket
   std::string user;        // its public key; empty without keys
+  bool admin = false;      // may see and close the streams of all
+
+  // Whether it sees what a user has, where it asks for what all have or for its own.
+  bool sees(const std::string& owner, bool all) const { return owner == user || (all && admin); }
 };
 
 // Reads the head of a request from the parts of a message. Returns OK, or why it must be refused.
@@ -46,7 +50,8 @@ class ControlServer {
   using Handler = std::function<void(RawRequest request, const Peer& peer, Answer answer)>;
   using OnGone = SocketLoop::OnGone;
 
-  // Binds; throws std::runtime_error. Adds every answer to `counts`, which outlives the answers.
+  // Binds; throws std::runtime_error. Adds every answer to `counts`, which outlives the answers. Without keys
+  // all peers are admins where the endpoint is of loopback, and none elsewhere.
   ControlServer(const Options& options, RequestCounts& counts);
   // An Answer may be called after the server is gone; its reply is then lost.
   ~ControlServer();
@@ -67,7 +72,10 @@ class ControlServer {
   bool othersLeaveRoom(const Unread& unread) const;
   void sendReplies();
 
+  Peer peerOf(const SocketLoop::Message& message) const;
+
   const std::int64_t unread_bytes_;
+  const std::shared_ptr<ClientKeys> clients_;  // null without keys
   RequestCounts& counts_;
   std::shared_ptr<SocketLoop> loop_;
   std::shared_ptr<Outbox> outbox_;

@@ -29,6 +29,8 @@ void DataServer::start() {
 }
 
 void DataServer::receive(const SocketLoop::Message& message) {
+  if (message.revoked && find(message)) return;  // sendPackets() tells it, with the name of the stream
+  if (message.revoked) return refuse(message.peer, {}, kRevokedKey);
   v1::DataRequest request;
   const bool parsed = message.parts.size() == 1 && parse(message.parts[0].bytes, request);
   const std::string fault =
@@ -118,6 +120,7 @@ std::chrono::milliseconds DataServer::sendPackets() {
   auto pause = connections_.empty() ? SocketLoop::kUntilWoken : kHeartbeatPause;
   for (auto it = connections_.begin(); it != connections_.end();) {
     const bool revoked = !loop_.allows(it->second.user);
+    if (revoked) refuse(it->first, it->second.session->id(), kRevokedKey);
     const auto sent = revoked ? SocketLoop::Sent::kGone : sendPacketsOf(it->first, it->second);
     if (sent == SocketLoop::Sent::kFull) pause = kFullPause;
     const bool gone = sent == SocketLoop::Sent::kGone;

@@ -23,7 +23,7 @@ std::string randomHex(int count) {
 
 Session::Session(std::string id, v1::Delivery delivery, std::uint32_t channels, WakeFd& transport,
                  std::shared_ptr<ChangeNotifier> producer, Traffic& traffic, std::uint64_t queue_bytes,
-                 std::uint64_t epoch)
+                 std::uint64_t epoch, std::shared_ptr<ClientCounts> client)
     : id_(std::move(id)),
       token_(randomHex(16)),
       delivery_(delivery),
@@ -32,6 +32,7 @@ Session::Session(std::string id, v1::Delivery delivery, std::uint32_t channels, 
       transport_(transport),
       producer_(std::move(producer)),
       traffic_(traffic),
+      client_(std::move(client)),
       queue_(
           delivery == v1::DELIVERY_LIVE ? CreditQueue::Overflow::kDropOldest : CreditQueue::Overflow::kHold,
           queue_bytes, channels) {
@@ -70,9 +71,16 @@ bool Session::sendOldest(const CreditQueue::Send& send) {
   if (!queue_.sendOldest(count)) return false;
   traffic_.packets += 1;
   traffic_.bytes += bytes;
+  if (client_) client_->sent_bytes += bytes;
   if (has_receiver_) touch();
   producer_->raise();
   return true;
+}
+
+v1::StreamState Session::state() const {
+  if (finished_) return v1::STREAM_STATE_ENDED;
+  if (!started_) return v1::STREAM_STATE_WAITING;
+  return has_receiver_ ? v1::STREAM_STATE_RUNNING : v1::STREAM_STATE_LEFT;
 }
 
 std::optional<ChangeNotifier::Clock::time_point> Session::unattended() const {

@@ -13,6 +13,7 @@
 #include "base/queue_bounds.h"
 #include "saccade/v1/control.pb.h"
 #include "stream/change_notifier.h"
+#include "stream/client_keys.h"
 #include "stream/credit_queue.h"
 #include "stream/large_packets.h"
 #include "stream/traffic.h"
@@ -27,10 +28,10 @@ class Session {
  public:
   // `transport` is woken when there is something to send. `producer` is raised when started(), stopping(),
   // hasRoom() or settled() may have changed. Adds to `traffic`. `transport` and `traffic` must outlive the
-  // session. `epoch`: of the server.
+  // session. `epoch`: of the server. `client`: adds the bytes that are sent to its counts, too.
   Session(std::string id, v1::Delivery delivery, std::uint32_t channels, WakeFd& transport,
           std::shared_ptr<ChangeNotifier> producer, Traffic& traffic, std::uint64_t queue_bytes = kQueueBytes,
-          std::uint64_t epoch = 0);
+          std::uint64_t epoch = 0, std::shared_ptr<ClientCounts> client = {});
 
   const std::string& id() const { return id_; }
   const std::string& token() const { return token_; }  // 128 random bits as hex digits
@@ -68,6 +69,7 @@ class Session {
   bool finished() const { return finished_; }
   bool drained() const { return finished_ && queue_.empty(); }
   bool settled() const { return drained() || (finished_ && !has_receiver_); }  // nothing more can be sent
+  v1::StreamState state() const;
   std::uint64_t droppedPackets() const { return queue_.droppedPackets(); }
   // Time since which the stream has had no receiver; nullopt while it has one, or one could still get
   // packets.
@@ -83,6 +85,7 @@ class Session {
   WakeFd& transport_;
   const std::shared_ptr<ChangeNotifier> producer_;
   Traffic& traffic_;
+  const std::shared_ptr<ClientCounts> client_;  // may be null
   CreditQueue queue_;
   LargePackets large_;
   std::atomic<bool> started_ = false, has_receiver_ = false, stopping_ = false, finished_ = false;

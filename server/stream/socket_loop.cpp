@@ -1,13 +1,12 @@
 #include "stream/socket_loop.h"
 
-#include <spdlog/spdlog.h>
-
 #include <atomic>
 #include <map>
 #include <stdexcept>
 #include <thread>
 #include <zmq.hpp>
 
+#include "log/limited_log.h"
 #include "stream/bounded_peers.h"
 #include "stream/curve_probe.h"
 #include "stream/descriptor_owners.h"
@@ -22,22 +21,6 @@ constexpr int kMessagesPerTurn = 64;            // then packets get their turn, 
 constexpr std::size_t kBytesPerTurn = 4 << 20;  // likewise
 constexpr std::chrono::milliseconds kFaultPause{100};
 constexpr std::size_t kLeastShared = 1024;  // copying less costs less than sharing it
-
-// Writes of the faults of one loop that messages cause, at most one a second.
-class FaultLog {
- public:
-  void write(const std::string& endpoint, const char* fault) {
-    ++faults_;
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_) return;
-    spdlog::error("{}: {} ({} faults)", endpoint, fault, std::exchange(faults_, 0));
-    next_ = now + std::chrono::seconds(1);
-  }
-
- private:
-  std::uint64_t faults_ = 0;  // since the last line
-  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::time_point::min();
-};
 
 using Waiting = std::atomic<std::size_t>;  // bytes that libzmq has for one peer
 
@@ -74,7 +57,7 @@ MessagePart receivedPart(zmq::message_t& message) {
 
 struct SocketLoop::Impl {
   zmq::context_t context;
-  std::shared_ptr<const ClientKeys> clients;
+  std::shared_ptr<ClientKeys> clients;
   std::optional<ZapHandler> zap;
   zmq::socket_t socket;
   std::size_t send_queue_bytes = 0;
@@ -106,6 +89,7 @@ SocketLoop::SocketLoop(const SocketOptions& options) : impl_(std::make_unique<Im
   }
   if (!keys) return;
   probeRefusal(peerType(options), endpoint_, keys->secret);
+  impl_->zap->tellRefusals();  // not that of the probe
 }
 
 SocketLoop::~SocketLoop() {
@@ -128,7 +112,7 @@ void SocketLoop::stop() {
 }
 
 void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn, const OnGone& on_gone) {
-  FaultLog log;
+  LimitedLog log;
   auto pause = on_turn();
   while (!impl_->stop) {
     zmq::pollitem_t items[] = {{impl_->socket, 0, ZMQ_POLLIN, 0}, {nullptr, wake_.fd(), ZMQ_POLLIN, 0}};
@@ -138,7 +122,7 @@ void SocketLoop::run(const OnMessage& on_message, const OnTurn& on_turn, const O
       receiveSome(on_message, on_gone);
       pause = on_turn();
     } catch (const std::exception& fault) {
-      log.write(endpoint_, fault.what());
+      log.write(spdlog::level::err, endpoint_ + ": " + fault.what());
       pause = kFaultPause;
     }
     impl_->last_turn = std::chrono::steady_clock::now();
@@ -163,7 +147,8 @@ void SocketLoop::deliver(Message&& message, const OnMessage& on_message, const O
   if (!message.former.empty()) end(message.former);
   if (message.parts.empty()) {
     end(message.peer);
-  } else if (allows(message.user)) {
+  } else {
+    message.revoked = !allows(message.user);
     on_message(std::move(message));
   }
 }

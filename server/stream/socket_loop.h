@@ -18,6 +18,9 @@
 
 namespace saccade {
 
+// The answer to a message that is `revoked`.
+inline constexpr const char* kRevokedKey = "your key is no longer on the list of the server";
+
 class SocketLoop {
  public:
   struct Message {
@@ -25,6 +28,7 @@ class SocketLoop {
     std::string user;                // the peer's public key; empty without keys
     std::vector<MessagePart> parts;  // with their owners; at most kMaxParts of strict_router.h
     std::string former;              // a peer that this one shows to be gone; empty: none
+    bool revoked = false;            // the key has been taken off the list since the peer connected
   };
 
   using OnMessage = std::function<void(Message&&)>;

@@ -17,19 +17,27 @@ std::string keyText(const std::string& bytes) {
   return text;
 }
 
+// The parts of a request: version, request id, domain, address, identity, mechanism, credentials.
+constexpr std::size_t kAddress = 3, kMechanism = 5, kCredentials = 6, kParts = 7;
+constexpr const char* kRefused = "400";
+
+// Empty where there is none.
+std::string keyOf(const std::vector<std::string>& request) {
+  const bool curve = request.size() == kParts && request[0] == "1.0" && request[kMechanism] == "CURVE" &&
+                     request[kCredentials].size() == kKeyBytes;
+  return curve ? keyText(request[kCredentials]) : "";
+}
+
 }  // namespace
 
 std::vector<std::string> answerZap(const std::vector<std::string>& request, const ClientKeys& clients) {
-  // version, request id, domain, address, identity, mechanism, credentials
   const std::string id = request.size() > 1 ? request[1] : "";
-  const bool curve =
-      request.size() == 7 && request[0] == "1.0" && request[5] == "CURVE" && request[6].size() == kKeyBytes;
-  const std::string key = curve ? keyText(request[6]) : "";
-  if (!curve || !clients.allow(key)) return {"1.0", id, "400", "the key is not on the list", "", ""};
+  const std::string key = keyOf(request);
+  if (!clients.allow(key)) return {"1.0", id, kRefused, "the key is not on the list", "", ""};
   return {"1.0", id, "200", "OK", key, ""};
 }
 
-ZapHandler::ZapHandler(zmq::context_t& context, std::shared_ptr<const ClientKeys> clients)
+ZapHandler::ZapHandler(zmq::context_t& context, std::shared_ptr<ClientKeys> clients)
     : clients_(std::move(clients)), socket_(context, zmq::socket_type::rep) {
   socket_.set(zmq::sockopt::linger, 0);
   socket_.bind("inproc://zeromq.zap.01");
@@ -52,9 +60,18 @@ void ZapHandler::run() {
     for (const auto& part : parts) request.push_back(part.to_string());
     std::vector<zmq::const_buffer> answer;
     const auto words = answerZap(request, *clients_);
+    if (telling_ && words[2] == kRefused) tell(request);
     for (const auto& word : words) answer.push_back(zmq::buffer(word));
     zmq::send_multipart(socket_, answer);
   }
+}
+
+void ZapHandler::tell(const std::vector<std::string>& request) {
+  clients_->countRefused();
+  const std::string from = request.size() > kAddress ? request[kAddress] : "", key = keyOf(request);
+  log_.write(spdlog::level::info,
+             "refused a connection from " + (from.empty() ? "this machine" : from) + ": " +
+                 (key.empty() ? "it has no key" : "its key " + key + " is not on the list"));
 }
 
 void secureServer(zmq::socket_t& socket, const std::string& secret_key) {

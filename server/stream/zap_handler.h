@@ -1,12 +1,14 @@
 // Tells libzmq which clients may connect [ZeroMQ RFC 27, ZAP], on a thread of its own.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 #include <zmq.hpp>
 
+#include "log/limited_log.h"
 #include "stream/client_keys.h"
 #include "stream/wake_fd.h"
 
@@ -19,13 +21,18 @@ std::vector<std::string> answerZap(const std::vector<std::string>& request, cons
 // Serves all sockets of `context` on which secureServer() was called. Make it before they are bound.
 class ZapHandler {
  public:
-  ZapHandler(zmq::context_t& context, std::shared_ptr<const ClientKeys> clients);
+  ZapHandler(zmq::context_t& context, std::shared_ptr<ClientKeys> clients);
   ~ZapHandler();
+  // From now on counts the connections that it refuses, and logs them as lines that clients cause.
+  void tellRefusals() { telling_ = true; }
 
  private:
   void run();
+  void tell(const std::vector<std::string>& request);
 
-  const std::shared_ptr<const ClientKeys> clients_;
+  const std::shared_ptr<ClientKeys> clients_;
+  LimitedLog log_;
+  std::atomic<bool> telling_ = false;
   zmq::socket_t socket_;
   WakeFd stop_;
   std::thread thread_;

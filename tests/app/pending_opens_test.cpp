@@ -10,22 +10,38 @@ namespace {
 
 const Peer kAlice{"1", "alice"}, kAliceToo{"2", "alice"}, kBob{"3", "bob"}, kNobody{"4", ""}, kOther{"5", ""};
 
+const ClientLog kNames([](const std::string& key) { return key == "alice" ? "Alice" : ""; });
+
+auto list(const PendingOpens& all, const Peer& peer) {
+  return all.list(peer, false, kNames);
+}
+
 TEST(PendingOpens, AreListedToTheirOwnerUntilTheyGo) {
   PendingOpens all;
   auto one = all.add(kAlice, 7);
   all.setScene(*one, std::string(100, 'x'));
   all.begin(*one, "waiting");
-  ASSERT_EQ(all.list("alice").size(), 1u);
-  EXPECT_EQ(all.list("alice")[0].request_id(), 7u);
-  EXPECT_EQ(all.list("alice")[0].scene(), std::string(64, 'x') + "...");
-  EXPECT_EQ(all.list("alice")[0].doing(), "waiting");
+  ASSERT_EQ(list(all, kAlice).size(), 1u);
+  EXPECT_EQ(list(all, kAlice)[0].request_id(), 7u);
+  EXPECT_EQ(list(all, kAlice)[0].scene(), std::string(64, 'x') + "...");
+  EXPECT_EQ(list(all, kAlice)[0].doing(), "waiting");
   all.setDone(*one, 0.25);
-  EXPECT_EQ(all.list("alice")[0].done(), 0.25);
+  EXPECT_EQ(list(all, kAlice)[0].done(), 0.25);
   all.begin(*one, "doing another thing");
-  EXPECT_EQ(all.list("alice")[0].done(), 0);
-  EXPECT_TRUE(all.list("bob").empty());
+  EXPECT_EQ(list(all, kAlice)[0].done(), 0);
+  EXPECT_TRUE(list(all, kBob).empty());
   one.reset();
-  EXPECT_TRUE(all.list("alice").empty());
+  EXPECT_TRUE(list(all, kAlice).empty());
+}
+
+TEST(PendingOpens, OfAllAreListedToAnAdminWhoAsksForThem) {
+  PendingOpens all;
+  const auto one = all.add(kAlice, 7);
+  const Peer admin{"6", "carol", true};
+  EXPECT_TRUE(list(all, admin).empty());
+  EXPECT_TRUE(all.list(kBob, true, kNames).empty());
+  ASSERT_EQ(all.list(admin, true, kNames).size(), 1u);
+  EXPECT_EQ(all.list(admin, true, kNames)[0].client(), "Alice");
 }
 
 TEST(PendingOpens, AreCancelledByTheirConnectionOrKey) {

@@ -25,11 +25,12 @@ bool read(std::string_view bytes) {
 }  // namespace
 
 const FuzzTarget& fuzzTarget() {
-  static const FuzzTarget target{{kKey, kKey + " alice\n\n# bob is gone\n  " + kKey + "\n"},
-                                 {kKey, " ", "\n", "\r\n", "\t", "# ", "#", std::string(1, '\0'), "\xff"},
-                                 read,
-                                 nullptr,
-                                 2000};
+  static const FuzzTarget target{
+      {kKey, kKey + " alice admin # of the lab\n\n# bob is gone\n"},
+      {kKey, " ", "\n", "\r\n", "\t", "# ", "#", "admin", std::string(1, '\0'), "\xff"},
+      read,
+      nullptr,
+      2000};
   return target;
 }
 

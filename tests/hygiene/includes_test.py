@@ -17,7 +17,7 @@ ROOMS = {
     "truth": "base frame scene render feed wire",
     "reply": "wire base",
     "log": "base",
-    "stream": "reply wire base",
+    "stream": "reply log wire base",
     "ops": "log base",
     "web": "wire base client log ops",
     "feed": "base frame scene render filter cache methods",

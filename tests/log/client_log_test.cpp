@@ -68,5 +68,12 @@ TEST(LogLimit, CountsTheLinesHeldBackOfForgottenClients) {
   EXPECT_EQ(limit.takeForgotten(), 0u);
 }
 
+TEST(ClientLog, NamesAClientOrElseBeginsItsKey) {
+  const ClientLog log([](const std::string& key) { return key == "0123456789" ? "alice" : ""; });
+  EXPECT_EQ(log.nameOf("0123456789"), "alice");
+  EXPECT_EQ(log.nameOf("9876543210"), "98765432");
+  EXPECT_EQ(log.nameOf(""), "");
+}
+
 }  // namespace
 }  // namespace saccade

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <optional>
 
 #include "mock/keyed_server.h"
 #include "mock/needs_libzmq.h"
@@ -78,8 +79,12 @@ TEST_F(KeyedServer, ReadsItsListAgain) {
   server.app().reloadKeys();
   EXPECT_EQ(MockClient(endpoint, carol).server().threads(), 1u);
   EXPECT_EQ(handshake(endpoint, bob_), ZMQ_EVENT_HANDSHAKE_FAILED_AUTH);
-  bob.setPatience(std::chrono::milliseconds(200));  // his connection stands, but is deaf
-  EXPECT_THROW(bob.server(), std::runtime_error);
+  v1::Request info;  // his connection stands, and is told
+  info.mutable_server_info();
+  const v1::Reply reply = bob.call(info);
+  EXPECT_EQ(reply.status().code(), v1::CODE_PERMISSION_DENIED);
+  EXPECT_EQ(reply.status().message(), kRevokedKey);
+  EXPECT_FALSE(reply.has_server_info());
 
   std::ofstream(config_.client_keys) << "nonsense\n";
   server.app().reloadKeys();
@@ -101,8 +106,14 @@ TEST_F(KeyedServer, AKeyThatIsTakenOffTheListGetsNoPacketMore) {
   allow({alice_});
   server.app().reloadKeys();
   const auto deadline = ChangeNotifier::Clock::now() + kPatience;
-  while (subscriber.receive(std::chrono::milliseconds(500)))
+  std::optional<Received> last;
+  while (auto packet = subscriber.receive(std::chrono::milliseconds(500))) {
     ASSERT_LT(ChangeNotifier::Clock::now(), deadline);
+    last = std::move(packet);
+  }
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->header.kind(), v1::KIND_ERROR);
+  EXPECT_EQ(last->payload, kRevokedKey);
 }
 
 TEST_F(KeyedServer, AnOpenAddressWantsKeysOrAWord) {

@@ -182,10 +182,19 @@ TEST(Process, ReadsItsKeysAgainOnSighup) {
   Process server(command);
   const std::string endpoint = controlEndpoint(server.lineWith("ready"));
   EXPECT_EQ(handshake(endpoint, client), ZMQ_EVENT_HANDSHAKE_FAILED_AUTH);
-  std::ofstream(list) << client.public_key << "\n";
+  const std::string refused = server.lineWith("refused a connection");  // and not that of the server's probe
+  EXPECT_NE(refused.find("from 127.0.0.1: its key " + client.public_key + " is not on the list"),
+            std::string::npos)
+      << refused;
+  std::ofstream(list) << client.public_key << " alice\n";
   server.signal(SIGHUP);
   EXPECT_NE(server.lineWith("1 clients may connect"), "");
-  EXPECT_EQ(MockClient(endpoint, client).server().threads(), 1u);
+  MockClient alice(endpoint, client);
+  EXPECT_EQ(alice.server().threads(), 1u);
+  v1::OpenStream wrong = tinyRequest();
+  wrong.set_scene("nowhere");
+  alice.tryOpen(wrong);
+  EXPECT_NE(server.lineWith("client alice: refused: scene: no scene is named 'nowhere'"), "");
   server.signal(SIGTERM);
   EXPECT_EQ(server.finish(), 0);
 }

@@ -15,8 +15,9 @@ class StreamRegistryTest : public testing::Test {
  protected:
   StreamRegistryTest() { spdlog::set_level(spdlog::level::warn); }
 
-  std::shared_ptr<Session> add(const std::string& id, v1::Delivery delivery) {
+  std::shared_ptr<Session> add(const std::string& id, v1::Delivery delivery, const std::string& user = {}) {
     Stream stream;
+    stream.user = user;
     stream.session =
         std::make_shared<Session>(id, delivery, 1, transport_, std::make_shared<ChangeNotifier>(), traffic_);
     streams_.add(stream);
@@ -83,9 +84,9 @@ TEST_F(StreamRegistryTest, EndsABroadcastWithoutSubscribers) {
 TEST_F(StreamRegistryTest, ForgetsAClosedStreamOnceItsPacketsAreTaken) {
   const auto session = add("1", v1::DELIVERY_LOSSLESS);
   session->start();
-  EXPECT_THROW(streams_.close("1", "not the token"), Refusal);
+  EXPECT_THROW(streams_.close("1", "not the token", {}), Refusal);
   EXPECT_FALSE(session->stopping());
-  streams_.close("1", session->token());
+  streams_.close("1", session->token(), {});
   EXPECT_TRUE(session->stopping());
   session->push(makeErrorPacket("1", "the last"));
   session->finish();
@@ -94,13 +95,29 @@ TEST_F(StreamRegistryTest, ForgetsAClosedStreamOnceItsPacketsAreTaken) {
   EXPECT_TRUE(session->sendOldest([](const WirePacket&) { return true; }));
   streams_.sweep(later(0));
   EXPECT_FALSE(sessions_.find("1"));
-  EXPECT_THROW(streams_.close("1", session->token()), Refusal);
+  EXPECT_THROW(streams_.close("1", session->token(), {}), Refusal);
+}
+
+TEST_F(StreamRegistryTest, ClosesWithoutATokenForItsOwnerAndForAnAdmin) {
+  add("1", v1::DELIVERY_LOSSLESS, "alice");
+  add("2", v1::DELIVERY_LOSSLESS, "alice");
+  const auto keyless = add("3", v1::DELIVERY_LOSSLESS);
+  EXPECT_THROW(streams_.close("1", "", {"c", "bob"}), Refusal);
+  EXPECT_THROW(streams_.close("3", "", {"c", ""}), Refusal);
+  EXPECT_THROW(streams_.close("1", "not the token", {"c", "bob", true}), Refusal);
+  EXPECT_FALSE(keyless->stopping());
+  streams_.close("1", "", {"c", "alice"});
+  streams_.close("2", "", {"c", "bob", true});
+  streams_.close("3", "", {"c", "", true});
+  EXPECT_TRUE(keyless->stopping());
+  streams_.sweep(later(0));
+  EXPECT_FALSE(sessions_.find("1") || sessions_.find("2") || sessions_.find("3"));
 }
 
 // As by one who has only asked what a stream would be like.
 TEST_F(StreamRegistryTest, ForgetsAtOnceWhatNobodyHasReceivedWhenItIsClosed) {
   const auto session = add("1", v1::DELIVERY_LOSSLESS);
-  streams_.close("1", session->token());
+  streams_.close("1", session->token(), {});
   streams_.sweep(later(0));  // its producer has not ended it yet
   EXPECT_FALSE(sessions_.find("1"));
 }

@@ -47,6 +47,52 @@ TEST_F(Curve, AListHoldsKeysNamesAndRemarks) {
   EXPECT_FALSE(clients()->allow(""));
 }
 
+TEST_F(Curve, ALineMayNameItsClientAndMakeItAnAdmin) {
+  list(client_.public_key + " alice admin # of the lab\n" + stranger_.public_key + "\tbob # no more\n" +
+       server_.public_key + " # nobody\n");
+  const auto found = [keys = clients()](const MockKeys& who) { return keys->find(who.public_key); };
+  EXPECT_EQ(found(client_).name, "alice");
+  EXPECT_TRUE(found(client_).admin);
+  EXPECT_EQ(found(stranger_).name, "bob");
+  EXPECT_FALSE(found(stranger_).admin);
+  EXPECT_EQ(found(server_).name, "");
+  EXPECT_EQ(found(makeMockKeys()).name, "");
+}
+
+TEST_F(Curve, WhatALineCannotSayIsAFault) {
+  const std::string key = client_.public_key;
+  for (const auto& [text, fault] :
+       {std::pair{key + " admin\n", "the word admin comes after a name"},
+        {key + " alice amdin\n", "comes the word admin"},
+        {key + " alice admin too\n", "comes the word admin"},
+        {key + " " + std::string(65, 'a') + "\n", "at most 64 bytes"},
+        {key + " a\x1B[31m\n", "without control characters"},
+        {key + " a\xff\n", "bytes of UTF-8"},
+        {"# one\n" + key + " a\n" + key + " b\n", ":3: the key is in the list twice"}}) {
+    list(text);
+    try {
+      clients();
+      ADD_FAILURE() << text;
+    } catch (const std::runtime_error& told) {
+      EXPECT_NE(std::string(told.what()).find(fault), std::string::npos) << told.what();
+    }
+  }
+}
+
+// The counts of a name that stays go on, and keys of one name share them.
+TEST_F(Curve, NamesKeepTheirCountsWhenTheListIsReadAgain) {
+  list(client_.public_key + " alice\n" + stranger_.public_key + " alice\n" + server_.public_key + "\n");
+  const auto keys = clients();
+  keys->countsOf(client_.public_key)->refusals += 2;
+  EXPECT_EQ(keys->countsOf(stranger_.public_key)->refusals, 2u);
+  EXPECT_EQ(keys->countsOf(server_.public_key), nullptr);
+  list(stranger_.public_key + " alice\n" + client_.public_key + " bob\n");
+  keys->reload();
+  ASSERT_EQ(keys->counts().size(), 2u);
+  EXPECT_EQ(keys->counts().at("alice")->refusals, 2u);
+  EXPECT_EQ(keys->counts().at("bob")->refusals, 0u);
+}
+
 // '#' is a digit of Z85.
 TEST_F(Curve, AKeyMayBeginWithAHash) {
   const std::string key = "#" + std::string(39, 'a');

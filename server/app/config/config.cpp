@@ -140,7 +140,7 @@ void addOptions(CLI::App& app, Config& config) {
   app.add_option("--secret-key", config.secret_key, "file of the server's secret key, from `saccade keygen`")
       ->capture_default_str();
   app.add_option("--client-keys", config.client_keys,
-                 "file of the clients' public keys, one in each line; SIGHUP reads it again")
+                 "file with a line KEY NAME, or KEY NAME admin, for each client; SIGHUP reads it again")
       ->capture_default_str();
   app.add_flag("--insecure", config.insecure, "let other machines connect without keys")
       ->check(CLI::IsMember({"true", "false"}));  // CLI11 by itself takes 10 for true

@@ -33,18 +33,19 @@ void PendingOpens::setDone(PendingOpen& opening, double share) {
   opening.done = share;
 }
 
-std::vector<v1::OpeningInfo> PendingOpens::list(const std::string& user) const {
+std::vector<v1::OpeningInfo> PendingOpens::list(const Peer& peer, bool all, const ClientLog& names) const {
   std::vector<v1::OpeningInfo> infos;
   const auto now = ChangeNotifier::Clock::now();
   std::lock_guard lock(mutex_);
   for (const PendingOpen* opening : all_) {
-    if (opening->peer.user != user) continue;
+    if (!peer.sees(opening->peer.user, all)) continue;
     v1::OpeningInfo& info = infos.emplace_back();
     info.set_request_id(opening->request_id);
     info.set_scene(opening->scene);
     info.set_elapsed_s(std::chrono::duration<double>(now - opening->began).count());
     info.set_doing(opening->doing);
     info.set_done(opening->done);
+    info.set_client(names.nameOf(opening->peer.user));
   }
   return infos;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "log/client_log.h"
 #include "stream/change_notifier.h"
 #include "stream/control_server.h"
 
@@ -33,8 +34,9 @@ class PendingOpens {
   void begin(PendingOpen& opening, const char* doing);
   void setDone(PendingOpen& opening, double share);  // of that step
 
-  std::vector<v1::OpeningInfo> list(const std::string& user) const;  // those of a user
-  bool cancel(const Peer& peer, std::uint64_t request_id);           // false: there is none; see CancelOpen
+  // Those of a client, or of all, as StreamRegistry::list() has it.
+  std::vector<v1::OpeningInfo> list(const Peer& peer, bool all, const ClientLog& names) const;
+  bool cancel(const Peer& peer, std::uint64_t request_id);  // false: there is none; see CancelOpen
   void cancelAllOf(const std::string& connection);
   void cancelAll();
 

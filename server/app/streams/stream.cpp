@@ -16,6 +16,7 @@ v1::StreamInfo Stream::info() const {
   info.set_stream_id(session->id());
   info.set_scene(request->scene());
   info.set_delivery(request->delivery());
+  info.set_state(session->state());
   info.set_sensors(static_cast<std::uint32_t>(request->sensors_size()));
   info.set_frames_done(progress.frames);
   info.set_events(sink->events());

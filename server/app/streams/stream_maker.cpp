@@ -151,11 +151,11 @@ void StreamMaker::admit(const ResolvedStream& resolved, const CpuCost& frame,
 bool StreamMaker::connect(const ResolvedStream& resolved, Stream& stream) const {
   const v1::Delivery delivery = resolved.request.delivery();
   WakeFd& transport = delivery == v1::DELIVERY_BROADCAST ? resources_.broadcast : resources_.data;
-  stream.session =
-      std::make_shared<Session>(randomHex(kIdBytes), delivery,
-                                static_cast<std::uint32_t>(resolved.sensors.size() + resolved.truth.size()),
-                                transport, stream.feed->notifier(), resources_.totals.traffic,
-                                resources_.quota.limits().bytes(Limit::kQueue), resources_.epoch);
+  stream.session = std::make_shared<Session>(
+      randomHex(kIdBytes), delivery,
+      static_cast<std::uint32_t>(resolved.sensors.size() + resolved.truth.size()), transport,
+      stream.feed->notifier(), resources_.totals.traffic, resources_.quota.limits().bytes(Limit::kQueue),
+      resources_.epoch, resources_.clients ? resources_.clients->countsOf(stream.user) : nullptr);
   stream.sink = std::make_shared<StreamSink>(stream.session, resolved, resources_.epoch, stream.user);
   return stream.feed->add(stream.sink);
 }

@@ -9,17 +9,30 @@
 namespace saccade {
 namespace {
 
-// Throws Refusal.
+// These throw Refusal.
 template <class Streams>
-auto& streamOf(Streams& streams, const std::string& id, const std::string& token) {
+auto& streamOf(Streams& streams, const std::string& id) {
   const auto found = streams.find(id);
   if (found == streams.end()) {
     throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "there is no stream '" + cutText(id, kMaxEcho) + "'");
   }
-  if (!found->second.session->hasToken(token)) {
+  return found->second;
+}
+
+template <class Streams>
+auto& streamOf(Streams& streams, const std::string& id, const std::string& token) {
+  auto& stream = streamOf(streams, id);
+  if (!stream.session->hasToken(token)) {
     throw Refusal(v1::CODE_PERMISSION_DENIED, "token", "this is not the stream's token");
   }
-  return found->second;
+  return stream;
+}
+
+void requireOwner(const Stream& stream, const Peer& peer) {
+  const bool own = !peer.user.empty() && peer.user == stream.user;
+  if (own || peer.admin) return;
+  throw Refusal(v1::CODE_PERMISSION_DENIED, "token",
+                "without a token a stream is closed by the key that opened it, or by an admin");
 }
 
 }  // namespace
@@ -62,21 +75,24 @@ void StreamRegistry::with(const std::string& id, const std::string& token,
   use(streamOf(streams_, id, token));
 }
 
-std::vector<v1::StreamInfo> StreamRegistry::list(const std::string& user) const {
+std::vector<v1::StreamInfo> StreamRegistry::list(const Peer& peer, bool all) const {
   std::lock_guard lock(mutex_);
   std::vector<v1::StreamInfo> infos;
   for (const auto& [id, stream] : streams_) {
-    if (stream.user == user) infos.push_back(stream.info());
+    if (!peer.sees(stream.user, all)) continue;
+    infos.push_back(stream.info());
+    infos.back().set_client(log_.nameOf(stream.user));
   }
   return infos;
 }
 
 StreamCensus StreamRegistry::census() const {
-  StreamCensus census{{{"lossless", 0}, {"live", 0}, {"broadcast", 0}}, 0};
+  StreamCensus census{.running = {{"lossless", 0}, {"live", 0}, {"broadcast", 0}}};
   std::lock_guard lock(mutex_);
   for (const auto& [id, stream] : streams_) {
     if (stream.session->finished()) continue;
     census.running[nameWithout("DELIVERY_", v1::Delivery_Name(stream.request->delivery()))] += 1;
+    if (!stream.user.empty()) census.running_of[stream.user] += 1;
     census.lag_s = std::max(census.lag_s, stream.feed->progress().lag_s);
   }
   return census;
@@ -96,12 +112,14 @@ PaceLoad StreamRegistry::load(const FeedRunner* feed) const {
   return load;
 }
 
-void StreamRegistry::close(const std::string& id, const std::string& token) {
+void StreamRegistry::close(const std::string& id, const std::string& token, const Peer& peer) {
   std::lock_guard lock(mutex_);
-  Stream& stream = streamOf(streams_, id, token);
+  Stream& stream = token.empty() ? streamOf(streams_, id) : streamOf(streams_, id, token);
+  if (token.empty()) requireOwner(stream, peer);
   stream.stop(v1::END_REASON_CLOSED);
   if (!stream.closed) stream.closed = ChangeNotifier::Clock::now();
-  log_.info(stream.user, "closed stream " + id);
+  const std::string owner = peer.user == stream.user ? "" : " of " + log_.nameOf(stream.user);
+  log_.info(peer.user, "closed stream " + id + owner);
 }
 
 void StreamRegistry::sweep(ChangeNotifier::Clock::time_point now) {

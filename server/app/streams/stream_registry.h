@@ -12,13 +12,15 @@
 #include "app/feeds/pace.h"
 #include "app/streams/stream.h"
 #include "log/client_log.h"
+#include "stream/control_server.h"
 #include "stream/session_directory.h"
 
 namespace saccade {
 
 struct StreamCensus {
-  std::map<std::string, int> running;  // streams that have not ended, by the name of their delivery
-  double lag_s = 0;                    // of the stream with the largest lag
+  std::map<std::string, int> running = {};     // streams that have not ended, by the name of their delivery
+  std::map<std::string, int> running_of = {};  // the same by the key of their client; empty without keys
+  double lag_s = 0;                            // of the stream with the largest lag
 };
 
 class StreamRegistry {
@@ -37,12 +39,14 @@ class StreamRegistry {
   // Calls `use` with the entry, under the lock. Throws as find().
   void with(const std::string& id, const std::string& token,
             const std::function<void(const Stream&)>& use) const;
-  std::vector<v1::StreamInfo> list(const std::string& user) const;  // those of a user
+  // The streams of a client; and those of all others too, where `all` is set and it is an admin.
+  std::vector<v1::StreamInfo> list(const Peer& peer, bool all) const;
   StreamCensus census() const;
   PaceLoad load(const FeedRunner* feed) const;  // of all streams, and of those of `feed`
 
   // Ends the stream at its next frame, if it has not ended; what it has made is still sent. Throws as find().
-  void close(const std::string& id, const std::string& token);
+  // The key that has opened the stream, and an admin, need no token.
+  void close(const std::string& id, const std::string& token, const Peer& peer);
   // Ends streams without a receiver and forgets those that are over. To be called about once a second, and
   // where their places are wanted.
   void sweep(ChangeNotifier::Clock::time_point now);

@@ -11,6 +11,7 @@
 #include "app/streams/stream_registry.h"
 #include "base/tile_pool.h"
 #include "log/client_log.h"
+#include "stream/client_keys.h"
 #include "stream/wake_fd.h"
 
 namespace saccade {
@@ -27,7 +28,8 @@ struct StreamResources {
   WakeFd& broadcast;  // and that of broadcast streams
   Totals& totals;
   ClientLog& log;
-  std::uint64_t epoch;  // of the server
+  const ClientKeys* clients;  // null without keys
+  std::uint64_t epoch;        // of the server
 };
 
 }  // namespace saccade
