@@ -20,6 +20,8 @@ ClientLog::NameOf namesOf(const ClientKeys* clients) {
   return [clients](const std::string& key) { return clients ? clients->find(key).name : std::string(); };
 }
 
+const HttpAnswer kStopping{.status = 503, .body = "the server is stopping\n"};
+
 }  // namespace
 
 App::App(const Config& config, Opened)
@@ -136,8 +138,12 @@ void App::serveHttp(const Config& config) {
                                               .keys = *keys},
                                    .max_viewers = static_cast<std::size_t>(config.limits[Limit::kViewers]),
                                    .loopback_only = isLoopback(config.http)});
-    all.merge(viewerPages());
-    upgrades[ViewerGateway::kPath] = viewer_->upgrade();
+    for (auto& [path, page] : viewerPages())
+      all[path] = [this, page] { return stopping_ ? kStopping : page(); };
+    HttpUpgrade& viewer = upgrades[ViewerGateway::kPath] = viewer_->upgrade();
+    viewer.answer = [this, answer = viewer.answer](const HttpHeader& header) {
+      return stopping_ ? kStopping : answer(header);
+    };
   }
   http_.emplace(config.http, std::move(all), std::move(upgrades));
 }

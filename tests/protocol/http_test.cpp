@@ -117,6 +117,11 @@ TEST_F(Http, IsNotReadyAsSoonAsItStops) {
   while (server_.app().ready()) std::this_thread::yield();
   EXPECT_EQ(get("/readyz").status, 503);
   EXPECT_EQ(get("/healthz").status, 200);
+  for (const std::string page : {"/", "/viewer.js", "/viewer"}) {
+    EXPECT_EQ(get(page).status, 503) << page;
+    EXPECT_EQ(get(page).body, "the server is stopping\n");
+  }
+  EXPECT_EQ(metric("saccade_ready"), 0);  // a last scrape
   EXPECT_EQ(server_.client().tryOpen(tinyRequest()).code(), v1::CODE_UNAVAILABLE);
   subscriber.giveCredit(1 << 20);
   subscriber.receiveAll(1);
