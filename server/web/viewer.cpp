@@ -54,7 +54,9 @@ void Viewer::take(std::string_view text) {
   try {
     v1::ViewerMessage message = parseViewerMessage(text);
     if (message.has_request()) return request(std::move(*message.mutable_request()));
-    if (!mayJoin()) return refuse(0, v1::CODE_RESOURCE_EXHAUSTED, "a page joins at most 10 streams a second");
+    if (!mayJoin())
+      return refuse(0, v1::CODE_RESOURCE_EXHAUSTED,
+                    "a page joins at most 4 streams at once, and then 10 a second");
     if (message.has_attach()) return join(message.attach());
     join(message.subscribe());
   } catch (const BadViewerMessage& fault) {
@@ -85,7 +87,12 @@ void Viewer::giveBack() {
 void Viewer::request(v1::Request request) {
   if (in_flight_ >= kMaxInFlight)
     return refuse(request.request_id(), v1::CODE_RESOURCE_EXHAUSTED, "too many requests await a reply");
-  if (request.has_close_stream()) opened_.erase(request.close_stream().stream_id());
+  if (request.has_close_stream()) {
+    const v1::CloseStream& close = request.close_stream();
+    if (close.token().empty())  // which all pages, as one client, could leave out
+      return refuse(request.request_id(), v1::CODE_PERMISSION_DENIED, "a page closes a stream by its token");
+    opened_.erase(close.stream_id());
+  }
   if (control_.send(zmq::buffer(request.SerializeAsString()), zmq::send_flags::dontwait)) ++in_flight_;
 }
 

@@ -72,6 +72,23 @@ TEST_F(ViewerTest, SaysThatTheConnectionForRequestsIsLost) {
   EXPECT_NE(lastWords().find(kLost), std::string::npos);
 }
 
+// All pages are one client, which might close the streams of each other by their ids.
+TEST_F(ViewerTest, ClosesNoStreamWithoutItsToken) {
+  say(R"({"request":{"requestId":"1","protocolVersion":1,"closeStream":{"streamId":"a"}}})");
+  std::string received;
+  ASSERT_TRUE(waitUntil(
+      [&] {
+        received += page_.received();
+        return received.find("CODE_PERMISSION_DENIED") != std::string::npos;
+      },
+      kPatience));
+  say(R"({"request":{"requestId":"2","protocolVersion":1,"serverInfo":{}}})");
+  zmq::message_t peer, request;
+  ASSERT_TRUE(control_.socket.recv(peer) && control_.socket.recv(request));
+  v1::Request heard;
+  EXPECT_TRUE(heard.ParseFromString(request.to_string()) && heard.has_server_info());
+}
+
 // Each join takes a socket, which closes later: a page that joined without pause took all that there are.
 TEST_F(ViewerTest, RefusesJoinsWithoutPause) {
   constexpr std::size_t kJoins = 200;
