@@ -48,6 +48,14 @@ v1::Status lostCall() {
   return status;
 }
 
+v1::Status refusedKey(const std::string& endpoint) {
+  v1::Status status;
+  status.set_code(v1::CODE_PERMISSION_DENIED);
+  status.set_message("the server at " + endpoint +
+                     " refuses your key: it is not on its list, the file of saccaded --client-keys");
+  return status;
+}
+
 }  // namespace
 
 NoAnswer::NoAnswer(const std::string& endpoint, bool has_keys)
@@ -62,7 +70,10 @@ Refused::Refused(const v1::Status& status)
 ControlClient::ControlClient(zmq::context_t& context, const std::string& endpoint, const CurveKeys& keys)
     : endpoint_(endpoint),
       keys_(keys),
-      socket_(connectSocket(context, zmq::socket_type::dealer, endpoint, keys)),
+      socket_(connectSocket(context, zmq::socket_type::dealer, endpoint, keys,
+                            [&](zmq::socket_t& socket) {
+                              if (!keys.secret.empty()) key_watch_.emplace(context, socket);
+                            })),
       request_id_(randomId()) {}
 
 v1::Request listStreams() {
@@ -74,7 +85,8 @@ v1::Request listStreams() {
 v1::Reply ControlClient::call(v1::Request request, std::chrono::milliseconds deadline, const Waiting& waiting,
                               const Watching& watching) {
   const int call = request.call_case();
-  send(std::move(request));
+  requireKey();
+  if (!send(std::move(request))) throw NoAnswer(endpoint_, !keys_.secret.empty());
   v1::Reply reply = await(request_id_, deadline, waiting, watching);
   if (reply.status().code() != v1::CODE_OK) throw Refused(reply.status());
   if (reply.result_case() != call)  // calls and results have the same numbers
@@ -88,13 +100,17 @@ void ControlClient::tell(v1::Request request) {
   send(std::move(request));
 }
 
-void ControlClient::send(v1::Request request) {
+void ControlClient::requireKey() {
+  if (key_watch_ && key_watch_->refused()) throw Refused(refusedKey(endpoint_));
+}
+
+bool ControlClient::send(v1::Request request) {
   request.set_request_id(++request_id_);
   request.set_protocol_version(kProtocolVersion);
   const std::string bytes = request.SerializeAsString();
   if (!v1::Request().ParseFromString(bytes))
     throw std::invalid_argument("a text of the request is not UTF-8");
-  socket_.send(zmq::buffer(bytes), zmq::send_flags::none);
+  return socket_.send(zmq::buffer(bytes), zmq::send_flags::dontwait).has_value();
 }
 
 v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::milliseconds deadline,
@@ -106,6 +122,7 @@ v1::Reply ControlClient::await(std::uint64_t request_id, std::chrono::millisecon
   for (auto left = deadline; left.count() > 0;
        left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now())) {
     if (waiting) waiting();
+    requireKey();
     if (watching && Clock::now() - watched >= kWatchInterval) send(listStreams()), watched = Clock::now();
     zmq::message_t message;
     if (!waitReadable(socket_, std::min(left, kPollInterval)) ||

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "saccade/key_watch.h"
 #include "saccade/socket.h"
 #include "saccade/v1/control.pb.h"
 
@@ -44,7 +46,8 @@ class ControlClient {
 
   // Sends a request and waits for its reply; late replies to earlier requests are ignored. A request made
   // before the server is up reaches it when it comes up. Throws NoAnswer, Refused, std::invalid_argument for
-  // a text that is not UTF-8, and std::runtime_error for a reply that is unreadable or has no result.
+  // a text that is not UTF-8, and std::runtime_error for a reply that is unreadable or has no result. Throws
+  // Refused of CODE_PERMISSION_DENIED where the server refuses the key.
   v1::Reply call(v1::Request request, std::chrono::milliseconds deadline = kDeadline,
                  const Waiting& waiting = {}, const Watching& watching = {});
 
@@ -55,12 +58,14 @@ class ControlClient {
   const CurveKeys& keys() const { return keys_; }
 
  private:
-  void send(v1::Request request);
+  bool send(v1::Request request);  // false: the server has cut the connection off, for good
+  void requireKey();
   v1::Reply await(std::uint64_t request_id, std::chrono::milliseconds deadline, const Waiting& waiting,
                   const Watching& watching);
 
   std::string endpoint_;
   CurveKeys keys_;
+  std::optional<KeyWatch> key_watch_;  // with keys
   zmq::socket_t socket_;
   std::uint64_t request_id_;  // of the last request; the first is random, so that it is nobody else's
 };

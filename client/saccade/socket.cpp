@@ -26,7 +26,7 @@ void useKeys(zmq::socket_t& socket, const CurveKeys& keys) {
 }  // namespace
 
 zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, const std::string& endpoint,
-                            const CurveKeys& keys) {
+                            const CurveKeys& keys, const std::function<void(zmq::socket_t&)>& before) {
   zmq::socket_t socket(context, type);
   socket.set(zmq::sockopt::linger, 0);
   socket.set(zmq::sockopt::ipv6, isIpv6(endpoint));
@@ -37,6 +37,7 @@ zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, cons
   socket.set(zmq::sockopt::heartbeat_ivl, 2000);
   socket.set(zmq::sockopt::heartbeat_timeout, 6000);
   if (!keys.secret.empty() || !keys.server_public.empty()) useKeys(socket, keys);
+  if (before) before(socket);
   try {
     socket.connect(endpoint);
   } catch (const zmq::error_t&) {

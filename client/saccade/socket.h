@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <zmq.hpp>
 
@@ -15,9 +16,10 @@ struct CurveKeys {
 
 // Connects a socket that drops unsent messages when it closes, and sends heartbeats to detect a lost peer. It
 // cuts off a peer whose message is larger than any of the protocol. Throws std::invalid_argument for a
-// malformed endpoint or key.
+// malformed endpoint or key. `before`: called with the socket before it connects.
 zmq::socket_t connectSocket(zmq::context_t& context, zmq::socket_type type, const std::string& endpoint,
-                            const CurveKeys& keys = {});
+                            const CurveKeys& keys = {},
+                            const std::function<void(zmq::socket_t&)>& before = {});
 
 // Waits for a message. Returns false after `timeout` or a signal.
 bool waitReadable(zmq::socket_t& socket, std::chrono::milliseconds timeout);
