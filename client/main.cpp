@@ -56,6 +56,8 @@ int run(int argc, char** argv) {
   app.set_help_all_flag("--help-all", "Print all options, also the rare ones, and exit");
   addListCommand(app);
   addInfoCommand(app);
+  addStreamsCommand(app);
+  addCloseCommand(app);
   addRecordCommand(app);
   addEventsCommand(app);
   addViewCommand(app);

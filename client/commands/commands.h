@@ -10,6 +10,8 @@ namespace saccade::client {
 
 void addListCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
+void addStreamsCommand(CLI::App& app);
+void addCloseCommand(CLI::App& app);
 void addRecordCommand(CLI::App& app);
 void addEventsCommand(CLI::App& app);
 void addViewCommand(CLI::App& app);

@@ -4,6 +4,7 @@
 
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
+#include "client/commands/json_option.h"
 #include "client/commands/option_range.h"
 #include "saccade/control_client.h"
 
@@ -65,6 +66,7 @@ void printServer(const v1::ServerDescription& server) {
 struct InfoOptions {
   ServerOptions server;
   double wait_s = ControlClient::kDeadline.count();
+  bool json = false;
 };
 
 void runInfo(const InfoOptions& options) {
@@ -73,8 +75,9 @@ void runInfo(const InfoOptions& options) {
   v1::Request request;
   request.mutable_server_info();
   const auto wait = std::chrono::duration<double>(options.wait_s);
-  printServer(
-      control.call(std::move(request), std::chrono::ceil<std::chrono::milliseconds>(wait)).server_info());
+  const v1::Reply reply =
+      control.call(std::move(request), std::chrono::ceil<std::chrono::milliseconds>(wait));
+  options.json ? printJson(reply.server_info()) : printServer(reply.server_info());
 }
 
 }  // namespace
@@ -84,6 +87,7 @@ void addInfoCommand(CLI::App& app) {
       "info", "print the server's version, limits, scene features, truth channels and methods");
   const auto options = std::make_shared<InfoOptions>();
   addServerOptions(*command, options->server);
+  addJsonOption(*command, options->json);
   command->add_option("--wait", options->wait_s, "seconds to wait for a server that is not up yet")
       ->capture_default_str();
   limitTo(*command, "--wait", Range<double>{0.001, 86400});

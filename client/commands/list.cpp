@@ -3,6 +3,7 @@
 
 #include "client/commands/commands.h"
 #include "client/commands/console.h"
+#include "client/commands/json_option.h"
 #include "client/commands/request_text.h"
 #include "saccade/control_client.h"
 
@@ -19,12 +20,18 @@ void printScene(const v1::SceneInfo& scene) {
   print("\n");
 }
 
-void runList(const ServerOptions& options) {
+struct ListOptions {
+  ServerOptions server;
+  bool json = false;
+};
+
+void runList(const ListOptions& options) {
   zmq::context_t context;
-  ControlClient control = connectTo(context, options);
+  ControlClient control = connectTo(context, options.server);
   v1::Request request;
   request.mutable_list_scenes();
   const v1::Reply reply = control.call(std::move(request));
+  if (options.json) return printJson(reply.list_scenes());
   if (reply.list_scenes().scenes().empty()) return print("the server has no scenes\n");
   for (const v1::SceneInfo& scene : reply.list_scenes().scenes()) printScene(scene);
   print("every scene also has the motions KIND:SPEED, such as pan:10, with KIND one of %s\n",
@@ -36,8 +43,9 @@ void runList(const ServerOptions& options) {
 void addListCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("list", "print the scenes of the server, and the trajectories of each");
-  const auto options = std::make_shared<ServerOptions>();
-  addServerOptions(*command, *options);
+  const auto options = std::make_shared<ListOptions>();
+  addServerOptions(*command, options->server);
+  addJsonOption(*command, options->json);
   command->callback([options] { runList(*options); });
 }
 

@@ -60,6 +60,7 @@ class Place:
         return {
             (SACCADED,): ({}, [*FREE, "--http", "off", "--check-config"]),
             (SACCADE, "list"): ({}, self.client()), (SACCADE, "info"): ({}, self.client()),
+            (SACCADE, "streams"): ({}, self.client()), (SACCADE, "close"): ({"streams": "nothing"}, self.client()),
             (SACCADE, "record"): (scene, [*stream, "--output", out]),
             (SACCADE, "events"): ({"frames": str(self.folder / "frames.f32")},
                                   ["--size", "4x4", "--rate", "100", "--output", out, *self.client()]),
