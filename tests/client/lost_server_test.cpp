@@ -91,6 +91,21 @@ TEST_F(LostServer, ARecordingWaitsForAServerThatIsNotUpYet) {
   EXPECT_TRUE(textOf("a.csv") == textOf("whole.csv"));
 }
 
+// Its first frame takes long, so that the server stops before it has opened the stream.
+TEST_F(LostServer, ARecordingIsOpenedAgainAtAServerThatRestartsMeanwhile) {
+  Process disturbed({SACCADE_COMMAND, "record", "cornell-box", "--trajectory", "right", "--size", "24x16",
+                     "--method", "pt", "--spp", "2048", "--rate", "500", "--duration", "0.004", "--control",
+                     control_, "-o", folder_.at("a.csv")});
+  MockClient watcher(control_);
+  ASSERT_TRUE(waitUntil([&] { return watcher.streams().opening_size() > 0; }, kPatience));
+  server_->process().signal(SIGTERM);
+  server_->process().finish();
+  server_.emplace(std::vector<std::string>{"--control", control_, "--data", data_});
+  const std::string output = disturbed.rest();
+  EXPECT_EQ(disturbed.finish(), 0) << output;
+  EXPECT_NE(output.find("the server is stopping; trying again for 60 s"), std::string::npos) << output;
+}
+
 TEST_F(LostServer, WithoutTimeToRetryAServerThatIsNotUpIsToldAtOnce) {
   server_.reset();
   Process early = record("a.csv", {"--retry-time", "0"});
