@@ -1,6 +1,10 @@
 // Which PACED streams a server takes: those whose pace its threads suffice for.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <future>
+#include <set>
+
 #include "app/admission/limits.h"
 #include "app/feeds/pace.h"
 #include "mock/test_server.h"
@@ -94,6 +98,13 @@ TEST(Pace, NoneIsTakenWhileOneLags) {
   EXPECT_NE(refusalOf(10, frame, {0, {}, 1.1}, {4, 1, 4}).find("behind its clock"), std::string::npos);
 }
 
+// What it joins is slow in any case.
+TEST(Pace, AStreamJoinsALaggingFeedAndWhileOtherProgramsRun) {
+  const CpuCost viewer{0, 0.001, 0, 0.001};
+  EXPECT_EQ(refusalOf(100, viewer, {2, {}, 1.1}, {0.1, 0.1, 4}), "");
+  EXPECT_NE(refusalOf(100, viewer, {3.2, {}, 0}, {4, 1, 4}), "");  // of 3.2 that it may take
+}
+
 // Everything fits into a share of a million percent.
 TEST(Pace, AStreamThatLagsSaysSoAndKeepsOthersOut) {
   Config config = testConfig();
@@ -159,6 +170,46 @@ TEST(Pace, AStreamThatJoinsAFeedCostsItsSensorsOnly) {
   EXPECT_EQ(status.limit(), "cpu") << status.message();
   EXPECT_GT(numberAfter(status.message(), "in each frame its sensors take "), 0) << status.message();
   EXPECT_EQ(numberAfter(status.message(), "rate of "), 0) << status.message();  // it would be another feed
+}
+
+// The speed that fits is the request's, halved as often as needed, and named by the reply.
+TEST(Pace, ASpeedThatFitsIsTakenWhereTheRequestAllowsIt) {
+  TestServer server(withAdmission());
+  v1::OpenStream request = pacedRequest(1e3, 1);
+  const double fits = numberAfter(server.client().tryOpen(pacedRequest(1e3, 1000)).message(), "speed of ");
+  ASSERT_GT(fits, 0);
+  request.mutable_timing()->set_speed(16 * fits);
+  request.mutable_timing()->set_min_speed(fits / 64);
+  const v1::Timing taken = server.client().open(request).resolved().timing();
+  EXPECT_LE(taken.speed(), 2 * fits);  // a busy machine leaves less
+  EXPECT_EQ(std::exp2(std::round(std::log2(16 * fits / taken.speed()))), 16 * fits / taken.speed());
+  EXPECT_EQ(taken.min_speed(), 0);
+  request.mutable_timing()->set_min_speed(17 * fits);
+  EXPECT_EQ(server.client().tryOpen(request).field(), "timing.min_speed");
+}
+
+// A class opens one link. Each page had a feed of its own, measured beside the others, and was refused for
+// it.
+TEST(Pace, EqualStreamsThatAreOpenedTogetherShareOneFeed) {
+  constexpr int kPages = 8;
+  TestServer server(withAdmission());
+  v1::OpenStream request = pacedRequest(1e3, 100);
+  request.mutable_timing()->set_min_speed(1e-3);
+  request.mutable_timing()->set_duration_s(0);
+  request.set_delivery(v1::DELIVERY_LIVE);
+  std::vector<std::future<double>> pages;
+  for (int i = 0; i < kPages; ++i) {
+    pages.push_back(std::async(std::launch::async, [&] {
+      MockClient client(server.app().controlEndpoint());
+      return client.open(request).resolved().timing().speed();
+    }));
+  }
+  std::set<double> speeds;
+  for (auto& page : pages) speeds.insert(page.get());
+  EXPECT_EQ(speeds.size(), 1u);
+  EXPECT_LT(*speeds.begin(), 100);
+  request.mutable_timing()->set_speed(200);  // joins what runs, at a half of this, a quarter, ...
+  EXPECT_EQ(server.client().open(request).resolved().timing().speed(), *speeds.begin());
 }
 
 TEST(Pace, WithoutAdmissionAStreamMayLag) {

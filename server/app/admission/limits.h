@@ -71,7 +71,7 @@ inline constexpr std::array<LimitRow, kLimits> kLimitTable{{
     {Limit::kClientConnections, "client-connections", 512, 1, "",
      "connections of one key, or without keys of one address, to one socket"},
     {Limit::kInbound, "inbound", 256, 16, "MiB", "incoming messages of all connections"},
-    {Limit::kViewers, "viewers", 16, 1, "", "pages of browsers that watch"},
+    {Limit::kViewers, "viewers", 64, 1, "", "pages of browsers that watch"},
     {Limit::kRequests, "requests", 64, 1, "", "streams being opened"},
     {Limit::kClientRequests, "client-requests", 32, 1, "", "streams being opened by one client"},
     {Limit::kMemory, "memory", 4096, 1, "MiB",

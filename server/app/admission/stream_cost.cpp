@@ -83,6 +83,15 @@ double feedBytes(const FeedConfig& feed) {
 
 }  // namespace
 
+double feedMemory(const ResolvedStream& stream, const Limits& limits) {
+  double bytes = 0;
+  for (std::size_t i = 0; i < stream.views(); ++i) {
+    const FeedConfig& feed = stream.feedOf(i);
+    bytes += stream.request.pushed() ? pushedBytes(feed, limits) : feedBytes(feed);
+  }
+  return bytes / kMiB;
+}
+
 // Measured on streams of 1 and 17 sensors. A sensor with all options takes three times as much as the
 // plainest.
 double streamMemory(const ResolvedStream& stream, const Limits& limits) {
@@ -93,10 +102,6 @@ double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   constexpr double kPacketBytes = 640;                   // per packet, without its events
   const double rate_hz = stream.feed.frame_rate_hz, packets = 1 + 1e9 / kPacketTimeNs / rate_hz;
   double bytes = 0;
-  for (std::size_t i = 0; i < stream.views(); ++i) {
-    const FeedConfig& feed = stream.feedOf(i);
-    bytes += stream.request.pushed() ? pushedBytes(feed, limits) : feedBytes(feed);
-  }
   for (std::size_t i = 0; i < stream.sensors.size(); ++i) {
     const SensorConfig& sensor = stream.sensors[i];
     const FeedConfig& view = feedOfSensor(stream, i);
@@ -109,7 +114,7 @@ double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   for (const v1::Truth& truth : stream.request.truth())
     bytes += stream.feedOf(truth.view()).pixels() * kTruthBytes;
   for (const TruthConfig& truth : stream.truth) bytes += rowsOfFrame(truth) * kRowBytes;
-  return bytes / kMiB;
+  return feedMemory(stream, limits) + bytes / kMiB;
 }
 
 void boundEvents(ResolvedStream& stream, const Limits& limits) {
@@ -166,12 +171,13 @@ void boundRows(const ResolvedStream& stream, const Limits& limits) {
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) {
   const int sensors = static_cast<int>(stream.sensors.size());
   const double views = static_cast<double>(stream.views());
-  std::vector<Share> shares{{Limit::kStreams, 1},
-                            {Limit::kSensors, static_cast<double>(sensors), "sensors"},
-                            {Limit::kPixels, pixelsOf(stream.request), "view"},
-                            {Limit::kMemory, streamMemory(stream, limits), "view"},
-                            {Limit::kMemory, pathMemory(stream.request.trajectory()) * views, "trajectory"},
-                            {Limit::kQueues, queueMemory(stream, limits)}};
+  std::vector<Share> shares{
+      {Limit::kStreams, 1},
+      {Limit::kSensors, static_cast<double>(sensors), "sensors"},
+      {Limit::kPixels, pixelsOf(stream.request), "view"},
+      {Limit::kMemory, streamMemory(stream, limits) - feedMemory(stream, limits), "view"},
+      {Limit::kMemory, pathMemory(stream.request.trajectory()) * views, "trajectory"},
+      {Limit::kQueues, queueMemory(stream, limits)}};
   if (stream.request.timing().steerable())
     shares.push_back({Limit::kMemory, steeringMemory(stream.frames) * views, "timing"});
   return shares;

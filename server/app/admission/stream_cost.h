@@ -28,7 +28,10 @@ void boundSteering(ResolvedStream& stream, const Limits& limits);
 // MiB: an estimate of the most memory of a stream with a feed of its own, without its queue.
 double streamMemory(const ResolvedStream& stream, const Limits& limits);
 
-// But for its request: requestMemory() counts that before it is resolved.
+// MiB: the part of it that streams share which join one feed.
+double feedMemory(const ResolvedStream& stream, const Limits& limits);
+
+// But for its feed, and for its request: requestMemory() counts that before it is resolved.
 std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits);
 
 // Throws LimitReached where the request exceeds a limit of single streams.

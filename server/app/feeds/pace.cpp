@@ -86,20 +86,22 @@ CpuSupply cpuSupply(const TilePool& pool) {
   return {std::min(cpus, threads * share), std::min(cpus, share), std::min(cpus, threads)};
 }
 
-void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& taken, const CpuSupply& supply,
+void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& taken, const CpuSupply& lately,
                const Limits& limits) {
-  if (taken.lag_s > kMostLagSeconds) {
+  const bool joins = frame.feed == 0;
+  if (!joins && taken.lag_s > kMostLagSeconds) {
     throw LimitReached(Limit::kCpu, "timing",
                        "a PACED stream is " + number(taken.lag_s) +
                            " s behind its clock; none is taken until it has caught up",
                        kRetrySeconds);
   }
+  const CpuSupply idle{lately.most, std::min(1.0, lately.most), lately.most};
+  const CpuSupply& supply = joins ? idle : lately;  // other programs slow a running feed in any case
   const double share = limits[Limit::kCpu] / 100;
   const CpuCost own = frame * (timing.frame_rate_hz() * timing.speed());
   const double most = supply.threads * share, free = std::max(0.0, most - taken.total);
   const double need = own.feed + own.sensors, periods = periodsOf(together(taken.feed, own), supply);
   if (need <= free && periods <= share) return;
-  const bool joins = frame.feed == 0;
   std::string message = (joins ? "in each frame its sensors take " : "a frame takes ") +
                         number((frame.feed + frame.sensors) * 1e3) + " ms of CPU, so ";
   message += need > free ? "this stream takes " + number(need) + " threads; " + number(free) + " of " +
@@ -112,7 +114,6 @@ void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& t
                " Hz, or a speed of " + atMost(timing.speed() * fits);
   }
   // Other programs may give back the CPU time that they take now.
-  const CpuSupply idle{supply.most, std::min(1.0, supply.most), supply.most};
   const bool later = need <= idle.threads * share && periodsOf(own, idle) <= share;
   throw LimitReached(Limit::kCpu, "timing", message, later ? kRetrySeconds : 0);
 }

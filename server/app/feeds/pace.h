@@ -47,8 +47,9 @@ inline constexpr double kMostLagSeconds = 1;
 
 // Throws LimitReached unless a PACED stream of such frames fits beside the others. The CPU time of all must
 // fit into the threads, and one frame after the other of its feed into its period. `taken.feed`: of the feed
-// that the stream joins, and then `frame.feed` is 0.
-void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& taken, const CpuSupply& supply,
+// that the stream joins, and then `frame.feed` is 0. Such a stream is taken although others lag, and although
+// other programs take CPU time.
+void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& taken, const CpuSupply& lately,
                const Limits& limits);
 
 }  // namespace saccade

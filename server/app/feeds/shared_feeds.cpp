@@ -14,6 +14,10 @@ bool isPaced(const v1::OpenStream& request) {
   return request.timing().clock() == v1::CLOCK_PACED;
 }
 
+std::shared_ptr<void> SharedFeeds::takeTurn(const ResolvedStream& stream, const std::stop_token& stop) {
+  return mayShare(stream.request) ? turns_.take(stream.feedKeyOfAnySpeed(), stop) : nullptr;
+}
+
 std::shared_ptr<FeedRunner> SharedFeeds::find(const ResolvedStream& stream) {
   if (!mayShare(stream.request)) return nullptr;
   std::lock_guard lock(mutex_);

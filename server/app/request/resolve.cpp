@@ -76,6 +76,29 @@ void resolveQuality(v1::Quality& quality, ResolvedStream& stream) {
     refuse("quality.bake_error", stream.feed.method + " has no use for light that is computed ahead");
 }
 
+v1::OpenStream feedPart(v1::OpenStream request) {
+  request.clear_sensors();
+  request.clear_truth();
+  request.clear_delivery();
+  request.clear_codec();
+  return request;
+}
+
+void clearSpeeds(v1::OpenStream& request) {
+  request.mutable_timing()->clear_speed();
+  request.mutable_timing()->clear_min_speed();
+}
+
+std::string keyOf(const v1::OpenStream& part) {
+  std::string key;
+  google::protobuf::io::StringOutputStream text(&key);
+  google::protobuf::io::CodedOutputStream out(&text);
+  out.SetSerializationDeterministic(true);  // maps in order
+  part.SerializeToCodedStream(&out);
+  out.Trim();
+  return key;
+}
+
 }  // namespace
 
 ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const MeasuredTables& tables) {
@@ -115,18 +138,20 @@ void fitTo(const Scene& scene, ResolvedStream& stream) {
 }
 
 std::string ResolvedStream::feedKey() const {
-  v1::OpenStream feed_part = request;
-  feed_part.clear_sensors();
-  feed_part.clear_truth();
-  feed_part.clear_delivery();
-  feed_part.clear_codec();
-  std::string key;
-  google::protobuf::io::StringOutputStream text(&key);
-  google::protobuf::io::CodedOutputStream out(&text);
-  out.SetSerializationDeterministic(true);  // maps in order
-  feed_part.SerializeToCodedStream(&out);
-  out.Trim();
-  return key;
+  return keyOf(feedPart(request));
+}
+
+std::string ResolvedStream::feedKeyOfAnySpeed() const {
+  v1::OpenStream part = feedPart(request);
+  clearSpeeds(part);
+  return keyOf(part);
+}
+
+std::string ResolvedStream::costKey() const {
+  v1::OpenStream part = request;
+  part.clear_delivery();
+  clearSpeeds(part);
+  return keyOf(part);
 }
 
 }  // namespace saccade

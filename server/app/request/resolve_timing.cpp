@@ -29,7 +29,11 @@ void resolveTiming(ResolvedStream& stream) {
   if (timing.clock() == v1::CLOCK_LOCKSTEP) timing.set_steerable(true), timing.set_packet_per_frame(true);
   // FAST ignores the speed: cleared, so that equal feeds have equal keys.
   const double speed = timing.speed() == 0 ? 1 : timing.speed();
-  timing.set_speed(timing.clock() == v1::CLOCK_PACED ? speed : 0);
+  const bool paced = timing.clock() == v1::CLOCK_PACED;
+  if (paced && timing.min_speed() != 0)
+    checkRange("timing.min_speed", timing.min_speed(), ranges::kSpeed.min, speed);
+  timing.set_speed(paced ? speed : 0);
+  if (!paced) timing.clear_min_speed();
   stream.feed.frame_rate_hz = timing.frame_rate_hz();
   if (timing.duration_s() == 0) return;
   // A duration within rounding of a whole number of frames counts as that number.

@@ -35,6 +35,10 @@ struct ResolvedStream {
 
   // Streams with equal keys share a feed.
   std::string feedKey() const;
+  // Streams with equal keys would share it, if they had the same speed.
+  std::string feedKeyOfAnySpeed() const;
+  // Frames of streams with equal keys cost the same.
+  std::string costKey() const;
 };
 
 }  // namespace saccade

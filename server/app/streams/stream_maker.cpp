@@ -25,6 +25,25 @@ CpuCost costOfJoining(const CpuCost& frame) {
   return {0, frame.sensors, 0, frame.longest};
 }
 
+// A frame that leaves half of the free threads to streams that join later.
+CpuCost withRoom(const CpuCost& frame) {
+  return {2 * frame.feed, 2 * frame.sensors, frame.critical_path, frame.longest};
+}
+
+// The speed, and its halves down to the least that the request allows.
+std::vector<double> speedsOf(const v1::Timing& timing) {
+  std::vector<double> speeds{timing.speed()};
+  while (timing.min_speed() > 0 && speeds.back() / 2 >= timing.min_speed())
+    speeds.push_back(speeds.back() / 2);
+  return speeds;
+}
+
+// The feed, which holds its share of a limit as long as one of its streams runs.
+std::shared_ptr<FeedRunner> holding(std::shared_ptr<FeedRunner> feed, std::shared_ptr<void> share) {
+  FeedRunner* const runner = feed.get();
+  return {runner, [feed = std::move(feed), share = std::move(share)](FeedRunner*) {}};
+}
+
 void checkDelivery(const v1::OpenStream& request) {
   if (request.delivery() == v1::DELIVERY_BROADCAST && !peersAreBounded())
     refuse("delivery", "this saccaded has the system's libzmq, with which it serves no BROADCAST stream");
@@ -48,8 +67,9 @@ v1::StreamOpened StreamMaker::make(v1::OpenStream request, PendingOpen& opening)
   ResolvedStream& resolved = plan.resolved;
   stream.reserved.push_back(reserve(stream.user, sharesOf(resolved, resources_.quota.limits())));
   if (!resolved.request.pushed()) loadScenes(plan, resources_.scenes, begin(opening, "loading the scene"));
-  keepRequest(resolved.request, stream);
   if (resolved.request.pushed()) {
+    keepRequest(resolved.request, stream);
+    stream.reserved.push_back(reserve(stream.user, feedShare(resolved)));
     enter(plan, feeds_.ofClient(resolved), stream);
   } else {
     openFeed(plan, opening, stream);
@@ -61,6 +81,10 @@ v1::StreamOpened StreamMaker::make(v1::OpenStream request, PendingOpen& opening)
   if (plan.bake) opened.set_bake_digest(plan.bake->digest);
   if (asksForIds(opened.resolved())) *opened.mutable_id_names() = idNames(plan.scene->description());
   return opened;
+}
+
+std::vector<Share> StreamMaker::feedShare(const ResolvedStream& stream) const {
+  return {{Limit::kMemory, feedMemory(stream, resources_.quota.limits()), "view"}};
 }
 
 // Streams that are over give their share back first, and so do closed ones that are about to end.
@@ -88,12 +112,21 @@ void StreamMaker::openFeed(Plan& plan, PendingOpen& opening, Stream& stream) {
   const ResolvedStream& resolved = plan.resolved;
   const Trajectory body = resolveTrajectory(resolved, *plan.whole, resources_.scenes.library());
   bakeLight(plan, body, resources_.bakes, resources_.pool, begin(opening, "computing light ahead"));
+  pending_opens_.begin(opening, "waiting for an equal stream to open");
+  const auto turn = shared_.takeTurn(resolved, opening.stop.get_token());
+  const auto memory = reserve(stream.user, feedShare(resolved));
   pending_opens_.begin(opening, "measuring the first frames");
   if (keepsPace(resolved)) plan.frame = measure(plan, body, opening);
+  chooseSpeed(plan);
+  keepRequest(plan.resolved.request, stream);
   const auto running = shared_.find(resolved);
   admit(resolved, running ? costOfJoining(plan.frame) : plan.frame, running.get());
   pending_opens_.begin(opening, "rendering frame 0");
-  const auto make = [&] { return feeds_.ofScene(plan.scene, body, resolved, poolFor(opening)); };
+  const auto make = [&] {
+    OwnFeed own = feeds_.ofScene(plan.scene, body, resolved, poolFor(opening));
+    own.runner = holding(std::move(own.runner), memory);
+    return own;
+  };
   OwnFeed own = running ? OwnFeed{} : make();
   pending_opens_.begin(opening, "joining the feed");
   while (!enter(plan, own, stream)) own = make();
@@ -131,8 +164,33 @@ PoolHandle StreamMaker::poolFor(const PendingOpen& opening) const {
   return {resources_.pool, Priority::kNormal, opening.stop.get_token()};
 }
 
-CpuCost StreamMaker::measure(const Plan& plan, const Trajectory& body, const PendingOpen& opening) const {
-  return measureFrame(plan.scene, body, plan.resolved, poolFor(opening));
+CpuCost StreamMaker::measure(const Plan& plan, const Trajectory& body, const PendingOpen& opening) {
+  const std::string key = plan.resolved.costKey();
+  if (const auto lately = costs_.find(key, MeasuredCosts::Clock::now())) return *lately;
+  const CpuCost cost = measureFrame(plan.scene, body, plan.resolved, poolFor(opening));
+  costs_.add(key, cost, MeasuredCosts::Clock::now());
+  return cost;
+}
+
+// Of the speeds that the request allows: that of a feed that runs, else the first that leaves room for others
+// to join, else the least. Throws LimitReached where not even that fits.
+void StreamMaker::chooseSpeed(Plan& plan) {
+  v1::Timing& timing = *plan.resolved.request.mutable_timing();
+  const std::vector<double> speeds = speedsOf(timing);
+  timing.clear_min_speed();
+  for (const double speed : speeds) {
+    timing.set_speed(speed);
+    if (shared_.find(plan.resolved)) return;
+  }
+  for (const double speed : speeds) {
+    const bool least = speed == speeds.back();
+    timing.set_speed(speed);
+    try {
+      return admit(plan.resolved, least ? plan.frame : withRoom(plan.frame), nullptr);
+    } catch (const LimitReached&) {
+      if (least) throw;
+    }
+  }
 }
 
 bool StreamMaker::keepsPace(const ResolvedStream& resolved) const {

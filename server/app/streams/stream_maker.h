@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "app/feeds/feed_maker.h"
+#include "app/feeds/measured_costs.h"
 #include "app/feeds/shared_feeds.h"
 #include "app/sequence/stream_plan.h"
 #include "app/streams/pending_opens.h"
@@ -29,11 +30,13 @@ class StreamMaker {
     CpuCost frame = {};  // of a frame, where the stream keeps a pace
   };
   BuildContext begin(PendingOpen& opening, const char* doing);
+  std::vector<Share> feedShare(const ResolvedStream& stream) const;
   std::shared_ptr<void> reserve(const std::string& user, const std::vector<Share>& shares);
   void openFeed(Plan& plan, PendingOpen& opening, Stream& stream);
   bool enter(const Plan& plan, const OwnFeed& own, Stream& stream);
   PoolHandle poolFor(const PendingOpen& opening) const;
-  CpuCost measure(const Plan& plan, const Trajectory& body, const PendingOpen& opening) const;
+  CpuCost measure(const Plan& plan, const Trajectory& body, const PendingOpen& opening);
+  void chooseSpeed(Plan& plan);
   bool keepsPace(const ResolvedStream& resolved) const;
   void admit(const ResolvedStream& resolved, const CpuCost& frame, const FeedRunner* joined) const;
   bool connect(const ResolvedStream& resolved, Stream& stream) const;
@@ -42,6 +45,7 @@ class StreamMaker {
   const FeedMaker feeds_;
   PendingOpens& pending_opens_;
   SharedFeeds shared_;
+  MeasuredCosts costs_;
   std::mutex admitting_;  // held from a check of the load until the new stream is part of it
 };
 
