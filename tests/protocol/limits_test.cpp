@@ -204,8 +204,10 @@ TEST(Limits, PicturesComeAtTheirRate) {
   look.mutable_get_frame()->set_stream_id(stream.stream_id());
   look.mutable_get_frame()->set_token(stream.token());
   const auto began = ChangeNotifier::Clock::now();
-  EXPECT_EQ(server.client().call(look).status().code(), v1::CODE_OK);
   v1::Status status = server.client().call(look).status();
+  int given = 0;
+  for (; status.code() == v1::CODE_OK; ++given) status = server.client().call(look).status();
+  EXPECT_GE(given, 5);  // a second's worth, and one
   expectReached(status, Limit::kPictures, "");
   EXPECT_GT(status.retry_after_s(), 0);
   EXPECT_LE(status.retry_after_s(), 0.25);
@@ -213,7 +215,8 @@ TEST(Limits, PicturesComeAtTheirRate) {
     ASSERT_LT(ChangeNotifier::Clock::now() - began, kPatience);
     status = server.client().call(look).status();
   }
-  EXPECT_GE(ChangeNotifier::Clock::now() - began, std::chrono::milliseconds(250));
+  EXPECT_GE(ChangeNotifier::Clock::now() - began,
+            given * std::chrono::milliseconds(250) - std::chrono::seconds(1));
 }
 
 TEST(Limits, ARequestThatIsTooLongEndsItsConnectionOnly) {

@@ -98,7 +98,7 @@ TEST(Pace, NoneIsTakenWhileOneLags) {
   EXPECT_NE(refusalOf(10, frame, {0, {}, 1.1}, {4, 1, 4}).find("behind its clock"), std::string::npos);
 }
 
-// What it joins is slow in any case.
+// Its feed is slow in any case.
 TEST(Pace, AStreamJoinsALaggingFeedAndWhileOtherProgramsRun) {
   const CpuCost viewer{0, 0.001, 0, 0.001};
   EXPECT_EQ(refusalOf(100, viewer, {2, {}, 1.1}, {0.1, 0.1, 4}), "");
@@ -210,6 +210,22 @@ TEST(Pace, EqualStreamsThatAreOpenedTogetherShareOneFeed) {
   EXPECT_LT(*speeds.begin(), 100);
   request.mutable_timing()->set_speed(200);  // joins what runs, at a half of this, a quarter, ...
   EXPECT_EQ(server.client().open(request).resolved().timing().speed(), *speeds.begin());
+}
+
+// A page that wants to be faster closes its slow stream first.
+TEST(Pace, ASpeedIsNotThatOfAFeedThatEnds) {
+  TestServer server(withAdmission());
+  v1::OpenStream request = pacedRequest(10, 1);
+  request.mutable_timing()->set_duration_s(0);
+  request.set_delivery(v1::DELIVERY_LIVE);
+  const auto slow = server.client().open(request);
+  request.mutable_timing()->set_speed(2);
+  request.mutable_timing()->set_min_speed(1);
+  const auto joined = server.client().open(request);
+  EXPECT_EQ(joined.resolved().timing().speed(), 1);
+  server.client().close(slow);
+  server.client().close(joined);
+  EXPECT_EQ(server.client().open(request).resolved().timing().speed(), 2);
 }
 
 TEST(Pace, WithoutAdmissionAStreamMayLag) {

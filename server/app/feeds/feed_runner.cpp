@@ -20,6 +20,10 @@ void logTimes(FrameIndex frame, const StageTimes& times) {
   spdlog::debug("frame {}, CPU ms:{}", frame, text);
 }
 
+bool isStopping(const std::shared_ptr<StreamSink>& sink) {
+  return sink->session().stopping();
+}
+
 }  // namespace
 
 FeedRunner::FeedRunner(std::shared_ptr<IntervalSource> source, const FeedPace& pace, TilePool& pool,
@@ -58,9 +62,13 @@ void FeedRunner::interrupt() {
   stop_.request_stop();
 }
 
+bool FeedRunner::ending() const {
+  std::lock_guard lock(mutex_);
+  return ended_ || (allStopping() && std::ranges::all_of(newcomers_, isStopping));
+}
+
 bool FeedRunner::allStopping() const {
-  return std::all_of(sinks_.begin(), sinks_.end(),
-                     [](const auto& sink) { return sink->session().stopping(); });
+  return std::ranges::all_of(sinks_, isStopping);
 }
 
 void FeedRunner::run() {

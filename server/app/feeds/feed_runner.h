@@ -53,6 +53,7 @@ class FeedRunner {
   const std::shared_ptr<ChangeNotifier>& notifier() const { return notifier_; }
   // Adds a stream; the first one starts the thread. Returns false where the feed has ended.
   bool add(std::shared_ptr<StreamSink> sink);
+  bool ending() const;  // whether all its streams are to stop
   // Ends the feed in the middle of its frame, if all its streams are to stop. From any thread.
   void interrupt();
 

@@ -1,4 +1,5 @@
-// What frames cost, as measured lately: for streams of equal frames that are opened soon after each other.
+// The costs of frames that were measured lately. Streams of equal frames that open soon afterwards have the
+// same.
 #pragma once
 
 #include <chrono>

@@ -23,7 +23,8 @@ std::shared_ptr<FeedRunner> SharedFeeds::find(const ResolvedStream& stream) {
   std::lock_guard lock(mutex_);
   std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });
   const auto found = feeds_.find(stream.feedKey());
-  return found == feeds_.end() ? nullptr : found->second.lock();
+  const auto feed = found == feeds_.end() ? nullptr : found->second.lock();
+  return feed && !feed->ending() ? feed : nullptr;
 }
 
 void SharedFeeds::add(const ResolvedStream& stream, const std::shared_ptr<FeedRunner>& feed) {

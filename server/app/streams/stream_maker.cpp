@@ -172,8 +172,8 @@ CpuCost StreamMaker::measure(const Plan& plan, const Trajectory& body, const Pen
   return cost;
 }
 
-// Of the speeds that the request allows: that of a feed that runs, else the first that leaves room for others
-// to join, else the least. Throws LimitReached where not even that fits.
+// Takes one of the speeds that the request allows. It is that of a feed that runs, else the first that leaves
+// room for others to join, else the least. Throws LimitReached where not even that fits.
 void StreamMaker::chooseSpeed(Plan& plan) {
   v1::Timing& timing = *plan.resolved.request.mutable_timing();
   const std::vector<double> speeds = speedsOf(timing);
