@@ -1,8 +1,12 @@
-"""The page in a real browser: what it draws, against what `saccade record` writes for the same request.
+"""The page in a real browser: what it draws and records, against what `saccade record` writes for the same request.
 
 Usage: browser_test.py SACCADED SACCADE. Exit code 77: the browser, or a module, is absent."""
+import base64
 import csv
+import json
 import pathlib
+import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -26,6 +30,37 @@ def recorded(server, *options):
                         "32x24", "--rate", "500", *options, "-o", str(file)], check=True, capture_output=True)
         with file.open() as rows:
             return Counter((int(row["x"]), int(row["y"]), int(row["p"])) for row in csv.DictReader(rows))
+
+
+def rows_of(file):
+    """Events of a CSV as (t, x, y, p)."""
+    with file.open() as rows:
+        next(rows)  # the heading
+        return [tuple(map(int, row)) for row in csv.reader(rows)]
+
+
+def plain(value):
+    """JSON of a message: with names as in the schema, numbers as such, and without what has its default."""
+    if isinstance(value, dict):
+        named = {re.sub("[A-Z]", lambda c: "_" + c[0].lower(), key): plain(one) for key, one in value.items()}
+        return {key: one for key, one in named.items() if one}
+    if isinstance(value, list):
+        return [plain(one) for one in value]
+    return float(value) if re.fullmatch(r"-?\d+(\.\d+)?", str(value)) else value
+
+
+# Gives the command, and the files of the recording by their ending.
+SAVED = """
+const done = arguments[0], { recorder, form } = saccade;
+Promise.all(["record_line", "file_formats"].map((name) => import(`/${name}.js`))).then(async ([line, { FILE_FORMATS }]) => {
+  const files = {};
+  for (const [ending, write] of Object.entries(FILE_FORMATS)) {
+    const bytes = new Uint8Array(await new Blob(write(recorder.recording())).arrayBuffer());
+    files[ending] = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+  }
+  done([line.recordLineOf(form.settings, recorder.span[1]), recorder.span, files]);
+});
+"""
 
 
 class Browser(unittest.TestCase):
@@ -79,7 +114,7 @@ class Browser(unittest.TestCase):
         self.wait_for("document.getElementById('brightness').width === 32")
         colours = "new Set(new Uint32Array(document.getElementById(arguments[0]).getContext('2d').getImageData(0, 0, 32, 24)"\
                   ".data.buffer)).size"
-        for picture in ("brightness", "change"):
+        for picture in ("frame", "brightness", "change"):
             self.assertGreater(self.run_js("return " + colours, picture), 10)
 
     def test_a_slider_opens_another_stream_and_closes_the_old_one(self):
@@ -105,6 +140,70 @@ class Browser(unittest.TestCase):
         self.assertEqual(self.run_js("return saccade.watch.stream.feed"), feed)
         self.assertTrue(self.run_js("return document.forms[0].C.parentElement.hidden"))
         self.assertIn("preset=davis346", self.browser.current_url)
+
+    def key(self, kind, key):
+        self.run_js("document.body.dispatchEvent(new KeyboardEvent(...arguments))", kind, {"key": key, "bubbles": True})
+
+    def test_it_records_the_events_that_its_command_gives(self):
+        self.open(TINY)
+        self.wait_for("saccade.meters.events > 0")
+        self.run_js("document.getElementById('record').click()")
+        self.wait_for("saccade.recorder.events > 1000")
+        self.run_js("document.getElementById('record').click()")
+        self.assertEqual(len(self.run_js("return [...document.querySelectorAll('#files button')]")), 4)
+        line, (begin, end), files = self.browser.execute_async_script(SAVED)
+        request = self.run_js("return saccade.watch.stream.resolved")
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            words = shlex.split(line)
+            self.assertEqual(words[0], "saccade")
+            words[words.index("-o") + 1] = str(folder / "all.csv")
+            subprocess.run([SACCADE, *words[1:], "--control", self.server.control], check=True, capture_output=True)
+            kept = [row for row in rows_of(folder / "all.csv") if begin * 1e6 <= row[0] < end * 1e6]
+            said, asked = plain(json.loads((folder / "all.csv.json").read_text())["request"]), plain(request)
+            self.assertEqual(said["timing"].pop("frame_rate_hz"), asked["timing"].pop("frame_rate_hz"))
+            for of_the_clock in ("timing", "delivery"):
+                said.pop(of_the_clock, None), asked.pop(of_the_clock, None)
+            self.assertEqual(said, asked)
+            for ending, text in files.items():
+                file, table = folder / f"page.{ending}", folder / f"{ending}.csv"
+                file.write_bytes(base64.b64decode(text))
+                if ending == "csv":
+                    table = file
+                else:
+                    subprocess.run([SACCADE, "convert", str(file), str(table)], check=True, capture_output=True)
+                self.assertEqual(rows_of(table), kept, ending)
+
+    def test_a_camera_of_ones_own_stands_until_a_key_turns_it(self):
+        self.open(TINY)
+        self.wait_for("saccade.meters.events > 0")
+        self.run_js("document.getElementById('look').click()")
+        self.wait_for("saccade.watch.stream?.resolved?.timing.steerable && saccade.meters.read(performance.now()).rate === 0")
+        before = self.run_js("return saccade.meters.events")
+        self.key("keydown", "ArrowRight")
+        self.wait_for(f"saccade.meters.events > {before} + 100")
+        self.key("keyup", "ArrowRight")
+        self.wait_for("saccade.meters.read(performance.now()).rate === 0")
+        self.assertIn("look=1", self.browser.current_url)
+
+    def test_a_click_enlarges_a_picture_and_another_makes_it_small(self):
+        self.open(TINY)
+        self.wait_for("document.getElementById('frame').width === 32")
+        large = "return document.querySelector('.large canvas')?.id"
+        self.run_js("document.getElementById('frame').click()")
+        self.assertEqual(self.run_js(large), "frame")
+        self.run_js("document.getElementById('frame').click()")
+        self.assertIsNone(self.run_js(large))
+
+    def test_motions_are_listed_once_and_what_a_refractory_period_withholds_is_normal(self):
+        self.open(TINY + "&preset=davis346")
+        self.wait_for("saccade.meters.events > 0")
+        motions = self.run_js("return [...document.forms[0].motion.options].map(({value}) => value)")
+        self.assertEqual(len(motions), len(set(motions)))
+        self.assertIn("right", motions)
+        self.run_js("saccade.meters.withheld += 7")
+        self.wait_for("document.getElementById('m-withheld').textContent !== '0'")
+        self.assertFalse(self.run_js("return document.getElementById('m-withheld').classList.contains('bad')"))
 
     def test_it_watches_a_broadcast_of_others(self):
         page = Page(self.server)

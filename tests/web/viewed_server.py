@@ -12,8 +12,8 @@ class ViewedServer:
 
     def __init__(self, program, *flags, tcp=FREE, http="http://127.0.0.1:0"):
         self.process = subprocess.Popen(
-            [program, "--control", tcp, "--data", tcp, "--broadcast", tcp, "--http", http, "--limit-cpu", "0",
-             *([] if "--threads" in flags else ["--threads", "1"]), *flags], stdout=subprocess.PIPE, text=True)
+            [program, "--control", tcp, "--data", tcp, "--broadcast", tcp, "--http", http,
+             *([] if "--limit-cpu" in flags else ["--limit-cpu", "0"]), *([] if "--threads" in flags else ["--threads", "1"]), *flags], stdout=subprocess.PIPE, text=True)
         ready = next(filter(None, (re.search(r"ready: control (\S+) .*http (\S+) viewer (\S+),", line)
                                    for line in self.process.stdout)), None)
         if ready is None:

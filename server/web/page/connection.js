@@ -8,6 +8,7 @@ export class Refused extends Error {
     super(status.field ? `${status.field}: ${status.message}` : status.message);
     this.code = status.code;
     this.limit = status.limit;
+    this.retryAfterS = status.retryAfterS ?? 0;
   }
 }
 
@@ -16,7 +17,7 @@ export class Connection {
   // called as these things happen.
   constructor(on) {
     this.on = on;
-    this.nextId = 1;
+    this.nextId = 1 + Math.floor(Math.random() * 2 ** 40); // list_streams tells the openings of all pages by these
     this.waiting = new Map(); // by request id
     this.connect();
   }

@@ -1,10 +1,8 @@
 // The controls: shows settings, and tells when they change.
 import { PALETTES } from "./palettes.js";
-import { DEFAULTS, MOTIONS } from "./settings.js";
+import { DEFAULTS, MOTIONS, RATES, SIZES } from "./settings.js";
 import { SLIDERS } from "./sliders.js";
 
-const SIZES = ["64x48", "128x96", "160x120", "240x180", "346x260", "640x480"];
-const RATES = [25, 50, 100, 200, 500, 1000, 2000];
 const OF_OWN_STREAM = ["motion", "px", "preset", "C", "bias", "size", "rate", "speed"]; // a broadcast of others has its own
 
 const option = (value, label = value, title = "") => Object.assign(new Option(label, value), { title });
@@ -87,12 +85,14 @@ export class Form {
 
   showMotions() {
     const { form, settings } = this;
-    const named = this.trajectories().map((name) => option(name));
+    const named = this.trajectories().filter((name) => !MOTIONS.includes(name)).map((name) => option(name));
     form.motion.replaceChildren(
       group("At constant speed", MOTIONS.map((name) => option(name))),
       ...(named.length > 0 ? [group("Trajectories of the scene", named)] : []),
     );
     form.motion.value = settings.motion;
-    form.px.parentElement.hidden = !MOTIONS.includes(settings.motion);
+    form.px.parentElement.hidden = settings.look === 1 || !MOTIONS.includes(settings.motion);
+    form.motion.parentElement.hidden = settings.look === 1;
+    form.walk.parentElement.hidden = settings.look === 0;
   }
 }

@@ -1,5 +1,5 @@
 // Asks for pictures of the newest frame again and again, and shows them.
-import { paintBrightness, paintChange } from "./pictures.js";
+import { paintBrightness, paintChange, paintFrame } from "./pictures.js";
 
 const PAUSE_MS = 250;
 
@@ -24,8 +24,9 @@ export class FramePictures {
 
   show(frame) {
     const { bias, colours } = this.settings();
+    paintFrame(document.getElementById("frame"), frame);
     paintBrightness(document.getElementById("brightness"), frame, bias);
     const full = paintChange(document.getElementById("change"), frame, colours);
-    document.getElementById("change-scale").value = `± ${full.toPrecision(2)}`;
+    document.getElementById("change-scale").value = full > 1e-5 ? `± ${full.toPrecision(2)}` : "none";
   }
 }

@@ -9,8 +9,9 @@ export class Meters {
     this.reset();
   }
 
-  reset(speed = 1) {
-    Object.assign(this, { speed, lost: 0, notDrawn: 0, withheld: 0, events: 0, lagMs: 0, due: null });
+  // `refractory`: whether the sensor has a refractory period, so that withheld events are normal.
+  reset(speed = 1, refractory = false) {
+    Object.assign(this, { speed, refractory, lost: 0, notDrawn: 0, withheld: 0, events: 0, streamS: 0, lagMs: 0, due: null });
     this.recent = []; // {at, events, ns, delay} of packets; ns of stream time
     this.offsets = []; // {at, ms}: arrival against stream time
     this.frames = []; // times of drawn pictures
@@ -30,6 +31,7 @@ export class Meters {
     if (this.due !== null) this.lost += packet.seq - this.due;
     this.due = packet.seq + 1;
     this.withheld += packet.suppressed;
+    this.streamS = packet.t1Ns * 1e-9;
     this.events += packet.count;
   }
 

@@ -1,4 +1,5 @@
-// Brightness of the newest frame, and its change since the frame before: the planes of get_frame.
+// The newest frame as a camera has it, its brightness as the sensor sees it, and its change since the frame before. They
+// are made of the planes of get_frame.
 import { coloursOf } from "./palettes.js";
 
 // Scales are set by all but this share of the pixels.
@@ -26,6 +27,17 @@ function paint(canvas, width, height, values, colour) {
     image.data.set([255 * r, 255 * g, 255 * b, 255], 4 * i);
   });
   context.putImageData(image, 0, 0);
+}
+
+// sRGB of the linear luminance. White is the brightest of most pixels, as by a camera's automatic exposure.
+export function paintFrame(canvas, picture) {
+  const luminance = floatsOf(picture.intensity);
+  const scale = 1 / Math.max(quantile(luminance, 1 - OUTLIERS), 1e-9);
+  paint(canvas, picture.width, picture.height, luminance, (value) => {
+    const share = Math.min(1, Math.max(0, value * scale));
+    const grey = share <= 0.0031308 ? 12.92 * share : 1.055 * share ** (1 / 2.4) - 0.055; // IEC 61966-2-1
+    return [grey, grey, grey];
+  });
 }
 
 // Grey by log(bias + I), as the sensor sees it.

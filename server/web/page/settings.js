@@ -13,10 +13,15 @@ export const DEFAULTS = {
   preset: "", // the sensor of a known camera, instead of C
   C: 0.2,
   bias: 0.001,
+  look: 0, // 1: the camera is steered from the page, on a stream of its own
+  walk: 1, // scene units a second of the wall clock, of a camera that is steered
   decay: 15, // ms of stream time; 0: events stay
   colours: "orange-blue",
 };
 
+export const SIZES = ["64x48", "128x96", "160x120", "240x180", "346x260", "640x480"];
+export const RATES = [25, 50, 100, 200, 500, 1000, 2000];
+export const SLOWEST = 1 / 256; // stream seconds per second, where the server lacks the CPU for more
 export const MOTIONS = ["pan", "tilt", "roll", "truck", "pedestal", "dolly", "orbit", "shake"];
 
 // The settings of a fragment such as #scene=cornell-box&C=0.1; what it leaves out, or says wrong, has its default.
@@ -48,7 +53,8 @@ export function openStreamOf(settings) {
     scene: settings.scene,
     view: { width, height },
     trajectory,
-    timing: { frameRateHz: settings.rate, durationS: settings.duration, clock: "CLOCK_PACED", speed: settings.speed },
+    timing: { frameRateHz: settings.rate, durationS: settings.duration, clock: "CLOCK_PACED", speed: settings.speed,
+      minSpeed: Math.min(SLOWEST, settings.speed), steerable: settings.look === 1 },
     sensors: [{ ...threshold, bias: settings.bias }],
     delivery: "DELIVERY_LIVE",
   };

@@ -7,6 +7,7 @@ const log = (text) => ({ at: Math.log, from: (at) => Number(Math.exp(at).toPreci
 
 export const SLIDERS = {
   px: log((value) => `${places(value)} px/frame`),
+  walk: log((value) => `${places(value)} units/s`),
   C: log(places),
   bias: log(places),
   speed: {

@@ -3,15 +3,15 @@
 const element = (id) => document.getElementById(id);
 
 // Three digits and a prefix: 1.23 M.
-function amount(value) {
+export function amount(value) {
   const [scale, prefix] = value >= 1e6 ? [1e6, " M"] : value >= 1e3 ? [1e3, " k"] : [1, ""];
   const shown = value / scale;
   return shown.toFixed(shown >= 100 || scale === 1 ? 0 : shown >= 10 ? 1 : 2) + prefix;
 }
 
-function setLoss(id, value) {
+function setLoss(id, value, bad = value > 0) {
   element(id).textContent = amount(value);
-  element(id).classList.toggle("bad", value > 0);
+  element(id).classList.toggle("bad", bad);
 }
 
 export function showMeasures(meters, { rate, received, delayMs, pictures }) {
@@ -22,8 +22,14 @@ export function showMeasures(meters, { rate, received, delayMs, pictures }) {
   element("m-lag").classList.toggle("bad", meters.lagMs > 0);
   setLoss("m-lost", meters.lost);
   setLoss("m-skipped", meters.notDrawn);
-  setLoss("m-withheld", meters.withheld);
+  setLoss("m-withheld", meters.withheld, meters.withheld > 0 && !meters.refractory);
   element("m-drawn").textContent = `${pictures.toFixed(0)} /s`;
+}
+
+// What an open_stream waits for, as list_streams tells it; undefined: nothing is known.
+export function openingText(scene, opening, seconds) {
+  const done = opening?.done > 0 ? ` (${Math.round(100 * opening.done)} %)` : "";
+  return `Opening ${scene}: ${opening ? opening.doing + done : "asking"}, ${seconds.toFixed(1)} s`;
 }
 
 export function showRates(seconds, top) {

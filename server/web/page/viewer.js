@@ -1,23 +1,30 @@
 // The page: connects the server, the pictures, the measures and the controls.
+import { copy } from "./clipboard.js";
 import { Connection } from "./connection.js";
 import { DrawQueue } from "./draw_queue.js";
+import { enlargeOnClick, toggleFullScreen } from "./enlarge.js";
 import { EventView } from "./event_view.js";
 import { Form } from "./form.js";
 import { FramePictures } from "./frame_pictures.js";
+import { Intake } from "./intake.js";
 import { listen } from "./keyboard.js";
+import { LookRound } from "./look_round.js";
 import { Meters } from "./meters.js";
-import { EndReason, Kind, messageOf, readPacket } from "./packet.js";
+import { NoticeLine, noticeOf } from "./notice.js";
 import { PALETTES, coloursOf } from "./palettes.js";
 import { RateChart } from "./rate_chart.js";
+import { recordLineOf } from "./record_line.js";
+import { RecordPanel } from "./record_panel.js";
+import { Recorder } from "./recorder.js";
 import { fromFragment, toFragment } from "./settings.js";
 import { say } from "./status_line.js";
-import { showMeasures, showRates, showRendering, showStream } from "./texts.js";
+import { openingText, showMeasures, showRates, showRendering, showStream } from "./texts.js";
 import { Watch } from "./watch.js";
 
 const DEBOUNCE_MS = 250; // of sliders, before a stream is opened again
 const MEASURE_MS = 500;
 const LIST_MS = 3000; // between two looks at the streams of the server
-const DRAWN = new Set(["colours", "decay"]); // settings that need no other stream
+const DRAWN = new Set(["colours", "decay", "walk"]); // settings that need no other stream
 
 const element = (id) => document.getElementById(id);
 const view = new EventView(element("events"));
@@ -25,9 +32,14 @@ const chart = new RateChart(element("rates"));
 const meters = new Meters();
 const queue = new DrawQueue((events) => meters.skipped(events));
 const form = new Form(element("controls"), fromFragment(location.hash), change);
-const connection = new Connection({ open: begin, closed: lost, packet: receive, refused: fault });
-const watch = new Watch(connection, { opened, slowed });
+const connection = new Connection({ open: begin, closed: lost, packet: (buffer) => intake.receive(buffer), refused: fault });
+const watch = new Watch(connection, { opened, waits: (...what) => say(openingText(...what)), full });
 const frames = new FramePictures(connection, watch, () => form.settings);
+const recorder = new Recorder();
+const intake = new Intake({ watch, meters, chart, queue, recorder }, () => refused || sayLive());
+const panel = new RecordPanel(recorder, () => `${form.settings.scene || "broadcast"}-${form.settings.size}`);
+const notice = new NoticeLine((settings) => take(settings));
+const look = new LookRound(connection, element("pictures"), steered);
 let paused = false;
 let refused = false; // the newest request; packets of an older stream may still come
 let asked = null; // settings of the newest request
@@ -48,6 +60,7 @@ async function begin() {
 
 function lost(reason) {
   watch.forget();
+  recorder.stop();
   say(reason.trim(), "fault");
 }
 
@@ -56,31 +69,46 @@ function fault({ message }) {
   say(message, "fault");
 }
 
+function full({ message, retryAfterS }) {
+  say(`${message}; the page asks again in ${retryAfterS.toFixed(1)} s`);
+}
+
 async function open() {
   asked = form.settings;
-  refused = false;
-  say(asked.stream ? "Waiting for the broadcast" : `Opening ${asked.scene}`);
+  refused = true; // until it is open, packets are the old stream's
+  say(asked.stream ? "Waiting for the broadcast" : openingText(asked.scene, null, 0));
+  element("pictures").classList.add("old");
   try {
     await watch.show({ ...asked });
   } catch (fault) {
-    refused = true;
     say(fault.message, "fault");
   }
 }
 
 function opened(stream) {
-  const speed = stream.resolved?.timing.speed ?? 1;
+  const { timing, sensors } = stream.resolved ?? {};
+  refused = false;
+  recorder.stop();
   queue.clear();
-  meters.reset(speed);
-  chart.reset(speed);
+  meters.reset(timing?.speed, sensors?.[0].refractoryS > 0);
+  chart.reset(timing?.speed ?? 1);
+  element("pictures").classList.remove("old");
   element("pictures").classList.toggle("no-frames", !stream.token);
+  element("pictures").classList.toggle("steered", Boolean(timing?.steerable));
   showStream(stream);
 }
 
-function slowed(speed) {
-  asked = { ...form.settings, speed };
-  form.show(asked);
-  share();
+// The stream that the page steers.
+function steered() {
+  const { stream } = watch;
+  const timing = stream?.resolved?.timing;
+  return timing?.steerable ? { ...stream, speed: timing.speed, walk: form.settings.walk } : null;
+}
+
+// Takes settings that do not come from the form.
+function take(settings) {
+  form.show({ ...form.settings, ...settings });
+  change(form.settings);
 }
 
 function change(settings) {
@@ -94,31 +122,13 @@ function change(settings) {
 const share = () => history.replaceState(null, "", toFragment(form.settings));
 
 function applyDrawing() {
-  const { colours, decay } = form.settings;
+  const { colours, decay, look, stream } = form.settings;
   view.decayS = decay === 0 ? Infinity : decay * 1e-3;
   for (const name of ["on", "off"])
     element(`${name}-key`).style.background = `rgb(${coloursOf(colours)[name].map((channel) => 255 * channel)})`;
-}
-
-function receive(buffer) {
-  try {
-    const packet = readPacket(buffer);
-    if (packet.streamId === watch.stream?.id) take(packet);
-  } catch (fault) {
-    say(`A packet cannot be read: ${fault.message}.`, "fault");
-  }
-}
-
-function take(packet) {
-  if (packet.kind === Kind.ERROR) return say(messageOf(packet), "fault");
-  const lostBefore = meters.lost;
-  meters.take(packet, performance.now());
-  if (packet.kind === Kind.END) return say(`The stream has ended: ${EndReason[packet.endReason]}.`);
-  if (packet.kind === Kind.EVENTS) {
-    chart.add(packet, meters.lost - lostBefore);
-    queue.add(packet);
-  }
-  if (!refused) sayLive();
+  element("look").setAttribute("aria-pressed", look === 1);
+  element("look-hint").hidden = look === 0;
+  for (const id of ["look", "line"]) element(id).disabled = stream !== "";
 }
 
 const sayLive = () => (paused ? say("Paused") : say("Live", "live"));
@@ -137,6 +147,8 @@ function draw(now) {
 function measure() {
   showMeasures(meters, meters.read(performance.now()));
   showRates(chart.seconds, chart.draw());
+  notice.show(noticeOf(form.settings, watch.stream?.resolved?.timing.speed ?? null, meters.lagMs));
+  panel.show();
 }
 
 async function list() {
@@ -152,34 +164,28 @@ function pause() {
   sayLive();
 }
 
-async function copyLink() {
+function copyLink() {
   share();
-  try {
-    await navigator.clipboard.writeText(location.href);
-    element("share").textContent = "Copied";
-  } catch {
-    element("share").textContent = "See the address"; // browsers copy on localhost and with TLS alone
-  }
-  setTimeout(() => (element("share").textContent = "Copy link"), 1500);
+  return copy(element("share"), location.href);
 }
+
+const copyLine = () => copy(element("line"), recordLineOf(form.settings, meters.streamS));
 
 function nextColours() {
   const names = Object.keys(PALETTES);
-  const colours = names[(names.indexOf(form.settings.colours) + 1) % names.length];
-  form.show({ ...form.settings, colours });
-  change(form.settings);
+  take({ colours: names[(names.indexOf(form.settings.colours) + 1) % names.length] });
 }
 
-listen({ " ": pause, c: nextColours, l: copyLink });
-element("pause").addEventListener("click", pause);
-element("share").addEventListener("click", copyLink);
-addEventListener("hashchange", () => {
-  form.show(fromFragment(location.hash));
-  change(form.settings);
-});
+const toggleLook = () => take({ look: 1 - form.settings.look });
+
+listen({ " ": pause, c: nextColours, l: copyLink, f: toggleFullScreen, r: () => panel.toggle() });
+for (const [id, act] of Object.entries({ pause, share: copyLink, line: copyLine, full: toggleFullScreen, look: toggleLook }))
+  element(id).addEventListener("click", act);
+enlargeOnClick(element("pictures"), () => !steered());
+addEventListener("hashchange", () => take(fromFragment(location.hash)));
 applyDrawing();
 requestAnimationFrame(draw);
 setInterval(measure, MEASURE_MS);
 setInterval(() => list().catch(() => {}), LIST_MS);
 
-globalThis.saccade = { view, meters, watch, form }; // for the console, and for tests
+globalThis.saccade = { view, meters, watch, form, recorder, look }; // for the console, and for tests

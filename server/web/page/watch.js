@@ -2,12 +2,13 @@
 // closed, so that no picture is missing. Other changes close the old stream first, because two feeds may not fit.
 import { openStreamOf } from "./settings.js";
 
-const SLOWEST = 1 / 256; // stream seconds per second; below, the server's refusal stands
+const PROGRESS_MS = 400; // between two looks at what an opening waits for
 
 const feedOf = (request) => JSON.stringify({ ...request, sensors: [] });
 
 export class Watch {
-  // `on.opened(stream)`: its packets follow. `on.slowed(speed)`: the server has no time for more.
+  // `on.opened(stream)`: its packets follow. `on.waits(scene, opening, seconds)`: see openingText(). `on.full(Refused)`: the
+  // server has no room now, and is asked again.
   constructor(connection, on) {
     this.connection = connection;
     this.on = on;
@@ -32,23 +33,32 @@ export class Watch {
     this.on.opened(stream);
   }
 
-  // Tries again at half the speed while the server lacks the time.
+  // Asks again while other clients take what it needs.
   async open(request, turn) {
     while (turn === this.turn) {
       const reply = this.connection.call("openStream", request);
       this.opening = reply.requestId;
+      const began = performance.now();
+      const watching = setInterval(() => this.progress(request.scene, reply.requestId, began), PROGRESS_MS);
       try {
         return await reply;
       } catch (fault) {
         if (turn !== this.turn) return null;
-        if (fault.limit !== "cpu" || request.timing.speed / 2 < SLOWEST) throw fault;
-        request.timing.speed /= 2;
-        this.on.slowed(request.timing.speed);
+        if (!(fault.retryAfterS > 0)) throw fault;
+        this.on.full(fault);
+        await new Promise((resume) => setTimeout(resume, 1000 * fault.retryAfterS));
       } finally {
+        clearInterval(watching);
         if (this.opening === reply.requestId) this.opening = null;
       }
     }
     return null;
+  }
+
+  async progress(scene, requestId, began) {
+    const { opening } = await this.connection.call("listStreams").catch(() => ({ opening: [] }));
+    if (this.opening !== requestId) return;
+    this.on.waits(scene, opening.find((one) => one.requestId === requestId), (performance.now() - began) / 1000);
   }
 
   subscribe({ stream, sensor }) {

@@ -1,0 +1,60 @@
+// What the page offers, says and sends.
+import assert from "node:assert";
+import { test } from "node:test";
+
+globalThis.document = { getElementById: () => ({ addEventListener() {} }) };
+globalThis.addEventListener = () => {};
+const { velocityOf } = await import("../../server/web/page/look_round.js");
+const { lighterSetting, noticeOf } = await import("../../server/web/page/notice.js");
+const { recordLineOf } = await import("../../server/web/page/record_line.js");
+const { DEFAULTS, openStreamOf } = await import("../../server/web/page/settings.js");
+const { openingText } = await import("../../server/web/page/texts.js");
+
+test("the command has each setting that changes events", () => {
+  const settings = { ...DEFAULTS, scene: "cornell-box", motion: "shake", px: 0.3, size: "64x48", rate: 500, C: 0.15, bias: 0.01, duration: 2 };
+  assert.strictEqual(recordLineOf(settings, 9), "saccade record cornell-box --motion shake:0.3px --size 64x48 --rate 500 " +
+    "--duration 2 --threshold 0.15 --bias 0.01 -o events.h5");
+  const preset = recordLineOf({ ...settings, scene: "it's one", motion: "right", preset: "davis346", duration: 0 }, 3.21049);
+  assert.ok(preset.startsWith("saccade record 'it'\\''s one' --motion right "), preset);
+  assert.ok(preset.includes("--duration 3.212 --preset davis346 --bias"), preset); // 1606 frames of 2 ms
+});
+
+test("a page may be slowed down, and its own stream can be steered", () => {
+  const { timing } = openStreamOf({ ...DEFAULTS, look: 1 });
+  assert.deepStrictEqual([timing.minSpeed, timing.steerable], [1 / 256, true]);
+  assert.strictEqual(openStreamOf(DEFAULTS).timing.steerable, false);
+  assert.strictEqual(openStreamOf({ ...DEFAULTS, speed: 0.002 }).timing.minSpeed, 0.002);
+});
+
+test("what would keep the pace is a smaller picture, or a lower frame rate", () => {
+  assert.deepStrictEqual(lighterSetting({ size: "160x120", rate: 200 }, 0.5), { size: "64x48" });
+  assert.deepStrictEqual(lighterSetting({ size: "346x260", rate: 200 }, 0.5), { size: "240x180" });
+  assert.deepStrictEqual(lighterSetting({ size: "64x48", rate: 200 }, 0.5), { rate: 100 });
+  assert.strictEqual(lighterSetting({ size: "64x48", rate: 25 }, 0.5), null);
+});
+
+test("a notice says why playback is slow, and nothing where all is well", () => {
+  const settings = { ...DEFAULTS, speed: 0.25 };
+  assert.strictEqual(noticeOf(settings, 0.25, 0), null);
+  assert.strictEqual(noticeOf(settings, null, 0), null); // a broadcast, or nothing yet
+  const slow = noticeOf(settings, 1 / 16, 0);
+  assert.ok(slow.text.startsWith("Playback is 1/16 of real time:"), slow.text);
+  assert.deepStrictEqual(slow.offer, { size: "64x48" });
+  const late = noticeOf(settings, 0.25, 3200);
+  assert.ok(late.text.includes("3.2 s behind"), late.text);
+  assert.deepStrictEqual(late.offer, { speed: 0.125 });
+});
+
+test("an opening says what it waits for", () => {
+  assert.strictEqual(openingText("a", { doing: "loading the scene", done: 0.4 }, 2.04), "Opening a: loading the scene (40 %), 2.0 s");
+  assert.strictEqual(openingText("a", undefined, 0), "Opening a: asking, 0.0 s");
+});
+
+// Camera axes: x right, y down, z forward. About y, z turns towards x.
+test("keys and the pointer give velocities of stream time", () => {
+  const { linear, angular } = velocityOf(new Set(["w", "a", "ArrowUp"]), { x: 0, y: 0 }, 2, 0.25);
+  assert.deepStrictEqual(linear, { x: -8, y: 0, z: 8 });
+  assert.deepStrictEqual([angular.x > 0, angular.y], [true, 0]);
+  const pulled = velocityOf(new Set(), { x: 0.5, y: 0.5 }, 2, 1).angular;
+  assert.deepStrictEqual([pulled.y > 0, pulled.x < 0], [true, true]);
+});
