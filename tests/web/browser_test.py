@@ -165,6 +165,11 @@ class Browser(unittest.TestCase):
             for of_the_clock in ("timing", "delivery"):
                 said.pop(of_the_clock, None), asked.pop(of_the_clock, None)
             self.assertEqual(said, asked)
+            self.browser.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(folder)})
+            self.run_js("document.querySelector('#files button').click()")
+            saved = folder / "cornell-box-32x24.csv"
+            WebDriverWait(self.browser, 20, 0.05).until(lambda _: saved.exists())
+            self.assertEqual(saved.read_bytes(), base64.b64decode(files["csv"]))
             for ending, text in files.items():
                 file, table = folder / f"page.{ending}", folder / f"{ending}.csv"
                 file.write_bytes(base64.b64decode(text))

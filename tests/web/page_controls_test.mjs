@@ -52,9 +52,11 @@ test("an opening says what it waits for", () => {
 
 // Camera axes: x right, y down, z forward. About y, z turns towards x.
 test("keys and the pointer give velocities of stream time", () => {
-  const { linear, angular } = velocityOf(new Set(["w", "a", "ArrowUp"]), { x: 0, y: 0 }, 2, 0.25);
+  const { linear, angular } = velocityOf(new Set(["w", "a", "ArrowUp"]), { x: 0, y: 0 }, { walk: 2, speed: 0.25, rate: 200 });
   assert.deepStrictEqual(linear, { x: -8, y: 0, z: 8 });
   assert.deepStrictEqual([angular.x > 0, angular.y], [true, 0]);
-  const pulled = velocityOf(new Set(), { x: 0.5, y: 0.5 }, 2, 1).angular;
+  const pulled = velocityOf(new Set(), { x: 0.5, y: 0.5 }, { walk: 2, speed: 1, rate: 200 }).angular;
   assert.deepStrictEqual([pulled.y > 0, pulled.x < 0], [true, true]);
+  const slow = velocityOf(new Set(["d"]), { x: 0, y: 0 }, { walk: 2, speed: 0.01, rate: 200 }).linear; // 2 frames a second
+  assert.strictEqual(slow.x / 200, 2 / 20); // of each of them
 });

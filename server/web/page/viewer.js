@@ -102,7 +102,7 @@ function opened(stream) {
 function steered() {
   const { stream } = watch;
   const timing = stream?.resolved?.timing;
-  return timing?.steerable ? { ...stream, speed: timing.speed, walk: form.settings.walk } : null;
+  return timing?.steerable ? { ...stream, walk: form.settings.walk, speed: timing.speed, rate: timing.frameRateHz } : null;
 }
 
 // Takes settings that do not come from the form.
