@@ -190,6 +190,7 @@ class Browser(unittest.TestCase):
         self.key("keyup", "ArrowRight")
         self.wait_for("saccade.meters.read(performance.now()).rate === 0")
         self.assertIn("look=1", self.browser.current_url)
+        self.assertTrue(self.run_js("return document.getElementById('line').disabled"))
 
     def test_a_click_enlarges_a_picture_and_another_makes_it_small(self):
         self.open(TINY)

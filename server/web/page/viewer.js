@@ -128,7 +128,8 @@ function applyDrawing() {
     element(`${name}-key`).style.background = `rgb(${coloursOf(colours)[name].map((channel) => 255 * channel)})`;
   element("look").setAttribute("aria-pressed", look === 1);
   element("look-hint").hidden = look === 0;
-  for (const id of ["look", "line"]) element(id).disabled = stream !== "";
+  element("look").disabled = stream !== "";
+  element("line").disabled = stream !== "" || look === 1; // no command goes where the camera was steered
 }
 
 const sayLive = () => (paused ? say("Paused") : say("Live", "live"));
