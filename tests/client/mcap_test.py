@@ -115,7 +115,7 @@ class Mcap(unittest.TestCase):
         file = self.written(events)
         self.assertEqual(self.events_of(file), events)
         times = [message["log_ns"] for message in file["messages"]]
-        self.assertLessEqual(max(b - a for a, b in zip(times, times[1:])), 10 * 10**9)
+        self.assertLessEqual(max(b - a for a, b in zip(times, times[1:])), 8 * 10**9)
 
     def test_times_that_ros_cannot_hold_are_refused(self):
         for time in (-1, 2_147_483_648_000_000):

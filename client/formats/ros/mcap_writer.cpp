@@ -1,7 +1,8 @@
 // An MCAP file of ROS 2 with event_camera_msgs/EventPacket, whose events are EVT3. A message covers up to
 // 5 ms. Its header has the time of its first event, and the file's log has that of its last. Each message
 // starts with TIME_HIGH, TIME_LOW and ADDR_Y, so that a lost message costs only itself. TIME_HIGH wraps every
-// 16.8 s: in silence, a message with a time but no events follows every 10 s. Samples of truth and
+// 16.8 s: in silence, a message with a time but no events follows every 8 s, less than half of
+// that. Samples of truth and
 // the numbers of cameras have channels of their own, and so have further sensors.
 #include <memory>
 #include <stdexcept>
@@ -18,7 +19,7 @@
 namespace saccade::client {
 namespace {
 
-constexpr std::int64_t kMaxSilenceNs = 10 * kNsPerSecond;
+constexpr std::int64_t kMaxSilenceNs = 8 * kNsPerSecond;
 constexpr std::string_view kEncoding = "evt3";
 
 const RosMessage kEventPacket{"event_camera_msgs",
