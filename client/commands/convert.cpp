@@ -20,6 +20,7 @@ namespace {
 
 struct ConvertOptions {
   std::string input, size;
+  SensorChoice choice;
   OutputOptions output;
 };
 
@@ -57,15 +58,15 @@ void copyEvents(SourceFile& source, RecordedSensor& file, Progress& progress) {
 
 void checkDigest(const SourceFile& source, const RecordedSensor& file) {
   if (!source.recording() || source.recording()->digest() == file.about().digest()) return;
-  throw std::runtime_error(source.path() + ": the events are not those that " + source.path() +
-                           ".json describes; remove that file if it is of another recording");
+  throw std::runtime_error(source.path() + ": the events are not those that " + source.description() +
+                           " describes; remove that file if it is of another recording");
 }
 
 void runConvert(const ConvertOptions& options) {
   const WriterInfo& format = options.output.writer();
   checkOutputs(options.output, 1);
   watchInterrupt();
-  SourceFile source(options.input, options.size, format.labels);
+  SourceFile source(options.input, options.choice, options.size, format.labels);
   RecordingFile file(options.output.path, format, {aboutEvents(source, source.labels() && format.labels)});
   Progress progress(source.recording() ? secondsOf(source.recording()->end_ns()) : 0);
   try {
@@ -93,6 +94,7 @@ void addConvertCommand(CLI::App& app) {
   addOutputOptions(*command, options->output, "output");
   command->add_option("--size", options->size,
                       "WIDTHxHEIGHT in pixels, where neither the input nor INPUT.json tells it");
+  addSensorOptions(*command, options->choice);
   command->callback([options] { runConvert(*options); });
 }
 

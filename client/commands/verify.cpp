@@ -1,6 +1,5 @@
 // saccade verify: compares a file of events with what FILE.json says of it.
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
@@ -8,15 +7,18 @@
 #include "client/commands/console.h"
 #include "client/commands/source_file.h"
 #include "client/recording/event_digest.h"
-#include "client/recording/sidecar.h"
 
 namespace saccade::client {
 namespace {
 
-void runVerify(const std::string& path) {
-  if (!std::filesystem::exists(sidecarOf(path)))
-    throw std::runtime_error(path + ": there is no " + sidecarOf(path) + " to compare with");
-  SourceFile source(path, std::nullopt, false);
+struct VerifyOptions {
+  std::string file;
+  SensorChoice choice;
+};
+
+void runVerify(const VerifyOptions& options) {
+  SourceFile source(options.file, options.choice, std::nullopt, false);
+  const std::string &path = source.path(), &description = source.description();
   const v1::Recording& expected = *source.recording();
   EventDigest digest;
   std::uint64_t count = 0;
@@ -26,9 +28,9 @@ void runVerify(const std::string& path) {
   }
   if (count != expected.events())
     throw std::runtime_error(path + ": has " + std::to_string(count) + " events, not " +
-                             std::to_string(expected.events()) + " as " + sidecarOf(path) + " says");
+                             std::to_string(expected.events()) + " as " + description + " says");
   if (digest.hex() != expected.digest())
-    throw std::runtime_error(path + ": the events are not those that " + sidecarOf(path) + " describes");
+    throw std::runtime_error(path + ": the events are not those that " + description + " describes");
   print("%s: all %llu events are as recorded\n", path.c_str(), static_cast<unsigned long long>(count));
 }
 
@@ -36,9 +38,10 @@ void runVerify(const std::string& path) {
 
 void addVerifyCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("verify", "compare a file of events with its FILE.json");
-  const auto path = std::make_shared<std::string>();
-  command->add_option("file", *path, "file to read: " + readerNames())->required();
-  command->callback([path] { runVerify(*path); });
+  const auto options = std::make_shared<VerifyOptions>();
+  command->add_option("file", options->file, "file to read: " + readerNames())->required();
+  addSensorOptions(*command, options->choice);
+  command->callback([options] { runVerify(*options); });
 }
 
 }  // namespace saccade::client

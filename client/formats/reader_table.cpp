@@ -5,11 +5,12 @@
 namespace saccade::client {
 
 // Each in the file of its format.
-extern const ReaderInfo kRawReader, kAedat4Reader, kDsecReader, kNpzReader, kCsvReader, kTxtReader;
+extern const ReaderInfo kRawReader, kAedat4Reader, kDsecReader, kNpzReader, kBagReader, kMcapReader,
+    kCsvReader, kTxtReader;
 
 const std::vector<const ReaderInfo*>& readerTable() {
-  static const std::vector<const ReaderInfo*> table{&kRawReader, &kAedat4Reader, &kDsecReader,
-                                                    &kNpzReader, &kCsvReader,    &kTxtReader};
+  static const std::vector<const ReaderInfo*> table{&kRawReader, &kAedat4Reader, &kDsecReader, &kNpzReader,
+                                                    &kBagReader, &kMcapReader,   &kCsvReader,  &kTxtReader};
   return table;
 }
 
@@ -27,6 +28,18 @@ const ReaderInfo& readerFor(const std::string& path) {
     if (extension == reader->extension) return *reader;
   }
   throw std::invalid_argument("'" + path + "' has no extension that can be read; known are " + readerNames());
+}
+
+std::unique_ptr<Reader> openReader(const std::string& path, const SensorChoice& choice) {
+  const ReaderInfo& format = readerFor(path);
+  if (!choice.topic.empty() && choice.sensor != 0)
+    throw std::invalid_argument("--topic: give a topic or --sensor, not both");
+  if (format.makeOf) return format.makeOf(path, choice);
+  if (!choice.topic.empty()) throw std::invalid_argument("--topic: '" + path + "' has no topics");
+  if (choice.sensor != 0)
+    throw std::invalid_argument("--sensor: '" + path + "' has no sensor " + std::to_string(choice.sensor) +
+                                "; a file of " + format.extension + " has one, number 0");
+  return format.make(path);
 }
 
 }  // namespace saccade::client

@@ -22,7 +22,7 @@ TEXTS = {
     "--format": ["nosuch", "evt3"], "--preview": ["a.jpg", "$NONE/a.png"], "--truth": ["nosuch", "depth:0", "depth:-1",
                                                                                        "depth:x", ":3"],
     "--model": NAMES, "--reconstruction": NAMES, "--preset": NAMES, "--delivery": NAMES, "--clock": NAMES,
-    "--codec": NAMES, "--method": NAMES, "--disable": NAMES, "--transfer": NAMES, "--size": SIZES,
+    "--codec": NAMES, "--topic": NAMES, "--method": NAMES, "--disable": NAMES, "--transfer": NAMES, "--size": SIZES,
     "--noise": ["leak_hz", "leak_hz=much", "leak_hz=-1", "leak_hz=nan", "nosuch=1"],
     "--trajectory": ["nosuch", "pan", "pan:fast", "pan:nan", "pan:1e300", "fly:1", "$NONE.csv", "$FILE"],
     "--trajectory-format": NAMES, "--further-view": ["1,2", "a,b,c", "nan,0,0", "1,2,3,0,0,0,0"],

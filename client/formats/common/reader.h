@@ -21,11 +21,19 @@ struct ImageSize {
   std::uint32_t width = 0, height = 0;  // pixels; 0: not known
 };
 
+// Whose events of a file to read.
+struct SensorChoice {
+  std::uint32_t sensor = 0;  // number in the file
+  std::string topic = {};    // of a bag or an MCAP file, instead of the number
+};
+
 // Every call throws FileFault, or std::system_error with the file's name when the file cannot be read.
 class Reader {
  public:
   virtual ~Reader() = default;
   virtual ImageSize size() const = 0;
+  virtual std::uint32_t sensor() const { return 0; }         // number in the file of the one that is read
+  virtual std::string name() const { return "one stream"; }  // of its events, for messages
   virtual bool labels() const { return false; }  // whether the events have labels: Event::source and artefact
   // The kinds of content that read() passes over, such as "frames (FRME)"; empty: none.
   virtual std::string leftOut() const { return ""; }
@@ -38,6 +46,9 @@ struct ReaderInfo {
   const char* extension;  // ".csv"
   const char* description;
   std::unique_ptr<Reader> (*make)(const std::string& path);
+  // For one of several sensors; nullptr: the format holds one. Throws std::invalid_argument for a sensor or
+  // topic that the file does not have.
+  std::unique_ptr<Reader> (*makeOf)(const std::string& path, const SensorChoice& choice) = nullptr;
 };
 
 // All formats that can be read.
@@ -47,5 +58,9 @@ std::string readerNames();  // ".csv (what it is), ..." for messages
 
 // The reader for the extension of `path`. Throws std::invalid_argument with the known extensions.
 const ReaderInfo& readerFor(const std::string& path);
+
+// Opens the file. Throws as readerFor() and ReaderInfo::makeOf(), and std::invalid_argument for a choice that
+// its format does not offer.
+std::unique_ptr<Reader> openReader(const std::string& path, const SensorChoice& choice);
 
 }  // namespace saccade::client

@@ -12,16 +12,15 @@
 #include "client/formats/common/units.h"
 #include "client/formats/common/writer.h"
 #include "client/formats/ros/bag_truth.h"
+#include "client/formats/ros/event_array.h"
 
 namespace saccade::client {
 namespace {
 
-constexpr std::size_t kEventSize = 13;  // bytes
-
 const RosMessage kEventArray{
     "dvs_msgs",
     "EventArray",
-    "5e8beee5a6c107e504c2e78903c224b8",
+    std::string(kEventArrayMd5),
     "uint32 height\n"
     "uint32 width\n"
     "Event[] events\n",
@@ -82,8 +81,8 @@ class BagWriter : public Writer {
     checkTimes(events);
     const RosTime stamp = rosStamp(events.back().t_ns);
     appendHead(stamp, events.size());
-    message_.resize(message_.size() + events.size() * kEventSize);
-    char* at = message_.data() + message_.size() - events.size() * kEventSize;
+    message_.resize(message_.size() + events.size() * kEventArrayEventBytes);
+    char* at = message_.data() + message_.size() - events.size() * kEventArrayEventBytes;
     for (const Event& event : events) at = putEvent(at, event);
     shared_->file().add(topic_, stamp, message_, events.size());
     truth_.writeCameras(kOfEvents, stamp);
