@@ -20,8 +20,11 @@ inline const v1::View& viewOf(const v1::OpenStream& resolved, std::uint32_t numb
   return number == 0 ? resolved.view() : resolved.further_views(static_cast<int>(number) - 1);
 }
 
-// The sensor whose recording gets truth channel `channel` of the stream. It is the first sensor of the
-// channel's view, or the first of all where the view has none.
+// The sensor whose recording gets the truth of a view. It is the first of the view, or the first of all where
+// the view has none.
+int sensorOfView(const v1::OpenStream& stream, std::uint32_t view);
+
+// The sensor whose recording gets truth channel `channel` of the stream.
 int sensorOfTruth(const v1::OpenStream& stream, int channel);
 
 // The channels that the recording of `sensor` gets, as indices in stream.truth.
@@ -33,5 +36,8 @@ std::string viewSuffix(std::uint32_t view);
 // The view of the events, and that of about.truth(channel). 0 where the request does not tell it.
 std::uint32_t viewOfEvents(const v1::Recording& about);
 std::uint32_t viewOfTruth(const v1::Recording& about, int channel);
+
+// The name of about.truth(channel) without the suffix, for files that tell the view in another way.
+std::string nameInView(const v1::Recording& about, int channel);
 
 }  // namespace saccade::client

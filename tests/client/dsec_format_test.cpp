@@ -198,6 +198,40 @@ TEST_F(DsecFormatTest, AFolderThatIsNotThereIsNamed) {
   }
 }
 
+TEST_F(DsecFormatTest, SeveralSensorsShareAFile) {
+  const Writers writers = kDsecWriter.makeJoint(file_, {aboutOf(640, 480), aboutOf(4, 3), aboutOf(4, 3)});
+  const Events first = randomEvents(kChunk + 5, 640, 480), last{{7000, 3, 2, 1}, {9000, 0, 0, 0}};
+  writers[0]->write(first, 0);
+  writers[2]->write(last, 10'000);
+  for (const auto& writer : writers) writer->finish();
+  EXPECT_EQ(read(), first);
+  EXPECT_EQ(readBack(*openReader(file_, {.sensor = 1})), Events());
+  const auto reader = openReader(file_, {.sensor = 2});
+  EXPECT_EQ(reader->sensor(), 2u);
+  EXPECT_EQ(reader->size().width, 4u);
+  EXPECT_EQ(reader->leftOut(), "sensor 0 (--sensor 0), sensor 1 (--sensor 1)");
+  EXPECT_EQ(readBack(*reader), last);
+  EXPECT_THROW(openReader(file_, {.sensor = 3}), std::invalid_argument);
+  EXPECT_THROW(openReader(file_, {.topic = "/dvs/events"}), std::invalid_argument);
+}
+
+TEST_F(DsecFormatTest, AFullDiskLeavesWholeChunksOfEachSensor) {
+  const Writers writers = kDsecWriter.makeJoint(file_, {aboutOf(640, 480), aboutOf(640, 480)});
+  {
+    const FileSizeLimit limit(2'000'000);
+    const auto fill = [&] {
+      for (std::size_t i = 0;; ++i) writers[i % 2]->write(randomEvents(kChunk / 2, 640, 480), 0);
+    };
+    EXPECT_THROW(fill(), std::system_error);
+    for (const auto& writer : writers) writer->finish();
+  }
+  for (std::uint32_t sensor : {0, 1}) {
+    const auto kept = writers[sensor]->kept(5);
+    EXPECT_GT(kept, 0u);
+    EXPECT_EQ(readBack(*openReader(file_, {.sensor = sensor})).size(), kept);
+  }
+}
+
 TEST_F(DsecFormatTest, SeveralFilesMayGrowAtOnce) {
   const auto a = kDsecWriter.make(file_, aboutOf(4, 3)), b = kDsecWriter.make(at("b.h5"), aboutOf(4, 3));
   a->write({{1000, 1, 1, 1}}, 2000);

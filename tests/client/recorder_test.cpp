@@ -103,7 +103,7 @@ TEST_F(RecorderTest, SeveralSensorsHaveAFileEach) {
 }
 
 TEST_F(RecorderTest, SeveralSensorsShareAFileOfAFormatThatHoldsThem) {
-  for (const char* name : {"a.bag", "a.mcap"}) {
+  for (const char* name : {"a.bag", "a.h5", "a.mcap"}) {
     Recorder recorder(at(name), writerFor(name), streamOf(2));
     recorder.add(batchOf(1, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
     for (const std::uint32_t sensor : {0, 1}) recorder.add(batchOf(sensor, v1::KIND_END, {}));
@@ -242,10 +242,9 @@ TEST_F(RecorderTest, TheSecondOfTwoOnOneFileIsRefusedAndHarmsNothing) {
   }
 }
 
-// Of each format that can be read here; tests with other programs do the same for .bag and .mcap. Columns of
-// a .npz wait in files of their own, and a bound of one file is no full disk for them.
+// Columns of a .npz wait in files of their own, and a bound of one file is no full disk for them.
 TEST_F(RecorderTest, AFullDiskKeepsAsManyEventsAsAreTold) {
-  for (const std::string name : {"a.csv", "a.txt", "a.raw", "a.h5", "a.aedat4"}) {
+  for (const std::string name : {"a.csv", "a.txt", "a.raw", "a.h5", "a.aedat4", "a.bag", "a.mcap"}) {
     auto recorder = std::make_unique<Recorder>(at(name), writerFor(name), streamOf(1));
     std::uint64_t told = 0;
     {

@@ -44,21 +44,50 @@ class RigFiles(unittest.TestCase):
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
-        cls.path = pathlib.Path(folder.name) / "a.h5"
+        cls.folder = pathlib.Path(folder.name)
+        cls.path = cls.folder / "a.h5"
         server = subprocess.Popen([SACCADED, "--control", FREE, "--data", FREE, "--broadcast", FREE, "--http", "off"],
                                   stdout=subprocess.PIPE, text=True)
         cls.addClassCleanup(server.communicate)
         cls.addClassCleanup(server.send_signal, signal.SIGTERM)
         ready = next(filter(None, (re.search(r"ready: control (\S+)", line) for line in server.stdout)))
-        subprocess.run([SACCADE, *RECORD, "--control", ready[1], "-o", cls.path], check=True, capture_output=True,
-                       timeout=120)
+        cls.control = ["--control", ready[1]]
+        cls.run_command(*RECORD, *cls.control, "-o", cls.path)
 
-    def truth(self, sensor, channel):
-        with h5py.File(self.path.with_name(f"a-{sensor}.h5")) as file:
-            return file["truth"][channel]["data"][0]
+    @classmethod
+    def run_command(cls, *arguments):
+        return subprocess.run([SACCADE, *arguments], check=True, capture_output=True, text=True, timeout=120).stdout
+
+    def truth(self, view, channel):
+        with h5py.File(self.path) as file:
+            return file[("/truth/", "/view_1/truth/")[view] + channel]["data"][0]
 
     def yaml(self, ending):
         return yaml.safe_load(pathlib.Path(f"{self.path}.{ending}").read_text(encoding="ascii"))
+
+    def events(self, path, group):
+        with h5py.File(path) as file:
+            sensor = file[group]
+            self.assertEqual((sensor.attrs["width"], sensor["events/height"][()], sensor["t_offset"][()]), (64, 48, 0))
+            index = sensor["ms_to_idx"][:]
+            columns = [sensor["events"][name][:] for name in "txyp"]
+            np.testing.assert_array_equal(index, np.searchsorted(columns[0], 1000 * np.arange(index.size)))
+            return np.stack([column.astype(np.int64) for column in columns])
+
+    def test_one_file_has_dsec_of_each_sensor(self):
+        names = {path.name for path in self.folder.glob("a*") if "yaml" not in path.name and "again" not in path.name}
+        self.assertEqual(names, {"a.h5", "a.h5.json", "a.h5.sensor1.json"})
+        with h5py.File(self.path) as file:
+            self.assertEqual(set(file), {"events", "ms_to_idx", "t_offset", "truth", "sensor_1", "view_1"})
+            self.assertEqual(set(file["truth"]), {"depth", "pose", "imu"})
+            self.assertEqual(set(file["view_1/truth"]), {"depth", "pose"})
+        for sensor, group in enumerate(("/", "/sensor_1")):
+            out = self.folder / f"out{sensor}.csv"
+            self.run_command("convert", self.path, out, "--sensor", str(sensor))
+            rows = np.loadtxt(out, np.int64, delimiter=",", skiprows=1)
+            self.assertGreater(len(rows), 50)
+            np.testing.assert_array_equal(self.events(self.path, group), rows.T)
+            self.assertIn("are as recorded", self.run_command("verify", self.path, "--sensor", str(sensor)))
 
     def test_depth_goes_from_camera_to_camera(self):
         dsec = self.yaml("cam_to_cam.yaml")

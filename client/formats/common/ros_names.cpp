@@ -11,15 +11,6 @@ std::string numbered(const std::string& name, std::uint32_t view) {
   return view == 0 ? name : name + "_" + std::to_string(view);
 }
 
-// The name of the channel without its view, which the space tells.
-std::string nameOf(const v1::Recording& about, int channel) {
-  const std::uint32_t view = viewOfTruth(about, channel);
-  std::string name = about.truth(channel).name();
-  if (view == viewOfEvents(about)) return name;
-  const std::string suffix = viewSuffix(view);
-  return name.erase(name.find(suffix), suffix.size());
-}
-
 }  // namespace
 
 std::string rosSpace(const std::string& space, std::uint32_t view) {
@@ -36,7 +27,7 @@ std::vector<std::string> rosTopics(const v1::Recording& about, const std::string
     const std::string own = rosSpace(space, viewOfTruth(about, i)) + "/", image = own + "image_raw";
     const bool frame = about.truth(i).info().name().starts_with("frame");
     const bool taken = std::find(topics.begin(), topics.end(), image) != topics.end();
-    topics.push_back(frame && !taken ? image : own + nameOf(about, i));
+    topics.push_back(frame && !taken ? image : own + nameInView(about, i));
   }
   return topics;
 }

@@ -6,7 +6,7 @@
 
 namespace saccade::client {
 
-// `File` is BagFile or McapFile.
+// `File` is BagFile, McapFile or Hdf5File.
 template <class File>
 class SharedFile {
  public:

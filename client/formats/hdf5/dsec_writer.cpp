@@ -7,10 +7,17 @@
 // disk or a kill it lacks the latest events, up to 131071, and the end of /ms_to_idx. The group /truth has
 // the truth channels, and then lacks the latest pictures, up to 4 MiB, and up to 1023 rows. Labels are
 // /events/source and /events/artefact, u8, as in Event.
+//
+// Sensor 0 is at the root, and sensor k in /sensor_k with all of the layout. Truth of view v is in
+// /view_v/truth, but for view 0.
 #include <deque>
+#include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "client/formats/common/shared_file.h"
+#include "client/formats/common/truth_group.h"
 #include "client/formats/common/units.h"
 #include "client/formats/common/writer.h"
 #include "client/formats/hdf5/hdf5_column.h"
@@ -28,20 +35,32 @@ constexpr std::uint64_t kTruthCommit = 4 << 20;  // bytes of samples after which
 constexpr const char* kLimit =
     "the DSEC layout holds times from 0 to 4294.9 s (71 min 34 s); .npz and .csv hold others";
 
+using SharedHdf5 = SharedFile<Hdf5File>;
+
+// The group of a sensor.
+Hdf5Handle groupOf(hid_t file, std::size_t number) {
+  if (number == 0) return {H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose};
+  const std::string name = "sensor_" + std::to_string(number);
+  return {H5Gcreate2(file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose};
+}
+
 class DsecWriter : public Writer {
  public:
-  // `filters`: properties of the datasets that name their filters.
-  DsecWriter(const std::string& path, const v1::Recording& about, const Hdf5Handle& filters)
+  // `number`: of the sensor in the file. `filters`: properties of the datasets that name their filters.
+  DsecWriter(const std::string& path, std::shared_ptr<SharedHdf5> shared, std::size_t number,
+             const v1::Recording& about, const Hdf5Handle& filters)
       : path_(path),
-        file_(path),
-        events_(H5Gcreate2(file_.id(), "events", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose),
+        shared_(std::move(shared)),
+        file_(shared_->file()),
+        group_(groupOf(file_.id(), number)),
+        events_(H5Gcreate2(group_.id(), "events", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose),
         x_(events_.id(), "x", kChunk, filters),
         y_(events_.id(), "y", kChunk, filters),
         p_(events_.id(), "p", kChunk, filters),
         t_(events_.id(), "t", kChunk, filters),
-        ms_to_idx_(file_.id(), "ms_to_idx", kIndexChunk, filters) {
-    writeAttribute(file_.id(), "width", about.width());
-    writeAttribute(file_.id(), "height", about.height());
+        ms_to_idx_(group_.id(), "ms_to_idx", kIndexChunk, filters) {
+    writeAttribute(group_.id(), "width", about.width());
+    writeAttribute(group_.id(), "height", about.height());
     writeScalar(events_.id(), "width", about.width());
     writeScalar(events_.id(), "height", about.height());
     if (about.labels()) labels_.emplace(events_.id(), kChunk, filters);
@@ -69,23 +88,21 @@ class DsecWriter : public Writer {
     x_.flush(), y_.flush(), p_.flush(), t_.flush(), ms_to_idx_.flush();
     if (labels_) labels_->flush();
     for (Hdf5Truth& truth : truth_) truth.flush();
-    file_.close();
-    if (file_.whole()) on_disk_ = count_;
+    shared_->finish();
   }
 
-  std::uint64_t kept(std::uint64_t) const override { return on_disk_; }
+  std::uint64_t kept(std::uint64_t) const override { return file_.finished() ? count_ : on_disk_; }
 
  private:
   void addTruth(const v1::Recording& about, const Hdf5Handle& filters) {
-    if (about.truth_size() == 0) return;
-    const Hdf5Handle group(H5Gcreate2(file_.id(), "truth", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-    for (const v1::RecordedTruth& channel : about.truth()) truth_.emplace_back(group.id(), channel, filters);
+    for (int i = 0; i < about.truth_size(); ++i)
+      truth_.emplace_back(file_.id(), truthGroup(about, i), about.truth(i), filters);
   }
 
   // 0, except for times that count from an epoch long ago.
   void chooseOffset(std::int64_t first_us) {
     offset_us_ = first_us > kMaxUs ? first_us / kUsPerMs * kUsPerMs : 0;
-    writeScalar(file_.id(), "t_offset", *offset_us_);
+    writeScalar(group_.id(), "t_offset", *offset_us_);
   }
 
   void checkTimes(const Events& events) {
@@ -115,8 +132,9 @@ class DsecWriter : public Writer {
   }
 
   const std::string path_;  // for errors
-  Hdf5File file_;
-  const Hdf5Handle events_;
+  const std::shared_ptr<SharedHdf5> shared_;
+  Hdf5File& file_;
+  const Hdf5Handle group_, events_;
   Hdf5Column<std::uint16_t> x_, y_;
   Hdf5Column<std::uint8_t> p_;
   Hdf5Column<std::uint32_t> t_;
@@ -145,21 +163,42 @@ void addBlosc(const Hdf5Handle& filters) {
 }
 
 template <void (*addFilters)(const Hdf5Handle&)>
-std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {
-  if (about.request().timing().duration_s() * kUsPerSecond > kMaxUs)
-    throw std::invalid_argument(std::string("--format: ") + kLimit);
+Writers makeJoint(const std::string& path, const std::vector<v1::Recording>& sensors) {
+  for (const v1::Recording& about : sensors)
+    if (about.request().timing().duration_s() * kUsPerSecond > kMaxUs)
+      throw std::invalid_argument(std::string("--format: ") + kLimit);
   startHdf5();
   const Hdf5Handle filters(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   addFilters(filters);
-  return std::make_unique<DsecWriter>(path, about, filters);
+  const auto shared = std::make_shared<SharedHdf5>(sensors.size(), path);
+  Writers writers;
+  for (std::size_t i = 0; i < sensors.size(); ++i)
+    writers.push_back(std::make_unique<DsecWriter>(path, shared, i, sensors[i], filters));
+  return writers;
+}
+
+template <void (*addFilters)(const Hdf5Handle&)>
+std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about) {
+  return std::move(makeJoint<addFilters>(path, {about}).front());
 }
 
 }  // namespace
 
-extern const WriterInfo kDsecWriter{
-    "dsec", ".h5", "HDF5 as in DSEC, up to 71 min", make<addGzip>, false, holdsAllTruth, true};
-extern const WriterInfo kDsecBloscWriter{
-    "dsec-blosc",  ".h5", "the same, compressed by Blosc with zstd", make<addBlosc>, false,
-    holdsAllTruth, true};
+extern const WriterInfo kDsecWriter{"dsec",
+                                    ".h5",
+                                    "HDF5 as in DSEC, up to 71 min",
+                                    make<addGzip>,
+                                    false,
+                                    holdsAllTruth,
+                                    true,
+                                    makeJoint<addGzip>};
+extern const WriterInfo kDsecBloscWriter{"dsec-blosc",
+                                         ".h5",
+                                         "the same, compressed by Blosc with zstd",
+                                         make<addBlosc>,
+                                         false,
+                                         holdsAllTruth,
+                                         true,
+                                         makeJoint<addBlosc>};
 
 }  // namespace saccade::client

@@ -65,10 +65,11 @@ void Hdf5File::commit() {
   takeToDisk();
 }
 
-void Hdf5File::close() {
+void Hdf5File::finish() {
   checkHdf5(handle_.close(), path_);
   takeToDisk();
   file_.close();
+  finished_ = whole();
 }
 
 void Hdf5File::takeToDisk() {

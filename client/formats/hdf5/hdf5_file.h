@@ -25,8 +25,9 @@ class Hdf5File {
   // Throws std::system_error with the file's name. The file then stays as it was, and later commits do
   // nothing.
   void commit();
-  bool whole() const { return !failed_; }  // whether all that was committed is on disk
-  void close();  // the last call: commits, and closes all that was opened in the file; throws the same
+  bool whole() const { return !failed_; }      // whether all that was committed is on disk
+  bool finished() const { return finished_; }  // finish() succeeded
+  void finish();  // the last call: commits, and closes all that was opened in the file; throws the same
 
  private:
   // The file as the HDF5 library sees it. It reads nothing, because it forgets nothing.
@@ -42,7 +43,7 @@ class Hdf5File {
   const std::string path_;  // for errors
   OutputFile file_;
   Driver driver_{};
-  bool failed_ = false;
+  bool failed_ = false, finished_ = false;
   Hdf5Handle handle_;  // closed before the members above go
 };
 

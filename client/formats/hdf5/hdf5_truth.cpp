@@ -23,12 +23,21 @@ std::vector<hsize_t> shapeOf(const v1::RecordedTruth& channel) {
   return {channel.height(), channel.width(), planesOf(channel)};
 }
 
+Hdf5Handle makeGroup(hid_t file, const std::string& path) {
+  const Hdf5Handle how(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(how.id(), 1);
+  Hdf5Handle group(H5Gcreate2(file, path.c_str(), how.id(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  checkHdf5(bool(group), path);
+  return group;
+}
+
 }  // namespace
 
-Hdf5Truth::Hdf5Truth(hid_t parent, const v1::RecordedTruth& channel, const Hdf5Handle& filters)
+Hdf5Truth::Hdf5Truth(hid_t file, const std::string& path, const v1::RecordedTruth& channel,
+                     const Hdf5Handle& filters)
     : channel_(channel),
       chunk_(isPicture(channel) ? 1 : kRowsTogether),
-      group_(H5Gcreate2(parent, channel.name().c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose),
+      group_(makeGroup(file, path)),
       t_(group_.id(), "t", H5T_STD_I64LE, {}, chunk_, filters),
       data_(group_.id(), "data", typeOf(channel.info().element()), shapeOf(channel), chunk_, filters) {
   const v1::TruthInfo& info = channel.info();

@@ -1,4 +1,4 @@
-// A truth channel in an HDF5 file: the group NAME with t [n], i64 microseconds, and data. The shape of data
+// A truth channel in an HDF5 file: a group with t [n], i64 microseconds, and data. The shape of data
 // is [n, height, width, planes] for pictures and [n, planes] for rows. Pictures have exposure_begin and
 // exposure_end too, as t. Attributes: unit, planes, description.
 #pragma once
@@ -16,8 +16,9 @@ namespace saccade::client {
 // Every call throws std::runtime_error if the library refuses.
 class Hdf5Truth {
  public:
-  // `filters`: as for Hdf5Dataset.
-  Hdf5Truth(hid_t parent, const v1::RecordedTruth& channel, const Hdf5Handle& filters);
+  // `path`: of the new group, such as "truth/depth"; those that it is in are made too. `filters`: as for
+  // Hdf5Dataset.
+  Hdf5Truth(hid_t file, const std::string& path, const v1::RecordedTruth& channel, const Hdf5Handle& filters);
 
   // Pictures are in the file at once, and rows in chunks.
   void write(const TruthSamples& samples);
