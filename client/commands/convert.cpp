@@ -31,6 +31,7 @@ v1::Recording aboutEvents(const SourceFile& source, bool labels) {
   about.clear_end_ns();
   about.clear_events();
   about.clear_truth();  // SourceFile says that it is left out
+  about.clear_truth_places();
   about.clear_id_names();
   about.set_labels(labels);
   if (!labels && about.has_request())  // so that a replay can write the new format

@@ -65,11 +65,11 @@ void RecordedSensor::commit(const std::string& name) {
   name_ = name;
 }
 
-std::vector<std::string> RecordedSensor::truthPlaces(const std::string& file) const {
+std::vector<std::string> RecordedSensor::truthPlaces(const std::string& file, const std::string& name) const {
   const auto in_folder = truth_folder_ ? truth_folder_->size() : 0;
   std::vector<std::string> places;
   if (in_folder < static_cast<std::size_t>(about_.truth_size())) places.push_back(file);
-  if (truth_folder_) places.push_back(truthFolderOf(name_));
+  if (truth_folder_) places.push_back(truthFolderOf(name));
   return places;
 }
 

@@ -39,8 +39,10 @@ class RecordedSensor {
   // After close(): writes the JSON, and renames the folder. Throws std::system_error.
   void commit(const std::string& name);
 
-  // Where the truth is: `file`, which has the events, or the folder, or both; empty without truth.
-  std::vector<std::string> truthPlaces(const std::string& file) const;
+  // Where the truth is: `file`, which has the events, or the folder, or both; empty without truth. `name`: as
+  // of the constructor, the present one or another.
+  std::vector<std::string> truthPlaces(const std::string& file, const std::string& name) const;
+  const std::string& name() const { return name_; }  // the present one
 
  private:
   std::string name_;

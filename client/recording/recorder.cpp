@@ -60,6 +60,7 @@ Recorder::Recorder(const std::string& path, const WriterInfo& format, const v1::
   } else {
     for (std::size_t i = 0; i < sensors.size(); ++i) addFile(places[i].file, format, {sensors[i]});
   }
+  tellTruth(stream.resolved(), places);
   std::vector<int> channels(outputs_.size());  // so far, by file
   for (int i = 0; i < stream.resolved().truth_size(); ++i) {
     const int sensor = sensorOfTruth(stream.resolved(), i);
@@ -77,6 +78,17 @@ void Recorder::addFile(const std::string& path, const WriterInfo& format,
 
 void Recorder::setTimeOffset(std::int64_t offset_ns) {
   for (Output& output : outputs_) output.sensor->about().set_time_offset_ns(offset_ns);
+}
+
+// Says in each description where the truth of its view will be.
+void Recorder::tellTruth(const v1::OpenStream& resolved, const std::vector<RecordingPlace>& places) {
+  for (const Output& output : outputs_) {
+    v1::Recording& about = output.sensor->about();
+    const int first = sensorOfView(resolved, resolved.sensors(static_cast<int>(about.sensor())).view());
+    for (const std::string& place :
+         outputs_[first].sensor->truthPlaces(places[first].file, places[first].name))
+      about.add_truth_places(std::filesystem::path(place).filename());
+  }
 }
 
 void Recorder::add(const DecodedPacket& batch) {
@@ -144,10 +156,16 @@ std::vector<v1::RecordedTruth> Recorder::truth() const {
   return all;
 }
 
+std::vector<v1::Recording> Recorder::descriptions() const {
+  std::vector<v1::Recording> all;
+  for (const Output& output : outputs_) all.push_back(output.sensor->about());
+  return all;
+}
+
 std::string Recorder::truthPlace() const {
   std::vector<std::string> places;
   for (const Output& output : outputs_)
-    for (const std::string& place : output.sensor->truthPlaces(output.file->name()))
+    for (const std::string& place : output.sensor->truthPlaces(output.file->name(), output.sensor->name()))
       if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
   std::string text;
   for (const std::string& place : places) text += (text.empty() ? "" : " ") + place;

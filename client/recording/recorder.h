@@ -49,6 +49,7 @@ class Recorder {
   std::vector<std::string> files() const;                 // their present names
   std::vector<v1::RecordedTruth> truth() const;           // of all files
   std::string truthPlace() const;                         // of all files that have truth, with blanks between
+  std::vector<v1::Recording> descriptions() const;        // by sensor
   const v1::Recording& about(int sensor) const { return outputs_.at(sensor).sensor->about(); }
 
  private:
@@ -63,6 +64,7 @@ class Recorder {
     bool ended = false;
   };
   void addFile(const std::string& path, const WriterInfo& format, std::vector<v1::Recording> sensors);
+  void tellTruth(const v1::OpenStream& resolved, const std::vector<RecordingPlace>& places);
   void addTruth(Truth& truth, const DecodedPacket& batch);
 
   std::vector<std::unique_ptr<RecordingFile>> files_;

@@ -162,6 +162,29 @@ TEST_F(TruthRecorder, SensorsOfASharedFileHaveFoldersOfTheirOwn) {
   EXPECT_EQ(recorder.truthPlace(), folder_.at("a.bag.truth") + " " + folder_.at("a.bag.sensor1.truth"));
 }
 
+TEST_F(TruthRecorder, DescriptionsSayWhereTheTruthOfTheViewIs) {
+  v1::OpenStream& request = *stream_.mutable_resolved();
+  *request.add_further_views() = request.view();
+  for (const int view : {0, 1}) request.add_sensors()->set_view(view);
+  ask("rows"), ask("depth"), ask("rows");
+  request.mutable_truth(2)->set_view(1);
+  const auto places = [&](const std::string& name) {
+    const Recorder recorder = record(name);
+    std::string text;
+    for (const v1::Recording& about : recorder.descriptions()) {
+      for (const std::string& place : about.truth_places()) text += place + " ";
+      text += "| ";
+    }
+    return text;
+  };
+  EXPECT_EQ(places("a.npz"), "a-0.npz | a-0.npz | a-2.npz | ");
+  EXPECT_EQ(places("a.csv"), "a-0.csv.truth | a-0.csv.truth | a-2.csv.truth | ");
+  EXPECT_EQ(places("a.h5"), "a.h5 | a.h5 | a.h5 | ");
+  EXPECT_EQ(places("a.bag"), "a.bag a.bag.truth | a.bag a.bag.truth | a.bag.sensor2.truth | ");
+  request.clear_truth();
+  EXPECT_EQ(places("b.npz"), "| | | ");
+}
+
 TEST_F(TruthRecorder, AViewHasItsTruthInTheFileOfItsSensor) {
   v1::OpenStream& request = *stream_.mutable_resolved();
   for (const std::uint32_t width : {4u, 6u}) {
