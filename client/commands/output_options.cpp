@@ -36,6 +36,9 @@ void checkOutputs(const OutputOptions& options, int sensors) {
   }
   for (const RecordingPlace& place : recordingPlaces(options.path, options.writer(), sensors)) {
     checkOutput("--output", place.file, options.force);
+    if (isBeingWritten(partialOf(place.file)))
+      throw std::invalid_argument("--output: '" + partialOf(place.file) +
+                                  "' is being written by another program");
     checkOutput("--output", sidecarOf(place.name), options.force);
   }
 }

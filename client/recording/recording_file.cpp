@@ -20,9 +20,13 @@ std::string nameOfSensor(const std::string& path, std::size_t sensor) {
   return sensor == 0 ? path : path + ".sensor" + std::to_string(sensor);
 }
 
+std::string partialOf(const std::string& path) {
+  return path + ".partial";
+}
+
 RecordingFile::RecordingFile(const std::string& path, const WriterInfo& format,
                              std::vector<v1::Recording> sensors)
-    : path_(path), name_(path == kStandardOutput ? path : path + ".partial") {
+    : path_(path), name_(path == kStandardOutput ? path : partialOf(path)) {
   Writers writers = makeWriters(name_, format, sensors);
   for (std::size_t i = 0; i < sensors.size(); ++i)
     sensors_.push_back(std::make_unique<RecordedSensor>(nameOfSensor(name_, i), format, std::move(writers[i]),

@@ -14,6 +14,9 @@ namespace saccade::client {
 // sensors in the same file "PATH.sensor1", "PATH.sensor2".
 std::string nameOfSensor(const std::string& path, std::size_t sensor);
 
+// The name of the file `path` until it is complete.
+std::string partialOf(const std::string& path);
+
 class RecordingFile {
  public:
   // Starts FILE.partial, or standard output, which gets no JSON. `sensors`: at least one, and only one where

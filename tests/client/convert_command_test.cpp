@@ -1,5 +1,6 @@
 // `saccade convert`, `saccade verify` and `saccade replay`.
 #include "client/command.h"
+#include "client/recording/recording_file.h"
 #include "client/recording/sidecar.h"
 
 namespace saccade {
@@ -97,6 +98,27 @@ TEST_F(ConvertCommand, VerifyAsksForNoOptionThatItHasNot) {
   fileOf("a.csv.json", "{}");
   EXPECT_EQ(run("verify " + csv).output,
             "saccade: '" + csv + "' does not tell the size of the image, nor does " + csv + ".json\n");
+}
+
+TEST_F(ConvertCommand, AFileThatIsBeingWrittenIsRefusedBeforeAnyWork) {
+  const std::string csv = fileOf("a.csv", "t_us,x,y,p\n");
+  fileOf("b.json", "{\"request\": {\"sensors\": [{}]}, \"end_ns\": 1000}");
+  const std::string record =
+      "record cornell-box --trajectory right --control ipc:///nobody --retry-time 0 -o ";
+  const std::string replay = "replay " + folder_.at("b.json") + " --control ipc:///nobody -o ";
+  for (const std::string name : {"o.csv", "o.npz", "o.raw", "o.aedat4", "o.txt", "o.h5", "o.bag", "o.mcap"}) {
+    const std::string out = folder_.at(name), partial = client::partialOf(out);
+    const client::OutputFile other(partial);
+    const std::string told = "--output: '" + partial + "' is being written by another program";
+    for (const std::string& command : {record + out, replay + out, "convert --size 3x2 " + csv + " " + out}) {
+      const Result refused = run(command);
+      EXPECT_EQ(refused.code, 2) << command;
+      EXPECT_TRUE(holds(refused, told)) << command << "\n" << refused.output;
+    }
+  }
+  const client::OutputFile other(client::partialOf(folder_.at("r-1.csv")));
+  EXPECT_TRUE(
+      holds(run(record + folder_.at("r.csv") + " --further-view 1,0,0"), "r-1.csv.partial' is being"));
 }
 
 TEST_F(ConvertCommand, WrongUsageSaysWhatIsKnown) {

@@ -242,6 +242,15 @@ TEST_F(RecorderTest, TheSecondOfTwoOnOneFileIsRefusedAndHarmsNothing) {
   }
 }
 
+TEST_F(RecorderTest, TheSecondOfTwoRigsOnOneFileIsRefused) {
+  for (const std::string name : {"a.csv", "a.h5", "a.npz", "a.mcap", "a.bag"}) {
+    const Recorder first(at(name), writerFor(name), streamOf(2));
+    EXPECT_THROW(Recorder(at(name), writerFor(name), streamOf(2)), std::system_error) << name;
+    EXPECT_TRUE(isBeingWritten(first.files().back())) << name;
+  }
+  EXPECT_FALSE(isBeingWritten(at("none")));
+}
+
 // Columns of a .npz wait in files of their own, and a bound of one file is no full disk for them.
 TEST_F(RecorderTest, AFullDiskKeepsAsManyEventsAsAreTold) {
   for (const std::string name : {"a.csv", "a.txt", "a.raw", "a.h5", "a.aedat4", "a.bag", "a.mcap"}) {

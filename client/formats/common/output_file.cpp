@@ -16,14 +16,29 @@ int openFile(const std::string& path) {
   return open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
 }
 
-// Whether another program, or another part of this one, is writing the file. Its lock goes with it.
-bool isTaken(int file) {
+// Of the whole file. It goes with the program that has it.
+struct flock writeLock() {
   struct flock whole {};
   whole.l_type = F_WRLCK, whole.l_whence = SEEK_SET;
+  return whole;
+}
+
+// Takes the lock, unless another has it.
+bool isTaken(int file) {
+  struct flock whole = writeLock();
   return fcntl(file, F_OFD_SETLK, &whole) != 0 && (errno == EAGAIN || errno == EACCES);
 }
 
 }  // namespace
+
+bool isBeingWritten(const std::string& path) {
+  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe has no lock
+  if (file < 0) return false;
+  struct flock found = writeLock();
+  const bool told = fcntl(file, F_OFD_GETLK, &found) == 0;
+  ::close(file);
+  return told && found.l_type != F_UNLCK;
+}
 
 OutputFile::OutputFile(const std::string& path)
     : name_(path == kStandardOutput ? "standard output" : path), file_(openFile(path)) {

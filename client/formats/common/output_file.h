@@ -10,6 +10,9 @@ namespace saccade::client {
 // As a path: standard output.
 inline constexpr const char* kStandardOutput = "-";
 
+// Whether another program, or another part of this one, is writing the file.
+bool isBeingWritten(const std::string& path);
+
 // Every call throws std::system_error with the file's name when the file cannot be written.
 class OutputFile {
  public:
