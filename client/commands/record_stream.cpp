@@ -66,7 +66,7 @@ void printStagesOf(std::FILE* out, StreamHandle& stream) {
 
 }  // namespace
 
-v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
+std::vector<v1::Recording> recordStream(const ServerOptions& server, const RecordJob& job) {
   std::FILE* out = job.output == kStandardOutput ? stderr : stdout;
   watchInterrupt();
   std::signal(SIGPIPE, SIG_IGN);  // a pipe that is closed makes write() fail
@@ -104,7 +104,7 @@ v1::Recording recordStream(const ServerOptions& server, const RecordJob& job) {
   printWithheld(out, recorder, opened.resolved());
   printLosses(out, subscription.losses());
   printStagesOf(out, stream);
-  return recorder.about(0);
+  return recorder.descriptions();
 }
 
 }  // namespace saccade::client

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "client/commands/commands.h"
 #include "client/formats/common/writer.h"
 #include "client/frames/frame_source.h"
 #include "saccade/v1/control.pb.h"
+#include "saccade/v1/recording.pb.h"
 
 namespace saccade::client {
 
@@ -24,8 +26,8 @@ struct RecordJob {
   FrameSource* frames = nullptr;    // of a stream with `pushed`
 };
 
-// Returns what was recorded of sensor 0. Throws as ControlClient and Subscription do; std::invalid_argument
+// Returns what was recorded, by sensor. Throws as ControlClient and Subscription do; std::invalid_argument
 // names an option at fault.
-v1::Recording recordStream(const ServerOptions& server, const RecordJob& job);
+std::vector<v1::Recording> recordStream(const ServerOptions& server, const RecordJob& job);
 
 }  // namespace saccade::client

@@ -89,6 +89,17 @@ class RigFiles(unittest.TestCase):
             np.testing.assert_array_equal(self.events(self.path, group), rows.T)
             self.assertIn("are as recorded", self.run_command("verify", self.path, "--sensor", str(sensor)))
 
+    def test_one_replay_of_either_sensor_gives_the_rig(self):
+        for name in ("a.h5.json", "a.h5.sensor1.json"):
+            again = self.folder / "again.h5"
+            told = self.run_command("replay", self.folder / name, "--force", "-o", again, *self.control)
+            self.assertIn("the events are those of the recording\n", told)
+            self.assertNotIn("no description", told)
+            for group in ("/", "/sensor_1"):
+                np.testing.assert_array_equal(self.events(again, group), self.events(self.path, group))
+            with h5py.File(again) as file:
+                np.testing.assert_array_equal(file["/view_1/truth/depth/data"][0], self.truth(1, "depth"))
+
     def test_depth_goes_from_camera_to_camera(self):
         dsec = self.yaml("cam_to_cam.yaml")
         self.assertEqual(dsec["intrinsics"]["cam1"]["camera_matrix"], INTRINSICS)

@@ -100,8 +100,33 @@ class RosSensors(unittest.TestCase):
                 self.assertEqual((about["sensor"], int(about["events"])), (sensor, len(self.events(sensor))))
                 self.assertEqual([t["name"] for t in about["truth"]],
                                  [["depth", "pose", "imu"], [], ["depth", "pose"], []][sensor])
-        told = self.run_command("replay", self.folder / "a.bag.sensor3.json", "-o", self.folder / "again.csv")
-        self.assertIn("the events are those of the recording", told)
+
+    def test_a_replay_of_any_sensor_gives_the_rig(self):
+        told = self.run_command("replay", self.folder / "a.bag.sensor3.json", "-o", self.folder / "again.bag")
+        self.assertIn("the events are those of the recording\n", told)
+        self.assertEqual((self.folder / "again.bag").read_bytes(), (self.folder / "a.bag").read_bytes())
+        told = self.run_command("replay", self.folder / "a.mcap.sensor3.json", "-o", self.folder / "again.csv")
+        self.assertIn("the events are those of the recording\n", told)
+        self.assertEqual((self.folder / "again.csv").read_bytes(), (self.folder / "a-3.csv").read_bytes())
+
+    def test_a_replay_of_a_numbered_file_gives_the_rig(self):
+        told = self.run_command("replay", self.folder / "a-2.csv.json", "-o", self.folder / "rig.mcap")
+        self.assertNotIn("no description", told)
+        for sensor in range(4):
+            out = self.folder / f"rig{sensor}.csv"
+            subprocess.run([SACCADE, "convert", self.folder / "rig.mcap", out, "--sensor", str(sensor)], check=True,
+                           capture_output=True, timeout=60)
+            self.assertEqual(out.read_bytes(), (self.folder / f"a-{sensor}.csv").read_bytes())
+
+    def test_each_sensor_is_read_from_the_file(self):
+        for name in ("a.bag", "a.mcap"):
+            for sensor in range(4):
+                out = self.folder / f"{name}{sensor}.csv"
+                for command in (["convert", self.folder / name, out], ["verify", self.folder / name]):
+                    subprocess.run([SACCADE, *command, "--sensor", str(sensor)], check=True, capture_output=True, timeout=60)
+                self.assertEqual(out.read_bytes(), (self.folder / f"a-{sensor}.csv").read_bytes())
+                about = json.loads(out.with_name(out.name + ".json").read_text(encoding="utf-8"))
+                self.assertEqual(about["sensor"], sensor)
 
 
 if __name__ == "__main__":
