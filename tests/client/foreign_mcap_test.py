@@ -115,6 +115,7 @@ class ForeignMcap(unittest.TestCase):
                 (head + message(1, b"\0\0\0\0" + packet([])[4:]), "not CDR, little-endian"),
                 (head + message(3, packet([])), "a topic that it does not describe"),
                 (describe(1, "/e", "dvs_msgs/msg/EventArray"), "its topics are /e (dvs_msgs/msg/EventArray)"),
+                (describe(1, "/e", PACKET, b"json"), f"its topics are /e ({PACKET} in json)"),
                 (bytes(bad_crc), "does not have the CRC that it tells"),
                 (record(6, struct.pack("<QQQI", 0, 0, 0, 0) + sized(b"bz2") + bytes(8)), "compressed by 'bz2'")):
             done = self.convert(content + END)

@@ -170,6 +170,10 @@ TEST_F(BagReaderTest, FaultsSayWhatIsWrongAndWhere) {
   EXPECT_EQ(told(bagOf("none", "")), at("a.bag") + ": has no topics");
   EXPECT_EQ(told(bagOf("none", imu)),
             at("a.bag") + ": has no events that can be read; its topics are /imu (sensor_msgs/Imu)");
+  EXPECT_EQ(told(bagOf("none", connectionRecords({{"/e", "dvs_msgs/EventArray", "732c", ""}}))),
+            at("a.bag") +
+                ": has no events that can be read; its topics are /e (dvs_msgs/EventArray of another "
+                "definition, 732c)");
   EXPECT_NE(
       told(bagOf("bz2", imu)).find("is compressed by bz2, which cannot be read here; `rosbag decompress`"),
       std::string::npos);

@@ -131,9 +131,11 @@ std::optional<RosSource::Message> BagSource::nextMessage() {
 
 void BagSource::addTopic(const BagRecordFields& fields, std::string_view data) {
   const BagRecordFields about(data);
-  topics_.add(fields.number<std::uint32_t>("conn"),
-              {TopicList::checked(fields.text("topic")), TopicList::checked(about.text("type")),
-               about.text("md5sum") == kEventArrayMd5});
+  const std::string sum = TopicList::checked(about.text("md5sum"));
+  std::string type = TopicList::checked(about.text("type"));
+  const bool events = sum == kEventArrayMd5;
+  if (!events && type.ends_with("/EventArray")) type += " of another definition, " + sum;
+  topics_.add(fields.number<std::uint32_t>("conn"), {TopicList::checked(fields.text("topic")), type, events});
 }
 
 }  // namespace saccade::client

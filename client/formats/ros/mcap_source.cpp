@@ -152,9 +152,11 @@ void McapSource::describe(McapOp op, std::string_view content) {
     schemas_.emplace(number, TopicList::checked(bytes.sized()));
   } else if (op == McapOp::kChannel) {
     const auto number = bytes.number<std::uint16_t>();
-    const std::string type = schemas_[bytes.number<std::uint16_t>()];
-    const std::string topic = TopicList::checked(bytes.sized());
-    topics_.add(number, {topic, type, type == kEventPacket2 && bytes.sized() == "cdr"});
+    std::string type = schemas_[bytes.number<std::uint16_t>()];
+    const std::string topic = TopicList::checked(bytes.sized()), encoding = TopicList::checked(bytes.sized());
+    const bool cdr = encoding == "cdr", events = cdr && type == kEventPacket2;
+    if (!cdr) type += " in " + encoding;
+    topics_.add(number, {topic, type, events});
   }
 }
 
