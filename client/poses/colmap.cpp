@@ -4,8 +4,9 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 
-#include "client/formats/text/text_reader.h"
+#include "client/formats/text/text_numbers.h"
 #include "client/poses/pose_formats.h"
 #include "client/poses/pose_lines.h"
 

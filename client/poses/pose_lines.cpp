@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "client/formats/common/bounded_line.h"
-#include "client/formats/text/text_reader.h"
+#include "client/formats/text/text_numbers.h"
 
 namespace saccade::client {
 namespace {

@@ -138,8 +138,8 @@ void App::serveHttp(const Config& config) {
                                               .keys = *keys},
                                    .max_viewers = static_cast<std::size_t>(config.limits[Limit::kViewers]),
                                    .loopback_only = isLoopback(config.http)});
-    for (auto& [path, page] : viewerPages())
-      all[path] = [this, page] { return stopping_ ? kStopping : page(); };
+    for (const auto& file : viewerPages())
+      all[file.first] = [this, page = file.second] { return stopping_ ? kStopping : page(); };
     HttpUpgrade& viewer = upgrades[ViewerGateway::kPath] = viewer_->upgrade();
     viewer.answer = [this, answer = viewer.answer](const HttpHeader& header) {
       return stopping_ ? kStopping : answer(header);

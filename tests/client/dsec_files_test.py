@@ -157,23 +157,77 @@ class Dsec(unittest.TestCase):
             convert(self.h5, self.folder / "out.txt")
             self.assertEqual((self.folder / "out.txt").read_text(), "640 480\n")
 
-    def test_other_layouts_are_named(self):
+    def read(self, *options):
+        code, errors = convert.run(self.h5, self.folder / "out.csv", "--size", "1280x720", *options)
+        self.assertEqual(code, 0, errors)
+        return event_columns.read_csv(self.folder / "out.csv"), errors
+
+    def test_layouts_of_others_are_read(self):
+        events = event_columns.random_events(140_000)
+        t, x, y, p = (events[name] for name in event_columns.COLUMNS)
+        metavision = np.zeros(len(t), np.dtype({"names": ["x", "y", "p", "t"], "formats": ["<u2", "<u2", "<i2", "<i8"],
+                                                "offsets": [0, 2, 4, 8], "itemsize": 16}))
+        for name in event_columns.COLUMNS:
+            metavision[name] = events[name]
+        whole = "read t as microseconds (it has whole numbers), columns "
+        seconds = "read t as seconds (it has a decimal point), columns "
+        for said, entries in [
+                (whole + "t x y p of events", {"events": np.stack([t, x, y, p], 1).astype("u4")}),  # v2e
+                (seconds + "events/ts events/xs events/ys events/ps",
+                 {"events/xs": x, "events/ys": y, "events/ts": t / 1e6, "events/ps": p > 0}),
+                (whole + "t x y p of CD/events", {"CD/events": metavision}),
+                (seconds + "t x y p", {"x": x, "y": y, "t": t / 1e6, "p": (2 * p - 1).astype("i1")}),
+        ]:
+            with h5py.File(self.h5, "w") as file:
+                for name, values in entries.items():
+                    file.create_dataset(name, data=values, chunks=True, compression="gzip")
+            read, errors = self.read()
+            event_columns.assert_equal(read, events)
+            self.assertIn(said + ", size 1280x720 from --size", errors)
+
+    def test_the_other_extension_is_read(self):
+        events = event_columns.random_events(1000)
+        self.write(events)
+        other = self.h5.rename(self.folder / "a.hdf5")
+        event_columns.assert_equal(convert.to_events(other, self.folder), events)
+
+    def test_metavision_tells_the_size(self):
+        events = np.zeros(0, [("x", "<u2"), ("y", "<u2"), ("p", "<i2"), ("t", "<i8")])
+        for geometry in ["640x480", np.bytes_("640x480")]:
+            with h5py.File(self.h5, "w") as file:
+                file["CD/events"] = events
+                file.attrs["geometry"] = geometry
+            convert(self.h5, self.folder / "out.txt")
+            self.assertEqual((self.folder / "out.txt").read_text(), "640 480\n")
+
+    def test_a_codec_that_is_not_there_is_named(self):
         with h5py.File(self.h5, "w") as file:
-            file["CD/events"] = np.zeros(3)
-        self.assertIn("has the layout of Metavision; only that of DSEC can be read", self.fault())
+            types = h5py.h5t.py_create(np.dtype([("x", "<u2"), ("y", "<u2"), ("p", "<i2"), ("t", "<i8")]))
+            settings = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
+            settings.set_chunk((100,))
+            settings.set_filter(0x8ECF, h5py.h5z.FLAG_OPTIONAL)
+            h5py.h5d.create(file.create_group("CD").id, b"events", types, h5py.h5s.create_simple((100,)), settings)
+        self.assertIn("CD/events needs filter 36559", self.fault())
+        self.assertIn("install the plugin hdf5_ecf of Prophesee", self.fault())
+
+    def test_layouts_of_several_cameras_are_named(self):
+        events = event_columns.random_events(1000)
+        names = [f"prophesee/left/{name}" for name in event_columns.COLUMNS]
         with h5py.File(self.h5, "w") as file:
-            file["events"] = np.zeros((3, 4))
-        self.assertIn("has no group /events; only that of DSEC", self.fault())
+            file.update({name: values for name, values in zip(names, events.values())})
+        self.assertIn("has the layout of M3ED; --columns names the datasets of a camera: " + ",".join(names), self.fault())
+        event_columns.assert_equal(self.read("--columns", ",".join(names))[0], events)
         self.write(events__t=None)
-        self.assertIn("events/t is absent", self.fault())
+        self.assertIn("has no arrays t, x, y and p, and no table of them; its arrays are events/p events/x events/y",
+                      self.fault())
 
     def test_columns_that_are_none_of_events_are_refused(self):
         for fault, changes in {
-                "events/t is not one column of whole numbers": {"events__t": np.zeros(1000)},
-                "events/x is not one column of whole numbers": {"events__x": np.zeros((1000, 1), "u2")},
+                "events/t is not one column of numbers": {"events__t": np.zeros((1000, 1))},
+                "events/x is not one column of numbers": {"events__x": np.zeros((1000, 1), "u2")},
                 "unequal lengths": {"events__y": np.zeros(999, "u2")},
                 "t_offset is not a single whole number": {"t_offset": np.zeros(2, "i8")},
-                "p 2; t counts microseconds, x and y are 0 to 65535, p is 0 or 1": {"events__p": np.full(1000, 2, "u1")},
+                "p 2; t is within 292 years, x and y are 0 to 65535, p is 0 or 1": {"events__p": np.full(1000, 2, "u1")},
                 "event 1000 has t 9223372036854775807": {"events__t": np.r_[np.zeros(999, "u8"), np.uint64(2**64 - 1)]},
         }.items():
             self.write(**changes)

@@ -50,7 +50,8 @@ TEST_F(LabelColumnsTest, OneWithoutTheOtherIsLeftOutByName) {
 
 TEST_F(LabelColumnsTest, OfAnotherLengthAreRefused) {
   write({{"source", "\1\1"}, {"artefact", "\1"}});
-  EXPECT_NE(faultOf().find("t, source and artefact are not arrays of equal lengths"), std::string::npos);
+  EXPECT_NE(faultOf().find("has columns of unequal lengths: t has 2 values, artefact has 1"),
+            std::string::npos);
 }
 
 TEST_F(LabelColumnsTest, OutsideOfAByteAreRefusedWithTheirEvent) {

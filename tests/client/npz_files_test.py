@@ -56,6 +56,55 @@ class Npz(unittest.TestCase):
                               "p": events["p"].astype(bool), "t": events["t"].astype("u8"), "extra": np.zeros((2, 2))})
             event_columns.assert_equal(convert.to_events(self.npz, self.folder), events)
 
+    def read(self, *options):
+        code, errors = convert.run(self.npz, self.folder / "out.csv", "--size", "1280x720", *options)
+        self.assertEqual(code, 0, errors)
+        return event_columns.read_csv(self.folder / "out.csv"), errors
+
+    def test_layouts_of_others_are_read(self):
+        events = event_columns.random_events(70_000)
+        t, x, y, p = (events[name] for name in event_columns.COLUMNS)
+        whole = "read t as microseconds (it has whole numbers), columns "
+        table = np.stack([t, x, y, p], 1)
+        structured = np.zeros(len(t), np.dtype([("x", "<u2"), ("y", "<u2"), ("t", "<i8"), ("p", "|b1")], align=True))
+        for name in event_columns.COLUMNS:
+            structured[name] = events[name]
+        for said, arrays in [
+                (whole + "timestamp x y polarity, size 1280x720 from --size",
+                 {"x": x, "y": y, "timestamp": t, "polarity": p}),  # Time Lens
+                (whole + "t x y p", {**events, "p": (2 * p - 1).astype("i1")}),
+                (whole + "t x y p", {**events, "p": np.where(p, 1, 2**32 - 1).astype("u8")}),  # v2e#47
+                ("t as seconds (it has a decimal point), columns t x y p", {**events, "t": t / 1e6}),
+                ("", {"t_us": t, "x": x, "y": y, "p": p}), ("", {"x": x, "y": y, "time_ns": t * 1000, "on": p > 0}),
+                (whole + "t x y p of events", {"events": table, "others": np.zeros((3, 2))}),
+                (whole + "t x y p of events", {"events": np.asfortranarray(table)}),
+                (whole + "x y t p of events", {"events": table[:, [1, 2, 0, 3]].astype("i4")}),
+                ("t as seconds (it has a decimal point), columns x y t p of arr_0",
+                 {"arr_0": np.stack([x, y, t / 1e6, 2 * p - 1], 1)}),
+                (whole + "t x y p of events", {"events": structured, "name": np.array(["a", "b"])}),
+        ]:
+            np.savez(self.npz, **arrays)
+            read, errors = self.read()
+            event_columns.assert_equal(read, events)
+            self.assertIn(said, errors)
+            if not said:
+                self.assertEqual(errors, "")
+
+    def test_what_may_be_read_in_two_ways_needs_an_option(self):
+        np.savez(self.npz, events=[[0, 0, 0, 1], [10, 0, 10, 1]])
+        self.assertIn("may be t,x,y,p or x,y,t,p: give --columns t,x,y,p or --columns x,y,t,p", self.fault())
+        self.assertEqual(self.read("--columns", "t_ms,x,y,p")[0]["t"].tolist(), [0, 10_000])
+        events = event_columns.random_events(1000)
+        np.savez(self.npz, **{**events, "t": events["t"] * 1.0})
+        self.assertIn("it may count seconds or microseconds: give --unit s or --unit us", self.fault())
+        event_columns.assert_equal(self.read("--unit", "us")[0], events)
+        np.savez(self.npz, a=events["t"], b=events["x"], c=events["y"], d=events["p"])
+        self.assertIn("its arrays are a b c d; --columns", self.fault())
+        event_columns.assert_equal(self.read("--columns", "a,b,c,d")[0], events)
+        np.savez(self.npz, **events, timestamps=events["t"] + 1)
+        self.assertIn("'t' and 'timestamps' may both be t", self.fault())
+        event_columns.assert_equal(self.read("--columns", "p,t,y,x")[0], events)
+
     def test_all_versions_of_the_format_are_read(self):
         events = event_columns.random_events(1000)
         for version in [(1, 0), (2, 0), (3, 0)]:
@@ -74,19 +123,20 @@ class Npz(unittest.TestCase):
     def test_arrays_that_are_none_of_events_are_refused(self):
         events = event_columns.random_events(1000)
         for fault, changes in {
-                "t.npy: is of type <f8; little-endian whole numbers and bool": {"t": events["t"] / 1e6},
+                "t.npy: is of type <c16; little-endian numbers": {"t": events["t"].astype(complex)},
                 "x.npy: is of type >i4": {"x": events["x"].astype(">i4")},
-                "x.npy: is not one column of numbers: {'descr'": {"x": np.zeros((1000, 2), "u2")},
-                "are not arrays of equal lengths": {"y": np.zeros(999, "u2")},
-                "p -1; t counts microseconds": {"p": np.full(1000, -1)},
-                "event 1000 has t 9223372036854775807": {"t": np.r_[np.zeros(999, "u8"), np.uint64(2**64 - 1)]},
+                "x.npy: is not one column of numbers": {"x": np.zeros((1000, 2), "u2")},
+                "unequal lengths: t has 1000 values, y has 999": {"y": np.zeros(999, "u2")},
+                "p 2; t is within 292 years": {"p": np.full(1000, 2)},
+                "p -1; t is within 292 years": {"p": np.r_[0, np.full(999, -1)]},
+                "t has whole numbers above 10000000000000000; it may count": {"t": np.r_[np.zeros(999, "u8"), np.uint64(2**64 - 1)]},
                 "width.npy is not a single number": {"width": np.zeros(2, "i8")},
                 "has height -1; valid are": {"height": -1},
         }.items():
             np.savez(self.npz, **{**events, **changes})
             self.assertIn(fault, self.fault())
         np.savez(self.npz, t=events["t"])
-        self.assertIn("x.npy: No such file", self.fault())
+        self.assertIn("has no arrays t, x, y and p, and no table of them; its arrays are t;", self.fault())
         self.npz.write_bytes(b"x" * 1000)
         self.assertIn("is not a whole zip archive", self.fault())
 

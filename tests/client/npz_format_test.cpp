@@ -66,8 +66,8 @@ TEST_F(NpzFormatTest, LabelsAreArraysBesideTheSameEvents) {
   about.set_labels(true);
   write(kNpzWriter, file_, {events}, 0, about);
   const ZipArchive archive = openZip(file_);
-  NpyColumn(file_, archive, "source").read(events.size(), read_sources);
-  NpyColumn(file_, archive, "artefact").read(events.size(), read_odds);
+  NpyColumn(file_, archive, {"source"}).read(events.size(), read_sources);
+  NpyColumn(file_, archive, {"artefact"}).read(events.size(), read_odds);
   EXPECT_EQ(read_sources, sources);
   EXPECT_EQ(read_odds, odds);
   EXPECT_TRUE(kNpzReader.make(file_)->labels());
@@ -186,17 +186,34 @@ TEST_F(NpzFormatTest, OffsetsBeyondFourGibAreWritten) {
 TEST(NpyHeader, TakesOneColumnOrOneNumber) {
   const auto column = parseNpyHeader("{'descr': '<u2', 'fortran_order': False, 'shape': (1234567,), }   \n");
   ASSERT_TRUE(column);
-  EXPECT_EQ(column->kind, 'u');
-  EXPECT_EQ(column->order, '<');
-  EXPECT_EQ(column->value_bytes, 2u);
+  EXPECT_EQ(column->fields.at(0).kind, 'u');
+  EXPECT_EQ(column->fields.at(0).order, '<');
+  EXPECT_EQ(column->element_bytes, 2u);
   EXPECT_EQ(column->length, 1234567u);
   EXPECT_EQ(parseNpyHeader("{'shape': (3L,),'descr':'|b1','fortran_order': True}")->length, 3u);
   EXPECT_FALSE(parseNpyHeader("{'descr': '<i8', 'fortran_order': False, 'shape': (), }")->length);
   for (const char* other :
-       {"{'descr': '<i8', 'fortran_order': False, 'shape': (3, 4), }",
-        "{'descr': [('x', '<i2')], 'fortran_order': False, 'shape': (3,), }",
-        "{'descr': '<i8', 'fortran_order': False}", "", "{'descr': '<i8', 'shape': (9999999999999999999,)}"})
+       {"{'descr': '<i8', 'fortran_order': False, 'shape': (3, 4, 5), }",
+        "{'descr': '<i8', 'fortran_order': False, 'shape': (3, 65), }",
+        "{'descr': [('x', '<i2', (2,))], 'fortran_order': False, 'shape': (3,), }",
+        "{'descr': [], 'fortran_order': False, 'shape': (3,), }", "{'descr': '<i8', 'fortran_order': False}",
+        "", "{'descr': '<i8', 'shape': (9999999999999999999,)}"})
     EXPECT_FALSE(parseNpyHeader(other)) << other;
+}
+
+TEST(NpyHeader, TakesATableAndStructures) {
+  const auto table = parseNpyHeader("{'descr': '<f8', 'fortran_order': True, 'shape': (3, 4), }");
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->length, 3u);
+  EXPECT_EQ(table->columns, 4u);
+  EXPECT_TRUE(table->by_columns);
+  const auto structures = parseNpyHeader(
+      "{'descr': [('x', '<u2'), ('', '|V6'), ('t', '<i8')], 'fortran_order': False, 'shape': (3,), }");
+  ASSERT_TRUE(structures);
+  EXPECT_EQ(structures->element_bytes, 16u);
+  ASSERT_EQ(structures->fields.size(), 3u);
+  EXPECT_EQ(structures->fields[2].name, "t");
+  EXPECT_EQ(structures->fields[2].offset, 8u);
 }
 
 }  // namespace

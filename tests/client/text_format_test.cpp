@@ -41,6 +41,15 @@ TEST_F(TextFormatTest, TxtGivesItsEventsAndSizeBack) {
   EXPECT_EQ(readBack(*reader), kEvents);
 }
 
+TEST_F(TextFormatTest, TimesBeforeZeroComeBack) {
+  const Events events{{-1'500'000'000, 1, 2, 1}, {-1000, 1, 2, 0}, {0, 1, 2, 1}};
+  for (const WriterInfo* format : {&kCsvWriter, &kTxtWriter}) {
+    const std::string file = at(std::string("a") + format->extension);
+    write(*format, file, {events}, 0, aboutOf(4, 3));
+    EXPECT_EQ(readBack(*readerFor(file).make(file)), events) << file;
+  }
+}
+
 TEST_F(TextFormatTest, TxtOfOtherProgramsMayHaveFewerDecimalsAndOtherLineEnds) {
   const std::string file = fileOf("a.txt", "4 3\r\n0.5 1 2 1\r\n0.500001 3 0 0\r\n");
   EXPECT_EQ(readBack(*kTxtReader.make(file)), (Events{{500'000'000, 1, 2, 1}, {500'001'000, 3, 0, 0}}));
@@ -60,22 +69,23 @@ TEST_F(TextFormatTest, MoreThanABatchIsReadInParts) {
 }
 
 TEST_F(TextFormatTest, AFaultNamesItsLine) {
-  EXPECT_NE(faultOf("a.csv", "t_us,x,y,p\n1,2,3,1\n1,2,3\n").find("a.csv: line 3 is not"), std::string::npos);
-  EXPECT_NE(faultOf("a.csv", "t,x,y,p\n").find("line 1 is not of the form t_us,x,y,p"), std::string::npos);
-  for (const char* line : {"1,2,3,1,", "1,2,3,1 ", "x,2,3,1", "1,-2,3,1", "1,70000,3,1", "1,2,3,1,5", "",
-                           "9223372036854775807,0,0,0"})
-    EXPECT_NE(faultOf("a.csv", std::string("t_us,x,y,p\n") + line + "\n"), "none") << line;
-  for (const char* line : {"1 2 3 1", "1.x 2 3 1", "-1.0 2 3 1", "1.0 2 3", "1.0 2 3 1 5", "1.0 2 3 300"})
+  EXPECT_NE(faultOf("a.csv", "t,x,y,p\n1,2,3,1\n1,2,3\n").find("a.csv: line 3 is not of the form 't x y p'"),
+            std::string::npos);
+  for (const char* line : {"1,2,3,1,", "x,2,3,1", "1,-2,3,1", "1,70000,3,1", "1,2,3,1,5", "1,2,3,2",
+                           "1,2.5,3,1", "1,2,3", "9223372036854775807,0,0,0"})
+    EXPECT_NE(faultOf("a.csv", std::string("t,x,y,p\n1,2,3,1\n") + line + "\n"), "none") << line;
+  for (const char* line : {"1.x 2 3 1", "1.0 2 3", "1.0 2 3 1 5", "1.0 2 3 300", "1e300 2 3 1", "nan 2 3 1"})
     EXPECT_NE(faultOf("a.txt", std::string("4 3\n") + line + "\n"), "none") << line;
   EXPECT_NE(faultOf("a.txt", "4\n"), "none");
+  EXPECT_NE(faultOf("a.txt", "70000 3\n"), "none");
   EXPECT_NE(faultOf("a.txt", ""), "none");
 }
 
 TEST_F(TextFormatTest, ALineHasAtMost4KiB) {
   const std::string zeros(4096 - 7, '0');
-  EXPECT_EQ(readBack(*kCsvReader.make(fileOf("a.csv", "t_us,x,y,p\r\n" + zeros + "1,2,3,1\r\n"))),
+  EXPECT_EQ(readBack(*kCsvReader.make(fileOf("a.csv", "t,x,y,p\r\n" + zeros + "1,2,3,1\r\n"))),
             (Events{{1000, 2, 3, 1}}));
-  EXPECT_NE(faultOf("a.csv", "t_us,x,y,p\n" + zeros + "01,2,3,1\n").find("line 2 is longer than 4 KiB"),
+  EXPECT_NE(faultOf("a.csv", "t,x,y,p\n" + zeros + "01,2,3,1\n").find("line 2 is longer than 4 KiB"),
             std::string::npos);
   for (const char* name : {"a.csv", "a.txt"}) {
     const std::string file = fileOf(name, "");
@@ -101,7 +111,7 @@ TEST(EventCheck, NamesTheEventAtFault) {
     return "none";
   };
   EXPECT_EQ(faultOf({1000, 3, 2, 1}), "none");
-  EXPECT_EQ(faultOf({0, 0, 0, 1}), "a.csv: event 3 is earlier than the one before");
+  EXPECT_EQ(faultOf({0, 0, 0, 1}), "a.csv: event 3 is 1 us earlier than the one before");
   EXPECT_EQ(faultOf({1000, 4, 0, 1}), "a.csv: event 3 is at (4, 0), outside of 4x3 pixels");
   EXPECT_EQ(faultOf({1000, 0, 3, 1}), "a.csv: event 3 is at (0, 3), outside of 4x3 pixels");
   EXPECT_EQ(faultOf({1000, 0, 0, 2}), "a.csv: event 3 has a polarity other than 0 and 1");

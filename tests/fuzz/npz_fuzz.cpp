@@ -27,6 +27,23 @@ std::string column(const std::string& type, std::size_t bytes) {
   return npyHeader(type, "(3,)") + values;
 }
 
+// `values` under a header of another type or shape.
+std::string array(const std::string& descr, const std::string& by_columns, const std::string& shape,
+                  const std::string& values) {
+  std::string header = npyHeader("<u2", shape);
+  std::string text =
+      "{'descr': " + descr + ", 'fortran_order': " + by_columns + ", 'shape': " + shape + ", }";
+  text.resize(header.size() - 11, ' ');
+  return header.replace(10, text.size(), text) + values;
+}
+
+template <class T>
+std::string bytesOf(const std::vector<T>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)};
+}
+
+const std::string kFields = "[('x','<u2'),('y','<u2'),('','|V4'),('t','<i8'),('p','|b1')]";
+
 }  // namespace
 
 const FuzzTarget& fuzzTarget() {
@@ -42,9 +59,33 @@ const FuzzTarget& fuzzTarget() {
                 {"y", column("<u8", 8)},
                 {"p", column("|u1", 1)},
                 {"source", column("|u1", 1)},
-                {"artefact", column("<i2", 2)}})},
-      {"'descr': ", "'shape': ", "(3,)", "()", "(3, 3)", "(999999999999999999,)", "<i8", ">u2", "|b1", "<f8",
-       "t.npy", "x.npy", "PK\1\2", "PK\3\4", "PK\5\6", "PK\6\6", "PK\6\7", "\x93NUMPY", "\xff\xff\xff\xff"},
+                {"artefact", column("<i2", 2)}}),
+       archive({{"events", array(kFields, "False", "(2,)", std::string(34, '\0'))}}),
+       archive({{"events", array("'<f8'", "False", "(2, 4)", bytesOf<double>({0, 5, 7, 0, 0.5, 0, 2, 1}))}}),
+       archive(
+           {{"events", array("'<i4'", "True", "(2, 4)", bytesOf<std::int32_t>({0, 29, 5, 0, 7, 2, 0, 1}))}})},
+      {"'descr': ",
+       "'shape': ",
+       "(3,)",
+       "()",
+       "(3, 3)",
+       "(999999999999999999,)",
+       "(999999999999999999, 4)",
+       "True",
+       "[('t', '<i8')]",
+       "<i8",
+       ">u2",
+       "|b1",
+       "<f8",
+       "t.npy",
+       "x.npy",
+       "PK\1\2",
+       "PK\3\4",
+       "PK\5\6",
+       "PK\6\6",
+       "PK\6\7",
+       "\x93NUMPY",
+       "\xff\xff\xff\xff"},
       [](std::string_view bytes) {
         const MemoryFile file(bytes);
         return accepts<FileFault>([&] {

@@ -22,6 +22,7 @@ def options_of(*command):
     """All that take a value."""
     text = subprocess.run([*command, "--help"], capture_output=True, text=True, check=True).stdout
     text = re.sub(r"\n {30}(?=\S)", " ", text.split("\nSubcommands:")[0])  # what takes two lines becomes one
+    text = re.sub(r" (?:Excludes|Needs):(?: --[\w-]+)+", "", text)  # CLI11 lists them by their addresses
     rows = re.findall(r"^  (?:-\w,)?(--[\w-]+|[a-z]+)(?:,--\w+)? (TEXT|FLOAT|INT|UINT|FRAMES|NAME)(\S*.*)$", text, re.M)
     return [Option(name, kind, re.sub(r"^\S*=\S*", "", rest).strip()) for name, kind, rest in rows]
 

@@ -18,20 +18,23 @@ std::string LabelColumns::alone() const {
   return both() ? "" : source ? "source without artefact" : artefact ? "artefact without source" : "";
 }
 
-void EventColumns::toEvents(const std::string& path, std::uint64_t before, Events& events) const {
+void EventColumns::toEvents(const std::string& path, std::uint64_t before, Events& events) {
   events.resize(t_us.size());
   for (std::size_t i = 0; i < events.size(); ++i) {
     std::int64_t t_ns;
-    if (__builtin_mul_overflow(t_us[i], kNsPerUs, &t_ns) || !isPixel(x[i]) || !isPixel(y[i]) || p[i] < 0 ||
-        p[i] > 1)
-      throw FileFault(path, "event " + std::to_string(before + i + 1) + " has t " + std::to_string(t_us[i]) +
-                                ", x " + std::to_string(x[i]) + ", y " + std::to_string(y[i]) + ", p " +
-                                std::to_string(p[i]) + "; t counts microseconds, x and y are 0 to 65535, " +
-                                "p is 0 or 1");
-    events[i] = {t_ns, static_cast<std::uint16_t>(x[i]), static_cast<std::uint16_t>(y[i]),
-                 static_cast<std::uint8_t>(p[i])};
+    const auto polarity = polarities_.parse(p[i]);
+    if (__builtin_mul_overflow(t_us[i], kNsPerUs, &t_ns) || !isPixel(x[i]) || !isPixel(y[i]) || !polarity)
+      fail(path, before, i);
+    events[i] = {t_ns, static_cast<std::uint16_t>(x[i]), static_cast<std::uint16_t>(y[i]), *polarity};
   }
   if (!source.empty()) addLabels(path, before, events);
+}
+
+void EventColumns::fail(const std::string& path, std::uint64_t before, std::size_t i) const {
+  throw FileFault(path, "event " + std::to_string(before + i + 1) + " has t " + std::to_string(t_us[i]) +
+                            " us, x " + std::to_string(x[i]) + ", y " + std::to_string(y[i]) + ", p " +
+                            std::to_string(p[i]) + "; t is within 292 years, x and y are 0 to 65535, " +
+                            kPolarities);
 }
 
 void EventColumns::addLabels(const std::string& path, std::uint64_t before, Events& events) const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "client/formats/common/polarity.h"
 #include "client/formats/common/reader.h"
 
 namespace saccade::client {
@@ -17,10 +18,13 @@ struct EventColumns {
 
   // Replaces `events` by these. `before`: events of the file before them. Throws FileFault with the event at
   // fault if a number is not one of an event, or of a time beyond 292 years.
-  void toEvents(const std::string& path, std::uint64_t before, Events& events) const;
+  void toEvents(const std::string& path, std::uint64_t before, Events& events);
 
  private:
+  [[noreturn]] void fail(const std::string& path, std::uint64_t before, std::size_t i) const;
   void addLabels(const std::string& path, std::uint64_t before, Events& events) const;
+
+  PolarityScale polarities_;
 };
 
 // Which columns of labels a file has. Events have labels where both are there.

@@ -5,7 +5,7 @@
 #include <map>
 #include <string_view>
 
-#include "client/formats/text/text_reader.h"
+#include "client/formats/text/text_numbers.h"
 
 namespace saccade::client {
 namespace {

@@ -3,9 +3,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <cstring>
 #include <system_error>
-
-#include "client/formats/common/reader.h"
 
 namespace saccade::client {
 namespace {
@@ -16,6 +16,28 @@ void check(bool done, const std::string& path, const std::string& name) {
 
 bool isSingle(const Hdf5Handle& space) {
   return H5Sget_simple_extent_npoints(space.id()) == 1;
+}
+
+bool isSide(std::uint32_t pixels) {
+  return pixels >= 1 && pixels <= UINT16_MAX + 1;
+}
+
+// Of an attribute that is one short string; empty: it is another thing.
+std::string textOf(const Hdf5Handle& attribute) {
+  constexpr std::size_t kLongest = 64;
+  const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  if (H5Tget_class(type.id()) != H5T_STRING || !isSingle(space)) return "";
+  if (H5Tis_variable_str(type.id()) > 0) {
+    char* value = nullptr;
+    if (H5Aread(attribute.id(), type.id(), &value) < 0 || !value) return "";
+    std::string text(value, strnlen(value, kLongest));
+    H5free_memory(value);
+    return text;
+  }
+  char value[kLongest + 1] = "";
+  if (H5Tget_size(type.id()) > kLongest || H5Aread(attribute.id(), type.id(), value) < 0) return "";
+  return value;
 }
 
 }  // namespace
@@ -52,6 +74,20 @@ std::optional<std::int64_t> readRootAttribute(const std::string& path, const Hdf
   std::int64_t value;
   check(H5Aread(attribute.id(), H5T_NATIVE_INT64, &value) >= 0, path, "attribute " + name);
   return value;
+}
+
+std::optional<ImageSize> readGeometry(const Hdf5Handle& file) {
+  if (H5Aexists(file.id(), "geometry") <= 0) return std::nullopt;
+  const Hdf5Handle attribute(H5Aopen(file.id(), "geometry", H5P_DEFAULT), H5Aclose);
+  const std::string text = textOf(attribute);
+  ImageSize size;
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+  const auto height = std::from_chars(width.ptr + 1, end, size.height);
+  const bool valid =
+      height.ec == std::errc() && height.ptr == end && isSide(size.width) && isSide(size.height);
+  return valid ? std::optional(size) : std::nullopt;
 }
 
 bool isInteger(const Hdf5Handle& type) {

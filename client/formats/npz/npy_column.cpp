@@ -1,119 +1,107 @@
 #include "client/formats/npz/npy_column.h"
 
-#include <unistd.h>
-
-#include <cerrno>
+#include <algorithm>
 #include <cstring>
-#include <system_error>
+#include <limits>
+#include <type_traits>
 #include <utility>
-
-#include "client/formats/common/reader.h"
 
 namespace saccade::client {
 namespace {
 
-constexpr std::size_t kMaxHeaderBytes = 10000;  // as of NumPy
+constexpr std::size_t kMaxStride = 256;  // bytes
 
-// Numbers of 64 bits that are too large become the largest one, which is none of an event either.
 template <class T>
-void widen(const std::string& bytes, std::vector<std::int64_t>& values) {
-  values.resize(bytes.size() / sizeof(T));
-  const char* at = bytes.data();
-  for (std::int64_t& value : values) {
-    T narrow;
-    std::memcpy(&narrow, at, sizeof narrow);
-    value = std::in_range<std::int64_t>(narrow) ? static_cast<std::int64_t>(narrow) : INT64_MAX;
-    at += sizeof narrow;
+T numberAt(const char* at) {
+  T number;
+  std::memcpy(&number, at, sizeof number);
+  return number;
+}
+
+template <class T>
+void widenWhole(const char* at, std::size_t stride, std::size_t count, std::int64_t* values) {
+  for (std::size_t i = 0; i < count; ++i, at += stride) {
+    const T number = numberAt<T>(at);
+    if constexpr (std::is_floating_point_v<T>) {
+      values[i] = wholeOf(number);
+    } else {
+      values[i] = std::in_range<std::int64_t>(number) ? static_cast<std::int64_t>(number) : INT64_MAX;
+    }
   }
 }
 
-std::string zipFault(zip_error_t* error) {
-  return zip_error_strerror(error);
+template <class T>
+void widenReal(const char* at, std::size_t stride, std::size_t count, double* values) {
+  for (std::size_t i = 0; i < count; ++i, at += stride) values[i] = static_cast<double>(numberAt<T>(at));
 }
 
 }  // namespace
 
-ZipArchive openZip(const std::string& path) {
-  if (access(path.c_str(), R_OK) != 0) throw std::system_error(errno, std::generic_category(), path);
-  int code = 0;
-  ZipArchive archive(zip_open(path.c_str(), ZIP_RDONLY, &code), zip_discard);
-  if (archive) return archive;
-  zip_error_t error;
-  zip_error_init_with_code(&error, code);
-  const std::string reason = zipFault(&error);
-  zip_error_fini(&error);
-  throw FileFault(path, "is not a whole zip archive, as .npz is one: " + reason);
+NpyColumn::NpyColumn(const std::string& path, const ZipArchive& archive, const ColumnPlace& place)
+    : stream_(path, archive, place.array),
+      field_(fieldAt(place)),
+      stride_(header().element_bytes * (header().by_columns ? 1 : header().columns.value_or(1))) {
+  chooseType();
+  if (stride_ > kMaxStride) stream_.fail("has rows of " + std::to_string(stride_) + " bytes");
+  if (!header().by_columns) return;
+  std::uint64_t bytes;
+  if (__builtin_mul_overflow(size(), *place.column * header().element_bytes, &bytes))
+    stream_.fail("is too large");
+  stream_.skip(bytes);
+  to_end_ = *place.column + 1 == *header().columns;
 }
 
-NpyColumn::NpyColumn(const std::string& path, const ZipArchive& archive, const std::string& name)
-    : path_(path),
-      name_(name + ".npy"),
-      file_(zip_fopen(archive.get(), name_.c_str(), 0), zip_fclose),
-      header_(readHeader(archive)),
-      widen_(widening()) {}
+NpyField NpyColumn::fieldAt(const ColumnPlace& place) const {
+  const auto& fields = header().fields;
+  const auto found = std::find_if(fields.begin(), fields.end(),
+                                  [&](const NpyField& field) { return field.name == place.field; });
+  if (found == fields.end() || place.column.has_value() != header().columns.has_value() ||
+      place.column.value_or(0) >= header().columns.value_or(1))
+    stream_.fail("is not one column of numbers");
+  NpyField field = *found;
+  if (!header().by_columns) field.offset += place.column.value_or(0) * header().element_bytes;
+  return field;
+}
+
+template <class T>
+void NpyColumn::setType() {
+  whole_ = widenWhole<T>;
+  real_ = widenReal<T>;
+}
+
+void NpyColumn::chooseType() {
+  const bool bool_or_unsigned = field_.kind == 'b' || field_.kind == 'u', is_signed = field_.kind == 'i';
+  const std::size_t bytes = field_.order == '>' ? 0 : field_.value_bytes;
+  if (bool_or_unsigned && bytes == 1) return setType<std::uint8_t>();
+  if (bool_or_unsigned && bytes == 2) return setType<std::uint16_t>();
+  if (bool_or_unsigned && bytes == 4) return setType<std::uint32_t>();
+  if (bool_or_unsigned && bytes == 8) return setType<std::uint64_t>();
+  if (is_signed && bytes == 1) return setType<std::int8_t>();
+  if (is_signed && bytes == 2) return setType<std::int16_t>();
+  if (is_signed && bytes == 4) return setType<std::int32_t>();
+  if (is_signed && bytes == 8) return setType<std::int64_t>();
+  if (real() && bytes == 4) return setType<float>();
+  if (real() && bytes == 8) return setType<double>();
+  stream_.fail(std::string("is of type ") + field_.order + field_.kind + std::to_string(field_.value_bytes) +
+               "; little-endian numbers of 1 to 8 bytes and bool can be read");
+}
+
+template <class Value>
+void NpyColumn::widen(std::uint64_t count, Widen<Value> convert, std::vector<Value>& values) {
+  bytes_.resize(count * stride_);
+  stream_.read(bytes_.data(), bytes_.size());
+  values.resize(count);
+  convert(bytes_.data() + field_.offset, stride_, count, values.data());
+  done_ += count;
+  if (done_ == size() && to_end_) stream_.checkEnd();
+}
 
 void NpyColumn::read(std::uint64_t count, std::vector<std::int64_t>& values) {
-  bytes_.resize(count * header_.value_bytes);
-  readBytes(bytes_.data(), bytes_.size());
-  widen_(bytes_, values);
-  done_ += count;
-  if (done_ == size()) checkEnd();
+  widen(count, whole_, values);
 }
 
-NpyHeader NpyColumn::readHeader(const ZipArchive& archive) {
-  if (!file_) fail(zip_strerror(archive.get()));
-  char start[8];
-  readBytes(start, sizeof start);
-  if (std::memcmp(start, "\x93NUMPY", 6) != 0 || start[6] < 1 || start[6] > 3)
-    fail("is not an array in version 1 to 3 of NumPy's format");
-  std::uint32_t size = 0;
-  readBytes(reinterpret_cast<char*>(&size), start[6] == 1 ? 2 : 4);
-  if (size > kMaxHeaderBytes) fail("has a header of " + std::to_string(size) + " bytes");
-  std::string text(size, '\0');
-  readBytes(text.data(), text.size());
-  const auto header = parseNpyHeader(text);
-  if (!header) fail("is not one column of numbers: " + text);
-  return *header;
-}
-
-NpyColumn::Widen NpyColumn::widening() const {
-  const bool bool_or_unsigned = header_.kind == 'b' || header_.kind == 'u';
-  if (header_.order != '>' && (bool_or_unsigned || header_.kind == 'i')) {
-    switch (header_.value_bytes) {
-      case 1:
-        return bool_or_unsigned ? widen<std::uint8_t> : widen<std::int8_t>;
-      case 2:
-        return bool_or_unsigned ? widen<std::uint16_t> : widen<std::int16_t>;
-      case 4:
-        return bool_or_unsigned ? widen<std::uint32_t> : widen<std::int32_t>;
-      case 8:
-        return bool_or_unsigned ? widen<std::uint64_t> : widen<std::int64_t>;
-    }
-  }
-  fail(std::string("is of type ") + header_.order + header_.kind + std::to_string(header_.value_bytes) +
-       "; little-endian whole numbers and bool can be read");
-}
-
-// Reading beyond the end also makes libzip compare the CRC.
-void NpyColumn::checkEnd() {
-  char further;
-  const zip_int64_t got = zip_fread(file_.get(), &further, 1);
-  if (got < 0) fail("is damaged: " + zipFault(zip_file_get_error(file_.get())));
-  if (got > 0) fail("goes on after its last value");
-}
-
-void NpyColumn::readBytes(char* bytes, std::size_t count) {
-  while (count > 0) {
-    const zip_int64_t got = zip_fread(file_.get(), bytes, count);
-    if (got < 0) fail("cannot be read: " + zipFault(zip_file_get_error(file_.get())));
-    if (got == 0) fail("ends too early");
-    bytes += got;
-    count -= static_cast<std::size_t>(got);
-  }
-}
-
-void NpyColumn::fail(const std::string& what) const {
-  throw FileFault(path_, name_ + ": " + what);
+void NpyColumn::readReal(std::uint64_t count, std::vector<double>& values) {
+  widen(count, real_, values);
 }
 
 }  // namespace saccade::client

@@ -1,37 +1,77 @@
-// NumPy's .npz: arrays t (microseconds), x, y and p (0 or 1, or bool) of equal lengths. They are whole
-// numbers of any width, stored or compressed. There may be labels in source and artefact, and single numbers
-// width and height. A cut file cannot be read, because its directory stands at the end.
+// NumPy's .npz: four arrays t, x, y and p of equal lengths, or an array of structures or of rows of four
+// numbers. Numbers are of any width, stored or compressed. There may be labels in source and artefact, and
+// single numbers width and height. A cut file cannot be read, because its directory stands at the end.
 #include <algorithm>
-#include <initializer_list>
-#include <optional>
 #include <utility>
 
-#include "client/formats/common/event_columns.h"
+#include "client/formats/common/column_reader.h"
 #include "client/formats/npz/npy_column.h"
 
 namespace saccade::client {
 namespace {
 
-bool has(const ZipArchive& archive, const std::string& name) {
-  return zip_name_locate(archive.get(), (name + ".npy").c_str(), 0) >= 0;
+constexpr std::string_view kMember = ".npy";
+constexpr zip_int64_t kMostMembers = 1000;  // that are looked at
+
+class NpzFile : public ArrayFile {
+ public:
+  explicit NpzFile(const std::string& path) : path_(path), archive_(openZip(path)) {}
+
+  std::vector<std::string> names() const override;
+  bool has(const std::string& name) const override {
+    return zip_name_locate(archive_.get(), (name + std::string(kMember)).c_str(), 0) >= 0;
+  }
+  ArrayForm form(const std::string& name) const override;
+  std::unique_ptr<NumberColumn> open(const ColumnPlace& place) const override;
+  std::uint32_t sideOf(const std::string& name) const;
+
+ private:
+  const std::string path_;
+  const ZipArchive archive_;
+};
+
+std::vector<std::string> NpzFile::names() const {
+  std::vector<std::string> names;
+  for (zip_int64_t i = 0; i < std::min(kMostMembers, zip_get_num_entries(archive_.get(), 0)); ++i) {
+    const char* entry = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), 0);
+    const std::string name = entry ? entry : "";
+    if (name.ends_with(kMember)) names.push_back(name.substr(0, name.size() - kMember.size()));
+  }
+  return names;
 }
 
-std::uint32_t sideOf(const std::string& path, const ZipArchive& archive, const std::string& name) {
-  if (!has(archive, name)) return 0;
-  NpyColumn number(path, archive, name);
-  if (!number.single()) throw FileFault(path, name + ".npy is not a single number");
+ArrayForm NpzFile::form(const std::string& name) const {
+  ArrayForm form;
+  try {
+    const NpyStream stream(path_, archive_, name);
+    form.columns = stream.header().columns;
+    if (!stream.header().structured()) return form;
+    for (const NpyField& field : stream.header().fields) form.fields.push_back(field.name);
+  } catch (const FileFault&) {  // not of numbers, such as Python's objects
+  }
+  return form;
+}
+
+std::unique_ptr<NumberColumn> NpzFile::open(const ColumnPlace& place) const {
+  auto column = std::make_unique<NpyColumn>(path_, archive_, place);
+  if (column->single()) throw FileFault(path_, place.array + ".npy is a single number");
+  return column;
+}
+
+std::uint32_t NpzFile::sideOf(const std::string& name) const {
+  if (!has(name)) return 0;
+  NpyColumn number(path_, archive_, {name});
+  if (!number.single()) throw FileFault(path_, name + ".npy is not a single number");
   std::vector<std::int64_t> pixels;
   number.read(1, pixels);
-  return toSide(path, name, pixels[0]);
+  return toSide(path_, name, pixels[0]);
 }
 
 // The truth channels, with an array NAME_t beside each, after `names`.
-std::string otherNames(const ZipArchive& archive, std::string names) {
-  constexpr std::string_view kTimes = "_t.npy";
+std::string otherNames(const NpzFile& file, std::string names) {
+  constexpr std::string_view kTimes = "_t";
   bool first = true;
-  for (zip_int64_t i = 0; i < zip_get_num_entries(archive.get(), 0); ++i) {
-    const char* entry = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0);
-    const std::string name = entry ? entry : "";
+  for (const std::string& name : file.names()) {
     if (!name.ends_with(kTimes)) continue;
     if (!names.empty()) names += ", ";
     if (std::exchange(first, false)) names += "truth ";
@@ -40,62 +80,23 @@ std::string otherNames(const ZipArchive& archive, std::string names) {
   return names;
 }
 
-class NpzReader : public Reader {
- public:
-  explicit NpzReader(const std::string& path)
-      : path_(path),
-        archive_(openZip(path)),
-        size_{sideOf(path, archive_, "width"), sideOf(path, archive_, "height")},
-        t_(path, archive_, "t"),
-        x_(path, archive_, "x"),
-        y_(path, archive_, "y"),
-        p_(path, archive_, "p"),
-        label_columns_{has(archive_, "source"), has(archive_, "artefact")} {
-    if (labels()) source_.emplace(path, archive_, "source"), artefact_.emplace(path, archive_, "artefact");
-    checkLengths({&t_, &x_, &y_, &p_}, "t, x, y and p");
-    if (labels()) checkLengths({&t_, &*source_, &*artefact_}, "t, source and artefact");
-  }
-
-  ImageSize size() const override { return size_; }
-  bool labels() const override { return label_columns_.both(); }
-  std::string leftOut() const override { return otherNames(archive_, label_columns_.alone()); }
-
-  bool read(Events& events) override {
-    const std::uint64_t count = std::min(kColumnBatch, t_.size() - done_);
-    events.clear();
-    if (count == 0) return false;
-    t_.read(count, columns_.t_us), x_.read(count, columns_.x);
-    y_.read(count, columns_.y), p_.read(count, columns_.p);
-    if (labels()) source_->read(count, columns_.source), artefact_->read(count, columns_.artefact);
-    columns_.toEvents(path_, done_, events);
-    done_ += count;
-    return true;
-  }
-
- private:
-  void checkLengths(std::initializer_list<const NpyColumn*> columns, const std::string& names) const {
-    for (const NpyColumn* column : columns) {
-      if (column->single() || column->size() != t_.size())
-        throw FileFault(path_, names + " are not arrays of equal lengths");
-    }
-  }
-
-  const std::string path_;
-  const ZipArchive archive_;
-  const ImageSize size_;
-  NpyColumn t_, x_, y_, p_;
-  const LabelColumns label_columns_;
-  std::optional<NpyColumn> source_, artefact_;  // of labelled events
-  EventColumns columns_;
-  std::uint64_t done_ = 0;  // events
-};
+std::unique_ptr<Reader> makeBy(const std::string& path, const ColumnOptions& options) {
+  auto file = std::make_unique<NpzFile>(path);
+  const FoundColumns columns = findColumns(path, *file, options, {kTxyp, kXytp, kXypt});
+  const LabelColumns labels{file->has("source"), file->has("artefact")};
+  ArrayFacts facts;
+  facts.size = {file->sideOf("width"), file->sideOf("height")};
+  if (labels.both()) facts.source = "source", facts.artefact = "artefact";
+  facts.left_out = otherNames(*file, labels.alone());
+  return std::make_unique<ColumnReader>(path, std::move(file), columns, options.unit, facts);
+}
 
 std::unique_ptr<Reader> make(const std::string& path) {
-  return std::make_unique<NpzReader>(path);
+  return makeBy(path, {});
 }
 
 }  // namespace
 
-extern const ReaderInfo kNpzReader{".npz", "arrays t[us], x, y, p of NumPy", make};
+extern const ReaderInfo kNpzReader{".npz", "NumPy arrays t, x, y, p, or a table of them", make, makeBy};
 
 }  // namespace saccade::client

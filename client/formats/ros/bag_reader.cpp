@@ -17,6 +17,6 @@ std::unique_ptr<Reader> make(const std::string& path) {
 
 }  // namespace
 
-extern const ReaderInfo kBagReader{".bag", "ROS 1 bag with dvs_msgs/EventArray", make, makeOf};
+extern const ReaderInfo kBagReader{".bag", "ROS 1 bag with dvs_msgs/EventArray", make, nullptr, makeOf};
 
 }  // namespace saccade::client

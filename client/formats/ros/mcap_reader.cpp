@@ -17,6 +17,6 @@ std::unique_ptr<Reader> make(const std::string& path) {
 }  // namespace
 
 extern const ReaderInfo kMcapReader{".mcap", "ROS 2 MCAP with event_camera_msgs/EventPacket of EVT3", make,
-                                    makeOf};
+                                    nullptr, makeOf};
 
 }  // namespace saccade::client

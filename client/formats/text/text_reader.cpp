@@ -1,46 +1,69 @@
-#include "client/formats/text/text_reader.h"
-
-#include <system_error>
-
-#include "client/formats/common/bounded_line.h"
+// Text files, one line per event: .csv and .txt, as we write them and as others do. See text_head.h and
+// text_form.h for what they may look like.
+#include "client/formats/text/text_fields.h"
+#include "client/formats/text/text_form.h"
+#include "client/formats/text/text_lines.h"
 
 namespace saccade::client {
 namespace {
 
-constexpr std::size_t kBatch = 1 << 16;  // events
+constexpr std::size_t kBatch = 1 << 16;        // events
+constexpr std::size_t kSampleLines = 1 << 10;  // that tell the form
+
+class TextReader : public Reader {
+ public:
+  TextReader(const std::string& path, const ColumnOptions& options)
+      : path_(path),
+        lines_(path),
+        head_(parseHead(path, lines_.ahead(kSampleLines))),
+        form_(findForm(path, head_, lines_.ahead(kSampleLines), options)),
+        parser_(form_.row) {
+    if (lines_.ahead(1).empty()) throw FileFault(path, "is empty: it has neither a heading nor events");
+    std::string_view line;
+    for (std::size_t i = 0; i < head_.lines; ++i) lines_.next(line);
+  }
+
+  ImageSize size() const override { return head_.size; }
+  std::string leftOut() const override { return form_.left_out; }
+  std::string assumed() const override { return form_.assumed; }
+
+  bool read(Events& events) override {
+    events.clear();
+    Event event;
+    for (std::string_view line; events.size() < kBatch && lines_.next(line);) {
+      if (parser_.parse(line, event))
+        events.push_back(event);
+      else if (!isComment(line))
+        fail();
+    }
+    return !events.empty();
+  }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw FileFault(path_, "line " + std::to_string(lines_.number()) + " is not of the form '" + form_.text +
+                               "': " + (form_.row.decimals ? "" : "t is a whole number, ") +
+                               "x and y are 0 to 65535, " + kPolarities);
+  }
+
+  const std::string path_;
+  TextLines lines_;
+  const TextHead head_;
+  const TextForm form_;
+  RowParser parser_;
+};
+
+std::unique_ptr<Reader> makeBy(const std::string& path, const ColumnOptions& options) {
+  return std::make_unique<TextReader>(path, options);
+}
+
+std::unique_ptr<Reader> make(const std::string& path) {
+  return makeBy(path, {});
+}
 
 }  // namespace
 
-TextReader::TextReader(const std::string& path, const char* form, ParseFirst parse_first,
-                       ParseLine parse_line)
-    : path_(path), form_(form), parse_line_(parse_line), file_(path, std::ios::binary) {
-  if (!file_) throw std::system_error(errno, std::generic_category(), path);
-  const auto size = nextLine() ? parse_first(line_) : std::nullopt;
-  if (!size) fail();
-  size_ = *size;
-}
-
-bool TextReader::read(Events& events) {
-  events.clear();
-  while (events.size() < kBatch && nextLine()) {
-    const auto event = parse_line_(line_);
-    if (!event) fail();
-    events.push_back(*event);
-  }
-  return !events.empty();
-}
-
-bool TextReader::nextLine() {
-  ++number_;
-  const LineRead read = takeLine(file_, buffer_, line_);
-  if (read == LineRead::kTooLong || line_.size() > kLongestLine)
-    throw FileFault(path_, "line " + std::to_string(number_) + " is longer than 4 KiB");
-  if (file_.bad()) throw std::system_error(errno, std::generic_category(), path_);
-  return read == LineRead::kLine;
-}
-
-void TextReader::fail() const {
-  throw FileFault(path_, "line " + std::to_string(number_) + " is not of the form " + form_);
-}
+extern const ReaderInfo kCsvReader{".csv", "t,x,y,p in any order under a heading", make, makeBy};
+extern const ReaderInfo kTxtReader{".txt", "t x y p, under a line \"width height\" or none", make, makeBy};
 
 }  // namespace saccade::client
