@@ -1,6 +1,8 @@
 // The text format that rpg_e2vid reads: a line `width height`, then one line `t x y p` per event. Here t is
 // in seconds with nine decimals; p is 1 for ON, 0 for OFF. (`events.txt` of the rpg data sets is the same
 // without the first line.)
+#include <cstdlib>
+
 #include "client/formats/common/units.h"
 #include "client/formats/text/text_writer.h"
 
@@ -8,9 +10,10 @@ namespace saccade::client {
 namespace {
 
 void appendLine(std::string& text, const Event& event) {
-  appendNumber(text, event.t_ns / kNsPerSecond);
+  if (event.t_ns < 0) text += '-';
+  appendNumber(text, std::abs(event.t_ns / kNsPerSecond));
   text += '.';
-  appendNumber(text, event.t_ns % kNsPerSecond, 9);
+  appendNumber(text, std::abs(event.t_ns % kNsPerSecond), 9);
   for (const int value : {int{event.x}, int{event.y}, int{event.p}}) {
     text += ' ';
     appendNumber(text, value);
