@@ -31,7 +31,7 @@ class Aedat4(unittest.TestCase):
 
     def written(self, events):
         rows = "".join(f"{t},{x},{y},{p}\n" for t, x, y, p in events)
-        (self.folder / "a.csv").write_text("t_us,x,y,p\n" + rows)
+        (self.folder / "a.csv").write_text("t,x,y,p\n" + rows)
         self.convert("a.csv", "a.aedat4", "--size", "1280x720")
         return (self.folder / "a.aedat4").read_bytes()
 

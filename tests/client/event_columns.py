@@ -25,7 +25,7 @@ def random_events(count, gap_us=20, seed=1):
 
 def write_csv(path, events):
     lines = map("%d,%d,%d,%d\n".__mod__, zip(*(events[c].tolist() for c in COLUMNS)))
-    path.write_text("t_us,x,y,p\n" + "".join(lines), encoding="ascii")
+    path.write_text("t,x,y,p\n" + "".join(lines), encoding="ascii")
 
 
 def read_csv(path):

@@ -8,7 +8,7 @@ import subprocess
 
 def write_csv(path, events):
     """Events are (t_us, x, y, p)."""
-    path.write_text("t_us,x,y,p\n" + "".join(f"{t},{x},{y},{p}\n" for t, x, y, p in events))
+    path.write_text("t,x,y,p\n" + "".join(f"{t},{x},{y},{p}\n" for t, x, y, p in events))
 
 
 def convert(saccade, source, target, size, most_bytes=None):

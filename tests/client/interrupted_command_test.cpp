@@ -24,7 +24,7 @@ class Interrupted : public CommandAndServer {
 
  private:
   bool begun() const { return fs::exists(partial_) && fs::file_size(partial_) > kHeading.size(); }
-  static constexpr std::string_view kHeading = "t_us,x,y,p\n";
+  static constexpr std::string_view kHeading = "t,x,y,p\n";
 };
 TEST_F(Interrupted, CtrlCKeepsTheEventsThatCame) {
   Child record = startRecord("1000");

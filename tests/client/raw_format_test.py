@@ -47,7 +47,7 @@ class RawFormat(unittest.TestCase):
 
     def write_csv(self, events):
         with open(self.at("in.csv"), "w", encoding="ascii") as file:
-            file.write("t_us,x,y,p\n" + "".join("%d,%d,%d,%d\n" % event for event in events))
+            file.write("t,x,y,p\n" + "".join("%d,%d,%d,%d\n" % event for event in events))
 
     def encode(self, events, width, height, name):
         """The bytes of the RAW file of these events."""

@@ -56,7 +56,7 @@ TEST_F(RecorderTest, WritesCsv) {
   recorder.add(batchOf(0, v1::KIND_EVENTS, kEvents));
   recorder.add(batchOf(0, v1::KIND_END, {}));
   recorder.commit();
-  EXPECT_EQ(textOf("a.csv"), "t_us,x,y,p\n0,1,2,1\n1234567,345,259,0\n2000000,0,0,1\n");
+  EXPECT_EQ(textOf("a.csv"), "t,x,y,p\n0,1,2,1\n1234567,345,259,0\n2000000,0,0,1\n");
 }
 
 TEST_F(RecorderTest, WritesTxtWithTheSizeFirst) {
@@ -85,7 +85,7 @@ TEST_F(RecorderTest, EventsBeforeAFaultAreKept) {
     Recorder recorder(at("a.csv"), writerFor("a.csv"), streamOf(1));
     recorder.add(batchOf(0, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
   }
-  EXPECT_EQ(textOf("a.csv.partial"), "t_us,x,y,p\n5,1,2,0\n");
+  EXPECT_EQ(textOf("a.csv.partial"), "t,x,y,p\n5,1,2,0\n");
 }
 
 TEST_F(RecorderTest, SeveralSensorsHaveAFileEach) {
@@ -97,8 +97,8 @@ TEST_F(RecorderTest, SeveralSensorsHaveAFileEach) {
   recorder.add(batchOf(0, v1::KIND_END, {}));
   ASSERT_TRUE(recorder.complete());
   recorder.commit();
-  EXPECT_EQ(textOf("a.b-0.csv"), "t_us,x,y,p\n");
-  EXPECT_EQ(textOf("a.b-1.csv"), "t_us,x,y,p\n5,1,2,0\n");
+  EXPECT_EQ(textOf("a.b-0.csv"), "t,x,y,p\n");
+  EXPECT_EQ(textOf("a.b-1.csv"), "t,x,y,p\n5,1,2,0\n");
   EXPECT_EQ(recorder.events(), 1u);
 }
 
@@ -171,7 +171,7 @@ TEST_F(RecorderTest, SnapshotsAndHeartbeatsLeaveNoTrace) {
   EXPECT_EQ(recorder.duration_ns(), 0);
   recorder.add(batchOf(0, v1::KIND_END, {}));
   recorder.commit();
-  EXPECT_EQ(textOf("a.csv"), "t_us,x,y,p\n");
+  EXPECT_EQ(textOf("a.csv"), "t,x,y,p\n");
 }
 
 // A folder of the final name makes the renaming of that sensor's file fail.
@@ -186,7 +186,7 @@ TEST_F(RecorderTest, AFileThatCannotGetItsNameStaysPartialAsDoTheLaterOnes) {
   EXPECT_EQ(recorder.files(), (std::vector{at("a-0.csv"), at("a-1.csv.partial"), at("a-2.csv.partial")}));
   for (const std::string& file : recorder.files()) {
     EXPECT_TRUE(fs::is_regular_file(file)) << file;
-    EXPECT_EQ(textOf(fs::path(file).filename()), "t_us,x,y,p\n5,1,2,0\n");
+    EXPECT_EQ(textOf(fs::path(file).filename()), "t,x,y,p\n5,1,2,0\n");
   }
 }
 
@@ -196,7 +196,7 @@ TEST_F(RecorderTest, StandardOutputGetsCsvAndKeepsItsName) {
   recorder.add(batchOf(0, v1::KIND_EVENTS, {{5000, 1, 2, 0}}));
   recorder.add(batchOf(0, v1::KIND_END, {}));
   recorder.commit();
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "t_us,x,y,p\n5,1,2,0\n");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "t,x,y,p\n5,1,2,0\n");
   EXPECT_EQ(recorder.files(), std::vector<std::string>{"-"});
 }
 

@@ -70,7 +70,7 @@ TEST_F(RecordingFileTest, StandardOutputHasNoJson) {
   file.sensor(0).write({{1000, 1, 2, 1}}, 0, 2000);
   file.close();
   file.commit();
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "t_us,x,y,p\n1,1,2,1\n");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "t,x,y,p\n1,1,2,1\n");
   EXPECT_FALSE(fs::exists("-.json"));
 }
 

@@ -40,7 +40,7 @@ class Place:
         for name in ("a.key", "a.pub"):
             (folder / name).write_text("k" * 40 + "\n")
         self.csv = folder / "events.csv"
-        self.csv.write_text("t_us,x,y,p\n1,2,1,1\n")
+        self.csv.write_text("t,x,y,p\n1,2,1,1\n")
         self.lines = self.make_lines()
 
     def fill_in(self, value):

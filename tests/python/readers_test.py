@@ -34,7 +34,7 @@ class Readers(unittest.TestCase):
         path = self.write("a.csv", "t,x,y,p\n" + "".join(lines))
         self.expect(path, None)
         self.expect(path, (346, 260), size=(346, 260))
-        self.assertEqual(len(saccade.read(self.write("none.csv", "t_us,x,y,p\n"))), 0)
+        self.assertEqual(len(saccade.read(self.write("none.csv", "t,x,y,p\n"))), 0)
 
     def test_txt_in_seconds(self):
         lines = [f"{t / 1e6:.9f} {x} {y} {p}\n" for t, x, y, p in zip(T, X, Y, P)]

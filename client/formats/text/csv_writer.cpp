@@ -1,4 +1,4 @@
-// CSV: the heading `t_us,x,y,p`, then one line per event; times in whole microseconds, p is 1 ON, 0 OFF.
+// CSV: the heading `t,x,y,p`, then one line per event; times in whole microseconds, p is 1 ON, 0 OFF.
 #include "client/formats/common/units.h"
 #include "client/formats/text/text_writer.h"
 
@@ -15,11 +15,11 @@ void appendLine(std::string& text, const Event& event) {
 }
 
 std::unique_ptr<Writer> make(const std::string& path, const v1::Recording&) {
-  return std::make_unique<TextWriter>(path, "t_us,x,y,p\n", appendLine);
+  return std::make_unique<TextWriter>(path, "t,x,y,p\n", appendLine);
 }
 
 }  // namespace
 
-extern const WriterInfo kCsvWriter{"csv", ".csv", "t_us,x,y,p with a heading", make, true};
+extern const WriterInfo kCsvWriter{"csv", ".csv", "t,x,y,p with a heading, t in microseconds", make, true};
 
 }  // namespace saccade::client
