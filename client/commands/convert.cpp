@@ -20,7 +20,7 @@ namespace {
 
 struct ConvertOptions {
   std::string input, size;
-  SensorChoice choice;
+  ReadingOptions reading;
   OutputOptions output;
 };
 
@@ -67,7 +67,7 @@ void runConvert(const ConvertOptions& options) {
   const WriterInfo& format = options.output.writer();
   checkOutputs(options.output, 1);
   watchInterrupt();
-  SourceFile source(options.input, options.choice, options.size, format.labels);
+  SourceFile source(options.input, options.size, format.labels, options.reading);
   RecordingFile file(options.output.path, format, {aboutEvents(source, source.labels() && format.labels)});
   Progress progress(source.recording() ? secondsOf(source.recording()->end_ns()) : 0);
   try {
@@ -83,7 +83,8 @@ void runConvert(const ConvertOptions& options) {
   file.commit();
   std::FILE* out = options.output.path == kStandardOutput ? stderr : stdout;
   printFiles(out, {file.name()}, "");
-  print(out, "%llu events\n", static_cast<unsigned long long>(file.sensor(0).about().events()));
+  print(out, "%llu events\n%s", static_cast<unsigned long long>(file.sensor(0).about().events()),
+        source.changes().c_str());
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ void addConvertCommand(CLI::App& app) {
   addOutputOptions(*command, options->output, "output");
   command->add_option("--size", options->size,
                       "WIDTHxHEIGHT in pixels, where neither the input nor INPUT.json tells it");
-  addSensorOptions(*command, options->choice);
+  addReadingOptions(*command, options->reading);
   command->callback([options] { runConvert(*options); });
 }
 

@@ -35,33 +35,68 @@ ImageSize sizeOf(const std::string& path, const std::string& description, const 
 
 }  // namespace
 
-void addSensorOptions(CLI::App& command, SensorChoice& choice) {
-  command.add_option("--sensor", choice.sensor,
-                     "number of the sensor in a .bag, .h5 or .mcap file of several, counted from 0");
-  command.add_option("--topic", choice.topic,
-                     "topic of the sensor in a .bag or .mcap file, instead of --sensor");
-}
-
-SourceFile::SourceFile(const std::string& path, const SensorChoice& choice,
-                       const std::optional<std::string>& size, bool labels)
+SourceFile::SourceFile(const std::string& path, const std::optional<std::string>& size, bool labels,
+                       const ReadingOptions& options)
     : path_(path),
-      reader_(openReader(path, choice)),
+      options_(options),
+      reader_(openReader(path, options.sensor, &options_.columns)),
       description_(sidecarOf(nameOfSensor(path, reader_->sensor()))),
       recording_(recordingOf(nameOfSensor(path, reader_->sensor()))),
       size_(sizeOf(path, description_, reader_->size(), recording_, size)),
-      check_(path, size_) {
-  std::string left_out = reader_->leftOut();
-  const auto leaveOut = [&](const std::string& what) { left_out += (left_out.empty() ? "" : ", ") + what; };
-  if (reader_->labels() && !labels) leaveOut("the labels of the events");
-  if (std::filesystem::is_directory(truthFolderOf(path))) leaveOut(truthFolderOf(path));
-  if (!left_out.empty())
-    print(stderr, "saccade: %s: the events of %s are read; left out: %s\n", path.c_str(),
-          reader_->name().c_str(), left_out.c_str());
+      check_(path, size_, options.mends) {
+  if (options.sort_us > 0) sorter_.emplace(path, options.sort_us);
+  sayLeftOut(labels);
+  if (!recording_) sayAssumed(size);
 }
 
 bool SourceFile::read(Events& events) {
-  if (!reader_->read(events)) return false;
+  if (!(sorter_ ? readSorted(events) : reader_->read(events))) return false;
+  if (!sorter_ && options_.crop) crop(events);
   check_.check(events);
+  return true;
+}
+
+std::string SourceFile::changes() const {
+  std::string changes;
+  if (options_.crop)
+    changes = std::to_string(cropped_) + " events outside of the image were left out (--crop)\n";
+  if (sorter_)
+    changes += std::to_string(sorter_->late()) + " events were late, by at most " +
+               textOfUs(sorter_->longestNs()) + ", and are in order now (--sort)\n";
+  return changes;
+}
+
+void SourceFile::sayLeftOut(bool labels) const {
+  std::string left_out = reader_->leftOut();
+  const auto leaveOut = [&](const std::string& what) { left_out += (left_out.empty() ? "" : ", ") + what; };
+  if (reader_->labels() && !labels) leaveOut("the labels of the events");
+  if (std::filesystem::is_directory(truthFolderOf(path_))) leaveOut(truthFolderOf(path_));
+  if (!left_out.empty())
+    print(stderr, "saccade: %s: the events of %s are read; left out: %s\n", path_.c_str(),
+          reader_->name().c_str(), left_out.c_str());
+}
+
+void SourceFile::sayAssumed(const std::optional<std::string>& size) const {
+  const std::string assumed = reader_->assumed();
+  if (assumed.empty()) return;
+  const bool given = reader_->size().width == 0 && size && !size->empty();
+  print(stderr, "saccade: %s: read %s, size %ux%u from %s\n", path_.c_str(), assumed.c_str(), size_.width,
+        size_.height, given ? "--size" : "the file");
+}
+
+void SourceFile::crop(Events& events) {
+  cropped_ += std::erase_if(
+      events, [&](const Event& event) { return event.x >= size_.width || event.y >= size_.height; });
+}
+
+bool SourceFile::readSorted(Events& events) {
+  if (ended_) return false;
+  ended_ = !reader_->read(events);
+  if (options_.crop) crop(events);
+  if (ended_)
+    sorter_->finish(events);
+  else
+    sorter_->push(events);
   return true;
 }
 

@@ -13,11 +13,11 @@ namespace {
 
 struct VerifyOptions {
   std::string file;
-  SensorChoice choice;
+  ReadingOptions reading;
 };
 
 void runVerify(const VerifyOptions& options) {
-  SourceFile source(options.file, options.choice, std::nullopt, false);
+  SourceFile source(options.file, std::nullopt, false, options.reading);
   const std::string &path = source.path(), &description = source.description();
   const v1::Recording& expected = *source.recording();
   EventDigest digest;
@@ -40,7 +40,8 @@ void addVerifyCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("verify", "compare a file of events with its FILE.json");
   const auto options = std::make_shared<VerifyOptions>();
   command->add_option("file", options->file, "file to read: " + readerNames())->required();
-  addSensorOptions(*command, options->choice);
+  addColumnOptions(*command, options->reading.columns);
+  addSensorOptions(*command, options->reading.sensor);
   command->callback([options] { runVerify(*options); });
 }
 

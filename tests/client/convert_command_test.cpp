@@ -67,7 +67,7 @@ class ConvertCommand : public testing::Test {
 };
 
 TEST_F(ConvertCommand, AFileOfOtherProgramsNeedsItsSizeOnly) {
-  const std::string csv = fileOf("a.csv", "t_us,x,y,p\n1,2,1,1\n7,0,0,0\n"), txt = folder_.at("a.txt");
+  const std::string csv = fileOf("a.csv", "t,x,y,p\n1,2,1,1\n7,0,0,0\n"), txt = folder_.at("a.txt");
   const Result without = run("convert " + csv + " " + txt);
   EXPECT_EQ(without.code, 2);
   EXPECT_TRUE(holds(without, "does not tell the size of the image; give WIDTHxHEIGHT")) << without.output;
@@ -81,20 +81,20 @@ TEST_F(ConvertCommand, AFileOfOtherProgramsNeedsItsSizeOnly) {
 }
 
 TEST_F(ConvertCommand, AChangedFileIsFound) {
-  const std::string csv = fileOf("a.csv", "t_us,x,y,p\n1,2,1,1\n7,0,0,0\n"), txt = folder_.at("a.txt");
+  const std::string csv = fileOf("a.csv", "t,x,y,p\n1,2,1,1\n7,0,0,0\n"), txt = folder_.at("a.txt");
   ASSERT_EQ(run("convert --size 3x2 " + csv + " " + txt).code, 0);
   fileOf("a.txt", "3 2\n0.000001000 2 1 1\n0.000007000 0 1 0\n");
   const Result changed = run("verify " + txt);
   EXPECT_EQ(changed.code, 1);
   EXPECT_TRUE(holds(changed, "the events are not those that")) << changed.output;
   EXPECT_EQ(run("convert --force " + txt + " " + csv).code, 1);
-  EXPECT_EQ(textOf(csv), "t_us,x,y,p\n1,2,1,1\n7,0,0,0\n");
+  EXPECT_EQ(textOf(csv), "t,x,y,p\n1,2,1,1\n7,0,0,0\n");
   fileOf("a.txt", "3 2\n0.000001000 2 1 1\n");
   EXPECT_TRUE(holds(run("verify " + txt), "has 1 events, not 2"));
 }
 
 TEST_F(ConvertCommand, VerifyAsksForNoOptionThatItHasNot) {
-  const std::string csv = fileOf("a.csv", "t_us,x,y,p\n");
+  const std::string csv = fileOf("a.csv", "t,x,y,p\n");
   fileOf("a.csv.json", "{}");
   EXPECT_EQ(run("verify " + csv).output,
             "saccade: '" + csv + "' does not tell the size of the image, nor does " + csv + ".json\n");
@@ -121,8 +121,54 @@ TEST_F(ConvertCommand, AFileThatIsBeingWrittenIsRefusedBeforeAnyWork) {
       holds(run(record + folder_.at("r.csv") + " --further-view 1,0,0"), "r-1.csv.partial' is being"));
 }
 
+TEST_F(ConvertCommand, WhatWasAssumedIsSaid) {
+  const std::string txt = fileOf("a.txt", "0.000001 2 1 1\n0.0000072 0 0 -1\n"), csv = folder_.at("a.csv");
+  const Result converted = run("convert --size 3x2 " + txt + " " + csv);
+  EXPECT_EQ(converted.code, 0);
+  EXPECT_TRUE(
+      holds(converted, "saccade: " + txt +
+                           ": read t as seconds (it has a decimal point), columns t x y p, size 3x2 from "
+                           "--size\n"))
+      << converted.output;
+  EXPECT_EQ(textOf(csv), "t,x,y,p\n1,2,1,1\n7,0,0,0\n");
+  const Result own = run("convert --force " + csv + " " + txt);  // with the description of that file
+  EXPECT_EQ(own.code, 0);
+  EXPECT_FALSE(holds(own, "read t as")) << own.output;
+}
+
+TEST_F(ConvertCommand, TheUserSaysWhatTheFileDoesNot) {
+  const std::string csv = fileOf("a.csv", "0,0,0,1\n2,0,0,1\n"), out = folder_.at("b.csv");
+  EXPECT_TRUE(holds(run("convert --size 3x2 " + csv + " " + out), "--columns t,x,y,p or --columns x,y,p,t"));
+  ASSERT_EQ(run("convert --size 3x2 --columns x,y,p,t --unit ms " + csv + " " + out).code, 0);
+  EXPECT_EQ(textOf(out), "t,x,y,p\n1000,0,0,0\n1000,2,0,0\n");
+  const Result unit = run("convert --force --size 3x2 --unit min " + csv + " " + out);
+  EXPECT_EQ(unit.code, 2);
+  EXPECT_TRUE(holds(unit, "--unit: 'min' is not known; known are s, ms, us, ns")) << unit.output;
+}
+
+TEST_F(ConvertCommand, LateEventsAndThoseOutsideAreMendedOnlyWhenAsked) {
+  const std::string csv = fileOf("a.csv", "t,x,y,p\n100,1,1,1\n110,2,1,0\n108,3,1,1\n120,4,1,0\n");
+  const std::string out = folder_.at("b.csv"), convert = "convert --force --size 4x2 ";
+  const Result late = run(convert + csv + " " + out);
+  EXPECT_EQ(late.code, 1);
+  EXPECT_TRUE(holds(late, "event 3 is 2 us earlier than the one before; --sort WINDOW_US")) << late.output;
+  const Result outside = run(convert + "--sort 2 " + csv + " " + out);
+  EXPECT_EQ(outside.code, 1);
+  EXPECT_TRUE(holds(outside, "event 4 is at (4, 1), outside of 4x2 pixels; --crop leaves such events out"))
+      << outside.output;
+  const Result mended = run(convert + "--sort 2 --crop " + csv + " " + out);
+  EXPECT_EQ(mended.code, 0);
+  EXPECT_TRUE(holds(mended,
+                    "3 events\n1 events outside of the image were left out (--crop)\n"
+                    "1 events were late, by at most 2 us, and are in order now (--sort)\n"))
+      << mended.output;
+  EXPECT_EQ(textOf(out), "t,x,y,p\n100,1,1,1\n108,3,1,1\n110,2,1,0\n");
+  EXPECT_EQ(run("verify " + out).code, 0);
+  EXPECT_TRUE(holds(run(convert + "--sort 1 " + csv + " " + out), "beyond the window of --sort 1"));
+}
+
 TEST_F(ConvertCommand, WrongUsageSaysWhatIsKnown) {
-  const std::string csv = fileOf("a.csv", "t_us,x,y,p\n");
+  const std::string csv = fileOf("a.csv", "t,x,y,p\n");
   EXPECT_TRUE(holds(run("verify " + csv), "there is no " + csv + ".json"));
   EXPECT_TRUE(holds(run("convert --size 3x2 " + csv + " " + folder_.at("a.xyz")), ".csv csv ("));
   EXPECT_TRUE(holds(run("convert --size 3x2 --format abc " + csv + " " + folder_.at("a.txt")),

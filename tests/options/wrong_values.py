@@ -23,6 +23,7 @@ TEXTS = {
                                                                                        "depth:x", ":3"],
     "--model": NAMES, "--reconstruction": NAMES, "--preset": NAMES, "--delivery": NAMES, "--clock": NAMES,
     "--codec": NAMES, "--topic": NAMES, "--method": NAMES, "--disable": NAMES, "--transfer": NAMES, "--size": SIZES,
+    "--columns": ["nosuch", "t,x,y", "t,x,y,y", "t,,y,p"], "--unit": ["min", "S", "1"],
     "--noise": ["leak_hz", "leak_hz=much", "leak_hz=-1", "leak_hz=nan", "nosuch=1"],
     "--trajectory": ["nosuch", "pan", "pan:fast", "pan:nan", "pan:1e300", "fly:1", "$NONE.csv", "$FILE"],
     "--trajectory-format": NAMES, "--further-view": ["1,2", "a,b,c", "nan,0,0", "1,2,3,0,0,0,0"],

@@ -18,6 +18,8 @@ struct ArrayFacts {
   std::int64_t offset_us = 0;    // to be added to t
   std::string source, artefact;  // the arrays of labels, where both are there
   std::string left_out;
+  std::uint32_t sensor = 0;  // as Reader::sensor()
+  std::string name = "one stream";
 };
 
 class ColumnReader : public Reader {
@@ -26,6 +28,8 @@ class ColumnReader : public Reader {
                const std::optional<TimeUnit>& unit, ArrayFacts facts);
 
   ImageSize size() const override { return facts_.size; }
+  std::uint32_t sensor() const override { return facts_.sensor; }
+  std::string name() const override { return facts_.name; }
   bool labels() const override { return !facts_.source.empty(); }
   std::string leftOut() const override { return facts_.left_out; }
   std::string assumed() const override { return assumed_; }
