@@ -117,8 +117,8 @@ TEST_F(TextLayouts, OptionsNameColumnsThatHaveOtherNames) {
   EXPECT_EQ(read("a.csv", other, {{"t", "x", "y", "p"}, {}}), (Events{{1000, 2, 3, 1}}));
   EXPECT_EQ(read("a.csv", "7,1,2,3,1\n", {{"-", "t_us", "x", "y", "p"}, {}}), (Events{{1000, 2, 3, 1}}));
   expectFault("7,1,2,3,1\n", "line 1 has 5 columns; --columns names them");
-  expectFault(other, "--columns: 't x y' does not name the 4 columns", {{"t", "x", "y"}, {}});
-  expectFault(other, "--columns: 't x y y' does not name", {{"t", "x", "y", "y"}, {}});
+  expectFault(other, "--columns: 't,x,y' does not name the 4 columns", {{"t", "x", "y"}, {}});
+  expectFault(other, "--columns: 't,x,y,y' does not name", {{"t", "x", "y", "y"}, {}});
 }
 
 TEST_F(TextLayouts, WhatIsNoneOfEventsIsRefused) {

@@ -60,6 +60,12 @@ std::optional<ColumnName> parseColumnName(std::string_view name) {
   return std::nullopt;
 }
 
+std::string joined(const std::vector<std::string>& words, const char* separator) {
+  std::string text;
+  for (const std::string& word : words) text += (&word == &words.front() ? "" : separator) + word;
+  return text;
+}
+
 bool ColumnOptions::inKnownWords() const {
   std::array<int, 4> found{};
   for (const std::string& column : columns) {

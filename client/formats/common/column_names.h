@@ -34,6 +34,8 @@ struct ColumnOptions {
   bool inKnownWords() const;
 };
 
+std::string joined(const std::vector<std::string>& words, const char* separator = " ");
+
 // Where t, x, y and p stand among some columns, in the order of kRoles.
 struct RolePlaces {
   std::array<std::size_t, 4> at{};

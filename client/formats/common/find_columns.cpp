@@ -13,12 +13,6 @@ std::string lastPart(const std::string& name) {
   return name.substr(name.rfind('/') + 1);
 }
 
-std::string listOf(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : " ") + name;
-  return list;
-}
-
 FoundColumns found(const RolePlaces& places, const std::vector<std::string>& names,
                    ColumnPlace (*place)(const std::string& array, const std::string& name),
                    const std::string& array) {
@@ -29,7 +23,7 @@ FoundColumns found(const RolePlaces& places, const std::vector<std::string>& nam
     columns.places[i] = place(array, chosen.back());
   }
   columns.told = places.unit;
-  columns.text = "columns " + listOf(chosen) + (array.empty() ? "" : " of " + array);
+  columns.text = "columns " + joined(chosen) + (array.empty() ? "" : " of " + array);
   return columns;
 }
 
@@ -81,7 +75,7 @@ FoundColumns byOrder(const std::string& array, const std::vector<std::string>& n
   FoundColumns columns;
   for (std::size_t i = 0; i < columns.places.size(); ++i) columns.places[i] = {array, "", places.at[i]};
   columns.told = places.unit;
-  columns.text = "columns " + listOf(names) + " of " + array;
+  columns.text = "columns " + joined(names) + " of " + array;
   return columns;
 }
 
@@ -116,10 +110,10 @@ FoundColumns findColumns(const std::string& path, const ArrayFile& file, const C
   }
   if (only) return *only;
   if (!options.columns.empty())
-    throw std::invalid_argument("--columns: '" + path + "' has no columns " + listOf(options.columns) +
-                                "; its arrays are " + listOf(file.names()));
+    throw std::invalid_argument("--columns: '" + path + "' has no columns " + joined(options.columns, ",") +
+                                "; its arrays are " + joined(file.names()));
   throw FileFault(path, "has no arrays t, x, y and p, and no table of them; its arrays are " +
-                            listOf(file.names()) + "; --columns T,X,Y,P names four of them");
+                            joined(file.names()) + "; --columns T,X,Y,P names four of them");
 }
 
 }  // namespace saccade::client

@@ -15,12 +15,6 @@ namespace {
 
 using Lines = std::span<const std::string>;
 
-std::string listOf(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : " ") + name;
-  return list;
-}
-
 std::size_t columnsOf(Lines events, char separator) {
   return events.empty() ? kRoles.size() : fieldsOf(events.front(), separator).size();
 }
@@ -66,7 +60,7 @@ Columns byOptions(const std::string& path, const TextHead& head, std::size_t col
                   const ColumnOptions& options) {
   if (const auto places = placesBy(options, head.names)) return {head.names, *places};
   if (!options.inKnownWords() || options.columns.size() != columns)
-    throw std::invalid_argument("--columns: '" + listOf(options.columns) + "' does not name the " +
+    throw std::invalid_argument("--columns: '" + joined(options.columns, ",") + "' does not name the " +
                                 std::to_string(columns) + " columns of '" + path +
                                 "'; give t, x, y and p in its order, with - for each other");
   return {options.columns, *placesOf(path, options.columns)};
@@ -112,12 +106,12 @@ TextForm findForm(const std::string& path, const TextHead& head, const std::vect
   std::vector<std::string> events;
   std::copy_if(lines.begin() + static_cast<std::ptrdiff_t>(head.lines), lines.end(),
                std::back_inserter(events), [](const std::string& line) { return !isComment(line); });
-  const char separator = separatorOf(events.empty() ? listOf(head.names) : events.front());
+  const char separator = separatorOf(events.empty() ? joined(head.names) : events.front());
   const Columns columns = columnsOf(path, head, events, separator, options);
   const TimesSeen seen = timesIn(events, separator, columns.places.at[0]);
   const auto told = head.size_line ? TimeUnit::kS : columns.places.unit;
   const FoundUnit unit = findUnit(path, options.unit, told, seen);
-  TextForm form{rowOf(columns, separator, unit), listOf(columns.names), "", ""};
+  TextForm form{rowOf(columns, separator, unit), joined(columns.names), "", ""};
   form.row.decimals = options.unit || told || seen.decimal;
   if (!unit.why.empty()) form.assumed = "t as " + unit.why + ", columns " + form.text;
   for (std::size_t i = 0; i < columns.names.size(); ++i) {

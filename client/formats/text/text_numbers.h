@@ -13,12 +13,13 @@ namespace saccade::client {
 // Up to 18 digits, if no decimal point or exponent follows: what most numbers are.
 inline bool takeDigits(std::string_view& text, std::int64_t& value) {
   std::size_t count = 0;
-  value = 0;
+  std::uint64_t digits = 0;  // wraps where there are more
   for (; count < text.size() && text[count] >= '0' && text[count] <= '9'; ++count)
-    value = value * 10 + (text[count] - '0');
+    digits = digits * 10 + static_cast<std::uint64_t>(text[count] - '0');
   const char next = count < text.size() ? text[count] : ',';
   if (count == 0 || count > 18 || next == '.' || next == 'e' || next == 'E') return false;
   text.remove_prefix(count);
+  value = static_cast<std::int64_t>(digits);
   return true;
 }
 

@@ -41,9 +41,10 @@ class TextReader : public Reader {
 
  private:
   [[noreturn]] void fail() const {
-    throw FileFault(path_, "line " + std::to_string(lines_.number()) + " is not of the form '" + form_.text +
-                               "': " + (form_.row.decimals ? "" : "t is a whole number, ") +
-                               "x and y are 0 to 65535, " + kPolarities);
+    throw FileFault(path_,
+                    "line " + std::to_string(lines_.number()) + " is not of the form '" + form_.text +
+                        "': " + (form_.row.decimals ? "" : "t is a whole number, unless --unit is given, ") +
+                        "x and y are 0 to 65535, " + kPolarities);
   }
 
   const std::string path_;
