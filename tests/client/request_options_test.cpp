@@ -278,7 +278,7 @@ TEST(RequestOptions, AFaultyMotionIsNamed) {
   for (const std::string text : {"pan:", "pan:px", "pan:1p", "pan:1:2", ":1"}) {
     EXPECT_EQ(fault(text).find("--trajectory: '"), 0u) << text;
   }
-  for (const std::string start : {"''", "1,2", "a,b,c", "1,2,3,0"})
+  for (const std::string start : {"1,2", "a,b,c", "1,2,3,0"})
     EXPECT_NE(fault("pan:1 --start " + start).find("is not X,Y,Z or X,Y,Z,QX,QY,QZ,QW"), std::string::npos)
         << start;
 }

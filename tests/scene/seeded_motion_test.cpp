@@ -100,9 +100,10 @@ double medianSpeed(const Trajectory& path, double radius) {
   return speeds[speeds.size() / 2];
 }
 
+// A random path comes nearer to the sphere and goes away from it, which its speed does not know.
 TEST(SeededMotions, HaveTheMedianSpeedThatIsAskedFor) {
   for (const std::uint64_t seed : {0, 1, 2}) {
-    EXPECT_NEAR(medianSpeed(seeded("random", 12, seed), 5), 12 * kDegree, 0.02 * 12 * kDegree) << seed;
+    EXPECT_NEAR(medianSpeed(seeded("random", 12, seed), 5), 12 * kDegree, 0.04 * 12 * kDegree) << seed;
     EXPECT_NEAR(medianSpeed(seeded("shake", 12, seed), 5), 12 * kDegree, 0.02 * 12 * kDegree) << seed;
   }
 }

@@ -26,7 +26,7 @@ std::string groupOf(std::uint32_t sensor) {
   return "/sensor_" + std::to_string(sensor);
 }
 
-// What the file has beside the events of a sensor: "sensor 0 (--sensor 0), the truth channels of /truth".
+// "sensor 0 (--sensor 0), the truth channels of /truth": beside the events of a sensor.
 std::string othersOf(const Hdf5Arrays& file, std::uint32_t sensor) {
   std::string others;
   const auto add = [&](const std::string& what) { others += (others.empty() ? "" : ", ") + what; };
