@@ -41,7 +41,7 @@ void addOptions(CLI::App& command, RecordOptions& options) {
   showInHelp(command, common);
   command.footer(
       std::string(kMotionHelp) +
-      " Keep the image motion below half a pixel per frame: `record` warns, and names a --rate.\n\n"
+      "\nKeep the image motion below half a pixel per frame: `record` warns, and names a --rate.\n\n"
       "Options without a default here have the server's default. FILE is called FILE.partial until it is "
       "complete.\n"
       "`record` reconnects to a lost server and resumes; a lossless recording misses nothing.\n"

@@ -66,6 +66,16 @@ TEST(ParseTrajectory, ReadsEsimInNanoseconds) {
   EXPECT_EQ(path.at(1ns).position, (Vec3d{2.5, 3.5, 4.5}));
 }
 
+// A double of such a time is wrong by a tenth of a microsecond.
+TEST(ParseTrajectory, ReadsUnixTimesToTheNanosecond) {
+  const PoseText text = readPoses(
+      "1700000000.123456789 0 0 0 0 0 0 1\n1700000000.2 0 0 0 0 0 0 1\n1.7000000012e9 0 0 0 0 0 0 1\n", "p");
+  EXPECT_EQ(text.begin, 1'700'000'000'123'456'789ns);
+  EXPECT_EQ(text.poses[1].time, 76'543'211ns);
+  EXPECT_NEAR(static_cast<double>(text.poses[2].time.count()), 1.076543211e9, 300);
+  EXPECT_EQ(readPoses("-0.0000000015 0 0 0 0 0 0 1\n", "p").begin, -2ns);
+}
+
 TEST(ParseTrajectory, CitesWholeCharacters) {
   std::string word = "x";
   for (int i = 0; i < 50; ++i) word += "é";

@@ -41,8 +41,8 @@ class CsvReader {
   PoseColumns columns_;
   bool heading_seen_ = false;
   bool commas_ = false;    // as in the first pose; else blanks
-  double first_time_ = 0;  // in units of time
-  TimeNs begin_{0};        // the same, as nanoseconds
+  double first_time_ = 0;  // nanoseconds
+  TimeNs begin_{0};        // the same
   std::vector<TimedPose> keys_;
 };
 
@@ -147,18 +147,32 @@ TimeNs CsvReader::readNanoseconds(std::string_view field) {
   return TimeNs{*t} - begin_;
 }
 
+// A number without an exponent, times 10 to the power of `digits`, to the nearest whole one. A double has not
+// enough digits for Unix time.
+std::optional<long long> shifted(std::string_view word, std::size_t digits) {
+  const std::size_t point = std::min(word.find('.'), word.size());
+  std::string part(word.substr(std::min(point + 1, word.size())));
+  if (part.find_first_not_of("0123456789") != part.npos) return {};
+  const int up = part.size() > digits && part[digits] >= '5' ? 1 : 0;
+  part.resize(digits, '0');
+  const auto whole = parseInteger(std::string(word.substr(0, point)) + part);
+  if (!whole) return {};
+  return *whole + (word.starts_with('-') ? -up : up);
+}
+
 TimeNs CsvReader::readTime(std::string_view field) {
   const double unit = columns_.time_unit > 0 ? columns_.time_unit : commas_ ? 1 : kNsPerSecond;
   if (unit == 1) return readNanoseconds(field);
-  const double t = number(field);
-  if (keys_.empty()) {
-    if (std::abs(t * unit) > kNsPerSecond * kMaxSeconds) fail("a time beyond 9e9 s");
-    first_time_ = t, begin_ = TimeNs{std::llround(t * unit)};
-  }
-  const double since_first = (t - first_time_) * unit;
-  if (std::abs(since_first) > kNsPerSecond * kMaxSeconds)
+  constexpr double kMost = kNsPerSecond * kMaxSeconds;
+  const double t = number(field) * unit;
+  if (keys_.empty()) first_time_ = t;
+  if (std::abs(first_time_) > kMost) fail("a time beyond 9e9 s");
+  if (std::abs(t) > kMost || std::abs(t - first_time_) > kMost)
     fail("a time too far from the first, by more than 9e9 s");
-  return TimeNs{std::llround(since_first)};
+  const auto digits = static_cast<std::size_t>(std::lround(std::log10(unit)));
+  const TimeNs time{shifted(field, digits).value_or(std::llround(t))};
+  if (keys_.empty()) begin_ = time;
+  return time - begin_;
 }
 
 Pose CsvReader::readPose(const Fields& fields) const {
