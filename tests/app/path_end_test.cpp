@@ -21,7 +21,8 @@ v1::OpenStream request() {
 }
 
 ResolvedStream resolved(const v1::OpenStream& r) {
-  const SceneEntry scene{.name = "a", .trajectories = {"right"}};
+  SceneEntry scene;
+  scene.name = "a", scene.trajectories = {"right"};
   return resolve(r, scene, {});
 }
 
