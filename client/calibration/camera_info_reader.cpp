@@ -1,5 +1,5 @@
-// sensor_msgs/CameraInfo, as a file of camera_calibration_parsers or as a printed message, and a camera in
-// the YAML of OpenCV, which has the same keys and names no model.
+// sensor_msgs/CameraInfo, as a file of camera_calibration_parsers or as a printed message. A camera in the
+// YAML of OpenCV has the same keys as such a file, and names no model.
 #include "client/calibration/camera_readers.h"
 
 namespace saccade::client {

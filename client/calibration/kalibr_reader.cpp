@@ -1,4 +1,6 @@
 // A camchain of Kalibr.
+#include <algorithm>
+
 #include "client/calibration/camera_readers.h"
 #include "client/calibration/rig.h"
 #include "client/calibration/rotation.h"

@@ -13,7 +13,7 @@
 
 namespace saccade::client {
 
-// What is written of a stream.
+// Where the batches of a stream go.
 struct RecordSinks {
   Recorder recorder;
   std::optional<Preview> preview;

@@ -1,5 +1,5 @@
-// The poses of cameras as text in the format of the TUM RGB-D benchmark, which evo and others read:
-// "t x y z qx qy qz qw" in a line, seconds, T_world_camera in scene units.
+// The poses of cameras as text in the format of the TUM RGB-D benchmark, which evo and others read. A line is
+// "t x y z qx qy qz qw": seconds, and T_world_camera in scene units.
 #pragma once
 
 #include <memory>

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <stdexcept>
 
 #include "client/calibration/calibration.h"
 #include "scratch_folder.h"
@@ -75,8 +76,8 @@ TEST_F(CalibrationReader, ACamchainOfKalibrIsRead) {
   expectCamera(views[0], v1::DISTORTION_MODEL_EQUIDISTANT, {0.1, 0.02, -0.003, 0.0004});
 }
 
-// T_cam_imu takes points of the IMU to those of the camera: a camera 0.1 m along x of the IMU, turned by 90
-// degrees about z, sees the origin of the IMU at R^T (0 - t) = (0, 0.1, 0).
+// T_cam_imu takes points of the IMU to those of the camera. Here the camera is 0.1 m along x of the IMU, and
+// turned by 90 degrees about z. It sees the origin of the IMU at R^T (0 - t) = (0, 0.1, 0).
 TEST_F(CalibrationReader, TheBodyIsTheImu) {
   const auto views = read(kKalibr +
                               "  T_cam_imu:\n  - [0.0, 1.0, 0.0, 0.0]\n  - [-1.0, 0.0, 0.0, 0.1]\n"
@@ -89,7 +90,7 @@ TEST_F(CalibrationReader, TheBodyIsTheImu) {
   EXPECT_NEAR(body_camera.rotation().w(), std::sqrt(0.5), 1e-12);
 }
 
-// What is written is read back: also the place of each camera.
+// With the place of each camera.
 TEST_F(CalibrationReader, ACamchainOfOurOwnIsReadBack) {
   v1::OpenStream stream;
   *stream.mutable_view() = read(kKalibr)[0];
