@@ -85,7 +85,7 @@ class Rig(unittest.TestCase):
 
     @unittest.skipUnless(importlib.util.find_spec("yaml"), "yaml is not installed")
     def test_calibrations_that_the_command_writes_are_read(self):
-        done = record(self.server, self.folder / "c.npz", *OPTIONS, "--calibration")
+        done = record(self.server, self.folder / "c.npz", *OPTIONS, "--write-calibration")
         self.assertEqual(done.returncode, 0, done.stderr)
         for view, camera in enumerate(saccade.Recording(self.folder / "c.npz").cameras):
             ros = self.folder / ("c.npz.camera_info.yaml" if view == 0 else "c.npz.cam1.camera_info.yaml")
