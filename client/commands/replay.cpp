@@ -86,8 +86,8 @@ void compareAll(const std::vector<v1::Recording>& rig, const std::vector<v1::Rec
 }
 
 void runReplay(const ReplayOptions& options) {
-  const std::vector<v1::Recording> rig = readRig(options.recording);
   const bool all = options.output.writer().makeJoint != nullptr;
+  const std::vector<v1::Recording> rig = readRig(options.recording);
   RecordJob job = makeJob({.output = options.output}, requestOf(options.recording, rig.front(), all));
   job.time_offset_ns = rig.front().time_offset_ns();
   compareAll(rig, recordStream(options.server, job));

@@ -25,7 +25,7 @@ std::string trajectoryWarning(double trajectory_s, double stream_s, double frame
   const bool too_long = trajectory_s > kLongestPlausible;
   const std::string lasts = "the trajectory lasts " + durationText(trajectory_s);
   if (too_long) return lasts + kUnits;
-  if (stream_s > 0 && trajectory_s - stream_s > frame_s)
+  if (stream_s > 0 && trajectory_s - stream_s >= frame_s)
     return lasts + ", the stream " + durationText(stream_s) + ": the rest of the path is left out";
   if (stream_s > 0 && trajectory_s >= stream_s) return "";
   const bool too_short = trajectory_s < kShortestPlausible * stream_s;

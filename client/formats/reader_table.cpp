@@ -39,7 +39,8 @@ std::unique_ptr<Reader> openSensor(const ReaderInfo& format, const std::string& 
   if (!choice.topic.empty() && choice.sensor != 0)
     throw std::invalid_argument("--topic: give a topic or --sensor, not both");
   if (format.makeOf) return format.makeOf(path, choice);
-  if (!choice.topic.empty()) throw std::invalid_argument("--topic: '" + path + "' has no topics");
+  if (!choice.topic.empty())
+    throw std::invalid_argument("--topic: '" + choice.topic + "': '" + path + "' has no topics");
   throw std::invalid_argument("--sensor: '" + path + "' has no sensor " + std::to_string(choice.sensor) +
                               "; a file of " + format.extension + " has one, number 0");
 }

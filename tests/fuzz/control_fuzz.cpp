@@ -45,7 +45,8 @@ struct World {
   StreamRegistry streams{sessions, log, std::chrono::seconds(30)};
   ResourceQuota budget{Limits()};
   BakeStore bakes{"", Limits()};
-  StreamOpener opener{{scenes, bakes, tables, pool, budget, streams, data, broadcast, totals, log, nullptr, 1}};
+  StreamOpener opener{
+      {scenes, bakes, tables, pool, budget, streams, data, broadcast, totals, log, nullptr, 1}};
   Service service{scenes, budget, streams, opener, log, {}};
 };
 

@@ -1,4 +1,5 @@
 """The options of a command, as its --help describes them."""
+import pathlib
 import re
 import subprocess
 from dataclasses import dataclass
@@ -20,7 +21,8 @@ class Option:
 
 def options_of(*command):
     """All that take a value."""
-    text = subprocess.run([*command, "--help"], capture_output=True, text=True, check=True).stdout
+    every = ["--help-all"] if len(command) > 1 and pathlib.Path(command[0]).name == "saccade" else ["--help"]
+    text = subprocess.run([*command, *every], capture_output=True, text=True, check=True).stdout
     text = re.sub(r"\n {30}(?=\S)", " ", text.split("\nSubcommands:")[0])  # what takes two lines becomes one
     text = re.sub(r" (?:Excludes|Needs):(?: --[\w-]+)+", "", text)  # CLI11 lists them by their addresses
     rows = re.findall(r"^  (?:-\w,)?(--[\w-]+|[a-z]+)(?:,--\w+)? (TEXT|FLOAT|INT|UINT|FRAMES|NAME)(\S*.*)$", text, re.M)

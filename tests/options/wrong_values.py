@@ -27,6 +27,8 @@ TEXTS = {
     "--noise": ["leak_hz", "leak_hz=much", "leak_hz=-1", "leak_hz=nan", "nosuch=1"],
     "--trajectory": ["nosuch", "pan", "pan:fast", "pan:nan", "pan:1e300", "fly:1", "$NONE.csv", "$FILE"],
     "--trajectory-format": NAMES, "--further-view": ["1,2", "a,b,c", "nan,0,0", "1,2,3,0,0,0,0"],
+    "--calibration": ["$NONE.yaml", "$FILE"], "--body-camera": ["1,2", "a,b,c", "nan,0,0"], "--up": NAMES,
+    "--imu": ["nosuch=1", "rate_hz", "rate_hz=much", "$NONE.yaml"], "--gravity": ["1,2", "a,b,c"],
     "--start": ["1,2,3", "1,2", "a,b,c"], "--intrinsics": ["1", "a,b,c,d", "nan,1,1,1", "0,1,1,1"],
     "--distortion": LENSES, "--set": ["alpha", "alpha=x", "nosuch=1", "max_history=nan"],
     "--max-event-change": ["2", "0%", "x%", "nan%", "-1%", "200%"],
