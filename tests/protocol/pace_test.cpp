@@ -1,6 +1,7 @@
 // Which PACED streams a server takes: those whose pace its threads suffice for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <future>
 #include <set>
@@ -8,6 +9,7 @@
 #include "app/admission/limits.h"
 #include "app/feeds/pace.h"
 #include "mock/test_server.h"
+#include "saccade/wire/ranges.h"
 
 namespace saccade {
 namespace {
@@ -179,7 +181,7 @@ TEST(Pace, ASpeedThatFitsIsTakenWhereTheRequestAllowsIt) {
   const double fits = numberAfter(server.client().tryOpen(pacedRequest(1e3, 1000)).message(), "speed of ");
   ASSERT_GT(fits, 0);
   request.mutable_timing()->set_speed(16 * fits);
-  request.mutable_timing()->set_min_speed(fits / 64);
+  request.mutable_timing()->set_min_speed(std::max(fits / 64, ranges::kSpeed.min));
   const v1::Timing taken = server.client().open(request).resolved().timing();
   EXPECT_LE(taken.speed(), 2 * fits);  // a busy machine leaves less
   EXPECT_EQ(std::exp2(std::round(std::log2(16 * fits / taken.speed()))), 16 * fits / taken.speed());
