@@ -58,7 +58,7 @@ TEST_F(ClientNames, AreLabelsOfWhatTheyHaveHad) {
   subscriber.giveCredit(1 << 20);
   std::size_t bytes = 0;
   const auto packets = subscriber.receiveAll(1);
-  for (const auto& packet : packets[0]) bytes += packet.bytes;
+  for (const auto& packet : packets.at(0)) bytes += packet.bytes;
   EXPECT_TRUE(told("saccade_client_sent_bytes_total{client=\"alice\"} " + std::to_string(bytes)));
   const std::string text = httpGet(app().httpEndpoint(), "/metrics").body;
   EXPECT_EQ(text.find(bob_.public_key.substr(0, 8)), std::string::npos);  // only names of the list
