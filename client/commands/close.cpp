@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "client/commands/commands.h"
-#include "client/commands/console.h"
+#include "client/terminal/console.h"
 #include "saccade/control_client.h"
 
 namespace saccade::client {

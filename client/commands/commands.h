@@ -2,8 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <string>
 
+#include "client/options/server_options.h"
 #include "saccade/control_client.h"
 
 namespace saccade::client {
@@ -21,12 +21,6 @@ void addConvertCommand(CLI::App& app);
 void addVerifyCommand(CLI::App& app);
 void addKeygenCommand(CLI::App& app);
 
-// The options of all commands that speak to a server.
-struct ServerOptions {
-  std::string control = "tcp://127.0.0.1:5770";
-  std::string secret_key, server_key;  // files
-};
-void addServerOptions(CLI::App& command, ServerOptions& options);
 // Resolves the host; does not wait for the server. Throws std::invalid_argument with the option at fault.
 ControlClient connectTo(zmq::context_t& context, const ServerOptions& options);
 

@@ -6,13 +6,13 @@
 #include <system_error>
 
 #include "client/commands/commands.h"
-#include "client/commands/console.h"
-#include "client/commands/interrupt.h"
-#include "client/commands/output_options.h"
-#include "client/commands/progress.h"
+#include "client/terminal/console.h"
+#include "client/terminal/interrupt.h"
+#include "client/terminal/progress.h"
 #include "client/commands/source_file.h"
 #include "client/commands/summary.h"
 #include "client/formats/common/units.h"
+#include "client/options/output_options.h"
 #include "client/recording/recording_file.h"
 
 namespace saccade::client {

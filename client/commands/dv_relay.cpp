@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "client/commands/interrupt.h"
+#include "client/terminal/interrupt.h"
 #include "client/commands/summary.h"
 #include "client/formats/common/units.h"
 

@@ -5,13 +5,13 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
-#include "client/commands/console.h"
-#include "client/commands/help_formatter.h"
-#include "client/commands/option_range.h"
-#include "client/commands/recording_options.h"
-#include "client/commands/request_text.h"
-#include "client/commands/sensor_options.h"
+#include "client/terminal/console.h"
 #include "client/frames/natural_order.h"
+#include "client/options/help_formatter.h"
+#include "client/options/option_range.h"
+#include "client/options/recording_options.h"
+#include "client/options/request_text.h"
+#include "client/options/sensor_options.h"
 
 namespace saccade::client {
 namespace {

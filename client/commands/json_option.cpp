@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "client/commands/console.h"
+#include "client/terminal/console.h"
 
 namespace saccade::client {
 

@@ -10,7 +10,7 @@
 #include <zmq.hpp>
 
 #include "client/commands/commands.h"
-#include "client/commands/console.h"
+#include "client/terminal/console.h"
 
 namespace saccade::client {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "client/commands/console.h"
+#include "client/terminal/console.h"
 #include "client/commands/preview_picture.h"
 #include "pictures/library.h"
 

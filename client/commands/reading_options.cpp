@@ -1,6 +1,6 @@
 #include "client/commands/reading_options.h"
 
-#include "client/commands/option_range.h"
+#include "client/options/option_range.h"
 
 namespace saccade::client {
 namespace {

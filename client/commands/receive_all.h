@@ -6,22 +6,18 @@
 
 #include "client/commands/frame_pusher.h"
 #include "client/commands/preview.h"
-#include "client/commands/progress.h"
-#include "client/recording/recorder.h"
-#include "client/recording/tum_files.h"
+#include "client/terminal/progress.h"
+#include "client/recording/recorded_files.h"
 #include "saccade/subscription.h"
 
 namespace saccade::client {
 
 // Where the batches of a stream go.
 struct RecordSinks {
-  Recorder recorder;
+  RecordedFiles files;
   std::optional<Preview> preview;
-  std::optional<TumFiles> poses;
-  std::int64_t time_offset_ns = 0;  // added to the times of all but the preview
 
   void take(const DecodedPacket& batch, StreamHandle& stream);
-  std::int64_t streamTime() const { return recorder.time_ns() - time_offset_ns; }  // of the recorder
 };
 
 // Returns when every sensor has ended: at the last frame, or after Ctrl-C on an endless stream. Throws

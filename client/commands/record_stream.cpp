@@ -6,9 +6,10 @@
 #include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "client/calibration/calibration.h"
-#include "client/commands/interrupt.h"
+#include "client/terminal/interrupt.h"
 #include "client/commands/receive_all.h"
 #include "client/commands/stream_opening.h"
 #include "client/commands/summary.h"
@@ -35,14 +36,12 @@ std::string keptText(Recorder& recorder, const std::string& output) {
 RecordSinks startSinks(const RecordJob& job, const StreamHandle& stream) {
   const v1::OpenStream& resolved = stream.opened().resolved();
   try {
-    RecordSinks sinks{
+    RecordedFiles files{
         .recorder = Recorder(job.output, *job.format, stream.opened(), stream.server()),
-        .preview = makePreview(job.preview, resolved.timing()),
-        .poses = std::nullopt,
         .time_offset_ns = job.keep_times ? stream.opened().trajectory_begin_ns() : job.time_offset_ns};
-    sinks.recorder.setTimeOffset(sinks.time_offset_ns);
-    if (job.poses) sinks.poses.emplace(job.output, resolved);
-    return sinks;
+    files.recorder.setTimeOffset(files.time_offset_ns);
+    if (job.poses) files.poses.emplace(job.output, resolved);
+    return {std::move(files), makePreview(job.preview, resolved.timing())};
   } catch (const std::system_error& error) {
     throw std::invalid_argument(std::string("--output: ") + error.what());
   }
@@ -77,7 +76,7 @@ std::vector<v1::Recording> recordStream(const ServerOptions& server, const Recor
   const v1::StreamOpened opened = stream.opened();
   tellOpening(out, job.request, opened);
   RecordSinks sinks = startSinks(job, stream);
-  Recorder& recorder = sinks.recorder;
+  Recorder& recorder = sinks.files.recorder;
   std::optional<FramePusher> pusher;
   if (job.frames) pusher.emplace(stream, *job.frames);
   Progress progress(streamSeconds(opened));
@@ -89,8 +88,7 @@ std::vector<v1::Recording> recordStream(const ServerOptions& server, const Recor
        .lost = [&progress, retry_s](const std::string& loss) { reportLoss(progress, loss, retry_s); }});
   try {
     receiveAll(subscription, stream, sinks, progress, pusher);
-    recorder.commit(subscription.losses().events);
-    if (sinks.poses) sinks.poses->close();
+    sinks.files.commit(subscription.losses().events);
   } catch (const std::exception& error) {
     progress.finish();
     throw std::runtime_error(error.what() + keptText(recorder, job.output));

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "client/commands/commands.h"
-#include "client/commands/console.h"
-#include "client/commands/recording_options.h"
+#include "client/terminal/console.h"
+#include "client/options/recording_options.h"
 #include "client/recording/recorded_rig.h"
 #include "saccade/stream_views.h"
 

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "client/commands/console.h"
-#include "client/commands/request_text.h"
+#include "client/terminal/console.h"
 #include "client/formats/truth_folder/truth_folder.h"
+#include "client/options/request_text.h"
 #include "client/recording/recording_file.h"
 #include "client/recording/sidecar.h"
 

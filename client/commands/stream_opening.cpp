@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "client/commands/console.h"
-#include "client/commands/interrupt.h"
-#include "client/commands/progress.h"
+#include "client/terminal/console.h"
+#include "client/terminal/interrupt.h"
+#include "client/terminal/progress.h"
 #include "client/commands/summary.h"
 #include "client/commands/trajectory_length.h"
 #include "client/formats/common/units.h"

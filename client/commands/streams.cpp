@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "client/commands/commands.h"
-#include "client/commands/console.h"
+#include "client/terminal/console.h"
 #include "client/commands/json_option.h"
 #include "saccade/control_client.h"
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <map>
 
-#include "client/commands/console.h"
-#include "client/commands/progress.h"
+#include "client/terminal/console.h"
+#include "client/terminal/progress.h"
 
 namespace saccade::client {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "client/commands/console.h"
+#include "client/terminal/console.h"
 
 namespace saccade::client {
 namespace {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
-#include "client/commands/console.h"
+#include "client/terminal/console.h"
 #include "client/commands/source_file.h"
 #include "client/recording/event_digest.h"
 

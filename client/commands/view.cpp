@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "client/commands/commands.h"
-#include "client/commands/help_formatter.h"
-#include "client/commands/interrupt.h"
+#include "client/terminal/interrupt.h"
 #include "client/commands/live_view.h"
-#include "client/commands/option_range.h"
-#include "client/commands/request_options.h"
 #include "client/commands/stream_opening.h"
 #include "client/formats/common/units.h"
+#include "client/options/help_formatter.h"
+#include "client/options/option_range.h"
+#include "client/options/request_options.h"
 
 namespace saccade::client {
 namespace {

@@ -1,4 +1,4 @@
-#include "client/commands/console.h"
+#include "client/terminal/console.h"
 
 #include <gtest/gtest.h>
 

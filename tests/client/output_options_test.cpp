@@ -1,4 +1,4 @@
-#include "client/commands/output_options.h"
+#include "client/options/output_options.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

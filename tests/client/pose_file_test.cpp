@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "client/commands/request_options.h"
+#include "client/options/request_options.h"
 #include "scratch_folder.h"
 
 namespace saccade::client {

@@ -1,4 +1,4 @@
-#include "client/commands/progress.h"
+#include "client/terminal/progress.h"
 
 #include <gtest/gtest.h>
 

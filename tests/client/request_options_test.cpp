@@ -1,11 +1,11 @@
-#include "client/commands/request_options.h"
+#include "client/options/request_options.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "client/commands/truth_option.h"
+#include "client/options/truth_option.h"
 #include "saccade/wire/codec_table.h"
 #include "scratch_folder.h"
 

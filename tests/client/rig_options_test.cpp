@@ -3,9 +3,9 @@
 
 #include <fstream>
 
-#include "client/commands/imu_options.h"
-#include "client/commands/option_range.h"
-#include "client/commands/request_options.h"
+#include "client/options/imu_options.h"
+#include "client/options/option_range.h"
+#include "client/options/request_options.h"
 #include "scratch_folder.h"
 
 namespace saccade::client {

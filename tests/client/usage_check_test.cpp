@@ -1,4 +1,4 @@
-#include "client/commands/usage_check.h"
+#include "client/options/usage_check.h"
 
 #include <gtest/gtest.h>
 

@@ -23,6 +23,7 @@ ROOMS = {
     "feed": "base frame scene render filter cache methods",
     "tables": "base scene wire render methods",
     "app": "base frame scene wire reply render filter cache methods feed tables events truth log stream ops web client",
+    "farm": "base frame scene wire render methods feed tables events truth app client pictures",
     "eval": "pictures base frame scene wire render filter cache methods feed tables events",
     "client": "wire pictures",
 }
@@ -52,8 +53,10 @@ FOLDERS = {
     "client/recording": "client/saccade client/formats/common client/formats/truth_folder",
     "client/poses": "client/formats/common client/formats/text client/calibration",
     "client/dv": "client/formats/common client/formats/aedat4",
-    "client/commands": "client/saccade client/frames client/formats/common client/formats/truth_folder client/calibration client/recording client/poses client/dv",
-    "client": "client/saccade client/commands",
+    "client/terminal": "client/saccade",
+    "client/options": "client/saccade client/formats/common client/formats/truth_folder client/calibration client/recording client/poses",
+    "client/commands": "client/saccade client/frames client/formats/common client/formats/truth_folder client/calibration client/recording client/poses client/dv client/terminal client/options",
+    "client": "client/saccade client/terminal client/options client/commands",
     "render/bsdf": "",
     "render/sampling": "",
     "render/features": "render/bsdf",
@@ -81,6 +84,14 @@ FOLDERS = {
     "eval/figures": "eval/metrics eval/pictures eval/bench eval/sensor",
     "eval/commands": "eval/metrics eval/pictures eval/bench eval/sensor eval/figures",
     "eval": "eval/commands",
+    "farm/recipe": "",
+    "farm/dataset": "farm/recipe",
+    "farm/worker": "farm/recipe farm/dataset",
+    "farm/plan": "farm/recipe farm/dataset farm/worker",
+    "farm/report": "farm/recipe farm/dataset farm/worker",
+    "farm/engines": "farm/dataset",
+    "farm/commands": "farm/recipe farm/dataset farm/worker farm/plan farm/report farm/engines",
+    "farm": "farm/commands",
 }
 # Folders of those rooms that no other folder includes.
 WITHOUT_ORDER = {"client/example"}
@@ -98,7 +109,7 @@ OUTSIDE = {
     "microhttpd": ["server/ops/http_"],
     "wslay/": ["server/web/web_socket.cpp"],
     "nettle/": ["server/web/web_handshake.cpp"],
-    "toml++/": ["server/app/config/config_file.cpp"],
+    "toml++/": ["server/app/config/config_file.cpp", "server/farm/recipe/toml_", "server/farm/recipe/recipe_reader.cpp"],
 }
 
 

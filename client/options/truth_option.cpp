@@ -1,10 +1,10 @@
-#include "client/commands/truth_option.h"
+#include "client/options/truth_option.h"
 
 #include <filesystem>
 #include <stdexcept>
 
-#include "client/commands/request_text.h"
 #include "client/formats/truth_folder/truth_folder.h"
+#include "client/options/request_text.h"
 #include "client/recording/recorder.h"
 #include "saccade/stream_views.h"
 

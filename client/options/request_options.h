@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "client/commands/camera_options.h"
-#include "client/commands/commands.h"
-#include "client/commands/rig_options.h"
-#include "client/commands/sensor_options.h"
+#include "client/options/camera_options.h"
+#include "client/options/rig_options.h"
+#include "client/options/sensor_options.h"
+#include "client/options/server_options.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade::client {

@@ -1,4 +1,4 @@
-#include "client/commands/field_options.h"
+#include "client/options/field_options.h"
 
 namespace saccade::client {
 namespace {

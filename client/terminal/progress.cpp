@@ -1,4 +1,4 @@
-#include "client/commands/progress.h"
+#include "client/terminal/progress.h"
 
 #include <unistd.h>
 
@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-#include "client/commands/console.h"
+#include "client/terminal/console.h"
 
 namespace saccade::client {
 namespace {

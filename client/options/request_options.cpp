@@ -1,9 +1,8 @@
-#include "client/commands/request_options.h"
+#include "client/options/request_options.h"
 
 #include <limits>
 
-#include "client/commands/commands.h"
-#include "client/commands/request_text.h"
+#include "client/options/request_text.h"
 #include "client/poses/pose_file.h"
 
 namespace saccade::client {

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "client/commands/output_options.h"
+#include "client/options/output_options.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade::client {

@@ -1,10 +1,10 @@
-#include "client/commands/sensor_options.h"
+#include "client/options/sensor_options.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "client/commands/option_range.h"
-#include "client/commands/request_text.h"
+#include "client/options/option_range.h"
+#include "client/options/request_text.h"
 #include "saccade/wire/ranges.h"
 
 namespace saccade::client {

@@ -6,7 +6,7 @@
 #include <string>
 #include <type_traits>
 
-#include "client/commands/request_text.h"
+#include "client/options/request_text.h"
 #include "saccade/wire/ranges.h"
 
 namespace saccade::client {

@@ -1,4 +1,4 @@
-#include "client/commands/labels_option.h"
+#include "client/options/labels_option.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,10 +1,10 @@
-#include "client/commands/camera_options.h"
+#include "client/options/camera_options.h"
 
 #include <stdexcept>
 #include <vector>
 
 #include "client/calibration/calibration_reader.h"
-#include "client/commands/request_text.h"
+#include "client/options/request_text.h"
 #include "saccade/wire/ranges.h"
 
 namespace saccade::client {

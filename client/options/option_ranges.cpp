@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "client/commands/option_range.h"
-#include "client/commands/request_options.h"
+#include "client/options/option_range.h"
+#include "client/options/request_options.h"
 
 namespace saccade::client {
 

@@ -1,10 +1,10 @@
-#include "client/commands/imu_options.h"
+#include "client/options/imu_options.h"
 
 #include <map>
 #include <stdexcept>
 
 #include "client/calibration/calibration_reader.h"
-#include "client/commands/request_text.h"
+#include "client/options/request_text.h"
 
 namespace saccade::client {
 namespace {

@@ -1,4 +1,4 @@
-#include "client/commands/request_text.h"
+#include "client/options/request_text.h"
 
 #include <cctype>
 #include <stdexcept>

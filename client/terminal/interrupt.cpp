@@ -1,4 +1,4 @@
-#include "client/commands/interrupt.h"
+#include "client/terminal/interrupt.h"
 
 #include <time.h>
 #include <unistd.h>

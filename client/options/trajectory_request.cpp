@@ -2,8 +2,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "client/commands/request_options.h"
-#include "client/commands/request_text.h"
+#include "client/options/request_options.h"
+#include "client/options/request_text.h"
 #include "client/poses/pose_file.h"
 #include "saccade/wire/ranges.h"
 

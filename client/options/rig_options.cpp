@@ -1,7 +1,7 @@
-#include "client/commands/rig_options.h"
+#include "client/options/rig_options.h"
 
 #include "client/calibration/rig.h"
-#include "client/commands/request_text.h"
+#include "client/options/request_text.h"
 
 namespace saccade::client {
 namespace {

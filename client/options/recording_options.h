@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "client/commands/output_options.h"
-#include "client/commands/record_stream.h"
+#include "client/options/output_options.h"
+#include "client/options/record_job.h"
 
 namespace saccade::client {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "client/commands/output_options.h"
+#include "client/options/output_options.h"
 #include "saccade/v1/control.pb.h"
 
 namespace saccade::client {

@@ -1,9 +1,9 @@
-#include "client/commands/recording_options.h"
+#include "client/options/recording_options.h"
 
 #include <utility>
 
-#include "client/commands/labels_option.h"
-#include "client/commands/truth_option.h"
+#include "client/options/labels_option.h"
+#include "client/options/truth_option.h"
 
 namespace saccade::client {
 

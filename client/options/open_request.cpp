@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "client/commands/request_options.h"
-#include "client/commands/request_text.h"
+#include "client/options/request_options.h"
+#include "client/options/request_text.h"
 
 namespace saccade::client {
 namespace {

@@ -1,4 +1,4 @@
-#include "client/commands/help_formatter.h"
+#include "client/options/help_formatter.h"
 
 #include <algorithm>
 #include <utility>

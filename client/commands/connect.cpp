@@ -1,7 +1,7 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
-#include "client/commands/console.h"
+#include "client/terminal/console.h"
 #include "saccade/server_probe.h"
 #include "saccade/wire/curve_key.h"
 
@@ -18,18 +18,6 @@ auto named(const std::string& option, const auto& read) {
 }
 
 }  // namespace
-
-void addServerOptions(CLI::App& command, ServerOptions& options) {
-  command.add_option("--control", options.control, "control endpoint of the server")
-      ->envname("SACCADE_SERVER")
-      ->capture_default_str();
-  command.add_option("--secret-key", options.secret_key, "file of your secret key, for a server with keys")
-      ->envname("SACCADE_CLIENT_KEY");
-  command
-      .add_option("--server-key", options.server_key,
-                  "file of the server's public key, for a server with keys")
-      ->envname("SACCADE_SERVER_KEY");
-}
 
 ControlClient connectTo(zmq::context_t& context, const ServerOptions& options) {
   if (options.secret_key.empty() != options.server_key.empty()) {
