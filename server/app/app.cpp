@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/metrics.h"
+#include "app/request/server_description.h"
 #include "base/instruction_set.h"
 #include "saccade/wire/protocol.h"
 #include "stream/bounded_peers.h"

@@ -40,11 +40,4 @@ class Service {
   Worker pictures_;  // copies and draws for get_frame, and copies paths for describe_stream
 };
 
-// Adds all methods.
-void describeMethods(v1::ServerDescription& description);
-// Adds all features of a scene that a stream can disable.
-void describeFeatures(v1::ServerDescription& description);
-void describeTruth(v1::ServerDescription& description);
-void describePresets(v1::ServerDescription& description);
-
 }  // namespace saccade

@@ -13,6 +13,7 @@
 #include "base/new_folder.h"
 #include "base/number_in.h"
 #include "base/tile_pool.h"
+#include "scene/library/find_scenes.h"
 #include "stream/bounded_peers.h"
 #include "stream/endpoint.h"
 #include "tables/accuracy_table.h"
@@ -204,13 +205,6 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   if (config.threads == 0) config.threads = hardwareThreads();
   line.check = action.check;
   return line;
-}
-
-std::string findScenes() {
-  std::error_code none;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
-  const auto installed = program.parent_path().parent_path() / "share/saccade/scenes";
-  return std::filesystem::is_directory(installed, none) ? installed.string() : SACCADE_SCENES;
 }
 
 }  // namespace saccade

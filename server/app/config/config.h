@@ -50,7 +50,4 @@ struct CommandLine {
 // --print-config print and end the program. So does a fault, with exit status 2.
 CommandLine parseCommandLine(int argc, const char* const* argv);
 
-// The folder of scenes of this program's installation, else of the source tree that it was built from.
-std::string findScenes();
-
 }  // namespace saccade
