@@ -1,4 +1,6 @@
 // saccade-farm makes data sets of many sequences, from a recipe.
+#include <spdlog/spdlog.h>
+
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -19,6 +21,7 @@ int main(int argc, char** argv) {
   using namespace saccade::farm;
   CLI::App app("Makes data sets of many sequences, from a recipe", "saccade-farm");
   int status = 0;
+  spdlog::set_level(spdlog::level::warn);
   app.require_subcommand(1);
   addCheckCommand(app, status);
   addPlanCommand(app, status);

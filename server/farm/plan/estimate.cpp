@@ -122,6 +122,7 @@ Estimate estimate(const Recipe& recipe, const RenderSettings& settings) {
   int ends[2];
   if (!mkdtemp(name.data()) || pipe(ends) != 0)
     throw std::runtime_error("no estimate: no temporary folder or pipe");
+  std::fflush(nullptr);  // the child must not print what waits
   const pid_t child = fork();
   if (child == 0) measureInChild(recipe, settings, fs::path(name) / "sequence", ends[1]);
   close(ends[1]);

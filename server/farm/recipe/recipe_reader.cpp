@@ -44,9 +44,9 @@ void readSplits(const toml::table& root, const TomlPlace& place, Recipe& recipe)
   const toml::table* table = node->as_table();
   if (!table || table->empty()) at.fail("give a table of shares, such as { train = 0.9, test = 0.1 }");
   double sum = 0;
-  for (const auto& [key, share] : *table) {
-    const TomlPlace below = at.below(std::string(key), share);
-    recipe.splits.emplace_back(nameOf(std::string(key), below), numberOf(share, below));
+  for (const auto& [key, share] : inOrder(*table)) {
+    const TomlPlace below = at.below(key, *share);
+    recipe.splits.emplace_back(nameOf(key, below), numberOf(*share, below));
     if (recipe.splits.back().second < 0) below.fail("a share is below 0");
     sum += recipe.splits.back().second;
   }
@@ -62,11 +62,10 @@ const toml::table& tableOf(const toml::node& node, const TomlPlace& place) {
 
 std::vector<Entry> entriesOf(const toml::node& node, const TomlPlace& place) {
   std::vector<Entry> entries;
-  for (const auto& [key, value] : tableOf(node, place)) {
-    const TomlPlace at = place.below(std::string(key), value);
-    entries.push_back({std::string(key), drawOf(value, at), at.line});
+  for (const auto& [key, value] : inOrder(tableOf(node, place))) {
+    const TomlPlace at = place.below(key, *value);
+    entries.push_back({key, drawOf(*value, at), at.line});
   }
-  std::ranges::sort(entries, {}, &Entry::line);  // lists take turns in the order of the file
   return entries;
 }
 

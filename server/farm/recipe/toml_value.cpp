@@ -1,5 +1,8 @@
 #include "farm/recipe/toml_value.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -14,10 +17,17 @@ std::string shown(const toml::node& node) {
   return text.str().substr(0, 60);
 }
 
+// The shortest text that is read as the same number.
+std::string exactText(double number) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
+}
+
 // The text of a text or a number; nothing for other types.
 std::optional<std::string> plainText(const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return *text;
-  if (node.is_number()) return shown(node);
+  if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
+  if (const auto number = node.value_exact<double>()) return exactText(*number);
   return std::nullopt;
 }
 
@@ -29,6 +39,17 @@ void TomlPlace::fail(const std::string& message) const {
 
 TomlPlace TomlPlace::below(const std::string& name, const toml::node& node) const {
   return {file, key.empty() ? name : key + "." + name, lineOf(node) > 0 ? lineOf(node) : line};
+}
+
+std::vector<std::pair<std::string, const toml::node*>> inOrder(const toml::table& table) {
+  std::vector<std::pair<std::string, const toml::node*>> entries;
+  for (const auto& [key, value] : table) entries.emplace_back(std::string(key), &value);
+  const auto place = [](const auto& entry) {
+    const toml::source_position& begin = entry.second->source().begin;
+    return std::pair(begin.line, begin.column);
+  };
+  std::ranges::sort(entries, {}, place);
+  return entries;
 }
 
 int lineOf(const toml::node& node) {

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "farm/recipe/draw.h"
@@ -21,6 +22,8 @@ struct TomlPlace {
 };
 
 int lineOf(const toml::node& node);
+// The entries of a table in the order of the file. That of TOML is the alphabet's.
+std::vector<std::pair<std::string, const toml::node*>> inOrder(const toml::table& table);
 
 // Each throws RecipeFault where the node is of another type or outside of its range.
 std::string textOf(const toml::node& node, const TomlPlace& place);

@@ -108,6 +108,7 @@ void Crew::start(Worker& worker, int index) {
   int tasks[2];
   makePipe(tasks);
   const pid_t parent = getpid();
+  std::fflush(nullptr);  // the child must not print what waits
   worker.process = fork();
   if (worker.process < 0) failSystem("fork");
   if (worker.process == 0) {
