@@ -5,13 +5,15 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
-#include "client/terminal/console.h"
+#include "client/commands/record_stream.h"
+#include "client/frames/frame_source.h"
 #include "client/frames/natural_order.h"
 #include "client/options/help_formatter.h"
 #include "client/options/option_range.h"
 #include "client/options/recording_options.h"
 #include "client/options/request_text.h"
 #include "client/options/sensor_options.h"
+#include "client/terminal/console.h"
 
 namespace saccade::client {
 namespace {

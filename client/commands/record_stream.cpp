@@ -9,11 +9,12 @@
 #include <utility>
 
 #include "client/calibration/calibration.h"
-#include "client/terminal/interrupt.h"
+#include "client/commands/commands.h"
 #include "client/commands/receive_all.h"
 #include "client/commands/stream_opening.h"
 #include "client/commands/summary.h"
 #include "client/formats/common/units.h"
+#include "client/terminal/interrupt.h"
 
 namespace saccade::client {
 namespace {

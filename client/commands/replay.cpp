@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "client/commands/commands.h"
-#include "client/terminal/console.h"
+#include "client/commands/record_stream.h"
 #include "client/options/recording_options.h"
 #include "client/recording/recorded_rig.h"
+#include "client/terminal/console.h"
 #include "saccade/stream_views.h"
 
 namespace saccade::client {

@@ -24,6 +24,9 @@ class Libraries(unittest.TestCase):
             self.assertFalse([n for n in found if "OpenImageIO" in n or "opencv" in n or "pictures" in n], program)
             self.assertLess(len(found), 70, program)
 
+    def test_a_farm_has_no_sockets(self):
+        self.assertFalse([n for n in libraries(PROGRAMS[2]) if "zmq" in n or "microhttpd" in n])
+
     def test_a_program_without_its_module_names_it(self):
         with tempfile.TemporaryDirectory() as folder:
             program = shutil.copy(PROGRAMS[0], folder)

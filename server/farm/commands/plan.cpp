@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 
 #include "base/instruction_set.h"
 #include "client/terminal/progress.h"
@@ -11,7 +12,6 @@
 #include "farm/plan/estimate.h"
 #include "farm/plan/make_plan.h"
 #include "farm/plan/recipe_check.h"
-#include "farm/recipe/recipe_fault.h"
 #include "farm/recipe/recipe_reader.h"
 
 namespace saccade::farm {
@@ -70,7 +70,7 @@ int reported(const std::function<void()>& work) {
   try {
     work();
     return 0;
-  } catch (const RecipeFault& fault) {
+  } catch (const std::runtime_error& fault) {
     std::fprintf(stderr, "saccade-farm: %s\n", fault.what());
     return kNever;
   }

@@ -81,6 +81,8 @@ class Checker {
  private:
   // With the line of the option; that of the output where the recipe does not have it.
   [[noreturn]] void fail(const std::string& option, const std::string& message) const {
+    if (option == "output" || option == "format")
+      throw RecipeFault(recipe_.file, recipe_.output_line, "record.output: " + message);
     const std::vector<Entry>& entries = recipe_.cases[of_case_];
     for (const Entry& entry : entries)
       if (entry.name == option || (!option.empty() && optionNamed(entry.name) == option))

@@ -28,6 +28,7 @@ struct Recipe {
   std::vector<Entry> draws = {};                            // [draw]
   // [record], with the options of one [[case]] each; at least one. The sequences take them in turn.
   std::vector<std::vector<Entry>> cases = {};
+  int output_line = 1;
   std::vector<std::string> outputs = {};  // names of files of events, at least one
 };
 

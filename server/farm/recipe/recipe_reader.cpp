@@ -108,6 +108,7 @@ void readOutputs(std::vector<Entry>& record, const TomlPlace& place, Recipe& rec
   if (output->draw.kind != Draw::Kind::kFixed || output->draw.values[0].texts.empty())
     at.fail("give a name of a file, or an array of such names");
   recipe.outputs = output->draw.values[0].texts;
+  recipe.output_line = output->line;
   for (const std::string& name : recipe.outputs) {
     const std::filesystem::path path(name);
     nameOf(path.stem(), at);
@@ -119,8 +120,9 @@ void readOutputs(std::vector<Entry>& record, const TomlPlace& place, Recipe& rec
 }
 
 // {name} in a text of an option stands for a value of [draw].
-void checkNames(const Entry& entry, const Recipe& recipe) {
+void checkEntry(const Entry& entry, const Recipe& recipe) {
   const TomlPlace at{recipe.file, "record." + entry.name, entry.line};
+  if (entry.name == "output") at.fail("stands in [record] alone, as all sequences have the same files");
   for (const Value& value : entry.draw.values) {
     for (const std::string& text : value.texts) {
       for (std::size_t open = text.find('{'); open != text.npos; open = text.find('{', open + 1)) {
@@ -155,7 +157,7 @@ Recipe readTable(const toml::table& root, const TomlPlace& place) {
   readOutputs(record, at, recipe);
   readCases(root, place, record, recipe);
   for (const auto& options : recipe.cases)
-    for (const Entry& entry : options) checkNames(entry, recipe);
+    for (const Entry& entry : options) checkEntry(entry, recipe);
   return recipe;
 }
 
