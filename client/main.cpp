@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "client/commands/commands.h"
-#include "client/terminal/console.h"
 #include "client/options/field_options.h"
 #include "client/options/help_formatter.h"
 #include "client/options/usage_check.h"
+#include "client/terminal/console.h"
 #include "saccade/control_client.h"
 #include "saccade/server_probe.h"
 

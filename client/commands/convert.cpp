@@ -6,14 +6,14 @@
 #include <system_error>
 
 #include "client/commands/commands.h"
-#include "client/terminal/console.h"
-#include "client/terminal/interrupt.h"
-#include "client/terminal/progress.h"
 #include "client/commands/source_file.h"
 #include "client/commands/summary.h"
 #include "client/formats/common/units.h"
 #include "client/options/output_options.h"
 #include "client/recording/recording_file.h"
+#include "client/terminal/console.h"
+#include "client/terminal/interrupt.h"
+#include "client/terminal/progress.h"
 
 namespace saccade::client {
 namespace {

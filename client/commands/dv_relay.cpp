@@ -3,9 +3,9 @@
 #include <chrono>
 #include <cstdio>
 
-#include "client/terminal/interrupt.h"
 #include "client/commands/summary.h"
 #include "client/formats/common/units.h"
+#include "client/terminal/interrupt.h"
 
 namespace saccade::client {
 namespace {

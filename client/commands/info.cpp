@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "client/commands/commands.h"
-#include "client/terminal/console.h"
 #include "client/commands/json_option.h"
 #include "client/options/option_range.h"
+#include "client/terminal/console.h"
 #include "saccade/control_client.h"
 
 namespace saccade::client {

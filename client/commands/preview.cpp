@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "client/terminal/console.h"
 #include "client/commands/preview_picture.h"
+#include "client/terminal/console.h"
 #include "pictures/library.h"
 
 namespace saccade::client {

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "client/terminal/interrupt.h"
 #include "client/formats/common/units.h"
+#include "client/terminal/interrupt.h"
 
 namespace saccade::client {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "client/commands/frame_pusher.h"
 #include "client/commands/preview.h"
-#include "client/terminal/progress.h"
 #include "client/recording/recorded_files.h"
+#include "client/terminal/progress.h"
 #include "saccade/subscription.h"
 
 namespace saccade::client {

@@ -3,10 +3,10 @@
 #include <set>
 
 #include "client/commands/commands.h"
-#include "client/terminal/console.h"
 #include "client/commands/record_stream.h"
 #include "client/options/help_formatter.h"
 #include "client/options/record_options.h"
+#include "client/terminal/console.h"
 
 namespace saccade::client {
 namespace {

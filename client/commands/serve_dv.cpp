@@ -5,15 +5,15 @@
 #include <set>
 
 #include "client/commands/commands.h"
-#include "client/terminal/console.h"
 #include "client/commands/dv_relay.h"
-#include "client/terminal/interrupt.h"
-#include "client/terminal/progress.h"
 #include "client/commands/stream_opening.h"
 #include "client/formats/common/units.h"
 #include "client/options/help_formatter.h"
 #include "client/options/option_range.h"
 #include "client/options/request_options.h"
+#include "client/terminal/console.h"
+#include "client/terminal/interrupt.h"
+#include "client/terminal/progress.h"
 
 namespace saccade::client {
 namespace {

@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "client/terminal/console.h"
 #include "client/formats/truth_folder/truth_folder.h"
 #include "client/options/request_text.h"
 #include "client/recording/recording_file.h"
 #include "client/recording/sidecar.h"
+#include "client/terminal/console.h"
 
 namespace saccade::client {
 namespace {

@@ -4,12 +4,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "client/terminal/console.h"
-#include "client/terminal/interrupt.h"
-#include "client/terminal/progress.h"
 #include "client/commands/summary.h"
 #include "client/commands/trajectory_length.h"
 #include "client/formats/common/units.h"
+#include "client/terminal/console.h"
+#include "client/terminal/interrupt.h"
+#include "client/terminal/progress.h"
 #include "saccade/server_probe.h"
 
 namespace saccade::client {

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "client/commands/commands.h"
-#include "client/terminal/console.h"
 #include "client/commands/json_option.h"
+#include "client/terminal/console.h"
 #include "saccade/control_client.h"
 
 namespace saccade::client {

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "client/commands/commands.h"
-#include "client/terminal/console.h"
 #include "client/commands/source_file.h"
 #include "client/recording/event_digest.h"
+#include "client/terminal/console.h"
 
 namespace saccade::client {
 namespace {

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "client/commands/commands.h"
-#include "client/terminal/interrupt.h"
 #include "client/commands/live_view.h"
 #include "client/commands/stream_opening.h"
 #include "client/formats/common/units.h"
 #include "client/options/help_formatter.h"
 #include "client/options/option_range.h"
 #include "client/options/request_options.h"
+#include "client/terminal/interrupt.h"
 
 namespace saccade::client {
 namespace {

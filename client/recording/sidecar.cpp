@@ -10,6 +10,7 @@
 
 #include "client/formats/common/output_file.h"
 #include "client/formats/common/reader.h"
+#include "client/recording/json_text.h"
 
 namespace saccade::client {
 
@@ -18,15 +19,8 @@ std::string sidecarOf(const std::string& path) {
 }
 
 void writeSidecar(const std::string& file, const v1::Recording& recording) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  options.always_print_primitive_fields = true;
-  options.preserve_proto_field_names = true;
-  std::string text;
-  if (!google::protobuf::util::MessageToJsonString(recording, &text, options).ok())
-    throw std::logic_error("a recording has no JSON form");
   OutputFile output(file);
-  output.append(text);
+  output.append(jsonText(recording, true));
   output.close();
 }
 

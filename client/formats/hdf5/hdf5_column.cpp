@@ -21,12 +21,19 @@ void writeTexts(hid_t object, const char* name, const std::vector<const char*>& 
   checkHdf5(attribute && H5Awrite(attribute.id(), type.id(), texts.data()) >= 0, name);
 }
 
+// By default a data set has the time at which it was made, and equal recordings would differ in it.
+void leaveOutTimes(const Hdf5Handle& properties) {
+  H5Pset_obj_track_times(properties.id(), false);
+}
+
 }  // namespace
 
 void writeScalar(hid_t group, const char* name, std::int64_t value) {
   const hid_t type = H5T_STD_I64LE;
+  const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  leaveOutTimes(properties);
   const Hdf5Handle dataset(
-      H5Dcreate2(group, name, type, scalar().id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+      H5Dcreate2(group, name, type, scalar().id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Dclose);
   checkHdf5(dataset && H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value) >= 0, name);
 }
 
@@ -68,6 +75,7 @@ Hdf5Dataset::Hdf5Dataset(hid_t group, const std::string& name, hid_t type, const
   most[0] = H5S_UNLIMITED, chunks[0] = chunk;
   const Hdf5Handle properties(H5Pcopy(filters.id()), H5Pclose);
   H5Pset_chunk(properties.id(), static_cast<int>(chunks.size()), chunks.data());
+  leaveOutTimes(properties);
   dataset_ = {H5Dcreate2(group, name.c_str(), type_, space(size_, most.data()).id(), H5P_DEFAULT,
                          properties.id(), H5P_DEFAULT),
               H5Dclose};

@@ -11,18 +11,13 @@
 #include <system_error>
 
 #include "client/formats/common/output_file.h"
+#include "client/recording/json_text.h"
 #include "farm/dataset/durable.h"
 
 namespace saccade::farm {
 
 std::string jsonOf(const google::protobuf::Message& message) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.always_print_primitive_fields = true;
-  options.preserve_proto_field_names = true;
-  std::string text;
-  if (!google::protobuf::util::MessageToJsonString(message, &text, options).ok())
-    throw std::logic_error("a message has no JSON form");
-  return text;
+  return client::jsonText(message, false);
 }
 
 void parseJson(const std::string& text, const std::string& name, google::protobuf::Message& message) {
