@@ -152,10 +152,12 @@ TilePool::TilePool(int threads) : workers_(std::make_unique<Workers>(threads)) {
   SACCADE_CHECK(threads >= 1);
 }
 
+TilePool::TilePool(CallingThread) : workers_(std::make_unique<Workers>(0)) {}
+
 TilePool::~TilePool() = default;
 
 int TilePool::threads() const {
-  return static_cast<int>(workers_->threads.size());
+  return std::max(1, static_cast<int>(workers_->threads.size()));
 }
 
 double TilePool::receivedShare() const {
@@ -167,8 +169,28 @@ std::chrono::nanoseconds TilePool::criticalPathTime() {
   return chain_time;
 }
 
+std::chrono::nanoseconds TilePool::runHere(Job& job) {
+  flushDenormalsToZero();
+  const auto start = threadCpuTime();
+  for (; job.next < job.count && !job.stop.stop_requested(); ++job.next) {
+    try {
+      job.piece(job.context, job.next);
+    } catch (...) {
+      job.fault = std::current_exception();
+    }
+  }
+  return threadCpuTime() - start;
+}
+
 std::chrono::nanoseconds TilePool::runJob(Job& job) {
   if (job.count == 0) return {};
+  if (workers_->threads.empty()) {
+    job.cpu = runHere(job);
+    chain_time += job.cpu;
+    throwIfStopped(job.stop);
+    if (job.fault) std::rethrow_exception(job.fault);
+    return job.cpu;
+  }
   std::unique_lock lock(workers_->mutex);
   workers_->submit(job);
   job.done.wait(lock, [&] { return job.next == job.count && job.running == 0; });

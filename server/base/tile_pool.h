@@ -27,15 +27,20 @@ enum class Priority {
   kUrgent,  // for jobs that must be done by a certain time
 };
 
+// In place of a number of threads: jobs run on the thread that asks for them. It is for programs with one
+// thread of work, which so save the way to a worker and back.
+struct CallingThread {};
+
 // Owns the workers.
 class TilePool {
  public:
   explicit TilePool(int threads);  // >= 1
-  ~TilePool();                     // no job may be open
+  explicit TilePool(CallingThread);
+  ~TilePool();  // no job may be open
   TilePool(const TilePool&) = delete;
   TilePool& operator=(const TilePool&) = delete;
 
-  int threads() const;
+  int threads() const;  // at least 1
   // The share of a CPU's time that a worker with a piece got recently: (0, 1], 1 on an idle machine.
   double receivedShare() const;
 
@@ -64,6 +69,7 @@ class TilePool {
   struct Workers;
 
   std::chrono::nanoseconds runJob(Job& job);
+  static std::chrono::nanoseconds runHere(Job& job);
 
   const std::unique_ptr<Workers> workers_;
 };

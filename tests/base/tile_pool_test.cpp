@@ -14,6 +14,8 @@
 namespace saccade {
 namespace {
 
+const std::thread::id main_thread = std::this_thread::get_id();
+
 TEST(TilePool, RunsEveryPieceOnce) {
   for (const int threads : {1, 2, 7}) {
     TilePool pool(threads);
@@ -38,6 +40,36 @@ TEST(TilePool, ThrowsWhatAPieceThrewOnceAllAreDone) {
   EXPECT_THROW(pool.run(100, piece), std::runtime_error);
   EXPECT_EQ(runs, 100);
   pool.run(3, piece);  // the workers live
+}
+
+TEST(TilePool, TheCallingThreadDoesAllByItself) {
+  TilePool own{CallingThread{}};
+  EXPECT_EQ(own.threads(), 1);
+  const PoolHandle pool(own);
+  std::vector<int> order;
+  pool.run(5, [&](int i) {
+    EXPECT_EQ(std::this_thread::get_id(), main_thread);
+    order.push_back(i);
+    if (i == 1) pool.run(1, [&](int) { order.push_back(-1); });  // which another pool could not
+  });
+  EXPECT_EQ(order, (std::vector<int>{0, 1, -1, 2, 3, 4}));
+  int runs = 0;
+  const auto piece = [&](int i) {
+    ++runs;
+    if (i == 3) throw std::runtime_error("three");
+  };
+  EXPECT_THROW(pool.run(10, piece), std::runtime_error);
+  EXPECT_EQ(runs, 10);
+  std::stop_source stop;
+  runs = 0;
+  EXPECT_THROW(PoolHandle(own, Priority::kNormal, stop.get_token())
+                   .run(10,
+                        [&](int) {
+                          ++runs;
+                          stop.request_stop();
+                        }),
+               Cancelled);
+  EXPECT_EQ(runs, 1);
 }
 
 TEST(TilePool, TilesCoverThePictureOnce) {

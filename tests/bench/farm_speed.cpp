@@ -1,9 +1,9 @@
 // The CPU time of sequences of a data set, over that of their frames and events alone:
 //   build/dev/bin/farm_speed [SEQUENCES WIDTHxHEIGHT SECONDS [SCENE [OUTPUT]...]]
 // A worker reads the options of each sequence, renders it on one thread, writes and digests its files, and
-// publishes them. The frames alone are those of `saccade-eval frames` and their sensor. Both take turns,
-// sequence by sequence. Without arguments: 200 of 0.1 s at 64x48, and 5 of 2 s at 346x260, of cornell-box
-// with EVT3 and HDF5. Prints CPU times, their ratio, and the most memory.
+// publishes them. The frames alone are those of `saccade-eval frames`, on one thread, with their path and
+// their sensor. Both take turns, sequence by sequence. Without arguments: 200 of 0.1 s at 64x48, and 5 of 2 s
+// at 346x260, of cornell-box with EVT3 and HDF5. Prints CPU times, their ratio, and the most memory.
 #include <sys/resource.h>
 
 #include <cstdio>
@@ -89,9 +89,8 @@ void measure(const Setting& setting, const fs::path& folder) {
     const v1::DataSetSequence sequence = sequenceOf(setting, std::max(i, 0));
     const std::vector<std::string> words(sequence.options().begin(), sequence.options().end());
     StreamPlan plan = renderer.plan(jobsOf(words, setting.outputs, folder).front().request);
-    const Trajectory body = renderer.load(plan);
     const double begin = cpuSeconds();
-    const std::uint64_t found = renderAlone(plan, body, pool);
+    const std::uint64_t found = renderAlone(plan, renderer.load(plan), pool);
     const double between = cpuSeconds();
     tryToMake(set, sequence, "speed.0", renderer);
     if (i < 0) continue;

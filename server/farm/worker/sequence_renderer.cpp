@@ -89,7 +89,7 @@ v1::ServerDescription describeBuild() {
 
 SequenceRenderer::SequenceRenderer(const RenderSettings& settings, int threads)
     : tables_{openAccuracySource(settings.accuracy), openSimplificationSource(settings.simplification)},
-      pool_(threads),
+      pool_(threads == 1 ? TilePool(CallingThread{}) : TilePool(threads)),
       scenes_(settings.scenes, limits_, settings.meshes),
       bakes_(settings.bakes, limits_),
       description_(describeBuild()) {
