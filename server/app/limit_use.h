@@ -1,4 +1,4 @@
-// What all clients together hold of the limits of a server now.
+// The amounts that all clients together hold of the limits of a server now.
 #pragma once
 
 #include <cstddef>

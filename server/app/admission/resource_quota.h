@@ -33,7 +33,7 @@ class ResourceQuota {
   // limit.
   void use(Limit rate, double amount);
 
-  // What all clients together hold, in the limit's unit.
+  // The amount that all clients together hold, in the limit's unit.
   double taken(Limit limit) const;
 
  private:

@@ -5,13 +5,14 @@ import asyncio
 import threading
 import time
 from collections.abc import Coroutine
+from socket import AF_INET, getaddrinfo
 from typing import Any, Protocol, TypeVar
 
 import zmq
 import zmq.asyncio
 
 from saccade.errors import SaccadeError
-from saccade.protocol.sockets import Keys, KeyWatch, configure
+from saccade.protocol.sockets import Keys, KeyWatch, configure, endpoints_of, name_in
 
 T = TypeVar("T")
 
@@ -34,6 +35,9 @@ class Channel(Protocol):
 class Network(Protocol):
     def connect(self, kind: int, endpoint: str, keys: Keys | None, topics: tuple[str, ...] = ()) -> Channel:
         """Raises ValueError for a malformed endpoint or key."""
+
+    async def resolve(self, endpoint: str) -> list[str]:
+        """As sockets.endpoints_of(), after a look-up; empty where that finds nothing."""
 
     async def sleep(self, seconds: float) -> None: ...
 
@@ -87,6 +91,13 @@ class BlockingNetwork:
         key = KeyWatch(socket, keys)
         return BlockingChannel(configure(socket, endpoint, keys, topics), key)
 
+    async def resolve(self, endpoint: str) -> list[str]:
+        host = name_in(endpoint)
+        try:
+            return endpoints_of(endpoint, getaddrinfo(host, None, AF_INET) if host else [])
+        except (OSError, UnicodeError):
+            return []
+
     async def sleep(self, seconds: float) -> None:
         time.sleep(seconds)
 
@@ -124,8 +135,19 @@ class AsyncNetwork:
         key = KeyWatch(socket, keys)
         return AsyncChannel(configure(socket, endpoint, keys, topics), key)
 
+    async def resolve(self, endpoint: str) -> list[str]:
+        host = name_in(endpoint)
+        try:
+            return endpoints_of(endpoint, await _loop().getaddrinfo(host, None, family=AF_INET) if host else [])
+        except (OSError, UnicodeError):
+            return []
+
     async def sleep(self, seconds: float) -> None:
         await asyncio.sleep(seconds)
+
+
+def _loop() -> asyncio.AbstractEventLoop:
+    return asyncio.get_running_loop()
 
 
 def _require_open(socket: zmq.Socket[Any]) -> None:
