@@ -18,6 +18,7 @@ AGAIN_S = 2.0  # before a lost server is asked again
 GRACE_S = 0.25  # how long it is waited for then
 BELIEVED_S = 10.0  # how long one stream believes another that a server is lost
 READ_S = 0.05  # for a reply that has arrived
+QUESTION = control_pb2.Request(server_info=control_pb2.ServerInfo())
 
 
 class Answer(NamedTuple):
@@ -82,17 +83,15 @@ class Servers:
         socket for an endpoint.
         """
         due = await self._due()
-        patient = all(self.is_lost(endpoint) for endpoint in due)
-        request = control_pb2.Request(server_info=control_pb2.ServerInfo())
+        choice = len(due) > 1 and not all(self.is_lost(endpoint) for endpoint in due)
         began = time.monotonic()
-        asked = [(control, await control.tell(request)) for control in map(connect, due)]
+        asked = [(control, await control.tell(QUESTION)) for control in map(connect, due)]
         answers: list[Answer] = []
         failures: list[SaccadeError] = []
         for control, request_id in asked:
-            wait_for_it = patient or not self.is_lost(control.endpoint)
-            left_s = began + (wait_s if wait_for_it else GRACE_S) - time.monotonic()
+            until = began + (GRACE_S if choice and self.is_lost(control.endpoint) else wait_s)
             try:
-                reply = await control.reply_to(request_id, request, max(left_s, READ_S))
+                reply = await self._reply(control, request_id, until, choice)
             except SaccadeError as failure:
                 self.lose(control.endpoint)
                 failures.append(failure)
@@ -101,6 +100,16 @@ class Servers:
                 self._epochs[control.endpoint] = reply.server_info.epoch
                 answers.append(Answer(control, reply.server_info))
         return sorted(answers, key=_fullness), failures
+
+    async def _reply(self, control: Control, request_id: int, until: float, choice: bool) -> control_pb2.Reply:
+        """choice: whether there are others, so that one that is not there need not be waited for."""
+        if choice:
+            try:
+                return await control.reply_to(request_id, QUESTION, GRACE_S)
+            except NoAnswer:
+                if await self.network.refuses(control.endpoint):
+                    raise
+        return await control.reply_to(request_id, QUESTION, max(until - time.monotonic(), READ_S))
 
     async def _due(self) -> list[str]:
         endpoints = await self.endpoints()

@@ -104,11 +104,18 @@ def configure(socket: S, endpoint: str, keys: Keys | None, topics: tuple[str, ..
     return socket
 
 
-def name_in(endpoint: str) -> str | None:
-    """The host in an endpoint, if it is a name that stands for addresses."""
+def host_and_port(endpoint: str) -> tuple[str, int]:
+    """Of an endpoint of TCP. Raises ValueError for another one."""
     host, _, port = endpoint.removeprefix("tcp://").rpartition(":")
-    is_name = endpoint.startswith("tcp://") and port and "[" not in host and not host.replace(".", "").isdecimal()
-    return host if is_name else None
+    if not endpoint.startswith("tcp://"):
+        raise ValueError(f"{endpoint} is not of TCP")
+    return host.strip("[]"), int(port)
+
+
+def name_in(endpoint: str) -> str | None:
+    """The host in an endpoint of TCP, if it is a name that stands for addresses. Raises as host_and_port()."""
+    host, _ = host_and_port(endpoint)
+    return None if ":" in host or host.replace(".", "").isdecimal() else host
 
 
 def endpoints_of(endpoint: str, found: Iterable[tuple[Any, ...]]) -> list[str]:

@@ -130,6 +130,8 @@ class Subscription:
         if self.handle.server_gone:
             return await self._start_again(lost)
         try:
+            if await self.handle.servers.network.refuses(endpoint):
+                raise NoAnswer(lost)
             info = await self.handle.info(self._policy.failover_s)
         except NoAnswer:
             self.handle.servers.lose(endpoint)
