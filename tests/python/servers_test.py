@@ -14,7 +14,7 @@ from saccade.protocol.session import make_servers
 from saccade.v1 import control_pb2
 
 SETTINGS = {"scene": "room", "motion": "right", "size": (346, 260), "rate_hz": 1000, "delivery": "lossless"}
-POLICY = saccade.RetryPolicy(retry_time_s=2, silence_s=0.4, failover_s=0.4)
+POLICY = saccade.RetryPolicy(retry_time_s=1, silence_s=0.4, failover_s=0.4)
 LOOK_UP = "saccade.protocol.network.getaddrinfo"
 
 
@@ -163,7 +163,7 @@ class SeveralServers(unittest.TestCase):
 
     def test_a_server_of_another_kind_is_refused_by_name(self):
         def tell_often(server):
-            while server.control.socket.poll(1500):
+            while server.control.socket.poll(1200):
                 tell(server)
         for first, second, text in ((("1", "avx512"), ("1", "avx2"), "is saccaded 1 with avx2, and .* 1 with avx512"),
                                     (("2", "avx2"), ("3", "avx2"), "is saccaded 3 with avx2, and .* 2 with avx2")):
