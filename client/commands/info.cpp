@@ -1,5 +1,6 @@
 // saccade info: prints the version, limits, scene features, sensors, truth channels and methods of a server.
 #include <chrono>
+#include <cstdio>
 #include <memory>
 
 #include "client/commands/commands.h"
@@ -40,6 +41,13 @@ void printTruth(const v1::TruthInfo& truth) {
   print(" (%s)  %s\n", unit, truth.description().c_str());
 }
 
+void printLimit(const v1::LimitInfo& limit) {
+  char used[32] = "";
+  if (limit.has_used()) std::snprintf(used, sizeof used, "%.15g", limit.used());
+  print("  %-20s %9.15g %9s %-3s  %s\n", limit.name().c_str(), limit.value(), used, limit.unit().c_str(),
+        limit.description().c_str());
+}
+
 void printServer(const v1::ServerDescription& server) {
   print("saccaded %s, protocol %u, %u threads, %s\n", server.version().c_str(), server.protocol_version(),
         server.threads(), server.instruction_set().c_str());
@@ -52,11 +60,8 @@ void printServer(const v1::ServerDescription& server) {
   print("\nsensors of known cameras (record --preset):\n");
   for (const v1::PresetInfo& preset : server.presets())
     print("  %-20s %s\n", preset.name().c_str(), preset.description().c_str());
-  print("\nlimits (set by saccaded --limit-NAME):\n");
-  for (const v1::LimitInfo& limit : server.limits()) {
-    print("  %-20s %9.15g %-3s  %s\n", limit.name().c_str(), limit.value(), limit.unit().c_str(),
-          limit.description().c_str());
-  }
+  print("\nlimits (set by saccaded --limit-NAME), and what all clients together hold of them:\n");
+  for (const v1::LimitInfo& limit : server.limits()) printLimit(limit);
   print("\ntruth channels (record --truth), with their planes and unit:\n");
   for (const v1::TruthInfo& truth : server.truth()) printTruth(truth);
   print("\nmethods, and their parameters with default and range:\n");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/limit_use.h"
 #include "app/metrics.h"
 #include "app/request/server_description.h"
 #include "base/instruction_set.h"
@@ -47,7 +48,8 @@ App::App(const Config& config, Opened)
       streams_(sessions_, client_log_, StreamRegistry::Lease(config.lease_s)),
       opener_({scenes_, bakes_, tables_, pool_, quota_, streams_, data_.wake(), broadcast_.wake(), totals_,
                client_log_, clients_, epoch_}),
-      service_(scenes_, quota_, streams_, opener_, client_log_, describe(config)) {
+      service_(scenes_, quota_, streams_, opener_, client_log_, [this] { return describeNow(); }),
+      description_(describe(config)) {
   serveHttp(config);
 }
 
@@ -100,6 +102,18 @@ v1::ServerDescription App::describe(const Config& config) const {
   describeLimits(config.limits, description);
   *description.mutable_budgets() = tables_.accuracy.info();
   *description.mutable_simplification() = tables_.simplification.info();
+  return description;
+}
+
+v1::ServerDescription App::describeNow() const {
+  v1::ServerDescription description = description_;
+  describeUse({.quota = quota_,
+               .scenes = scenes_,
+               .bakes = bakes_,
+               .streams = streams_,
+               .pool = pool_,
+               .viewers = viewer_ ? viewer_->viewers() : 0},
+              description);
   return description;
 }
 

@@ -52,6 +52,7 @@ class App {
   App(const Config& config, Opened);  // listens, and does not serve yet
 
   v1::ServerDescription describe(const Config& config) const;
+  v1::ServerDescription describeNow() const;  // with what is used of the limits
   HttpPages pages() const;
   void serveHttp(const Config& config);
   void sweep(std::stop_token stopped);
@@ -76,6 +77,7 @@ class App {
   StreamRegistry streams_;
   StreamOpener opener_;
   Service service_;
+  const v1::ServerDescription description_;  // without that
   const ServiceManager manager_;
   std::jthread sweeper_;
   std::atomic<bool> started_ = false, stopping_ = false;

@@ -44,12 +44,12 @@ v1::Reply descriptionReply(const Stream& stream) {
 }  // namespace
 
 Service::Service(const SceneCache& scenes, ResourceQuota& quota, StreamRegistry& streams,
-                 StreamOpener& opener, ClientLog& log, v1::ServerDescription description)
+                 StreamOpener& opener, ClientLog& log, DescribeServer describe_server)
     : quota_(quota),
       streams_(streams),
       opener_(opener),
       log_(log),
-      description_(std::move(description)),
+      describe_server_(std::move(describe_server)),
       scenes_(scenes) {}
 
 void Service::handle(RawRequest request, const Peer& peer, Answer answer) {
@@ -143,7 +143,7 @@ void Service::fill(const v1::Request& request, const Peer& peer, v1::Reply& repl
       *reply.mutable_list_streams() = listStreams(peer, request.list_streams().all());
       break;
     case v1::Request::kServerInfo:
-      *reply.mutable_server_info() = description_;
+      *reply.mutable_server_info() = describe_server_();
       break;
     case v1::Request::kCancelOpen:
       if (!opener_.pendingOpens().cancel(peer, request.cancel_open().request_id()))

@@ -1,6 +1,7 @@
 // Answers the calls of the control socket.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "app/stores/scene_lister.h"
@@ -13,9 +14,11 @@ namespace saccade {
 
 class Service {
  public:
-  // Keeps references. `description` is the answer to ServerInfo.
+  using DescribeServer = std::function<v1::ServerDescription()>;
+
+  // Keeps references. `describe_server` gives the answer to ServerInfo. It must not block.
   Service(const SceneCache& scenes, ResourceQuota& quota, StreamRegistry& streams, StreamOpener& opener,
-          ClientLog& log, v1::ServerDescription description);
+          ClientLog& log, DescribeServer describe_server);
 
   // Does not block. `answer` is called once, now or later, on any thread. `peer` is the client; unless it is
   // an admin, it sees only the streams that it has opened.
@@ -35,7 +38,7 @@ class Service {
   StreamRegistry& streams_;
   StreamOpener& opener_;
   ClientLog& log_;
-  const v1::ServerDescription description_;
+  const DescribeServer describe_server_;
   SceneLister scenes_;
   Worker pictures_;  // copies and draws for get_frame, and copies paths for describe_stream
 };

@@ -61,6 +61,20 @@ TEST_F(SceneMemory, ScenesInUseStay) {
   EXPECT_EQ(scenes.bytes(), bytesOf({kSecond}));
 }
 
+TEST_F(SceneMemory, TellsWhatIsInUse) {
+  SceneCache scenes(kFolder);
+  scenes.get(kSecond);
+  auto used = scenes.get(kFirst);
+  EXPECT_EQ(scenes.inUse().bytes, bytesOf({kFirst}));
+  EXPECT_EQ(scenes.inUse().simplified, 0);
+  const auto simplified = scenes.simplify(kFirst, used, {SceneFeature::kTextures});
+  EXPECT_GT(scenes.inUse().bytes, bytesOf({kFirst}));
+  EXPECT_EQ(scenes.inUse().simplified, 1);
+  used.reset();
+  EXPECT_EQ(scenes.inUse().simplified, 1);
+  EXPECT_GT(scenes.bytes(), scenes.inUse().bytes);
+}
+
 TEST_F(SceneMemory, CountsASceneWithoutPartsToo) {
   SceneCache scenes(kFolder, bounded(static_cast<double>(bytesOf({kThird}) * 3 / 2)));
   const auto whole = scenes.get(kThird);

@@ -8,7 +8,7 @@ import prose
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 FLAG = re.compile(r"(?<![\w-])--[a-z][a-z-]+[a-z]")
-FLAGS_OF_OTHERS = {"--build", "--component", "--install", "--no-build-isolation", "--no-deps", "--no-index", "--now", "--prefix", "--preset", "--python", "--ros-args", "--runtime", "--system-site-packages", "--tests"}  # cmake, pip, protoc, ros2, systemctl, scripts
+FLAGS_OF_OTHERS = {"--build", "--component", "--from-file", "--install", "--no-build-isolation", "--no-deps", "--no-index", "--now", "--prefix", "--preset", "--python", "--ros-args", "--runtime", "--system-site-packages", "--tests"}  # cmake, kubectl, pip, protoc, ros2, systemctl, scripts
 
 
 def anchors(page):

@@ -227,6 +227,49 @@ TEST(Limits, ARequestThatIsTooLongEndsItsConnectionOnly) {
   EXPECT_EQ(server.client().server().threads(), 1u);
 }
 
+// By limit; those that are not told are absent.
+std::map<std::string, double> usedOf(TestServer& server) {
+  std::map<std::string, double> used;
+  const auto description = server.client().server();
+  for (const auto& limit : description.limits())
+    if (limit.has_used()) used[limit.name()] = limit.used();
+  return used;
+}
+
+TEST(Limits, TheServerTellsWhatIsUsedOfThem) {
+  TestServer server(withLimit(Limit::kCpu, 85));
+  auto used = usedOf(server);
+  for (const auto& [name, amount] : used) EXPECT_EQ(amount, 0) << name;
+  for (const char* name : {"cpu", "viewers", "bakes"}) EXPECT_EQ(used.count(name), 1u) << name;
+  for (const char* name : {"client-streams", "queue", "pictures"}) EXPECT_EQ(used.count(name), 0u) << name;
+
+  v1::OpenStream request = tinyRequest();
+  request.add_sensors();
+  request.add_sensors();
+  const auto stream = server.client().open(request);
+  used = usedOf(server);
+  EXPECT_EQ(used["streams"], 1);
+  EXPECT_EQ(used["sensors"], 3);
+  EXPECT_EQ(used["pixels"], 32 * 24);
+  EXPECT_EQ(used["queues"], 16);
+  EXPECT_GT(used["memory"], 8);
+  EXPECT_EQ(used["requests"], 0);
+  EXPECT_EQ(used["cpu"], 0);  // it is not PACED
+
+  request = tinyRequest();
+  request.mutable_timing()->set_clock(v1::CLOCK_PACED);
+  request.mutable_timing()->set_speed(0.01);
+  const auto paced = server.client().open(request);
+  used = usedOf(server);
+  EXPECT_EQ(used["streams"], 2);
+  EXPECT_GT(used["cpu"], 0);
+  EXPECT_GT(used["scenes"], 0);
+
+  for (const auto& one : {stream, paced}) server.client().close(one);
+  server.client().open(tinyRequest());  // makes room by those that are over
+  EXPECT_EQ(usedOf(server)["streams"], 1);
+}
+
 TEST(Limits, TheServerListsThemAndTheProtocolExplainsThem) {
   TestServer server(withLimit(Limit::kStreams, 5));
   std::map<std::string, double> told;

@@ -22,7 +22,7 @@ class DataSet(unittest.TestCase):
     def load(self, workers, requests=MOTIONS, **options):
         from torch.utils.data import DataLoader
         from saccade.dataset import StreamDataset
-        data = StreamDataset(requests, address=self.address, **options)
+        data = StreamDataset(requests, **{"address": self.address, **options})
         return list(DataLoader(data, batch_size=None, num_workers=workers))
 
     def test_workers_share_the_requests(self):
@@ -40,6 +40,13 @@ class DataSet(unittest.TestCase):
         self.assertEqual(len(samples[0]["t"]), 50)
         packets = self.load(0, transform=sample)
         self.assertEqual(sum(count for *_, count in packets), sum(len(columns["t"]) for columns in samples))
+
+    def test_several_servers_share_the_requests_and_one_may_be_lost(self):
+        alone = self.load(0, transform=sample)
+        with Server("--limit-streams", "1") as small, Server() as lost:
+            lost.kill()
+            found = self.load(2, transform=sample, address=[lost.address, small.address, self.address])
+        self.assertEqual(sorted(found), sorted(alone))
 
     def test_a_refusal_comes_out_of_the_workers(self):
         for workers in (0, 1):

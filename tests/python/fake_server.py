@@ -59,11 +59,14 @@ class Peer:
 
 
 class FakeServer:
-    """frames: of its streams. frames_done: those that list_streams tells; None: it knows of no stream."""
+    """frames: of its streams. frames_done: those that list_streams tells; None: it knows of no stream.
 
-    def __init__(self, frames=20, frames_done=None):
+    described: what server_info tells, besides its endpoints.
+    """
+
+    def __init__(self, frames=20, frames_done=None, **described):
         self.control, self.data, self.broadcast = Peer(), Peer(), Peer(zmq.XPUB)
-        self.frames, self.frames_done, self.fault = frames, frames_done, None
+        self.frames, self.frames_done, self.described, self.fault = frames, frames_done, described, None
 
     def answer(self, request, **result):
         status = control_pb2.Status(code=control_pb2.CODE_OK)
@@ -85,7 +88,7 @@ class FakeServer:
         call = request.WhichOneof("call")
         if call == "server_info":
             self.answer(request, server_info=control_pb2.ServerDescription(
-                data_endpoint=self.data.endpoint, broadcast_endpoint=self.broadcast.endpoint))
+                data_endpoint=self.data.endpoint, broadcast_endpoint=self.broadcast.endpoint, **self.described))
         elif call == "list_streams":
             self.list_streams(request)
         elif call == "open_stream":
@@ -95,6 +98,10 @@ class FakeServer:
             self.answer(request, open_stream=opened)
             return request.open_stream
         return None
+
+    def refuse(self, request, code, **status):
+        status = control_pb2.Status(code=code, **status)
+        self.control.send(control_pb2.Reply(request_id=request.request_id, status=status).SerializeToString())
 
     def list_streams(self, request):
         infos = [control_pb2.StreamInfo(stream_id="s1", frames_done=self.frames_done)]

@@ -27,7 +27,13 @@ class Server:
         self.address = self.endpoints[0]
 
     def stop(self):
-        self.process.terminate()
+        self._end(self.process.terminate)
+
+    def kill(self):
+        self._end(self.process.kill)
+
+    def _end(self, how):
+        how()
         self.process.wait(timeout=60)
         self.log.join()
         self.process.stdout.close()

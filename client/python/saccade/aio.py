@@ -12,6 +12,7 @@ from saccade.protocol import session
 from saccade.protocol.network import AsyncNetwork
 from saccade.protocol.request import make_request
 from saccade.protocol.retry import RetryPolicy
+from saccade.protocol.session import Address
 from saccade.protocol.sockets import Key
 from saccade.protocol.stream_state import Picture, StreamState
 from saccade.settings import SensorSettings, Settings
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
 
-def connect(address: str | None = None, *, secret_key: Key | None = None, server_key: Key | None = None,
+def connect(address: Address | None = None, *, secret_key: Key | None = None, server_key: Key | None = None,
             retry: RetryPolicy = RetryPolicy()) -> Client:
     """As saccade.connect(). A client and its streams belong to one event loop; one task at a time calls a client."""
     return Client(address, secret_key, server_key, retry)
@@ -32,24 +33,25 @@ def connect(address: str | None = None, *, secret_key: Key | None = None, server
 class Client:
     """As saccade.Client, and an asynchronous context manager."""
 
-    def __init__(self, address: str | None, secret_key: Key | None, server_key: Key | None, retry: RetryPolicy) -> None:
-        self._control = session.make_control(AsyncNetwork(), address, secret_key, server_key)
+    def __init__(self, address: Address | None, secret_key: Key | None, server_key: Key | None,
+                 retry: RetryPolicy) -> None:
+        self._servers = session.make_servers(AsyncNetwork(), address, secret_key, server_key)
         self._retry = retry
 
     async def scenes(self) -> list[control_pb2.SceneInfo]:
-        return await session.scenes(self._control)
+        return await session.scenes(self._servers)
 
     async def info(self) -> control_pb2.ServerDescription:
-        return await session.info(self._control)
+        return await session.info(self._servers)
 
     async def open(self, **settings: Unpack[Settings]) -> Stream:
-        return Stream(await session.open_subscription(self._control, make_request(settings), self._retry))
+        return Stream(await session.open_subscription(self._servers, make_request(settings), self._retry))
 
     async def open_request(self, request: control_pb2.OpenStream) -> Stream:
-        return Stream(await session.open_subscription(self._control, request, self._retry))
+        return Stream(await session.open_subscription(self._servers, request, self._retry))
 
     def close(self) -> None:
-        self._control.close()
+        self._servers.close()
 
     async def __aenter__(self) -> Self:
         return self

@@ -12,6 +12,7 @@ from saccade.protocol import session
 from saccade.protocol.network import BlockingNetwork, run
 from saccade.protocol.request import make_request
 from saccade.protocol.retry import RetryPolicy
+from saccade.protocol.session import Address
 from saccade.protocol.sockets import Key
 from saccade.protocol.stream_state import Picture, StreamState
 from saccade.settings import SensorSettings, Settings
@@ -23,37 +24,41 @@ if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
 
-def connect(address: str | None = None, *, secret_key: Key | None = None, server_key: Key | None = None,
+def connect(address: Address | None = None, *, secret_key: Key | None = None, server_key: Key | None = None,
             retry: RetryPolicy = RetryPolicy()) -> Client:
-    """A client of the server with its control socket at `address`. Does not wait for it.
+    """A client of the server with its control socket at `address`, or of several servers. Does not wait for them.
 
-    address: by default $SACCADE_SERVER, or else tcp://127.0.0.1:5770.
+    address: by default $SACCADE_SERVER, or else tcp://127.0.0.1:5770. Several stand in a list, or in a text with commas
+        between them. A name with several addresses stands for a server at each.
     secret_key, server_key: for a server with keys. Files of your secret key and of the server's public key, as
         `saccade keygen` writes them, or the keys as bytes. By default $SACCADE_CLIENT_KEY and $SACCADE_SERVER_KEY.
     retry: how long streams wait for a server that is not up yet, and try to go on after a loss.
+    Of several servers, a stream is opened on the one with most room. If that is lost, a LOSSLESS stream goes on at the
+    same event on another one of equal version and instruction set, unless it is steered or pushed.
     Raises ValueError for a malformed address or key, and OSError for a key file that cannot be read.
     """
     return Client(address, secret_key, server_key, retry)
 
 
 class Client:
-    """Asks a server and opens streams. Made by saccade.connect(); a context manager that closes the connection.
+    """Asks servers and opens streams. Made by saccade.connect(); a context manager that closes the connection.
 
     Its calls raise saccade.NoAnswer where no server answers within 3 s, and saccade.Refused. open() waits for a server
     as `retry` says.
     """
 
-    def __init__(self, address: str | None, secret_key: Key | None, server_key: Key | None, retry: RetryPolicy) -> None:
-        self._control = session.make_control(BlockingNetwork(), address, secret_key, server_key)
+    def __init__(self, address: Address | None, secret_key: Key | None, server_key: Key | None,
+                 retry: RetryPolicy) -> None:
+        self._servers = session.make_servers(BlockingNetwork(), address, secret_key, server_key)
         self._retry = retry
 
     def scenes(self) -> list[control_pb2.SceneInfo]:
-        """The scenes of the server, with name, description, trajectories, and why one is unavailable."""
-        return run(session.scenes(self._control))
+        """Those of the first server that answers, with name, description, trajectories, and why one is unavailable."""
+        return run(session.scenes(self._servers))
 
     def info(self) -> control_pb2.ServerDescription:
-        """Version, limits, methods with their parameters, and scene features of the server."""
-        return run(session.info(self._control))
+        """Version, limits, methods with their parameters, and scene features of the first server that answers."""
+        return run(session.info(self._servers))
 
     def open(self, **settings: Unpack[Settings]) -> Stream:
         """Opens a stream; saccade.Settings describes the settings. Waits until the scene is loaded.
@@ -63,14 +68,14 @@ class Client:
         Raises TypeError or ValueError for a setting that cannot be, and InvalidArgument, NotFound, LimitExceeded or
         another Refused where the server does not take the request.
         """
-        return Stream(run(session.open_subscription(self._control, make_request(settings), self._retry)))
+        return Stream(run(session.open_subscription(self._servers, make_request(settings), self._retry)))
 
     def open_request(self, request: control_pb2.OpenStream) -> Stream:
         """Opens a stream by its message, such as the `resolved` of an earlier stream, which gives equal events."""
-        return Stream(run(session.open_subscription(self._control, request, self._retry)))
+        return Stream(run(session.open_subscription(self._servers, request, self._retry)))
 
     def close(self) -> None:
-        self._control.close()
+        self._servers.close()
 
     def __enter__(self) -> Self:
         return self

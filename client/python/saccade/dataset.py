@@ -11,6 +11,7 @@ from torch.utils.data import IterableDataset, get_worker_info
 
 from saccade.client import connect
 from saccade.events import Events
+from saccade.protocol.session import Address
 from saccade.settings import Settings
 from saccade.windowing import windows
 
@@ -30,12 +31,12 @@ class StreamDataset(IterableDataset):  # type: ignore[misc]  # torch may be abse
         likes. Each worker iterates over all of it, so it must give every worker the same.
     transform: makes a sample of a window and the settings of its stream, from which a label may come.
     duration_us, count: the windows, see saccade.windows(); without them a sample is a packet of up to 5 ms.
-    address, secret_key, server_key: as for saccade.connect(); keys as files.
+    address, secret_key, server_key: as for saccade.connect(), perhaps several servers; keys as files.
     Iteration raises what connect(), open() and streams raise.
     """
 
     def __init__(self, requests: Iterable[Settings], *, transform: Callable[[Events, Settings], Any] = as_tensors,
-                 duration_us: int | None = None, count: int | None = None, address: str | None = None,
+                 duration_us: int | None = None, count: int | None = None, address: Address | None = None,
                  secret_key: str | os.PathLike[str] | None = None,
                  server_key: str | os.PathLike[str] | None = None) -> None:
         super().__init__()

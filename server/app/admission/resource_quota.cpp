@@ -37,6 +37,12 @@ void ResourceQuota::use(Limit rate, double amount) {
   paid_off += std::chrono::duration_cast<Clock::duration>(added);
 }
 
+double ResourceQuota::taken(Limit limit) const {
+  std::lock_guard lock(mutex_);
+  const auto found = taken_.find(limit);
+  return found == taken_.end() ? 0 : found->second;
+}
+
 void ResourceQuota::check(const Taken& taken, Limit limit, const Share& share) const {
   const auto found = taken.find(share.limit);
   const double before = found == taken.end() ? 0 : found->second, most = limits_[limit];

@@ -33,6 +33,9 @@ class ResourceQuota {
   // limit.
   void use(Limit rate, double amount);
 
+  // The amount that all clients together hold, in the limit's unit.
+  double taken(Limit limit) const;
+
  private:
   using Clock = std::chrono::steady_clock;
   using Taken = std::map<Limit, double>;
@@ -40,7 +43,7 @@ class ResourceQuota {
   void add(const std::string& client, const std::vector<Share>& shares, int sign);
 
   const Limits limits_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   Taken taken_;
   std::map<std::string, Taken> taken_by_;        // by client
   std::map<Limit, Clock::time_point> paid_off_;  // by rate: when the amounts so far are paid off

@@ -39,8 +39,7 @@ BakeStore::BakePtr BakeStore::find(Digest digest) {
 // memory for one more.
 std::shared_ptr<const void> BakeStore::admit(Digest digest, int mib) {
   std::lock_guard lock(mutex_);
-  std::erase_if(
-      kept_, [](const auto& entry) { return entry.second.making.expired() && entry.second.bake.expired(); });
+  std::erase_if(kept_, [](const auto& entry) { return entry.second.gone(); });
   double taken = mib;
   for (const auto& [other, kept] : kept_) taken += kept.mib;
   if (taken > limits_[Limit::kBakes])
@@ -48,6 +47,13 @@ std::shared_ptr<const void> BakeStore::admit(Digest digest, int mib) {
   const auto making = std::make_shared<const int>();
   kept_[digest] = {making, {}, mib};
   return making;
+}
+
+double BakeStore::inUse() const {
+  std::lock_guard lock(mutex_);
+  double mib = 0;
+  for (const auto& [digest, kept] : kept_) mib += kept.gone() ? 0 : kept.mib;
+  return mib;
 }
 
 BakeStore::BakePtr BakeStore::make(const std::shared_ptr<const RenderScene>& scene, const BakePlan& plan,

@@ -27,6 +27,8 @@ class BakeStore {
                                   TilePool& pool, const std::stop_token& stop,
                                   const std::function<void(double)>& progress);
 
+  double inUse() const;  // MiB of the bakes that streams use, or that are being made
+
  private:
   using Digest = std::uint64_t;  // of a plan
   using BakePtr = std::shared_ptr<const Bake>;
@@ -38,11 +40,12 @@ class BakeStore {
   const std::string folder_;  // empty: there are no bakes
   const Limits limits_;
   mutable LimitedLog log_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   struct Kept {
     std::weak_ptr<const void> making;  // held while it is made
     std::weak_ptr<const Bake> bake;
     int mib;
+    bool gone() const { return making.expired() && bake.expired(); }
   };
   std::map<Digest, Kept> kept_;
   SharedBuild<Digest, Bake> builds_;  // last: its threads use all others

@@ -199,6 +199,17 @@ std::uint64_t SceneCache::bytes() const {
   return countBytes();
 }
 
+SceneUse SceneCache::inUse() const {
+  std::lock_guard lock(mutex_);
+  SceneUse use{.bytes = countBytes()};
+  for (const auto& [key, entry] : entries_) {
+    const bool unused = entry.scene.use_count() == 1;
+    if (unused) use.bytes -= std::min(use.bytes, entry.scene->bytes());
+    if (!unused && !key.second.empty()) ++use.simplified;
+  }
+  return use;
+}
+
 void SceneCache::remember(const std::string& name, FileTime changed, SceneNote note) {
   std::lock_guard lock(mutex_);
   notes_[name] = {changed, std::move(note)};

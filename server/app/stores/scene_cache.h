@@ -36,6 +36,12 @@ struct SceneNote {
   std::string failure;  // why the last attempt to load it failed
 };
 
+// The scenes that somebody uses, so that they cannot make room for others.
+struct SceneUse {
+  std::uint64_t bytes = 0;  // those being built included
+  int simplified = 0;
+};
+
 // All members may be called from any thread. No lock is held while a scene is made ready for tracing.
 class SceneCache {
  public:
@@ -50,6 +56,7 @@ class SceneCache {
   const SceneLibrary& library() const { return library_; }
   const SceneLoads& loads() const { return loads_; }
   std::uint64_t bytes() const;  // of all scenes in memory
+  SceneUse inUse() const;
   SceneNote note(const std::string& name) const;
 
   // The scene as its file now describes it. Loads it, or waits for a load that others have asked for;

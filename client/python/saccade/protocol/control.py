@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import logging
+import math
 import time
 
 import zmq
@@ -32,14 +33,19 @@ class Control:
         self._request_id = 0
         self.closed = False
 
-    async def call(self, request: control_pb2.Request, deadline_s: float = DEADLINE_S,
-                   watch: bool = False) -> control_pb2.Reply:
+    async def call(self, request: control_pb2.Request, deadline_s: float = DEADLINE_S, watch: bool = False,
+                   silence_s: float = math.inf) -> control_pb2.Reply:
         """Raises NoAnswer, Refused, or SaccadeError for a reply that cannot be read or has no result.
 
         watch: logs what the server does while it opens a stream, and raises Unavailable where it knows of none.
+        silence_s: how long it may answer nothing at all meanwhile.
         """
-        request_id = await self.tell(request)
-        reply = await self._await(request_id, deadline_s, watch)
+        return await self.reply_to(await self.tell(request), request, deadline_s, watch, silence_s)
+
+    async def reply_to(self, request_id: int, request: control_pb2.Request, deadline_s: float, watch: bool = False,
+                       silence_s: float = math.inf) -> control_pb2.Reply:
+        """The reply to a request that tell() has sent. As call()."""
+        reply = await self._await(request_id, deadline_s, min(WATCH_S, silence_s / 2) if watch else math.inf, silence_s)
         if reply.status.code != control_pb2.CODE_OK:
             raise refusal(reply.status)
         if reply.WhichOneof("result") != request.WhichOneof("call"):
@@ -53,19 +59,22 @@ class Control:
         await self._channel.send(request.SerializeToString())
         return self._request_id
 
-    async def _await(self, request_id: int, deadline_s: float, watch: bool) -> control_pb2.Reply:
-        until = time.monotonic() + deadline_s
+    async def _await(self, request_id: int, deadline_s: float, watch_s: float, silence_s: float) -> control_pb2.Reply:
+        """watch_s: after so much silence, asks how far the call is."""
+        heard = time.monotonic()
+        until = heard + deadline_s
         unknown = 0  # lists in a row that do not have the call
-        while (left := until - time.monotonic()) > 0:
-            parts = await self._channel.receive(min(left, WATCH_S) if watch else left)
+        while (left := min(until, heard + silence_s) - time.monotonic()) > 0:
+            parts = await self._channel.receive(min(left, watch_s))
             if parts is None:
-                if watch:
+                if watch_s < math.inf:
                     await self.tell(control_pb2.Request(list_streams=control_pb2.ListStreams()))
                 continue
+            heard = time.monotonic()
             reply = self._parse(parts)
             if reply.request_id in (request_id, UNREAD):  # others are late replies to earlier requests
                 return reply
-            if watch and reply.HasField("list_streams"):
+            if watch_s < math.inf and reply.HasField("list_streams"):
                 known = [opening for opening in reply.list_streams.opening if opening.request_id == request_id]
                 for opening in known:
                     _log_opening(opening)

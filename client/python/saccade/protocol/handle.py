@@ -6,27 +6,38 @@ from collections.abc import Sequence
 from saccade.errors import StreamFault
 from saccade.protocol.connection import BroadcastConnection, Connection
 from saccade.protocol.control import DEADLINE_S, Control
-from saccade.protocol.opened_check import check_opened
+from saccade.protocol.opening import OPEN_DEADLINE_S, Opening, Place
+from saccade.protocol.servers import Servers
 from saccade.protocol.sockets import reachable_endpoint
 from saccade.protocol.steering import make_change, make_describe, make_push, make_steer
 from saccade.v1 import control_pb2, recording_pb2, truth_pb2
 
-OPEN_DEADLINE_S = 600.0  # a large scene takes long to load
-
 
 class StreamHandle:
-    def __init__(self, control: Control) -> None:
-        self.control = control
-        self.opened = control_pb2.StreamOpened()
+    def __init__(self, servers: Servers, place: Place, failover_s: float) -> None:
+        """failover_s: as in RetryPolicy."""
+        self.servers = servers
         self.closed = False
-        self._server = control_pb2.ServerDescription()
+        self._place, self._failover_s = place, failover_s
 
     @classmethod
-    async def open(cls, control: Control, request: control_pb2.OpenStream) -> StreamHandle:
-        """Raises NoAnswer, Refused, or StreamFault for a reply that cannot be."""
-        handle = cls(control)
-        await handle._open(request, OPEN_DEADLINE_S)
-        return handle
+    async def open(cls, servers: Servers, request: control_pb2.OpenStream, failover_s: float) -> StreamHandle:
+        """On the server with most room. Raises NoAnswer, Refused, or StreamFault for a reply that cannot be."""
+        return cls(servers, await Opening(servers, request, None, OPEN_DEADLINE_S, failover_s).run(), failover_s)
+
+    @property
+    def opened(self) -> control_pb2.StreamOpened:
+        return self._place.opened
+
+    @property
+    def control(self) -> Control:
+        """Of the server that has the stream."""
+        return self._place.control
+
+    @property
+    def server_gone(self) -> bool:
+        """Whether other streams have found that its server is lost or has restarted."""
+        return self.servers.is_gone(self.control.endpoint, self._place.server.epoch)
 
     @property
     def broadcast(self) -> bool:
@@ -42,9 +53,9 @@ class StreamHandle:
         return self.opened.resolved.delivery == control_pb2.DELIVERY_LOSSLESS
 
     async def reopen(self, from_events: Sequence[int], deadline_s: float) -> None:
-        """Opens the same LOSSLESS request again, on the same server or a restarted one, from these events and samples on.
+        """Opens the same LOSSLESS request again, on the same server, a restarted or another one, from these events on.
 
-        Raises as open(), and then changes nothing.
+        Raises as open(), and then changes nothing. from_events: and samples.
         """
         request = control_pb2.OpenStream()
         request.CopyFrom(self.opened.resolved)
@@ -53,22 +64,13 @@ class StreamHandle:
             sensor.from_event = next(firsts)
         for truth in request.truth:
             truth.from_sample = next(firsts)
-        await self._open(request, deadline_s)
-
-    async def _open(self, request: control_pb2.OpenStream, deadline_s: float) -> None:
-        # server_info first, with a short deadline: the long one is for a server that is there.
-        info = control_pb2.Request(server_info=control_pb2.ServerInfo())
-        self._server = (await self.control.call(info, DEADLINE_S)).server_info
-        if self.opened.stream_id:
-            await self._tell_close()
-        reply = await self.control.call(control_pb2.Request(open_stream=request), deadline_s, watch=True)
-        check_opened(reply.open_stream, request)
-        self.opened = reply.open_stream
+        self._place = await Opening(self.servers, request, self._place, deadline_s, self._failover_s).run()
 
     async def connect(self, from_seqs: Sequence[int]) -> Connection | BroadcastConnection:
         """Connects to the stream as its delivery demands. Raises StreamFault if the server announces no endpoint."""
         network, keys = self.control.network, self.control.keys
-        announced = self._server.broadcast_endpoint if self.broadcast else self._server.data_endpoint
+        server = self._place.server
+        announced = server.broadcast_endpoint if self.broadcast else server.data_endpoint
         address = reachable_endpoint(announced, self.control.endpoint)
         try:
             if self.broadcast:
@@ -77,9 +79,9 @@ class StreamHandle:
         except ValueError as fault:
             raise StreamFault(f"the server announces an endpoint for packets that is none: {fault}") from fault
 
-    async def info(self) -> control_pb2.StreamInfo | None:
+    async def info(self, deadline_s: float = DEADLINE_S) -> control_pb2.StreamInfo | None:
         """None if the server no longer has the stream."""
-        reply = await self.control.call(control_pb2.Request(list_streams=control_pb2.ListStreams()))
+        reply = await self.control.call(control_pb2.Request(list_streams=control_pb2.ListStreams()), deadline_s)
         streams = reply.list_streams.streams
         return next((stream for stream in streams if stream.stream_id == self.opened.stream_id), None)
 
@@ -112,16 +114,12 @@ class StreamHandle:
     def describe_maker(self, recording: recording_pb2.Recording) -> dict[str, truth_pb2.TruthInfo]:
         """Fills in who has made the events. Returns the truth channels of the server, by name."""
         recording.bake_digest = self.opened.bake_digest
-        recording.server_version = self._server.version
-        recording.instruction_set = self._server.instruction_set
-        return {info.name: info for info in self._server.truth}
+        recording.server_version = self._place.server.version
+        recording.instruction_set = self._place.server.instruction_set
+        return {info.name: info for info in self._place.server.truth}
 
     async def close(self) -> None:
         """Ends the stream at its next frame: the packets up to there still come, and then END. Does not wait."""
         if not self.closed:
             self.closed = True
-            await self._tell_close()
-
-    async def _tell_close(self) -> None:
-        close = control_pb2.CloseStream(stream_id=self.opened.stream_id, token=self.opened.token)
-        await self.control.tell(control_pb2.Request(close_stream=close))
+            await self._place.tell_close()

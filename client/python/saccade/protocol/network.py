@@ -5,14 +5,16 @@ import asyncio
 import threading
 import time
 from collections.abc import Coroutine
+from socket import AF_INET, create_connection, getaddrinfo
 from typing import Any, Protocol, TypeVar
 
 import zmq
 import zmq.asyncio
 
 from saccade.errors import SaccadeError
-from saccade.protocol.sockets import Keys, KeyWatch, configure
+from saccade.protocol.sockets import Keys, KeyWatch, configure, endpoints_of, host_and_port, name_in
 
+PROBE_S = 0.5  # for a connection to be refused
 T = TypeVar("T")
 
 
@@ -34,6 +36,12 @@ class Channel(Protocol):
 class Network(Protocol):
     def connect(self, kind: int, endpoint: str, keys: Keys | None, topics: tuple[str, ...] = ()) -> Channel:
         """Raises ValueError for a malformed endpoint or key."""
+
+    async def resolve(self, endpoint: str) -> list[str]:
+        """As sockets.endpoints_of(), after a look-up; empty where that finds nothing."""
+
+    async def refuses(self, endpoint: str) -> bool:
+        """Whether the host of an endpoint of TCP says at once that no program listens there."""
 
     async def sleep(self, seconds: float) -> None: ...
 
@@ -87,6 +95,20 @@ class BlockingNetwork:
         key = KeyWatch(socket, keys)
         return BlockingChannel(configure(socket, endpoint, keys, topics), key)
 
+    async def resolve(self, endpoint: str) -> list[str]:
+        try:
+            host = name_in(endpoint)
+            return endpoints_of(endpoint, getaddrinfo(host, None, AF_INET) if host else [])
+        except (OSError, ValueError):
+            return []
+
+    async def refuses(self, endpoint: str) -> bool:
+        try:
+            create_connection(host_and_port(endpoint), PROBE_S).close()
+        except (OSError, ValueError) as fault:
+            return isinstance(fault, ConnectionRefusedError)
+        return False
+
     async def sleep(self, seconds: float) -> None:
         time.sleep(seconds)
 
@@ -123,6 +145,22 @@ class AsyncNetwork:
         socket = zmq.asyncio.Context.instance().socket(kind)
         key = KeyWatch(socket, keys)
         return AsyncChannel(configure(socket, endpoint, keys, topics), key)
+
+    async def resolve(self, endpoint: str) -> list[str]:
+        try:
+            host = name_in(endpoint)
+            found = await asyncio.get_running_loop().getaddrinfo(host, None, family=AF_INET) if host else []
+            return endpoints_of(endpoint, found)
+        except (OSError, ValueError):
+            return []
+
+    async def refuses(self, endpoint: str) -> bool:
+        try:
+            _, writer = await asyncio.wait_for(asyncio.open_connection(*host_and_port(endpoint)), PROBE_S)
+        except (OSError, ValueError, asyncio.TimeoutError) as fault:
+            return isinstance(fault, ConnectionRefusedError)
+        writer.close()
+        return False
 
     async def sleep(self, seconds: float) -> None:
         await asyncio.sleep(seconds)

@@ -20,10 +20,13 @@ class RetryPolicy:
 
     retry_time_s: how long there may be no server in all, until new data arrives; 0: it is not waited for.
     silence_s: after this much silence a connection counts as lost. Heartbeats come every second.
+    failover_s: with several servers, one that then answers nothing for so long is lost, or at once if its host refuses
+        connections. Others take its streams.
     """
 
     retry_time_s: float = 60.0
     silence_s: float = 3.0
+    failover_s: float = 3.0
 
 
 def is_shortage(fault: SaccadeError) -> bool:

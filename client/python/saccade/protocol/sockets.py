@@ -6,6 +6,7 @@ import os
 import pathlib
 import stat
 import warnings
+from collections.abc import Iterable
 from typing import Any, NamedTuple, TypeVar, Union
 
 import zmq
@@ -101,6 +102,27 @@ def configure(socket: S, endpoint: str, keys: Keys | None, topics: tuple[str, ..
         what = "is not an endpoint such as tcp://127.0.0.1:5770, or a key is malformed"
         raise ValueError(f"'{endpoint}' {what}") from fault
     return socket
+
+
+def host_and_port(endpoint: str) -> tuple[str, int]:
+    """Of an endpoint of TCP. Raises ValueError for another one."""
+    host, _, port = endpoint.removeprefix("tcp://").rpartition(":")
+    if not endpoint.startswith("tcp://"):
+        raise ValueError(f"{endpoint} is not of TCP")
+    return host.strip("[]"), int(port)
+
+
+def name_in(endpoint: str) -> str | None:
+    """The host in an endpoint of TCP, if it is a name that stands for addresses. Raises as host_and_port()."""
+    host, _ = host_and_port(endpoint)
+    return None if ":" in host or host.replace(".", "").isdecimal() else host
+
+
+def endpoints_of(endpoint: str, found: Iterable[tuple[Any, ...]]) -> list[str]:
+    """One for each address that getaddrinfo() has found for its host; the endpoint itself, if they are not several."""
+    addresses = sorted({str(one[4][0]) for one in found})
+    port = endpoint.rpartition(":")[2]
+    return [f"tcp://{address}:{port}" for address in addresses] if len(addresses) > 1 else [endpoint]
 
 
 def reachable_endpoint(announced: str, control_endpoint: str) -> str:

@@ -56,6 +56,11 @@ class StreamState:
         return self._subscription.handle.opened
 
     @property
+    def address(self) -> str:
+        """The control socket of the server that has the stream. With several servers it may become another one."""
+        return self._subscription.handle.control.endpoint
+
+    @property
     def resolved(self) -> control_pb2.OpenStream:
         """The request with all defaults filled in."""
         return self.opened.resolved

@@ -1,8 +1,9 @@
 """Receives the packets of a stream, and reconnects when the connection or the server is lost.
 
 After silence a new connection resumes where the old one stopped. If the server has lost a LOSSLESS stream, or ended it
-early, the stream is opened again, unless it is steered: only its client knows the next poses. No event is missing then,
-and none comes twice. Of a LIVE or BROADCAST stream, lost packets are counted.
+early, the stream is opened again, unless it is steered: only its client knows the next poses. With several servers it
+may be another one that goes on. No event is missing then, and none comes twice. Of a LIVE or BROADCAST stream, lost
+packets are counted.
 """
 from __future__ import annotations
 
@@ -60,7 +61,8 @@ class Subscription:
         while True:
             if self._connection is None:
                 raise StreamFault("the stream is closed")
-            silent_at = self._last_heard + self._policy.silence_s
+            gone = self.handle.server_gone and self._may_start_again()
+            silent_at = self._last_heard + (0 if gone else self._policy.silence_s)
             try:
                 packet = await self._connection.receive(silent_at - time.monotonic())
             except StreamRefused as refused:
@@ -105,6 +107,8 @@ class Subscription:
         """Called after silence. Tries a new connection first; if that is silent too, asks the server for the stream."""
         if time.monotonic() >= self._give_up_at(LOST):
             raise StreamFault(LOST)
+        if self._may_start_again() and await self.handle.servers.several(self.handle.control.endpoint):
+            return await self._reconnect_or_move()
         if self._heard and not self.handle.broadcast:
             return await self.connect()
         infos: list[control_pb2.StreamInfo | None] = []
@@ -117,6 +121,23 @@ class Subscription:
             return await self._start_again("the server no longer knows the stream")
         if self.handle.broadcast and 0 < self.handle.opened.frames <= infos[-1].frames_done:
             raise StreamFault("the end of the stream was lost")
+        await self.connect()
+
+    async def _reconnect_or_move(self) -> None:
+        """Where there are other servers, a lost one is not waited for."""
+        endpoint = self.handle.control.endpoint
+        lost = f"the server at {endpoint} is lost"
+        if self.handle.server_gone:
+            return await self._start_again(lost)
+        try:
+            if await self.handle.servers.network.refuses(endpoint):
+                raise NoAnswer(lost)
+            info = await self.handle.info(self._policy.failover_s)
+        except NoAnswer:
+            self.handle.servers.lose(endpoint)
+            return await self._start_again(lost)
+        if info is None:
+            return await self._start_again("the server no longer knows the stream")
         await self.connect()
 
     async def _start_again(self, failure: str) -> None:
@@ -132,7 +153,8 @@ class Subscription:
         await self._retry_after(failure, reopen)
         if failure == self._failure and self.handle.opened.epoch == epoch:
             raise StreamFault(failure)  # nothing new has arrived since the last one, and no restart explains this one
-        log.warning("the stream was opened again; the server renders up to the last event again")
+        log.warning("the stream was opened again at %s, which renders up to the last event again",
+                    self.handle.control.endpoint)
         self._failure = failure
         self._found()
         self.sequence.restart()
