@@ -55,11 +55,10 @@ def read_plan(root: pathlib.Path) -> dataset_pb2.DataSetPlan:
 
 def finished_shards(root: pathlib.Path, plan: dataset_pb2.DataSetPlan, partial: bool) -> list[int]:
     """Those whose sequences are all there. Raises FormatError where others are missing, but for `partial`."""
-    shards = range(plan.shards)
-    found = [shard for shard in shards if index_of(root, shard).exists()]
-    if len(found) == len(shards) and found or partial and found:
+    found = [shard for shard in range(plan.shards) if index_of(root, shard).exists()]
+    if found and (partial or len(found) == plan.shards):
         return found
-    missing = next((shard for shard in shards if shard not in found), 0)
+    missing = min(set(range(plan.shards)).difference(found), default=0)
     hint = "; partial=True reads the shards that are finished" if found else ""
-    raise FormatError(f"{index_of(root, missing)} is missing: {len(found)} of {len(shards)} shards are finished. "
+    raise FormatError(f"{index_of(root, missing)} is missing: {len(found)} of {plan.shards} shards are finished. "
                       f"`saccade-farm run {root}` makes the others{hint}")
