@@ -1,8 +1,8 @@
 """Windows per second of saccade.Dataset, against h5py's bare read of the same bytes.
 
 Usage: dataset_speed.py [DATASET [WINDOW_S]], with the package saccade installed. Without one it draws two: of long
-recordings and of short ones. The bare read slices /events/t, x, y, p where each window is, of files that are open as long
-as those of Dataset. Both take turns of 100 windows, and open all files anew in each round. CPU time.
+recordings and of short ones. The bare read slices /events/t, x, y, p where each window is, of files that stay open
+as those of Dataset do. Both take turns of 100 windows, and open all files anew in each round. CPU time.
 """
 import collections
 import functools
@@ -103,8 +103,9 @@ def report(path, name, window_s):
     ratios = []
     for shuffle in (False, True):
         ours, bare = measure(path, window_s, shuffle)
-        print(f"{name}, windows of {window_s} s, {'shuffled' if shuffle else 'in order'}: Dataset {ours:.0f} windows per "
-              f"second, bare {bare:.0f}, ratio {ours / bare:.2f}")
+        how = "shuffled" if shuffle else "in order"
+        print(f"{name}, windows of {window_s} s, {how}: Dataset {ours:.0f} windows per second, bare {bare:.0f}, "
+              f"ratio {ours / bare:.2f}")
         ratios.append(ours / bare)
     return min(ratios)
 

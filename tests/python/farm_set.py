@@ -46,9 +46,11 @@ def shard_of(number, sequences, shards):
 
 def line_of(number, shard, files, recordings):
     """As protobuf writes JSON: numbers of 64 bits are texts, and a 0 is left out."""
-    line = {"number": str(number), "shard": shard, "split": split_of(number), "options": ["scene", "--seed", str(number)],
-            "draws": {"speed": f"{number / 2:g}"}, "files": files, "recordings": recordings}
-    return json.dumps({key: value for key, value in line.items() if value not in (0, "0")}, separators=(",", ":")) + "\n"
+    line = {"number": str(number), "shard": shard, "split": split_of(number),
+            "options": ["scene", "--seed", str(number)], "draws": {"speed": f"{number / 2:g}"}, "files": files,
+            "recordings": recordings}
+    told = {key: value for key, value in line.items() if value not in (0, "0")}
+    return json.dumps(told, separators=(",", ":")) + "\n"
 
 
 def recording_of(file, events, truth=(), sensor=0):
@@ -103,7 +105,8 @@ def make(root, sequences=20, shards=3, count=400, duration_us=100_000, formats=(
     for number in range(sequences):
         shard = shard_of(number, sequences, shards)
         folder = root / f"shards/{shard:05}/{number:06}"
-        line = line_of(number, shard, *write_sequence(folder, number, events_of(number, count, duration_us), formats, chunk))
+        events = events_of(number, count, duration_us)
+        line = line_of(number, shard, *write_sequence(folder, number, events, formats, chunk))
         (folder / "sequence.json").write_text(line)
         lines[shard].append(line)
     for shard, of_shard in enumerate(lines):

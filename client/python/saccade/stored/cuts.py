@@ -26,7 +26,8 @@ class Cuts:
         if window_s is not None and count is not None:
             raise ValueError("give window_s or count, not both")
         if count is not None:
-            return cls(check("count", count, EVENTS), check("stride", count if stride is None else stride, EVENTS), False)
+            step = count if stride is None else stride
+            return cls(check("count", count, EVENTS), check("stride", step, EVENTS), False)
         if window_s is None:
             if stride is not None:
                 raise ValueError("stride goes with window_s or count")

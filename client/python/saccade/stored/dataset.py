@@ -44,7 +44,7 @@ class Window:
 class Dataset:
     """The windows of a data set that saccade-farm has made: data[i], len(data), and iteration in the order of the plan.
 
-    path: its folder, which is only read. split: such as "train"; by default all. sensor: its number; by default 0.
+    path: its folder, which is only read. split: such as "train"; by default all. sensor: its number.
     window_s: windows of so many seconds, of which the first begins with the recording; count: windows of so many
         events. Without both a window is a whole recording.
     stride: from the begin of a window to that of the next, in seconds or events; by default windows follow each other.
@@ -55,8 +55,8 @@ class Dataset:
     cache: folder for the index of a large data set; by default `saccade` in the user's folder of caches.
 
     An object belongs to a thread. It may be pickled; forked processes share its index, and open files of their own.
-    Raises ValueError for arguments that cannot be, FormatError (one, too) for files that are missing or damaged, here or
-    when they are needed, ImportError without h5py, and OSError.
+    Raises ValueError for arguments that cannot be, FormatError for files that are missing or damaged, here or when they
+    are needed, ImportError without h5py, and OSError.
     """
 
     def __init__(self, path: str | os.PathLike[str], *, split: str | None = None, sensor: int = 0,
@@ -104,7 +104,7 @@ class Dataset:
     def order(self, *, seed: int = 0, shuffle: bool = True, rank: int = 0, world: int = 1) -> Order:
         """Numbers of windows, shuffled by shard. rank: of this process, of `world` ones that train together.
 
-        Within a shard, so many sequences are mixed as 256 MiB of memory hold, and at most 128. Each file is opened once.
+        Within a shard, so many sequences are mixed as 256 MiB of memory hold, and at most 128. A pass opens a file once.
         """
         shards = self._index.rows["shard"][self._rows]
         first = np.flatnonzero(np.diff(shards, prepend=-1, append=-1))

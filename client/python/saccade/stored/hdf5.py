@@ -1,7 +1,6 @@
 """Windows of an .h5 as `saccade record` writes it. readers/dsec.py says what is in it.
 
-It calls the lower half of h5py: a window of a thousand events takes no longer than the upper half needs to open one data
-set.
+It calls the lower half of h5py. The upper half takes as long to open a data set as a window of 1,000 events does.
 """
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ def read_plan(root: pathlib.Path) -> dataset_pb2.DataSetPlan:
     path = root / "plan.json"
     try:
         plan = dataset_pb2.DataSetPlan()
-        Parse(path.read_text(encoding="utf-8"), plan)
+        Parse(path.read_text(encoding="utf-8"), plan, ignore_unknown_fields=True)
     except (FileNotFoundError, NotADirectoryError):
         raise FormatError(f"{path} is missing: {root} is no data set that `saccade-farm plan` has made") from None
     except (ParseError, UnicodeDecodeError) as fault:

@@ -71,7 +71,8 @@ class Order:
     def _blocks(self, begin: int) -> Iterator[NDArray[np.int64]]:
         """The windows from a place in the order of all ranks on, shard by shard."""
         count = len(self._shards) - 1
-        shards = np.random.default_rng([self._seed, self._epoch]).permutation(count) if self._shuffle else np.arange(count)
+        rng = np.random.default_rng([self._seed, self._epoch])
+        shards = rng.permutation(count) if self._shuffle else np.arange(count)
         place = 0
         for shard in shards.tolist():
             rows = slice(self._shards[shard], self._shards[shard + 1])

@@ -43,4 +43,4 @@ def _best_files(index: Index, rows: NDArray[np.int64], ranks: NDArray[np.int64])
 def _check(name: str, value: object, valid: list[object] | list[str]) -> None:
     if value not in valid:
         known = ", ".join(dict.fromkeys(map(str, filter(lambda item: item is not None, valid))))
-        raise ValueError(f"{name}: {value!r} is not one of {known}" if known else f"{name}: there are none, and so no {value!r}")
+        raise ValueError(f"{name}: {value!r} is not one of {known}" if known else f"{name}: the data set has none")

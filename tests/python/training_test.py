@@ -1,0 +1,88 @@
+"""The page "From a recipe to a trained model", with a smaller recipe: saccade-farm makes it, and the example learns."""
+import importlib.util
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import saccade
+
+PAGE = pathlib.Path(os.environ["SOURCE"]) / "client/python/TRAINING.md"
+EXAMPLES = PAGE.parent / "examples"
+SMALLER = {"sequences = 240": "sequences = 30", "shards = 8": "shards = 2",
+           '"cornell-box", "cornell-bunny"': '"cornell-box"'}
+
+
+def blocks(language):
+    return re.findall(rf"```{language}\n(.*?)```", PAGE.read_text(), re.DOTALL)
+
+
+def run(*command, folder=None):
+    done = subprocess.run([*map(str, command)], capture_output=True, text=True, check=False, timeout=300, cwd=folder)
+    assert done.returncode == 0, (command, done.stdout, done.stderr)
+    return done.stdout
+
+
+class Training(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        recipe = (EXAMPLES / "train_small.toml").read_text()
+        for large, small in SMALLER.items():
+            assert large in recipe, large
+            recipe = recipe.replace(large, small)
+        (cls.folder / "train_small.toml").write_text(recipe)
+        run(os.environ["SACCADE_FARM"], "plan", cls.folder / "train_small.toml", "-o", cls.folder / "turns")
+        run(os.environ["SACCADE_FARM"], "run", cls.folder / "turns")
+
+    def test_the_page_shows_the_recipe(self):
+        recipe = (EXAMPLES / "train_small.toml").read_text()
+        self.assertEqual(blocks("toml"), [re.sub(r"^#.*\n", "", recipe)])
+
+    def test_the_page_loads_the_data_set(self):
+        told = run(sys.executable, "-B", "-c", blocks("python")[0], folder=self.folder).splitlines()
+        self.assertRegex(told[0], r"^63 \d+ \(5, 48, 64\)$")
+        self.assertRegex(told[-1], r"'across': '-?0\.\d+'.*--motion=(pan|tilt):-?0\.\d+px")
+
+    def test_the_example_beats_the_mean(self):
+        told = run(sys.executable, "-B", EXAMPLES / "train_small.py", self.folder / "turns")
+        error, trivial = map(float, re.search(r"error (\S+) pixels per frame, and (\S+) of", told).groups())
+        self.assertLess(error, 0.6 * trivial, told)
+
+    def test_windows_are_those_of_the_recordings(self):
+        data = saccade.Dataset(self.folder / "turns", window_s=0.05, truth=["flow_forward"])
+        self.assertEqual(len(data), 60)
+        for number in (0, 17, 59):
+            window = data[number]
+            recorded = window.sequence.recording
+            expected = recorded.events[0].slice(window.events.t0, window.events.t1)
+            for name in "txyp":
+                self.assertEqual(getattr(window.events, name).tolist(), getattr(expected, name).tolist())
+            flow = recorded.truth[0]["flow_forward"]
+            inside = (flow.t >= window.events.t0) & (flow.t <= window.events.t1)
+            self.assertEqual(window.truth["flow_forward"].data.tolist(), flow.data[inside].tolist())
+
+    def test_what_is_lost_is_told_by_both(self):
+        data = saccade.Dataset(self.folder / "turns")
+        path = data[29].sequence.path
+        kept = path.read_bytes()
+        path.unlink()
+        try:
+            with self.assertRaisesRegex(saccade.FormatError, f"{path}: the file is missing. `saccade-farm verify"):
+                saccade.Dataset(self.folder / "turns")[29]
+            told = subprocess.run([os.environ["SACCADE_FARM"], "verify", self.folder / "turns"], capture_output=True,
+                                  text=True, check=False)
+            self.assertNotEqual(told.returncode, 0)
+            self.assertIn("000029", told.stdout + told.stderr)
+        finally:
+            path.write_bytes(kept)
+
+
+if __name__ == "__main__":
+    if importlib.util.find_spec("h5py") is None:
+        print("skipped: this Python has no h5py")
+        sys.exit(77)
+    unittest.main()
