@@ -20,9 +20,9 @@ import saccade
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
 import farm_set
 
-ROUNDS, MOST_FILES, MOST_WINDOWS, TURN = 5, 128, 4000, 100
+ROUNDS, MOST_FILES, MOST_WINDOWS, TURN = 3, 128, 4000, 100
 CHUNK = 131072  # events, as `saccade record` packs them
-DRAWN = {"long: 1,000,000 events in 2 s": (8, 1_000_000, 2_000_000, 0.05),
+DRAWN = {"long: 1,000,000 events in 2 s": (40, 1_000_000, 2_000_000, 0.05),
          "short: 30,000 events in 0.2 s": (200, 30_000, 200_000, 0.01)}
 
 
@@ -44,13 +44,15 @@ class Bare:
 
 def bounds_of(data, numbers):
     """The file of each window, and where in it the window is."""
-    found = {}
+    found, opened = {}, None
     for number in sorted(numbers):
         window = data[number]
-        with h5py.File(window.sequence.path) as file:
-            t = file["events/t"][:]
+        if window.sequence.path != opened:
+            opened = window.sequence.path
+            with h5py.File(opened) as file:
+                t = file["events/t"][:]
         first, last = np.searchsorted(t, [window.events.t0, window.events.t1])
-        found[number] = window.sequence.path, int(first), int(last)
+        found[number] = opened, int(first), int(last)
     return [found[number] for number in numbers]
 
 

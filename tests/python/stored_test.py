@@ -156,7 +156,7 @@ class Stored(unittest.TestCase):
         lost.write_bytes(bytes(lost.stat().st_size))
         self.expect_told("000002/events.h5: .*file signature not found", root, 2)
         (root / "shards/00000/000003/events.h5.json").write_text("{")
-        self.expect_told("000003/events.h5.*json", root, 3, truth=["depth"])
+        self.expect_told("000003/events.h5.json: .*property name", root, 3, truth=["depth"])
 
     def test_events_that_cannot_be_are_told(self):
         import h5py

@@ -50,7 +50,7 @@ class Dataset:
     stride: from the begin of a window to that of the next, in seconds or events; by default windows follow each other.
         The end of a recording that fills no window is left out.
     truth: names of the truth channels of the sensor's camera to read.
-    transform: makes an item of a Window; by default the item is the Window. Workers of torch need what it gives pickled.
+    transform: makes an item of a Window; by default the item is the Window. Workers of torch pickle it.
     partial: reads the finished shards of a data set that is not finished.
     cache: folder for the index of a large data set; by default `saccade` in the user's folder of caches.
 
@@ -104,7 +104,7 @@ class Dataset:
     def order(self, *, seed: int = 0, shuffle: bool = True, rank: int = 0, world: int = 1) -> Order:
         """Numbers of windows, shuffled by shard. rank: of this process, of `world` ones that train together.
 
-        Within a shard, so many sequences are mixed as 256 MiB of memory hold, and at most 128. A pass opens a file once.
+        Within a shard it mixes as many sequences as 256 MiB hold, and at most 128. So a pass opens each file once.
         """
         shards = self._index.rows["shard"][self._rows]
         first = np.flatnonzero(np.diff(shards, prepend=-1, append=-1))
@@ -124,7 +124,7 @@ class Dataset:
         group = f"sensor_{sensor}/" if sensor and file in self._index.joint else ""
         size = int(about["width"]), int(about["height"])
         with naming(self._root, sequence.path):
-            source, truth = open_events(sequence.path, group, size, sensor, int(about["events"]), self._truth)
+            source, truth = open_events(self._root, sequence.path, group, size, sensor, int(about["events"]), self._truth)
         return Opened(sequence, source, truth, (int(about["begin_us"]), int(about["end_us"])))
 
     def _cut(self, opened: Opened, place: int) -> Window:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from saccade.errors import FormatError
+from saccade.stored.packing import is_shuffled_and_deflated, unpack
 
 
 class Column:
@@ -22,10 +23,12 @@ class Column:
         if self._data.shape != (count,):
             raise FormatError(f"{name} has {self._data.shape} values, not {count}")
         layout = self._data.get_create_plist()
-        self._chunk = layout.get_chunk()[0] if layout.get_layout() == h5py.h5d.CHUNKED else max(count, 1)
+        chunked = layout.get_layout() == h5py.h5d.CHUNKED
+        self._chunk = layout.get_chunk()[0] if chunked else max(count, 1)
         self.all: NDArray[Any] = np.empty(count, self._data.dtype)
         if self.all.dtype.kind != "u":
             raise FormatError(f"{name} is of {self.all.dtype}")
+        self._packed = chunked and self.all.dtype.isnative and is_shuffled_and_deflated(layout)
         self.view = self.all[:]
         self.view.flags.writeable = False
         self._most = np.iinfo(self.all.dtype).max
@@ -54,6 +57,11 @@ class Column:
                 yield slice(begin, end)
 
     def _read(self, begin: int, end: int) -> None:
+        if self._packed:
+            skipped, packed = self._data.read_direct_chunk((begin,))
+            if skipped == 0:  # no filter is left out of this chunk
+                unpack(packed, self._chunk, self.all[begin:end])
+                return
         place = self._data.get_space()
         place.select_hyperslab((begin,), (end - begin,))
         self._data.read(self._spaces.create_simple((end - begin,)), place, self.all[begin:end])

@@ -12,7 +12,7 @@ import numpy as np
 from saccade.stored.opened import Opened
 
 MOST_BYTES, MOST_FILES = 256 << 20, 128  # of a process
-BYTES_PER_EVENT = 13
+BYTES_PER_EVENT = 9
 
 
 def shares(events: NDArray[np.int64]) -> NDArray[np.float64]:

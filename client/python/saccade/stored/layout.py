@@ -20,9 +20,13 @@ def folder_of(root: pathlib.Path, shard: int, number: int) -> pathlib.Path:
     return root / "shards" / f"{shard:05}" / f"{number:06}"
 
 
-def damaged(root: pathlib.Path, path: pathlib.Path, why: object) -> FormatError:
+class Damaged(FormatError):
+    """It names the file, and what to do."""
+
+
+def damaged(root: pathlib.Path, path: pathlib.Path, why: object) -> Damaged:
     """The error for a file of a data set."""
-    return FormatError(f"{path}: {why}. `saccade-farm verify {root}` names all that is damaged or missing")
+    return Damaged(f"{path}: {why}. `saccade-farm verify {root}` names all that is damaged or missing")
 
 
 @contextlib.contextmanager
@@ -30,7 +34,7 @@ def naming(root: pathlib.Path, path: pathlib.Path) -> Iterator[None]:
     """Makes the error for a file of all that reading it raises, but for errors of the system, such as no memory."""
     try:
         yield
-    except (ImportError, MemoryError):
+    except (ImportError, MemoryError, Damaged):
         raise
     except OSError as fault:
         if fault.errno and not isinstance(fault, FileNotFoundError):
