@@ -52,6 +52,23 @@ class Order(unittest.TestCase):
             self.assertEqual(len(set(group)), 2)
             self.assertGreater((group[1:] != group[:-1]).sum(), 3)
 
+    def test_mixing_has_each_window_once_and_sequences_together(self):
+        before = np.concatenate([[0], np.cumsum(np.arange(40) % 7)])
+        mixed = mix(np.random.default_rng(1), before, np.full(40, 0.2))
+        self.assertEqual(sorted(mixed), list(range(before[-1])))
+        sequence = np.searchsorted(before, mixed, "right") - 1
+        for number in set(sequence):
+            self.assertLess(np.ptp(np.flatnonzero(sequence == number)), 5 * 6)
+
+    def test_epochs_change_the_order_of_shards_and_that_within_them(self):
+        order, shards, inside = self.data.order(seed=3), set(), set()
+        for epoch in range(4):
+            order.set_epoch(epoch)
+            numbers = list(order)
+            shards.add(tuple(dict.fromkeys(self.shards_of(numbers[::100]))))
+            inside.add(tuple(number for number in numbers if number < 100))
+        self.assertEqual((len(shards), len(inside)), (4, 4))
+
     def test_ranks_have_different_windows_and_equally_many(self):
         for world in (3, 7):
             ranks = [list(self.data.order(seed=5, rank=rank, world=world)) for rank in range(world)]

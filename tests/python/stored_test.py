@@ -10,11 +10,13 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy as np
 
 import farm_set
 import saccade
+from saccade.stored import packing
 
 DURATION_US, COUNT, SEQUENCES = 100_000, 400, 20
 
@@ -63,7 +65,7 @@ class Stored(unittest.TestCase):
         self.assertEqual(len(data), SEQUENCES)
         np.testing.assert_array_equal(rows(data[7].events), rows(farm_set.events_of(7, COUNT, DURATION_US)))
         self.assertEqual((data[7].events.t0, data[7].events.t1), (0, DURATION_US))
-        self.assertEqual(len(saccade.Dataset(self.root, window_s=0.2)), 0)
+        self.assertEqual([len(saccade.Dataset(self.root, window_s=length)) for length in (0.1, 0.100001)], [SEQUENCES, 0])
 
     def test_truth_is_that_from_the_begin_of_a_window_to_its_end(self):
         for sensor in (0, 1):
@@ -98,10 +100,32 @@ class Stored(unittest.TestCase):
         root = farm_set.make(self.folder / "chunks", 1, 1, 5000, DURATION_US, chunk=512)
         data = saccade.Dataset(root, window_s=0.0101)
         whole = farm_set.events_of(0, 5000, DURATION_US)
-        for number in (5, 0, 8, 3, 4, 3, 1, 2, 6, 7):
-            begin = 10_100 * number
-            np.testing.assert_array_equal(rows(data[number].events), rows(whole.slice(begin, begin + 10_100)))
+        with mock.patch("saccade.stored.hdf5_column.unpack", side_effect=packing.unpack) as unpacked:
+            for number in (5, 0, 8, 3, 4, 3, 1, 2, 6, 7):
+                begin = 10_100 * number
+                np.testing.assert_array_equal(rows(data[number].events), rows(whole.slice(begin, begin + 10_100)))
+        self.assertEqual(unpacked.call_count, 4 * 9)  # four columns, of their 10 chunks those that windows need, each once
         np.testing.assert_array_equal(rows(saccade.Dataset(root, count=700)[2].events), rows(whole[1400:2100]))
+
+    def test_times_from_an_epoch_long_ago_and_other_packing(self):
+        import h5py
+        root, offset = self.copy("epoch"), 10**13  # microseconds
+        with h5py.File(root / "shards/00000/000000/events.h5", "r+") as file:
+            file["t_offset"][()] = offset
+            t = file["events/t"][:]
+            del file["events/t"]
+            file["events/t"] = t  # neither in chunks nor packed
+        index = root / "shards/00000/index.jsonl"
+        first, *others = index.read_text().splitlines()
+        about = {**json.loads(first), "files": []}
+        for recording in about["recordings"]:
+            recording.update(begin_ns=str(offset * 1000), end_ns=str((offset + DURATION_US) * 1000))
+        index.write_text("\n".join([json.dumps(about), *others, ""]))
+        window = saccade.Dataset(root, window_s=0.03)[1]
+        self.assertEqual(window.events.t0, offset + 30_000)
+        expected = farm_set.events_of(0, COUNT, DURATION_US).slice(30_000, 60_000)
+        np.testing.assert_array_equal(window.events.t, expected.t + offset)
+        np.testing.assert_array_equal(window.events.x, expected.x)
 
     def test_a_transform_makes_the_item(self):
         data = saccade.Dataset(self.root, window_s=0.05, transform=lambda window: len(window.events))
@@ -118,9 +142,11 @@ class Stored(unittest.TestCase):
         expected = rows(data[9].events).tolist()
         self.assertEqual(rows(pickle.loads(pickle.dumps(data))[9].events).tolist(), expected)
         self.assertLess(len(pickle.dumps(data)), 2000)
+        data[0]
         reader, writer = os.pipe()
         if (child := os.fork()) == 0:
-            os.write(writer, b"%d" % (rows(data[9].events).tolist() == expected))
+            same = rows(data[9].events).tolist() == expected
+            os.write(writer, b"%d" % (same and len(data._kept._open) == 1))  # nothing that its parent has opened
             os._exit(0)
         os.waitpid(child, 0)
         self.assertEqual(os.read(reader, 9), b"1")

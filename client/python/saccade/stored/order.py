@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from saccade.stored.mixing import mix
 from saccade.values import MOST_U32, check, whole
 
+TOGETHER = 10_000  # numbers that are Python's at a time; an array needs a quarter of the memory
+
 
 class Order:
     """Numbers of windows of a Dataset, see Dataset.order(). torch takes it as the sampler of a DataLoader.
@@ -39,9 +41,10 @@ class Order:
     def __iter__(self) -> Iterator[int]:
         self._given, self._skipped = self._skipped, 0
         for numbers in self._blocks(self._begin + self._given):
-            for number in numbers.tolist():
-                self._given += 1
-                yield number
+            for first in range(0, len(numbers), TOGETHER):
+                for number in numbers[first : first + TOGETHER].tolist():
+                    self._given += 1
+                    yield number
 
     def part(self, number: int, count: int) -> Order:
         """The part of this order that process `number` of `count` takes, all of which share its windows."""
