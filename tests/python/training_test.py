@@ -1,10 +1,13 @@
 """The page "From a recipe to a trained model", with a smaller recipe: saccade-farm makes it, and the example learns."""
 import importlib.util
+import itertools
+import json
 import os
 import pathlib
 import re
 import subprocess
 import sys
+import tarfile
 import tempfile
 import unittest
 
@@ -24,6 +27,15 @@ def run(*command, folder=None):
     done = subprocess.run([*map(str, command)], capture_output=True, text=True, check=False, timeout=300, cwd=folder)
     assert done.returncode == 0, (command, done.stdout, done.stderr)
     return done.stdout
+
+
+def samples_of(path):
+    """Members that follow each other and have the same name up to its first point, as webdataset groups them."""
+    with tarfile.open(path) as tar:
+        members = [re.fullmatch(r"([^.]+)[.]([^/]*)", member.name).groups() + (tar.extractfile(member).read(),)
+                   for member in tar]
+    for key, group in itertools.groupby(members, lambda member: member[0]):
+        yield key, {name: content for _, name, content in group}
 
 
 class Training(unittest.TestCase):
@@ -64,6 +76,20 @@ class Training(unittest.TestCase):
             flow = recorded.truth[0]["flow_forward"]
             inside = (flow.t >= window.events.t0) & (flow.t <= window.events.t1)
             self.assertEqual(window.truth["flow_forward"].data.tolist(), flow.data[inside].tolist())
+
+    def test_samples_of_its_tar_files_are_found_as_webdataset_does(self):
+        run(os.environ["SACCADE_FARM"], "pack", self.folder / "turns")
+        sequences = {window.sequence.number: window.sequence for window in saccade.Dataset(self.folder / "turns")}
+        found = []
+        for path in sorted((self.folder / "turns/webdataset").glob("*.tar")):
+            for key, sample in samples_of(path):
+                about = json.loads(sample["sequence.json"])
+                sequence = sequences[int(about.get("number", 0))]
+                self.assertEqual((key, path.name.rpartition("-")[0]), (f"{sequence.number:06}", sequence.split))
+                self.assertEqual(about["draws"], sequence.draws)
+                self.assertEqual(sample["events.h5"], sequence.path.read_bytes())
+                found.append(sequence.number)
+        self.assertEqual(sorted(found), list(range(30)))
 
     def test_what_is_lost_is_told_by_both(self):
         data = saccade.Dataset(self.folder / "turns")
