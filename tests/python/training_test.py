@@ -1,4 +1,4 @@
-"""The page "From a recipe to a trained model", with a smaller recipe: saccade-farm makes it, and the example learns."""
+"""Data sets of saccade-farm in Python, and the page "From a recipe to a trained model" with a smaller recipe."""
 import importlib.util
 import itertools
 import json
@@ -17,6 +17,23 @@ PAGE = pathlib.Path(os.environ["SOURCE"]) / "client/python/TRAINING.md"
 EXAMPLES = PAGE.parent / "examples"
 SMALLER = {"sequences = 240": "sequences = 30", "shards = 8": "shards = 2",
            '"cornell-box", "cornell-bunny"': '"cornell-box"'}
+RIG = """
+name = "rig"
+seed = 7
+sequences = 2
+shards = 1
+splits = {{ train = 1.0 }}
+[record]
+output = "{output}"
+scene = "cornell-box"
+motion = "right"
+size = "32x24"
+rate = 500
+duration = 0.06
+threshold = "0.2,0.4"
+further-view = "0.1,0,0"
+truth = ["depth:5", "pose"]
+"""
 
 
 def blocks(language):
@@ -105,6 +122,35 @@ class Training(unittest.TestCase):
             self.assertIn("000029", told.stdout + told.stderr)
         finally:
             path.write_bytes(kept)
+
+
+class Rig(unittest.TestCase):
+    """Two cameras with two sensors each, in one file and in four."""
+
+    def test_each_sensor_has_its_events_and_the_truth_of_its_camera(self):
+        for output in ("events.h5", "events.npz", "events.raw"):
+            with tempfile.TemporaryDirectory() as folder:
+                recipe, root = pathlib.Path(folder, "rig.toml"), pathlib.Path(folder, "rig")
+                recipe.write_text(RIG.format(output=output))
+                run(os.environ["SACCADE_FARM"], "plan", recipe, "-o", root)
+                run(os.environ["SACCADE_FARM"], "run", root)
+                truth = ["pose"] if output == "events.raw" else ["depth", "pose"]
+                for sensor in range(4):
+                    window = saccade.Dataset(root, sensor=sensor, window_s=0.02, truth=truth)[4]
+                    self.expect_as_recorded(window, sensor, truth)
+
+    def expect_as_recorded(self, window, sensor, truth):
+        recorded, t0, t1 = window.sequence.recording, window.events.t0, window.events.t1
+        self.assertEqual((t0, t1, window.sequence.number), (20_000, 40_000, 1))
+        expected = recorded.events[sensor].slice(t0, t1)
+        self.assertGreater(len(expected), 100)
+        for name in "txyp":
+            self.assertEqual(getattr(window.events, name).tolist(), getattr(expected, name).tolist())
+        for name in truth:
+            channel = recorded.truth[recorded.view_of(sensor)][name]
+            inside = (channel.t >= t0) & (channel.t <= t1)
+            self.assertGreater(inside.sum(), 2)
+            self.assertEqual(window.truth[name].data.tolist(), channel.data[inside].tolist())
 
 
 if __name__ == "__main__":

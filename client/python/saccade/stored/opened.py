@@ -6,11 +6,12 @@ import pathlib
 from dataclasses import dataclass, replace
 from typing import Protocol, Union
 
+from saccade.errors import FormatError
 from saccade.events import Events
 from saccade.recording import Recording
+from saccade.stored.hdf5 import Hdf5Events, Hdf5Truth
 from saccade.stored.index import BAD_LINE
 from saccade.stored.layout import damaged
-from saccade.stored.hdf5 import Hdf5Events, Hdf5Truth
 from saccade.stored.sequence import Sequence
 from saccade.truth import TruthArrays
 
@@ -92,4 +93,6 @@ def _of_other(path: pathlib.Path, sensor: int, names: list[str]
               ) -> tuple[Source, dict[str, Union[Hdf5Truth, WholeTruth]]]:
     recording = Recording(path)
     channels = recording.truth[recording.view_of(sensor)] if names else {}
+    if missing := [name for name in names if name not in channels]:
+        raise FormatError(f"of its truth '{missing[0]}' cannot be read; .h5 and .npz hold all channels")
     return WholeEvents(recording.events[sensor]), {name: WholeTruth(channels[name]) for name in names}
