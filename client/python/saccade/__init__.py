@@ -22,15 +22,18 @@ from saccade.readers.calibration import read_calibration
 from saccade.readers.truth import read_id_names, read_truth
 from saccade.recording import Recording
 from saccade.settings import SensorSettings, Settings
+from saccade.stored.dataset import Dataset, Window
+from saccade.stored.order import Order
+from saccade.stored.sequence import Sequence
 from saccade.truth import IdNames, Truth, TruthArrays
 from saccade.windowing import windows
 
 __version__ = "0.1.0"
 
 __all__ = [
-    "Camera", "Client", "Events", "FormatError", "IdNames", "InvalidArgument", "LimitExceeded", "Losses", "NoAnswer",
-    "NotFound", "PacketFault", "PermissionDenied", "Picture", "Recording", "Refused", "RetryPolicy", "SaccadeError",
-    "SensorSettings", "Settings", "Snapshot", "Stream", "StreamFault", "StreamRefused", "Truth", "TruthArrays",
-    "Unavailable", "Unimplemented", "concatenate", "connect", "open_file", "read", "read_calibration", "read_id_names",
-    "read_truth", "windows",
+    "Camera", "Client", "Dataset", "Events", "FormatError", "IdNames", "InvalidArgument", "LimitExceeded", "Losses",
+    "NoAnswer", "NotFound", "Order", "PacketFault", "PermissionDenied", "Picture", "Recording", "Refused",
+    "RetryPolicy", "SaccadeError", "SensorSettings", "Sequence", "Settings", "Snapshot", "Stream", "StreamFault",
+    "StreamRefused", "Truth", "TruthArrays", "Unavailable", "Unimplemented", "Window", "concatenate", "connect",
+    "open_file", "read", "read_calibration", "read_id_names", "read_truth", "windows",
 ]

@@ -1,4 +1,4 @@
-"""A torch data set of live streams. Importing this module needs torch."""
+"""Torch data sets: of live streams, and of a data set on disk. Importing this module needs torch."""
 from __future__ import annotations
 
 import itertools
@@ -13,6 +13,8 @@ from saccade.client import connect
 from saccade.events import Events
 from saccade.protocol.session import Address
 from saccade.settings import Settings
+from saccade.stored.dataset import Dataset
+from saccade.stored.order import Order
 from saccade.windowing import windows
 
 
@@ -57,3 +59,35 @@ class StreamDataset(IterableDataset):  # type: ignore[misc]  # torch may be abse
         if self._duration_us is None and self._count is None:
             return stream
         return windows(stream, duration_us=self._duration_us, count=self._count)
+
+
+class StoredDataset(IterableDataset):  # type: ignore[misc]
+    """The items of a saccade.Dataset in an order. Of a DataLoader's workers each takes a part of it, one behind the other.
+
+    So a file is opened by one worker, while with sampler=order every worker opens it. Call order.set_epoch() before
+    each pass. state_dict() is that of a worker, for loaders that ask each one, such as torchdata's StatefulDataLoader.
+    """
+
+    def __init__(self, data: Dataset, order: Order) -> None:
+        super().__init__()
+        self._data, self._order = data, order
+        self._part, self._state = order, dict[str, Any]()
+
+    def __len__(self) -> int:
+        return len(self._order)
+
+    def __iter__(self) -> Iterator[Any]:
+        worker = get_worker_info()
+        self._part = self._order.part(worker.id, worker.num_workers) if worker else self._order
+        if self._state:
+            self._part.load_state_dict(self._state)
+            self._state = {}
+        return map(self._data.__getitem__, self._part)
+
+    def state_dict(self) -> dict[str, Any]:
+        """What load_state_dict() takes, in the same worker of as many, to go on behind the last item."""
+        return self._part.state_dict()
+
+    def load_state_dict(self, state: dict[str, Any]) -> None:
+        """The next pass goes on there. Then, it raises ValueError for a state of another data set or worker."""
+        self._state = state
