@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "client/commands/preview_canvas.h"
+#include "client/drawing/rgb_picture.h"
 
 namespace saccade::client {
 

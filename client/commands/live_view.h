@@ -7,7 +7,7 @@
 #include <string>
 
 #include "client/commands/terminal_screen.h"
-#include "client/commands/time_surface.h"
+#include "client/drawing/time_surface.h"
 #include "saccade/subscription.h"
 
 namespace saccade::client {

@@ -5,18 +5,12 @@
 
 #include "client/commands/preview_picture.h"
 #include "client/terminal/console.h"
-#include "pictures/library.h"
 
 namespace saccade::client {
 namespace {
 
 constexpr std::int64_t kShownNs = 10'000'000;  // window of the events: short, so that edges stand apart
 constexpr std::int64_t kSpareNs = 7'000'000;   // the picture may be older than the newest events by this much
-
-void writePng(const std::string& path, const RgbPicture& picture) {
-  const pictures::Shape shape{picture.width, picture.height, {"R", "G", "B"}, pictures::Number::kU8};
-  pictures::library().write(path, shape, picture.pixels.data());
-}
 
 std::span<const Event> between(const Events& events, std::int64_t t0_ns, std::int64_t t1_ns) {
   const auto before = [](const Event& e, std::int64_t t_ns) { return e.t_ns < t_ns; };

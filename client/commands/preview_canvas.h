@@ -1,17 +1,12 @@
 // Three panels side by side, with a caption of two lines above each.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <string>
-#include <vector>
+#include <utility>
+
+#include "client/drawing/rgb_picture.h"
 
 namespace saccade::client {
-
-struct RgbPicture {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> pixels;  // 3 bytes each, row by row from the top
-};
 
 // Where the three panels stand, in pixels of the picture.
 struct PreviewLayout {
@@ -23,9 +18,6 @@ struct PreviewLayout {
   int zoom;         // pixels of the picture per pixel of the frame, along each axis
   int panel_width;  // at least kMinPanelWidth
 };
-
-using Colour = std::array<float, 3>;  // red, green, blue, in [0, 1]
-inline constexpr Colour kWhite{1, 1, 1}, kBlack{0, 0, 0}, kRed{0.8f, 0.05f, 0.1f}, kBlue{0.1f, 0.2f, 0.8f};
 
 class PreviewCanvas {
  public:
@@ -39,8 +31,6 @@ class PreviewCanvas {
   RgbPicture take() { return std::move(picture_); }
 
  private:
-  void put(int x, int y, Colour colour);
-
   PreviewLayout layout_;
   RgbPicture picture_;
 };

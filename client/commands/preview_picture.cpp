@@ -29,11 +29,6 @@ float percentile(std::vector<float> values, double fraction) {
   return std::max(*at, 1e-12f);
 }
 
-Colour mix(Colour from, Colour to, float weight) {
-  for (int i = 0; i < 3; ++i) from[i] += weight * (to[i] - from[i]);
-  return from;
-}
-
 Colour intensityColour(float relative) {
   const float grey = std::pow(std::clamp(relative, 0.0f, 1.0f), 1 / 2.2f);
   return {grey, grey, grey};

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "client/commands/preview_canvas.h"
+#include "client/drawing/rgb_picture.h"
 #include "saccade/v1/control.pb.h"
 #include "saccade/wire/event.h"
 

@@ -1,4 +1,4 @@
-#include "client/commands/pixel_font.h"
+#include "client/drawing/pixel_font.h"
 
 #include <gtest/gtest.h>
 

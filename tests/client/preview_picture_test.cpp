@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "client/commands/preview_canvas.h"
+
 namespace saccade::client {
 namespace {
 

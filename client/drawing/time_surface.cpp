@@ -1,4 +1,4 @@
-#include "client/commands/time_surface.h"
+#include "client/drawing/time_surface.h"
 
 #include <algorithm>
 #include <cmath>
