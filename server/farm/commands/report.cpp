@@ -39,18 +39,28 @@ void printText(const Status& status) {
         status.left_s > 0 ? client::timeText(status.left_s).c_str() : "");
 }
 
+std::string progressOf(const Verified& now, const v1::DataSetPlan& plan, double elapsed_s) {
+  const std::uint64_t seen = now.sequences + now.failed;
+  std::string text = std::to_string(seen) + " of " + std::to_string(plan.sequences()) + " sequences, " +
+                     bytesText(static_cast<double>(now.bytes));
+  const std::uint64_t faults = now.damaged + now.missing + now.foreign;
+  if (faults > 0) text += ", " + std::to_string(faults) + " faults";
+  if (seen == 0 || elapsed_s < 1) return text;
+  const double left = static_cast<double>(plan.sequences() - seen) / static_cast<double>(seen) * elapsed_s;
+  return text + ", " + client::timeText(left) + " left";
+}
+
 int runVerify(const std::string& folder) {
   const DataSet set(folder);
   client::Progress progress(0);
   const Verified found = verify(
       set, [&](const std::string& fault) { progress.tell(fault); },
-      [&](std::uint32_t shard) {
-        progress.note("shard " + std::to_string(shard + 1) + " of " + std::to_string(set.plan().shards()));
-      });
+      [&](const Verified& now) { progress.note(progressOf(now, set.plan(), progress.elapsed_s())); });
   progress.finish();
   print("%lld sequences are as they should be (%s); %lld damaged, %lld missing, %lld foreign\n",
         asInt(found.sequences), bytesText(static_cast<double>(found.bytes)).c_str(), asInt(found.damaged),
         asInt(found.missing), asInt(found.foreign));
+  if (found.failed > 0) print("%lld can never be made; failed/ says why\n", asInt(found.failed));
   return found.whole() ? 0 : 1;
 }
 

@@ -1,9 +1,6 @@
 #include "farm/dataset/file_digest.h"
 
-#include <sodium.h>
-
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -11,29 +8,14 @@
 #include <system_error>
 #include <vector>
 
+#include "farm/dataset/digest.h"
+
 namespace saccade::farm {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::size_t kChunk = 1 << 18;
-
-class Digest {
- public:
-  Digest() { crypto_generichash_init(&state_, nullptr, 0, crypto_generichash_BYTES); }
-  void add(const void* bytes, std::size_t count) {
-    crypto_generichash_update(&state_, static_cast<const unsigned char*>(bytes), count);
-  }
-  std::string hex() {
-    std::array<unsigned char, crypto_generichash_BYTES> bytes;
-    crypto_generichash_final(&state_, bytes.data(), bytes.size());
-    std::array<char, 2 * crypto_generichash_BYTES + 1> text;
-    return sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
-  }
-
- private:
-  crypto_generichash_state state_;
-};
 
 }  // namespace
 
@@ -43,7 +25,8 @@ std::string digestOfFile(const std::string& file) {
   std::vector<char> chunk(kChunk);
   Digest digest;
   std::size_t read = 0;
-  while ((read = std::fread(chunk.data(), 1, chunk.size(), input.get())) > 0) digest.add(chunk.data(), read);
+  while ((read = std::fread(chunk.data(), 1, chunk.size(), input.get())) > 0)
+    digest.add({chunk.data(), read});
   if (std::ferror(input.get())) throw std::system_error(errno, std::generic_category(), file);
   return digest.hex();
 }
@@ -64,8 +47,8 @@ std::vector<v1::DataSetFile> filesOf(const std::string& folder) {
 std::string digestOfFolder(const std::string& folder) {
   Digest digest;
   for (const v1::DataSetFile& file : filesOf(folder)) {
-    digest.add(file.name().c_str(), file.name().size() + 1);
-    digest.add(file.digest().data(), file.digest().size());
+    digest.add({file.name().c_str(), file.name().size() + 1});  // with the 0 behind it
+    digest.add(file.digest());
   }
   return digest.hex();
 }

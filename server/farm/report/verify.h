@@ -1,21 +1,16 @@
 // Compares the files of a data set with what its plan and its digests say.
 #pragma once
 
-#include <functional>
-#include <string>
-
-#include "farm/dataset/data_set.h"
+#include "farm/report/findings.h"
 
 namespace saccade::farm {
 
-struct Verified {
-  std::uint64_t sequences = 0, bytes = 0;  // that are as they should be
-  std::uint64_t damaged = 0, missing = 0, foreign = 0;
-  bool whole() const { return damaged == 0 && missing == 0 && foreign == 0; }
-};
-
-// Reads all files. `tell` hears of each fault: what it is, and of which file. `step` hears of each shard.
+// Reads all files of the plan, the recipe and the sequences, and the names of all others. README.md,
+// croissant.json, card/ and webdataset/ are passed over, since they can be made again. A file that cannot be
+// read, or that is a symbolic link, is damaged. Folders down to those of the shards may be links. `tell`
+// hears of each fault: what it is, and of which file. `step` hears of each sequence. The memory it takes does
+// not grow with the data set.
 Verified verify(const DataSet& set, const std::function<void(const std::string&)>& tell,
-                const std::function<void(std::uint32_t shard)>& step);
+                const std::function<void(const Verified&)>& step);
 
 }  // namespace saccade::farm
