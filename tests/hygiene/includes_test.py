@@ -90,8 +90,9 @@ FOLDERS = {
     "farm/worker": "farm/recipe farm/dataset",
     "farm/plan": "farm/recipe farm/dataset farm/worker",
     "farm/report": "farm/recipe farm/dataset farm/worker",
+    "farm/pack": "farm/dataset",
     "farm/engines": "farm/dataset",
-    "farm/commands": "farm/recipe farm/dataset farm/worker farm/plan farm/report farm/engines",
+    "farm/commands": "farm/recipe farm/dataset farm/worker farm/plan farm/report farm/pack farm/engines",
     "farm": "farm/commands",
 }
 # Folders of those rooms that no other folder includes.
