@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   addRunCommand(app, status);
   addStatusCommand(app, status);
   addVerifyCommand(app, status);
+  addCardCommand(app, status);
   addPackCommand(app, status);
   app.set_version_flag("--version", SACCADE_VERSION);
   try {

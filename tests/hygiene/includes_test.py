@@ -90,9 +90,10 @@ FOLDERS = {
     "farm/worker": "farm/recipe farm/dataset",
     "farm/plan": "farm/recipe farm/dataset farm/worker",
     "farm/report": "farm/recipe farm/dataset farm/worker",
+    "farm/card": "farm/recipe farm/dataset",
     "farm/pack": "farm/dataset",
     "farm/engines": "farm/dataset",
-    "farm/commands": "farm/recipe farm/dataset farm/worker farm/plan farm/report farm/pack farm/engines",
+    "farm/commands": "farm/recipe farm/dataset farm/worker farm/plan farm/report farm/card farm/pack farm/engines",
     "farm": "farm/commands",
 }
 # Folders of those rooms that no other folder includes.

@@ -15,6 +15,7 @@ inline constexpr int kTryAgain = 75;  // something failed, or was stopped, that 
 inline constexpr int kNever = 78;     // something can never be as it is: the recipe, a scene, this build
 
 void addCheckCommand(CLI::App& app, int& status);
+void addCardCommand(CLI::App& app, int& status);
 void addPackCommand(CLI::App& app, int& status);
 void addPlanCommand(CLI::App& app, int& status);
 void addRunCommand(CLI::App& app, int& status);
