@@ -103,6 +103,19 @@ TEST_F(VerifyTest, ASymbolicLinkIsNoFile) {
                            "foreign: shards/00000/000002/more"}));
 }
 
+TEST_F(VerifyTest, AFolderThatCannotBeReadHindersNoOther) {
+  for (const char* name : {"shards/00000/000001", "failed/00001"}) {
+    fs::remove_all(at(name));
+    fs::create_directories(at(name).parent_path());
+    fs::create_symlink(at(name), at(name));  // a link to itself
+  }
+  fs::rename(at("shards/00000/000002"), scratch_.at("elsewhere"));
+  fs::create_directory_symlink(scratch_.at("elsewhere"), at("shards/00000/000002"));
+  EXPECT_EQ(told(), (Lines{"damaged: shards/00000/000001 cannot be read: Too many levels of symbolic links",
+                           "damaged: shards/00000/000002 is a symbolic link"}));
+  EXPECT_EQ(found_.sequences, kSmallSequences - 2);
+}
+
 TEST_F(VerifyTest, AShardMayStandElsewhere) {
   fs::rename(at("shards/00001"), scratch_.at("disk"));
   fs::create_directory_symlink(scratch_.at("disk"), at("shards/00001"));

@@ -92,7 +92,7 @@ std::string howToRead(const CardFacts& facts) {
   return "## How to read it\n\n"
          "    import saccade\n\n"
          "    data = saccade.Dataset(\"" +
-         facts.recipe.name + "\", split=\"" + facts.set.plan().splits(0).name() +
+         facts.recipe.name + "\", split=\"" + facts.recipe.splits.front().first +
          "\", window_s=0.05)\n"
          "    window = data[0]\n"
          "    window.events.t, window.events.x, window.events.y, window.events.p\n\n"

@@ -31,8 +31,8 @@ void checkNames(const DataSet& set, const std::string& folder, const std::string
 
 void checkRecipe(const DataSet& set, Findings& findings) {
   const fs::path folder = set.recipeFolder();
-  if (!fs::exists(folder)) return findings.miss(folder);
   try {
+    if (!fs::exists(folder)) return findings.miss(folder);
     if (digestOfFolder(folder) != set.plan().recipe_digest())
       findings.damaged(folder, "differs from its digest");
   } catch (const std::exception& fault) {

@@ -80,12 +80,13 @@ void verifySequence(const DataSet& set, const v1::DataSetSequence& planned,
   const std::uint64_t faults = findings.faults();
   std::string text;
   try {
+    if (fs::is_symlink(folder)) findings.damaged(folder, "is a symbolic link");
     const v1::DataSetSequence sequence = readSequence(file, text);
     if (listed && *listed != text) findings.damaged(file, "differs from its line of index.jsonl");
     if (!isOf(sequence, planned)) findings.damaged(file, "is not of this sequence of the plan");
     checkFiles(folder, sequence, findings);
   } catch (const fs::filesystem_error& fault) {
-    findings.damaged(folder, std::string("cannot be read: ") + fault.what());
+    findings.damaged(folder, "cannot be read: " + fault.code().message());
   } catch (const std::exception&) {
     findings.damaged(file, "is no description of a sequence");
   }

@@ -37,7 +37,7 @@ class ShardVerifier {
         v1::DataSetSequence planned;
         parseJson(line, table_, planned);
         if (planned.number() != number || number >= end_ || planned.shard() != shard_) break;
-        sequence(planned);
+        check(planned);
         step(findings_.found);
       }
       if (number != end_) findings_.damaged(table_, "is not the table of the shard");
@@ -53,6 +53,14 @@ class ShardVerifier {
   }
 
  private:
+  void check(const v1::DataSetSequence& planned) {
+    try {
+      sequence(planned);
+    } catch (const fs::filesystem_error& fault) {
+      findings_.damaged(set_.sequenceFolder(planned), "cannot be read: " + fault.code().message());
+    }
+  }
+
   void sequence(const v1::DataSetSequence& planned) {
     const std::optional<std::string> listed = index_.take(planned.number());
     if (isPublished(set_, planned)) {
@@ -87,7 +95,7 @@ class ShardVerifier {
       const auto number = numberOf(name.substr(0, name.size() - std::min(name.size(), ending.size())));
       const bool ours = number && *number >= first_ && *number < end_ &&
                         set_.sequenceName(*number) + ending == name &&
-                        entry.is_regular_file() == !ending.empty();
+                        (entry.symlink_status().type() == fs::file_type::regular) == !ending.empty();
       if (!ours && entry.path() != set_.indexFile(shard_)) findings_.foreign(entry.path());
     }
   }
