@@ -126,6 +126,16 @@ TEST_F(CardTest, APictureThatCannotBeDrawnIsTold) {
   EXPECT_NE(told_.find("no picture of sequence 000000"), std::string::npos) << told_;
 }
 
+TEST(Numbers, TheMedianOfAnOddCountIsTheMiddle) {
+  Numbers numbers;
+  for (const double number : {7, 1, 2}) numbers.add(number);
+  EXPECT_EQ(numbers.summary().median, 2);
+  Numbers equal;
+  for (int i = 0; i < 3; ++i) equal.add(5);
+  EXPECT_EQ(equal.summary().bins[0], 3u);
+  EXPECT_EQ(equal.summary().max, 5);
+}
+
 TEST(Licences, AreParagraphsOfAPage) {
   ScratchFolder scratch;
   const auto of = [&](const std::string& text) {

@@ -80,9 +80,10 @@ TEST_F(VerifyTest, NamesEachMissingFile) {
 }
 
 TEST_F(VerifyTest, NamesEachForeignFile) {
-  for (const char* name : {"notes.txt", "plan/7.jsonl", "plan/00002.jsonl", "shards/00000/000003/a",
-                           "shards/00000/x", "shards/00000/000000/b", "shards/00000/000001/c/d",
-                           "shards/00002/e", "failed/00009/f", "failed/00000/000004.json"}) {
+  for (const char* name :
+       {"notes.txt", "plan/7.jsonl", "plan/00002.jsonl", "shards/00000/000003/a", "shards/00001/000000/a",
+        "shards/00000/x", "shards/00000/000000/b", "shards/00000/000001/c/d", "shards/00002/e",
+        "failed/00009/f", "failed/00000/000004.json"}) {
     putText(at(name), "");
   }
   Lines found = told();
@@ -91,7 +92,7 @@ TEST_F(VerifyTest, NamesEachForeignFile) {
             (Lines{"foreign: failed/00000/000004.json", "foreign: failed/00009", "foreign: notes.txt",
                    "foreign: plan/00002.jsonl", "foreign: plan/7.jsonl", "foreign: shards/00000/000000/b",
                    "foreign: shards/00000/000001/c", "foreign: shards/00000/000003",
-                   "foreign: shards/00000/x", "foreign: shards/00002"}));
+                   "foreign: shards/00000/x", "foreign: shards/00001/000000", "foreign: shards/00002"}));
 }
 
 TEST_F(VerifyTest, ASymbolicLinkIsNoFile) {
