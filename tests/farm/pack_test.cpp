@@ -96,6 +96,13 @@ TEST_F(PackTest, WritesATarOfEachSplitAndShard) {
   EXPECT_EQ(tar.substr(512, smallCsv(2).size()), smallCsv(2));
 }
 
+TEST_F(PackTest, ASplitThatAShardLacksHasAnEmptyTar) {
+  const std::string index = readText(set_.indexFile(1));
+  putText(set_.indexFile(1), index.substr(0, index.find('\n') + 1));  // a sequence of train
+  EXPECT_EQ(packed().written, 4u);
+  EXPECT_EQ(readText(at("webdataset/test-00001.tar")), std::string(kTarEnd, '\0'));
+}
+
 TEST_F(PackTest, WhatIsThereIsNotWrittenAgain) {
   packed();
   const std::string before = readText(at("webdataset/test-00000.tar"));

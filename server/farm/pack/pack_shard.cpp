@@ -32,6 +32,8 @@ void eachSequence(const DataSet& set, std::uint32_t shard,
 // The bytes that the tar of each split will have.
 std::map<std::string, std::uint64_t> sizesOf(const DataSet& set, std::uint32_t shard) {
   std::map<std::string, std::uint64_t> sizes;
+  for (const v1::DataSetSplit& split : set.plan().splits())
+    if (split.sequences() > 0) sizes[split.name()] = kTarEnd;
   eachSequence(set, shard, [&](const v1::DataSetSequence& sequence, const std::string& json) {
     std::uint64_t& size = sizes.try_emplace(sequence.split(), kTarEnd).first->second;
     for (const Member& member : membersOf(set, sequence, json.size()))

@@ -1,4 +1,5 @@
-// The tar files of a shard: one for each split that has sequences in it.
+// The tar files of a shard: one for each split of the data set. It is empty where the shard has no sequence
+// of the split, so that names such as train-{00000..00019}.tar are all there.
 #pragma once
 
 #include <functional>
