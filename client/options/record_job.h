@@ -1,4 +1,4 @@
-// What a command records: the request, and what is written of it.
+// The request of a recording, and the files that are written of it.
 #pragma once
 
 #include <cstdint>

@@ -20,8 +20,8 @@ TEST(Permutation, GivesEachPlaceOnce) {
   }
 }
 
-// Of 1000 numbers, the first hundred places have about ten of each hundred: the sum of squares over the
-// expected count is chi-square with 9 degrees of freedom, which is beyond 34 once in 10,000.
+// Of 1000 numbers, the first hundred places have about ten of each hundred. The sum of squares over the
+// expected count is chi-square with 9 degrees of freedom. It is beyond 34 once in 10,000.
 TEST(Permutation, MixesWell) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     std::vector<int> from(10);

@@ -60,10 +60,10 @@ TEST_F(RecipeCheckTest, NamesTheLineOfTheOptionAndWhatIsValid) {
       {"force = true", "9: record.force: a farm sets this option itself"},
       {"control = 'tcp://127.0.0.1:1'", "9: record.control: a farm sets this option itself"},
       {"trajectory = 'orbit'", "9: record.trajectory: is the same option as motion"},
-      {"threshold = 7", "9: record.threshold: "},
-      {"threshold = { uniform = [0.1, 70] }", "9: record.threshold: "},
+      {"threshold = -7", "9: record.threshold: "},
+      {"threshold = { uniform = [-1, 0.3] }", "9: record.threshold: "},
       {"rate = 'fast'", "9: record.rate: "},
-      {"spp = 3\nmethod = 'svgf'", "9: record.spp: "},
+      {"spp = 3\nmethod = 'event_svgf'", "9: record.spp: "},
       {"method = { each = ['svgf', 'none'] }", "9: record.method: there is no method 'none'; there are: "},
       {"truth = ['depth', 'deepness']", "9: record.truth: "},
       {"preset = 'davis347'", "9: record.preset: "},
@@ -72,7 +72,7 @@ TEST_F(RecipeCheckTest, NamesTheLineOfTheOptionAndWhatIsValid) {
        "9: record.calibration: '/etc/passwd' is not a path within the folder of the recipe"},
       {"imu = '../imu.yaml'\ntruth = 'imu'", "9: record.imu: '../imu.yaml' is not a path within the folder"},
       {"labels = true\n[[case]]\noutput = 'b.h5'", "11: record.output: "},
-      {"jitter = 'yes'", "9: record.jitter: "},
+      {"jitter = 'maybe'", "9: record.jitter: "},
   };
   for (const WrongOption& one : wrong) {
     const std::string found = faultOf(kGood + std::string(one.line) + "\n");

@@ -53,7 +53,7 @@ class Prose(unittest.TestCase):
         self.assertEqual([page for page in prose.pages() if "DESIGN" in house.text(page)], [])
 
     def test_schema(self):
-        self.assertEqual(len(prose.schemas()), 7)
+        self.assertEqual(len(prose.schemas()), 8)
         self.assertEqual(faults(prose.schemas(), prose.paragraphs_of_schema), [])
 
     def test_sources(self):

@@ -1,4 +1,4 @@
-// What a program of this build can do, as its ServerDescription says it.
+// The abilities of this build, as its ServerDescription has them.
 #pragma once
 
 #include "saccade/v1/control.pb.h"

@@ -1,4 +1,4 @@
-// What survives a power cut.
+// Files that survive a power cut.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a data set will cost.
+// The cost of a data set, before it is made.
 #pragma once
 
 #include <cstdint>

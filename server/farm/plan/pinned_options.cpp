@@ -11,7 +11,7 @@ namespace saccade::farm {
 namespace {
 
 constexpr std::array<const char*, 3> kBudgets{"--budget-ms=", "--max-false-rate=", "--max-event-change="};
-// What the answer to a budget says, instead of what the recipe says.
+// Options that the answer to a budget replaces.
 constexpr std::array<const char*, 5> kAnswers{"--method=", "--spp=", "--set=", "--bounces=", "--disable="};
 
 bool beginsWithOneOf(const std::string& word, const auto& beginnings) {

@@ -9,8 +9,8 @@
 
 namespace saccade::farm {
 
-// Replaces a budget, a rate of false events and a change of events by the method and the model that the
-// tables of this machine give for them, so that all workers render the same.
+// Replaces budget-ms, max-false-rate and max-event-change by the method and the model that the tables of this
+// machine give for them. All workers then render the same.
 void pinOptions(const SequenceRenderer& renderer, const std::vector<std::string>& outputs,
                 v1::DataSetSequence& sequence);
 

@@ -7,7 +7,7 @@
 
 namespace saccade::farm {
 
-// What an option gets. Several texts give it several times. None, and present: a flag.
+// The texts of an option. Several give it several times. None, and present: a flag.
 struct Value {
   bool present = true;
   std::vector<std::string> texts = {};

@@ -24,8 +24,8 @@ struct Probe {
   v1::DataSetSequence sequence;
 };
 
-// Sequences whose values are on the edges of what the recipe can give: of each case all combinations of what
-// is listed, each with the least and with the greatest numbers. At most `most` of a case.
+// Sequences whose values are on the edges of what the recipe can give. Of each case they are all combinations
+// of what is listed, with the least and with the greatest numbers. There are at most `most` of a case.
 std::vector<Probe> edgeProbes(const Recipe& recipe, std::size_t most);
 
 }  // namespace saccade::farm

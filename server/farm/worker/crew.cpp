@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kBroken = 70;  // exit status of a worker that could not begin
 
-// What a worker says of a sequence. It is shorter than PIPE_BUF, and so is written at once.
+// The answer of a worker. It is shorter than PIPE_BUF, and so is written at once.
 struct Result {
   std::uint64_t number;
   double cpu_s;

@@ -11,7 +11,7 @@ namespace saccade::farm {
 // A sequence is given up after so many workers have died of it.
 inline constexpr std::uint32_t kMostCrashes = 3;
 
-// What is on record of a sequence; nothing where it has not failed.
+// The record of a sequence; nothing where it has not failed.
 std::optional<v1::FailedSequence> failureOf(const DataSet& set, const v1::DataSetSequence& sequence);
 bool failedForEver(const DataSet& set, const v1::DataSetSequence& sequence);
 

@@ -10,7 +10,7 @@
 namespace saccade::farm {
 namespace {
 
-// What a farm sets itself: where files go, and how a client speaks to a server.
+// Options that a farm sets itself, and those for servers.
 const std::set<std::string> kOwn{"output",   "force", "preview", "control",    "secret-key", "server-key",
                                  "delivery", "clock", "codec",   "retry-time", "help"};
 
@@ -20,6 +20,14 @@ std::string optionIn(const std::string& message) {
   if (at == message.npos) return message.starts_with("scene") ? "scene" : "";
   const std::size_t end = message.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", at);
   return message.substr(at + 2, end == message.npos ? end : end - at - 2);
+}
+
+void checkFormat(const client::OutputOptions& output) {
+  try {
+    output.writer();
+  } catch (const std::invalid_argument& fault) {
+    throw OptionFault("output", fault.what());
+  }
 }
 
 // A name of a file must lie in the folder of the recipe: it is copied from there.
@@ -64,6 +72,7 @@ std::vector<client::RecordJob> jobsOf(const std::vector<std::string>& words,
     std::vector<client::RecordJob> jobs;
     for (const std::string& output : outputs) {
       options.recording.output.path = folder + "/" + output;
+      checkFormat(options.recording.output);
       jobs.push_back(client::makeRecordJob(options));
     }
     return jobs;

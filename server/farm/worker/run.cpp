@@ -41,7 +41,7 @@ class PlanPages {
   std::vector<v1::DataSetSequence> page_;
 };
 
-// What each worker does, in its own process.
+// The work of each worker, in its own process.
 Crew::Begin workOf(const DataSet& set, const RenderSettings& settings, const std::string& name, int threads) {
   return [=, &set](int index) {
     mallopt(M_ARENA_MAX, 1);  // one heap, as saccaded has it

@@ -30,7 +30,7 @@ class SequenceFolder {
 
 bool isPublished(const DataSet& set, const v1::DataSetSequence& sequence);
 
-// What a data set says of a recording in the file `name`.
+// The summary of a recording in the file `name`.
 v1::DataSetRecording summaryOf(const v1::Recording& recording, const std::string& name);
 
 // Once no sequence of a shard is missing, writes its index.jsonl. `planned`: of the shard, in order. Returns

@@ -19,7 +19,7 @@ namespace {
 
 using client::RecordedFiles;
 
-// What a server would say of the stream.
+// The answer of a server that opens the stream.
 v1::StreamOpened describe(const StreamPlan& plan) {
   v1::StreamOpened opened;
   *opened.mutable_resolved() = plan.resolved.request;
