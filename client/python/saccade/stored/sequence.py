@@ -13,7 +13,7 @@ from saccade.stored.layout import damaged, folder_of, index_of
 
 @dataclass(frozen=True)
 class Sequence:
-    """What sequence.json says of a sequence.
+    """The contents of sequence.json.
 
     number: in the plan, from 0 on. split: such as "train".
     options: the words after `saccade record` that make it again. draws: the values of [draw] in the recipe, as text.
