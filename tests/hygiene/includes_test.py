@@ -31,6 +31,7 @@ FOLDERS = {
     "scene/files": "",
     "scene/camera": "scene/files",
     "scene": "scene/files scene/camera",
+    "scene/roam": "scene/camera",
     "scene/mesh": "scene scene/files",
     "scene/mitsuba": "scene scene/files scene/camera scene/mesh",
     "scene/library": "scene scene/files scene/camera scene/mitsuba",
