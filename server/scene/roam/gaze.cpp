@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kViews = Panorama::kPans * Panorama::kTilts;
 constexpr int kMostPan = 3, kMostTilt = 1;  // steps from place to place
 // Of a view of nothing, and of a plane, in squared steps.
-constexpr double kBlindCost = 80, kBlankCost = 8;
+constexpr double kBlindCost = 80, kBlankCost = 12;
 constexpr double kEnough = 0.9;        // of the best share around: a view that shows more is as good
 constexpr double kRich = 0.8;          // of all views, this share has less relief than is enough
 constexpr std::uint64_t kChoices = 6;  // of an aim

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kColumns = 8, kRows = 6;  // of the rays through the picture
 constexpr double kStep = 1e-3;          // of the course, between the poses that give its velocity
-constexpr int kSmoothings = 12;         // each is over three places
+constexpr int kSmoothings = 4;          // each is over three places
 constexpr double kLeastRate = 0.3;      // of the mean
 
 // Directions through the picture, in the axes of the camera.
