@@ -157,7 +157,7 @@ TEST(PathRequest, ARoamWithoutRoomIsToldTheLargestClearance) {
   const v1::Status status = server.client().tryOpen(roamRequest(1e5));
   EXPECT_EQ(status.code(), v1::CODE_INVALID_ARGUMENT);
   EXPECT_EQ(status.field(), "trajectory.motion.clearance");
-  const std::string before = "the largest that works is ";
+  const std::string before = "the largest found that works is ";
   const std::size_t at = status.message().find(before);
   ASSERT_NE(at, std::string::npos) << status.message();
   const double largest = std::stod(status.message().substr(at + before.size()));

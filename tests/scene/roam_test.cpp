@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/cancelled.h"
 #include "scene/camera/image_speed.h"
 #include "scene/room_space.h"
 #include "scene/scratch.h"
@@ -175,6 +176,12 @@ TEST(Roam, TellsTheLargestClearanceThatWorks) {
     expectContains(fault.what(), "keeps 2.5");
     EXPECT_GE(leastDistance(makeRoam(roam(4, fault.clearance), kStart, room, kLens), room), fault.clearance);
   }
+}
+
+TEST(Roam, StopsWhereItIsTold) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW(makeRoam(roam(), kStart, RoomSpace(), kLens, stop.get_token()), Cancelled);
 }
 
 TEST(Roam, NeedsSomethingToSee) {

@@ -127,12 +127,13 @@ void checkTrajectory(ResolvedStream& stream, const SceneEntry& scene) {
 }
 
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
-                             const SceneLibrary& library) {
+                             const SceneLibrary& library, const std::stop_token& stop) {
   const v1::Trajectory& path = stream.request.trajectory();
   try {
     if (path.has_motion())
       return motionIn(scene, motionOf(path.motion(), stream.feed),
-                      startOf(path.motion(), scene.description().T_world_camera), Lens(stream.feed.camera));
+                      startOf(path.motion(), scene.description().T_world_camera), Lens(stream.feed.camera),
+                      stop);
     if (stream.given_path) return *stream.given_path;
     return byName(stream, scene, library);
   } catch (const SceneError& fault) {

@@ -6,8 +6,9 @@
 
 namespace saccade {
 
-Trajectory motionIn(const RenderScene& scene, const Motion& motion, const Pose& start, const Lens& lens) {
-  if (motion.kind == kRoam) return makeRoam(motion, start, SceneSpace(scene), lens);
+Trajectory motionIn(const RenderScene& scene, const Motion& motion, const Pose& start, const Lens& lens,
+                    const std::stop_token& stop) {
+  if (motion.kind == kRoam) return makeRoam(motion, start, SceneSpace(scene), lens, stop);
   return makeMotion(motion, start, probePoints(scene, start, lens), lens);
 }
 

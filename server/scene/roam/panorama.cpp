@@ -50,10 +50,11 @@ class Surroundings {
   std::vector<double> distances_;
 };
 
-// Half the angle between two points at the edges of the picture, in steps.
+// Half the angle between two points at the edges of the picture, in steps. It is at least one, so that a
+// narrow view keeps away from edges.
 int halfSteps(Vec2 a, Vec2 b) {
   const double angle = std::atan(std::hypot(a.x - b.x, a.y - b.y) / 2);
-  return std::min(static_cast<int>(angle / Panorama::kStep), Panorama::kPans / 2 - 1);
+  return std::clamp(static_cast<int>(angle / Panorama::kStep), 1, Panorama::kPans / 2 - 1);
 }
 
 }  // namespace

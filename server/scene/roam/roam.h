@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 
 #include "scene/camera/free_space.h"
@@ -22,7 +23,9 @@ struct NoRoom : std::runtime_error {
 //   view   In 128 frames spread over it, half of the picture shows surfaces, neither too near nor too far; or
 //          half of the best view from the start. Where no try has that, it is the try that shows most.
 //   speed  The median speed of the images over the path is as asked, see pace.h.
-// A path that lacks the room or the view is drawn anew, a bounded number of times. Throws NoRoom.
-Trajectory makeRoam(const Motion& motion, const Pose& start, const FreeSpace& space, const Lens& lens);
+// A path that lacks the room or the view is drawn anew, a bounded number of times. Throws NoRoom; Cancelled
+// once `stop` is requested.
+Trajectory makeRoam(const Motion& motion, const Pose& start, const FreeSpace& space, const Lens& lens,
+                    const std::stop_token& stop = {});
 
 }  // namespace saccade

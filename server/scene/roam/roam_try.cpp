@@ -17,7 +17,7 @@ constexpr std::size_t kAims = 6, kPoints = 384, kPanoramas = 48, kPoses = 512;
 // Lines, round corners and the path in the end are clear by so many clearances: each leaves room for the
 // next.
 constexpr double kLineMargin = 1.15, kCornerMargin = 1.1, kPathMargin = 1.06;
-constexpr double kNearest = 0.1, kFarthest = 8;  // that is seen, in sights
+constexpr double kNearest = 0.05, kFarthest = 8;  // that is seen, in sights
 constexpr double kEnough = 0.5;
 enum Purpose : std::uint64_t { kRoot, kTree, kTrip, kGaze };
 

@@ -12,7 +12,9 @@ namespace {
 constexpr std::size_t kPlaces = 96, kScouts = 400, kTries = 4 * kPlaces, kClimbs = 200;
 constexpr double kFarthest = 4;   // step, in sights
 constexpr double kLongest = 0.9;  // step, as a share of the way to what is seen
-constexpr double kReach = 1e3;    // distances are known up to this, in sights
+constexpr double kApart = 0.1;    // places, in sights, unless there are kFew
+constexpr std::size_t kFew = 8;
+constexpr double kReach = 1e3;  // distances are known up to this, in sights
 
 // The numbers of one try.
 class Draws {
@@ -86,9 +88,11 @@ std::vector<Place> growTree(const FreeSpace& space, const Place& root, double cl
     if (!std::isfinite(seen)) continue;
     const double share = (in_ball ? 1 : kLongest) * std::sqrt(draw(3));  // rather far: there is more room
     const Vec3d at = from.at + along * std::min(seen * share, kFarthest * around.sight);
-    if (!in_ball && !isClear(space, from.at, at, clearance)) continue;
+    const bool needed = tree.size() < kFew && i > kTries / 2;
+    if (length(at - from.at) < kApart * around.sight && !needed) continue;
     const double distance = space.distance(at, kReach * around.sight);
     if (distance > far || length(at - root.at) > kMostWay * around.sight) continue;
+    if (!in_ball && !isClear(space, from.at, at, clearance)) continue;
     if (!seesLandmarks(space, around, at)) continue;
     tree.push_back({at, distance, parent});
   }

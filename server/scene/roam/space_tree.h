@@ -11,7 +11,7 @@ namespace saccade {
 
 // Places are within so many sights of where the search begins; and of a surface, unless it begins farther
 // away. They see landmarks.
-inline constexpr double kMostWay = 5, kMostDistance = 1.5;
+inline constexpr double kMostWay = 5, kMostDistance = 1;
 
 struct Place {
   Vec3d at;
