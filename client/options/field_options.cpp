@@ -15,6 +15,7 @@ constexpr struct {
                 {"further_views", "--further-view"},
                 {"trajectory.motion.turn_s", "--turn"},
                 {"trajectory.motion.start", "--start"},
+                {"trajectory.motion.clearance", "--clearance"},
                 {"trajectory", "--trajectory"},
                 {"timing.frame_rate_hz", "--rate"},
                 {"timing.duration_s", "--duration"},

@@ -20,6 +20,7 @@ std::string rangeFault(const std::string& text, double min, double max, bool who
 void limitRequest(CLI::App& command) {
   limitSensors(command);
   limitTo(command, "--turn", ranges::kTurn, "0");
+  limitTo(command, "--clearance", ranges::kClearance);
   limitTo(command, "--fov", ranges::kFovX);
   limitTo(command, "--metres-per-unit", ranges::kMetresPerUnit);
   limitTo(command, "--pose-rate", ranges::kFrameRate);

@@ -36,8 +36,14 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
       "--start", o.start,
       "X,Y,Z[,QX,QY,QZ,QW]: T_world_camera at the start of KIND:SPEED; without it, or without a "
       "rotation, that of the scene's own camera");
-  command.add_option("--motion-seed", o.motion_seed, "seed of the motions shake:SPEED and random:SPEED")
+  command
+      .add_option("--motion-seed", o.motion_seed,
+                  "seed of the motions shake:SPEED, random:SPEED and roam:SPEED")
       ->check(checkWhole<std::uint64_t>);
+  command.add_option(
+      "--clearance", o.clearance,
+      "least distance of roam:SPEED to all surfaces, in scene units; by default a twentieth of "
+      "the median distance around the start, or less where that leaves no room");
 }
 
 // Of a command whose options have one, else that of openTiming().

@@ -26,6 +26,7 @@ struct RequestOptions {
   std::optional<double> pose_rate_hz;
   std::optional<double> turn_s;
   std::optional<std::uint64_t> motion_seed;
+  std::optional<double> clearance;
   RigOptions rig;
   std::optional<std::string> start;  // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_world_camera
   SensorOptions sensors;
@@ -52,7 +53,8 @@ void addRequestOptions(CLI::App& command, RequestOptions& options);
 inline constexpr const char* kMotionHelp =
     "Motions: dolly (forward), truck (right), pedestal (up) in scene units per second; pan (right),\n"
     "tilt (up), roll (clockwise), orbit (right), shake (hand-held), random (a smooth path about the\n"
-    "start) in degrees per second. A negative speed goes the other way, except of shake and random.";
+    "start), roam (a smooth path through the free space of the scene) in degrees per second. A negative\n"
+    "speed goes the other way, except of shake, random and roam.";
 
 // Each number of the request must lie in its range, which its help says.
 void limitRequest(CLI::App& command);

@@ -47,6 +47,8 @@ std::string readFile(const std::string& path) {
   return text;
 }
 
+constexpr const char* kWantsRoam = "--clearance goes with --motion roam:SPEED, such as roam:1px";
+
 // Of KIND:SPEED or KIND:SPEEDpx.
 v1::Motion makeMotion(const RequestOptions& options) {
   const auto [name, speed] = splitAt(options.trajectory, ':');
@@ -66,6 +68,8 @@ v1::Motion makeMotion(const RequestOptions& options) {
   if (options.turn_s) motion.set_turn_s(*options.turn_s);
   motion.set_seed(options.motion_seed.value_or(0));
   if (options.start) *motion.mutable_start() = parsePose("--start", *options.start);
+  if (options.clearance && motion.kind() != v1::MOTION_KIND_ROAM) throw std::invalid_argument(kWantsRoam);
+  if (options.clearance) motion.set_clearance(*options.clearance);
   return motion;
 }
 
@@ -97,6 +101,7 @@ v1::Trajectory makeTrajectory(const RequestOptions& options) {
   }
   if (options.turn_s || options.motion_seed)
     throw std::invalid_argument("--turn and --motion-seed go with --motion KIND:SPEED, such as dolly:0.2");
+  if (options.clearance) throw std::invalid_argument(kWantsRoam);
   if (options.start)
     throw std::invalid_argument("--start: '" + *options.start +
                                 "' goes with --motion KIND:SPEED, such as dolly:0.2");

@@ -11,6 +11,7 @@ TEST(FieldOptions, AFieldHasTheOptionThatFillsItIn) {
   EXPECT_EQ(optionOf("sensors[12].noise.leak_hz"), "--noise");
   EXPECT_EQ(optionOf("trajectory.motion.turn_s"), "--turn");
   EXPECT_EQ(optionOf("trajectory.motion.start.position.x"), "--start");
+  EXPECT_EQ(optionOf("trajectory.motion.clearance"), "--clearance");
   EXPECT_EQ(optionOf("trajectory.name"), "--trajectory");
   EXPECT_EQ(optionOf("method.params[\"alpha\"]"), "--set");
   EXPECT_EQ(optionOf("view.distortion.coefficients[0]"), "--distortion");

@@ -72,9 +72,10 @@ TEST(RequestOptions, ANumberOutsideOfItsRangeIsRefused) {
   EXPECT_EQ(faultOf("--rate nan"), "--rate: nan is outside [0.1, 100000]");
   EXPECT_EQ(faultOf("--rate fast"), "--rate: 'fast' is not a number");
   EXPECT_EQ(faultOf("--retry-time nan"), "--retry-time: nan is outside [0, 1e+06]");
-  for (const std::string option : {"--threshold", "--threshold-off", "--bias", "--refractory", "--cutoff",
-                                   "--max-artefact-odds", "--fov", "--rate", "--duration", "--bounces",
-                                   "--bake-error", "--budget-ms", "--max-false-rate", "--turn"}) {
+  for (const std::string option :
+       {"--threshold", "--threshold-off", "--bias", "--refractory", "--cutoff", "--max-artefact-odds",
+        "--fov", "--rate", "--duration", "--bounces", "--bake-error", "--budget-ms", "--max-false-rate",
+        "--turn", "--clearance"}) {
     for (const std::string value : {"-1", "1e300", "nan", "-inf"})
       EXPECT_EQ(faultOf(option + "=" + value).find(option + ": " + value + " is outside ["), 0u)
           << option << " " << value << ": " << faultOf(option + "=" + value);
@@ -273,7 +274,8 @@ TEST(RequestOptions, AFaultyMotionIsNamed) {
     return std::string();
   };
   EXPECT_EQ(fault("fly:1"),
-            "--trajectory: 'fly' is none of dolly, truck, pedestal, pan, tilt, roll, orbit, shake, random");
+            "--trajectory: 'fly' is none of dolly, truck, pedestal, pan, tilt, roll, orbit, shake, random, "
+            "roam");
   EXPECT_NE(fault("unspecified:1").find("is none of"), std::string::npos);
   for (const std::string text : {"pan:", "pan:px", "pan:1p", "pan:1:2", ":1"}) {
     EXPECT_EQ(fault(text).find("--trajectory: '"), 0u) << text;
@@ -281,6 +283,14 @@ TEST(RequestOptions, AFaultyMotionIsNamed) {
   for (const std::string start : {"1,2", "a,b,c", "1,2,3,0"})
     EXPECT_NE(fault("pan:1 --start " + start).find("is not X,Y,Z or X,Y,Z,QX,QY,QZ,QW"), std::string::npos)
         << start;
+}
+
+TEST(RequestOptions, OnlyRoamHasAClearance) {
+  EXPECT_FALSE(openMotion("roam:1px").trajectory().motion().has_clearance());
+  const v1::Motion roam = openMotion("roam:1px --clearance 0.25").trajectory().motion();
+  EXPECT_EQ(roam.kind(), v1::MOTION_KIND_ROAM);
+  EXPECT_EQ(roam.clearance(), 0.25);
+  EXPECT_THROW(openMotion("random:1px --clearance 0.25"), std::invalid_argument);
 }
 
 TEST(RequestOptions, AMotionHasAStartWhereOneIsGiven) {
@@ -311,6 +321,7 @@ TEST(RequestOptions, ThereIsOneTrajectoryOrTheServerTellsWhatThereIs) {
   EXPECT_NE(faultOf("--motion pan:1").find("--trajectory"), std::string::npos);  // the second one
   EXPECT_NE(faultOf("--turn 1").find("--motion"), std::string::npos);
   EXPECT_NE(faultOf("--motion-seed 1").find("--motion"), std::string::npos);
+  EXPECT_EQ(faultOf("--clearance 1").find("--clearance goes with --motion roam:SPEED"), 0u);
   EXPECT_NE(faultOf("--start 1,2,3").find("--start: '1,2,3' goes with --motion KIND:SPEED"),
             std::string::npos);
   EXPECT_EQ(makeOpenStream(parse("cornell-box")).trajectory().path_case(), v1::Trajectory::PATH_NOT_SET);

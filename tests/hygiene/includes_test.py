@@ -32,6 +32,7 @@ FOLDERS = {
     "scene/files": "",
     "scene/camera": "scene/files",
     "scene": "scene/files scene/camera",
+    "scene/roam": "scene/camera",
     "scene/mesh": "scene scene/files",
     "scene/mitsuba": "scene scene/files scene/camera scene/mesh",
     "scene/library": "scene scene/files scene/camera scene/mitsuba",
@@ -106,7 +107,7 @@ SOCKETS = ("zmq", "microhttpd", "wslay/", "server/stream/", "server/ops/", "serv
 OUTSIDE = {
     "OpenImageIO/": ["server/pictures/open_image_io.cpp", "tests/"],
     "embree": ["server/render/world/embree_query.h"],
-    "render/world/embree_query.h": ["server/render/world/embree_scene.cpp"],
+    "render/world/embree_query.h": ["server/render/world/embree_scene.cpp", "server/render/world/embree_distance.cpp"],
     "zmq": ["server/stream/", "server/web/", "client/", "tests/"],
     "prometheus/": ["server/app/metrics.cpp"],
     "microhttpd": ["server/ops/http_"],

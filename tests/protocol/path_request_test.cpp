@@ -110,15 +110,15 @@ TEST(PathRequest, FieldsThatAKindDoesNotUseAreNotKept) {
   };
   const v1::Motion pan = kept(v1::MOTION_KIND_PAN);
   EXPECT_TRUE(pan.has_turn_s() && pan.seed() == 0);
-  for (const v1::MotionKind kind : {v1::MOTION_KIND_SHAKE, v1::MOTION_KIND_RANDOM}) {
+  for (const v1::MotionKind kind : {v1::MOTION_KIND_SHAKE, v1::MOTION_KIND_RANDOM, v1::MOTION_KIND_ROAM}) {
     const v1::Motion seeded = kept(kind);
     EXPECT_TRUE(!seeded.has_turn_s() && seeded.seed() == 4);
   }
 }
 
-TEST(PathRequest, TheSeedOfAShakeAndOfARandomPathChangesThePath) {
+TEST(PathRequest, TheSeedOfAMotionChangesThePath) {
   TestServer server;
-  for (const v1::MotionKind kind : {v1::MOTION_KIND_SHAKE, v1::MOTION_KIND_RANDOM}) {
+  for (const v1::MotionKind kind : {v1::MOTION_KIND_SHAKE, v1::MOTION_KIND_RANDOM, v1::MOTION_KIND_ROAM}) {
     v1::OpenStream request = motionRequest(kind);
     request.mutable_trajectory()->mutable_motion()->set_px_per_frame(3);
     const std::string bytes = bytesOf(server, request);
@@ -126,6 +126,50 @@ TEST(PathRequest, TheSeedOfAShakeAndOfARandomPathChangesThePath) {
     request.mutable_trajectory()->mutable_motion()->set_seed(1);
     EXPECT_NE(bytesOf(server, request), bytes);
   }
+}
+
+v1::OpenStream roamRequest(double clearance) {
+  v1::OpenStream request = motionRequest(v1::MOTION_KIND_ROAM);
+  v1::Motion& motion = *request.mutable_trajectory()->mutable_motion();
+  motion.set_px_per_frame(3);
+  motion.set_clearance(clearance);
+  return request;
+}
+
+TEST(PathRequest, ARoamHasItsClearanceInTheReplyAndItsSpeed) {
+  TestServer server;
+  v1::OpenStream request = roamRequest(0.4);
+  request.mutable_timing()->set_duration_s(0);  // the reply covers a period
+  const v1::StreamOpened opened = server.client().open(request);
+  EXPECT_EQ(opened.resolved().trajectory().motion().clearance(), 0.4);
+  EXPECT_NEAR(opened.px_per_frame_p50(), 3, 0.5);
+}
+
+TEST(PathRequest, TheClearanceOfARoamChangesThePath) {
+  TestServer server;
+  const std::string bytes = bytesOf(server, roamRequest(0.4));
+  EXPECT_EQ(bytesOf(server, roamRequest(0.4)), bytes);
+  EXPECT_NE(bytesOf(server, roamRequest(0.5)), bytes);
+}
+
+TEST(PathRequest, ARoamWithoutRoomIsToldTheLargestClearance) {
+  TestServer server;
+  const v1::Status status = server.client().tryOpen(roamRequest(1e5));
+  EXPECT_EQ(status.code(), v1::CODE_INVALID_ARGUMENT);
+  EXPECT_EQ(status.field(), "trajectory.motion.clearance");
+  const std::string before = "the largest found that works is ";
+  const std::size_t at = status.message().find(before);
+  ASSERT_NE(at, std::string::npos) << status.message();
+  const double largest = std::stod(status.message().substr(at + before.size()));
+  EXPECT_GT(largest, 0.5);
+  EXPECT_EQ(server.client().tryOpen(roamRequest(largest)).code(), v1::CODE_OK);
+}
+
+TEST(PathRequest, ARoamThatSeesNothingIsToldItsStart) {
+  TestServer server;
+  v1::OpenStream request = roamRequest(0.1);
+  request.mutable_trajectory()->mutable_motion()->mutable_start()->mutable_position()->set_y(1e6);
+  EXPECT_EQ(server.client().tryOpen(request).field(), "trajectory.motion.start");
 }
 
 TEST(PathRequest, KeyframesAreTheSameAsTheirCsv) {

@@ -21,6 +21,12 @@ v1::Motion& pan(v1::OpenStream& r) {
   return motion;
 }
 
+v1::Motion& roam(v1::OpenStream& r) {
+  v1::Motion& motion = pan(r);
+  motion.set_kind(v1::MOTION_KIND_ROAM);
+  return motion;
+}
+
 // The second of two good keys.
 v1::Keyframe& secondKey(v1::OpenStream& r) {
   v1::Keyframes& keyframes = *r.mutable_trajectory()->mutable_keyframes();
@@ -101,6 +107,10 @@ const std::vector<SpoiltRequest> kSpoiltRequests{
     {"trajectory.motion.turn_s", [](auto& r) { pan(r).set_turn_s(1e-4); }},
     {"trajectory.motion.turn_s", [](auto& r) { pan(r).set_turn_s(kNan); }},
     {"trajectory.motion.speed", [](auto& r) { auto& m = pan(r); m.set_kind(v1::MOTION_KIND_RANDOM); m.set_speed(-15); }},
+    {"trajectory.motion.speed", [](auto& r) { roam(r).set_speed(-15); }},
+    {"trajectory.motion.clearance", [](auto& r) { roam(r).set_clearance(0); }, v1::CODE_INVALID_ARGUMENT, "[1e-06, 1000000]"},
+    {"trajectory.motion.clearance", [](auto& r) { roam(r).set_clearance(kNan); }},
+    {"trajectory.motion.clearance", [](auto& r) { pan(r).set_clearance(0.1); }, v1::CODE_INVALID_ARGUMENT, "roam does"},
     {"trajectory.motion.start.position.y", [](auto& r) { pan(r).mutable_start()->mutable_position()->set_y(kNan); }},
     {"trajectory.motion.start.position.z", [](auto& r) { pan(r).mutable_start()->mutable_position()->set_z(-1e10); },
      v1::CODE_INVALID_ARGUMENT, "[-1000000000, 1000000000]"},

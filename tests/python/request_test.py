@@ -129,11 +129,15 @@ class Request(unittest.TestCase):
         self.assertEqual(key, c.Keyframe(time_s=8, position=c.Vector3(x=9, y=10, z=11),
                                          rotation=c.Quaternion(x=12, y=13, z=14, w=15)))
         self.assertEqual(make_request({**NEEDED, "motion": "pan:2"}).trajectory.motion.speed, 2)
+        roam = make_request({**NEEDED, "motion": "roam:2px", "clearance": 0.25}).trajectory.motion
+        self.assertEqual(roam, c.Motion(kind=c.MOTION_KIND_ROAM, px_per_frame=2, clearance=0.25))
 
     def test_faults_are_named(self):
         faults = [(TypeError, "did you mean 'rate_hz'", {"rate": 5}), (TypeError, "either", {"trajectory": "a"}),
                   (TypeError, "turn_s goes with", {"turn_s": 1}),
                   (TypeError, "start goes with", {"start": (1, 2, 3)}),
+                  *[(TypeError, "clearance goes with a motion roam", {"motion": motion, "clearance": 1})
+                    for motion in ("right", "pan:2")],
                   *[(ValueError, "^start: .* is not x y z", {"motion": "pan:2", "start": start})
                     for start in ((1, 2), 5, "123456", "abc", ())],
                   (ValueError, "pan, tilt", {"motion": "jump:5"}),

@@ -43,7 +43,8 @@ class Settings(Needed, total=False):
     trajectory: a name from Client.scenes(), the path of a file of poses (a Path, or a str that ends in .csv or
         .txt), or poses, float (n, 8): time in seconds, position x y z, quaternion x y z w of T_world_camera.
     motion: "KIND:SPEED" such as "pan:-15", "KIND:SPEEDpx" in pixels per frame, or a name such as "right".
-        turn_s: seconds after which it turns back, 0 for never. motion_seed: of the motions shake and random.
+        turn_s: seconds after which it turns back, 0 for never. motion_seed: of the motions shake, random and
+        roam. clearance: the least distance of roam to all surfaces, scene units.
         start: x y z, or x y z qx qy qz qw, of T_world_camera at its start; unset parts are those of the scene's camera.
 
     The camera:
@@ -93,6 +94,7 @@ class Settings(Needed, total=False):
     motion: str
     turn_s: float
     motion_seed: int
+    clearance: float
     start: Sequence[float]
     duration_s: float
     size: tuple[int, int]

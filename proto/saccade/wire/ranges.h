@@ -20,6 +20,7 @@ inline constexpr Range<double> kFocalLength{1, 1e6};          // Intrinsics.fx, 
 inline constexpr Range<double> kPrincipalPoint{-4096, 8192};  // Intrinsics.cx, Intrinsics.cy: pixels
 inline constexpr Range<double> kDistortion{-1e6, 1e6};        // Distortion.coefficients: no unit
 inline constexpr Range<double> kTurn{1e-3, 1e3};              // Motion.turn_s: seconds
+inline constexpr Range<double> kClearance{1e-6, 1e6};         // Motion.clearance: scene units
 inline constexpr Range<int> kKeyframes{1, 100000};            // Keyframes.keys: how many
 inline constexpr Range<double> kFrameRate{0.1, 1e5};          // Timing.frame_rate_hz: Hz
 inline constexpr Range<double> kDuration{0, 1e7};         // Timing.duration_s: seconds, at least one frame

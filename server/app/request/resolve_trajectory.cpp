@@ -6,10 +6,11 @@
 #include "app/request/resolve_trajectory.h"
 #include "base/names.h"
 #include "base/text_cut.h"
-#include "render/camera/view_grid.h"
+#include "render/camera/scene_motion.h"
 #include "render/world/render_scene.h"
 #include "scene/camera/motion.h"
 #include "scene/files/scene_error.h"
+#include "scene/roam/roam.h"
 
 namespace saccade {
 namespace {
@@ -27,6 +28,12 @@ Pose startOf(const v1::Motion& motion, Pose pose) {
   return pose;
 }
 
+void checkClearance(const v1::Motion& motion, const std::string& field) {
+  if (!motion.has_clearance()) return;
+  checkRange(field, motion.clearance(), ranges::kClearance);
+  if (motion.kind() != v1::MOTION_KIND_ROAM) refuse(field, kindOf(motion) + " keeps none; roam does");
+}
+
 void checkMotion(v1::Motion& motion) {
   const std::string field = "trajectory.motion";
   if (motion.kind() == v1::MOTION_KIND_UNSPECIFIED)
@@ -38,6 +45,7 @@ void checkMotion(v1::Motion& motion) {
       speedFault(kindOf(motion), motion.has_speed() ? motion.speed() : motion.px_per_frame());
   if (!fault.empty()) refuse(field + rate, fault);
   if (motion.turn_s() != 0) checkRange(field + ".turn_s", motion.turn_s(), ranges::kTurn);
+  checkClearance(motion, field + ".clearance");
   startOf(motion, {});
   // Fields that the kind ignores must not make equal feeds different.
   if (isSeeded(kindOf(motion))) motion.clear_turn_s();
@@ -72,17 +80,12 @@ void checkName(const std::string& name, const SceneEntry& scene) {
 Motion motionOf(const v1::Motion& request, const FeedConfig& feed) {
   Motion motion{.kind = kindOf(request), .speed = request.speed(), .seed = request.seed()};
   if (request.has_turn_s()) motion.turn_s = request.turn_s();
+  if (request.has_clearance()) motion.clearance = request.clearance();
   if (request.has_px_per_frame()) {
     motion.speed = request.px_per_frame() * feed.frame_rate_hz / feed.camera.focal();
     motion.image_speed = true;
   }
   return motion;
-}
-
-Trajectory from(const Pose& start, const Motion& motion, const RenderScene& scene,
-                const CameraModel& camera) {
-  const Lens lens(camera);
-  return makeMotion(motion, start, probePoints(scene, start, lens), lens);
 }
 
 void readCsv(const std::string& csv, ResolvedStream& stream) {
@@ -104,7 +107,7 @@ Trajectory byName(const ResolvedStream& stream, const RenderScene& scene, const 
   const v1::View& view = stream.request.view();
   const double fov = view.has_fov_x_deg() ? view.fov_x_deg() : fovXDeg(camera);
   if (isMotionName(name))
-    return from(scene.description().T_world_camera, namedMotion(name, fov), scene, camera);
+    return motionIn(scene, namedMotion(name, fov), scene.description().T_world_camera, Lens(camera));
   return library.loadTrajectory(stream.request.scene(), name);
 }
 
@@ -124,16 +127,19 @@ void checkTrajectory(ResolvedStream& stream, const SceneEntry& scene) {
 }
 
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
-                             const SceneLibrary& library) {
+                             const SceneLibrary& library, const std::stop_token& stop) {
   const v1::Trajectory& path = stream.request.trajectory();
   try {
     if (path.has_motion())
-      return from(startOf(path.motion(), scene.description().T_world_camera),
-                  motionOf(path.motion(), stream.feed), scene, stream.feed.camera);
+      return motionIn(scene, motionOf(path.motion(), stream.feed),
+                      startOf(path.motion(), scene.description().T_world_camera), Lens(stream.feed.camera),
+                      stop);
     if (stream.given_path) return *stream.given_path;
     return byName(stream, scene, library);
   } catch (const SceneError& fault) {
     refuse("trajectory.name", fault.what());
+  } catch (const NoRoom& fault) {
+    refuse(fault.clearance > 0 ? "trajectory.motion.clearance" : "trajectory.motion.start", fault.what());
   }
 }
 

@@ -1,6 +1,8 @@
 // Resolves the path of a request.
 #pragma once
 
+#include <stop_token>
+
 #include "app/request/resolved_stream.h"
 #include "scene/camera/trajectory.h"
 #include "scene/library/scene_library.h"
@@ -16,8 +18,8 @@ void checkTrajectory(ResolvedStream& stream, const SceneEntry& scene);
 // Throws Refusal naming the key.
 Trajectory resolveKeyframes(const v1::Keyframes& keyframes);
 
-// The body's path, once the field of view is known. Throws Refusal.
+// The body's path, once the field of view is known. Throws Refusal; Cancelled once `stop` is requested.
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
-                             const SceneLibrary& library);
+                             const SceneLibrary& library, const std::stop_token& stop = {});
 
 }  // namespace saccade

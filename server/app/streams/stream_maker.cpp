@@ -110,7 +110,8 @@ BuildContext StreamMaker::begin(PendingOpen& opening, const char* doing) {
 // The slow steps, a measurement and the first frame of a feed, come before the lock that others wait for.
 void StreamMaker::openFeed(Plan& plan, PendingOpen& opening, Stream& stream) {
   const ResolvedStream& resolved = plan.resolved;
-  const Trajectory body = resolveTrajectory(resolved, *plan.whole, resources_.scenes.library());
+  const Trajectory body =
+      resolveTrajectory(resolved, *plan.whole, resources_.scenes.library(), opening.stop.get_token());
   bakeLight(plan, body, resources_.bakes, resources_.pool, begin(opening, "computing light ahead"));
   pending_opens_.begin(opening, "waiting for an equal stream to open");
   const auto turn = shared_.takeTurn(resolved, opening.stop.get_token());

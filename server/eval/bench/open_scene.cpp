@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "base/names.h"
-#include "render/camera/view_grid.h"
+#include "render/camera/scene_motion.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/slow_load.h"
 #include "scene/library/scene_format.h"
@@ -133,8 +133,7 @@ Trajectory openTrajectory(const std::string& scene, const std::string& text, con
   const Scene& s = opened.description();
   const auto motion = isMotionName(text) ? namedMotion(text, s.fov_x_deg) : readMotion(text, feed);
   if (!motion) return ofTheScene(scene, text);
-  return makeMotion(*motion, s.T_world_camera,
-                    probePoints(opened, s.T_world_camera, Lens(pinhole(s.fov_x_deg, 64, 48))));
+  return motionIn(opened, *motion, s.T_world_camera, Lens(pinhole(s.fov_x_deg, 64, 48)));
 }
 
 void checkMotion(std::string text) {

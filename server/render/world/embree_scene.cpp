@@ -48,7 +48,7 @@ RTCRay toEmbree(const Ray& ray) {
 
 }  // namespace
 
-EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes) {
+EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes) : shapes_(scene) {
   // One thread: Embree builds in the calling thread, and its own threads never compete with the tile pool.
   const bool wide = instructionSet() == InstructionSet::kAvx512;
   device_ = rtcNewDevice(wide ? "threads=1,set_affinity=0" : "threads=1,set_affinity=0,isa=avx2");

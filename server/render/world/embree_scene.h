@@ -1,4 +1,5 @@
-// Ray queries on a scene. embree_scene.cpp and its embree_query.h are the only files that include Embree.
+// Queries on a scene. embree_scene.cpp, embree_distance.cpp and their embree_query.h are the only files that
+// include Embree.
 #pragma once
 
 #include <atomic>
@@ -21,7 +22,7 @@ struct PacketCounts {
 };
 
 // Geometry ids count the meshes in the order of Scene::meshes, then the spheres. Keeps pointers into the
-// meshes of `scene`.
+// shapes of `scene`.
 class EmbreeScene {
  public:
   // kEmitters: only those that emit. kStraight: only those that let some light straight through. The ids
@@ -46,6 +47,9 @@ class EmbreeScene {
   // Of rays that lie close together, as many as there are hits.
   void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
 
+  // From a point to the nearest surface, or `reach` where none is nearer than that.
+  double distance(Vec3d point, double reach) const;
+
   // From now on the packets of this scene are counted; nullptr ends that. For one thread that traces.
   void count(PacketCounts* counts) const { counts_ = counts; }
 
@@ -56,6 +60,7 @@ class EmbreeScene {
   template <int W>
   void trace(LaneSet lanes, const auto& call) const;
 
+  const Scene& shapes_;
   std::atomic<std::size_t> bytes_ = 0;
   mutable std::atomic<PacketCounts*> counts_ = nullptr;
   RTCDeviceTy* device_;

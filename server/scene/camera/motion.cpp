@@ -25,12 +25,14 @@ struct Kind {
   std::string name;
   Twist velocity;        // at speed 1: scene units or radians per second; see Screw
   Draw* draw = nullptr;  // of what has no constant velocity
+  bool seeded = draw != nullptr;
 };
 const std::vector<Kind>& kindTable() {
-  static const std::vector<Kind> table{
-      {"dolly", {{0, 0, 1}, {}}},  {"truck", {{1, 0, 0}, {}}}, {"pedestal", {{0, -1, 0}, {}}},
-      {"pan", {{}, {0, 1, 0}}},    {"tilt", {{}, {1, 0, 0}}},  {"roll", {{}, {0, 0, 1}}},
-      {"orbit", {{}, {0, -1, 0}}}, {"shake", {}, makeShake},   {"random", {}, makeRandomPath}};
+  static const std::vector<Kind> table{{"dolly", {{0, 0, 1}, {}}},     {"truck", {{1, 0, 0}, {}}},
+                                       {"pedestal", {{0, -1, 0}, {}}}, {"pan", {{}, {0, 1, 0}}},
+                                       {"tilt", {{}, {1, 0, 0}}},      {"roll", {{}, {0, 0, 1}}},
+                                       {"orbit", {{}, {0, -1, 0}}},    {"shake", {}, makeShake},
+                                       {"random", {}, makeRandomPath}, {kRoam, {}, nullptr, true}};
   return table;
 }
 
@@ -67,7 +69,7 @@ const std::vector<std::string>& motionKinds() {
 
 bool isSeeded(const std::string& kind) {
   const Kind* found = findRow(kindTable(), kind);
-  return found && found->draw;
+  return found && found->seeded;
 }
 
 std::string speedFault(const std::string& kind, double speed) {
@@ -79,7 +81,7 @@ std::string speedFault(const std::string& kind, double speed) {
 Trajectory makeMotion(const Motion& motion, const Pose& start, const std::vector<Vec3d>& probes,
                       const Lens& lens) {
   const Kind* kind = findRow(kindTable(), motion.kind);
-  SACCADE_CHECK(kind);
+  SACCADE_CHECK(kind && motion.kind != kRoam);
   const VisiblePoints view = viewOf(start, probes);
   if (kind->draw) {
     const double image_speed = motion.image_speed ? motion.speed : motion.speed * kPi / 180;

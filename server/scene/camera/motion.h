@@ -23,7 +23,8 @@ namespace saccade {
 //   shake     hand-held, see shake.h: degrees that the images move, median over the view and the period; a
 //             focal length counts as a radian
 //   random    a smooth path about the start, see random_path.h: the unit is that of shake
-// The last two are drawn by a seed, and periodic.
+//   roam      a smooth path through the free space of the scene, see scene/roam/roam.h: likewise
+// The last three are drawn by a seed, and periodic.
 struct Motion {
   std::string kind;          // one of motionKinds()
   double speed = 0;          // as above
@@ -34,6 +35,9 @@ struct Motion {
   // seed.
   std::optional<double> turn_s = {};
   std::uint64_t seed = 0;  // where isSeeded()
+  // Of roam: the least distance to all surfaces, scene units. Unset: a twentieth of the median distance that
+  // is seen around the start, or less where that leaves no room.
+  std::optional<double> clearance = {};
 };
 
 inline constexpr TimeNs kTurnTime{200'000'000};
@@ -43,11 +47,13 @@ inline constexpr double kMaxOrbitRad = 0.25;
 inline constexpr double kMaxTurns = 1000, kMaxTurnsPerSecond = 100;
 
 const std::vector<std::string>& motionKinds();
-bool isSeeded(const std::string& kind);  // shake and random: they have no time to turn back
+bool isSeeded(const std::string& kind);  // shake, random and roam: they have no time to turn back
+inline constexpr const char* kRoam = "roam";
 // Empty, or why this kind cannot have this speed: its magnitude is 1e-6 to 1e6, and that of
 // what has a seed is positive.
 std::string speedFault(const std::string& kind, double speed);
 
+// All kinds but kRoam, which needs the free space: see makeRoam().
 // `probes` are world-space points on the surfaces in view. Those behind the camera do not count; without any,
 // one is assumed on the viewing axis at distance 1. An image_speed of what would move no image stands still.
 // Shake has a largest swing: beyond about 250 degrees per second it is slower than asked. A random path has

@@ -27,8 +27,17 @@ Trajectory::Trajectory(SinePath path) : sines_(std::move(path)) {
   SACCADE_CHECK(sines_->period > TimeNs{0});
 }
 
+Trajectory::Trajectory(SplinePath path) : spline_(std::move(path)) {
+  SACCADE_CHECK(spline_->period > TimeNs{0} && !spline_->controls.empty());
+}
+
+TimeNs Trajectory::lastTime() const {
+  if (spline_) return spline_->period;
+  return sines_ ? sines_->period : keys_.back().time;
+}
+
 void Trajectory::append(const TimedPose& key) {
-  SACCADE_CHECK(!periodic_ && !sines_ && key.time > lastTime());
+  SACCADE_CHECK(!periodic_ && !sines_ && !spline_ && key.time > lastTime());
   keys_.push_back(key);
 }
 
@@ -45,6 +54,7 @@ Pose Trajectory::at(TimeNs t) const {
 
 Pose Trajectory::bodyAt(TimeNs t) const {
   if (sines_) return sines_->at(t);
+  if (spline_) return spline_->at(t);
   const auto [next, s, span_s, stands] = find(t, Side::kAfter);
   if (stands) return keys_[next == 0 ? 0 : next - 1].pose;
   if (interpolation_ == Interpolation::kLinear) return interpolate(keys_[next - 1].pose, keys_[next].pose, s);
@@ -60,6 +70,7 @@ Velocity Trajectory::velocityAt(TimeNs t) const {
 
 Velocity Trajectory::bodyVelocityAt(TimeNs t) const {
   if (sines_) return sines_->velocityAt(t);
+  if (spline_) return spline_->velocityAt(t);
   const auto [next, s, span_s, stands] = find(t, t == TimeNs(0) ? Side::kAfter : Side::kBefore);
   if (stands) return {};
   if (interpolation_ == Interpolation::kCubic) return cubicVelocity(keys_, next, s);

@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "scene/camera/pose.h"
 #include "scene/camera/sine_path.h"
+#include "scene/camera/spline_path.h"
 
 namespace saccade {
 
@@ -32,6 +33,7 @@ class Trajectory {
   // Repeats for ever with the time of the last key as period. The first key is at 0; the last has its pose.
   static Trajectory periodic(std::vector<TimedPose> keys);
   explicit Trajectory(SinePath path);  // repeats for ever, too
+  explicit Trajectory(SplinePath path);
 
   // Adds a key after the last one. Not to a path that repeats.
   void append(const TimedPose& key);
@@ -45,7 +47,7 @@ class Trajectory {
   Velocity velocityAt(TimeNs t) const;
   Velocity bodyVelocityAt(TimeNs t) const;
   // For a path that repeats: the period.
-  TimeNs lastTime() const { return sines_ ? sines_->period : keys_.back().time; }
+  TimeNs lastTime() const;
 
  private:
   // Between keys[next - 1] and keys[next], of which one may be missing.
@@ -57,7 +59,8 @@ class Trajectory {
   enum class Side { kBefore, kAfter };
   Place find(TimeNs t, Side side) const;  // the segment just before or just after t
 
-  std::optional<SinePath> sines_;  // instead of keys
+  std::optional<SinePath> sines_;     // instead of keys
+  std::optional<SplinePath> spline_;  // likewise
   std::vector<TimedPose> keys_;
   Interpolation interpolation_ = Interpolation::kLinear;
   bool periodic_ = false;

@@ -22,7 +22,7 @@ export const DEFAULTS = {
 export const SIZES = ["64x48", "128x96", "160x120", "240x180", "346x260", "640x480"];
 export const RATES = [25, 50, 100, 200, 500, 1000, 2000];
 export const SLOWEST = 1 / 256; // stream seconds per second, where the server lacks the CPU for more
-export const MOTIONS = ["pan", "tilt", "roll", "truck", "pedestal", "dolly", "orbit", "shake", "random"];
+export const MOTIONS = ["pan", "tilt", "roll", "truck", "pedestal", "dolly", "orbit", "shake", "random", "roam"];
 
 // The settings of a fragment such as #scene=cornell-box&C=0.1; what it leaves out, or says wrong, has its default.
 export function fromFragment(fragment) {

@@ -15,8 +15,8 @@ from saccade.v1 import noise_pb2
 
 OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset", "labels", "max_artefact_odds",
                   "model", "reconstruction")
-OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "start", "method", "spp", "params", "disable",
-             "calibration", "fov_x_deg", "intrinsics", "distortion", "T_body_camera", "further_views")
+OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "clearance", "start", "method", "spp", "params",
+             "disable", "calibration", "fov_x_deg", "intrinsics", "distortion", "T_body_camera", "further_views")
 OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
 NEEDED = ("rate_hz", "size")
 

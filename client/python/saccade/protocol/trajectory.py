@@ -25,6 +25,8 @@ def make_trajectory(settings: Mapping[str, Any]) -> c.Trajectory:
     for name in ("turn_s", "motion_seed", "start"):
         if name in settings and not moving:
             raise TypeError(f"{name} goes with a motion KIND:SPEED, such as 'pan:-15'")
+    if "clearance" in settings and not settings.get("motion", "").startswith("roam:"):
+        raise TypeError("clearance goes with a motion roam:SPEED, such as 'roam:1px'")
     if moving:
         return c.Trajectory(motion=_motion(settings))
     if "motion" in settings:
@@ -59,6 +61,8 @@ def _motion(settings: Mapping[str, Any]) -> c.Motion:
         motion.speed = number
     if "turn_s" in settings:
         motion.turn_s = settings["turn_s"]
+    if "clearance" in settings:
+        motion.clearance = settings["clearance"]
     if "start" in settings:
         motion.start.CopyFrom(_pose(settings["start"]))
     return motion
