@@ -60,10 +60,14 @@ double nearestDepth(const VisiblePoints& view) {
   return std::min_element(view.begin(), view.end(), [](Vec3d a, Vec3d b) { return a.z < b.z; })->z;
 }
 
-double medianImageSpeed(const VisiblePoints& view, const Twist& camera, const Lens& lens) {
+std::vector<double> imageSpeeds(const VisiblePoints& view, const Twist& camera, const Lens& lens) {
   std::vector<double> speeds;
   appendImageSpeeds(view, camera, lens, speeds);
-  return median(std::move(speeds));
+  return speeds;
+}
+
+double medianImageSpeed(const VisiblePoints& view, const Twist& camera, const Lens& lens) {
+  return median(imageSpeeds(view, camera, lens));
 }
 
 double medianImageSpeed(const VisiblePoints& view, const SinePath& path, const Lens& lens) {

@@ -23,6 +23,9 @@ struct Twist {
   Vec3d linear, angular;
 };
 
+// Of each point, in focal lengths per second.
+std::vector<double> imageSpeeds(const VisiblePoints& view, const Twist& camera, const Lens& lens);
+
 // Median over the view, in focal lengths per second: CameraModel::focal() pixels.
 double medianImageSpeed(const VisiblePoints& view, const Twist& camera, const Lens& lens);
 

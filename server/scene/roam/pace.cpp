@@ -38,7 +38,7 @@ Twist twistAt(const Course& course, const Pose& pose, double u) {
 }
 
 struct Look {
-  double seen = 0, turn = 0;   // the share; radians while u grows by 1
+  double seen, turn;           // the share; radians while u grows by 1
   std::vector<double> speeds;  // of the images of what is met, in focal lengths while u grows by 1
 };
 
@@ -53,14 +53,13 @@ class Looker {
     for (const Vec3d ray : rays_) directions.push_back(rotate(pose.rotation, ray));
     space_.look(pose.position, directions, distances_);
     const Twist twist = twistAt(course, pose, u);
-    Look look;
-    look.turn = length(twist.angular);
+    double seen = 0;
+    VisiblePoints view;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
-      look.seen += range_.has(distances_[i]) / static_cast<double>(rays_.size());
-      if (std::isfinite(distances_[i]))
-        look.speeds.push_back(medianImageSpeed({rays_[i] * distances_[i]}, twist, lens_));
+      seen += range_.has(distances_[i]);
+      if (std::isfinite(distances_[i])) view.push_back(rays_[i] * distances_[i]);
     }
-    return look;
+    return {seen / static_cast<double>(rays_.size()), length(twist.angular), imageSpeeds(view, twist, lens_)};
   }
 
  private:
