@@ -17,10 +17,9 @@ struct Pace {
   std::vector<double> durations;  // of the part from each place to the next, in seconds at image speed 1
 };
 
-// The durations make the median speed of the images 1 focal length per second over the whole course. From
-// place to place the median changes slowly. It is less where the images move less: there the camera goes
-// faster, but within bounds of its velocity. Its turn rate is at most kMostTurn radians for each focal length
-// per second.
+// The durations make the median speed of the images 1 focal length per second over the whole course. The
+// medians of its places are near that, but change slowly. Where images move little, the camera goes faster,
+// within bounds of its velocity. It turns by at most kMostTurn radians per second at that speed.
 inline constexpr double kMostTurn = 2;
 Pace measurePace(const FreeSpace& space, const Course& course, const Lens& lens, const SeenRange& range);
 

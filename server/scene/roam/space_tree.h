@@ -15,7 +15,7 @@ inline constexpr double kMostWay = 5, kMostDistance = 1;
 
 struct Place {
   Vec3d at;
-  double distance;         // to the nearest surface, at least the clearance; may be too small
+  double distance;         // to the nearest surface, at most 1000 sights
   std::size_t parent = 0;  // the line to this one is clear; the root is its own
 };
 
