@@ -17,9 +17,8 @@ struct NoRoom : std::runtime_error {
 };
 
 // A path of the kind kRoam that repeats for ever, with a continuous acceleration. `start` says what is up.
-//   room   It lies in the free space that straight lines lead to from the start. No point of it is nearer to
-//   a
-//          surface than the clearance. In an open scene it does not go behind it, see surroundings.h.
+//   room   It lies in the free space that straight lines lead to from the start. None of it is nearer to
+//          a surface than the clearance. In an open scene it does not go behind it, see surroundings.h.
 //   view   In 128 frames spread over it, half of the picture shows surfaces, neither too near nor too far; or
 //          half of the best view from the start. Where no try has that, it is the try that shows most.
 //   speed  The median speed of the images over the path is as asked, see pace.h.
