@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -37,11 +38,17 @@ std::string readText(const std::string& file) {
 
 void writeText(const std::string& file, const std::string& text) {
   const std::string partial = file + "." + std::to_string(getpid()) + ".partial";
-  client::OutputFile output(partial);
-  output.append(text);
-  output.close();
-  flushFile(partial);
-  std::filesystem::rename(partial, file);
+  try {
+    client::OutputFile output(partial);
+    output.append(text);
+    output.close();
+    flushFile(partial);
+    std::filesystem::rename(partial, file);
+  } catch (const std::exception&) {
+    std::error_code gone;
+    std::filesystem::remove(partial, gone);
+    throw;
+  }
 }
 
 }  // namespace saccade::farm

@@ -28,6 +28,7 @@ std::uint64_t countSequences(const fs::path& folder) {
 void addFailures(const DataSet& set, std::uint32_t shard, Status& status) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(set.failedFolder(shard), none)) {
+    if (entry.path().extension() != ".json") continue;  // it is being written
     const auto failure = readJson<v1::FailedSequence>(entry.path());
     ++(failure.retry() ? status.retry : status.never);
   }

@@ -1,5 +1,6 @@
 #include "farm/worker/make_sequence.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
@@ -17,8 +18,14 @@ bool mayPass(const Refusal& refusal) {
   return refusal.code == v1::CODE_RESOURCE_EXHAUSTED || refusal.code == v1::CODE_UNAVAILABLE;
 }
 
+// A disk that is full takes no record either.
 Made failed(const DataSet& set, const v1::DataSetSequence& sequence, const std::string& message, bool retry) {
-  recordFailure(set, sequence, message, retry);
+  try {
+    recordFailure(set, sequence, message, retry);
+  } catch (const std::exception&) {
+    std::fprintf(stderr, "saccade-farm: sequence %s: %s\n", set.sequenceName(sequence.number()).c_str(),
+                 message.c_str());
+  }
   return retry ? Made::kRetry : Made::kNever;
 }
 

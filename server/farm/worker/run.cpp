@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "base/usable_cpus.h"
@@ -138,7 +139,11 @@ class Run {
   }
 
   Made died(const v1::DataSetSequence& sequence, const std::string& death) {
-    return recordCrash(set_, sequence, death).retry() ? Made::kRetry : Made::kNever;
+    try {
+      return recordCrash(set_, sequence, death).retry() ? Made::kRetry : Made::kNever;
+    } catch (const std::system_error&) {  // a disk that is full
+      return Made::kRetry;
+    }
   }
 
   void settle(const v1::DataSetSequence& sequence, std::uint64_t& count) {
