@@ -97,10 +97,13 @@ void addRunCommand(CLI::App& app, int& status) {
   addFolderOption(*command, options->folder);
   command->add_option("--shard", options->shard, "K/N: only shard K, from 0 on, of the N of the plan");
   command
-      ->add_option(
-          "--workers", options->run.workers,
-          "processes that render; 0: one for each CPU that this program may use, or SLURM_CPUS_PER_TASK. "
-          "Fewer workers have more threads each")
+      ->add_option("--workers", options->run.workers,
+                   "processes that render; 0: one for each CPU. Fewer workers have more threads each")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command
+      ->add_option("--cpus", options->run.cpus,
+                   "CPUs to use; 0: those that this program may use, and at most SLURM_CPUS_PER_TASK")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   addRenderOptions(*command, options->run.render);

@@ -67,13 +67,13 @@ class Run {
  public:
   using Tell = std::function<void(const RunCounts&, const std::string&)>;
 
-  Run(const DataSet& set, const RunOptions& options, int workers, const std::function<bool()>& stop,
+  Run(const DataSet& set, const RunOptions& options, int cpus, int workers, const std::function<bool()>& stop,
       const Tell& tell)
       : set_(set),
         stop_(stop),
         tell_(tell),
         file_(set),
-        crew_(workers, workOf(set, options.render, file_.name(), std::max(1, cpusGiven() / workers))) {}
+        crew_(workers, workOf(set, options.render, file_.name(), std::max(1, cpus / workers))) {}
 
   RunCounts over(std::uint32_t first, std::uint32_t end) {
     for (std::uint32_t shard = first; shard < end; ++shard) counts_.all += set_.shardSize(shard);
@@ -189,8 +189,9 @@ RunCounts run(const DataSet& set, const RunOptions& options, const std::function
   std::filesystem::create_directories(set.partialFolder());
   const std::uint32_t first = options.shard.value_or(0);
   const std::uint32_t end = options.shard ? first + 1 : set.plan().shards();
-  const int workers = options.workers > 0 ? options.workers : cpusGiven();
-  const RunCounts counts = Run(set, options, workers, stop, tell).over(first, end);
+  const int cpus = options.cpus > 0 ? options.cpus : cpusGiven();
+  const int workers = options.workers > 0 ? options.workers : cpus;
+  const RunCounts counts = Run(set, options, cpus, workers, stop, tell).over(first, end);
   removeLeftovers(set);  // also of the workers that stop() has ended
   return counts;
 }

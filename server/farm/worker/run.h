@@ -12,7 +12,8 @@ namespace saccade::farm {
 
 struct RunOptions {
   std::optional<std::uint32_t> shard = {};  // unset: all
-  int workers = 0;                          // processes; 0: one for each CPU of cpusGiven()
+  int workers = 0;                          // processes; 0: one for each CPU
+  int cpus = 0;                             // that they use; 0: cpusGiven()
   RenderSettings render = {};
 };
 
