@@ -30,6 +30,9 @@ int main(int argc, char** argv) {
   addVerifyCommand(app, status);
   addCardCommand(app, status);
   addPackCommand(app, status);
+  addSlurmCommand(app, status);
+  addKubernetesCommand(app, status);
+  addSnakemakeCommand(app, status);
   app.set_version_flag("--version", SACCADE_VERSION);
   try {
     app.parse(argc, argv);

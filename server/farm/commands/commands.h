@@ -21,6 +21,9 @@ void addPlanCommand(CLI::App& app, int& status);
 void addRunCommand(CLI::App& app, int& status);
 void addStatusCommand(CLI::App& app, int& status);
 void addVerifyCommand(CLI::App& app, int& status);
+void addSlurmCommand(CLI::App& app, int& status);
+void addKubernetesCommand(CLI::App& app, int& status);
+void addSnakemakeCommand(CLI::App& app, int& status);
 
 // The options for what workers render from. The values in `settings` are the defaults.
 void addRenderOptions(CLI::App& command, RenderSettings& settings);
