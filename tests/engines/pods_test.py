@@ -77,6 +77,12 @@ def whole_sequences(bucket):
     return len(lines)
 
 
+def times_of(bucket):
+    """When the files of sequences that are whole were written."""
+    whole = [line.parent for line in bucket.glob("shards/*/*/sequence.json")]
+    return {file: file.stat().st_mtime_ns for folder in whole for file in folder.iterdir()}
+
+
 def in_a_bucket(farm, roots):
     """Pods that are killed and ended while they work; the last one does the rest."""
     bucket, secret = farm.folder / "bucket", farm.folder / "secret"
@@ -98,7 +104,9 @@ def in_a_bucket(farm, roots):
             assert end == signal.SIGKILL or pod.returncode == 75, pod.returncode
         counts.append(whole_sequences(data_set))
     assert counts[1] < 12, counts
+    times = times_of(data_set)
     assert jobs.run(0) == 0
+    assert times.items() <= times_of(data_set).items(), "what was there has been made again"
     data_sets.check_same(farm, farm.made("whole-shard", shards=1), data_set)
     assert not list(farm.folder.rglob("PWNED"))
     return f"pods were killed after {counts[0]} and ended after {counts[1]} of 12 sequences"
