@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -164,9 +166,15 @@ Recipe readTable(const toml::table& root, const TomlPlace& place) {
 }  // namespace
 
 Recipe readRecipe(const std::string& file) {
-  if (!std::filesystem::is_regular_file(file)) throw std::runtime_error(file + ": there is no such file");
+  std::ifstream input(file, std::ios::binary);
+  if (!input || !std::filesystem::is_regular_file(file))
+    throw std::runtime_error(file + ": there is no such file");
+  return parseRecipe({std::istreambuf_iterator<char>(input), {}}, file);
+}
+
+Recipe parseRecipe(const std::string& text, const std::string& file) {
   try {
-    return readTable(toml::parse_file(file), {file, "", 1});
+    return readTable(toml::parse(text), {file, "", 1});
   } catch (const toml::parse_error& fault) {
     throw RecipeFault(file, static_cast<int>(fault.source().begin.line), std::string(fault.description()));
   }
