@@ -69,6 +69,16 @@ TEST_F(MakeSequenceTest, ASecondWorkerDoesNoHarm) {
   EXPECT_TRUE(std::filesystem::is_empty(set->partialFolder()));
 }
 
+TEST_F(MakeSequenceTest, ReplacesAFolderThatIsNoWholeSequence) {
+  const v1::DataSetSequence planned = sequence(1);
+  ASSERT_EQ(make(planned), Made::kDone);
+  const std::string digest = digestOfFolder(set->sequenceFolder(planned));
+  std::filesystem::remove(set->sequenceFolder(planned) / kSequenceFile);
+  std::filesystem::remove(set->sequenceFolder(planned) / "a.raw");
+  ASSERT_EQ(make(planned), Made::kDone);
+  EXPECT_EQ(digestOfFolder(set->sequenceFolder(planned)), digest);
+}
+
 TEST_F(MakeSequenceTest, TheOrderOfSequencesDoesNotMatter) {
   SequenceRenderer other{
       {.scenes = findScenes(), .meshes = kDefaultMeshes, .bakes = {}, .accuracy = {}, .simplification = {}},

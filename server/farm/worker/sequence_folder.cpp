@@ -13,6 +13,19 @@ namespace saccade::farm {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Gives a folder its name, unless another folder has it. Returns whether the folder has it now.
+bool takeName(const fs::path& folder, const fs::path& name) {
+  std::error_code fault;
+  fs::rename(folder, name, fault);
+  const bool taken = fault == std::errc::directory_not_empty || fault == std::errc::file_exists;
+  if (fault && !taken) throw std::system_error(fault, name.string());
+  return !taken;
+}
+
+}  // namespace
+
 SequenceFolder::SequenceFolder(const DataSet& set, const v1::DataSetSequence& sequence,
                                const std::string& worker)
     : set_(set), path_(set.partialFolder() / (set.sequenceName(sequence.number()) + "." + worker)) {
@@ -32,10 +45,10 @@ void SequenceFolder::publish(v1::DataSetSequence sequence,
   writeText(path_ + "/" + kSequenceFile, jsonOf(sequence) + "\n");
   flushTree(path_);
   fs::create_directories(to.parent_path());
-  std::error_code fault;
-  fs::rename(path_, to, fault);
-  const bool there = fault == std::errc::directory_not_empty || fault == std::errc::file_exists;
-  if (fault && !there) throw std::system_error(fault, to.string());
+  if (!takeName(path_, to) && !fs::exists(to / kSequenceFile)) {
+    fs::remove_all(to);  // a part of the sequence, as a copy that was cut leaves it
+    takeName(path_, to);
+  }
   flushFile(to.parent_path());
 }
 
