@@ -88,7 +88,7 @@ def in_a_bucket(farm, roots):
     bucket, secret = farm.folder / "bucket", farm.folder / "secret"
     secret.mkdir()
     (secret / "rclone.conf").write_text("[store]\ntype = local\n", encoding="utf-8")
-    data_set = farm.plan("bucket/set " + data_sets.NASTY, shards=1)
+    data_set = farm.plan("bucket/set " + data_sets.NASTY, shards=1, duration=0.4)
     given_away(bucket)
     job = farm("kubernetes", data_set, "--image", "saccade", "--bucket", f"store:/bucket/{data_set.name}", "--rclone-secret",
                "store", "--rclone-image", "rclone")
@@ -96,7 +96,7 @@ def in_a_bucket(farm, roots):
     counts = []
     for end in (signal.SIGKILL, signal.SIGTERM):
         with tempfile.TemporaryDirectory(dir=farm.folder) as scratch:
-            with jobs.start(0, scratch, {"UPLOAD_EVERY_S": "0.1"}) as pod:
+            with jobs.start(0, scratch, {"UPLOAD_EVERY_S": "0.1", "SLURM_CPUS_PER_TASK": "1"}) as pod:
                 before = whole_sequences(data_set)
                 data_sets.until(lambda: whole_sequences(data_set) > before or pod.poll() is not None, "a sequence is uploaded")
                 assert pod.poll() is None, pod.returncode
@@ -107,7 +107,7 @@ def in_a_bucket(farm, roots):
     times = times_of(data_set)
     assert jobs.run(0) == 0
     assert times.items() <= times_of(data_set).items(), "what was there has been made again"
-    data_sets.check_same(farm, farm.made("whole-shard", shards=1), data_set)
+    data_sets.check_same(farm, farm.made("whole-shard", shards=1, duration=0.4), data_set)
     assert not list(farm.folder.rglob("PWNED"))
     return f"pods were killed after {counts[0]} and ended after {counts[1]} of 12 sequences"
 

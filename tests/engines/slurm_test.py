@@ -10,15 +10,16 @@ import slurm_cluster
 from data_sets import until
 from slurm_cluster import worker_of
 
+USUAL = {"sequences": 12, "shards": 4, "duration": 0.8}  # seconds for a task, so that faults find it at work
 LONG = {"sequences": 4, "shards": 2, "duration": 8}
 
 
 class Trial:
     """A data set in the hands of Slurm."""
 
-    def __init__(self, cluster, farm, name, options=(), **sizes):
-        self.cluster, self.farm = cluster, farm
-        self.data_set = farm.plan(name, **sizes)
+    def __init__(self, cluster, farm, name, options=(), sizes=None):
+        self.cluster, self.farm, self.sizes = cluster, farm, sizes or USUAL
+        self.data_set = farm.plan(name, **self.sizes)
         script = cluster.folder / f"{name}.sh"
         farm("slurm", self.data_set, "-o", script, "--cpus", "1", "--memory", "500", *options)
         self.job = cluster.submit(script)
@@ -89,7 +90,7 @@ def cancelled(cluster, farm):
 
 def out_of_time(cluster, farm):
     """The least limit is a minute, and the warning comes up to a minute earlier than asked for."""
-    trial = Trial(cluster, farm, "late", ["--time", "1", "--warning", "50"], **LONG)
+    trial = Trial(cluster, farm, "late", ["--time", "1", "--warning", "50"], LONG)
     cluster.wait(600)
     assert trial.restarts() > 0
     return trial, f"{trial.restarts()} tasks ran again"
@@ -110,7 +111,7 @@ def main():
                 begin = time.monotonic()
                 trial, told = scenario(cluster, farm)
                 took = time.monotonic() - begin
-                whole = farm.made(trial.data_set.name + "-local", **(LONG if scenario is out_of_time else {}))
+                whole = farm.made(trial.data_set.name + "-local", **trial.sizes)
                 data_sets.check_same(farm, whole, trial.data_set)
                 print(f"{scenario.__name__}: {took:.0f} s; {told}", flush=True)
         except AssertionError:
