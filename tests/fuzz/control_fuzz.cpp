@@ -47,7 +47,7 @@ struct World {
   BakeStore bakes{"", Limits()};
   StreamOpener opener{
       {scenes, bakes, tables, pool, budget, streams, data, broadcast, totals, log, nullptr, 1}};
-  Service service{scenes, budget, streams, opener, log, {}};
+  Service service{scenes, budget, streams, opener, log, [] { return v1::ServerDescription(); }};
 };
 
 // A request for the resolved stream gets it.

@@ -76,6 +76,8 @@ std::vector<client::RecordJob> jobsOf(const std::vector<std::string>& words,
       jobs.push_back(client::makeRecordJob(options));
     }
     return jobs;
+  } catch (const OptionFault&) {
+    throw;
   } catch (const CLI::Error& fault) {
     throw OptionFault(optionIn(fault.what()), fault.what());
   } catch (const std::invalid_argument& fault) {
