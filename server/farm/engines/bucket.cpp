@@ -10,7 +10,7 @@ namespace {
 
 // Of what is made already it fetches only what says so. A sequence's sequence.json is sent after the other
 // files of the sequence, so what is in the bucket is whole, wherever an upload is cut.
-constexpr const char* kScript = R"text(set -u
+constexpr const char* kBucketScript = R"text(set -u
 printf -v shard '%0@DIGITS@d' "$JOB_COMPLETION_INDEX"
 here=shards/$shard
 cd /dataset || exit 75
@@ -49,7 +49,7 @@ upload_all || exit 75
 exit "$code"
 )text";
 
-constexpr const char* kCommand = R"text(
+constexpr const char* kBucketCommand = R"text(
           command: [bash, -c]
           args:
             - @SCRIPT@
@@ -73,7 +73,7 @@ constexpr const char* kInit = R"text(
             - name: tools
               mountPath: /tools)text";
 
-constexpr const char* kMounts = R"text(
+constexpr const char* kBucketMounts = R"text(
             - name: dataset
               mountPath: /dataset
             - name: tools
@@ -83,7 +83,7 @@ constexpr const char* kMounts = R"text(
               mountPath: /etc/rclone
               readOnly: true)text";
 
-constexpr const char* kVolumes = R"text(
+constexpr const char* kBucketVolumes = R"text(
         - name: dataset
           emptyDir:
             sizeLimit: @DISK@Gi
@@ -110,18 +110,19 @@ std::string bucketInit(const Bucket& bucket) {
 
 std::string bucketCommand(const DataSet& set, const KubernetesOptions& of) {
   for (const std::string& word : of.engine.render) checkPlain(word, "an option of run");
-  const std::string script = filled(kScript, {{"DIGITS", std::to_string(shardDigits(set))},
-                                              {"SHARDS", std::to_string(set.plan().shards())},
-                                              {"RENDER", shellWords(of.engine.render)}});
-  return filled(kCommand, {{"SCRIPT", literalBlock(script, 14)}, {"PLACE", literal(of.bucket.place)}});
+  const std::string script = filled(kBucketScript, {{"DIGITS", std::to_string(shardDigits(set))},
+                                                    {"SHARDS", std::to_string(set.plan().shards())},
+                                                    {"RENDER", shellWords(of.engine.render)}});
+  return filled(kBucketCommand, {{"SCRIPT", literalBlock(script, 14)}, {"PLACE", literal(of.bucket.place)}});
 }
 
 std::string bucketMounts() {
-  return kMounts;
+  return kBucketMounts;
 }
 
 std::string bucketVolumes(const Bucket& bucket) {
-  return filled(kVolumes, {{"DISK", std::to_string(bucket.disk_gib)}, {"SECRET", quoted(bucket.secret)}});
+  return filled(kBucketVolumes,
+                {{"DISK", std::to_string(bucket.disk_gib)}, {"SECRET", quoted(bucket.secret)}});
 }
 
 }  // namespace saccade::farm

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 
+#include "farm/recipe/draw.h"
 #include "farm/worker/record_words.h"
 
 namespace saccade::farm {
@@ -16,12 +16,6 @@ constexpr std::array<const char*, 5> kAnswers{"--method=", "--spp=", "--set=", "
 
 bool beginsWithOneOf(const std::string& word, const auto& beginnings) {
   return std::ranges::any_of(beginnings, [&](const char* begin) { return word.starts_with(begin); });
-}
-
-std::string exactText(double value) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.17g", value);
-  return text.data();
 }
 
 void addAnswer(const v1::OpenStream& resolved, v1::DataSetSequence& sequence) {

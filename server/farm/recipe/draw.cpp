@@ -66,6 +66,11 @@ std::string numberText(double number) {
   return {text.data(), end.ptr};
 }
 
+std::string exactText(double number) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
+}
+
 Value valueAt(const Draw& draw, std::uint64_t address, std::uint64_t turn) {
   switch (draw.kind) {
     case Draw::Kind::kFixed:

@@ -39,5 +39,6 @@ Value valueAt(const Draw& draw, std::uint64_t address, std::uint64_t turn);
 std::vector<Value> extremes(const Draw& draw);
 
 std::string numberText(double number);  // 6 digits
+std::string exactText(double number);   // the shortest text that is read as the same number
 
 }  // namespace saccade::farm

@@ -1,8 +1,6 @@
 #include "farm/recipe/toml_value.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -15,12 +13,6 @@ std::string shown(const toml::node& node) {
   std::ostringstream text;
   node.visit([&](const auto& value) { text << toml::node_view<const toml::node>(value); });
   return text.str().substr(0, 60);
-}
-
-// The shortest text that is read as the same number.
-std::string exactText(double number) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
 }
 
 // The text of a text or a number; nothing for other types.
