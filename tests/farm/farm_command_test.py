@@ -2,6 +2,7 @@
 import filecmp
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -85,6 +86,18 @@ class Farm(unittest.TestCase):
         self.assertEqual(self.status(cut)["done"], 8)
         self.assertIn("0 damaged, 0 missing, 0 foreign", farm("verify", cut))
 
+    def test_a_damaged_sequence_is_made_again(self):
+        folder = self.plan("damaged")
+        farm("run", folder)
+        damaged = os.path.join(folder, "shards/00001/000004")
+        with open(os.path.join(damaged, "events.h5"), "r+b") as file:
+            file.truncate(100)
+        self.assertIn("damaged: shards/00001/000004/events.h5", farm("verify", folder, expect=1))
+        shutil.rmtree(damaged)
+        self.assertIn("missing: shards/00001/000004", farm("verify", folder, expect=1))
+        farm("run", folder)
+        farm("verify", folder)
+
     def test_shards_are_made_one_by_one(self):
         folder = self.plan("shards")
         farm("run", folder, "--shard", "1/3")
@@ -121,6 +134,8 @@ class Farm(unittest.TestCase):
         self.assertFalse(os.path.exists(self.path("never")))
         farm("run", self.path("never"), expect=75)
         farm("run", expect=2)
+        self.assertIn("did you mean verify?", farm("verfy", expect=2))
+        self.assertIn("did you mean --workers?", farm("run", self.path("never"), "--worker", "1", expect=2))
         self.write(RECIPE)
         folder = self.plan("planned")
         self.plan("planned")  # the same plan again

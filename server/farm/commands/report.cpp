@@ -61,6 +61,8 @@ int runVerify(const std::string& folder) {
         asInt(found.sequences), bytesText(static_cast<double>(found.bytes)).c_str(), asInt(found.damaged),
         asInt(found.missing), asInt(found.foreign));
   if (found.failed > 0) print("%lld can never be made; failed/ says why\n", asInt(found.failed));
+  if (found.damaged + found.missing > 0)
+    print("where a sequence is not whole, remove its folder; `saccade-farm run` makes what is missing\n");
   return found.whole() ? 0 : 1;
 }
 
