@@ -1,7 +1,6 @@
 #include "client/recording/event_digest.h"
 #include "client/formats/common/units.h"
 
-#include <array>
 #include <cstring>
 
 namespace saccade::client {
@@ -10,10 +9,6 @@ namespace {
 constexpr std::size_t kEventBytes = 13;  // s64 us | u16 x | u16 y | u8 p, as recording.proto says
 
 }  // namespace
-
-EventDigest::EventDigest() {
-  crypto_generichash_init(&state_, nullptr, 0, crypto_generichash_BYTES);
-}
 
 void EventDigest::add(const Events& events) {
   bytes_.resize(events.size() * kEventBytes);
@@ -26,14 +21,7 @@ void EventDigest::add(const Events& events) {
     at[12] = static_cast<char>(event.p);
     at += kEventBytes;
   }
-  crypto_generichash_update(&state_, reinterpret_cast<const unsigned char*>(bytes_.data()), bytes_.size());
-}
-
-std::string EventDigest::hex() {
-  std::array<unsigned char, crypto_generichash_BYTES> digest;
-  crypto_generichash_final(&state_, digest.data(), digest.size());
-  std::array<char, 2 * crypto_generichash_BYTES + 1> text;
-  return sodium_bin2hex(text.data(), text.size(), digest.data(), digest.size());
+  digest_.add(bytes_);
 }
 
 }  // namespace saccade::client

@@ -1,22 +1,20 @@
 // The digest of events that Recording.digest holds, whatever the format of their file.
 #pragma once
 
-#include <sodium.h>
-
 #include <string>
 
+#include "client/recording/digest.h"
 #include "saccade/wire/event.h"
 
 namespace saccade::client {
 
 class EventDigest {
  public:
-  EventDigest();
-  void add(const Events& events);  // t_ns counts whole microseconds
-  std::string hex();               // the last call
+  void add(const Events& events);              // t_ns counts whole microseconds
+  std::string hex() { return digest_.hex(); }  // the last call
 
  private:
-  crypto_generichash_state state_;
+  Digest digest_;
   std::string bytes_;
 };
 

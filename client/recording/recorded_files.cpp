@@ -3,7 +3,7 @@
 namespace saccade::client {
 namespace {
 
-// The same batch with other times.
+// A copy of the batch whose times are later by `offset_ns`.
 DecodedPacket later(DecodedPacket batch, std::int64_t offset_ns) {
   batch.header.set_t0_ns(batch.header.t0_ns() + offset_ns);
   batch.header.set_t1_ns(batch.header.t1_ns() + offset_ns);

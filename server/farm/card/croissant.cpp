@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <map>
 
+#include "client/recording/digest.h"
 #include "farm/card/croissant_context.h"
 #include "farm/card/croissant_records.h"
 #include "farm/card/json_text.h"
 #include "farm/card/markdown.h"
-#include "farm/dataset/digest.h"
 #include "farm/dataset/json_file.h"
 
 namespace saccade::farm {
@@ -34,7 +34,7 @@ std::string fileObject(const DataSet& set, const std::string& name, const std::s
                      {"contentUrl", jsonText(name)},
                      {"contentSize", jsonText(std::to_string(text.size()) + " B")},
                      {"encodingFormat", jsonText(mediaType(name))},
-                     {"sha256", jsonText(sha256Of(text))}});
+                     {"sha256", jsonText(client::sha256Of(text))}});
 }
 
 std::string fileSet(const std::string& id, const std::string& includes, const std::string& description) {

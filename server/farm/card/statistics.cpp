@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "farm/dataset/digest.h"
+#include "client/recording/digest.h"
 #include "farm/dataset/json_file.h"
 #include "farm/dataset/line_file.h"
 
@@ -127,7 +127,7 @@ std::string optionOf(const v1::DataSetSequence& sequence, const std::string& nam
 Statistics statisticsOf(const DataSet& set, const Recipe& recipe,
                         const std::function<void(std::uint64_t)>& step) {
   Counter counter(recipe);
-  Digest digest;
+  client::Digest digest;
   for (std::uint32_t shard = 0; shard < set.plan().shards(); ++shard) {
     if (!fs::exists(set.indexFile(shard))) continue;
     ++counter.found.shards;

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <vector>
 
-#include "farm/dataset/digest.h"
+#include "client/recording/digest.h"
 
 namespace saccade::farm {
 namespace {
@@ -23,7 +23,7 @@ std::string digestOfFile(const std::string& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> input(std::fopen(file.c_str(), "rb"), std::fclose);
   if (!input) throw std::system_error(errno, std::generic_category(), file);
   std::vector<char> chunk(kChunk);
-  Digest digest;
+  client::Digest digest;
   std::size_t read = 0;
   while ((read = std::fread(chunk.data(), 1, chunk.size(), input.get())) > 0)
     digest.add({chunk.data(), read});
@@ -45,7 +45,7 @@ std::vector<v1::DataSetFile> filesOf(const std::string& folder) {
 }
 
 std::string digestOfFolder(const std::string& folder) {
-  Digest digest;
+  client::Digest digest;
   for (const v1::DataSetFile& file : filesOf(folder)) {
     digest.add({file.name().c_str(), file.name().size() + 1});  // with the 0 behind it
     digest.add(file.digest());

@@ -6,7 +6,7 @@
 #include <memory>
 #include <system_error>
 
-#include "farm/dataset/digest.h"
+#include "client/recording/digest.h"
 #include "farm/dataset/json_file.h"
 #include "farm/dataset/line_file.h"
 #include "farm/pack/members.h"
@@ -51,7 +51,7 @@ void copyFile(const DataSet& set, const fs::path& path, const v1::DataSetFile& f
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> input(std::fopen(path.c_str(), "rb"), std::fclose);
   checkFile(bool(input), set, path, input ? "" : std::generic_category().message(errno));
   std::string chunk(kChunk, '\0');
-  Digest digest;
+  client::Digest digest;
   std::uint64_t left = file.bytes();
   while (const std::size_t read = std::fread(chunk.data(), 1, chunk.size(), input.get())) {
     checkFile(read <= left, set, path, "is longer than it was");

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace saccade::farm {
+namespace saccade::client {
 
 // BLAKE2b of 32 bytes.
 class Digest {
@@ -23,4 +23,4 @@ class Digest {
 
 std::string sha256Of(std::string_view bytes);  // hexadecimal
 
-}  // namespace saccade::farm
+}  // namespace saccade::client

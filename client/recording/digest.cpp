@@ -1,8 +1,8 @@
-#include "farm/dataset/digest.h"
+#include "client/recording/digest.h"
 
 #include <array>
 
-namespace saccade::farm {
+namespace saccade::client {
 namespace {
 
 template <std::size_t kBytes>
@@ -25,4 +25,4 @@ std::string sha256Of(std::string_view bytes) {
   return hexOf(hash);
 }
 
-}  // namespace saccade::farm
+}  // namespace saccade::client
