@@ -1,13 +1,16 @@
 """saccade-farm as its user sees it: files as `saccade record` writes them, and a run that is cut and goes on."""
-import filecmp
 import json
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "engines"))
+from data_sets import difference
 
 FARM, SACCADE, SACCADED = sys.argv[1:4]
 
@@ -36,15 +39,6 @@ def farm(*words, expect=0):
     done = subprocess.run([FARM, *words], capture_output=True, text=True)
     assert done.returncode == expect, (words, done.returncode, done.stdout, done.stderr)
     return done.stdout + done.stderr
-
-
-def trees_differ(one, other):
-    found = filecmp.dircmp(one, other)
-    if found.left_only or found.right_only:
-        return found.left_only + found.right_only
-    _, wrong, errors = filecmp.cmpfiles(one, other, found.common_files, shallow=False)
-    return wrong + errors + [name for sub in found.common_dirs
-                             for name in trees_differ(os.path.join(one, sub), os.path.join(other, sub))]
 
 
 class Farm(unittest.TestCase):
@@ -80,7 +74,7 @@ class Farm(unittest.TestCase):
             os.killpg(run.pid, signal.SIGKILL)
             run.wait()
         farm("run", cut)
-        self.assertEqual(trees_differ(os.path.join(whole, "shards"), os.path.join(cut, "shards")), [])
+        self.assertEqual(difference(os.path.join(whole, "shards"), os.path.join(cut, "shards")), [])
         self.assertEqual(os.listdir(os.path.join(cut, "partial")), [])
         self.assertEqual(os.listdir(os.path.join(cut, "workers")), [])
         self.assertEqual(self.status(cut)["done"], 8)
@@ -124,7 +118,7 @@ class Farm(unittest.TestCase):
                 subprocess.run([SACCADE, "record", *sequence["options"], "-o", os.path.join(here, name), "--control",
                                 f"ipc://{self.path('c')}"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             os.remove(os.path.join(there, "sequence.json"))
-            self.assertEqual(trees_differ(there, here), [])
+            self.assertEqual(difference(there, here), [])
 
     def test_faults_have_their_exit_codes(self):
         self.write(RECIPE.replace("rate = 500", "rate = -5"))
