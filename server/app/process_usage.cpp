@@ -3,9 +3,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <filesystem>
 #include <fstream>
+
+#include "base/thread_time.h"
+#include "base/units.h"
 
 namespace saccade {
 namespace {
@@ -27,12 +29,9 @@ double openFiles() {
 }  // namespace
 
 ProcessUsage processUsage() {
-  timespec cpu{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
   rlimit files{};
   getrlimit(RLIMIT_NOFILE, &files);
-  return {static_cast<double>(cpu.tv_sec) + static_cast<double>(cpu.tv_nsec) * 1e-9, residentBytes(),
-          openFiles(), static_cast<double>(files.rlim_cur)};
+  return {seconds(processCpuTime()), residentBytes(), openFiles(), static_cast<double>(files.rlim_cur)};
 }
 
 }  // namespace saccade

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "app/sequence/stream_rig.h"
+#include "base/thread_time.h"
+#include "base/units.h"
 #include "events/sensor.h"
 #include "farm/dataset/json_file.h"
 #include "farm/worker/make_sequence.h"
@@ -31,9 +33,7 @@ struct Setting {
 };
 
 double cpuSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  return seconds(processCpuTime());
 }
 
 double mostMemoryMiB() {
@@ -66,18 +66,18 @@ std::uint64_t renderAlone(const StreamPlan& plan, const Trajectory& body, TilePo
   return events;
 }
 
-std::string planText(const Setting& setting) {
+v1::DataSetPlan planOf(const Setting& setting) {
   v1::DataSetPlan plan;
   plan.set_name("speed");
   plan.set_sequences(static_cast<std::uint64_t>(setting.sequences));
   plan.set_shards(1);
   for (const std::string& output : setting.outputs) plan.add_outputs(output);
-  return jsonOf(plan);
+  return plan;
 }
 
 void measure(const Setting& setting, const fs::path& folder) {
   fs::create_directories(folder / "partial");
-  writeText(folder / kPlanFile, planText(setting));
+  writeJson(folder / kPlanFile, planOf(setting));
   const DataSet set(folder);
   SequenceRenderer renderer(
       {.scenes = findScenes(), .meshes = kDefaultMeshes, .bakes = {}, .accuracy = {}, .simplification = {}},
@@ -87,8 +87,7 @@ void measure(const Setting& setting, const fs::path& folder) {
   std::uint64_t events = 0;
   for (int i = -1; i < setting.sequences; ++i) {  // the first one warms up
     const v1::DataSetSequence sequence = sequenceOf(setting, std::max(i, 0));
-    const std::vector<std::string> words(sequence.options().begin(), sequence.options().end());
-    StreamPlan plan = renderer.plan(jobsOf(words, setting.outputs, folder).front().request);
+    StreamPlan plan = renderer.plan(jobsOf(sequence, setting.outputs, folder).front().request);
     const double begin = cpuSeconds();
     const std::uint64_t found = renderAlone(plan, renderer.load(plan), pool);
     const double between = cpuSeconds();

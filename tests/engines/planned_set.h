@@ -22,7 +22,7 @@ class PlannedSet {
     plan.set_shards(shards);
     plan.set_recipe_digest("0123456789abcdef");
     std::filesystem::create_directories(path_);
-    std::ofstream(std::filesystem::path(path_) / kPlanFile) << jsonOf(plan);
+    std::ofstream(std::filesystem::path(path_) / kPlanFile) << jsonLine(plan);
   }
   const std::string& path() const { return path_; }
   DataSet set() const { return DataSet(path_); }

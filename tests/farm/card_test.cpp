@@ -76,7 +76,7 @@ TEST_F(CardTest, AnEventThatTwoFilesHoldCountsOnce) {
   *sequence.add_recordings() = copy;
   copy.set_sensor(1);
   *sequence.add_recordings() = copy;
-  putText(set_.indexFile(0), jsonOf(sequence) + "\n");
+  putText(set_.indexFile(0), jsonLine(sequence));
   fs::remove(set_.indexFile(1));
   EXPECT_EQ(statistics().all.events, 2 * smallEvents(0));
   EXPECT_EQ(statistics().shards, 1u);

@@ -78,7 +78,7 @@ inline std::string writeSmallSequence(const DataSet& set, std::uint64_t number) 
   recording.set_height(kSmallHeight);
   recording.set_end_ns(static_cast<std::int64_t>(kSmallDuration_s * 1e9));
   recording.set_events(smallEvents(number));
-  const std::string line = jsonOf(sequence) + "\n";
+  const std::string line = jsonLine(sequence);
   putText(folder / kSequenceFile, line);
   return line;
 }
@@ -98,13 +98,13 @@ inline DataSet makeSmallDataSet(const std::filesystem::path& folder) {
     split.set_name(name);
     split.set_sequences(static_cast<std::uint64_t>(sequences));
   }
-  putText(folder / kPlanFile, jsonOf(plan) + "\n");
+  putText(folder / kPlanFile, jsonLine(plan));
   const DataSet set(folder);
   for (std::uint32_t shard = 0; shard < kSmallShards; ++shard) {
     std::string table, index;
     const std::uint64_t end = firstOf(shard + 1, kSmallSequences, kSmallShards);
     for (std::uint64_t i = firstOf(shard, kSmallSequences, kSmallShards); i < end; ++i) {
-      table += jsonOf(smallSequence(i)) + "\n";
+      table += jsonLine(smallSequence(i));
       index += writeSmallSequence(set, i);
     }
     putText(planTable(folder, set.shardName(shard)), table);

@@ -1,11 +1,9 @@
 // saccade-farm run: renders what is missing of a data set.
-#include <sys/stat.h>
-
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "base/instruction_set.h"
 #include "client/terminal/console.h"
@@ -37,11 +35,11 @@ std::optional<std::uint32_t> shardOfText(const std::string& text, const v1::Data
   return shard;
 }
 
-// Another build may give other bytes. Throws std::runtime_error.
-void checkBuild(const v1::DataSetPlan& plan) {
-  if (plan.software_version() != SACCADE_VERSION)
-    throw std::runtime_error("the data set was planned by version " + plan.software_version() +
-                             ", and this is " + SACCADE_VERSION + ": files of both would differ");
+// Empty, or why this build cannot run the plan.
+std::string buildFault(const v1::DataSetPlan& plan) {
+  if (plan.software_version() == SACCADE_VERSION) return "";
+  return "the data set was planned by version " + plan.software_version() + ", and this is " +
+         SACCADE_VERSION + ": files of both would differ";
 }
 
 std::string countsText(const RunCounts& counts, double elapsed_s) {
@@ -70,10 +68,8 @@ int finish(const RunCounts& counts, bool interrupted, double elapsed_s, const st
 int runRun(Options& options) {
   const DataSet set(options.folder);
   options.run.shard = shardOfText(options.shard, set.plan());
-  try {
-    checkBuild(set.plan());
-  } catch (const std::runtime_error& fault) {
-    client::print(stderr, "saccade-farm: %s\n", fault.what());
+  if (const std::string fault = buildFault(set.plan()); !fault.empty()) {
+    client::print(stderr, "saccade-farm: %s\n", fault.c_str());
     return kNever;
   }
   useInstructionSet(set.plan().instruction_set());  // another machine may have it

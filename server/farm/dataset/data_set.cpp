@@ -61,9 +61,12 @@ std::vector<v1::DataSetSequence> DataSet::planned(std::uint32_t shard) const {
   return readJsonLines<v1::DataSetSequence>(planTable(folder_, shardName(shard)));
 }
 
-std::uint64_t DataSet::shardSize(std::uint32_t shard) const {
-  return firstOf(shard + 1, plan_.sequences(), plan_.shards()) -
-         firstOf(shard, plan_.sequences(), plan_.shards());
+std::uint32_t DataSet::shardOf(std::uint64_t number) const {
+  return farm::shardOf(number, plan_.sequences(), plan_.shards());
+}
+
+std::uint64_t DataSet::first(std::uint32_t shard) const {
+  return firstOf(shard, plan_.sequences(), plan_.shards());
 }
 
 }  // namespace saccade::farm

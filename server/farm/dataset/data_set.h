@@ -30,7 +30,9 @@ class DataSet {
 
   // The sequences that the plan gives to a shard, in order, without files. Throws as readJsonLines().
   std::vector<v1::DataSetSequence> planned(std::uint32_t shard) const;
-  std::uint64_t shardSize(std::uint32_t shard) const;
+  std::uint32_t shardOf(std::uint64_t number) const;  // of a sequence
+  std::uint64_t first(std::uint32_t shard) const;     // sequence; that of the shard after the last: how many
+  std::uint64_t shardSize(std::uint32_t shard) const { return first(shard + 1) - first(shard); }
 
   std::string sequenceName(std::uint64_t number) const;  // of equal length for all of the data set
   std::string shardName(std::uint32_t shard) const;

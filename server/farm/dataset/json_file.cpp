@@ -1,24 +1,21 @@
 #include "farm/dataset/json_file.h"
 
 #include <google/protobuf/util/json_util.h>
-#include <unistd.h>
 
 #include <cerrno>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <system_error>
 
-#include "client/formats/common/output_file.h"
 #include "client/recording/json_text.h"
-#include "farm/dataset/durable.h"
+#include "feed/temporary_file.h"
 
 namespace saccade::farm {
 
-std::string jsonOf(const google::protobuf::Message& message) {
-  return client::jsonText(message, false);
+std::string jsonLine(const google::protobuf::Message& message) {
+  return client::jsonText(message, false) + "\n";
 }
 
 void parseJson(const std::string& text, const std::string& name, google::protobuf::Message& message) {
@@ -37,18 +34,13 @@ std::string readText(const std::string& file) {
 }
 
 void writeText(const std::string& file, const std::string& text) {
-  const std::string partial = file + "." + std::to_string(getpid()) + ".partial";
-  try {
-    client::OutputFile output(partial);
-    output.append(text);
-    output.close();
-    flushFile(partial);
-    std::filesystem::rename(partial, file);
-  } catch (const std::exception&) {
-    std::error_code gone;
-    std::filesystem::remove(partial, gone);
-    throw;
-  }
+  TemporaryFile output(file);
+  output.write(text.data(), text.size());
+  output.keep();
+}
+
+void writeJson(const std::string& file, const google::protobuf::Message& message) {
+  writeText(file, jsonLine(message));
 }
 
 }  // namespace saccade::farm

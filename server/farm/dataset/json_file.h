@@ -8,14 +8,15 @@
 
 namespace saccade::farm {
 
-// On one line. Fields have the names of the schema, and those without a value are there too.
-std::string jsonOf(const google::protobuf::Message& message);
+// With the end of the line. Fields have the names of the schema, and those without a value are there too.
+std::string jsonLine(const google::protobuf::Message& message);
 // Throws std::runtime_error, which begins with `name`.
 void parseJson(const std::string& text, const std::string& name, google::protobuf::Message& message);
 
 std::string readText(const std::string& file);  // throws std::system_error
 // Readers find the old file or the whole new one. Throws std::system_error.
 void writeText(const std::string& file, const std::string& text);
+void writeJson(const std::string& file, const google::protobuf::Message& message);  // likewise
 
 template <class Message>
 Message readJson(const std::string& file) {

@@ -7,13 +7,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/thread_time.h"
+#include "base/units.h"
+#include "farm/plan/temporary_folder.h"
 #include "farm/recipe/expand.h"
 #include "farm/worker/record_words.h"
 
@@ -26,15 +28,6 @@ constexpr std::size_t kMostRendered = 8;
 constexpr std::uint64_t kMostLooked = 1000;  // sequences, for the scenes that there are
 constexpr FrameIndex kFew = 2, kMore = 10;   // frames
 constexpr double kSpareMemory = 1.1;
-
-double cpuSeconds() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
 
 double mostMemory() {
   rusage used{};
@@ -58,15 +51,15 @@ struct Cost {
   double cpu_s, bytes, events;
 };
 
-Cost costOf(const std::vector<std::string>& words, const Recipe& recipe, FrameIndex frames,
+Cost costOf(const v1::DataSetSequence& sequence, const Recipe& recipe, FrameIndex frames,
             const fs::path& folder, SequenceRenderer& renderer) {
   fs::create_directories(folder);
-  const std::vector<client::RecordJob> jobs = jobsOf(words, recipe.outputs, folder);
-  const double before = cpuSeconds();
+  const std::vector<client::RecordJob> jobs = jobsOf(sequence, recipe.outputs, folder);
+  const auto before = processCpuTime();
   Cost cost{};
   for (const auto& recording : renderer.render(jobs, frames))
     cost.events += static_cast<double>(recording.second.events()) / static_cast<double>(jobs.size());
-  cost.cpu_s = cpuSeconds() - before;
+  cost.cpu_s = seconds(processCpuTime() - before);
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file()) cost.bytes += static_cast<double>(entry.file_size());
   fs::remove_all(folder);
@@ -85,12 +78,12 @@ Estimate measure(const Recipe& recipe, const RenderSettings& settings, const fs:
   Estimate sum;
   for (const std::uint64_t number : chosen(recipe)) {
     const v1::DataSetSequence sequence = sequenceOf(recipe, number);
-    const std::vector<std::string> words(sequence.options().begin(), sequence.options().end());
-    const auto cost = [&](FrameIndex frames) { return costOf(words, recipe, frames, folder, renderer); };
+    const auto cost = [&](FrameIndex frames) { return costOf(sequence, recipe, frames, folder, renderer); };
     cost(1);  // loads the scene
     const Cost few = cost(kFew), more = cost(kMore);
     const auto frames = static_cast<double>(
-        renderer.plan(jobsOf(words, recipe.outputs, folder.parent_path()).front().request).resolved.frames);
+        renderer.plan(jobsOf(sequence, recipe.outputs, folder.parent_path()).front().request)
+            .resolved.frames);
     sum.cpu_s += extended(few.cpu_s, more.cpu_s, frames);
     sum.bytes += extended(few.bytes, more.bytes, frames);
     sum.events += static_cast<std::uint64_t>(extended(few.events, more.events, frames));
@@ -118,19 +111,17 @@ Estimate measure(const Recipe& recipe, const RenderSettings& settings, const fs:
 }  // namespace
 
 Estimate estimate(const Recipe& recipe, const RenderSettings& settings) {
-  std::string name = fs::temp_directory_path() / "saccade-estimate-XXXXXX";
+  const TemporaryFolder folder;
   int ends[2];
-  if (!mkdtemp(name.data()) || pipe(ends) != 0)
-    throw std::runtime_error("no estimate: no temporary folder or pipe");
+  if (pipe(ends) != 0) throw std::runtime_error("no estimate: there is no pipe");
   std::fflush(nullptr);  // the child must not print what waits
   const pid_t child = fork();
-  if (child == 0) measureInChild(recipe, settings, fs::path(name) / "sequence", ends[1]);
+  if (child == 0) measureInChild(recipe, settings, fs::path(folder.path()) / "sequence", ends[1]);
   close(ends[1]);
   Estimate found;
   const bool read_all = read(ends[0], &found, sizeof found) == sizeof found;
   close(ends[0]);
   if (child > 0) waitpid(child, nullptr, 0);
-  fs::remove_all(name);
   if (!read_all) throw std::runtime_error("no estimate: the first frames could not be rendered");
   return found;
 }

@@ -93,7 +93,7 @@ void writeTable(const Recipe& recipe, std::uint32_t shard, const std::string& fi
     v1::DataSetSequence sequence = sequenceOf(recipe, i);
     files.addOf(sequence);
     pinOptions(renderer, recipe.outputs, sequence);
-    table.append(jsonOf(sequence) + "\n");
+    table.append(jsonLine(sequence));
   }
   table.close();
   flushFile(file);
@@ -119,7 +119,7 @@ DataSet makePlan(const Recipe& recipe, const std::string& name, const SequenceRe
     writeTable(recipe, shard, planTable(folder, shardNameOf(shard, recipe.shards)), renderer, files);
     tell((shard + 1.0) / recipe.shards);
   }
-  writeText(folder / kPlanFile, jsonOf(describe(recipe, folder / "recipe")) + "\n");
+  writeJson(folder / kPlanFile, describe(recipe, folder / "recipe"));
   return DataSet(folder);
 }
 

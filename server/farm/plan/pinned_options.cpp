@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
+#include "farm/plan/temporary_folder.h"
 #include "farm/recipe/draw.h"
 #include "farm/worker/record_words.h"
 
@@ -39,9 +39,9 @@ void pinOptions(const SequenceRenderer& renderer, const std::vector<std::string>
   if (std::ranges::none_of(options, [](const std::string& word) { return beginsWithOneOf(word, kBudgets); }))
     return;
   const std::vector<std::string> words(options.begin(), options.end());
-  const std::string nowhere = std::filesystem::temp_directory_path();
+  const TemporaryFolder nowhere;
   const v1::OpenStream resolved =
-      renderer.plan(jobsOf(words, {"-" + outputs.front()}, nowhere).front().request).resolved.request;
+      renderer.plan(jobsOf(sequence, outputs, nowhere.path()).front().request).resolved.request;
   options.Clear();
   for (const std::string& word : words)
     if (!beginsWithOneOf(word, kBudgets) && !beginsWithOneOf(word, kAnswers)) sequence.add_options(word);

@@ -1,14 +1,11 @@
 #include "farm/plan/recipe_check.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <filesystem>
 #include <map>
-#include <system_error>
 
 #include "app/request/refusal.h"
 #include "client/options/field_options.h"
+#include "farm/plan/temporary_folder.h"
 #include "farm/recipe/expand.h"
 #include "farm/recipe/recipe_fault.h"
 #include "farm/worker/record_words.h"
@@ -19,26 +16,6 @@ namespace {
 
 constexpr std::size_t kMostEdges = 512, kMostFirst = 128;  // probes of a case, and of the recipe
 constexpr std::size_t kMostLoaded = 32;                    // probes of a scene whose path is found
-
-// An empty folder, in place of that of a sequence.
-class EmptyFolder {
- public:
-  EmptyFolder() {
-    std::string name = std::filesystem::temp_directory_path() / "saccade-farm-XXXXXX";
-    if (!mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), name);
-    path_ = name;
-  }
-  ~EmptyFolder() {
-    std::error_code gone;
-    std::filesystem::remove_all(path_, gone);
-  }
-  EmptyFolder(const EmptyFolder&) = delete;
-  EmptyFolder& operator=(const EmptyFolder&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 // Names each option once, and only those that a recipe may have.
 void checkOptions(const Recipe& recipe, const std::vector<Entry>& entries) {
@@ -64,10 +41,9 @@ class Checker {
   void check(const Probe& probe) {
     of_case_ = probe.of_case;
     try {
-      const std::vector<std::string> words(probe.sequence.options().begin(), probe.sequence.options().end());
-      const std::vector<client::RecordJob> jobs = jobsOf(words, recipe_.outputs, folder_.path());
+      const std::vector<client::RecordJob> jobs = jobsOf(probe.sequence, recipe_.outputs, folder_.path());
       StreamPlan plan = renderer_.plan(jobs.front().request);
-      if (loaded_[words.front()]++ < kMostLoaded) renderer_.load(plan);
+      if (loaded_[probe.sequence.options(0)]++ < kMostLoaded) renderer_.load(plan);
     } catch (const OptionFault& fault) {
       fail(fault.option, fault.what());
     } catch (const Refusal& refusal) {
@@ -92,7 +68,7 @@ class Checker {
 
   const Recipe& recipe_;
   SequenceRenderer& renderer_;
-  const EmptyFolder folder_;
+  const TemporaryFolder folder_;  // in place of that of a sequence
   std::size_t of_case_ = 0;
   std::map<std::string, std::size_t> loaded_;  // probes, by scene
 };

@@ -6,7 +6,6 @@
 
 #include "farm/dataset/json_file.h"
 #include "farm/dataset/line_file.h"
-#include "farm/recipe/expand.h"
 #include "farm/report/index_walk.h"
 #include "farm/report/verify_sequence.h"
 #include "farm/worker/failures.h"
@@ -22,7 +21,7 @@ class ShardVerifier {
   ShardVerifier(const DataSet& set, std::uint32_t shard, Findings& findings)
       : set_(set),
         shard_(shard),
-        first_(firstOf(shard, set.plan().sequences(), set.plan().shards())),
+        first_(set.first(shard)),
         end_(first_ + set.shardSize(shard)),
         table_(planTable(set.folder(), set.shardName(shard))),
         index_(set.indexFile(shard)),

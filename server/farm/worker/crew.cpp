@@ -4,7 +4,6 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +15,9 @@
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+
+#include "base/thread_time.h"
+#include "base/units.h"
 
 namespace saccade::farm {
 namespace {
@@ -35,13 +37,6 @@ struct Result {
 
 void makePipe(int (&ends)[2]) {
   if (pipe2(ends, O_CLOEXEC) != 0) failSystem("pipe");
-}
-
-double cpuSeconds() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  return static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
-         static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec) * 1e-6;
 }
 
 // Reads all of a record; false where the pipe ends.
@@ -74,8 +69,8 @@ bool writeRecord(int pipe, const Record& record) {
     std::uint64_t number = 0;
     while (readRecord(tasks, number)) {
       Result result{};
-      const double before = cpuSeconds();
-      result.number = number, result.made = work(number), result.cpu_s = cpuSeconds() - before;
+      const auto before = processCpuTime();
+      result.number = number, result.made = work(number), result.cpu_s = seconds(processCpuTime() - before);
       if (!writeRecord(results, result)) break;
     }
   } catch (const std::exception& fault) {

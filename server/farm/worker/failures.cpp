@@ -26,7 +26,7 @@ v1::FailedSequence recordFailure(const DataSet& set, const v1::DataSetSequence& 
   failure.set_retry(retry);
   failure.set_attempts(failure.attempts() + 1);
   std::filesystem::create_directories(set.failedFolder(sequence.shard()));
-  writeText(set.failedFile(sequence), jsonOf(failure) + "\n");
+  writeJson(set.failedFile(sequence), failure);
   return failure;
 }
 

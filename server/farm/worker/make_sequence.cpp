@@ -33,10 +33,9 @@ Made failed(const DataSet& set, const v1::DataSetSequence& sequence, const std::
 
 void tryToMake(const DataSet& set, const v1::DataSetSequence& sequence, const std::string& worker,
                SequenceRenderer& renderer) {
-  const std::vector<std::string> words(sequence.options().begin(), sequence.options().end());
   const std::vector<std::string> outputs(set.plan().outputs().begin(), set.plan().outputs().end());
   SequenceFolder folder(set, sequence, worker);
-  const std::vector<client::RecordJob> jobs = jobsOf(words, outputs, folder.path());
+  const std::vector<client::RecordJob> jobs = jobsOf(sequence, outputs, folder.path());
   std::vector<v1::DataSetRecording> recordings;
   for (const auto& [file, recording] : renderer.render(jobs))
     recordings.push_back(summaryOf(recording, std::filesystem::path(file).filename()));

@@ -59,13 +59,14 @@ std::string optionNamed(const std::string& name) {
                                                 : "; see `saccade record --help-all`"));
 }
 
-std::vector<client::RecordJob> jobsOf(const std::vector<std::string>& words,
+std::vector<client::RecordJob> jobsOf(const v1::DataSetSequence& sequence,
                                       const std::vector<std::string>& outputs, const std::string& folder) {
-  for (const std::string& word : words) checkConfined(word);
+  for (const std::string& word : sequence.options()) checkConfined(word);
   CLI::App command("", "saccade record");
   client::RecordOptions options;
   client::addRecordOptions(command, options);
-  std::vector<std::string> all(words.rbegin(), words.rend());  // as CLI11 wants them
+  std::vector<std::string> all(sequence.options().rbegin(),
+                               sequence.options().rend());  // as CLI11 wants them
   all.insert(all.begin(), "--output=" + folder + "/" + outputs.front());
   try {
     command.parse(std::move(all));

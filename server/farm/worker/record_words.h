@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/options/record_job.h"
+#include "saccade/v1/dataset.pb.h"
 
 namespace saccade::farm {
 
@@ -19,7 +20,7 @@ struct OptionFault : std::invalid_argument {
 
 // The jobs of a sequence, one for each file of events in `folder`. They have the same request. Names of files
 // in the options are relative to the present folder. Throws OptionFault.
-std::vector<client::RecordJob> jobsOf(const std::vector<std::string>& words,
+std::vector<client::RecordJob> jobsOf(const v1::DataSetSequence& sequence,
                                       const std::vector<std::string>& outputs, const std::string& folder);
 
 // The first name of the option: "trajectory" of "motion". Throws OptionFault, with similar names, where a

@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "base/usable_cpus.h"
-#include "farm/recipe/expand.h"
 #include "farm/worker/crew.h"
 #include "farm/worker/failures.h"
 #include "farm/worker/sequence_folder.h"
@@ -31,10 +30,9 @@ class PlanPages {
  public:
   explicit PlanPages(const DataSet& set) : set_(set) {}
   const v1::DataSetSequence& at(std::uint64_t number) {
-    const v1::DataSetPlan& plan = set_.plan();
-    const std::uint32_t shard = shardOf(number, plan.sequences(), plan.shards());
+    const std::uint32_t shard = set_.shardOf(number);
     if (shard_ != shard) page_ = set_.planned(shard), shard_ = shard;
-    return page_.at(number - firstOf(shard, plan.sequences(), plan.shards()));
+    return page_.at(number - set_.first(shard));
   }
 
  private:
@@ -121,10 +119,8 @@ class Run {
     const auto outcome = crew_.next(kWaitMs);
     if (!outcome) return;
     counts_.cpu_s += outcome->cpu_s;
-    const v1::DataSetPlan& plan = set_.plan();
-    const std::uint32_t shard = shardOf(outcome->number, plan.sequences(), plan.shards());
-    const v1::DataSetSequence sequence =
-        open_.at(shard).planned.at(outcome->number - firstOf(shard, plan.sequences(), plan.shards()));
+    const std::uint32_t shard = set_.shardOf(outcome->number);
+    const v1::DataSetSequence sequence = open_.at(shard).planned.at(outcome->number - set_.first(shard));
     const Made made = outcome->death.empty() ? outcome->made : died(sequence, outcome->death);
     std::string failure;
     if (made != Made::kDone) {

@@ -42,7 +42,7 @@ void SequenceFolder::publish(v1::DataSetSequence sequence,
   const fs::path to = set_.sequenceFolder(sequence);
   for (v1::DataSetFile& file : filesOf(path_)) *sequence.add_files() = std::move(file);
   for (const v1::DataSetRecording& recording : recordings) *sequence.add_recordings() = recording;
-  writeText(path_ + "/" + kSequenceFile, jsonOf(sequence) + "\n");
+  writeJson(path_ + "/" + kSequenceFile, sequence);
   flushTree(path_);
   fs::create_directories(to.parent_path());
   if (!takeName(path_, to) && !fs::exists(to / kSequenceFile)) {

@@ -86,7 +86,7 @@ void WorkerFile::tell(v1::FarmWorker state) {
   state.set_process(first_.process());
   state.set_begun_unix_s(first_.begun_unix_s());
   state.set_last_unix_s(std::time(nullptr));
-  std::string text = jsonOf(state) + "\n";
+  const std::string text = jsonLine(state);
   // A disk that is full keeps the last state.
   if (pwrite(file_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()))
     static_cast<void>(ftruncate(file_, static_cast<off_t>(text.size())));
