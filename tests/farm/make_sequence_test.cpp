@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <optional>
 
 #include "farm/dataset/file_digest.h"
@@ -113,6 +114,16 @@ TEST_F(MakeSequenceTest, ForgetsAFailureThatIsMended) {
   EXPECT_FALSE(failureOf(*set, planned));
   EXPECT_TRUE(settleShard(*set, 1, {planned}));
   EXPECT_EQ(readText(set->indexFile(1)), readText(set->sequenceFolder(planned) / kSequenceFile));
+}
+
+TEST_F(MakeSequenceTest, RemovesAnIndexThatAKilledRunHasBegun) {
+  const v1::DataSetSequence planned = sequence(2);
+  ASSERT_EQ(make(planned), Made::kDone);
+  const std::string begun = set->indexFile(1).string() + ".AbCdEf";
+  std::ofstream(begun) << "a part";
+  EXPECT_TRUE(settleShard(*set, 1, {planned}));
+  EXPECT_FALSE(std::filesystem::exists(begun));
+  EXPECT_TRUE(std::filesystem::exists(set->indexFile(1)));
 }
 
 TEST_F(MakeSequenceTest, GivesUpWhatKillsWorkers) {

@@ -39,6 +39,16 @@ void writeText(const std::string& file, const std::string& text) {
   output.keep();
 }
 
+// TemporaryFile puts a point and six letters behind the name.
+void removeLeftTexts(const std::string& folder) {
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    const std::filesystem::path before = entry.path().stem().extension();
+    if (entry.path().extension().string().size() == 7 && (before == ".json" || before == ".jsonl"))
+      removeLeftover(entry.path());
+  }
+}
+
 void writeJson(const std::string& file, const google::protobuf::Message& message) {
   writeText(file, jsonLine(message));
 }

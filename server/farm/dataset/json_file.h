@@ -17,6 +17,8 @@ std::string readText(const std::string& file);  // throws std::system_error
 // Readers find the old file or the whole new one. Throws std::system_error.
 void writeText(const std::string& file, const std::string& text);
 void writeJson(const std::string& file, const google::protobuf::Message& message);  // likewise
+// Removes what killed programs have left of such files in a folder.
+void removeLeftTexts(const std::string& folder);
 
 template <class Message>
 Message readJson(const std::string& file) {

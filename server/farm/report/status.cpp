@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <system_error>
 
 #include "farm/dataset/json_file.h"
 #include "farm/worker/worker_file.h"
@@ -29,8 +30,12 @@ void addFailures(const DataSet& set, std::uint32_t shard, Status& status) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(set.failedFolder(shard), none)) {
     if (entry.path().extension() != ".json") continue;  // it is being written
-    const auto failure = readJson<v1::FailedSequence>(entry.path());
-    ++(failure.retry() ? status.retry : status.never);
+    try {
+      const auto failure = readJson<v1::FailedSequence>(entry.path());
+      ++(failure.retry() ? status.retry : status.never);
+    } catch (const std::system_error&) {
+      // A worker has made it meanwhile.
+    }
   }
 }
 

@@ -79,6 +79,7 @@ bool settleShard(const DataSet& set, std::uint32_t shard, const std::vector<v1::
     }
   }
   fs::create_directories(set.shardFolder(shard));
+  removeLeftTexts(set.shardFolder(shard));
   writeText(set.indexFile(shard), lines);
   return true;
 }

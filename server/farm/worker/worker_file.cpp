@@ -115,6 +115,7 @@ void removeLeftovers(const DataSet& set) {
   }
   for (const fs::path& path : entriesOf(set.workersFolder()))
     if (isFree(path)) fs::remove(path, gone);
+  for (const fs::path& path : entriesOf(set.folder() / "failed")) removeLeftTexts(path);
 }
 
 }  // namespace saccade::farm
