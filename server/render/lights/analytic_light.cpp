@@ -64,9 +64,7 @@ bool isQuad(const Mesh& mesh, std::size_t i) {
 }  // namespace
 
 AnalyticLight::AnalyticLight(const Scene& scene)
-    : held_(scene.meshes.size()),
-      point_lights_(scene.point_lights),
-      directional_lights_(scene.directional_lights) {
+    : held_(scene.meshes.size()) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Mesh& mesh = scene.meshes[i];
     if (emits(mesh) && sides_.size() + mesh.triangles.size() <= kMaxSides)
@@ -96,33 +94,15 @@ Rgb AnalyticLight::from(const Side& side, const LitPoint& p, float strength) {
   return side.radiance * (formFactor(seen, p.normal) * strength);
 }
 
-Rgb AnalyticLight::fromPointsAndDirections(const LitPoint& p) const {
-  Rgb sum;
-  const auto addFrom = [&](Vec3 w, Rgb irradiance) {
-    if (dot(w, p.geometric_normal) <= 0) return;
-    sum = sum + irradiance * (std::max(0.f, dot(w, p.normal)) * std::numbers::inv_pi_v<float>);
-  };
-  for (const PointLight& l : point_lights_) {
-    const Vec3 segment = l.position - p.point;
-    const float distance2 = dot(segment, segment);
-    addFrom(segment / std::sqrt(distance2), l.intensity / distance2);
-  }
-  for (const DirectionalLight& l : directional_lights_) addFrom(-l.direction, l.irradiance);
-  return sum;
-}
-
 Rgb AnalyticLight::at(const LitPoint& p, const EmitterStrengths& strengths) const {
-  Rgb sum = fromPointsAndDirections(p);
+  Rgb sum;
   for (const Side& side : sides_) sum = sum + from(side, p, strengths[side.geometry]);
   return sum;
 }
 
 void AnalyticLight::at(const LitPoints& points, LaneSet lanes, const EmitterStrengths& strengths,
                        LaneVectors& result) const {
-  if (!point_lights_.empty() || !directional_lights_.empty())
-    forEachLane(lanes, [&](int i) { result.set(i, fromPointsAndDirections(points.at(i))); });
-  else
-    result = {};
+  result = {};
   for (int first = 0; first < kLaneVectors; first += LampLanes::kLanes) {
     const LaneSet here = lanes.from(first) & LaneSet::first(LampLanes::kLanes);
     if (!here.any()) continue;

@@ -1,5 +1,4 @@
-// Direct light in closed form, as if nothing cast a shadow: from lamps of a few flat sides, and from points
-// and directions.
+// Direct light of lamps of a few flat sides in closed form, as if nothing cast a shadow.
 #pragma once
 
 #include <vector>
@@ -27,9 +26,8 @@ class AnalyticLight {
  public:
   explicit AnalyticLight(const Scene& scene);
 
-  // Whether at() holds the light of an emitter, by its geometry id, or of a sample.
+  // Whether at() holds the light of an emitter, by its geometry id.
   bool holds(std::uint32_t geometry) const { return geometry < held_.size() && held_[geometry]; }
-  bool holds(const IncidentLight& light) const { return light.delta || holds(light.geometry); }
 
   // Radiance that a white diffuse surface would reflect: irradiance / pi.
   Rgb at(const LitPoint& p, const EmitterStrengths& strengths) const;
@@ -46,12 +44,9 @@ class AnalyticLight {
   };
   void addSides(const Mesh& mesh, std::uint32_t geometry);
   static Rgb from(const Side& side, const LitPoint& p, float strength);
-  Rgb fromPointsAndDirections(const LitPoint& p) const;
 
   std::vector<Side> sides_;
   std::vector<char> held_;  // by geometry id
-  std::vector<PointLight> point_lights_;
-  std::vector<DirectionalLight> directional_lights_;
 };
 
 }  // namespace saccade

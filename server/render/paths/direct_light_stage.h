@@ -54,6 +54,7 @@ void directLight(const Batch<K.channels>& b) {
     const auto u = [&](int k) { return numbersAt<W, K.split>(b, numbers, kLight + k); };
     const auto light = sampleLights<W, C>(b.t, ray.origin, u(0), u(1), u(2), lanesOf(lanes));
     lanes = lanes && light.pdf > 0.f && dot(light.direction, ng) > 0.f;
+    if constexpr (K.split) lanes = lanes && light.delta == 0.f;
     const F cosine = dot(light.direction, ns);
     const auto f = evaluateLanes<W, K>(b, first, light.direction, ns, cosine, lanesOf(lanes));
     lanes = lanes && f.pdf > 0.f;

@@ -64,7 +64,7 @@ template <int W, int C>
     setLane(light.radiance, i, Color<C>(one.radiance) * strength);
     light.reach[i] = one.reach, light.pdf[i] = one.pdf;
     light.delta[i] = one.delta ? 1.f : 0.f;
-    light.closed_form[i] = t.scene.still().analyticLight().holds(one) ? 1.f : 0.f;
+    light.closed_form[i] = t.scene.still().analyticLight().holds(one.geometry) ? 1.f : 0.f;
   });
   return light;
 }

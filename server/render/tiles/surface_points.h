@@ -6,6 +6,7 @@
 #include "base/scratch.h"
 #include "render/primary/sub_pixels_shown.h"
 #include "render/surface/scatter.h"
+#include "render/tiles/delta_light.h"
 #include "render/tiles/surface_start.h"
 #include "render/tiles/tile_samples.h"
 
@@ -76,6 +77,27 @@ class TilePoints {
     });
   }
 
+  // Adds the light of lamps without extent to what pixels emit.
+  void addDeltaLight() {
+    const SurfaceSamples& on = *out_.surfaces;
+    DeltaLight<S> light(view_.now.scene, out_);
+    forEachPixel(tile_, [&](int x, int y) {
+      for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
+        const float share = on.at(column, y).share;
+        if (share <= 0) continue;
+        const float scale = share * out_.g.albedo.at(x, y);
+        if (isPlain(column, y)) {
+          const PlainStart start = plainStart(column, y);
+          light.add(x, y, start, scale / start.albedo);
+        } else {
+          const SurfaceStart& start = memory_->others[indexOf(column, y)];
+          light.add(x, y, start, scale / start.albedo);
+        }
+      }
+    });
+    light.finish();
+  }
+
   // Copies where paths start, of points that may get any.
   void keepStarts(SurfaceStarts& starts) const {
     const SurfaceSamples& on = *out_.surfaces;
@@ -120,8 +142,11 @@ class TilePoints {
   void keepStart(int column, int y, SurfaceStarts& starts) const {
     const std::size_t i = out_.surfaces->indexOf(column, y);
     if (!isPlain(column, y)) return starts.set(i, memory_->others[indexOf(column, y)]);
-    const int lane = (y - tile_.y0) % kBlockEdge * kBlockEdge + (column - tile_.x0) % kBlockEdge;
-    starts.set(i, PlainStart(memory_->plain[blockOf(column, y)], lane));
+    starts.set(i, plainStart(column, y));
+  }
+  PlainStart plainStart(int x, int y) const {
+    const int lane = (y - tile_.y0) % kBlockEdge * kBlockEdge + (x - tile_.x0) % kBlockEdge;
+    return {memory_->plain[blockOf(x, y)], lane};
   }
 
   std::size_t blockOf(int x, int y) const {
@@ -149,6 +174,7 @@ void renderSurfaceTile(const PixelContext& view, Tile tile, const std::function<
         [&](int x, int y, const PrimaryHit& hit) { points.set(x, y, hit); });
   else
     forEachPixel(tile, [&](int x, int y) { points.setJittered(x, y); });
+  if (!view.now.scene.still().deltaLamps().empty()) points.addDeltaLight();
   on_tile(tile);
   points.keepStarts(starts);
 }

@@ -19,6 +19,7 @@ RenderScene::RenderScene(Scene scene)
       straight_(scene_, EmbreeScene::Shapes::kStraight),
       lights_(scene_, geometry_.diagonal() / 2),
       analytic_light_(scene_),
+      delta_lamps_(scene_),
       light_columns_(lights_, analytic_light_),
       shape_rows_(saccade::shapeRows(scene_)),
       shading_(shadingOf(scene_)),

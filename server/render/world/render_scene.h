@@ -8,6 +8,7 @@
 
 #include "frame/obstacles.h"
 #include "render/lights/analytic_light.h"
+#include "render/lights/delta_lamps.h"
 #include "render/lights/light_columns.h"
 #include "render/lights/lights.h"
 #include "render/surface/surface.h"
@@ -36,6 +37,7 @@ class RenderScene : public Obstacles {
   const LightColumns& lightColumns() const { return light_columns_; }
   const std::vector<ShapeRow>& shapeRows() const { return shape_rows_; }
   const AnalyticLight& analyticLight() const { return analytic_light_; }
+  const DeltaLamps& deltaLamps() const { return delta_lamps_; }
   Shading shading() const { return shading_; }  // what the scene has
   int channels() const { return channels_; }
   Hits find(const ProbeRays& rays) const override;
@@ -60,6 +62,7 @@ class RenderScene : public Obstacles {
   EmbreeScene geometry_, emitters_, straight_;
   Lights lights_;
   AnalyticLight analytic_light_;
+  DeltaLamps delta_lamps_;
   LightColumns light_columns_;
   std::vector<ShapeRow> shape_rows_;
   Shading shading_;

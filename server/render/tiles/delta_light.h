@@ -1,0 +1,73 @@
+// The direct light of lamps without extent, at the surfaces that pixels show: exact, by one shadow ray for each
+// pixel and lamp.
+#pragma once
+
+#include "render/surface/scatter.h"
+#include "render/tiles/surface_start.h"
+#include "render/tiles/tile_shadow_rays.h"
+
+namespace saccade {
+
+// f |cos| of a start for light from the unit direction w.
+template <Shading S>
+Rgb scattered(const PlainStart& start, Vec3 w) {
+  const float cosine = dot(w, start.geometric_normal) > 0 ? dot(w, start.shading_normal) : 0;
+  return start.reflectance * (std::max(0.f, cosine) * std::numbers::inv_pi_v<float>);
+}
+template <Shading S>
+Rgb scattered(const SurfaceStart& start, Vec3 w) {
+  return Scatter<S>(start.path.surface, start.path.direction).evaluate(w).value;
+}
+
+inline Vec3 leave(const RenderScene& scene, const PlainStart& start) {
+  return start.point + start.geometric_normal * scene.epsilon();
+}
+inline Vec3 leave(const RenderScene& scene, const SurfaceStart& start) {
+  return scene.leave(start.path.surface);
+}
+
+// Adds the light of points to what their pixels emit. A point with more than one pixel's share of albedo... 
+template <Shading S>
+class DeltaLight {
+ public:
+  DeltaLight(const PosedScene& scene, Frame& out) : tracing_{scene, 0, {}}, out_(out), rays_(tracing_, add_) {}
+
+  // `scale`: of the light that the start reflects, to that of its pixel.
+  void add(int x, int y, const auto& start, float scale) {
+    const RenderScene& scene = tracing_.scene.still();
+    const DeltaLamps& lamps = scene.deltaLamps();
+    const Vec3 origin = leave(scene, start);
+    for (std::size_t i = 0; i < lamps.size(); ++i) {
+      const IncidentLight light = lamps.at(i, origin);
+      const Rgb reflected = scattered<S>(start, light.direction) * light.radiance;
+      if (!(luminance(reflected) * scale > 0)) continue;
+      pending_[next_] = {x, y, reflected * scale};
+      rays_.add({origin, light.segment, light.reach, next_});
+      next_ = (next_ + 1) % kPending;
+    }
+  }
+  void finish() { rays_.finish(); }
+
+ private:
+  struct Pending {
+    int x, y;
+    Rgb light;
+  };
+  struct Add {
+    DeltaLight& to;
+    void operator()(const ShadowRay& ray, Rgb fraction) const {
+      const Pending& p = to.pending_[ray.owner];
+      to.out_.g.emission.at(p.x, p.y) += luminance(p.light * fraction);
+    }
+  };
+  static constexpr std::uint32_t kPending = 16;  // at least the rays of a packet
+
+  const Tracing tracing_;
+  Frame& out_;
+  const Add add_{*this};
+  std::array<Pending, kPending> pending_;
+  std::uint32_t next_ = 0;
+  TileShadowRays<S, Add> rays_;
+};
+
+}  // namespace saccade

@@ -1,0 +1,54 @@
+// Shadow rays from the points of a tile, traced in packets.
+#pragma once
+
+#include "render/paths/surface_stages.h"
+#include "render/world/ray_packet.h"
+
+namespace saccade {
+
+struct ShadowRay {
+  Vec3 origin, segment;
+  float reach;          // its end, in lengths of the segment
+  std::uint32_t owner;  // who asks
+};
+
+// Calls on_end(ray, fraction) for each ray, in the order in which they were added. The fraction is that of
+// light which arrives: 0 behind a surface, less than 1 behind panes and masks.
+template <Shading S, class OnEnd>
+class TileShadowRays {
+ public:
+  TileShadowRays(const Tracing& t, const OnEnd& on_end) : t_(t), on_end_(on_end) {}
+
+  void add(const ShadowRay& ray) {
+    rays_[count_] = ray;
+    packet_.set(count_++, {ray.origin, ray.segment, ray.reach});
+    if (count_ == kRays) finish();
+  }
+  void finish() {
+    if (count_ == 0) return;
+    const EmbreeScene& all = t_.scene.still().geometry();
+    all.occluded(packet_, LaneSet::first(count_));
+    for (int i = 0; i < count_; ++i) on_end_(rays_[i], packet_.far[i] < 0 ? Rgb{} : throughPanes(rays_[i]));
+    count_ = 0;
+  }
+
+ private:
+  static constexpr int kRays = 8;
+
+  Rgb throughPanes(const ShadowRay& ray) const {
+    if (!has_panes_) return {1, 1, 1};
+    const Ray straight{ray.origin, ray.segment, ray.reach};
+    const Hit hit = t_.scene.still().straight().intersect(straight);
+    return hit.valid ? transmit_(t_, straight, hit).fraction : Rgb{1, 1, 1};
+  }
+
+  const Tracing& t_;
+  const OnEnd& on_end_;
+  const bool has_panes_ = S.extras && t_.scene.still().hasStraightTransmission();
+  const decltype(SurfaceStages<1>::transmit) transmit_ = surfaceStages<S, 1, true>().transmit;
+  RayPacket<kRays> packet_{has_panes_ ? kBlockingMask : kBlockingMask | kStraightMask};
+  std::array<ShadowRay, kRays> rays_;
+  int count_ = 0;
+};
+
+}  // namespace saccade
