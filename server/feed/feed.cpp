@@ -74,6 +74,8 @@ void Feed::render(const PoolHandle& pool) {
       renderer_.renderSurfaces(view, pool, frame, [&](Tile tile) { method->readBaked(tile, frame); });
   const BounceGrid* known = method->plan(config_.spp, next, pool, times_);
   times_[Stage::kTrace] += next.time + renderer_.renderPaths(view.now, seeds, next, known, pool);
+  if (frame.index > 0)
+    times_[Stage::kTrace] += renderer_.traceShadows(view, frame, frames_.pair().prev, pool);
 }
 
 Camera Feed::cameraAt(TimeNs t) const {

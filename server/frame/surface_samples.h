@@ -55,6 +55,15 @@ struct SurfaceLight {
   BounceSample bounce;   // of the last of the paths that did not end at known light
 };
 
+// The visibility of the lamps in closed form, by shadow rays from a point and from that of the frame before.
+struct SurfaceShadow {
+  float wanted = 0;            // variance of visibility that the method cannot tell; 0: there are no rays
+  float now = 1, before = 1;   // visibility
+  float trust = 0;             // in it, against what else is known of visibility, [0, 1]
+  float variance = 0;          // of it, in one frame
+  float step_variance = 0;     // of its change
+};
+
 // The points of all pixels. A pixel shows `per_pixel` at most: one, unless there is jitter. Those of pixel x
 // are the columns from x * per_pixel on.
 class SurfaceSamples {
@@ -64,7 +73,8 @@ class SurfaceSamples {
         columns_(width * per_pixel),
         points_(std::size_t(columns_) * height),
         places_(points_.size()),
-        lights_(points_.size()) {}
+        lights_(points_.size()),
+        shadows_(points_.size()) {}
 
   int perPixel() const { return per_pixel_; }
   int columns() const { return columns_; }
@@ -81,6 +91,8 @@ class SurfaceSamples {
   const SurfacePlace& place(std::size_t index) const { return places_[index]; }
   SurfaceLight& light(std::size_t index) { return lights_[index]; }
   const SurfaceLight& light(std::size_t index) const { return lights_[index]; }
+  std::vector<SurfaceShadow>& shadows() { return shadows_; }
+  const std::vector<SurfaceShadow>& shadows() const { return shadows_; }
   // Of the point with an index.
   int columnOf(std::uint32_t index) const {
     return static_cast<int>(index % static_cast<std::uint32_t>(columns_));
@@ -112,6 +124,7 @@ class SurfaceSamples {
   std::vector<SurfacePoint> points_;
   std::vector<SurfacePlace> places_;
   std::vector<SurfaceLight> lights_;
+  std::vector<SurfaceShadow> shadows_;
 };
 
 }  // namespace saccade

@@ -100,15 +100,22 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
   SurfaceSamples& on = *next.frame.surfaces;
   std::swap(at_, at_prev_);
   std::swap(uncertainty_, uncertainty_prev_);
+  std::swap(shadow_detail_, shadow_detail_prev_);
   light_.enter(next.frame.light, frames_);
   SurfaceGrid& grid = light_.current().grid;
   if (light_.changed()) baked_.reset();
   catch_up_ = light_.changed() ? kCatchUp : std::max(catch_up_, 1u) - 1;
   if (frames_++ == 0)
-    for (ImageF* plane : {&uncertainty_, &uncertainty_prev_}) *plane = ImageF(on.columns(), on.height());
+    for (ImageF* plane : {&uncertainty_, &uncertainty_prev_, &shadow_detail_, &shadow_detail_prev_})
+      *plane = ImageF(on.columns(), on.height());
   Placement none;
   times[Stage::kTemporal] += grid.place(on, &next.obstacles, pool, light_.changed() ? none : at_prev_, at_);
-  times[Stage::kTemporal] += grid.uncertainty({on, next.frame.g, at_}, pool, uncertainty_);
+  times[Stage::kTemporal] += grid.uncertainty({on, next.frame.g, at_}, pool, uncertainty_, &shadow_detail_);
+  times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
+    for (int column = 0; column < on.columns(); ++column)
+      on.shadows()[on.indexOf(column, y)].wanted =
+          std::max(shadow_detail_.at(column, y), shadow_detail_prev_.at(column, y));
+  });
   const BounceGrid* known = &light_.current().bounces;
   if (!on.needPaths()) return known;
   const auto asked = static_cast<float>(spp);
@@ -171,8 +178,9 @@ void IrradianceCache::fillUncached(const FramePair& frames, const PoolHandle& po
 void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   if (frames.cur.surfaces->needPaths()) light_.current().bounces.add(*frames.cur.surfaces);
   if (at_.empty() && at_prev_.empty()) return;
-  const FrameOnGrid cur{*frames.cur.surfaces, frames.cur.g, at_};
-  const FrameOnGrid prev{*frames.prev.surfaces, frames.prev.g, at_prev_};
+  const auto* shadows = frames.is_first ? nullptr : &frames.cur.surfaces->shadows();
+  const FrameOnGrid cur{*frames.cur.surfaces, frames.cur.g, at_, shadows};
+  const FrameOnGrid prev{*frames.prev.surfaces, frames.prev.g, at_prev_, shadows, &SurfaceShadow::before};
   GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
   SurfaceGrid &grid = light_.current().grid, &grid_prev = light_.previous().grid;
   const SurfaceGrid::Added added = grid.add(cur, pool);

@@ -60,7 +60,9 @@ class IrradianceCache final : public SurfaceMethod {
   std::shared_ptr<const BakedLight> baked_;
   Placement at_, at_prev_;
   std::array<GridEstimate, 2> estimates_;
-  ImageF uncertainty_, uncertainty_prev_;  // with the columns of SurfaceSamples
+  // With the columns of SurfaceSamples.
+  ImageF uncertainty_, uncertainty_prev_;
+  ImageF shadow_detail_, shadow_detail_prev_;
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;               // D[i_{t-1}]
   std::uint32_t frames_ = 0;    // planned so far

@@ -69,6 +69,8 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
   const Shading has = scene.shading();
   const bool plain_only =
       has.diffuseOnly() && !has.extras && view.now.camera.isPlain() && out.surfaces->perPixel() == 1;
+  std::swap(starts_, starts_before_);
+  shadows_.next(out.surfaces->indexOf(0, out.height()));
   starts_.resize(out.surfaces->indexOf(0, out.height()), plain_only);
   const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
@@ -90,6 +92,12 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
                           [&](Tile t) { tile(seeds, tracing, t, starts_, out); });
+}
+
+std::chrono::nanoseconds Renderer::traceShadows(const PixelContext& view, Frame& now, const Frame& before,
+                                                const PoolHandle& pool) {
+  return shadows_.trace({view.now.scene, now, starts_}, {view.before.scene, before, starts_before_}, pool,
+                        now.surfaces->shadows());
 }
 
 void Renderer::renderStill(const PixelContext& view, std::uint64_t seed, int spp, const PoolHandle& pool,

@@ -10,6 +10,7 @@
 #include "frame/seed_plan.h"
 #include "frame/surface_frame.h"
 #include "render/camera/pixel_context.h"
+#include "render/tiles/lamp_shadows.h"
 #include "render/tiles/surface_start.h"
 
 namespace saccade {
@@ -40,6 +41,11 @@ class Renderer {
   std::chrono::nanoseconds renderPaths(const PosedView& view, const SeedPlan& seeds, const SurfaceFrame& next,
                                        const BounceGrid* known, const PoolHandle& pool);
 
+  // Traces the shadow rays that SurfaceSamples::shadows of a frame ask for, at its points and at those of the
+  // frame before. Called after renderPaths() of the frame.
+  std::chrono::nanoseconds traceShadows(const PixelContext& view, Frame& now, const Frame& before,
+                                        const PoolHandle& pool);
+
   // Renders one picture in colour, into three planes. All of the `spp` paths per pixel start at
   // its centre. Features go to `out.g`; `out.samples` does not change.
   void renderStill(const PixelContext& view, std::uint64_t seed, int spp, const PoolHandle& pool, Frame& out,
@@ -47,7 +53,9 @@ class Renderer {
 
  private:
   RenderSettings settings_;
-  SurfaceStarts starts_;  // of renderSurfaces(), of points that may get paths
+  // Of renderSurfaces(), of points that may get paths: of the last frame, and of the one before it.
+  SurfaceStarts starts_, starts_before_;
+  LampShadows shadows_;
 };
 
 }  // namespace saccade

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "cache/grid/cut_search.h"
 #include "cache/grid/vertex_search.h"
@@ -43,8 +44,9 @@ SurfaceGrid::Time forEachBand(const SurfaceSamples& on, const PoolHandle& pool, 
 // Adds the estimates at a few points to their pixels.
 void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes, const FrameOnGrid& frame,
                   float cell_px, GridEstimate& out) {
-  const auto& [on, g, at] = frame;
+  const auto& [on, g, at, shadows, visibility] = frame;
   LaneMemory<2> of_points;  // unoccluded light, and motion in finest cells
+  LaneMemory<4> of_rays;    // visibility by rays
   std::array<int, kPointLanes> x, y;
   for (int i = 0; i < lanes.count; ++i) {
     const GridPoint& p = at.points[lanes.points[i]];
@@ -52,12 +54,20 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
     const float mx = g.motion_x.at(x[i], y[i]), my = g.motion_y.at(x[i], y[i]);
     of_points.values[0][i] = on.place(p.index).unoccluded;
     of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / cell_px;
+    if (shadows)
+      if (const SurfaceShadow& s = (*shadows)[p.index]; s.wanted > 0)
+        of_rays.set(i, std::array{s.*visibility, s.trust, s.variance, s.step_variance});
   }
   const auto [U, cells] = of_points.lanes();
   LaneMemory<3> estimate;
-  store(blend.value(U), estimate.values[0]);
-  store(blend.variance(U), estimate.values[1]);
-  store(blend.stepVariance(U, cells), estimate.values[2]);
+  const auto [V, trust, variance, step_variance] = of_rays.lanes();
+  const auto rest = 1.f - trust, in_all = U * U * trust * trust;
+  store(blend.value(U) + trust * U * (V - blend.visibility.value), estimate.values[0]);
+  store(blend.residual.variance + U * U * rest * rest * blend.visibility.variance + in_all * variance,
+        estimate.values[1]);
+  store(blend.residual.stepVariance(cells) + U * U * rest * rest * blend.visibility.stepVariance(cells) +
+            in_all * step_variance,
+        estimate.values[2]);
   for (int i = 0; i < lanes.count; ++i) {
     const float share = on[at.points[lanes.points[i]].index].share;
     out.i.at(x[i], y[i]) += share * estimate.values[0][i];
@@ -152,13 +162,26 @@ void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
   }
 }
 
+// The energy of visibility's detail, where it is a visible share of the light.
+static float shadowDetail(const Octet& e, bool known, float U, float light, float tau) {
+  static const float kUnknownDetail = std::getenv("SD_UNKNOWN") ? std::atof(std::getenv("SD_UNKNOWN")) : 0.02f;
+  static const float kLeast = std::getenv("SD_LEAST") ? std::atof(std::getenv("SD_LEAST")) : 0.02f;
+  static const float kTau = std::getenv("SD_TAU") ? std::atof(std::getenv("SD_TAU")) : 1;
+  if (!known) return kUnknownDetail;
+  const float energy = std::max(0.f, e[4] - kTau * tau * std::sqrt(e[5])) / e[7];
+  return U * std::sqrt(energy) > kLeast * light ? energy : 0;
+}
+
 SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolHandle& pool,
-                                           ImageF& out) const {
+                                           ImageF& out, ImageF* shadow_detail) const {
   const SurfaceSamples& on = frame.on;
   const Placement& at = frame.at;
   const int slot = params_.pixelSlot();
   return forEachBand(on, pool, [&](int band, int y0, int y1) {
-    for (int y = y0; y < y1; ++y) std::fill_n(out.row(y), out.width(), 0.f);
+    for (int y = y0; y < y1; ++y) {
+      std::fill_n(out.row(y), out.width(), 0.f);
+      if (shadow_detail) std::fill_n(shadow_detail->row(y), out.width(), 0.f);
+    }
     const auto [first, end] = at.ofBand(band);
     for (std::size_t i = first; i < end; ++i) {
       const GridPoint& p = at.points[i];
@@ -171,6 +194,9 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolH
       const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
       out.at(on.columnOf(p.index), on.rowOf(p.index)) =
           known ? std::sqrt(variance) / std::max(light, 1e-6f) : kUnknown;
+      if (shadow_detail && U > 0)
+        shadow_detail->at(on.columnOf(p.index), on.rowOf(p.index)) =
+            shadowDetail(e, shadows, U, light, params_.blend.tau);
     }
   });
 }

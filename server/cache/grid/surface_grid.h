@@ -47,6 +47,9 @@ struct FrameOnGrid {
   const SurfaceSamples& on;
   const GBuffer& g;
   const Placement& at;
+  // Visibility by rays at its points, of SurfaceSamples::shadows; nullptr: there is none.
+  const std::vector<SurfaceShadow>* shadows = nullptr;
+  float SurfaceShadow::*visibility = &SurfaceShadow::now;
 };
 
 class SurfaceGrid {
@@ -65,7 +68,9 @@ class SurfaceGrid {
   // Relative standard deviation of the mean over a cell of about two pixels at the points of a frame. It does
   // not matter whether its detail is believed. It is kUnknown where nothing is known yet, and 0 where there
   // is no point. `out` has the columns of `on`.
-  Time uncertainty(const FrameOnGrid& frame, const PoolHandle& pool, ImageF& out) const;
+  // `shadow_detail`: variance of visibility over the finest cells, as far as it counts; may be nullptr.
+  Time uncertainty(const FrameOnGrid& frame, const PoolHandle& pool, ImageF& out,
+                   ImageF* shadow_detail = nullptr) const;
   // The steps that a frame has gone through.
   struct Added {
     FrameOnGrid frame;

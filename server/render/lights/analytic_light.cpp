@@ -10,7 +10,6 @@
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMaxSides = 16;  // more cost more than their shadows tell
 constexpr std::size_t kMaxCorners = 8;
 
 struct Polygon {
@@ -37,7 +36,7 @@ Polygon above(const Polygon& in, Vec3 n) {
 }
 
 // Share of the cosine-weighted hemisphere about n that a polygon above the horizon covers [Lambert 1760].
-float formFactor(const Polygon& polygon, Vec3 n) {
+float shareOfHemisphere(const Polygon& polygon, Vec3 n) {
   std::array<Vec3, kMaxCorners> unit;
   for (std::size_t i = 0; i < polygon.count; ++i) unit[i] = normalize(polygon.corners[i]);
   float sum = 0;
@@ -76,27 +75,32 @@ void AnalyticLight::addSides(const Mesh& mesh, std::uint32_t geometry) {
   held_[geometry] = true;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto [a, b, c] = mesh.triangles[i];
-    Side side{{mesh.positions[a], mesh.positions[b], mesh.positions[c]}, {}, mesh.radiance, geometry};
-    const Vec3 normal = cross(side.corners[1] - side.corners[0], side.corners[2] - side.corners[0]);
+    Side side{{mesh.positions[a], mesh.positions[b], mesh.positions[c]}, {}, 0, mesh.radiance, geometry};
+    const auto edge = [&](std::size_t k) { return side.corners[k] - side.corners[0]; };
+    const Vec3 normal = cross(edge(1), edge(2));
     if (dot(normal, normal) == 0) continue;
-    side.normal = normalize(normal);
-    if (isQuad(mesh, i)) side.corners.push_back(mesh.positions[mesh.triangles[++i][2]]);
+    side.normal = normalize(normal), side.area = length(normal) / 2;
+    if (isQuad(mesh, i)) {
+      side.corners.push_back(mesh.positions[mesh.triangles[++i][2]]);
+      side.area += length(cross(edge(2), edge(3))) / 2;
+    }
     sides_.push_back(std::move(side));
   }
 }
 
-Rgb AnalyticLight::from(const Side& side, const LitPoint& p, float strength) {
-  if (!seesLamp<float>(p.point, side.corners, side.normal)) return {};
+float AnalyticLight::formFactor(const Side& side, const LitPoint& p) {
+  if (!seesLamp<float>(p.point, side.corners, side.normal)) return 0;
   Polygon seen;
   for (const Vec3 corner : side.corners) seen.add(corner - p.point);
   seen = above(seen, p.normal);
   if (!(p.normal == p.geometric_normal)) seen = above(seen, p.geometric_normal);
-  return side.radiance * (formFactor(seen, p.normal) * strength);
+  return shareOfHemisphere(seen, p.normal);
 }
 
 Rgb AnalyticLight::at(const LitPoint& p, const EmitterStrengths& strengths) const {
   Rgb sum;
-  for (const Side& side : sides_) sum = sum + from(side, p, strengths[side.geometry]);
+  for (const Side& side : sides_)
+    sum = sum + side.radiance * (formFactor(side, p) * strengths[side.geometry]);
   return sum;
 }
 

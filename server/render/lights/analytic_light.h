@@ -24,10 +24,24 @@ struct LitPoints {
 
 class AnalyticLight {
  public:
+  static constexpr std::size_t kMaxSides = 16;  // of all lamps: more cost more than their shadows tell
+
+  struct Side {
+    std::vector<Vec3> corners;  // of a convex polygon, counter-clockwise as seen from the lit side
+    Vec3 normal;                // unit
+    float area;
+    Rgb radiance;
+    std::uint32_t geometry;
+  };
+
   explicit AnalyticLight(const Scene& scene);
 
   // Whether at() holds the light of an emitter, by its geometry id.
   bool holds(std::uint32_t geometry) const { return geometry < held_.size() && held_[geometry]; }
+
+  const std::vector<Side>& sides() const { return sides_; }
+  // The share of the cosine-weighted hemisphere above a point that a side covers.
+  static float formFactor(const Side& side, const LitPoint& p);
 
   // Radiance that a white diffuse surface would reflect: irradiance / pi.
   Rgb at(const LitPoint& p, const EmitterStrengths& strengths) const;
@@ -36,14 +50,7 @@ class AnalyticLight {
           LaneVectors& result) const;
 
  private:
-  struct Side {
-    std::vector<Vec3> corners;  // of a convex polygon, counter-clockwise as seen from the lit side
-    Vec3 normal;                // unit
-    Rgb radiance;
-    std::uint32_t geometry;
-  };
   void addSides(const Mesh& mesh, std::uint32_t geometry);
-  static Rgb from(const Side& side, const LitPoint& p, float strength);
 
   std::vector<Side> sides_;
   std::vector<char> held_;  // by geometry id

@@ -46,6 +46,13 @@ struct PlainStart {
 class SurfaceStarts {
  public:
   // `plain_only`: there is no start of another kind.
+  SurfaceStarts() = default;
+  SurfaceStarts(SurfaceStarts&& other) { *this = std::move(other); }
+  SurfaceStarts& operator=(SurfaceStarts&& other) {
+    plain_.swap(other.plain_), others_.swap(other.others_), is_plain_.swap(other.is_plain_);
+    any_ = other.any_.load(), any_of_others_ = other.any_of_others_.load();
+    return *this;
+  }
   void resize(std::size_t points, bool plain_only) {
     plain_.resize(points), is_plain_.resize(points), others_.resize(plain_only ? 0 : points);
     any_ = any_of_others_ = false;

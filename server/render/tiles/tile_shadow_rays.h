@@ -10,6 +10,7 @@ struct ShadowRay {
   Vec3 origin, segment;
   float reach;          // its end, in lengths of the segment
   std::uint32_t owner;  // who asks
+  float weight = 1;     // of its light
 };
 
 // Calls on_end(ray, fraction) for each ray, in the order in which they were added. The fraction is that of
