@@ -70,7 +70,7 @@ TEST_F(CellsCommand, TellsWhichCellsItLeavesOut) {
   ASSERT_EQ(cells(scene + " --motions right --speeds 1 --frames 1"), 0) << text("log");
   expectContains(text("log"), "lamp right 1px 1: left out: only ");
   expectContains(text("log"), "left out: 1 of 1 cells\n");
-  expectContains(text("out/ratios.csv"), "\nlamp,right,1,1,,,,,,,,,left out: only ");
+  expectContains(text("out/ratios.csv"), "\nlamp,right,1,1,,,,,,,,,,left out: only ");
 }
 
 TEST_F(CellsCommand, NamesTheFlagThatIsWrong) {

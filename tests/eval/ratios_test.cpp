@@ -31,13 +31,12 @@ TEST(RatioOf, IsToTheBetterBaselineOfEachColumn) {
 TEST(RatioOf, ReadsEachColumn) {
   Result r = result("x", 0);
   double next = 0;
-  for (double* figure : {&r.cpu_ms, &r.score.dI_l1, &r.score.dL_l1, &r.score.false_events,
-                         &r.score.missed_events, &r.score.sigma_dL, &r.score.phase_error})
+  for (double* figure :
+       {&r.cpu_ms, &r.score.dI_l1, &r.score.dI_error, &r.score.dL_l1, &r.score.dL_error,
+        &r.score.false_events, &r.score.missed_events, &r.score.sigma_dL, &r.score.phase_error})
     *figure = ++next;
   next = 0;
   for (const ComparedColumn& c : kComparedColumns) EXPECT_EQ(c.of(r), ++next) << c.name;
-  for (const ComparedColumn& c : kComparedColumns)
-    EXPECT_EQ(c.is_dI, std::string(c.name) == "dI_l1") << c.name;
 }
 
 struct Marked {
@@ -69,7 +68,7 @@ TEST(RatioOf, PassesOverABaselineThatIsUnknown) {
   EXPECT_EQ(ratioOf(result("new", 1), baselines, column("dL_l1")).value, 0.2);
 }
 
-// The truth's own error is 0.1.
+// The truth's own error of dI is 0.1, and it has 0.01 false events, and as many missed ones, of its own.
 TEST(RatioOf, MarksBaselinesThatTheTruthCannotTell) {
   const auto ratio = [](const char* name, double baseline) {
     const std::vector<Result> baselines{result("old", baseline)};
@@ -78,7 +77,12 @@ TEST(RatioOf, MarksBaselinesThatTheTruthCannotTell) {
   EXPECT_EQ(ratio("dI_l1", 0.31).mark, Mark::kNone);
   EXPECT_EQ(ratio("dI_l1", 0.29).mark, Mark::kNoise);
   EXPECT_DOUBLE_EQ(ratio("dI_l1", 0.25).value, 0.2);  // told, but not counted
-  EXPECT_EQ(ratio("dL_l1", 0.29).mark, Mark::kNone);
+  for (const char* events : {"false_events", "missed_events"}) {
+    EXPECT_EQ(ratio(events, 0.031).mark, Mark::kNone);
+    EXPECT_EQ(ratio(events, 0.029).mark, Mark::kNoise);
+  }
+  for (const char* noise_free : {"dL_l1", "dL_error", "dI_error", "sigma_dL"})
+    EXPECT_EQ(ratio(noise_free, 0.001).mark, Mark::kNone) << noise_free;
 }
 
 TEST(Summarize, IsTheGeometricMeanOfWhatCounts) {

@@ -56,6 +56,8 @@ TEST(ReferenceChange, ByHand) {
   const ReferenceChange truth(prev, cur);
   EXPECT_EQ(truth.half_a.at(0, 0), 3);
   EXPECT_EQ(truth.half_b.at(0, 0), 1);
+  EXPECT_EQ(truth.prev_a.at(0, 0), 1);
+  EXPECT_EQ(truth.prev_b.at(0, 0), 2);
   EXPECT_EQ(truth.change.dI.at(0, 0), 2);
   EXPECT_EQ(truth.change.I_prev.at(0, 0), 1.5);
   EXPECT_EQ(truth.change.I_now.at(0, 0), 3.5);

@@ -20,7 +20,7 @@ struct Fixture : ::testing::Test {
 };
 
 Result makeResult() {
-  Result r{"box", "svgf:alpha=0.2", 4, 12.5, 10, 0.67, 0.05, {}, {}};
+  Result r{"box", "svgf:alpha=0.2", 4, 12.5, 10, 0.67, 0.05, 0.002, {}, {}};
   r.seed_error.dI_l1 = 0.0625;
   r.score.dI_l1 = 0.25;
   r.score.dI_mape = std::numeric_limits<double>::infinity();  // where the truth stands still
@@ -35,6 +35,7 @@ TEST_F(Fixture, RowsOfAnEarlierRunAreRead) {
   EXPECT_NE(table.find("box", "svgf:alpha=0.2", 4), nullptr);
   EXPECT_EQ(table.find("box", "svgf", 4), nullptr);
   EXPECT_EQ(table.rows()[0].cpu_ms, 12.5);
+  EXPECT_EQ(table.rows()[0].reference_events, 0.002);
   EXPECT_EQ(table.rows()[0].score.dI_l1, 0.25);
   EXPECT_EQ(table.rows()[0].seed_error.dI_l1, 0.0625);
   EXPECT_EQ(table.rows()[0].score.dI_mape, std::numeric_limits<double>::infinity());
@@ -123,6 +124,7 @@ TEST_F(Fixture, RowsOfAnEarlierRunAreNotMeasuredAgain) {
   EXPECT_GT(measured.cpu_ms, measured.trace_ms);
   EXPECT_EQ(measured.px_per_frame, bench.medianPxPerFrame());
   EXPECT_EQ(measured.reference_error, bench.referenceError());
+  EXPECT_EQ(measured.reference_events, ownFalseEvents(bench.truth(), o.bias, o.threshold));
   EXPECT_GT(measured.score.noise_dL, 0);  // known by the repeats
 
   // The standard error of two values is half their distance.

@@ -61,13 +61,15 @@ std::vector<First> listOf(First first, Rest... rest) {
 constexpr std::uint32_t kSmooth = region::kSmooth, kCurved = region::kCurved, kChanged = region::kChanged;
 constexpr double kTolerance = 1e-6, kInfinity = std::numeric_limits<double>::infinity();
 
-TEST(Score, OfTheTruthItselfIsZeroInEveryColumn) {
+TEST(Score, OfTheTruthItselfIsZeroInEveryColumnAndAllOfItArrives) {
   const ImageF dL = plane({0.5f, -0.4f, 0.3f, 0.6f});
   const std::vector<std::uint32_t> regions{kSmooth, kCurved, kChanged, kSmooth};
   const auto truth = listOf(truthOf(dL, regions, 1), truthOf(dL, regions, 2));
   const Score score = scoreOf(truth, listOf(runOf(dL, dL), runOf(dL, dL)), kBias, kC);
-  for (const ScoreColumn& column : kScoreColumns)
-    EXPECT_NEAR(score.*column.value, 0, kTolerance) << column.name;
+  for (const ScoreColumn& column : kScoreColumns) {
+    const bool is_share = column.value == &Score::dI_share || column.value == &Score::dL_share;
+    EXPECT_NEAR(score.*column.value, is_share, kTolerance) << column.name;
+  }
 }
 
 TEST(Score, TellsTheRegionsApart) {
@@ -117,6 +119,26 @@ TEST(Score, IsFreeOfTheNoiseOfTheTruth) {
   const Score score = scoreOf(truth, off, kBias, kC);
   for (const double error : {score.rms_dL, score.rms_curved, score.bias_dL})
     EXPECT_NEAR(error, std::sqrt(0.04 - 0.01), kTolerance);
+}
+
+// The halves are as above, and each has its own denominator. Half of the change arrives.
+TEST(Score, ComparesWithEachHalfByItself) {
+  auto truth = listOf(truthOf(plane({0.2f, 0}), {kCurved, kCurved}, 1, 0.1f));
+  const auto half = listOf(runOf(plane({0.1f, 0})));
+  const Score score = scoreOf(truth, half, kBias, kC);
+  // (0.1 - 0.3) (0.1 - 0.1) + (0 - 0.1) (0 + 0.1), over 0.3 0.1 - 0.1 0.1
+  EXPECT_EQ(score.dL_error, 0);
+  EXPECT_NEAR(score.dL_share, 0.1 * 0.2 / (0.3 * 0.1 - 0.01), 1e-5);
+  const double a = std::expm1(0.3), b = std::expm1(0.1), off = std::expm1(0.1) * std::expm1(-0.1);
+  EXPECT_NEAR(score.dI_share, b * (a + b) / 2 / (a * b + off), 1e-5);
+  // The first pixel: 0.3 has an event at each phase, and 0.1 at half of them. The second: 0.1 and -0.1 have
+  // theirs at other phases.
+  EXPECT_NEAR(ownFalseEvents(truth, kBias, kC), (0.1 + 0.2) / kC / 2 / 4, kTolerance);
+
+  // With half the denominator in half b, its first dL is log(1 + 2 dI). There is nothing to fall from.
+  truth[0].prev_b.fill(0);
+  const double in_a = 0.3, in_b = std::log1p(2 * b);
+  EXPECT_NEAR(scoreOf(truth, half, kBias, kC).dL_share, 0.1 * (in_a + in_b) / 2 / (in_a * in_b), 1e-5);
 }
 
 // The change comes two frames of 10 ms late. The number of events is right, but all are in other voxels and
@@ -189,6 +211,8 @@ TEST(Score, IsInfiniteWhereTheTruthStandsStill) {
   for (const double error :
        {score.dI_l1, score.dI_mape, score.dL_l1, score.dL_mape, score.count_error, score.voxel_error})
     EXPECT_EQ(error, kInfinity);
+  for (const double unknown : {score.dI_error, score.dI_share, score.dL_error, score.dL_share})
+    EXPECT_TRUE(std::isnan(unknown));
   EXPECT_NEAR(score.false_events, 0.3 / kC, kTolerance);
 }
 

@@ -32,7 +32,7 @@ Ratio ratioOf(const Result& candidate, const std::vector<Result>& baselines, con
   const double least = column.of(*base);
   if (least <= 0) return {kNaN, base, Mark::kNoBase};
   if (figure <= 0) return {0, base, Mark::kNothing};
-  const bool is_told = !column.is_dI || least >= kTold * base->reference_error;
+  const bool is_told = !column.reference || least >= kTold * base->*column.reference;
   return {figure / least, base, is_told ? Mark::kNone : Mark::kNoise};
 }
 

@@ -12,15 +12,17 @@ namespace saccade::eval {
 
 struct ComparedColumn {
   const char* name;
-  double (*of)(const Result&);  // lower is better
-  bool is_dI = false;           // Result::reference_error is in this unit
+  double (*of)(const Result&);          // lower is better
+  double Result::*reference = nullptr;  // the truth's own error in this unit, where it counts as an error
 };
-inline constexpr std::array<ComparedColumn, 7> kComparedColumns{{
+inline constexpr std::array<ComparedColumn, 9> kComparedColumns{{
     {"cpu_ms", [](const Result& r) { return r.cpu_ms; }},
-    {"dI_l1", [](const Result& r) { return r.score.dI_l1; }, true},
+    {"dI_l1", [](const Result& r) { return r.score.dI_l1; }, &Result::reference_error},
+    {"dI_error", [](const Result& r) { return r.score.dI_error; }},
     {"dL_l1", [](const Result& r) { return r.score.dL_l1; }},
-    {"false_events", [](const Result& r) { return r.score.false_events; }},
-    {"missed_events", [](const Result& r) { return r.score.missed_events; }},
+    {"dL_error", [](const Result& r) { return r.score.dL_error; }},
+    {"false_events", [](const Result& r) { return r.score.false_events; }, &Result::reference_events},
+    {"missed_events", [](const Result& r) { return r.score.missed_events; }, &Result::reference_events},
     {"sigma_dL", [](const Result& r) { return r.score.sigma_dL; }},
     {"phase_error", [](const Result& r) { return r.score.phase_error; }},
 }};
@@ -38,7 +40,7 @@ enum class Mark {
   kUnknown,  // a figure is unknown or infinite
   kNoBase,   // the baseline's figure is 0, or lost in the noise
   kNothing,  // the candidate's figure is 0, or lost in the noise: no factor, but a win
-  kNoise,    // the baseline's dI_l1 is below kTold times the error of the truth itself
+  kNoise,    // the baseline's figure is below kTold times the error of the truth itself
 };
 inline constexpr double kTold = 3;
 const char* textOf(Mark mark);  // for tables; empty for kNone

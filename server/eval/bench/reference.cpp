@@ -41,7 +41,10 @@ float fraction(float v) {
 ReferenceChange::ReferenceChange(const ReferenceFrame& prev, const ReferenceFrame& cur)
     : change(cur.a.width(), cur.a.height()),
       half_a(cur.a.width(), cur.a.height()),
-      half_b(cur.a.width(), cur.a.height()) {
+      half_b(cur.a.width(), cur.a.height()),
+      prev_a(cur.a.width(), cur.a.height()),
+      prev_b(cur.a.width(), cur.a.height()) {
+  prev_a.copyFrom(prev.a), prev_b.copyFrom(prev.b);
   // Of the mean of two halves.
   const auto variance = [](float a, float b) { return 0.25f * (a - b) * (a - b); };
   forEachPixel(half_a, [&](int x, int y) {

@@ -23,6 +23,7 @@ struct ReferenceChange {
   ReferenceChange(const ReferenceFrame& prev, const ReferenceFrame& cur);
   IntensityChange change;  // the mean of both halves, with its own variances; times are the caller's
   ImageF half_a, half_b;   // independent estimates of dI
+  ImageF prev_a, prev_b;   // and of I_prev
   double error() const;    // of dI: half the relative L1 distance of the halves
 };
 

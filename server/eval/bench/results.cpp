@@ -14,7 +14,7 @@ namespace {
 constexpr int kHeaderLines = 2;  // settings and names
 
 std::string header() {
-  std::string names = "scene,method,spp,cpu_ms,trace_ms,px_per_frame,reference_error";
+  std::string names = "scene,method,spp,cpu_ms,trace_ms,px_per_frame,reference_error,reference_events";
   for (const ScoreColumn& column : kScoreColumns) names += std::string(",") + column.name;
   for (const ScoreColumn& column : kScoreColumns) names += std::string(",") + column.name + "_seed_error";
   return names;
@@ -22,7 +22,8 @@ std::string header() {
 
 // The numbers of a row, in the order of the header.
 std::vector<double*> numbers(Result& r) {
-  std::vector<double*> values{&r.cpu_ms, &r.trace_ms, &r.px_per_frame, &r.reference_error};
+  std::vector<double*> values{&r.cpu_ms, &r.trace_ms, &r.px_per_frame, &r.reference_error,
+                              &r.reference_events};
   for (const ScoreColumn& column : kScoreColumns) values.push_back(&(r.score.*column.value));
   for (const ScoreColumn& column : kScoreColumns) values.push_back(&(r.seed_error.*column.value));
   return values;
@@ -110,13 +111,13 @@ void ResultTable::add(const Result& result) {
 }
 
 void printTable(const ResultTable& table) {
-  std::printf("%-36s %-40s %4s %8s %7s %7s %7s %7s %9s %9s %8s\n", "scene", "method", "spp", "CPU ms",
-              "ref.err", "dI L1", "dI MAPE", "dL L1", "false", "missed", "sigma dL");
+  std::printf("%-36s %-40s %4s %8s %7s %7s %7s %7s %8s %8s %9s %9s %8s\n", "scene", "method", "spp", "CPU ms",
+              "ref.err", "dI L1", "dI MAPE", "dL L1", "dL_error", "dL_share", "false", "missed", "sigma dL");
   for (const Result& r : table.rows()) {
     const Score& s = r.score;
-    std::printf("%-36s %-40s %4d %8.2f %7.3f %7.3f %7.2f %7.3f %9.5f %9.5f %8.5f\n", r.scene.c_str(),
-                r.method.c_str(), r.spp, r.cpu_ms, r.reference_error, s.dI_l1, s.dI_mape, s.dL_l1,
-                s.false_events, s.missed_events, s.sigma_dL);
+    std::printf("%-36s %-40s %4d %8.2f %7.3f %7.3f %7.2f %7.3f %8.3f %8.3f %9.5f %9.5f %8.5f\n",
+                r.scene.c_str(), r.method.c_str(), r.spp, r.cpu_ms, r.reference_error, s.dI_l1, s.dI_mape,
+                s.dL_l1, s.dL_error, s.dL_share, s.false_events, s.missed_events, s.sigma_dL);
   }
 }
 
@@ -126,6 +127,7 @@ Result measure(const Bench& truth, const Bench& bench, const std::string& name, 
   Result r;
   r.scene = name, r.method = method.text, r.spp = spp;
   r.px_per_frame = truth.medianPxPerFrame(), r.reference_error = truth.referenceError();
+  r.reference_events = ownFalseEvents(truth.truth(), o.bias, o.threshold);
   std::vector<BenchRun> runs;
   for (int seed = 1; seed <= o.repeats; ++seed) {
     runs.push_back(bench.run(method, spp, static_cast<std::uint64_t>(seed)));

@@ -16,6 +16,7 @@ struct Result {
   double cpu_ms = 0, trace_ms = 0;  // per frame
   double px_per_frame = 0;          // median motion
   double reference_error = 0;       // of the truth's dI, relative L1
+  double reference_events = 0;      // that its noise makes, ownFalseEvents()
   Score score{};
   Score seed_error{};  // standard error of each score over the seeds; NaN where one seed gives no score
 };

@@ -12,6 +12,7 @@
 #include "eval/metrics/event_rates.h"
 #include "eval/metrics/event_streams.h"
 #include "eval/metrics/for_each_pixel.h"
+#include "eval/metrics/noise_free_error.h"
 #include "eval/metrics/plane_error.h"
 
 namespace saccade::eval {
@@ -21,15 +22,15 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // One frame: the truth and the estimates of all repeats.
 struct ScoredFrame {
-  ScoredFrame(const Truth& truth, float bias)
-      : regions(truth.regions),
-        dI(truth.change.dI),
-        dL(brightnessChange(truth.change, bias)),
-        half_a(brightnessChange(truth.half_a, truth.change.I_prev, bias)),
-        half_b(brightnessChange(truth.half_b, truth.change.I_prev, bias)) {}
+  ScoredFrame(const Truth& of, float bias)
+      : truth(of),
+        regions(of.regions),
+        dL(brightnessChange(of.change, bias)),
+        half_a(brightnessChange(of.half_a, of.prev_a, bias)),
+        half_b(brightnessChange(of.half_b, of.prev_b, bias)) {}
+  const Truth& truth;
   const RegionMap& regions;
-  const ImageF& dI;
-  ImageF dL, half_a, half_b;  // halves: of dL; they share the denominator, whose noise is small
+  ImageF dL, half_a, half_b;  // halves: of dL, each with its own denominator
   struct Repeat {
     const ImageF& dI;
     ImageF dL;
@@ -88,12 +89,25 @@ void scorePlanes(const std::vector<ScoredFrame>& frames, Score& score) {
   Mean dI_l1, dI_mape, dL_l1, dL_mape;
   for (const ScoredFrame& f : frames) {
     for (const auto& repeat : f.repeats) {
-      dI_l1.add(relativeL1(repeat.dI, f.dI)), dI_mape.add(mape(repeat.dI, f.dI));
+      const ImageF& dI = f.truth.change.dI;
+      dI_l1.add(relativeL1(repeat.dI, dI)), dI_mape.add(mape(repeat.dI, dI));
       dL_l1.add(relativeL1(repeat.dL, f.dL)), dL_mape.add(mape(repeat.dL, f.dL));
     }
   }
   score.dI_l1 = dI_l1.value(), score.dI_mape = dI_mape.value();
   score.dL_l1 = dL_l1.value(), score.dL_mape = dL_mape.value();
+}
+
+void scoreHalves(const std::vector<ScoredFrame>& frames, Score& score) {
+  NoiseFreeError dI, dL;
+  for (const ScoredFrame& f : frames) {
+    for (const auto& repeat : f.repeats) {
+      dI.add(repeat.dI, f.truth.half_a, f.truth.half_b);
+      dL.add(repeat.dL, f.half_a, f.half_b);
+    }
+  }
+  score.dI_error = dI.relative(), score.dI_share = dI.share();
+  score.dL_error = dL.relative(), score.dL_share = dL.share();
 }
 
 // Needs two repeats.
@@ -164,10 +178,20 @@ Score scoreOf(const std::vector<Truth>& truth, std::span<const BenchRun> repeats
   Score score;
   score.sigma_dL = score.bias_dL = score.noise_dL = kNaN;
   scorePlanes(frames, score);
+  scoreHalves(frames, score);
   for (const Region& r : kRegions) scoreRegion(r, frames, threshold, score);
   if (repeats.size() > 1) scoreNoise(frames, score);
   scoreEvents(truth, repeats, bias, threshold, score);
   return score;
+}
+
+double ownFalseEvents(const std::vector<Truth>& truth, double bias, double threshold) {
+  Mean events;
+  for (const Truth& t : truth) {
+    const ScoredFrame f(t, static_cast<float>(bias));
+    events.add(ownRate(integratedRates(f.half_a, f.half_b, threshold)));
+  }
+  return events.value();
 }
 
 }  // namespace saccade::eval

@@ -9,10 +9,11 @@
 
 namespace saccade::eval {
 
-// All rates are per pixel-frame, and lower is better. NaN where a score has no meaning: noise of a single
-// repeat, a region without pixels.
+// All rates are per pixel-frame. Lower is better, and of a share 1 is right. NaN where a score has no
+// meaning: noise of a single repeat, a region without pixels.
 struct Score {
   double dI_l1, dI_mape, dL_l1, dL_mape;             // plane_error.h
+  double dI_error, dI_share, dL_error, dL_share;     // noise_free_error.h, over all pixels and frames
   double false_events, missed_events;                // integrated over the threshold phase, event_rates.h
   double false_smooth, false_curved, false_changed;  // the same over the pixels of a region, regions.h
   double missed_smooth, missed_curved, missed_changed;
@@ -27,12 +28,17 @@ struct Score {
 struct ScoreColumn {
   const char *name, *label;  // in tables; in charts
   double Score::*value;
+  const char* goal = "lower is better";  // in charts
 };
-inline constexpr std::array<ScoreColumn, 23> kScoreColumns{{
+inline constexpr std::array<ScoreColumn, 27> kScoreColumns{{
     {"dI_l1", "relative L1 of dI", &Score::dI_l1},
     {"dI_mape", "MAPE of dI", &Score::dI_mape},
     {"dL_l1", "relative L1 of dL", &Score::dL_l1},
     {"dL_mape", "MAPE of dL", &Score::dL_mape},
+    {"dI_error", "noise-free error of dI", &Score::dI_error},
+    {"dI_share", "share of dI that arrives", &Score::dI_share, "1 is right"},
+    {"dL_error", "noise-free error of dL", &Score::dL_error},
+    {"dL_share", "share of dL that arrives", &Score::dL_share, "1 is right"},
     {"false_events", "false events per pixel-frame", &Score::false_events},
     {"missed_events", "missed events per pixel-frame", &Score::missed_events},
     {"false_smooth", "false events, smooth surfaces", &Score::false_smooth},
@@ -61,5 +67,9 @@ std::string scoreNames();  // "dI_l1, dI_mape, ..." for messages
 // each. `bias` is I_eps, `threshold` C.
 Score scoreOf(const std::vector<Truth>& truth, std::span<const BenchRun> repeats, double bias,
               double threshold);
+
+// The false events per pixel-frame that the noise of the truth makes; it makes as many missed ones. They are
+// half of those that one half of the truth has against the other.
+double ownFalseEvents(const std::vector<Truth>& truth, double bias, double threshold);
 
 }  // namespace saccade::eval

@@ -1,22 +1,22 @@
 // `saccade-eval compare` compares dumped frames with those of the reference, in numbers and as a picture.
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include "base/number_in.h"
 #include "eval/bench/arguments.h"
+#include "eval/bench/dump.h"
 #include "eval/commands/commands.h"
+#include "eval/metrics/brightness_change.h"
 #include "eval/metrics/frame_errors.h"
+#include "eval/metrics/noise_free_error.h"
 #include "eval/pictures/signed_picture.h"
 #include "eval/pictures/text.h"
 #include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct CompareOptions {
   std::string dump, reference, picture;
@@ -26,12 +26,8 @@ struct CompareOptions {
 // The numbers of one frame, in the order of the heading.
 using Row = std::array<double, 8>;
 constexpr const char* kHeading =
-    "frame          dI L1   MAPE  dL L1   MAPE  false ev.  missed ev.  false %  missed %";
-
-void print(const std::string& name, const Row& r) {
-  std::printf("%-12s %7.4f %6.3f %6.4f %6.3f %10.6f %11.6f %8.4f %9.4f\n", name.c_str(), r[0], r[1], r[2],
-              r[3], r[4], r[5], 100 * r[6], 100 * r[7]);
-}
+    "frame          dI L1   MAPE  dL L1   MAPE  false ev.  missed ev.  false %  missed %  dI_error dI_share "
+    "dL_error dL_share";
 
 Row toRow(const FrameErrors& e) {
   return {e.dI_l1,
@@ -44,42 +40,36 @@ Row toRow(const FrameErrors& e) {
           e.rates.missed_pixels};
 }
 
-ImageF readLuminance(const fs::path& file) {
-  ExrPicture picture = readExr(file.string());
-  const auto plane = picture.planes.find("Y");
-  if (plane == picture.planes.end()) throw std::runtime_error(file.string() + " has no channel Y");
-  return std::move(plane->second);
-}
+// Against the halves of the reference, over the frames that have them.
+struct HalvesErrors {
+  NoiseFreeError dI, dL;
+  double own_events = 0, frames = 0;
 
-void checkSize(const fs::path& file, const ImageF& plane, int width, int height) {
-  if (plane.width() == width && plane.height() == height) return;
-  throw std::runtime_error(file.string() + " is " + std::to_string(plane.width()) + "x" +
-                           std::to_string(plane.height()) + ", not " + std::to_string(width) + "x" +
-                           std::to_string(height));
-}
-
-// The change in dI_<number> and Iprev_<number>, from a folder that frames --dump wrote.
-IntensityChange readChange(const std::string& folder, const std::string& number, int width, int height) {
-  IntensityChange change(width, height);
-  for (const auto& [name, plane] : {std::pair{"dI_", &change.dI}, {"Iprev_", &change.I_prev}}) {
-    const fs::path file = fs::path(folder) / (name + number);
-    ImageF read = readLuminance(file);
-    checkSize(file, read, width, height);
-    *plane = std::move(read);
+  void add(const IntensityChange& x, const ChangeHalves& halves, const CompareOptions& o) {
+    const auto bias = static_cast<float>(o.bias);
+    const ImageF a = brightnessChange(halves.a, bias), b = brightnessChange(halves.b, bias);
+    dI.add(x.dI, halves.a.dI, halves.b.dI);
+    dL.add(brightnessChange(x, bias), a, b);
+    own_events += ownRate(integratedRates(a, b, o.threshold)), ++frames;
   }
-  return change;
+};
+
+std::string numberOrDash(double value) {
+  return std::isnan(value) ? "-" : format("%.4f", value);
 }
 
-// The "00001.exr" of each dI_00001.exr that both folders have, sorted.
-std::vector<std::string> commonFrames(const CompareOptions& o) {
-  std::vector<std::string> frames;
-  for (const auto& entry : fs::directory_iterator(o.dump)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("dI_") && fs::exists(fs::path(o.reference) / name)) frames.push_back(name.substr(3));
-  }
-  std::sort(frames.begin(), frames.end());
-  if (frames.empty()) throw std::runtime_error("no dI_*.exr is in both " + o.dump + " and " + o.reference);
-  return frames;
+void print(const std::string& name, const Row& r, const HalvesErrors& halves) {
+  std::printf("%-12s %7.4f %6.3f %6.4f %6.3f %10.6f %11.6f %8.4f %9.4f", name.c_str(), r[0], r[1], r[2], r[3],
+              r[4], r[5], 100 * r[6], 100 * r[7]);
+  for (const NoiseFreeError* e : {&halves.dI, &halves.dL})
+    std::printf(" %9s %8s", numberOrDash(e->relative()).c_str(), numberOrDash(e->share()).c_str());
+  std::puts("");
+}
+
+void checkSize(const std::string& name, const IntensityChange& x, const IntensityChange& ref) {
+  const auto size = [](const ImageF& p) { return format("%dx%d", p.width(), p.height()); };
+  if (size(x.dI) != size(ref.dI))
+    throw std::runtime_error(name + " is " + size(x.dI) + ", not " + size(ref.dI));
 }
 
 void writeComparison(const CompareOptions& o, const ImageF& dI, const ImageF& ref) {
@@ -96,19 +86,25 @@ void writeComparison(const CompareOptions& o, const ImageF& dI, const ImageF& re
 
 void runCompare(const CompareOptions& o) {
   if (!o.picture.empty()) checkOutputFile(o.picture, {".svg"});
-  const std::vector<std::string> frames = commonFrames(o);
-  const ImageF first = readLuminance(fs::path(o.reference) / ("dI_" + frames.front()));
-  const int w = first.width(), h = first.height();
+  const std::vector<int> frames = commonFrames(o.dump, o.reference);
   std::puts(kHeading);
   Row mean{};
-  for (const std::string& frame : frames) {
-    const IntensityChange x = readChange(o.dump, frame, w, h), ref = readChange(o.reference, frame, w, h);
+  HalvesErrors all;
+  for (const int frame : frames) {
+    const IntensityChange x = readChange(o.dump, frame), ref = readChange(o.reference, frame);
+    const std::string name = format("dI_%05d.exr", frame);
+    checkSize(o.dump + '/' + name, x, ref);
     const Row row = toRow(frameErrors(x, ref, static_cast<float>(o.bias), o.threshold));
-    print("dI_" + frame, row);
+    HalvesErrors halves;
+    if (const auto read = readHalves(o.reference, frame)) halves.add(x, *read, o), all.add(x, *read, o);
+    print(name, row, halves);
     for (std::size_t i = 0; i < row.size(); ++i) mean[i] += row[i] / static_cast<double>(frames.size());
     if (!o.picture.empty() && frame == frames.back()) writeComparison(o, x.dI, ref.dI);
   }
-  print("mean", mean);
+  print("mean", mean, all);
+  if (all.frames > 0)
+    std::printf("of these, %.6f false and as many missed events are noise of the reference\n",
+                all.own_events / all.frames);
 }
 
 }  // namespace
@@ -119,7 +115,8 @@ void addCompareCommand(CLI::App& app) {
       "compare",
       "compare two dumps: print relative L1 and MAPE of dI and dL, false and missed events per "
       "pixel and frame, and the share of pixels with any (means over the threshold phase); "
-      "draw a picture");
+      "with a reference also the noise-free errors and the share of the true change that arrives; draw a "
+      "picture");
   command->add_option("dump", o->dump, "folder written by frames --dump")
       ->required()
       ->check(CLI::ExistingDirectory);

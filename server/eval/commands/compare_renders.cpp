@@ -5,6 +5,7 @@
 #include "base/number_in.h"
 #include "eval/bench/arguments.h"
 #include "eval/commands/commands.h"
+#include "eval/metrics/picture_noise.h"
 #include "eval/pictures/ratio_picture.h"
 #include "eval/pictures/text.h"
 
@@ -37,6 +38,8 @@ void runCompareRenders(const CompareRendersOptions& o) {
   std::printf("mean ratio: R %.4f  G %.4f  B %.4f\n", r, g, b);
   for (const double within : {0.05, 0.1, 0.25})
     std::printf("blocks within %2.0f %%: %.2f %%\n", 100 * within, 100 * ratios.shareWithin(within));
+  if (picture[0].width() == reference[0].width())
+    std::printf("relative noise: %.4g\n", relativeNoise(picture, reference));
   if (!o.output.empty()) writeText(o.output, drawRatios(picture, reference, ratios));
 }
 
@@ -47,7 +50,7 @@ void addCompareRendersCommand(CLI::App& app) {
   auto* command = app.add_subcommand(
       "compare-renders",
       "compare two pictures of one view by their means over square blocks: print the mean ratio and the "
-      "share of blocks that agree, draw a picture");
+      "share of blocks that agree, and for pictures of one size the noise of a pixel; draw a picture");
   command
       ->add_option("picture", o->picture,
                    "OpenEXR with R, G, B, as render writes it without --grey; may be smaller by a "

@@ -3,19 +3,18 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 #include "base/default_cache.h"
 #include "base/new_folder.h"
 #include "base/number_in.h"
 #include "eval/bench/arguments.h"
+#include "eval/bench/dump.h"
 #include "eval/bench/feed_options.h"
 #include "eval/bench/interrupt.h"
 #include "eval/bench/kept_bake.h"
 #include "eval/bench/open_scene.h"
-#include "eval/bench/reference.h"
 #include "eval/commands/commands.h"
-#include "eval/pictures/exr.h"
-#include "eval/pictures/text.h"
 #include "feed/feed.h"
 #include "methods/method_spec.h"
 #include "saccade/wire/ranges.h"
@@ -30,17 +29,6 @@ struct FramesOptions : FeedOptions {
   double bake_error = 0;
   int first = 0, last = 0;
 };
-
-std::string dumpPath(const FramesOptions& o, const char* what, int frame) {
-  return (std::filesystem::path(o.dump) / format("%s_%05d.exr", what, frame)).string();
-}
-
-void writeDump(const FramesOptions& o, int frame, const IntensityChange& change) {
-  if (o.dump.empty()) return;
-  writeExr(dumpPath(o, "dI", frame), {{"Y", &change.dI}});
-  writeExr(dumpPath(o, "Iprev", frame), {{"Y", &change.I_prev}});
-  writeExr(dumpPath(o, "variance", frame), {{"I", &change.var_I_prev}, {"dI", &change.var_dI}});
-}
 
 MethodSpec methodOf(const FramesOptions& o) {
   parseMethod(o.feed.method);  // else a fault is one of its settings
@@ -82,7 +70,7 @@ void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene,
   for (int t = 1; t <= o.last; ++t) {
     const IntensityChange& change = feed.step(pool);
     total += feed.lastTimes();
-    if (t >= o.first) writeDump(o, t, change);
+    if (t >= o.first && !o.dump.empty()) writeChange(o.dump, t, change);
     progress.add(1);
     if (interrupted()) throw Interrupted{};
   }
@@ -109,7 +97,7 @@ void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> sce
   for (int t = o.first; t <= o.last; ++t) {
     ReferenceFrame cur = render(t);
     const ReferenceChange truth(prev, cur);
-    writeDump(o, t, truth.change);
+    if (!o.dump.empty()) writeReference(o.dump, t, truth);
     std::printf("frame %d: %d spp; own error of dI (half of half against half): %.4f relative L1\n", t, spp,
                 truth.error());
     prev = std::move(cur);
@@ -150,7 +138,8 @@ void addFramesCommand(CLI::App& app) {
   c->add_flag("--jitter", o->feed.jitter, "start paths anywhere in the pixel, not at its centre");
   c->add_option("--set", o->set, "NAME=NUMBER, a parameter of the method; may be given again");
   c->add_option("--dump", o->dump,
-                "folder for dI_N.exr (change into frame N), Iprev_N.exr (frame N - 1) and variance_N.exr")
+                "folder for dI_N.exr (change into frame N), Iprev_N.exr (frame N - 1) and variance_N.exr, "
+                "and halves_N.exr of the reference")
       ->check(CLI::Validator(newFolderFault, ""));
   c->add_option("--reference", o->reference,
                 "render the reference instead: paths per pixel, rounded up to a multiple of 64")

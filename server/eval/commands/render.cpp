@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/number_in.h"
+#include "base/thread_time.h"
 #include "eval/bench/arguments.h"
 #include "eval/bench/lens_options.h"
 #include "eval/bench/open_scene.h"
@@ -46,6 +47,7 @@ void runRender(const RenderOptions& o) {
   ImageF part[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
   Frame frame(size.width, size.height);
   Progress progress(o.scene, o.spp);
+  const auto started = processCpuTime();
   constexpr int kChunk = 16;
   for (int done = 0; done < o.spp;) {
     const int n = std::min(kChunk, o.spp - done);
@@ -62,6 +64,7 @@ void runRender(const RenderOptions& o) {
     }
     progress.add(n);
   }
+  const double cpu_s = std::chrono::duration<double>(processCpuTime() - started).count();
   if (!o.grey) {
     writeExr(o.output, {{"R", &sum[0]}, {"G", &sum[1]}, {"B", &sum[2]}});
   } else {
@@ -74,6 +77,8 @@ void runRender(const RenderOptions& o) {
   }
   std::printf("%s: %dx%d, %d spp, %d indirect bounces\n", o.output.c_str(), size.width, size.height, o.spp,
               o.bounces);
+  std::printf("CPU time %.3g s, %.3g million paths per CPU second\n", cpu_s,
+              1e-6 * size.width * size.height * o.spp / cpu_s);
 }
 
 }  // namespace

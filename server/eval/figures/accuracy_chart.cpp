@@ -6,13 +6,14 @@
 
 #include "eval/bench/open_scene.h"
 #include "eval/pictures/svg_chart.h"
+#include "eval/pictures/text.h"
 
 namespace saccade::eval {
 namespace {
 
 ChartPanel makePanel(const AccuracyChart& o, const ResultTable& table, const std::string& scene,
                      const ScoreColumn& metric) {
-  ChartPanel panel{scene, "CPU ms per frame", std::string(metric.label) + " (lower is better)", {}, true};
+  ChartPanel panel{scene, "CPU ms per frame", format("%s (%s)", metric.label, metric.goal), {}, true};
   ChartLine reference{"own error of the reference", {}, LineStyle::kReference};
   for (const std::string& method : o.methods) {
     ChartLine line{method, {}};

@@ -30,22 +30,39 @@ std::string ratioText(const Ratio& ratio) {
   return ratio.mark == Mark::kNone ? text : '(' + text + ')';
 }
 
+// Columns that stand behind the compared ones: no ratio tells which of two shares is better.
+constexpr std::array kShares{&Score::dI_share, &Score::dL_share};
+
 template <class Figure>
 std::string line(const std::string& name, Figure figure) {
   std::string text = format("  %-34s", name.c_str());
   for (const ComparedColumn& column : kComparedColumns) text += format(" %13s", figure(column).c_str());
+  return text;
+}
+
+std::string heading() {
+  std::string text = line("", [](const ComparedColumn& column) { return std::string(column.name); });
+  for (const auto share : kShares) text += format(" %8s", columnOf(share).name);
   return text + '\n';
 }
 
 std::string figures(const Result& r) {
-  return line(settingOf(r), [&](const ComparedColumn& column) { return format("%.4g", column.of(r)); });
+  std::string text =
+      line(settingOf(r), [&](const ComparedColumn& column) { return format("%.4g", column.of(r)); });
+  for (const auto share : kShares) text += format(" %8.3f", r.score.*share);
+  return text + '\n';
+}
+
+std::string startOf(const std::string& cell, const Result& candidate) {
+  return cell +
+         format(",%g,%g,%g,", candidate.px_per_frame, candidate.reference_error, candidate.reference_events) +
+         settingOf(candidate) + ',';
 }
 
 void addRow(std::ostringstream& csv, const std::string& cell, const ComparedCell& c, const Result& candidate,
             const ComparedColumn& column) {
   const Ratio ratio = ratioOf(candidate, c.baselines, column);
-  csv << cell << ',' << candidate.px_per_frame << ',' << candidate.reference_error << ','
-      << settingOf(candidate) << ',' << column.name << ',' << number(column.of(candidate)) << ','
+  csv << startOf(cell, candidate) << column.name << ',' << number(column.of(candidate)) << ','
       << (ratio.baseline ? settingOf(*ratio.baseline) : "") << ','
       << (ratio.baseline ? number(column.of(*ratio.baseline)) : "") << ',' << number(ratio.value) << ','
       << textOf(ratio.mark) << '\n';
@@ -55,14 +72,19 @@ void addRow(std::ostringstream& csv, const std::string& cell, const ComparedCell
 
 std::string csvOf(const std::vector<ComparedCell>& cells) {
   std::ostringstream csv;
-  csv << "scene,motion,px_per_frame,frames,measured_px_per_frame,reference_error,candidate,column,value,"
-         "baseline,baseline_value,ratio,mark\n";
+  csv << "scene,motion,px_per_frame,frames,measured_px_per_frame,reference_error,reference_events,candidate,"
+         "column,"
+         "value,baseline,baseline_value,ratio,mark\n";
   for (const ComparedCell& c : cells) {
     const std::string cell = sceneName(c.cell.scene) + ',' + c.cell.motion + ',' +
                              format("%g", c.cell.px_per_frame) + ',' + c.cell.framesText();
-    if (!c.left_out.empty()) csv << cell << ",,,,,,,,,left out: " << c.left_out << '\n';
-    for (const Result& candidate : c.candidates)
+    if (!c.left_out.empty()) csv << cell << ",,,,,,,,,,left out: " << c.left_out << '\n';
+    for (const Result& candidate : c.candidates) {
       for (const ComparedColumn& column : kComparedColumns) addRow(csv, cell, c, candidate, column);
+      for (const auto share : kShares)
+        csv << startOf(cell, candidate) << columnOf(share).name << ',' << number(candidate.score.*share)
+            << ",,,,\n";
+    }
   }
   return csv.str();
 }
@@ -70,14 +92,17 @@ std::string csvOf(const std::vector<ComparedCell>& cells) {
 std::string textOf(const ComparedCell& c) {
   if (!c.left_out.empty()) return c.cell.name() + ": left out: " + c.left_out + "\n\n";
   const Result& any = c.baselines.front();
-  std::string text = c.cell.name() + format(": %.3g px per frame; own error of the reference %.3f\n",
-                                            any.px_per_frame, any.reference_error);
-  text += line("", [](const ComparedColumn& column) { return std::string(column.name); });
+  std::string text = c.cell.name() + format(
+                                         ": %.3g px per frame; own error of the reference %.3f, and %.3g "
+                                         "false and missed events each\n",
+                                         any.px_per_frame, any.reference_error, any.reference_events);
+  text += heading();
   for (const Result& r : c.baselines) text += figures(r);
   for (const Result& r : c.candidates) {
     text += figures(r);
     text += line("  over the better baseline",
-                 [&](const ComparedColumn& column) { return ratioText(ratioOf(r, c.baselines, column)); });
+                 [&](const ComparedColumn& column) { return ratioText(ratioOf(r, c.baselines, column)); }) +
+            '\n';
   }
   return text + '\n';
 }

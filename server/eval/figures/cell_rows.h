@@ -8,8 +8,9 @@
 
 namespace saccade::eval {
 
-// CSV with a header. It has a row for each cell, candidate and column of kComparedColumns. A cell that is
-// left out has one row, with the reason as its mark.
+// CSV with a header. It has a row for each cell, candidate and column of kComparedColumns. The shares of dI
+// and dL that arrive have rows without a baseline. A cell that is left out has one row, with the reason as
+// its mark.
 std::string csvOf(const std::vector<ComparedCell>& cells);
 
 // For stdout: the figures of one cell, and below each candidate its ratios.

@@ -22,6 +22,12 @@ EventRates integratedRates(const ImageF& dL, const ImageF& dL_ref, double C);
 // Counted at one phase per pixel, drawn from `seed`, as in a single run.
 EventRates sampledRates(const ImageF& dL, const ImageF& dL_ref, double C, std::uint64_t seed);
 
+// The false events of a truth by its own noise, from the rates of one of its halves against the other. It has
+// as many missed ones. The noise of the mean of both halves is half of their difference [E (32)].
+inline double ownRate(const EventRates& of_halves) {
+  return (of_halves.false_events + of_halves.missed_events) / 4;
+}
+
 // Of one pixel: events of the change d, in the mean over U, counted only where the change `ref` has none.
 // With ref = 0 it is |d| / C [E (31)]. Swap d and ref for the missed ones.
 double expectedFalseEvents(double d, double ref, double C);
