@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/lane_vectors.h"
-#include "render/lights/lights.h"
+#include "render/lights/incident_light.h"
 #include "scene/emitter_strengths.h"
 
 namespace saccade {
