@@ -70,7 +70,7 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
   const bool plain_only =
       has.diffuseOnly() && !has.extras && view.now.camera.isPlain() && out.surfaces->perPixel() == 1;
   std::swap(starts_, starts_before_);
-  shadows_.next(out.surfaces->indexOf(0, out.height()));
+  shadows_.next(scene, out.surfaces->indexOf(0, out.height()));
   starts_.resize(out.surfaces->indexOf(0, out.height()), plain_only);
   const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
@@ -86,7 +86,8 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
   const Camera& camera = view.camera;
-  const Tracing tracing{view.scene, settings_.bounces, {known, camera.origin, camera.pixel}};
+  const Tracing tracing{view.scene, settings_.bounces, {known, camera.origin, camera.pixel},
+                        view.scene.still().deltaLamps().areFew()};
   const auto tile = withKernel(view.scene.still().shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
   });
@@ -96,7 +97,8 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
 
 std::chrono::nanoseconds Renderer::traceShadows(const PixelContext& view, Frame& now, const Frame& before,
                                                 const PoolHandle& pool) {
-  return shadows_.trace({view.now.scene, now, starts_}, {view.before.scene, before, starts_before_}, pool,
+  return shadows_.trace({view.now.scene, *now.surfaces, starts_},
+                        {view.before.scene, *before.surfaces, starts_before_}, pool,
                         now.surfaces->shadows());
 }
 

@@ -49,7 +49,7 @@ std::chrono::nanoseconds renderOneRayAtATime(const View& s, const PoolHandle& po
         const auto pixel = static_cast<std::uint32_t>(y * kWidth + x);
         const auto pass = [&](std::uint64_t seed) {
           if (!hit.valid) return 0.f;
-          return test::traceOneRay<S, 3>(s.posed, hit.start, PathSampler(seed, pixel, 0), kBounces)
+          return test::traceOneRay<S, 3>({s.posed, kBounces, {}}, hit.start, PathSampler(seed, pixel, 0))
               .luminance();
         };
         out.samples.I1.at(x, y) = pass(kSeeds.seed1), out.samples.I2.at(x, y) = pass(kSeeds.seed2);

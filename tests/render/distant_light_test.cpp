@@ -28,7 +28,8 @@ TEST(DirectionalLight, LightsByTheCosine) {
   EXPECT_NEAR(m.mean, 0.6 / kPi * 7 * 0.8, 1e-3 * m.mean);
 }
 
-// Both at once: a light is chosen by its power, and weighed by how rarely.
+// All at once: the lamp has samples of its own. Distant light is chosen by its irradiance, and weighed by how
+// rarely.
 TEST(DistantLights, AddUp) {
   Scene scene = test::floorFromAbove(0.6f);
   scene.point_lights = {{{0, 0, 5}, {7, 7, 7}}};
@@ -37,6 +38,20 @@ TEST(DistantLights, AddUp) {
   const test::Mean m = test::renderMean(std::move(scene), 0, 256);
   EXPECT_NEAR(m.mean, 0.6 / kPi * (7. / 25 + 0.3 + 0.05 * kPi), 4 * m.error);
   EXPECT_LT(m.error / m.mean, 0.01);
+}
+
+// A sky outside a closed room costs it nothing: no noise, and no light. Nor does the size of what stands
+// there.
+TEST(DistantLights, LeaveAClosedRoomAlone) {
+  Scene room = test::furnace(0.6f, 0);
+  room.point_lights = {{{0, 0.5f, 0}, {1, 1, 1}}};
+  const test::Mean alone = test::renderMean(room, 0, 16);
+  room.environment = {{5, 5, 5}, {}, {}};
+  room.directional_lights = {{{0, 0, -1}, {5, 5, 5}}};
+  room.meshes.push_back(test::quad({-10, -10, -3}, {20, 0, 0}, {0, 20, 0}, 0));
+  const test::Mean under_a_sky = test::renderMean(std::move(room), 0, 16);
+  EXPECT_NEAR(under_a_sky.mean, alone.mean, 1e-3 * alone.mean);
+  EXPECT_NEAR(under_a_sky.error, alone.error, 2e-2 * alone.error);
 }
 
 // A floor under a sky of radiance L: a L, by the light's samples and by chance together.

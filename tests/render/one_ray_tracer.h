@@ -30,11 +30,11 @@ Transmittance transmittanceAlong(const PosedScene& scene, Ray ray, Vec3 directio
 }
 
 template <Shading S, int C>
-Color<C> directLight(const PosedScene& scene, const Surface& s, const Scatter<S>& scatter,
-                     const PathSampler& sampler, std::uint32_t dimension) {
+Color<C> directLightOf(Stratum stratum, LightSet set, const PosedScene& scene, const Surface& s,
+                       const Scatter<S>& scatter, const PathSampler& sampler, std::uint32_t dimension) {
   const Vec3 origin = scene.still().leave(s);
-  const IncidentLight light = scene.still().lights().at(origin, sampler.u(dimension),
-                                                        sampler.u(dimension + 1), sampler.u(dimension + 2));
+  const IncidentLight light = scene.still().lights().sample(
+      stratum, set, origin, sampler.u(dimension), sampler.u(dimension + 1), sampler.u(dimension + 2));
   if (light.pdf <= 0) return {};
   BsdfValue f = scatter.evaluate(light.direction);
   if (f.pdf <= 0) return {};
@@ -47,21 +47,35 @@ Color<C> directLight(const PosedScene& scene, const Surface& s, const Scatter<S>
 }
 
 template <Shading S, int C>
-Color<C> traceOneRay(const PosedScene& scene, const PathStart& start, const PathSampler& sampler,
-                     int bounces) {
+Color<C> directLight(LightSet set, const PosedScene& scene, const Surface& s, const Scatter<S>& scatter,
+                     const PathSampler& sampler, std::uint32_t dimension) {
+  Color<C> sum;
+  for (const Stratum stratum : {Stratum::kLamps, Stratum::kDistant})
+    if (scene.still().lights().has(stratum, set))
+      sum += directLightOf<S, C>(stratum, set, scene, s, scatter, sampler, dimension);
+  return sum;
+}
+
+template <Shading S, int C>
+Color<C> traceOneRay(const Tracing& t, const PathStart& start, const PathSampler& sampler) {
+  const PosedScene& scene = t.scene;
+  const int bounces = t.bounces;
   Color<C> radiance, throughput(1.f);
   const Lights& lights = scene.still().lights();
   Surface s = start.surface;
   Vec3 arriving = start.direction;
   RayCone cone = start.cone;
-  float pdf = 1, distance = 0;  // of the last direction that was not straight on, and since then
+  float pdf = 1, distance = 0;    // of the last direction that was not straight on, and since then
+  LightSet set = LightSet::kAll;  // that the vertex sampled which chose it
   bool delta = true, in_view = S.extras;
   const bool transmission = S.extras && scene.still().hasStraightTransmission();
   for (int vertex = 0, bounce = 0; vertex <= bounces + kMaxDeltas; ++vertex) {
     const std::uint32_t dimension = static_cast<std::uint32_t>(vertex) * kDimensions;
     const Scatter<S> scatter(s, arriving);
     const bool spent = transmission && bounce > bounces;
-    if (!spent) radiance += throughput * directLight<S, C>(scene, s, scatter, sampler, dimension + kLight);
+    if (!spent)
+      radiance += throughput *
+                  directLight<S, C>(t.lightsOf(vertex == 0), scene, s, scatter, sampler, dimension + kLight);
     const BsdfSample next = scatter.sample(sampler.u(dimension + kLobe), sampler.u(dimension + kBounce),
                                            sampler.u(dimension + kBounce + 1));
     throughput = throughput * Color<C>(next.weight);
@@ -71,7 +85,7 @@ Color<C> traceOneRay(const PosedScene& scene, const PathStart& start, const Path
     if (straight)
       pdf *= scatter.straightTransmittance().probability;
     else
-      pdf = next.pdf, delta = next.delta, distance = 0;
+      pdf = next.pdf, delta = next.delta, distance = 0, set = t.lightsOf(vertex == 0);
     in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
     if (!next.delta) cone.spread = RayCone::lobeSpread(next.pdf);
     const Ray ray{scene.still().leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
@@ -82,8 +96,8 @@ Color<C> traceOneRay(const PosedScene& scene, const PathStart& start, const Path
     const Hit hit = scene.still().geometry().intersect(ray);
     if (!hit.valid) {
       if (in_view) return radiance;
-      const float weight = delta ? 1 : balance(pdf, lights.distantPdf(next.wi));
-      return radiance += throughput * Color<C>(lights.distantRadiance(next.wi)) * weight;
+      const float weight = delta ? 1 : balance(pdf, lights.distant().pdf(set, next.wi));
+      return radiance += throughput * Color<C>(lights.distant().radiance(next.wi)) * weight;
     }
     cone.width = cone.at(hit.t);
     s = surfaceAt<S>(scene, ray, hit, cone.width);
@@ -91,7 +105,7 @@ Color<C> traceOneRay(const PosedScene& scene, const PathStart& start, const Path
     distance += hit.t;
     if (luminance(s.radiance) > 0 && !in_view) {
       const float cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
-      const float pdf_light = lights.pdf(s.radiance) * distance * distance / cos_light;
+      const float pdf_light = lights.lamps().pdf(set, s.radiance) * distance * distance / cos_light;
       const float weight = delta ? 1 : balance(pdf, pdf_light);
       radiance += throughput * Color<C>(s.radiance) * (weight * scene.strengths()[hit.geometry]);
     }

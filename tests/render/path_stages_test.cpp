@@ -40,14 +40,14 @@ struct Difference {
 };
 
 template <Shading S, int C>
-Difference compare(const PosedScene& posed, TraceBatch<C> trace) {
+Difference compare(const Tracing& tracing, TraceBatch<C> trace) {
+  const PosedScene& posed = tracing.scene;
   const RenderScene& scene = posed.still();
   constexpr int kSize = 16, kPaths = 4;
   const Camera camera(scene.description().T_world_camera,
                       pinhole(scene.description().fov_x_deg, kSize, kSize));
   const auto now = std::make_unique<LivePaths<C>>(), next = std::make_unique<LivePaths<C>>();
   const auto results = std::make_unique<PathResults<C>>();
-  const Tracing tracing{posed, kBounces, {}};
   const auto stages = surfaceStages<S, C, false>();
   std::vector<float> expected;
   for (std::uint32_t pixel = 0; pixel < kSize * kSize; ++pixel) {
@@ -63,7 +63,7 @@ Difference compare(const PosedScene& posed, TraceBatch<C> trace) {
       const auto slot = static_cast<std::uint32_t>(expected.size());
       results->radiance.set(slot, Color<C>());
       stages.begin(start, sampler, slot, *now);
-      expected.push_back(test::traceOneRay<S, C>(posed, start, sampler, kBounces).luminance());
+      expected.push_back(test::traceOneRay<S, C>(tracing, start, sampler).luminance());
     }
   }
   trace(tracing, stages, *now, *next, *results);
@@ -79,12 +79,13 @@ Difference compare(const PosedScene& posed, TraceBatch<C> trace) {
 
 // A path that passes an edge within rounding may take another course: few do.
 template <int C>
-void expectSame(Scene of, const std::string& name) {
+void expectSame(Scene of, bool deltas_apart, const std::string& name) {
   const PosedScene posed(std::make_shared<RenderScene>(std::move(of)));
+  const Tracing tracing{posed, kBounces, {}, deltas_apart};
   const RenderScene& scene = posed.still();
   const auto check = [&](TraceBatch<C> trace, const char* lanes) {
     const Difference d =
-        withKernel(scene.shading(), [&]<Shading S>() { return compare<S, C>(posed, trace); });
+        withKernel(scene.shading(), [&]<Shading S>() { return compare<S, C>(tracing, trace); });
     EXPECT_GT(d.paths, 500) << name << lanes;
     EXPECT_LE(d.differing, d.paths / 100) << name << lanes;
     EXPECT_GT(d.one_ray, 0) << name << lanes;
@@ -101,10 +102,10 @@ void makeGrey(Scene& scene) {
       c->color0 = Rgb{1, 1, 1} * luminance(c->color0);
 }
 
-void expectSame(Scene scene, const std::string& name) {
-  expectSame<3>(scene, name + ", in colour");
+void expectSame(Scene scene, const std::string& name, bool deltas_apart = false) {
+  expectSame<3>(scene, deltas_apart, name + ", in colour");
   makeGrey(scene);
-  expectSame<1>(std::move(scene), name + ", grey");
+  expectSame<1>(std::move(scene), deltas_apart, name + ", grey");
 }
 
 Material of(const test::BsdfCase& c) {
@@ -150,13 +151,20 @@ TEST(PathStages, FindTheSameForEveryLight) {
   Scene point = room(test::grey(0.5f));
   point.point_lights.push_back({{0, 0.5f, 0}, {1, 1, 1}});
   expectSame(point, "point");
+  expectSame(point, "point apart", true);
+  point.meshes.back().radiance = {};
+  expectSame(point, "nothing but a point, apart", true);
   Scene open = room(test::grey(0.5f));
   open.meshes.erase(open.meshes.begin() + 4);  // the ceiling
   Scene sun = open;
   sun.directional_lights.push_back({normalize(Vec3{0.3f, -1, 0.2f}), {2, 2, 2}});
   expectSame(sun, "sun");
+  expectSame(sun, "sun apart", true);
   open.environment = {{1, 1, 1}, {}, {}};
   expectSame(open, "environment");
+  open.directional_lights = sun.directional_lights;
+  expectSame(open, "sun and environment");
+  expectSame(open, "sun apart from an environment", true);
   Scene flicker = room(test::grey(0.5f));
   flicker.meshes.back().strength = Strength({{TimeNs{0}, 0.5f}});
   expectSame(flicker, "flickering lamp");

@@ -165,8 +165,8 @@ void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
 // The energy of visibility's detail, where it is a visible share of the light.
 static float shadowDetail(const Octet& e, bool known, float U, float light, float tau) {
   static const float kUnknownDetail = std::getenv("SD_UNKNOWN") ? std::atof(std::getenv("SD_UNKNOWN")) : 0.02f;
-  static const float kLeast = std::getenv("SD_LEAST") ? std::atof(std::getenv("SD_LEAST")) : 0.02f;
-  static const float kTau = std::getenv("SD_TAU") ? std::atof(std::getenv("SD_TAU")) : 1;
+  static const float kLeast = std::getenv("SD_LEAST") ? std::atof(std::getenv("SD_LEAST")) : 0.05f;
+  static const float kTau = std::getenv("SD_TAU") ? std::atof(std::getenv("SD_TAU")) : 0;
   if (!known) return kUnknownDetail;
   const float energy = std::max(0.f, e[4] - kTau * tau * std::sqrt(e[5])) / e[7];
   return U * std::sqrt(energy) > kLeast * light ? energy : 0;

@@ -73,9 +73,10 @@ AnalyticLight::AnalyticLight(const Scene& scene)
 
 void AnalyticLight::addSides(const Mesh& mesh, std::uint32_t geometry) {
   held_[geometry] = true;
+  const int group = std::min(groups(), kMaxGroups - 1);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto [a, b, c] = mesh.triangles[i];
-    Side side{{mesh.positions[a], mesh.positions[b], mesh.positions[c]}, {}, 0, mesh.radiance, geometry};
+    Side side{{mesh.positions[a], mesh.positions[b], mesh.positions[c]}, {}, 0, mesh.radiance, geometry, group};
     const auto edge = [&](std::size_t k) { return side.corners[k] - side.corners[0]; };
     const Vec3 normal = cross(edge(1), edge(2));
     if (dot(normal, normal) == 0) continue;

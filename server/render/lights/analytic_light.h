@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/lane_vectors.h"
-#include "render/lights/lights.h"
+#include "render/lights/incident_light.h"
 #include "scene/emitter_strengths.h"
 
 namespace saccade {
@@ -24,6 +24,7 @@ struct LitPoints {
 
 class AnalyticLight {
  public:
+  static constexpr int kMaxGroups = 4;
   static constexpr std::size_t kMaxSides = 16;  // of all lamps: more cost more than their shadows tell
 
   struct Side {
@@ -32,6 +33,7 @@ class AnalyticLight {
     float area;
     Rgb radiance;
     std::uint32_t geometry;
+    int group;  // of the lamps whose shadows are one, see groups()
   };
 
   explicit AnalyticLight(const Scene& scene);
@@ -39,7 +41,9 @@ class AnalyticLight {
   // Whether at() holds the light of an emitter, by its geometry id.
   bool holds(std::uint32_t geometry) const { return geometry < held_.size() && held_[geometry]; }
 
-  const std::vector<Side>& sides() const { return sides_; }
+  const std::vector<Side>& sides() const { return sides_; }  // those of a group are neighbours
+  // A lamp is a group of its own, up to kMaxGroups - 1; all others are one group.
+  int groups() const { return sides_.empty() ? 0 : sides_.back().group + 1; }
   // The share of the cosine-weighted hemisphere above a point that a side covers.
   static float formFactor(const Side& side, const LitPoint& p);
 

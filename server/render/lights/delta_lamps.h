@@ -2,7 +2,10 @@
 // one shadow ray tells its light without noise.
 #pragma once
 
-#include "render/lights/lights.h"
+#include <vector>
+
+#include "render/lights/incident_light.h"
+#include "scene/scene.h"
 
 namespace saccade {
 
@@ -10,7 +13,10 @@ class DeltaLamps {
  public:
   explicit DeltaLamps(const Scene& scene) : points_(scene.point_lights), suns_(scene.directional_lights) {}
 
-  bool empty() const { return size() == 0; }
+  static constexpr std::size_t kMost = 16;  // more are left to the samples of paths
+
+  // Whether there are any, and no more than that.
+  bool areFew() const { return size() > 0 && size() <= kMost; }
   std::size_t size() const { return points_.size() + suns_.size(); }
 
   // The light of a lamp at `point`. Its pdf has no meaning.

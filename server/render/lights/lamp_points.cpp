@@ -5,41 +5,50 @@
 #include <numbers>
 
 namespace saccade {
+namespace {
+
+// Uniform on a convex polygon: a fan of triangles by their areas, then the square-root map.
+Vec3 pointOn(const AnalyticLight::Side& side, float u1, float u2) {
+  const Vec3 a = side.corners[0];
+  float left = u1 * side.area;
+  for (std::size_t k = 1;; ++k) {
+    const Vec3 e1 = side.corners[k] - a, e2 = side.corners[k + 1] - a;
+    const float area = length(cross(e1, e2)) / 2;
+    if (left >= area && k + 2 < side.corners.size()) {
+      left -= area;
+      continue;
+    }
+    const float s = std::sqrt(std::min(left / area, 1.f));
+    return a + e1 * (s * (1 - u2)) + e2 * (s * u2);
+  }
+}
+
+}  // namespace
 
 LampPoints::LampPoints(const AnalyticLight& light, const LitPoint& from, Rgb reflectance,
                        const EmitterStrengths& strengths)
     : from_(from) {
-  float sum = 0;
+  int count = 0;
   for (const AnalyticLight::Side& side : light.sides()) {
-    const float factor = AnalyticLight::formFactor(side, from);
-    const float light_here = factor * luminance(reflectance * side.radiance) * strengths[side.geometry];
-    if (!(light_here > 0)) continue;
-    sides_[count_] = &side, factors_[count_] = factor;
-    sums_[count_++] = sum += light_here;
+    const float form_factor = AnalyticLight::formFactor(side, from);
+    const float reflected =
+        form_factor * luminance(reflectance * side.radiance) * strengths[side.geometry];
+    if (reflected > 0) seen_[count++] = {&side, form_factor, unoccluded_[side.group] += reflected};
+    ends_[side.group + 1] = count;
   }
 }
 
-LampPoints::Point LampPoints::at(float u, float u1, float u2) const {
-  int i = 0;
-  while (i + 1 < count_ && u * sums_[count_ - 1] >= sums_[i]) ++i;
-  const AnalyticLight::Side& side = *sides_[i];
-  // A fan of triangles, each by its share of the area, and the square-root map.
-  const Vec3 a = side.corners[0];
-  std::size_t k = 1;
-  float left = u1 * side.area, part = 0;
-  for (;; ++k) {
-    part = length(cross(side.corners[k] - a, side.corners[k + 1] - a)) / 2;
-    if (left < part || k + 2 >= side.corners.size()) break;
-    left -= part;
-  }
-  const float s = std::sqrt(std::min(left / part, 1.f));
-  const Vec3 point = a + (side.corners[k] - a) * (s * (1 - u2)) + (side.corners[k + 1] - a) * (s * u2);
-  const Vec3 segment = point - from_.point;
-  const float distance2 = dot(segment, segment);
+LampPoints::Point LampPoints::at(int group, float u, float u1, float u2) const {
+  const int end = ends_[group + 1];
+  int i = ends_[group];
+  while (i + 1 < end && u * unoccluded_[group] >= seen_[i].sum) ++i;
+  const AnalyticLight::Side& side = *seen_[i].side;
+  const Vec3 point = pointOn(side, u1, u2), segment = point - from_.point;
   const float leaving = -dot(segment, side.normal), arriving = dot(segment, from_.normal);
   if (!(leaving > 0 && arriving > 0 && dot(segment, from_.geometric_normal) > 0)) return {point, 0};
-  const float factor = leaving * arriving * side.area * std::numbers::inv_pi_v<float> / (distance2 * distance2);
-  return {point, factor / factors_[i]};
+  const float distance2 = dot(segment, segment);
+  const float factor = leaving * arriving * side.area * std::numbers::inv_pi_v<float>;
+  return {point, factor / (distance2 * distance2 * seen_[i].form_factor)};
 }
 
 }  // namespace saccade

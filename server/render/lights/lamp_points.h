@@ -1,4 +1,5 @@
-// Points on the lamps whose light has a closed form, chosen by what each side of a lamp gives to one point.
+// Points on the lamps whose light has a closed form, chosen by what each side of a lamp gives to one point of a
+// surface.
 #pragma once
 
 #include <array>
@@ -9,25 +10,30 @@ namespace saccade {
 
 class LampPoints {
  public:
-  // `strengths`: of the lamps. `reflectance`: of the surface, which weighs the lamps' colours.
+  // `reflectance`: of the surface, which weighs the colours of lamps. `strengths`: of the lamps.
   LampPoints(const AnalyticLight& light, const LitPoint& from, Rgb reflectance,
              const EmitterStrengths& strengths);
 
-  bool empty() const { return count_ == 0; }  // no lamp lights the point
+  // Luminance that the surface reflects of a group of lamps, as if nothing cast a shadow.
+  float unoccluded(int group) const { return unoccluded_[group]; }
 
   struct Point {
     Vec3 position;
-    float weight;  // of its light: the mean over all points is 1
+    float weight;  // of its light: the mean over a group is 1
   };
-  // u chooses the side, u1 and u2 the place on it, each in [0, 1).
-  Point at(float u, float u1, float u2) const;
+  // A point of a group that lights the surface. u chooses the side, u1 and u2 the place on it, in [0, 1).
+  Point at(int group, float u, float u1, float u2) const;
 
  private:
+  struct Seen {
+    const AnalyticLight::Side* side;
+    float form_factor;
+    float sum;  // of the light of its group, up to this side
+  };
   LitPoint from_;
-  std::array<const AnalyticLight::Side*, AnalyticLight::kMaxSides> sides_;
-  std::array<float, AnalyticLight::kMaxSides> factors_;  // share of the hemisphere that a side covers
-  std::array<float, AnalyticLight::kMaxSides> sums_;     // of the light of the sides so far
-  int count_ = 0;
+  std::array<Seen, AnalyticLight::kMaxSides> seen_;           // group by group
+  std::array<int, AnalyticLight::kMaxGroups + 1> ends_{};     // of the groups before each
+  std::array<float, AnalyticLight::kMaxGroups> unoccluded_{};
 };
 
 }  // namespace saccade

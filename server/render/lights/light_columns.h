@@ -6,11 +6,11 @@
 
 #include "base/vec.h"
 #include "base/wide.h"
+#include "render/lights/lamps.h"
 
 namespace saccade {
 
 class AnalyticLight;
-class Lights;
 
 class LightColumns {
  public:
@@ -32,27 +32,31 @@ class LightColumns {
     kGreen,
     kBlue,
     kLuminance,
-    kPdf,
+    kPdf,            // of LightSet::kAll, per area
+    kPdfWithExtent,  // of LightSet::kWithExtent
     kClosedForm,
     kTriangle,
     kGeometry,
     kColumns
   };
 
-  LightColumns(const Lights& lights, const AnalyticLight& analytic);
+  LightColumns(const Lamps& lamps, const AnalyticLight& analytic);
 
   bool allTriangles() const { return all_triangles_; }  // else at() of kTriangle tells
 
-  // The light that Lights::at() chooses.
+  // The lamp that Lamps::sample() chooses.
   template <int W>
-  [[gnu::always_inline]] Uints<W> choose(const Floats<W>& u) const {
-    Floats<W> index = 0;  // the number of lights whose running sum is not above u, by bisection
-    for (std::size_t step = cdf_.size() / 2; step > 0; step /= 2) {
+  [[gnu::always_inline]] Uints<W> choose(LightSet set, const Floats<W>& u) const {
+    const Choice& of = choices_[static_cast<std::size_t>(set)];
+    Floats<W> index = 0;  // the number of lamps whose running sum is not above u, by bisection
+    for (std::size_t step = of.sums.size() / 2; step > 0; step /= 2) {
       const Floats<W> next = index + static_cast<float>(step);
-      index = select(gather(cdf_.data(), toUints(next - 1.f)) <= u, next, index);
+      index = select(gather(of.sums.data(), toUints(next - 1.f)) <= u, next, index);
     }
-    return toUints(stdx::min(index, Floats<W>(last_)));
+    return toUints(stdx::min(index, Floats<W>(of.last)));
   }
+
+  static Column pdfColumn(LightSet set) { return set == LightSet::kAll ? kPdf : kPdfWithExtent; }
 
   template <int W>
   [[gnu::always_inline]] Floats<W> at(Column column, const Uints<W>& light) const {
@@ -64,9 +68,15 @@ class LightColumns {
   }
 
  private:
+  struct Choice {
+    Choice() = default;
+    explicit Choice(const LightChoice& of);
+    std::vector<float> sums;  // filled up to a power of two
+    float last = 0;
+  };
+
   std::array<std::vector<float>, kColumns> columns_;
-  std::vector<float> cdf_;  // filled up to a power of two
-  float last_;
+  std::array<Choice, kLightSets> choices_;
   bool all_triangles_ = true;
 };
 

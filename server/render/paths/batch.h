@@ -17,6 +17,7 @@ struct Batch {
   LivePaths<C>* next;  // at the vertex after it
   int vertex = 0;
 
+  LightSet lightSet() const { return t.lightsOf(vertex == 0); }  // of which the vertex takes samples
   std::uint32_t dimension(Dimension d) const { return static_cast<std::uint32_t>(vertex) * kDimensions + d; }
 };
 

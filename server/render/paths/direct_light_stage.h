@@ -1,5 +1,5 @@
-// Direct light: one sample of the lights for each path, at its vertex. Its weight is its share in the balance
-// heuristic.
+// Direct light: one sample of each stratum of the lights for each path, at its vertex. Its weight is its
+// share in the balance heuristic.
 #pragma once
 
 #include "render/paths/light_samples.h"
@@ -35,9 +35,8 @@ template <int W, PathKind K>
   return f;
 }
 
-// K.split: of the first vertex, whose direct light is split.
 template <int W, PathKind K>
-void directLight(const Batch<K.channels>& b) {
+void directLightOf(const Batch<K.channels>& b, Stratum stratum) {
   constexpr int C = K.channels;
   using F = Floats<W>;
   const LivePaths<C>& p = *b.now;
@@ -52,9 +51,8 @@ void directLight(const Batch<K.channels>& b) {
     ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.still().epsilon());
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
     const auto u = [&](int k) { return numbersAt<W, K.split>(b, numbers, kLight + k); };
-    const auto light = sampleLights<W, C>(b.t, ray.origin, u(0), u(1), u(2), lanesOf(lanes));
+    const auto light = sampleLights<W, C>(b, stratum, ray.origin, u(0), u(1), u(2), lanesOf(lanes));
     lanes = lanes && light.pdf > 0.f && dot(light.direction, ng) > 0.f;
-    if constexpr (K.split) lanes = lanes && light.delta == 0.f;
     const F cosine = dot(light.direction, ns);
     const auto f = evaluateLanes<W, K>(b, first, light.direction, ns, cosine, lanesOf(lanes));
     lanes = lanes && f.pdf > 0.f;
@@ -68,12 +66,19 @@ void directLight(const Batch<K.channels>& b) {
       for (int k = 0; k < C; ++k)
         ray.unoccluded[k] = light.radiance[k] * light.closed_form * cosinePdf(cosine) / light.pdf;
       forEachLane(lanesOf(lanes), [&](int i) {
-        for (int k = 0; k < C; ++k) b.results.unoccluded.of[k][ray.slot[i]] = ray.unoccluded[k][i];
+        for (int k = 0; k < C; ++k) b.results.unoccluded.of[k][ray.slot[i]] += ray.unoccluded[k][i];
       });
     }
     shadow_rays.add(lanesOf(lanes), ray);
   }
   shadow_rays.finish();
+}
+
+// K.split: of the first vertex, whose direct light is split.
+template <int W, PathKind K>
+void directLight(const Batch<K.channels>& b) {
+  for (const Stratum stratum : {Stratum::kLamps, Stratum::kDistant})
+    if (b.t.scene.still().lights().has(stratum, b.lightSet())) directLightOf<W, K>(b, stratum);
 }
 
 }  // namespace saccade

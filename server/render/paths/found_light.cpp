@@ -7,8 +7,8 @@ namespace saccade {
 template <int C, bool kSplit>
 void addFound(const Tracing& t, const Found& found, Color<C> throughput, float pdf, bool from_start,
               PathResults<C>& results) {
-  const float pdf_light = t.scene.still().lights().pdf(found.radiance) * found.distance * found.distance /
-                          std::max(found.cosine, 1e-6f);
+  const float per_area = t.scene.still().lights().lamps().pdf(t.lightsOf(from_start), found.radiance);
+  const float pdf_light = per_area * found.distance * found.distance / std::max(found.cosine, 1e-6f);
   const float weight = pdf == kDeltaPdf ? 1 : balance(pdf, pdf_light);
   const Color<C> light =
       throughput * Color<C>(found.radiance) * (weight * t.scene.strengths()[found.geometry]);

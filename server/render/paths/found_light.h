@@ -19,8 +19,8 @@ struct Found {
 inline constexpr float kDeltaPdf =
     std::numeric_limits<float>::infinity();  // samples of the lights cannot find it
 
-// Adds it to what a path has found, whose direction was sampled with `pdf`. With split light, `from_start`
-// tells whether the first vertex chose that direction.
+// Adds it to what a path has found, whose direction was sampled with `pdf`. `from_start` tells whether the
+// first vertex chose that direction.
 template <int C, bool kSplit>
 void addFound(const Tracing& t, const Found& found, Color<C> throughput, float pdf, bool from_start,
               PathResults<C>& results);

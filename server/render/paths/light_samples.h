@@ -17,13 +17,13 @@ struct LightSamples {
 
 // Uniform points on triangles, by the square-root map.
 template <int W, int C>
-[[gnu::always_inline]] inline LightSamples<W, C> sampleTriangles(const LightColumns& lights,
-                                                                 const Uints<W>& chosen,
-                                                                 const EmitterStrengths& strengths,
+[[gnu::always_inline]] inline LightSamples<W, C> sampleTriangles(const Batch<C>& b, const Uints<W>& chosen,
                                                                  const Vec3T<Floats<W>>& point,
                                                                  const Floats<W>& u1, const Floats<W>& u2) {
   using F = Floats<W>;
   using Columns = LightColumns;
+  const LightColumns& lights = b.t.scene.still().lightColumns();
+  const EmitterStrengths& strengths = b.t.scene.strengths();
   LightSamples<W, C> light;
   const F s = sqrt(u1);
   const Vec3T<F> on_light = lights.vectorAt<W>(Columns::kCornerX, chosen) +
@@ -33,7 +33,8 @@ template <int W, int C>
   const F distance2 = dot(light.segment, light.segment);
   light.direction = light.segment * F(1.f / sqrt(distance2));
   const F cosine = -dot(light.direction, lights.vectorAt<W>(Columns::kNormalX, chosen));
-  light.pdf = select(cosine > 0.f, lights.at<W>(Columns::kPdf, chosen) * distance2 / cosine, 0.f);
+  light.pdf =
+      select(cosine > 0.f, lights.at<W>(lights.pdfColumn(b.lightSet()), chosen) * distance2 / cosine, 0.f);
   light.reach = kShadowEnd;
   light.delta = 0.f;
   light.closed_form = lights.at<W>(Columns::kClosedForm, chosen);
@@ -46,26 +47,41 @@ template <int W, int C>
   return light;
 }
 
-// Samples of the lights. Those of other kinds are taken one by one.
+// Samples of the lights, one by one.
 template <int W, int C>
-[[gnu::always_inline]] inline LightSamples<W, C> sampleLights(const Tracing& t, const Vec3T<Floats<W>>& point,
-                                                              const Floats<W>& u_light, const Floats<W>& u1,
-                                                              const Floats<W>& u2, LaneSet lanes) {
-  const LightColumns& columns = t.scene.still().lightColumns();
-  const Uints<W> chosen = columns.choose<W>(u_light);
-  LightSamples<W, C> light = sampleTriangles<W, C>(columns, chosen, t.scene.strengths(), point, u1, u2);
-  if (columns.allTriangles()) return light;
-  const LaneSet others = lanesOf(columns.at<W>(LightColumns::kTriangle, chosen) == 0.f) & lanes;
-  forEachLane(others, [&](int i) {
-    const IncidentLight one = t.scene.still().lights().at(laneOf(point, i), u_light[i], u1[i], u2[i]);
+void sampleOneByOne(const Batch<C>& b, Stratum stratum, const Vec3T<Floats<W>>& point,
+                    const Floats<W>& u_light, const Floats<W>& u1, const Floats<W>& u2, LaneSet lanes,
+                    LightSamples<W, C>& light) {
+  const RenderScene& scene = b.t.scene.still();
+  forEachLane(lanes, [&](int i) {
+    const IncidentLight one =
+        scene.lights().sample(stratum, b.lightSet(), laneOf(point, i), u_light[i], u1[i], u2[i]);
     setLane(light.direction, i, one.direction);
     setLane(light.segment, i, one.segment);
-    const float strength = one.geometry == IncidentLight::kNoGeometry ? 1 : t.scene.strengths()[one.geometry];
+    const float strength =
+        one.geometry == IncidentLight::kNoGeometry ? 1 : b.t.scene.strengths()[one.geometry];
     setLane(light.radiance, i, Color<C>(one.radiance) * strength);
     light.reach[i] = one.reach, light.pdf[i] = one.pdf;
     light.delta[i] = one.delta ? 1.f : 0.f;
-    light.closed_form[i] = t.scene.still().analyticLight().holds(one.geometry) ? 1.f : 0.f;
+    light.closed_form[i] = scene.analyticLight().holds(one.geometry) ? 1.f : 0.f;
   });
+}
+
+// Samples of a stratum. Those of triangles are taken together.
+template <int W, int C>
+[[gnu::always_inline]] inline LightSamples<W, C> sampleLights(const Batch<C>& b, Stratum stratum,
+                                                              const Vec3T<Floats<W>>& point,
+                                                              const Floats<W>& u_light, const Floats<W>& u1,
+                                                              const Floats<W>& u2, LaneSet lanes) {
+  LightSamples<W, C> light;
+  if (stratum == Stratum::kLamps) {
+    const LightColumns& columns = b.t.scene.still().lightColumns();
+    const Uints<W> chosen = columns.choose<W>(b.lightSet(), u_light);
+    light = sampleTriangles<W, C>(b, chosen, point, u1, u2);
+    if (columns.allTriangles()) return light;
+    lanes &= lanesOf(columns.at<W>(LightColumns::kTriangle, chosen) == 0.f);
+  }
+  sampleOneByOne<W, C>(b, stratum, point, u_light, u1, u2, lanes, light);
   return light;
 }
 

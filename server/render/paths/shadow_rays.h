@@ -80,8 +80,8 @@ class ShadowRays {
     const Color<C> found = Unpacked::at(rays.light, i) * through * weight;
     b_.results.radiance.add(rays.slot[i], found);
     if constexpr (K.split) {
-      b_.results.visible.set(rays.slot[i], Unpacked::at(rays.unoccluded, i) * through);
-      if (rays.closed_form[i] > 0) b_.results.mis_weighted.set(rays.slot[i], found);
+      b_.results.visible.add(rays.slot[i], Unpacked::at(rays.unoccluded, i) * through);
+      if (rays.closed_form[i] > 0) b_.results.mis_weighted.add(rays.slot[i], found);
     }
   }
 

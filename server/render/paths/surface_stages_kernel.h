@@ -62,9 +62,10 @@ void shadeHit(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint3
   PathState state = PathState::unpack(from.state[i]);
   if (!at.hit.valid) {
     if (state.in_view) return;
-    const Lights& lights = t.scene.still().lights();
-    const float weight = state.delta ? 1 : balance(from.pdf[i], lights.distantPdf(at.direction));
-    results.radiance.add(slot, throughput * Color<C>(lights.distantRadiance(at.direction)) * weight);
+    const DistantLights& lights = t.scene.still().lights().distant();
+    const float pdf_light = lights.pdf(t.lightsOf(state.from_start), at.direction);
+    const float weight = state.delta ? 1 : balance(from.pdf[i], pdf_light);
+    results.radiance.add(slot, throughput * Color<C>(lights.radiance(at.direction)) * weight);
     return;
   }
   const RayCone cone{from.width[i] + from.spread[i] * at.hit.t, from.spread[i]};

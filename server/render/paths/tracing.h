@@ -17,6 +17,13 @@ struct Tracing {
   const PosedScene& scene;
   int bounces;  // indirect, off rough surfaces; 0: direct light only
   KnownBounces known;
+  // First vertices take no samples of points and suns: their light is computed elsewhere.
+  bool deltas_apart = false;
+
+  // Of which the vertex takes samples that chose a direction.
+  LightSet lightsOf(bool first_vertex) const {
+    return first_vertex && deltas_apart ? LightSet::kWithExtent : LightSet::kAll;
+  }
 };
 
 // Every vertex has its own random dimensions. So two paths that part at one vertex share the numbers of the

@@ -47,7 +47,7 @@ void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, Prim
   if (!hit.valid) {
     out.start = {}, out.guide = {};
     out.guide.hit = false;
-    if constexpr (S.extras) out.guide.emission = view.now.scene.still().lights().distantRadiance(unit);
+    if constexpr (S.extras) out.guide.emission = view.now.scene.still().lights().distant().radiance(unit);
     return;
   }
   RayCone cone{0, view.now.camera.pixelAt(ray.direction)};

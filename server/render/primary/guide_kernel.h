@@ -44,7 +44,7 @@ Guide followView(const PosedScene& scene, const Ray& primary, const Hit& first, 
     const Ray ray{scene.still().leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
     const Hit hit = scene.still().geometry().intersect(ray);
     if (!hit.valid) {
-      g.emission = g.emission + throughput * scene.still().lights().distantRadiance(next.wi);
+      g.emission = g.emission + throughput * scene.still().lights().distant().radiance(next.wi);
       g.hit = false;
       return g;
     }

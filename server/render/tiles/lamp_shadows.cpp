@@ -11,127 +11,163 @@
 namespace saccade {
 namespace {
 
-static const int kFew = std::getenv("SD_FEW") ? std::atoi(std::getenv("SD_FEW")) : 4, kMany = std::getenv("SD_MANY") ? std::atoi(std::getenv("SD_MANY")) : 32;
-constexpr int kEdge = 32;  // of a tile
+constexpr int kFew = 4, kMany = 24;  // rays to a group of lamps
+constexpr int kTileEdge = 32;
 
-// Numbers of ray i of a point: the R3 sequence (Roberts 2018), whose start is spread evenly over neighbours.
-// They are the same in all frames.
-struct RayNumbers {
+// The numbers of a point's rays: the R3 sequence (Roberts 2018). Its start is spread evenly over neighbours, and
+// is the same in all frames.
+class RayNumbers {
+ public:
   RayNumbers(int column, int y)
-      : column(static_cast<std::uint32_t>(column)), row(static_cast<std::uint32_t>(y)) {}
-  float u(int i, int dimension) const {
-    constexpr std::uint32_t kOfRay[] = {0xd1b54a33u, 0xabc98389u, 0x8cb92ba7u},
-                            kOfColumn[] = {0xc13fa9a9u, 0x6a09e667u, 0xbb67ae85u},
-                            kOfRow[] = {0x91e10da5u, 0x9b05688cu, 0x1f83d9abu};
-    return toUnit(static_cast<std::uint32_t>(i) * kOfRay[dimension] + column * kOfColumn[dimension] +
-                  row * kOfRow[dimension]);
+      : column_(static_cast<std::uint32_t>(column)), row_(static_cast<std::uint32_t>(y)) {}
+  float u(int ray, int dimension) const {
+    return toUnit(static_cast<std::uint32_t>(ray) * kOfRay[dimension] + column_ * kOfColumn[dimension] +
+                  row_ * kOfRow[dimension]);
   }
-  std::uint32_t column, row;
+
+ private:
+  // As fractions of 2^32. Those of columns and rows are R2, and fractions of square roots of primes.
+  static constexpr std::uint32_t kOfRay[] = {0xd1b54a33u, 0xabc98389u, 0x8cb92ba7u};
+  static constexpr std::uint32_t kOfColumn[] = {0xc13fa9a9u, 0x6a09e667u, 0xbb67ae85u};
+  static constexpr std::uint32_t kOfRow[] = {0x91e10da5u, 0x9b05688cu, 0x1f83d9abu};
+
+  std::uint32_t column_, row_;
 };
 
-bool isLit(const SurfaceSamples& on, std::size_t i) {
-  return on[i].share > 0 && on[i].kind != SurfaceKind::kNone && !on[i].baked && on.place(i).unoccluded > 0;
+bool isLit(const SurfaceSamples& on, std::size_t point) {
+  const SurfacePoint& p = on[point];
+  return p.share > 0 && p.kind != SurfaceKind::kNone && !p.baked && on.place(point).unoccluded > 0;
+}
+
+LitPoint litPointOf(const PlainStart& start) {
+  return {start.point, start.shading_normal, start.geometric_normal};
+}
+LitPoint litPointOf(const SurfaceStart& start) {
+  const Surface& s = start.path.surface;
+  return {s.point, s.shading_normal, s.geometric_normal};
+}
+
+void forEachPoint(const SurfaceSamples& on, Tile tile, const auto& f) {
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int column = tile.x0 * on.perPixel(); column < tile.x1 * on.perPixel(); ++column) f(column, y);
 }
 
 }  // namespace
 
+// Adds rays, up to `count` of each point and group that wanted(point, group) tells.
 template <Shading S>
-void LampShadows::traceTile(const FrameStarts& of, Tile tile, int rays, const auto& wanted,
-                            std::vector<Traced>& traced) {
-  const SurfaceSamples& on = *of.frame.surfaces;
-  const Tracing tracing{of.scene, 0, {}};
+void LampShadows::traceTile(const Traced& frame, Tile tile, int count, const auto& wanted) const {
+  const auto& [scene, on, starts] = frame.of;
+  const Tracing tracing{scene, 0, {}};
   const auto onEnd = [&](const ShadowRay& ray, Rgb fraction) {
-    Traced& t = traced[ray.owner];
-    t.visible += ray.weight * luminance(fraction), t.all += ray.weight;
+    Rays& rays = frame.rays[ray.owner];
+    rays.visible += ray.weight * luminance(fraction), rays.all += ray.weight;
   };
   TileShadowRays<S, decltype(onEnd)> shadow_rays(tracing, onEnd);
-  const RenderScene& scene = of.scene.still();
-  const auto add = [&](std::uint32_t i, int column, int y, const auto& start, const LitPoint& p, Rgb base) {
-    const LampPoints lamps(scene.analyticLight(), p, base, of.scene.strengths());
-    const Vec3 origin = leave(scene, start);
-    const RayNumbers numbers(column, y);
-    for (int k = traced[i].rays; k < rays && !lamps.empty(); ++k) {
-      const LampPoints::Point to = lamps.at(numbers.u(k, 0), numbers.u(k, 1), numbers.u(k, 2));
-      if (to.weight > 0) shadow_rays.add({origin, to.position - origin, kShadowEnd, i, to.weight});
-    }
-    traced[i].rays = rays;
-  };
-  forEachPixel(tile, [&](int x, int y) {
-    for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
-      const auto i = static_cast<std::uint32_t>(on.indexOf(column, y));
-      if (traced[i].rays >= rays || !isLit(on, i) || !wanted(column, y)) continue;
-      if (of.starts.isPlain(i)) {
-        const PlainStart& start = of.starts.plain(i);
-        add(i, column, y, start, {start.point, start.shading_normal, start.geometric_normal},
-            start.reflectance);
-      } else {
-        const SurfaceStart& start = of.starts.other(i);
-        const Surface& s = start.path.surface;
-        add(i, column, y, start, {s.point, s.shading_normal, s.geometric_normal}, start.base.albedo);
+  const auto add = [&](std::size_t point, const RayNumbers& numbers, Vec3 origin, const LampPoints& lamps) {
+    for (int g = 0; g < groups_; ++g) {
+      const auto i = static_cast<std::uint32_t>(indexOf(point, g));
+      Rays& rays = frame.rays[i];
+      if (rays.count >= count || !wanted(point, g)) continue;
+      rays.unoccluded = lamps.unoccluded(g);
+      for (; rays.count < count && rays.unoccluded > 0; ++rays.count) {
+        const auto u = [&](int dimension) { return numbers.u(rays.count, dimension); };
+        const LampPoints::Point to = lamps.at(g, u(0), u(1), u(2));
+        if (to.weight > 0) shadow_rays.add({origin, to.position - origin, kShadowEnd, i, to.weight});
       }
+      rays.count = count;
     }
+  };
+  forEachPoint(on, tile, [&](int column, int y) {
+    const std::size_t point = on.indexOf(column, y);
+    bool any = false;
+    for (int g = 0; g < groups_; ++g)
+      any = any || (frame.rays[indexOf(point, g)].count < count && wanted(point, g));
+    if (!any || !isLit(on, point)) return;
+    const RenderScene& still = scene.still();
+    const auto from = [&](const auto& start, const LitPoint& p, Rgb base) {
+      add(point, {column, y}, leave(still, start), {still.analyticLight(), p, base, scene.strengths()});
+    };
+    if (starts.isPlain(point))
+      from(starts.plain(point), litPointOf(starts.plain(point)), starts.plain(point).reflectance);
+    else
+      from(starts.other(point), litPointOf(starts.other(point)), starts.other(point).base.albedo);
   });
   shadow_rays.finish();
 }
 
-bool LampShadows::isPenumbra(const SurfaceSamples& on, int column, int y) const {
-  bool lit = false, dark = false;
+// Whether some rays of a point and its neighbours, in either frame, are blocked and others are not.
+bool LampShadows::isPenumbra(const SurfaceSamples& on, int column, int y, int group) const {
   const int step = on.perPixel();
-  for (int ny = std::max(0, y - 1); ny <= std::min(on.height() - 1, y + 1); ++ny)
-    for (int nx = std::max(column % step, column - step); nx <= std::min(on.columns() - 1, column + step);
-         nx += step) {
-      const std::size_t i = on.indexOf(nx, ny);
-      for (const Traced& t : {now_[i], before_[i]})
-        lit = lit || t.visible > 0, dark = dark || t.visible < t.all;
+  bool lit = false, dark = false;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -step; dx <= step; dx += step) {
+      const int nx = column + dx, ny = y + dy;
+      if (nx < 0 || nx >= on.columns() || ny < 0 || ny >= on.height()) continue;
+      const std::size_t i = indexOf(on.indexOf(nx, ny), group);
+      for (const Rays& rays : {now_[i], before_[i]})
+        lit = lit || rays.visible > 0, dark = dark || rays.visible < rays.all;
     }
   return lit && dark;
 }
 
-SurfaceShadow LampShadows::shadowOf(std::size_t i, float left_out) const {
-  const Traced &now = now_[i], &before = before_[i];
-  SurfaceShadow s{.wanted = left_out, .now = now.visibility(), .before = before.visibility()};
-  const auto noise = [](const Traced& t) {
-    const float v = t.visibility();
-    return t.rays > 0 ? v * (1 - v) / static_cast<float>(t.rays) : 0;
+void LampShadows::finish(std::size_t point, SurfaceShadow& shadow) const {
+  struct Sums {
+    float light = 0, visible = 0, variance = 0;
+    float visibility() const { return light > 0 ? visible / light : 1; }
   };
-  s.variance = std::max(noise(now), noise(before));
-  s.trust = left_out / (left_out + s.variance);
-  const auto rays = static_cast<float>(std::max({now.rays, before.rays, 1}));
-  s.step_variance =
-      now.isWhole() && before.isWhole() ? 0 : std::max(std::abs(s.now - s.before), 1 / rays) / rays;
-  return s;
+  const auto sumsOf = [&](const std::vector<Rays>& of) {
+    Sums sums;
+    for (int g = 0; g < groups_; ++g) {
+      const Rays& rays = of[indexOf(point, g)];
+      const float V = rays.visibility(), U = rays.unoccluded;
+      sums.light += U, sums.visible += U * V;
+      if (rays.areMixed()) sums.variance += U * U * V * (1 - V) / static_cast<float>(rays.count);
+    }
+    if (sums.light > 0) sums.variance /= sums.light * sums.light;
+    return sums;
+  };
+  const Sums now = sumsOf(now_), before = sumsOf(before_);
+  shadow.now = now.visibility(), shadow.before = before.visibility();
+  shadow.variance = std::max(now.variance, before.variance);
+  shadow.trust = shadow.wanted / (shadow.wanted + shadow.variance);
+  // A ray's end changes with the probability of the change, so that this is its variance, too.
+  const float least = 1.f / kMany, change = std::abs(shadow.now - shadow.before);
+  shadow.step_variance = shadow.variance > 0 ? std::max(change, least) / kMany : 0;
 }
 
 std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameStarts& before,
-                                            const PoolHandle& pool, std::vector<SurfaceShadow>& out) {
-  const SurfaceSamples& on = *now.frame.surfaces;
-  const int width = now.frame.width(), height = now.frame.height();
-  const auto pass = [&](int rays, const auto& wanted) {
-    return pool.forEachTile(width, height, kEdge, [&](Tile tile) {
+                                            const PoolHandle& pool, std::vector<SurfaceShadow>& shadows) {
+  if (groups_ == 0) return {};
+  const SurfaceSamples& on = now.on;
+  const auto pass = [&](int count, const auto& wanted) {
+    return pool.forEachTile(on.columns() / on.perPixel(), on.height(), kTileEdge, [&](Tile tile) {
       withKernel(now.scene.still().shading(), [&]<Shading S>() {
-        traceTile<S>(now, tile, rays, wanted, now_);
-        traceTile<S>(before, tile, rays, wanted, before_);
+        traceTile<S>({now, now_}, tile, count, wanted);
+        traceTile<S>({before, before_}, tile, count, wanted);
       });
     });
   };
-  const auto isWanted = [&](int column, int y) { return out[on.indexOf(column, y)].wanted > 0; };
-  auto time = pass(kFew, isWanted);
-  std::vector<char> penumbra(out.size());
-  time += pool.forEachRow(height, [&](int y) {
-    for (int column = 0; column < on.columns(); ++column)
-      if (isWanted(column, y)) penumbra[on.indexOf(column, y)] = isPenumbra(on, column, y);
+  auto time = pass(kFew, [&](std::size_t point, int) { return shadows[point].wanted > 0; });
+  const auto forEachWanted = [&](const auto& f) {
+    return pool.forEachRow(on.height(), [&](int y) {
+      for (int column = 0; column < on.columns(); ++column)
+        if (const std::size_t point = on.indexOf(column, y); shadows[point].wanted > 0) f(point, column, y);
+    });
+  };
+  penumbra_.assign(now_.size(), false);
+  time += forEachWanted([&](std::size_t point, int column, int y) {
+    for (int g = 0; g < groups_; ++g) penumbra_[indexOf(point, g)] = isPenumbra(on, column, y, g);
   });
-  time += pass(kMany, [&](int column, int y) { return penumbra[on.indexOf(column, y)] != 0; });
-  return time + pool.forEachRow(height, [&](int y) {
-    for (int column = 0; column < on.columns(); ++column)
-      if (const std::size_t i = on.indexOf(column, y); out[i].wanted > 0) out[i] = shadowOf(i, out[i].wanted);
-  });
+  time += pass(kMany, [&](std::size_t point, int group) { return penumbra_[indexOf(point, group)]; });
+  return time + forEachWanted([&](std::size_t point, int, int) { finish(point, shadows[point]); });
 }
 
-void LampShadows::next(std::size_t points) {
+void LampShadows::next(const RenderScene& scene, std::size_t points) {
+  groups_ = scene.analyticLight().groups();
   std::swap(now_, before_);
-  before_.resize(points);
-  now_.assign(points, {});
+  now_.assign(points * static_cast<std::size_t>(groups_), {});
+  before_.resize(now_.size());
 }
 
 }  // namespace saccade

@@ -1,8 +1,8 @@
-// The share of the light of lamps in closed form that nothing blocks, by shadow rays at the points of two frames.
+// Visibility of the lamps in closed form, by shadow rays at the points of two frames [ours].
 //
-// Both frames' points ask for the same points of the lamps, so that the change is that of the shadow. Points get
-// few rays at first. Where some of the neighbours' rays are blocked and others not, as in a penumbra, they get
-// many.
+// A point asks for the same points of the lamps in all frames, so that a change of visibility is that of the
+// shadow. It gets few rays at first. Where some of those of its neighbours are blocked and others are not, as in a
+// penumbra, it gets many.
 #pragma once
 
 #include <chrono>
@@ -10,41 +10,52 @@
 
 #include "base/pool_handle.h"
 #include "frame/frame.h"
-#include "render/camera/pixel_context.h"
 #include "render/tiles/surface_start.h"
+#include "render/world/posed_scene.h"
 
 namespace saccade {
 
 // The surfaces of a frame, and where paths start from them.
 struct FrameStarts {
   const PosedScene& scene;
-  const Frame& frame;
+  const SurfaceSamples& on;
   const SurfaceStarts& starts;
 };
 
 class LampShadows {
  public:
-  // Fills SurfaceSamples::shadows of `now`, where its `wanted` asks. `before`: the frame before it. Returns the
-  // CPU time.
+  // A frame with so many points begins: the rays of the last one are now those of the frame before.
+  void next(const RenderScene& scene, std::size_t points);
+
+  // Fills the shadows that are wanted. Returns the CPU time.
   std::chrono::nanoseconds trace(const FrameStarts& now, const FrameStarts& before, const PoolHandle& pool,
-                                 std::vector<SurfaceShadow>& out);
-  // A new frame begins: that of the last trace() is now the one before.
-  void next(std::size_t points);
+                                 std::vector<SurfaceShadow>& shadows);
 
  private:
-  // What the rays of a point have found, and their number so far.
-  struct Traced {
-    float visible = 0, all = 0;  // weights
-    int rays = 0;
-    bool isWhole() const { return visible == 0 || visible == all; }
+  // The rays of a point to one group of lamps.
+  struct Rays {
+    float visible = 0, all = 0;  // sums of weights
+    float unoccluded = 0;        // light of the group
+    int count = 0;
+    bool areMixed() const { return visible > 0 && visible < all; }
     float visibility() const { return all > 0 ? visible / all : 1; }
   };
+  // Of a frame, by point and group.
+  struct Traced {
+    FrameStarts of;
+    std::vector<Rays>& rays;
+  };
   template <Shading S>
-  void traceTile(const FrameStarts& of, Tile tile, int rays, const auto& wanted, std::vector<Traced>& traced);
-  bool isPenumbra(const SurfaceSamples& on, int column, int y) const;
-  SurfaceShadow shadowOf(std::size_t index, float left_out) const;
+  void traceTile(const Traced& frame, Tile tile, int count, const auto& wanted) const;
+  bool isPenumbra(const SurfaceSamples& on, int column, int y, int group) const;
+  void finish(std::size_t point, SurfaceShadow& shadow) const;
+  std::size_t indexOf(std::size_t point, int group) const {
+    return point * static_cast<std::size_t>(groups_) + static_cast<std::size_t>(group);
+  }
 
-  std::vector<Traced> now_, before_;  // by point
+  int groups_ = 0;
+  std::vector<Rays> now_, before_;
+  std::vector<char> penumbra_;  // by point and group
 };
 
 }  // namespace saccade

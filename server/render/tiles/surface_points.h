@@ -174,7 +174,7 @@ void renderSurfaceTile(const PixelContext& view, Tile tile, const std::function<
         [&](int x, int y, const PrimaryHit& hit) { points.set(x, y, hit); });
   else
     forEachPixel(tile, [&](int x, int y) { points.setJittered(x, y); });
-  if (!view.now.scene.still().deltaLamps().empty()) points.addDeltaLight();
+  if (view.now.scene.still().deltaLamps().areFew()) points.addDeltaLight();
   on_tile(tile);
   points.keepStarts(starts);
 }
