@@ -18,7 +18,8 @@ const MethodInfo& methodOf(const FeedConfig& config) {
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
            const PoolHandle& pool)
     : Feed(std::move(scene), std::move(path), config,
-           methodOf(config).make({config.params, config.camera.width, config.camera.height, config.baked}),
+           methodOf(config).make(
+               {config.params, config.camera.width, config.camera.height, config.spp, config.baked}),
            methodOf(config).seeds(config.params), pool) {}
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
@@ -75,7 +76,7 @@ void Feed::render(const PoolHandle& pool) {
   const BounceGrid* known = method->plan(config_.spp, next, pool, times_);
   times_[Stage::kTrace] += next.time + renderer_.renderPaths(view.now, seeds, next, known, pool);
   if (frame.index > 0)
-    times_[Stage::kTrace] += renderer_.traceShadows(view, frame, frames_.pair().prev, pool);
+    times_[Stage::kTrace] += renderer_.traceShadows(view, config_.spp, frame, frames_.pair().prev, pool);
 }
 
 Camera Feed::cameraAt(TimeNs t) const {

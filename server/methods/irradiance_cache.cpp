@@ -15,7 +15,7 @@ using P = IrradianceCacheParams;
 
 const std::vector<ParamField<P>>& fields() {
   static const std::vector<ParamField<P>> table{
-      {"cell_px", &P::cell_px, 0.1, 16, "edge of the finest cells, pixels", "[ours]", "finest"},
+      {"cell_px", &P::cell_px, 0.1, 16, "edge of the finest cells with 2 paths, pixels; it is scaled by sqrt(2 / spp), to 0.35 at least", "[ours]", "finest"},
       {"tau", &P::tau, 0, 10, "standard deviations by which detail must exceed its noise", "[ours]"},
       {"noise", &P::noise, 0.001, 100, "variance of an interpolated mean, relative to that of one sample",
        "[ours]"},
@@ -45,6 +45,12 @@ constexpr int kBakedIterations = 1;
 // Frames after a change of light, until 3 % of it are missing in a history of SVGF.
 constexpr std::uint32_t kCatchUp = 32;
 
+// More paths prove finer detail.
+float cellEdge(float cell_px, int spp) {
+  constexpr float kLeast = 0.35f;
+  return std::max(std::min(kLeast, cell_px), cell_px * std::sqrt(2 / static_cast<float>(std::max(2, spp))));
+}
+
 // Bytes of a grid: what `memory_mib` allows, but no more than 25 pictures show that have nothing in common.
 double gridBytes(int memory, double pixels) {
   constexpr double kMostPerPixel = 5000;
@@ -67,19 +73,19 @@ MethodInfo IrradianceCache::info() {
           [](const ParamValues&) -> SeedPlanner { return SeedPlan::independent; },
           [](const MethodSetup& setup) -> std::unique_ptr<Method> {
             return std::make_unique<IrradianceCache>(makeParams(fields(), setup.params), setup.width,
-                                                     setup.height, setup.baked);
+                                                     setup.height, setup.spp, setup.baked);
           },
           true,
           mostBytes};
 }
 
-IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h,
+IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h, int spp,
                                  std::shared_ptr<const BakedLight> baked)
     : params_(p),
       atrous_{
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
       light_(
-          {.cell_px = p.cell_px, .blend = {.tau = p.tau, .noise = p.noise, .noise_weight = p.noise_weight}},
+          {.cell_px = cellEdge(p.cell_px, spp), .blend = {.tau = p.tau, .noise = p.noise, .noise_weight = p.noise_weight}},
           static_cast<std::size_t>(gridBytes(p.memory_mib, 1. * w * h))),
       baked_(std::move(baked)),
       estimates_{GridEstimate(w, h), GridEstimate(w, h)},

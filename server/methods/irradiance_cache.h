@@ -33,7 +33,7 @@ struct IrradianceCacheParams {
 class IrradianceCache final : public SurfaceMethod {
  public:
   // `baked`: light that is known ahead; may be nullptr. A change of the scene's light ends its use.
-  IrradianceCache(const IrradianceCacheParams& params, int width, int height,
+  IrradianceCache(const IrradianceCacheParams& params, int width, int height, int spp,
                   std::shared_ptr<const BakedLight> baked = nullptr);
   static MethodInfo info();
 

@@ -95,10 +95,10 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
                           [&](Tile t) { tile(seeds, tracing, t, starts_, out); });
 }
 
-std::chrono::nanoseconds Renderer::traceShadows(const PixelContext& view, Frame& now, const Frame& before,
-                                                const PoolHandle& pool) {
+std::chrono::nanoseconds Renderer::traceShadows(const PixelContext& view, int spp, Frame& now,
+                                                const Frame& before, const PoolHandle& pool) {
   return shadows_.trace({view.now.scene, *now.surfaces, starts_},
-                        {view.before.scene, *before.surfaces, starts_before_}, pool,
+                        {view.before.scene, *before.surfaces, starts_before_}, spp, pool,
                         now.surfaces->shadows());
 }
 

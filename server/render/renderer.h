@@ -43,7 +43,7 @@ class Renderer {
 
   // Traces the shadow rays that SurfaceSamples::shadows of a frame ask for, at its points and at those of the
   // frame before. Called after renderPaths() of the frame.
-  std::chrono::nanoseconds traceShadows(const PixelContext& view, Frame& now, const Frame& before,
+  std::chrono::nanoseconds traceShadows(const PixelContext& view, int spp, Frame& now, const Frame& before,
                                         const PoolHandle& pool);
 
   // Renders one picture in colour, into three planes. All of the `spp` paths per pixel start at

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "cache/grid/cut_search.h"
 #include "cache/grid/vertex_search.h"
@@ -74,6 +73,17 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
     out.var_i.at(x[i], y[i]) += share * share * estimate.values[1][i];
     out.var_step.at(x[i], y[i]) += share * share * estimate.values[2][i];
   }
+}
+
+// The variance of visibility within the finest cells, where it is a visible part of the light: by the evidence
+// for the detail of these cells, whether or not it exceeds its noise [ours].
+float shadowDetail(const Octet& evidence, float unoccluded, float light) {
+  constexpr float kUnknownDetail = 0.02f;
+  constexpr float kLeastContrast = 0.05f;
+  const float x = evidence[4], weight = evidence[7];
+  if (!(weight > 0 && light > 0)) return kUnknownDetail;
+  const float variance = std::max(0.f, x / weight);
+  return unoccluded * std::sqrt(variance) > kLeastContrast * light ? variance : 0;
 }
 
 }  // namespace
@@ -162,16 +172,6 @@ void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
   }
 }
 
-// The energy of visibility's detail, where it is a visible share of the light.
-static float shadowDetail(const Octet& e, bool known, float U, float light, float tau) {
-  static const float kUnknownDetail = std::getenv("SD_UNKNOWN") ? std::atof(std::getenv("SD_UNKNOWN")) : 0.02f;
-  static const float kLeast = std::getenv("SD_LEAST") ? std::atof(std::getenv("SD_LEAST")) : 0.05f;
-  static const float kTau = std::getenv("SD_TAU") ? std::atof(std::getenv("SD_TAU")) : 0;
-  if (!known) return kUnknownDetail;
-  const float energy = std::max(0.f, e[4] - kTau * tau * std::sqrt(e[5])) / e[7];
-  return U * std::sqrt(energy) > kLeast * light ? energy : 0;
-}
-
 SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolHandle& pool,
                                            ImageF& out, ImageF* shadow_detail) const {
   const SurfaceSamples& on = frame.on;
@@ -189,14 +189,13 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolH
       const Octet e = gather(levels_[p.level + slot + kPoolSteps].evidence, at, p, slot + kPoolSteps);
       const bool known = l[0] > 0 && e[3] > 0, shadows = l[3] > 0 && e[7] > 0;
       const float U = on.place(p.index).unoccluded;
-      const float variance = varianceOf<float>(e[2], e[3], l[0], params_.blend) +
-                             U * U * varianceOf<float>(e[6], e[7], l[3], params_.blend);
       const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
+      const float detail = shadow_detail && U > 0 ? shadowDetail(e, U, light) : 0;
+      float variance = varianceOf<float>(e[2], e[3], l[0], params_.blend);
+      if (detail == 0) variance += U * U * varianceOf<float>(e[6], e[7], l[3], params_.blend);
       out.at(on.columnOf(p.index), on.rowOf(p.index)) =
           known ? std::sqrt(variance) / std::max(light, 1e-6f) : kUnknown;
-      if (shadow_detail && U > 0)
-        shadow_detail->at(on.columnOf(p.index), on.rowOf(p.index)) =
-            shadowDetail(e, shadows, U, light, params_.blend.tau);
+      if (shadow_detail) shadow_detail->at(on.columnOf(p.index), on.rowOf(p.index)) = detail;
     }
   });
 }

@@ -68,7 +68,8 @@ class SurfaceGrid {
   // Relative standard deviation of the mean over a cell of about two pixels at the points of a frame. It does
   // not matter whether its detail is believed. It is kUnknown where nothing is known yet, and 0 where there
   // is no point. `out` has the columns of `on`.
-  // `shadow_detail`: variance of visibility over the finest cells, as far as it counts; may be nullptr.
+  // `shadow_detail`: the variance of visibility within the finest cells where rays are to tell it, otherwise
+  // 0. Its noise then counts as none. nullptr: rays tell it nowhere.
   Time uncertainty(const FrameOnGrid& frame, const PoolHandle& pool, ImageF& out,
                    ImageF* shadow_detail = nullptr) const;
   // The steps that a frame has gone through.

@@ -11,7 +11,7 @@
 namespace saccade {
 namespace {
 
-constexpr int kFew = 4, kMany = 24;  // rays to a group of lamps
+constexpr int kFew = 4, kManyPerPath = 12, kMost = 256;  // rays to a group of lamps
 constexpr int kTileEdge = 32;
 
 // The numbers of a point's rays: the R3 sequence (Roberts 2018). Its start is spread evenly over neighbours, and
@@ -111,7 +111,7 @@ bool LampShadows::isPenumbra(const SurfaceSamples& on, int column, int y, int gr
   return lit && dark;
 }
 
-void LampShadows::finish(std::size_t point, SurfaceShadow& shadow) const {
+void LampShadows::finish(std::size_t point, int rays, SurfaceShadow& shadow) const {
   struct Sums {
     float light = 0, visible = 0, variance = 0;
     float visibility() const { return light > 0 ? visible / light : 1; }
@@ -132,13 +132,14 @@ void LampShadows::finish(std::size_t point, SurfaceShadow& shadow) const {
   shadow.variance = std::max(now.variance, before.variance);
   shadow.trust = shadow.wanted / (shadow.wanted + shadow.variance);
   // A ray's end changes with the probability of the change, so that this is its variance, too.
-  const float least = 1.f / kMany, change = std::abs(shadow.now - shadow.before);
-  shadow.step_variance = shadow.variance > 0 ? std::max(change, least) / kMany : 0;
+  const float each = 1 / static_cast<float>(rays), change = std::abs(shadow.now - shadow.before);
+  shadow.step_variance = shadow.variance > 0 ? std::max(change, each) * each : 0;
 }
 
-std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameStarts& before,
+std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameStarts& before, int spp,
                                             const PoolHandle& pool, std::vector<SurfaceShadow>& shadows) {
   if (groups_ == 0) return {};
+  const int many = std::clamp(kManyPerPath * spp, kFew, kMost);
   const SurfaceSamples& on = now.on;
   const auto pass = [&](int count, const auto& wanted) {
     return pool.forEachTile(on.columns() / on.perPixel(), on.height(), kTileEdge, [&](Tile tile) {
@@ -159,8 +160,8 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
   time += forEachWanted([&](std::size_t point, int column, int y) {
     for (int g = 0; g < groups_; ++g) penumbra_[indexOf(point, g)] = isPenumbra(on, column, y, g);
   });
-  time += pass(kMany, [&](std::size_t point, int group) { return penumbra_[indexOf(point, group)]; });
-  return time + forEachWanted([&](std::size_t point, int, int) { finish(point, shadows[point]); });
+  time += pass(many, [&](std::size_t point, int group) { return penumbra_[indexOf(point, group)]; });
+  return time + forEachWanted([&](std::size_t point, int, int) { finish(point, many, shadows[point]); });
 }
 
 void LampShadows::next(const RenderScene& scene, std::size_t points) {

@@ -27,9 +27,9 @@ class LampShadows {
   // A frame with so many points begins: the rays of the last one are now those of the frame before.
   void next(const RenderScene& scene, std::size_t points);
 
-  // Fills the shadows that are wanted. Returns the CPU time.
-  std::chrono::nanoseconds trace(const FrameStarts& now, const FrameStarts& before, const PoolHandle& pool,
-                                 std::vector<SurfaceShadow>& shadows);
+  // Fills the shadows that are wanted. The rays of penumbras are in proportion to `spp`. Returns the CPU time.
+  std::chrono::nanoseconds trace(const FrameStarts& now, const FrameStarts& before, int spp,
+                                 const PoolHandle& pool, std::vector<SurfaceShadow>& shadows);
 
  private:
   // The rays of a point to one group of lamps.
@@ -48,7 +48,7 @@ class LampShadows {
   template <Shading S>
   void traceTile(const Traced& frame, Tile tile, int count, const auto& wanted) const;
   bool isPenumbra(const SurfaceSamples& on, int column, int y, int group) const;
-  void finish(std::size_t point, SurfaceShadow& shadow) const;
+  void finish(std::size_t point, int rays, SurfaceShadow& shadow) const;
   std::size_t indexOf(std::size_t point, int group) const {
     return point * static_cast<std::size_t>(groups_) + static_cast<std::size_t>(group);
   }
