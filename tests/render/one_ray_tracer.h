@@ -33,8 +33,9 @@ template <Shading S, int C>
 Color<C> directLightOf(Stratum stratum, LightSet set, const PosedScene& scene, const Surface& s,
                        const Scatter<S>& scatter, const PathSampler& sampler, std::uint32_t dimension) {
   const Vec3 origin = scene.still().leave(s);
-  const IncidentLight light = scene.still().lights().sample(
-      stratum, set, origin, sampler.u(dimension), sampler.u(dimension + 1), sampler.u(dimension + 2));
+  const IncidentLight light =
+      scene.still().lights().sample(stratum, set, {origin, s.geometric_normal}, sampler.u(dimension),
+                                    sampler.u(dimension + 1), sampler.u(dimension + 2));
   if (light.pdf <= 0) return {};
   BsdfValue f = scatter.evaluate(light.direction);
   if (f.pdf <= 0) return {};
@@ -66,6 +67,7 @@ Color<C> traceOneRay(const Tracing& t, const PathStart& start, const PathSampler
   Vec3 arriving = start.direction;
   RayCone cone = start.cone;
   float pdf = 1, distance = 0;    // of the last direction that was not straight on, and since then
+  Receiver chooser{};             // the vertex that chose it
   LightSet set = LightSet::kAll;  // that the vertex sampled which chose it
   bool delta = true, in_view = S.extras;
   const bool transmission = S.extras && scene.still().hasStraightTransmission();
@@ -85,7 +87,8 @@ Color<C> traceOneRay(const Tracing& t, const PathStart& start, const PathSampler
     if (straight)
       pdf *= scatter.straightTransmittance().probability;
     else
-      pdf = next.pdf, delta = next.delta, distance = 0, set = t.lightsOf(vertex == 0);
+      pdf = next.pdf, delta = next.delta, distance = 0, set = t.lightsOf(vertex == 0),
+      chooser = {scene.still().leave(s, next.transmitted), s.geometric_normal};
     in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
     if (!next.delta) cone.spread = RayCone::lobeSpread(next.pdf);
     const Ray ray{scene.still().leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
@@ -105,7 +108,8 @@ Color<C> traceOneRay(const Tracing& t, const PathStart& start, const PathSampler
     distance += hit.t;
     if (luminance(s.radiance) > 0 && !in_view) {
       const float cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
-      const float pdf_light = lights.lamps().pdf(set, s.radiance) * distance * distance / cos_light;
+      const float pdf_light = lights.lamps().pdf(set, {hit.geometry, hit.primitive, s.radiance}, chooser) *
+                              distance * distance / cos_light;
       const float weight = delta ? 1 : balance(pdf, pdf_light);
       radiance += throughput * Color<C>(s.radiance) * (weight * scene.strengths()[hit.geometry]);
     }

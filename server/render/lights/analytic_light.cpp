@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "render/lights/lamp_lanes.h"
+#include "render/lights/quads.h"
 
 namespace saccade {
 namespace {
@@ -45,19 +46,6 @@ float shareOfHemisphere(const Polygon& polygon, Vec3 n) {
     sum += angleOverSine(dot(a, b)) * dot(n, cross(a, b));
   }
   return std::abs(sum) * (0.5f * std::numbers::inv_pi_v<float>);
-}
-
-// Whether the second triangle goes on where the first ends, in its plane: (a, b, c) and (a, c, d), as of a
-// rectangle.
-bool isQuad(const Mesh& mesh, std::size_t i) {
-  if (i + 1 >= mesh.triangles.size()) return false;
-  const auto &s = mesh.triangles[i], &t = mesh.triangles[i + 1];
-  if (t[0] != s[0] || t[1] != s[2]) return false;
-  const auto normal = [&](const auto& v) {
-    return cross(mesh.positions[v[1]] - mesh.positions[v[0]], mesh.positions[v[2]] - mesh.positions[v[0]]);
-  };
-  const Vec3 m = normal(s), n = normal(t);
-  return dot(m, n) > 0.99999f * length(m) * length(n);
 }
 
 }  // namespace

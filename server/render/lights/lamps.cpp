@@ -4,57 +4,138 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/lights/quads.h"
+
 namespace saccade {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+LampBounds boundsOfPoint(const PointLight& point) {
+  return {point.position, point.position, {0, 0, 1}, kPi, 0, 1, luminance(point.intensity)};
+}
+
+// The box has the sphere's radius, not its edges.
+LampBounds boundsOfSphere(const AreaLamp& lamp) {
+  const Vec3 half = Vec3{1, 1, 1} * (lamp.radius / std::numbers::sqrt3_v<float>);
+  const float strength = luminance(lamp.radiance) * kPi * lamp.radius * lamp.radius;
+  return {lamp.corner - half, lamp.corner + half, {0, 0, 1}, kPi, 0, 1, strength};
+}
+
+LampBounds boundsOfTriangle(const AreaLamp& lamp) {
+  const Vec3 a = lamp.corner, normal = normalize(cross(lamp.edge1, lamp.edge2));
+  LampBounds all{a, a, normal, 0, 0, 1, luminance(lamp.radiance) * lamp.area()};
+  for (const Vec3 corner : {a + lamp.edge1, a + lamp.edge2}) all = merged(all, {corner, corner, normal});
+  return all;
+}
+
+}  // namespace
 
 float AreaLamp::area() const {
-  return radius > 0 ? 4 * std::numbers::pi_v<float> * radius * radius : length(cross(edge1, edge2)) / 2;
+  return radius > 0 ? 4 * kPi * radius * radius : length(cross(edge1, edge2)) / 2;
 }
 
 Lamps::Lamps(const Scene& scene) : points_(scene.point_lights) {
-  addAreaLamps(scene);
-  std::vector<float> power;  // over pi
-  for (const AreaLamp& lamp : area_lamps_) power.push_back(luminance(lamp.radiance) * lamp.area());
-  choices_[1] = LightChoice(power);
-  for (const PointLight& point : points_) power.push_back(4 * luminance(point.intensity));
-  choices_[0] = LightChoice(power);
-}
-
-void Lamps::addAreaLamps(const Scene& scene) {
   std::uint32_t geometry = 0;  // counted as EmbreeScene does
+  const auto next = [&] {
+    first_primitive_.push_back(static_cast<std::uint32_t>(leaf_of_primitive_.size()));
+  };
   for (const Mesh& mesh : scene.meshes) {
-    const std::uint32_t id = geometry++;
-    if (!emits(mesh)) continue;
-    for (const auto& t : mesh.triangles) {
-      const Vec3 a = mesh.positions[t[0]];
-      add({a, mesh.positions[t[1]] - a, mesh.positions[t[2]] - a, 0, mesh.radiance, id});
-    }
+    next();
+    if (emits(mesh)) addMesh(mesh, geometry);
+    ++geometry;
   }
   for (const Sphere& sphere : scene.spheres) {
-    const std::uint32_t id = geometry++;
-    if (emits(sphere)) add({sphere.center, {}, {}, sphere.radius, sphere.radiance, id});
+    next();
+    const AreaLamp lamp{sphere.center, {}, {}, sphere.radius, sphere.radiance, geometry++};
+    if (emits(sphere)) addLeaf({&lamp, 1});
+  }
+  addSets();
+}
+
+void Lamps::addMesh(const Mesh& mesh, std::uint32_t geometry) {
+  const auto lamp = [&](std::size_t i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    const Vec3 corner = mesh.positions[a];
+    return AreaLamp{corner,  mesh.positions[b] - corner, mesh.positions[c] - corner, 0, mesh.radiance,
+                    geometry};
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::vector<AreaLamp> lamps{lamp(i)};
+    if (isQuad(mesh, i)) lamps.push_back(lamp(++i));
+    addLeaf(lamps);
   }
 }
 
-void Lamps::add(const AreaLamp& lamp) {
-  if (lamp.area() > 0) area_lamps_.push_back(lamp);
+void Lamps::addLeaf(std::span<const AreaLamp> lamps) {
+  Leaf leaf{static_cast<std::uint32_t>(area_lamps_.size()), 0, 0};
+  for (const AreaLamp& lamp : lamps) {
+    leaf_of_primitive_.push_back(static_cast<std::uint32_t>(leaves_.size()));
+    const float area = lamp.area();
+    if (!(area > 0)) continue;
+    area_lamps_.push_back(lamp);
+    ++leaf.count, leaf.area += area;
+  }
+  if (leaf.count > 0) leaves_.push_back(leaf);
 }
 
-IncidentLight Lamps::sample(LightSet set, Vec3 point, float u_lamp, float u1, float u2) const {
-  const std::size_t i = choice(set).choose(u_lamp);
-  if (i < area_lamps_.size()) return ofArea(area_lamps_[i], pdf(set, area_lamps_[i].radiance), point, u1, u2);
-  const PointLight& lamp = points_[i - area_lamps_.size()];
-  const Vec3 segment = lamp.position - point;
+void Lamps::addSets() {
+  std::vector<float> power;  // over pi
+  std::vector<LampBounds> bounds;
+  const auto add = [&](Set& set) {
+    set.by_power = LightChoice(power);
+    if (bounds.size() > 1 && !set.by_power.empty()) set.tree.emplace(bounds);
+  };
+  for (const AreaLamp& lamp : area_lamps_) power.push_back(luminance(lamp.radiance) * lamp.area());
+  for (const Leaf& leaf : leaves_) bounds.push_back(boundsOf(leaf));
+  add(sets_[1]);
+  for (const PointLight& point : points_) {
+    power.push_back(4 * luminance(point.intensity)), bounds.push_back(boundsOfPoint(point));
+    leaves_.push_back({static_cast<std::uint32_t>(power.size()) - 1, 1, 1});
+  }
+  add(sets_[0]);
+}
+
+LampBounds Lamps::boundsOf(const Leaf& leaf) const {
+  const AreaLamp* lamp = &area_lamps_[leaf.first];
+  if (lamp->radius > 0) return boundsOfSphere(*lamp);
+  LampBounds all = boundsOfTriangle(*lamp);
+  for (std::uint32_t i = 1; i < leaf.count; ++i) all = merged(all, boundsOfTriangle(lamp[i]));
+  return all;
+}
+
+ChosenLamp Lamps::choose(LightSet set, const Receiver& at, float u_lamp) const {
+  if (!hasTree(set)) {
+    const auto i = static_cast<std::uint32_t>(byPower(set).choose(u_lamp));
+    if (i >= area_lamps_.size()) return {i, byPower(set).probability(i)};
+    return {i, luminance(area_lamps_[i].radiance) * byPower(set).inverseWeight()};
+  }
+  const LampTree::Chosen chosen = of(set).tree->choose(at, u_lamp);
+  const Leaf& leaf = leaves_[chosen.lamp];
+  std::uint32_t i = leaf.first;
+  if (leaf.count == 2 && chosen.u * leaf.area >= area_lamps_[i].area()) ++i;
+  return {i, chosen.probability / leaf.area};
+}
+
+float Lamps::pdf(LightSet set, const EmitterPoint& point, const Receiver& at) const {
+  if (!hasTree(set)) return luminance(point.radiance) * byPower(set).inverseWeight();
+  const std::uint32_t leaf = leaf_of_primitive_[first_primitive_[point.geometry] + point.primitive];
+  return of(set).tree->probability(leaf, at) / leaves_[leaf].area;
+}
+
+IncidentLight Lamps::sample(const ChosenLamp& lamp, Vec3 point, float u1, float u2) const {
+  if (lamp.number < area_lamps_.size()) return ofArea(area_lamps_[lamp.number], lamp.pdf, point, u1, u2);
+  const PointLight& light = points_[lamp.number - area_lamps_.size()];
+  const Vec3 segment = light.position - point;
   const float distance2 = dot(segment, segment);
-  return {segment / std::sqrt(distance2), segment, kShadowEnd, lamp.intensity / distance2,
-          choice(set).probability(i),     true};
+  return {segment / std::sqrt(distance2), segment, kShadowEnd, light.intensity / distance2, lamp.pdf, true};
 }
 
 // `pdf`: per area.
 IncidentLight Lamps::ofArea(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const {
   Vec3 on_lamp, normal;
   if (lamp.radius > 0) {
-    const float z = 1 - 2 * u1, r = std::sqrt(std::max(0.f, 1 - z * z)),
-                phi = 2 * std::numbers::pi_v<float> * u2;
+    const float z = 1 - 2 * u1, r = std::sqrt(std::max(0.f, 1 - z * z)), phi = 2 * kPi * u2;
     normal = {r * std::cos(phi), r * std::sin(phi), z};
     on_lamp = lamp.corner + normal * lamp.radius;
   } else {  // uniform on the triangle by the square-root map

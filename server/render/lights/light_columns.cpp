@@ -6,12 +6,22 @@
 
 namespace saccade {
 
+namespace {
+
+// As ChosenLamp::pdf.
+float pdfByPower(const Lamps& lamps, LightSet set, std::size_t i) {
+  const LightChoice& choice = lamps.byPower(set);
+  if (i < lamps.areaLamps().size()) return luminance(lamps.areaLamps()[i].radiance) * choice.inverseWeight();
+  return i < choice.sums().size() ? choice.probability(i) : 0;
+}
+
+}  // namespace
+
 LightColumns::LightColumns(const Lamps& lamps, const AnalyticLight& analytic) {
-  const std::size_t count = lamps.choice(LightSet::kAll).sums().size();
   const auto set = [&](Column x, Vec3 v) {
     columns_[x].push_back(v.x), columns_[x + 1].push_back(v.y), columns_[x + 2].push_back(v.z);
   };
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < lamps.count(); ++i) {
     const bool triangle = i < lamps.areaLamps().size() && lamps.areaLamps()[i].radius == 0;
     const AreaLamp lamp = triangle ? lamps.areaLamps()[i] : AreaLamp{};
     all_triangles_ = all_triangles_ && triangle;
@@ -21,13 +31,13 @@ LightColumns::LightColumns(const Lamps& lamps, const AnalyticLight& analytic) {
     set(kNormalX, triangle ? normalize(cross(lamp.edge1, lamp.edge2)) : Vec3{});
     set(kRed, lamp.radiance);
     columns_[kLuminance].push_back(luminance(lamp.radiance));
-    columns_[kPdf].push_back(lamps.pdf(LightSet::kAll, lamp.radiance));
-    columns_[kPdfWithExtent].push_back(lamps.pdf(LightSet::kWithExtent, lamp.radiance));
+    for (int k = 0; k < kLightSets; ++k)
+      columns_[static_cast<std::size_t>(kPdf + k)].push_back(pdfByPower(lamps, static_cast<LightSet>(k), i));
     columns_[kClosedForm].push_back(triangle && analytic.holds(lamp.geometry) ? 1.f : 0.f);
     columns_[kTriangle].push_back(triangle ? 1.f : 0.f);
     columns_[kGeometry].push_back(triangle ? static_cast<float>(lamp.geometry) : 0.f);
   }
-  choices_ = {Choice(lamps.choice(LightSet::kAll)), Choice(lamps.choice(LightSet::kWithExtent))};
+  choices_ = {Choice(lamps.byPower(LightSet::kAll)), Choice(lamps.byPower(LightSet::kWithExtent))};
 }
 
 LightColumns::Choice::Choice(const LightChoice& of)

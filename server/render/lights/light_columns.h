@@ -32,7 +32,7 @@ class LightColumns {
     kGreen,
     kBlue,
     kLuminance,
-    kPdf,            // of LightSet::kAll, per area
+    kPdf,            // per area, without a tree: of LightSet::kAll
     kPdfWithExtent,  // of LightSet::kWithExtent
     kClosedForm,
     kTriangle,
@@ -44,7 +44,7 @@ class LightColumns {
 
   bool allTriangles() const { return all_triangles_; }  // else at() of kTriangle tells
 
-  // The lamp that Lamps::sample() chooses.
+  // The lamp that Lamps::choose() finds without a tree.
   template <int W>
   [[gnu::always_inline]] Uints<W> choose(LightSet set, const Floats<W>& u) const {
     const Choice& of = choices_[static_cast<std::size_t>(set)];

@@ -22,11 +22,12 @@ class Lights {
     return stratum == Stratum::kLamps ? lamps_.has(set) : distant_.has(set);
   }
 
-  // A sample of a stratum at `point`, of numbers in [0, 1). The strata of a vertex share the numbers. There
-  // they stand for different things, so that their errors are not alike.
-  IncidentLight sample(Stratum stratum, LightSet set, Vec3 point, float u_light, float u1, float u2) const {
-    if (stratum == Stratum::kLamps) return lamps_.sample(set, point, u_light, u1, u2);
-    return distant_.sample(set, u_light, u2, u1);
+  // A sample of a stratum, of numbers in [0, 1). The strata of a vertex share the numbers. There they stand
+  // for different things, so that their errors are not alike.
+  IncidentLight sample(Stratum stratum, LightSet set, const Receiver& at, float u_light, float u1,
+                       float u2) const {
+    if (stratum == Stratum::kDistant) return distant_.sample(set, u_light, u2, u1);
+    return lamps_.sample(lamps_.choose(set, at, u_light), at.point, u1, u2);
   }
 
  private:

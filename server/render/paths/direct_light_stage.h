@@ -51,7 +51,7 @@ void directLightOf(const Batch<K.channels>& b, Stratum stratum) {
     ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.still().epsilon());
     const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
     const auto u = [&](int k) { return numbersAt<W, K.split>(b, numbers, kLight + k); };
-    const auto light = sampleLights<W, C>(b, stratum, ray.origin, u(0), u(1), u(2), lanesOf(lanes));
+    const auto light = sampleLights<W, C>(b, stratum, ray.origin, ng, u(0), u(1), u(2), lanesOf(lanes));
     lanes = lanes && light.pdf > 0.f && dot(light.direction, ng) > 0.f;
     const F cosine = dot(light.direction, ns);
     const auto f = evaluateLanes<W, K>(b, first, light.direction, ns, cosine, lanesOf(lanes));

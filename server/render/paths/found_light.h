@@ -11,10 +11,19 @@ namespace saccade {
 
 // An emitter that a path has hit. That is direct light of the vertex before.
 struct Found {
-  std::uint32_t slot, geometry;
+  std::uint32_t slot;
+  EmitterPoint emitter;
   float distance, cosine;  // from the vertex that could have sampled it; at the emitter
-  Rgb radiance;
+  Receiver vertex;         // that one
 };
+
+// The vertex that chose the direction of a path, whose ray has hit `point`.
+template <bool kMixed, int C>
+Receiver chooserOf(const LivePaths<C>& from, std::uint32_t path, Vec3 point, Vec3 direction, float distance) {
+  const bool straight_on = kMixed && from.distance[path] > 0;
+  return {point - direction * distance,
+          straight_on ? from.chooser_normal.at(path) : from.geometric_normal.at(path)};
+}
 
 inline constexpr float kDeltaPdf =
     std::numeric_limits<float>::infinity();  // samples of the lights cannot find it

@@ -15,15 +15,43 @@ struct LightSamples {
   Floats<W> delta, closed_form;       // 1 or 0; closed_form: AnalyticLight::holds()
 };
 
+// As ChosenLamp.
+template <int W>
+struct ChosenLamps {
+  Uints<W> number;
+  Floats<W> pdf;
+};
+
+template <int W, int C>
+[[gnu::always_inline]] inline ChosenLamps<W> chooseLamps(const Batch<C>& b, const Vec3T<Floats<W>>& point,
+                                                         const Vec3T<Floats<W>>& normal,
+                                                         const Floats<W>& u_lamp, LaneSet lanes) {
+  const Lamps& lamps = b.t.scene.still().lights().lamps();
+  const LightColumns& columns = b.t.scene.still().lightColumns();
+  if (!lamps.hasTree(b.lightSet())) {
+    const Uints<W> number = columns.choose<W>(b.lightSet(), u_lamp);
+    return {number, columns.at<W>(columns.pdfColumn(b.lightSet()), number)};
+  }
+  alignas(64) std::uint32_t number[W] = {};
+  alignas(64) float pdf[W] = {};
+  forEachLane(lanes, [&](int i) {
+    const ChosenLamp one = lamps.choose(b.lightSet(), {laneOf(point, i), laneOf(normal, i)}, u_lamp[i]);
+    number[i] = one.number, pdf[i] = one.pdf;
+  });
+  return {load<W>(number), load<W>(pdf)};
+}
+
 // Uniform points on triangles, by the square-root map.
 template <int W, int C>
-[[gnu::always_inline]] inline LightSamples<W, C> sampleTriangles(const Batch<C>& b, const Uints<W>& chosen,
+[[gnu::always_inline]] inline LightSamples<W, C> sampleTriangles(const Batch<C>& b,
+                                                                 const ChosenLamps<W>& lamps,
                                                                  const Vec3T<Floats<W>>& point,
                                                                  const Floats<W>& u1, const Floats<W>& u2) {
   using F = Floats<W>;
   using Columns = LightColumns;
   const LightColumns& lights = b.t.scene.still().lightColumns();
   const EmitterStrengths& strengths = b.t.scene.strengths();
+  const Uints<W>& chosen = lamps.number;
   LightSamples<W, C> light;
   const F s = sqrt(u1);
   const Vec3T<F> on_light = lights.vectorAt<W>(Columns::kCornerX, chosen) +
@@ -33,8 +61,7 @@ template <int W, int C>
   const F distance2 = dot(light.segment, light.segment);
   light.direction = light.segment * F(1.f / sqrt(distance2));
   const F cosine = -dot(light.direction, lights.vectorAt<W>(Columns::kNormalX, chosen));
-  light.pdf =
-      select(cosine > 0.f, lights.at<W>(lights.pdfColumn(b.lightSet()), chosen) * distance2 / cosine, 0.f);
+  light.pdf = select(cosine > 0.f, lamps.pdf * distance2 / cosine, 0.f);
   light.reach = kShadowEnd;
   light.delta = 0.f;
   light.closed_form = lights.at<W>(Columns::kClosedForm, chosen);
@@ -47,15 +74,11 @@ template <int W, int C>
   return light;
 }
 
-// Samples of the lights, one by one.
+// Those of `lanes` from sample(lane).
 template <int W, int C>
-void sampleOneByOne(const Batch<C>& b, Stratum stratum, const Vec3T<Floats<W>>& point,
-                    const Floats<W>& u_light, const Floats<W>& u1, const Floats<W>& u2, LaneSet lanes,
-                    LightSamples<W, C>& light) {
-  const RenderScene& scene = b.t.scene.still();
+void sampleOneByOne(const Batch<C>& b, LaneSet lanes, const auto& sample, LightSamples<W, C>& light) {
   forEachLane(lanes, [&](int i) {
-    const IncidentLight one =
-        scene.lights().sample(stratum, b.lightSet(), laneOf(point, i), u_light[i], u1[i], u2[i]);
+    const IncidentLight one = sample(i);
     setLane(light.direction, i, one.direction);
     setLane(light.segment, i, one.segment);
     const float strength =
@@ -63,7 +86,7 @@ void sampleOneByOne(const Batch<C>& b, Stratum stratum, const Vec3T<Floats<W>>& 
     setLane(light.radiance, i, Color<C>(one.radiance) * strength);
     light.reach[i] = one.reach, light.pdf[i] = one.pdf;
     light.delta[i] = one.delta ? 1.f : 0.f;
-    light.closed_form[i] = scene.analyticLight().holds(one.geometry) ? 1.f : 0.f;
+    light.closed_form[i] = b.t.scene.still().analyticLight().holds(one.geometry) ? 1.f : 0.f;
   });
 }
 
@@ -71,17 +94,32 @@ void sampleOneByOne(const Batch<C>& b, Stratum stratum, const Vec3T<Floats<W>>& 
 template <int W, int C>
 [[gnu::always_inline]] inline LightSamples<W, C> sampleLights(const Batch<C>& b, Stratum stratum,
                                                               const Vec3T<Floats<W>>& point,
+                                                              const Vec3T<Floats<W>>& normal,
                                                               const Floats<W>& u_light, const Floats<W>& u1,
                                                               const Floats<W>& u2, LaneSet lanes) {
+  const RenderScene& scene = b.t.scene.still();
   LightSamples<W, C> light;
-  if (stratum == Stratum::kLamps) {
-    const LightColumns& columns = b.t.scene.still().lightColumns();
-    const Uints<W> chosen = columns.choose<W>(b.lightSet(), u_light);
-    light = sampleTriangles<W, C>(b, chosen, point, u1, u2);
-    if (columns.allTriangles()) return light;
-    lanes &= lanesOf(columns.at<W>(LightColumns::kTriangle, chosen) == 0.f);
+  if (stratum == Stratum::kDistant) {
+    sampleOneByOne<W, C>(
+        b, lanes,
+        [&](int i) {
+          return scene.lights().sample(stratum, b.lightSet(), {laneOf(point, i), laneOf(normal, i)},
+                                       u_light[i], u1[i], u2[i]);
+        },
+        light);
+    return light;
   }
-  sampleOneByOne<W, C>(b, stratum, point, u_light, u1, u2, lanes, light);
+  const LightColumns& columns = scene.lightColumns();
+  const ChosenLamps<W> chosen = chooseLamps<W, C>(b, point, normal, u_light, lanes);
+  light = sampleTriangles<W, C>(b, chosen, point, u1, u2);
+  if (columns.allTriangles()) return light;
+  sampleOneByOne<W, C>(
+      b, lanes & lanesOf(columns.at<W>(LightColumns::kTriangle, chosen.number) == 0.f),
+      [&](int i) {
+        return scene.lights().lamps().sample({chosen.number[i], chosen.pdf[i]}, laneOf(point, i), u1[i],
+                                             u2[i]);
+      },
+      light);
   return light;
 }
 

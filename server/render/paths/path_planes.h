@@ -59,9 +59,10 @@ struct LivePaths {
   BitPlane key_low, key_high;  // of its random numbers
   BitPlane slot;               // its place among PathResults
   // Where surfaces are not all diffuse:
-  BitPlane state;  // see path_state.h
-  Plane pdf;       // of the last direction that was not straight on, see Choice
-  Plane distance;  // since then
+  BitPlane state;               // see path_state.h
+  Plane pdf;                    // of the last direction that was not straight on, see Choice
+  Plane distance;               // since then
+  VectorPlanes chooser_normal;  // geometric, of the vertex that it left; where lamps have a tree
   VectorPlanes arriving;
   PlasticPlanes<Channels> plastic;
   std::array<Surface, kBatchRoom> surfaces;

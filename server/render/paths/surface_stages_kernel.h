@@ -72,7 +72,11 @@ void shadeHit(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint3
   const Surface s = surfaceOf<S>(t.scene, at.hit, at.patch, at.normal, at.cosine, cone.width);
   const float distance = at.hit.t + from.distance[i];
   if (luminance(s.radiance) > 0 && !state.in_view) {
-    const Found found{slot, at.hit.geometry, distance, at.cosine, s.radiance};
+    const Found found{slot,
+                      {at.hit.geometry, at.hit.primitive, s.radiance},
+                      distance,
+                      at.cosine,
+                      chooserOf<true>(from, i, s.point, at.direction, distance)};
     addFound<C, kSplit>(t, found, throughput, state.delta ? kDeltaPdf : from.pdf[i], state.from_start,
                         results);
   }
@@ -89,6 +93,8 @@ void shadeHit(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint3
   const auto j = static_cast<std::uint32_t>(to.count);
   state.surface = shadedAs(s);
   to.state[j] = state.pack(), to.pdf[j] = from.pdf[i], to.distance[j] = distance;
+  if (t.scene.still().lights().lamps().hasTree(LightSet::kAll))
+    to.chooser_normal.set(j, chooserOf<true>(from, i, s.point, at.direction, distance).normal);
   put<S>(s, at.direction, cone, sampler, slot, throughput, to);
 }
 
