@@ -74,6 +74,9 @@ void Feed::render(const PoolHandle& pool) {
       renderer_.renderSurfaces(view, pool, frame, [&](Tile tile) { method->readBaked(tile, frame); });
   const BounceGrid* known = method->plan(config_.spp, next, pool, times_);
   times_[Stage::kTrace] += next.time + renderer_.renderPaths(view.now, seeds, next, known, pool);
+  const Frame& before = frames_.pair().prev;
+  if (frame.index > 0 && method->needsPairs({frame, before}))
+    times_[Stage::kTrace] += renderer_.renderPairs(view, seeds, before, known, pool, frame);
 }
 
 Camera Feed::cameraAt(TimeNs t) const {
