@@ -14,8 +14,8 @@ class PairedChange {
  public:
   PairedChange(int width, int height);
 
-  // Sets dI and var_dI of the pixels with PairSamples. Those of all others are known: it reads them. Both
-  // frames must follow those of the last call, unless it forgets.
+  // Sets dI and var_dI of the pixels with PairSamples, and I_prev by what it already is there. All planes of
+  // other pixels are known: it reads them. Both frames must follow those of the last call, unless it forgets.
   void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& change, StageTimes& times);
   // Forgets the last frame.
   void forget() { has_last_ = false; }
@@ -23,12 +23,14 @@ class PairedChange {
  private:
   void gather(const FramePair& frames, const IntensityChange& change, const PoolHandle& pool,
               StageTimes& times);
-  void join(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+  void joinBefore(const FramePair& frames, const PoolHandle& pool, IntensityChange& change,
+                  StageTimes& times);
+  void joinLast(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
 
-  FilterPlanes filtered_, scratch_;  // d: the change of reflected light, Rec. 709 luminance; i is not in use
-  ImageF last_, var_last_;           // d of the last frame, and its variance
+  FilterPlanes filtered_, scratch_;  // reflected light now, and its change; Rec. 709 luminance
+  ImageF last_, var_last_;           // the change of the last frame, and its variance
   bool has_last_ = false;
-  ImageF carried_, var_carried_;  // last_ along the motion vectors; variance < 0: there is none
+  ImageF carried_, var_carried_;  // what is joined with the estimate of this frame, and its variance
 };
 
 }  // namespace saccade
