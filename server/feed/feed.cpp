@@ -75,8 +75,11 @@ void Feed::render(const PoolHandle& pool) {
       renderer_.renderSurfaces(view, pool, frame, [&](Tile tile) { method->readBaked(tile, frame); });
   const BounceGrid* known = method->plan(config_.spp, next, pool, times_);
   times_[Stage::kTrace] += next.time + renderer_.renderPaths(view.now, seeds, next, known, pool);
-  if (frame.index > 0)
-    times_[Stage::kTrace] += renderer_.traceShadows(view, config_.spp, frame, frames_.pair().prev, pool);
+  const Frame& before = frames_.pair().prev;
+  if (frame.index == 0) return;
+  times_[Stage::kTrace] += renderer_.traceShadows(view, config_.spp, frame, before, pool);
+  if (method->needsPairs({frame, before}))
+    times_[Stage::kTrace] += renderer_.renderPairs(view, seeds, before, known, pool, frame);
 }
 
 Camera Feed::cameraAt(TimeNs t) const {

@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "frame/image.h"
+#include "frame/pair_samples.h"
 #include "frame/surface_samples.h"
 
 namespace saccade {
@@ -64,6 +65,7 @@ struct Frame {
   GBuffer g;
   FrameSamples samples;
   std::unique_ptr<SurfaceSamples> surfaces;  // nullptr where no method asks
+  std::unique_ptr<PairSamples> pairs;        // of this frame where a method asked; else nullptr, or older
 };
 
 // Two consecutive frames. A view; never stored.

@@ -132,6 +132,11 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
   return known;
 }
 
+bool IrradianceCache::needsPairs(const FramePair& frames) const {
+  return frames.cur.surfaces->hasUncacheable() && frames.prev.surfaces->hasUncacheable() &&
+         !frames.cur.stands && catch_up_ == 0;
+}
+
 void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
   StageTimes unused;
   filter(FramePair::first(first), pool, unused);
@@ -179,6 +184,12 @@ void IrradianceCache::fillUncached(const FramePair& frames, const PoolHandle& po
       out.I_prev.at(x, y) = out.I_now.at(x, y);
     }
   });
+  if (needsPairs(frames)) {
+    if (!paired_) paired_ = std::make_unique<PairedChange>(width, height);
+    paired_->estimate(frames, pool, out, times);
+  } else if (paired_) {
+    paired_->forget();
+  }
 }
 
 void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {

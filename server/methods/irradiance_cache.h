@@ -10,6 +10,7 @@
 #include "filter/atrous.h"
 #include "filter/filter_planes.h"
 #include "methods/method.h"
+#include "methods/paired_change.h"
 #include "methods/svgf.h"
 
 namespace saccade {
@@ -40,6 +41,7 @@ class IrradianceCache final : public SurfaceMethod {
   void readBaked(Tile tile, Frame& next) override;
   const BounceGrid* plan(int spp, const SurfaceFrame& next, const PoolHandle& pool,
                          StageTimes& times) override;
+  bool needsPairs(const FramePair& frames) const override;
   void start(const Frame& first, const PoolHandle& pool) override;
   void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                 StageTimes& times) override;
@@ -70,6 +72,7 @@ class IrradianceCache final : public SurfaceMethod {
   // SVGF's estimate, for what the grid does not hold; from the first frame on that needs it.
   std::unique_ptr<Svgf> svgf_;
   std::unique_ptr<IntensityChange> uncached_;
+  std::unique_ptr<PairedChange> paired_;  // the change of those that have pairs; likewise
 };
 
 }  // namespace saccade

@@ -55,6 +55,9 @@ class SurfaceMethod : public Method {
   // surfaces of the tile are known. Called by several threads at once, for each tile of a frame before its
   // plan().
   virtual void readBaked(Tile tile, Frame& next) = 0;
+  // Whether it reads the frame's PairSamples. Called after plan(), from the second frame on. Both frames must
+  // have pixels that hasUncacheable().
+  virtual bool needsPairs(const FramePair&) const { return false; }
   // Sets SurfacePoint::paths of each point, about `spp` a pixel in the mean. Returns the light that ends
   // paths at their second vertex, which stays as it is until start() or estimate(); nullptr: there is none.
   virtual const BounceGrid* plan(int spp, const SurfaceFrame& next, const PoolHandle& pool,

@@ -8,7 +8,9 @@
 namespace saccade {
 namespace {
 
-constexpr float kMostForOthers = 8;  // times `asked`
+constexpr float kMostForOthers = 4;  // times `asked`
+constexpr float kLeastForOthers = 0.5f;
+constexpr double kOfPair = 2;  // paths: the one of the frame, and its partner in the frame before
 
 // In [0, 1), spread evenly over any few neighbours in space and time. It is the R2 sequence (Roberts 2018) in
 // x and y, moved on by the golden ratio in every frame.
@@ -23,14 +25,15 @@ float wantedPaths(const PathPlan& plan, float error) {
   return std::min(plan.asked, plan.usual * std::max(std::min(1.f, r), 0.5f * r));
 }
 
-// The number of paths of each of `others` points of kNone, once `planned` paths are those of all other
+// The number of pairs of each of `others` points of kNone, once `planned` paths are those of all other
 // points.
 std::uint32_t pathsForOthers(const PathPlan& plan, const SurfaceSamples& on, std::uint64_t others,
                              std::uint64_t planned) {
   const double pixels = static_cast<double>(on.columns() / on.perPixel()) * on.height();
   const double left = plan.usual * pixels - static_cast<double>(planned);
-  return static_cast<std::uint32_t>(std::clamp(left / static_cast<double>(others), double{plan.asked},
-                                               double{kMostForOthers * plan.asked}));
+  const double paths = std::clamp(left / (kOfPair * static_cast<double>(others)),
+                                  double{kLeastForOthers * plan.asked}, double{kMostForOthers * plan.asked});
+  return static_cast<std::uint32_t>(std::max(paths, 1.0));
 }
 
 }  // namespace

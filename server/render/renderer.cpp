@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/tiles/pairs.h"
 #include "render/tiles/surface_pixel.h"
 #include "render/tiles/surface_points.h"
 
@@ -69,13 +70,13 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
   const Shading has = scene.shading();
   const bool plain_only =
       has.diffuseOnly() && !has.extras && view.now.camera.isPlain() && out.surfaces->perPixel() == 1;
-  std::swap(starts_, starts_before_);
+  if (starts().anyOfOthers() || scene.analyticLight().groups() > 0) current_ = 1 - current_;
   shadows_.next(scene, out.surfaces->indexOf(0, out.height()));
-  starts_.resize(out.surfaces->indexOf(0, out.height()), plain_only);
+  starts().resize(out.surfaces->indexOf(0, out.height()), plain_only);
   const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
-                                     [&](Tile t) { tile(view, t, on_tile, starts_, out); });
-  out.surfaces->summarize(starts_.any(), starts_.anyOfOthers());
+                                     [&](Tile t) { tile(view, t, on_tile, starts(), out); });
+  out.surfaces->summarize(starts().any(), starts().anyOfOthers());
   return {out, scene, time};
 }
 
@@ -92,13 +93,38 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
-                          [&](Tile t) { tile(seeds, tracing, t, starts_, out); });
+                          [&](Tile t) { tile(seeds, tracing, t, starts(), out); });
+}
+
+std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const SeedPlan& seeds,
+                                               const Frame& before, const BounceGrid* known,
+                                               const PoolHandle& pool, Frame& out) {
+  if (!out.pairs) out.pairs = std::make_unique<PairSamples>(out.width(), out.height());
+  const Camera& camera = view.now.camera;
+  const KnownBounces bounces{known, camera.origin, camera.pixel};
+  const bool deltas_apart = view.now.scene.still().deltaLamps().areFew();
+  const PairSides sides{{out, starts(), {view.now.scene, settings_.bounces, bounces, deltas_apart}},
+                        {before, startsBefore(), {view.before.scene, settings_.bounces, bounces, deltas_apart}},
+                        {seeds.stream, seeds.frame2}};
+  const Shading has = view.now.scene.still().shading();
+  const int edge = tileEdge(2 * seeds.spp2, settings_.bounces);
+  const auto replay = withKernel(has, [this]<Shading S>() {
+    return settings_.channels == 1 ? renderPairTile<S, 1> : renderPairTile<S, 3>;
+  });
+  const auto add = withKernel(has, [this]<Shading S>() {
+    return settings_.channels == 1 ? renderMorePairsTile<S, 1> : renderMorePairsTile<S, 3>;
+  });
+  auto time = pool.forEachTile(out.width(), out.height(), edge,
+                               [&](Tile tile) { replay(sides, tile, *out.pairs); });
+  time += planMorePairs(out, before, pool, *out.pairs);
+  return time + pool.forEachTile(out.width(), out.height(), edge,
+                                 [&](Tile tile) { add(sides, tile, out.samples, *out.pairs); });
 }
 
 std::chrono::nanoseconds Renderer::traceShadows(const PixelContext& view, int spp, Frame& now,
                                                 const Frame& before, const PoolHandle& pool) {
-  return shadows_.trace({view.now.scene, *now.surfaces, starts_},
-                        {view.before.scene, *before.surfaces, starts_before_}, spp, pool,
+  return shadows_.trace({view.now.scene, *now.surfaces, starts()},
+                        {view.before.scene, *before.surfaces, startsBefore()}, spp, pool,
                         now.surfaces->shadows());
 }
 

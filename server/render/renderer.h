@@ -1,6 +1,7 @@
 // Renders frames: features, and the samples of both passes.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <functional>
 
@@ -46,6 +47,12 @@ class Renderer {
   std::chrono::nanoseconds traceShadows(const PixelContext& view, int spp, Frame& now, const Frame& before,
                                         const PoolHandle& pool);
 
+  // Replays the numbers of renderPaths() at the surfaces of the frame before, and adds pairs where they have
+  // much noise. Sets out.pairs, and adds to out.samples.I2. `before`: the frame of the last but one
+  // renderSurfaces(); both frames must have pixels that hasUncacheable().
+  std::chrono::nanoseconds renderPairs(const PixelContext& view, const SeedPlan& seeds, const Frame& before,
+                                       const BounceGrid* known, const PoolHandle& pool, Frame& out);
+
   // Renders one picture in colour, into three planes. All of the `spp` paths per pixel start at
   // its centre. Features go to `out.g`; `out.samples` does not change.
   void renderStill(const PixelContext& view, std::uint64_t seed, int spp, const PoolHandle& pool, Frame& out,
@@ -53,8 +60,13 @@ class Renderer {
 
  private:
   RenderSettings settings_;
-  // Of renderSurfaces(), of points that may get paths: of the last frame, and of the one before it.
-  SurfaceStarts starts_, starts_before_;
+  SurfaceStarts& starts() { return starts_[current_]; }
+  SurfaceStarts& startsBefore() { return starts_[1 - current_]; }
+
+  // Of points that may get paths, of the last renderSurfaces(). Those of the one before it are kept where
+  // its pixels hasUncacheable(), or where lamps have a closed form.
+  std::array<SurfaceStarts, 2> starts_;
+  std::size_t current_ = 0;
   LampShadows shadows_;
 };
 

@@ -1,0 +1,23 @@
+// Which pixels get more pairs, and what these add to the first ones.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <span>
+
+#include "base/pool_handle.h"
+#include "frame/frame.h"
+
+namespace saccade {
+
+// Estimates the variance of each pixel's pairs by those around it, and plans `more` pairs where the noise is
+// far above that of the picture, as at the edge of a lamp's reflection [ours].
+std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, const PoolHandle& pool,
+                                       PairSamples& pairs);
+
+// Adds a pixel's further pairs to its means. Each is the reflected light now and before. `E_now`, `E_before`:
+// the light that the pixel emits.
+void addPairs(std::span<const std::array<float, 2>> further, int x, int y, float E_now, float E_before,
+              FrameSamples& samples, PairSamples& pairs);
+
+}  // namespace saccade
