@@ -15,7 +15,9 @@ using P = IrradianceCacheParams;
 
 const std::vector<ParamField<P>>& fields() {
   static const std::vector<ParamField<P>> table{
-      {"cell_px", &P::cell_px, 0.1, 16, "edge of the finest cells with 2 paths, pixels; it is scaled by sqrt(2 / spp), to 0.35 at least", "[ours]", "finest"},
+      {"cell_px", &P::cell_px, 0.1, 16,
+       "edge of the finest cells with 2 paths, pixels; it is scaled by sqrt(2 / spp), to 0.35 at least",
+       "[ours]", "finest"},
       {"tau", &P::tau, 0, 10, "standard deviations by which detail must exceed its noise", "[ours]"},
       {"noise", &P::noise, 0.001, 100, "variance of an interpolated mean, relative to that of one sample",
        "[ours]"},
@@ -84,9 +86,9 @@ IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h, i
     : params_(p),
       atrous_{
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
-      light_(
-          {.cell_px = cellEdge(p.cell_px, spp), .blend = {.tau = p.tau, .noise = p.noise, .noise_weight = p.noise_weight}},
-          static_cast<std::size_t>(gridBytes(p.memory_mib, 1. * w * h))),
+      light_({.cell_px = cellEdge(p.cell_px, spp),
+              .blend = {.tau = p.tau, .noise = p.noise, .noise_weight = p.noise_weight}},
+             static_cast<std::size_t>(gridBytes(p.memory_mib, 1. * w * h))),
       baked_(std::move(baked)),
       estimates_{GridEstimate(w, h), GridEstimate(w, h)},
       filtered_(w, h),

@@ -87,7 +87,9 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
   const Camera& camera = view.camera;
-  const Tracing tracing{view.scene, settings_.bounces, {known, camera.origin, camera.pixel},
+  const Tracing tracing{view.scene,
+                        settings_.bounces,
+                        {known, camera.origin, camera.pixel},
                         view.scene.still().deltaLamps().areFew()};
   const auto tile = withKernel(view.scene.still().shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
@@ -103,9 +105,10 @@ std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const S
   const Camera& camera = view.now.camera;
   const KnownBounces bounces{known, camera.origin, camera.pixel};
   const bool deltas_apart = view.now.scene.still().deltaLamps().areFew();
-  const PairSides sides{{out, starts(), {view.now.scene, settings_.bounces, bounces, deltas_apart}},
-                        {before, startsBefore(), {view.before.scene, settings_.bounces, bounces, deltas_apart}},
-                        {seeds.stream, seeds.frame2}};
+  const PairSides sides{
+      {out, starts(), {view.now.scene, settings_.bounces, bounces, deltas_apart}},
+      {before, startsBefore(), {view.before.scene, settings_.bounces, bounces, deltas_apart}},
+      {seeds.stream, seeds.frame2}};
   const Shading has = view.now.scene.still().shading();
   const int edge = tileEdge(2 * seeds.spp2, settings_.bounces);
   const auto replay = withKernel(has, [this]<Shading S>() {
@@ -114,8 +117,8 @@ std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const S
   const auto add = withKernel(has, [this]<Shading S>() {
     return settings_.channels == 1 ? renderMorePairsTile<S, 1> : renderMorePairsTile<S, 3>;
   });
-  auto time = pool.forEachTile(out.width(), out.height(), edge,
-                               [&](Tile tile) { replay(sides, tile, *out.pairs); });
+  auto time =
+      pool.forEachTile(out.width(), out.height(), edge, [&](Tile tile) { replay(sides, tile, *out.pairs); });
   time += planMorePairs(out, before, pool, *out.pairs);
   return time + pool.forEachTile(out.width(), out.height(), edge,
                                  [&](Tile tile) { add(sides, tile, out.samples, *out.pairs); });

@@ -63,15 +63,6 @@ TEST(AnalyticLight, IsNothingOnTheLampItself) {
   }
 }
 
-TEST(AnalyticLight, OfAPointAndADirectionIsTheLawOfCosines) {
-  Scene s;
-  s.point_lights = {{{0, 3, 4}, {10, 10, 10}}};
-  EXPECT_NEAR(luminanceAt(s, {}, {0, 0, 1}), 10.f / 25 * 0.8f / kPi, 1e-6);
-  s.point_lights.clear();
-  s.directional_lights = {{{0, 0, -1}, {2, 2, 2}}};
-  EXPECT_NEAR(luminanceAt(s, {}, normalize(Vec3{0, 1, 1})), 2 * std::sqrt(0.5f) / kPi, 1e-6);
-}
-
 TEST(AnalyticLight, FollowsTheStrengthOfALamp) {
   Scene s = lampAbove(2, 3, 1);
   const float steady = luminanceAt(s, {}, {0, 0, 1});
@@ -93,7 +84,6 @@ TEST(AnalyticLight, HoldsOnlyLampsOfFewSides) {
 TEST(AnalyticLight, IsTheSameForManyPoints) {
   Scene s = lampAbove(2, 3, 1);
   s.meshes.push_back(test::quad({1, -1, -5}, {0, 0, 10}, {0, 2, 0}, 0, {3, 2, 1}));
-  s.point_lights = {{{0, 3, 4}, {10, 10, 10}}};
   const AnalyticLight light(s);
   int lit = 0;
   for (int block = 0; block < 4; ++block) {

@@ -40,12 +40,42 @@ SurfaceGrid::Time forEachBand(const SurfaceSamples& on, const PoolHandle& pool, 
   });
 }
 
+// What rays tell of visibility at a few points.
+class RayLanes {
+ public:
+  RayLanes(const PointLanes& lanes, const FrameOnGrid& frame) {
+    if (!frame.shadows) return;
+    for (int i = 0; i < lanes.count; ++i) {
+      const SurfaceShadow& s = (*frame.shadows)[frame.at.points[lanes.points[i]].index];
+      if (s.wanted <= 0) continue;
+      any_ = true;
+      memory_.set(i, std::array{s.*frame.visibility, s.trust, s.variance, s.step_variance});
+    }
+  }
+  bool any() const { return any_; }
+  // Takes them into an estimate, as far as they are trusted.
+  void refine(const LevelBlend<PointFloats>& blend, PointFloats U, PointFloats cells, PointFloats& i,
+              PointFloats& variance, PointFloats& step_variance) const {
+    const auto [V, trust, noise, step_noise] = memory_.lanes();
+    const PointFloats of_rays = U * U * trust * trust, rest = U * U * (1.f - trust) * (1.f - trust);
+    i += trust * U * (V - blend.visibility.value);
+    variance = blend.residual.variance + rest * blend.visibility.variance + of_rays * noise;
+    step_variance = blend.residual.stepVariance(cells) + rest * blend.visibility.stepVariance(cells) +
+                    of_rays * step_noise;
+  }
+
+ private:
+  bool any_ = false;
+  LaneMemory<4> memory_;
+};
+
 // Adds the estimates at a few points to their pixels.
 void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes, const FrameOnGrid& frame,
                   float cell_px, GridEstimate& out) {
-  const auto& [on, g, at, shadows, visibility] = frame;
+  const SurfaceSamples& on = frame.on;
+  const GBuffer& g = frame.g;
+  const Placement& at = frame.at;
   LaneMemory<2> of_points;  // unoccluded light, and motion in finest cells
-  LaneMemory<4> of_rays;    // visibility by rays
   std::array<int, kPointLanes> x, y;
   for (int i = 0; i < lanes.count; ++i) {
     const GridPoint& p = at.points[lanes.points[i]];
@@ -53,20 +83,12 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
     const float mx = g.motion_x.at(x[i], y[i]), my = g.motion_y.at(x[i], y[i]);
     of_points.values[0][i] = on.place(p.index).unoccluded;
     of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / cell_px;
-    if (shadows)
-      if (const SurfaceShadow& s = (*shadows)[p.index]; s.wanted > 0)
-        of_rays.set(i, std::array{s.*visibility, s.trust, s.variance, s.step_variance});
   }
   const auto [U, cells] = of_points.lanes();
   LaneMemory<3> estimate;
-  const auto [V, trust, variance, step_variance] = of_rays.lanes();
-  const auto rest = 1.f - trust, in_all = U * U * trust * trust;
-  store(blend.value(U) + trust * U * (V - blend.visibility.value), estimate.values[0]);
-  store(blend.residual.variance + U * U * rest * rest * blend.visibility.variance + in_all * variance,
-        estimate.values[1]);
-  store(blend.residual.stepVariance(cells) + U * U * rest * rest * blend.visibility.stepVariance(cells) +
-            in_all * step_variance,
-        estimate.values[2]);
+  PointFloats i = blend.value(U), variance = blend.variance(U), step_variance = blend.stepVariance(U, cells);
+  if (const RayLanes rays(lanes, frame); rays.any()) rays.refine(blend, U, cells, i, variance, step_variance);
+  store(i, estimate.values[0]), store(variance, estimate.values[1]), store(step_variance, estimate.values[2]);
   for (int i = 0; i < lanes.count; ++i) {
     const float share = on[at.points[lanes.points[i]].index].share;
     out.i.at(x[i], y[i]) += share * estimate.values[0][i];
@@ -75,14 +97,14 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
   }
 }
 
-// The variance of visibility within the finest cells, where it is a visible part of the light: by the evidence
-// for the detail of these cells, whether or not it exceeds its noise [ours].
+// The variance of visibility within the finest cells, where it is a visible part of the light: by the
+// evidence for the detail of these cells, whether or not it exceeds its noise [ours].
 float shadowDetail(const Octet& evidence, float unoccluded, float light) {
   constexpr float kUnknownDetail = 0.02f;
   constexpr float kLeastContrast = 0.05f;
   const float x = evidence[4], weight = evidence[7];
   if (!(weight > 0 && light > 0)) return kUnknownDetail;
-  const float variance = std::max(0.f, x / weight);
+  const float variance = std::max(0.f, x - 0.5f * std::sqrt(evidence[5])) / weight;
   return unoccluded * std::sqrt(variance) > kLeastContrast * light ? variance : 0;
 }
 
@@ -172,8 +194,8 @@ void SurfaceGrid::prefetch(const Placement& at, const GridPoint& p) const {
   }
 }
 
-SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolHandle& pool,
-                                           ImageF& out, ImageF* shadow_detail) const {
+SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolHandle& pool, ImageF& out,
+                                           ImageF* shadow_detail) const {
   const SurfaceSamples& on = frame.on;
   const Placement& at = frame.at;
   const int slot = params_.pixelSlot();

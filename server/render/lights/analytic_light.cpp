@@ -50,8 +50,7 @@ float shareOfHemisphere(const Polygon& polygon, Vec3 n) {
 
 }  // namespace
 
-AnalyticLight::AnalyticLight(const Scene& scene)
-    : held_(scene.meshes.size()) {
+AnalyticLight::AnalyticLight(const Scene& scene) : held_(scene.meshes.size()) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Mesh& mesh = scene.meshes[i];
     if (emits(mesh) && sides_.size() + mesh.triangles.size() <= kMaxSides)
@@ -64,7 +63,8 @@ void AnalyticLight::addSides(const Mesh& mesh, std::uint32_t geometry) {
   const int group = std::min(groups(), kMaxGroups - 1);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto [a, b, c] = mesh.triangles[i];
-    Side side{{mesh.positions[a], mesh.positions[b], mesh.positions[c]}, {}, 0, mesh.radiance, geometry, group};
+    Side side{
+        {mesh.positions[a], mesh.positions[b], mesh.positions[c]}, {}, 0, mesh.radiance, geometry, group};
     const auto edge = [&](std::size_t k) { return side.corners[k] - side.corners[0]; };
     const Vec3 normal = cross(edge(1), edge(2));
     if (dot(normal, normal) == 0) continue;

@@ -1,5 +1,5 @@
-// Lamps without extent: points and directions. A point of a surface sees such a lamp in one direction alone, so
-// one shadow ray tells its light without noise.
+// Lamps without extent: points and directions. A point of a surface sees such a lamp in one direction alone,
+// so one shadow ray tells its light without noise.
 #pragma once
 
 #include <vector>

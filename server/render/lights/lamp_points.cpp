@@ -31,8 +31,7 @@ LampPoints::LampPoints(const AnalyticLight& light, const LitPoint& from, Rgb ref
   int count = 0;
   for (const AnalyticLight::Side& side : light.sides()) {
     const float form_factor = AnalyticLight::formFactor(side, from);
-    const float reflected =
-        form_factor * luminance(reflectance * side.radiance) * strengths[side.geometry];
+    const float reflected = form_factor * luminance(reflectance * side.radiance) * strengths[side.geometry];
     if (reflected > 0) seen_[count++] = {&side, form_factor, unoccluded_[side.group] += reflected};
     ends_[side.group + 1] = count;
   }

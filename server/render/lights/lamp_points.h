@@ -1,5 +1,5 @@
-// Points on the lamps whose light has a closed form, chosen by what each side of a lamp gives to one point of a
-// surface.
+// Points on the lamps whose light has a closed form, chosen by what each side of a lamp gives to one point of
+// a surface.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ class LampPoints {
     float sum;  // of the light of its group, up to this side
   };
   LitPoint from_;
-  std::array<Seen, AnalyticLight::kMaxSides> seen_;           // group by group
-  std::array<int, AnalyticLight::kMaxGroups + 1> ends_{};     // of the groups before each
+  std::array<Seen, AnalyticLight::kMaxSides> seen_;        // group by group
+  std::array<int, AnalyticLight::kMaxGroups + 1> ends_{};  // of the groups before each
   std::array<float, AnalyticLight::kMaxGroups> unoccluded_{};
 };
 

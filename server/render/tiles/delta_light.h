@@ -1,5 +1,5 @@
-// The direct light of lamps without extent, at the surfaces that pixels show: exact, by one shadow ray for each
-// pixel and lamp.
+// The direct light of lamps without extent, at the surfaces that pixels show: exact, by one shadow ray for
+// each pixel and lamp.
 #pragma once
 
 #include "render/surface/scatter.h"
@@ -26,11 +26,12 @@ inline Vec3 leave(const RenderScene& scene, const SurfaceStart& start) {
   return scene.leave(start.path.surface);
 }
 
-// Adds the light of points to what their pixels emit. A point with more than one pixel's share of albedo... 
+// Adds the light of points to what their pixels emit. A point with more than one pixel's share of albedo...
 template <Shading S>
 class DeltaLight {
  public:
-  DeltaLight(const PosedScene& scene, Frame& out) : tracing_{scene, 0, {}}, out_(out), rays_(tracing_, add_) {}
+  DeltaLight(const PosedScene& scene, Frame& out)
+      : tracing_{scene, 0, {}}, out_(out), rays_(tracing_, add_) {}
 
   // `scale`: of the light that the start reflects, to that of its pixel.
   void add(int x, int y, const auto& start, float scale) {
@@ -60,7 +61,7 @@ class DeltaLight {
       to.out_.g.emission.at(p.x, p.y) += luminance(p.light * fraction);
     }
   };
-  static constexpr std::uint32_t kPending = 16;  // at least the rays of a packet
+  static constexpr std::uint32_t kPending = 32;  // more than the rays of a packet
 
   const Tracing tracing_;
   Frame& out_;

@@ -11,11 +11,11 @@
 namespace saccade {
 namespace {
 
-constexpr int kFew = 4, kManyPerPath = 12, kMost = 256;  // rays to a group of lamps
+constexpr int kFew = 4, kManyPerPath = 6, kMost = 256;  // rays to a group of lamps
 constexpr int kTileEdge = 32;
 
-// The numbers of a point's rays: the R3 sequence (Roberts 2018). Its start is spread evenly over neighbours, and
-// is the same in all frames.
+// The numbers of a point's rays: the R3 sequence (Roberts 2018). Its start is spread evenly over neighbours,
+// and is the same in all frames.
 class RayNumbers {
  public:
   RayNumbers(int column, int y)
@@ -45,6 +45,13 @@ LitPoint litPointOf(const PlainStart& start) {
 LitPoint litPointOf(const SurfaceStart& start) {
   const Surface& s = start.path.surface;
   return {s.point, s.shading_normal, s.geometric_normal};
+}
+
+// Whether a neighbour lies in the plane of a point.
+bool isOneSurface(const SurfacePlace& a, const SurfacePlace& b) {
+  constexpr float kLeastCosine = 0.8f;
+  return dot(a.normal, b.normal) > kLeastCosine &&
+         std::abs(dot(b.position - a.position, a.normal)) < a.footprint;
 }
 
 void forEachPoint(const SurfaceSamples& on, Tile tile, const auto& f) {
@@ -96,17 +103,19 @@ void LampShadows::traceTile(const Traced& frame, Tile tile, int count, const aut
   shadow_rays.finish();
 }
 
-// Whether some rays of a point and its neighbours, in either frame, are blocked and others are not.
-bool LampShadows::isPenumbra(const SurfaceSamples& on, int column, int y, int group) const {
+// Whether some rays of a point and its neighbours on the same surface are blocked and others are not.
+bool LampShadows::isPenumbra(const Traced& frame, int column, int y, int group) const {
+  const SurfaceSamples& on = frame.of.on;
   const int step = on.perPixel();
+  const std::size_t point = on.indexOf(column, y);
   bool lit = false, dark = false;
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -step; dx <= step; dx += step) {
-      const int nx = column + dx, ny = y + dy;
-      if (nx < 0 || nx >= on.columns() || ny < 0 || ny >= on.height()) continue;
-      const std::size_t i = indexOf(on.indexOf(nx, ny), group);
-      for (const Rays& rays : {now_[i], before_[i]})
-        lit = lit || rays.visible > 0, dark = dark || rays.visible < rays.all;
+  for (int ny = std::max(0, y - 1); ny <= std::min(on.height() - 1, y + 1); ++ny)
+    for (int nx = column - step; nx <= column + step; nx += step) {
+      if (nx < 0 || nx >= on.columns()) continue;
+      const std::size_t neighbour = on.indexOf(nx, ny);
+      const Rays& rays = frame.rays[indexOf(neighbour, group)];
+      if (rays.all <= 0 || !isOneSurface(on.place(point), on.place(neighbour))) continue;
+      lit = lit || rays.visible > 0, dark = dark || rays.visible < rays.all;
     }
   return lit && dark;
 }
@@ -158,7 +167,9 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
   };
   penumbra_.assign(now_.size(), false);
   time += forEachWanted([&](std::size_t point, int column, int y) {
-    for (int g = 0; g < groups_; ++g) penumbra_[indexOf(point, g)] = isPenumbra(on, column, y, g);
+    for (int g = 0; g < groups_; ++g)
+      penumbra_[indexOf(point, g)] =
+          isPenumbra({now, now_}, column, y, g) || isPenumbra({before, before_}, column, y, g);
   });
   time += pass(many, [&](std::size_t point, int group) { return penumbra_[indexOf(point, group)]; });
   return time + forEachWanted([&](std::size_t point, int, int) { finish(point, many, shadows[point]); });

@@ -1,8 +1,8 @@
 // Visibility of the lamps in closed form, by shadow rays at the points of two frames [ours].
 //
 // A point asks for the same points of the lamps in all frames, so that a change of visibility is that of the
-// shadow. It gets few rays at first. Where some of those of its neighbours are blocked and others are not, as in a
-// penumbra, it gets many.
+// shadow. It gets few rays at first. Where some of those of its neighbours are blocked and others are not, as
+// in a penumbra, it gets many.
 #pragma once
 
 #include <chrono>
@@ -27,7 +27,8 @@ class LampShadows {
   // A frame with so many points begins: the rays of the last one are now those of the frame before.
   void next(const RenderScene& scene, std::size_t points);
 
-  // Fills the shadows that are wanted. The rays of penumbras are in proportion to `spp`. Returns the CPU time.
+  // Fills the shadows that are wanted. The rays of penumbras are in proportion to `spp`. Returns the CPU
+  // time.
   std::chrono::nanoseconds trace(const FrameStarts& now, const FrameStarts& before, int spp,
                                  const PoolHandle& pool, std::vector<SurfaceShadow>& shadows);
 
@@ -47,7 +48,7 @@ class LampShadows {
   };
   template <Shading S>
   void traceTile(const Traced& frame, Tile tile, int count, const auto& wanted) const;
-  bool isPenumbra(const SurfaceSamples& on, int column, int y, int group) const;
+  bool isPenumbra(const Traced& frame, int column, int y, int group) const;
   void finish(std::size_t point, int rays, SurfaceShadow& shadow) const;
   std::size_t indexOf(std::size_t point, int group) const {
     return point * static_cast<std::size_t>(groups_) + static_cast<std::size_t>(group);

@@ -1,0 +1,71 @@
+// Points on lamps, against the closed form of their light.
+#include "render/lights/lamp_points.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/hash_rng.h"
+#include "render/test_scenes.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kPoints = 1 << 14;
+
+// Two lamps above a floor: one of radiance 1, and a smaller one that is 100 times as bright.
+Scene twoLamps() {
+  Scene s;
+  s.materials = {test::grey(0.5f)};
+  s.meshes = {test::quad({-1, -1, 2}, {0, 2, 0}, {1, 0, 0}, 0, {1, 1, 1}),
+              test::quad({2, 0, 1}, {0, 0.3f, 0}, {0.3f, 0, 0}, 0, {100, 100, 100})};
+  return s;
+}
+
+class LampPointsOf : public testing::Test {
+ protected:
+  Scene scene = twoLamps();
+  AnalyticLight light{scene};
+  EmitterStrengths strengths{scene};
+  LitPoint floor{{0.2f, 0.1f, 0}, {0, 0, 1}, {0, 0, 1}};
+  LampPoints lamps{light, floor, {1, 1, 1}, strengths};
+
+  static float u(int i, std::uint32_t dimension) { return toUnit(mix32(mix32(dimension + 7) + i)); }
+};
+
+TEST_F(LampPointsOf, TheirGroupsAddUpToAllLight) {
+  ASSERT_EQ(light.groups(), 2);
+  EXPECT_NEAR(lamps.unoccluded(0) + lamps.unoccluded(1), luminance(light.at(floor, strengths)), 1e-5);
+}
+
+TEST_F(LampPointsOf, WeighOneInTheMean) {
+  for (int group = 0; group < 2; ++group) {
+    double sum = 0, squares = 0;
+    for (int i = 0; i < kPoints; ++i) {
+      const double w = lamps.at(group, u(i, 0), u(i, 1), u(i, 2)).weight;
+      sum += w, squares += w * w;
+    }
+    const double mean = sum / kPoints, error = std::sqrt((squares / kPoints - mean * mean) / kPoints);
+    EXPECT_NEAR(mean, 1, 4 * error) << group;
+    EXPECT_LT(error, 0.01);
+  }
+}
+
+TEST_F(LampPointsOf, LieOnTheirLamp) {
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 large = lamps.at(0, u(i, 0), u(i, 1), u(i, 2)).position;
+    EXPECT_EQ(large.z, 2);
+    EXPECT_LE(std::abs(large.x + 0.5f), 0.5f + 1e-5f);
+    EXPECT_LE(std::abs(large.y), 1 + 1e-5f);
+    EXPECT_NEAR(lamps.at(1, u(i, 0), u(i, 1), u(i, 2)).position.z, 1, 1e-6);
+  }
+}
+
+TEST_F(LampPointsOf, ALampBehindTheSurfaceGivesNothing) {
+  const LampPoints below(light, {{0, 0, 3}, {0, 0, 1}, {0, 0, 1}}, {1, 1, 1}, strengths);
+  EXPECT_EQ(below.unoccluded(0), 0);
+  EXPECT_EQ(below.unoccluded(1), 0);
+}
+
+}  // namespace
+}  // namespace saccade
