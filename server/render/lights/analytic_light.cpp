@@ -54,6 +54,7 @@ float formFactor(const Polygon& polygon, Vec3 n) {
 AnalyticLight::AnalyticLight(const Scene& scene)
     : held_(scene.meshes.size()),
       point_lights_(scene.point_lights),
+      spot_lights_(scene.spot_lights),
       directional_lights_(scene.directional_lights) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Mesh& mesh = scene.meshes[i];
@@ -90,11 +91,15 @@ Rgb AnalyticLight::fromPointsAndDirections(const LitPoint& p) const {
     if (dot(w, p.geometric_normal) <= 0) return;
     sum = sum + irradiance * (std::max(0.f, dot(w, p.normal)) * std::numbers::inv_pi_v<float>);
   };
-  for (const PointLight& l : point_lights_) {
-    const Vec3 segment = l.position - p.point;
+  const auto addFromPoint = [&](Vec3 position, const auto& intensityTowards) {
+    const Vec3 segment = position - p.point;
     const float distance2 = dot(segment, segment);
-    addFrom(segment / std::sqrt(distance2), l.intensity / distance2);
-  }
+    const Vec3 w = segment / std::sqrt(distance2);
+    addFrom(w, intensityTowards(-w) / distance2);
+  };
+  for (const PointLight& l : point_lights_) addFromPoint(l.position, [&](Vec3) { return l.intensity; });
+  for (const SpotLight& l : spot_lights_)
+    addFromPoint(l.position, [&](Vec3 direction) { return intensityTowards(l, direction); });
   for (const DirectionalLight& l : directional_lights_) addFrom(-l.direction, l.irradiance);
   return sum;
 }
@@ -107,7 +112,7 @@ Rgb AnalyticLight::at(const LitPoint& p, const EmitterStrengths& strengths) cons
 
 void AnalyticLight::at(const LitPoints& points, LaneSet lanes, const EmitterStrengths& strengths,
                        LaneVectors& result) const {
-  if (!point_lights_.empty() || !directional_lights_.empty())
+  if (!point_lights_.empty() || !spot_lights_.empty() || !directional_lights_.empty())
     forEachLane(lanes, [&](int i) { result.set(i, fromPointsAndDirections(points.at(i))); });
   else
     result = {};

@@ -1,5 +1,5 @@
-// Direct light in closed form, as if nothing cast a shadow: from lamps of a few flat sides, and from points
-// and directions.
+// Direct light in closed form, as if nothing cast a shadow: from lamps of a few flat sides, and from points,
+// spots and directions.
 #pragma once
 
 #include <vector>
@@ -51,6 +51,7 @@ class AnalyticLight {
   std::vector<Side> sides_;
   std::vector<char> held_;  // by geometry id
   std::vector<PointLight> point_lights_;
+  std::vector<SpotLight> spot_lights_;
   std::vector<DirectionalLight> directional_lights_;
 };
 

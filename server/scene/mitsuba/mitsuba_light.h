@@ -7,7 +7,7 @@
 
 namespace saccade {
 
-// Adds an envmap, constant, point or directional <emitter> to `scene`; `loads` will read its picture. Throws
+// Adds an envmap, constant, point, spot or directional <emitter> to `scene`; `loads` will read its picture. Throws
 // SceneError.
 void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Scene& scene);
 
