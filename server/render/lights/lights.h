@@ -14,6 +14,9 @@ class Lights {
   // Keeps a pointer to the pixels of the scene's environment.
   explicit Lights(const Scene& scene) : lamps_(scene), distant_(scene) {}
 
+  // See Lamps.
+  void look(const EmbreeScene& geometry, float epsilon) { lamps_.look(geometry, epsilon); }
+
   const Lamps& lamps() const { return lamps_; }
   const DistantLights& distant() const { return distant_; }
 

@@ -27,6 +27,7 @@ RenderScene::RenderScene(Scene scene)
           std::any_of(scene_.materials.begin(), scene_.materials.end(), transmitsStraight)),
       epsilon_(kRelativeEpsilon * geometry_.diagonal()) {
   for (const Material& m : scene_.materials) tables_.emplace_back(m.model);
+  lights_.look(geometry_, epsilon_);
 }
 
 std::uint64_t RenderScene::digest() const {
