@@ -23,7 +23,7 @@ struct PointLight {
   Rgb intensity;  // power per solid angle
 };
 
-// As a point, but within a cone alone: fully up to the angle `beam` from its axis, then less and less, in
+// As a point, but within a cone alone: fully up to the angle `beam` from its axis. From there it falls in
 // proportion to the angle, down to 0 at `cutoff`, as in Mitsuba 3.
 struct SpotLight {
   Vec3 position;

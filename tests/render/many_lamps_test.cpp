@@ -24,8 +24,7 @@ Scene floorUnderManyLamps() {
   return s;
 }
 
-// Samples of lamps and of the surface together have the right mean, whatever the choice of lamps is: at a
-// floor that is diffuse, from some numbers of paths.
+// Samples of lamps and of the surface together have the right mean, at a diffuse floor.
 TEST(ManyLamps, AddUpToTheClosedForm) {
   const Scene scene = floorUnderManyLamps();
   const Rgb white = AnalyticLight(scene).at({{}, {0, 0, 1}, {0, 0, 1}}, EmitterStrengths(scene));
@@ -78,8 +77,8 @@ TEST(ManyLamps, AStrongLampInAnotherRoomDoesNotStarveTheOneHere) {
   EXPECT_LT(beside, 1.3 * alone);
 }
 
-// A spot gives I a / pi / d^2 on its axis, the same share of it as its angle is between beam and cutoff, and
-// nothing beyond.
+// A spot gives I a / pi / d^2 within its beam. From there to the cutoff it falls linearly, and is nothing
+// beyond.
 TEST(SpotLight, FallsOffLinearlyWithTheAngle) {
   const float from = 0.3f, to = 0.5f;
   for (const float angle : {0.f, 0.29f, 0.35f, 0.45f, 0.51f, 3.f}) {

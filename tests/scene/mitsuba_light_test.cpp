@@ -107,10 +107,9 @@ TEST(MitsubaLight, FaultsAreErrors) {
                  "the cutoff_angle must be within [0, 180] degrees");
   expectContains(lightError("spot", spot + "<float name='beam_width' value='30'/>"),
                  "the beam_width must be at most the cutoff_angle");
-  expectContains(
-      lightError("spot", spot + "<texture name='texture' type='bitmap'><string name='filename' "
-                                "value='sky.ppm'/></texture>"),
-      "<texture name=\"texture\"> is not supported");
+  expectContains(lightError("spot", spot + "<texture name='texture' type='bitmap'><string name='filename' "
+                                           "value='sky.ppm'/></texture>"),
+                 "<texture name=\"texture\"> is not supported");
   const Scratch files;
   const std::string sky = "<emitter type='constant'><float name='radiance' value='1'/></emitter>";
   expectContains(errorOf([&] { loadBody(files, sky + "\n" + sky); }), "scene.xml:4: a second emitter");

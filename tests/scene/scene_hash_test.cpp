@@ -44,7 +44,9 @@ TEST(SceneHash, TellsApartWhatDiffersInOneThing) {
       [](Scene& s) { s.environment.reset(); },
       [](Scene& s) { s.point_lights[0].position.x = 1; },
       [](Scene& s) { s.point_lights[0].intensity.x = 2; },
-      [](Scene& s) { s.spot_lights[0].axis = {0, 1, 0}; },
+      [](Scene& s) {
+        s.spot_lights[0].axis = {0, 1, 0};
+      },
       [](Scene& s) { s.spot_lights[0].intensity.x = 2; },
       [](Scene& s) { s.spot_lights[0].cutoff = 0.3f; },
       [](Scene& s) {

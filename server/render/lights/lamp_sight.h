@@ -12,7 +12,7 @@ namespace saccade {
 
 inline constexpr std::size_t kLampGroups = 8;
 
-// What a place saw of one lamp of each group.
+// A place, and what it saw of one lamp of each group.
 struct SightSample {
   enum Seen : std::uint8_t { kNothing, kLamp, kBlocked };  // kNothing: the lamp shines or lies elsewhere
   Receiver at;

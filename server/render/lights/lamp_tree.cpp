@@ -129,7 +129,7 @@ struct LampTree::Weights {
   const float target = chosen.u * w.total();
   const int i = w.childAt(target);
   chosen.probability *= w.of[i] / w.total();
-  // What is left of the number would tell apart lamps of a thousandth, so that it is not continuous.
+  // The rest of the number would change a thousand times faster with the point.
   chosen.u = toUnit(mix32(std::bit_cast<std::uint32_t>(chosen.u) + 1));
   chosen.lamp = nodes_[chosen.lamp].child[i];
   return (chosen.lamp & kLamp) == 0;

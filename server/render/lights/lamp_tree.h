@@ -12,8 +12,8 @@
 namespace saccade {
 
 // A node has up to eight children, one in each lane. A child is chosen by an upper bound of the irradiance
-// that its lamps can give [Conty Estevez and Kulla 2018], in a form without angles [ours], see weightsOf() in
-// lamp_tree.cpp. Probabilities are continuous in the point. One number is hashed anew for each level. So
+// that its lamps can give [Conty Estevez and Kulla 2018]. The form of weightsOf() in lamp_tree.cpp has no
+// angles [ours]. Probabilities are continuous in the point. One number is hashed anew for each level. So
 // points that are close together choose equal lamps from equal numbers, nearly always.
 class LampTree {
  public:

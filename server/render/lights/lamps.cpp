@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "render/lights/quads.h"
-#include "render/lights/sight_samples.h"
 
 namespace saccade {
 namespace {
@@ -124,12 +123,6 @@ LampBounds Lamps::boundsOf(const LampLeaf& leaf) const {
   LampBounds all = boundsOfTriangle(*lamp);
   for (std::uint32_t i = 1; i < leaf.count; ++i) all = merged(all, boundsOfTriangle(lamp[i]));
   return all;
-}
-
-void Lamps::look(const EmbreeScene& geometry, float epsilon) {
-  for (const LightSet set : {LightSet::kAll, LightSet::kWithExtent})
-    if (auto& tree = sets_[static_cast<std::size_t>(set)].tree)
-      tree->look(LampSight(sightSamples(*this, set, geometry, epsilon)));
 }
 
 ChosenLamp Lamps::choose(LightSet set, const Receiver& at, float u_lamp) const {

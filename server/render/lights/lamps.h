@@ -13,8 +13,6 @@
 
 namespace saccade {
 
-class EmbreeScene;
-
 struct AreaLamp {
   Vec3 corner, edge1, edge2;  // triangle; sphere: corner is the centre
   float radius;               // 0 for a triangle
@@ -82,8 +80,10 @@ class Lamps {
   float probability(LightSet set, std::uint32_t leaf, const Receiver& at) const {
     return tree(set).probability(leaf, at);
   }
-  // Lets the trees know what blocks the light of lamps. `epsilon`: how far rays start off a surface.
-  void look(const EmbreeScene& geometry, float epsilon);
+  // Lets the tree know what blocks the light of lamps.
+  void look(LightSet set, LampSight sight) {
+    sets_[static_cast<std::size_t>(set)].tree->look(std::move(sight));
+  }
 
   // Chooses where there is no tree. The pdf per area is the radiance's luminance over the sum of weights.
   const LightChoice& byPower(LightSet set) const { return of(set).by_power; }

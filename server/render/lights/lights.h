@@ -15,7 +15,7 @@ class Lights {
   explicit Lights(const Scene& scene) : lamps_(scene), distant_(scene) {}
 
   // See Lamps.
-  void look(const EmbreeScene& geometry, float epsilon) { lamps_.look(geometry, epsilon); }
+  void look(LightSet set, LampSight sight) { lamps_.look(set, std::move(sight)); }
 
   const Lamps& lamps() const { return lamps_; }
   const DistantLights& distant() const { return distant_; }

@@ -1,12 +1,12 @@
-#include "render/lights/sight_samples.h"
+#include "render/world/sight_samples.h"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "base/hash_rng.h"
 #include "render/bsdf/sampling.h"
 #include "render/bsdf/shading_frame.h"
-#include "render/sampling/path_sampler.h"
 
 namespace saccade {
 namespace {
@@ -15,10 +15,10 @@ constexpr std::size_t kRays = 4096;  // from all lamps together
 
 // The random numbers of a sample, in order.
 struct Numbers {
-  PathSampler sampler;
-  std::uint32_t used = 0;
-  float next() { return sampler.u(used++); }
+  std::uint32_t used;
+  float next() { return toUnit(mix32(used++)); }
 };
+constexpr std::uint32_t kNumbers = 8;  // of a ray, at most
 
 Ray towards(Vec3 origin, Vec3 axis, Vec3 local, float epsilon) {
   const Vec3 direction = ShadingFrame<float>(axis).toWorld(local);
@@ -56,7 +56,8 @@ std::vector<SightSample> sightSamples(const Lamps& lamps, LightSet set, const Em
   const std::size_t count = lamps.tree(set).count();
   std::vector<SightSample> samples;
   for (std::size_t i = 0; i < kRays; ++i) {
-    Numbers u{PathSampler(0, static_cast<std::uint32_t>(i), 0)};
+    const auto first = static_cast<std::uint32_t>(i * (1 + kLampGroups)) * kNumbers;
+    Numbers u{first};
     const LampLeaf& from = lamps.leaves()[i * count / kRays];
     const std::uint32_t number =
         from.first + static_cast<std::uint32_t>(u.next() * static_cast<float>(from.count));
@@ -70,7 +71,7 @@ std::vector<SightSample> sightSamples(const Lamps& lamps, LightSet set, const Em
     for (std::size_t k = 0; k < kLampGroups; ++k) {
       const std::span<const std::uint32_t> group = lamps.tree(set).groups()[k];
       if (group.empty()) continue;
-      Numbers v{PathSampler(1, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k))};
+      Numbers v{first + static_cast<std::uint32_t>(1 + k) * kNumbers};
       const auto leaf = group[static_cast<std::size_t>(v.next() * static_cast<float>(group.size()))];
       sample.seen[k] = sightOf(lamps, lamps.leaves()[leaf], sample.at, v, geometry);
     }
