@@ -1,6 +1,8 @@
 // Lights that are not surfaces of the scene.
 #pragma once
 
+#include <cmath>
+
 #include "base/vec.h"
 #include "scene/affine.h"
 #include "scene/files/picture.h"
@@ -20,6 +22,23 @@ struct PointLight {
   Vec3 position;
   Rgb intensity;  // power per solid angle
 };
+
+// As a point, but within a cone alone: fully up to the angle `beam` from its axis. From there it falls in
+// proportion to the angle, down to 0 at `cutoff`, as in Mitsuba 3.
+struct SpotLight {
+  Vec3 position;
+  Vec3 axis;  // in which it shines; unit
+  Rgb intensity;
+  float beam, cutoff;  // radians, at most pi; the beam is at most the cutoff
+};
+
+// In a unit direction away from the lamp.
+inline Rgb intensityTowards(const SpotLight& light, Vec3 direction) {
+  const float angle = std::acos(std::fmin(1.f, std::fmax(-1.f, dot(light.axis, direction))));
+  if (angle <= light.beam) return light.intensity;
+  if (angle >= light.cutoff) return {};
+  return light.intensity * ((light.cutoff - angle) / (light.cutoff - light.beam));
+}
 
 struct DirectionalLight {
   Vec3 direction;  // in which its light goes; unit

@@ -27,6 +27,9 @@ bool grey(const Sphere& s) {
 bool grey(const PointLight& l) {
   return grey(l.intensity);
 }
+bool grey(const SpotLight& l) {
+  return grey(l.intensity);
+}
 bool grey(const DirectionalLight& l) {
   return grey(l.irradiance);
 }
@@ -42,7 +45,7 @@ bool grey(const Environment& e) {
 
 int colorChannels(const Scene& s) {
   const bool all_grey = grey(s.materials) && grey(s.textures) && grey(s.meshes) && grey(s.spheres) &&
-                        grey(s.point_lights) && grey(s.directional_lights) &&
+                        grey(s.point_lights) && grey(s.spot_lights) && grey(s.directional_lights) &&
                         (!s.environment || grey(*s.environment));
   return all_grey ? 1 : 3;
 }

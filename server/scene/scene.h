@@ -52,6 +52,7 @@ struct Scene {
   std::vector<Sphere> spheres;
   std::optional<Environment> environment = {};
   std::vector<PointLight> point_lights = {};
+  std::vector<SpotLight> spot_lights = {};
   std::vector<DirectionalLight> directional_lights = {};
   Vec3d origin = {};              // of its axes, in the world
   Pose T_world_camera;            // the sensor of the scene file; camera axes x right, y down, z forward

@@ -50,6 +50,8 @@ std::uint64_t hashScene(const Scene& scene) {
   for (const Texture& t : scene.textures) add(h, t);
   if (scene.environment) add(h, *scene.environment);
   for (const PointLight& l : scene.point_lights) h.add(l.position), h.add(l.intensity);
+  for (const SpotLight& l : scene.spot_lights)
+    h.add(l.position), h.add(l.axis), h.add(l.intensity), h.add(l.beam), h.add(l.cutoff);
   for (const DirectionalLight& l : scene.directional_lights) h.add(l.direction), h.add(l.irradiance);
   if (scene.origin != Vec3d{}) h.add(scene.origin);
   return h.value;

@@ -30,6 +30,7 @@ Bounds boundsOf(const Scene& scene) {
     for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) bounds.add(toDouble(mesh.positions[i]));
   for (const Sphere& sphere : scene.spheres) bounds.add(toDouble(sphere.center), sphere.radius);
   for (const PointLight& light : scene.point_lights) bounds.add(toDouble(light.position));
+  for (const SpotLight& light : scene.spot_lights) bounds.add(toDouble(light.position));
   return bounds;
 }
 

@@ -51,6 +51,7 @@ SceneStats statsOf(const Scene& scene) {
   for (const Material& material : scene.materials) addMaterial(material, stats);
   stats.environments = scene.environment.has_value();
   stats.point_lights = static_cast<int>(scene.point_lights.size());
+  stats.spot_lights = static_cast<int>(scene.spot_lights.size());
   stats.directional_lights = static_cast<int>(scene.directional_lights.size());
   stats.textures = scene.textures.size();
   for (const Texture& texture : scene.textures) stats.texture_bytes += texture.bytes();
@@ -75,6 +76,7 @@ std::string SceneStats::text() const {
   addCount(parts, static_cast<std::size_t>(area_lights), "area light");
   addCount(parts, static_cast<std::size_t>(environments), "environment");
   addCount(parts, static_cast<std::size_t>(point_lights), "point light");
+  addCount(parts, static_cast<std::size_t>(spot_lights), "spot light");
   addCount(parts, static_cast<std::size_t>(directional_lights), "directional light");
   addCount(parts, textures, "texture");
   addCount(parts, static_cast<std::size_t>(channels), "channel");

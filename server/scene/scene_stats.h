@@ -14,7 +14,7 @@ struct SceneStats {
   std::map<BsdfKind, int> materials;  // how many of each kind
   int masks = 0, bump_maps = 0;       // materials that have one
   int area_lights = 0;                // shapes that emit
-  int environments = 0, point_lights = 0, directional_lights = 0;
+  int environments = 0, point_lights = 0, spot_lights = 0, directional_lights = 0;
   std::size_t textures = 0;        // bitmaps
   std::size_t texture_bytes = 0;   // with their mip chains, and the environment's picture
   int channels = 0;                // that carry light: 1 or 3

@@ -10,7 +10,9 @@ namespace {
 constexpr std::size_t kMostFiles = 8;  // that are told one by one
 
 bool isLit(const SceneStats& stats) {
-  return stats.area_lights + stats.environments + stats.point_lights + stats.directional_lights > 0;
+  return stats.area_lights + stats.environments + stats.point_lights + stats.spot_lights +
+             stats.directional_lights >
+         0;
 }
 
 }  // namespace

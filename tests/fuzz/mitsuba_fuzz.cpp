@@ -27,6 +27,7 @@ const std::string kNow =
 <rgb name="radiance" value="1 2 3"/><string name="strength" value="0:1, 0.5:0"/></emitter></shape>
 <emitter type="envmap"><string name="filename" value="a.ppm"/></emitter>
 <emitter type="point"><rgb name="intensity" value="1"/></emitter>
+<emitter type="spot"><rgb name="intensity" value="1"/><float name="cutoff_angle" value="30"/></emitter>
 <emitter type="directional"><vector name="direction" value="0, -1, 0"/><float name="irradiance" value="1"/></emitter>
 </scene>)";
 

@@ -33,7 +33,7 @@ TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
   expectAt4("<medium type='homogeneous'/>", "<medium> is not supported");
   expectAt4("<medium type='homogeneous'/>", "supported: <sensor>, <shape>, <emitter>");
   expectAt4("<emitter type='area'/>",
-            "'area' is not supported; supported: envmap, constant, point, directional");
+            "'area' is not supported; supported: envmap, constant, point, spot, directional");
   expectAt4("<shape type='hair'/>",
             "'hair' is not supported; supported: obj, ply, rectangle, cube, disk, sphere");
   expectAt4(shape("<bsdf type='principled'/>"),

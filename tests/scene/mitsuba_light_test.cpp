@@ -47,6 +47,25 @@ TEST(MitsubaLight, PointLightsStandWhereTheySay) {
   }
 }
 
+// Angles are degrees in the file; the beam is three quarters of the cutoff unless it is given.
+TEST(MitsubaLight, SpotLightsShineAlongTheirZAxis) {
+  const std::string rest =
+      "<rgb name='intensity' value='1, 2, 3'/><transform name='to_world'>"
+      "<lookat origin='1, 2, 3' target='1, 0, 3' up='0, 0, 1'/></transform>";
+  const Scene scene = light("spot", rest);
+  ASSERT_EQ(scene.spot_lights.size(), 1u);
+  const SpotLight spot = scene.spot_lights[0];
+  EXPECT_EQ(spot.position, (Vec3{1, 2, 3}));
+  expectNear(spot.axis, {0, -1, 0}, 1e-7);
+  EXPECT_EQ(spot.intensity, (Rgb{1, 2, 3}));
+  EXPECT_NEAR(spot.cutoff, 0.34906585, 1e-7);
+  EXPECT_NEAR(spot.beam, 0.26179939, 1e-7);
+  const Scene wide =
+      light("spot", rest + "<float name='cutoffAngle' value='90'/><float name='beamWidth' value='45'/>");
+  EXPECT_NEAR(wide.spot_lights[0].cutoff, 1.5707963, 1e-6);
+  EXPECT_NEAR(wide.spot_lights[0].beam, 0.78539816, 1e-6);
+}
+
 TEST(MitsubaLight, DirectionalLightsGoWhereTheySay) {
   const std::string irradiance = "<rgb name='irradiance' value='1, 0, 2'/>";
   for (const std::string direction :
@@ -83,6 +102,14 @@ TEST(MitsubaLight, FaultsAreErrors) {
                  "not shear");
   expectContains(lightError("directional", "<vector name='direction' value='0 0 0'/>"), "must not be 0");
   expectContains(lightError("point", "<float name='intensity' value='1e30'/>"), "'intensity' must be");
+  const std::string spot = "<rgb name='intensity' value='1'/>";
+  expectContains(lightError("spot", spot + "<float name='cutoff_angle' value='181'/>"),
+                 "the cutoff_angle must be within [0, 180] degrees");
+  expectContains(lightError("spot", spot + "<float name='beam_width' value='30'/>"),
+                 "the beam_width must be at most the cutoff_angle");
+  expectContains(lightError("spot", spot + "<texture name='texture' type='bitmap'><string name='filename' "
+                                           "value='sky.ppm'/></texture>"),
+                 "<texture name=\"texture\"> is not supported");
   const Scratch files;
   const std::string sky = "<emitter type='constant'><float name='radiance' value='1'/></emitter>";
   expectContains(errorOf([&] { loadBody(files, sky + "\n" + sky); }), "scene.xml:4: a second emitter");

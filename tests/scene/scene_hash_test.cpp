@@ -14,6 +14,7 @@ Scene shinyScene() {
   scene.materials[0].model.kind = BsdfKind::kRoughPlastic;
   scene.environment = Environment{{1, 1, 1}, {1, 1, {{2, 2, 2}}}, {}};
   scene.point_lights = {{{0, 0, 0}, {1, 1, 1}}};
+  scene.spot_lights = {{{0, 0, 0}, {0, 0, 1}, {1, 1, 1}, 0.1f, 0.2f}};
   scene.directional_lights = {{{0, 0, 1}, {1, 1, 1}}};
   return scene;
 }
@@ -43,6 +44,11 @@ TEST(SceneHash, TellsApartWhatDiffersInOneThing) {
       [](Scene& s) { s.environment.reset(); },
       [](Scene& s) { s.point_lights[0].position.x = 1; },
       [](Scene& s) { s.point_lights[0].intensity.x = 2; },
+      [](Scene& s) {
+        s.spot_lights[0].axis = {0, 1, 0};
+      },
+      [](Scene& s) { s.spot_lights[0].intensity.x = 2; },
+      [](Scene& s) { s.spot_lights[0].cutoff = 0.3f; },
       [](Scene& s) {
         s.directional_lights[0].direction = {1, 0, 0};
       },

@@ -1,4 +1,4 @@
-// Lamps without extent: points and directions. A point of a surface sees such a lamp in one direction alone,
+// Lamps without extent: points, spots and suns. A point of a surface sees such a lamp in one direction alone,
 // so one shadow ray tells its light without noise.
 #pragma once
 
@@ -11,19 +11,19 @@ namespace saccade {
 
 class DeltaLamps {
  public:
-  explicit DeltaLamps(const Scene& scene) : points_(scene.point_lights), suns_(scene.directional_lights) {}
+  explicit DeltaLamps(const Scene& scene);
 
   static constexpr std::size_t kMost = 16;  // more are left to the samples of paths
 
   // Whether there are any, and no more than that.
   bool areFew() const { return size() > 0 && size() <= kMost; }
-  std::size_t size() const { return points_.size() + suns_.size(); }
+  std::size_t size() const { return spots_.size() + suns_.size(); }
 
   // The light of a lamp at `point`. Its pdf has no meaning.
   IncidentLight at(std::size_t lamp, Vec3 point) const;
 
  private:
-  std::vector<PointLight> points_;
+  std::vector<SpotLight> spots_;  // a point is one that shines everywhere
   std::vector<DirectionalLight> suns_;
 };
 

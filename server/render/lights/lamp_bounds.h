@@ -1,4 +1,4 @@
-// What a lamp, or a group of lamps, may give from afar: where it is, where it shines, and how strongly.
+// A bound of the light of a lamp, or of a group: where it is, where it shines, and how strongly.
 #pragma once
 
 #include "base/vec.h"

@@ -11,8 +11,10 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-LampBounds boundsOfPoint(const PointLight& point) {
-  return {point.position, point.position, {0, 0, 1}, kPi, 0, 1, luminance(point.intensity)};
+LampBounds boundsOfSpot(const SpotLight& spot) {
+  LampBounds all{spot.position, spot.position, spot.axis, kPi, 0, 1, luminance(spot.intensity)};
+  if (spot.beam < kPi) all.spread = 0, all.dark = std::cos(spot.cutoff), all.bright = std::cos(spot.beam);
+  return all;
 }
 
 // The box has the sphere's radius, not its edges.
@@ -29,13 +31,30 @@ LampBounds boundsOfTriangle(const AreaLamp& lamp) {
   return all;
 }
 
+ChosenLamp memberOf(const LampLeaf& leaf, float probability, float u) {
+  return {leaf.first + (u >= leaf.first_share ? 1 : 0), probability / leaf.area};
+}
+
 }  // namespace
+
+AreaLamp::Place AreaLamp::at(float u1, float u2) const {
+  if (radius > 0) {
+    const float z = 1 - 2 * u1, r = std::sqrt(std::max(0.f, 1 - z * z)), phi = 2 * kPi * u2;
+    const Vec3 normal{r * std::cos(phi), r * std::sin(phi), z};
+    return {corner + normal * radius, normal};
+  }
+  const float s = std::sqrt(u1);  // the square-root map
+  return {corner + edge1 * (1 - s) + edge2 * (u2 * s), normalize(cross(edge1, edge2))};
+}
 
 float AreaLamp::area() const {
   return radius > 0 ? 4 * kPi * radius * radius : length(cross(edge1, edge2)) / 2;
 }
 
-Lamps::Lamps(const Scene& scene) : points_(scene.point_lights) {
+Lamps::Lamps(const Scene& scene) {
+  for (const PointLight& l : scene.point_lights)
+    spots_.push_back({l.position, {0, 0, 1}, l.intensity, kPi, kPi});
+  spots_.insert(spots_.end(), scene.spot_lights.begin(), scene.spot_lights.end());
   std::uint32_t geometry = 0;  // counted as EmbreeScene does
   const auto next = [&] {
     first_primitive_.push_back(static_cast<std::uint32_t>(leaf_of_primitive_.size()));
@@ -68,7 +87,7 @@ void Lamps::addMesh(const Mesh& mesh, std::uint32_t geometry) {
 }
 
 void Lamps::addLeaf(std::span<const AreaLamp> lamps) {
-  Leaf leaf{static_cast<std::uint32_t>(area_lamps_.size()), 0, 0};
+  LampLeaf leaf{static_cast<std::uint32_t>(area_lamps_.size()), 0, 0};
   for (const AreaLamp& lamp : lamps) {
     leaf_of_primitive_.push_back(static_cast<std::uint32_t>(leaves_.size()));
     const float area = lamp.area();
@@ -76,6 +95,7 @@ void Lamps::addLeaf(std::span<const AreaLamp> lamps) {
     area_lamps_.push_back(lamp);
     ++leaf.count, leaf.area += area;
   }
+  if (leaf.count == 2) leaf.first_share = area_lamps_[leaf.first].area() / leaf.area;
   if (leaf.count > 0) leaves_.push_back(leaf);
 }
 
@@ -87,16 +107,17 @@ void Lamps::addSets() {
     if (bounds.size() > 1 && !set.by_power.empty()) set.tree.emplace(bounds);
   };
   for (const AreaLamp& lamp : area_lamps_) power.push_back(luminance(lamp.radiance) * lamp.area());
-  for (const Leaf& leaf : leaves_) bounds.push_back(boundsOf(leaf));
+  for (const LampLeaf& leaf : leaves_) bounds.push_back(boundsOf(leaf));
   add(sets_[1]);
-  for (const PointLight& point : points_) {
-    power.push_back(4 * luminance(point.intensity)), bounds.push_back(boundsOfPoint(point));
+  for (const SpotLight& spot : spots_) {
+    power.push_back(2 * (1 - std::cos(spot.cutoff)) * luminance(spot.intensity));
+    bounds.push_back(boundsOfSpot(spot));
     leaves_.push_back({static_cast<std::uint32_t>(power.size()) - 1, 1, 1});
   }
   add(sets_[0]);
 }
 
-LampBounds Lamps::boundsOf(const Leaf& leaf) const {
+LampBounds Lamps::boundsOf(const LampLeaf& leaf) const {
   const AreaLamp* lamp = &area_lamps_[leaf.first];
   if (lamp->radius > 0) return boundsOfSphere(*lamp);
   LampBounds all = boundsOfTriangle(*lamp);
@@ -110,39 +131,41 @@ ChosenLamp Lamps::choose(LightSet set, const Receiver& at, float u_lamp) const {
     if (i >= area_lamps_.size()) return {i, byPower(set).probability(i)};
     return {i, luminance(area_lamps_[i].radiance) * byPower(set).inverseWeight()};
   }
-  const LampTree::Chosen chosen = of(set).tree->choose(at, u_lamp);
-  const Leaf& leaf = leaves_[chosen.lamp];
-  std::uint32_t i = leaf.first;
-  if (leaf.count == 2 && chosen.u * leaf.area >= area_lamps_[i].area()) ++i;
-  return {i, chosen.probability / leaf.area};
+  const LampTree::Chosen chosen = tree(set).choose(at, u_lamp);
+  return memberOf(leaves_[chosen.lamp], chosen.probability, chosen.u);
+}
+
+Lamps::ChosenLanes Lamps::chooseFromTree(LightSet set, const LaneVectors& points, const LaneVectors& normals,
+                                         const float* u, LaneSet lanes) const {
+  LampTree::ChosenLanes chosen;
+  std::copy_n(u, kLaneVectors, chosen.u);
+  tree(set).choose(points, normals, lanes, chosen);
+  ChosenLanes out;
+  forEachLane(lanes, [&](int i) {
+    const ChosenLamp one = memberOf(leaves_[chosen.lamp[i]], chosen.probability[i], chosen.u[i]);
+    out.number[i] = one.number, out.pdf[i] = one.pdf;
+  });
+  return out;
 }
 
 float Lamps::pdf(LightSet set, const EmitterPoint& point, const Receiver& at) const {
   if (!hasTree(set)) return luminance(point.radiance) * byPower(set).inverseWeight();
   const std::uint32_t leaf = leaf_of_primitive_[first_primitive_[point.geometry] + point.primitive];
-  return of(set).tree->probability(leaf, at) / leaves_[leaf].area;
+  return probability(set, leaf, at) / leaves_[leaf].area;
 }
 
 IncidentLight Lamps::sample(const ChosenLamp& lamp, Vec3 point, float u1, float u2) const {
   if (lamp.number < area_lamps_.size()) return ofArea(area_lamps_[lamp.number], lamp.pdf, point, u1, u2);
-  const PointLight& light = points_[lamp.number - area_lamps_.size()];
+  const SpotLight& light = spots_[lamp.number - area_lamps_.size()];
   const Vec3 segment = light.position - point;
   const float distance2 = dot(segment, segment);
-  return {segment / std::sqrt(distance2), segment, kShadowEnd, light.intensity / distance2, lamp.pdf, true};
+  const Vec3 w = segment / std::sqrt(distance2);
+  return {w, segment, kShadowEnd, intensityTowards(light, -w) / distance2, lamp.pdf, true};
 }
 
 // `pdf`: per area.
 IncidentLight Lamps::ofArea(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const {
-  Vec3 on_lamp, normal;
-  if (lamp.radius > 0) {
-    const float z = 1 - 2 * u1, r = std::sqrt(std::max(0.f, 1 - z * z)), phi = 2 * kPi * u2;
-    normal = {r * std::cos(phi), r * std::sin(phi), z};
-    on_lamp = lamp.corner + normal * lamp.radius;
-  } else {  // uniform on the triangle by the square-root map
-    const float s = std::sqrt(u1);
-    on_lamp = lamp.corner + lamp.edge1 * (1 - s) + lamp.edge2 * (u2 * s);
-    normal = normalize(cross(lamp.edge1, lamp.edge2));
-  }
+  const auto [on_lamp, normal] = lamp.at(u1, u2);
   const Vec3 segment = on_lamp - point;
   const float distance2 = dot(segment, segment);
   const Vec3 w = segment / std::sqrt(distance2);

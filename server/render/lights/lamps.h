@@ -1,4 +1,4 @@
-// The lamps of a scene: emissive triangles and spheres, and points.
+// The lamps of a scene: emissive triangles and spheres, points and spots.
 #pragma once
 
 #include <array>
@@ -20,6 +20,18 @@ struct AreaLamp {
   std::uint32_t geometry;
 
   float area() const;
+  // A place that is uniform by area, of two numbers in [0, 1), and its unit normal.
+  struct Place {
+    Vec3 point, normal;
+  };
+  Place at(float u1, float u2) const;
+};
+
+// One lamp, or the two triangles of a flat quad: what a tree chooses from.
+struct LampLeaf {
+  std::uint32_t first, count;
+  float area;             // of a point 1
+  float first_share = 1;  // of the first lamp, of the area
 };
 
 struct ChosenLamp {
@@ -45,23 +57,38 @@ class Lamps {
 
   // Of numbers in [0, 1): u_lamp chooses a lamp, u1 and u2 a place on it. There must be a lamp.
   ChosenLamp choose(LightSet set, const Receiver& at, float u_lamp) const;
+  // As choose(), for the lanes of a set where there is a tree. `u` has their numbers.
+  struct ChosenLanes {
+    alignas(64) std::uint32_t number[kLaneVectors] = {};
+    alignas(64) float pdf[kLaneVectors] = {};
+  };
+  ChosenLanes chooseFromTree(LightSet set, const LaneVectors& points, const LaneVectors& normals,
+                             const float* u, LaneSet lanes) const;
   IncidentLight sample(const ChosenLamp& lamp, Vec3 point, float u1, float u2) const;
 
   // The pdf of both per area, at a point of an emitter.
   float pdf(LightSet set, const EmitterPoint& point, const Receiver& at) const;
 
-  // The first lamps by their numbers. Points follow.
+  // The first lamps by their numbers. Points and spots follow.
   const std::vector<AreaLamp>& areaLamps() const { return area_lamps_; }
-  std::size_t count() const { return area_lamps_.size() + points_.size(); }
+  const std::vector<SpotLight>& spots() const { return spots_; }  // a point is a spot into all directions
+  std::size_t count() const { return area_lamps_.size() + spots_.size(); }
+
+  // Where there is a tree. A set has the first leaves.
+  const std::vector<LampLeaf>& leaves() const { return leaves_; }
+  const LampTree& tree(LightSet set) const { return *of(set).tree; }
+  float probability(LightSet set, std::uint32_t leaf, const Receiver& at) const {
+    return tree(set).probability(leaf, at);
+  }
+  // Lets the tree know what blocks the light of lamps.
+  void look(LightSet set, LampSight sight) {
+    sets_[static_cast<std::size_t>(set)].tree->look(std::move(sight));
+  }
+
   // Chooses where there is no tree. The pdf per area is the radiance's luminance over the sum of weights.
   const LightChoice& byPower(LightSet set) const { return of(set).by_power; }
 
  private:
-  // Of the tree: one lamp, or the triangles of a quad.
-  struct Leaf {
-    std::uint32_t first, count;
-    float area;
-  };
   struct Set {
     LightChoice by_power;
     std::optional<LampTree> tree;
@@ -71,12 +98,12 @@ class Lamps {
   void addLeaf(std::span<const AreaLamp> lamps);
   void addMesh(const Mesh& mesh, std::uint32_t geometry);
   void addSets();
-  LampBounds boundsOf(const Leaf& leaf) const;
+  LampBounds boundsOf(const LampLeaf& leaf) const;
   IncidentLight ofArea(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const;
 
   std::vector<AreaLamp> area_lamps_;
-  std::vector<PointLight> points_;
-  std::vector<Leaf> leaves_;
+  std::vector<SpotLight> spots_;
+  std::vector<LampLeaf> leaves_;
   std::vector<std::uint32_t> first_primitive_;    // by geometry, among those of all emitters
   std::vector<std::uint32_t> leaf_of_primitive_;  // of all emitters
   std::array<Set, kLightSets> sets_;

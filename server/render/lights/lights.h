@@ -14,6 +14,9 @@ class Lights {
   // Keeps a pointer to the pixels of the scene's environment.
   explicit Lights(const Scene& scene) : lamps_(scene), distant_(scene) {}
 
+  // See Lamps.
+  void look(LightSet set, LampSight sight) { lamps_.look(set, std::move(sight)); }
+
   const Lamps& lamps() const { return lamps_; }
   const DistantLights& distant() const { return distant_; }
 

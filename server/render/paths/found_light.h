@@ -19,7 +19,8 @@ struct Found {
 
 // The vertex that chose the direction of a path, whose ray has hit `point`.
 template <bool kMixed, int C>
-Receiver chooserOf(const LivePaths<C>& from, std::uint32_t path, Vec3 point, Vec3 direction, float distance) {
+[[gnu::always_inline]] inline Receiver chooserOf(const LivePaths<C>& from, std::uint32_t path, Vec3 point,
+                                                 Vec3 direction, float distance) {
   const bool straight_on = kMixed && from.distance[path] > 0;
   return {point - direction * distance,
           straight_on ? from.chooser_normal.at(path) : from.geometric_normal.at(path)};

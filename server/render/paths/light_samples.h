@@ -23,22 +23,27 @@ struct ChosenLamps {
 };
 
 template <int W, int C>
+[[gnu::noinline]] ChosenLamps<W> chooseFromTree(const Batch<C>& b, const Vec3T<Floats<W>>& point,
+                                                const Vec3T<Floats<W>>& normal, const Floats<W>& u_lamp,
+                                                LaneSet lanes) {
+  LaneVectors points, normals;
+  points.store(point, 0), normals.store(normal, 0);
+  alignas(64) float u[kLaneVectors] = {};
+  store(u_lamp, u);
+  const Lamps::ChosenLanes chosen =
+      b.t.scene.still().lights().lamps().chooseFromTree(b.lightSet(), points, normals, u, lanes);
+  return {load<W>(chosen.number), load<W>(chosen.pdf)};
+}
+
+template <int W, int C>
 [[gnu::always_inline]] inline ChosenLamps<W> chooseLamps(const Batch<C>& b, const Vec3T<Floats<W>>& point,
                                                          const Vec3T<Floats<W>>& normal,
                                                          const Floats<W>& u_lamp, LaneSet lanes) {
-  const Lamps& lamps = b.t.scene.still().lights().lamps();
+  if (b.t.scene.still().lights().lamps().hasTree(b.lightSet()))
+    return chooseFromTree<W, C>(b, point, normal, u_lamp, lanes);
   const LightColumns& columns = b.t.scene.still().lightColumns();
-  if (!lamps.hasTree(b.lightSet())) {
-    const Uints<W> number = columns.choose<W>(b.lightSet(), u_lamp);
-    return {number, columns.at<W>(columns.pdfColumn(b.lightSet()), number)};
-  }
-  alignas(64) std::uint32_t number[W] = {};
-  alignas(64) float pdf[W] = {};
-  forEachLane(lanes, [&](int i) {
-    const ChosenLamp one = lamps.choose(b.lightSet(), {laneOf(point, i), laneOf(normal, i)}, u_lamp[i]);
-    number[i] = one.number, pdf[i] = one.pdf;
-  });
-  return {load<W>(number), load<W>(pdf)};
+  const Uints<W> number = columns.choose<W>(b.lightSet(), u_lamp);
+  return {number, columns.at<W>(columns.pdfColumn(b.lightSet()), number)};
 }
 
 // Uniform points on triangles, by the square-root map.

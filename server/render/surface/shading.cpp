@@ -4,7 +4,8 @@ namespace saccade {
 
 Shading shadingOf(const Scene& scene) {
   Shading needed;
-  needed.extras = scene.environment || !scene.point_lights.empty() || !scene.directional_lights.empty();
+  needed.extras = scene.environment || !scene.point_lights.empty() || !scene.spot_lights.empty() ||
+                  !scene.directional_lights.empty();
   for (const Material& m : scene.materials) {
     needed.kinds |= only(m.model.kind);
     needed.textures |= isTextured(m);

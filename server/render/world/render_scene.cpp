@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/world/sight_samples.h"
 #include "scene/scene_hash.h"
 #include "scene/scene_stats.h"
 
@@ -28,6 +29,9 @@ RenderScene::RenderScene(Scene scene)
           std::any_of(scene_.materials.begin(), scene_.materials.end(), transmitsStraight)),
       epsilon_(kRelativeEpsilon * geometry_.diagonal()) {
   for (const Material& m : scene_.materials) tables_.emplace_back(m.model);
+  for (const LightSet set : {LightSet::kAll, LightSet::kWithExtent})
+    if (lights_.lamps().hasTree(set))
+      lights_.look(set, LampSight(sightSamples(lights_.lamps(), set, geometry_, epsilon_)));
 }
 
 std::uint64_t RenderScene::digest() const {

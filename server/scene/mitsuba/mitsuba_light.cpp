@@ -1,6 +1,7 @@
 #include "scene/mitsuba/mitsuba_light.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "scene/files/limits.h"
 #include "scene/mitsuba/mitsuba_transform.h"
@@ -50,6 +51,24 @@ void readPoint(const XmlFile& file, pugi::xml_node emitter, Properties& properti
       {toFloat(position - scene.origin), requiredColor(file, emitter, properties, "intensity")});
 }
 
+// A half-angle in degrees, as radians.
+float halfAngle(const XmlFile& file, pugi::xml_node emitter, double degrees, const char* name) {
+  if (!(degrees >= 0 && degrees <= 180))
+    throw file.error(emitter, "the " + std::string(name) + " must be within [0, 180] degrees");
+  return static_cast<float>(degrees * std::numbers::pi / 180);
+}
+
+void readSpot(const XmlFile& file, pugi::xml_node emitter, Properties& properties, Scene& scene) {
+  const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
+  const double cutoff = properties.number("cutoff_angle", 20);
+  const double beam = properties.number("beam_width", cutoff * 3 / 4);
+  if (beam > cutoff) throw file.error(emitter, "the beam_width must be at most the cutoff_angle");
+  scene.spot_lights.push_back(
+      {toFloat(to_world.translation - scene.origin), toFloat(orthonormal(file, emitter, to_world).z),
+       requiredColor(file, emitter, properties, "intensity"), halfAngle(file, emitter, beam, "beam_width"),
+       halfAngle(file, emitter, cutoff, "cutoff_angle")});
+}
+
 void readDirectional(const XmlFile& file, pugi::xml_node emitter, Properties& properties, Scene& scene) {
   const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
   const Vec3d direction = properties.vector("direction").value_or(to_world.z);
@@ -62,7 +81,8 @@ void readDirectional(const XmlFile& file, pugi::xml_node emitter, Properties& pr
 }  // namespace
 
 void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Scene& scene) {
-  const std::string type = supportedType(file, emitter, {"envmap", "constant", "point", "directional"});
+  const std::string type =
+      supportedType(file, emitter, {"envmap", "constant", "point", "spot", "directional"});
   Properties properties(file, emitter);
   properties.ignore("float", {"sampling_weight"});
   if (type == "envmap") {
@@ -71,6 +91,8 @@ void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Sc
     addEnvironment(file, emitter, scene, {requiredColor(file, emitter, properties, "radiance"), {}, {}});
   } else if (type == "point") {
     readPoint(file, emitter, properties, scene);
+  } else if (type == "spot") {
+    readSpot(file, emitter, properties, scene);
   } else {
     readDirectional(file, emitter, properties, scene);
   }

@@ -7,8 +7,8 @@
 
 namespace saccade {
 
-// Adds an envmap, constant, point or directional <emitter> to `scene`; `loads` will read its picture. Throws
-// SceneError.
+// Adds an envmap, constant, point, spot or directional <emitter> to `scene`; `loads` will read its picture.
+// Throws SceneError.
 void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Scene& scene);
 
 }  // namespace saccade

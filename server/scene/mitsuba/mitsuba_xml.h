@@ -6,7 +6,7 @@
 //   shape     obj, ply (face_normals, flip_tex_coords), rectangle, cube, disk, sphere
 //   bsdf      the kinds of bsdf_model.h; around one, in any order, twosided, mask, bumpmap
 //   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
-//   emitter   area, of a shape; envmap, constant, point, directional
+//   emitter   area, of a shape; envmap, constant, point, spot, directional
 //   transform of matrix, translate, rotate, scale, lookat in order
 //   <default> and $names; ids and refs to what stands before
 // Colours are rgb, float, or spectrum of one number. A bsdf at the top without an id goes by that of the bsdf
