@@ -1,9 +1,8 @@
 // The CPU time of a setting at other sizes and lengths than the measured ones [ours].
 //
 // The time of a frame is a fixed part and a part per pixel: t(p) = a + b p. Two sizes tell both. Methods that
-// keep light take longer in the first frames, until they know the scene. So the mean over N frames falls from
-// that of the first L to that of late frames: f(N) = r + (1 - r) L / max(N, L). Here r is the time of late
-// frames over that of the first L.
+// keep light take longer in the first frames, until they know the scene. The mean over N frames falls by
+// f(N) = r + (1 - r) L / max(N, L). Here r is the time of late frames over that of the first L.
 #pragma once
 
 #include <limits>
