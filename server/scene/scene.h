@@ -54,10 +54,11 @@ struct Scene {
   std::vector<PointLight> point_lights = {};
   std::vector<SpotLight> spot_lights = {};
   std::vector<DirectionalLight> directional_lights = {};
-  Vec3d origin = {};              // of its axes, in the world
-  Pose T_world_camera;            // the sensor of the scene file; camera axes x right, y down, z forward
-  double fov_x_deg = 45;          // horizontal field of view
-  int width = 256, height = 256;  // the film of the scene file
+  Vec3d origin = {};                // of its axes, in the world
+  Pose T_world_camera;              // the sensor of the scene file; camera axes x right, y down, z forward
+  double fov_x_deg = 45;            // horizontal field of view
+  int width = 256, height = 256;    // the film of the scene file
+  std::optional<int> bounces = {};  // indirect ones of the author's picture; none: not said, or endless
 };
 
 // 1 where all colours are grey: of surfaces, textures, metals and lights. Else 3.

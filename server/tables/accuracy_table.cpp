@@ -46,7 +46,8 @@ std::string defaultAccuracyTable() {
 }
 
 std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const SettingsQuery& rendering) {
-  const double time = rendering.pixels / (static_cast<double>(table.width) * table.height);
+  const double pixels = rendering.pixels / (static_cast<double>(table.width) * table.height);
+  const double length = table.frames > 0 ? rendering.frames / table.frames : 1;
   const double rate = table.threshold / rendering.threshold;  // [E (34)]
   std::set<std::string> methods;                              // of the scene
   std::vector<MeasuredSetting> settings;
@@ -54,7 +55,7 @@ std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const Setti
     if (row.scene != rendering.scene) continue;
     methods.insert(row.method.name);
     if (!rendering.method.empty() && row.method.name != rendering.method) continue;
-    row.cpu_ms *= time;
+    row.cpu_ms = timeAt({row.cpu_ms, row.small_ms, row.small_late_ms}, pixels, length);
     row.false_events *= rate, row.missed_events *= rate;
     settings.push_back(row);
   }

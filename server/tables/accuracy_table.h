@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "methods/method_spec.h"
+#include "tables/time_model.h"
 
 namespace saccade {
 
@@ -16,6 +17,8 @@ struct MeasuredSetting {
   int spp = 0;
   double cpu_ms = 0;  // per frame, over all threads, of tracing and filter; without sensors
   double false_events = 0, missed_events = 0;  // per pixel-frame
+  double small_ms = MeasuredTime{}.small_ms;   // as in MeasuredTime, where cpu_ms is first_ms
+  double small_late_ms = MeasuredTime{}.small_late_ms;
 
   std::string text() const;  // "svgf:as_falcor=1 at 4 spp"
 };
@@ -24,6 +27,7 @@ struct AccuracyTable {
   std::string settings;  // of all rows, as in the file: "cpu=... trajectory=... size=..."
   std::string cpu;       // cpuName() of the machine
   int width = 0, height = 0;
+  int frames = 0;  // over which cpu_ms is a mean; 0: not known
   int bounces = 0;
   double threshold = 0;  // C of the event rates, natural log units
   std::vector<MeasuredSetting> rows;
@@ -43,6 +47,7 @@ struct SettingsQuery {
   double pixels = 0;     // of a frame
   double threshold = 0;  // C, natural log units
   std::string method;    // empty: any
+  double frames = 0;     // of the stream; may be infinite. At most those of the table: its own time
 };
 
 // The table has no setting for a query; what() lists what it has.
@@ -56,8 +61,8 @@ struct NothingFits : std::runtime_error {
 };
 
 // The settings measured for the scene and the method of the query, which it compares by name alone. Time is
-// scaled by the pixels, event rates by 1 / C [E (34)]; trajectory and bias are not compared. Never empty.
-// Throws NotMeasured.
+// scaled as time_model.h says, event rates by 1 / C [E (34)]; trajectory and bias are not compared. Never
+// empty. Throws NotMeasured.
 std::vector<MeasuredSetting> settingsFor(const AccuracyTable& table, const SettingsQuery& rendering);
 
 // The setting with the fewest false and missed events in at most `budget_ms` of CPU time a frame. Throws

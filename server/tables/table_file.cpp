@@ -52,6 +52,11 @@ std::vector<std::string> TableFile::splitLine() const {
   return cells;
 }
 
+bool TableFile::has(const std::string& name) const {
+  const auto found = fields_.find(name);
+  return found != fields_.end() && found->second != "nan";
+}
+
 const std::string& TableFile::field(const std::string& name) const {
   const auto found = fields_.find(name);
   if (found == fields_.end()) fail("there is no " + name + "=");

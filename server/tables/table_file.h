@@ -22,6 +22,8 @@ class TableFile {
   void readColumns(std::initializer_list<const char*> needed);  // the file may have others
   bool nextRow();                                               // false at the end
 
+  // Whether the settings or the columns have it, with another value than "nan".
+  bool has(const std::string& name) const;
   // A value of the row, or of the settings.
   const std::string& field(const std::string& name) const;
   double number(const std::string& name, double min, double max) const;

@@ -20,7 +20,7 @@ struct Fixture : ::testing::Test {
 };
 
 Result makeResult() {
-  Result r{"box", "svgf:alpha=0.2", 4, 12.5, 10, 0.67, 0.05, 0.002, {}, {}};
+  Result r{"box", "svgf:alpha=0.2", 4, 12.5, 10, {12.5, 4, 3}, 0.67, 0.05, 0.002, {}, {}};
   r.seed_error.dI_l1 = 0.0625;
   r.score.dI_l1 = 0.25;
   r.score.dI_mape = std::numeric_limits<double>::infinity();  // where the truth stands still
@@ -36,6 +36,8 @@ TEST_F(Fixture, RowsOfAnEarlierRunAreRead) {
   EXPECT_EQ(table.find("box", "svgf", 4), nullptr);
   EXPECT_EQ(table.rows()[0].cpu_ms, 12.5);
   EXPECT_EQ(table.rows()[0].reference_events, 0.002);
+  EXPECT_EQ(table.rows()[0].time.small_ms, 4);
+  EXPECT_EQ(table.rows()[0].time.small_late_ms, 3);
   EXPECT_EQ(table.rows()[0].score.dI_l1, 0.25);
   EXPECT_EQ(table.rows()[0].seed_error.dI_l1, 0.0625);
   EXPECT_EQ(table.rows()[0].score.dI_mape, std::numeric_limits<double>::infinity());

@@ -1,6 +1,7 @@
 // Streams that ask for a time or for an accuracy instead of a setting.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <limits>
 
 #include "app/request/resolve.h"
@@ -79,6 +80,25 @@ TEST_F(Budgets, TheReplyTellsTheChoiceAndTheExpectedQuality) {
   EXPECT_DOUBLE_EQ(opened.expected().missed_rate(), 0.03 * 2);
   EXPECT_EQ(opened.expected().measured_on(), file_.settings());
   EXPECT_FALSE(server.client().open(tinyRequest()).has_expected());
+}
+
+// Late frames take half as long as the 20 frames that were measured.
+TEST(BudgetsOfLongStreams, CountOnLateFrames) {
+  const std::string folder = testing::TempDir() + "long_budgets_" + std::to_string(getpid());
+  const AccuracyFile file(folder);
+  std::ofstream(file.path()) << "# cpu=\"" << cpuName()
+                             << "\" size=32x24 bounces=2 threshold=0.2 frames=16:20\n"
+                                "scene,method,spp,cpu_ms,small_ms,small_late_ms,false_events,missed_events\n"
+                                "cornell-box,pt,1,8,2,1,0.5,0.1\n";
+  TestServer server(1, {}, file.path());
+  const auto expected = [&](double frames) {
+    v1::OpenStream request = within(100);
+    request.mutable_timing()->set_duration_s(frames / request.timing().frame_rate_hz());
+    return server.client().open(request).expected().cpu_ms();
+  };
+  EXPECT_NEAR(expected(20), 8, 1e-9);
+  EXPECT_NEAR(expected(40), 6, 1e-9);
+  EXPECT_NEAR(expected(0), 4, 1e-9);
 }
 
 TEST_F(Budgets, CountAllViews) {

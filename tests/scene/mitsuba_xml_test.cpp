@@ -139,6 +139,27 @@ TEST(MitsubaXml, ReadsEmittersAndCheckerboards) {
   expectNear(scene.spheres[0].radiance, {3, 3, 3}, 0);
 }
 
+// Mitsuba's depth counts edges of a path, the first two of which are direct light.
+TEST(MitsubaXml, TheDepthOfTheIntegratorSaysTheBounces) {
+  const auto bounces = [](const std::string& integrator) {
+    return load(integrator + "<sensor type='perspective'><float name='fov' value='40'/></sensor>").bounces;
+  };
+  const auto depth = [&](const std::string& value) {
+    return bounces("<integrator type='path'><integer name='maxDepth' value='" + value + "'/></integrator>");
+  };
+  EXPECT_EQ(depth("13"), 11);
+  EXPECT_EQ(depth("2"), 0);
+  EXPECT_EQ(depth("1"), 0);
+  EXPECT_EQ(depth("-1"), std::nullopt);
+  EXPECT_EQ(
+      bounces(
+          "<default name='deep' value='9'/><integrator type='aov'><string name='aovs' value='dd.y:depth'/>"
+          "<integrator type='volpath'><integer name='max_depth' value='$deep'/></integrator></integrator>"),
+      7);
+  EXPECT_EQ(bounces("<integrator type='path'/>"), std::nullopt);
+  EXPECT_EQ(bounces(""), std::nullopt);
+}
+
 // The same scene as it is written for 0.5 and for 3.
 TEST(MitsubaXml, BothDialectsSayTheSame) {
   const auto scene = [](const std::string& fov_axis, const std::string& to_world, const std::string& look_at,

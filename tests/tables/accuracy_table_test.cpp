@@ -45,7 +45,7 @@ class AccuracyTableTest : public testing::Test {
 
 // At the table's own size and C.
 SettingsQuery box(const std::string& method = {}) {
-  return {"box", 100 * 50, 0.2, method};
+  return {"box", 100 * 50, 0.2, method, 21};
 }
 
 template <class Fault>
@@ -64,6 +64,7 @@ TEST_F(AccuracyTableTest, IsReadByTheNamesOfItsColumns) {
   EXPECT_EQ(t.cpu, "A CPU @ 2 GHz");
   EXPECT_EQ(t.width, 100);
   EXPECT_EQ(t.height, 50);
+  EXPECT_EQ(t.frames, 21);
   EXPECT_EQ(t.bounces, 4);
   EXPECT_EQ(t.threshold, 0.2);
   EXPECT_EQ(t.scenes(), (std::vector<std::string>{"ball", "box"}));
@@ -85,6 +86,7 @@ TEST_F(AccuracyTableTest, FaultsNameFileAndLine) {
       {"# cpu=\"A\" size=100x50 bounces=3\n" + kColumns + "\n", ":1: there is no threshold="},
       {"# cpu=\"A\" size=100x50y bounces=3 threshold=1\n", ":1: size is \"100x50y\""},
       {"# cpu=\"A\" size=100x0 bounces=3 threshold=1\n", ":1: size is"},
+      {"# cpu=\"A\" size=100x50 frames=17 bounces=3 threshold=1\n", ":1: frames is \"17\", not A:B"},
       {"# cpu=\"A\" size=100x50 bounces=2.5 threshold=1\n", ":1: bounces must be a whole number"},
       {"# cpu=\"A\" size=100x50 bounces=3 threshold=0\n", ":1: threshold: 0 is outside"},
       {"# cpu=\"A\" size=100x50 bounces=3 threshold\n", ":1: \"threshold\" has no value"},
@@ -114,11 +116,25 @@ TEST_F(AccuracyTableTest, WithoutARowIsAFault) {
 }
 
 TEST_F(AccuracyTableTest, IsScaledToWhatIsRendered) {
-  const auto at = settingsFor(table(), {"ball", 200 * 75, 0.05, {}});
+  const auto at = settingsFor(table(), {"ball", 200 * 75, 0.05, {}, 500});
   ASSERT_EQ(at.size(), 1u);
   EXPECT_DOUBLE_EQ(at[0].cpu_ms, 7 * 3.0);
   EXPECT_DOUBLE_EQ(at[0].false_events, 0.2 * 4);
   EXPECT_DOUBLE_EQ(at[0].missed_events, 0.1 * 4);
+}
+
+// The small picture takes 4 of 10 ms, so that 2 ms are fixed. Late frames take half as long.
+TEST_F(AccuracyTableTest, KnowsTheFixedPartAndLateFramesWhereTheyWereMeasured) {
+  const AccuracyTable t = read("# " + kSettings +
+                               "\nscene,method,spp,missed_events,false_events,cpu_ms,small_ms,"
+                               "small_late_ms\nbox,pt,1,0,0,10,4,2\nball,pt,1,0,0,10,nan,nan\n");
+  const auto msOf = [&](const char* scene, double frames) {
+    return settingsFor(t, {scene, 4 * 5000, 0.2, {}, frames})[0].cpu_ms;
+  };
+  EXPECT_DOUBLE_EQ(msOf("box", 21), 2 + 4 * 8);
+  EXPECT_DOUBLE_EQ(msOf("box", 42), 0.75 * 34);
+  EXPECT_DOUBLE_EQ(msOf("box", INFINITY), 0.5 * 34);
+  EXPECT_DOUBLE_EQ(msOf("ball", 42), 40);
 }
 
 TEST_F(AccuracyTableTest, TheMostAccurateWithinATime) {
@@ -136,7 +152,7 @@ TEST_F(AccuracyTableTest, TheMostAccurateWithinATime) {
   // Missed events count as much as false ones.
   const auto both =
       settingsFor(read("# " + kSettings + "\n" + kColumns + "\na,pt,1,1,0.05,0.01,1\na,pt,2,1,0.01,0.04,1\n"),
-                  {"a", 5000, 0.2, {}});
+                  {"a", 5000, 0.2, {}, 21});
   EXPECT_EQ(mostAccurate(both, 1).spp, 2);
 }
 
@@ -159,7 +175,7 @@ TEST_F(AccuracyTableTest, NamesTheNearestRowWhereNoneFits) {
 
 TEST_F(AccuracyTableTest, NamesTheSceneOrMethodThatIsNotMeasured) {
   EXPECT_EQ(told<NotMeasured>([&] {
-              settingsFor(table(), {"room", 5000, 0.2, {}});
+              settingsFor(table(), {"room", 5000, 0.2, {}, 21});
             }),
             "no scene of this name is measured: room; measured are: ball, box");
   EXPECT_EQ(told<NotMeasured>([&] { settingsFor(table(), box("pt-correlated")); }),

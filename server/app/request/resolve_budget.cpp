@@ -26,13 +26,18 @@ void checkLeftOpen(const v1::Method& method) {
   if (!method.params().empty()) refuse("method.params", why);
 }
 
+double framesOf(const v1::Timing& timing) {
+  if (timing.duration_s() == 0) return std::numeric_limits<double>::infinity();
+  return timing.duration_s() * timing.frame_rate_hz();
+}
+
 SettingsQuery queryOf(const v1::OpenStream& request, const std::vector<SensorConfig>& sensors) {
   double threshold = std::numeric_limits<double>::infinity();
   for (const SensorConfig& s : sensors) threshold = std::min({threshold, s.threshold, s.threshold_off});
   double pixels = static_cast<double>(request.view().width()) * request.view().height();
   for (const v1::View& view : request.further_views())
     pixels += static_cast<double>(view.width()) * view.height();
-  return {request.scene(), pixels, threshold, request.method().name()};
+  return {request.scene(), pixels, threshold, request.method().name(), framesOf(request.timing())};
 }
 
 MeasuredSetting choose(const v1::Quality& quality, const std::vector<MeasuredSetting>& settings) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/quantile.h"
 #include "eval/bench/interrupt.h"
@@ -142,20 +143,19 @@ BenchRun Bench::run(const MethodSpec& method, int spp, std::uint64_t seed,
   config.method = method.name, config.params = method.params, config.spp = spp, config.seed = seed;
   if (setup_.bake_error > 0 && findMethod(method.name)->takes_baked) config.baked = baked();
   Feed feed(scene_, path_, config, pool_);
-  StageTimes total;
+  const auto ms = [](std::chrono::nanoseconds t) {
+    return std::chrono::duration<double, std::milli>(t).count();
+  };
   BenchRun run;
   for (int t = 1; t <= setup_.last; ++t) {
     const IntensityChange& change = feed.step(pool_);
-    total += feed.lastTimes();
+    run.frame_ms.push_back(ms(feed.lastTimes().total()));
+    run.trace_ms += ms(feed.lastTimes()[Stage::kTrace]) / setup_.last;
     if (each) each(change);
     if (t >= setup_.first) run.changes.emplace_back(setup_.width, setup_.height).copyFrom(change);
     if (interrupted()) throw Interrupted{};
   }
-  const auto ms = [&](std::chrono::nanoseconds t) {
-    return std::chrono::duration<double, std::milli>(t).count() / setup_.last;
-  };
-  for (const auto stage : total.cpu) run.cpu_ms += ms(stage);
-  run.trace_ms = ms(total[Stage::kTrace]);
+  run.cpu_ms = std::accumulate(run.frame_ms.begin(), run.frame_ms.end(), 0.0) / setup_.last;
   return run;
 }
 

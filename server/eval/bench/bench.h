@@ -45,7 +45,8 @@ struct BenchView {
 // The estimates of a method for the scored frames.
 struct BenchRun {
   std::vector<IntensityChange> changes;  // one for each Truth
-  double cpu_ms = 0;                     // per frame, tracing and filter, mean over all frames from 1 on
+  std::vector<double> frame_ms;          // CPU time of frames 1, 2 and so on, tracing and filter
+  double cpu_ms = 0;                     // its mean
   double trace_ms = 0;                   // of it, tracing
 };
 

@@ -14,7 +14,8 @@ namespace {
 constexpr int kHeaderLines = 2;  // settings and names
 
 std::string header() {
-  std::string names = "scene,method,spp,cpu_ms,trace_ms,px_per_frame,reference_error,reference_events";
+  std::string names =
+      "scene,method,spp,cpu_ms,trace_ms,small_ms,small_late_ms,px_per_frame,reference_error,reference_events";
   for (const ScoreColumn& column : kScoreColumns) names += std::string(",") + column.name;
   for (const ScoreColumn& column : kScoreColumns) names += std::string(",") + column.name + "_seed_error";
   return names;
@@ -22,8 +23,8 @@ std::string header() {
 
 // The numbers of a row, in the order of the header.
 std::vector<double*> numbers(Result& r) {
-  std::vector<double*> values{&r.cpu_ms, &r.trace_ms, &r.px_per_frame, &r.reference_error,
-                              &r.reference_events};
+  std::vector<double*> values{&r.cpu_ms,       &r.trace_ms,        &r.time.small_ms,   &r.time.small_late_ms,
+                              &r.px_per_frame, &r.reference_error, &r.reference_events};
   for (const ScoreColumn& column : kScoreColumns) values.push_back(&(r.score.*column.value));
   for (const ScoreColumn& column : kScoreColumns) values.push_back(&(r.seed_error.*column.value));
   return values;
@@ -122,7 +123,7 @@ void printTable(const ResultTable& table) {
 }
 
 Result measure(const Bench& truth, const Bench& bench, const std::string& name, const MethodSpec& method,
-               int spp, const BenchOptions& o, ResultTable& table) {
+               int spp, const BenchOptions& o, ResultTable& table, const TimeBench* times) {
   if (const Result* stands = table.find(name, method.text, spp)) return *stands;
   Result r;
   r.scene = name, r.method = method.text, r.spp = spp;
@@ -133,6 +134,7 @@ Result measure(const Bench& truth, const Bench& bench, const std::string& name, 
     runs.push_back(bench.run(method, spp, static_cast<std::uint64_t>(seed)));
     r.cpu_ms += runs.back().cpu_ms / o.repeats, r.trace_ms += runs.back().trace_ms / o.repeats;
   }
+  if (times) r.time = times->run(method, spp);
   r.score = scoreOf(truth.truth(), runs, o.bias, o.threshold);
   r.seed_error = seedError(truth.truth(), runs, o);
   table.add(r);

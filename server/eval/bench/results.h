@@ -7,6 +7,7 @@
 
 #include "eval/bench/bench_options.h"
 #include "eval/bench/score.h"
+#include "eval/bench/time_bench.h"
 
 namespace saccade::eval {
 
@@ -14,6 +15,7 @@ struct Result {
   std::string scene, method;  // method with its settings: "svgf:as_falcor=1"
   int spp = 0;
   double cpu_ms = 0, trace_ms = 0;  // per frame
+  MeasuredTime time{};              // of a TimeBench; first_ms is cpu_ms
   double px_per_frame = 0;          // median motion
   double reference_error = 0;       // of the truth's dI, relative L1
   double reference_events = 0;      // that its noise makes, ownFalseEvents()
@@ -42,13 +44,14 @@ class ResultTable {
 void printTable(const ResultTable& table);
 
 // Returns the row of `name`, method and spp. If `table` has none, it is made and added. Then the method runs
-// on `bench` with the seeds 1 to o.repeats, and is scored against the truth of `truth`.
+// on `bench` with the seeds 1 to o.repeats, and is scored against the truth of `truth`. `times`, if it is
+// given, measures how its time depends on size and length.
 Result measure(const Bench& truth, const Bench& bench, const std::string& name, const MethodSpec& method,
-               int spp, const BenchOptions& o, ResultTable& table);
+               int spp, const BenchOptions& o, ResultTable& table, const TimeBench* times = nullptr);
 // Against its own truth.
 inline Result measure(const Bench& bench, const std::string& name, const MethodSpec& method, int spp,
-                      const BenchOptions& o, ResultTable& table) {
-  return measure(bench, bench, name, method, spp, o, table);
+                      const BenchOptions& o, ResultTable& table, const TimeBench* times = nullptr) {
+  return measure(bench, bench, name, method, spp, o, table, times);
 }
 
 }  // namespace saccade::eval

@@ -47,7 +47,7 @@ std::string answerWithin(const AccuracyTable& table, const Within& within) {
   std::ostringstream text;
   for (const std::string& scene : table.scenes()) {
     const double pixels = static_cast<double>(table.width) * table.height;
-    text << scene << ": " << answerFor(settingsFor(table, {scene, pixels, table.threshold, {}}), within)
+    text << scene << ": " << answerFor(settingsFor(table, {scene, pixels, table.threshold, {}, 0}), within)
          << '\n';
   }
   return text.str();

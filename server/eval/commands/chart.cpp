@@ -43,6 +43,7 @@ void runScene(const ChartOptions& o, const std::string& scene, TilePool& pool, R
   BenchSetup setup = o.bench.setup;
   setup.scene = scene;
   const Bench bench(setup, pool);
+  const TimeBench times(setup, bench.scene(), pool);
   const IntensityChange& truth = bench.truth().back().change;
   ChangePictures pictures(truth, static_cast<float>(o.bench.bias), o.bench.threshold);
   Progress progress(scene, static_cast<double>(o.methods.size() * o.spp.size()));
@@ -51,7 +52,7 @@ void runScene(const ChartOptions& o, const std::string& scene, TilePool& pool, R
     for (const int spp : o.spp) {
       progress.add(1);
       if (!method.takes(spp)) continue;
-      const Result result = measure(bench, sceneName(scene), method, spp, o.bench, table);
+      const Result result = measure(bench, sceneName(scene), method, spp, o.bench, table, &times);
       if (spp != o.pictures_spp) continue;
       pictures.addMethod(text + ", " + std::to_string(spp) + " spp", bench.run(method, spp, 1).changes.back(),
                          result.score);

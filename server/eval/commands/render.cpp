@@ -1,7 +1,9 @@
 // `saccade-eval render` renders one picture.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "base/number_in.h"
 #include "base/thread_time.h"
@@ -21,7 +23,8 @@ struct RenderOptions {
   std::string scene, size, output;
   std::vector<double> offset{0, 0, 0};
   LensOptions lens;
-  int spp = 64, bounces = 3;
+  int spp = 64;
+  std::optional<int> bounces;  // none: those of the scene
   std::uint64_t seed = 0;
   bool grey = false;
 };
@@ -29,6 +32,11 @@ struct RenderOptions {
 // The pose moved by right, up, forward in scene units along the camera's axes.
 Pose moved(const Pose& pose, const std::vector<double>& o) {
   return pose * Pose{{o[0], -o[1], o[2]}, {}};
+}
+
+int bouncesOf(const RenderOptions& o, const Scene& scene) {
+  const int of_scene = scene.bounces.value_or(RenderSettings{}.bounces);
+  return o.bounces.value_or(std::min(of_scene, ranges::kBounces.max));
 }
 
 void runRender(const RenderOptions& o) {
@@ -41,7 +49,8 @@ void runRender(const RenderOptions& o) {
   lens.tabulate();
   const Camera camera(scene->inScene(moved(s.T_world_camera, o.offset)), lens);
   const PosedScene posed(scene);
-  Renderer renderer({o.bounces, 3});
+  const int bounces = bouncesOf(o, s);
+  Renderer renderer({bounces, 3});
 
   ImageF sum[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
   ImageF part[3] = {{size.width, size.height}, {size.width, size.height}, {size.width, size.height}};
@@ -76,7 +85,7 @@ void runRender(const RenderOptions& o) {
     writeExr(o.output, {{"Y", &part[0]}});
   }
   std::printf("%s: %dx%d, %d spp, %d indirect bounces\n", o.output.c_str(), size.width, size.height, o.spp,
-              o.bounces);
+              bounces);
   std::printf("CPU time %.3g s, %.3g million paths per CPU second\n", cpu_s,
               1e-6 * size.width * size.height * o.spp / cpu_s);
 }
@@ -91,9 +100,8 @@ void addRenderCommand(CLI::App& app) {
       ->required();
   command->add_option("--size", o->size, "WIDTHxHEIGHT, pixels; default: that of the scene");
   command->add_option("--spp", o->spp, "paths per pixel")->check(NumberIn(1, 1 << 20))->capture_default_str();
-  command->add_option("--bounces", o->bounces, "indirect bounces")
-      ->check(NumberIn(ranges::kBounces.min, ranges::kBounces.max))
-      ->capture_default_str();
+  command->add_option("--bounces", o->bounces, "indirect bounces; default: those of the scene file, else 3")
+      ->check(NumberIn(ranges::kBounces.min, ranges::kBounces.max));
   command->add_option("--offset", o->offset, "move the camera: right,up,forward in scene units")
       ->delimiter(',')
       ->expected(3);

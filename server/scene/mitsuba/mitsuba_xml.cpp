@@ -6,6 +6,7 @@
 #include "scene/files/file_loads.h"
 #include "scene/files/limits.h"
 #include "scene/files/plain_file.h"
+#include "scene/mitsuba/mitsuba_integrator.h"
 #include "scene/mitsuba/mitsuba_light.h"
 #include "scene/mitsuba/mitsuba_material.h"
 #include "scene/mitsuba/mitsuba_sensor.h"
@@ -41,8 +42,8 @@ void readScene(const XmlFile& file, FileLoads& loads, Scene& scene) {
   for (const pugi::xml_node shape : properties.objects("shape"))
     readShape(file, shape, materials, loads, scene);
   for (const pugi::xml_node emitter : properties.objects("emitter")) readLight(file, emitter, loads, scene);
-  for (const char* tag : {"default", "bsdf", "texture", "integrator", "sampler", "film", "rfilter"})
-    properties.ignore(tag);
+  scene.bounces = readBounces(file, properties.objects("integrator"));
+  for (const char* tag : {"default", "bsdf", "texture", "sampler", "film", "rfilter"}) properties.ignore(tag);
   properties.finish();
 }
 

@@ -10,8 +10,9 @@
 //   transform of matrix, translate, rotate, scale, lookat in order
 //   <default> and $names; ids and refs to what stands before
 // Colours are rgb, float, or spectrum of one number. A bsdf at the top without an id goes by that of the bsdf
-// within it. Integrator, sampler and the like are ignored; the width and height of the film are kept.
-// Anything else, or beyond limits.h, is a SceneError that names file, line and what is supported.
+// within it. Of integrators max_depth is kept, and of the film its width and height. Samplers and the like
+// are ignored. Anything else, or beyond limits.h, is a SceneError that names file, line and what is
+// supported.
 //
 // Our extension: an area emitter may change over stream time, by a factor (dimensionless, at least 0) on its
 // radiance.

@@ -1,0 +1,35 @@
+#include "eval/bench/time_bench.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace saccade::eval {
+namespace {
+
+double pixelsOf(const BenchSetup& setup) {
+  return static_cast<double>(setup.width) * setup.height;
+}
+
+BenchSetup smallOf(BenchSetup setup) {
+  setup.width = std::max(1, setup.width / 2), setup.height = std::max(1, setup.height / 2);
+  setup.first = setup.last = kLateFrames * setup.last;
+  setup.reference_spp = 0;
+  return setup;
+}
+
+}  // namespace
+
+TimeBench::TimeBench(const BenchSetup& setup, std::shared_ptr<const RenderScene> scene, TilePool& pool)
+    : frames_(setup.last),
+      scaled_(pixelsOf(setup) / 4 / pixelsOf(smallOf(setup))),
+      bench_(smallOf(setup), std::move(scene), pool) {}
+
+MeasuredTime TimeBench::run(const MethodSpec& method, int spp) const {
+  const std::vector<double> ms = bench_.run(method, spp, 1).frame_ms;
+  const auto mean = [&](auto begin) {
+    return scaled_ * std::accumulate(begin, begin + frames_, 0.0) / frames_;
+  };
+  return {0, mean(ms.begin()), mean(ms.end() - frames_)};
+}
+
+}  // namespace saccade::eval
