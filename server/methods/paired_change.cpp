@@ -14,7 +14,8 @@ namespace {
 constexpr int kIterations = 2;
 constexpr AtrousParams kAtrous{.sigma_n = 16, .sigma_l = 6, .sigma_l_diff = 6};
 // The filter takes errors of neighbours for independent, and its choice of them lessens the variance.
-constexpr float kFilteredVariance = 3;
+constexpr float kFilteredVariance = 2.5f;
+constexpr float kLightVariance = 8;      // the same for light: its history has less noise
 constexpr float kLeastVariance = 0.05f;  // of a joined change, relative to that of the frame alone
 constexpr int kAround = 2;               // pixels on each side, in which two estimates are compared
 
@@ -99,8 +100,8 @@ void PairedChange::gather(const FramePair& frames, const IntensityChange& change
       const bool own = hasPairs(pairs, x, y);
       filtered_.i.at(x, y) = (own ? I : change.I_now).at(x, y) - E.at(x, y);
       filtered_.var_i.at(x, y) = own ? varianceOfLight(pairs, I, x, y) : change.var_I_prev.at(x, y);
-      filtered_.d.at(x, y) = (own ? I.at(x, y) - pairs.before.at(x, y) : change.dI.at(x, y)) -
-                             (E.at(x, y) - E_prev.at(x, y));
+      filtered_.d.at(x, y) =
+          (own ? I.at(x, y) - pairs.before.at(x, y) : change.dI.at(x, y)) - (E.at(x, y) - E_prev.at(x, y));
       filtered_.var_d.at(x, y) = own ? varianceOfChange(pairs, x, y) : change.var_dI.at(x, y);
     }
   });
@@ -116,18 +117,19 @@ void PairedChange::joinBefore(const FramePair& frames, const PoolHandle& pool, I
   times[Stage::kTemporal] += pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       before.at(x, y) = std::max(filtered_.i.at(x, y) - filtered_.d.at(x, y), 0.f) + E_prev.at(x, y);
-      variance.at(x, y) = kFilteredVariance * filtered_.var_i.at(x, y);
+      variance.at(x, y) = kLightVariance * filtered_.var_i.at(x, y);
     }
   });
   scratch_.i.copyFrom(change.I_prev);
   times[Stage::kTemporal] += pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       if (!hasPairs(pairs, x, y)) continue;
-      const float w = weightOfOther(before, x, y, variance.at(x, y), 0, [&](int u, int v, float& sum, float& n) {
-        if (!hasPairs(pairs, u, v)) return;
-        const float apart = before.at(u, v) - scratch_.i.at(u, v);
-        sum += apart * apart - variance.at(u, v), n += 1;
-      });
+      const float w =
+          weightOfOther(before, x, y, variance.at(x, y), 0, [&](int u, int v, float& sum, float& n) {
+            if (!hasPairs(pairs, u, v)) return;
+            const float apart = before.at(u, v) - scratch_.i.at(u, v);
+            sum += apart * apart - variance.at(u, v), n += 1;
+          });
       change.I_prev.at(x, y) = before.at(x, y) + w * (scratch_.i.at(x, y) - before.at(x, y));
     }
   });

@@ -111,8 +111,8 @@ std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const S
   const auto add = withKernel(has, [this]<Shading S>() {
     return settings_.channels == 1 ? renderMorePairsTile<S, 1> : renderMorePairsTile<S, 3>;
   });
-  auto time = pool.forEachTile(out.width(), out.height(), edge,
-                               [&](Tile tile) { replay(sides, tile, *out.pairs); });
+  auto time =
+      pool.forEachTile(out.width(), out.height(), edge, [&](Tile tile) { replay(sides, tile, *out.pairs); });
   time += planMorePairs(out, before, pool, *out.pairs);
   return time + pool.forEachTile(out.width(), out.height(), edge,
                                  [&](Tile tile) { add(sides, tile, out.samples, *out.pairs); });
