@@ -65,6 +65,13 @@ float weightOfOther(const ImageF& plane, int x, int y, float var, float var_othe
 
 constexpr float kNone = -1;  // instead of a variance
 
+// A change that its noise may have made is none, or it would be an event where nothing happens. It is the
+// positive part of James and Stein (1961), with less of the noise.
+float proven(float d, float var) {
+  constexpr float kDoubt = 0.15f;
+  return d * d > kDoubt * var ? d - kDoubt * var / d : 0;
+}
+
 }  // namespace
 
 PairedChange::PairedChange(int w, int h)
@@ -84,8 +91,8 @@ void PairedChange::estimate(const FramePair& frames, const PoolHandle& pool, Int
   times[Stage::kModulate] += pool.forEachRow(change.dI.height(), [&](int y) {
     for (int x = 0; x < change.dI.width(); ++x) {
       if (!hasPairs(pairs, x, y)) continue;
-      change.dI.at(x, y) =
-          last_.at(x, y) + (frames.cur.g.emission.at(x, y) - frames.prev.g.emission.at(x, y));
+      change.dI.at(x, y) = proven(last_.at(x, y), var_last_.at(x, y)) +
+                           (frames.cur.g.emission.at(x, y) - frames.prev.g.emission.at(x, y));
       change.var_dI.at(x, y) = var_last_.at(x, y);
     }
   });
