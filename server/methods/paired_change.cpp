@@ -14,7 +14,7 @@ namespace {
 constexpr int kIterations = 2;
 constexpr AtrousParams kAtrous{.sigma_n = 16, .sigma_l = 6, .sigma_l_diff = 6};
 // The filter takes errors of neighbours for independent, and its choice of them lessens the variance.
-constexpr float kFilteredVariance = 2.5f;
+constexpr float kFilteredVariance = 2;
 constexpr float kLightVariance = 8;      // the same for light: its history has less noise
 constexpr float kLeastVariance = 0.05f;  // of a joined change, relative to that of the frame alone
 constexpr int kAround = 2;               // pixels on each side, in which two estimates are compared
@@ -52,8 +52,9 @@ float varianceOfLight(const PairSamples& pairs, const ImageF& light, int x, int 
   return n > 1 ? std::max(squares - sum * sum / n, 0.f) / (n - 1) : light.at(x, y) * light.at(x, y);
 }
 
-// The weight of another estimate of a pixel in the mean with its own, whose variance is `var`: var / (var +
-// var_other + b^2). b^2 is by how much both differ around the pixel beyond their noise. There
+// An estimate of variance `var` and another one are joined. Returns the weight of the other:
+//   var / (var + var_other + b^2).
+// b^2 is by how much both differ around the pixel beyond their noise. For each pixel, the call of
 // apart(u, v, sum, n) adds the square of what they differ by, less both variances.
 template <class Apart>
 float weightOfOther(const ImageF& plane, int x, int y, float var, float var_other, const Apart& apart) {
@@ -68,7 +69,7 @@ constexpr float kNone = -1;  // instead of a variance
 // A change that its noise may have made is none, or it would be an event where nothing happens. It is the
 // positive part of James and Stein (1961), with less of the noise.
 float proven(float d, float var) {
-  constexpr float kDoubt = 0.15f;
+  constexpr float kDoubt = 0.05f;
   return d * d > kDoubt * var ? d - kDoubt * var / d : 0;
 }
 
