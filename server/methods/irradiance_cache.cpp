@@ -62,7 +62,8 @@ double gridBytes(int memory, double pixels) {
 // Measured with the least `memory_mib` on pictures of 512x512 of curved meshes and of the staircase.
 double mostBytes(const ParamValues& params, double pixels, bool jitter) {
   constexpr double kPlaces = 1900, kMorePlaces = 1700, kTwoFrames = 600;  // per pixel
-  return pixels * (jitter ? kPlaces + kMorePlaces : kPlaces) +
+  constexpr double kPairs = 500, kMorePairs = 1000;                       // where a picture shows metals
+  return pixels * (kPlaces + kPairs + (jitter ? kMorePlaces + kMorePairs : 0)) +
          std::max(pixels * kTwoFrames, gridBytes(static_cast<int>(params.at("memory_mib")), pixels));
 }
 

@@ -14,7 +14,8 @@ namespace {
 constexpr int kIterations = 2;
 constexpr AtrousParams kAtrous{.sigma_n = 16, .sigma_l = 6, .sigma_l_diff = 6};
 // The filter takes errors of neighbours for independent, and its choice of them lessens the variance.
-constexpr float kFilteredVariance = 3;
+constexpr float kFilteredVariance = 2;
+constexpr float kLightVariance = 8;      // the same for light: its history has less noise
 constexpr float kLeastVariance = 0.05f;  // of a joined change, relative to that of the frame alone
 constexpr int kAround = 2;               // pixels on each side, in which two estimates are compared
 
@@ -51,8 +52,9 @@ float varianceOfLight(const PairSamples& pairs, const ImageF& light, int x, int 
   return n > 1 ? std::max(squares - sum * sum / n, 0.f) / (n - 1) : light.at(x, y) * light.at(x, y);
 }
 
-// The weight of another estimate of a pixel in the mean with its own, whose variance is `var`: var / (var +
-// var_other + b^2). b^2 is by how much both differ around the pixel beyond their noise. There
+// An estimate of variance `var` and another one are joined. Returns the weight of the other:
+//   var / (var + var_other + b^2).
+// b^2 is by how much both differ around the pixel beyond their noise. For each pixel, the call of
 // apart(u, v, sum, n) adds the square of what they differ by, less both variances.
 template <class Apart>
 float weightOfOther(const ImageF& plane, int x, int y, float var, float var_other, const Apart& apart) {
@@ -63,6 +65,13 @@ float weightOfOther(const ImageF& plane, int x, int y, float var, float var_othe
 }
 
 constexpr float kNone = -1;  // instead of a variance
+
+// A change that its noise may have made is none, or it would be an event where nothing happens. It is the
+// positive part of James and Stein (1961), with less of the noise.
+float proven(float d, float var) {
+  constexpr float kDoubt = 0.05f;
+  return d * d > kDoubt * var ? d - kDoubt * var / d : 0;
+}
 
 }  // namespace
 
@@ -83,8 +92,8 @@ void PairedChange::estimate(const FramePair& frames, const PoolHandle& pool, Int
   times[Stage::kModulate] += pool.forEachRow(change.dI.height(), [&](int y) {
     for (int x = 0; x < change.dI.width(); ++x) {
       if (!hasPairs(pairs, x, y)) continue;
-      change.dI.at(x, y) =
-          last_.at(x, y) + (frames.cur.g.emission.at(x, y) - frames.prev.g.emission.at(x, y));
+      change.dI.at(x, y) = proven(last_.at(x, y), var_last_.at(x, y)) +
+                           (frames.cur.g.emission.at(x, y) - frames.prev.g.emission.at(x, y));
       change.var_dI.at(x, y) = var_last_.at(x, y);
     }
   });
@@ -99,8 +108,8 @@ void PairedChange::gather(const FramePair& frames, const IntensityChange& change
       const bool own = hasPairs(pairs, x, y);
       filtered_.i.at(x, y) = (own ? I : change.I_now).at(x, y) - E.at(x, y);
       filtered_.var_i.at(x, y) = own ? varianceOfLight(pairs, I, x, y) : change.var_I_prev.at(x, y);
-      filtered_.d.at(x, y) = (own ? I.at(x, y) - pairs.before.at(x, y) : change.dI.at(x, y)) -
-                             (E.at(x, y) - E_prev.at(x, y));
+      filtered_.d.at(x, y) =
+          (own ? I.at(x, y) - pairs.before.at(x, y) : change.dI.at(x, y)) - (E.at(x, y) - E_prev.at(x, y));
       filtered_.var_d.at(x, y) = own ? varianceOfChange(pairs, x, y) : change.var_dI.at(x, y);
     }
   });
@@ -116,18 +125,19 @@ void PairedChange::joinBefore(const FramePair& frames, const PoolHandle& pool, I
   times[Stage::kTemporal] += pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       before.at(x, y) = std::max(filtered_.i.at(x, y) - filtered_.d.at(x, y), 0.f) + E_prev.at(x, y);
-      variance.at(x, y) = kFilteredVariance * filtered_.var_i.at(x, y);
+      variance.at(x, y) = kLightVariance * filtered_.var_i.at(x, y);
     }
   });
   scratch_.i.copyFrom(change.I_prev);
   times[Stage::kTemporal] += pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       if (!hasPairs(pairs, x, y)) continue;
-      const float w = weightOfOther(before, x, y, variance.at(x, y), 0, [&](int u, int v, float& sum, float& n) {
-        if (!hasPairs(pairs, u, v)) return;
-        const float apart = before.at(u, v) - scratch_.i.at(u, v);
-        sum += apart * apart - variance.at(u, v), n += 1;
-      });
+      const float w =
+          weightOfOther(before, x, y, variance.at(x, y), 0, [&](int u, int v, float& sum, float& n) {
+            if (!hasPairs(pairs, u, v)) return;
+            const float apart = before.at(u, v) - scratch_.i.at(u, v);
+            sum += apart * apart - variance.at(u, v), n += 1;
+          });
       change.I_prev.at(x, y) = before.at(x, y) + w * (scratch_.i.at(x, y) - before.at(x, y));
     }
   });

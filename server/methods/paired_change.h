@@ -1,5 +1,5 @@
-// The change of pixels that have pairs of paths: filtered over space, and joined with the change that their
-// surfaces had one frame ago, as far as both agree [ours].
+// The change of pixels that have pairs of paths. It is filtered over space, and joined with the change that
+// their surfaces had one frame ago, as far as both agree [ours].
 #pragma once
 
 #include "base/pool_handle.h"

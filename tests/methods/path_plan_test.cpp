@@ -53,18 +53,18 @@ TEST_F(PathPlanTest, WhatIsLeftGoesToSurfacesThatShareNoLight) {
   const int others = kW * kH / 4;
   for (int i = 0; i < others; ++i) on[static_cast<std::size_t>(i)].kind = SurfaceKind::kNone;
   error.fill(0.05f);
-  plan();  // 3 paths for three quarters of the pixels, of 6 for each
-  EXPECT_EQ(on[0].paths, 15u);
+  plan();  // 3 paths for three quarters of the pixels, of 6 for each; a path and its partner are two
+  EXPECT_EQ(on[0].paths, 7u);
   EXPECT_LE(mean(), kPlan.usual);
 
   error.fill(1);  // nothing is left
   plan();
-  EXPECT_EQ(on[0].paths, 8u);
+  EXPECT_EQ(on[0].paths, 4u);
 
   error.fill(0);
   for (std::size_t i = 1; i < static_cast<std::size_t>(others); ++i) on[i].kind = SurfaceKind::kDiffuse;
   plan();
-  EXPECT_EQ(on[0].paths, 64u);
+  EXPECT_EQ(on[0].paths, 32u);
 }
 
 TEST_F(PathPlanTest, PointsBesideSuchASurfaceAreSampled) {

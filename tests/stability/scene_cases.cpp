@@ -48,6 +48,11 @@ std::vector<StabilityCase> sceneCases() {
        .px_per_frame = 1,
        .claims = {{"event_svgf", 0.18, {"svgf"}, "by a tenth at 128x128; why is not understood"},
                   {"irradiance_cache", 0.12}}},
+      {.name = "metal_ball",
+       .why = "what brushed metal shows moves unlike its surface, and is not kept on surfaces",
+       .scene = ownScene("metal_ball"),
+       .px_per_frame = 0.67,
+       .claims = {{"event_svgf", 0.29}, {"irradiance_cache", 0.225}}},
   };
 }
 

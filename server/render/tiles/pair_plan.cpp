@@ -7,8 +7,8 @@
 namespace saccade {
 namespace {
 
-constexpr float kFarAbove = 2.5f;  // times the mean standard deviation
-constexpr int kMore = 7;           // times the first pairs
+constexpr float kAbove = 1.5f;  // times the mean standard deviation
+constexpr int kMore = 7;        // times the first pairs
 constexpr float kMostMore = 64;
 
 // The mean of value(x, y) over the 3x3 pixels around one that have pairs, by their numbers.
@@ -51,7 +51,7 @@ std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, co
   });
   double sum = 0, n = 0;
   for (std::size_t y = 0; y < pixels.size(); ++y) sum += deviations[y], n += pixels[y];
-  const float limit = n > 0 ? kFarAbove * static_cast<float>(sum / n) : 0;
+  const float limit = n > 0 ? kAbove * static_cast<float>(sum / n) : 0;
   return time + pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x)
       if (const float first = pairs.count.at(x, y); first > 0 && std::sqrt(pairs.variance.at(x, y)) > limit)
@@ -68,9 +68,7 @@ void addPairs(std::span<const std::array<float, 2>> further, int x, int y, float
   float squares = 0;
   for (const auto& [now, before] : further) squares += (now - before - mean) * (now - before - mean);
   float& count = pairs.count.at(x, y);
-  const auto add = [&](float E, float sum, float& I) {
-    I = E + ((I - E) * count + sum) / (count + n);
-  };
+  const auto add = [&](float E, float sum, float& I) { I = E + ((I - E) * count + sum) / (count + n); };
   add(E_now, sum_now, samples.I2.at(x, y));
   add(E_before, sum_before, pairs.before.at(x, y));
   pairs.variance.at(x, y) = squares / std::max(n - 1, 1.f);

@@ -10,8 +10,8 @@
 
 namespace saccade {
 
-// Estimates the variance of each pixel's pairs by those around it, and plans `more` pairs where the noise is
-// far above that of the picture, as at the edge of a lamp's reflection [ours].
+// Estimates the variance of each pixel's pairs by those around it. Plans `more` pairs where the noise is
+// above the mean of the picture, as at the edge of a lamp's reflection [ours].
 std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, const PoolHandle& pool,
                                        PairSamples& pairs);
 

@@ -105,7 +105,10 @@ void renderMorePairsTile(const PairSides& sides, Tile tile, FrameSamples& sample
   if (light.empty()) return;
   const auto trace = [&](const PairSide& side, std::size_t which) {
     tracePairSide<S, C>(
-        side, sides.places, tile, [&](int x, int y) { return PairNumbers{first(x, y), planned(x, y)}; },
+        side, sides.places, tile,
+        [&](int x, int y) {
+          return PairNumbers{first(x, y), planned(x, y)};
+        },
         [&](int x, int y, std::uint32_t path, float found) {
           light[at[indexOf(x, y)] + path - first(x, y)][which] += found;
         });
@@ -114,8 +117,9 @@ void renderMorePairsTile(const PairSides& sides, Tile tile, FrameSamples& sample
   trace(sides.before, 1);
   forEachPixel(tile, [&](int x, int y) {
     const std::uint32_t n = planned(x, y);
-    if (n > 0) addPairs(std::span(light).subspan(at[indexOf(x, y)], n), x, y, sides.now.frame.g.emission.at(x, y),
-                        sides.before.frame.g.emission.at(x, y), samples, pairs);
+    if (n > 0)
+      addPairs(std::span(light).subspan(at[indexOf(x, y)], n), x, y, sides.now.frame.g.emission.at(x, y),
+               sides.before.frame.g.emission.at(x, y), samples, pairs);
   });
 }
 
