@@ -5,32 +5,34 @@
 namespace saccade {
 namespace {
 
-struct PathTracedParams {
+struct CorrelatedParams {
   int independent_numbers = 0;
 };
 
-const std::vector<ParamField<PathTracedParams>>& fields() {
-  static const std::vector<ParamField<PathTracedParams>> table = {
-      independentNumbersField<PathTracedParams>(&PathTracedParams::independent_numbers)};
+const std::vector<ParamField<CorrelatedParams>>& fields() {
+  static const std::vector<ParamField<CorrelatedParams>> table = {
+      independentNumbersField<CorrelatedParams>(&CorrelatedParams::independent_numbers)};
   return table;
 }
 
-template <SeedPlan (*kPlan)(std::uint64_t, FrameIndex, int)>
-SeedPlanner seeds(const ParamValues& values) {
-  return makeParams(fields(), values).independent_numbers ? SeedPlan::byChance<kPlan> : kPlan;
+SeedPlanner correlatedSeeds(const ParamValues& values) {
+  return makeParams(fields(), values).independent_numbers ? SeedPlan::byChance<SeedPlan::correlated>
+                                                          : SeedPlan::correlated;
 }
 
 }  // namespace
 
 MethodInfo PathTraced::independentInfo() {
-  return {"pt", "path tracing, fresh seeds in every frame, no filter", paramSpecs(fields()),
-          seeds<SeedPlan::independent>,
+  return {"pt",
+          "path tracing, fresh seeds in every frame, no filter",
+          {},
+          [](const ParamValues&) -> SeedPlanner { return SeedPlan::independent; },
           [](const MethodSetup&) -> std::unique_ptr<Method> { return std::make_unique<PathTraced>(false); }};
 }
 
 MethodInfo PathTraced::correlatedInfo() {
   return {"pt-correlated", "path tracing, seeds of the previous frame reused for the difference, no filter",
-          paramSpecs(fields()), seeds<SeedPlan::correlated>,
+          paramSpecs(fields()), correlatedSeeds,
           [](const MethodSetup&) -> std::unique_ptr<Method> { return std::make_unique<PathTraced>(true); }};
 }
 
