@@ -2,12 +2,12 @@
 //
 // Read the index of a point as a polynomial over the two-element field: bit k is the coefficient of x^k. The
 // coordinates are its digits in the bases x, x + 1 and x^2 + x + 1, the lowest digit behind the binary point
-// (Niederreiter 1988). The first two are those of Sobol (1967). Any 2^m points from a multiple of 2^m on are
-// a (0, m, 2)-net in these two, and a (1, m, 3)-net in all three.
+// (Niederreiter 1988). The first two are those of Sobol (1967). Take any 2^m points from a multiple of 2^m
+// on. They are a (0, m, 2)-net in the first two coordinates, and a (1, m, 3)-net in all three.
 //
-// Squares are simple in this field: (x + 1)^L = x^L + 1, and (x^2 + x + 1)^(L / 2) = x^L + x^(L / 2) + 1,
-// where L is a power of two. So a division by such a power takes a few shifts, and halves of halves give all
-// digits.
+// Squares are simple in this field. Where L is a power of two, (x + 1)^L = x^L + 1, and
+// (x^2 + x + 1)^L = x^(2 L) + x^L + 1. So a division by such a power takes a few shifts, and halves of halves
+// give all digits.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Where the paths of a pass stand in one sequence of random numbers: pixel by pixel in Morton's order (1966),
-// and sample by sample within each. So the samples of a pixel fill space evenly, and so do those of 2 x 2
-// pixels, of 4 x 4, and so on (Ahmed and Wonka 2020, "Screen-space blue-noise diffusion of Monte Carlo
-// sampling error via hierarchical ordering of pixels").
+// Where the paths of a pass stand in one sequence of random numbers. Pixels follow each other in Morton's
+// order (1966), and each has its samples one after another. So the samples of a pixel fill space evenly, and
+// so do those of 2 x 2 pixels, of 4 x 4, and so on. Ahmed and Wonka 2020, "Screen-space blue-noise diffusion
+// of Monte Carlo sampling error via hierarchical ordering of pixels".
 #pragma once
 
 #include <bit>

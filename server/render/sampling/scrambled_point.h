@@ -9,8 +9,8 @@
 
 namespace saccade {
 
-// Flips each bit or not, as a hash of the key and of all lower bits says (Laine and Karras 2011, in the form
-// of Vegdahl 2021).
+// Flips each bit or not, as a hash of the key and of all lower bits says. Laine and Karras 2011, in the form
+// of Vegdahl 2021.
 template <class Bits>
 [[gnu::always_inline]] constexpr Bits scrambleUpwards(Bits v, const Bits& key) {
   v ^= v * 0x3d20adeau;
