@@ -6,11 +6,20 @@
 
 namespace saccade {
 
+// How random numbers fill space.
+enum class NumberKind {
+  kEven,         // evenly, within a pixel and over neighbours
+  kIndependent,  // by chance
+};
+
 struct SeedPlan {
   std::uint64_t seed1, seed2;         // of pass 1 and pass 2
   int spp1, spp2;                     // paths per pixel in each
   FrameIndex frame1 = 0, frame2 = 0;  // whose seeds they are; with jitter also whose points of the pixel
   std::uint64_t stream = 0;           // the seed of all frames, for paths that start at SurfaceSamples
+  NumberKind numbers = NumberKind::kEven;
+  // Of a picture whose paths come in parts: those of each pass before this part, and in all parts.
+  int before = 0, all = 0;
 
   // r_t: the seed of frame t.
   static std::uint64_t frameSeed(std::uint64_t stream_seed, FrameIndex t) { return hashKey(stream_seed, t); }
@@ -26,6 +35,13 @@ struct SeedPlan {
   // All paths are in pass 2.
   static SeedPlan independent(std::uint64_t stream_seed, FrameIndex t, int spp) {
     return {0, frameSeed(stream_seed, t), 0, spp, t, t, stream_seed};
+  }
+  // One of these with independent numbers.
+  template <SeedPlan (*kPlan)(std::uint64_t, FrameIndex, int)>
+  static SeedPlan byChance(std::uint64_t stream_seed, FrameIndex t, int spp) {
+    SeedPlan plan = kPlan(stream_seed, t, spp);
+    plan.numbers = NumberKind::kIndependent;
+    return plan;
   }
 };
 

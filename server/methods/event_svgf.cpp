@@ -33,15 +33,19 @@ Demodulation demodulation(const P& params) {
 }  // namespace
 
 MethodInfo EventSvgf::info() {
-  return {
-      "event_svgf", "EventSVGF: correlated passes, the difference accumulated and filtered beside the primal",
-      paramSpecs(fields()),
-      [](const ParamValues& values) -> SeedPlanner {
-        return makeParams(fields(), values).correlated ? SeedPlan::correlated : SeedPlan::independentPairs;
-      },
-      [](const MethodSetup& setup) -> std::unique_ptr<Method> {
-        return std::make_unique<EventSvgf>(makeParams(fields(), setup.params), setup.width, setup.height);
-      }};
+  return {"event_svgf",
+          "EventSVGF: correlated passes, the difference accumulated and filtered beside the primal",
+          paramSpecs(fields()),
+          [](const ParamValues& values) -> SeedPlanner {
+            const P p = makeParams(fields(), values);
+            if (p.independent_numbers)
+              return p.correlated ? SeedPlan::byChance<SeedPlan::correlated>
+                                  : SeedPlan::byChance<SeedPlan::independentPairs>;
+            return p.correlated ? SeedPlan::correlated : SeedPlan::independentPairs;
+          },
+          [](const MethodSetup& setup) -> std::unique_ptr<Method> {
+            return std::make_unique<EventSvgf>(makeParams(fields(), setup.params), setup.width, setup.height);
+          }};
 }
 
 EventSvgf::EventSvgf(const EventSvgfParams& p, int w, int h)

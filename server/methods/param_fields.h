@@ -17,6 +17,17 @@ struct ParamField {
   const char* former = "";  // the name that it had in an earlier version
 };
 
+// The switch of methods that trace paths as the paper does.
+template <class Params, class Member>
+ParamField<Params> independentNumbersField(Member member) {
+  return {"independent_numbers",
+          member,
+          0,
+          1,
+          "1: random numbers of paths know nothing of each other; 0: they fill space evenly",
+          "[ours] less noise; paper: 1"};
+}
+
 template <class Params>
 std::vector<ParamSpec> paramSpecs(const std::vector<ParamField<Params>>& fields) {
   std::vector<ParamSpec> specs;

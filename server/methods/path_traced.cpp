@@ -1,6 +1,26 @@
 #include "methods/path_traced.h"
 
+#include "methods/param_fields.h"
+
 namespace saccade {
+namespace {
+
+struct CorrelatedParams {
+  int independent_numbers = 0;
+};
+
+const std::vector<ParamField<CorrelatedParams>>& fields() {
+  static const std::vector<ParamField<CorrelatedParams>> table = {
+      independentNumbersField<CorrelatedParams>(&CorrelatedParams::independent_numbers)};
+  return table;
+}
+
+SeedPlanner correlatedSeeds(const ParamValues& values) {
+  return makeParams(fields(), values).independent_numbers ? SeedPlan::byChance<SeedPlan::correlated>
+                                                          : SeedPlan::correlated;
+}
+
+}  // namespace
 
 MethodInfo PathTraced::independentInfo() {
   return {"pt",
@@ -11,10 +31,8 @@ MethodInfo PathTraced::independentInfo() {
 }
 
 MethodInfo PathTraced::correlatedInfo() {
-  return {"pt-correlated",
-          "path tracing, seeds of the previous frame reused for the difference, no filter",
-          {},
-          [](const ParamValues&) -> SeedPlanner { return SeedPlan::correlated; },
+  return {"pt-correlated", "path tracing, seeds of the previous frame reused for the difference, no filter",
+          paramSpecs(fields()), correlatedSeeds,
           [](const MethodSetup&) -> std::unique_ptr<Method> { return std::make_unique<PathTraced>(true); }};
 }
 

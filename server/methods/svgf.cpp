@@ -46,7 +46,12 @@ std::chrono::nanoseconds replaceKnown(const Frame& frame, const ImageF& known, c
 
 MethodInfo Svgf::info() {
   return {"svgf", "SVGF: fresh seeds, filters each frame by itself, then takes the difference",
-          paramSpecs(fields()), [](const ParamValues&) -> SeedPlanner { return SeedPlan::independent; },
+          paramSpecs(fields()),
+          [](const ParamValues& values) -> SeedPlanner {
+            if (makeParams(fields(), values).independent_numbers)
+              return SeedPlan::byChance<SeedPlan::independent>;
+            return SeedPlan::independent;
+          },
           [](const MethodSetup& setup) -> std::unique_ptr<Method> {
             return std::make_unique<Svgf>(makeParams(fields(), setup.params), setup.width, setup.height);
           }};

@@ -18,6 +18,7 @@ struct SvgfCommonParams {
   float sigma_l = 10;
   float sigma_n = 128;
   float sigma_z = 1;
+  bool independent_numbers = false;
 
   // The variance of a running mean of weight alpha, as a share of the variance of one frame's sample, which
   // the filter works with.
@@ -40,6 +41,7 @@ std::vector<ParamField<P>> withCommonFields(const std::vector<ParamField<P>>& mo
        "Falcor"},
       {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
       {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
+      independentNumbersField<P>(&P::independent_numbers),
   };
   fields.insert(fields.end(), more.begin(), more.end());
   return fields;

@@ -12,8 +12,8 @@ namespace {
 
 // One picture in colour: the sums of a tile's paths.
 template <Shading S>
-void renderStillTile(const PixelContext& view, std::uint64_t seed, int spp, int bounces, Tile tile,
-                     Frame& out, ImageF (&rgb)[3]) {
+void renderStillTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile, Frame& out,
+                     ImageF (&rgb)[3]) {
   const Scratch<std::array<Vec3d, kMaxTileEdge * kMaxTileEdge>> sums;
   const auto owner = [&](int x, int y) {
     return static_cast<std::uint32_t>((y - tile.y0) * kMaxTileEdge + x - tile.x0);
@@ -26,17 +26,15 @@ void renderStillTile(const PixelContext& view, std::uint64_t seed, int spp, int 
   PathRun<S, 3, false, decltype(onPath)> run(tracing, onPath);
   forEachPixel(tile, [&](int x, int y) { (*sums)[owner(x, y)] = {}; });
   const auto forEachPath = [&](const auto& f) {
-    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(spp); ++i)
-      f([&](int x, int y) {
-        const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
-        return NewPath{PathSampler(seed, pixel, i), owner(x, y)};
-      });
+    forEachSample(seeds, 1, [&](const PixelSequence& numbers, std::uint32_t i) {
+      f([&](int x, int y) { return NewPath{numbers.of(x, y, i), owner(x, y)}; });
+    });
   };
   addPaths<S>(view, tile, out.g, run, forEachPath, [&](int x, int y, Rgb E) {
     rgb[0].at(x, y) = E.x, rgb[1].at(x, y) = E.y, rgb[2].at(x, y) = E.z;
   });
   forEachPixel(tile, [&](int x, int y) {
-    const Rgb c = spp > 0 ? toFloat((*sums)[owner(x, y)] / static_cast<double>(spp)) : Rgb{};
+    const Rgb c = seeds.spp2 > 0 ? toFloat((*sums)[owner(x, y)] / static_cast<double>(seeds.spp2)) : Rgb{};
     rgb[0].at(x, y) += c.x, rgb[1].at(x, y) += c.y, rgb[2].at(x, y) += c.z;
   });
 }
@@ -131,12 +129,12 @@ std::chrono::nanoseconds Renderer::traceShadows(const PixelContext& view, int sp
                         now.surfaces->shadows());
 }
 
-void Renderer::renderStill(const PixelContext& view, std::uint64_t seed, int spp, const PoolHandle& pool,
+void Renderer::renderStill(const PixelContext& view, const SeedPlan& seeds, const PoolHandle& pool,
                            Frame& out, ImageF (&rgb)[3]) {
   const auto tile =
       withKernel(view.now.scene.still().shading(), []<Shading S>() { return renderStillTile<S>; });
-  pool.forEachTile(out.width(), out.height(), tileEdge(spp, settings_.bounces),
-                   [&](Tile t) { tile(view, seed, spp, settings_.bounces, t, out, rgb); });
+  pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp2, settings_.bounces),
+                   [&](Tile t) { tile(view, seeds, settings_.bounces, t, out, rgb); });
 }
 
 }  // namespace saccade

@@ -53,9 +53,9 @@ class Renderer {
   std::chrono::nanoseconds renderPairs(const PixelContext& view, const SeedPlan& seeds, const Frame& before,
                                        const BounceGrid* known, const PoolHandle& pool, Frame& out);
 
-  // Renders one picture in colour, into three planes. All of the `spp` paths per pixel start at
+  // Renders one picture in colour, into three planes. The paths of a pixel, those of pass 2, all start at
   // its centre. Features go to `out.g`; `out.samples` does not change.
-  void renderStill(const PixelContext& view, std::uint64_t seed, int spp, const PoolHandle& pool, Frame& out,
+  void renderStill(const PixelContext& view, const SeedPlan& seeds, const PoolHandle& pool, Frame& out,
                    ImageF (&rgb)[3]);
 
  private:

@@ -81,6 +81,36 @@ TEST_F(CutSearchTest, LightDoesNotPassBelowWallsThatMeet) {
   }
 }
 
+// Over the wall, parallel to it.
+struct Sheet final : Obstacles {
+  Hits find(const ProbeRays& rays) const override {
+    Hits met;
+    for (int i = 0; i < kRays; ++i)
+      for (const float z : {0.f, kHeight})
+        if (const float distance = (z - rays[i].from.z) / rays[i].along.z;
+            rays[i].along.z != 0 && distance > 0 && distance <= std::min(rays[i].reach, met[i].distance))
+          met[i] = {distance, {0, 0, 1}};
+    return met;
+  }
+  static constexpr float kHeight = 12 * kPixel;
+};
+
+// A point of the sheet's other side comes into view, dark, where the lit wall below has been seen.
+TEST_F(CutSearchTest, LightDoesNotReachTheOtherSideOfASheet) {
+  const Sheet sheet;
+  Wall wall;
+  wall.obstacles = &sheet;
+  for (int t = 0; t < 8; ++t) look(wall, 0.37f * static_cast<float>(t), t);
+  wall.show(3, 8);
+  SurfaceSamples& on = *wall.frame.surfaces;
+  for (std::size_t i = 0; i < kW * kH; ++i)
+    if (i != on.indexOf(kW / 2, kH / 2)) on[i] = {};
+  on.place(on.indexOf(kW / 2, kH / 2)).position.z = Sheet::kHeight;
+  on.light(on.indexOf(kW / 2, kH / 2)).residual = 0;
+  add(wall);
+  EXPECT_EQ(now.i.at(kW / 2, kH / 2), 0);
+}
+
 // The vertices of both sides of a cut are dropped and kept together.
 TEST_F(CutSearchTest, WallsStayWhereVerticesAreDropped) {
   const Curtain curtain;

@@ -72,6 +72,10 @@ TEST(MethodTable, SaysWhichPassesAMethodNeeds) {
   EXPECT_EQ(seedsOf("pt-correlated", {}), &SeedPlan::correlated);
   EXPECT_EQ(seedsOf("event_svgf", {}), &SeedPlan::correlated);
   EXPECT_EQ(seedsOf("event_svgf", {{"correlated", 0}}), &SeedPlan::independentPairs);
+  for (const char* name : {"pt-correlated", "svgf", "event_svgf"}) {
+    EXPECT_EQ(seedsOf(name, {{"independent_numbers", 1}})(7, 3, 2).numbers, NumberKind::kIndependent) << name;
+    EXPECT_EQ(seedsOf(name, {})(7, 3, 2).numbers, NumberKind::kEven) << name;
+  }
 }
 
 TEST(ResolveParams, FillsInThePapersDefaults) {

@@ -70,7 +70,7 @@ TEST(EmitterStrength, OfAStillIsThatAtTheTimeOfItsFrame) {
     Frame frame(kSize, kSize);
     const PosedScene posed(s, time);
     ImageF rgb[3] = {{kSize, kSize}, {kSize, kSize}, {kSize, kSize}};
-    renderer.renderStill(PixelContext({posed, camera}), 7, 2, pool, frame, rgb);
+    renderer.renderStill(PixelContext({posed, camera}), SeedPlan::independent(7, 0, 2), pool, frame, rgb);
     return std::move(rgb[1]);
   };
   const ImageF first = green(0ms), later = green(10ms);

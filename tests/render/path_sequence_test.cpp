@@ -12,7 +12,7 @@ namespace {
 constexpr int kW = 8;
 
 float numberOf(const PathSampler& path, Dimension d) {
-  return sequenceNumbers<kW>({Uints<kW>(path.low), Uints<kW>(path.high)}, d)[0];
+  return sequenceNumbers<kW>({Uints<kW>(path.reversed_index), Uints<kW>(path.key)}, d)[0];
 }
 
 // The mean of f over the paths of a square of pixels in some frames, with a path for each.
@@ -84,7 +84,7 @@ TEST(PathSequence, NoTwoPathsShareTheirNumbers) {
       for (const std::uint32_t y : {0, 1, 2048})
         for (const std::uint32_t path : {0, 1, 255, 256, 1024}) {
           const PathSampler at = SequencePlace(1, frame).of(x, y, path);
-          keys.insert({at.low, at.high}), ++count;
+          keys.insert({at.reversed_index, at.key}), ++count;
         }
   EXPECT_EQ(keys.size(), count);
 }

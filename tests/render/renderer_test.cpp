@@ -40,6 +40,21 @@ void expectEqual(const ImageF& a, const ImageF& b) {
   }
 }
 
+TEST_F(Fixture, PartsOfAPictureHaveItsPaths) {
+  const Camera camera = cameraAt(0);
+  SeedPlan part = SeedPlan::independent(1, 0, 4);
+  part.all = 8;
+  const Frame first = render(camera, camera, part),
+              whole = render(camera, camera, SeedPlan::independent(1, 0, 8));
+  part.before = 4;
+  const Frame second = render(camera, camera, part);
+  for (int y = 0; y < kH; ++y)
+    for (int x = 0; x < kW; ++x) {
+      const float mean = (first.samples.I2.at(x, y) + second.samples.I2.at(x, y)) / 2;
+      ASSERT_NEAR(mean, whole.samples.I2.at(x, y), 1e-5f * (1 + mean)) << x << "," << y;
+    }
+}
+
 TEST_F(Fixture, PassOneReplaysTheSeedOfThePreviousFrame) {
   const Camera camera = cameraAt(0);
   const Frame before = render(camera, camera, SeedPlan::correlated(7, 4, 2));

@@ -62,7 +62,7 @@ void expectThePapersOrder(Errors& errors) {
   const double correlated = errors.of("pt-correlated", 4), independent = errors.of("pt", 4);
   // Coarse pixels see less of the surfaces that the filter could average, and their reference is noisier.
   EXPECT_LE(full, (kFull ? 0.30 : 0.45) * correlated);
-  EXPECT_GE(independent, 5 * correlated);
+  EXPECT_GE(independent, 4 * correlated);
   for (const char* part : {"correlated", "w_prev", "accumulate_difference", "correction"}) {
     EXPECT_GT(errors.of("event_svgf", 2, {{part, 0}}), full) << "without " << part;
   }

@@ -32,7 +32,8 @@ RgbPlanes render(const std::string& file, Effort effort) {
   Renderer renderer({effort.bounces, 3});
   Frame frame(w, h);
   ImageF rgb[3] = {{w, h}, {w, h}, {w, h}};
-  renderer.renderStill(PixelContext({posed, camera}), 1, effort.spp, pool, frame, rgb);
+  renderer.renderStill(PixelContext({posed, camera}), SeedPlan::independent(1, 0, effort.spp), pool, frame,
+                       rgb);
   return {std::move(rgb[0]), std::move(rgb[1]), std::move(rgb[2])};
 }
 

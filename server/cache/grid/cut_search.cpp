@@ -21,6 +21,9 @@ bool isAlike(Vec3 normal, Vec3 n) {
 bool isDownwards(Vec3 along, Vec3 n) {
   return dot(along, n) < -kSide;
 }
+bool isUpwards(Vec3 along, Vec3 n) {
+  return isDownwards(along, -n);
+}
 
 // The vertex of a key that lies nearest to a point, of those that share it.
 Vec3 placeNear(VertexKey key, Vec3 p, float h) {
@@ -34,6 +37,12 @@ Vec3 placeNear(VertexKey key, Vec3 p, float h) {
 
 CutPlane planeAt(Vec3 on_plane, Vec3 normal) {
   return {normal, dot(normal, on_plane)};
+}
+
+// The plane of what a point of normal n meets in a direction. It lies between the surfaces that face alike.
+CutPlane planeOf(Vec3 p, Vec3 along, Vec3 hit, Vec3 normal, Vec3 n, float h) {
+  if (isDownwards(along, n)) return planeAt((hit + p) * 0.5f, n);
+  return planeAt(isUpwards(along, n) ? hit - along * (h * kClose) : hit, normal);
 }
 
 // Whether a plane cuts the cube of edge 2 h around a vertex.
@@ -106,9 +115,7 @@ CutPlanes CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
   for (const std::size_t i : order) {  // the nearest first
     if (!std::isfinite(met[i].distance)) break;
     const Vec3 hit = rays[i].from + rays[i].along * met[i].distance;
-    const CutPlane plane =
-        isDownwards(rays[i].along, n) ? planeAt((hit + p.position) * 0.5f, n) : planeAt(hit, met[i].normal);
-    const CutPlane facing = plane.facing(p.position);
+    const CutPlane facing = planeOf(p.position, rays[i].along, hit, met[i].normal, n, h).facing(p.position);
     if (planes.lack(facing) && isWall(rays[i], met[i], n, h)) planes.add(facing);
   }
   return planes;
@@ -117,11 +124,12 @@ CutPlanes CutSearch::probe(const GridPoint& p, Vec3 place, float h) const {
 // Whether a surface of normal n goes on behind what has been met.
 bool CutSearch::isWall(const Obstacles::ProbeRay& ray, const Obstacle& met, Vec3 n, float h) const {
   if (isDownwards(ray.along, n)) return isAlike(met.normal, n);
-  return dot(ray.along, n) > kSide ? isAbove(ray, met, n, h) : isBeside(ray, met, n, h);
+  return isUpwards(ray.along, n) ? isAbove(ray, met, n, h) : isBeside(ray, met, n, h);
 }
 
-// Whether there is another surface of this normal above what has been met.
+// Whether there is another surface of this normal above what has been met: that may be its other side.
 bool CutSearch::isAbove(const Obstacles::ProbeRay& ray, const Obstacle& met, Vec3 n, float h) const {
+  if (isAlike(met.normal, n)) return true;
   const float begin = met.distance + h * kClose;
   const Obstacles::Hits above =
       obstacles_->find({{{ray.from + ray.along * begin, ray.along, ray.reach - begin}}});

@@ -110,12 +110,11 @@ ReferenceFrame ReferenceRenderer::frame(const Pose& pose, TimeNs time, int spp, 
   chunk.time = time;
   auto kept_at = std::chrono::steady_clock::now();
   while (done < spp) {
-    // Seeds depend on the chunk alone: every frame of every path shares them.
-    const auto index = static_cast<std::uint32_t>(done / kChunk);
-    const std::uint64_t seed = hashKey(seed_, index);
-    const Camera camera = cameraAt(pose, index);
-    renderer_.render(PixelContext({posed_, camera}),
-                     {hashKey(seed, 0), hashKey(seed, 1), kChunk / 2, kChunk / 2}, pool_, chunk);
+    // Every frame of every path shares the seeds.
+    const Camera camera = cameraAt(pose, static_cast<std::uint32_t>(done / kChunk));
+    SeedPlan seeds{hashKey(seed_, 0), hashKey(seed_, 1), kChunk / 2, kChunk / 2};
+    seeds.before = done / 2, seeds.all = spp / 2;
+    renderer_.render(PixelContext({posed_, camera}), seeds, pool_, chunk);
     done += kChunk;
     const float share = static_cast<float>(kChunk) / static_cast<float>(done);
     for (int y = 0; y < height_; ++y) {

@@ -60,8 +60,9 @@ void runRender(const RenderOptions& o) {
   constexpr int kChunk = 16;
   for (int done = 0; done < o.spp;) {
     const int n = std::min(kChunk, o.spp - done);
-    renderer.renderStill(PixelContext({posed, camera}), hashKey(o.seed, static_cast<std::uint64_t>(done)), n,
-                         pool, frame, part);
+    SeedPlan seeds = SeedPlan::independent(o.seed, 0, n);
+    seeds.before = done, seeds.all = o.spp;
+    renderer.renderStill(PixelContext({posed, camera}), seeds, pool, frame, part);
     done += n;
     for (int c = 0; c < 3; ++c) {
       for (int y = 0; y < size.height; ++y) {

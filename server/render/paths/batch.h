@@ -21,12 +21,15 @@ struct Batch {
   std::uint32_t dimension(Dimension d) const { return static_cast<std::uint32_t>(vertex) * kDimensions + d; }
 };
 
-// The random numbers of W paths at their vertex.
+// The random numbers of W paths at their vertex, by their places in a group of dimensions. Paths with a
+// SequencePlace have independent ones beyond their first vertex.
 template <int W, bool kSplit, int C>
-[[gnu::always_inline]] inline Floats<W> numbersAt(const Batch<C>& b, const PathNumbers<W>& of, int d) {
-  const auto dimension = static_cast<Dimension>(d);
-  if (kSplit && b.vertex == 0) return sequenceNumbers<W>(of, dimension);
-  return of.u(b.dimension(dimension));
+[[gnu::always_inline]] inline auto numbersAt(const Batch<C>& b, const PathNumbers<W>& of, Dimension first) {
+  const PathNumbers<W> beyond{kSplit ? mix32(of.reversed_index) : of.reversed_index, of.key};
+  return [&b, of, first, point = beyond.point(b.dimension(first))](std::uint32_t k) {
+    if (kSplit && b.vertex == 0) return sequenceNumbers<W>(of, static_cast<Dimension>(first + k));
+    return PathNumbers<W>::unit(point.at(k));
+  };
 }
 
 template <int W, int C>

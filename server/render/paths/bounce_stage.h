@@ -115,9 +115,9 @@ void bounce(const Batch<K.channels>& b) {
       lanes = lanes && !maskOf<W>(others) && toFloats(bounces) <= static_cast<float>(b.t.bounces);
       plastic = lanesShadedAs<W>(ShadedAs::kPlastic, p, first, lanesOf(lanes));
     }
-    const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
-    const auto u = [&](int d) { return numbersAt<W, K.split>(b, numbers, d); };
-    const F u1 = u(kBounce), u2 = u(kBounce + 1);
+    const PathNumbers<W> numbers{load<W>(&p.reversed_index[first]), load<W>(&p.path_key[first])};
+    const auto u = numbersAt<W, K.split>(b, numbers, kBounce);
+    const F u1 = u(0), u2 = u(1);
     Vec3T<F> local = cosineHemisphere(u1, u2);
     const Vec3T<F> ng = p.geometric_normal.template lanes<W>(first);
     const ShadingFrame<F> frame(p.shading_normal.template lanes<W>(first));
@@ -127,7 +127,7 @@ void bounce(const Batch<K.channels>& b) {
       if (plastic.any()) {
         const PlasticLanes<W, C> surfaces(p, first, frame, plastic);
         const auto these = maskOf<W>(plastic);
-        local = selectLanes(these, surfaces.sample(u(kLobe), u1, u2, local), local);
+        local = selectLanes(these, surfaces.sample(u(kLobe - kBounce), u1, u2, local), local);
         const ScatteredLanes<W, C> f = surfaces.evaluate(local);
         pdf = select(these, f.pdf, pdf);
         for (int k = 0; k < C; ++k) weight[k] = select(these, f.value[k] / f.pdf, weight[k]);

@@ -49,8 +49,8 @@ void directLightOf(const Batch<K.channels>& b, Stratum stratum) {
     const Vec3T<F> ns = p.shading_normal.template lanes<W>(first);
     typename ShadowRays<W, K>::Lanes ray;
     ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.still().epsilon());
-    const PathNumbers<W> numbers{load<W>(&p.key_low[first]), load<W>(&p.key_high[first])};
-    const auto u = [&](int k) { return numbersAt<W, K.split>(b, numbers, kLight + k); };
+    const PathNumbers<W> numbers{load<W>(&p.reversed_index[first]), load<W>(&p.path_key[first])};
+    const auto u = numbersAt<W, K.split>(b, numbers, kLight);
     const auto light = sampleLights<W, C>(b, stratum, ray.origin, ng, u(0), u(1), u(2), lanesOf(lanes));
     lanes = lanes && light.pdf > 0.f && dot(light.direction, ng) > 0.f;
     const F cosine = dot(light.direction, ns);

@@ -55,9 +55,9 @@ struct LivePaths {
   VectorPlanes point, geometric_normal, shading_normal;
   ColorPlanes<Channels> reflectance;  // of diffuse surfaces
   ColorPlanes<Channels> throughput;
-  Plane width, spread;         // of its cone, at the vertex
-  BitPlane key_low, key_high;  // of its random numbers
-  BitPlane slot;               // its place among PathResults
+  Plane width, spread;                // of its cone, at the vertex
+  BitPlane reversed_index, path_key;  // PathSampler's
+  BitPlane slot;                      // its place among PathResults
   // Where surfaces are not all diffuse:
   BitPlane state;               // see path_state.h
   Plane pdf;                    // of the last direction that was not straight on, see Choice

@@ -45,7 +45,8 @@ class PathRun {
     beginPlain<C>(surfaces, lanes, spread, S.extras, now);
     forEachLane(lanes, [&](int lane) {
       const NewPath own = path(lane);
-      now.key_low[slot] = own.sampler.low, now.key_high[slot] = own.sampler.high, now.slot[slot] = slot;
+      now.reversed_index[slot] = own.sampler.reversed_index, now.path_key[slot] = own.sampler.key,
+      now.slot[slot] = slot;
       memory_->owners[slot] = own.owner;
       clear(slot++);
     });

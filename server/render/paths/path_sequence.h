@@ -70,13 +70,13 @@ template <int W>
 [[gnu::always_inline]] inline Floats<W> sequenceNumbers(const PathNumbers<W>& of, Dimension d) {
   using Place = SequencePlace;
   const auto part = [&](int first, int count) {
-    return Uints<W>((of.key_low >> first) & ((1u << count) - 1));
+    return Uints<W>((of.reversed_index >> first) & ((1u << count) - 1));
   };
   const auto& steps = kSequenceSteps;
-  const Uints<W> bits = of.ofUpperKey(d) + part(0, Place::kEdgeBits) * steps.x[d] +
+  const Uints<W> bits = mix32(Uints<W>(of.key + d * 0x9e3779b9u)) + part(0, Place::kEdgeBits) * steps.x[d] +
                         part(Place::kY, Place::kEdgeBits) * steps.y[d] +
                         part(Place::kPath, Place::kPathBits) * steps.path[d] +
-                        (of.key_low >> Place::kFrame) * steps.frame[d];
+                        (of.reversed_index >> Place::kFrame) * steps.frame[d];
   return PathNumbers<W>::unit(bits);
 }
 

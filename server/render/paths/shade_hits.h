@@ -94,7 +94,7 @@ void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, L
       forEachLane(K.mixed ? hits & lanesOf(toFloats(Uints<W>(state & PathState::kDeltaLast)) == 0.f) : hits,
                   [&](int i) {
                     Color<C> carried = colorOf(throughput, i);
-                    const PathSampler sampler(from.key_low[path[i]], from.key_high[path[i]]);
+                    const PathSampler sampler(from.reversed_index[path[i]], from.path_key[path[i]]);
                     if (endsAtKnownLight<C>(
                             b.t, {laneOf(s.point, i), laneOf(ng, i), colorOf(reflectance, i).rgb(), width[i]},
                             sampler, from.slot[path[i]], carried, b.results))
@@ -112,7 +112,8 @@ void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, L
     keep(throughput[k], to.throughput.of[k]);
   }
   keep(width, to.width), keep(spread, to.spread);
-  keep(gather(&from.key_low[0], path), to.key_low), keep(gather(&from.key_high[0], path), to.key_high);
+  keep(gather(&from.reversed_index[0], path), to.reversed_index),
+      keep(gather(&from.path_key[0], path), to.path_key);
   keep(gather(&from.slot[0], path), to.slot);
   if constexpr (K.mixed) {
     keep(state, to.state), keep(gather(&from.pdf[0], path), to.pdf);

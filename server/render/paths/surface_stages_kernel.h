@@ -36,7 +36,7 @@ void put(const Surface& s, Vec3 arriving, RayCone cone, const PathSampler& sampl
   to.reflectance.set(i, Color<C>(s.bsdf.diffuse));
   to.throughput.set(i, throughput);
   to.width[i] = cone.width, to.spread[i] = cone.spread;
-  to.key_low[i] = sampler.low, to.key_high[i] = sampler.high;
+  to.reversed_index[i] = sampler.reversed_index, to.path_key[i] = sampler.key;
   to.slot[i] = slot;
   if constexpr (S.extras) {
     to.arriving.set(i, arriving), to.surfaces[i] = s;
@@ -82,7 +82,7 @@ void shadeHit(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint3
   }
   if (state.bounces > t.bounces && !t.scene.still().hasStraightTransmission()) return;
   if (vertex >= t.bounces + kMaxDeltas) return;
-  const PathSampler sampler(from.key_low[i], from.key_high[i]);
+  const PathSampler sampler(from.reversed_index[i], from.path_key[i]);
   if constexpr (kSplit) {
     const Scatter<S> scatter(s, at.direction);
     if (vertex == 0 && !state.delta_last && scatter.hasBase() && s.opacity >= 1 &&
@@ -102,7 +102,7 @@ template <Shading S, int C>
 ScatteredRay sampleBsdf(const Tracing& t, int vertex, LivePaths<C>& paths, std::uint32_t i) {
   const Surface& s = paths.surfaces[i];
   PathState state = PathState::unpack(paths.state[i]);
-  const PathSampler sampler(paths.key_low[i], paths.key_high[i]);
+  const PathSampler sampler(paths.reversed_index[i], paths.path_key[i]);
   const std::uint32_t dimension = static_cast<std::uint32_t>(vertex) * kDimensions;
   const Scatter<S> scatter(s, paths.arriving.at(i));
   const BsdfSample next = scatter.sample(sampler.u(dimension + kLobe), sampler.u(dimension + kBounce),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cache/grid/bounce_grid.h"
+#include "render/sampling/path_sampler.h"
 #include "render/world/posed_scene.h"
 
 namespace saccade {
@@ -27,8 +28,9 @@ struct Tracing {
 };
 
 // Every vertex has its own random dimensions. So two paths that part at one vertex share the numbers of the
-// next.
+// next. Those of a group are spread evenly together, see PathSampler.
 enum Dimension : std::uint32_t { kLight, kBounce = kLight + 3, kLobe = kBounce + 2, kDimensions };
+static_assert(kBounce % PathSampler::kGroup == 0 && kDimensions % PathSampler::kGroup == 0);
 inline constexpr std::uint32_t kGoOn = 1 << 16;  // of the choice to go on from light that is known
 
 inline constexpr int kMaxDeltas = 16;  // reflections and refractions that do not count as bounces

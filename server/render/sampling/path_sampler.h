@@ -1,27 +1,39 @@
-// The random numbers of one path. Their address is (seed, pixel, sample, dimension), so that the same seed
-// replays the path.
+// The random numbers of one path. Equal addresses give equal numbers, so that a seed replays the path: a key,
+// an index and a dimension.
+//
+// Dimensions come in groups. The paths of one key have points of one sequence in each group, every group in
+// an order of its own. A path whose index is a hash has independent numbers.
 #pragma once
 
-#include "base/hash_rng.h"
+#include "render/sampling/scrambled_point.h"
 
 namespace saccade {
 
+template <class Bits>
+[[gnu::always_inline]] constexpr Bits groupKey(const Bits& key, std::uint32_t group) {
+  return mix32(Bits(key + group * 0x9e3779b9u));
+}
+
 struct PathSampler {
+  static constexpr std::uint32_t kGroup = kPointCoordinates;  // dimensions
+
   PathSampler() = default;
+  PathSampler(std::uint32_t reversed_index, std::uint32_t key) : reversed_index(reversed_index), key(key) {}
+  // Independent numbers.
   PathSampler(std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample)
       : PathSampler(hashKey(seed, (static_cast<std::uint64_t>(sample) << 32) | pixel)) {}
-  PathSampler(std::uint32_t key_low, std::uint32_t key_high) : low(key_low), high(key_high) {}
 
   // Uniform in [0, 1).
   float u(std::uint32_t dimension) const {
-    return toUnit(mix32(low ^ mix32(high + dimension * 0x9e3779b9u)));
+    return toUnit(ScrambledPoint(reversed_index, groupKey(key, dimension / kGroup)).at(dimension % kGroup));
   }
 
-  std::uint32_t low = 0, high = 0;  // of its key
+  std::uint32_t reversed_index = 0;  // 32 bits, in reverse order
+  std::uint32_t key = 0;
 
  private:
-  explicit PathSampler(std::uint64_t key)
-      : low(static_cast<std::uint32_t>(key)), high(static_cast<std::uint32_t>(key >> 32)) {}
+  explicit PathSampler(std::uint64_t both)
+      : PathSampler(static_cast<std::uint32_t>(both), static_cast<std::uint32_t>(both >> 32)) {}
 };
 
 }  // namespace saccade

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "frame/seed_plan.h"
 #include "render/paths/path_run.h"
 #include "render/primary/blocks.h"
 #include "render/primary/sub_pixel.h"
+#include "render/sampling/pixel_sequence.h"
 
 namespace saccade {
 
@@ -60,6 +60,14 @@ void addPaths(const PixelContext& view, Tile tile, GBuffer& g, auto& run, const 
   run.finish();
 }
 
+// Calls f(numbers, sample) for the samples of a pass: 0 or 1.
+void forEachSample(const SeedPlan& seeds, int pass, const auto& f) {
+  const int spp = pass == 0 ? seeds.spp1 : seeds.spp2;
+  if (spp == 0) return;
+  const PixelSequence numbers(pass == 0 ? seeds.seed1 : seeds.seed2, std::max(spp, seeds.all), seeds.numbers);
+  for (int i = 0; i < spp; ++i) f(numbers, static_cast<std::uint32_t>(seeds.before + i));
+}
+
 // All paths start at the centre of the pixel.
 template <Shading S, int C>
 void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile, Frame& out) {
@@ -70,15 +78,10 @@ void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Ti
   const Tracing tracing{view.now.scene, bounces, {}};
   PathRun<S, C, false, decltype(onPath)> run(tracing, onPath);
   const auto forEachPath = [&](const auto& f) {
-    const auto ofPass = [&](int pass, std::uint64_t seed, int spp) {
-      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(spp); ++i)
-        f([&](int x, int y) {
-          const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
-          return NewPath{PathSampler(seed, pixel, i), sums.owner(x, y, pass)};
-        });
-    };
-    ofPass(0, seeds.seed1, seeds.spp1);
-    ofPass(1, seeds.seed2, seeds.spp2);
+    for (const int pass : {0, 1})
+      forEachSample(seeds, pass, [&](const PixelSequence& numbers, std::uint32_t i) {
+        f([&](int x, int y) { return NewPath{numbers.of(x, y, i), sums.owner(x, y, pass)}; });
+      });
   };
   addPaths<S>(view, tile, out.g, run, forEachPath, [](int, int, Rgb) {});
   forEachPixel(tile, [&](int x, int y) {
@@ -112,17 +115,17 @@ void renderJitteredTile(const PixelContext& view, const SeedPlan& seeds, int bou
     }
     out.g.albedo.at(x, y) = A, out.g.emission.at(x, y) = E;
     if (A <= 0) return;
-    const auto pixel = static_cast<std::uint32_t>(y * out.width() + x);
-    const auto addPaths = [&](int pass, std::uint64_t seed, int spp, FrameIndex jitter) {
+    const auto addPaths = [&](int pass, FrameIndex jitter) {
       std::size_t i = jitter % kSubPixels;
       while (albedo[i] < kLeastAlbedo * A) i = (i + 1) % kSubPixels;  // a black point shows no illumination
       const std::uint32_t owner = sums.owner(x, y, pass);
       scale[owner] = A / albedo[i];
-      for (int path = 0; path < spp; ++path)
-        run.add(hits[i].start, {PathSampler(seed, pixel, static_cast<std::uint32_t>(path)), owner});
+      forEachSample(seeds, pass, [&](const PixelSequence& numbers, std::uint32_t sample) {
+        run.add(hits[i].start, {numbers.of(x, y, sample), owner});
+      });
     };
-    addPaths(0, seeds.seed1, seeds.spp1, seeds.frame1);
-    addPaths(1, seeds.seed2, seeds.spp2, seeds.frame2);
+    addPaths(0, seeds.frame1);
+    addPaths(1, seeds.frame2);
   });
   run.finish();
   forEachPixel(tile, [&](int x, int y) {
