@@ -26,7 +26,7 @@ inline Vec3 leave(const RenderScene& scene, const SurfaceStart& start) {
   return scene.leave(start.path.surface);
 }
 
-// Adds the light of points to what their pixels emit. A point with more than one pixel's share of albedo...
+// Adds the light that starts reflect to what their pixels emit, so that no filter sees it.
 template <Shading S>
 class DeltaLight {
  public:
