@@ -63,7 +63,8 @@ double gridBytes(int memory, double pixels) {
 double mostBytes(const ParamValues& params, double pixels, bool jitter) {
   constexpr double kPlaces = 1900, kMorePlaces = 1700, kTwoFrames = 600;  // per pixel
   constexpr double kPairs = 500, kMorePairs = 1000;                       // where a picture shows metals
-  return pixels * (kPlaces + kPairs + (jitter ? kMorePlaces + kMorePairs : 0)) +
+  constexpr double kShadows = 300, kMoreShadows = 900;                    // rays to four lamps
+  return pixels * (kPlaces + kPairs + kShadows + (jitter ? kMorePlaces + kMorePairs + kMoreShadows : 0)) +
          std::max(pixels * kTwoFrames, gridBytes(static_cast<int>(params.at("memory_mib")), pixels));
 }
 

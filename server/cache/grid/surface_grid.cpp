@@ -97,14 +97,16 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
   }
 }
 
-// The variance of visibility within the finest cells, where it is a visible part of the light: by the
-// evidence for the detail of these cells, whether or not it exceeds its noise [ours].
-float shadowDetail(const Octet& evidence, float unoccluded, float light) {
-  constexpr float kUnknownDetail = 0.02f;
+// The variance of visibility that rays are to tell: that of its detail within the finest cells, by the
+// evidence for it, and that of its mean. 0 where it is no visible part of the light [ours].
+float shadowVariance(const Octet& evidence, float noise, float unoccluded, float light) {
+  constexpr float kUnknown = 0.02f;
   constexpr float kLeastContrast = 0.05f;
-  const float x = evidence[4], weight = evidence[7];
-  if (!(weight > 0 && light > 0)) return kUnknownDetail;
-  const float variance = std::max(0.f, x - 0.5f * std::sqrt(evidence[5])) / weight;
+  constexpr float kTau = 0.5f;  // standard deviations that detail must exceed its noise by: rays do no harm
+  const float weight = evidence[7];
+  if (!(weight > 0 && light > 0)) return kUnknown;
+  const float detail = std::max(0.f, evidence[4] - kTau * std::sqrt(evidence[5])) / weight;
+  const float variance = detail + noise;
   return unoccluded * std::sqrt(variance) > kLeastContrast * light ? variance : 0;
 }
 
@@ -212,12 +214,13 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolH
       const bool known = l[0] > 0 && e[3] > 0, shadows = l[3] > 0 && e[7] > 0;
       const float U = on.place(p.index).unoccluded;
       const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
-      const float detail = shadow_detail && U > 0 ? shadowDetail(e, U, light) : 0;
+      const float noise = varianceOf<float>(e[6], e[7], l[3], params_.blend);
+      const float of_rays = shadow_detail && U > 0 ? shadowVariance(e, noise, U, light) : 0;
       float variance = varianceOf<float>(e[2], e[3], l[0], params_.blend);
-      if (detail == 0) variance += U * U * varianceOf<float>(e[6], e[7], l[3], params_.blend);
+      if (of_rays == 0) variance += U * U * noise;
       out.at(on.columnOf(p.index), on.rowOf(p.index)) =
           known ? std::sqrt(variance) / std::max(light, 1e-6f) : kUnknown;
-      if (shadow_detail) shadow_detail->at(on.columnOf(p.index), on.rowOf(p.index)) = detail;
+      if (shadow_detail) shadow_detail->at(on.columnOf(p.index), on.rowOf(p.index)) = of_rays;
     }
   });
 }
