@@ -18,13 +18,14 @@ namespace {
 MeasuredTables measuredTables() {
   MeasuredTables tables;
   const MethodSpec svgf = parseMethod("svgf"), ours = parseMethod("event_svgf");
-  tables.accuracy.table = {"size=64x48",
-                           "",
-                           64,
-                           48,
-                           3,
-                           0.2,
-                           {{"cornell-box", svgf, 2, 10, 0.1, 0.2}, {"cornell-box", ours, 4, 20, 0.05, 0.1}}};
+  tables.accuracy.table = {
+      .settings = "size=64x48",
+      .width = 64,
+      .height = 48,
+      .frames = 21,
+      .bounces = 3,
+      .threshold = 0.2,
+      .rows = {{"cornell-box", svgf, 2, 10, 0.1, 0.2}, {"cornell-box", ours, 4, 20, 0.05, 0.1}}};
   tables.simplification.table.rows = {
       {"cornell-box", {3, {}}, 20, 0, 0, 0, 0},
       {"cornell-box", {1, {SceneFeature::kTextures}}, 10, 0.1, 0.1, 0.05, 0.01}};
