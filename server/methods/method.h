@@ -68,7 +68,7 @@ class SurfaceMethod : public Method {
 struct MethodSetup {
   ParamValues params;  // what resolveParams() returned
   int width, height;
-  int spp;  // paths per pixel and frame, over both passes
+  int spp;                                            // paths per pixel and frame, over both passes
   std::shared_ptr<const BakedLight> baked = nullptr;  // precomputed light of this scene, if there is any
 };
 

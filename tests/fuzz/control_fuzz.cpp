@@ -20,6 +20,7 @@ MeasuredTables measuredTables() {
   const MethodSpec svgf = parseMethod("svgf"), ours = parseMethod("event_svgf");
   tables.accuracy.table = {
       .settings = "size=64x48",
+      .cpu = "",
       .width = 64,
       .height = 48,
       .frames = 21,

@@ -16,7 +16,9 @@ struct Fixture : ::testing::Test {
   float c2() const { return cur.samples.I2.at(2, 1); }
   float p1() const { return prev.samples.I1.at(2, 1); }
   float p2() const { return prev.samples.I2.at(2, 1); }
-  void estimate(const MethodInfo& info) { info.make({{}, 8, 4, 2})->estimate({cur, prev}, pool, change, times); }
+  void estimate(const MethodInfo& info) {
+    info.make({{}, 8, 4, 2})->estimate({cur, prev}, pool, change, times);
+  }
 
   TilePool pool{1};
   Frame cur{8, 4}, prev{8, 4};

@@ -60,8 +60,9 @@ class RayLanes {
     const PointFloats of_rays = U * U * trust * trust, rest = U * U * (1.f - trust) * (1.f - trust);
     i += trust * U * (V - blend.visibility.value);
     variance = blend.residual.variance + rest * blend.visibility.variance + of_rays * noise;
-    step_variance = blend.residual.stepVariance(cells) + rest * blend.visibility.stepVariance(cells) +
-                    of_rays * step_noise;
+    const PointFloats of_step = select(cells > 0.f, of_rays * step_noise, PointFloats(0.f));
+    step_variance =
+        blend.residual.stepVariance(cells) + rest * blend.visibility.stepVariance(cells) + of_step;
   }
 
  private:

@@ -34,7 +34,7 @@ class TileShadowRays {
   }
 
  private:
-  static constexpr int kRays = 16;
+  static constexpr int kRays = 8;
 
   Rgb throughPanes(const ShadowRay& ray) const {
     if (!has_panes_) return {1, 1, 1};
