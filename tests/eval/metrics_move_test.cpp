@@ -58,6 +58,9 @@ void scaleChange(const Spoilt& s, float scale) {
 void halve(const Spoilt& s) {
   scaleChange<region::kAnywhere>(s, 0.5f);
 }
+void twice(const Spoilt& s) {
+  scaleChange<region::kAnywhere>(s, 2.f);
+}
 void turnSign(const Spoilt& s) {
   scaleChange<region::kAnywhere>(s, -1);
 }
@@ -86,9 +89,10 @@ const std::vector<Case>& cases() {
       {"NoiseAdded",
        kMethod,
        addNoise,
-       {&S::dI_l1, &S::dI_mape, &S::dL_l1, &S::dL_mape, &S::false_events, &S::false_smooth, &S::false_curved,
-        &S::false_changed, &S::sigma_dL, &S::noise_dL, &S::rms_dL, &S::rms_smooth, &S::rms_curved,
-        &S::rms_changed, &S::count_error, &S::voxel_error, &S::time_error_ms, &S::phase_error},
+       {&S::dI_l1,       &S::dI_error,     &S::dI_mape,      &S::dL_l1,         &S::dL_error,
+        &S::dL_mape,     &S::false_events, &S::false_smooth, &S::false_curved,  &S::false_changed,
+        &S::sigma_dL,    &S::noise_dL,     &S::rms_dL,       &S::rms_smooth,    &S::rms_curved,
+        &S::rms_changed, &S::count_error,  &S::voxel_error,  &S::time_error_ms, &S::phase_error},
        {},
        {&S::bias_dL},
        0.1},
@@ -123,6 +127,7 @@ const std::vector<Case>& cases() {
        {&S::false_events, &S::false_smooth, &S::false_curved, &S::false_changed, &S::sigma_dL, &S::noise_dL},
        {},
        0},
+      {"ChangeDoubled", kMethod, twice, {&S::dI_share, &S::dL_share}, {}, {}, 0},
       {"SignTurned",
        kMethod,
        turnSign,

@@ -135,7 +135,7 @@ TEST_F(Fixture, AHalfFinishedFrameIsGoneOnWith) {
   writeExr(path, {{"a", &half.a}, {"b", &half.b}}, {{"spp", 64}});
   const ReferenceFrame gone_on = render(128);
   EXPECT_NEAR(gone_on.a.at(3, 2), whole.a.at(3, 2) + 32, 1e-4);
-  EXPECT_EQ(gone_on.b.at(3, 2), whole.b.at(3, 2));
+  EXPECT_NEAR(gone_on.b.at(3, 2), whole.b.at(3, 2), 1e-4);  // sums of another order
 }
 
 // Otherwise the difference of two frames would have the noise of the paths that only one of them has.

@@ -69,7 +69,7 @@ FOLDERS = {
     "render/primary": "render/bsdf render/surface render/lights render/world render/camera",
     "render/paths": "render/bsdf render/surface render/lights render/world render/camera render/primary render/sampling",
     "render/kernels": "render/primary render/paths",
-    "render/tiles": "render/surface render/world render/camera render/primary render/sampling render/paths",
+    "render/tiles": "render/surface render/lights render/world render/camera render/primary render/sampling render/paths",
     "render": "render/surface render/lights render/world render/camera render/primary render/paths render/tiles render/features",
     "app/request": "",
     "app/admission": "app/request",

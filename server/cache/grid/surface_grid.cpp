@@ -40,7 +40,7 @@ SurfaceGrid::Time forEachBand(const SurfaceSamples& on, const PoolHandle& pool, 
   });
 }
 
-// What rays tell of visibility at a few points.
+// Visibility by rays at a few points.
 class RayLanes {
  public:
   RayLanes(const PointLanes& lanes, const FrameOnGrid& frame) {
@@ -98,8 +98,8 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
   }
 }
 
-// The variance of visibility that rays are to tell: that of its detail within the finest cells, by the
-// evidence for it, and that of its mean. 0 where it is no visible part of the light [ours].
+// The variance of visibility where it is a visible part of the light, for rays to tell; otherwise 0. It is
+// that of detail within the finest cells, by the evidence for it, and that of the mean [ours].
 float shadowVariance(const Octet& evidence, float noise, float unoccluded, float light) {
   constexpr float kUnknown = 0.02f;
   constexpr float kLeastContrast = 0.05f;
