@@ -3,6 +3,8 @@
 #include <limits>
 #include <numbers>
 
+#include "render/lights/delta_samples.h"
+
 namespace saccade {
 
 DistantLights::DistantLights(const Scene& scene) : suns_(scene.directional_lights) {
@@ -17,14 +19,11 @@ DistantLights::DistantLights(const Scene& scene) : suns_(scene.directional_light
 }
 
 IncidentLight DistantLights::sample(LightSet set, float u_light, float u1, float u2) const {
-  constexpr float kEndless = std::numeric_limits<float>::infinity();
   const std::size_t i = choice(set).choose(u_light);
   const float p = choice(set).probability(i);
-  if (i < suns_.size()) {
-    const Vec3 direction = -suns_[i].direction;
-    return {direction, direction, kEndless, suns_[i].irradiance, p, true};
-  }
+  if (i < suns_.size()) return sampleOf(suns_[i], p);
   const EnvironmentSample s = sky_->sample(u1, u2);
+  constexpr float kEndless = std::numeric_limits<float>::infinity();
   return {s.direction, s.direction, kEndless, s.radiance, s.pdf * p};
 }
 

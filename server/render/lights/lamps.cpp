@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/lights/delta_samples.h"
 #include "render/lights/quads.h"
 
 namespace saccade {
@@ -51,10 +52,7 @@ float AreaLamp::area() const {
   return radius > 0 ? 4 * kPi * radius * radius : length(cross(edge1, edge2)) / 2;
 }
 
-Lamps::Lamps(const Scene& scene) {
-  for (const PointLight& l : scene.point_lights)
-    spots_.push_back({l.position, {0, 0, 1}, l.intensity, kPi, kPi});
-  spots_.insert(spots_.end(), scene.spot_lights.begin(), scene.spot_lights.end());
+Lamps::Lamps(const Scene& scene) : spots_(spotsOf(scene)) {
   std::uint32_t geometry = 0;  // counted as EmbreeScene does
   const auto next = [&] {
     first_primitive_.push_back(static_cast<std::uint32_t>(leaf_of_primitive_.size()));
@@ -156,11 +154,7 @@ float Lamps::pdf(LightSet set, const EmitterPoint& point, const Receiver& at) co
 
 IncidentLight Lamps::sample(const ChosenLamp& lamp, Vec3 point, float u1, float u2) const {
   if (lamp.number < area_lamps_.size()) return ofArea(area_lamps_[lamp.number], lamp.pdf, point, u1, u2);
-  const SpotLight& light = spots_[lamp.number - area_lamps_.size()];
-  const Vec3 segment = light.position - point;
-  const float distance2 = dot(segment, segment);
-  const Vec3 w = segment / std::sqrt(distance2);
-  return {w, segment, kShadowEnd, intensityTowards(light, -w) / distance2, lamp.pdf, true};
+  return sampleOf(spots_[lamp.number - area_lamps_.size()], point, lamp.pdf);
 }
 
 // `pdf`: per area.
