@@ -26,6 +26,7 @@ bool cpuSuffices() {
   return v3 && saccade::widestInstructionSet() == saccade::InstructionSet::kAvx512;
 }
 
+constexpr int kMappedBlock = 1 << 20;  // bytes
 constexpr rlim_t kLeastFiles =
     64;  // half for a server without clients: libzmq ends the program where it gets none
 
@@ -42,9 +43,11 @@ void openAsManyFilesAsAllowed() {
 
 // glibc keeps up to eight heaps per CPU, and one cannot use the memory that another has freed. Memory then
 // grows for hours while the same streams come and go. One heap is fast enough: nothing that runs per frame
-// allocates.
+// allocates. Large blocks are mapped, so each goes back to the system as soon as it is freed; glibc would stop
+// mapping them at the first that is freed, and their holes would stay in the heap.
 void useOneHeap() {
   mallopt(M_ARENA_MAX, 1);
+  mallopt(M_MMAP_THRESHOLD, kMappedBlock);
 }
 
 sigset_t blockSignals() {
