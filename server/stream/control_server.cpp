@@ -23,7 +23,8 @@ struct ControlServer::Outbox {
   std::vector<std::shared_ptr<Letter>> letters;
 
   // Returns the code of the reply that it puts in. Without memory for `reply` it puts in a shorter one.
-  v1::Code put(const std::string& connection, v1::Reply reply, const std::shared_ptr<UnreadReply>& unread) {
+  // Keeps no hold on `unread` once the reply can be sent: a thread of low priority may return much later.
+  v1::Code put(const std::string& connection, v1::Reply reply, std::shared_ptr<UnreadReply> unread) {
     std::string bytes;
     try {
       bytes = reply.SerializeAsString();
@@ -32,10 +33,10 @@ struct ControlServer::Outbox {
       reply.clear_result();
       bytes = reply.SerializeAsString();
     }
-    auto letter = std::make_shared<Letter>(Letter{connection, std::move(bytes), unread});
+    auto letter = std::make_shared<Letter>(Letter{connection, std::move(bytes), std::move(unread)});
+    letter->unread->make(letter->bytes.size());
     std::lock_guard lock(mutex);
-    letters.push_back(letter);
-    unread->make(letter->bytes.size());
+    letters.push_back(std::move(letter));
     return reply.status().code();
   }
 };
@@ -121,8 +122,8 @@ Answer ControlServer::answerTo(const std::string& connection, const RawRequest& 
   const auto give = [outbox = outbox_, loop = loop_, connection, unread = std::move(unread), id = request.id,
                      call = request.call, &counts = counts_, client](v1::Reply reply) mutable {
     reply.set_request_id(id);
-    const v1::Code code = outbox->put(connection, std::move(reply), unread);
-    unread.reset();  // a kept copy of this function must not keep the reply counted
+    // A kept copy of this function must not keep the reply counted.
+    const v1::Code code = outbox->put(connection, std::move(reply), std::move(unread));
     counts.add({call, code});
     if (client && code != v1::CODE_OK) ++client->refusals;
     loop->wake().wake();
