@@ -43,8 +43,8 @@ void openAsManyFilesAsAllowed() {
 
 // glibc keeps up to eight heaps per CPU, and one cannot use the memory that another has freed. Memory then
 // grows for hours while the same streams come and go. One heap is fast enough: nothing that runs per frame
-// allocates. Large blocks are mapped, so each goes back to the system as soon as it is freed; glibc would stop
-// mapping them at the first that is freed, and their holes would stay in the heap.
+// allocates. Large blocks are mapped, so each goes back to the system as soon as it is freed. By itself glibc
+// stops that at the first block freed, and the holes of later ones stay in the heap.
 void useOneHeap() {
   mallopt(M_ARENA_MAX, 1);
   mallopt(M_MMAP_THRESHOLD, kMappedBlock);
