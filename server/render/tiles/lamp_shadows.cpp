@@ -64,7 +64,9 @@ void forEachPoint(const SurfaceSamples& on, Tile tile, const auto& f) {
 // Adds rays, up to `count` of each point and group that wanted(point, group) tells.
 template <Shading S>
 void LampShadows::traceTile(const Traced& frame, Tile tile, int count, const auto& wanted) const {
-  const auto& [scene, on, starts] = frame.of;
+  const auto& scene = frame.of.scene;
+  const SurfaceSamples& on = frame.of.on;
+  const auto& starts = frame.of.starts;
   const Tracing tracing{scene, 0, {}};
   const auto onEnd = [&](const ShadowRay& ray, Rgb fraction) {
     Rays& rays = frame.rays[ray.owner];
