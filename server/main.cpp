@@ -1,4 +1,3 @@
-#include <malloc.h>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
 
@@ -12,6 +11,7 @@
 
 #include "app/app.h"
 #include "base/instruction_set.h"
+#include "base/one_heap.h"
 #include "log/log.h"
 
 namespace {
@@ -26,7 +26,6 @@ bool cpuSuffices() {
   return v3 && saccade::widestInstructionSet() == saccade::InstructionSet::kAvx512;
 }
 
-constexpr int kMappedBlock = 1 << 20;  // bytes
 constexpr rlim_t kLeastFiles =
     64;  // half for a server without clients: libzmq ends the program where it gets none
 
@@ -39,15 +38,6 @@ void openAsManyFilesAsAllowed() {
   if (files.rlim_max < kLeastFiles)
     throw std::runtime_error("saccaded may open " + std::to_string(files.rlim_max) + " files, and needs " +
                              std::to_string(kLeastFiles) + ": raise the limit, as by `ulimit -n`");
-}
-
-// glibc keeps up to eight heaps per CPU, and one cannot use the memory that another has freed. Memory then
-// grows for hours while the same streams come and go. One heap is fast enough: nothing that runs per frame
-// allocates. Large blocks are mapped, so each goes back to the system as soon as it is freed. By itself glibc
-// stops that at the first block freed, and the holes of later ones stay in the heap.
-void useOneHeap() {
-  mallopt(M_ARENA_MAX, 1);
-  mallopt(M_MMAP_THRESHOLD, kMappedBlock);
 }
 
 sigset_t blockSignals() {
@@ -100,7 +90,7 @@ int serve(const saccade::Config& config) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  useOneHeap();
+  saccade::useOneHeap();
   if (!cpuSuffices()) {
     std::fputs("saccaded was built for " SACCADE_ARCH
                ", and this CPU lacks its instructions; build it with -DSACCADE_ARCH=native on this machine\n",

@@ -1,6 +1,5 @@
 #include "farm/plan/estimate.h"
 
-#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/one_heap.h"
 #include "base/thread_time.h"
 #include "base/units.h"
 #include "farm/plan/temporary_folder.h"
@@ -73,7 +73,7 @@ double extended(double few, double more, double frames) {
 }
 
 Estimate measure(const Recipe& recipe, const RenderSettings& settings, const fs::path& folder) {
-  mallopt(M_ARENA_MAX, 1);
+  useOneHeap();
   SequenceRenderer renderer(settings, 1);
   Estimate sum;
   for (const std::uint64_t number : chosen(recipe)) {

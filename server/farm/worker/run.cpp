@@ -1,7 +1,5 @@
 #include "farm/worker/run.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -14,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/one_heap.h"
 #include "base/usable_cpus.h"
 #include "farm/worker/crew.h"
 #include "farm/worker/failures.h"
@@ -44,7 +43,7 @@ class PlanPages {
 // The work of each worker, in its own process.
 Crew::Begin workOf(const DataSet& set, const RenderSettings& settings, const std::string& name, int threads) {
   return [=, &set](int index) {
-    mallopt(M_ARENA_MAX, 1);  // one heap, as saccaded has it
+    useOneHeap();
     std::filesystem::current_path(set.recipeFolder());
     const auto pages = std::make_shared<PlanPages>(set);
     const auto renderer = std::make_shared<SequenceRenderer>(settings, threads);

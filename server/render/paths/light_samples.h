@@ -79,7 +79,7 @@ template <int W, int C>
   return light;
 }
 
-// Those of `lanes` from sample(lane).
+// Takes the samples of `lanes` from sample(lane).
 template <int W, int C>
 void sampleOneByOne(const Batch<C>& b, LaneSet lanes, const auto& sample, LightSamples<W, C>& light) {
   forEachLane(lanes, [&](int i) {

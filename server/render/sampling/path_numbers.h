@@ -9,7 +9,7 @@ template <int W>
 struct PathNumbers {
   Uints<W> reversed_index, key;
 
-  // Those of a group of dimensions, of which this is the first.
+  // The numbers of a group of dimensions: `dimension` is the first of the group.
   [[gnu::always_inline]] ScrambledPoint<Uints<W>> point(std::uint32_t dimension) const {
     return {reversed_index, groupKey(key, dimension / PathSampler::kGroup)};
   }
