@@ -107,9 +107,9 @@ Color<C> traceOneRay(const Tracing& t, const PathStart& start, const PathSampler
     arriving = next.wi;
     distance += hit.t;
     if (luminance(s.radiance) > 0 && !in_view) {
-      const float cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
-      const float pdf_light = lights.lamps().pdf(set, {hit.geometry, hit.primitive, s.radiance}, chooser) *
-                              distance * distance / cos_light;
+      const float cos_light = -dot(next.wi, s.geometric_normal);
+      const float pdf_light =
+          lights.lamps().pdf(set, {hit.geometry, hit.primitive, s.radiance, distance, cos_light}, chooser);
       const float weight = delta ? 1 : balance(pdf, pdf_light);
       radiance += throughput * Color<C>(s.radiance) * (weight * scene.strengths()[hit.geometry]);
     }

@@ -64,11 +64,10 @@ void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, L
     if (state.in_view) return;
     const auto [mesh, sphere] = HitShape(b.t.scene.still().description(), packet.hit(i));
     const float distance = packet.far[i] + (K.mixed ? from.distance[p] : 0);
-    const Found found{from.slot[p],
-                      {geometry, packet.hit(i).primitive, mesh ? mesh->radiance : sphere->radiance},
-                      distance,
-                      s.cosine[i],
-                      chooserOf<K.mixed>(from, p, laneOf(s.point, i), packet.ray(i).direction, distance)};
+    const Found found{
+        from.slot[p],
+        {geometry, packet.hit(i).primitive, mesh ? mesh->radiance : sphere->radiance, distance, s.cosine[i]},
+        chooserOf<K.mixed>(from, p, laneOf(s.point, i), packet.ray(i).direction, distance)};
     addFound<C, K.split>(b.t, found, from.throughput.at(p), state.delta ? kDeltaPdf : from.pdf[p],
                          state.from_start, b.results);
   });

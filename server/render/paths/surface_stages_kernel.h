@@ -73,9 +73,7 @@ void shadeHit(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint3
   const float distance = at.hit.t + from.distance[i];
   if (luminance(s.radiance) > 0 && !state.in_view) {
     const Found found{slot,
-                      {at.hit.geometry, at.hit.primitive, s.radiance},
-                      distance,
-                      at.cosine,
+                      {at.hit.geometry, at.hit.primitive, s.radiance, distance, at.cosine},
                       chooserOf<true>(from, i, s.point, at.direction, distance)};
     addFound<C, kSplit>(t, found, throughput, state.delta ? kDeltaPdf : from.pdf[i], state.from_start,
                         results);
