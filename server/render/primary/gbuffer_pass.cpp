@@ -39,7 +39,7 @@ void setFar(const Camera& camera, const Camera& prev, Vec3 direction, int x, int
 
 }  // namespace
 
-// What a ray of a pixel shows, which has come `before` lengths of its direction to its origin. Makes the
+// Shades the hit of a ray, whose origin is `before` lengths of its direction away from the camera. Makes the
 // parts of `out` where they lie: a copy would wait for each of its values to reach the cache. `apart`: a mask
 // is taken for opaque. Returns its opacity.
 template <Shading S>

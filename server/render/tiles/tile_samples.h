@@ -91,8 +91,8 @@ void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Ti
   });
 }
 
-// Chooses among the layers of a point, in [0, 1): the R2 sequence (Roberts 2018), moved on by the golden
-// ratio each time that its point comes round.
+// Chooses among the layers of a point, in [0, 1): the R2 sequence (Roberts 2018). It is moved on by the
+// golden ratio each time that the point comes round.
 inline float layerNumber(int x, int y, FrameIndex jitter) {
   return toUnit(static_cast<std::uint32_t>(x) * 0xc13fa9a9u + static_cast<std::uint32_t>(y) * 0x91e10da5u +
                 static_cast<std::uint32_t>(jitter / kSubPixels) * 0x9e3779b9u);
