@@ -1,6 +1,7 @@
-// Direct light of lamps of a few flat sides in closed form, as if nothing cast a shadow.
+// Direct light of lamps of a few flat sides, and of spheres, in closed form, as if nothing cast a shadow.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "base/lane_vectors.h"
@@ -31,6 +32,7 @@ class AnalyticLight {
     std::vector<Vec3> corners;  // of a convex polygon, counter-clockwise as seen from the lit side
     Vec3 normal;                // unit
     float area;
+    float radius = 0;  // of a sphere about its only corner, which has neither normal nor area
     Rgb radiance;
     std::uint32_t geometry;
     int group;  // of the lamps whose shadows are one, see groups()
@@ -55,6 +57,7 @@ class AnalyticLight {
 
  private:
   void addSides(const Mesh& mesh, std::uint32_t geometry);
+  int nextGroup() const { return std::min(groups(), kMaxGroups - 1); }
 
   std::vector<Side> sides_;
   std::vector<char> held_;  // by geometry id

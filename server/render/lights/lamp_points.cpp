@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/lights/sphere_cone.h"
+
 namespace saccade {
 namespace {
 
@@ -21,6 +23,17 @@ Vec3 pointOn(const AnalyticLight::Side& side, float u1, float u2) {
     const float s = std::sqrt(std::min(left / area, 1.f));
     return a + e1 * (s * (1 - u2)) + e2 * (s * u2);
   }
+}
+
+// A place on a sphere, uniform in what the point sees of it.
+LampPoints::Point pointOn(const AnalyticLight::Side& sphere, const LitPoint& from, float form_factor,
+                          float u1, float u2) {
+  const SphereCone cone(from.point, sphere.corners[0], sphere.radius);
+  const auto [w, distance] = cone.at(u1, u2);
+  const Vec3 position = from.point + w * distance;
+  const float arriving = dot(w, from.normal);
+  if (!(arriving > 0 && dot(w, from.geometric_normal) > 0)) return {position, 0};
+  return {position, arriving * cone.solidAngle() * std::numbers::inv_pi_v<float> / form_factor};
 }
 
 }  // namespace
@@ -42,6 +55,7 @@ LampPoints::Point LampPoints::at(int group, float u, float u1, float u2) const {
   int i = ends_[group];
   while (i + 1 < end && u * unoccluded_[group] >= seen_[i].sum) ++i;
   const AnalyticLight::Side& side = *seen_[i].side;
+  if (side.radius > 0) return pointOn(side, from_, seen_[i].form_factor, u1, u2);
   const Vec3 point = pointOn(side, u1, u2), segment = point - from_.point;
   const float leaving = -dot(segment, side.normal), arriving = dot(segment, from_.normal);
   if (!(leaving > 0 && arriving > 0 && dot(segment, from_.geometric_normal) > 0)) return {point, 0};

@@ -113,7 +113,7 @@ template <int W>
   const PlainLanes<W> surface = plainLanes<W>(view, packet, plain, s, width);
   const F albedo = luminance<F>(surface.reflectance);
   writeFeatures<W>(view, part, direction, z, s.point, surface, albedo, g);
-  out.point.store(s.point, part.first);
+  out.point.store(s.point, part.first), store(s.offset, &out.offset[part.first]);
   out.geometric_normal.store(surface.geometric_normal, part.first);
   out.shading_normal.store(surface.shading_normal, part.first);
   out.reflectance.store(surface.reflectance, part.first), out.emission.store(surface.emission, part.first);
