@@ -9,7 +9,7 @@ namespace saccade {
 
 inline constexpr float kAlbedoFloor = 1e-3f;  // in both directions; modulation keeps an albedo of 0
 
-// What the light that a pixel reflects is divided by.
+// The divisor of the light that a pixel reflects.
 inline float divisorOf(const GBuffer& g, int x, int y) {
   return std::max(g.albedo.at(x, y), kAlbedoFloor);
 }

@@ -14,9 +14,10 @@ struct EstimatedPlane {
 
 inline constexpr float kNoEstimate = -1;  // instead of a variance
 
-// `joined` = own + w (other - own),   w = var / (var + var_other + b^2).
-// b^2 is by how much both differ in the 5x5 pixels around one, beyond their noise. Where there is no other
-// estimate, it is `own`. The planes of `joined` must differ from those of both.
+// `joined` = own + w (other - own),   w = var / (var + var_other + b^2)
+//
+// where b^2 is the square of what both differ by, beyond their noise, in the mean of 5x5 pixels. Where there
+// is no other estimate, `joined` is `own`. Its planes must differ from those of both.
 std::chrono::nanoseconds joinEstimates(EstimatedPlane own, EstimatedPlane other, const PoolHandle& pool,
                                        ImageF& joined, ImageF& variance);
 
