@@ -46,12 +46,18 @@ int tileEdge(int spp, int bounces) {
   return std::clamp(static_cast<int>(std::sqrt(kPieceRays / pixel_rays)), 1, kMaxTileEdge);
 }
 
+// Gives features their plane of bodies.
+void showBodies(GBuffer& g) {
+  if (g.body.width() == 0) g.body = Image<std::uint32_t>(g.z.width(), g.z.height());
+}
+
 }  // namespace
 
 std::chrono::nanoseconds Renderer::render(const PixelContext& view, const SeedPlan& seeds,
                                           const PoolHandle& pool, Frame& out) {
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
+  if (view.now.scene.bodies()) showBodies(out.g);
   const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
     if (settings_.jitter)
       return settings_.channels == 1 ? renderJitteredTile<S, 1> : renderJitteredTile<S, 3>;
@@ -64,7 +70,8 @@ std::chrono::nanoseconds Renderer::render(const PixelContext& view, const SeedPl
 SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle& pool, Frame& out,
                                       const OnTile& on_tile) {
   const RenderScene& scene = view.now.scene.still();
-  out.light = view.now.scene.strengths().state();
+  if (view.now.scene.bodies()) showBodies(out.g);
+  out.light = view.now.scene.state();
   const Shading has = scene.shading();
   const bool plain_only =
       has.diffuseOnly() && !has.extras && view.now.camera.isPlain() && out.surfaces->perPixel() == 1;

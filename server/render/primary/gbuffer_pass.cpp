@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/camera/pixel_features.h"
+#include "render/world/coherent_rays.h"
 #include "render/world/surface_at.h"
 
 namespace saccade {
@@ -47,13 +48,13 @@ void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, Prim
   if (!hit.valid) {
     out.start = {}, out.guide = {};
     out.guide.hit = false;
-    if constexpr (S.extras) out.guide.emission = view.now.scene.still().lights().distant().radiance(unit);
+    if constexpr (S.extras) out.guide.emission = view.now.scene.lights().distant().radiance(unit);
     return;
   }
   RayCone cone{0, view.now.camera.pixelAt(ray.direction)};
   cone.width = cone.at(hit.t);
   new (&out.start) PathStart{surfaceAt<S>(view.now.scene, ray, hit, cone.width), unit, cone};
-  new (&out.guide) Guide(findGuide<S>(view.now.scene, ray, hit, out.start));
+  new (&out.guide) Guide(findGuide<S>(view, ray, hit, out.start));
 }
 
 template <Shading S>
@@ -63,18 +64,19 @@ void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std:
   for (std::size_t i = 0; i < hits.size(); ++i)
     rays[i] = {view.now.camera.origin, view.now.camera.direction(points[i].x, points[i].y),
                std::numeric_limits<float>::infinity()};
-  view.now.scene.still().geometry().intersect(rays, std::span(found).first(hits.size()));
+  intersectCoherent(view.now.scene.geometry(), rays, std::span(found).first(hits.size()));
   for (std::size_t i = 0; i < hits.size(); ++i) shadePrimary<S>(view, rays[i], found[i], hits[i]);
 }
 
 void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,
                    GBuffer& g) {
   const Guide& guide = primary.guide;
+  if (g.body.width() > 0) g.body.at(x, y) = guide.hit ? guide.body + 1 : 0;
   g.albedo.at(x, y) = luminance(guide.albedo);
   g.emission.at(x, y) = luminance(guide.emission);
   if (!guide.hit) return setFar(camera, prev, primary.direction, x, y, g);
   setNormal(guide.normal, x, y, g);
-  projectMotion(camera, prev, guide.point - camera.origin, guide.point - prev.origin, x, y, g);
+  projectMotion(camera, prev, guide.point - camera.origin, guide.point_before - prev.origin, x, y, g);
   g.z.at(x, y) = guide.t;
   g.dz.at(x, y) = planeSlope(camera.nextRight(primary.direction), camera.nextDown(primary.direction),
                              guide.point - camera.origin, guide.plane_normal, guide.t);

@@ -95,7 +95,7 @@ void LampShadows::traceTile(const Traced& frame, Tile tile, int count, const aut
     if (!any || !isLit(on, point)) return;
     const RenderScene& still = scene.still();
     const auto from = [&](const auto& start, const LitPoint& p, Rgb base) {
-      add(point, {column, y}, leave(still, start), {still.analyticLight(), p, base, scene.strengths()});
+      add(point, {column, y}, leave(still, start), {scene.analyticLight(), p, base, scene.strengths()});
     };
     if (starts.isPlain(point))
       from(starts.plain(point), litPointOf(starts.plain(point)), starts.plain(point).reflectance);

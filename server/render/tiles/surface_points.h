@@ -40,8 +40,8 @@ class TilePoints {
   void set(const PrimaryBlock& block) {
     const PlainSurfaces& s = memory_->plain[blockOf(block.x0, block.y0)] = block.surfaces;
     LaneVectors white;
-    view_.now.scene.still().analyticLight().at({s.point, s.shading_normal, s.geometric_normal}, block.plain,
-                                               view_.now.scene.strengths(), white);
+    view_.now.scene.analyticLight().at({s.point, s.shading_normal, s.geometric_normal}, block.plain,
+                                       view_.now.scene.strengths(), white);
     forEachLane(block.plain, [&](int lane) {
       SurfacePoint& point = out_.surfaces->at(block.x(lane), block.y(lane)) = {};
       isPlain(block.x(lane), block.y(lane)) = true;
@@ -132,8 +132,7 @@ class TilePoints {
     point.share = share;
     if (!guide.hit || !guide.has_base || albedo <= kLeastSurfaceAlbedo) return;
     point.kind = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
-    const Rgb white =
-        view_.now.scene.still().analyticLight().at(litPoint(hit.start), view_.now.scene.strengths());
+    const Rgb white = view_.now.scene.analyticLight().at(litPoint(hit.start), view_.now.scene.strengths());
     out_.surfaces->place(out_.surfaces->indexOf(column, y)) = {
         guide.point, guide.normal, view_.now.camera.pixelAt(hit.direction) * guide.t,
         luminance(start.base.albedo * white) / albedo};

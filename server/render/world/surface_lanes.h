@@ -58,6 +58,18 @@ template <int W>
   return selectLanes(length2 > 0.f, between * F(1.f / sqrt(length2)), geometric);
 }
 
+// Turns the normals of bodies from the scene file's place to that of the time.
+template <int W>
+void turnNormals(std::span<const RigidMotion> motions, const RayPacket<W>& packet, LaneSet lanes,
+                 SurfaceLanes<W>& s) {
+  forEachLane(lanes, [&](int i) {
+    if (packet.instance[i] == kNoBody) return;
+    const RigidMotion& motion = motions[packet.instance[i]];
+    setLane(s.normal, i, motion.direction(laneOf(s.normal, i)));
+    setLane(s.shading_normal, i, motion.direction(laneOf(s.shading_normal, i)));
+  });
+}
+
 // `lanes`: those that have hit a surface.
 template <int W>
 [[gnu::always_inline]] inline SurfaceLanes<W> surfacesAt(const PosedScene& scene, const RayPacket<W>& packet,
@@ -67,10 +79,11 @@ template <int W>
   const Vec3T<F> direction{load<W>(packet.x), load<W>(packet.y), load<W>(packet.z)};
   SurfaceLanes<W> s;
   s.normal = unit({load<W>(packet.normal_x), load<W>(packet.normal_y), load<W>(packet.normal_z)});
+  s.shading_normal = shadingNormals<W>(scene.still().shapeRows(), packet, lanes, s.normal);
+  if (scene.bodies()) turnNormals<W>(scene.bodies()->motions(), packet, lanes, s);
   s.cosine = -dot(s.normal, unit(direction));
   s.point = Vec3T<F>{load<W>(packet.origin_x), load<W>(packet.origin_y), load<W>(packet.origin_z)} +
             direction * load<W>(packet.far);
-  s.shading_normal = shadingNormals<W>(scene.still().shapeRows(), packet, lanes, s.normal);
   return s;
 }
 
