@@ -28,8 +28,9 @@ struct BounceSample {
 struct SurfacePoint {
   float share = 0;  // of the pixel's albedo that belongs to what the point stands for; 0: there is no point
   SurfaceKind kind = SurfaceKind::kNone;
-  bool baked = false;       // whether its light is known ahead, as the method finds
-  std::uint32_t paths = 0;  // that it gets, as the method plans
+  bool light_moves = false;  // whether direct light may have changed since the frame before
+  bool baked = false;        // whether its light is known ahead, as the method finds
+  std::uint32_t paths = 0;   // that it gets, as the method plans
 
   // Whether it reflects light that depends on the view, so that it cannot be shared.
   bool isUncacheable() const { return share > 0 && kind == SurfaceKind::kNone; }
@@ -37,7 +38,7 @@ struct SurfacePoint {
 
 // Where a point lies, unless it is of kNone.
 struct SurfacePlace {
-  Vec3 position;         // where the surface seems to be, world space
+  Vec3 position;         // where the surface seems to be, world space; of a body as PosedBodies::cachePlace()
   Vec3 normal;           // unit shading normal, towards the camera
   float footprint = 0;   // width of a pixel there, seen at a right angle, scene units
   float unoccluded = 0;  // light in closed form, see SurfaceLight
@@ -61,6 +62,7 @@ struct SurfaceShadow {
   float now = 1, before = 1;  // visibility
   float trust = 0;            // in it, against what else is known of visibility, [0, 1]
   float variance = 0;         // of it, in one frame
+  int rays = 0;               // in this frame
   float step_variance = 0;    // of its change
 };
 

@@ -126,7 +126,10 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
       on.shadows()[on.indexOf(column, y)].wanted =
           std::max(shadow_detail_.at(column, y), shadow_detail_prev_.at(column, y));
   });
-  const BounceGrid* known = &light_.current().bounces;
+  const bool has_bodies = next.frame.g.body.width() > 0;
+  if (has_bodies) wantMovingShadows(on, pool, times);
+  // Light at second vertices may have moved.
+  const BounceGrid* known = has_bodies ? nullptr : &light_.current().bounces;
   if (!on.needPaths()) return known;
   const auto asked = static_cast<float>(spp);
   const PathPlan paths{.asked = asked,
@@ -134,6 +137,18 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
                        .target = params_.target * std::sqrt(2 / asked)};
   times[Stage::kTemporal] += planPaths(paths, uncertainty_, frames_, pool, on);
   return known;
+}
+
+void IrradianceCache::wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times) {
+  constexpr float kAll = 1;  // variance of visibility, far above that of rays
+  light_moved_.resize(on.shadows().size());
+  times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
+    for (int column = 0; column < on.columns(); ++column) {
+      const std::size_t i = on.indexOf(column, y);
+      if (on[i].light_moves || light_moved_[i]) on.shadows()[i].wanted = kAll;
+      light_moved_[i] = on[i].light_moves;
+    }
+  });
 }
 
 bool IrradianceCache::needsPairs(const FramePair& frames) const {
@@ -197,13 +212,15 @@ void IrradianceCache::fillUncached(const FramePair& frames, const PoolHandle& po
 }
 
 void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
-  if (frames.cur.surfaces->needPaths()) light_.current().bounces.add(*frames.cur.surfaces);
+  const bool has_bodies = frames.cur.g.body.width() > 0;
+  if (!has_bodies && frames.cur.surfaces->needPaths()) light_.current().bounces.add(*frames.cur.surfaces);
   if (at_.empty() && at_prev_.empty()) return;
   const auto* shadows = frames.is_first ? nullptr : &frames.cur.surfaces->shadows();
   const FrameOnGrid cur{*frames.cur.surfaces, frames.cur.g, at_, shadows};
   const FrameOnGrid prev{*frames.prev.surfaces, frames.prev.g, at_prev_, shadows, &SurfaceShadow::before};
   GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
   SurfaceGrid &grid = light_.current().grid, &grid_prev = light_.previous().grid;
+  if (has_bodies) times[Stage::kTemporal] += grid.fade(cur, pool);
   const SurfaceGrid::Added added = grid.add(cur, pool);
   const SurfaceGrid::Compared compared = grid.readAdded(added, pool, now);
   times[Stage::kTemporal] += added.time, times[Stage::kVariance] += compared.time;

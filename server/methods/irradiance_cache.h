@@ -50,6 +50,8 @@ class IrradianceCache final : public SurfaceMethod {
   // The grid's estimate for the current or the previous frame. readBaked() has set it where light is baked.
   GridEstimate& estimateOf(const Frame& frame) { return estimates_[frame.index % 2]; }
   // Reads the grid at all other points of both frames, from one state of what is known.
+  // Asks for rays wherever the direct light of a point may have changed.
+  void wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times);
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Reads, and filters both frames' points into filtered_.
   void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
@@ -65,6 +67,7 @@ class IrradianceCache final : public SurfaceMethod {
   // With the columns of SurfaceSamples.
   ImageF uncertainty_, uncertainty_prev_;
   ImageF shadow_detail_, shadow_detail_prev_;
+  std::vector<char> light_moved_;  // by point of the last frame, where the scene has bodies
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;               // D[i_{t-1}]
   std::uint32_t frames_ = 0;    // planned so far

@@ -71,16 +71,17 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
                                       const OnTile& on_tile) {
   const RenderScene& scene = view.now.scene.still();
   if (view.now.scene.bodies()) showBodies(out.g);
-  out.light = view.now.scene.state();
+  out.light = view.now.scene.strengths().state();
   const Shading has = scene.shading();
   const bool plain_only =
       has.diffuseOnly() && !has.extras && view.now.camera.isPlain() && out.surfaces->perPixel() == 1;
   if (starts().anyOfOthers() || scene.analyticLight().groups() > 0) current_ = 1 - current_;
   shadows_.next(scene, out.surfaces->indexOf(0, out.height()));
   starts().resize(out.surfaces->indexOf(0, out.height()), plain_only);
+  const ChangingLight changing(view.now.scene, view.before.scene);
   const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
-                                     [&](Tile t) { tile(view, t, on_tile, starts(), out); });
+                                     [&](Tile t) { tile(view, changing, t, on_tile, starts(), out); });
   out.surfaces->summarize(starts().any(), starts().anyOfOthers());
   return {out, scene, time};
 }

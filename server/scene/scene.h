@@ -52,7 +52,9 @@ inline bool emits(const auto& shape) {
 // turned about it. In the scene file's own place it has the pose {centre, no rotation}.
 struct Body {
   std::string name;  // of its shapes
-  Vec3 centre;       // of the box around them in the scene file
+  Vec3 low, high;    // corners of the box around them in the scene file
+
+  Vec3 centre() const { return (low + high) * 0.5f; }
 };
 
 struct Scene {

@@ -12,6 +12,7 @@ namespace {
 constexpr int kAhead = 4;  // pixels whose values are on their way from memory
 // Sums of floats take no more than so many samples, which leave a thousandth of one sample's noise.
 constexpr float kEnough = 1 << 20;
+constexpr float kKept = 0.9f;  // of what is known where light changes, in each frame
 
 // One piece for each level: vertices and sums are the same for any number of threads.
 template <class F>
@@ -163,6 +164,11 @@ SurfaceGrid::Added SurfaceGrid::add(const FrameOnGrid& frame, const PoolHandle& 
       const auto n = static_cast<float>(on[index].paths);
       const float U = on.place(index).unoccluded, inv = U > 0 ? n / U : 0;
       samples_[i] = Quad{n, n * light.residual, light.visible * inv, light.unoccluded * inv};
+      if (frame.shadows && on[index].light_moves) {
+        const SurfaceShadow& shadow = (*frame.shadows)[index];
+        const auto rays = static_cast<float>(shadow.rays);
+        samples_[i] += Quad{0, 0, rays * shadow.now, rays};
+      }
     }
   });
   time += forEachLevel(at, pool, [&](int l) {
@@ -173,6 +179,23 @@ SurfaceGrid::Added SurfaceGrid::add(const FrameOnGrid& frame, const PoolHandle& 
     });
   });
   return {frame, time};
+}
+
+SurfaceGrid::Time SurfaceGrid::fade(const FrameOnGrid& frame, const PoolHandle& pool) {
+  const Placement& at = frame.at;
+  return forEachLevel(at, pool, [&](int l) {
+    GridLevel& level = levels_[l];
+    level.faded.resize(level.table.size());
+    forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
+      if (!frame.on[at.points[i].index].light_moves) return;
+      for (std::uint32_t t = p.first; t < p.first + p.count; ++t)
+        for (const std::uint32_t v : at.taps[slot][t].vertex) {
+          if (level.faded[v] == now_) continue;
+          level.faded[v] = now_;
+          level.light[v] *= kKept, level.evidence[v] *= kKept;
+        }
+    });
+  });
 }
 
 SurfaceGrid::Time SurfaceGrid::learn(const Compared& compared, const PoolHandle& pool) {

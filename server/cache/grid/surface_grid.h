@@ -81,6 +81,8 @@ class SurfaceGrid {
     const Placement& at;
     Time time;
   };
+  // Forgets a part of what is known at the points of a frame whose light moves. Call it before add().
+  Time fade(const FrameOnGrid& frame, const PoolHandle& pool);
   // Adds a frame's samples.
   Added add(const FrameOnGrid& frame, const PoolHandle& pool);
   // Reads at the points of a frame, and sets the pixels that show any.

@@ -138,6 +138,7 @@ void LampShadows::finish(std::size_t point, int rays, SurfaceShadow& shadow) con
     if (sums.light > 0) sums.variance /= sums.light * sums.light;
     return sums;
   };
+  for (int g = 0; g < groups_; ++g) shadow.rays += now_[indexOf(point, g)].count;
   const Sums now = sumsOf(now_), before = sumsOf(before_);
   shadow.now = now.visibility(), shadow.before = before.visibility();
   shadow.variance = std::max(now.variance, before.variance);

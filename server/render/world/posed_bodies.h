@@ -21,6 +21,13 @@ class PosedBodies {
 
   // How they lie, in their order.
   std::span<const RigidMotion> motions() const { return motions_; }
+  // The place of a surface of a body in caches of light: as the scene file has it, but apart from all others.
+  Vec3 cachePlace(std::uint32_t body, Vec3 point) const {
+    Vec3 place = motions_[body].restPoint(point);
+    place.x += apart_ * static_cast<float>(body + 1);
+    return place;
+  }
+
   // A number for all poses, joined with `other`.
   std::uint64_t state(std::uint64_t other) const;
 
@@ -36,6 +43,7 @@ class PosedBodies {
   std::vector<RigidMotion> motions_;
   EmbreeInstances all_, emitters_, straight_;
   std::unique_ptr<PosedLamps> lamps_;
+  float apart_;  // twice the size of the scene
 };
 
 }  // namespace saccade

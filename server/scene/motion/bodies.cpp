@@ -34,7 +34,7 @@ void setBodies(Scene& scene, std::span<const std::string> names) {
     };
     take(scene.meshes), take(scene.spheres);
     if (!found) throw SceneError("the scene has no object '" + name + "'; it has: " + namesIn(scene));
-    scene.bodies.push_back({name, box.centre()});
+    scene.bodies.push_back({name, box.low, box.high});
   }
 }
 

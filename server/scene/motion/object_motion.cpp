@@ -72,7 +72,7 @@ std::optional<ObjectMotion> parseObjectMotion(const std::string& text) {
 Trajectory makeObjectMotion(const ObjectMotion& motion, const Scene& scene, const Body& body) {
   const Quaternion view = scene.T_world_camera.rotation;
   const NearestAxis up(rotate(view, {0, -1, 0})), right(rotate(view, {1, 0, 0}), up.number);
-  const Pose start{toDouble(body.centre) + scene.origin, {}};
+  const Pose start{toDouble(body.centre()) + scene.origin, {}};
   if (motion.kind == "swing") return pendulum(start, right, motion.speed);
   if (motion.kind == "slide")
     return thereAndBack({{right.vector(), {}}, {}, 0}, start, motion.speed, seconds(kSlideTime));

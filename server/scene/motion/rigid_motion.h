@@ -22,7 +22,7 @@ struct RigidMotion {
 // `pose`: in the scene's axes. It is exactly none at {centre, no rotation}.
 inline RigidMotion motionOf(const Body& body, const Pose& pose) {
   const auto column = [&](Vec3d axis) { return toFloat(rotate(pose.rotation, axis)); };
-  const Vec3d centre = toDouble(body.centre);
+  const Vec3d centre = toDouble(body.centre());
   return {column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1}),
           toFloat(pose.position - rotate(pose.rotation, centre))};
 }
