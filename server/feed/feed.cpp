@@ -79,6 +79,7 @@ void Feed::render(const PoolHandle& pool) {
   times_[Stage::kTrace] += next.time + renderer_.renderPaths(view.now, seeds, next, known, pool);
   const Frame& before = frames_.pair().prev;
   if (frame.index == 0) return;
+  if (posed.bodies()) times_[Stage::kTrace] += renderer_.renderReplays(view, seeds, pool, frame);
   times_[Stage::kTrace] += renderer_.traceShadows(view, config_.spp, frame, before, pool);
   if (method->needsPairs({frame, before}))
     times_[Stage::kTrace] += renderer_.renderPairs(view, seeds, before, known, pool, frame);

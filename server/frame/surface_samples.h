@@ -93,6 +93,10 @@ class SurfaceSamples {
   const SurfacePlace& place(std::size_t index) const { return places_[index]; }
   SurfaceLight& light(std::size_t index) { return lights_[index]; }
   const SurfaceLight& light(std::size_t index) const { return lights_[index]; }
+  // The light that the same numbers find at the same points in the world of the frame before. Empty unless a
+  // body has moved since.
+  std::vector<SurfaceLight>& replays() { return replays_; }
+  const std::vector<SurfaceLight>& replays() const { return replays_; }
   std::vector<SurfaceShadow>& shadows() { return shadows_; }
   const std::vector<SurfaceShadow>& shadows() const { return shadows_; }
   // Of the point with an index.
@@ -127,6 +131,7 @@ class SurfaceSamples {
   std::vector<SurfacePlace> places_;
   std::vector<SurfaceLight> lights_;
   std::vector<SurfaceShadow> shadows_;
+  std::vector<SurfaceLight> replays_;
 };
 
 }  // namespace saccade

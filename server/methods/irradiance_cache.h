@@ -9,6 +9,7 @@
 #include "cache/grid/light_states.h"
 #include "filter/atrous.h"
 #include "filter/filter_planes.h"
+#include "methods/light_change.h"
 #include "methods/method.h"
 #include "methods/paired_change.h"
 #include "methods/svgf.h"
@@ -55,6 +56,7 @@ class IrradianceCache final : public SurfaceMethod {
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Reads, and filters both frames' points into filtered_.
   void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+  void addLightChange(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Replaces the change of pixels whose light cannot be cached.
   void fillUncached(const FramePair& frames, const PoolHandle& pool, IntensityChange& out, StageTimes& times);
 
@@ -67,7 +69,8 @@ class IrradianceCache final : public SurfaceMethod {
   // With the columns of SurfaceSamples.
   ImageF uncertainty_, uncertainty_prev_;
   ImageF shadow_detail_, shadow_detail_prev_;
-  std::vector<char> light_moved_;  // by point of the last frame, where the scene has bodies
+  std::unique_ptr<LightChange> change_;  // from the first frame on in which a body moves
+  std::vector<char> light_moved_;        // by point of the last frame, where the scene has bodies
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;               // D[i_{t-1}]
   std::uint32_t frames_ = 0;    // planned so far

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/tiles/pairs.h"
+#include "render/tiles/replays.h"
 #include "render/tiles/surface_pixel.h"
 #include "render/tiles/surface_points.h"
 
@@ -102,6 +103,23 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
                           [&](Tile t) { tile(seeds, tracing, t, starts(), out); });
+}
+
+std::chrono::nanoseconds Renderer::renderReplays(const PixelContext& view, const SeedPlan& seeds,
+                                                 const PoolHandle& pool, Frame& out) {
+  std::vector<SurfaceLight>& replays = out.surfaces->replays();
+  if (view.now.scene.posesEqual(view.before.scene)) return replays.clear(), std::chrono::nanoseconds{0};
+  replays.resize(out.surfaces->indexOf(0, out.height()));
+  const Camera& camera = view.now.camera;
+  const Tracing tracing{view.before.scene,
+                        settings_.bounces,
+                        {nullptr, camera.origin, camera.pixel},
+                        view.before.scene.still().deltaLamps().areFew()};
+  const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
+    return settings_.channels == 1 ? renderReplayTile<S, 1> : renderReplayTile<S, 3>;
+  });
+  return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp2, settings_.bounces),
+                          [&](Tile t) { tile(view, seeds, tracing, t, starts(), out); });
 }
 
 std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const SeedPlan& seeds,

@@ -12,7 +12,6 @@ namespace {
 constexpr int kAhead = 4;  // pixels whose values are on their way from memory
 // Sums of floats take no more than so many samples, which leave a thousandth of one sample's noise.
 constexpr float kEnough = 1 << 20;
-constexpr float kKept = 0.9f;  // of what is known where light changes, in each frame
 
 // One piece for each level: vertices and sums are the same for any number of threads.
 template <class F>
@@ -83,7 +82,7 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
     const GridPoint& p = at.points[lanes.points[i]];
     x[i] = on.columnOf(p.index) / on.perPixel(), y[i] = on.rowOf(p.index);
     const float mx = g.motion_x.at(x[i], y[i]), my = g.motion_y.at(x[i], y[i]);
-    of_points.values[0][i] = on.place(p.index).unoccluded;
+    of_points.values[0][i] = frame.residuals ? 0 : on.place(p.index).unoccluded;
     of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / cell_px;
   }
   const auto [U, cells] = of_points.lanes();
@@ -159,9 +158,13 @@ SurfaceGrid::Added SurfaceGrid::add(const FrameOnGrid& frame, const PoolHandle& 
     for (std::size_t i = first; i < end; ++i) {
       const std::uint32_t index = at.points[i].index;
       samples_[i] = Quad{};
-      if (on[index].paths == 0) continue;
-      const SurfaceLight& light = on.light(index);
       const auto n = static_cast<float>(on[index].paths);
+      if (on[index].paths == 0) continue;
+      if (frame.residuals) {
+        samples_[i] = Quad{n, n * (*frame.residuals)[index].residual, 0, 0};
+        continue;
+      }
+      const SurfaceLight& light = on.light(index);
       const float U = on.place(index).unoccluded, inv = U > 0 ? n / U : 0;
       samples_[i] = Quad{n, n * light.residual, light.visible * inv, light.unoccluded * inv};
       if (frame.shadows && on[index].light_moves) {
@@ -181,18 +184,19 @@ SurfaceGrid::Added SurfaceGrid::add(const FrameOnGrid& frame, const PoolHandle& 
   return {frame, time};
 }
 
-SurfaceGrid::Time SurfaceGrid::fade(const FrameOnGrid& frame, const PoolHandle& pool) {
+SurfaceGrid::Time SurfaceGrid::fade(const FrameOnGrid& frame, Kept kept, const PoolHandle& pool) {
   const Placement& at = frame.at;
   return forEachLevel(at, pool, [&](int l) {
     GridLevel& level = levels_[l];
-    level.faded.resize(level.table.size());
+    level.faded.resize(level.light.size());
     forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
-      if (!frame.on[at.points[i].index].light_moves) return;
+      const float share = kept(frame.on[at.points[i].index]);
+      if (share == 1) return;
       for (std::uint32_t t = p.first; t < p.first + p.count; ++t)
         for (const std::uint32_t v : at.taps[slot][t].vertex) {
           if (level.faded[v] == now_) continue;
           level.faded[v] = now_;
-          level.light[v] *= kKept, level.evidence[v] *= kKept;
+          level.light[v] *= share, level.evidence[v] *= share;
         }
     });
   });

@@ -12,6 +12,7 @@ namespace saccade {
 namespace {
 
 constexpr int kFew = 4, kManyPerPath = 6, kMost = 256;  // rays to a group of lamps
+constexpr int kManyWhereLightMoves = 16;                // per path, instead of kManyPerPath
 constexpr int kTileEdge = 32;
 
 // The numbers of a point's rays: the R3 sequence (Roberts 2018). Its start is spread evenly over neighbours,
