@@ -61,6 +61,20 @@ TEST_F(LampPointsOf, LieOnTheirLamp) {
   }
 }
 
+// A steep surface sees a sliver of the large lamp alone. All of its points are there.
+TEST_F(LampPointsOf, LieAboveTheHorizon) {
+  const Vec3 normal = normalize(Vec3{1, 0, -0.07f});
+  const LitPoint wall{{-0.2f, 0.1f, 0}, normal, normal};
+  const LampPoints sliver(light, wall, {1, 1, 1}, strengths);
+  double sum = 0;
+  for (int i = 0; i < kPoints; ++i) {
+    const LampPoints::Point p = sliver.at(0, u(i, 0), u(i, 1), u(i, 2));
+    ASSERT_GT(dot(p.position - wall.point, normal), -1e-6f);
+    sum += p.weight;
+  }
+  EXPECT_NEAR(sum / kPoints, 1, 0.03);
+}
+
 TEST_F(LampPointsOf, ALampBehindTheSurfaceGivesNothing) {
   const LampPoints below(light, {{0, 0, 3}, {0, 0, 1}, {0, 0, 1}}, {1, 1, 1}, strengths);
   EXPECT_EQ(below.unoccluded(0), 0);

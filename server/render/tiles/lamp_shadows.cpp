@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kFew = 4, kManyPerPath = 6, kMost = 256;  // rays to a group of lamps
 constexpr int kTileEdge = 32;
+constexpr float kSpread = 0.25f;  // variance of a change by rays that are spread evenly, of that by any rays
 
 // The numbers of a point's rays: the R3 sequence (Roberts 2018). Its start is spread evenly over neighbours,
 // and is the same in all frames.
@@ -124,8 +125,8 @@ bool LampShadows::isPenumbra(const Traced& frame, int column, int y, int group) 
 
 void LampShadows::finish(std::size_t point, int rays, SurfaceShadow& shadow) const {
   struct Sums {
-    float light = 0, visible = 0, variance = 0;
-    float visibility() const { return light > 0 ? visible / light : 1; }
+    float light = 0, visible = 0, variance = 0;  // of `visible`
+    float relativeVariance(float v) const { return light > 0 ? v / (light * light) : 0; }
   };
   const auto sumsOf = [&](const std::vector<Rays>& of) {
     Sums sums;
@@ -135,17 +136,21 @@ void LampShadows::finish(std::size_t point, int rays, SurfaceShadow& shadow) con
       sums.light += U, sums.visible += U * V;
       if (rays.areMixed()) sums.variance += U * U * V * (1 - V) / static_cast<float>(rays.count);
     }
-    if (sums.light > 0) sums.variance /= sums.light * sums.light;
     return sums;
   };
   const Sums now = sumsOf(now_), before = sumsOf(before_);
-  shadow.now = now.visibility(), shadow.before = before.visibility();
-  shadow.variance = std::max(now.variance, before.variance);
-  shadow.trust = shadow.wanted / (shadow.wanted + shadow.variance);
-  // A ray's end changes with the probability of the change. Rays that are spread evenly have half the
-  // variance.
-  const float each = 1 / static_cast<float>(rays), change = std::abs(shadow.now - shadow.before);
-  shadow.step_variance = shadow.variance > 0 ? 0.5f * std::max(change, each) * each : 0;
+  // One variance of the light for both, so that a change is not one of trust.
+  const float variance = std::max(now.variance, before.variance);
+  const auto known = [&](const Sums& sums) -> RayVisibility {
+    const float of_mean = sums.relativeVariance(variance);
+    return {sums.light > 0 ? sums.visible / sums.light : 1, shadow.wanted / (shadow.wanted + of_mean),
+            of_mean};
+  };
+  shadow.now = known(now), shadow.before = known(before);
+  // A ray's end changes with the probability of the change. A change has no more variance than both frames.
+  const float each = 1 / static_cast<float>(rays), change = std::abs(shadow.now.mean - shadow.before.mean);
+  const float most = now.relativeVariance(now.variance) + before.relativeVariance(before.variance);
+  shadow.step_variance = kSpread * std::min(std::max(change, each) * each, most);
 }
 
 std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameStarts& before, int spp,
