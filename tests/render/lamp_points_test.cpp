@@ -54,7 +54,7 @@ TEST_F(LampPointsOf, WeighOneInTheMean) {
 TEST_F(LampPointsOf, LieOnTheirLamp) {
   for (int i = 0; i < 100; ++i) {
     const Vec3 large = lamps.at(0, u(i, 0), u(i, 1), u(i, 2)).position;
-    EXPECT_EQ(large.z, 2);
+    EXPECT_NEAR(large.z, 2, 1e-6);
     EXPECT_LE(std::abs(large.x + 0.5f), 0.5f + 1e-5f);
     EXPECT_LE(std::abs(large.y), 1 + 1e-5f);
     EXPECT_NEAR(lamps.at(1, u(i, 0), u(i, 1), u(i, 2)).position.z, 1, 1e-6);
