@@ -56,14 +56,21 @@ struct SurfaceLight {
   BounceSample bounce;   // of the last of the paths that did not end at known light
 };
 
-// The visibility of the lamps in closed form, by shadow rays from a point and from that of the frame before.
+// The visibility of the lamps in closed form, by shadow rays from a point.
+struct RayVisibility {
+  float mean = 1;      // of what arrives, over the unoccluded
+  float trust = 0;     // in it, against what else is known of visibility, [0, 1]
+  float variance = 0;  // of it
+};
+
+// That of a point, and of the point of the frame before.
 struct SurfaceShadow {
-  float wanted = 0;           // variance of visibility that the method cannot tell; 0: there are no rays
-  float now = 1, before = 1;  // visibility
-  float trust = 0;            // in it, against what else is known of visibility, [0, 1]
-  float variance = 0;         // of it, in one frame
-  int rays = 0;               // in this frame
-  float step_variance = 0;    // of its change
+  static constexpr float kMoves = 1;  // `wanted` where a body may have moved into the light, or out of it
+
+  float wanted = 0;  // variance of visibility that the method cannot tell; 0: there are no rays
+  RayVisibility now, before;
+  int rays = 0;             // of the point, to all groups of lamps
+  float step_variance = 0;  // of its change
 };
 
 // The points of all pixels. A pixel shows `per_pixel` at most: one, unless there is jitter. Those of pixel x

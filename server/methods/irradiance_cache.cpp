@@ -155,12 +155,11 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
 }
 
 void IrradianceCache::wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times) {
-  constexpr float kAll = 1;  // variance of visibility, far above that of rays
   light_moved_.resize(on.shadows().size());
   times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
     for (int column = 0; column < on.columns(); ++column) {
       const std::size_t i = on.indexOf(column, y);
-      if (on[i].light_moves || light_moved_[i]) on.shadows()[i].wanted = kAll;
+      if (on[i].light_moves || light_moved_[i]) on.shadows()[i].wanted = SurfaceShadow::kMoves;
       light_moved_[i] = on[i].light_moves;
     }
   });

@@ -49,7 +49,8 @@ class RayLanes {
       const SurfaceShadow& s = (*frame.shadows)[frame.at.points[lanes.points[i]].index];
       if (s.wanted <= 0) continue;
       any_ = true;
-      memory_.set(i, std::array{s.*frame.visibility, s.trust, s.variance, s.step_variance});
+      const RayVisibility& V = s.*frame.visibility;
+      memory_.set(i, std::array{V.mean, V.trust, V.variance, s.step_variance});
     }
   }
   bool any() const { return any_; }
@@ -103,11 +104,12 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
 float shadowVariance(const Octet& evidence, float noise, float unoccluded, float light) {
   constexpr float kUnknown = 0.02f;
   constexpr float kLeastContrast = 0.05f;
+  constexpr float kLeastDoubt = 0.0025f;  // of V, that no evidence takes away: it counts where V is small
   constexpr float kTau = 0.5f;  // standard deviations that detail must exceed its noise by: rays do no harm
   const float weight = evidence[7];
   if (!(weight > 0 && light > 0)) return kUnknown;
   const float detail = std::max(0.f, evidence[4] - kTau * std::sqrt(evidence[5])) / weight;
-  const float variance = detail + noise;
+  const float variance = detail + noise + kLeastDoubt * kLeastDoubt;
   return unoccluded * std::sqrt(variance) > kLeastContrast * light ? variance : 0;
 }
 
@@ -170,7 +172,7 @@ SurfaceGrid::Added SurfaceGrid::add(const FrameOnGrid& frame, const PoolHandle& 
       if (frame.shadows && on[index].light_moves) {
         const SurfaceShadow& shadow = (*frame.shadows)[index];
         const auto rays = static_cast<float>(shadow.rays);
-        samples_[i] += Quad{0, 0, rays * shadow.now, rays};
+        samples_[i] += Quad{0, 0, rays * shadow.now.mean, rays};
       }
     }
   });
@@ -243,7 +245,9 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolH
       const float U = on.place(p.index).unoccluded;
       const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
       const float noise = varianceOf<float>(e[6], e[7], l[3], params_.blend);
-      const float of_rays = shadow_detail && U > 0 ? shadowVariance(e, noise, U, light) : 0;
+      // Not U V: where few samples have met a strong lamp that is hidden, V is far too large.
+      const float found = (l[1] + U * l[2]) / l[0];
+      const float of_rays = shadow_detail && U > 0 ? shadowVariance(e, noise, U, found) : 0;
       float variance = varianceOf<float>(e[2], e[3], l[0], params_.blend);
       if (of_rays == 0) variance += U * U * noise;
       out.at(on.columnOf(p.index), on.rowOf(p.index)) =

@@ -49,7 +49,7 @@ struct FrameOnGrid {
   const Placement& at;
   // Visibility by rays at its points, of SurfaceSamples::shadows; nullptr: there is none.
   const std::vector<SurfaceShadow>* shadows = nullptr;
-  float SurfaceShadow::*visibility = &SurfaceShadow::now;
+  RayVisibility SurfaceShadow::*visibility = &SurfaceShadow::now;
   // Light to add instead of SurfaceSamples::light, of which only `residual` counts; nullptr: none.
   const std::vector<SurfaceLight>* residuals = nullptr;
 };

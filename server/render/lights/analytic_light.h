@@ -5,6 +5,7 @@
 
 #include "base/lane_vectors.h"
 #include "render/lights/incident_light.h"
+#include "render/lights/polygon.h"
 #include "scene/emitter_strengths.h"
 
 namespace saccade {
@@ -44,8 +45,10 @@ class AnalyticLight {
   const std::vector<Side>& sides() const { return sides_; }  // those of a group are neighbours
   // A lamp is a group of its own, up to kMaxGroups - 1; all others are one group.
   int groups() const { return sides_.empty() ? 0 : sides_.back().group + 1; }
-  // The share of the cosine-weighted hemisphere above a point that a side covers.
-  static float formFactor(const Side& side, const LitPoint& p);
+  // The part of a side that lights a point, from the point.
+  static Polygon seen(const Side& side, const LitPoint& p);
+  // The share of the cosine-weighted hemisphere above the point that it covers.
+  static float formFactor(const Polygon& seen, const LitPoint& p);
 
   // Radiance that a white diffuse surface would reflect: irradiance / pi.
   Rgb at(const LitPoint& p, const EmitterStrengths& strengths) const;

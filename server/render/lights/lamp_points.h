@@ -1,5 +1,5 @@
 // Points on the lamps whose light has a closed form, chosen by what each side of a lamp gives to one point of
-// a surface.
+// a surface. They lie where the surface sees the side above its horizon.
 #pragma once
 
 #include <array>
@@ -26,10 +26,14 @@ class LampPoints {
 
  private:
   struct Seen {
-    const AnalyticLight::Side* side;
-    float form_factor;
-    float sum;  // of the light of its group, up to this side
+    Polygon part;                                     // of the side, from the surface
+    std::array<float, Polygon::kMaxCorners> areas{};  // of a fan of triangles, up to each corner
+    Vec3 normal;                                      // of the side
+    float weight = 0;                                 // of its points: area / (pi * form factor)
+    float sum = 0;                                    // of the light of its group, up to this side
   };
+  static Seen seenAs(const Polygon& part, Vec3 normal, float form_factor);
+
   LitPoint from_;
   std::array<Seen, AnalyticLight::kMaxSides> seen_;        // group by group
   std::array<int, AnalyticLight::kMaxGroups + 1> ends_{};  // of the groups before each
