@@ -162,7 +162,9 @@ TEST(ChangingLight, IsWhereASegmentToALampMeetsABody) {
       const Vec3 lamp{0.6f * v(0) - 0.3f, -0.95f, 0.6f * v(1) - 0.3f};
       meets = inside(p + (lamp - p) * v(2));
     }
-    if (meets) EXPECT_TRUE(changing.at(p)) << i;
+    if (meets) {
+      EXPECT_TRUE(changing.at(p)) << i;
+    }
     ++(meets ? met : free);
     if (!meets && !changing.at(p)) --free;
   }

@@ -48,6 +48,11 @@ class FrameRays {
   int groups() const { return groups_; }
   const LampRays& at(std::size_t point, int group) const { return rays_[indexOf(point, group)]; }
 
+  // Forgets the rays of a point that has more than `most` to a group.
+  void limit(std::size_t point, int most) {
+    for (int g = 0; g < groups_; ++g)
+      if (LampRays& rays = rays_[indexOf(point, g)]; rays.count > most) rays = {};
+  }
   // Goes on until each request has `count` rays to each of its groups. Requests of different points may be
   // traced at the same time.
   void trace(const FrameStarts& frame, std::span<const RayRequest> requests, int count);

@@ -10,6 +10,10 @@ constexpr int kFew = 2, kManyPerPath = 6, kMost = 256;  // rays to a group of la
 constexpr int kMovingPerPath = 16;                      // instead, where a body may have moved
 constexpr float kSpread = 0.25f;  // variance of a change by rays that are spread evenly, of that by any rays
 
+bool moves(const SurfaceShadow& shadow) {
+  return shadow.wanted == SurfaceShadow::kMoves;
+}
+
 // The light of all groups at a point.
 struct LampSums {
   LampSums(const FrameRays& of, std::size_t point) {
@@ -64,7 +68,11 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
     const auto all_groups = (1u << now_.groups()) - 1;
     const auto end = on.indexOf(0, std::min((i + 1) * kBandRows, on.height()));
     for (std::size_t point = on.indexOf(0, i * kBandRows); point < end; ++point)
-      if (shadows[point].wanted > 0) band.few.push_back({static_cast<std::uint32_t>(point), all_groups});
+      if (shadows[point].wanted > 0) {
+        // Both frames have equally many rays, so that a change is not one of their number.
+        if (!moves(shadows[point])) before_.limit(point, many);
+        band.few.push_back({static_cast<std::uint32_t>(point), all_groups});
+      }
     traceBoth(band.few, kFew);
   });
   time += forEachBand([&](int, Requests& band) {
@@ -74,16 +82,13 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
       for (int g = 0; g < now_.groups(); ++g)
         if (now_.areMixedAround(on, few.point, g) || before_.areMixedAround(before.on, few.point, g))
           more.groups |= 1u << g;
-      const bool moves = shadows[few.point].wanted == SurfaceShadow::kMoves;
-      if (more.groups != 0) (moves ? band.moving : band.many).push_back(more);
+      if (more.groups != 0) (moves(shadows[few.point]) ? band.moving : band.many).push_back(more);
     }
   });
   return time + forEachBand([&](int, Requests& band) {
            traceBoth(band.many, many), traceBoth(band.moving, moving);
-           for (const RayRequest& few : band.few) {
-             const bool moves = shadows[few.point].wanted == SurfaceShadow::kMoves;
-             finish(few.point, moves ? moving : many, shadows[few.point]);
-           }
+           for (const RayRequest& few : band.few)
+             finish(few.point, moves(shadows[few.point]) ? moving : many, shadows[few.point]);
          });
 }
 

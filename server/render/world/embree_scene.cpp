@@ -48,7 +48,8 @@ EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes, int body, std::share
   rtcCommitScene(scene_);
   RTCBounds b;
   rtcGetSceneBounds(scene_, &b);
-  diagonal_ = length(Vec3{b.upper_x - b.lower_x, b.upper_y - b.lower_y, b.upper_z - b.lower_z});
+  const bool empty = !(b.lower_x <= b.upper_x);
+  diagonal_ = empty ? 0 : length(Vec3{b.upper_x - b.lower_x, b.upper_y - b.lower_y, b.upper_z - b.lower_z});
 }
 
 }  // namespace saccade
