@@ -69,5 +69,25 @@ TEST(ExactLight, OfASunIsThatOfEachPixel) {
   EXPECT_GT(dark, kSize / 2);
 }
 
+// A mask covers half of a pixel, and lets a part of the floor be seen. Its shadow falls outside the view.
+TEST(ExactLight, OfMasksIsTheirMeanOverThePixel) {
+  constexpr float kMaskAlbedo = 0.8f;
+  TilePool pool(2);
+  for (const float opacity : {0.f, 0.3f, 1.f}) {
+    Scene scene = test::floorFromAbove(kAlbedo);
+    scene.directional_lights = {{normalize(Vec3{1, 0, -1}), {kIrradiance, kIrradiance, kIrradiance}}};
+    scene.materials.push_back(test::grey(kMaskAlbedo));
+    scene.materials[1].opacity.color0 = {opacity, opacity, opacity};
+    scene.meshes.push_back(test::quad({0, -5, 1}, {5, 0, 0}, {0, 10, 0}, 1));
+    FeedConfig one = config();
+    one.camera = pinhole(scene.fov_x_deg, 1, 1), one.jitter = true;
+    const Trajectory standing({{TimeNs(0), scene.T_world_camera}});
+    Feed feed(std::make_shared<RenderScene>(scene), standing, one, pool);
+    const float albedo = 0.5f * (opacity * kMaskAlbedo + (1 - opacity) * kAlbedo) + 0.5f * kAlbedo;
+    const double light = kIrradiance * std::sqrt(0.5) / std::numbers::pi;
+    EXPECT_NEAR(feed.step(pool).I_now.at(0, 0), albedo * light, 1e-4) << opacity;
+  }
+}
+
 }  // namespace
 }  // namespace saccade

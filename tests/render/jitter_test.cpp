@@ -67,6 +67,35 @@ TEST(Jitter, PassOneReplaysThePlaceOfThePreviousFrame) {
   }
 }
 
+// A mask of opacity 0.3 over a floor. The sun stands so low that the floor in view lies in no shadow.
+Scene thinMask() {
+  Scene s = test::floorFromAbove(0.5f);
+  s.materials.push_back(test::grey(0.8f));
+  s.materials[1].opacity.color0 = {0.3f, 0.3f, 0.3f};
+  s.meshes.push_back(test::quad({-0.5f, -5, 1}, {1, 0, 0}, {0, 10, 0}, 1));
+  s.directional_lights = {{normalize(Vec3{1, 0, -1}), {4, 4, 4}}};
+  return s;
+}
+
+TEST(Jitter, MasksAreMeansOfWhatTheyShow) {
+  const Frame frame = test::renderFrame(thinMask(), SeedPlan::correlated(3, 5, 2), kJittered, kSize);
+  const float albedo = 0.3f * 0.8f + 0.7f * 0.5f, light = 4 * std::sqrt(0.5f) / std::numbers::pi_v<float>;
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      ASSERT_NEAR(frame.g.albedo.at(x, y), albedo, 1e-5f);
+      ASSERT_NEAR(frame.samples.I1.at(x, y), albedo * light, 1e-4f);
+      ASSERT_NEAR(frame.samples.I2.at(x, y), albedo * light, 1e-4f);
+    }
+  }
+}
+
+TEST(Jitter, MasksDoNotThinWhatTheyEmit) {
+  Scene scene = thinMask();
+  scene.meshes[1].radiance = {2, 2, 2};
+  const Frame frame = test::renderFrame(scene, SeedPlan::independent(1, 0, 2), kJittered, 1);
+  EXPECT_NEAR(frame.g.emission.at(0, 0), 2, 1e-5);
+}
+
 // The edge of a lamp covers a part of a pixel.
 TEST(Jitter, EmissionIsThatOfTheWholePixel) {
   Scene scene = test::floorFromAbove(0);

@@ -23,7 +23,7 @@ Transmittance transmittanceAlong(const PosedScene& scene, Ray ray, Vec3 directio
     const Surface s = surfaceAt<S>(scene, ray, hit, RayCone::kDiffuseSpread * hit.t);
     const Transmittance one = Scatter<S>(s, direction).straightTransmittance();
     all = {all.fraction * one.fraction, all.probability * one.probability};
-    ray.origin = scene.still().leave(s, true);
+    ray.origin = leave(s, true);
     ray.tfar -= hit.t;
   }
   return all;
@@ -32,7 +32,7 @@ Transmittance transmittanceAlong(const PosedScene& scene, Ray ray, Vec3 directio
 template <Shading S, int C>
 Color<C> directLightOf(Stratum stratum, LightSet set, const PosedScene& scene, const Surface& s,
                        const Scatter<S>& scatter, const PathSampler& sampler, std::uint32_t dimension) {
-  const Vec3 origin = scene.still().leave(s);
+  const Vec3 origin = leave(s);
   const IncidentLight light =
       scene.still().lights().sample(stratum, set, {origin, s.geometric_normal}, sampler.u(dimension),
                                     sampler.u(dimension + 1), sampler.u(dimension + 2));
@@ -88,10 +88,10 @@ Color<C> traceOneRay(const Tracing& t, const PathStart& start, const PathSampler
       pdf *= scatter.straightTransmittance().probability;
     else
       pdf = next.pdf, delta = next.delta, distance = 0, set = t.lightsOf(vertex == 0),
-      chooser = {scene.still().leave(s, next.transmitted), s.geometric_normal};
+      chooser = {leave(s, next.transmitted), s.geometric_normal};
     in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
     if (!next.delta) cone.spread = RayCone::lobeSpread(next.pdf);
-    const Ray ray{scene.still().leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
+    const Ray ray{leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
     bounce += !next.delta;
     const bool last = bounce > bounces && !transmission;  // it can only find light
     if (last && !scene.still().lightMayBeAnywhere() && !scene.still().emitters().occluded(ray))
@@ -107,9 +107,9 @@ Color<C> traceOneRay(const Tracing& t, const PathStart& start, const PathSampler
     arriving = next.wi;
     distance += hit.t;
     if (luminance(s.radiance) > 0 && !in_view) {
-      const float cos_light = std::max(-dot(next.wi, s.geometric_normal), 1e-6f);
-      const float pdf_light = lights.lamps().pdf(set, {hit.geometry, hit.primitive, s.radiance}, chooser) *
-                              distance * distance / cos_light;
+      const float cos_light = -dot(next.wi, s.geometric_normal);
+      const float pdf_light =
+          lights.lamps().pdf(set, {hit.geometry, hit.primitive, s.radiance, distance, cos_light}, chooser);
       const float weight = delta ? 1 : balance(pdf, pdf_light);
       radiance += throughput * Color<C>(s.radiance) * (weight * scene.strengths()[hit.geometry]);
     }

@@ -6,6 +6,7 @@
 
 #include "render/lights/lamp_lanes.h"
 #include "render/lights/quads.h"
+#include "render/lights/sphere_light.h"
 
 namespace saccade {
 namespace {
@@ -22,23 +23,40 @@ float shareOfHemisphere(const Polygon& polygon, Vec3 n) {
   return std::abs(sum) * (0.5f * std::numbers::inv_pi_v<float>);
 }
 
+// In lanes where no horizon cuts the sphere, and else one by one.
+LampLanes::F ofSphere(const LampLanes& seen_from, const AnalyticLight::Side& side, const LitPoints& points,
+                      int first) {
+  LaneSet cut;
+  LampLanes::F factor = seen_from.sphereFormFactor(side.corners[0], side.radius, cut);
+  forEachLane(cut, [&](int i) { factor[i] = AnalyticLight::formFactor(side, points.at(first + i)); });
+  return factor;
+}
+
 }  // namespace
 
-AnalyticLight::AnalyticLight(const Scene& scene) : held_(scene.meshes.size()) {
+AnalyticLight::AnalyticLight(const Scene& scene) : held_(scene.meshes.size() + scene.spheres.size()) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Mesh& mesh = scene.meshes[i];
     if (emits(mesh) && sides_.size() + mesh.triangles.size() <= kMaxSides)
       addSides(mesh, static_cast<std::uint32_t>(i));
   }
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    const Sphere& s = scene.spheres[i];
+    if (!emits(s) || sides_.size() == kMaxSides) continue;
+    const std::size_t geometry = scene.meshes.size() + i;
+    held_[geometry] = true;
+    sides_.push_back(
+        {{s.center}, {}, 0, s.radius, s.radiance, static_cast<std::uint32_t>(geometry), nextGroup()});
+  }
 }
 
 void AnalyticLight::addSides(const Mesh& mesh, std::uint32_t geometry) {
   held_[geometry] = true;
-  const int group = std::min(groups(), kMaxGroups - 1);
+  const int group = nextGroup();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto [a, b, c] = mesh.triangles[i];
     Side side{
-        {mesh.positions[a], mesh.positions[b], mesh.positions[c]}, {}, 0, mesh.radiance, geometry, group};
+        {mesh.positions[a], mesh.positions[b], mesh.positions[c]}, {}, 0, 0, mesh.radiance, geometry, group};
     const auto edge = [&](std::size_t k) { return side.corners[k] - side.corners[0]; };
     const Vec3 normal = cross(edge(1), edge(2));
     if (dot(normal, normal) == 0) continue;
@@ -49,6 +67,11 @@ void AnalyticLight::addSides(const Mesh& mesh, std::uint32_t geometry) {
     }
     sides_.push_back(std::move(side));
   }
+}
+
+float AnalyticLight::formFactor(const Side& side, const LitPoint& p) {
+  if (side.radius > 0) return sphereFormFactor(side.corners[0], side.radius, p);
+  return formFactor(seen(side, p), p);
 }
 
 Polygon AnalyticLight::seen(const Side& side, const LitPoint& p) {
@@ -66,7 +89,7 @@ float AnalyticLight::formFactor(const Polygon& seen, const LitPoint& p) {
 Rgb AnalyticLight::at(const LitPoint& p, const EmitterStrengths& strengths) const {
   Rgb sum;
   for (const Side& side : sides_)
-    sum = sum + side.radiance * (formFactor(seen(side, p), p) * strengths[side.geometry]);
+    sum = sum + side.radiance * (formFactor(side, p) * strengths[side.geometry]);
   return sum;
 }
 
@@ -78,7 +101,8 @@ void AnalyticLight::at(const LitPoints& points, LaneSet lanes, const EmitterStre
     if (!here.any()) continue;
     const LampLanes seen_from(points.point, points.normal, points.geometric_normal, first, here);
     for (const Side& side : sides_) {
-      const LampLanes::F factor = seen_from.formFactor(side.corners, side.normal);
+      const LampLanes::F factor = side.radius > 0 ? ofSphere(seen_from, side, points, first)
+                                                  : seen_from.formFactor(side.corners, side.normal);
       const auto light = splat<LampLanes::F>(side.radiance) * LampLanes::F(factor * strengths[side.geometry]);
       result.store(result.lanes<LampLanes::kLanes>(first) + light, first);
     }

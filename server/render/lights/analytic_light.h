@@ -1,6 +1,7 @@
-// Direct light of lamps of a few flat sides in closed form, as if nothing cast a shadow.
+// Direct light of lamps of a few flat sides, and of spheres, in closed form, as if nothing cast a shadow.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "base/lane_vectors.h"
@@ -32,6 +33,7 @@ class AnalyticLight {
     std::vector<Vec3> corners;  // of a convex polygon, counter-clockwise as seen from the lit side
     Vec3 normal;                // unit
     float area;
+    float radius = 0;  // of a sphere about its only corner, which has neither normal nor area
     Rgb radiance;
     std::uint32_t geometry;
     int group;  // of the lamps whose shadows are one, see groups()
@@ -45,9 +47,11 @@ class AnalyticLight {
   const std::vector<Side>& sides() const { return sides_; }  // those of a group are neighbours
   // A lamp is a group of its own, up to kMaxGroups - 1; all others are one group.
   int groups() const { return sides_.empty() ? 0 : sides_.back().group + 1; }
-  // The part of a side that lights a point, from the point.
+  // The share of the cosine-weighted hemisphere above a point that a side covers.
+  static float formFactor(const Side& side, const LitPoint& p);
+  // The part of a polygon that lights a point, from the point.
   static Polygon seen(const Side& side, const LitPoint& p);
-  // The share of the cosine-weighted hemisphere above the point that it covers.
+  // The same of such a part.
   static float formFactor(const Polygon& seen, const LitPoint& p);
 
   // Radiance that a white diffuse surface would reflect: irradiance / pi.
@@ -58,6 +62,7 @@ class AnalyticLight {
 
  private:
   void addSides(const Mesh& mesh, std::uint32_t geometry);
+  int nextGroup() const { return std::min(groups(), kMaxGroups - 1); }
 
   std::vector<Side> sides_;
   std::vector<char> held_;  // by geometry id

@@ -1,4 +1,4 @@
-// Flat lamps as several points see them at once: the share of each point's hemisphere that a lamp covers.
+// Lamps as several points see them at once: the share of each point's hemisphere that a lamp covers.
 #pragma once
 
 #include <numbers>
@@ -58,6 +58,16 @@ class LampLanes {
     const M cut = front && any && any_geometric && !all;
     if (!(lanesOf(cut) & lanes_).any()) return select(all, ofWhole(corners), 0.f);
     return select(all || cut, ofPart(corners), 0.f);
+  }
+
+  // Of a sphere; in the lanes of `cut` a horizon cuts it, and they hold nothing.
+  F sphereFormFactor(Vec3 center, float radius, LaneSet& cut) const {
+    const V to_center = splat<F>(center) - point_;
+    const F distance2 = dot(to_center, to_center), height = dot(to_center, normal_);
+    const F lower = stdx::min(height, dot(to_center, geometric_normal_));
+    const M outside = distance2 > radius * radius, whole = outside && lower >= radius;
+    cut = lanesOf(outside && !whole && lower > -radius) & lanes_;
+    return select(whole, radius * radius * height / (distance2 * sqrt(distance2)), F(0.f));
   }
 
  private:

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/lights/sphere_cone.h"
+
 namespace saccade {
 namespace {
 
@@ -18,6 +20,17 @@ Vec3 pointOn(const Polygon& polygon, const std::array<float, Polygon::kMaxCorner
   return a * (1 - s) + b * (s * (1 - u2)) + c * (s * u2);
 }
 
+// A place on a sphere, uniform in what the point sees of it.
+LampPoints::Point pointOn(const AnalyticLight::Side& sphere, const LitPoint& from, float form_factor,
+                          float u1, float u2) {
+  const SphereCone cone(from.point, sphere.corners[0], sphere.radius);
+  const auto [w, distance] = cone.at(u1, u2);
+  const Vec3 position = from.point + w * distance;
+  const float arriving = dot(w, from.normal);
+  if (!(arriving > 0 && dot(w, from.geometric_normal) > 0)) return {position, 0};
+  return {position, arriving * cone.solidAngle() * std::numbers::inv_pi_v<float> / form_factor};
+}
+
 }  // namespace
 
 LampPoints::LampPoints(const AnalyticLight& light, const LitPoint& from, Rgb reflectance,
@@ -25,19 +38,21 @@ LampPoints::LampPoints(const AnalyticLight& light, const LitPoint& from, Rgb ref
     : from_(from) {
   int count = 0;
   for (const AnalyticLight::Side& side : light.sides()) {
-    const Polygon part = AnalyticLight::seen(side, from);
-    const float form_factor = AnalyticLight::formFactor(part, from);
+    const Polygon part = side.radius > 0 ? Polygon{} : AnalyticLight::seen(side, from);
+    const float form_factor =
+        side.radius > 0 ? AnalyticLight::formFactor(side, from) : AnalyticLight::formFactor(part, from);
     const float reflected = form_factor * luminance(reflectance * side.radiance) * strengths[side.geometry];
     if (reflected > 0) {
-      Seen& seen = seen_[count++] = seenAs(part, side.normal, form_factor);
+      Seen& seen = seen_[count++] = seenAs(side, part, form_factor);
       seen.sum = unoccluded_[side.group] += reflected;
     }
     ends_[side.group + 1] = count;
   }
 }
 
-LampPoints::Seen LampPoints::seenAs(const Polygon& part, Vec3 normal, float form_factor) {
-  Seen seen{.part = part, .normal = normal};
+LampPoints::Seen LampPoints::seenAs(const AnalyticLight::Side& side, const Polygon& part, float form_factor) {
+  Seen seen{.side = &side, .part = part, .form_factor = form_factor};
+  if (side.radius > 0) return seen;
   for (std::size_t k = 2; k < part.count; ++k) {
     const Vec3 a = part.corners[0];
     const float area = length(cross(part.corners[k - 1] - a, part.corners[k] - a)) / 2;
@@ -52,8 +67,9 @@ LampPoints::Point LampPoints::at(int group, float u, float u1, float u2) const {
   int i = ends_[group];
   while (i + 1 < end && u * unoccluded_[group] >= seen_[i].sum) ++i;
   const Seen& seen = seen_[i];
+  if (seen.side->radius > 0) return pointOn(*seen.side, from_, seen.form_factor, u1, u2);
   const Vec3 segment = pointOn(seen.part, seen.areas, u1, u2);
-  const float leaving = -dot(segment, seen.normal), arriving = dot(segment, from_.normal);
+  const float leaving = -dot(segment, seen.side->normal), arriving = dot(segment, from_.normal);
   const float distance2 = dot(segment, segment);
   return {from_.point + segment,
           std::max(0.f, leaving) * std::max(0.f, arriving) * seen.weight / (distance2 * distance2)};

@@ -26,13 +26,14 @@ class LampPoints {
 
  private:
   struct Seen {
-    Polygon part;                                     // of the side, from the surface
+    const AnalyticLight::Side* side = nullptr;
+    Polygon part;                                     // of a polygon, from the surface; of a sphere empty
     std::array<float, Polygon::kMaxCorners> areas{};  // of a fan of triangles, up to each corner
-    Vec3 normal;                                      // of the side
-    float weight = 0;                                 // of its points: area / (pi * form factor)
-    float sum = 0;                                    // of the light of its group, up to this side
+    float form_factor = 0;
+    float weight = 0;  // of its points: area / (pi * form factor)
+    float sum = 0;     // of the light of its group, up to this side
   };
-  static Seen seenAs(const Polygon& part, Vec3 normal, float form_factor);
+  static Seen seenAs(const AnalyticLight::Side& side, const Polygon& part, float form_factor);
 
   LitPoint from_;
   std::array<Seen, AnalyticLight::kMaxSides> seen_;        // group by group

@@ -6,6 +6,7 @@
 
 #include "render/lights/delta_samples.h"
 #include "render/lights/quads.h"
+#include "render/lights/sphere_cone.h"
 
 namespace saccade {
 namespace {
@@ -147,18 +148,26 @@ Lamps::ChosenLanes Lamps::chooseFromTree(LightSet set, const LaneVectors& points
 }
 
 float Lamps::pdf(LightSet set, const EmitterPoint& point, const Receiver& at) const {
-  if (!hasTree(set)) return luminance(point.radiance) * byPower(set).inverseWeight();
-  const std::uint32_t leaf = leaf_of_primitive_[first_primitive_[point.geometry] + point.primitive];
-  return probability(set, leaf, at) / leaves_[leaf].area;
+  const std::uint32_t number = leaf_of_primitive_[first_primitive_[point.geometry] + point.primitive];
+  const LampLeaf& leaf = leaves_[number];
+  const float per_area = hasTree(set) ? probability(set, number, at) / leaf.area
+                                      : luminance(point.radiance) * byPower(set).inverseWeight();
+  if (const AreaLamp& lamp = area_lamps_[leaf.first]; lamp.radius > 0)
+    return per_area * lamp.area() / SphereCone(at.point, lamp.corner, lamp.radius).solidAngle();
+  return per_area * point.distance * point.distance / std::max(point.cosine, 1e-6f);
 }
 
 IncidentLight Lamps::sample(const ChosenLamp& lamp, Vec3 point, float u1, float u2) const {
-  if (lamp.number < area_lamps_.size()) return ofArea(area_lamps_[lamp.number], lamp.pdf, point, u1, u2);
+  if (lamp.number < area_lamps_.size()) {
+    const AreaLamp& area = area_lamps_[lamp.number];
+    return area.radius > 0 ? ofSphere(area, lamp.pdf, point, u1, u2)
+                           : ofTriangle(area, lamp.pdf, point, u1, u2);
+  }
   return sampleOf(spots_[lamp.number - area_lamps_.size()], point, lamp.pdf);
 }
 
 // `pdf`: per area.
-IncidentLight Lamps::ofArea(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const {
+IncidentLight Lamps::ofTriangle(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const {
   const auto [on_lamp, normal] = lamp.at(u1, u2);
   const Vec3 segment = on_lamp - point;
   const float distance2 = dot(segment, segment);
@@ -166,6 +175,15 @@ IncidentLight Lamps::ofArea(const AreaLamp& lamp, float pdf, Vec3 point, float u
   const float cosine = -dot(w, normal);
   const float per_solid_angle = cosine > 0 ? pdf * distance2 / cosine : 0;
   return {w, segment, kShadowEnd, lamp.radiance, per_solid_angle, false, lamp.geometry};
+}
+
+// `pdf`: as if it were per area.
+IncidentLight Lamps::ofSphere(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const {
+  const SphereCone cone(point, lamp.corner, lamp.radius);
+  if (!cone.isOutside()) return {};
+  const auto [w, distance] = cone.at(u1, u2);
+  const float per_solid_angle = pdf * lamp.area() / cone.solidAngle();
+  return {w, w * distance, kShadowEnd, lamp.radiance, per_solid_angle, false, lamp.geometry};
 }
 
 }  // namespace saccade

@@ -42,12 +42,13 @@ struct ChosenLamp {
 // A point of an emitter that a ray has found.
 struct EmitterPoint {
   std::uint32_t geometry, primitive;
-  Rgb radiance;  // at strength 1
+  Rgb radiance;            // at strength 1
+  float distance, cosine;  // from the point that the ray has left; with the emitter's normal
 };
 
 // Several lamps are chosen by what they can give at a point, with a tree. Two triangles that make a flat quad
-// are one lamp of it. Places on a lamp are uniform by area. The probabilities do not depend on strengths, so
-// that a seed finds the same points in every frame.
+// are one lamp of it. Places on triangles are uniform by area, and those on spheres by what a point sees. The
+// probabilities do not depend on strengths, so that a seed finds the same points in every frame.
 class Lamps {
  public:
   explicit Lamps(const Scene& scene);
@@ -66,7 +67,7 @@ class Lamps {
                              const float* u, LaneSet lanes) const;
   IncidentLight sample(const ChosenLamp& lamp, Vec3 point, float u1, float u2) const;
 
-  // The pdf of both per area, at a point of an emitter.
+  // The pdf of both per solid angle, at a point of an emitter.
   float pdf(LightSet set, const EmitterPoint& point, const Receiver& at) const;
 
   // The first lamps by their numbers. Points and spots follow.
@@ -99,7 +100,8 @@ class Lamps {
   void addMesh(const Mesh& mesh, std::uint32_t geometry);
   void addSets();
   LampBounds boundsOf(const LampLeaf& leaf) const;
-  IncidentLight ofArea(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const;
+  IncidentLight ofTriangle(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const;
+  IncidentLight ofSphere(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const;
 
   std::vector<AreaLamp> area_lamps_;
   std::vector<SpotLight> spots_;

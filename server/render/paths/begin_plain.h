@@ -25,7 +25,10 @@ void beginPlain(const PlainSurfaces& s, LaneSet lanes, float spread, bool mixed,
     const auto set = [&](float value, Plane& plane) {
       Floats<kLanes>(value).copy_to(&plane[at], stdx::element_aligned);
     };
-    keepVectors(s.point, to.point);
+    const Floats<kLanes> offset = load<kLanes>(s.offset + first);
+    LaneVectors origin;
+    origin.store(s.point.lanes<kLanes>(first) + s.geometric_normal.lanes<kLanes>(first) * offset, first);
+    keepVectors(origin, to.origin);
     keepVectors(s.geometric_normal, to.geometric_normal), keepVectors(s.shading_normal, to.shading_normal);
     if constexpr (C == 1) keep(s.albedo, to.reflectance.of[0]);
     if constexpr (C == 3)

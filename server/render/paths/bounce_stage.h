@@ -133,7 +133,7 @@ void bounce(const Batch<K.channels>& b) {
         for (int k = 0; k < C; ++k) weight[k] = select(these, f.value[k] / f.pdf, weight[k]);
       }
     Vec3T<F> direction = frame.toWorld(local);
-    Vec3T<F> origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.still().epsilon());
+    Vec3T<F> origin = p.origin.template lanes<W>(first);
     auto throughput = colorLanes<W>(p.throughput, first);
     for (int k = 0; k < C; ++k) throughput[k] *= weight[k];
     lanes = lanes && pdf > 0.f && dot(direction, ng) > 0.f && luminanceOf(throughput) > 0.f;

@@ -48,7 +48,7 @@ void directLightOf(const Batch<K.channels>& b, Stratum stratum) {
     const Vec3T<F> ng = p.geometric_normal.template lanes<W>(first);
     const Vec3T<F> ns = p.shading_normal.template lanes<W>(first);
     typename ShadowRays<W, K>::Lanes ray;
-    ray.origin = p.point.template lanes<W>(first) + ng * F(b.t.scene.still().epsilon());
+    ray.origin = p.origin.template lanes<W>(first);
     const PathNumbers<W> numbers{load<W>(&p.reversed_index[first]), load<W>(&p.path_key[first])};
     const auto u = numbersAt<W, K.split>(b, numbers, kLight);
     const auto light = sampleLights<W, C>(b, stratum, ray.origin, ng, u(0), u(1), u(2), lanesOf(lanes));

@@ -8,8 +8,7 @@ template <int C, bool kSplit>
 void addFound(const Tracing& t, const Found& found, Color<C> throughput, float pdf, bool from_start,
               PathResults<C>& results) {
   const EmitterPoint& at = found.emitter;
-  const float per_area = t.scene.lights().lamps().pdf(t.lightsOf(from_start), at, found.vertex);
-  const float pdf_light = per_area * found.distance * found.distance / std::max(found.cosine, 1e-6f);
+  const float pdf_light = t.scene.lights().lamps().pdf(t.lightsOf(from_start), at, found.vertex);
   const float weight = pdf == kDeltaPdf ? 1 : balance(pdf, pdf_light);
   const Color<C> light = throughput * Color<C>(at.radiance) * (weight * t.scene.strengths()[at.geometry]);
   results.radiance.add(found.slot, light);

@@ -13,8 +13,7 @@ namespace saccade {
 struct Found {
   std::uint32_t slot;
   EmitterPoint emitter;
-  float distance, cosine;  // from the vertex that could have sampled it; at the emitter
-  Receiver vertex;         // that one
+  Receiver vertex;  // that could have sampled it
 };
 
 // The vertex that chose the direction of a path, whose ray has hit `point`.

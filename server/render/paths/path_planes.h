@@ -52,7 +52,8 @@ struct PlasticPlanes {
 template <int Channels>
 struct LivePaths {
   int count = 0;
-  VectorPlanes point, geometric_normal, shading_normal;
+  VectorPlanes origin;  // of rays from it, on the side that the path came from
+  VectorPlanes geometric_normal, shading_normal;
   ColorPlanes<Channels> reflectance;  // of diffuse surfaces
   ColorPlanes<Channels> throughput;
   Plane width, spread;                // of its cone, at the vertex

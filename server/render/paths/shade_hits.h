@@ -19,7 +19,7 @@ void shadeHitsOneByOne(const Batch<C>& b, const RayPacket<W>& packet, LaneSet la
     b.stages.shadeHit(b.t, b.vertex, *b.now, path[i],
                       {packet.ray(i).direction,
                        packet.hit(i),
-                       {laneOf(s.point, i), laneOf(s.shading_normal, i)},
+                       {laneOf(s.point, i), laneOf(s.shading_normal, i), s.offset[i]},
                        laneOf(s.normal, i),
                        s.cosine[i]},
                       *b.next, b.results);
@@ -64,11 +64,10 @@ void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, L
     if (state.in_view) return;
     const auto [mesh, sphere] = HitShape(b.t.scene.still().description(), packet.hit(i));
     const float distance = packet.far[i] + (K.mixed ? from.distance[p] : 0);
-    const Found found{from.slot[p],
-                      {geometry, packet.hit(i).primitive, mesh ? mesh->radiance : sphere->radiance},
-                      distance,
-                      s.cosine[i],
-                      chooserOf<K.mixed>(from, p, laneOf(s.point, i), packet.ray(i).direction, distance)};
+    const Found found{
+        from.slot[p],
+        {geometry, packet.hit(i).primitive, mesh ? mesh->radiance : sphere->radiance, distance, s.cosine[i]},
+        chooserOf<K.mixed>(from, p, laneOf(s.point, i), packet.ray(i).direction, distance)};
     addFound<C, K.split>(b.t, found, from.throughput.at(p), state.delta ? kDeltaPdf : from.pdf[p],
                          state.from_start, b.results);
   });
@@ -106,7 +105,8 @@ void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, L
   const auto keepVector = [&](const Vec3T<F>& lanes, VectorPlanes& planes) {
     keep(lanes.x, planes.x), keep(lanes.y, planes.y), keep(lanes.z, planes.z);
   };
-  keepVector(s.point, to.point), keepVector(ng, to.geometric_normal), keepVector(ns, to.shading_normal);
+  keepVector(s.point + ng * s.offset, to.origin), keepVector(ng, to.geometric_normal),
+      keepVector(ns, to.shading_normal);
   for (int k = 0; k < C; ++k) {
     keep(reflectance[k], to.reflectance.of[k]);
     keep(throughput[k], to.throughput.of[k]);

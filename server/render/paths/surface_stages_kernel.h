@@ -30,7 +30,7 @@ template <Shading S, int C>
 void put(const Surface& s, Vec3 arriving, RayCone cone, const PathSampler& sampler, std::uint32_t slot,
          Color<C> throughput, LivePaths<C>& to) {
   const auto i = static_cast<std::uint32_t>(to.count++);
-  to.point.set(i, s.point);
+  to.origin.set(i, leave(s));
   to.geometric_normal.set(i, s.geometric_normal);
   to.shading_normal.set(i, s.shading_normal);
   to.reflectance.set(i, Color<C>(s.bsdf.diffuse));
@@ -73,9 +73,7 @@ void shadeHit(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint3
   const float distance = at.hit.t + from.distance[i];
   if (luminance(s.radiance) > 0 && !state.in_view) {
     const Found found{slot,
-                      {at.hit.geometry, at.hit.primitive, s.radiance},
-                      distance,
-                      at.cosine,
+                      {at.hit.geometry, at.hit.primitive, s.radiance, distance, at.cosine},
                       chooserOf<true>(from, i, s.point, at.direction, distance)};
     addFound<C, kSplit>(t, found, throughput, state.delta ? kDeltaPdf : from.pdf[i], state.from_start,
                         results);
@@ -121,7 +119,7 @@ ScatteredRay sampleBsdf(const Tracing& t, int vertex, LivePaths<C>& paths, std::
   if (!next.delta) paths.spread[i] = RayCone::lobeSpread(next.pdf);
   paths.state[i] = state.pack();
   paths.throughput.set(i, throughput);
-  return {t.scene.still().leave(s, next.transmitted), next.wi, true};
+  return {leave(s, next.transmitted), next.wi, true};
 }
 
 template <Shading S, int C>
@@ -142,7 +140,7 @@ Transmittance transmit(const Tracing& t, const Ray& shadow, const Hit& first) {
     const Transmittance one = Scatter<S>(s, direction).straightTransmittance();
     all = {all.fraction * one.fraction, all.probability * one.probability};
     if (luminance(all.fraction) <= 0) return {{}, 0};
-    ray.origin = t.scene.still().leave(s, true);
+    ray.origin = leave(s, true);
     ray.tfar -= hit.t;
   }
   return all;

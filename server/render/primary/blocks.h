@@ -39,16 +39,13 @@ void forEachPrimary(const PixelContext& view, Tile tile, GBuffer& g, const OnPla
   }
 }
 
-// The hits at points of one pixel, by their offsets from its centre.
-template <Shading S, std::size_t kCount>
-std::array<PrimaryHit, kCount> traceSubPixels(const PixelContext& view, int x, int y,
-                                              const std::array<Vec2, kCount>& offsets) {
+// Points of one pixel, by their offsets from its centre.
+template <std::size_t kCount>
+std::array<Vec2, kCount> subPixelPoints(int x, int y, const std::array<Vec2, kCount>& offsets) {
   std::array<Vec2, kCount> points;
   for (std::size_t i = 0; i < kCount; ++i)
     points[i] = {static_cast<float>(x) + offsets[i].x, static_cast<float>(y) + offsets[i].y};
-  std::array<PrimaryHit, kCount> hits;
-  tracePrimaries<S>(view, points, hits);
-  return hits;
+  return points;
 }
 
 }  // namespace saccade

@@ -1,5 +1,6 @@
 #include "render/primary/gbuffer_pass.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -39,9 +40,12 @@ void setFar(const Camera& camera, const Camera& prev, Vec3 direction, int x, int
 
 }  // namespace
 
-// Makes the parts of `out` where they lie: a copy would wait for each of its values to reach the cache.
+// Shades the hit of a ray, whose origin is `before` lengths of its direction away from the camera. Makes the
+// parts of `out` where they lie: a copy would wait for each of its values to reach the cache. `apart`: a mask
+// is taken for opaque. Returns its opacity.
 template <Shading S>
-void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, PrimaryHit& out) {
+float shadeRay(const PixelContext& view, const Ray& ray, float before, const Hit& hit, bool apart,
+               PrimaryHit& out) {
   out.direction = ray.direction;
   out.valid = hit.valid;
   const Vec3 unit = normalize(ray.direction);
@@ -49,23 +53,78 @@ void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, Prim
     out.start = {}, out.guide = {};
     out.guide.hit = false;
     if constexpr (S.extras) out.guide.emission = view.now.scene.lights().distant().radiance(unit);
-    return;
+    return 1;
   }
   RayCone cone{0, view.now.camera.pixelAt(ray.direction)};
-  cone.width = cone.at(hit.t);
+  cone.width = cone.at(before + hit.t);
   new (&out.start) PathStart{surfaceAt<S>(view.now.scene, ray, hit, cone.width), unit, cone};
+  const float opacity = out.start.surface.opacity;
+  if (apart) out.start.surface.opacity = 1;
   new (&out.guide) Guide(findGuide<S>(view, ray, hit, out.start));
+  out.guide.t += before;
+  // Masks do not thin what they emit.
+  if (apart && opacity > 0) out.guide.emission = out.guide.emission * (1 / opacity);
+  return opacity;
 }
+
+template <Shading S>
+void shadePrimary(const PixelContext& view, const Ray& ray, const Hit& hit, PrimaryHit& out) {
+  shadeRay<S>(view, ray, 0, hit, false, out);
+}
+
+namespace {
+
+// As many rays as there are hits.
+void tracePoints(const PixelContext& view, std::span<const Vec2> points, std::span<Ray> rays,
+                 std::span<Hit> found) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    rays[i] = {view.now.camera.origin, view.now.camera.direction(points[i].x, points[i].y),
+               std::numeric_limits<float>::infinity()};
+  intersectCoherent(view.now.scene.geometry(), rays, found);
+}
+
+// The layers of one ray. Returns how many there are.
+template <Shading S>
+std::size_t shadeLayers(const PixelContext& view, Ray ray, Hit hit, std::span<Layer> layers) {
+  float left = 1, before = 0;
+  std::size_t count = 0;
+  for (int masks = 0;; ++masks) {
+    Layer& layer = layers[count];
+    const bool last = count + 1 == layers.size() || masks == kMaxViewDepth;
+    const float opacity = shadeRay<S>(view, ray, before, hit, !last, layer.hit);
+    layer.share = last ? left : left * opacity;
+    if (layer.share > 0) ++count;
+    left -= layer.share;
+    if (left <= 0) return count;
+    before += hit.t;
+    ray.origin = leave(layer.hit.start.surface, true);
+    hit = view.now.scene.geometry().intersect(ray);
+  }
+}
+
+}  // namespace
 
 template <Shading S>
 void tracePrimaries(const PixelContext& view, std::span<const Vec2> points, std::span<PrimaryHit> hits) {
   std::array<Ray, kMostPoints> rays;
   std::array<Hit, kMostPoints> found;
-  for (std::size_t i = 0; i < hits.size(); ++i)
-    rays[i] = {view.now.camera.origin, view.now.camera.direction(points[i].x, points[i].y),
-               std::numeric_limits<float>::infinity()};
-  intersectCoherent(view.now.scene.geometry(), rays, std::span(found).first(hits.size()));
+  tracePoints(view, points, rays, std::span(found).first(points.size()));
   for (std::size_t i = 0; i < hits.size(); ++i) shadePrimary<S>(view, rays[i], found[i], hits[i]);
+}
+
+template <Shading S>
+std::size_t traceLayers(const PixelContext& view, std::span<const Vec2> points, std::span<Layer> layers) {
+  std::array<Ray, kMostPoints> rays;
+  std::array<Hit, kMostPoints> found;
+  tracePoints(view, points, rays, std::span(found).first(points.size()));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t room = layers.size() - count - (points.size() - i - 1);
+    const std::size_t first = count;
+    count += shadeLayers<S>(view, rays[i], found[i], layers.subspan(first, std::min(room, kMostLayers)));
+    for (Layer& layer : layers.subspan(first, count - first)) layer.point = i;
+  }
+  return count;
 }
 
 void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,
@@ -82,9 +141,10 @@ void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera
                              guide.point - camera.origin, guide.plane_normal, guide.t);
 }
 
-#define INSTANTIATE(S)                                                                     \
-  template void shadePrimary<S>(const PixelContext&, const Ray&, const Hit&, PrimaryHit&); \
-  template void tracePrimaries<S>(const PixelContext&, std::span<const Vec2>, std::span<PrimaryHit>);
+#define INSTANTIATE(S)                                                                                \
+  template void shadePrimary<S>(const PixelContext&, const Ray&, const Hit&, PrimaryHit&);            \
+  template void tracePrimaries<S>(const PixelContext&, std::span<const Vec2>, std::span<PrimaryHit>); \
+  template std::size_t traceLayers<S>(const PixelContext&, std::span<const Vec2>, std::span<Layer>);
 INSTANTIATE(kPlainDiffuse)
 INSTANTIATE(kTexturedDiffuse)
 INSTANTIATE(kPlastics)

@@ -42,7 +42,7 @@ Guide followView(const PixelContext& view, const Ray& primary, const Hit& first,
     g.albedo = g.albedo + throughput * (1 - next.pdf);  // of the light that leaves the view here
     throughput = throughput * next.weight * next.pdf;
     if (!next.transmitted) mirrors[mirror_count++] = scatter.normal();
-    const Ray ray{scene.still().leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
+    const Ray ray{leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
     const Hit hit = scene.geometry().intersect(ray);
     if (!hit.valid) {
       g.emission = g.emission + throughput * scene.lights().distant().radiance(next.wi);

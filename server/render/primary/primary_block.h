@@ -18,6 +18,7 @@ static_assert(kBlockPixels == kLaneVectors);
 // Surfaces by lane.
 struct PlainSurfaces {
   LaneVectors point;
+  alignas(64) float offset[kLaneVectors];        // of rays that leave it, see ray_offset.h
   LaneVectors geometric_normal, shading_normal;  // unit, on the side the ray came from
   LaneVectors reflectance;                       // black behind a one-sided material
   LaneVectors emission;                          // towards the camera

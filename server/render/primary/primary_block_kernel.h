@@ -124,7 +124,7 @@ template <int W>
           packet.instance[i] + 1;
     });
   writeFeatures<W>(view, part, direction, z, s.point, before, surface, albedo, g);
-  out.point.store(s.point, part.first);
+  out.point.store(s.point, part.first), store(s.offset, &out.offset[part.first]);
   out.geometric_normal.store(surface.geometric_normal, part.first);
   out.shading_normal.store(surface.shading_normal, part.first);
   out.reflectance.store(surface.reflectance, part.first), out.emission.store(surface.emission, part.first);

@@ -11,6 +11,7 @@ namespace saccade {
 
 struct Surface {
   Vec3 point;
+  float offset;                           // of rays that leave it, see ray_offset.h
   Vec3 geometric_normal, shading_normal;  // unit, on the side the ray came from
   Bsdf bsdf;                              // black behind a one-sided material
   Rgb radiance;                           // emitted towards the ray's origin at strength 1
@@ -18,6 +19,12 @@ struct Surface {
   bool inside;    // of glass: the ray came from behind the material's own normal
   float opacity;  // the rest of the light goes straight on
 };
+
+// The origin of a ray that leaves the surface. It is moved off the surface, so that the ray does not hit it
+// again. It lies on the side that the last ray came from, or on the other side for `through`.
+inline Vec3 leave(const Surface& s, bool through = false) {
+  return s.point + s.geometric_normal * (through ? -s.offset : s.offset);
+}
 
 // The least cosine of the direction that a path came from, for surfaces that are not diffuse.
 inline constexpr float kGrazingCosine = 1e-3f;

@@ -19,11 +19,11 @@ Rgb scattered(const SurfaceStart& start, Vec3 w) {
   return Scatter<S>(start.path.surface, start.path.direction).evaluate(w).value;
 }
 
-inline Vec3 leave(const RenderScene& scene, const PlainStart& start) {
-  return start.point + start.geometric_normal * scene.epsilon();
+inline Vec3 leave(const PlainStart& start) {
+  return start.point + start.geometric_normal * start.offset;
 }
-inline Vec3 leave(const RenderScene& scene, const SurfaceStart& start) {
-  return scene.leave(start.path.surface);
+inline Vec3 leave(const SurfaceStart& start) {
+  return leave(start.path.surface);
 }
 
 // Adds the light that starts reflect to what their pixels emit, so that no filter sees it.
@@ -37,7 +37,7 @@ class DeltaLight {
   void add(int x, int y, const auto& start, float scale) {
     const RenderScene& scene = tracing_.scene.still();
     const DeltaLamps& lamps = scene.deltaLamps();
-    const Vec3 origin = leave(scene, start);
+    const Vec3 origin = leave(start);
     for (std::size_t i = 0; i < lamps.size(); ++i) {
       const IncidentLight light = lamps.at(i, origin);
       const Rgb reflected = scattered<S>(start, light.direction) * light.radiance;

@@ -50,7 +50,6 @@ void FrameRays::trace(const FrameStarts& frame, std::span<const RayRequest> requ
 
 template <Shading S>
 void FrameRays::traceWith(const FrameStarts& frame, std::span<const RayRequest> requests, int count) {
-  const RenderScene& still = frame.scene.still();
   const Tracing tracing{frame.scene, 0, {}};
   const auto onEnd = [&](const ShadowRay& ray, Rgb fraction) {
     LampRays& rays = rays_[ray.owner];
@@ -81,7 +80,7 @@ void FrameRays::traceWith(const FrameStarts& frame, std::span<const RayRequest> 
       const LampPoints lamps(frame.scene.analyticLight(), litPointOf(start), baseOf(start),
                              frame.scene.strengths());
       for (int g = 0; g < groups_; ++g)
-        if (wants(g)) add(indexOf(request.point, g), g, numbers, leave(still, start), lamps);
+        if (wants(g)) add(indexOf(request.point, g), g, numbers, leave(start), lamps);
     };
     if (frame.starts.isPlain(request.point))
       from(frame.starts.plain(request.point));

@@ -65,7 +65,8 @@ class TilePoints {
   // The features of a pixel, with a point for each surface that it shows, at the centre of the pixel where
   // that shows it, too. Albedo and emission are means over the pixel. Guides are of the centre.
   void setJittered(int x, int y) {
-    const SubPixels<S> shown(view_, x, y);
+    SubPixels<S> shown(view_, x, y);
+    shown.lookAtEdges();
     const PrimaryHit& centre = shown.centre();
     writeFeatures(centre, view_.now.camera, view_.before.camera, x, y, out_.g);
     const float A = out_.g.albedo.at(x, y) = shown.albedo();

@@ -29,17 +29,18 @@ struct PlainStart {
         geometric_normal(s.geometric_normal.at(lane)),
         shading_normal(s.shading_normal.at(lane)),
         reflectance(s.reflectance.at(lane)),
+        offset(s.offset[lane]),
         albedo(s.albedo[lane]),
         width(s.width[lane]) {}
   void put(int lane, PlainSurfaces& s) const {
     s.point.set(lane, point), s.geometric_normal.set(lane, geometric_normal);
     s.shading_normal.set(lane, shading_normal), s.reflectance.set(lane, reflectance);
-    s.albedo[lane] = albedo, s.width[lane] = width;
+    s.offset[lane] = offset, s.albedo[lane] = albedo, s.width[lane] = width;
   }
 
   Vec3 point, geometric_normal, shading_normal;
   Rgb reflectance;
-  float albedo = 0, width = 0;
+  float offset = 0, albedo = 0, width = 0;
 };
 
 // The starts of a frame's points, by index. Each is one of both. Tiles are filled by several threads.

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/hash_rng.h"
 #include "render/paths/path_run.h"
-#include "render/primary/blocks.h"
-#include "render/primary/sub_pixel.h"
+#include "render/primary/sub_pixels_shown.h"
 #include "render/sampling/pixel_sequence.h"
 
 namespace saccade {
@@ -91,6 +91,13 @@ void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Ti
   });
 }
 
+// Chooses among the layers of a point, in [0, 1): the R2 sequence (Roberts 2018). It is moved on by the
+// golden ratio each time that the point comes round.
+inline float layerNumber(int x, int y, FrameIndex jitter) {
+  return toUnit(static_cast<std::uint32_t>(x) * 0xc13fa9a9u + static_cast<std::uint32_t>(y) * 0x91e10da5u +
+                static_cast<std::uint32_t>(jitter / kSubPixels) * 0x9e3779b9u);
+}
+
 // The paths of each pass start at its own point of the pixel.
 // A sample is scaled as if it came off the average albedo of the pixel. For the filter smooths illumination,
 // and the average is without noise [paper, 5.5]. Guides are of the centre.
@@ -104,24 +111,20 @@ void renderJitteredTile(const PixelContext& view, const SeedPlan& seeds, int bou
   const Tracing tracing{view.now.scene, bounces, {}};
   PathRun<S, C, false, decltype(onPath)> run(tracing, onPath);
   forEachPixel(tile, [&](int x, int y) {
-    const auto found = traceSubPixels<S>(view, x, y, kCentreAndSubPixelOffsets);
-    const auto hits = std::span(found).subspan(1);
-    writeFeatures(found[0], view.now.camera, view.before.camera, x, y, out.g);
-    std::array<float, kSubPixels> albedo;
-    float A = 0, E = 0;
-    for (std::size_t i = 0; i < kSubPixels; ++i) {
-      albedo[i] = luminance(hits[i].guide.albedo);
-      A += albedo[i] / kSubPixels, E += luminance(hits[i].guide.emission) / kSubPixels;
-    }
-    out.g.albedo.at(x, y) = A, out.g.emission.at(x, y) = E;
+    const SubPixels<S> shown(view, x, y);
+    writeFeatures(shown.centre(), view.now.camera, view.before.camera, x, y, out.g);
+    const float A = out.g.albedo.at(x, y) = shown.albedo();
+    out.g.emission.at(x, y) = shown.emission();
     if (A <= 0) return;
     const auto addPaths = [&](int pass, FrameIndex jitter) {
       std::size_t i = jitter % kSubPixels;
-      while (albedo[i] < kLeastAlbedo * A) i = (i + 1) % kSubPixels;  // a black point shows no illumination
+      const float u = layerNumber(x, y, jitter);
+      const PrimaryHit* hit = nullptr;  // a black point shows no illumination
+      while (!(hit = shown.choose(i, kLeastAlbedo * A, u))) i = (i + 1) % kSubPixels;
       const std::uint32_t owner = sums.owner(x, y, pass);
-      scale[owner] = A / albedo[i];
+      scale[owner] = A / luminance(hit->guide.albedo);
       forEachSample(seeds, pass, [&](const PixelSequence& numbers, std::uint32_t sample) {
-        run.add(hits[i].start, {numbers.of(x, y, sample), owner});
+        run.add(hit->start, {numbers.of(x, y, sample), owner});
       });
     };
     addPaths(0, seeds.frame1);

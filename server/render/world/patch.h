@@ -12,6 +12,7 @@ namespace saccade {
 struct Patch {
   Vec3 point;
   Vec3 shading_normal;  // unit, on either side
+  float offset;         // see ray_offset.h
 };
 
 struct TexturePatch {

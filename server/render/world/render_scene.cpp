@@ -7,11 +7,6 @@
 #include "scene/scene_stats.h"
 
 namespace saccade {
-namespace {
-
-constexpr float kRelativeEpsilon = 2e-5f;  // of the scene's diagonal: some hundred ulps of its coordinates
-
-}  // namespace
 
 RenderScene::RenderScene(Scene scene)
     : scene_(std::move(scene)),
@@ -26,13 +21,12 @@ RenderScene::RenderScene(Scene scene)
       shading_(shadingOf(scene_)),
       channels_(colorChannels(scene_)),
       has_straight_transmission_(
-          std::any_of(scene_.materials.begin(), scene_.materials.end(), transmitsStraight)),
-      epsilon_(kRelativeEpsilon * geometry_.diagonal()) {
+          std::any_of(scene_.materials.begin(), scene_.materials.end(), transmitsStraight)) {
   addBodies();
   for (const Material& m : scene_.materials) tables_.emplace_back(m.model);
   for (const LightSet set : {LightSet::kAll, LightSet::kWithExtent})
     if (lights_.lamps().hasTree(set))
-      lights_.look(set, LampSight(sightSamples(lights_.lamps(), set, geometry_, epsilon_)));
+      lights_.look(set, LampSight(sightSamples(lights_.lamps(), set, geometry_, shape_rows_)));
 }
 
 void RenderScene::addBodies() {

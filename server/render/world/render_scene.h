@@ -59,13 +59,6 @@ class RenderScene : public Obstacles {
   // The tables of a material.
   const BsdfTables& tables(int material) const { return tables_[material]; }
 
-  // The origin of a ray that leaves the surface. It is moved off the surface, so that the ray does not hit it
-  // again. It lies on the side that the last ray came from, or on the other side for `through`.
-  float epsilon() const { return epsilon_; }
-  Vec3 leave(const Surface& s, bool through = false) const {
-    return s.point + s.geometric_normal * (through ? -epsilon_ : epsilon_);
-  }
-
  private:
   void addBodies();
 
@@ -81,7 +74,6 @@ class RenderScene : public Obstacles {
   Shading shading_;
   int channels_;
   bool has_straight_transmission_;
-  float epsilon_;
   std::vector<BsdfTables> tables_;  // by material
   mutable std::once_flag hashed_;
   mutable std::uint64_t digest_ = 0;

@@ -1,5 +1,9 @@
 #include "render/world/shape_rows.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace saccade {
 namespace {
 
@@ -14,6 +18,16 @@ ShapeRow row(const Scene& scene, const auto& shape) {
   return row;
 }
 
+float longestEdge(const Mesh& mesh) {
+  float longest2 = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      const Vec3 edge = mesh.positions[to] - mesh.positions[from];
+      longest2 = std::max(longest2, dot(edge, edge));
+    }
+  return std::sqrt(longest2);
+}
+
 }  // namespace
 
 std::vector<ShapeRow> shapeRows(const Scene& scene) {
@@ -22,8 +36,12 @@ std::vector<ShapeRow> shapeRows(const Scene& scene) {
     rows.push_back(row(scene, mesh));
     rows.back().triangles = mesh.triangles.data();
     if (!mesh.normals.empty()) rows.back().normals = mesh.normals.data();
+    rows.back().edge = longestEdge(mesh);
   }
-  for (const Sphere& sphere : scene.spheres) rows.push_back(row(scene, sphere));
+  for (const Sphere& sphere : scene.spheres) {
+    rows.push_back(row(scene, sphere));
+    rows.back().edge = 2 * sphere.radius;
+  }
   return rows;
 }
 

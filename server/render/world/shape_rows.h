@@ -14,7 +14,8 @@ struct alignas(64) ShapeRow {
   const Vec3* normals = nullptr;  // nullptr: as the triangles lie
   Rgb reflectance;                // of a diffuse surface without texture
   bool textured, twosided, emits;
-  bool plain;  // diffuse and opaque, without a bump map
+  bool plain;      // diffuse and opaque, without a bump map
+  float edge = 0;  // the longest of its triangles; of a sphere its diameter, scene units
 };
 
 std::vector<ShapeRow> shapeRows(const Scene& scene);

@@ -7,6 +7,7 @@
 #include "base/hash_rng.h"
 #include "render/bsdf/sampling.h"
 #include "render/bsdf/shading_frame.h"
+#include "render/world/ray_offset.h"
 
 namespace saccade {
 namespace {
@@ -20,21 +21,22 @@ struct Numbers {
 };
 constexpr std::uint32_t kNumbers = 8;  // of a ray, at most
 
-Ray towards(Vec3 origin, Vec3 axis, Vec3 local, float epsilon) {
-  const Vec3 direction = ShadingFrame<float>(axis).toWorld(local);
-  return {origin + direction * epsilon, direction, std::numeric_limits<float>::infinity()};
+Ray towards(Vec3 origin, Vec3 axis, Vec3 local) {
+  return {origin, ShadingFrame<float>(axis).toWorld(local), std::numeric_limits<float>::infinity()};
 }
 
 // Uniform within the cone.
-Ray rayFrom(const SpotLight& lamp, Numbers u, float epsilon) {
+Ray rayFrom(const SpotLight& lamp, Numbers u) {
   const float z = 1 - u.next() * (1 - std::cos(lamp.cutoff)), r = std::sqrt(std::max(0.f, 1 - z * z));
   const float turn = 2 * std::numbers::pi_v<float> * u.next();
-  return towards(lamp.position, lamp.axis, {r * std::cos(turn), r * std::sin(turn), z}, epsilon);
+  return towards(lamp.position, lamp.axis, {r * std::cos(turn), r * std::sin(turn), z});
 }
 
-Ray rayFrom(const AreaLamp& lamp, Numbers u, float epsilon) {
+// `edge`: of the lamp's shape, see ShapeRow.
+Ray rayFrom(const AreaLamp& lamp, Numbers u, float edge) {
   const auto [on_lamp, normal] = lamp.at(u.next(), u.next());
-  return towards(on_lamp, normal, cosineHemisphere(u.next(), u.next()), epsilon);
+  const Vec3 origin = on_lamp + normal * rayOffset(on_lamp, on_lamp, edge);
+  return towards(origin, normal, cosineHemisphere(u.next(), u.next()));
 }
 
 SightSample::Seen sightOf(const Lamps& lamps, const LampLeaf& leaf, const Receiver& at, Numbers u,
@@ -52,7 +54,7 @@ SightSample::Seen sightOf(const Lamps& lamps, const LampLeaf& leaf, const Receiv
 }  // namespace
 
 std::vector<SightSample> sightSamples(const Lamps& lamps, LightSet set, const EmbreeScene& geometry,
-                                      float epsilon) {
+                                      const std::vector<ShapeRow>& rows) {
   const std::size_t count = lamps.tree(set).count();
   std::vector<SightSample> samples;
   for (std::size_t i = 0; i < kRays; ++i) {
@@ -61,13 +63,16 @@ std::vector<SightSample> sightSamples(const Lamps& lamps, LightSet set, const Em
     const LampLeaf& from = lamps.leaves()[i * count / kRays];
     const std::uint32_t number =
         from.first + static_cast<std::uint32_t>(u.next() * static_cast<float>(from.count));
-    const Ray ray = number < lamps.areaLamps().size()
-                        ? rayFrom(lamps.areaLamps()[number], u, epsilon)
-                        : rayFrom(lamps.spots()[number - lamps.areaLamps().size()], u, epsilon);
+    const std::size_t areas = lamps.areaLamps().size();
+    const Ray ray = number < areas
+                        ? rayFrom(lamps.areaLamps()[number], u, rows[lamps.areaLamps()[number].geometry].edge)
+                        : rayFrom(lamps.spots()[number - areas], u);
     const Hit hit = geometry.intersect(ray);
     if (!hit.valid) continue;
     const Vec3 normal = normalize(dot(hit.normal, ray.direction) < 0 ? hit.normal : -hit.normal);
-    SightSample sample{{ray.origin + ray.direction * hit.t + normal * epsilon, normal}, {}};
+    const Vec3 point = ray.origin + ray.direction * hit.t;
+    const float offset = rayOffset(ray.origin, point, rows[hit.geometry].edge);
+    SightSample sample{{point + normal * offset, normal}, {}};
     for (std::size_t k = 0; k < kLampGroups; ++k) {
       const std::span<const std::uint32_t> group = lamps.tree(set).groups()[k];
       if (group.empty()) continue;

@@ -3,6 +3,7 @@
 
 #include "render/world/bump.h"
 #include "render/world/posed_scene.h"
+#include "render/world/ray_offset.h"
 
 namespace saccade {
 
@@ -63,7 +64,8 @@ Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, V
 
   Vec3 ns = patch.shading_normal;
   const Rgb radiance = mesh ? mesh->radiance : sphere->radiance;
-  Surface s{patch.point, n, ns, bsdfAt<S>(scene, material, at), front ? radiance : Rgb{}, false, 1};
+  Surface s{
+      patch.point, patch.offset, n, ns, bsdfAt<S>(scene, material, at), front ? radiance : Rgb{}, false, 1};
   bool black = !front && !material.twosided;
   if constexpr (S.has(&BsdfTraits::transmits)) {
     const bool transmits = traitsOf(material.model.kind).transmits;
@@ -85,7 +87,9 @@ template <Shading S>
 Surface surfaceAt(const PosedScene& scene, const Ray& ray, const Hit& hit, float footprint) {
   Vec3 n = normalize(hit.normal);
   const Mesh* mesh = HitShape(scene.still().description(), hit).mesh;
-  Patch patch{ray.origin + ray.direction * hit.t, mesh ? shadingNormalAt(*mesh, hit, n) : n};
+  const Vec3 point = ray.origin + ray.direction * hit.t;
+  Patch patch{point, mesh ? shadingNormalAt(*mesh, hit, n) : n,
+              rayOffset(ray.origin, point, scene.still().shapeRows()[hit.geometry].edge)};
   if (hit.body != kNoBody) {
     const RigidMotion& motion = scene.bodies()->motions()[hit.body];
     n = motion.direction(n), patch.shading_normal = motion.direction(patch.shading_normal);

@@ -3,6 +3,7 @@
 
 #include "base/lane_vectors.h"
 #include "render/world/posed_scene.h"
+#include "render/world/ray_offset.h"
 
 namespace saccade {
 
@@ -12,6 +13,7 @@ struct SurfaceLanes {
   Vec3T<Floats<W>> point;
   Vec3T<Floats<W>> normal;          // geometric, unit, as wound
   Vec3T<Floats<W>> shading_normal;  // unit, on either side
+  Floats<W> offset;                 // see ray_offset.h
   Floats<W> cosine;                 // between the normal and the ray's reverse
 
   Mask<W> front() const { return cosine > 0.f; }
@@ -70,6 +72,16 @@ void turnNormals(std::span<const RigidMotion> motions, const RayPacket<W>& packe
   });
 }
 
+// ShapeRow::edge of the shapes that lanes have hit.
+template <int W>
+[[gnu::always_inline]] inline Floats<W> longestEdges(const std::vector<ShapeRow>& rows,
+                                                     const RayPacket<W>& packet) {
+  constexpr std::uint32_t kStride = sizeof(ShapeRow) / sizeof(float);
+  if (rows.empty()) return 0.f;
+  const Uints<W> last = static_cast<std::uint32_t>(rows.size() - 1);
+  return gather(&rows[0].edge, Uints<W>(stdx::min(load<W>(packet.geometry), last) * kStride));
+}
+
 // `lanes`: those that have hit a surface.
 template <int W>
 [[gnu::always_inline]] inline SurfaceLanes<W> surfacesAt(const PosedScene& scene, const RayPacket<W>& packet,
@@ -82,8 +94,9 @@ template <int W>
   s.shading_normal = shadingNormals<W>(scene.still().shapeRows(), packet, lanes, s.normal);
   if (scene.bodies()) turnNormals<W>(scene.bodies()->motions(), packet, lanes, s);
   s.cosine = -dot(s.normal, unit(direction));
-  s.point = Vec3T<F>{load<W>(packet.origin_x), load<W>(packet.origin_y), load<W>(packet.origin_z)} +
-            direction * load<W>(packet.far);
+  const Vec3T<F> origin{load<W>(packet.origin_x), load<W>(packet.origin_y), load<W>(packet.origin_z)};
+  s.point = origin + direction * load<W>(packet.far);
+  s.offset = rayOffset<F>(origin, s.point, longestEdges<W>(scene.still().shapeRows(), packet));
   return s;
 }
 
