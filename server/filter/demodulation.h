@@ -7,11 +7,10 @@
 #include "base/pool_handle.h"
 #include "filter/filter_planes.h"
 #include "frame/frame.h"
+#include "frame/illumination.h"
 #include "frame/intensity_change.h"
 
 namespace saccade {
-
-inline constexpr float kAlbedoFloor = 1e-3f;  // in both directions; modulation keeps an albedo of 0
 
 // The divisor of light before it is filtered.
 enum class Demodulation {

@@ -10,7 +10,7 @@ namespace saccade {
 struct PairSamples {
   PairSamples(int w, int h) : before(w, h), variance(w, h), count(w, h), more(w, h) {}
   ImageF before;    // mean of the paths in the frame before, emission included
-  ImageF variance;  // of the difference of one pair, >= 0
+  ImageF variance;  // of the difference of illumination of one pair, >= 0
   ImageF count;     // pairs of the pixel; 0: it has none, and the other planes hold nothing
   ImageF more;      // of them, those that it got as its first ones had too much noise; 0: none
 };

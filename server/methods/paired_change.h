@@ -21,16 +21,23 @@ class PairedChange {
   void forget() { has_last_ = false; }
 
  private:
+  // Demodulates what is known of each pixel.
   void gather(const FramePair& frames, const IntensityChange& change, const PoolHandle& pool,
               StageTimes& times);
-  void joinBefore(const FramePair& frames, const PoolHandle& pool, IntensityChange& change,
+  // The illumination before, as the pairs know it, and as `change` does.
+  void joinBefore(const FramePair& frames, const PoolHandle& pool, const IntensityChange& change,
                   StageTimes& times);
+  // The change of this frame and that of the last one along the motion vectors. A reflection that does not
+  // follow its surface makes them differ.
   void joinLast(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+  void modulate(const FramePair& frames, const PoolHandle& pool, IntensityChange& change,
+                StageTimes& times) const;
 
-  FilterPlanes filtered_, scratch_;  // reflected light now, and its change; Rec. 709 luminance
-  ImageF last_, var_last_;           // the change of the last frame, and its variance
+  FilterPlanes filtered_, scratch_;  // illumination now, and its change
+  ImageF last_, var_last_;           // the change of illumination of the last frame
   bool has_last_ = false;
-  ImageF carried_, var_carried_;  // what is joined with the estimate of this frame, and its variance
+  ImageF carried_, var_carried_;  // what is joined with the estimate of this frame
+  ImageF before_, var_before_;    // the illumination of the frame before
 };
 
 }  // namespace saccade

@@ -20,6 +20,7 @@ struct PairedChangeTest : testing::Test {
     for (Frame* f : {&cur, &prev}) {
       f->g.z.fill(1), f->g.z_in_prev.fill(1), f->g.dz.fill(0.01f);
       for (int y = 0; y < kH; ++y) std::fill_n(f->g.nz.row(y), kW, 1.f);
+      f->g.albedo.fill(1);
       f->pairs = std::make_unique<PairSamples>(kW, kH);
     }
     change.I_prev.fill(1);
@@ -83,6 +84,21 @@ TEST_F(PairedChangeTest, ForgetsWhatItIsToldTo) {
   frame = 0;  // the same noise as at first
   step(0.2f);
   EXPECT_EQ(rms(0.2f), first);
+}
+
+// A texture that moves is known without noise: it is neither smoothed nor doubted.
+TEST_F(PairedChangeTest, TexturesAreNotSmoothed) {
+  const auto albedo = [](int x, int y) { return (x + y) % 2 == 0 ? 0.2f : 0.8f; };
+  for (int y = 0; y < kH; ++y)
+    for (int x = 0; x < kW; ++x) {
+      cur.g.albedo.at(x, y) = albedo(x, y), prev.g.albedo.at(x, y) = albedo(x + 1, y);
+      change.I_prev.at(x, y) = prev.g.albedo.at(x, y);
+      cur.pairs->before.at(x, y) = prev.g.albedo.at(x, y), cur.samples.I2.at(x, y) = albedo(x, y);
+      cur.pairs->variance.at(x, y) = kNoise * kNoise, cur.pairs->count.at(x, y) = 1;
+    }
+  estimator.estimate({cur, prev}, pool, change, times);
+  for (int y = 0; y < kH; ++y)
+    for (int x = 0; x < kW; ++x) EXPECT_NEAR(change.dI.at(x, y), albedo(x, y) - albedo(x + 1, y), 1e-5);
 }
 
 TEST_F(PairedChangeTest, OtherPixelsStayAsTheyAre) {

@@ -53,6 +53,11 @@ std::vector<StabilityCase> sceneCases() {
        .scene = ownScene("metal_ball"),
        .px_per_frame = 0.67,
        .claims = {{"event_svgf", 0.29}, {"irradiance_cache", 0.225}}},
+      {.name = "metal_tiles",
+       .why = "the tiles move as the surface does, and what they reflect does not",
+       .scene = ownScene("metal_tiles"),
+       .px_per_frame = 0.67,
+       .claims = {{"event_svgf", 0.105}, {"irradiance_cache", 0.09}}},
   };
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "frame/illumination.h"
+
 namespace saccade {
 namespace {
 
@@ -27,8 +29,11 @@ std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, co
                                        PairSamples& pairs) {
   const int width = now.width(), height = now.height();
   const auto change = [&](int x, int y) {
-    return (now.samples.I2.at(x, y) - now.g.emission.at(x, y)) -
-           (pairs.before.at(x, y) - before.g.emission.at(x, y));
+    return illuminationOf(now.g, x, y, now.samples.I2.at(x, y)) -
+           illuminationOf(before.g, x, y, pairs.before.at(x, y));
+  };
+  const auto deviation = [&](int x, int y) {  // of radiance
+    return now.g.albedo.at(x, y) * std::sqrt(pairs.variance.at(x, y));
   };
   // The square of what a change differs by from the mean around it. The mean holds a ninth of it.
   ImageF apart(width, height);
@@ -46,7 +51,7 @@ std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, co
       if (pairs.count.at(x, y) <= 0) continue;
       float& variance = pairs.variance.at(x, y);
       variance = meanAround(pairs.count, x, y, [&](int u, int v) { return apart.at(u, v); });
-      deviations[row] += std::sqrt(variance), pixels[row] += 1;
+      deviations[row] += deviation(x, y), pixels[row] += 1;
     }
   });
   double sum = 0, n = 0;
@@ -54,23 +59,27 @@ std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, co
   const float limit = n > 0 ? kAbove * static_cast<float>(sum / n) : 0;
   return time + pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x)
-      if (const float first = pairs.count.at(x, y); first > 0 && std::sqrt(pairs.variance.at(x, y)) > limit)
+      if (const float first = pairs.count.at(x, y); first > 0 && deviation(x, y) > limit)
         pairs.more.at(x, y) = std::min(kMore * first, kMostMore);
   });
 }
 
-void addPairs(std::span<const std::array<float, 2>> further, int x, int y, float E_now, float E_before,
-              FrameSamples& samples, PairSamples& pairs) {
+void addPairs(std::span<const std::array<float, 2>> further, int x, int y, const GBuffer& g_now,
+              const GBuffer& g_before, FrameSamples& samples, PairSamples& pairs) {
   const auto n = static_cast<float>(further.size());
+  const float A_now = divisorOf(g_now, x, y), A_before = divisorOf(g_before, x, y);
   float sum_now = 0, sum_before = 0;
   for (const auto& [now, before] : further) sum_now += now, sum_before += before;
-  const float mean = (sum_now - sum_before) / n;
+  const float mean = (sum_now / A_now - sum_before / A_before) / n;
   float squares = 0;
-  for (const auto& [now, before] : further) squares += (now - before - mean) * (now - before - mean);
+  for (const auto& [now, before] : further) {
+    const float apart = now / A_now - before / A_before - mean;
+    squares += apart * apart;
+  }
   float& count = pairs.count.at(x, y);
   const auto add = [&](float E, float sum, float& I) { I = E + ((I - E) * count + sum) / (count + n); };
-  add(E_now, sum_now, samples.I2.at(x, y));
-  add(E_before, sum_before, pairs.before.at(x, y));
+  add(g_now.emission.at(x, y), sum_now, samples.I2.at(x, y));
+  add(g_before.emission.at(x, y), sum_before, pairs.before.at(x, y));
   pairs.variance.at(x, y) = squares / std::max(n - 1, 1.f);
   count += n;
 }

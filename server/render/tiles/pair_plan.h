@@ -10,14 +10,14 @@
 
 namespace saccade {
 
-// Estimates the variance of each pixel's pairs by those around it. Plans `more` pairs where the noise is
-// above the mean of the picture, as at the edge of a lamp's reflection [ours].
+// Estimates the variance of each pixel's pairs by those around it. Plans `more` pairs where the noise of its
+// radiance is above the mean of the picture, as at the edge of a lamp's reflection [ours].
 std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, const PoolHandle& pool,
                                        PairSamples& pairs);
 
-// Adds a pixel's further pairs to its means. Each is the reflected light now and before. `E_now`, `E_before`:
-// the light that the pixel emits.
-void addPairs(std::span<const std::array<float, 2>> further, int x, int y, float E_now, float E_before,
-              FrameSamples& samples, PairSamples& pairs);
+// Adds a pixel's further pairs to its means. Each is the reflected light now and before. `g_now`,
+// `g_before`: the features of both frames.
+void addPairs(std::span<const std::array<float, 2>> further, int x, int y, const GBuffer& g_now,
+              const GBuffer& g_before, FrameSamples& samples, PairSamples& pairs);
 
 }  // namespace saccade

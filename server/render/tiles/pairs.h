@@ -118,8 +118,8 @@ void renderMorePairsTile(const PairSides& sides, Tile tile, FrameSamples& sample
   forEachPixel(tile, [&](int x, int y) {
     const std::uint32_t n = planned(x, y);
     if (n > 0)
-      addPairs(std::span(light).subspan(at[indexOf(x, y)], n), x, y, sides.now.frame.g.emission.at(x, y),
-               sides.before.frame.g.emission.at(x, y), samples, pairs);
+      addPairs(std::span(light).subspan(at[indexOf(x, y)], n), x, y, sides.now.frame.g, sides.before.frame.g,
+               samples, pairs);
   });
 }
 

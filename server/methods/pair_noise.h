@@ -1,0 +1,17 @@
+// The noise of what pairs of paths tell.
+#pragma once
+
+#include "frame/frame.h"
+
+namespace saccade {
+
+inline bool hasPairs(const PairSamples& pairs, int x, int y) {
+  return pairs.count.at(x, y) > 0;
+}
+
+// The variances of a pixel's mean change of illumination, and of its illumination now. The pixel must have
+// pairs.
+float varianceOfChange(const PairSamples& pairs, int x, int y);
+float varianceOfIllumination(const Frame& now, int x, int y);
+
+}  // namespace saccade
