@@ -20,31 +20,30 @@ Vec3 pointOn(const Polygon& polygon, const std::array<float, Polygon::kMaxCorner
 
 }  // namespace
 
-LampPoints::LampPoints(const AnalyticLight& light, const LitPoint& from, Rgb reflectance,
-                       const EmitterStrengths& strengths)
-    : from_(from) {
+void LampPoints::lookFrom(const LitPoint& from, Rgb reflectance) {
+  from_ = from, ends_ = {}, unoccluded_ = {};
   int count = 0;
-  for (const AnalyticLight::Side& side : light.sides()) {
-    const Polygon part = AnalyticLight::seen(side, from);
-    const float form_factor = AnalyticLight::formFactor(part, from);
-    const float reflected = form_factor * luminance(reflectance * side.radiance) * strengths[side.geometry];
+  for (const AnalyticLight::Side& side : light_.sides()) {
+    Seen& seen = seen_[count];
+    seen.part = AnalyticLight::seen(side, from);
+    const float form_factor = AnalyticLight::formFactor(seen.part, from);
+    const float reflected = form_factor * luminance(reflectance * side.radiance) * strengths_[side.geometry];
     if (reflected > 0) {
-      Seen& seen = seen_[count++] = seenAs(part, side.normal, form_factor);
-      seen.sum = unoccluded_[side.group] += reflected;
+      seen.normal = side.normal, seen.sum = unoccluded_[side.group] += reflected;
+      measure(form_factor, seen), ++count;
     }
     ends_[side.group + 1] = count;
   }
 }
 
-LampPoints::Seen LampPoints::seenAs(const Polygon& part, Vec3 normal, float form_factor) {
-  Seen seen{.part = part, .normal = normal};
+void LampPoints::measure(float form_factor, Seen& seen) {
+  const Polygon& part = seen.part;
   for (std::size_t k = 2; k < part.count; ++k) {
     const Vec3 a = part.corners[0];
     const float area = length(cross(part.corners[k - 1] - a, part.corners[k] - a)) / 2;
     seen.areas[k] = seen.areas[k - 1] + area;
   }
   seen.weight = seen.areas[part.count - 1] * std::numbers::inv_pi_v<float> / form_factor;
-  return seen;
 }
 
 LampPoints::Point LampPoints::at(int group, float u, float u1, float u2) const {

@@ -6,7 +6,7 @@
 namespace saccade {
 namespace {
 
-constexpr int kFew = 2, kManyPerPath = 6, kMost = 256;  // rays to a group of lamps
+constexpr int kFew = 2, kManyPerPath = 4, kMost = 256;  // rays to a group of lamps
 constexpr float kSpread = 0.25f;  // variance of a change by rays that are spread evenly, of that by any rays
 
 // The light of all groups at a point.
