@@ -7,6 +7,7 @@ namespace saccade {
 namespace {
 
 constexpr int kFew = 2, kManyPerPath = 4, kMost = 256;  // rays to a group of lamps
+constexpr float kLeastGain = 0.25f;  // what rays must lessen, over the variance that they leave
 constexpr float kSpread = 0.25f;  // variance of a change by rays that are spread evenly, of that by any rays
 
 // The light of all groups at a point.
@@ -23,6 +24,18 @@ struct LampSums {
 
   float light = 0, visible = 0, variance = 0;  // of `visible`
 };
+
+// Variance of visibility that so many rays to these groups leave, as a part of the light of all groups.
+float rayVariance(const FrameRays& of, const RayRequest& request, int rays) {
+  constexpr float kOfOne = 0.16f;  // V (1 - V) in the middle of a penumbra, but for its edges
+  float light = 0, squares = 0;
+  for (int g = 0; g < of.groups(); ++g) {
+    const float U = of.at(request.point, g).unoccluded;
+    light += U;
+    if (request.groups >> g & 1) squares += U * U;
+  }
+  return light > 0 ? kOfOne * squares / (light * light * static_cast<float>(rays)) : 0;
+}
 
 }  // namespace
 
@@ -70,12 +83,18 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
       for (int g = 0; g < now_.groups(); ++g)
         if (now_.areMixedAround(on, few.point, g) || before_.areMixedAround(before.on, few.point, g))
           more.groups |= 1u << g;
-      if (more.groups != 0) band.many.push_back(more);
+      if (more.groups == 0) continue;
+      SurfaceShadow& shadow = shadows[few.point];
+      if (shadow.wanted < kLeastGain * rayVariance(now_, more, many))
+        shadow.wanted = 0;
+      else
+        band.many.push_back(more);
     }
   });
   return time + forEachBand([&](int, Requests& band) {
            traceBoth(band.many, many);
-           for (const RayRequest& few : band.few) finish(few.point, many, shadows[few.point]);
+           for (const RayRequest& few : band.few)
+             if (shadows[few.point].wanted > 0) finish(few.point, many, shadows[few.point]);
          });
 }
 
