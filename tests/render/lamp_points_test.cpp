@@ -28,7 +28,9 @@ class LampPointsOf : public testing::Test {
   AnalyticLight light{scene};
   EmitterStrengths strengths{scene};
   LitPoint floor{{0.2f, 0.1f, 0}, {0, 0, 1}, {0, 0, 1}};
-  LampPoints lamps{light, floor, {1, 1, 1}, strengths};
+  LampPoints lamps{light, strengths};
+
+  LampPointsOf() { lamps.lookFrom(floor, {1, 1, 1}); }
 
   static float u(int i, std::uint32_t dimension) { return toUnit(mix32(mix32(dimension + 7) + i)); }
 };
@@ -65,10 +67,10 @@ TEST_F(LampPointsOf, LieOnTheirLamp) {
 TEST_F(LampPointsOf, LieAboveTheHorizon) {
   const Vec3 normal = normalize(Vec3{1, 0, -0.07f});
   const LitPoint wall{{-0.2f, 0.1f, 0}, normal, normal};
-  const LampPoints sliver(light, wall, {1, 1, 1}, strengths);
+  lamps.lookFrom(wall, {1, 1, 1});
   double sum = 0;
   for (int i = 0; i < kPoints; ++i) {
-    const LampPoints::Point p = sliver.at(0, u(i, 0), u(i, 1), u(i, 2));
+    const LampPoints::Point p = lamps.at(0, u(i, 0), u(i, 1), u(i, 2));
     ASSERT_GT(dot(p.position - wall.point, normal), -1e-6f);
     sum += p.weight;
   }
@@ -76,9 +78,9 @@ TEST_F(LampPointsOf, LieAboveTheHorizon) {
 }
 
 TEST_F(LampPointsOf, ALampBehindTheSurfaceGivesNothing) {
-  const LampPoints below(light, {{0, 0, 3}, {0, 0, 1}, {0, 0, 1}}, {1, 1, 1}, strengths);
-  EXPECT_EQ(below.unoccluded(0), 0);
-  EXPECT_EQ(below.unoccluded(1), 0);
+  lamps.lookFrom({{0, 0, 3}, {0, 0, 1}, {0, 0, 1}}, {1, 1, 1});
+  EXPECT_EQ(lamps.unoccluded(0), 0);
+  EXPECT_EQ(lamps.unoccluded(1), 0);
 }
 
 }  // namespace

@@ -90,6 +90,14 @@ TEST(LampShadows, AChangeIsThatOfTheShadow) {
   EXPECT_NEAR(sum / inside, step / 0.4, 0.01);
 }
 
+// From full shadow to full light: no ray of a point differs from its others.
+TEST(LampShadows, AChangeOfAllRaysHasNoNoise) {
+  for (const SurfaceShadow& s : trace(cardUnderALamp(), {-0.4, 0.4})) {
+    EXPECT_EQ(s.now.mean - s.before.mean, 1);
+    EXPECT_EQ(s.step_variance, 0);
+  }
+}
+
 // A strong lamp behind a wall takes no rays from the weak one.
 TEST(LampShadows, AHiddenLampHarmsNothing) {
   Scene s = cardUnderALamp();

@@ -33,33 +33,34 @@ LampPoints::Point pointOn(const AnalyticLight::Side& sphere, const LitPoint& fro
 
 }  // namespace
 
-LampPoints::LampPoints(const AnalyticLight& light, const LitPoint& from, Rgb reflectance,
-                       const EmitterStrengths& strengths)
-    : from_(from) {
+void LampPoints::lookFrom(const LitPoint& from, Rgb reflectance) {
+  from_ = from, ends_ = {}, unoccluded_ = {};
   int count = 0;
-  for (const AnalyticLight::Side& side : light.sides()) {
-    const Polygon part = side.radius > 0 ? Polygon{} : AnalyticLight::seen(side, from);
-    const float form_factor =
-        side.radius > 0 ? AnalyticLight::formFactor(side, from) : AnalyticLight::formFactor(part, from);
-    const float reflected = form_factor * luminance(reflectance * side.radiance) * strengths[side.geometry];
+  for (const AnalyticLight::Side& side : light_.sides()) {
+    Seen& seen = seen_[count];
+    seen.side = &side;
+    seen.part = side.radius > 0 ? Polygon{} : AnalyticLight::seen(side, from);
+    seen.form_factor =
+        side.radius > 0 ? AnalyticLight::formFactor(side, from) : AnalyticLight::formFactor(seen.part, from);
+    const float reflected =
+        seen.form_factor * luminance(reflectance * side.radiance) * strengths_[side.geometry];
     if (reflected > 0) {
-      Seen& seen = seen_[count++] = seenAs(side, part, form_factor);
       seen.sum = unoccluded_[side.group] += reflected;
+      measure(seen), ++count;
     }
     ends_[side.group + 1] = count;
   }
 }
 
-LampPoints::Seen LampPoints::seenAs(const AnalyticLight::Side& side, const Polygon& part, float form_factor) {
-  Seen seen{.side = &side, .part = part, .form_factor = form_factor};
-  if (side.radius > 0) return seen;
+void LampPoints::measure(Seen& seen) {
+  if (seen.side->radius > 0) return;
+  const Polygon& part = seen.part;
   for (std::size_t k = 2; k < part.count; ++k) {
     const Vec3 a = part.corners[0];
     const float area = length(cross(part.corners[k - 1] - a, part.corners[k] - a)) / 2;
     seen.areas[k] = seen.areas[k - 1] + area;
   }
-  seen.weight = seen.areas[part.count - 1] * std::numbers::inv_pi_v<float> / form_factor;
-  return seen;
+  seen.weight = seen.areas[part.count - 1] * std::numbers::inv_pi_v<float> / seen.form_factor;
 }
 
 LampPoints::Point LampPoints::at(int group, float u, float u1, float u2) const {

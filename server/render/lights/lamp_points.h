@@ -10,9 +10,11 @@ namespace saccade {
 
 class LampPoints {
  public:
-  // `reflectance`: of the surface, which weighs the colours of lamps. `strengths`: of the lamps.
-  LampPoints(const AnalyticLight& light, const LitPoint& from, Rgb reflectance,
-             const EmitterStrengths& strengths);
+  LampPoints(const AnalyticLight& light, const EmitterStrengths& strengths)
+      : light_(light), strengths_(strengths) {}
+
+  // All that follows is of this surface. `reflectance` weighs the colours of lamps.
+  void lookFrom(const LitPoint& from, Rgb reflectance);
 
   // Luminance that the surface reflects of a group of lamps, as if nothing cast a shadow.
   float unoccluded(int group) const { return unoccluded_[group]; }
@@ -33,8 +35,10 @@ class LampPoints {
     float weight = 0;  // of its points: area / (pi * form factor)
     float sum = 0;     // of the light of its group, up to this side
   };
-  static Seen seenAs(const AnalyticLight::Side& side, const Polygon& part, float form_factor);
+  static void measure(Seen& seen);
 
+  const AnalyticLight& light_;
+  const EmitterStrengths& strengths_;
   LitPoint from_;
   std::array<Seen, AnalyticLight::kMaxSides> seen_;        // group by group
   std::array<int, AnalyticLight::kMaxGroups + 1> ends_{};  // of the groups before each

@@ -56,8 +56,8 @@ void FrameRays::traceWith(const FrameStarts& frame, std::span<const RayRequest> 
     rays.visible += ray.weight * luminance(fraction), rays.all += ray.weight;
   };
   TileShadowRays<S, decltype(onEnd)> shadow_rays(tracing, onEnd);
-  const auto add = [&](std::size_t i, int group, const RayNumbers& numbers, Vec3 origin,
-                       const LampPoints& lamps) {
+  LampPoints lamps(frame.scene.analyticLight(), frame.scene.strengths());
+  const auto add = [&](std::size_t i, int group, const RayNumbers& numbers, Vec3 origin) {
     LampRays& rays = rays_[i];
     rays.unoccluded = lamps.unoccluded(group);
     for (; rays.count < count && rays.unoccluded > 0; ++rays.count) {
@@ -77,10 +77,9 @@ void FrameRays::traceWith(const FrameStarts& frame, std::span<const RayRequest> 
     if (!any || !isLit(frame.on, request.point)) continue;
     const RayNumbers numbers(frame.on.columnOf(request.point), frame.on.rowOf(request.point));
     const auto from = [&](const auto& start) {
-      const LampPoints lamps(frame.scene.analyticLight(), litPointOf(start), baseOf(start),
-                             frame.scene.strengths());
+      lamps.lookFrom(litPointOf(start), baseOf(start));
       for (int g = 0; g < groups_; ++g)
-        if (wants(g)) add(indexOf(request.point, g), g, numbers, leave(start), lamps);
+        if (wants(g)) add(indexOf(request.point, g), g, numbers, leave(start));
     };
     if (frame.starts.isPlain(request.point))
       from(frame.starts.plain(request.point));

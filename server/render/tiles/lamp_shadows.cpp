@@ -6,8 +6,9 @@
 namespace saccade {
 namespace {
 
-constexpr int kFew = 2, kManyPerPath = 6, kMost = 256;  // rays to a group of lamps
+constexpr int kFew = 2, kManyPerPath = 4, kMost = 256;  // rays to a group of lamps
 constexpr int kMovingPerPath = 16;                      // instead, where a body may have moved
+constexpr float kLeastGain = 0.25f;  // what rays must lessen, over the variance that they leave
 constexpr float kSpread = 0.25f;  // variance of a change by rays that are spread evenly, of that by any rays
 
 bool moves(const SurfaceShadow& shadow) {
@@ -28,6 +29,18 @@ struct LampSums {
 
   float light = 0, visible = 0, variance = 0;  // of `visible`
 };
+
+// Variance of visibility that so many rays to these groups leave, as a part of the light of all groups.
+float rayVariance(const FrameRays& of, const RayRequest& request, int rays) {
+  constexpr float kOfOne = 0.16f;  // V (1 - V) in the middle of a penumbra, but for its edges
+  float light = 0, squares = 0;
+  for (int g = 0; g < of.groups(); ++g) {
+    const float U = of.at(request.point, g).unoccluded;
+    light += U;
+    if (request.groups >> g & 1) squares += U * U;
+  }
+  return light > 0 ? kOfOne * squares / (light * light * static_cast<float>(rays)) : 0;
+}
 
 }  // namespace
 
@@ -82,13 +95,21 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
       for (int g = 0; g < now_.groups(); ++g)
         if (now_.areMixedAround(on, few.point, g) || before_.areMixedAround(before.on, few.point, g))
           more.groups |= 1u << g;
-      if (more.groups != 0) (moves(shadows[few.point]) ? band.moving : band.many).push_back(more);
+      if (more.groups == 0) continue;
+      SurfaceShadow& shadow = shadows[few.point];
+      if (moves(shadow))
+        band.moving.push_back(more);
+      else if (shadow.wanted < kLeastGain * rayVariance(now_, more, many))
+        shadow.wanted = 0;
+      else
+        band.many.push_back(more);
     }
   });
   return time + forEachBand([&](int, Requests& band) {
            traceBoth(band.many, many), traceBoth(band.moving, moving);
            for (const RayRequest& few : band.few)
-             finish(few.point, moves(shadows[few.point]) ? moving : many, shadows[few.point]);
+             if (SurfaceShadow& shadow = shadows[few.point]; shadow.wanted > 0)
+               finish(few.point, moves(shadow) ? moving : many, shadow);
          });
 }
 
