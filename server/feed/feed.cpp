@@ -26,7 +26,7 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
            std::unique_ptr<Method> method, SeedPlanner seeds, const PoolHandle& pool)
     : config_(config),
       lens_(config.camera),
-      posed_{PosedScene(scene), PosedScene(scene)},
+      posed_{PosedScene(scene, config.body_paths), PosedScene(scene, config.body_paths)},
       path_(std::move(path)),
       renderer_({config.bounces, config.monochrome ? 1 : scene->channels(), config.jitter}),
       method_(std::move(method)),
@@ -60,11 +60,13 @@ void Feed::render(const PoolHandle& pool) {
   frame.index = next_++;
   frame.time = frameTime(frame.index, config_.frame_rate_hz);
   const TimeNs time_prev = frame.index == 0 ? frame.time : frameTime(frame.index - 1, config_.frame_rate_hz);
-  frame.stands = frame.index > 0 && path_.at(frame.time) == path_.at(time_prev);
   const Camera camera = cameraAt(frame.time), prev = cameraAt(time_prev);
   PosedScene& posed = posed_[frame.index % 2];
   posed.setTime(frame.time);
-  const PixelContext view({posed, camera}, {frame.index == 0 ? posed : posed_[(frame.index + 1) % 2], prev});
+  const PosedScene& posed_prev = frame.index == 0 ? posed : posed_[(frame.index + 1) % 2];
+  frame.stands =
+      frame.index > 0 && path_.at(frame.time) == path_.at(time_prev) && posed.posesEqual(posed_prev);
+  const PixelContext view({posed, camera}, {posed_prev, prev});
   const SeedPlan seeds = seeds_(config_.seed, frame.index, config_.spp);
   SurfaceMethod* method = method_->onSurfaces();
   if (!method) {
@@ -77,6 +79,7 @@ void Feed::render(const PoolHandle& pool) {
   times_[Stage::kTrace] += next.time + renderer_.renderPaths(view.now, seeds, next, known, pool);
   const Frame& before = frames_.pair().prev;
   if (frame.index == 0) return;
+  if (posed.bodies()) times_[Stage::kTrace] += renderer_.renderReplays(view, seeds, pool, frame);
   times_[Stage::kTrace] += renderer_.traceShadows(view, config_.spp, frame, before, pool);
   if (method->needsPairs({frame, before}))
     times_[Stage::kTrace] += renderer_.renderPairs(view, seeds, before, known, pool, frame);
@@ -88,7 +91,8 @@ Camera Feed::cameraAt(TimeNs t) const {
 
 FeedInterval Feed::interval() const {
   const IntensityChange& done = change();
-  return {done, RenderedInterval{frames(), cameraAt(done.t1), cameraAt(done.t0), path_, scene()}};
+  return {done, RenderedInterval{frames(), cameraAt(done.t1), cameraAt(done.t0), path_,
+                                 posed_[done.frame % 2], posed_[(done.frame + 1) % 2]}};
 }
 
 PixelSpeed Feed::pixelSpeed(FrameIndex frames) const {

@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "methods/method.h"
 #include "scene/camera/lens.h"
+#include "scene/camera/trajectory.h"
 
 namespace saccade {
 
@@ -19,6 +21,7 @@ struct FeedConfig {
   bool jitter = false;                            // RenderSettings::jitter
   bool monochrome = false;
   std::uint64_t seed = 0;
+  std::vector<Trajectory> body_paths = {};       // of Scene::bodies, in their order
   std::shared_ptr<const BakedLight> baked = {};  // precomputed light of this scene; nullptr: none
 
   double pixels() const { return static_cast<double>(camera.width) * camera.height; }

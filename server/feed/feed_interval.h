@@ -10,14 +10,14 @@
 
 namespace saccade {
 
-class RenderScene;
+class PosedScene;
 
 // The renderer's part of an interval.
 struct RenderedInterval {
   FramePair frames;          // at t1 and at t0
   Camera camera, camera_t0;  // likewise
   const Trajectory& path;    // of the camera
-  const RenderScene& scene;
+  const PosedScene &scene, &scene_t0;
 };
 
 // References hold until the feed's next step.

@@ -41,6 +41,9 @@ struct GBuffer {
   ImageF motion_x,
       motion_y;      // position of the surface point in the previous frame minus its position now, pixels
   ImageF z_in_prev;  // depth of the surface point in the previous camera, scene units
+  // 1 + the number of the body that is shown, see Scene::bodies; 0: a surface that stands, or none. Empty
+  // where the scene has no bodies.
+  Image<std::uint32_t> body;
 };
 
 // Radiance samples: Rec. 709 luminance, emission included. Pass 1 uses the seeds of the previous frame, pass
@@ -61,7 +64,7 @@ struct Frame {
   FrameIndex index = 0;
   TimeNs time{0};
   std::uint64_t light = 0;  // the strengths of all emitters: equal numbers mean equal strengths
-  bool stands = false;      // whether the camera has the pose of the frame before
+  bool stands = false;      // whether the camera and all bodies have the poses of the frame before
   GBuffer g;
   FrameSamples samples;
   std::unique_ptr<SurfaceSamples> surfaces;  // nullptr where no method asks

@@ -28,8 +28,9 @@ struct BounceSample {
 struct SurfacePoint {
   float share = 0;  // of the pixel's albedo that belongs to what the point stands for; 0: there is no point
   SurfaceKind kind = SurfaceKind::kNone;
-  bool baked = false;       // whether its light is known ahead, as the method finds
-  std::uint32_t paths = 0;  // that it gets, as the method plans
+  bool light_moves = false;  // whether direct light may have changed since the frame before
+  bool baked = false;        // whether its light is known ahead, as the method finds
+  std::uint32_t paths = 0;   // that it gets, as the method plans
 
   // Whether it reflects light that depends on the view, so that it cannot be shared.
   bool isUncacheable() const { return share > 0 && kind == SurfaceKind::kNone; }
@@ -37,7 +38,7 @@ struct SurfacePoint {
 
 // Where a point lies, unless it is of kNone.
 struct SurfacePlace {
-  Vec3 position;         // where the surface seems to be, world space
+  Vec3 position;         // where the surface seems to be, world space; of a body as PosedBodies::cachePlace()
   Vec3 normal;           // unit shading normal, towards the camera
   float footprint = 0;   // width of a pixel there, seen at a right angle, scene units
   float unoccluded = 0;  // light in closed form, see SurfaceLight
@@ -55,13 +56,21 @@ struct SurfaceLight {
   BounceSample bounce;   // of the last of the paths that did not end at known light
 };
 
-// The visibility of the lamps in closed form, by shadow rays from a point and from that of the frame before.
+// The visibility of the lamps in closed form, by shadow rays from a point.
+struct RayVisibility {
+  float mean = 1;      // of what arrives, over the unoccluded
+  float trust = 0;     // in it, against what else is known of visibility, [0, 1]
+  float variance = 0;  // of it
+};
+
+// That of a point, and of the point of the frame before.
 struct SurfaceShadow {
-  float wanted = 0;           // variance of visibility that the method cannot tell; 0: there are no rays
-  float now = 1, before = 1;  // visibility
-  float trust = 0;            // in it, against what else is known of visibility, [0, 1]
-  float variance = 0;         // of it, in one frame
-  float step_variance = 0;    // of its change
+  static constexpr float kMoves = 1;  // `wanted` where a body may have moved into the light, or out of it
+
+  float wanted = 0;  // variance of visibility that the method cannot tell; 0: there are no rays
+  RayVisibility now, before;
+  int rays = 0;             // of the point, to all groups of lamps
+  float step_variance = 0;  // of its change
 };
 
 // The points of all pixels. A pixel shows `per_pixel` at most: one, unless there is jitter. Those of pixel x
@@ -91,6 +100,10 @@ class SurfaceSamples {
   const SurfacePlace& place(std::size_t index) const { return places_[index]; }
   SurfaceLight& light(std::size_t index) { return lights_[index]; }
   const SurfaceLight& light(std::size_t index) const { return lights_[index]; }
+  // The light that the same numbers find at the same points in the world of the frame before. Empty unless a
+  // body has moved since.
+  std::vector<SurfaceLight>& replays() { return replays_; }
+  const std::vector<SurfaceLight>& replays() const { return replays_; }
   std::vector<SurfaceShadow>& shadows() { return shadows_; }
   const std::vector<SurfaceShadow>& shadows() const { return shadows_; }
   // Of the point with an index.
@@ -125,6 +138,7 @@ class SurfaceSamples {
   std::vector<SurfacePlace> places_;
   std::vector<SurfaceLight> lights_;
   std::vector<SurfaceShadow> shadows_;
+  std::vector<SurfaceLight> replays_;
 };
 
 }  // namespace saccade

@@ -47,6 +47,21 @@ constexpr int kBakedIterations = 1;
 // Frames after a change of light, until 3 % of it are missing in a history of SVGF.
 constexpr std::uint32_t kCatchUp = 32;
 
+// The share of what is known of a point that holds in the next frame.
+float keptOf(const SurfacePoint& point) {
+  return point.light_moves ? 0.9f : 1;
+}
+
+// Whether a pixel shows the same surface in both frames.
+bool showsSame(const FramePair& frames, int x, int y) {
+  const GBuffer &g = frames.cur.g, &before = frames.prev.g;
+  if (g.body.at(x, y) != before.body.at(x, y)) return false;
+  const Vec3 n{g.nx.at(x, y), g.ny.at(x, y), g.nz.at(x, y)},
+      n_before{before.nx.at(x, y), before.ny.at(x, y), before.nz.at(x, y)};
+  const float z = g.z.at(x, y);
+  return dot(n, n_before) > 0.9f && std::abs(z - before.z.at(x, y)) < 10 * g.dz.at(x, y) + 0.02f * z;
+}
+
 // More paths prove finer detail.
 float cellEdge(float cell_px, int spp) {
   constexpr float kLeast = 0.35f;
@@ -126,7 +141,10 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
       on.shadows()[on.indexOf(column, y)].wanted =
           std::max(shadow_detail_.at(column, y), shadow_detail_prev_.at(column, y));
   });
-  const BounceGrid* known = &light_.current().bounces;
+  const bool has_bodies = next.frame.g.body.width() > 0;
+  if (has_bodies) wantMovingShadows(on, pool, times);
+  // Light at second vertices may have moved.
+  const BounceGrid* known = has_bodies ? nullptr : &light_.current().bounces;
   if (!on.needPaths()) return known;
   const auto asked = static_cast<float>(spp);
   const PathPlan paths{.asked = asked,
@@ -134,6 +152,17 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
                        .target = params_.target * std::sqrt(2 / asked)};
   times[Stage::kTemporal] += planPaths(paths, uncertainty_, frames_, pool, on);
   return known;
+}
+
+void IrradianceCache::wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times) {
+  light_moved_.resize(on.shadows().size());
+  times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
+    for (int column = 0; column < on.columns(); ++column) {
+      const std::size_t i = on.indexOf(column, y);
+      if (on[i].light_moves || light_moved_[i]) on.shadows()[i].wanted = SurfaceShadow::kMoves;
+      light_moved_[i] = on[i].light_moves;
+    }
+  });
 }
 
 bool IrradianceCache::needsPairs(const FramePair& frames) const {
@@ -197,13 +226,15 @@ void IrradianceCache::fillUncached(const FramePair& frames, const PoolHandle& po
 }
 
 void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
-  if (frames.cur.surfaces->needPaths()) light_.current().bounces.add(*frames.cur.surfaces);
+  const bool has_bodies = frames.cur.g.body.width() > 0;
+  if (!has_bodies && frames.cur.surfaces->needPaths()) light_.current().bounces.add(*frames.cur.surfaces);
   if (at_.empty() && at_prev_.empty()) return;
   const auto* shadows = frames.is_first ? nullptr : &frames.cur.surfaces->shadows();
   const FrameOnGrid cur{*frames.cur.surfaces, frames.cur.g, at_, shadows};
   const FrameOnGrid prev{*frames.prev.surfaces, frames.prev.g, at_prev_, shadows, &SurfaceShadow::before};
   GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
   SurfaceGrid &grid = light_.current().grid, &grid_prev = light_.previous().grid;
+  if (has_bodies) times[Stage::kTemporal] += grid.fade(cur, keptOf, pool);
   const SurfaceGrid::Added added = grid.add(cur, pool);
   const SurfaceGrid::Compared compared = grid.readAdded(added, pool, now);
   times[Stage::kTemporal] += added.time, times[Stage::kVariance] += compared.time;
@@ -223,6 +254,17 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
     });
 }
 
+// Adds the change of light at surfaces to that which their motion makes.
+void IrradianceCache::addLightChange(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
+  if (frames.is_first || frames.cur.surfaces->replays().empty()) return;
+  if (!change_) change_ = std::make_unique<LightChange>(i_prev_.width(), i_prev_.height(), light_.params());
+  change_->estimate(frames, at_, light_.current().grid, estimateOf(frames.cur), pool, times);
+  times[Stage::kModulate] += pool.forEachRow(i_prev_.height(), [&](int y) {
+    for (int x = 0; x < i_prev_.width(); ++x)
+      if (showsSame(frames, x, y)) filtered_.d.at(x, y) += change_->change().at(x, y);
+  });
+}
+
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   read(frames, pool, times);
   const GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
@@ -239,6 +281,7 @@ void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, St
     times[Stage::kAtrous] += atrousIteration(frames, atrous_, 1 << k, filtered_, pool, scratch_);
     std::swap(filtered_, scratch_);
   }
+  addLightChange(frames, pool, times);
 }
 
 }  // namespace saccade

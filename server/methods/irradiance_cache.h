@@ -9,6 +9,7 @@
 #include "cache/grid/light_states.h"
 #include "filter/atrous.h"
 #include "filter/filter_planes.h"
+#include "methods/light_change.h"
 #include "methods/method.h"
 #include "methods/paired_change.h"
 #include "methods/svgf.h"
@@ -50,9 +51,12 @@ class IrradianceCache final : public SurfaceMethod {
   // The grid's estimate for the current or the previous frame. readBaked() has set it where light is baked.
   GridEstimate& estimateOf(const Frame& frame) { return estimates_[frame.index % 2]; }
   // Reads the grid at all other points of both frames, from one state of what is known.
+  // Asks for rays wherever the direct light of a point may have changed.
+  void wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times);
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Reads, and filters both frames' points into filtered_.
   void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+  void addLightChange(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Replaces the change of pixels whose light cannot be cached.
   void fillUncached(const FramePair& frames, const PoolHandle& pool, IntensityChange& out, StageTimes& times);
 
@@ -65,6 +69,8 @@ class IrradianceCache final : public SurfaceMethod {
   // With the columns of SurfaceSamples.
   ImageF uncertainty_, uncertainty_prev_;
   ImageF shadow_detail_, shadow_detail_prev_;
+  std::unique_ptr<LightChange> change_;  // from the first frame on in which a body moves
+  std::vector<char> light_moved_;        // by point of the last frame, where the scene has bodies
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;               // D[i_{t-1}]
   std::uint32_t frames_ = 0;    // planned so far

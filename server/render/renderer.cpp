@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/tiles/pairs.h"
+#include "render/tiles/replays.h"
 #include "render/tiles/surface_pixel.h"
 #include "render/tiles/surface_points.h"
 
@@ -46,12 +47,18 @@ int tileEdge(int spp, int bounces) {
   return std::clamp(static_cast<int>(std::sqrt(kPieceRays / pixel_rays)), 1, kMaxTileEdge);
 }
 
+// Gives features their plane of bodies.
+void showBodies(GBuffer& g) {
+  if (g.body.width() == 0) g.body = Image<std::uint32_t>(g.z.width(), g.z.height());
+}
+
 }  // namespace
 
 std::chrono::nanoseconds Renderer::render(const PixelContext& view, const SeedPlan& seeds,
                                           const PoolHandle& pool, Frame& out) {
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
+  if (view.now.scene.bodies()) showBodies(out.g);
   const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
     if (settings_.jitter)
       return settings_.channels == 1 ? renderJitteredTile<S, 1> : renderJitteredTile<S, 3>;
@@ -64,6 +71,7 @@ std::chrono::nanoseconds Renderer::render(const PixelContext& view, const SeedPl
 SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle& pool, Frame& out,
                                       const OnTile& on_tile) {
   const RenderScene& scene = view.now.scene.still();
+  if (view.now.scene.bodies()) showBodies(out.g);
   out.light = view.now.scene.strengths().state();
   const Shading has = scene.shading();
   const bool plain_only =
@@ -71,9 +79,10 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
   if (starts().anyOfOthers() || scene.analyticLight().groups() > 0) current_ = 1 - current_;
   shadows_.next(scene, out.surfaces->indexOf(0, out.height()));
   starts().resize(out.surfaces->indexOf(0, out.height()), plain_only);
+  const ChangingLight changing(view.now.scene, view.before.scene);
   const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
-                                     [&](Tile t) { tile(view, t, on_tile, starts(), out); });
+                                     [&](Tile t) { tile(view, changing, t, on_tile, starts(), out); });
   out.surfaces->summarize(starts().any(), starts().anyOfOthers());
   return {out, scene, time};
 }
@@ -94,6 +103,23 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
                           [&](Tile t) { tile(seeds, tracing, t, starts(), out); });
+}
+
+std::chrono::nanoseconds Renderer::renderReplays(const PixelContext& view, const SeedPlan& seeds,
+                                                 const PoolHandle& pool, Frame& out) {
+  std::vector<SurfaceLight>& replays = out.surfaces->replays();
+  if (view.now.scene.posesEqual(view.before.scene)) return replays.clear(), std::chrono::nanoseconds{0};
+  replays.resize(out.surfaces->indexOf(0, out.height()));
+  const Camera& camera = view.now.camera;
+  const Tracing tracing{view.before.scene,
+                        settings_.bounces,
+                        {nullptr, camera.origin, camera.pixel},
+                        view.before.scene.still().deltaLamps().areFew()};
+  const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
+    return settings_.channels == 1 ? renderReplayTile<S, 1> : renderReplayTile<S, 3>;
+  });
+  return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp2, settings_.bounces),
+                          [&](Tile t) { tile(view, seeds, tracing, t, starts(), out); });
 }
 
 std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const SeedPlan& seeds,

@@ -47,6 +47,11 @@ class Renderer {
   std::chrono::nanoseconds traceShadows(const PixelContext& view, int spp, Frame& now, const Frame& before,
                                         const PoolHandle& pool);
 
+  // Sets SurfaceSamples::replays() of a frame, unless all bodies stand since the frame before. Called after
+  // renderPaths(), whose numbers and light it takes.
+  std::chrono::nanoseconds renderReplays(const PixelContext& view, const SeedPlan& seeds,
+                                         const PoolHandle& pool, Frame& out);
+
   // Replays the numbers of renderPaths() at the surfaces of the frame before, and adds pairs where they have
   // much noise. Sets out.pairs, and adds to out.samples.I2. `before`: the frame of the last but one
   // renderSurfaces(); both frames must have pixels that hasUncacheable().

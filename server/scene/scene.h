@@ -17,6 +17,8 @@
 
 namespace saccade {
 
+inline constexpr int kStands = -1;  // instead of the number of a body
+
 // Embree reads `positions` in place, and may read one entry beyond the last: there is a spare one.
 struct Mesh {
   std::string name;  // its id; without one, that of the file without folder and extension, or its type
@@ -28,6 +30,7 @@ struct Mesh {
   Rgb radiance;             // emitted on the side of the geometric normal (counter-clockwise front); 0: none
   Strength strength = {};   // of radiance, over time
   std::string unread = {};  // a sentence on what its file says and the picture does not show; empty: nothing
+  int body = kStands;       // of Scene::bodies
 };
 
 struct Sphere {
@@ -37,12 +40,22 @@ struct Sphere {
   int material = 0;
   Rgb radiance;            // emitted outwards; 0: none
   Strength strength = {};  // of radiance, over time
+  int body = kStands;      // of Scene::bodies
 };
 
 // Whether a mesh or a sphere is a light.
 inline bool emits(const auto& shape) {
   return luminance(shape.radiance) > 0;
 }
+
+// Shapes that move together, and keep their form. Its pose at a time is where its centre lies, and how it has
+// turned about it. In the scene file's own place it has the pose {centre, no rotation}.
+struct Body {
+  std::string name;  // of its shapes
+  Vec3 low, high;    // corners of the box around them in the scene file
+
+  Vec3 centre() const { return (low + high) * 0.5f; }
+};
 
 struct Scene {
   std::string name;
@@ -54,6 +67,7 @@ struct Scene {
   std::vector<PointLight> point_lights = {};
   std::vector<SpotLight> spot_lights = {};
   std::vector<DirectionalLight> directional_lights = {};
+  std::vector<Body> bodies = {};    // what may move; all other shapes stand
   Vec3d origin = {};                // of its axes, in the world
   Pose T_world_camera;              // the sensor of the scene file; camera axes x right, y down, z forward
   double fov_x_deg = 45;            // horizontal field of view

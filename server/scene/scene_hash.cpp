@@ -54,6 +54,9 @@ std::uint64_t hashScene(const Scene& scene) {
     h.add(l.position), h.add(l.axis), h.add(l.intensity), h.add(l.beam), h.add(l.cutoff);
   for (const DirectionalLight& l : scene.directional_lights) h.add(l.direction), h.add(l.irradiance);
   if (scene.origin != Vec3d{}) h.add(scene.origin);
+  if (scene.bodies.empty()) return h.value;
+  for (const Mesh& m : scene.meshes) h.add(m.body);
+  for (const Sphere& s : scene.spheres) h.add(s.body);
   return h.value;
 }
 

@@ -14,13 +14,22 @@ struct Flow {
   float z;     // depth in the other frame
 };
 
+// From the camera here to a point that a pixel shows, plus this: from the camera there to the same point of
+// its body.
+Vec3 stepOf(const FlowView& here, const FlowView& there, int x, int y, Vec3 from_here) {
+  const Vec3 of_camera = here.camera.origin - there.camera.origin;
+  if (!here.scene.bodies() || here.g.body.at(x, y) == 0) return of_camera;
+  const Vec3 point = here.camera.origin + from_here;
+  return here.scene.carried(here.g.body.at(x, y) - 1, point, there.scene) - point + of_camera;
+}
+
 // The camera that stands gives exactly 0, because both projections use the same formula.
 Flow flowAt(const FlowView& here, const FlowView& there, int x, int y) {
   const Vec3 direction = here.camera.direction(static_cast<float>(x), static_cast<float>(y));
   const float z = here.g.z.at(x, y);
   const bool far = z == kMissDepth;
   const Vec3 from_here = far ? direction : direction * z;
-  const Vec3 from_there = far ? direction : from_here + (here.camera.origin - there.camera.origin);
+  const Vec3 from_there = far ? direction : from_here + stepOf(here, there, x, y, from_here);
   const Camera::Projection begin = here.camera.projectDirection(from_here);
   const Camera::Projection end = there.camera.projectDirection(from_there);
   if (!(end.z > 0)) return {0, 0, end.z};

@@ -5,13 +5,15 @@
 
 #include "frame/frame.h"
 #include "render/camera/camera.h"
+#include "render/world/posed_scene.h"
 
 namespace saccade {
 
-// A frame's features, and the camera that it was rendered with.
+// A frame's features, and the camera and the scene that it was rendered with.
 struct FlowView {
   const GBuffer& g;
   const Camera& camera;
+  const PosedScene& scene;
 };
 
 // By how much of its depth a surface may seem to be elsewhere, for rounding and curvature.

@@ -7,8 +7,8 @@ TruthSamples PictureSource::sample(const FeedInterval& interval) {
   const IntensityChange& change = interval.change;
   std::optional<RenderedFrame> prev, cur;
   if (interval.rendered) {
-    const auto& [frames, camera, camera_t0, path, scene] = *interval.rendered;
-    prev.emplace(RenderedFrame{frames.prev, camera_t0, scene});
+    const auto& [frames, camera, camera_t0, path, scene, scene_t0] = *interval.rendered;
+    prev.emplace(RenderedFrame{frames.prev, camera_t0, scene_t0});
     cur.emplace(RenderedFrame{frames.cur, camera, scene});
   }
   TruthSamples samples;

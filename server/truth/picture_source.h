@@ -11,7 +11,7 @@ namespace saccade {
 struct RenderedFrame {
   const Frame& frame;
   const Camera& camera;
-  const RenderScene& scene;
+  const PosedScene& scene;
 };
 
 // A frame of the feed.

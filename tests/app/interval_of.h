@@ -6,7 +6,7 @@
 
 #include "feed/feed_interval.h"
 #include "render/test_scenes.h"
-#include "render/world/render_scene.h"
+#include "render/world/posed_scene.h"
 #include "saccade/wire/packet_cutter.h"
 
 namespace saccade {
@@ -35,12 +35,12 @@ class StillView {
     cur_.time = change_->t1, prev_.time = change_->t0;
   }
   FeedInterval interval() const {
-    return {*change_, RenderedInterval{{cur_, prev_}, camera_, camera_, path_, scene()}};
+    return {*change_, RenderedInterval{{cur_, prev_}, camera_, camera_, path_, scene(), scene()}};
   }
 
  private:
-  static const RenderScene& scene() {
-    static const RenderScene floor(test::floorFromAbove(0.5f));
+  static const PosedScene& scene() {
+    static const PosedScene floor(std::make_shared<RenderScene>(test::floorFromAbove(0.5f)));
     return floor;
   }
 

@@ -28,7 +28,9 @@ class LampPointsOf : public testing::Test {
   AnalyticLight light{scene};
   EmitterStrengths strengths{scene};
   LitPoint floor{{0.2f, 0.1f, 0}, {0, 0, 1}, {0, 0, 1}};
-  LampPoints lamps{light, floor, {1, 1, 1}, strengths};
+  LampPoints lamps{light, strengths};
+
+  LampPointsOf() { lamps.lookFrom(floor, {1, 1, 1}); }
 
   static float u(int i, std::uint32_t dimension) { return toUnit(mix32(mix32(dimension + 7) + i)); }
 };
@@ -54,17 +56,31 @@ TEST_F(LampPointsOf, WeighOneInTheMean) {
 TEST_F(LampPointsOf, LieOnTheirLamp) {
   for (int i = 0; i < 100; ++i) {
     const Vec3 large = lamps.at(0, u(i, 0), u(i, 1), u(i, 2)).position;
-    EXPECT_EQ(large.z, 2);
+    EXPECT_NEAR(large.z, 2, 1e-6);
     EXPECT_LE(std::abs(large.x + 0.5f), 0.5f + 1e-5f);
     EXPECT_LE(std::abs(large.y), 1 + 1e-5f);
     EXPECT_NEAR(lamps.at(1, u(i, 0), u(i, 1), u(i, 2)).position.z, 1, 1e-6);
   }
 }
 
+// A steep surface sees a sliver of the large lamp alone. All of its points are there.
+TEST_F(LampPointsOf, LieAboveTheHorizon) {
+  const Vec3 normal = normalize(Vec3{1, 0, -0.07f});
+  const LitPoint wall{{-0.2f, 0.1f, 0}, normal, normal};
+  lamps.lookFrom(wall, {1, 1, 1});
+  double sum = 0;
+  for (int i = 0; i < kPoints; ++i) {
+    const LampPoints::Point p = lamps.at(0, u(i, 0), u(i, 1), u(i, 2));
+    ASSERT_GT(dot(p.position - wall.point, normal), -1e-6f);
+    sum += p.weight;
+  }
+  EXPECT_NEAR(sum / kPoints, 1, 0.03);
+}
+
 TEST_F(LampPointsOf, ALampBehindTheSurfaceGivesNothing) {
-  const LampPoints below(light, {{0, 0, 3}, {0, 0, 1}, {0, 0, 1}}, {1, 1, 1}, strengths);
-  EXPECT_EQ(below.unoccluded(0), 0);
-  EXPECT_EQ(below.unoccluded(1), 0);
+  lamps.lookFrom({{0, 0, 3}, {0, 0, 1}, {0, 0, 1}}, {1, 1, 1});
+  EXPECT_EQ(lamps.unoccluded(0), 0);
+  EXPECT_EQ(lamps.unoccluded(1), 0);
 }
 
 }  // namespace

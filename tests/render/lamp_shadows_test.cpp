@@ -59,10 +59,10 @@ TEST(LampShadows, ALampsEdgeIsLitByTheShareThatIsSeen) {
   for (std::size_t i = 0; i < shadows.size(); ++i) {
     // Seen from a point at x, the card's end lies at -x on the lamp.
     const double seen = std::clamp((0.2 + xOf(i)) / 0.4, 0., 1.);
-    squares += (shadows[i].now - seen) * (shadows[i].now - seen);
-    penumbra += shadows[i].variance > 0;
+    squares += (shadows[i].now.mean - seen) * (shadows[i].now.mean - seen);
+    penumbra += shadows[i].now.variance > 0;
     if (seen == 0 || seen == 1) {
-      EXPECT_EQ(shadows[i].now, seen) << xOf(i);
+      EXPECT_EQ(shadows[i].now.mean, seen) << xOf(i);
     }
   }
   EXPECT_GT(penumbra, kWidth);
@@ -70,7 +70,8 @@ TEST(LampShadows, ALampsEdgeIsLitByTheShareThatIsSeen) {
 }
 
 TEST(LampShadows, AStandingCameraChangesNothing) {
-  for (const SurfaceShadow& s : trace(cardUnderALamp(), {0, 0.01, 0.01})) EXPECT_EQ(s.now, s.before);
+  for (const SurfaceShadow& s : trace(cardUnderALamp(), {0, 0.01, 0.01}))
+    EXPECT_EQ(s.now.mean, s.before.mean);
 }
 
 // A moving shadow changes what lies in it by as much as it moves, and all else by nothing.
@@ -80,13 +81,21 @@ TEST(LampShadows, AChangeIsThatOfTheShadow) {
   double sum = 0, inside = 0;
   for (std::size_t i = 0; i < shadows.size(); ++i) {
     const double before = xOf(i), now = before + step;
-    if (std::abs(before) < 0.07) sum += shadows[i].now - shadows[i].before, ++inside;
+    if (std::abs(before) < 0.07) sum += shadows[i].now.mean - shadows[i].before.mean, ++inside;
     if (before > 0.21) {
-      EXPECT_EQ(shadows[i].now, shadows[i].before) << now;
+      EXPECT_EQ(shadows[i].now.mean, shadows[i].before.mean) << now;
     }
   }
   ASSERT_GT(inside, 0);
   EXPECT_NEAR(sum / inside, step / 0.4, 0.01);
+}
+
+// From full shadow to full light: no ray of a point differs from its others.
+TEST(LampShadows, AChangeOfAllRaysHasNoNoise) {
+  for (const SurfaceShadow& s : trace(cardUnderALamp(), {-0.4, 0.4})) {
+    EXPECT_EQ(s.now.mean - s.before.mean, 1);
+    EXPECT_EQ(s.step_variance, 0);
+  }
 }
 
 // A strong lamp behind a wall takes no rays from the weak one.
@@ -100,15 +109,15 @@ TEST(LampShadows, AHiddenLampHarmsNothing) {
     const LitPoint p{{static_cast<float>(xOf(i)), 0, 0}, {0, 0, 1}, {0, 0, 1}};
     const EmitterStrengths of_weak(cardUnderALamp()), of_all(s);
     const double share = luminance(weak.at(p, of_weak)) / luminance(all.at(p, of_all));
-    EXPECT_NEAR(both[i].now, alone[i].now * share, 0.15 * share) << i;  // a ray or two of twelve
+    EXPECT_NEAR(both[i].now.mean, alone[i].now.mean * share, 0.15 * share) << i;  // a ray or two of twelve
   }
 }
 
 TEST(LampShadows, AreTheSameForAnyNumberOfThreads) {
   const auto one = trace(cardUnderALamp(), {0, 0.01}, 2, 1), five = trace(cardUnderALamp(), {0, 0.01}, 2, 5);
   for (std::size_t i = 0; i < one.size(); ++i) {
-    EXPECT_EQ(one[i].now, five[i].now);
-    EXPECT_EQ(one[i].before, five[i].before);
+    EXPECT_EQ(one[i].now.mean, five[i].now.mean);
+    EXPECT_EQ(one[i].before.mean, five[i].before.mean);
   }
 }
 

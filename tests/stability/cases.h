@@ -23,7 +23,8 @@ struct StabilityCase {
   std::string name{};
   const char* why = "";  // why methods fail there
   std::string scene = "cornell-box", trajectory = "right";
-  double px_per_frame = 0;  // > 0: as in BenchSetup; 0: the trajectory as it is, at rate_hz
+  std::vector<std::string> objects = {};  // that move, as in BenchSetup
+  double px_per_frame = 0;                // > 0: as in BenchSetup; 0: the trajectory as it is, at rate_hz
   double rate_hz = 250;
   bool jitter = false, mips = true;  // as in BenchSetup
   int width = 0, height = 0;         // 0: as wide and high as most cases of the form
@@ -43,6 +44,7 @@ struct StabilityCase {
 std::vector<StabilityCase> stabilityCases(bool full);
 // Parts of that list:
 std::vector<StabilityCase> motionCases();         // how the camera moves
+std::vector<StabilityCase> bodyCases();           // how bodies move
 std::vector<StabilityCase> placeCases();          // where surfaces stand to each other, and to the camera
 std::vector<StabilityCase> sceneCases();          // what the surfaces are like
 std::vector<StabilityCase> lightCases();          // what the light is like

@@ -19,6 +19,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 BenchSetup setupOf(const StabilityCase& c, const StabilityForm& form) {
   return {.scene = c.scene,
           .trajectory = c.trajectory,
+          .objects = c.objects,
           .width = c.width,
           .height = c.height,
           .frame_rate_hz = c.rate_hz,

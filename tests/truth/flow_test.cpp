@@ -1,5 +1,6 @@
 // Optical flow against closed forms of rotation, translation and occlusion.
 #include "feed/room.h"
+#include "scene/motion/bodies.h"
 #include "truth/truth_run.h"
 
 namespace saccade {
@@ -73,6 +74,34 @@ TEST(TruthFlow, OfATranslationIsInverseToDepthAndInvalidAtOcclusions) {
       };
       check(forward, edge0, edge1, -1);
       check(backward, edge1, edge0, 1);
+    }
+  }
+}
+
+// A quad 2 ahead goes to the right by f * step / 2 pixels before a wall, and the camera stands.
+TEST(TruthFlow, OfABodyIsThatOfItsMotionAndOfTheWallNothing) {
+  Scene s;
+  s.materials = {test::grey(0.5f)};
+  s.meshes = {test::quad({-9, -9, 4}, {0, 18, 0}, {18, 0, 0}, 0),
+              test::quad({-9, -9, 2}, {0, 18, 0}, {9, 0, 0}, 0)};
+  s.meshes[1].name = "quad";
+  const std::string names[]{"quad"};
+  setBodies(s, names);
+  const double shift = 6, step = 2 * shift / kLens.focal();
+  const Vec3d start = toDouble(s.bodies[0].centre());
+  const Trajectory path({{TimeNs(0), {start, {}}}, {kFrameTime, {start + Vec3d{step, 0, 0}, {}}}});
+  TruthRun run(s, steps({}, {}), kW, kH, kLens.fov_x_deg, {path});
+  const FeedInterval interval = run.step();
+  const Planes forward = run.planesOf(run.source("flow_forward")->sample(interval).front());
+  const Planes backward = run.planesOf(run.source("flow_backward")->sample(interval).front());
+  const double edge0 = (kW - 1) / 2.0, edge1 = edge0 + shift;  // of the quad, in either frame
+  for (int x = 0; x < kW; ++x) {
+    EXPECT_NEAR(forward.at(0, x, 5), x < edge0 ? shift : 0, 1e-3) << x;
+    EXPECT_NEAR(backward.at(0, x, 5), x < edge1 ? -shift : 0, 1e-3) << x;
+    EXPECT_NEAR(forward.at(1, x, 5), 0, 1e-3);
+    const bool covered = x > edge0 && x < edge1;  // the wall is seen before, and then is not
+    if (x + shift < kW - 1 || x > edge0) {
+      EXPECT_EQ(forward.at(2, x, 5), covered ? 0 : 1) << x;
     }
   }
 }

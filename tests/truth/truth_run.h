@@ -35,11 +35,13 @@ std::vector<T> elementsOf(const TruthSample& sample) {
 // A feed at kFrameRate that traces one path per pixel.
 class TruthRun {
  public:
-  TruthRun(Scene scene, Trajectory path, int width, int height, double fov_x_deg)
+  // `bodies`: the paths of the bodies of the scene.
+  TruthRun(Scene scene, Trajectory path, int width, int height, double fov_x_deg,
+           const std::vector<Trajectory>& bodies = {})
       : width_(width),
         height_(height),
         feed_(std::make_shared<RenderScene>(std::move(scene)), std::move(path),
-              config(width, height, fov_x_deg), pool_) {}
+              config(width, height, fov_x_deg, bodies), pool_) {}
 
   FeedInterval step() {
     feed_.step(pool_);
@@ -56,8 +58,9 @@ class TruthRun {
   }
 
  private:
-  static FeedConfig config(int width, int height, double fov_x_deg) {
+  static FeedConfig config(int width, int height, double fov_x_deg, const std::vector<Trajectory>& bodies) {
     FeedConfig c;
+    c.body_paths = bodies;
     c.camera = pinhole(fov_x_deg, width, height), c.frame_rate_hz = kFrameRate;
     c.method = "pt-correlated", c.spp = 2, c.bounces = 0;
     std::string name;

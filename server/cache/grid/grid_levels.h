@@ -21,6 +21,8 @@ struct GridLevel {
   // deviations, and weights of samples. evidence.h defines x.
   HugeVector<Octet> evidence;
   Cuts cuts;
+  // When fade() was at a vertex, as the grid counts frames; empty where no light has moved.
+  std::vector<std::uint32_t> faded;
 
   // Gives new vertices their values.
   void resize() { light.resize(table.size()), evidence.resize(table.size()), cuts.resize(table.size()); }

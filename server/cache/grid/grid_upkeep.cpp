@@ -68,6 +68,16 @@ void SurfaceGrid::drop(Placement& prev) {
   dropped_ += before - vertices();
 }
 
+void SurfaceGrid::follow(const SurfaceGrid& other) {
+  ++now_;
+  if (dropped_ != other.dropped_) levels_ = {};
+  dropped_ = other.dropped_;
+  other.levels_.forEach([&](int l, const GridLevel& of) {
+    levels_.makeAll(l, l);
+    levels_[l].light.resize(of.table.size()), levels_[l].evidence.resize(of.table.size());
+  });
+}
+
 void SurfaceGrid::forget() {
   levels_.forEach([](int, GridLevel& level) {
     std::fill(level.light.begin(), level.light.end(), Quad{});

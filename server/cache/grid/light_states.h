@@ -29,6 +29,7 @@ class LightStates {
   // Whether a frame with these strengths does not change the state.
   bool isAt(std::uint64_t strengths) const { return !current_ || current_->strengths == strengths; }
 
+  const GridParams& params() const { return params_; }  // of each grid, but for its memory
   LightState& current() { return *current_; }
   // That of the frame before; of the first frame, the current one.
   LightState& previous() { return *previous_; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cache/grid/cut_search.h"
+#include "cache/grid/ray_visibility.h"
 #include "cache/grid/vertex_search.h"
 
 namespace saccade {
@@ -40,36 +41,6 @@ SurfaceGrid::Time forEachBand(const SurfaceSamples& on, const PoolHandle& pool, 
   });
 }
 
-// Visibility by rays at a few points.
-class RayLanes {
- public:
-  RayLanes(const PointLanes& lanes, const FrameOnGrid& frame) {
-    if (!frame.shadows) return;
-    for (int i = 0; i < lanes.count; ++i) {
-      const SurfaceShadow& s = (*frame.shadows)[frame.at.points[lanes.points[i]].index];
-      if (s.wanted <= 0) continue;
-      any_ = true;
-      memory_.set(i, std::array{s.*frame.visibility, s.trust, s.variance, s.step_variance});
-    }
-  }
-  bool any() const { return any_; }
-  // Takes them into an estimate, as far as they are trusted.
-  void refine(const LevelBlend<PointFloats>& blend, PointFloats U, PointFloats cells, PointFloats& i,
-              PointFloats& variance, PointFloats& step_variance) const {
-    const auto [V, trust, noise, step_noise] = memory_.lanes();
-    const PointFloats of_rays = U * U * trust * trust, rest = U * U * (1.f - trust) * (1.f - trust);
-    i += trust * U * (V - blend.visibility.value);
-    variance = blend.residual.variance + rest * blend.visibility.variance + of_rays * noise;
-    const PointFloats of_step = select(cells > 0.f, of_rays * step_noise, PointFloats(0.f));
-    step_variance =
-        blend.residual.stepVariance(cells) + rest * blend.visibility.stepVariance(cells) + of_step;
-  }
-
- private:
-  bool any_ = false;
-  LaneMemory<4> memory_;
-};
-
 // Adds the estimates at a few points to their pixels.
 void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes, const FrameOnGrid& frame,
                   float cell_px, GridEstimate& out) {
@@ -82,7 +53,7 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
     const GridPoint& p = at.points[lanes.points[i]];
     x[i] = on.columnOf(p.index) / on.perPixel(), y[i] = on.rowOf(p.index);
     const float mx = g.motion_x.at(x[i], y[i]), my = g.motion_y.at(x[i], y[i]);
-    of_points.values[0][i] = on.place(p.index).unoccluded;
+    of_points.values[0][i] = frame.residuals ? 0 : on.place(p.index).unoccluded;
     of_points.values[1][i] = std::sqrt(mx * mx + my * my) * p.scale / cell_px;
   }
   const auto [U, cells] = of_points.lanes();
@@ -96,19 +67,6 @@ void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes,
     out.var_i.at(x[i], y[i]) += share * share * estimate.values[1][i];
     out.var_step.at(x[i], y[i]) += share * share * estimate.values[2][i];
   }
-}
-
-// The variance of visibility where it is a visible part of the light, for rays to tell; otherwise 0. It is
-// that of detail within the finest cells, by the evidence for it, and that of the mean [ours].
-float shadowVariance(const Octet& evidence, float noise, float unoccluded, float light) {
-  constexpr float kUnknown = 0.02f;
-  constexpr float kLeastContrast = 0.05f;
-  constexpr float kTau = 0.5f;  // standard deviations that detail must exceed its noise by: rays do no harm
-  const float weight = evidence[7];
-  if (!(weight > 0 && light > 0)) return kUnknown;
-  const float detail = std::max(0.f, evidence[4] - kTau * std::sqrt(evidence[5])) / weight;
-  const float variance = detail + noise;
-  return unoccluded * std::sqrt(variance) > kLeastContrast * light ? variance : 0;
 }
 
 }  // namespace
@@ -158,11 +116,20 @@ SurfaceGrid::Added SurfaceGrid::add(const FrameOnGrid& frame, const PoolHandle& 
     for (std::size_t i = first; i < end; ++i) {
       const std::uint32_t index = at.points[i].index;
       samples_[i] = Quad{};
-      if (on[index].paths == 0) continue;
-      const SurfaceLight& light = on.light(index);
       const auto n = static_cast<float>(on[index].paths);
+      if (on[index].paths == 0) continue;
+      if (frame.residuals) {
+        samples_[i] = Quad{n, n * (*frame.residuals)[index].residual, 0, 0};
+        continue;
+      }
+      const SurfaceLight& light = on.light(index);
       const float U = on.place(index).unoccluded, inv = U > 0 ? n / U : 0;
       samples_[i] = Quad{n, n * light.residual, light.visible * inv, light.unoccluded * inv};
+      if (frame.shadows && on[index].light_moves) {
+        const SurfaceShadow& shadow = (*frame.shadows)[index];
+        const auto rays = static_cast<float>(shadow.rays);
+        samples_[i] += Quad{0, 0, rays * shadow.now.mean, rays};
+      }
     }
   });
   time += forEachLevel(at, pool, [&](int l) {
@@ -173,6 +140,24 @@ SurfaceGrid::Added SurfaceGrid::add(const FrameOnGrid& frame, const PoolHandle& 
     });
   });
   return {frame, time};
+}
+
+SurfaceGrid::Time SurfaceGrid::fade(const FrameOnGrid& frame, Kept kept, const PoolHandle& pool) {
+  const Placement& at = frame.at;
+  return forEachLevel(at, pool, [&](int l) {
+    GridLevel& level = levels_[l];
+    level.faded.resize(level.light.size());
+    forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
+      const float share = kept(frame.on[at.points[i].index]);
+      if (share == 1) return;
+      for (std::uint32_t t = p.first; t < p.first + p.count; ++t)
+        for (const std::uint32_t v : at.taps[slot][t].vertex) {
+          if (level.faded[v] == now_) continue;
+          level.faded[v] = now_;
+          level.light[v] *= share, level.evidence[v] *= share;
+        }
+    });
+  });
 }
 
 SurfaceGrid::Time SurfaceGrid::learn(const Compared& compared, const PoolHandle& pool) {
@@ -216,7 +201,9 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolH
       const float U = on.place(p.index).unoccluded;
       const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
       const float noise = varianceOf<float>(e[6], e[7], l[3], params_.blend);
-      const float of_rays = shadow_detail && U > 0 ? shadowVariance(e, noise, U, light) : 0;
+      // Not U V: where few samples have met a strong lamp that is hidden, V is far too large.
+      const float found = (l[1] + U * l[2]) / l[0];
+      const float of_rays = shadow_detail && U > 0 ? shadowVariance(e, noise, U, found) : 0;
       float variance = varianceOf<float>(e[2], e[3], l[0], params_.blend);
       if (of_rays == 0) variance += U * U * noise;
       out.at(on.columnOf(p.index), on.rowOf(p.index)) =

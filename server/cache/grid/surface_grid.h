@@ -49,7 +49,9 @@ struct FrameOnGrid {
   const Placement& at;
   // Visibility by rays at its points, of SurfaceSamples::shadows; nullptr: there is none.
   const std::vector<SurfaceShadow>* shadows = nullptr;
-  float SurfaceShadow::*visibility = &SurfaceShadow::now;
+  RayVisibility SurfaceShadow::*visibility = &SurfaceShadow::now;
+  // Light to add instead of SurfaceSamples::light, of which only `residual` counts; nullptr: none.
+  const std::vector<SurfaceLight>* residuals = nullptr;
 };
 
 class SurfaceGrid {
@@ -81,6 +83,13 @@ class SurfaceGrid {
     const Placement& at;
     Time time;
   };
+  // Takes the vertices of another grid, instead of place(): the Placement is that of the other one. Forgets
+  // all where that has dropped some.
+  void follow(const SurfaceGrid& other);
+  // Keeps the share kept(point), in [0, 1], of what is known around the points of a frame. Call it before
+  // add().
+  using Kept = float (*)(const SurfacePoint&);
+  Time fade(const FrameOnGrid& frame, Kept kept, const PoolHandle& pool);
   // Adds a frame's samples.
   Added add(const FrameOnGrid& frame, const PoolHandle& pool);
   // Reads at the points of a frame, and sets the pixels that show any.

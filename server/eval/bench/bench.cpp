@@ -30,7 +30,7 @@ double surfaceShare(const GBuffer& g) {
 }
 
 std::shared_ptr<const RenderScene> openSceneOf(const BenchSetup& setup) {
-  auto scene = openScene(setup.scene);
+  auto scene = openScene(setup.scene, parseObjects(setup.objects));
   if (setup.mips) return scene;
   return std::make_shared<RenderScene>(simplified(scene->description(), {SceneFeature::kMipFiltering}));
 }
@@ -92,7 +92,7 @@ void Bench::renderTruth() {
   const int w = setup_.width, h = setup_.height;
   const double fov = scene_->description().fov_x_deg;
   ReferenceRenderer reference(scene_, {setup_.bounces, scene_->channels(), setup_.jitter}, w, h, fov,
-                              setup_.cache, pool_);
+                              setup_.cache, pool_, 0, feedConfig().body_paths);
   Progress progress("reference of " + setup_.scene,
                     static_cast<double>(setup_.last - setup_.first + 2) * setup_.reference_spp);
   Feed features = this->features();
@@ -125,6 +125,7 @@ FeedConfig Bench::feedConfig() const {
   config.frame_rate_hz = setup_.frame_rate_hz;
   config.bounces = setup_.bounces;
   config.jitter = setup_.jitter;
+  config.body_paths = openPaths(scene_->description(), parseObjects(setup_.objects), setup_.frame_rate_hz);
   return config;
 }
 

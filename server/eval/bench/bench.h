@@ -14,8 +14,9 @@
 namespace saccade::eval {
 
 struct BenchSetup {
-  std::string scene = "cornell-box";  // a name or a path, see open_scene.h
-  std::string trajectory = "right";   // likewise
+  std::string scene = "cornell-box";      // a name or a path, see open_scene.h
+  std::string trajectory = "right";       // likewise
+  std::vector<std::string> objects = {};  // that move, see moving_objects.h
   int width = 128, height = 128;
   double frame_rate_hz = 250;
   // > 0: a motion by name moves the images by this much (median at the start); this sets frame_rate_hz.

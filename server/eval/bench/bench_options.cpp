@@ -40,6 +40,7 @@ std::string BenchOptions::text() const {
   else if (camera)
     text << " rate_hz=" << setup.frame_rate_hz;
   if (camera) text << " frames=" << setup.first << ':' << setup.last;
+  for (const std::string& object : setup.objects) text << " object=\"" << object << '"';
   text << " bounces=" << setup.bounces;
   if (setup.jitter) text << " jitter=1";
   if (setup.bake_error > 0) text << " bake=" << setup.bake_error;
@@ -53,6 +54,7 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
   o.parsed = &app;
   o.setup.cache = defaultCache();
   if (o.camera) addCameraOptions(app, o);
+  addObjectOption(app, o.setup.objects);
   app.add_option("--size", o.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
   app.add_flag(
       "--jitter", o.setup.jitter,

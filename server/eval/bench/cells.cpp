@@ -31,7 +31,8 @@ std::vector<Cell> CellGrid::cells() const {
 std::string whyLeftOut(const Cell& cell, const BenchView& view) {
   if (view.surface < kLeastSurface)
     return format("only %.0f %% of the pixels show a surface", 100 * view.surface);
-  if (view.px_per_frame < kLeastOfSpeed * cell.px_per_frame) return "the images stand still";
+  if (cell.motion != kStillCamera && view.px_per_frame < kLeastOfSpeed * cell.px_per_frame)
+    return "the images stand still";
   return {};
 }
 

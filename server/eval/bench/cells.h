@@ -11,6 +11,7 @@ namespace saccade::eval {
 
 // The motions that a speed in pixels per frame is kept for, see BenchSetup::px_per_frame.
 inline const std::vector<std::string> kCellMotions{"right", "forward", "orbit", "shake"};
+inline const std::string kStillCamera = "still";  // with it the speed sets the frame rate alone
 
 struct Cell {
   std::string scene, motion;  // a name or a path; one of kCellMotions

@@ -14,6 +14,7 @@ namespace saccade::eval {
 
 struct FeedOptions {
   std::string scene, trajectory = "right", size = "256x256";
+  std::vector<std::string> objects;
   FeedConfig feed;
   int threads = hardwareThreads();
 };

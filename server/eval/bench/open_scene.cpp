@@ -38,14 +38,6 @@ fs::path fileOf(const std::string& name_or_path) {
   return path.has_extension() && !fs::is_directory(path) ? path : sceneFileIn(path);
 }
 
-Trajectory readTrajectoryFile(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw SceneError("cannot read the trajectory " + path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return parseTrajectory(text.str(), path);
-}
-
 // KIND:SPEED or KIND:SPEEDpx; none where there is no colon.
 std::optional<Motion> readMotion(std::string text, const FeedConfig& feed) {
   const bool in_pixels = text.ends_with("px");
@@ -73,6 +65,18 @@ Trajectory ofTheScene(const std::string& scene, const std::string& name) {
 }
 
 }  // namespace
+
+bool isTrajectoryFile(const std::string& text) {
+  return text.ends_with(".csv") || text.ends_with(".txt");
+}
+
+Trajectory readTrajectoryFile(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw SceneError("cannot read the trajectory " + path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return parseTrajectory(text.str(), path);
+}
 
 std::vector<std::string> availableScenes() {
   std::vector<std::string> names;
@@ -120,8 +124,10 @@ Scene readScene(const std::string& name_or_path) {
 
 }  // namespace
 
-std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {
+std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path,
+                                             const std::vector<MovingObject>& objects) {
   Scene scene = readScene(name_or_path);
+  setBodies(scene, objects);
   for (const std::string& warning : warningsOf(scene))
     std::fprintf(stderr, "warning: %s: %s\n", name_or_path.c_str(), warning.c_str());
   return std::make_shared<RenderScene>(std::move(scene));
@@ -129,7 +135,7 @@ std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {
 
 Trajectory openTrajectory(const std::string& scene, const std::string& text, const RenderScene& opened,
                           const FeedConfig& feed) {
-  if (text.ends_with(".csv") || text.ends_with(".txt")) return readTrajectoryFile(text);
+  if (isTrajectoryFile(text)) return readTrajectoryFile(text);
   const Scene& s = opened.description();
   const auto motion = isMotionName(text) ? namedMotion(text, s.fov_x_deg) : readMotion(text, feed);
   if (!motion) return ofTheScene(scene, text);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "eval/bench/moving_objects.h"
 #include "feed/feed.h"
 #include "render/world/render_scene.h"
 #include "scene/camera/motion.h"
@@ -26,8 +27,13 @@ std::string sceneName(const std::string& name_or_path);
 // them.
 void requireTableNames(const std::vector<std::string>& names_or_paths);
 
-// Throws SceneError.
-std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path);
+// `objects` move. Throws SceneError.
+std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path,
+                                             const std::vector<MovingObject>& objects = {});
+
+// Whether a text names a file of poses, and such a file. Throws SceneError.
+bool isTrajectoryFile(const std::string& text);
+Trajectory readTrajectoryFile(const std::string& path);
 
 // The words for a trajectory. A motion is a name ("right"), KIND:SPEED ("dolly:0.2"), or KIND:SPEEDpx in
 // pixels per frame. Else it is a .csv or .txt file by path, or a trajectory of the scene. The width and the

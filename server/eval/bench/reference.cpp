@@ -64,8 +64,9 @@ double ReferenceChange::error() const {
 
 ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings,
                                      int width, int height, double fov_x_deg, std::string cache,
-                                     TilePool& pool, std::uint64_t seed)
-    : posed_(std::move(scene)),
+                                     TilePool& pool, std::uint64_t seed,
+                                     const std::vector<Trajectory>& body_paths)
+    : posed_(std::move(scene), body_paths),
       renderer_({settings.bounces, settings.channels}),
       pool_(pool),
       whole_pixel_(settings.jitter),
@@ -87,6 +88,7 @@ ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const RenderScene> scene, R
 std::string ReferenceRenderer::cachePath(const Pose& pose, int spp) const {
   ContentHash h{key_};
   h.add(pose.position), h.add(pose.rotation), h.add(posed_.strengths().factors()), h.add(spp);
+  if (posed_.bodies()) h.add(posed_.state());
   const std::string name = format("%016llx.exr", static_cast<unsigned long long>(h.value));
   return (std::filesystem::path(cache_) / name).string();
 }

@@ -32,8 +32,10 @@ class ReferenceRenderer {
   // Keeps frames in the folder `cache`, named by a hash of scene, view and settings. The hash does not cover
   // the code: empty the folder after a change of the path tracer. With settings.jitter a frame is the mean
   // over the whole pixel. References of different seeds have nothing in common.
+  // `body_paths`: of the bodies of the scene.
   ReferenceRenderer(std::shared_ptr<const RenderScene> scene, RenderSettings settings, int width, int height,
-                    double fov_x_deg, std::string cache, TilePool& pool, std::uint64_t seed = 0);
+                    double fov_x_deg, std::string cache, TilePool& pool, std::uint64_t seed = 0,
+                    const std::vector<Trajectory>& body_paths = {});
 
   // Renders the frame at a stream time, or takes it from the cache. `spp` paths per pixel are rounded up to a
   // multiple of kChunk. The cache is written every few seconds and when interrupted() turns true. The next

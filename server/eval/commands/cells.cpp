@@ -93,9 +93,11 @@ void addCellsCommand(CLI::App& app) {
   addSettings(*c, "--candidates", o->candidates,
               "METHOD@SPP: what is compared, at these paths per pixel and frame");
   addSettings(*c, "--baselines", o->baselines, "METHOD@SPP: each figure is compared with the best of these");
-  c->add_option("--motions", o->grid.motions, "motions of the camera")
+  std::vector<std::string> motions = kCellMotions;
+  motions.push_back(kStillCamera);
+  c->add_option("--motions", o->grid.motions, "motions of the camera; still where objects move")
       ->delimiter(',')
-      ->check(CLI::IsMember(kCellMotions))
+      ->check(CLI::IsMember(motions))
       ->capture_default_str();
   c->add_option("--speeds", o->grid.speeds, "pixels per frame")
       ->delimiter(',')

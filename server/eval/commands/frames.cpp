@@ -87,7 +87,7 @@ void runReference(const FramesOptions& o, std::shared_ptr<const RenderScene> sce
         "--reference %d is rounded up to %d: references are rendered in steps of %d paths per pixel\n",
         o.reference, spp, kChunk);
   ReferenceRenderer renderer(scene, {o.feed.bounces, scene->channels(), o.feed.jitter}, w, h,
-                             scene->description().fov_x_deg, o.cache, pool, o.feed.seed);
+                             scene->description().fov_x_deg, o.cache, pool, o.feed.seed, o.feed.body_paths);
   Progress progress("reference", static_cast<double>(spp) * static_cast<double>(o.last - o.first + 2));
   const auto render = [&](int t) {
     const TimeNs time = frameTime(static_cast<FrameIndex>(t), o.feed.frame_rate_hz);

@@ -10,4 +10,4 @@
   template SurfaceStages<3> surfaceStages<S, 3, false>(); \
   template SurfaceStages<1> surfaceStages<S, 1, true>();  \
   template SurfaceStages<3> surfaceStages<S, 3, true>();  \
-  template Guide findGuide<S>(const PosedScene&, const Ray&, const Hit&, const PathStart&);
+  template Guide findGuide<S>(const PixelContext&, const Ray&, const Hit&, const PathStart&);

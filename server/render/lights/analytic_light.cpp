@@ -1,7 +1,6 @@
 #include "render/lights/analytic_light.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,34 +11,9 @@
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMaxCorners = 8;
-
-struct Polygon {
-  std::array<Vec3, kMaxCorners> corners;
-  std::size_t count = 0;
-  void add(Vec3 v) {
-    if (count < kMaxCorners) corners[count++] = v;
-  }
-};
-
-// The part of a polygon, seen from the origin, that is above the plane with normal n.
-Polygon above(const Polygon& in, Vec3 n) {
-  bool all = true;
-  for (std::size_t i = 0; i < in.count; ++i) all = all && dot(in.corners[i], n) > 0;
-  if (all) return in;
-  Polygon out;
-  for (std::size_t i = 0; i < in.count; ++i) {
-    const Vec3 a = in.corners[i], b = in.corners[i + 1 < in.count ? i + 1 : 0];
-    const float height_a = dot(a, n), height_b = dot(b, n);
-    if (height_a > 0) out.add(a);
-    if ((height_a > 0) != (height_b > 0)) out.add(a + (b - a) * (height_a / (height_a - height_b)));
-  }
-  return out;
-}
-
 // Share of the cosine-weighted hemisphere about n that a polygon above the horizon covers [Lambert 1760].
 float shareOfHemisphere(const Polygon& polygon, Vec3 n) {
-  std::array<Vec3, kMaxCorners> unit;
+  std::array<Vec3, Polygon::kMaxCorners> unit;
   for (std::size_t i = 0; i < polygon.count; ++i) unit[i] = normalize(polygon.corners[i]);
   float sum = 0;
   for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -97,11 +71,18 @@ void AnalyticLight::addSides(const Mesh& mesh, std::uint32_t geometry) {
 
 float AnalyticLight::formFactor(const Side& side, const LitPoint& p) {
   if (side.radius > 0) return sphereFormFactor(side.corners[0], side.radius, p);
-  if (!seesLamp<float>(p.point, side.corners, side.normal)) return 0;
+  return formFactor(seen(side, p), p);
+}
+
+Polygon AnalyticLight::seen(const Side& side, const LitPoint& p) {
   Polygon seen;
+  if (!seesLamp<float>(p.point, side.corners, side.normal)) return seen;
   for (const Vec3 corner : side.corners) seen.add(corner - p.point);
   seen = above(seen, p.normal);
-  if (!(p.normal == p.geometric_normal)) seen = above(seen, p.geometric_normal);
+  return p.normal == p.geometric_normal ? seen : above(seen, p.geometric_normal);
+}
+
+float AnalyticLight::formFactor(const Polygon& seen, const LitPoint& p) {
   return shareOfHemisphere(seen, p.normal);
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/lane_vectors.h"
 #include "render/lights/incident_light.h"
+#include "render/lights/polygon.h"
 #include "scene/emitter_strengths.h"
 
 namespace saccade {
@@ -48,6 +49,10 @@ class AnalyticLight {
   int groups() const { return sides_.empty() ? 0 : sides_.back().group + 1; }
   // The share of the cosine-weighted hemisphere above a point that a side covers.
   static float formFactor(const Side& side, const LitPoint& p);
+  // The part of a polygon that lights a point, from the point.
+  static Polygon seen(const Side& side, const LitPoint& p);
+  // The same of such a part.
+  static float formFactor(const Polygon& seen, const LitPoint& p);
 
   // Radiance that a white diffuse surface would reflect: irradiance / pi.
   Rgb at(const LitPoint& p, const EmitterStrengths& strengths) const;

@@ -10,19 +10,14 @@ namespace saccade {
 namespace {
 
 // Uniform on a convex polygon: a fan of triangles by their areas, then the square-root map.
-Vec3 pointOn(const AnalyticLight::Side& side, float u1, float u2) {
-  const Vec3 a = side.corners[0];
-  float left = u1 * side.area;
-  for (std::size_t k = 1;; ++k) {
-    const Vec3 e1 = side.corners[k] - a, e2 = side.corners[k + 1] - a;
-    const float area = length(cross(e1, e2)) / 2;
-    if (left >= area && k + 2 < side.corners.size()) {
-      left -= area;
-      continue;
-    }
-    const float s = std::sqrt(std::min(left / area, 1.f));
-    return a + e1 * (s * (1 - u2)) + e2 * (s * u2);
-  }
+Vec3 pointOn(const Polygon& polygon, const std::array<float, Polygon::kMaxCorners>& areas, float u1,
+             float u2) {
+  std::size_t k = 2;
+  const float area = u1 * areas[polygon.count - 1];
+  while (k + 1 < polygon.count && area >= areas[k]) ++k;
+  const float s = std::sqrt(std::min((area - areas[k - 1]) / (areas[k] - areas[k - 1]), 1.f));
+  const Vec3 a = polygon.corners[0], b = polygon.corners[k - 1], c = polygon.corners[k];
+  return a * (1 - s) + b * (s * (1 - u2)) + c * (s * u2);
 }
 
 // A place on a sphere, uniform in what the point sees of it.
@@ -38,30 +33,47 @@ LampPoints::Point pointOn(const AnalyticLight::Side& sphere, const LitPoint& fro
 
 }  // namespace
 
-LampPoints::LampPoints(const AnalyticLight& light, const LitPoint& from, Rgb reflectance,
-                       const EmitterStrengths& strengths)
-    : from_(from) {
+void LampPoints::lookFrom(const LitPoint& from, Rgb reflectance) {
+  from_ = from, ends_ = {}, unoccluded_ = {};
   int count = 0;
-  for (const AnalyticLight::Side& side : light.sides()) {
-    const float form_factor = AnalyticLight::formFactor(side, from);
-    const float reflected = form_factor * luminance(reflectance * side.radiance) * strengths[side.geometry];
-    if (reflected > 0) seen_[count++] = {&side, form_factor, unoccluded_[side.group] += reflected};
+  for (const AnalyticLight::Side& side : light_.sides()) {
+    Seen& seen = seen_[count];
+    seen.side = &side;
+    seen.part = side.radius > 0 ? Polygon{} : AnalyticLight::seen(side, from);
+    seen.form_factor =
+        side.radius > 0 ? AnalyticLight::formFactor(side, from) : AnalyticLight::formFactor(seen.part, from);
+    const float reflected =
+        seen.form_factor * luminance(reflectance * side.radiance) * strengths_[side.geometry];
+    if (reflected > 0) {
+      seen.sum = unoccluded_[side.group] += reflected;
+      measure(seen), ++count;
+    }
     ends_[side.group + 1] = count;
   }
+}
+
+void LampPoints::measure(Seen& seen) {
+  if (seen.side->radius > 0) return;
+  const Polygon& part = seen.part;
+  for (std::size_t k = 2; k < part.count; ++k) {
+    const Vec3 a = part.corners[0];
+    const float area = length(cross(part.corners[k - 1] - a, part.corners[k] - a)) / 2;
+    seen.areas[k] = seen.areas[k - 1] + area;
+  }
+  seen.weight = seen.areas[part.count - 1] * std::numbers::inv_pi_v<float> / seen.form_factor;
 }
 
 LampPoints::Point LampPoints::at(int group, float u, float u1, float u2) const {
   const int end = ends_[group + 1];
   int i = ends_[group];
   while (i + 1 < end && u * unoccluded_[group] >= seen_[i].sum) ++i;
-  const AnalyticLight::Side& side = *seen_[i].side;
-  if (side.radius > 0) return pointOn(side, from_, seen_[i].form_factor, u1, u2);
-  const Vec3 point = pointOn(side, u1, u2), segment = point - from_.point;
-  const float leaving = -dot(segment, side.normal), arriving = dot(segment, from_.normal);
-  if (!(leaving > 0 && arriving > 0 && dot(segment, from_.geometric_normal) > 0)) return {point, 0};
+  const Seen& seen = seen_[i];
+  if (seen.side->radius > 0) return pointOn(*seen.side, from_, seen.form_factor, u1, u2);
+  const Vec3 segment = pointOn(seen.part, seen.areas, u1, u2);
+  const float leaving = -dot(segment, seen.side->normal), arriving = dot(segment, from_.normal);
   const float distance2 = dot(segment, segment);
-  const float factor = leaving * arriving * side.area * std::numbers::inv_pi_v<float>;
-  return {point, factor / (distance2 * distance2 * seen_[i].form_factor)};
+  return {from_.point + segment,
+          std::max(0.f, leaving) * std::max(0.f, arriving) * seen.weight / (distance2 * distance2)};
 }
 
 }  // namespace saccade

@@ -1,5 +1,5 @@
 // Points on the lamps whose light has a closed form, chosen by what each side of a lamp gives to one point of
-// a surface.
+// a surface. They lie where the surface sees the side above its horizon.
 #pragma once
 
 #include <array>
@@ -10,9 +10,11 @@ namespace saccade {
 
 class LampPoints {
  public:
-  // `reflectance`: of the surface, which weighs the colours of lamps. `strengths`: of the lamps.
-  LampPoints(const AnalyticLight& light, const LitPoint& from, Rgb reflectance,
-             const EmitterStrengths& strengths);
+  LampPoints(const AnalyticLight& light, const EmitterStrengths& strengths)
+      : light_(light), strengths_(strengths) {}
+
+  // All that follows is of this surface. `reflectance` weighs the colours of lamps.
+  void lookFrom(const LitPoint& from, Rgb reflectance);
 
   // Luminance that the surface reflects of a group of lamps, as if nothing cast a shadow.
   float unoccluded(int group) const { return unoccluded_[group]; }
@@ -26,10 +28,17 @@ class LampPoints {
 
  private:
   struct Seen {
-    const AnalyticLight::Side* side;
-    float form_factor;
-    float sum;  // of the light of its group, up to this side
+    const AnalyticLight::Side* side = nullptr;
+    Polygon part;                                     // of a polygon, from the surface; of a sphere empty
+    std::array<float, Polygon::kMaxCorners> areas{};  // of a fan of triangles, up to each corner
+    float form_factor = 0;
+    float weight = 0;  // of its points: area / (pi * form factor)
+    float sum = 0;     // of the light of its group, up to this side
   };
+  static void measure(Seen& seen);
+
+  const AnalyticLight& light_;
+  const EmitterStrengths& strengths_;
   LitPoint from_;
   std::array<Seen, AnalyticLight::kMaxSides> seen_;        // group by group
   std::array<int, AnalyticLight::kMaxGroups + 1> ends_{};  // of the groups before each

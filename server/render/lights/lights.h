@@ -14,6 +14,9 @@ class Lights {
   // Keeps a pointer to the pixels of the scene's environment.
   explicit Lights(const Scene& scene) : lamps_(scene), distant_(scene) {}
 
+  // In place of the lamps, others of the same scene.
+  void setLamps(Lamps lamps) { lamps_ = std::move(lamps); }
+
   // See Lamps.
   void look(LightSet set, LampSight sight) { lamps_.look(set, std::move(sight)); }
 

@@ -53,7 +53,7 @@ class BounceRays {
     LaneSet found = LaneSet::first(count);
     if (!b_.t.scene.still().lightMayBeAnywhere()) {
       set(e);
-      b_.t.scene.still().emitters().template occluded<W>(packet_, found);
+      b_.t.scene.emitters().template occluded<W>(packet_, found);
       found &= lanesOf(load<W>(packet_.far) < 0.f);
     }
     pushOn(found, e);
@@ -63,8 +63,8 @@ class BounceRays {
     Entries e;
     const int count = on_.take(e);
     set(e);
-    b_.t.scene.still().geometry().template intersect<W>(packet_, LaneSet::first(count),
-                                                        EmbreeScene::Rays::kScattered);
+    b_.t.scene.geometry().template intersect<W>(packet_, LaneSet::first(count),
+                                                EmbreeTracer::Rays::kScattered);
     shadeHits<W, K>(b_, packet_, count, std::bit_cast<Uints<W>>(e[6]));
   }
 

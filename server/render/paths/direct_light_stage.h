@@ -78,7 +78,7 @@ void directLightOf(const Batch<K.channels>& b, Stratum stratum) {
 template <int W, PathKind K>
 void directLight(const Batch<K.channels>& b) {
   for (const Stratum stratum : {Stratum::kLamps, Stratum::kDistant})
-    if (b.t.scene.still().lights().has(stratum, b.lightSet())) directLightOf<W, K>(b, stratum);
+    if (b.t.scene.lights().has(stratum, b.lightSet())) directLightOf<W, K>(b, stratum);
 }
 
 }  // namespace saccade

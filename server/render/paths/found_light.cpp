@@ -8,13 +8,12 @@ template <int C, bool kSplit>
 void addFound(const Tracing& t, const Found& found, Color<C> throughput, float pdf, bool from_start,
               PathResults<C>& results) {
   const EmitterPoint& at = found.emitter;
-  const float pdf_light = t.scene.still().lights().lamps().pdf(t.lightsOf(from_start), at, found.vertex);
+  const float pdf_light = t.scene.lights().lamps().pdf(t.lightsOf(from_start), at, found.vertex);
   const float weight = pdf == kDeltaPdf ? 1 : balance(pdf, pdf_light);
   const Color<C> light = throughput * Color<C>(at.radiance) * (weight * t.scene.strengths()[at.geometry]);
   results.radiance.add(found.slot, light);
   if constexpr (kSplit)
-    if (from_start && t.scene.still().analyticLight().holds(at.geometry))
-      results.mis_weighted.add(found.slot, light);
+    if (from_start && t.scene.analyticLight().holds(at.geometry)) results.mis_weighted.add(found.slot, light);
 }
 
 template <int C>

@@ -31,7 +31,7 @@ template <int W, int C>
   alignas(64) float u[kLaneVectors] = {};
   store(u_lamp, u);
   const Lamps::ChosenLanes chosen =
-      b.t.scene.still().lights().lamps().chooseFromTree(b.lightSet(), points, normals, u, lanes);
+      b.t.scene.lights().lamps().chooseFromTree(b.lightSet(), points, normals, u, lanes);
   return {load<W>(chosen.number), load<W>(chosen.pdf)};
 }
 
@@ -39,9 +39,9 @@ template <int W, int C>
 [[gnu::always_inline]] inline ChosenLamps<W> chooseLamps(const Batch<C>& b, const Vec3T<Floats<W>>& point,
                                                          const Vec3T<Floats<W>>& normal,
                                                          const Floats<W>& u_lamp, LaneSet lanes) {
-  if (b.t.scene.still().lights().lamps().hasTree(b.lightSet()))
+  if (b.t.scene.lights().lamps().hasTree(b.lightSet()))
     return chooseFromTree<W, C>(b, point, normal, u_lamp, lanes);
-  const LightColumns& columns = b.t.scene.still().lightColumns();
+  const LightColumns& columns = b.t.scene.lightColumns();
   const Uints<W> number = columns.choose<W>(b.lightSet(), u_lamp);
   return {number, columns.at<W>(columns.pdfColumn(b.lightSet()), number)};
 }
@@ -54,7 +54,7 @@ template <int W, int C>
                                                                  const Floats<W>& u1, const Floats<W>& u2) {
   using F = Floats<W>;
   using Columns = LightColumns;
-  const LightColumns& lights = b.t.scene.still().lightColumns();
+  const LightColumns& lights = b.t.scene.lightColumns();
   const EmitterStrengths& strengths = b.t.scene.strengths();
   const Uints<W>& chosen = lamps.number;
   LightSamples<W, C> light;
@@ -91,7 +91,7 @@ void sampleOneByOne(const Batch<C>& b, LaneSet lanes, const auto& sample, LightS
     setLane(light.radiance, i, Color<C>(one.radiance) * strength);
     light.reach[i] = one.reach, light.pdf[i] = one.pdf;
     light.delta[i] = one.delta ? 1.f : 0.f;
-    light.closed_form[i] = b.t.scene.still().analyticLight().holds(one.geometry) ? 1.f : 0.f;
+    light.closed_form[i] = b.t.scene.analyticLight().holds(one.geometry) ? 1.f : 0.f;
   });
 }
 
@@ -102,7 +102,7 @@ template <int W, int C>
                                                               const Vec3T<Floats<W>>& normal,
                                                               const Floats<W>& u_light, const Floats<W>& u1,
                                                               const Floats<W>& u2, LaneSet lanes) {
-  const RenderScene& scene = b.t.scene.still();
+  const PosedScene& scene = b.t.scene;
   LightSamples<W, C> light;
   if (stratum == Stratum::kDistant) {
     sampleOneByOne<W, C>(

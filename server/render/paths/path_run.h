@@ -56,8 +56,7 @@ class PathRun {
   void finish() {
     const auto count = static_cast<std::uint32_t>(memory_->now.count);
     if (count == 0) return;
-    if (!t_.scene.still().lights().empty())
-      tracer()(t_, stages_, memory_->now, memory_->next, memory_->results);
+    if (!t_.scene.lights().empty()) tracer()(t_, stages_, memory_->now, memory_->next, memory_->results);
     for (std::uint32_t slot = 0; slot < count; ++slot)
       on_path_(memory_->owners[slot], memory_->results, slot);
     memory_->now.count = 0;

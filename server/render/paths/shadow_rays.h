@@ -89,7 +89,7 @@ class ShadowRays {
     Entries e;
     LaneSet open = LaneSet::first(queue_.take(e));
     setRays<W>(e, e[6], packet_);
-    b_.t.scene.still().geometry().template occluded<W>(packet_, open);
+    b_.t.scene.geometry().template occluded<W>(packet_, open);
     open = open - lanesOf(load<W>(packet_.far) < 0.f);
     if (has_panes_) {
       unblocked_.push(open, e);
@@ -106,8 +106,8 @@ class ShadowRays {
     const int count = unblocked_.take(e);
     RayPacket<W> packet;
     setRays<W>(e, e[6], packet);
-    b_.t.scene.still().straight().template intersect<W>(packet, LaneSet::first(count),
-                                                        EmbreeScene::Rays::kScattered);
+    b_.t.scene.straight().template intersect<W>(packet, LaneSet::first(count),
+                                                EmbreeTracer::Rays::kScattered);
     const Unpacked rays(e);
     for (int i = 0; i < count; ++i) {
       const Hit hit = packet.hit(i);

@@ -62,7 +62,7 @@ void shadeHit(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint3
   PathState state = PathState::unpack(from.state[i]);
   if (!at.hit.valid) {
     if (state.in_view) return;
-    const DistantLights& lights = t.scene.still().lights().distant();
+    const DistantLights& lights = t.scene.lights().distant();
     const float pdf_light = lights.pdf(t.lightsOf(state.from_start), at.direction);
     const float weight = state.delta ? 1 : balance(from.pdf[i], pdf_light);
     results.radiance.add(slot, throughput * Color<C>(lights.radiance(at.direction)) * weight);
@@ -91,7 +91,7 @@ void shadeHit(const Tracing& t, int vertex, const LivePaths<C>& from, std::uint3
   const auto j = static_cast<std::uint32_t>(to.count);
   state.surface = shadedAs(s);
   to.state[j] = state.pack(), to.pdf[j] = from.pdf[i], to.distance[j] = distance;
-  if (t.scene.still().lights().lamps().hasTree(LightSet::kAll))
+  if (t.scene.lights().lamps().hasTree(LightSet::kAll))
     to.chooser_normal.set(j, chooserOf<true>(from, i, s.point, at.direction, distance).normal);
   put<S>(s, at.direction, cone, sampler, slot, throughput, to);
 }
@@ -134,7 +134,7 @@ Transmittance transmit(const Tracing& t, const Ray& shadow, const Hit& first) {
   const Vec3 direction = normalize(shadow.direction);
   Ray ray = shadow;
   Hit hit = first;
-  for (int i = 0; hit.valid; hit = t.scene.still().straight().intersect(ray), ++i) {
+  for (int i = 0; hit.valid; hit = t.scene.straight().intersect(ray), ++i) {
     if (i == kMaxTransmissions) return {{}, 0};
     const Surface s = surfaceAt<S>(t.scene, ray, hit, RayCone::kDiffuseSpread * hit.t);
     const Transmittance one = Scatter<S>(s, direction).straightTransmittance();

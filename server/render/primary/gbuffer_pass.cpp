@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "render/camera/pixel_features.h"
+#include "render/world/coherent_rays.h"
 #include "render/world/surface_at.h"
 
 namespace saccade {
@@ -51,7 +52,7 @@ float shadeRay(const PixelContext& view, const Ray& ray, float before, const Hit
   if (!hit.valid) {
     out.start = {}, out.guide = {};
     out.guide.hit = false;
-    if constexpr (S.extras) out.guide.emission = view.now.scene.still().lights().distant().radiance(unit);
+    if constexpr (S.extras) out.guide.emission = view.now.scene.lights().distant().radiance(unit);
     return 1;
   }
   RayCone cone{0, view.now.camera.pixelAt(ray.direction)};
@@ -59,7 +60,7 @@ float shadeRay(const PixelContext& view, const Ray& ray, float before, const Hit
   new (&out.start) PathStart{surfaceAt<S>(view.now.scene, ray, hit, cone.width), unit, cone};
   const float opacity = out.start.surface.opacity;
   if (apart) out.start.surface.opacity = 1;
-  new (&out.guide) Guide(findGuide<S>(view.now.scene, ray, hit, out.start));
+  new (&out.guide) Guide(findGuide<S>(view, ray, hit, out.start));
   out.guide.t += before;
   // Masks do not thin what they emit.
   if (apart && opacity > 0) out.guide.emission = out.guide.emission * (1 / opacity);
@@ -79,7 +80,7 @@ void tracePoints(const PixelContext& view, std::span<const Vec2> points, std::sp
   for (std::size_t i = 0; i < points.size(); ++i)
     rays[i] = {view.now.camera.origin, view.now.camera.direction(points[i].x, points[i].y),
                std::numeric_limits<float>::infinity()};
-  view.now.scene.still().geometry().intersect(rays, found);
+  intersectCoherent(view.now.scene.geometry(), rays, found);
 }
 
 // The layers of one ray. Returns how many there are.
@@ -97,7 +98,7 @@ std::size_t shadeLayers(const PixelContext& view, Ray ray, Hit hit, std::span<La
     if (left <= 0) return count;
     before += hit.t;
     ray.origin = leave(layer.hit.start.surface, true);
-    hit = view.now.scene.still().geometry().intersect(ray);
+    hit = view.now.scene.geometry().intersect(ray);
   }
 }
 
@@ -129,11 +130,12 @@ std::size_t traceLayers(const PixelContext& view, std::span<const Vec2> points, 
 void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,
                    GBuffer& g) {
   const Guide& guide = primary.guide;
+  if (g.body.width() > 0) g.body.at(x, y) = guide.hit ? guide.body + 1 : 0;
   g.albedo.at(x, y) = luminance(guide.albedo);
   g.emission.at(x, y) = luminance(guide.emission);
   if (!guide.hit) return setFar(camera, prev, primary.direction, x, y, g);
   setNormal(guide.normal, x, y, g);
-  projectMotion(camera, prev, guide.point - camera.origin, guide.point - prev.origin, x, y, g);
+  projectMotion(camera, prev, guide.point - camera.origin, guide.point_before - prev.origin, x, y, g);
   g.z.at(x, y) = guide.t;
   g.dz.at(x, y) = planeSlope(camera.nextRight(primary.direction), camera.nextDown(primary.direction),
                              guide.point - camera.origin, guide.plane_normal, guide.t);

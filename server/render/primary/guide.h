@@ -2,8 +2,8 @@
 // surfaces.
 #pragma once
 
+#include "render/camera/pixel_context.h"
 #include "render/surface/path_start.h"
-#include "render/world/posed_scene.h"
 
 namespace saccade {
 
@@ -11,17 +11,19 @@ namespace saccade {
 // where it appears to be [Falcor: primary surface replacement].
 struct Guide {
   Vec3 point;             // apparent position, world space
+  Vec3 point_before;      // the same in the frame before, as if its mirrors stood
   Vec3 normal;            // unit shading normal at the real position
   Vec3 plane_normal;      // unit geometric normal at the apparent position
   float t;                // along the pixel's ray
   Rgb albedo;             // of the surface, and of the mirrors and panes that show it
   Rgb emission;           // of the surface, and of the mirrors and panes that show it
+  std::uint32_t body;     // Hit::body of the surface
   bool hit = true;        // false: nothing is hit, and only albedo and emission are valid
   bool has_base = false;  // whether it has a diffuse base
 };
 
 // `ray` is the ray of the pixel. It meets `hit` at `start`.
 template <Shading S>
-Guide findGuide(const PosedScene& scene, const Ray& ray, const Hit& hit, const PathStart& start);
+Guide findGuide(const PixelContext& view, const Ray& ray, const Hit& hit, const PathStart& start);
 
 }  // namespace saccade

@@ -20,7 +20,8 @@ inline Vec3 mirrored(Vec3 v, Vec3 about) {
 
 // Follows the view from `start` through mirrors, clear glass and masks. It ends at any other surface.
 template <Shading S>
-Guide followView(const PosedScene& scene, const Ray& primary, const Hit& first, const PathStart& start) {
+Guide followView(const PixelContext& view, const Ray& primary, const Hit& first, const PathStart& start) {
+  const PosedScene& scene = view.now.scene;
   Guide g{};
   Rgb throughput{1, 1, 1};
   float distance = 0;  // beyond `start`
@@ -29,7 +30,7 @@ Guide followView(const PosedScene& scene, const Ray& primary, const Hit& first, 
   Surface s = start.surface;
   Vec3 direction = start.direction;
   RayCone cone = start.cone;
-  std::uint32_t geometry = first.geometry;
+  std::uint32_t geometry = first.geometry, body = first.body;
   for (int depth = 0;; ++depth) {
     g.emission = g.emission + throughput * s.radiance * scene.strengths()[geometry];
     const Scatter<S> scatter(s, direction);
@@ -42,38 +43,46 @@ Guide followView(const PosedScene& scene, const Ray& primary, const Hit& first, 
     throughput = throughput * next.weight * next.pdf;
     if (!next.transmitted) mirrors[mirror_count++] = scatter.normal();
     const Ray ray{leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
-    const Hit hit = scene.still().geometry().intersect(ray);
+    const Hit hit = scene.geometry().intersect(ray);
     if (!hit.valid) {
-      g.emission = g.emission + throughput * scene.still().lights().distant().radiance(next.wi);
+      g.emission = g.emission + throughput * scene.lights().distant().radiance(next.wi);
       g.hit = false;
       return g;
     }
     distance += hit.t;
     cone.width = cone.at(hit.t);
     s = surfaceAt<S>(scene, ray, hit, cone.width);
-    direction = next.wi, geometry = hit.geometry;
+    direction = next.wi, geometry = hit.geometry, body = hit.body;
   }
   g.has_base = S.diffuseOnly() || traitsOf(s.bsdf.tables->model.kind).base;
   g.normal = s.shading_normal;
   g.plane_normal = s.geometric_normal;
-  while (mirror_count > 0) g.plane_normal = mirrored(g.plane_normal, mirrors[--mirror_count]);
+  Vec3 step = view.pointBefore(body, s.point) - s.point;
+  while (mirror_count > 0) {
+    const Vec3 about = mirrors[--mirror_count];
+    g.plane_normal = mirrored(g.plane_normal, about), step = mirrored(step, about);
+  }
   g.t = first.t + distance / length(primary.direction);
   g.point = distance > 0 ? primary.origin + primary.direction * g.t : s.point;
+  g.point_before = g.point + step;
+  g.body = body;
   return g;
 }
 
 }  // namespace detail
 
 template <Shading S>
-Guide findGuide(const PosedScene& scene, const Ray& ray, const Hit& hit, const PathStart& start) {
-  if constexpr (S.extras) return detail::followView<S>(scene, ray, hit, start);
+Guide findGuide(const PixelContext& view, const Ray& ray, const Hit& hit, const PathStart& start) {
+  if constexpr (S.extras) return detail::followView<S>(view, ray, hit, start);
   const Surface& s = start.surface;
   return {s.point,
+          view.pointBefore(hit.body, s.point),
           s.shading_normal,
           s.geometric_normal,
           hit.t,
           Scatter<S>(s, start.direction).albedo(),
-          s.radiance * scene.strengths()[hit.geometry],
+          s.radiance * view.now.scene.strengths()[hit.geometry],
+          hit.body,
           true,
           true};
 }

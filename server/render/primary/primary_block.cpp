@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/instruction_set.h"
+#include "render/world/coherent_rays.h"
 
 namespace saccade {
 namespace {
@@ -20,7 +21,7 @@ void traceDistorted(const PixelContext& view, Tile pixels, PrimaryBlock& out) {
           view.now.camera.origin, view.now.camera.direction(static_cast<float>(x), static_cast<float>(y)),
           std::numeric_limits<float>::infinity()};
     }
-  view.now.scene.still().geometry().intersect(out.rays, out.hits);
+  intersectCoherent(view.now.scene.geometry(), out.rays, out.hits);
 }
 
 }  // namespace

@@ -83,12 +83,15 @@ template <int W>
 template <int W>
 [[gnu::always_inline]] inline void writeFeatures(const PixelContext& view, const BlockPart<W>& part,
                                                  const Vec3T<Floats<W>>& direction, const Floats<W>& z,
-                                                 const Vec3T<Floats<W>>& point, const PlainLanes<W>& surface,
-                                                 const Floats<W>& albedo, GBuffer& g) {
+                                                 const Vec3T<Floats<W>>& point,
+                                                 const Vec3T<Floats<W>>& point_before,
+                                                 const PlainLanes<W>& surface, const Floats<W>& albedo,
+                                                 GBuffer& g) {
   using F = Floats<W>;
   const Vec3T<F> offset = point - splat<F>(view.now.camera.origin);
   const auto now = view.now.camera.projectPlain(offset);
-  const auto before = view.before.camera.projectPlain(Vec3T<F>(point - splat<F>(view.before.camera.origin)));
+  const auto before =
+      view.before.camera.projectPlain(Vec3T<F>(point_before - splat<F>(view.before.camera.origin)));
   const auto motion = motionBetween<F>(now, before);
   part.write(motion.x, g.motion_x), part.write(motion.y, g.motion_y);
   part.write(before.z, g.z_in_prev);
@@ -112,7 +115,15 @@ template <int W>
   const F z = load<W>(packet.far), width = view.now.camera.pixel * z;
   const PlainLanes<W> surface = plainLanes<W>(view, packet, plain, s, width);
   const F albedo = luminance<F>(surface.reflectance);
-  writeFeatures<W>(view, part, direction, z, s.point, surface, albedo, g);
+  Vec3T<F> before = s.point;
+  if (view.now.scene.bodies())
+    forEachLane(plain, [&](int i) {
+      setLane(before, i, view.pointBefore(packet.instance[i], laneOf(s.point, i)));
+      const int lane = part.first + i;
+      g.body.at(part.pixels.x0 + lane % kBlockEdge, part.pixels.y0 + lane / kBlockEdge) =
+          packet.instance[i] + 1;
+    });
+  writeFeatures<W>(view, part, direction, z, s.point, before, surface, albedo, g);
   out.point.store(s.point, part.first), store(s.offset, &out.offset[part.first]);
   out.geometric_normal.store(surface.geometric_normal, part.first);
   out.shading_normal.store(surface.shading_normal, part.first);
@@ -131,7 +142,7 @@ void tracePrimaryBlock(const PixelContext& view, Tile pixels, GBuffer& g, Primar
     RayPacket<W> packet;
     setRays<W>(std::array{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z},
                F(std::numeric_limits<float>::infinity()), packet);
-    view.now.scene.still().geometry().template intersect<W>(packet, inside, EmbreeScene::Rays::kCoherent);
+    view.now.scene.geometry().template intersect<W>(packet, inside, EmbreeTracer::Rays::kCoherent);
     LaneSet plain;
     forEachLane(inside, [&](int i) {
       const std::uint32_t geometry = packet.geometry[i];

@@ -3,186 +3,120 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/hash_rng.h"
-#include "render/lights/lamp_points.h"
-#include "render/primary/blocks.h"
-#include "render/tiles/delta_light.h"
-
 namespace saccade {
 namespace {
 
-constexpr int kFew = 4, kManyPerPath = 6, kMost = 256;  // rays to a group of lamps
-constexpr int kTileEdge = 32;
+constexpr int kFew = 2, kManyPerPath = 4, kMost = 256;  // rays to a group of lamps
+constexpr int kMovingPerPath = 16;                      // instead, where a body may have moved
+constexpr float kLeastGain = 0.25f;  // what rays must lessen, over the variance that they leave
+constexpr float kSpread = 0.25f;  // variance of a change by rays that are spread evenly, of that by any rays
 
-// The numbers of a point's rays: the R3 sequence (Roberts 2018). Its start is spread evenly over neighbours,
-// and is the same in all frames.
-class RayNumbers {
- public:
-  RayNumbers(int column, int y)
-      : column_(static_cast<std::uint32_t>(column)), row_(static_cast<std::uint32_t>(y)) {}
-  float u(int ray, int dimension) const {
-    return toUnit(static_cast<std::uint32_t>(ray) * kOfRay[dimension] + column_ * kOfColumn[dimension] +
-                  row_ * kOfRow[dimension]);
+bool moves(const SurfaceShadow& shadow) {
+  return shadow.wanted == SurfaceShadow::kMoves;
+}
+
+// The light of all groups at a point.
+struct LampSums {
+  LampSums(const FrameRays& of, std::size_t point) {
+    for (int g = 0; g < of.groups(); ++g) {
+      const LampRays& rays = of.at(point, g);
+      const float V = rays.visibility(), U = rays.unoccluded;
+      light += U, visible += U * V;
+      if (rays.areMixed()) variance += U * U * V * (1 - V) / static_cast<float>(rays.count);
+    }
   }
+  float relativeVariance(float v) const { return light > 0 ? v / (light * light) : 0; }
 
- private:
-  // As fractions of 2^32. Those of columns and rows are R2, and fractions of square roots of primes.
-  static constexpr std::uint32_t kOfRay[] = {0xd1b54a33u, 0xabc98389u, 0x8cb92ba7u};
-  static constexpr std::uint32_t kOfColumn[] = {0xc13fa9a9u, 0x6a09e667u, 0xbb67ae85u};
-  static constexpr std::uint32_t kOfRow[] = {0x91e10da5u, 0x9b05688cu, 0x1f83d9abu};
-
-  std::uint32_t column_, row_;
+  float light = 0, visible = 0, variance = 0;  // of `visible`
 };
 
-bool isLit(const SurfaceSamples& on, std::size_t point) {
-  const SurfacePoint& p = on[point];
-  return p.share > 0 && p.kind != SurfaceKind::kNone && !p.baked && on.place(point).unoccluded > 0;
-}
-
-LitPoint litPointOf(const PlainStart& start) {
-  return {start.point, start.shading_normal, start.geometric_normal};
-}
-LitPoint litPointOf(const SurfaceStart& start) {
-  const Surface& s = start.path.surface;
-  return {s.point, s.shading_normal, s.geometric_normal};
-}
-
-// Whether a neighbour lies in the plane of a point.
-bool isOneSurface(const SurfacePlace& a, const SurfacePlace& b) {
-  constexpr float kLeastCosine = 0.8f;
-  return dot(a.normal, b.normal) > kLeastCosine &&
-         std::abs(dot(b.position - a.position, a.normal)) < a.footprint;
-}
-
-void forEachPoint(const SurfaceSamples& on, Tile tile, const auto& f) {
-  for (int y = tile.y0; y < tile.y1; ++y)
-    for (int column = tile.x0 * on.perPixel(); column < tile.x1 * on.perPixel(); ++column) f(column, y);
+// Variance of visibility that so many rays to these groups leave, as a part of the light of all groups.
+float rayVariance(const FrameRays& of, const RayRequest& request, int rays) {
+  constexpr float kOfOne = 0.16f;  // V (1 - V) in the middle of a penumbra, but for its edges
+  float light = 0, squares = 0;
+  for (int g = 0; g < of.groups(); ++g) {
+    const float U = of.at(request.point, g).unoccluded;
+    light += U;
+    if (request.groups >> g & 1) squares += U * U;
+  }
+  return light > 0 ? kOfOne * squares / (light * light * static_cast<float>(rays)) : 0;
 }
 
 }  // namespace
 
-// Adds rays, up to `count` of each point and group that wanted(point, group) tells.
-template <Shading S>
-void LampShadows::traceTile(const Traced& frame, Tile tile, int count, const auto& wanted) const {
-  const auto& scene = frame.of.scene;
-  const SurfaceSamples& on = frame.of.on;
-  const auto& starts = frame.of.starts;
-  const Tracing tracing{scene, 0, {}};
-  const auto onEnd = [&](const ShadowRay& ray, Rgb fraction) {
-    Rays& rays = frame.rays[ray.owner];
-    rays.visible += ray.weight * luminance(fraction), rays.all += ray.weight;
-  };
-  TileShadowRays<S, decltype(onEnd)> shadow_rays(tracing, onEnd);
-  const auto add = [&](std::size_t point, const RayNumbers& numbers, Vec3 origin, const LampPoints& lamps) {
-    for (int g = 0; g < groups_; ++g) {
-      const auto i = static_cast<std::uint32_t>(indexOf(point, g));
-      Rays& rays = frame.rays[i];
-      if (rays.count >= count || !wanted(point, g)) continue;
-      rays.unoccluded = lamps.unoccluded(g);
-      for (; rays.count < count && rays.unoccluded > 0; ++rays.count) {
-        const auto u = [&](int dimension) { return numbers.u(rays.count, dimension); };
-        const LampPoints::Point to = lamps.at(g, u(0), u(1), u(2));
-        if (to.weight > 0) shadow_rays.add({origin, to.position - origin, kShadowEnd, i, to.weight});
-      }
-      rays.count = count;
-    }
-  };
-  forEachPoint(on, tile, [&](int column, int y) {
-    const std::size_t point = on.indexOf(column, y);
-    bool any = false;
-    for (int g = 0; g < groups_; ++g)
-      any = any || (frame.rays[indexOf(point, g)].count < count && wanted(point, g));
-    if (!any || !isLit(on, point)) return;
-    const RenderScene& still = scene.still();
-    const auto from = [&](const auto& start, const LitPoint& p, Rgb base) {
-      add(point, {column, y}, leave(start), {still.analyticLight(), p, base, scene.strengths()});
-    };
-    if (starts.isPlain(point))
-      from(starts.plain(point), litPointOf(starts.plain(point)), starts.plain(point).reflectance);
-    else
-      from(starts.other(point), litPointOf(starts.other(point)), starts.other(point).base.albedo);
-  });
-  shadow_rays.finish();
-}
-
-// Whether some rays of a point and its neighbours on the same surface are blocked and others are not.
-bool LampShadows::isPenumbra(const Traced& frame, int column, int y, int group) const {
-  const SurfaceSamples& on = frame.of.on;
-  const int step = on.perPixel();
-  const std::size_t point = on.indexOf(column, y);
-  bool lit = false, dark = false;
-  for (int ny = std::max(0, y - 1); ny <= std::min(on.height() - 1, y + 1); ++ny)
-    for (int nx = column - step; nx <= column + step; nx += step) {
-      if (nx < 0 || nx >= on.columns()) continue;
-      const std::size_t neighbour = on.indexOf(nx, ny);
-      const Rays& rays = frame.rays[indexOf(neighbour, group)];
-      if (rays.all <= 0 || !isOneSurface(on.place(point), on.place(neighbour))) continue;
-      lit = lit || rays.visible > 0, dark = dark || rays.visible < rays.all;
-    }
-  return lit && dark;
-}
-
 void LampShadows::finish(std::size_t point, int rays, SurfaceShadow& shadow) const {
-  struct Sums {
-    float light = 0, visible = 0, variance = 0;
-    float visibility() const { return light > 0 ? visible / light : 1; }
+  const LampSums now(now_, point), before(before_, point);
+  // One variance of the light for both, so that a change is not one of trust.
+  const float variance = std::max(now.variance, before.variance);
+  const auto known = [&](const LampSums& sums) -> RayVisibility {
+    const float of_mean = sums.relativeVariance(variance);
+    return {sums.light > 0 ? sums.visible / sums.light : 1, shadow.wanted / (shadow.wanted + of_mean),
+            of_mean};
   };
-  const auto sumsOf = [&](const std::vector<Rays>& of) {
-    Sums sums;
-    for (int g = 0; g < groups_; ++g) {
-      const Rays& rays = of[indexOf(point, g)];
-      const float V = rays.visibility(), U = rays.unoccluded;
-      sums.light += U, sums.visible += U * V;
-      if (rays.areMixed()) sums.variance += U * U * V * (1 - V) / static_cast<float>(rays.count);
-    }
-    if (sums.light > 0) sums.variance /= sums.light * sums.light;
-    return sums;
-  };
-  const Sums now = sumsOf(now_), before = sumsOf(before_);
-  shadow.now = now.visibility(), shadow.before = before.visibility();
-  shadow.variance = std::max(now.variance, before.variance);
-  shadow.trust = shadow.wanted / (shadow.wanted + shadow.variance);
-  // A ray's end changes with the probability of the change. Rays that are spread evenly have half the
-  // variance.
-  const float each = 1 / static_cast<float>(rays), change = std::abs(shadow.now - shadow.before);
-  shadow.step_variance = shadow.variance > 0 ? 0.5f * std::max(change, each) * each : 0;
+  shadow.now = known(now), shadow.before = known(before);
+  shadow.rays = 0;
+  for (int g = 0; g < now_.groups(); ++g) shadow.rays += now_.at(point, g).count;
+  // A ray's end changes with the probability of the change. A change has no more variance than both frames.
+  const float each = 1 / static_cast<float>(rays), change = std::abs(shadow.now.mean - shadow.before.mean);
+  const float most = now.relativeVariance(now.variance) + before.relativeVariance(before.variance);
+  shadow.step_variance = kSpread * std::min(std::max(change, each) * each, most);
 }
 
 std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameStarts& before, int spp,
                                             const PoolHandle& pool, std::vector<SurfaceShadow>& shadows) {
-  if (groups_ == 0) return {};
-  const int many = std::clamp(kManyPerPath * spp, kFew, kMost);
+  if (now_.groups() == 0) return {};
+  const auto rays = [&](int per_path) { return std::clamp(per_path * spp, kFew, kMost); };
+  const int many = rays(kManyPerPath), moving = rays(kMovingPerPath);
   const SurfaceSamples& on = now.on;
-  const auto pass = [&](int count, const auto& wanted) {
-    return pool.forEachTile(on.columns() / on.perPixel(), on.height(), kTileEdge, [&](Tile tile) {
-      withKernel(now.scene.still().shading(), [&]<Shading S>() {
-        traceTile<S>({now, now_}, tile, count, wanted);
-        traceTile<S>({before, before_}, tile, count, wanted);
-      });
-    });
+  bands_.resize(static_cast<std::size_t>((on.height() + kBandRows - 1) / kBandRows));
+  const auto forEachBand = [&](const auto& f) {
+    return pool.run(static_cast<int>(bands_.size()),
+                    [&](int i) { f(i, bands_[static_cast<std::size_t>(i)]); });
   };
-  auto time = pass(kFew, [&](std::size_t point, int) { return shadows[point].wanted > 0; });
-  const auto forEachWanted = [&](const auto& f) {
-    return pool.forEachRow(on.height(), [&](int y) {
-      for (int column = 0; column < on.columns(); ++column)
-        if (const std::size_t point = on.indexOf(column, y); shadows[point].wanted > 0) f(point, column, y);
-    });
+  const auto traceBoth = [&](const std::vector<RayRequest>& requests, int count) {
+    now_.trace(now, requests, count), before_.trace(before, requests, count);
   };
-  penumbra_.assign(now_.size(), false);
-  time += forEachWanted([&](std::size_t point, int column, int y) {
-    for (int g = 0; g < groups_; ++g)
-      penumbra_[indexOf(point, g)] =
-          isPenumbra({now, now_}, column, y, g) || isPenumbra({before, before_}, column, y, g);
+  auto time = forEachBand([&](int i, Requests& band) {
+    band.few.clear();
+    const auto all_groups = (1u << now_.groups()) - 1;
+    const auto end = on.indexOf(0, std::min((i + 1) * kBandRows, on.height()));
+    for (std::size_t point = on.indexOf(0, i * kBandRows); point < end; ++point)
+      if (shadows[point].wanted > 0) {
+        // Both frames have equally many rays, so that a change is not one of their number.
+        if (!moves(shadows[point])) before_.limit(point, many);
+        band.few.push_back({static_cast<std::uint32_t>(point), all_groups});
+      }
+    traceBoth(band.few, kFew);
   });
-  time += pass(many, [&](std::size_t point, int group) { return penumbra_[indexOf(point, group)]; });
-  return time + forEachWanted([&](std::size_t point, int, int) { finish(point, many, shadows[point]); });
+  time += forEachBand([&](int, Requests& band) {
+    band.many.clear(), band.moving.clear();
+    for (const RayRequest& few : band.few) {
+      RayRequest more{few.point, 0};
+      for (int g = 0; g < now_.groups(); ++g)
+        if (now_.areMixedAround(on, few.point, g) || before_.areMixedAround(before.on, few.point, g))
+          more.groups |= 1u << g;
+      if (more.groups == 0) continue;
+      SurfaceShadow& shadow = shadows[few.point];
+      if (moves(shadow))
+        band.moving.push_back(more);
+      else if (shadow.wanted < kLeastGain * rayVariance(now_, more, many))
+        shadow.wanted = 0;
+      else
+        band.many.push_back(more);
+    }
+  });
+  return time + forEachBand([&](int, Requests& band) {
+           traceBoth(band.many, many), traceBoth(band.moving, moving);
+           for (const RayRequest& few : band.few)
+             if (SurfaceShadow& shadow = shadows[few.point]; shadow.wanted > 0)
+               finish(few.point, moves(shadow) ? moving : many, shadow);
+         });
 }
 
 void LampShadows::next(const RenderScene& scene, std::size_t points) {
-  groups_ = scene.analyticLight().groups();
   std::swap(now_, before_);
-  now_.assign(points * static_cast<std::size_t>(groups_), {});
-  before_.resize(now_.size());
+  now_.reset(points, scene.analyticLight().groups());
+  if (!before_.areOf(points, now_.groups())) before_.reset(points, now_.groups());
 }
 
 }  // namespace saccade

@@ -9,18 +9,9 @@
 #include <vector>
 
 #include "base/pool_handle.h"
-#include "frame/frame.h"
-#include "render/tiles/surface_start.h"
-#include "render/world/posed_scene.h"
+#include "render/tiles/lamp_rays.h"
 
 namespace saccade {
-
-// The surfaces of a frame, and where paths start from them.
-struct FrameStarts {
-  const PosedScene& scene;
-  const SurfaceSamples& on;
-  const SurfaceStarts& starts;
-};
 
 class LampShadows {
  public:
@@ -33,30 +24,14 @@ class LampShadows {
                                  const PoolHandle& pool, std::vector<SurfaceShadow>& shadows);
 
  private:
-  // The rays of a point to one group of lamps.
-  struct Rays {
-    float visible = 0, all = 0;  // sums of weights
-    float unoccluded = 0;        // light of the group
-    int count = 0;
-    bool areMixed() const { return visible > 0 && visible < all; }
-    float visibility() const { return all > 0 ? visible / all : 1; }
+  // Of a band of rows.
+  struct Requests {
+    std::vector<RayRequest> few, many, moving;  // moving: instead of many
   };
-  // Of a frame, by point and group.
-  struct Traced {
-    FrameStarts of;
-    std::vector<Rays>& rays;
-  };
-  template <Shading S>
-  void traceTile(const Traced& frame, Tile tile, int count, const auto& wanted) const;
-  bool isPenumbra(const Traced& frame, int column, int y, int group) const;
   void finish(std::size_t point, int rays, SurfaceShadow& shadow) const;
-  std::size_t indexOf(std::size_t point, int group) const {
-    return point * static_cast<std::size_t>(groups_) + static_cast<std::size_t>(group);
-  }
 
-  int groups_ = 0;
-  std::vector<Rays> now_, before_;
-  std::vector<char> penumbra_;  // by point and group
+  FrameRays now_, before_;
+  std::vector<Requests> bands_;
 };
 
 }  // namespace saccade

@@ -72,13 +72,11 @@ inline bool hasPaths(const SurfaceSamples& on, Tile tile) {
   return false;
 }
 
-// The light of a tile's points, of pass 2 alone.
+// Traces the paths of a tile's points, of pass 2 alone, from moved(i, where they start). Calls
+// on_point(i, sums) for each point.
 template <Shading S, int C>
-void renderPathTile(const SeedPlan& seeds, const Tracing& tracing, Tile tile, const SurfaceStarts& starts,
-                    Frame& out) {
-  SurfaceSamples& on = *out.surfaces;
-  forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
-  if (!hasPaths(on, tile)) return;
+void tracePoints(const SeedPlan& seeds, const Tracing& tracing, Tile tile, const SurfaceStarts& starts,
+                 const SurfaceSamples& on, const auto& moved, const auto& on_point) {
   const Scratch<std::array<ReflectedLight, kMaxTilePoints>> sums;
   const Scratch<std::array<std::uint32_t, kMaxTilePoints>> points;  // those with paths
   std::uint32_t count = 0;
@@ -97,24 +95,36 @@ void renderPathTile(const SeedPlan& seeds, const Tracing& tracing, Tile tile, co
         const NewPath one{places.of(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(y), path),
                           count};
         if (starts.isPlain(i))
-          plain.add(starts.plain(i), one);
+          plain.add(moved(i, starts.plain(i)), one);
         else
-          run.add(starts.other(i).path, one);
+          run.add(moved(i, starts.other(i).path), one);
       }
       ++count;
     }
   });
   plain.finish();
   run.finish();
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const std::uint32_t i = (*points)[k];
+  for (std::uint32_t k = 0; k < count; ++k) on_point((*points)[k], (*sums)[k]);
+}
+
+// The light of a tile's points.
+template <Shading S, int C>
+void renderPathTile(const SeedPlan& seeds, const Tracing& tracing, Tile tile, const SurfaceStarts& starts,
+                    Frame& out) {
+  SurfaceSamples& on = *out.surfaces;
+  forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
+  if (!hasPaths(on, tile)) return;
+  const auto same = [](std::uint32_t, const auto& start) -> const auto& {
+    return start;
+  };
+  tracePoints<S, C>(seeds, tracing, tile, starts, on, same, [&](std::uint32_t i, const ReflectedLight& sum) {
     const int x = on.columnOf(i) / on.perPixel(), y = on.rowOf(i);
     const double paths = on[i].paths;
     const float albedo = starts.albedo(i);
-    on.light(i) = lightOf((*sums)[k], paths, starts.base(i), albedo);
-    const double all = (*sums)[k].all / paths / albedo;
+    on.light(i) = lightOf(sum, paths, starts.base(i), albedo);
+    const double all = sum.all / paths / albedo;
     out.samples.I2.at(x, y) += static_cast<float>(all * on[i].share * out.g.albedo.at(x, y));
-  }
+  });
 }
 
 }  // namespace saccade

@@ -9,6 +9,7 @@
 #include "render/tiles/delta_light.h"
 #include "render/tiles/surface_start.h"
 #include "render/tiles/tile_samples.h"
+#include "render/world/changing_light.h"
 
 namespace saccade {
 
@@ -34,14 +35,15 @@ void setStart(const PathStart& path, float albedo, SurfaceStart& out) {
 template <Shading S>
 class TilePoints {
  public:
-  TilePoints(const PixelContext& view, Tile tile, Frame& out) : view_(view), tile_(tile), out_(out) {}
+  TilePoints(const PixelContext& view, const ChangingLight& changing, Tile tile, Frame& out)
+      : view_(view), changing_(changing), tile_(tile), out_(out) {}
 
   // The one point of each pixel that shows a plain surface.
   void set(const PrimaryBlock& block) {
     const PlainSurfaces& s = memory_->plain[blockOf(block.x0, block.y0)] = block.surfaces;
     LaneVectors white;
-    view_.now.scene.still().analyticLight().at({s.point, s.shading_normal, s.geometric_normal}, block.plain,
-                                               view_.now.scene.strengths(), white);
+    view_.now.scene.analyticLight().at({s.point, s.shading_normal, s.geometric_normal}, block.plain,
+                                       view_.now.scene.strengths(), white);
     forEachLane(block.plain, [&](int lane) {
       SurfacePoint& point = out_.surfaces->at(block.x(lane), block.y(lane)) = {};
       isPlain(block.x(lane), block.y(lane)) = true;
@@ -51,8 +53,10 @@ class TilePoints {
       if (albedo <= kLeastSurfaceAlbedo) return;
       point.kind = SurfaceKind::kDiffuse;
       const float unoccluded = luminance(s.reflectance.at(lane) * white.at(lane)) / albedo;
-      out_.surfaces->place(out_.surfaces->indexOf(block.x(lane), block.y(lane))) = {
-          s.point.at(lane), s.shading_normal.at(lane), s.width[lane], unoccluded};
+      SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(block.x(lane), block.y(lane)));
+      place = {s.point.at(lane), s.shading_normal.at(lane), s.width[lane], unoccluded};
+      if (view_.now.scene.bodies())
+        setMotion(out_.g.body.at(block.x(lane), block.y(lane)) - 1, s.point.at(lane), point, place);
     });
   }
   // The one point of another pixel.
@@ -133,11 +137,21 @@ class TilePoints {
     point.share = share;
     if (!guide.hit || !guide.has_base || albedo <= kLeastSurfaceAlbedo) return;
     point.kind = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
-    const Rgb white =
-        view_.now.scene.still().analyticLight().at(litPoint(hit.start), view_.now.scene.strengths());
-    out_.surfaces->place(out_.surfaces->indexOf(column, y)) = {
-        guide.point, guide.normal, view_.now.camera.pixelAt(hit.direction) * guide.t,
-        luminance(start.base.albedo * white) / albedo};
+    const Rgb white = view_.now.scene.analyticLight().at(litPoint(hit.start), view_.now.scene.strengths());
+    SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(column, y));
+    place = {guide.point, guide.normal, view_.now.camera.pixelAt(hit.direction) * guide.t,
+             luminance(start.base.albedo * white) / albedo};
+    if (view_.now.scene.bodies()) setMotion(guide.body, hit.start.surface.point, point, place);
+  }
+
+  // What bodies make of a point. `body`: Hit::body.
+  void setMotion(std::uint32_t body, Vec3 world, SurfacePoint& point, SurfacePlace& place) const {
+    point.light_moves = changing_.at(world);
+    if (body == kNoBody) return;
+    const PosedBodies& bodies = *view_.now.scene.bodies();
+    point.light_moves = point.light_moves || changing_.isMoving(body);
+    place.position = bodies.cachePlace(body, place.position);
+    place.normal = bodies.motions()[body].restDirection(place.normal);
   }
 
   void keepStart(int column, int y, SurfaceStarts& starts) const {
@@ -160,15 +174,16 @@ class TilePoints {
   bool& isPlain(int column, int y) const { return memory_->is_plain[indexOf(column, y)]; }
 
   const PixelContext& view_;
+  const ChangingLight& changing_;
   Tile tile_;
   Frame& out_;
   const Scratch<Memory> memory_;
 };
 
 template <Shading S>
-void renderSurfaceTile(const PixelContext& view, Tile tile, const std::function<void(Tile)>& on_tile,
-                       SurfaceStarts& starts, Frame& out) {
-  TilePoints<S> points(view, tile, out);
+void renderSurfaceTile(const PixelContext& view, const ChangingLight& changing, Tile tile,
+                       const std::function<void(Tile)>& on_tile, SurfaceStarts& starts, Frame& out) {
+  TilePoints<S> points(view, changing, tile, out);
   if (out.surfaces->perPixel() == 1)
     forEachPrimary<S>(
         view, tile, out.g, [&](const PrimaryBlock& block) { points.set(block); },

@@ -27,7 +27,7 @@ class TileShadowRays {
   }
   void finish() {
     if (count_ == 0) return;
-    const EmbreeScene& all = t_.scene.still().geometry();
+    const PosedShapes all = t_.scene.geometry();
     all.occluded(packet_, LaneSet::first(count_));
     for (int i = 0; i < count_; ++i) on_end_(rays_[i], packet_.far[i] < 0 ? Rgb{} : throughPanes(rays_[i]));
     count_ = 0;
@@ -39,7 +39,7 @@ class TileShadowRays {
   Rgb throughPanes(const ShadowRay& ray) const {
     if (!has_panes_) return {1, 1, 1};
     const Ray straight{ray.origin, ray.segment, ray.reach};
-    const Hit hit = t_.scene.still().straight().intersect(straight);
+    const Hit hit = t_.scene.straight().intersect(straight);
     return hit.valid ? transmit_(t_, straight, hit).fraction : Rgb{1, 1, 1};
   }
 

@@ -36,8 +36,9 @@ bool lookAt(RTCPointQueryFunctionArguments* found) {
 double EmbreeScene::distance(Vec3d point, double reach) const {
   Search search{shapes_, point, reach};
   for (const Sphere& s : shapes_.spheres)
-    search.nearest = std::min(search.nearest,
-                              std::abs(length(point - toDouble(s.center)) - static_cast<double>(s.radius)));
+    if (s.body == kStands)
+      search.nearest = std::min(search.nearest,
+                                std::abs(length(point - toDouble(s.center)) - static_cast<double>(s.radius)));
   const Vec3 p = toFloat(point);
   RTCPointQuery query{p.x, p.y, p.z, 0, static_cast<float>(std::min(search.nearest, 1e30)) * kRoom};
   RTCPointQueryContext context;

@@ -1,8 +1,12 @@
 // A scene at one time, as every kernel sees it. Here stands what changes over time; feeds share the rest.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
+#include "base/check.h"
+#include "render/world/posed_bodies.h"
+#include "render/world/posed_shapes.h"
 #include "render/world/render_scene.h"
 #include "scene/emitter_strengths.h"
 
@@ -10,21 +14,50 @@ namespace saccade {
 
 class PosedScene {
  public:
-  // Shares `scene`.
-  explicit PosedScene(std::shared_ptr<const RenderScene> scene, TimeNs t = TimeNs{0})
+  // Shares `scene`. `paths`: of its bodies, in world axes.
+  explicit PosedScene(std::shared_ptr<const RenderScene> scene, const std::vector<Trajectory>& paths = {})
       : scene_(std::move(scene)), strengths_(scene_->description()) {
-    setTime(t);
+    SACCADE_CHECK(paths.size() == scene_->description().bodies.size());
+    if (!paths.empty()) bodies_ = std::make_unique<PosedBodies>(*scene_, paths);
+    setTime(TimeNs{0});
   }
 
-  // Stream time, at least 0. Not while a kernel sees it. Allocates nothing.
-  void setTime(TimeNs t) { strengths_.setTime(t); }
+  // Stream time, at least 0. Not while a kernel sees it. Allocates nothing, unless a lamp is a body.
+  void setTime(TimeNs t) {
+    strengths_.setTime(t);
+    if (bodies_) bodies_->setTime(t);
+  }
 
   const RenderScene& still() const { return *scene_; }  // what is the same at all times
   const EmitterStrengths& strengths() const { return strengths_; }
+  const PosedBodies* bodies() const { return bodies_.get(); }  // nullptr where the scene has none
+  bool posesEqual(const PosedScene& other) const {
+    return !bodies_ || std::ranges::equal(bodies_->motions(), other.bodies_->motions());
+  }
+  // A number for the light: equal where all lamps have equal strengths, and all bodies equal poses.
+  std::uint64_t state() const { return bodies_ ? bodies_->state(strengths_.state()) : strengths_.state(); }
+
+  // Where a point of a body is in the scene at another time. `body`: Hit::body.
+  Vec3 carried(std::uint32_t body, Vec3 point, const PosedScene& to) const {
+    if (body == kNoBody) return point;
+    const RigidMotion &here = bodies_->motions()[body], &there = to.bodies_->motions()[body];
+    return here == there ? point : there.point(here.restPoint(point));
+  }
+
+  // See RenderScene.
+  PosedShapes geometry() const { return {scene_->geometry(), bodies_ ? &bodies_->all() : nullptr}; }
+  PosedShapes emitters() const { return {scene_->emitters(), bodies_ ? &bodies_->emitters() : nullptr}; }
+  PosedShapes straight() const { return {scene_->straight(), bodies_ ? &bodies_->straight() : nullptr}; }
+  const Lights& lights() const { return lamps() ? lamps()->lights : scene_->lights(); }
+  const LightColumns& lightColumns() const { return lamps() ? lamps()->columns : scene_->lightColumns(); }
+  const AnalyticLight& analyticLight() const { return lamps() ? lamps()->analytic : scene_->analyticLight(); }
 
  private:
+  const PosedLamps* lamps() const { return bodies_ ? bodies_->lamps() : nullptr; }
+
   std::shared_ptr<const RenderScene> scene_;
   EmitterStrengths strengths_;
+  std::unique_ptr<PosedBodies> bodies_;
 };
 
 }  // namespace saccade

@@ -13,11 +13,15 @@ struct Ray {
   float tfar;
 };
 
+inline constexpr std::uint32_t kNoBody = ~0u;  // a shape that stands
+
 struct Hit {
   float t;
-  Vec3 normal;  // geometric, as wound, not normalised
-  float u, v;   // barycentric, of vertices 1 and 2
+  // Geometric, as wound, not normalised; of a body as the scene file has it.
+  Vec3 normal;
+  float u, v;  // barycentric, of vertices 1 and 2
   std::uint32_t geometry, primitive;
+  std::uint32_t body = kNoBody;  // of Scene::bodies
   bool valid = false;
 };
 

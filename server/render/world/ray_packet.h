@@ -31,16 +31,20 @@ struct alignas(64) RayPacket {
   }
   Hit hit(int i) const {
     if (geometry[i] == kNone) return {};
-    return {far[i], {normal_x[i], normal_y[i], normal_z[i]}, u[i], v[i], geometry[i], primitive[i], true};
+    return {
+        far[i], {normal_x[i], normal_y[i], normal_z[i]}, u[i], v[i], geometry[i], primitive[i], instance[i],
+        true};
   }
+
+  void clearHits() { std::fill_n(geometry, W, kNone), std::fill_n(instance, W, kNoBody); }
 
   static constexpr std::uint32_t kNone = ~0u;
 
   Floats origin_x, origin_y, origin_z, near, x, y, z, time, far;
   Bits mask, id, flags;
   Floats normal_x, normal_y, normal_z, u, v;  // of the hit
-  Bits primitive, geometry, instance;
-  Bits part_of_instance;  // Embree 4.3 writes it
+  Bits primitive, geometry, instance;         // instance: the body, or kNoBody
+  Bits part_of_instance;                      // Embree 4.3 writes it
 };
 
 // Fills a packet with rays: the first six of their values are the origin and the direction.

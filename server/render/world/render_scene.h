@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -18,6 +19,12 @@
 
 namespace saccade {
 
+// A body's own trees, where the scene file has it. All bodies share a device.
+struct BodyShapes {
+  EmbreeScene all, emitters, straight;
+};
+
+// The trees hold what stands. PosedScene adds the bodies.
 class RenderScene : public Obstacles {
  public:
   explicit RenderScene(Scene scene);
@@ -33,6 +40,8 @@ class RenderScene : public Obstacles {
   const EmbreeScene& emitters() const { return emitters_; }
   // The shapes that let light straight through, alone.
   const EmbreeScene& straight() const { return straight_; }
+  // Of Scene::bodies, in their order.
+  const std::vector<std::unique_ptr<BodyShapes>>& bodies() const { return bodies_; }
   bool lightMayBeAnywhere() const { return scene_.environment.has_value(); }
   const LightColumns& lightColumns() const { return light_columns_; }
   const std::vector<ShapeRow>& shapeRows() const { return shape_rows_; }
@@ -51,8 +60,12 @@ class RenderScene : public Obstacles {
   const BsdfTables& tables(int material) const { return tables_[material]; }
 
  private:
+  void addBodies();
+
   Scene scene_;
   EmbreeScene geometry_, emitters_, straight_;
+  std::shared_ptr<EmbreeDevice> device_of_bodies_;  // nullptr without any
+  std::vector<std::unique_ptr<BodyShapes>> bodies_;
   Lights lights_;
   AnalyticLight analytic_light_;
   DeltaLamps delta_lamps_;

@@ -3,6 +3,8 @@
 #include <limits>
 #include <vector>
 
+#include "render/world/coherent_rays.h"
+
 namespace saccade {
 
 double SceneSpace::distance(Vec3d point, double reach) const {
@@ -15,7 +17,7 @@ void SceneSpace::look(Vec3d from, std::span<const Vec3d> directions, std::span<d
   for (const Vec3d along : directions)
     rays.push_back({origin, toFloat(along), std::numeric_limits<float>::infinity()});
   std::vector<Hit> hits(rays.size());
-  scene_.geometry().intersect(rays, hits);
+  intersectCoherent(scene_.geometry(), rays, hits);
   for (std::size_t i = 0; i < hits.size(); ++i)
     distances[i] = hits[i].valid ? static_cast<double>(hits[i].t) : std::numeric_limits<double>::infinity();
 }

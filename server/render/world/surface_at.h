@@ -36,6 +36,16 @@ struct HitShape {
   const Sphere* sphere;
 };
 
+// In scene axes. `n` is the unit geometric normal.
+inline TexturePatch texturePatchOf(const PosedScene& posed, const Hit& hit, Vec3 n) {
+  const auto [mesh, sphere] = HitShape(posed.still().description(), hit);
+  if (hit.body == kNoBody) return mesh ? texturePatchAt(*mesh, hit) : texturePatchAt(*sphere, n);
+  const RigidMotion& motion = posed.bodies()->motions()[hit.body];
+  TexturePatch patch = mesh ? texturePatchAt(*mesh, hit) : texturePatchAt(*sphere, motion.restDirection(n));
+  patch.dp_du = motion.direction(patch.dp_du), patch.dp_dv = motion.direction(patch.dp_dv);
+  return patch;
+}
+
 // `n` is the unit geometric normal as wound, and `cosine` that between it and the ray's reverse. `footprint`
 // is the width of the region that one path stands for, at a right angle to the ray, in scene units. S must
 // cover the shading of the scene.
@@ -49,7 +59,7 @@ Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, V
   const Material& material = scene.materials[id];
   TexturePatch texture;
   if (S.diffuseOnly() ? S.textures && isTextured(material.reflectance) : isTextured(material))
-    texture = mesh ? texturePatchAt(*mesh, hit) : texturePatchAt(*sphere, n);
+    texture = texturePatchOf(posed, hit, n);
   const TexturePoint at = texturePoint(texture, cosine, footprint);
 
   Vec3 ns = patch.shading_normal;
@@ -75,11 +85,15 @@ Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, V
 
 template <Shading S>
 Surface surfaceAt(const PosedScene& scene, const Ray& ray, const Hit& hit, float footprint) {
-  const Vec3 n = normalize(hit.normal);
+  Vec3 n = normalize(hit.normal);
   const Mesh* mesh = HitShape(scene.still().description(), hit).mesh;
   const Vec3 point = ray.origin + ray.direction * hit.t;
-  const Patch patch{point, mesh ? shadingNormalAt(*mesh, hit, n) : n,
-                    rayOffset(ray.origin, point, scene.still().shapeRows()[hit.geometry].edge)};
+  Patch patch{point, mesh ? shadingNormalAt(*mesh, hit, n) : n,
+              rayOffset(ray.origin, point, scene.still().shapeRows()[hit.geometry].edge)};
+  if (hit.body != kNoBody) {
+    const RigidMotion& motion = scene.bodies()->motions()[hit.body];
+    n = motion.direction(n), patch.shading_normal = motion.direction(patch.shading_normal);
+  }
   return surfaceOf<S>(scene, hit, patch, n, -dot(n, ray.direction) / length(ray.direction), footprint);
 }
 

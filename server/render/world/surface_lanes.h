@@ -60,6 +60,18 @@ template <int W>
   return selectLanes(length2 > 0.f, between * F(1.f / sqrt(length2)), geometric);
 }
 
+// Turns the normals of bodies from the scene file's place to that of the time.
+template <int W>
+void turnNormals(std::span<const RigidMotion> motions, const RayPacket<W>& packet, LaneSet lanes,
+                 SurfaceLanes<W>& s) {
+  forEachLane(lanes, [&](int i) {
+    if (packet.instance[i] == kNoBody) return;
+    const RigidMotion& motion = motions[packet.instance[i]];
+    setLane(s.normal, i, motion.direction(laneOf(s.normal, i)));
+    setLane(s.shading_normal, i, motion.direction(laneOf(s.shading_normal, i)));
+  });
+}
+
 // ShapeRow::edge of the shapes that lanes have hit.
 template <int W>
 [[gnu::always_inline]] inline Floats<W> longestEdges(const std::vector<ShapeRow>& rows,
@@ -79,11 +91,12 @@ template <int W>
   const Vec3T<F> direction{load<W>(packet.x), load<W>(packet.y), load<W>(packet.z)};
   SurfaceLanes<W> s;
   s.normal = unit({load<W>(packet.normal_x), load<W>(packet.normal_y), load<W>(packet.normal_z)});
+  s.shading_normal = shadingNormals<W>(scene.still().shapeRows(), packet, lanes, s.normal);
+  if (scene.bodies()) turnNormals<W>(scene.bodies()->motions(), packet, lanes, s);
   s.cosine = -dot(s.normal, unit(direction));
   const Vec3T<F> origin{load<W>(packet.origin_x), load<W>(packet.origin_y), load<W>(packet.origin_z)};
   s.point = origin + direction * load<W>(packet.far);
   s.offset = rayOffset<F>(origin, s.point, longestEdges<W>(scene.still().shapeRows(), packet));
-  s.shading_normal = shadingNormals<W>(scene.still().shapeRows(), packet, lanes, s.normal);
   return s;
 }
 

@@ -13,7 +13,8 @@ class FlowBackward final : public TruthSource {
     const RenderedInterval& rendered = *interval.rendered;
     const Frame &cur = rendered.frames.cur, &prev = rendered.frames.prev;
     if (!frames_.takes(cur.index, cur.time)) return {};
-    return {{cur.time.count(), flowPlanes({cur.g, rendered.camera}, {prev.g, rendered.camera_t0})}};
+    return {{cur.time.count(), flowPlanes({cur.g, rendered.camera, rendered.scene},
+                                          {prev.g, rendered.camera_t0, rendered.scene_t0})}};
   }
 
  private:

@@ -13,7 +13,8 @@ class FlowForward final : public TruthSource {
     const RenderedInterval& rendered = *interval.rendered;
     const Frame &cur = rendered.frames.cur, &prev = rendered.frames.prev;
     if (!frames_.takes(prev.index, prev.time)) return {};
-    return {{prev.time.count(), flowPlanes({prev.g, rendered.camera_t0}, {cur.g, rendered.camera})}};
+    return {{prev.time.count(), flowPlanes({prev.g, rendered.camera_t0, rendered.scene_t0},
+                                           {cur.g, rendered.camera, rendered.scene})}};
   }
 
  private:

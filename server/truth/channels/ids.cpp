@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "base/tile_pool.h"
-#include "render/world/render_scene.h"
+#include "render/world/coherent_rays.h"
+#include "render/world/posed_scene.h"
 #include "truth/picture_source.h"
 #include "truth/truth_source.h"
 
@@ -36,8 +37,9 @@ void trace(const RenderedFrame& frame, int x0, int y, std::span<Ids> out) {
     rays[i] = {frame.camera.origin, frame.camera.direction(x, static_cast<float>(y)),
                std::numeric_limits<float>::infinity()};
   }
-  frame.scene.geometry().intersect(std::span(rays).first(out.size()), std::span(hits).first(out.size()));
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = idsOf(frame.scene.description(), hits[i]);
+  intersectCoherent(frame.scene.geometry(), std::span(rays).first(out.size()),
+                    std::span(hits).first(out.size()));
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = idsOf(frame.scene.still().description(), hits[i]);
 }
 
 // The rays are those of the renderer.

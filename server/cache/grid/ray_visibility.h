@@ -1,0 +1,57 @@
+// Visibility by shadow rays: where the grid wants it, and how an estimate takes it in.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cache/grid/surface_grid.h"
+
+namespace saccade {
+
+// Visibility by rays at a few points.
+class RayLanes {
+ public:
+  RayLanes(const PointLanes& lanes, const FrameOnGrid& frame) {
+    if (!frame.shadows) return;
+    for (int i = 0; i < lanes.count; ++i) {
+      const SurfaceShadow& s = (*frame.shadows)[frame.at.points[lanes.points[i]].index];
+      if (s.wanted <= 0) continue;
+      any_ = true;
+      const RayVisibility& V = s.*frame.visibility;
+      memory_.set(i, std::array{V.mean, V.trust, V.variance, s.step_variance});
+    }
+  }
+  bool any() const { return any_; }
+  // Takes them into an estimate, as far as they are trusted.
+  void refine(const LevelBlend<PointFloats>& blend, PointFloats U, PointFloats cells, PointFloats& i,
+              PointFloats& variance, PointFloats& step_variance) const {
+    const auto [V, trust, noise, step_noise] = memory_.lanes();
+    const PointFloats of_rays = U * U * trust * trust, rest = U * U * (1.f - trust) * (1.f - trust);
+    i += trust * U * (V - blend.visibility.value);
+    variance = blend.residual.variance + rest * blend.visibility.variance + of_rays * noise;
+    const PointFloats of_step = select(cells > 0.f, of_rays * step_noise, PointFloats(0.f));
+    step_variance =
+        blend.residual.stepVariance(cells) + rest * blend.visibility.stepVariance(cells) + of_step;
+  }
+
+ private:
+  bool any_ = false;
+  LaneMemory<4> memory_;
+};
+
+// The variance of visibility where it is a visible part of the light, for rays to tell; otherwise 0. It is
+// that of detail within the finest cells, by the evidence for it, and that of the mean [ours].
+inline float shadowVariance(const Octet& evidence, float noise, float unoccluded, float light) {
+  constexpr float kUnknown = 0.02f;
+  constexpr float kLeastContrast = 0.05f;
+  constexpr float kLeastDoubt = 0.0025f;  // of V, that no evidence takes away: it counts where V is small
+  constexpr float kTau = 0.5f;  // standard deviations that detail must exceed its noise by: rays do no harm
+  const float weight = evidence[7];
+  if (!(weight > 0 && light > 0)) return kUnknown;
+  const float detail = std::max(0.f, evidence[4] - kTau * std::sqrt(evidence[5])) / weight;
+  const float variance = detail + noise + kLeastDoubt * kLeastDoubt;
+  return unoccluded * std::sqrt(variance) > kLeastContrast * light ? variance : 0;
+}
+
+}  // namespace saccade

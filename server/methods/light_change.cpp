@@ -1,0 +1,65 @@
+#include "methods/light_change.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "filter/atrous.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kIterations = 3;
+constexpr AtrousParams kAtrous{.sigma_n = 16, .sigma_l = 10, .sigma_l_diff = 4};
+
+// Of all changes that are known, in each frame.
+float kept(const SurfacePoint&) {
+  return 0.95f;
+}
+
+// d e / (e + 4 var), with e the energy of d beyond its noise. `var`: before the filter, which takes errors of
+// neighbours for independent although they share vertices.
+float proven(float d, float var) {
+  constexpr float kCaution = 4;
+  const float energy = std::max(0.f, d * d - var);
+  return energy > 0 ? d * energy / (energy + kCaution * var) : 0;
+}
+
+}  // namespace
+
+LightChange::LightChange(int w, int h, const GridParams& params)
+    : grid_(params), estimate_(w, h), planes_(w, h), scratch_(w, h) {}
+
+void LightChange::estimate(const FramePair& frames, const Placement& at, const SurfaceGrid& grid,
+                           const GridEstimate& i, const PoolHandle& pool, StageTimes& times) {
+  const SurfaceSamples& on = *frames.cur.surfaces;
+  differences_.resize(on.replays().size());
+  times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
+    for (int column = 0; column < on.columns(); ++column) {
+      const std::size_t k = on.indexOf(column, y);
+      differences_[k].residual = on.light(k).residual - on.replays()[k].residual;
+    }
+  });
+  const FrameOnGrid frame{.on = on, .g = frames.cur.g, .at = at, .residuals = &differences_};
+  grid_.follow(grid);
+  times[Stage::kTemporal] += grid_.fade(frame, kept, pool);
+  const SurfaceGrid::Added added = grid_.add(frame, pool);
+  const SurfaceGrid::Compared compared = grid_.readAdded(added, pool, estimate_);
+  times[Stage::kTemporal] += added.time + grid_.learn(compared, pool);
+  times[Stage::kVariance] += compared.time;
+  times[Stage::kVariance] += pool.forEachRow(on.height(), [&](int y) {
+    for (int x = 0; x < planes_.i.width(); ++x) {
+      planes_.i.at(x, y) = i.i.at(x, y), planes_.var_i.at(x, y) = i.var_i.at(x, y);
+      planes_.d.at(x, y) = estimate_.i.at(x, y), planes_.var_d.at(x, y) = estimate_.var_i.at(x, y);
+    }
+  });
+  for (int k = 0; k < kIterations; ++k) {
+    times[Stage::kAtrous] += atrousIteration(frames, kAtrous, 1 << k, planes_, pool, scratch_);
+    std::swap(planes_, scratch_);
+  }
+  times[Stage::kModulate] += pool.forEachRow(on.height(), [&](int y) {
+    for (int x = 0; x < planes_.d.width(); ++x)
+      planes_.d.at(x, y) = proven(planes_.d.at(x, y), estimate_.var_i.at(x, y));
+  });
+}
+
+}  // namespace saccade

@@ -1,0 +1,31 @@
+// The change of light at points of surfaces, where bodies move: what closed forms and shadow rays do not tell
+// of it [ours].
+//
+// takes    paths of this frame, and their replays in the world of the frame before
+// returns  the change of illumination since then at the points of this frame, 0 where none is proven
+#pragma once
+
+#include "cache/grid/surface_grid.h"
+#include "filter/filter_planes.h"
+#include "methods/stage_times.h"
+
+namespace saccade {
+
+class LightChange {
+ public:
+  LightChange(int w, int h, const GridParams& params);
+
+  // `at`: the points of the frame in `grid`. `i`: their light, and its variance.
+  void estimate(const FramePair& frames, const Placement& at, const SurfaceGrid& grid, const GridEstimate& i,
+                const PoolHandle& pool, StageTimes& times);
+  // After estimate().
+  const ImageF& change() const { return planes_.d; }
+
+ private:
+  SurfaceGrid grid_;  // of changes
+  std::vector<SurfaceLight> differences_;
+  GridEstimate estimate_;
+  FilterPlanes planes_, scratch_;
+};
+
+}  // namespace saccade

@@ -1,0 +1,74 @@
+// Shadow rays from the points of a frame to groups of lamps, and what they have found so far.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "frame/surface_samples.h"
+#include "render/tiles/surface_start.h"
+#include "render/world/posed_scene.h"
+
+namespace saccade {
+
+// The surfaces of a frame, and where paths start from them.
+struct FrameStarts {
+  const PosedScene& scene;
+  const SurfaceSamples& on;
+  const SurfaceStarts& starts;
+};
+
+// The rays of a point to one group of lamps.
+struct LampRays {
+  float visible = 0, all = 0;  // sums of weights
+  float unoccluded = 0;        // light of the group
+  int count = 0;
+
+  bool anyLit() const { return visible > 0; }
+  bool anyDark() const { return visible < all; }
+  bool areMixed() const { return anyLit() && anyDark(); }
+  float visibility() const { return all > 0 ? visible / all : 1; }
+};
+
+// A point that wants rays to some groups: bit g stands for group g.
+struct RayRequest {
+  std::uint32_t point;
+  std::uint32_t groups;
+};
+
+// The rays of all points of a frame.
+class FrameRays {
+ public:
+  void reset(std::size_t points, int groups);
+
+  // Whether they are of so many points and groups.
+  bool areOf(std::size_t points, int groups) const {
+    return groups_ == groups && rays_.size() == points * static_cast<std::size_t>(groups);
+  }
+
+  int groups() const { return groups_; }
+  const LampRays& at(std::size_t point, int group) const { return rays_[indexOf(point, group)]; }
+
+  // Forgets the rays of a point that has more than `most` to a group.
+  void limit(std::size_t point, int most) {
+    for (int g = 0; g < groups_; ++g)
+      if (LampRays& rays = rays_[indexOf(point, g)]; rays.count > most) rays = {};
+  }
+  // Goes on until each request has `count` rays to each of its groups. Requests of different points may be
+  // traced at the same time.
+  void trace(const FrameStarts& frame, std::span<const RayRequest> requests, int count);
+  // Whether some rays of a point and its neighbours on the same surface are blocked and others are not, as in
+  // a penumbra.
+  bool areMixedAround(const SurfaceSamples& on, std::uint32_t point, int group) const;
+
+ private:
+  template <Shading S>
+  void traceWith(const FrameStarts& frame, std::span<const RayRequest> requests, int count);
+  std::size_t indexOf(std::size_t point, int group) const {
+    return point * static_cast<std::size_t>(groups_) + static_cast<std::size_t>(group);
+  }
+
+  int groups_ = 0;
+  std::vector<LampRays> rays_;  // by point and group
+};
+
+}  // namespace saccade

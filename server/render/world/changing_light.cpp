@@ -1,0 +1,67 @@
+#include "render/world/changing_light.h"
+
+namespace saccade {
+namespace {
+
+void addMoved(const Body& body, const RigidMotion& motion, ShapeBox& box) {
+  for (int i = 0; i < 8; ++i)
+    box.add(motion.point({i & 1 ? body.high.x : body.low.x, i & 2 ? body.high.y : body.low.y,
+                          i & 4 ? body.high.z : body.low.z}));
+}
+
+// The part of [first, last] in which p (1 - s) + s [low, high] meets [least, most], along one axis.
+struct Part {
+  void meet(float p, float low, float high, float least, float most) {
+    clip(p - most, low - p);    // p + s (low - p) <= most
+    clip(least - p, p - high);  // p + s (high - p) >= least
+  }
+  // Leaves a + s b <= 0.
+  void clip(float a, float b) {
+    if (b == 0) {
+      if (a > 0) last = -1;
+    } else if (b > 0) {
+      last = std::min(last, -a / b);
+    } else {
+      first = std::max(first, -a / b);
+    }
+  }
+  bool empty() const { return first > last; }
+
+  float first = 0, last = 1;
+};
+
+// Whether the hull of a point and a box meets another box.
+bool meets(Vec3 p, const ShapeBox& lamp, const ShapeBox& body) {
+  Part part;
+  part.meet(p.x, lamp.low.x, lamp.high.x, body.low.x, body.high.x);
+  part.meet(p.y, lamp.low.y, lamp.high.y, body.low.y, body.high.y);
+  part.meet(p.z, lamp.low.z, lamp.high.z, body.low.z, body.high.z);
+  return !part.empty();
+}
+
+}  // namespace
+
+ChangingLight::ChangingLight(const PosedScene& now, const PosedScene& before) {
+  if (!now.bodies()) return;
+  const auto& bodies = now.still().description().bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const RigidMotion &a = now.bodies()->motions()[i], &b = before.bodies()->motions()[i];
+    moves_.push_back(a != b);
+    if (a == b) continue;
+    addMoved(bodies[i], a, bodies_.emplace_back()), addMoved(bodies[i], b, bodies_.back());
+  }
+  if (bodies_.empty()) return;
+  lamps_.resize(static_cast<std::size_t>(now.analyticLight().groups()));
+  for (const PosedScene* scene : {&now, &before})
+    for (const AnalyticLight::Side& side : scene->analyticLight().sides())
+      for (const Vec3 corner : side.corners) lamps_[static_cast<std::size_t>(side.group)].add(corner);
+}
+
+bool ChangingLight::at(Vec3 point) const {
+  for (const ShapeBox& body : bodies_)
+    for (const ShapeBox& lamp : lamps_)
+      if (meets(point, lamp, body)) return true;
+  return false;
+}
+
+}  // namespace saccade

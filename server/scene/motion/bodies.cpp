@@ -1,0 +1,41 @@
+#include "scene/motion/bodies.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/check.h"
+#include "base/names.h"
+#include "scene/files/scene_error.h"
+#include "scene/motion/shape_box.h"
+
+namespace saccade {
+namespace {
+
+std::string namesIn(const Scene& scene) {
+  std::set<std::string> names;
+  for (const Mesh& mesh : scene.meshes) names.insert(mesh.name);
+  for (const Sphere& sphere : scene.spheres) names.insert(sphere.name);
+  return joinNames(std::vector<std::string>(names.begin(), names.end()));
+}
+
+}  // namespace
+
+void setBodies(Scene& scene, std::span<const std::string> names) {
+  SACCADE_CHECK(scene.bodies.empty() && names.size() <= kMostBodies);
+  for (const std::string& name : names) {
+    const int body = static_cast<int>(scene.bodies.size());
+    if (std::ranges::any_of(scene.bodies, [&](const Body& other) { return other.name == name; }))
+      throw SceneError("the object '" + name + "' is given twice");
+    ShapeBox box;
+    bool found = false;
+    const auto take = [&](auto& shapes) {
+      for (auto& shape : shapes)
+        if (shape.name == name) shape.body = body, box.add(shape), found = true;
+    };
+    take(scene.meshes), take(scene.spheres);
+    if (!found) throw SceneError("the scene has no object '" + name + "'; it has: " + namesIn(scene));
+    scene.bodies.push_back({name, box.low, box.high});
+  }
+}
+
+}  // namespace saccade

@@ -1,0 +1,177 @@
+// Bodies in the renderer, against scenes whose vertices are moved instead.
+#include <gtest/gtest.h>
+
+#include "render/renderer.h"
+#include "render/test_scenes.h"
+#include "render/world/changing_light.h"
+#include "scene/motion/bodies.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kSize = 32;
+const Pose kMoved{{0.2, 0.1, -0.15}, axisAngle({0.3, -0.5, 0.2})};
+
+// A room with a lamp, a card and a ball.
+Scene room() {
+  Scene s = test::furnace(0.6f, 0);
+  s.meshes.push_back(test::quad({-0.3f, -0.95f, -0.3f}, {0, 0, 0.6f}, {0.6f, 0, 0}, 0, {9, 9, 9}));
+  s.meshes.back().name = "lamp";
+  s.meshes.push_back(test::quad({-0.5f, 0.1f, 0.3f}, {0.5f, 0, 0.1f}, {0, 0.5f, 0}, 0));
+  s.meshes.back().name = "card";
+  s.meshes.back().normals.assign(4, normalize(Vec3{0.1f, 0.2f, -1}));
+  s.spheres = {{"ball", {0.4f, 0.5f, 0.5f}, 0.3f, 0, {}}};
+  return s;
+}
+
+std::shared_ptr<const RenderScene> withBodies(const std::vector<std::string>& names) {
+  Scene s = room();
+  setBodies(s, names);
+  return std::make_shared<RenderScene>(std::move(s));
+}
+
+Trajectory standing(const Body& body, const Pose& step = {}) {
+  return Trajectory({{TimeNs(0), Pose{toDouble(body.centre()), {}} * step}});
+}
+
+// The pose of a body that kMoved moves from the file's place.
+RigidMotion motionBy(const Body& body, const Pose& step) {
+  return motionOf(body, Pose{toDouble(body.centre()), {}} * step);
+}
+
+// The room with the shapes of this name moved in the file.
+Scene movedByHand(const std::string& name, const RigidMotion& motion) {
+  Scene s = room();
+  for (Mesh& mesh : s.meshes) {
+    if (mesh.name != name) continue;
+    for (Vec3& p : mesh.positions) p = motion.point(p);
+    for (Vec3& n : mesh.normals) n = motion.direction(n);
+  }
+  for (Sphere& sphere : s.spheres)
+    if (sphere.name == name) sphere.center = motion.point(sphere.center);
+  return s;
+}
+
+Frame render(const PosedScene& now, const PosedScene& before) {
+  TilePool pool(2);
+  Frame frame(kSize, kSize);
+  const Camera camera(now.still().description().T_world_camera, pinhole(80, kSize, kSize));
+  Renderer renderer({2, 1});
+  renderer.render(PixelContext({now, camera}, {before, camera}), SeedPlan::correlated(1, 1, 64), pool, frame);
+  return frame;
+}
+
+double meanDifference(const ImageF& a, const ImageF& b) {
+  double sum = 0;
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) sum += std::abs(a.at(x, y) - b.at(x, y));
+  return sum / (kSize * kSize);
+}
+
+TEST(MovingScene, LooksAsIfItsVerticesHadMoved) {
+  for (const std::string name : {"card", "ball", "lamp"}) {
+    const auto scene = withBodies({name});
+    const Body& body = scene->description().bodies[0];
+    const Pose step = name == "lamp" ? Pose{{0.3, 0.1, 0.2}, axisAngle({0.1, 0.2, 0.1})} : kMoved;
+    const PosedScene posed(scene, {standing(body, step)});
+    const PosedScene still(std::make_shared<RenderScene>(movedByHand(name, motionBy(body, step))));
+    const Frame a = render(posed, posed), b = render(still, still);
+    EXPECT_LT(meanDifference(a.g.z, b.g.z), 1e-5) << name;
+    EXPECT_LT(meanDifference(a.g.nx, b.g.nx), 1e-5) << name;
+    EXPECT_LT(meanDifference(a.g.ny, b.g.ny), 1e-5) << name;
+    EXPECT_LT(meanDifference(a.samples.I2, b.samples.I2), 2e-3) << name;  // of 0.6: the same paths but few
+  }
+}
+
+TEST(MovingScene, ShowsWhichBodyAPixelHas) {
+  const auto scene = withBodies({"ball", "card"});
+  const auto& bodies = scene->description().bodies;
+  const PosedScene posed(scene, {standing(bodies[0]), standing(bodies[1])});
+  const Frame frame = render(posed, posed);
+  int ball = 0, card = 0, rest = 0;
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const std::uint32_t body = frame.g.body.at(x, y);
+      ASSERT_LE(body, 2u);
+      ++(body == 1 ? ball : body == 2 ? card : rest);
+    }
+  EXPECT_GT(ball, 10);
+  EXPECT_GT(card, 10);
+  EXPECT_GT(rest, kSize * kSize / 2);
+}
+
+// A body that is declared but stands changes no pixel.
+TEST(MovingScene, ThatStandsIsTheSameAsAStillOne) {
+  const auto scene = withBodies({"card", "ball"});
+  const auto& bodies = scene->description().bodies;
+  const PosedScene posed(scene, {standing(bodies[0]), standing(bodies[1])});
+  const PosedScene still(std::make_shared<RenderScene>(room()));
+  const Frame a = render(posed, posed), b = render(still, still);
+  EXPECT_EQ(meanDifference(a.g.z, b.g.z), 0);
+  EXPECT_EQ(meanDifference(a.samples.I2, b.samples.I2), 0);
+  EXPECT_EQ(meanDifference(a.g.motion_x, b.g.motion_x), 0);
+}
+
+TEST(MovingScene, MotionVectorsFollowTheBody) {
+  const auto scene = withBodies({"card"});
+  const Body& body = scene->description().bodies[0];
+  const PosedScene now(scene, {standing(body, kMoved)}), before(scene, {standing(body)});
+  const Frame frame = render(now, before);
+  const Camera camera(scene->description().T_world_camera, pinhole(80, kSize, kSize));
+  const RigidMotion motion = motionBy(body, kMoved);
+  int seen = 0;
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      if (frame.g.body.at(x, y) != 1) {
+        EXPECT_EQ(frame.g.motion_x.at(x, y), 0);
+        continue;
+      }
+      ++seen;
+      const Vec3 d = camera.direction(static_cast<float>(x), static_cast<float>(y));
+      const Vec3 rest = motion.restPoint(camera.origin + d * frame.g.z.at(x, y));
+      const auto was = camera.projectDirection(rest - camera.origin);
+      EXPECT_NEAR(frame.g.motion_x.at(x, y), was.x - static_cast<float>(x), 2e-3);
+      EXPECT_NEAR(frame.g.motion_y.at(x, y), was.y - static_cast<float>(y), 2e-3);
+      EXPECT_NEAR(frame.g.z_in_prev.at(x, y), was.z, 1e-5);
+    }
+  EXPECT_GT(seen, 10);
+}
+
+// Segments from a point to places on the lamp, against the box of a body at both times.
+TEST(ChangingLight, IsWhereASegmentToALampMeetsABody) {
+  const auto scene = withBodies({"card"});
+  const Body& body = scene->description().bodies[0];
+  const PosedScene now(scene, {standing(body, {{0.3, 0, 0}, {}})}), before(scene, {standing(body)});
+  const ChangingLight changing(now, before);
+  ShapeBox swept;
+  for (const Vec3 shift : {Vec3{}, Vec3{0.3f, 0, 0}})
+    swept.add(body.low + shift), swept.add(body.high + shift);
+  const auto inside = [&](Vec3 p) {
+    return p.x > swept.low.x && p.y > swept.low.y && p.z > swept.low.z && p.x < swept.high.x &&
+           p.y < swept.high.y && p.z < swept.high.z;
+  };
+  int met = 0, free = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const auto u = [&](unsigned k) { return toUnit(mix32(static_cast<std::uint32_t>(i) * 8 + k)); };
+    const Vec3 p{2 * u(0) - 1, 2 * u(1) - 1, 2 * u(2) - 1};
+    bool meets = false;
+    for (unsigned k = 0; k < 400 && !meets; ++k) {
+      const auto v = [&](unsigned j) {
+        return toUnit(mix32(static_cast<std::uint32_t>(i) * 1000 + 3 * k + j + 77));
+      };
+      const Vec3 lamp{0.6f * v(0) - 0.3f, -0.95f, 0.6f * v(1) - 0.3f};
+      meets = inside(p + (lamp - p) * v(2));
+    }
+    if (meets) {
+      EXPECT_TRUE(changing.at(p)) << i;
+    }
+    ++(meets ? met : free);
+    if (!meets && !changing.at(p)) --free;
+  }
+  EXPECT_GT(met, 200);
+  EXPECT_LT(free, 400);  // few more than the samples find
+  EXPECT_FALSE(ChangingLight(now, now).at(body.centre()));
+}
+
+}  // namespace
+}  // namespace saccade

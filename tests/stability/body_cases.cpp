@@ -1,0 +1,55 @@
+// The cases of how bodies move.
+#include "stability/cases.h"
+
+namespace saccade::test {
+
+std::vector<StabilityCase> bodyCases() {
+  return {
+      {.name = "body_slides",
+       .why = "its shadow and its light on walls change slowly, before a camera that stands",
+       .trajectory = "still",
+       .objects = {"tall_block=slide:-0.06/frame"},
+       .claims = {{"event_svgf", 1}, {"irradiance_cache", 1}}},
+      {.name = "body_and_camera",
+       .why = "the motion of the picture and that of a body differ",
+       .px_per_frame = 0.5,
+       .objects = {"tall_block=slide:-0.06/frame"},
+       .claims = {{"event_svgf", 1}, {"irradiance_cache", 1}}},
+      {.name = "body_spins",
+       .why = "normals turn under standing light",
+       .scene = "cornell-bunny",
+       .trajectory = "still",
+       .objects = {"bunny=spin:2/frame"},
+       .claims = {{"event_svgf", 1}, {"irradiance_cache", 1}}},
+      {.name = "body_fast",
+       .why = "what it uncovers has no history",
+       .trajectory = "still",
+       .objects = {"tall_block=slide:-0.2/frame"},
+       .last = 6,
+       .claims = {{"event_svgf", 1}, {"irradiance_cache", 1}}},
+      {.name = "body_turns_back",
+       .why = "changes of light that were learned have the wrong sign",
+       .trajectory = "still",
+       .rate_hz = 12,
+       .objects = {"tall_block=slide:-0.72"},
+       .claims = {{"event_svgf", 1}, {"irradiance_cache", 1}}},
+      {.name = "bodies_slide_and_spin",
+       .why = "each casts a shadow on the other",
+       .trajectory = "still",
+       .objects = {"tall_block=slide:-0.05/frame", "short_block=spin:3/frame"},
+       .claims = {{"event_svgf", 1}, {"irradiance_cache", 1}}},
+      {.name = "lamp_slides",
+       .why = "all light changes, and all shadows move",
+       .trajectory = "still",
+       .objects = {"light=slide:0.04/frame"},
+       .claims = {{"event_svgf", 1}, {"irradiance_cache", 1}}},
+      {.name = "metal_body",
+       .why = "the grid does not hold its light",
+       .scene = ownScene("metal_ball"),
+       .trajectory = "still",
+       .objects = {"ball=slide:0.03/frame"},
+       .claims = {{"event_svgf", 1}, {"irradiance_cache", 1}}},
+  };
+}
+
+}  // namespace saccade::test
