@@ -144,7 +144,7 @@ class TilePoints {
     if (view_.now.scene.bodies()) setMotion(guide.body, hit.start.surface.point, point, place);
   }
 
-  // What bodies make of a point. `body`: Hit::body.
+  // Sets the place of a point of a body, and whether direct light moves there. `body`: Hit::body.
   void setMotion(std::uint32_t body, Vec3 world, SurfacePoint& point, SurfacePlace& place) const {
     point.light_moves = changing_.at(world);
     if (body == kNoBody) return;
