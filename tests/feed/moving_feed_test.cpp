@@ -80,9 +80,9 @@ TEST(MovingFeed, HasNoChangeOnceItsBodyHasStopped) {
   for (int t = 6; t < 10; ++t) EXPECT_EQ(largest(feed.step(pool).dI), 0) << t;
 }
 
-// In the penumbra of an edge at height h under a square lamp of edge s at height H, the share of the lamp
-// that is seen falls linearly over s h / (H - h). So it changes by v (H / (H - h)) / (s h / (H - h)) = v H /
-// (s h) in each frame.
+// An edge at height h stands under a square lamp of edge s at height H. In its penumbra the share of the lamp
+// that is seen falls linearly over s h / (H - h). So it changes by v (H / (H - h)) / (s h / (H - h)), which
+// is v H / (s h), in each frame.
 TEST(MovingFeed, ThePenumbraOfAMovingEdgeChangesAsItsGeometrySays) {
   constexpr double kH = 2, kh = 1, kLamp = 0.5, kStep = 0.01;
   const Scene s = withBody(cardUnderALamp(kLamp), "card");

@@ -33,6 +33,7 @@ FOLDERS = {
     "scene/camera": "scene/files",
     "scene": "scene/files scene/camera",
     "scene/roam": "scene/camera",
+    "scene/motion": "scene scene/files scene/camera",
     "scene/mesh": "scene scene/files",
     "scene/mitsuba": "scene scene/files scene/camera scene/mesh",
     "scene/library": "scene scene/files scene/camera scene/mitsuba",
@@ -107,7 +108,7 @@ SOCKETS = ("zmq", "microhttpd", "wslay/", "server/stream/", "server/ops/", "serv
 OUTSIDE = {
     "OpenImageIO/": ["server/pictures/open_image_io.cpp", "tests/"],
     "embree": ["server/render/world/embree_query.h"],
-    "render/world/embree_query.h": ["server/render/world/embree_scene.cpp", "server/render/world/embree_distance.cpp"],
+    "render/world/embree_query.h": ["server/render/world/embree_"],
     "zmq": ["server/stream/", "server/web/", "client/", "tests/"],
     "prometheus/": ["server/app/metrics.cpp"],
     "microhttpd": ["server/ops/http_"],
