@@ -101,7 +101,8 @@ TEST(ObjectRequest, TheReplyHasTheObjectsByNameWithTheirDefaults) {
   v1::OpenStream request = spinning("tall_block", -30);
   addKeys(*addObject(request, "light").mutable_keyframes(), 1);
   addObject(request, "short_block").set_csv("5 0 0 0 0 0 0 1\n");
-  const auto& objects = server.client().open(request).resolved().objects();
+  const v1::OpenStream resolved = server.client().open(request).resolved();
+  const auto& objects = resolved.objects();
   ASSERT_EQ(objects.size(), 3);
   EXPECT_EQ(objects[0].name(), "light");
   EXPECT_EQ(objects[0].path().keyframes().interpolation(), v1::INTERPOLATION_LINEAR);
