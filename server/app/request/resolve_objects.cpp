@@ -44,7 +44,7 @@ std::optional<Trajectory> readPath(v1::ObjectPath& path, const std::string& fiel
   return {};
 }
 
-// Of a request whose text may be long: all texts together are bounded as the text of one camera is.
+// All texts together are bounded as that of a camera is.
 void checkTexts(const v1::OpenStream& request) {
   std::size_t bytes = 0;
   for (int i = 0; i < request.objects_size(); ++i) {
