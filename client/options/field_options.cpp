@@ -17,6 +17,7 @@ constexpr struct {
                 {"trajectory.motion.start", "--start"},
                 {"trajectory.motion.clearance", "--clearance"},
                 {"trajectory", "--trajectory"},
+                {"objects", "--object"},
                 {"timing.frame_rate_hz", "--rate"},
                 {"timing.duration_s", "--duration"},
                 {"timing.until_path_ends", "--duration"},

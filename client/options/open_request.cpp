@@ -58,6 +58,7 @@ v1::OpenStream makeOpenStream(const RequestOptions& options) {
   v1::OpenStream open;
   open.set_scene(options.scene);
   *open.mutable_trajectory() = makeTrajectory(options);
+  addObjects(options.objects, open);
   *open.mutable_timing() = makeTiming(options);
   *open.mutable_method() = makeMethod(options);
   *open.mutable_quality() = makeQuality(options);

@@ -44,6 +44,14 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
       "--clearance", o.clearance,
       "least distance of roam:SPEED to all surfaces, in scene units; by default a twentieth of "
       "the median distance around the start, or less where that leaves no room");
+  command
+      .add_option(
+          "--object", o.objects,
+          "NAME=PATH moves the shapes of the scene that have this name: KIND:SPEED per second, with KIND "
+          "one of " +
+              enumWords<v1::ObjectMotionKind>() +
+              ", or a .csv or .txt file of poses as for --trajectory; may be given again")
+      ->allow_extra_args(false);
 }
 
 // Of a command whose options have one, else that of openTiming().
@@ -80,7 +88,7 @@ void addQualityOptions(CLI::App& command, RequestOptions& o) {
   command.add_option(
       "--method", o.method,
       "how the change is estimated, see `saccade info`; default irradiance_cache, or event_svgf where a "
-      "lamp changes");
+      "lamp changes or an object moves");
   CLI::Option* spp = command.add_option("--spp", o.spp, "paths per pixel and frame; default 2");
   CLI::Option* bounces = command.add_option("--bounces", o.bounces, "indirect bounces; default 3");
   CLI::Option* disable =

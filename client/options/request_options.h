@@ -27,6 +27,7 @@ struct RequestOptions {
   std::optional<double> turn_s;
   std::optional<std::uint64_t> motion_seed;
   std::optional<double> clearance;
+  std::vector<std::string> objects;  // NAME=KIND:SPEED, or NAME=FILE
   RigOptions rig;
   std::optional<std::string> start;  // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_world_camera
   SensorOptions sensors;
@@ -62,6 +63,9 @@ void limitRequest(CLI::App& command);
 // Whether --trajectory names a file: *.csv, or any file that exists.
 bool isTrajectoryFile(const std::string& trajectory);
 bool namesPoses(const RequestOptions& options);  // likewise, or it has a --trajectory-format
+
+// Reads the files that `objects` name. Throws std::invalid_argument.
+void addObjects(const std::vector<std::string>& objects, v1::OpenStream& open);
 
 // makeTrajectory() reads the trajectory's file. Both throw std::invalid_argument with the option at fault.
 v1::Trajectory makeTrajectory(const RequestOptions& options);

@@ -25,7 +25,7 @@ void describeUse(const LimitHolders& holders, v1::ServerDescription& description
   for (const Limit limit : kOfTheQuota) tell(limit, holders.quota.taken(limit));
   const SceneUse scenes = holders.scenes.inUse();
   tell(Limit::kScenes, static_cast<double>(scenes.bytes) / kMiB);
-  tell(Limit::kReducedScenes, scenes.simplified);
+  tell(Limit::kReducedScenes, scenes.variants);
   tell(Limit::kBakes, holders.bakes.inUse());
   tell(Limit::kViewers, static_cast<double>(holders.viewers));
   tell(Limit::kCpu, paceShare(holders));

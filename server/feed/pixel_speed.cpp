@@ -5,6 +5,7 @@
 
 #include "base/quantile.h"
 #include "feed/feed.h"
+#include "feed/moving_view.h"
 #include "render/camera/view_grid.h"
 #include "render/world/render_scene.h"
 #include "scene/camera/image_speed.h"
@@ -26,6 +27,14 @@ VisiblePoints gridView(const RenderScene& scene, const Camera& camera, const Cam
   return view;
 }
 
+// Of the path that lasts longest.
+FrameIndex framesOfPaths(const Trajectory& path, const FeedConfig& config, FrameIndex frames) {
+  FrameIndex most = framesToLookAt(path, config.frame_rate_hz, frames);
+  for (const Trajectory& body : config.body_paths)
+    most = std::max(most, framesToLookAt(body, config.frame_rate_hz, frames));
+  return most;
+}
+
 }  // namespace
 
 FrameIndex framesToLookAt(const Trajectory& path, double rate_hz, FrameIndex frames) {
@@ -36,18 +45,23 @@ FrameIndex framesToLookAt(const Trajectory& path, double rate_hz, FrameIndex fra
 
 PixelSpeed measurePixelSpeed(const RenderScene& scene, const Trajectory& path, const FeedConfig& config,
                              FrameIndex frames) {
-  const FrameIndex all = framesToLookAt(path, config.frame_rate_hz, frames);
+  const FrameIndex all = framesOfPaths(path, config, frames);
   const FrameIndex instants = std::min(all, kInstants);
   const Lens lens(config.camera);
+  std::optional<MovingView> bodies;
+  if (!config.body_paths.empty()) bodies.emplace(scene, config.body_paths);
   std::vector<double> lengths;
   double px_per_focal = 0;
   for (FrameIndex i = 0; i < instants; ++i) {
     const FrameIndex frame = 1 + i * all / instants;
-    const Pose cur = path.at(frameTime(frame, config.frame_rate_hz));
-    const Pose prev = path.at(frameTime(frame - 1, config.frame_rate_hz));
+    const TimeNs t1 = frameTime(frame, config.frame_rate_hz), t0 = frameTime(frame - 1, config.frame_rate_hz);
+    const Pose cur = path.at(t1), prev = path.at(t0);
     const Camera camera(scene.inScene(cur), lens);
     const Pose step = cur == prev ? Pose{} : inverse(cur) * prev;  // exactly 0 where it stands
-    appendImageSteps(gridView(scene, camera, config.camera), step, Pose{}, lens, lengths);
+    if (bodies)
+      bodies->appendSteps({camera, t1}, {Camera(scene.inScene(prev), lens), t0}, config.camera, lengths);
+    else
+      appendImageSteps(gridView(scene, camera, config.camera), step, Pose{}, lens, lengths);
     px_per_focal = 1 / static_cast<double>(camera.pixel);
   }
   if (lengths.empty()) return {};

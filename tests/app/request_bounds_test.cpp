@@ -64,6 +64,9 @@ TEST(RequestBounds, NameTheFieldThatHasTooMuch) {
       {opening(field(6, times(kMany, field(5, "")))), "quality.disabled_features"},
       {opening(field(1, std::string(257, 'x'))), "scene"},
       {opening(field(3, field(4, std::string((8 << 20) + 1, ' ')))), "trajectory.csv"},
+      {opening(times(65, field(14, ""))), "objects"},
+      {opening(field(14, field(1, std::string(257, 'x')))), "objects.name"},
+      {opening(field(14, field(2, field(3, std::string((8 << 20) + 1, ' '))))), "objects.path.csv"},
       {opening(times(kMany, field(99, ""))), ""},
       {opening(times(kMany, field(9, ""))), ""},  // the seed is a number
       {field(12, field(1, std::string(257, 'x'))), "stream_id"},

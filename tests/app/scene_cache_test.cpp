@@ -66,19 +66,19 @@ TEST_F(SceneMemory, TellsWhatIsInUse) {
   scenes.get(kSecond);
   auto used = scenes.get(kFirst);
   EXPECT_EQ(scenes.inUse().bytes, bytesOf({kFirst}));
-  EXPECT_EQ(scenes.inUse().simplified, 0);
-  const auto simplified = scenes.simplify(kFirst, used, {SceneFeature::kTextures});
+  EXPECT_EQ(scenes.inUse().variants, 0);
+  const auto simplified = scenes.vary(kFirst, used, {{SceneFeature::kTextures}});
   EXPECT_GT(scenes.inUse().bytes, bytesOf({kFirst}));
-  EXPECT_EQ(scenes.inUse().simplified, 1);
+  EXPECT_EQ(scenes.inUse().variants, 1);
   used.reset();
-  EXPECT_EQ(scenes.inUse().simplified, 1);
+  EXPECT_EQ(scenes.inUse().variants, 1);
   EXPECT_GT(scenes.bytes(), scenes.inUse().bytes);
 }
 
 TEST_F(SceneMemory, CountsASceneWithoutPartsToo) {
   SceneCache scenes(kFolder, bounded(static_cast<double>(bytesOf({kThird}) * 3 / 2)));
   const auto whole = scenes.get(kThird);
-  EXPECT_THROW(scenes.simplify(kThird, whole, {SceneFeature::kMipFiltering}), LimitReached);
+  EXPECT_THROW(scenes.vary(kThird, whole, {{SceneFeature::kMipFiltering}}), LimitReached);
 }
 
 // And no other scene is evicted for it.
@@ -97,14 +97,48 @@ TEST_F(SceneMemory, ASceneThatNeverFitsIsRefusedForGood) {
 TEST_F(SceneMemory, ASimplifiedSceneIsBuiltOnceForEachVersionOfTheWhole) {
   SceneCache scenes(kFolder);
   auto whole = scenes.get(kThird);
-  EXPECT_EQ(scenes.simplify(kThird, whole, {}), whole);
+  EXPECT_EQ(scenes.vary(kThird, whole, {}), whole);
   const SceneFeatures disabled{SceneFeature::kTextures};
-  const auto simplified = scenes.simplify(kThird, whole, disabled);
+  const auto simplified = scenes.vary(kThird, whole, {disabled});
   EXPECT_NE(simplified, whole);
   EXPECT_TRUE(simplified->description().textures.empty());
-  EXPECT_EQ(scenes.simplify(kThird, whole, disabled), simplified);
+  EXPECT_EQ(scenes.vary(kThird, whole, {disabled}), simplified);
   SceneCache other(kFolder);
-  EXPECT_NE(scenes.simplify(kThird, other.get(kThird), disabled), simplified);  // of another version
+  EXPECT_NE(scenes.vary(kThird, other.get(kThird), {disabled}), simplified);  // of another version
+}
+
+TEST_F(SceneMemory, ASceneWithBodiesIsAVariantByTheirNames) {
+  SceneCache scenes(kFolder);
+  const auto whole = scenes.get(kThird);
+  const SceneVariant moving{{}, {"tall_block"}}, plain{{SceneFeature::kTextures}, {"tall_block"}};
+  const auto scene = scenes.vary(kThird, whole, moving);
+  ASSERT_EQ(scene->description().bodies.size(), 1u);
+  EXPECT_EQ(scene->description().bodies[0].name, "tall_block");
+  EXPECT_TRUE(whole->description().bodies.empty());
+  EXPECT_EQ(scenes.vary(kThird, whole, moving), scene);
+  EXPECT_NE(scenes.vary(kThird, whole, {{}, {"light"}}), scene);
+  const auto both = scenes.vary(kThird, whole, plain);
+  EXPECT_TRUE(both->description().textures.empty());
+  EXPECT_EQ(both->description().bodies.size(), 1u);
+  EXPECT_NE(scenes.vary(kThird, whole, {{SceneFeature::kTextures}}), both);
+}
+
+TEST_F(SceneMemory, ScenesWithBodiesAreBoundedAsSimplifiedOnesAre) {
+  Limits limits;
+  limits[Limit::kReducedScenes] = 1;
+  SceneCache scenes(kFolder, limits);
+  const auto whole = scenes.get(kFirst);
+  auto used = scenes.vary(kFirst, whole, {{}, {"tall_block"}});
+  EXPECT_EQ(scenes.inUse().variants, 1);
+  try {
+    scenes.vary(kFirst, whole, {{}, {"light"}});
+    FAIL();
+  } catch (const LimitReached& reached) {
+    EXPECT_EQ(reached.field, "objects");
+  }
+  used.reset();
+  EXPECT_NE(scenes.vary(kFirst, whole, {{}, {"light"}}), nullptr);
+  EXPECT_EQ(scenes.loads().evicted, 1u);
 }
 
 TEST_F(SceneMemory, SimplifiedScenesThatAreInUseAreBounded) {
@@ -112,10 +146,10 @@ TEST_F(SceneMemory, SimplifiedScenesThatAreInUseAreBounded) {
   limits[Limit::kReducedScenes] = 1;
   SceneCache scenes(kFolder, limits);
   const auto whole = scenes.get(kThird);
-  auto used = scenes.simplify(kThird, whole, {SceneFeature::kTextures});
-  EXPECT_THROW(scenes.simplify(kThird, whole, {SceneFeature::kMipFiltering}), LimitReached);
+  auto used = scenes.vary(kThird, whole, {{SceneFeature::kTextures}});
+  EXPECT_THROW(scenes.vary(kThird, whole, {{SceneFeature::kMipFiltering}}), LimitReached);
   used.reset();
-  EXPECT_NE(scenes.simplify(kThird, whole, {SceneFeature::kMipFiltering}), nullptr);
+  EXPECT_NE(scenes.vary(kThird, whole, {{SceneFeature::kMipFiltering}}), nullptr);
   EXPECT_EQ(scenes.loads().evicted, 1u);
 }
 
@@ -124,7 +158,7 @@ TEST_F(SceneMemory, WholeScenesAreNoSimplifiedOnes) {
   limits[Limit::kReducedScenes] = 0;
   SceneCache scenes(kFolder, limits);
   EXPECT_NE(scenes.get(kFirst), nullptr);
-  EXPECT_THROW(scenes.simplify(kFirst, scenes.get(kFirst), {SceneFeature::kTextures}), LimitReached);
+  EXPECT_THROW(scenes.vary(kFirst, scenes.get(kFirst), {{SceneFeature::kTextures}}), LimitReached);
 }
 
 TEST_F(SceneMemory, ThreadsThatAskAtOnceShareOneLoad) {

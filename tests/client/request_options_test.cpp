@@ -285,6 +285,31 @@ TEST(RequestOptions, AFaultyMotionIsNamed) {
         << start;
 }
 
+TEST(RequestOptions, ObjectsMoveByAMotionOrByAFile) {
+  const ScratchFolder folder;
+  const std::string path = folder.at("poses.txt");
+  std::ofstream(path) << "0 1 2 3 0 0 0 1\n";
+  const auto open = openStream("--object bunny=spin:-90 --object lamp=" + path);
+  ASSERT_EQ(open.objects_size(), 2);
+  EXPECT_EQ(open.objects(0).name(), "bunny");
+  EXPECT_EQ(open.objects(0).path().motion().kind(), v1::OBJECT_MOTION_KIND_SPIN);
+  EXPECT_EQ(open.objects(0).path().motion().speed(), -90);
+  EXPECT_EQ(open.objects(1).name(), "lamp");
+  EXPECT_EQ(open.objects(1).path().csv(), "0 1 2 3 0 0 0 1\n");
+}
+
+TEST(RequestOptions, AFaultyObjectIsNamed) {
+  for (const char* wrong : {"bunny", "=spin:90", "bunny="})
+    EXPECT_EQ(faultOf(std::string("--object ") + wrong),
+              std::string("--object: '") + wrong + "' is not NAME=PATH, such as bunny=spin:90");
+  for (const char* wrong : {"spin", "spin:fast", "spin:"})
+    EXPECT_EQ(faultOf(std::string("--object bunny=") + wrong),
+              std::string("--object: '") + wrong +
+                  "' is neither a .csv or .txt file nor KIND:SPEED, such as spin:90");
+  EXPECT_EQ(faultOf("--object bunny=fly:1"), "--object: 'fly' is none of spin, orbit, slide, swing");
+  EXPECT_EQ(faultOf("--object bunny=none.txt"), "--object: 'none.txt' cannot be read");
+}
+
 TEST(RequestOptions, OnlyRoamHasAClearance) {
   EXPECT_FALSE(openMotion("roam:1px").trajectory().motion().has_clearance());
   const v1::Motion roam = openMotion("roam:1px --clearance 0.25").trajectory().motion();

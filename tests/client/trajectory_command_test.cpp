@@ -56,6 +56,25 @@ TEST_F(AlongAFile, TheTimesOfTheFileCanBeKept) {
   EXPECT_EQ(textOf(folder_.at("c.csv")), from_file);
 }
 
+TEST_F(AlongAFile, AnObjectMovesAlongOneTooAndAgainInAReplay) {
+  std::ofstream(folder_.at("block.csv")) << "0,3,1,3,0,0,0,1\n20000000,2,1,3,0,0,0,1\n";
+  const std::string command =
+      "record cornell-box --motion still --size 16x12 --rate 100 --duration 0.05 -o " + folder_.at("a.csv") +
+      server_.option();
+  const Result result = run(command + " --object tall_block=" + folder_.at("block.csv"));
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_NE(textOf(folder_.at("a.csv.json")).find("\"name\": \"tall_block\""), std::string::npos);
+  const std::string events = textOf(folder_.at("a.csv"));
+  EXPECT_GT(std::count(events.begin(), events.end(), '\n'), 10);
+  const Result again =
+      run("replay " + folder_.at("a.csv.json") + " -o " + folder_.at("b.csv") + server_.option());
+  EXPECT_EQ(again.code, 0) << again.output;
+  EXPECT_EQ(textOf(folder_.at("b.csv")), events);
+  const Result wrong = run(command + " --force --object teapot=spin:9");
+  EXPECT_NE(wrong.code, 0);
+  EXPECT_TRUE(holds(wrong, "--object: the scene has no object 'teapot'; it has: back_wall")) << wrong.output;
+}
+
 TEST_F(AlongAFile, AFormatWhoseTimesWrapKeepsNone) {
   const Result result = record("--keep-times -o " + folder_.at("a.raw"));
   EXPECT_EQ(result.code, 2);

@@ -42,6 +42,7 @@ TEST_F(RecipeCheckTest, TakesWhatRecordTakes) {
   EXPECT_EQ(
       faultOf(kGood + std::string("threshold = [0.1, 0.2]\ntruth = ['depth', 'pose']\nwrite-poses = true\n")),
       "");
+  EXPECT_EQ(faultOf(kGood + std::string("object = ['tall_block=spin:9', 'light=slide:0.1']\n")), "");
   EXPECT_EQ(faultOf(kGood +
                     std::string("noise = ['leak_hz=0.1']\nmethod = 'svgf'\nspp = 4\nset = 'as_falcor=1'\n")),
             "");
@@ -71,6 +72,10 @@ TEST_F(RecipeCheckTest, NamesTheLineOfTheOptionAndWhatIsValid) {
       {"calibration = '/etc/passwd'",
        "9: record.calibration: '/etc/passwd' is not a path within the folder of the recipe"},
       {"imu = '../imu.yaml'\ntruth = 'imu'", "9: record.imu: '../imu.yaml' is not a path within the folder"},
+      {"object = 'tall_block=/etc/passwd'",
+       "9: record.object: '/etc/passwd' is not a path within the folder of the recipe"},
+      {"object = 'tall_block=../a.csv'", "9: record.object: '../a.csv' is not a path within the folder"},
+      {"object = 'teapot=spin:9'", "9: record.object: the scene has no object 'teapot'; it has: back_wall"},
       {"labels = true\n[[case]]\noutput = 'b.h5'", "11: record.output: "},
       {"jitter = 'maybe'", "9: record.jitter: "},
   };

@@ -52,6 +52,30 @@ TEST(PixelSpeed, OfATruckPastAWallIsFocalLengthTimesSpeedOverDepth) {
   }
 }
 
+Trajectory stands(Vec3d at) {
+  return Trajectory(std::vector<TimedPose>{{0s, {at, {}}}});
+}
+
+// A wall that is a body goes by: the camera stands, or goes with it.
+TEST(PixelSpeed, OfABodyIsItsOwnMotionAgainstTheCamera) {
+  Scene s;
+  s.materials = {test::grey(0.5f)};
+  s.meshes = {test::quad({-100, -100, kDepth}, {200, 0, 0}, {0, 200, 0}, 0)};
+  s.meshes[0].body = 0;
+  s.bodies = {{"wall", {0, 0, kDepth}}};
+  const RenderScene scene(std::move(s));
+  FeedConfig c = config();
+  c.body_paths = {Trajectory({{0s, {{0, 0, kDepth}, {}}}, {2s, {{1.6, 0, kDepth}, {}}}})};
+  const double px = focalPx() * 0.8 / 500 / kDepth;
+  const PixelSpeed alone = measurePixelSpeed(scene, stands({}), c, 0);
+  EXPECT_NEAR(alone.p50, px, 1e-3 * px);
+  EXPECT_NEAR(alone.p99, px, 1e-3 * px);
+  EXPECT_NEAR(measurePixelSpeed(scene, truck(-0.8), c, 0).p50, 2 * px, 2e-3 * px);
+  EXPECT_LT(measurePixelSpeed(scene, truck(0.8), c, 0).p99, 1e-3 * px);
+  c.body_paths = {stands({0, 0, kDepth})};
+  EXPECT_EQ(measurePixelSpeed(scene, stands({}), c, 0).p99, 0);
+}
+
 // The slowest pixels of a pan are in the middle, the fastest at the left and right. The speed is (1 + x^2)
 // for the ray (x, 0, 1).
 TEST(PixelSpeed, OfAPanGrowsTowardsTheEdges) {

@@ -118,6 +118,8 @@ const FuzzTarget& fuzzTarget() {
                                               "pt_correlated",
                                               "alpha",
                                               "textures",
+                                              "tall_block",
+                                              "light",
                                               "specular",
                                               "0,0,0,0,0,0,0,1\n",
                                               "1 0 0 0 0 0 0 1\n",
@@ -136,6 +138,9 @@ const FuzzTarget& fuzzTarget() {
        bytesOf<v1::Request>(kOpen +
                             "trajectory { keyframes { keys { rotation { w: 1 } } keys { time_s: 1 position "
                             "{ x: 1 } rotation { x: 1 } } } } quality { max_event_change: 0.1 } }"),
+       bytesOf<v1::Request>(kOpen + "trajectory { name: 'still' } objects { name: 'tall_block' path { motion "
+                                    "{ kind: OBJECT_MOTION_KIND_SPIN speed: 90 } } } objects { name: 'light' "
+                                    "path { csv: '0 0 0 0 0 0 0 1\\n' } } }"),
        bytesOf<v1::Request>(kOpen + "trajectory { csv: '0 0 0 0 0 0 0 1\\n1 1 0 0 0 0 0 1\\n' } "
                                     "sensors { model: EVENT_MODEL_PROBABILISTIC refractory_s: 1e-3 "
                                     "reconstruction: RECONSTRUCTION_COMPLEMENTARY cutoff_hz: 2 } }")},

@@ -26,6 +26,8 @@ TEXTS = {
     "--columns": ["nosuch", "t,x,y", "t,x,y,y", "t,,y,p"], "--unit": ["min", "S", "1"],
     "--noise": ["leak_hz", "leak_hz=much", "leak_hz=-1", "leak_hz=nan", "nosuch=1"],
     "--trajectory": ["nosuch", "pan", "pan:fast", "pan:nan", "pan:1e300", "fly:1", "$NONE.csv", "$FILE"],
+    "--object": ["tall_block", "=spin:90", "tall_block=", "tall_block=spin", "tall_block=spin:fast", "tall_block=spin:nan",
+                 "tall_block=spin:1e300", "tall_block=fly:1", "nosuch=spin:9", "tall_block=$NONE.csv", "tall_block=$FILE"],
     "--trajectory-format": NAMES, "--further-view": ["1,2", "a,b,c", "nan,0,0", "1,2,3,0,0,0,0"],
     "--calibration": ["$NONE.yaml", "$FILE"], "--body-camera": ["1,2", "a,b,c", "nan,0,0"], "--up": NAMES,
     "--imu": ["nosuch=1", "rate_hz", "rate_hz=much", "$NONE.yaml"], "--gravity": ["1,2", "a,b,c"],

@@ -38,6 +38,15 @@ v1::OpenStream withPoses(int keys, int csv_lines) {
   return request;
 }
 
+// The camera has some, and an object others.
+v1::OpenStream withObjectPoses(int keys, int csv_lines) {
+  v1::OpenStream request = withPoses(keys, 0);
+  v1::ObjectMotion& object = *request.add_objects();
+  object.set_name("tall_block");
+  object.mutable_path()->set_csv(withPoses(0, csv_lines).trajectory().csv());
+  return request;
+}
+
 TEST(Limits, TheGridOfAMethodCountsAsMemory) {
   TestServer server(withLimit(Limit::kMemory, 8));
   v1::OpenStream request = tinyRequest();
@@ -84,7 +93,8 @@ TEST(Limits, ARequestThatExceedsALimitAloneIsNotWorthARetry) {
           {Limit::kRows, 19, rows, "truth"},
           {Limit::kFrameRate, 499, tinyRequest(), "timing.frame_rate_hz"},
           {Limit::kTrajectoryPoints, 3, withPoses(4, 0), "trajectory.keyframes.keys"},
-          {Limit::kTrajectoryPoints, 3, withPoses(0, 4), "trajectory.csv"}};
+          {Limit::kTrajectoryPoints, 3, withPoses(0, 4), "trajectory.csv"},
+          {Limit::kTrajectoryPoints, 3, withObjectPoses(2, 2), "objects"}};
   for (const auto& [limit, value, request, field] : all) {
     TestServer server(withLimit(limit, value));
     const v1::Status status = server.client().tryOpen(request);
@@ -94,6 +104,7 @@ TEST(Limits, ARequestThatExceedsALimitAloneIsNotWorthARetry) {
   TestServer server(withLimit(Limit::kTrajectoryPoints, 4));
   EXPECT_EQ(server.client().tryOpen(withPoses(4, 0)).code(), v1::CODE_OK);
   EXPECT_EQ(server.client().tryOpen(withPoses(0, 4)).code(), v1::CODE_OK);
+  EXPECT_EQ(server.client().tryOpen(withObjectPoses(2, 2)).code(), v1::CODE_OK);
   TestServer just(withLimit(Limit::kRows, 20));
   EXPECT_EQ(just.client().tryOpen(rows).code(), v1::CODE_OK);
 }

@@ -127,7 +127,7 @@ TEST_F(Simplification, AFeatureThatTheSceneLacksIsNotLeftOut) {
 TEST_F(Simplification, ScenesAreSharedByThePartsTheyDoWithout) {
   SceneCache scenes(SACCADE_SOURCE_DIR "/scenes");
   const auto get = [&](const std::string& name, const SceneFeatures& disabled) {
-    return scenes.simplify(name, scenes.get(name), disabled);
+    return scenes.vary(name, scenes.get(name), {disabled});
   };
   const auto plain = get(kTextured, {SceneFeature::kTextures});
   EXPECT_EQ(get(kTextured, {SceneFeature::kTextures}), plain);
@@ -148,7 +148,7 @@ TEST_F(Simplification, OnlySoManySimplifiedScenesAreInMemory) {
     return parts;
   };
   const auto whole = scenes.get(kBox);
-  const auto get = [&](const SceneFeatures& disabled) { return scenes.simplify(kBox, whole, disabled); };
+  const auto get = [&](const SceneFeatures& disabled) { return scenes.vary(kBox, whole, {disabled}); };
   std::vector<SceneCache::ScenePtr> in_use;
   for (unsigned bits = 1; bits <= kMost; ++bits) in_use.push_back(get(setOf(bits)));
   const SceneFeatures next = setOf(kMost + 1);

@@ -51,6 +51,20 @@ class Request(unittest.TestCase):
             sensors=[c.Sensor(threshold=0.1, **sensor), c.Sensor(threshold=0.2, **sensor)],
             delivery=c.DELIVERY_LIVE, codec=events_pb2.CODEC_ZSTD, seed=5))
 
+    def test_objects_move_by_a_motion_by_poses_or_by_a_file(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".txt") as file:
+            file.write("0 1 2 3 0 0 0 1\n")
+            file.flush()
+            made = make_request({**NEEDED, "objects": {"bunny": "spin:-90", "lamp": [[0.5, 1, 2, 3, 0, 0, 0, 1]],
+                                                       "box": pathlib.Path(file.name), "cup": file.name}}).objects
+        key = c.Keyframe(time_s=0.5, position=c.Vector3(x=1, y=2, z=3), rotation=c.Quaternion(w=1))
+        text = c.ObjectPath(csv="0 1 2 3 0 0 0 1\n")
+        self.assertEqual([*made], [
+            c.ObjectMotion(name="bunny", path=c.ObjectPath(motion=c.ObjectSpeed(kind=c.OBJECT_MOTION_KIND_SPIN,
+                                                                                speed=-90))),
+            c.ObjectMotion(name="lamp", path=c.ObjectPath(keyframes=c.Keyframes(keys=[key]))),
+            c.ObjectMotion(name="box", path=text), c.ObjectMotion(name="cup", path=text)])
+
     def test_one_truth_channel_needs_no_list(self):
         self.assertEqual([truth.name for truth in make_request({**NEEDED, "truth": "depth"}).truth], ["depth"])
         made = make_request({**NEEDED, "truth": ["pose", ("depth", 5)]}).truth

@@ -46,6 +46,19 @@ class OneServer(unittest.TestCase):
         with self.client.open(**{**SETTINGS, **settings}) as stream:
             return list(stream), stream
 
+    def test_objects_move_as_with_the_client_in_cpp(self):
+        file, path = self.folder / "objects.csv", self.folder / "block.csv"
+        path.write_text("0,3,1,3,0,0,0,1\n20000000,2,1,3,0,0,0,1\n")
+        options = ["--motion", "still", "--size", "64x48", "--rate", "500", "--duration", "0.1", "--threshold", "0.2"]
+        done = record(self.server, file, *options, "--object", "short_block=spin:360", "--object", f"tall_block={path}")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for poses in (path, [[0, 3, 1, 3, 0, 0, 0, 1], [0.02, 2, 1, 3, 0, 0, 0, 1]]):
+            parts, stream = self.receive(motion="still", objects={"tall_block": poses, "short_block": "spin:360"})
+            np.testing.assert_array_equal(rows(saccade.concatenate(parts)),
+                                          np.loadtxt(file, np.int64, delimiter=",", skiprows=1).T)
+        with self.assertRaisesRegex(saccade.NotFound, "'teapot'; it has: back_wall"):
+            self.receive(objects={"teapot": "spin:9"})
+
     def test_every_delivery_and_codec_gives_the_events_of_the_client_in_cpp(self):
         self.assertGreater(self.reference.shape[1], 1000)
         for settings in ({}, {"delivery": "live"}, {"delivery": "broadcast"}, {"codec": "zstd"}):

@@ -43,6 +43,8 @@ WRONG = {
     "further_views": [None, 5, "1 2 3", (1, 2, 3), *([place] for place in NO_PLACE)],
     "calibration": [5, None, True, {}, ["cam.yaml"]],
     "trajectory": [5, None, True, [], {}, [[0] * 7], np.zeros((0, 8)), [["a"] * 8], np.full((2, 8), np.nan)],
+    "objects": [5, None, True, "bunny", ["bunny"], {5: "spin:90"}, {"": "spin:90"},
+                *({"bunny": path} for path in (5, None, "", "spin", "fly:1", "spin:fast", "spin:nan", [], [[0] * 7]))],
     "truth": [5, None, True, "", [5], [None], ("depth", 0), [("depth", 1.5)], [("depth", "2")], [("depth", -1)],
               [("depth", 1, 2)], ("depth", None), [["depth"]], {"depth": 1}],
     "disable": [5, None, "masks", [5], [""], {"masks": 1}],

@@ -47,6 +47,10 @@ class Settings(Needed, total=False):
         roam. clearance: the least distance of roam to all surfaces, scene units.
         start: x y z, or x y z qx qy qz qw, of T_world_camera at its start; unset parts are those of the scene's camera.
 
+    objects: what moves in the scene, by name: {"bunny": "spin:90"}. A path is "KIND:SPEED", with KIND one of spin,
+        orbit (degrees per second), slide and swing (scene units per second); or a file of poses, or poses, as of
+        trajectory, but of T_world_object: where the centre of the box around it lies, and how it has turned.
+
     The camera:
     size: width and height in pixels. It is needed, but with a calibration.
     fov_x_deg: horizontal field of view in degrees, without the distortion. Or intrinsics: fx, fy, cx, cy in pixels,
@@ -96,6 +100,7 @@ class Settings(Needed, total=False):
     motion_seed: int
     clearance: float
     start: Sequence[float]
+    objects: Mapping[str, str | os.PathLike[str] | NDArray[np.float64]]
     duration_s: float
     size: tuple[int, int]
     fov_x_deg: float

@@ -45,6 +45,7 @@ inline constexpr Range<double> kAngular{-1e3, 1e3};       // CameraVelocity.angu
 inline constexpr Range<double> kPushedIntensity{0, 1e18};  // PushFrame.intensity: scene luminance
 inline constexpr Range<int> kTruth{0, 32};                 // OpenStream.truth: how many
 inline constexpr Range<int> kFurtherViews{0, 7};           // OpenStream.further_views: how many
+inline constexpr Range<int> kObjects{0, 64};               // OpenStream.objects: how many
 inline constexpr Range<int> kTruthTimes{0, 100000};        // Truth.times_s: how many
 inline constexpr Range<double> kExposure{1e-6, 100};       // Aps.exposure_s: seconds
 inline constexpr Range<double> kGain{1e-9, 1e9};           // Aps.gain: per scene luminance
@@ -66,7 +67,7 @@ inline constexpr Range<double> kReadoutBuffer{0, 65536};  // Noise.readout_buffe
 
 inline constexpr int kMaxViewPixels = 4 << 20;    // width times height
 inline constexpr int kMaxPushedPixels = 2 << 20;  // likewise, with OpenStream.pushed
-inline constexpr int kMaxCsvBytes = 8 << 20;      // Trajectory.csv
+inline constexpr int kMaxCsvBytes = 8 << 20;      // Trajectory.csv, and ObjectPath.csv together
 
 }  // namespace ranges
 }  // namespace saccade

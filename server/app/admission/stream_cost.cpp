@@ -81,13 +81,22 @@ double feedBytes(const FeedConfig& feed) {
          findMethod(feed.method)->memory(feed.params, feed.pixels(), feed.jitter);
 }
 
+// Of objects that move: the number of the one that a pixel shows, and their places, each in two frames.
+double objectBytes(const FeedConfig& feed, std::size_t objects) {
+  constexpr double kFrames = 2, kObjectBytes = 16 << 10;  // of a place
+  if (objects == 0) return 0;
+  return kFrames *
+         (pixelsWithBorder(feed) * sizeof(std::uint32_t) + kObjectBytes * static_cast<double>(objects));
+}
+
 }  // namespace
 
 double feedMemory(const ResolvedStream& stream, const Limits& limits) {
   double bytes = 0;
   for (std::size_t i = 0; i < stream.views(); ++i) {
     const FeedConfig& feed = stream.feedOf(i);
-    bytes += stream.request.pushed() ? pushedBytes(feed, limits) : feedBytes(feed);
+    bytes += stream.request.pushed() ? pushedBytes(feed, limits)
+                                     : feedBytes(feed) + objectBytes(feed, stream.objects.size());
   }
   return bytes / kMiB;
 }
@@ -177,6 +186,7 @@ std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) 
       {Limit::kPixels, pixelsOf(stream.request), "view"},
       {Limit::kMemory, streamMemory(stream, limits) - feedMemory(stream, limits), "view"},
       {Limit::kMemory, pathMemory(stream.request.trajectory()) * views, "trajectory"},
+      {Limit::kMemory, objectMemory(stream.request) * views, "objects"},
       {Limit::kQueues, queueMemory(stream, limits)}};
   if (stream.request.timing().steerable())
     shares.push_back({Limit::kMemory, steeringMemory(stream.frames) * views, "timing"});
@@ -185,11 +195,10 @@ std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) 
 
 void checkAlone(const v1::OpenStream& request, const Limits& limits) {
   checkMost(Limit::kFrameRate, "timing.frame_rate_hz", request.timing().frame_rate_hz(), limits);
-  const std::string& csv = request.trajectory().csv();
-  checkMost(Limit::kTrajectoryPoints, "trajectory.csv",
-            static_cast<double>(std::count(csv.begin(), csv.end(), '\n')), limits);
-  checkMost(Limit::kTrajectoryPoints, "trajectory.keyframes.keys",
-            request.trajectory().keyframes().keys_size(), limits);
+  const v1::Trajectory& path = request.trajectory();
+  checkMost(Limit::kTrajectoryPoints, path.has_csv() ? "trajectory.csv" : "trajectory.keyframes.keys",
+            pointsOf(path), limits);
+  checkMost(Limit::kTrajectoryPoints, "objects", pointsOf(path) + objectPoints(request), limits);
   const double pixel_rays = request.method().spp() * (request.quality().bounces() + 2.0);
   checkMost(Limit::kPixelRays, "method.spp", pixel_rays, limits);
   checkMost(Limit::kRays, "view", pixel_rays * pixelsOf(request), limits);

@@ -16,7 +16,7 @@ Vec3d withinBounds(Vec3d p) {
   return {clamp(p.x), clamp(p.y), clamp(p.z)};
 }
 
-// As resolveKeyframes() makes it of the key.
+// As readKeyframes() makes it of the key.
 Pose unitPose(const Pose& key, const Quaternion& prev) {
   return {key.position, unitNear(key.rotation, prev)};
 }

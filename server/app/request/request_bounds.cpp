@@ -32,10 +32,12 @@ constexpr Bound kElements[] = {
     {"saccade.v1.Quality.disabled_features", 64},
     {"saccade.v1.OpenStream.truth", ranges::kTruth.max},
     {"saccade.v1.OpenStream.further_views", ranges::kFurtherViews.max},
+    {"saccade.v1.OpenStream.objects", ranges::kObjects.max},
     {"saccade.v1.Sensor.changes", std::int64_t{ranges::kSensors.max} * ranges::kSensorChanges.max},
     {"saccade.v1.Truth.times_s", ranges::kTruthTimes.max}};
 // The most bytes of a text that may be longer than a name.
-constexpr Bound kTexts[] = {{"saccade.v1.Trajectory.csv", ranges::kMaxCsvBytes}};
+constexpr Bound kTexts[] = {{"saccade.v1.Trajectory.csv", ranges::kMaxCsvBytes},
+                            {"saccade.v1.ObjectPath.csv", ranges::kMaxCsvBytes}};
 constexpr std::int64_t kMaxNameBytes = 256;
 constexpr int kMaxUnknownBytes = 4 << 10;  // of fields of a newer schema
 

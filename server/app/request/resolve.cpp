@@ -1,4 +1,5 @@
 #include "app/request/resolve.h"
+#include "app/request/resolve_objects.h"
 #include "app/request/resolve_parts.h"
 #include "app/request/resolve_quality.h"
 #include "app/request/resolve_trajectory.h"
@@ -105,6 +106,7 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   ResolvedStream stream{.request = std::move(request)};
   v1::OpenStream& r = stream.request;
   checkTrajectory(stream, scene);
+  checkObjects(stream);
   resolveViews(stream);
   resolveTiming(stream);
   resolveSensors(stream);
@@ -118,6 +120,8 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   if (r.timing().steerable() && r.quality().has_bake_error())
     refuse("quality.bake_error",
            "light is computed ahead for the surfaces of a path, and a steered path is not known");
+  if (r.objects_size() > 0 && r.quality().has_bake_error())
+    refuse("quality.bake_error", "light is computed ahead for scenes that stand; leave out objects");
   resolveDelivery(r);
   stream.feed.seed = r.seed();
   shareSettings(stream);
@@ -125,8 +129,9 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
 }
 
 void fitTo(const Scene& scene, ResolvedStream& stream) {
-  if (!stream.chooses_method && !EmitterStrengths(scene).areSteady())
-    takeMethod(defaultMethod(false), stream);
+  findObjects(scene, stream);
+  const bool steady = stream.objects.empty() && EmitterStrengths(scene).areSteady();
+  if (!stream.chooses_method && !steady) takeMethod(defaultMethod(false), stream);
   stream.feed.camera = fitView(scene, *stream.request.mutable_view(), viewField(0));
   for (std::size_t i = 0; i < stream.further.size(); ++i) {
     v1::View& view = *stream.request.mutable_further_views(static_cast<int>(i));

@@ -38,6 +38,8 @@ std::optional<v1::ExpectedChange> resolveSimplification(v1::OpenStream& request,
   checkRange(field, quality.max_event_change(), ranges::kMaxEventChange);
   checkLeftOpen(quality);
   if (!source.unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, field, source.unavailable);
+  if (request.objects_size() > 0)
+    throw Refusal(v1::CODE_UNAVAILABLE, field, "no scene is measured with moving objects");
   const std::vector<MeasuredModel> models = source.table.modelsOf(request.scene());
   if (models.empty()) {
     throw Refusal(v1::CODE_UNAVAILABLE, field,

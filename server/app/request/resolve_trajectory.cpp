@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/request/enum_names.h"
+#include "app/request/read_path.h"
 #include "app/request/read_pose.h"
 #include "app/request/refusal.h"
 #include "app/request/resolve_trajectory.h"
@@ -52,14 +53,6 @@ void checkMotion(v1::Motion& motion) {
   if (!isSeeded(kindOf(motion))) motion.clear_seed();
 }
 
-void checkKeyframes(v1::Keyframes& keyframes) {
-  const std::string field = "trajectory.keyframes";
-  keyframes.set_interpolation(
-      resolveEnum(field + ".interpolation", keyframes.interpolation(), v1::INTERPOLATION_LINEAR));
-  if (keyframes.keys_size() < 1 || keyframes.keys_size() > ranges::kKeyframes.max)
-    refuse(field + ".keys", "give 1 to " + std::to_string(ranges::kKeyframes.max) + " keys");
-}
-
 // Lists the valid trajectories, for a refusal.
 std::string valid(const SceneEntry& scene) {
   return joinNames(scene.trajectories) + "; or a motion KIND:SPEED, such as pan:10, with KIND one of " +
@@ -88,17 +81,10 @@ Motion motionOf(const v1::Motion& request, const FeedConfig& feed) {
   return motion;
 }
 
-void readCsv(const std::string& csv, ResolvedStream& stream) {
-  const std::string field = "trajectory.csv";
-  if (csv.size() > ranges::kMaxCsvBytes)
-    refuse(field, "the text is longer than " + std::to_string(ranges::kMaxCsvBytes) + " bytes");
-  try {
-    PoseText text = readPoses(csv, "");
-    stream.given_path = Trajectory(std::move(text.poses));
-    stream.path_begin_ns = text.begin.count();
-  } catch (const SceneError& fault) {
-    refuse(field, fault.what());
-  }
+void takeCsv(const std::string& csv, ResolvedStream& stream) {
+  PoseText text = readCsv(csv, "trajectory.csv");
+  stream.given_path = Trajectory(std::move(text.poses));
+  stream.path_begin_ns = text.begin.count();
 }
 
 Trajectory byName(const ResolvedStream& stream, const RenderScene& scene, const SceneLibrary& library) {
@@ -119,11 +105,9 @@ void checkTrajectory(ResolvedStream& stream, const SceneEntry& scene) {
     refuse("trajectory", "none is given; the scene has: " + valid(scene));
   if (trajectory.has_motion()) checkMotion(*trajectory.mutable_motion());
   if (trajectory.has_name()) checkName(trajectory.name(), scene);
-  if (trajectory.has_keyframes()) {
-    checkKeyframes(*trajectory.mutable_keyframes());
-    stream.given_path = resolveKeyframes(trajectory.keyframes());
-  }
-  if (trajectory.has_csv()) readCsv(trajectory.csv(), stream);
+  if (trajectory.has_keyframes())
+    stream.given_path = readKeyframes(*trajectory.mutable_keyframes(), "trajectory.keyframes");
+  if (trajectory.has_csv()) takeCsv(trajectory.csv(), stream);
 }
 
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,

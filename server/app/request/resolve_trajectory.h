@@ -15,9 +15,6 @@ class RenderScene;
 // the line of a faulty text.
 void checkTrajectory(ResolvedStream& stream, const SceneEntry& scene);
 
-// Throws Refusal naming the key.
-Trajectory resolveKeyframes(const v1::Keyframes& keyframes);
-
 // The body's path, once the field of view is known. Throws Refusal; Cancelled once `stop` is requested.
 Trajectory resolveTrajectory(const ResolvedStream& stream, const RenderScene& scene,
                              const SceneLibrary& library, const std::stop_token& stop = {});

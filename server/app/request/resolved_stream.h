@@ -14,6 +14,12 @@
 
 namespace saccade {
 
+// An object that moves.
+struct ResolvedObject {
+  std::size_t given = 0;                // its place in the client's request, for refusals
+  std::optional<Trajectory> path = {};  // of keyframes and csv; a motion needs the scene
+};
+
 struct ResolvedStream {
   v1::OpenStream request = {};                 // as StreamOpened.resolved
   FeedConfig feed = {};                        // of view 0
@@ -25,6 +31,7 @@ struct ResolvedStream {
   FrameIndex frames = 0;                           // intervals to render; 0: until closed
   std::optional<Trajectory> given_path = {};       // of keyframes and csv; other paths need the scene
   std::optional<std::int64_t> path_begin_ns = {};  // of csv: the time that its text gives the first pose
+  std::vector<ResolvedObject> objects = {};        // in the order of request.objects: by name
   SceneFeatures disabled_features = {};
   bool chooses_method = false;  // the request, or its budget; otherwise fitTo() may take another one
   std::optional<v1::ExpectedQuality> expected = {};       // of a request with a budget

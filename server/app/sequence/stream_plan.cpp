@@ -6,6 +6,7 @@
 #include "app/admission/stream_cost.h"
 #include "app/request/refusal.h"
 #include "app/request/resolve.h"
+#include "app/request/resolve_objects.h"
 #include "app/sequence/stream_rig.h"
 #include "render/world/render_scene.h"
 
@@ -42,7 +43,9 @@ void loadScenes(StreamPlan& plan, SceneCache& scenes, const BuildContext& contex
   const std::string& name = resolved.request.scene();
   plan.whole = scenes.get(name, context.stop, context.setProgress);
   fitTo(plan.whole->description(), resolved);
-  plan.scene = scenes.simplify(name, plan.whole, resolved.disabled_features, context.stop);
+  const SceneVariant variant{resolved.disabled_features, objectNames(resolved.request)};
+  plan.scene = scenes.vary(name, plan.whole, variant, context.stop);
+  setBodyPaths(plan.scene->description(), resolved);
 }
 
 void bakeLight(StreamPlan& plan, const Trajectory& body, BakeStore& bakes, TilePool& pool,

@@ -15,7 +15,7 @@ namespace saccade {
 
 struct StreamPlan {
   ResolvedStream resolved;
-  SceneCache::ScenePtr whole = {}, scene = {};  // `scene` lacks what the stream disables
+  SceneCache::ScenePtr whole = {}, scene = {};  // `scene`: as the stream changes it
   std::shared_ptr<const Bake> bake = {};        // where the stream asks for one
 };
 

@@ -7,6 +7,7 @@
 #include "render/world/render_scene.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/slow_load.h"
+#include "scene/motion/bodies.h"
 #include "scene/scene_stats.h"
 #include "scene/scene_warnings.h"
 
@@ -30,11 +31,13 @@ SceneCache::ScenePtr SceneCache::get(const std::string& name, const std::stop_to
   return getOrBuild({name, {}}, {changed, {}}, stop, make, progress);
 }
 
-SceneCache::ScenePtr SceneCache::simplify(const std::string& name, const ScenePtr& whole,
-                                          const SceneFeatures& disabled, const std::stop_token& stop) {
-  if (disabled.empty()) return whole;
-  return getOrBuild({name, disabled}, {{}, whole}, stop, [=, this](const BuildContext&) {
-    return prepare(name, simplified(whole->description(), disabled));
+SceneCache::ScenePtr SceneCache::vary(const std::string& name, const ScenePtr& whole,
+                                      const SceneVariant& variant, const std::stop_token& stop) {
+  if (variant.isWhole()) return whole;
+  return getOrBuild({name, variant}, {{}, whole}, stop, [=, this](const BuildContext&) {
+    Scene scene = whole->description();
+    setBodies(scene, variant.bodies);
+    return prepare(name, simplified(std::move(scene), variant.disabled));
   });
 }
 
@@ -78,16 +81,18 @@ void SceneCache::enter(const Key& key, const Version& version) {
   std::lock_guard lock(mutex_);
   const auto count = [&] {
     return static_cast<std::size_t>(std::count_if(
-        entries_.begin(), entries_.end(), [](const auto& entry) { return !entry.first.second.empty(); }));
+        entries_.begin(), entries_.end(), [](const auto& entry) { return !entry.first.second.isWhole(); }));
   };
   const bool is_new = !entries_.contains(key);
-  if (!key.second.empty() && is_new) {
-    while (count() >= most_simplified_ && evictOne(true)) {
+  if (!key.second.isWhole() && is_new) {
+    while (count() >= most_variants_ && evictOne(true)) {
     }
-    if (count() >= most_simplified_) {
-      throw LimitReached(Limit::kReducedScenes, "quality.disabled_features",
-                         std::to_string(most_simplified_) + " other simplified scenes are in use",
-                         kRetrySeconds);
+    if (count() >= most_variants_) {
+      const bool moves = !key.second.bodies.empty();
+      throw LimitReached(
+          Limit::kReducedScenes, moves ? "objects" : "quality.disabled_features",
+          std::to_string(most_variants_) + " other scenes, simplified or with objects that move, are in use",
+          kRetrySeconds);
     }
   }
   entries_[key] = {version, nullptr, ++uses_};
@@ -174,11 +179,11 @@ void SceneCache::makeRoom(const std::string& name, std::uint64_t bytes) {
 }
 
 // Forgets the least recently used of the scenes that nobody uses. False: there is none.
-bool SceneCache::evictOne(bool simplified_only) {
+bool SceneCache::evictOne(bool variants_only) {
   auto oldest = entries_.end();
   for (auto it = entries_.begin(); it != entries_.end(); ++it) {
-    const bool whole = it->first.second.empty();
-    if ((simplified_only && whole) || it->second.scene.use_count() != 1) continue;
+    const bool whole = it->first.second.isWhole();
+    if ((variants_only && whole) || it->second.scene.use_count() != 1) continue;
     if (oldest == entries_.end() || it->second.used < oldest->second.used) oldest = it;
   }
   if (oldest == entries_.end()) return false;
@@ -205,7 +210,7 @@ SceneUse SceneCache::inUse() const {
   for (const auto& [key, entry] : entries_) {
     const bool unused = entry.scene.use_count() == 1;
     if (unused) use.bytes -= std::min(use.bytes, entry.scene->bytes());
-    if (!unused && !key.second.empty()) ++use.simplified;
+    if (!unused && !key.second.isWhole()) ++use.variants;
   }
   return use;
 }

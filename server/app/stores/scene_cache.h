@@ -1,4 +1,4 @@
-// The scenes in memory, whole and simplified. Each version of a scene is built once and shared. A scene that
+// The scenes in memory, and their variants. Each version of a scene is built once and shared. A scene that
 // nobody uses makes room for others; the least recently used goes first.
 #pragma once
 
@@ -39,7 +39,16 @@ struct SceneNote {
 // The scenes that somebody uses, so that they cannot make room for others.
 struct SceneUse {
   std::uint64_t bytes = 0;  // those being built included
-  int simplified = 0;
+  int variants = 0;
+};
+
+// The changes of a stream to a scene.
+struct SceneVariant {
+  SceneFeatures disabled = {};
+  std::vector<std::string> bodies = {};  // names of shapes, sorted
+
+  bool isWhole() const { return disabled.empty() && bodies.empty(); }
+  friend auto operator<=>(const SceneVariant&, const SceneVariant&) = default;
 };
 
 // All members may be called from any thread. No lock is held while a scene is made ready for tracing.
@@ -50,7 +59,7 @@ class SceneCache {
   explicit SceneCache(const std::string& folder, const Limits& limits = {},
                       const std::string& meshes = kDefaultMeshes)
       : library_(folder, meshes),
-        most_simplified_(static_cast<std::size_t>(limits[Limit::kReducedScenes])),
+        most_variants_(static_cast<std::size_t>(limits[Limit::kReducedScenes])),
         most_bytes_(limits.bytes(Limit::kScenes)) {}
 
   const SceneLibrary& library() const { return library_; }
@@ -64,14 +73,14 @@ class SceneCache {
   // is no room; the next call tries again. Throws Cancelled as soon as `stop` is requested.
   ScenePtr get(const std::string& name, const std::stop_token& stop = {},
                const std::function<void(double)>& progress = {});
-  // `whole`, which get() returned, without some features. Throws LimitReached where too many simplified
-  // scenes are in use, or there is no room, and Cancelled.
-  ScenePtr simplify(const std::string& name, const ScenePtr& whole, const SceneFeatures& disabled,
-                    const std::stop_token& stop = {});
+  // `whole`, which get() returned, with a change. It has shapes of the names of the bodies. Throws
+  // LimitReached where too many variants are in use, or there is no room, and Cancelled.
+  ScenePtr vary(const std::string& name, const ScenePtr& whole, const SceneVariant& variant,
+                const std::stop_token& stop = {});
 
  private:
   using FileTime = std::filesystem::file_time_type;
-  using Key = std::pair<std::string, SceneFeatures>;  // name, and what is disabled
+  using Key = std::pair<std::string, SceneVariant>;
   // The source of an entry: the scene's file as of a time, or a whole scene.
   struct Version {
     FileTime changed = {};
@@ -106,11 +115,11 @@ class SceneCache {
   void count(const std::string& name, std::weak_ptr<const void> scene, std::uint64_t bytes);
   void makeRoom(const std::string& name, std::uint64_t bytes);
   std::uint64_t countBytes() const;
-  bool evictOne(bool simplified_only);
+  bool evictOne(bool variants_only);
   void remember(const std::string& name, FileTime changed, SceneNote note);
 
   const SceneLibrary library_;
-  const std::size_t most_simplified_;
+  const std::size_t most_variants_;
   const std::uint64_t most_bytes_;
   SceneLoads loads_;
   LimitedLog log_;

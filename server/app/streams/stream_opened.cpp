@@ -31,7 +31,15 @@ v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, s
 
 void keepRequest(v1::OpenStream& request, Stream& stream) {
   v1::Trajectory* path = request.release_trajectory();
+  google::protobuf::RepeatedPtrField<v1::ObjectMotion> objects;
+  objects.Swap(request.mutable_objects());
   auto rest = std::make_shared<v1::OpenStream>(request);
+  for (const v1::ObjectMotion& object : objects) {
+    v1::ObjectMotion& kept = *rest->add_objects();
+    kept.set_name(object.name());
+    if (request.timing().steerable() || object.path().has_motion()) *kept.mutable_path() = object.path();
+  }
+  objects.Swap(request.mutable_objects());
   request.set_allocated_trajectory(path);
   if (path && !path->has_keyframes() && !path->has_csv()) *rest->mutable_trajectory() = *path;
   stream.request_bytes = rest->ByteSizeLong();

@@ -9,7 +9,8 @@ namespace saccade {
 v1::StreamOpened describeOpened(ResolvedStream resolved, const Stream& stream, std::uint64_t epoch,
                                 int channels);
 
-// Keeps a copy of a resolved request without a path that may be long. `request` is the same afterwards.
+// Keeps a copy of a resolved request without paths that may be long; one that is steered keeps those of its
+// objects. `request` is the same afterwards.
 void keepRequest(v1::OpenStream& request, Stream& stream);
 
 // The text of a message, cut. It takes no more memory, however large the message is.

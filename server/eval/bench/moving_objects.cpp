@@ -11,7 +11,7 @@
 namespace saccade::eval {
 namespace {
 
-Trajectory openPath(const Scene& scene, const Body& body, std::string text, double frame_rate_hz) {
+Trajectory readPath(const Scene& scene, const Body& body, std::string text, double frame_rate_hz) {
   if (isTrajectoryFile(text)) return readTrajectoryFile(text);
   constexpr std::string_view kPerFrame = "/frame";
   const bool per_frame = text.ends_with(kPerFrame);
@@ -22,6 +22,15 @@ Trajectory openPath(const Scene& scene, const Body& body, std::string text, doub
                      joinNames(objectMotionKinds()) + ", or a .csv or .txt file");
   if (per_frame) motion->speed *= frame_rate_hz;
   return makeObjectMotion(*motion, scene, body);
+}
+
+// Faults name the option.
+Trajectory openPath(const Scene& scene, const Body& body, const std::string& text, double frame_rate_hz) {
+  try {
+    return readPath(scene, body, text, frame_rate_hz);
+  } catch (const SceneError& fault) {
+    throw SceneError("--object " + body.name + ": " + fault.what());
+  }
 }
 
 }  // namespace
@@ -38,7 +47,7 @@ std::vector<MovingObject> parseObjects(const std::vector<std::string>& objects) 
   for (const std::string& text : objects) {
     const std::size_t equals = text.find('=');
     if (equals == text.npos || equals == 0)
-      throw SceneError("'" + text + "' is not NAME=PATH, such as bunny=spin:90");
+      throw SceneError("--object: '" + text + "' is not NAME=PATH, such as bunny=spin:90");
     parsed.push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
   return parsed;

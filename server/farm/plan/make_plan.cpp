@@ -14,6 +14,7 @@
 #include "farm/plan/pinned_options.h"
 #include "farm/recipe/expand.h"
 #include "farm/recipe/recipe_fault.h"
+#include "farm/worker/record_words.h"
 
 namespace saccade::farm {
 namespace {
@@ -35,7 +36,7 @@ class RecipeFiles {
   // The files that the options of a sequence name.
   void addOf(const v1::DataSetSequence& sequence) {
     for (const std::string& word : sequence.options()) {
-      const std::string value = word.substr(word.find('=') + 1);
+      const std::string value = valueOf(word);
       const bool is_name = value.find(':') == value.npos && std::ranges::any_of(value, isLetter);
       if (is_name && fs::is_regular_file(value) && seen_.insert(value).second) copy(value, value);
     }

@@ -32,13 +32,18 @@ void checkFormat(const client::OutputOptions& output) {
 
 // A name of a file must lie in the folder of the recipe: it is copied from there.
 void checkConfined(const std::string& word) {
-  const std::filesystem::path path(word.substr(word.find('=') + 1));
+  const std::filesystem::path path(valueOf(word));
   if (path.is_absolute() || std::ranges::find(path, "..") != path.end())
     throw OptionFault(optionIn(word),
                       "'" + path.string() + "' is not a path within the folder of the recipe");
 }
 
 }  // namespace
+
+std::string valueOf(const std::string& word) {
+  const std::string value = word.substr(word.find('=') + 1);
+  return word.starts_with("--object=") ? value.substr(value.find('=') + 1) : value;
+}
 
 std::string optionNamed(const std::string& name) {
   static CLI::App command;

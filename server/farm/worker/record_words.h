@@ -23,6 +23,9 @@ struct OptionFault : std::invalid_argument {
 std::vector<client::RecordJob> jobsOf(const v1::DataSetSequence& sequence,
                                       const std::vector<std::string>& outputs, const std::string& folder);
 
+// VALUE of a word --NAME=VALUE, or PATH of --object=NAME=PATH.
+std::string valueOf(const std::string& word);
+
 // The first name of the option: "trajectory" of "motion". Throws OptionFault, with similar names, where a
 // recipe may not have it.
 std::string optionNamed(const std::string& name);

@@ -1,7 +1,6 @@
 #include "scene/motion/bodies.h"
 
 #include <algorithm>
-#include <set>
 
 #include "base/check.h"
 #include "base/names.h"
@@ -9,16 +8,13 @@
 #include "scene/motion/shape_box.h"
 
 namespace saccade {
-namespace {
 
-std::string namesIn(const Scene& scene) {
+std::set<std::string> shapeNames(const Scene& scene) {
   std::set<std::string> names;
   for (const Mesh& mesh : scene.meshes) names.insert(mesh.name);
   for (const Sphere& sphere : scene.spheres) names.insert(sphere.name);
-  return joinNames(std::vector<std::string>(names.begin(), names.end()));
+  return names;
 }
-
-}  // namespace
 
 void setBodies(Scene& scene, std::span<const std::string> names) {
   SACCADE_CHECK(scene.bodies.empty() && names.size() <= kMostBodies);
@@ -33,7 +29,8 @@ void setBodies(Scene& scene, std::span<const std::string> names) {
         if (shape.name == name) shape.body = body, box.add(shape), found = true;
     };
     take(scene.meshes), take(scene.spheres);
-    if (!found) throw SceneError("the scene has no object '" + name + "'; it has: " + namesIn(scene));
+    if (!found)
+      throw SceneError("the scene has no object '" + name + "'; it has: " + joinNames(shapeNames(scene)));
     scene.bodies.push_back({name, box.low, box.high});
   }
 }

@@ -1,6 +1,7 @@
 // Bodies: shapes of a scene that move, by their names.
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 
@@ -9,6 +10,8 @@
 namespace saccade {
 
 inline constexpr std::size_t kMostBodies = 256;
+
+std::set<std::string> shapeNames(const Scene& scene);
 
 // Makes all shapes with one of these names a body. A scene has no other bodies. Throws SceneError, which
 // lists the names that the scene has, where it has no such shape, or a name comes twice.

@@ -55,6 +55,11 @@ const std::vector<std::string>& objectMotionKinds() {
   return kinds;
 }
 
+std::string objectSpeedFault(double speed) {
+  const std::string fault = rangeFault(std::abs(speed), kMinSpeed, kMaxSpeed);
+  return fault.empty() ? fault : "of either sign: " + fault;
+}
+
 std::optional<ObjectMotion> parseObjectMotion(const std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == text.npos) return {};
@@ -64,8 +69,8 @@ std::optional<ObjectMotion> parseObjectMotion(const std::string& text) {
     throw SceneError("'" + kind + "' is not a motion of an object; there are: " + joinNames(kinds));
   const auto speed = parseNumber(std::string_view(text).substr(colon + 1));
   if (!speed) throw SceneError("'" + text + "' is not KIND:SPEED, such as spin:90 or slide:-0.5");
-  if (const std::string fault = rangeFault(std::abs(*speed), kMinSpeed, kMaxSpeed); !fault.empty())
-    throw SceneError(text + ": of either sign: " + fault);
+  if (const std::string fault = objectSpeedFault(*speed); !fault.empty())
+    throw SceneError(text + ": " + fault);
   return ObjectMotion{kind, *speed};
 }
 

@@ -25,8 +25,10 @@ inline constexpr TimeNs kSlideTime{1'000'000'000}, kSwingTime{2'000'000'000};
 
 const std::vector<std::string>& objectMotionKinds();
 
-// Reads KIND:SPEED, such as "spin:90"; none where there is no colon. The magnitude of a speed is 1e-6 to 1e6.
-// Throws SceneError.
+// Why a speed is not of a magnitude from 1e-6 to 1e6; empty where it is.
+std::string objectSpeedFault(double speed);
+
+// Reads KIND:SPEED, such as "spin:90"; none where there is no colon. Throws SceneError.
 std::optional<ObjectMotion> parseObjectMotion(const std::string& text);
 
 // T_world_body of a body of `scene`.

@@ -109,6 +109,8 @@ class StreamHandle:
         request = (await self.control.call(make_describe(self.opened))).describe_stream.request
         if not request.HasField("trajectory"):
             request.trajectory.CopyFrom(self.opened.resolved.trajectory)
+        del request.objects[:]  # the server keeps no long paths
+        request.objects.extend(self.opened.resolved.objects)
         return request
 
     def describe_maker(self, recording: recording_pb2.Recording) -> dict[str, truth_pb2.TruthInfo]:

@@ -5,6 +5,7 @@ import difflib
 from collections.abc import Collection, Mapping
 from typing import Any
 
+from saccade.protocol.objects import make_objects
 from saccade.protocol.setting_checks import CHANGES, OF_SENSORS, checked
 from saccade.protocol.trajectory import make_trajectory
 from saccade.protocol.truth_request import make_truth
@@ -15,8 +16,8 @@ from saccade.v1 import noise_pb2
 
 OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset", "labels", "max_artefact_odds",
                   "model", "reconstruction")
-OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "clearance", "start", "method", "spp", "params",
-             "disable", "calibration", "fov_x_deg", "intrinsics", "distortion", "T_body_camera", "further_views")
+OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "clearance", "start", "objects", "method", "spp",
+             "params", "disable", "calibration", "fov_x_deg", "intrinsics", "distortion", "T_body_camera", "further_views")
 OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
 NEEDED = ("rate_hz", "size")
 
@@ -62,7 +63,7 @@ def _check_pushed(settings: Mapping[str, Any]) -> None:
 
 def _scene(s: Mapping[str, Any]) -> dict[str, Any]:
     """What is rendered, and how."""
-    return {"scene": s["scene"], "trajectory": make_trajectory(s),
+    return {"scene": s["scene"], "trajectory": make_trajectory(s), "objects": make_objects(s),
             "method": c.Method(name=s.get("method", ""), **_some(s, "spp", "params")),
             "quality": c.Quality(disabled_features=s.get("disable", ()), **_some(s, *OF_QUALITY))}
 

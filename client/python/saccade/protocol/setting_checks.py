@@ -10,6 +10,7 @@ import numpy as np
 
 from saccade import rigid
 from saccade.camera import Camera
+from saccade.protocol.trajectory import POSE_FILES
 from saccade.values import (MOST_U32, MOST_U64, Check, Invalid, amounts, check, flag, items, number,
                                      numbers_of, one_of, positive, several, text, whole)
 from saccade.v1 import control_pb2 as c
@@ -18,6 +19,7 @@ from saccade.v1 import events_pb2, noise_pb2
 IMU_NOISE = ("accelerometer_noise", "gyroscope_noise", "accelerometer_walk", "gyroscope_walk")
 TRUTH = "the name of a truth channel, or (name, n) for every n-th frame, or a list of these"
 TRAJECTORY = "a name of Client.scenes(), the path of a file of poses, or poses: float (n, 8), t x y z qx qy qz qw"
+OBJECT = "KIND:SPEED such as 'spin:90', the path of a file of poses, or poses: float (n, 8), t x y z qx qy qz qw"
 PLACE = "a matrix (4, 4), or x y z, or x y z qx qy qz qw"
 COEFFICIENTS = {"radtan": (4, 5), "equidistant": (4,)}
 
@@ -75,15 +77,42 @@ def _channel(value: Any) -> tuple[str, int]:
 
 
 def trajectory(value: Any) -> Any:
-    if isinstance(value, (str, os.PathLike)):
-        return value
+    return value if isinstance(value, (str, os.PathLike)) else _poses(value, TRAJECTORY)
+
+
+def _poses(value: Any, valid: str) -> Any:
     try:
         poses = np.asarray(value, np.float64)
     except (TypeError, ValueError):
-        raise Invalid(value, TRAJECTORY) from None
+        raise Invalid(value, valid) from None
     if poses.ndim != 2 or poses.shape[1] != 8 or len(poses) == 0 or not np.isfinite(poses).all():
-        raise Invalid(value, TRAJECTORY)
+        raise Invalid(value, valid)
     return poses
+
+
+def objects(value: Any) -> dict[str, Any]:
+    """Paths by name: an ObjectSpeed, the path of a file, or poses."""
+    if not isinstance(value, Mapping):
+        raise Invalid(value, "paths by the name of an object, such as {'bunny': 'spin:90'}")
+    return {text("the name of an object")(name): _object_path(name, path) for name, path in value.items()}
+
+
+def _object_path(name: str, value: Any) -> Any:
+    try:
+        if isinstance(value, os.PathLike) or isinstance(value, str) and value.endswith(POSE_FILES):
+            return value
+        return _object_speed(value) if isinstance(value, str) else _poses(value, OBJECT)
+    except Invalid as wrong:
+        raise Invalid(wrong.value, wrong.valid, f".{name}") from None
+
+
+def _object_speed(value: str) -> c.ObjectSpeed:
+    kind, _, speed = value.partition(":")
+    try:
+        return c.ObjectSpeed(kind=one_of(c.ObjectMotionKind)(kind), speed=number(float(speed)))
+    except (ValueError, Invalid):
+        kinds = ", ".join(word.removeprefix("OBJECT_MOTION_KIND_").lower() for word in c.ObjectMotionKind.keys()[1:])
+        raise Invalid(value, f"{OBJECT}; KIND is one of {kinds}") from None
 
 
 def calibration(value: Any) -> Any:
@@ -96,7 +125,7 @@ count = whole(1, MOST_U32)
 OF_SENSORS: dict[str, Check] = {name: per_sensor for name in ("threshold", "threshold_off", "bias", "refractory_s",
                                                               "cutoff_hz")}
 SETTINGS: dict[str, Check] = {
-    **OF_SENSORS, "size": size, "distortion": distortion, "truth": truth, "trajectory": trajectory,
+    **OF_SENSORS, "size": size, "distortion": distortion, "truth": truth, "trajectory": trajectory, "objects": objects,
     "calibration": calibration, "T_body_camera": place, "further_views": several(f"a list of {PLACE}", place),
     "scene": text("the name of a scene, one of Client.scenes()"), "method": text("the name of a method"),
     "motion": text("KIND:SPEED such as 'pan:-15', or a name such as 'right'"), "preset": text("the name of a camera"),

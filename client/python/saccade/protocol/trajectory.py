@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 from saccade.v1 import control_pb2 as c
 from saccade.v1.geometry_pb2 import Quaternion, RigidTransform, Vector3
 
+POSE_FILES = (".csv", ".txt")
+
 
 def make_trajectory(settings: Mapping[str, Any]) -> c.Trajectory:
     """Of checked settings.
@@ -33,13 +35,18 @@ def make_trajectory(settings: Mapping[str, Any]) -> c.Trajectory:
         return c.Trajectory(name=settings["motion"])
     path = settings["trajectory"]
     if not isinstance(path, (str, os.PathLike)):
-        return c.Trajectory(keyframes=_keyframes(path))
-    if isinstance(path, str) and not path.endswith((".csv", ".txt")):
+        return c.Trajectory(keyframes=make_keyframes(path))
+    if isinstance(path, str) and not path.endswith(POSE_FILES):
         return c.Trajectory(name=path)
+    return c.Trajectory(csv=read_poses("trajectory", path))
+
+
+def read_poses(setting: str, path: str | os.PathLike[str]) -> str:
+    """The text of a file. Raises OSError, and ValueError for one that is no text."""
     try:
-        return c.Trajectory(csv=pathlib.Path(path).read_text(encoding="utf-8"))
+        return pathlib.Path(path).read_text(encoding="utf-8")
     except UnicodeDecodeError:
-        raise ValueError(f"trajectory: {os.fspath(path)} is not a text of poses") from None
+        raise ValueError(f"{setting}: {os.fspath(path)} is not a text of poses") from None
 
 
 def _motion(settings: Mapping[str, Any]) -> c.Motion:
@@ -74,7 +81,8 @@ def _pose(numbers: list[float]) -> RigidTransform:
     return RigidTransform(position=Vector3(**dict(zip("xyz", numbers))), rotation=rotation)
 
 
-def _keyframes(poses: NDArray[np.float64]) -> c.Keyframes:
+def make_keyframes(poses: NDArray[np.float64]) -> c.Keyframes:
+    """Of poses (n, 8)."""
     rows: Any = poses.tolist()  # lists of eight floats; stubs of numpy do not know how deep
     return c.Keyframes(keys=[c.Keyframe(time_s=row[0], position=Vector3(x=row[1], y=row[2], z=row[3]),
                                         rotation=Quaternion(x=row[4], y=row[5], z=row[6], w=row[7])) for row in rows])
