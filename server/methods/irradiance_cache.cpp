@@ -87,7 +87,7 @@ double mostBytes(const ParamValues& params, double pixels, bool jitter) {
 
 MethodInfo IrradianceCache::info() {
   return {"irradiance_cache",
-          "caches light on surfaces, and reads the change from it: for static scenes",
+          "caches light on surfaces, and reads the change from it: for lamps that are steady",
           paramSpecs(fields()),
           [](const ParamValues&) -> SeedPlanner { return SeedPlan::independent; },
           [](const MethodSetup& setup) -> std::unique_ptr<Method> {

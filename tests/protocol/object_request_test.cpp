@@ -70,7 +70,6 @@ const std::vector<BadRequest> kBadObjects{
     {spinning(), [](auto& r) { r.mutable_quality()->set_bake_error(0.1); }, kInvalid, "quality.bake_error", "leave out objects"},
     {spinning(), [](auto& r) { r.mutable_quality()->set_budget_ms(1e3); }, v1::CODE_UNAVAILABLE, "quality.budget_ms",
      "moving objects"},
-    {spinning(), [](auto& r) { r.mutable_method()->set_spp(3); }, kInvalid, "method.spp", "event_svgf"},
 };
 // clang-format on
 
@@ -84,16 +83,13 @@ TEST(ObjectRequest, ABadOneIsRefusedWithItsField) {
   EXPECT_EQ(server.client().tryOpen(pushed).field(), "objects");
 }
 
-TEST(ObjectRequest, AMovingSceneTakesEventSvgfUnlessToldOtherwise) {
+TEST(ObjectRequest, AMovingSceneHasTheMethodOfAStillOne) {
   TestServer server;
   v1::OpenStream request = spinning();
   request.add_further_views()->CopyFrom(request.view());
   const v1::OpenStream resolved = server.client().open(request).resolved();
-  EXPECT_EQ(resolved.method().name(), "event_svgf");
+  EXPECT_EQ(resolved.method().name(), "irradiance_cache");
   EXPECT_EQ(server.client().open(resolved).resolved().DebugString(), resolved.DebugString());
-  EXPECT_EQ(server.client().open(stillRequest()).resolved().method().name(), "irradiance_cache");
-  request.mutable_method()->set_name("irradiance_cache");
-  EXPECT_EQ(server.client().open(request).resolved().method().name(), "irradiance_cache");
 }
 
 TEST(ObjectRequest, TheReplyHasTheObjectsByNameWithTheirDefaults) {

@@ -81,12 +81,15 @@ double feedBytes(const FeedConfig& feed) {
          findMethod(feed.method)->memory(feed.params, feed.pixels(), feed.jitter);
 }
 
-// Of objects that move: the number of the one that a pixel shows, and their places, each in two frames.
+// Of objects that move: the number of the one that a pixel shows, and their places, each in two frames. The
+// method may keep a grid of changes beside that of light, at the same vertices.
 double objectBytes(const FeedConfig& feed, std::size_t objects) {
   constexpr double kFrames = 2, kObjectBytes = 16 << 10;  // of a place
+  constexpr double kChanges = 0.5;                        // of what the method takes
   if (objects == 0) return 0;
   return kFrames *
-         (pixelsWithBorder(feed) * sizeof(std::uint32_t) + kObjectBytes * static_cast<double>(objects));
+             (pixelsWithBorder(feed) * sizeof(std::uint32_t) + kObjectBytes * static_cast<double>(objects)) +
+         kChanges * findMethod(feed.method)->memory(feed.params, feed.pixels(), feed.jitter);
 }
 
 }  // namespace

@@ -130,8 +130,8 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
 
 void fitTo(const Scene& scene, ResolvedStream& stream) {
   findObjects(scene, stream);
-  const bool steady = stream.objects.empty() && EmitterStrengths(scene).areSteady();
-  if (!stream.chooses_method && !steady) takeMethod(defaultMethod(false), stream);
+  if (!stream.chooses_method && !EmitterStrengths(scene).areSteady())
+    takeMethod(defaultMethod(false), stream);
   stream.feed.camera = fitView(scene, *stream.request.mutable_view(), viewField(0));
   for (std::size_t i = 0; i < stream.further.size(); ++i) {
     v1::View& view = *stream.request.mutable_further_views(static_cast<int>(i));
