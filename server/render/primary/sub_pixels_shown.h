@@ -56,7 +56,10 @@ class SubPixels {
   // A layer of a sub-pixel, chosen by its share of the albedo with u in [0, 1). nullptr: all of them are
   // darker than `least`.
   const PrimaryHit* choose(std::size_t sub_pixel, float least, float u) const {
-    const auto layers = std::ranges::equal_range(shown(), sub_pixel, {}, &Layer::point);
+    const auto all = shown();
+    const auto first = std::ranges::lower_bound(all, sub_pixel, {}, &Layer::point);
+    const auto end = std::ranges::upper_bound(all, sub_pixel, {}, &Layer::point);
+    const std::span<const Layer> layers(first, end);
     float left = 0;
     for (const Layer& layer : layers) left += albedoOf(layer);
     if (left * kSubPixels < least) return nullptr;
