@@ -11,6 +11,7 @@
 #include "eval/bench/open_scene.h"
 #include "methods/method_spec.h"
 #include "render/primary/blocks.h"
+#include "render/world/coherent_rays.h"
 
 namespace saccade {
 namespace {
@@ -27,7 +28,7 @@ void traceRays(const RenderScene& scene, const Camera& camera, Tile block) {
     const Vec3 direction = camera.direction(static_cast<float>(x), static_cast<float>(y));
     rays[count++] = {camera.origin, direction, std::numeric_limits<float>::infinity()};
   });
-  scene.geometry().intersect(std::span(rays).first(count), std::span(hits).first(count));
+  intersectCoherent(scene.geometry(), std::span(rays).first(count), std::span(hits).first(count));
 }
 
 std::chrono::nanoseconds tracePrimaryRays(const RenderScene& scene, const Camera& camera,

@@ -62,7 +62,7 @@ TEST(PixelSpeed, OfABodyIsItsOwnMotionAgainstTheCamera) {
   s.materials = {test::grey(0.5f)};
   s.meshes = {test::quad({-100, -100, kDepth}, {200, 0, 0}, {0, 200, 0}, 0)};
   s.meshes[0].body = 0;
-  s.bodies = {{"wall", {0, 0, kDepth}}};
+  s.bodies = {{"wall", {-100, -100, kDepth}, {100, 100, kDepth}}};
   const RenderScene scene(std::move(s));
   FeedConfig c = config();
   c.body_paths = {Trajectory({{0s, {{0, 0, kDepth}, {}}}, {2s, {{1.6, 0, kDepth}, {}}}})};

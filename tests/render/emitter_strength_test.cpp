@@ -25,7 +25,8 @@ Scene lamps(Rgb panel, Rgb ball) {
 const SeedPlan kSeeds = SeedPlan::correlated(7, 5, 4);
 
 Frame render(const Scene& scene, TimeNs time, const SeedPlan& seeds = kSeeds, int channels = 1) {
-  const PosedScene posed(std::make_shared<RenderScene>(scene), time);
+  PosedScene posed(std::make_shared<RenderScene>(scene));
+  posed.setTime(time);
   TilePool pool(2);
   Frame frame(kSize, kSize);
   const Camera camera(scene.T_world_camera, pinhole(scene.fov_x_deg, kSize, kSize));
@@ -68,7 +69,8 @@ TEST(EmitterStrength, OfAStillIsThatAtTheTimeOfItsFrame) {
   Renderer renderer({1, 3});
   const auto green = [&](TimeNs time) {
     Frame frame(kSize, kSize);
-    const PosedScene posed(s, time);
+    PosedScene posed(s);
+    posed.setTime(time);
     ImageF rgb[3] = {{kSize, kSize}, {kSize, kSize}, {kSize, kSize}};
     renderer.renderStill(PixelContext({posed, camera}), SeedPlan::independent(7, 0, 2), pool, frame, rgb);
     return std::move(rgb[1]);

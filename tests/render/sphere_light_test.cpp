@@ -119,7 +119,9 @@ TEST_F(SphereLamps, AreTheSameForManyPoints) {
 
 TEST_F(SphereLamps, PointsOnThemWeighOneInTheMean) {
   const AnalyticLight light(scene);
-  const LampPoints lamps(light, floor, {1, 1, 1}, EmitterStrengths(scene));
+  const EmitterStrengths strengths(scene);
+  LampPoints lamps(light, strengths);
+  lamps.lookFrom(floor, {1, 1, 1});
   constexpr std::uint32_t kPoints = 1 << 14;
   for (int group = 0; group < 3; ++group) {
     double sum = 0;
