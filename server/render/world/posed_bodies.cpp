@@ -29,9 +29,7 @@ PosedBodies::PosedBodies(const RenderScene& scene, const std::vector<Trajectory>
       all_(partsOf(scene, &BodyShapes::all)),
       emitters_(partsOf(scene, &BodyShapes::emitters)),
       straight_(partsOf(scene, &BodyShapes::straight)) {
-  ShapeBox box;
-  for (const Mesh& mesh : scene.description().meshes) box.add(mesh);
-  for (const Sphere& sphere : scene.description().spheres) box.add(sphere);
+  const ShapeBox box = boxOf(scene.description());
   apart_ = 2 * length(box.high - box.low);
   if (isLampBody(scene.description()))
     lamps_ = std::make_unique<PosedLamps>(scene.description(), scene.lights());

@@ -35,10 +35,7 @@ struct NearestAxis {
 };
 
 Vec3d middleOf(const Scene& scene) {
-  ShapeBox box;
-  for (const Mesh& mesh : scene.meshes) box.add(mesh);
-  for (const Sphere& sphere : scene.spheres) box.add(sphere);
-  return toDouble(box.centre()) + scene.origin;
+  return toDouble(boxOf(scene).centre()) + scene.origin;
 }
 
 Trajectory pendulum(const Pose& start, const NearestAxis& along, double speed) {

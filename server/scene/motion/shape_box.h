@@ -27,4 +27,12 @@ struct ShapeBox {
   Vec3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};  // without any shape, low is above high
 };
 
+// Around all shapes of a scene, in the places that its file gives them.
+inline ShapeBox boxOf(const Scene& scene) {
+  ShapeBox box;
+  for (const Mesh& mesh : scene.meshes) box.add(mesh);
+  for (const Sphere& sphere : scene.spheres) box.add(sphere);
+  return box;
+}
+
 }  // namespace saccade
