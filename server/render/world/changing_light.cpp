@@ -9,6 +9,12 @@ void addMoved(const Body& body, const RigidMotion& motion, ShapeBox& box) {
                           i & 4 ? body.high.z : body.low.z}));
 }
 
+// A sphere has one corner, its centre.
+void addLamp(const AnalyticLight::Side& side, ShapeBox& box) {
+  const Vec3 half = Vec3{1, 1, 1} * side.radius;
+  for (const Vec3 corner : side.corners) box.add(corner - half), box.add(corner + half);
+}
+
 // The part of [first, last] in which p (1 - s) + s [low, high] meets [least, most], along one axis.
 struct Part {
   void meet(float p, float low, float high, float least, float most) {
@@ -54,7 +60,7 @@ ChangingLight::ChangingLight(const PosedScene& now, const PosedScene& before) {
   lamps_.resize(static_cast<std::size_t>(now.analyticLight().groups()));
   for (const PosedScene* scene : {&now, &before})
     for (const AnalyticLight::Side& side : scene->analyticLight().sides())
-      for (const Vec3 corner : side.corners) lamps_[static_cast<std::size_t>(side.group)].add(corner);
+      addLamp(side, lamps_[static_cast<std::size_t>(side.group)]);
 }
 
 bool ChangingLight::at(Vec3 point) const {
