@@ -51,7 +51,7 @@ class AnalyticLight {
   static float formFactor(const Side& side, const LitPoint& p);
   // The part of a polygon that lights a point, from the point.
   static Polygon seen(const Side& side, const LitPoint& p);
-  // The same of such a part.
+  // The share that this part of a side covers.
   static float formFactor(const Polygon& seen, const LitPoint& p);
 
   // Radiance that a white diffuse surface would reflect: irradiance / pi.

@@ -16,7 +16,7 @@ class EmbreeScene : public EmbreeTracer {
   // The shapes that stand.
   explicit EmbreeScene(const Scene& scene, Shapes shapes = Shapes::kAll)
       : EmbreeScene(scene, shapes, kStands, std::make_shared<EmbreeDevice>()) {}
-  // Those of a body, where the scene file has them.
+  // The shapes of a body, in the places that the scene file gives them.
   EmbreeScene(const Scene& scene, Shapes shapes, int body, std::shared_ptr<EmbreeDevice> device);
 
   // From a point to the nearest surface, or `reach` where none is nearer than that.
