@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace saccade::farm {
 namespace {
@@ -24,6 +28,13 @@ std::map<std::uint64_t, Outcome> runAll(Crew& crew, std::uint64_t count) {
   }
   while (crew.busy() > 0) await();
   return outcomes;
+}
+
+pid_t onlyChild() {
+  std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
+  pid_t child = -1;
+  children >> child;
+  return child;
 }
 
 TEST(Crew, GivesEachTaskToAWorker) {
@@ -52,6 +63,19 @@ TEST(Crew, AWorkerThatDiesTakesOneTaskWithIt) {
   }
   EXPECT_EQ(outcomes.at(3).death, "the worker was ended by signal 9 (Killed)");
   EXPECT_EQ(outcomes.at(7).death, "the worker ended with status 9");
+}
+
+TEST(Crew, ATaskForADeadWorkerHarmsNobodyElse) {
+  Crew crew(1, [](int) { return [](std::uint64_t) { return Made::kDone; }; });
+  const pid_t worker = onlyChild();
+  kill(worker, SIGKILL);
+  siginfo_t died{};
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(worker), &died, WEXITED | WNOWAIT), 0);
+  crew.give(1);
+  std::optional<Outcome> outcome;
+  while (!outcome) outcome = crew.next(kWaitMs);
+  EXPECT_EQ(outcome->number, 1u);
+  EXPECT_EQ(outcome->death, "the worker was ended by signal 9 (Killed)");
 }
 
 TEST(Crew, SaysThatNoWorkerCanBegin) {

@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,7 +25,7 @@ namespace {
 
 constexpr int kBroken = 70;  // exit status of a worker that could not begin
 
-// The answer of a worker. It is shorter than PIPE_BUF, and so is written at once.
+// The answer of a worker.
 struct Result {
   std::uint64_t number;
   double cpu_s;
@@ -35,31 +36,28 @@ struct Result {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-void makePipe(int (&ends)[2]) {
-  if (pipe2(ends, O_CLOEXEC) != 0) failSystem("pipe");
-}
-
-// Reads all of a record; false where the pipe ends.
+// Reads a record; false where the other end is closed.
 template <class Record>
-bool readRecord(int pipe, Record& record) {
+bool readRecord(int socket, Record& record) {
   ssize_t count = 0;
   do {
-    count = read(pipe, &record, sizeof record);
+    count = recv(socket, &record, sizeof record, 0);
   } while (count < 0 && errno == EINTR);
   return count == static_cast<ssize_t>(sizeof record);
 }
 
+// Raises no SIGPIPE where the other end is closed.
 template <class Record>
-bool writeRecord(int pipe, const Record& record) {
+bool writeRecord(int socket, const Record& record) {
   ssize_t count = 0;
   do {
-    count = write(pipe, &record, sizeof record);
+    count = send(socket, &record, sizeof record, MSG_NOSIGNAL);
   } while (count < 0 && errno == EINTR);
   return count == static_cast<ssize_t>(sizeof record);
 }
 
 // The life of a worker.
-[[noreturn]] void live(const Crew::Begin& begin, int index, int tasks, int results, pid_t parent) {
+[[noreturn]] void live(const Crew::Begin& begin, int index, int socket, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kBroken);
   signal(SIGINT, SIG_IGN);  // of the whole terminal; the parent decides
@@ -67,11 +65,11 @@ bool writeRecord(int pipe, const Record& record) {
   try {
     const Crew::Work work = begin(index);
     std::uint64_t number = 0;
-    while (readRecord(tasks, number)) {
+    while (readRecord(socket, number)) {
       Result result{};
       const auto before = processCpuTime();
       result.number = number, result.made = work(number), result.cpu_s = seconds(processCpuTime() - before);
-      if (!writeRecord(results, result)) break;
+      if (!writeRecord(socket, result)) break;
     }
   } catch (const std::exception& fault) {
     std::fprintf(stderr, "saccade-farm: a worker ends: %s\n", fault.what());
@@ -90,30 +88,29 @@ std::string deathText(int status) {
 }  // namespace
 
 Crew::Crew(int workers, Begin begin) : begin_(std::move(begin)), workers_(static_cast<std::size_t>(workers)) {
-  makePipe(results_);
-  for (std::size_t i = 0; i < workers_.size(); ++i) start(workers_[i], static_cast<int>(i));
+  for (std::size_t i = 0; i < workers_.size(); ++i) start(i);
 }
 
 Crew::~Crew() {
   stop();
-  for (const int end : results_) close(end);
 }
 
-void Crew::start(Worker& worker, int index) {
-  int tasks[2];
-  makePipe(tasks);
+void Crew::start(std::size_t index) {
+  Worker& worker = workers_[index];
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) failSystem("socketpair");
   const pid_t parent = getpid();
   std::fflush(nullptr);  // the child must not print what waits
   worker.process = fork();
   if (worker.process < 0) failSystem("fork");
   if (worker.process == 0) {
     for (const Worker& other : workers_)
-      if (other.tasks >= 0) close(other.tasks);
-    close(tasks[1]);
-    live(begin_, index, tasks[0], results_[1], parent);
+      if (other.socket >= 0) close(other.socket);
+    close(ends[0]);
+    live(begin_, static_cast<int>(index), ends[1], parent);
   }
-  close(tasks[0]);
-  worker.tasks = tasks[1];
+  close(ends[1]);
+  worker.socket = ends[0];
   worker.number.reset();
 }
 
@@ -129,35 +126,40 @@ std::size_t Crew::busy() const {
 void Crew::give(std::uint64_t number) {
   const auto idle = std::ranges::find_if(workers_, [](const Worker& w) { return !w.number; });
   idle->number = number;
-  writeRecord(idle->tasks, number);  // where it has died, next() finds out
+  writeRecord(idle->socket, number);  // where it has died, next() finds out
 }
 
 std::optional<Outcome> Crew::next(int wait_ms) {
-  pollfd results{results_[0], POLLIN, 0};
-  if (poll(&results, 1, wait_ms) > 0) return takeResult();
-  return takeDeath();
+  std::vector<pollfd> sockets;
+  for (const Worker& worker : workers_) sockets.push_back({worker.socket, POLLIN, 0});
+  if (poll(sockets.data(), sockets.size(), wait_ms) <= 0) return std::nullopt;
+  for (std::size_t i = 0; i < workers_.size(); ++i) {
+    if (sockets[i].revents == 0) continue;
+    if (auto outcome = outcomeOf(i)) return outcome;
+  }
+  return std::nullopt;
 }
 
-std::optional<Outcome> Crew::takeResult() {
+std::optional<Outcome> Crew::outcomeOf(std::size_t index) {
+  Worker& worker = workers_[index];
   Result result{};
-  if (!readRecord(results_[0], result)) failSystem("a worker's pipe");
-  for (Worker& worker : workers_)
-    if (worker.number == result.number) worker.number.reset();
+  if (!readRecord(worker.socket, result)) return replace(index);
+  worker.number.reset();
   return Outcome{result.number, result.made, result.cpu_s};
 }
 
-std::optional<Outcome> Crew::takeDeath() {
-  for (std::size_t i = 0; i < workers_.size(); ++i) {
-    Worker& worker = workers_[i];
-    int status = 0;
-    if (waitpid(worker.process, &status, WNOHANG) != worker.process) continue;
-    const std::optional<std::uint64_t> number = worker.number;
-    close(std::exchange(worker.tasks, -1));
-    if (WIFEXITED(status) && WEXITSTATUS(status) == kBroken) throw std::runtime_error("no worker can begin");
-    start(worker, static_cast<int>(i));
-    if (number) return Outcome{*number, Made::kRetry, 0, deathText(status)};
+// An answer that a worker gave before it died has been read by now.
+std::optional<Outcome> Crew::replace(std::size_t index) {
+  Worker& worker = workers_[index];
+  const std::optional<std::uint64_t> number = worker.number;
+  int status = 0;
+  while (waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
   }
-  return std::nullopt;
+  close(std::exchange(worker.socket, -1));
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kBroken) throw std::runtime_error("no worker can begin");
+  start(index);
+  if (!number) return std::nullopt;
+  return Outcome{*number, Made::kRetry, 0, deathText(status)};
 }
 
 void Crew::stop() {
@@ -165,7 +167,7 @@ void Crew::stop() {
     if (worker.process <= 0) continue;
     kill(worker.process, SIGKILL);
     waitpid(worker.process, nullptr, 0);
-    if (worker.tasks >= 0) close(worker.tasks);
+    if (worker.socket >= 0) close(worker.socket);
     worker = {};
   }
 }

@@ -44,16 +44,15 @@ class Crew {
  private:
   struct Worker {
     pid_t process = -1;
-    int tasks = -1;  // pipe to it
+    int socket = -1;  // to it
     std::optional<std::uint64_t> number = {};
   };
-  void start(Worker& worker, int index);
-  std::optional<Outcome> takeResult();
-  std::optional<Outcome> takeDeath();
+  void start(std::size_t index);
+  std::optional<Outcome> outcomeOf(std::size_t index);  // that it has told, or its death
+  std::optional<Outcome> replace(std::size_t index);    // a worker that died: what it was at
 
   const Begin begin_;
   std::vector<Worker> workers_;
-  int results_[2] = {-1, -1};  // the pipe of all workers
 };
 
 }  // namespace saccade::farm
