@@ -44,6 +44,7 @@ struct GBuffer {
   // 1 + the number of the body that is shown, see Scene::bodies; 0: a surface that stands, or none. Empty
   // where the scene has no bodies.
   Image<std::uint32_t> body;
+  bool hasBodies() const { return body.width() > 0; }
 };
 
 // Radiance samples: Rec. 709 luminance, emission included. Pass 1 uses the seeds of the previous frame, pass

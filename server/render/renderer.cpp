@@ -49,7 +49,7 @@ int tileEdge(int spp, int bounces) {
 
 // Gives features their plane of bodies.
 void showBodies(GBuffer& g) {
-  if (g.body.width() == 0) g.body = Image<std::uint32_t>(g.z.width(), g.z.height());
+  if (!g.hasBodies()) g.body = Image<std::uint32_t>(g.z.width(), g.z.height());
 }
 
 }  // namespace

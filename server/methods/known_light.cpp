@@ -1,0 +1,97 @@
+#include "methods/known_light.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace saccade {
+namespace {
+
+// The share of what is known of a point that holds in the next frame.
+float keptOf(const SurfacePoint& point) {
+  return point.light_moves ? 0.9f : 1;
+}
+
+}  // namespace
+
+KnownLight::KnownLight(const GridParams& params, std::size_t memory, std::shared_ptr<const BakedLight> baked,
+                       int width, int height)
+    : states_(params, memory),
+      baked_(std::move(baked)),
+      estimates_{GridEstimate(width, height), GridEstimate(width, height)} {}
+
+void KnownLight::readBaked(Tile tile, Frame& next) {
+  GridEstimate& estimate = estimateOf(next);
+  if (baked_ && states_.isAt(next.light))
+    baked_->read(tile, *next.surfaces, next.g, estimate);
+  else
+    estimate.clear(tile);
+}
+
+void KnownLight::enter(const SurfaceFrame& next, const PoolHandle& pool, StageTimes& times) {
+  SurfaceSamples& on = *next.frame.surfaces;
+  std::swap(at_, at_prev_);
+  std::swap(uncertainty_, uncertainty_prev_);
+  std::swap(shadow_detail_, shadow_detail_prev_);
+  states_.enter(next.frame.light, frames_);
+  if (changed()) baked_.reset();
+  if (frames_++ == 0)
+    for (ImageF* plane : {&uncertainty_, &uncertainty_prev_, &shadow_detail_, &shadow_detail_prev_})
+      *plane = ImageF(on.columns(), on.height());
+  Placement none;
+  times[Stage::kTemporal] += state().grid.place(on, &next.obstacles, pool, changed() ? none : at_prev_, at_);
+  findDoubt(next, pool, times);
+  if (next.frame.g.hasBodies()) wantMovingShadows(on, pool, times);
+}
+
+void KnownLight::findDoubt(const SurfaceFrame& next, const PoolHandle& pool, StageTimes& times) {
+  SurfaceSamples& on = *next.frame.surfaces;
+  const FrameOnGrid frame{on, next.frame.g, at_};
+  times[Stage::kTemporal] += state().grid.uncertainty(frame, pool, uncertainty_, &shadow_detail_);
+  times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
+    for (int column = 0; column < on.columns(); ++column)
+      on.shadows()[on.indexOf(column, y)].wanted =
+          std::max(shadow_detail_.at(column, y), shadow_detail_prev_.at(column, y));
+  });
+}
+
+void KnownLight::wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times) {
+  light_moved_.resize(on.shadows().size());
+  times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
+    for (int column = 0; column < on.columns(); ++column) {
+      const std::size_t i = on.indexOf(column, y);
+      if (on[i].light_moves || light_moved_[i]) on.shadows()[i].wanted = SurfaceShadow::kMoves;
+      light_moved_[i] = on[i].light_moves;
+    }
+  });
+}
+
+void KnownLight::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
+  const bool has_bodies = frames.cur.g.hasBodies();
+  if (!has_bodies && frames.cur.surfaces->needPaths()) state().bounces.add(*frames.cur.surfaces);
+  if (at_.empty() && at_prev_.empty()) return;
+  const auto* shadows = frames.is_first ? nullptr : &frames.cur.surfaces->shadows();
+  const FrameOnGrid cur{*frames.cur.surfaces, frames.cur.g, at_, shadows};
+  const FrameOnGrid prev{*frames.prev.surfaces, frames.prev.g, at_prev_, shadows, &SurfaceShadow::before};
+  GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
+  SurfaceGrid &grid = states_.current().grid, &grid_prev = states_.previous().grid;
+  if (has_bodies) times[Stage::kTemporal] += grid.fade(cur, keptOf, pool);
+  const SurfaceGrid::Added added = grid.add(cur, pool);
+  const SurfaceGrid::Compared compared = grid.readAdded(added, pool, now);
+  times[Stage::kTemporal] += added.time, times[Stage::kVariance] += compared.time;
+  if (!frames.is_first) times[Stage::kVariance] += grid_prev.read(prev, pool, before);
+  times[Stage::kTemporal] += grid.learn(compared, pool);
+  // Points that are seen for the first time have only now been judged.
+  const auto again = [&](const SurfaceGrid& from, const FrameOnGrid& frame, GridEstimate& out) {
+    times[Stage::kVariance] += from.readAgain(frame, pool, uncertainty_, uncertainty_prev_, out);
+  };
+  again(grid, cur, now);
+  if (!frames.is_first) again(grid_prev, prev, before);
+  // The errors of two states of the light have nothing in common.
+  if (changed())
+    times[Stage::kVariance] += pool.forEachRow(now.i.height(), [&](int y) {
+      for (int x = 0; x < now.i.width(); ++x)
+        now.var_step.at(x, y) = now.var_i.at(x, y) + before.var_i.at(x, y);
+    });
+}
+
+}  // namespace saccade
