@@ -101,7 +101,7 @@ class SurfaceSamples {
   SurfaceLight& light(std::size_t index) { return lights_[index]; }
   const SurfaceLight& light(std::size_t index) const { return lights_[index]; }
   // The light that the same numbers find at the same points in the world of the frame before. Empty unless a
-  // body has moved since.
+  // body has moved since, and where the strengths of lamps have changed.
   std::vector<SurfaceLight>& replays() { return replays_; }
   const std::vector<SurfaceLight>& replays() const { return replays_; }
   std::vector<SurfaceShadow>& shadows() { return shadows_; }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "filter/demodulation.h"
+#include "filter/surface_test.h"
 #include "methods/path_plan.h"
 
 namespace saccade {
@@ -16,11 +17,7 @@ constexpr int kBakedIterations = 1;
 // Whether a pixel shows the same surface in both frames.
 bool showsSame(const FramePair& frames, int x, int y) {
   const GBuffer &g = frames.cur.g, &before = frames.prev.g;
-  if (g.body.at(x, y) != before.body.at(x, y)) return false;
-  const Vec3 n{g.nx.at(x, y), g.ny.at(x, y), g.nz.at(x, y)},
-      n_before{before.nx.at(x, y), before.ny.at(x, y), before.nz.at(x, y)};
-  const float z = g.z.at(x, y);
-  return dot(n, n_before) > 0.9f && std::abs(z - before.z.at(x, y)) < 10 * g.dz.at(x, y) + 0.02f * z;
+  return g.body.at(x, y) == before.body.at(x, y) && SameSurface(g, before, x, y)(y * before.z.stride() + x);
 }
 
 }  // namespace
@@ -108,8 +105,9 @@ void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, St
 
 void IrradianceCache::addLightChange(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   if (frames.is_first || frames.cur.surfaces->replays().empty()) return;
-  if (!change_) change_ = std::make_unique<LightChange>(i_prev_.width(), i_prev_.height(), known_.params());
-  change_->estimate(frames, known_.at(), known_.state().grid, known_.of(frames.cur), pool, times);
+  if (!change_) change_ = std::make_unique<LightChange>(i_prev_.width(), i_prev_.height());
+  known_.keepChanges();
+  change_->estimate(frames, known_.at(), known_.state(), known_.of(frames.cur), pool, times);
   times[Stage::kModulate] += pool.forEachRow(i_prev_.height(), [&](int y) {
     for (int x = 0; x < i_prev_.width(); ++x)
       if (showsSame(frames, x, y)) filtered_.d.at(x, y) += change_->change().at(x, y);

@@ -34,11 +34,11 @@ class KnownLight {
   const ImageF& uncertainty() const { return uncertainty_; }
   const Placement& at() const { return at_; }
   LightState& state() { return states_.current(); }
+  void keepChanges() { states_.keepChanges(); }
   bool changed() const { return states_.changed(); }  // the strengths of lamps, since the frame before
   bool isNew() const { return states_.isNew(); }      // whether no frame had these strengths before
   std::uint32_t frames() const { return frames_; }    // entered so far
   bool hasBake() const { return baked_ != nullptr; }
-  const GridParams& params() const { return states_.params(); }
 
  private:
   GridEstimate& estimateOf(const Frame& frame) { return estimates_[frame.index % 2]; }

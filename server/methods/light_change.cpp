@@ -26,10 +26,7 @@ float proven(float d, float var) {
 
 }  // namespace
 
-LightChange::LightChange(int w, int h, const GridParams& params)
-    : grid_(params), estimate_(w, h), planes_(w, h), scratch_(w, h) {}
-
-void LightChange::estimate(const FramePair& frames, const Placement& at, const SurfaceGrid& grid,
+void LightChange::estimate(const FramePair& frames, const Placement& at, LightState& light,
                            const GridEstimate& i, const PoolHandle& pool, StageTimes& times) {
   const SurfaceSamples& on = *frames.cur.surfaces;
   differences_.resize(on.replays().size());
@@ -40,11 +37,12 @@ void LightChange::estimate(const FramePair& frames, const Placement& at, const S
     }
   });
   const FrameOnGrid frame{.on = on, .g = frames.cur.g, .at = at, .residuals = &differences_};
-  grid_.follow(grid);
-  times[Stage::kTemporal] += grid_.fade(frame, kept, pool);
-  const SurfaceGrid::Added added = grid_.add(frame, pool);
-  const SurfaceGrid::Compared compared = grid_.readAdded(added, pool, estimate_);
-  times[Stage::kTemporal] += added.time + grid_.learn(compared, pool);
+  SurfaceGrid& changes = light.changes;
+  changes.follow(light.grid);
+  times[Stage::kTemporal] += changes.fade(frame, kept, pool);
+  const SurfaceGrid::Added added = changes.add(frame, pool);
+  const SurfaceGrid::Compared compared = changes.readAdded(added, pool, estimate_);
+  times[Stage::kTemporal] += added.time + changes.learn(compared, pool);
   times[Stage::kVariance] += compared.time;
   times[Stage::kVariance] += pool.forEachRow(on.height(), [&](int y) {
     for (int x = 0; x < planes_.i.width(); ++x) {

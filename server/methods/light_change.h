@@ -5,7 +5,7 @@
 // returns  the change of illumination since then at the points of this frame, 0 where none is proven
 #pragma once
 
-#include "cache/grid/surface_grid.h"
+#include "cache/grid/light_states.h"
 #include "filter/filter_planes.h"
 #include "methods/stage_times.h"
 
@@ -13,16 +13,16 @@ namespace saccade {
 
 class LightChange {
  public:
-  LightChange(int w, int h, const GridParams& params);
+  LightChange(int w, int h) : estimate_(w, h), planes_(w, h), scratch_(w, h) {}
 
-  // `at`: the points of the frame in `grid`. `i`: their light, and its variance.
-  void estimate(const FramePair& frames, const Placement& at, const SurfaceGrid& grid, const GridEstimate& i,
+  // `at`: the points of the frame in the grids of `light`, whose changes learn. `i`: their light, and its
+  // variance.
+  void estimate(const FramePair& frames, const Placement& at, LightState& light, const GridEstimate& i,
                 const PoolHandle& pool, StageTimes& times);
   // After estimate().
   const ImageF& change() const { return planes_.d; }
 
  private:
-  SurfaceGrid grid_;  // of changes
   std::vector<SurfaceLight> differences_;
   GridEstimate estimate_;
   FilterPlanes planes_, scratch_;

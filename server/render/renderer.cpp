@@ -108,7 +108,9 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
 std::chrono::nanoseconds Renderer::renderReplays(const PixelContext& view, const SeedPlan& seeds,
                                                  const PoolHandle& pool, Frame& out) {
   std::vector<SurfaceLight>& replays = out.surfaces->replays();
-  if (view.now.scene.posesEqual(view.before.scene)) return replays.clear(), std::chrono::nanoseconds{0};
+  const PosedScene &now = view.now.scene, &scene_before = view.before.scene;
+  if (now.posesEqual(scene_before) || now.strengths().state() != scene_before.strengths().state())
+    return replays.clear(), std::chrono::nanoseconds{0};
   replays.resize(out.surfaces->indexOf(0, out.height()));
   const Camera& camera = view.now.camera;
   const Tracing tracing{view.before.scene,

@@ -47,8 +47,8 @@ class Renderer {
   std::chrono::nanoseconds traceShadows(const PixelContext& view, int spp, Frame& now, const Frame& before,
                                         const PoolHandle& pool);
 
-  // Sets SurfaceSamples::replays() of a frame, unless all bodies stand since the frame before. Called after
-  // renderPaths(), whose numbers and light it takes.
+  // Sets or clears SurfaceSamples::replays() of a frame. Called after renderPaths(), whose numbers and light
+  // it takes.
   std::chrono::nanoseconds renderReplays(const PixelContext& view, const SeedPlan& seeds,
                                          const PoolHandle& pool, Frame& out);
 

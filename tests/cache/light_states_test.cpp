@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/tile_pool.h"
+
 namespace saccade {
 namespace {
 
@@ -36,6 +38,29 @@ TEST(LightStates, TheLeastRecentlyUsedIsForgotten) {
   EXPECT_FALSE(states.isNew());
   states.enter(1, 11);
   EXPECT_TRUE(states.isNew());
+}
+
+// Changes take as much memory as the grids: their vertices are half as many then.
+TEST(LightStates, ChangesAreCounted) {
+  const auto verticesKept = [](bool changes) {
+    LightStates states({}, std::size_t{1} << 21);
+    states.enter(1, 0);
+    if (changes) states.keepChanges();
+    TilePool pool(1);
+    SurfaceGrid& grid = states.current().grid;
+    for (int t = 0; t < 40; ++t) {
+      SurfaceSamples on(64, 64, 1);
+      for (std::size_t i = 0; i < on.indexOf(0, 64); ++i) {
+        on[i] = {.share = 1, .kind = SurfaceKind::kDiffuse, .paths = 1};
+        const Vec3 at{float(i % 64 + 64 * t), float(i / 64), 0};
+        on.place(i) = {at * 0.01f, {0, 0, 1}, 0.01f, 0};
+      }
+      Placement at, before;
+      grid.place(on, nullptr, pool, before, at);
+    }
+    return grid.vertices();
+  };
+  EXPECT_LT(verticesKept(true), verticesKept(false));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace saccade {
 struct LightState {
   std::uint64_t strengths;  // Frame::light
   SurfaceGrid grid;
+  SurfaceGrid changes;  // of light, at the vertices of `grid`, where bodies move
   BounceGrid bounces;
   std::uint32_t frames = 0;      // that have had it
   std::uint32_t last_frame = 0;  // of them
@@ -26,10 +27,12 @@ class LightStates {
   // place of the one that was used least recently.
   void enter(std::uint64_t strengths, std::uint32_t frame);
 
+  // Makes room for LightState::changes, which take as much as the grids.
+  void keepChanges();
+
   // Whether a frame with these strengths does not change the state.
   bool isAt(std::uint64_t strengths) const { return !current_ || current_->strengths == strengths; }
 
-  const GridParams& params() const { return params_; }  // of each grid, but for its memory
   LightState& current() { return *current_; }
   // That of the frame before; of the first frame, the current one.
   LightState& previous() { return *previous_; }
@@ -44,6 +47,7 @@ class LightStates {
 
   GridParams params_;
   std::size_t memory_;
+  bool keeps_changes_ = false;
   std::vector<std::unique_ptr<LightState>> states_;
   LightState *current_ = nullptr, *previous_ = nullptr;
 };

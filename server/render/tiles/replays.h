@@ -7,10 +7,10 @@
 
 namespace saccade {
 
-// Starts on bodies, where they were.
-class StartsBefore {
+// The starts of a frame. Those on bodies are carried to where the bodies were in the frame before.
+class CarriedStarts {
  public:
-  StartsBefore(const PixelContext& view, const Frame& now) : view_(view), now_(now) {}
+  CarriedStarts(const PixelContext& view, const Frame& now) : view_(view), now_(now) {}
 
   PlainStart operator()(std::uint32_t i, PlainStart start) const {
     const std::uint32_t body = bodyOf(i);
@@ -52,7 +52,7 @@ void renderReplayTile(const PixelContext& view, const SeedPlan& seeds, const Tra
                       const SurfaceStarts& starts, Frame& out) {
   SurfaceSamples& on = *out.surfaces;
   if (!hasPaths(on, tile)) return;
-  tracePoints<S, C>(seeds, before, tile, starts, on, StartsBefore(view, out),
+  tracePoints<S, C>(seeds, before, tile, starts, on, CarriedStarts(view, out),
                     [&](std::uint32_t i, const ReflectedLight& sum) {
                       on.replays()[i] = lightOf(sum, on[i].paths, starts.base(i), starts.albedo(i));
                     });

@@ -1,0 +1,72 @@
+#include "methods/light_change.h"
+
+#include <gtest/gtest.h>
+
+#include "base/tile_pool.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kW = 24, kH = 16;
+constexpr float kPixel = 0.01f;
+
+// A camera before a wall, under lamps with several sets of strengths.
+struct LightChangeTest : testing::Test {
+  LightChangeTest() : cur(kW, kH, 1), prev(kW, kH, 1) {
+    for (Frame* f : {&cur, &prev}) {
+      f->g.z.fill(1), f->g.z_in_prev.fill(1), f->g.dz.fill(0.01f), f->g.albedo.fill(1);
+      for (int y = 0; y < kH; ++y) std::fill_n(f->g.nz.row(y), kW, 1.f);
+    }
+    for (int y = 0; y < kH; ++y) std::fill_n(estimate.i.row(y), kW, 1.f);
+  }
+
+  // A frame that shows the wall from `left` pixels on, where light changes by `d`.
+  void step(std::uint64_t strengths, float left, float d) {
+    SurfaceSamples& on = *cur.surfaces;
+    on.replays().resize(on.indexOf(0, kH));
+    for (int y = 0; y < kH; ++y)
+      for (int x = 0; x < kW; ++x) {
+        const std::size_t i = on.indexOf(x, y);
+        on[i] = {.share = 1, .kind = SurfaceKind::kDiffuse, .paths = 1};
+        const Vec3 at{(left + float(x)) * kPixel, float(y) * kPixel, 0};
+        on.place(i) = {at, {0, 0, 1}, kPixel, 0};
+        on.light(i).residual = 1 + d, on.replays()[i].residual = 1;
+      }
+    states.enter(strengths, frame++);
+    Placement at, before;
+    states.current().grid.place(on, nullptr, pool, before, at);
+    change.estimate({cur, prev}, at, states.current(), estimate, pool, times);
+  }
+  void expectChange(float d) const {
+    for (int y = 0; y < kH; ++y)
+      for (int x = 0; x < kW; ++x) EXPECT_NEAR(change.change().at(x, y), d, 1e-5) << x << ' ' << y;
+  }
+
+  Frame cur, prev;
+  TilePool pool{2};
+  LightStates states{{}, std::size_t{1} << 24};
+  LightChange change{kW, kH};
+  GridEstimate estimate{kW, kH};
+  StageTimes times;
+  std::uint32_t frame = 0;
+};
+
+TEST_F(LightChangeTest, AnEvenChangeIsFoundExactly) {
+  for (int t = 0; t < 4; ++t) step(1, 0.3f * float(t), 0.25f);
+  expectChange(0.25f);
+}
+
+// The grids of two sets of strengths have vertices of their own, in an order of their own.
+TEST_F(LightChangeTest, EverySetOfStrengthsHasChangesOfItsOwn) {
+  step(1, 0, 0.25f);
+  step(2, 9, -0.5f);
+  for (int t = 0; t < 4; ++t) {
+    step(1, 0.3f * float(t), 0.25f);
+    expectChange(0.25f);
+    step(2, 9 - 0.3f * float(t), -0.5f);
+    expectChange(-0.5f);
+  }
+}
+
+}  // namespace
+}  // namespace saccade
