@@ -30,6 +30,7 @@ struct SurfacePoint {
   SurfaceKind kind = SurfaceKind::kNone;
   bool light_moves = false;  // whether direct light may have changed since the frame before
   bool baked = false;        // whether its light is known ahead, as the method finds
+  bool touched = false;      // whether its paths may differ from their replays, see SurfaceSamples::replays()
   std::uint32_t paths = 0;   // that it gets, as the method plans
 
   // Whether it reflects light that depends on the view, so that it cannot be shared.

@@ -79,7 +79,8 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
   if (starts().anyOfOthers() || scene.analyticLight().groups() > 0) current_ = 1 - current_;
   shadows_.next(scene, out.surfaces->indexOf(0, out.height()));
   starts().resize(out.surfaces->indexOf(0, out.height()), plain_only);
-  const ChangingLight changing(view.now.scene, view.before.scene);
+  moved_ = MovedBodies(view.now.scene, view.before.scene);
+  const ChangingLight changing(view.now.scene, view.before.scene, moved_);
   const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
                                      [&](Tile t) { tile(view, changing, t, on_tile, starts(), out); });
@@ -97,7 +98,8 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
   const Tracing tracing{view.scene,
                         settings_.bounces,
                         {known, camera.origin, camera.pixel},
-                        view.scene.still().deltaLamps().areFew()};
+                        view.scene.still().deltaLamps().areFew(),
+                        moved_.any() ? &moved_ : nullptr};
   const auto tile = withKernel(view.scene.still().shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
   });
@@ -108,8 +110,7 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
 std::chrono::nanoseconds Renderer::renderReplays(const PixelContext& view, const SeedPlan& seeds,
                                                  const PoolHandle& pool, Frame& out) {
   std::vector<SurfaceLight>& replays = out.surfaces->replays();
-  const PosedScene &now = view.now.scene, &scene_before = view.before.scene;
-  if (now.posesEqual(scene_before) || now.strengths().state() != scene_before.strengths().state())
+  if (!moved_.any() || view.now.scene.strengths().state() != view.before.scene.strengths().state())
     return replays.clear(), std::chrono::nanoseconds{0};
   replays.resize(out.surfaces->indexOf(0, out.height()));
   const Camera& camera = view.now.camera;
@@ -121,7 +122,7 @@ std::chrono::nanoseconds Renderer::renderReplays(const PixelContext& view, const
     return settings_.channels == 1 ? renderReplayTile<S, 1> : renderReplayTile<S, 3>;
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp2, settings_.bounces),
-                          [&](Tile t) { tile(view, seeds, tracing, t, starts(), out); });
+                          [&](Tile t) { tile(view, moved_, seeds, tracing, t, starts(), out); });
 }
 
 std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const SeedPlan& seeds,

@@ -13,6 +13,7 @@
 #include "render/camera/pixel_context.h"
 #include "render/tiles/lamp_shadows.h"
 #include "render/tiles/surface_start.h"
+#include "render/world/moved_bodies.h"
 
 namespace saccade {
 
@@ -68,6 +69,7 @@ class Renderer {
   SurfaceStarts& starts() { return starts_[current_]; }
   SurfaceStarts& startsBefore() { return starts_[1 - current_]; }
 
+  MovedBodies moved_;  // into the frame of the last renderSurfaces()
   // Of points that may get paths, of the last renderSurfaces(). Those of the one before it are kept where
   // its pixels hasUncacheable(), or where lamps have a closed form.
   std::array<SurfaceStarts, 2> starts_;

@@ -21,6 +21,14 @@ struct Batch {
   std::uint32_t dimension(Dimension d) const { return static_cast<std::uint32_t>(vertex) * kDimensions + d; }
 };
 
+// Marks the paths of rays that meet bodies which have moved. `slots`: theirs, by lane.
+template <int W, int C>
+[[gnu::always_inline]] inline void markTouched(const Batch<C>& b, const RayPacket<W>& rays, LaneSet lanes,
+                                               const Uints<W>& slots) {
+  if (!b.t.moved) return;
+  forEachLane(lanes & b.t.moved->metBy(rays), [&](int i) { b.results.touched[slots[i]] = true; });
+}
+
 // The random numbers of W paths at their vertex, by their places in a group of dimensions. Paths with a
 // SequencePlace have independent ones beyond their first vertex.
 template <int W, bool kSplit, int C>

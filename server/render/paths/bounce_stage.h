@@ -65,7 +65,9 @@ class BounceRays {
     set(e);
     b_.t.scene.geometry().template intersect<W>(packet_, LaneSet::first(count),
                                                 EmbreeTracer::Rays::kScattered);
-    shadeHits<W, K>(b_, packet_, count, std::bit_cast<Uints<W>>(e[6]));
+    const auto path = std::bit_cast<Uints<W>>(e[6]);
+    if (b_.t.moved) markTouched<W>(b_, packet_, LaneSet::first(count), gather(&b_.now->slot[0], path));
+    shadeHits<W, K>(b_, packet_, count, path);
   }
 
   const Batch<C>& b_;

@@ -89,6 +89,7 @@ class ShadowRays {
     Entries e;
     LaneSet open = LaneSet::first(queue_.take(e));
     setRays<W>(e, e[6], packet_);
+    markTouched<W>(b_, packet_, open, std::bit_cast<Uints<W>>(e[7]));
     b_.t.scene.geometry().template occluded<W>(packet_, open);
     open = open - lanesOf(load<W>(packet_.far) < 0.f);
     if (has_panes_) {

@@ -3,7 +3,7 @@
 
 #include "cache/grid/bounce_grid.h"
 #include "render/sampling/path_sampler.h"
-#include "render/world/posed_scene.h"
+#include "render/world/moved_bodies.h"
 
 namespace saccade {
 
@@ -20,6 +20,8 @@ struct Tracing {
   KnownBounces known;
   // First vertices take no samples of points and suns: their light is computed elsewhere.
   bool deltas_apart = false;
+  // Asks which paths PathResults::touched; nullptr: none.
+  const MovedBodies* moved = nullptr;
 
   // Of which the vertex takes samples that chose a direction.
   LightSet lightsOf(bool first_vertex) const {

@@ -10,32 +10,25 @@ namespace saccade {
 // The starts of a frame. Those on bodies are carried to where the bodies were in the frame before.
 class CarriedStarts {
  public:
-  CarriedStarts(const PixelContext& view, const Frame& now) : view_(view), now_(now) {}
+  CarriedStarts(const PixelContext& view, const MovedBodies& moved) : view_(view), moved_(moved) {}
 
-  PlainStart operator()(std::uint32_t i, PlainStart start) const {
-    const std::uint32_t body = bodyOf(i);
-    if (!moved(body)) return start;
-    start.point = view_.pointBefore(body, start.point);
-    for (Vec3* normal : {&start.geometric_normal, &start.shading_normal}) *normal = turned(body, *normal);
+  PlainStart operator()(std::uint32_t, PlainStart start) const {
+    if (!moved_.includes(start.body)) return start;
+    start.point = view_.pointBefore(start.body, start.point);
+    for (Vec3* normal : {&start.geometric_normal, &start.shading_normal})
+      *normal = turned(start.body, *normal);
     return start;
   }
-  PathStart operator()(std::uint32_t i, PathStart start) const {
-    const std::uint32_t body = bodyOf(i);
-    if (!moved(body)) return start;
-    Surface& s = start.surface;
-    s.point = view_.pointBefore(body, s.point);
-    for (Vec3* v : {&s.geometric_normal, &s.shading_normal, &start.direction}) *v = turned(body, *v);
-    return start;
+  PathStart operator()(std::uint32_t, const SurfaceStart& start) const {
+    PathStart path = start.path;
+    if (!moved_.includes(start.body)) return path;
+    Surface& s = path.surface;
+    s.point = view_.pointBefore(start.body, s.point);
+    for (Vec3* v : {&s.geometric_normal, &s.shading_normal, &path.direction}) *v = turned(start.body, *v);
+    return path;
   }
 
  private:
-  std::uint32_t bodyOf(std::uint32_t i) const {
-    const SurfaceSamples& on = *now_.surfaces;
-    return now_.g.body.at(on.columnOf(i) / on.perPixel(), on.rowOf(i)) - 1;
-  }
-  bool moved(std::uint32_t body) const {
-    return body != kNoBody && motions(view_.now)[body] != motions(view_.before)[body];
-  }
   Vec3 turned(std::uint32_t body, Vec3 v) const {
     return motions(view_.before)[body].direction(motions(view_.now)[body].restDirection(v));
   }
@@ -44,15 +37,23 @@ class CarriedStarts {
   }
 
   const PixelContext& view_;
-  const Frame& now_;
+  const MovedBodies& moved_;
 };
 
+// Points whose light is not shared have pairs of paths instead, see pairs.h.
 template <Shading S, int C>
-void renderReplayTile(const PixelContext& view, const SeedPlan& seeds, const Tracing& before, Tile tile,
-                      const SurfaceStarts& starts, Frame& out) {
+void renderReplayTile(const PixelContext& view, const MovedBodies& moved, const SeedPlan& seeds,
+                      const Tracing& before, Tile tile, const SurfaceStarts& starts, Frame& out) {
   SurfaceSamples& on = *out.surfaces;
   if (!hasPaths(on, tile)) return;
-  tracePoints<S, C>(seeds, before, tile, starts, on, CarriedStarts(view, out),
+  const auto differs = [&](std::uint32_t i) { return on[i].touched && on[i].kind != SurfaceKind::kNone; };
+  forEachPixel(tile, [&](int x, int y) {
+    for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
+      const std::size_t i = on.indexOf(column, y);
+      on.replays()[i] = on.light(i);
+    }
+  });
+  tracePoints<S, C>(seeds, before, tile, starts, on, differs, CarriedStarts(view, moved),
                     [&](std::uint32_t i, const ReflectedLight& sum) {
                       on.replays()[i] = lightOf(sum, on[i].paths, starts.base(i), starts.albedo(i));
                     });

@@ -10,11 +10,13 @@ namespace saccade {
 // The light that the paths of a point have found, and its components: sums of luminance.
 struct ReflectedLight {
   double all = 0, unoccluded = 0, visible = 0, mis_weighted = 0;
-  BounceSample bounce;  // of the last path that has one
+  bool touched = false;  // whether any of the paths was, see PathResults
+  BounceSample bounce;   // of the last path that has one
 };
 
 template <int C>
 void addPath(const PathResults<C>& found, std::uint32_t slot, Rgb base, ReflectedLight& sum) {
+  sum.touched |= found.touched[slot];
   const Color<C> end = found.radiance.at(slot);
   Color<C> path = end;
   const bool continued = found.suffix_cell[slot] != 0;
@@ -72,11 +74,11 @@ inline bool hasPaths(const SurfaceSamples& on, Tile tile) {
   return false;
 }
 
-// Traces the paths of a tile's points, of pass 2 alone, from moved(i, where they start). Calls
-// on_point(i, sums) for each point.
+// Traces the paths of a tile's points for which wanted(i), of pass 2 alone, from moved(i, where they start).
+// Calls on_point(i, sums) for each of these points.
 template <Shading S, int C>
 void tracePoints(const SeedPlan& seeds, const Tracing& tracing, Tile tile, const SurfaceStarts& starts,
-                 const SurfaceSamples& on, const auto& moved, const auto& on_point) {
+                 const SurfaceSamples& on, const auto& wanted, const auto& moved, const auto& on_point) {
   const Scratch<std::array<ReflectedLight, kMaxTilePoints>> sums;
   const Scratch<std::array<std::uint32_t, kMaxTilePoints>> points;  // those with paths
   std::uint32_t count = 0;
@@ -89,7 +91,7 @@ void tracePoints(const SeedPlan& seeds, const Tracing& tracing, Tile tile, const
   forEachPixel(tile, [&](int x, int y) {
     for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
       const auto i = static_cast<std::uint32_t>(on.indexOf(column, y));
-      if (on[i].share <= 0 || on[i].paths == 0) continue;
+      if (on[i].share <= 0 || on[i].paths == 0 || !wanted(i)) continue;
       (*sums)[count] = {}, (*points)[count] = i;
       for (std::uint32_t path = 0; path < on[i].paths; ++path) {
         const NewPath one{places.of(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(y), path),
@@ -97,7 +99,7 @@ void tracePoints(const SeedPlan& seeds, const Tracing& tracing, Tile tile, const
         if (starts.isPlain(i))
           plain.add(moved(i, starts.plain(i)), one);
         else
-          run.add(moved(i, starts.other(i).path), one);
+          run.add(moved(i, starts.other(i)), one);
       }
       ++count;
     }
@@ -114,17 +116,23 @@ void renderPathTile(const SeedPlan& seeds, const Tracing& tracing, Tile tile, co
   SurfaceSamples& on = *out.surfaces;
   forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
   if (!hasPaths(on, tile)) return;
-  const auto same = [](std::uint32_t, const auto& start) -> const auto& {
-    return start;
+  struct Same {
+    const PlainStart& operator()(std::uint32_t, const PlainStart& start) const { return start; }
+    const PathStart& operator()(std::uint32_t, const SurfaceStart& start) const { return start.path; }
   };
-  tracePoints<S, C>(seeds, tracing, tile, starts, on, same, [&](std::uint32_t i, const ReflectedLight& sum) {
-    const int x = on.columnOf(i) / on.perPixel(), y = on.rowOf(i);
-    const double paths = on[i].paths;
-    const float albedo = starts.albedo(i);
-    on.light(i) = lightOf(sum, paths, starts.base(i), albedo);
-    const double all = sum.all / paths / albedo;
-    out.samples.I2.at(x, y) += static_cast<float>(all * on[i].share * out.g.albedo.at(x, y));
-  });
+  const auto all = [](std::uint32_t) { return true; };
+  const bool lamps_move = tracing.moved && tracing.moved->lampsMove();
+  tracePoints<S, C>(
+      seeds, tracing, tile, starts, on, all, Same{}, [&](std::uint32_t i, const ReflectedLight& sum) {
+        if (tracing.moved)
+          on[i].touched = sum.touched || lamps_move || tracing.moved->includes(starts.body(i));
+        const int x = on.columnOf(i) / on.perPixel(), y = on.rowOf(i);
+        const double paths = on[i].paths;
+        const float albedo = starts.albedo(i);
+        on.light(i) = lightOf(sum, paths, starts.base(i), albedo);
+        const double whole = sum.all / paths / albedo;
+        out.samples.I2.at(x, y) += static_cast<float>(whole * on[i].share * out.g.albedo.at(x, y));
+      });
 }
 
 }  // namespace saccade

@@ -134,6 +134,7 @@ class TilePoints {
     if (!hit.valid || albedo <= 0) return;
     SurfaceStart& start = memory_->others[indexOf(column, y)];
     setStart<S>(hit.start, albedo, start);
+    start.body = guide.body;
     point.share = share;
     if (!guide.hit || !guide.has_base || albedo <= kLeastSurfaceAlbedo) return;
     point.kind = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
@@ -149,7 +150,7 @@ class TilePoints {
     point.light_moves = changing_.at(world);
     if (body == kNoBody) return;
     const PosedBodies& bodies = *view_.now.scene.bodies();
-    point.light_moves = point.light_moves || changing_.isMoving(body);
+    point.light_moves = point.light_moves || changing_.moved().includes(body);
     place.position = bodies.cachePlace(body, place.position);
     place.normal = bodies.motions()[body].restDirection(place.normal);
   }
@@ -161,7 +162,7 @@ class TilePoints {
   }
   PlainStart plainStart(int x, int y) const {
     const int lane = (y - tile_.y0) % kBlockEdge * kBlockEdge + (x - tile_.x0) % kBlockEdge;
-    return {memory_->plain[blockOf(x, y)], lane};
+    return {memory_->plain[blockOf(x, y)], lane, out_.g.hasBodies() ? out_.g.body.at(x, y) - 1 : kNoBody};
   }
 
   std::size_t blockOf(int x, int y) const {

@@ -19,19 +19,21 @@ struct SurfaceStart {
   PathStart path;
   DiffuseBase base;
   float albedo = 0;  // luminance
+  std::uint32_t body = kNoBody;
 };
 
 // A start at a plain surface: a lane of PlainSurfaces.
 struct PlainStart {
   PlainStart() = default;
-  PlainStart(const PlainSurfaces& s, int lane)
+  PlainStart(const PlainSurfaces& s, int lane, std::uint32_t body)
       : point(s.point.at(lane)),
         geometric_normal(s.geometric_normal.at(lane)),
         shading_normal(s.shading_normal.at(lane)),
         reflectance(s.reflectance.at(lane)),
         offset(s.offset[lane]),
         albedo(s.albedo[lane]),
-        width(s.width[lane]) {}
+        width(s.width[lane]),
+        body(body) {}
   void put(int lane, PlainSurfaces& s) const {
     s.point.set(lane, point), s.geometric_normal.set(lane, geometric_normal);
     s.shading_normal.set(lane, shading_normal), s.reflectance.set(lane, reflectance);
@@ -41,6 +43,7 @@ struct PlainStart {
   Vec3 point, geometric_normal, shading_normal;
   Rgb reflectance;
   float offset = 0, albedo = 0, width = 0;
+  std::uint32_t body = kNoBody;
 };
 
 // The starts of a frame's points, by index. Each is one of both. Tiles are filled by several threads.
@@ -75,6 +78,7 @@ class SurfaceStarts {
   DiffuseBase base(std::size_t i) const {
     return isPlain(i) ? DiffuseBase{plain_[i].reflectance, true} : others_[i].base;
   }
+  std::uint32_t body(std::size_t i) const { return isPlain(i) ? plain_[i].body : others_[i].body; }
   float albedo(std::size_t i) const { return isPlain(i) ? plain_[i].albedo : others_[i].albedo; }
 
  private:

@@ -3,12 +3,6 @@
 namespace saccade {
 namespace {
 
-void addMoved(const Body& body, const RigidMotion& motion, ShapeBox& box) {
-  for (int i = 0; i < 8; ++i)
-    box.add(motion.point({i & 1 ? body.high.x : body.low.x, i & 2 ? body.high.y : body.low.y,
-                          i & 4 ? body.high.z : body.low.z}));
-}
-
 // A sphere has one corner, its centre.
 void addLamp(const AnalyticLight::Side& side, ShapeBox& box) {
   const Vec3 half = Vec3{1, 1, 1} * side.radius;
@@ -47,16 +41,9 @@ bool meets(Vec3 p, const ShapeBox& lamp, const ShapeBox& body) {
 
 }  // namespace
 
-ChangingLight::ChangingLight(const PosedScene& now, const PosedScene& before) {
-  if (!now.bodies()) return;
-  const auto& bodies = now.still().description().bodies;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const RigidMotion &a = now.bodies()->motions()[i], &b = before.bodies()->motions()[i];
-    moves_.push_back(a != b);
-    if (a == b) continue;
-    addMoved(bodies[i], a, bodies_.emplace_back()), addMoved(bodies[i], b, bodies_.back());
-  }
-  if (bodies_.empty()) return;
+ChangingLight::ChangingLight(const PosedScene& now, const PosedScene& before, const MovedBodies& moved)
+    : moved_(moved) {
+  if (!moved.any()) return;
   lamps_.resize(static_cast<std::size_t>(now.analyticLight().groups()));
   for (const PosedScene* scene : {&now, &before})
     for (const AnalyticLight::Side& side : scene->analyticLight().sides())
@@ -64,7 +51,7 @@ ChangingLight::ChangingLight(const PosedScene& now, const PosedScene& before) {
 }
 
 bool ChangingLight::at(Vec3 point) const {
-  for (const ShapeBox& body : bodies_)
+  for (const ShapeBox& body : moved_.boxes())
     for (const ShapeBox& lamp : lamps_)
       if (meets(point, lamp, body)) return true;
   return false;

@@ -3,24 +3,22 @@
 
 #include <vector>
 
-#include "render/world/posed_scene.h"
-#include "scene/motion/shape_box.h"
+#include "render/world/moved_bodies.h"
 
 namespace saccade {
 
 class ChangingLight {
  public:
-  // At a scene without bodies it changes nowhere.
-  ChangingLight(const PosedScene& now, const PosedScene& before);
+  // `moved`: between both times; it outlives this. Where nothing has moved, light changes nowhere.
+  ChangingLight(const PosedScene& now, const PosedScene& before, const MovedBodies& moved);
 
   // Whether a body may stand, or have stood, or moved between a point and a lamp.
   bool at(Vec3 point) const;
-  bool isMoving(std::uint32_t body) const { return moves_[body]; }
+  const MovedBodies& moved() const { return moved_; }
 
  private:
-  std::vector<char> moves_;       // by body
-  std::vector<ShapeBox> bodies_;  // around those that move, at both times
-  std::vector<ShapeBox> lamps_;   // around the groups of AnalyticLight, at both times
+  const MovedBodies& moved_;
+  std::vector<ShapeBox> lamps_;  // around the groups of AnalyticLight, at both times
 };
 
 }  // namespace saccade

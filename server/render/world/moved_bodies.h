@@ -1,0 +1,55 @@
+// The bodies that lie elsewhere at another time of a scene, and the boxes around them at both times. What
+// meets no such box is the same at both times [ours].
+#pragma once
+
+#include <vector>
+
+#include "base/wide.h"
+#include "render/world/posed_scene.h"
+#include "scene/motion/shape_box.h"
+
+namespace saccade {
+
+class MovedBodies {
+ public:
+  MovedBodies() = default;  // none
+  MovedBodies(const PosedScene& now, const PosedScene& before);
+
+  bool any() const { return !boxes_.empty(); }
+  bool includes(std::uint32_t body) const { return any() && body != kNoBody && moves_[body]; }
+  bool lampsMove() const { return lamps_move_; }  // whether one of them emits light
+  // One for each.
+  const std::vector<ShapeBox>& boxes() const { return boxes_; }
+
+  // The lanes of a packet whose rays meet a box before they end.
+  template <int W>
+  [[gnu::always_inline]] LaneSet metBy(const RayPacket<W>& rays) const {
+    LaneSet met;
+    for (const ShapeBox& box : wide_boxes_) met |= lanesThat<W>(rays, box);
+    return met;
+  }
+
+ private:
+  template <int W>
+  [[gnu::always_inline]] static LaneSet lanesThat(const RayPacket<W>& rays, const ShapeBox& box) {
+    using F = Floats<W>;
+    F first = 0.f, last = load<W>(rays.far);
+    const auto clip = [&](const float* origin, const float* direction, float low, float high) {
+      const F inverse = 1.f / load<W>(direction), start = load<W>(origin);
+      const F a = (low - start) * inverse, b = (high - start) * inverse;
+      first = max(first, min(a, b)), last = min(last, max(a, b));
+    };
+    clip(rays.origin_x, rays.x, box.low.x, box.high.x);
+    clip(rays.origin_y, rays.y, box.low.y, box.high.y);
+    clip(rays.origin_z, rays.z, box.low.z, box.high.z);
+    return lanesOf(first <= last);
+  }
+
+  std::vector<char> moves_;  // by body
+  std::vector<ShapeBox> boxes_;
+  std::vector<ShapeBox>
+      wide_boxes_;  // around them and their rounding; one box around all where they are many
+  bool lamps_move_ = false;
+};
+
+}  // namespace saccade
