@@ -81,9 +81,11 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
   starts().resize(out.surfaces->indexOf(0, out.height()), plain_only);
   moved_ = MovedBodies(view.now.scene, view.before.scene);
   const ChangingLight changing(view.now.scene, view.before.scene, moved_);
+  sliding_.next(view.now.scene, view.before.scene);
+  const FrameMotion motion{moved_, changing, sliding_};
   const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
-                                     [&](Tile t) { tile(view, changing, t, on_tile, starts(), out); });
+                                     [&](Tile t) { tile(view, motion, t, on_tile, starts(), out); });
   out.surfaces->summarize(starts().any(), starts().anyOfOthers());
   return {out, scene, time};
 }

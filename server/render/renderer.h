@@ -14,6 +14,7 @@
 #include "render/tiles/lamp_shadows.h"
 #include "render/tiles/surface_start.h"
 #include "render/world/moved_bodies.h"
+#include "render/world/sliding_surfaces.h"
 
 namespace saccade {
 
@@ -69,7 +70,9 @@ class Renderer {
   SurfaceStarts& starts() { return starts_[current_]; }
   SurfaceStarts& startsBefore() { return starts_[1 - current_]; }
 
-  MovedBodies moved_;  // into the frame of the last renderSurfaces()
+  // Of the last renderSurfaces().
+  MovedBodies moved_;
+  SlidingSurfaces sliding_;
   // Of points that may get paths, of the last renderSurfaces(). Those of the one before it are kept where
   // its pixels hasUncacheable(), or where lamps have a closed form.
   std::array<SurfaceStarts, 2> starts_;

@@ -1,47 +1,19 @@
 // Bodies in the renderer, against scenes whose vertices are moved instead.
 #include <gtest/gtest.h>
 
+#include "render/moving_room.h"
 #include "render/renderer.h"
-#include "render/test_scenes.h"
 #include "render/world/changing_light.h"
-#include "scene/motion/bodies.h"
 
 namespace saccade {
 namespace {
 
 constexpr int kSize = 32;
-const Pose kMoved{{0.2, 0.1, -0.15}, axisAngle({0.3, -0.5, 0.2})};
-
-// A room with a lamp, a card and a ball.
-Scene room() {
-  Scene s = test::furnace(0.6f, 0);
-  s.meshes.push_back(test::quad({-0.3f, -0.95f, -0.3f}, {0, 0, 0.6f}, {0.6f, 0, 0}, 0, {9, 9, 9}));
-  s.meshes.back().name = "lamp";
-  s.meshes.push_back(test::quad({-0.5f, 0.1f, 0.3f}, {0.5f, 0, 0.1f}, {0, 0.5f, 0}, 0));
-  s.meshes.back().name = "card";
-  s.meshes.back().normals.assign(4, normalize(Vec3{0.1f, 0.2f, -1}));
-  s.spheres = {{"ball", {0.4f, 0.5f, 0.5f}, 0.3f, 0, {}}};
-  return s;
-}
-
-std::shared_ptr<const RenderScene> withBodies(const std::vector<std::string>& names) {
-  Scene s = room();
-  setBodies(s, names);
-  return std::make_shared<RenderScene>(std::move(s));
-}
-
-Trajectory standing(const Body& body, const Pose& step = {}) {
-  return Trajectory({{TimeNs(0), Pose{toDouble(body.centre()), {}} * step}});
-}
-
-// The pose of a body that kMoved moves from the file's place.
-RigidMotion motionBy(const Body& body, const Pose& step) {
-  return motionOf(body, Pose{toDouble(body.centre()), {}} * step);
-}
+using namespace test;
 
 // The room with the shapes of this name moved in the file.
 Scene movedByHand(const std::string& name, const RigidMotion& motion) {
-  Scene s = room();
+  Scene s = movingRoom();
   for (Mesh& mesh : s.meshes) {
     if (mesh.name != name) continue;
     for (Vec3& p : mesh.positions) p = motion.point(p);
@@ -105,7 +77,7 @@ TEST(MovingScene, ThatStandsIsTheSameAsAStillOne) {
   const auto scene = withBodies({"card", "ball"});
   const auto& bodies = scene->description().bodies;
   const PosedScene posed(scene, {standing(bodies[0]), standing(bodies[1])});
-  const PosedScene still(std::make_shared<RenderScene>(room()));
+  const PosedScene still(std::make_shared<RenderScene>(movingRoom()));
   const Frame a = render(posed, posed), b = render(still, still);
   EXPECT_EQ(meanDifference(a.g.z, b.g.z), 0);
   EXPECT_EQ(meanDifference(a.samples.I2, b.samples.I2), 0);
@@ -142,7 +114,8 @@ TEST(ChangingLight, IsWhereASegmentToALampMeetsABody) {
   const auto scene = withBodies({"card"});
   const Body& body = scene->description().bodies[0];
   const PosedScene now(scene, {standing(body, {{0.3, 0, 0}, {}})}), before(scene, {standing(body)});
-  const ChangingLight changing(now, before);
+  const MovedBodies moved(now, before), none(now, now);
+  const ChangingLight changing(now, before, moved);
   ShapeBox swept;
   for (const Vec3 shift : {Vec3{}, Vec3{0.3f, 0, 0}})
     swept.add(body.low + shift), swept.add(body.high + shift);
@@ -170,7 +143,7 @@ TEST(ChangingLight, IsWhereASegmentToALampMeetsABody) {
   }
   EXPECT_GT(met, 200);
   EXPECT_LT(free, 400);  // few more than the samples find
-  EXPECT_FALSE(ChangingLight(now, now).at(body.centre()));
+  EXPECT_FALSE(ChangingLight(now, now, none).at(body.centre()));
 }
 
 }  // namespace

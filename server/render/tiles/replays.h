@@ -7,24 +7,24 @@
 
 namespace saccade {
 
-// The starts of a frame. Those on bodies are carried to where the bodies were in the frame before.
+// The starts of a frame. Those that bodies carry are put where they were in the frame before.
 class CarriedStarts {
  public:
   CarriedStarts(const PixelContext& view, const MovedBodies& moved) : view_(view), moved_(moved) {}
 
   PlainStart operator()(std::uint32_t, PlainStart start) const {
-    if (!moved_.includes(start.body)) return start;
-    start.point = view_.pointBefore(start.body, start.point);
+    if (!moved_.includes(start.carrier)) return start;
+    start.point = view_.pointBefore(start.carrier, start.point);
     for (Vec3* normal : {&start.geometric_normal, &start.shading_normal})
-      *normal = turned(start.body, *normal);
+      *normal = turned(start.carrier, *normal);
     return start;
   }
   PathStart operator()(std::uint32_t, const SurfaceStart& start) const {
     PathStart path = start.path;
-    if (!moved_.includes(start.body)) return path;
+    if (!moved_.includes(start.carrier)) return path;
     Surface& s = path.surface;
-    s.point = view_.pointBefore(start.body, s.point);
-    for (Vec3* v : {&s.geometric_normal, &s.shading_normal, &path.direction}) *v = turned(start.body, *v);
+    s.point = view_.pointBefore(start.carrier, s.point);
+    for (Vec3* v : {&s.geometric_normal, &s.shading_normal, &path.direction}) *v = turned(start.carrier, *v);
     return path;
   }
 

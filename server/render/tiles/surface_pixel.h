@@ -125,7 +125,7 @@ void renderPathTile(const SeedPlan& seeds, const Tracing& tracing, Tile tile, co
   tracePoints<S, C>(
       seeds, tracing, tile, starts, on, all, Same{}, [&](std::uint32_t i, const ReflectedLight& sum) {
         if (tracing.moved)
-          on[i].touched = sum.touched || lamps_move || tracing.moved->includes(starts.body(i));
+          on[i].touched = sum.touched || lamps_move || tracing.moved->includes(starts.carrier(i));
         const int x = on.columnOf(i) / on.perPixel(), y = on.rowOf(i);
         const double paths = on[i].paths;
         const float albedo = starts.albedo(i);

@@ -10,11 +10,19 @@
 #include "render/tiles/surface_start.h"
 #include "render/tiles/tile_samples.h"
 #include "render/world/changing_light.h"
+#include "render/world/sliding_surfaces.h"
 
 namespace saccade {
 
 inline constexpr float kLeastSurfaceAlbedo = 1e-4f;  // darker surfaces share no light
 inline constexpr int kMaxTilePoints = kMaxTileEdge * kMaxTileEdge * static_cast<int>(kSubPixels);
+
+// What has moved into a frame.
+struct FrameMotion {
+  const MovedBodies& moved;
+  const ChangingLight& light;
+  const SlidingSurfaces& sliding;
+};
 
 inline LitPoint litPoint(const PathStart& start) {
   return {start.surface.point, start.surface.shading_normal, start.surface.geometric_normal};
@@ -35,8 +43,8 @@ void setStart(const PathStart& path, float albedo, SurfaceStart& out) {
 template <Shading S>
 class TilePoints {
  public:
-  TilePoints(const PixelContext& view, const ChangingLight& changing, Tile tile, Frame& out)
-      : view_(view), changing_(changing), tile_(tile), out_(out) {}
+  TilePoints(const PixelContext& view, const FrameMotion& motion, Tile tile, Frame& out)
+      : view_(view), motion_(motion), tile_(tile), out_(out) {}
 
   // The one point of each pixel that shows a plain surface.
   void set(const PrimaryBlock& block) {
@@ -47,6 +55,7 @@ class TilePoints {
     forEachLane(block.plain, [&](int lane) {
       SurfacePoint& point = out_.surfaces->at(block.x(lane), block.y(lane)) = {};
       isPlain(block.x(lane), block.y(lane)) = true;
+      carrier(block.x(lane), block.y(lane)) = kNoBody;
       const float albedo = s.albedo[lane];
       if (albedo <= 0) return;
       point.share = 1;
@@ -56,7 +65,9 @@ class TilePoints {
       SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(block.x(lane), block.y(lane)));
       place = {s.point.at(lane), s.shading_normal.at(lane), s.width[lane], unoccluded};
       if (view_.now.scene.bodies())
-        setMotion(out_.g.body.at(block.x(lane), block.y(lane)) - 1, s.point.at(lane), point, place);
+        carrier(block.x(lane), block.y(lane)) =
+            setMotion(out_.g.body.at(block.x(lane), block.y(lane)) - 1,
+                      {s.point.at(lane), s.geometric_normal.at(lane), s.width[lane]}, point, place);
     });
   }
   // The one point of another pixel.
@@ -123,18 +134,18 @@ class TilePoints {
     std::array<SurfaceStart, kMaxTilePoints> others;
     std::array<PlainSurfaces, kTileBlocks * kTileBlocks> plain;
     std::array<bool, kMaxTilePoints> is_plain;
+    std::array<std::uint32_t, kMaxTilePoints> carriers;  // the bodies that carry them, or kNoBody
   };
 
   // The point that a ray has found. `share`: of the pixel's albedo.
   void setPoint(int column, int y, const PrimaryHit& hit, float share) {
     SurfacePoint& point = out_.surfaces->at(column, y) = {};
-    isPlain(column, y) = false;
+    isPlain(column, y) = false, carrier(column, y) = kNoBody;
     const Guide& guide = hit.guide;
     const float albedo = luminance(guide.albedo);
     if (!hit.valid || albedo <= 0) return;
     SurfaceStart& start = memory_->others[indexOf(column, y)];
     setStart<S>(hit.start, albedo, start);
-    start.body = guide.body;
     point.share = share;
     if (!guide.hit || !guide.has_base || albedo <= kLeastSurfaceAlbedo) return;
     point.kind = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
@@ -142,27 +153,36 @@ class TilePoints {
     SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(column, y));
     place = {guide.point, guide.normal, view_.now.camera.pixelAt(hit.direction) * guide.t,
              luminance(start.base.albedo * white) / albedo};
-    if (view_.now.scene.bodies()) setMotion(guide.body, hit.start.surface.point, point, place);
+    const Surface& surface = hit.start.surface;
+    if (view_.now.scene.bodies())
+      carrier(column, y) =
+          setMotion(guide.body, {surface.point, surface.geometric_normal, place.footprint}, point, place);
   }
 
-  // Sets the place of a point of a body, and whether direct light moves there. `body`: Hit::body.
-  void setMotion(std::uint32_t body, Vec3 world, SurfacePoint& point, SurfacePlace& place) const {
-    point.light_moves = changing_.at(world);
-    if (body == kNoBody) return;
+  // Sets the place of a point of a body, and whether direct light moves there. Returns the body that carries
+  // the light of the point along. `body`: Hit::body.
+  std::uint32_t setMotion(std::uint32_t body, const SeenPoint& seen, SurfacePoint& point,
+                          SurfacePlace& place) const {
+    point.light_moves = motion_.light.at(seen.position);
+    if (body == kNoBody) return kNoBody;
+    point.light_moves = point.light_moves || motion_.moved.includes(body);
+    if (motion_.sliding.at(body, seen)) return kNoBody;
     const PosedBodies& bodies = *view_.now.scene.bodies();
-    point.light_moves = point.light_moves || changing_.moved().includes(body);
     place.position = bodies.cachePlace(body, place.position);
     place.normal = bodies.motions()[body].restDirection(place.normal);
+    return body;
   }
 
   void keepStart(int column, int y, SurfaceStarts& starts) const {
     const std::size_t i = out_.surfaces->indexOf(column, y);
-    if (!isPlain(column, y)) return starts.set(i, memory_->others[indexOf(column, y)]);
-    starts.set(i, plainStart(column, y));
+    if (isPlain(column, y)) return starts.set(i, plainStart(column, y));
+    SurfaceStart& start = memory_->others[indexOf(column, y)];
+    start.carrier = carrier(column, y);
+    starts.set(i, start);
   }
   PlainStart plainStart(int x, int y) const {
     const int lane = (y - tile_.y0) % kBlockEdge * kBlockEdge + (x - tile_.x0) % kBlockEdge;
-    return {memory_->plain[blockOf(x, y)], lane, out_.g.hasBodies() ? out_.g.body.at(x, y) - 1 : kNoBody};
+    return {memory_->plain[blockOf(x, y)], lane, carrier(x, y)};
   }
 
   std::size_t blockOf(int x, int y) const {
@@ -173,18 +193,19 @@ class TilePoints {
     return static_cast<std::size_t>(((y - tile_.y0) * (tile_.x1 - tile_.x0) - tile_.x0) * per_pixel + column);
   }
   bool& isPlain(int column, int y) const { return memory_->is_plain[indexOf(column, y)]; }
+  std::uint32_t& carrier(int column, int y) const { return memory_->carriers[indexOf(column, y)]; }
 
   const PixelContext& view_;
-  const ChangingLight& changing_;
+  const FrameMotion& motion_;
   Tile tile_;
   Frame& out_;
   const Scratch<Memory> memory_;
 };
 
 template <Shading S>
-void renderSurfaceTile(const PixelContext& view, const ChangingLight& changing, Tile tile,
+void renderSurfaceTile(const PixelContext& view, const FrameMotion& motion, Tile tile,
                        const std::function<void(Tile)>& on_tile, SurfaceStarts& starts, Frame& out) {
-  TilePoints<S> points(view, changing, tile, out);
+  TilePoints<S> points(view, motion, tile, out);
   if (out.surfaces->perPixel() == 1)
     forEachPrimary<S>(
         view, tile, out.g, [&](const PrimaryBlock& block) { points.set(block); },

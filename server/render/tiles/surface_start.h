@@ -18,14 +18,14 @@ struct DiffuseBase {
 struct SurfaceStart {
   PathStart path;
   DiffuseBase base;
-  float albedo = 0;  // luminance
-  std::uint32_t body = kNoBody;
+  float albedo = 0;                 // luminance
+  std::uint32_t carrier = kNoBody;  // the body that carries it and its light, see SlidingSurfaces
 };
 
 // A start at a plain surface: a lane of PlainSurfaces.
 struct PlainStart {
   PlainStart() = default;
-  PlainStart(const PlainSurfaces& s, int lane, std::uint32_t body)
+  PlainStart(const PlainSurfaces& s, int lane, std::uint32_t carrier)
       : point(s.point.at(lane)),
         geometric_normal(s.geometric_normal.at(lane)),
         shading_normal(s.shading_normal.at(lane)),
@@ -33,7 +33,7 @@ struct PlainStart {
         offset(s.offset[lane]),
         albedo(s.albedo[lane]),
         width(s.width[lane]),
-        body(body) {}
+        carrier(carrier) {}
   void put(int lane, PlainSurfaces& s) const {
     s.point.set(lane, point), s.geometric_normal.set(lane, geometric_normal);
     s.shading_normal.set(lane, shading_normal), s.reflectance.set(lane, reflectance);
@@ -43,7 +43,7 @@ struct PlainStart {
   Vec3 point, geometric_normal, shading_normal;
   Rgb reflectance;
   float offset = 0, albedo = 0, width = 0;
-  std::uint32_t body = kNoBody;
+  std::uint32_t carrier = kNoBody;  // likewise
 };
 
 // The starts of a frame's points, by index. Each is one of both. Tiles are filled by several threads.
@@ -78,7 +78,7 @@ class SurfaceStarts {
   DiffuseBase base(std::size_t i) const {
     return isPlain(i) ? DiffuseBase{plain_[i].reflectance, true} : others_[i].base;
   }
-  std::uint32_t body(std::size_t i) const { return isPlain(i) ? plain_[i].body : others_[i].body; }
+  std::uint32_t carrier(std::size_t i) const { return isPlain(i) ? plain_[i].carrier : others_[i].carrier; }
   float albedo(std::size_t i) const { return isPlain(i) ? plain_[i].albedo : others_[i].albedo; }
 
  private:

@@ -14,7 +14,6 @@ class ChangingLight {
 
   // Whether a body may stand, or have stood, or moved between a point and a lamp.
   bool at(Vec3 point) const;
-  const MovedBodies& moved() const { return moved_; }
 
  private:
   const MovedBodies& moved_;

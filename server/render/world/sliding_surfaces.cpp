@@ -1,0 +1,44 @@
+#include "render/world/sliding_surfaces.h"
+
+#include <cmath>
+
+namespace saccade {
+namespace {
+
+constexpr float kLeastCosine = 0.9999f;
+constexpr float kMostAscent = 0.05f;  // of a step that slides, along the normal
+constexpr float kDepth = 0.1f;        // pixels above and below a point in which the surface is looked for
+
+}  // namespace
+
+void SlidingSurfaces::next(const PosedScene& now, const PosedScene& before) {
+  if (!now.bodies()) return;
+  scene_ = &now.still();
+  const auto to = now.bodies()->motions(), from = before.bodies()->motions();
+  last_.resize(to.size());
+  for (std::size_t i = 0; i < to.size(); ++i)
+    if (to[i] != from[i]) last_[i] = {from[i], to[i], true};
+}
+
+bool SlidingSurfaces::at(std::uint32_t body, const SeenPoint& point) const {
+  const Step& step = last_[body];
+  if (!step.any) return false;
+  // Where the body shows now what it showed here before the step.
+  const Vec3 rest = step.from.restPoint(point.position), normal = step.from.restDirection(point.normal);
+  const Vec3 way = step.to.point(rest) - point.position;
+  if (std::abs(dot(way, point.normal)) > kMostAscent * length(way)) return false;
+  if (shows(body, rest, normal, point.width)) return true;
+  // Another such step.
+  const Vec3 after = step.to.restPoint(step.from.point(step.to.restPoint(point.position)));
+  const Vec3 normal_after = step.to.restDirection(step.from.direction(step.to.restDirection(point.normal)));
+  return shows(body, after, normal_after, point.width);
+}
+
+bool SlidingSurfaces::shows(std::uint32_t body, Vec3 rest, Vec3 rest_normal, float width) const {
+  const float depth = kDepth * width;
+  const Hit hit =
+      scene_->bodies()[body]->all.intersect({rest + rest_normal * depth, -rest_normal, 2 * depth});
+  return hit.valid && std::abs(dot(normalize(hit.normal), rest_normal)) >= kLeastCosine;
+}
+
+}  // namespace saccade
