@@ -85,8 +85,8 @@ StabilityCase lapBefore(StabilityCase c) {
 
 std::vector<StabilityCase> stabilityCases(bool full) {
   std::vector<StabilityCase> all;
-  for (const auto& some : {motionCases(), bodyCases(), placeCases(), sceneCases(), lightCases(),
-                           longCases(full), sensorCases(), sizeCases(full)})
+  for (const auto& some : {motionCases(), bodyCases(), bodyPlaceCases(), placeCases(), sceneCases(),
+                           lightCases(), longCases(full), sensorCases(), sizeCases(full)})
     all.insert(all.end(), some.begin(), some.end());
   for (StabilityCase& c : all)
     if (c.width == 0) c.width = c.height = full ? 128 : 48;

@@ -45,6 +45,7 @@ std::vector<StabilityCase> stabilityCases(bool full);
 // Parts of that list:
 std::vector<StabilityCase> motionCases();         // how the camera moves
 std::vector<StabilityCase> bodyCases();           // how bodies move
+std::vector<StabilityCase> bodyPlaceCases();      // where they move, and in which light
 std::vector<StabilityCase> placeCases();          // where surfaces stand to each other, and to the camera
 std::vector<StabilityCase> sceneCases();          // what the surfaces are like
 std::vector<StabilityCase> lightCases();          // what the light is like

@@ -10,6 +10,7 @@
 #include "eval/bench/open_scene.h"
 #include "feed/bake.h"
 #include "scene/mitsuba/mitsuba_xml.h"
+#include "scene/motion/bodies.h"
 #include "scene/scratch.h"
 #include "statistical/outside_files.h"
 
@@ -80,6 +81,29 @@ TEST(MaterialScenes, AreOfEveryKind) {
     EXPECT_TRUE(std::ranges::any_of(materialScenes(), [&](const MaterialScene& scene) {
       return scene.xml.find("<bsdf type='" + std::string(kind.name) + "'") != std::string::npos;
     })) << kind.name;
+}
+
+// A body that moves behind a wall changes nothing before it.
+TEST(StandingCamera, SeesNothingOfABodyBehindAWall) {
+  Scene s = parseMitsubaXml(R"(<scene version="3.0.0">
+    <sensor type="perspective"><float name="fov" value="60"/>
+      <transform name="to_world"><lookat origin="0, 0, -2.5" target="0, 0, 0" up="0, 1, 0"/></transform></sensor>
+    <shape type="cube" id="room"><transform name="to_world"><scale value="3"/></transform></shape>
+    <shape type="rectangle" id="wall"><transform name="to_world"><scale value="3.01"/></transform></shape>
+    <shape type="sphere" id="ball"><point name="center" x="0" y="0" z="1.5"/>
+      <float name="radius" value="0.5"/></shape>
+    <shape type="sphere" id="before"><point name="center" x="0.8" y="0" z="-1"/>
+      <float name="radius" value="0.5"/></shape>
+    <shape type="rectangle" id="lamp"><transform name="to_world"><rotate x="1" angle="90"/>
+      <translate y="2.9" z="-1.5"/></transform>
+      <emitter type="area"><rgb name="radiance" value="9, 9, 9"/></emitter></shape></scene>)",
+                            "scene.xml");
+  const std::string names[]{"ball"};
+  setBodies(s, names);
+  Standing of = standing(std::make_shared<RenderScene>(std::move(s)));
+  of.config.body_paths = {Trajectory({{0ms, {{-1, 0, 1.5}, {}}}, {100ms, {{1, 0, 1.5}, {}}}})};
+  TilePool pool(2);
+  expectNoGhosts(of, "irradiance_cache", pool);
 }
 
 class StandingRealScene : public testing::TestWithParam<const char*> {};
