@@ -109,6 +109,36 @@ TEST(MovingScene, MotionVectorsFollowTheBody) {
   EXPECT_GT(seen, 10);
 }
 
+// Many bodies share boxes, which hold each of them at both times.
+TEST(MovedBodies, LieInTheirBoxes) {
+  for (const int count : {1, 16, 100}) {
+    Scene s = movingRoom();
+    std::vector<std::string> names;
+    for (int i = 0; i < count; ++i) {
+      const auto u = [&](unsigned k) { return toUnit(mix32(static_cast<std::uint32_t>(i) * 4 + k)) - 0.5f; };
+      s.meshes.push_back(quad({u(0), u(1), u(2)}, {0.05f, 0, 0}, {0, 0.05f, 0}, 0));
+      s.meshes.back().positions.pop_back();
+      names.push_back(s.meshes.back().name = "body" + std::to_string(i));
+    }
+    setBodies(s, names);
+    const auto scene = std::make_shared<RenderScene>(std::move(s));
+    const auto& bodies = scene->description().bodies;
+    std::vector<Trajectory> at_first, then;
+    for (const Body& body : bodies)
+      at_first.push_back(standing(body)), then.push_back(standing(body, {{0.1, 0, 0}, {}}));
+    const MovedBodies moved(PosedScene(scene, then), PosedScene(scene, at_first));
+    EXPECT_LE(moved.boxes().size(), 16u);
+    for (const Body& body : bodies)
+      for (const Vec3 corner :
+           {body.low, body.high, body.low + Vec3{0.1f, 0, 0}, body.high + Vec3{0.1f, 0, 0}})
+        EXPECT_TRUE(std::ranges::any_of(moved.boxes(), [&](const ShapeBox& box) {
+          constexpr float kRounding = 1e-6f;
+          const Vec3 below = corner - box.low, above = box.high - corner;
+          return std::min({below.x, below.y, below.z, above.x, above.y, above.z}) > -kRounding;
+        })) << count;
+  }
+}
+
 // Segments from a point to places on the lamp, against the box of a body at both times.
 TEST(ChangingLight, IsWhereASegmentToALampMeetsABody) {
   const auto scene = withBodies({"card"});

@@ -3,7 +3,7 @@
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMostTested = 8;  // boxes that each ray is tested against
+constexpr std::size_t kMostBoxes = 16;  // that each ray and each point is tested against
 
 void addMoved(const Body& body, const RigidMotion& motion, ShapeBox& box) {
   for (int i = 0; i < 8; ++i)
@@ -18,6 +18,22 @@ ShapeBox widened(ShapeBox box) {
   const Vec3 all = Vec3{1, 1, 1} * room;
   box.low = box.low - all, box.high = box.high + all;
   return box;
+}
+
+// Joins boxes that follow each other along the longest axis, so that at most kMostBoxes are left.
+std::vector<ShapeBox> joined(std::vector<ShapeBox> boxes) {
+  if (boxes.size() <= kMostBoxes) return boxes;
+  ShapeBox all;
+  for (const ShapeBox& box : boxes) all.add(box);
+  const Vec3 size = all.high - all.low;
+  const auto place = [&](const ShapeBox& box) {
+    const Vec3 at = box.centre();
+    return size.x >= std::max(size.y, size.z) ? at.x : size.y >= size.z ? at.y : at.z;
+  };
+  std::ranges::stable_sort(boxes, {}, place);
+  std::vector<ShapeBox> few(kMostBoxes);
+  for (std::size_t i = 0; i < boxes.size(); ++i) few[i * kMostBoxes / boxes.size()].add(boxes[i]);
+  return few;
 }
 
 bool anyEmits(const Scene& scene, const std::vector<char>& moves) {
@@ -38,13 +54,10 @@ MovedBodies::MovedBodies(const PosedScene& now, const PosedScene& before) {
     if (a == b) continue;
     ShapeBox& box = boxes_.emplace_back();
     addMoved(scene.bodies[i], a, box), addMoved(scene.bodies[i], b, box);
-    wide_boxes_.push_back(widened(box));
   }
+  boxes_ = joined(std::move(boxes_));
+  for (const ShapeBox& box : boxes_) wide_boxes_.push_back(widened(box));
   lamps_move_ = any() && now.bodies()->lamps() && anyEmits(scene, moves_);
-  if (wide_boxes_.size() <= kMostTested) return;
-  ShapeBox all;
-  for (const ShapeBox& box : wide_boxes_) all.add(box.low), all.add(box.high);
-  wide_boxes_.assign(1, all);
 }
 
 }  // namespace saccade

@@ -18,7 +18,7 @@ class MovedBodies {
   bool any() const { return !boxes_.empty(); }
   bool includes(std::uint32_t body) const { return any() && body != kNoBody && moves_[body]; }
   bool lampsMove() const { return lamps_move_; }  // whether one of them emits light
-  // One for each.
+  // Around all of them; of neighbours together where they are many.
   const std::vector<ShapeBox>& boxes() const { return boxes_; }
 
   // The lanes of a packet whose rays meet a box before they end.
@@ -45,10 +45,8 @@ class MovedBodies {
     return lanesOf(first <= last);
   }
 
-  std::vector<char> moves_;  // by body
-  std::vector<ShapeBox> boxes_;
-  std::vector<ShapeBox>
-      wide_boxes_;  // around them and their rounding; one box around all where they are many
+  std::vector<char> moves_;                   // by body
+  std::vector<ShapeBox> boxes_, wide_boxes_;  // wide: with room for rounding
   bool lamps_move_ = false;
 };
 

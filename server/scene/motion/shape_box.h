@@ -13,6 +13,7 @@ struct ShapeBox {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
+  void add(const ShapeBox& box) { add(box.low), add(box.high); }
   void add(const Mesh& mesh) {
     for (const auto& triangle : mesh.triangles)
       for (const std::uint32_t corner : triangle) add(mesh.positions[corner]);
