@@ -8,7 +8,7 @@ namespace {
 
 using P = IrradianceCacheParams;
 
-// What `memory_mib` allows, but no more than 25 pictures show that have nothing in common.
+// `memory_mib` bounds them, and so does what 25 pictures show that have nothing in common.
 double bytesOfGrids(int memory_mib, double pixels) {
   constexpr double kMostPerPixel = 5000;
   return std::min(memory_mib * double(1 << 20), kMostPerPixel * pixels);

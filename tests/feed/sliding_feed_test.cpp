@@ -44,7 +44,7 @@ struct Place {
   double x, y;
 };
 
-// What the floor does in each frame: it goes along x, and turns about the middle of the picture.
+// The motion of the floor in each frame: along x, and about the middle of the picture.
 struct Step {
   double along, turn;
 

@@ -17,7 +17,7 @@ namespace saccade {
 inline constexpr float kLeastSurfaceAlbedo = 1e-4f;  // darker surfaces share no light
 inline constexpr int kMaxTilePoints = kMaxTileEdge * kMaxTileEdge * static_cast<int>(kSubPixels);
 
-// What has moved into a frame.
+// The motion from the frame before into a frame.
 struct FrameMotion {
   const MovedBodies& moved;
   const ChangingLight& light;

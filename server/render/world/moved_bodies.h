@@ -1,5 +1,5 @@
-// The bodies that lie elsewhere at another time of a scene, and the boxes around them at both times. What
-// meets no such box is the same at both times [ours].
+// The bodies that lie elsewhere at another time of a scene, and the boxes around them at both times. A
+// ray that meets no such box finds the same at both times [ours].
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Surfaces of bodies that slide in themselves, such as a turntable's: a place of the scene shows the body one
+// Surfaces of bodies that slide in themselves, such as a turntable's. A place of the scene shows the body one
 // frame after the other, with one normal. Their light belongs to the place, not to the body [ours].
 #pragma once
 
