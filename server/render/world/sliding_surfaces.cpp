@@ -8,6 +8,14 @@ namespace {
 constexpr float kLeastCosine = 0.9999f;
 constexpr float kMostAscent = 0.05f;  // of a step that slides, along the normal
 constexpr float kDepth = 0.1f;        // pixels above and below a point in which the surface is looked for
+constexpr float kLeastStep = 1e-4f;   // of a body's size: rounding turns smaller ones
+
+bool isStep(const Body& body, const RigidMotion& from, const RigidMotion& to) {
+  const float least = kLeastStep * length(body.high - body.low);
+  for (const Vec3 corner : {body.low, body.high, Vec3{body.low.x, body.high.y, body.high.z}})
+    if (length(to.point(corner) - from.point(corner)) > least) return true;
+  return false;
+}
 
 }  // namespace
 
@@ -17,7 +25,7 @@ void SlidingSurfaces::next(const PosedScene& now, const PosedScene& before) {
   const auto to = now.bodies()->motions(), from = before.bodies()->motions();
   last_.resize(to.size());
   for (std::size_t i = 0; i < to.size(); ++i)
-    if (to[i] != from[i]) last_[i] = {from[i], to[i], true};
+    if (isStep(scene_->description().bodies[i], from[i], to[i])) last_[i] = {from[i], to[i], true};
 }
 
 bool SlidingSurfaces::at(std::uint32_t body, const SeenPoint& point) const {

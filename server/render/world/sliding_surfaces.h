@@ -16,7 +16,7 @@ struct SeenPoint {
 
 class SlidingSurfaces {
  public:
-  // The next frame, and the one before it. A body that stands keeps the step that it made last.
+  // The next frame, and the one before it. A body that hardly moves keeps the step that it made last.
   void next(const PosedScene& now, const PosedScene& before);
 
   // Whether the surface of a body slides in itself: the body's last step puts it on its own place, backwards
