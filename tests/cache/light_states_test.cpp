@@ -43,7 +43,7 @@ TEST(LightStates, TheLeastRecentlyUsedIsForgotten) {
 // Changes take as much memory as the grids: their vertices are half as many then.
 TEST(LightStates, ChangesAreCounted) {
   const auto verticesKept = [](bool changes) {
-    LightStates states({}, std::size_t{1} << 21);
+    LightStates states({}, std::size_t{1} << 23);
     states.enter(1, 0);
     if (changes) states.keepChanges();
     TilePool pool(1);
