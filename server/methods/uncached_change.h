@@ -1,5 +1,6 @@
 // The change of pixels whose light the grid does not hold: metals and very dark surfaces. In the first frame
-// of a new light these are all pixels. SVGF estimates them, and pairs of paths the change of those that have any.
+// of a new light these are all pixels. SVGF estimates them, and pairs of paths the change of those that have
+// any.
 #pragma once
 
 #include <memory>
