@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/scratch.h"
 #include "filter/demodulation.h"
 #include "methods/param_fields.h"
 #include "methods/path_plan.h"
@@ -136,11 +137,7 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
   Placement none;
   times[Stage::kTemporal] += grid.place(on, &next.obstacles, pool, light_.changed() ? none : at_prev_, at_);
   times[Stage::kTemporal] += grid.uncertainty({on, next.frame.g, at_}, pool, uncertainty_, &shadow_detail_);
-  times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
-    for (int column = 0; column < on.columns(); ++column)
-      on.shadows()[on.indexOf(column, y)].wanted =
-          std::max(shadow_detail_.at(column, y), shadow_detail_prev_.at(column, y));
-  });
+  wantShadows(on, pool, times);
   const bool has_bodies = next.frame.g.body.width() > 0;
   if (has_bodies) wantMovingShadows(on, pool, times);
   // Light at second vertices may have moved.
@@ -154,7 +151,24 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
   return known;
 }
 
+void IrradianceCache::wantShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times) {
+  constexpr float kNone = -1;  // where no rays start
+  const bool asks = on.needPaths() || on.nearShadows(), asked = std::exchange(asks_rays_, asks);
+  on.setWantShadows(asks && asked);
+  if (!asks) return;
+  times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
+    for (int column = 0; column < on.columns(); ++column) {
+      const std::size_t i = on.indexOf(column, y);
+      float &wanted = on.shadows()[i].wanted, &detail = shadow_detail_.at(column, y);
+      if (on[i].baked) detail = on[i].near_shadow ? wanted : kNone;
+      const float before = shadow_detail_prev_.at(column, y);
+      wanted = std::min(detail, before) == kNone ? 0 : std::max(detail, before);
+    }
+  });
+}
+
 void IrradianceCache::wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times) {
+  on.setWantShadows(true);
   light_moved_.resize(on.shadows().size());
   times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
     for (int column = 0; column < on.columns(); ++column) {
@@ -229,7 +243,8 @@ void IrradianceCache::read(const FramePair& frames, const PoolHandle& pool, Stag
   const bool has_bodies = frames.cur.g.body.width() > 0;
   if (!has_bodies && frames.cur.surfaces->needPaths()) light_.current().bounces.add(*frames.cur.surfaces);
   if (at_.empty() && at_prev_.empty()) return;
-  const auto* shadows = frames.is_first ? nullptr : &frames.cur.surfaces->shadows();
+  const auto* shadows =
+      frames.is_first || !frames.cur.surfaces->wantShadows() ? nullptr : &frames.cur.surfaces->shadows();
   const FrameOnGrid cur{*frames.cur.surfaces, frames.cur.g, at_, shadows};
   const FrameOnGrid prev{*frames.prev.surfaces, frames.prev.g, at_prev_, shadows, &SurfaceShadow::before};
   GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
@@ -265,8 +280,26 @@ void IrradianceCache::addLightChange(const FramePair& frames, const PoolHandle& 
   });
 }
 
+void IrradianceCache::readBakedShadows(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
+  const SurfaceSamples &now = *frames.cur.surfaces, &before = *frames.prev.surfaces;
+  if (!baked_ || frames.is_first || !(now.wantShadows() || before.wantShadows())) return;
+  const auto* shadows = now.wantShadows() ? &now.shadows() : nullptr;
+  times[Stage::kVariance] += pool.forEachRow(now.height(), [&](int y) {
+    const Scratch<std::vector<BakedLight::Pixel>> pixels;
+    pixels->clear();
+    // Of the frame before, also those that have the visibility by its own rays.
+    for (int x = 0; x < frames.cur.width(); ++x)
+      if (now.wantsShadows(x, y) || before.wantsShadows(x, y)) pixels->push_back({x, y});
+    const auto readAgain = [&](const Frame& frame, RayVisibility SurfaceShadow::*visibility) {
+      baked_->readAgain(*pixels, *frame.surfaces, frame.g, {shadows, visibility}, estimateOf(frame));
+    };
+    readAgain(frames.cur, &SurfaceShadow::now), readAgain(frames.prev, &SurfaceShadow::before);
+  });
+}
+
 void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   read(frames, pool, times);
+  readBakedShadows(frames, pool, times);
   const GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
   times[Stage::kVariance] += pool.forEachRow(now.i.height(), [&](int y) {
     for (int x = 0; x < now.i.width(); ++x) {

@@ -50,9 +50,13 @@ class IrradianceCache final : public SurfaceMethod {
  private:
   // The grid's estimate for the current or the previous frame. readBaked() has set it where light is baked.
   GridEstimate& estimateOf(const Frame& frame) { return estimates_[frame.index % 2]; }
-  // Reads the grid at all other points of both frames, from one state of what is known.
+  // Asks for rays wherever the grid or the bake cannot tell visibility in one of both frames.
+  void wantShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times);
   // Asks for rays wherever the direct light of a point may have changed.
   void wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times);
+  // Takes the visibility that rays tell into what is baked.
+  void readBakedShadows(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+  // Reads the grid at all other points of both frames, from one state of what is known.
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Reads, and filters both frames' points into filtered_.
   void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
@@ -69,6 +73,7 @@ class IrradianceCache final : public SurfaceMethod {
   // With the columns of SurfaceSamples.
   ImageF uncertainty_, uncertainty_prev_;
   ImageF shadow_detail_, shadow_detail_prev_;
+  bool asks_rays_ = false;               // whether any point of the last frame could
   std::unique_ptr<LightChange> change_;  // from the first frame on in which a body moves
   std::vector<char> light_moved_;        // by point of the last frame, where the scene has bodies
   FilterPlanes filtered_, scratch_;

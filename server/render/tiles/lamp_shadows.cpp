@@ -64,7 +64,8 @@ void LampShadows::finish(std::size_t point, int rays, SurfaceShadow& shadow) con
 
 std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameStarts& before, int spp,
                                             const PoolHandle& pool, std::vector<SurfaceShadow>& shadows) {
-  if (now_.groups() == 0) return {};
+  if (now_.groups() == 0 || !now.on.wantShadows()) return {};
+  now_.use(), before_.use();
   const auto rays = [&](int per_path) { return std::clamp(per_path * spp, kFew, kMost); };
   const int many = rays(kManyPerPath), moving = rays(kMovingPerPath);
   const SurfaceSamples& on = now.on;

@@ -113,7 +113,7 @@ void renderPathTile(const SeedPlan& seeds, const Tracing& tracing, Tile tile, co
                     Frame& out) {
   SurfaceSamples& on = *out.surfaces;
   forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
-  if (!hasPaths(on, tile)) return;
+  if (!on.needPaths() || !hasPaths(on, tile)) return;
   const auto same = [](std::uint32_t, const auto& start) -> const auto& {
     return start;
   };
