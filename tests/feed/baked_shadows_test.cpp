@@ -89,7 +89,7 @@ TEST_F(BakedShadows, AreAsSharpAsTheyAre) {
         squares += std::pow(change.dI.at(x, y) - true_change, 2), truth += true_change * true_change;
       }
     EXPECT_GT(raysOf(feed), 2 * kH) << t;
-    EXPECT_LT(raysOf(feed), kW * kH / 4) << t;
+    EXPECT_LT(raysOf(feed), kW * kH / 2) << t;
   }
   EXPECT_LT(std::sqrt(squares / truth), 0.3);
 }

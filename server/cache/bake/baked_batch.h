@@ -68,7 +68,9 @@ inline void BakedBatch::mark(SurfaceSamples& on) const {
   if (!points_.anyNearShadow()) return;
   const F variance = points_.shadows();
   const F least = kLeastShadowContrast * (residual_ + U_ * visibility_);
-  const auto reaches = [&](float share) { return U_ * U_ * variance > share * share * least * least; };
+  const auto reaches = [&](float share) {
+    return variance > kLeastShadow && U_ * U_ * variance > share * share * least * least;
+  };
   const LaneSet visible = lanesOf(reaches(1)) & known_;
   alignas(64) float wanted[kPointLanes];
   store(variance, wanted);

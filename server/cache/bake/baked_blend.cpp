@@ -79,7 +79,7 @@ class Surroundings {
 float shadowOf(const Octet& evidence, const BlendedLight<float>& visibility) {
   const float detail = evidence[7] > 0 ? visibilityDetail(evidence) : 0;
   const float least = kLeastNearShadow * kLeastShadowContrast * visibility.value;
-  return detail > least * least ? detail + visibility.variance : 0;
+  return detail > std::max(kLeastShadow, least * least) ? detail + visibility.variance : 0;
 }
 
 BakedVertex blendAround(Surroundings& around, const GridParams& params, float scale) {
