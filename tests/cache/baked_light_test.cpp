@@ -136,7 +136,7 @@ TEST_F(BakedLightTest, AsksForRaysAtTheEdgeOfAShadow) {
   EXPECT_EQ(share(19, 22, near), 1);
   EXPECT_EQ(share(19, 22, [&](std::size_t i) { return on[i].near_shadow && on.shadows()[i].wanted > 0; }), 1);
   EXPECT_LT(share(0, 6, near), 0.02);
-  EXPECT_LT(share(36, kW, near), 0.02);
+  EXPECT_LT(share(36, kW, near), 0.1);
 }
 
 TEST_F(BakedLightTest, TakesVisibilityThatRaysTell) {
