@@ -7,8 +7,8 @@
 
 namespace saccade {
 
-// A point is near a shadow's edge from this part of kLeastShadowContrast on, so that one that wants rays had
-// such neighbours in the frame before.
+// A point is near a shadow's edge from this part of kLeastShadowContrast on. So one that wants rays had such
+// neighbours in the frame before.
 inline constexpr float kLeastNearShadow = 0.5f;
 inline constexpr float kLeastShadow = 1e-8f;  // of BakedVertex::shadow: less is none
 

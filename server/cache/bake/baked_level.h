@@ -4,8 +4,8 @@
 //
 // It lies in memory by blocks of 4 x 4 x 4 cells, and these by groups. A block holds the vertices at all
 // corners of its cells, so that a tetrahedron needs one block: those at the border lie in several. Groups are
-// few, so that their table stays at hand, and what a few pixels show lies close together. What few blocks
-// have, the variance of visibility near the edges of shadows, lies apart from all other light.
+// few, so that their table stays at hand, and what a few pixels show lies close together. The variance of
+// visibility near the edges of shadows lies apart: few blocks have any.
 #pragma once
 
 #include <vector>
