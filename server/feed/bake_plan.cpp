@@ -19,7 +19,10 @@ BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedCo
                   double error) {
   if (!EmitterStrengths(scene.description()).areSteady())
     throw std::runtime_error(
-        "the light of this scene changes over time, so that it cannot be computed ahead");
+        "the light of this scene changes over time, so that it cannot be computed ahead; leave out the bake");
+  if (!feed.body_paths.empty())
+    throw std::runtime_error(
+        "light is computed ahead for objects that stand; let none move, or leave out the bake");
   frames = framesToLookAt(path, feed.frame_rate_hz, frames);
   const double speed = measurePixelSpeed(scene, path, feed, frames).p99;
   const auto step = std::max(

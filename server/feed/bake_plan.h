@@ -16,7 +16,7 @@ struct BakePlan {
 };
 
 // For the frames 0 to framesToLookAt() of a feed. Its poses are some pixels apart. Throws std::runtime_error
-// where the light of the scene changes over time.
+// where the light of the scene changes over time, or objects move.
 BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedConfig& feed, FrameIndex frames,
                   double error);
 

@@ -31,10 +31,13 @@ struct SurfacePoint {
   bool light_moves = false;  // whether direct light may have changed since the frame before
   bool baked = false;        // whether its light is known ahead, as the method finds
   bool touched = false;      // whether its paths may differ from their replays, see SurfaceSamples::replays()
+  bool near_shadow = false;  // of a baked one: whether rays may tell its visibility
   std::uint32_t paths = 0;   // that it gets, as the method plans
 
   // Whether it reflects light that depends on the view, so that it cannot be shared.
   bool isUncacheable() const { return share > 0 && kind == SurfaceKind::kNone; }
+  // Whether rays can tell its visibility.
+  bool canAskRays() const { return share > 0 && kind != SurfaceKind::kNone && (!baked || near_shadow); }
 };
 
 // Where a point lies, unless it is of kNone.
@@ -68,7 +71,9 @@ struct RayVisibility {
 struct SurfaceShadow {
   static constexpr float kMoves = 1;  // `wanted` where a body may have moved into the light, or out of it
 
-  float wanted = 0;  // variance of visibility that the method cannot tell; 0: there are no rays
+  // Variance of visibility that the method cannot tell; 0: there are no rays. At a point near_shadow, the
+  // reader of baked light sets it before the method plans.
+  float wanted = 0;
   RayVisibility now, before;
   int rays = 0;             // of the point, to all groups of lamps
   float step_variance = 0;  // of its change
@@ -127,14 +132,27 @@ class SurfaceSamples {
   bool needPaths() const { return need_paths_; }
   // Whether any pixel hasUncacheable().
   bool hasUncacheable() const { return has_uncacheable_; }
-  // Sets both, once all points are known.
-  void summarize(bool need_paths, bool has_uncacheable) {
-    need_paths_ = need_paths, has_uncacheable_ = has_uncacheable;
+  // Whether any point is near_shadow.
+  bool nearShadows() const { return near_shadows_; }
+  // Sets all three, once all points are known.
+  void summarize(bool need_paths, bool has_uncacheable, bool near_shadows) {
+    need_paths_ = need_paths, has_uncacheable_ = has_uncacheable, near_shadows_ = near_shadows;
+  }
+  // Whether any point may want rays, as the method plans. Otherwise shadows() has no meaning.
+  bool wantShadows() const { return want_shadows_; }
+  void setWantShadows(bool want) { want_shadows_ = want; }
+  // Whether a point of a pixel wants rays.
+  bool wantsShadows(int x, int y) const {
+    if (!want_shadows_) return false;
+    const std::size_t first = indexOf(x * per_pixel_, y);
+    for (std::size_t i = first; i < first + static_cast<std::size_t>(per_pixel_); ++i)
+      if (shadows_[i].wanted > 0) return true;
+    return false;
   }
 
  private:
   int per_pixel_, columns_;
-  bool need_paths_ = true, has_uncacheable_ = true;
+  bool need_paths_ = true, has_uncacheable_ = true, near_shadows_ = false, want_shadows_ = true;
   std::vector<SurfacePoint> points_;
   std::vector<SurfacePlace> places_;
   std::vector<SurfaceLight> lights_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/scratch.h"
+
 namespace saccade {
 namespace {
 
@@ -39,22 +41,30 @@ void KnownLight::enter(const SurfaceFrame& next, const PoolHandle& pool, StageTi
       *plane = ImageF(on.columns(), on.height());
   Placement none;
   times[Stage::kTemporal] += state().grid.place(on, &next.obstacles, pool, changed() ? none : at_prev_, at_);
-  findDoubt(next, pool, times);
+  const FrameOnGrid frame{on, next.frame.g, at_};
+  times[Stage::kTemporal] += state().grid.uncertainty(frame, pool, uncertainty_, &shadow_detail_);
+  wantShadows(on, pool, times);
   if (next.frame.g.hasBodies()) wantMovingShadows(on, pool, times);
 }
 
-void KnownLight::findDoubt(const SurfaceFrame& next, const PoolHandle& pool, StageTimes& times) {
-  SurfaceSamples& on = *next.frame.surfaces;
-  const FrameOnGrid frame{on, next.frame.g, at_};
-  times[Stage::kTemporal] += state().grid.uncertainty(frame, pool, uncertainty_, &shadow_detail_);
+void KnownLight::wantShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times) {
+  constexpr float kNone = -1;  // where no rays start
+  const bool asks = on.needPaths() || on.nearShadows(), asked = std::exchange(asks_rays_, asks);
+  on.setWantShadows(asks && asked);
+  if (!asks) return;
   times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
-    for (int column = 0; column < on.columns(); ++column)
-      on.shadows()[on.indexOf(column, y)].wanted =
-          std::max(shadow_detail_.at(column, y), shadow_detail_prev_.at(column, y));
+    for (int column = 0; column < on.columns(); ++column) {
+      const std::size_t i = on.indexOf(column, y);
+      float &wanted = on.shadows()[i].wanted, &detail = shadow_detail_.at(column, y);
+      if (on[i].baked) detail = on[i].near_shadow ? wanted : kNone;
+      const float before = shadow_detail_prev_.at(column, y);
+      wanted = std::min(detail, before) == kNone ? 0 : std::max(detail, before);
+    }
   });
 }
 
 void KnownLight::wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times) {
+  on.setWantShadows(true);
   light_moved_.resize(on.shadows().size());
   times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
     for (int column = 0; column < on.columns(); ++column) {
@@ -66,10 +76,16 @@ void KnownLight::wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, S
 }
 
 void KnownLight::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
+  readGrid(frames, pool, times);
+  readBakedShadows(frames, pool, times);
+}
+
+void KnownLight::readGrid(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   const bool has_bodies = frames.cur.g.hasBodies();
   if (!has_bodies && frames.cur.surfaces->needPaths()) state().bounces.add(*frames.cur.surfaces);
   if (at_.empty() && at_prev_.empty()) return;
-  const auto* shadows = frames.is_first ? nullptr : &frames.cur.surfaces->shadows();
+  const auto* shadows =
+      frames.is_first || !frames.cur.surfaces->wantShadows() ? nullptr : &frames.cur.surfaces->shadows();
   const FrameOnGrid cur{*frames.cur.surfaces, frames.cur.g, at_, shadows};
   const FrameOnGrid prev{*frames.prev.surfaces, frames.prev.g, at_prev_, shadows, &SurfaceShadow::before};
   GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
@@ -92,6 +108,23 @@ void KnownLight::read(const FramePair& frames, const PoolHandle& pool, StageTime
       for (int x = 0; x < now.i.width(); ++x)
         now.var_step.at(x, y) = now.var_i.at(x, y) + before.var_i.at(x, y);
     });
+}
+
+void KnownLight::readBakedShadows(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
+  const SurfaceSamples &now = *frames.cur.surfaces, &before = *frames.prev.surfaces;
+  if (!baked_ || frames.is_first || !(now.wantShadows() || before.wantShadows())) return;
+  const auto* shadows = now.wantShadows() ? &now.shadows() : nullptr;
+  times[Stage::kVariance] += pool.forEachRow(now.height(), [&](int y) {
+    const Scratch<std::vector<BakedLight::Pixel>> pixels;
+    pixels->clear();
+    // Of the frame before, also those that have the visibility by its own rays.
+    for (int x = 0; x < frames.cur.width(); ++x)
+      if (now.wantsShadows(x, y) || before.wantsShadows(x, y)) pixels->push_back({x, y});
+    const auto readAgain = [&](const Frame& frame, RayVisibility SurfaceShadow::*visibility) {
+      baked_->readAgain(*pixels, *frame.surfaces, frame.g, {shadows, visibility}, estimateOf(frame));
+    };
+    readAgain(frames.cur, &SurfaceShadow::now), readAgain(frames.prev, &SurfaceShadow::before);
+  });
 }
 
 }  // namespace saccade

@@ -25,7 +25,7 @@ class KnownLight {
   void readBaked(Tile tile, Frame& next);
   // Finds the points of the next frame in the grid, and asks for the shadow rays that it needs there.
   void enter(const SurfaceFrame& next, const PoolHandle& pool, StageTimes& times);
-  // Adds the samples of the frame that was entered last, and reads both frames at all points without a bake.
+  // Adds the samples of the frame that was entered last, and reads both frames.
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
 
   // Of the current frame or the one before it, after read().
@@ -42,9 +42,13 @@ class KnownLight {
 
  private:
   GridEstimate& estimateOf(const Frame& frame) { return estimates_[frame.index % 2]; }
-  void findDoubt(const SurfaceFrame& next, const PoolHandle& pool, StageTimes& times);
+  // Asks for rays wherever the grid or the bake cannot tell visibility in one of both frames.
+  void wantShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times);
   // Asks for rays wherever the direct light of a point may have changed.
   void wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, StageTimes& times);
+  void readGrid(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+  // Takes the visibility that rays tell into what is baked.
+  void readBakedShadows(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
 
   LightStates states_;
   std::shared_ptr<const BakedLight> baked_;
@@ -53,6 +57,7 @@ class KnownLight {
   // With the columns of SurfaceSamples.
   ImageF uncertainty_, uncertainty_prev_;
   ImageF shadow_detail_, shadow_detail_prev_;
+  bool asks_rays_ = false;         // whether any point of the last frame could
   std::vector<char> light_moved_;  // by point of the last frame, where the scene has bodies
   std::uint32_t frames_ = 0;
 };

@@ -86,7 +86,7 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
   const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
                                      [&](Tile t) { tile(view, motion, t, on_tile, starts(), out); });
-  out.surfaces->summarize(starts().any(), starts().anyOfOthers());
+  out.surfaces->summarize(starts().any(), starts().anyOfOthers(), starts().anyNearShadow());
   return {out, scene, time};
 }
 

@@ -74,7 +74,7 @@ void measure(const std::string& name) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> names(argv + 1, argv + argc);
-  if (names.empty()) names = {"cornell-bunny"};
+  if (names.empty()) names = {"cornell-bunny", SACCADE_SOURCE_DIR "/tests/stability/scenes/sun_and_lamp.xml"};
   std::printf("%-16s %8s", "scene", "rays");
   for (const char* stage : saccade::kStageNames) std::printf(" %8s", stage);
   std::printf(" %8s %8s\n", "all", "/ rays");

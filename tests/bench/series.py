@@ -13,6 +13,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SERIES = HERE / "series.csv"
+SUN_AND_LAMP = str(HERE.parent / "stability" / "scenes" / "sun_and_lamp.xml")
 FIELDS = ["date", "commit", "cpu", "figure", "value"]
 ROUNDS = 3
 LOSS = 0.05
@@ -23,6 +24,7 @@ FIGURES = [
     ("paths / Embree, diffuse", ["trace_speed", "cornell-box"], "cornell-box avx2", -4),
     ("paths / Embree, textures", ["trace_speed", "textured-cornell-box"], "textured-cornell-box avx2", -4),
     ("baked frame / its rays", ["converged_speed", "cornell-bunny"], "cornell-bunny", -1),
+    ("baked frame with penumbras / its rays", ["converged_speed", SUN_AND_LAMP], "sun_and_lamp", -1),
     ("64 sensors and their frame / frame", ["event_speed"], "accumulating kalman 0.20", -1),
     ("noise of a preset, % of a frame", ["noise_speed"], "preset davis346", -1),
 ]

@@ -68,6 +68,20 @@ TEST(BakedLevel, TellsItsLightAtFinerVertices) {
   EXPECT_FALSE(at(0, 1).known);
 }
 
+// A vertex within a block, and one in a block far away. The block of the first one tells of a shadow.
+TEST(BakedLevel, KeepsShadowsOfFewBlocks) {
+  constexpr VertexKey kZero = Tetrahedron::kCentre;
+  const VertexKey edge = keyAt(kZero + 1, kZero + 1, kZero + 1), far = keyAt(kZero + 9, kZero, kZero);
+  const BakedPair known({.known = true}, {});
+  const BakedLevel level({edge, far}, {known, known}, {0.125f, 0});
+  EXPECT_EQ(level.shadowAt(edge), 0.125f);
+  EXPECT_EQ(level.shadowAt(far), 0);
+  EXPECT_TRUE(level.isNearShadow(level.locate(keyAt(kZero + 3, kZero, kZero))));
+  EXPECT_FALSE(level.isNearShadow(level.locate(far)));
+  EXPECT_EQ(level.between(keyAt(kZero + 2, kZero + 2, kZero + 2)).shadow, 0.125f);
+  EXPECT_FALSE(BakedLevel({edge}, {known}, {0}).hasShadows());
+}
+
 TEST(BakedLevel, MayBeEmpty) {
   EXPECT_EQ(find(BakedLevel(), keyAt(1, 2, 3), 0), (std::array<float, 4>{-1, -1, -1, -1}));
 }

@@ -117,6 +117,50 @@ TEST_F(BakedLightTest, LeavesOutWhatItDoesNotKnow) {
 
 // From half the distance, only the coarser of the two levels knows something. After one look that is too
 // little.
+// Light is 1 to 2.5, and 1 of it has an edge at pixel 30 of the first view.
+TEST_F(BakedLightTest, AsksForRaysAtTheEdgeOfAShadow) {
+  wall.light = [](float) { return 1.f; };
+  View view;
+  for (int t = 0; t < 60; ++t) view.look(wall, 0.37f * t, t);
+  const BakedLight baked(view.grid.levels(), {}, pool);
+  wall.show(10, 1);
+  read(baked);
+  const SurfaceSamples& on = *wall.frame.surfaces;
+  const auto share = [&](int from, int to, const auto& holds) {
+    int count = 0;
+    for (int y = 0; y < kH; ++y)
+      for (int x = from; x < to; ++x) count += holds(on.indexOf(x, y));
+    return static_cast<double>(count) / (kH * (to - from));
+  };
+  const auto near = [&](std::size_t i) { return on[i].near_shadow; };
+  EXPECT_EQ(share(19, 22, near), 1);
+  EXPECT_EQ(share(19, 22, [&](std::size_t i) { return on[i].near_shadow && on.shadows()[i].wanted > 0; }), 1);
+  EXPECT_LT(share(0, 6, near), 0.02);
+  EXPECT_LT(share(36, kW, near), 0.1);
+}
+
+TEST_F(BakedLightTest, TakesVisibilityThatRaysTell) {
+  const BakedLight baked(grid.levels(), {}, pool);
+  wall.show(10, 1);
+  const Read before = read(baked);
+  SurfaceSamples& on = *wall.frame.surfaces;
+  const std::vector<BakedLight::Pixel> pixels{{20, 9}, {21, 9}};
+  std::vector<SurfaceShadow> shadows(on.shadows().size());
+  shadows[on.indexOf(20, 9)] = {.wanted = 0.1f, .now = {0.25f, 1, 0}, .before = {0.75f, 1, 0.5f}};
+  GridEstimate rays(kW, kH);
+  baked.readAgain(pixels, on, wall.frame.g, {&shadows}, rays);
+  EXPECT_EQ(rays.i.at(21, 9), before.light.i.at(21, 9)) << "no rays were wanted";
+  EXPECT_EQ(rays.var_i.at(21, 9), before.light.var_i.at(21, 9));
+  const float now = rays.i.at(20, 9), variance = rays.var_i.at(20, 9);
+  EXPECT_LT(variance, before.light.var_i.at(20, 9)) << "what is left is that of all other light";
+  baked.readAgain(pixels, on, wall.frame.g, {&shadows, &SurfaceShadow::before}, rays);
+  EXPECT_NEAR(rays.i.at(20, 9) - now, 0.5f, 1e-6f);
+  EXPECT_NEAR(rays.var_i.at(20, 9) - variance, 0.5f, 1e-6f);
+  baked.readAgain(pixels, on, wall.frame.g, {}, rays);
+  EXPECT_EQ(rays.i.at(20, 9), before.light.i.at(20, 9));
+  EXPECT_EQ(rays.var_step.at(20, 9), before.light.var_step.at(20, 9));
+}
+
 TEST_F(BakedLightTest, LeavesOutVerticesWithFewSamples) {
   View other;
   other.look(wall, 0, 0);

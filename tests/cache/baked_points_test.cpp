@@ -22,6 +22,7 @@ struct BakedPointsTest : testing::Test {
   BakedLevel makeLevel(const BakedLevel& coarser, bool gaps) {
     std::vector<VertexKey> keys;
     std::vector<BakedPair> light;
+    std::vector<float> shadows;
     for (int x = -kReach; x <= kReach; ++x)
       for (int y = -kReach; y <= kReach; ++y)
         for (int z = -kReach; z <= kReach; ++z)
@@ -31,8 +32,9 @@ struct BakedPointsTest : testing::Test {
             keys.push_back(Tetrahedron({double(x), double(y), double(z)}, bin).key[0]);
             const BakedVertex fine{true, random(), random(), random(), random(), random(), random()};
             light.push_back({draw < 0.1f ? BakedVertex{} : fine, coarser.between(keys.back())});
+            shadows.push_back(x > 0 ? random() : 0);
           }
-    return {keys, light};
+    return {keys, light, shadows};
   }
 
   BakedLevels levels;
@@ -57,6 +59,34 @@ Known readLevel(const BakedLevels& levels, int exponent, const SurfacePlace& pla
     }
   }
   return sum;
+}
+
+// That of the finer level is told, but for gaps, and where there is no such level.
+TEST_F(BakedPointsTest, ReadShadowsOfTheFinerLevel) {
+  constexpr float kRounding = 1e-6f;
+  int near = 0;
+  for (int batch = 0; batch < 200; ++batch) {
+    BakedPoints points;
+    const auto coordinate = [&] { return 1.8f * random() - 0.9f; };
+    const SurfacePlace place{{coordinate(), coordinate(), coordinate()}, {0, 0, 1}, 0.125f * (1 + random())};
+    points.add({}, place, SurfaceKind::kDiffuse);
+    points.want(levels, 1);
+    points.locate();
+    points.find();
+    const Tetrahedron corners(toDouble(place.position) * std::ldexp(1.0, -kFinest),
+                              vertexBin(NormalBins(place.normal).bin[0], SurfaceKind::kDiffuse));
+    float expected = 0;
+    const BakedLevel& fine = levels.at(kFinest);
+    const auto isMissing = [&](VertexKey key) { return !fine.at(key).coarse().known; };
+    if (std::ranges::any_of(corners.key, isMissing)) continue;
+    for (int c = 0; c < 4; ++c) expected += fine.shadowAt(corners.key[c]) * corners.weight[c];
+    near += expected > kRounding;
+    ASSERT_NEAR(points.shadows()[0], expected, kRounding) << batch;
+    if (expected > kRounding) {
+      ASSERT_TRUE(points.anyNearShadow()) << batch;
+    }
+  }
+  EXPECT_GT(near, 20);
 }
 
 // Batches are full or not. Some points lie outside the fine level, or outside both.

@@ -81,6 +81,17 @@ TEST_F(BakeTest, RefusesLightThatChanges) {
   EXPECT_THROW(planBake(*flickering, path(), config(), 20, 0.2), std::runtime_error);
 }
 
+TEST_F(BakeTest, RefusesObjectsThatMove) {
+  FeedConfig moving = config();
+  moving.body_paths = {path()};
+  try {
+    planBake(*room(), path(), moving, 20, 0.2);
+    FAIL();
+  } catch (const std::runtime_error& fault) {
+    EXPECT_NE(std::string(fault.what()).find("leave out the bake"), std::string::npos) << fault.what();
+  }
+}
+
 // A bake is a cache. Each damage leads to the same bake as no file.
 TEST_F(BakeTest, AFileThatCannotBeUsedIsSetAsideAndMadeAnew) {
   namespace fs = std::filesystem;

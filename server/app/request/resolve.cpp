@@ -121,7 +121,8 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
     refuse("quality.bake_error",
            "light is computed ahead for the surfaces of a path, and a steered path is not known");
   if (r.objects_size() > 0 && r.quality().has_bake_error())
-    refuse("quality.bake_error", "light is computed ahead for scenes that stand; leave out objects");
+    refuse("quality.bake_error",
+           "light is computed ahead for objects that stand; leave out objects, or bake_error");
   resolveDelivery(r);
   stream.feed.seed = r.seed();
   shareSettings(stream);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "cache/grid/ray_visibility.h"
+
 namespace saccade {
 namespace {
 
@@ -73,6 +75,13 @@ class Surroundings {
   int bin_ = 0;
 };
 
+// Light is U V at least. So detail can be visible only where it exceeds a part of V.
+float shadowOf(const Octet& evidence, const BlendedLight<float>& visibility) {
+  const float detail = evidence[7] > 0 ? visibilityDetail(evidence) : 0;
+  const float least = kLeastNearShadow * kLeastShadowContrast * visibility.value;
+  return detail > std::max(kLeastShadow, least * least) ? detail + visibility.variance : 0;
+}
+
 BakedVertex blendAround(Surroundings& around, const GridParams& params, float scale) {
   const LevelBlend<float> blend([&](int slot) { return around.light(slot); },
                                 [&](int slot) { return around.evidence(slot); }, 0, params.blend);
@@ -86,7 +95,8 @@ BakedVertex blendAround(Surroundings& around, const GridParams& params, float sc
           .var_residual = scale * scale * blend.residual.variance,
           .var_visibility = blend.visibility.variance,
           .step_residual = scale * scale * step(blend.residual),
-          .step_visibility = step(blend.visibility)};
+          .step_visibility = step(blend.visibility),
+          .shadow = shadowOf(around.evidence(params.pixelSlot() + kPoolSteps), blend.visibility)};
 }
 
 bool isAlike(const BakedVertex& a, const BakedVertex& b) {
@@ -117,19 +127,23 @@ BakedLevel blendAtVertices(const GridLevels& grid, int l, const BakedLevel& coar
   std::vector<VertexKey> keys = grid[l].table.keys();
   std::erase_if(keys, isOnFurtherSide);
   std::vector<BakedPair> light(keys.size());
+  std::vector<float> shadows(keys.size());
   pool.run((static_cast<int>(keys.size()) + kChunk - 1) / kChunk, [&](int chunk) {
     Surroundings around(grid, l);
     const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
     for (std::size_t v = begin; v < std::min(begin + kChunk, keys.size()); ++v) {
       around.lookFrom(keys[v]);
-      light[v] = {blendSides(around, params, scale), coarser.between(keys[v])};
+      const BakedVertex fine = blendSides(around, params, scale), coarse = coarser.between(keys[v]);
+      light[v] = {fine, coarse};
+      shadows[v] = fine.known ? fine.shadow : coarse.shadow;
     }
   });
   std::size_t known = 0;
   for (std::size_t v = 0; v < keys.size(); ++v)
-    if (light[v].fine().known || light[v].coarse().known) keys[known] = keys[v], light[known++] = light[v];
-  keys.resize(known), light.resize(known);
-  return {keys, light};
+    if (light[v].fine().known || light[v].coarse().known)
+      keys[known] = keys[v], light[known] = light[v], shadows[known++] = shadows[v];
+  keys.resize(known), light.resize(known), shadows.resize(known);
+  return {keys, light, shadows};
 }
 
 }  // namespace saccade

@@ -62,7 +62,21 @@ void BakedLevel::makeBlocks(const std::vector<VertexKey>& keys) {
   light_.resize(next);
 }
 
-BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedPair>& light)
+void BakedLevel::setShadows(const std::vector<VertexKey>& keys, const std::vector<float>& shadows) {
+  if (std::ranges::all_of(shadows, [](float s) { return s == 0; })) return;
+  shadows_.assign(light_.size(), VarianceByte(0));
+  for (std::size_t v = 0; v < keys.size(); ++v) {
+    if (shadows[v] == 0) continue;
+    forEachBlock(keys[v], [&](VertexKey key, std::uint32_t number) {
+      Block& block = blocks_[indexOf(key)];
+      block.vertices[1] |= Block::kNearShadow;
+      shadows_[block.indexOf(number)] = VarianceByte(shadows[v]);
+    });
+  }
+}
+
+BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<BakedPair>& light,
+                       const std::vector<float>& shadows)
     : vertices_(std::ranges::count_if(light, [](const BakedPair& both) { return both.fine().known; })) {
   makeGroups(keys);
   makeBlocks(keys);
@@ -70,13 +84,19 @@ BakedLevel::BakedLevel(const std::vector<VertexKey>& keys, const std::vector<Bak
     forEachBlock(keys[v], [&](VertexKey block, std::uint32_t number) {
       light_[blocks_[indexOf(block)].indexOf(number)] = light[v];
     });
+  setShadows(keys, shadows);
 }
 
 BakedVertex BakedLevel::between(VertexKey finer) const {
   const Tetrahedron around(Tetrahedron::placeOf(finer) * 0.5, Tetrahedron::binOf(finer));
   std::size_t end = 3;  // half of the weights are there, or all at corner 0
   while (around.weight[end] == 0) --end;
-  const BakedVertex a = at(around.key[0]).fine(), b = at(around.key[end]).fine();
+  const auto fineAt = [&](VertexKey key) {
+    BakedVertex fine = at(key).fine();
+    fine.shadow = shadowAt(key);
+    return fine;
+  };
+  const BakedVertex a = fineAt(around.key[0]), b = fineAt(around.key[end]);
   return a.known && b.known ? meanOf(a, b) : BakedVertex{};
 }
 

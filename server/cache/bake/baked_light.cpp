@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cache/grid/point_lanes.h"
+#include "cache/bake/baked_batch.h"
 
 namespace saccade {
 namespace {
-
-constexpr float kLeastShare = 0.5f;  // of a point's weights, on known vertices of its coarser level
-// From a level to the one below: a step is half as many cells there, and a quarter of the variance.
-constexpr float kStepToFine = 0.25f;
 
 // The power of two that brings the brightest light of a grid to somewhat less than 2^7. Half floats then hold
 // all that is brighter than a two millionth of it.
@@ -23,17 +19,16 @@ float scaleFor(const GridLevels& grid) {
   return brightest > 0 ? std::ldexp(1.f, 6 - std::ilogb(brightest)) : 1;
 }
 
-// f(x, y, index) for each point of a tile, by squares within squares: neighbours in both directions share
-// blocks of vertices.
-void forEachPointBySquares(Tile tile, const SurfaceSamples& on, const auto& f) {
+// f(x, y) for each pixel of a tile, by squares within squares: neighbours in both directions share blocks of
+// vertices.
+void forEachPixelBySquares(Tile tile, const auto& f) {
   constexpr unsigned kSquare = 8, kBitsOfX = 0x15, kBitsOfY = 0x2a;  // pixels; of a place along the curve
   for (int y0 = tile.y0; y0 < tile.y1; y0 += kSquare)
     for (int x0 = tile.x0; x0 < tile.x1; x0 += kSquare)
       for (unsigned place = 0; place < kSquare * kSquare; ++place) {
         const int x = x0 + static_cast<int>(_pext_u32(place, kBitsOfX));
         const int y = y0 + static_cast<int>(_pext_u32(place, kBitsOfY));
-        if (x >= tile.x1 || y >= tile.y1) continue;
-        for (int i = 0; i < on.perPixel(); ++i) f(x, y, on.indexOf(x * on.perPixel() + i, y));
+        if (x < tile.x1 && y < tile.y1) f(x, y);
       }
 }
 
@@ -41,7 +36,7 @@ void forEachPointBySquares(Tile tile, const SurfaceSamples& on, const auto& f) {
 void leavePartsOut(std::span<SurfacePoint> of_pixel, int x, int y, GridEstimate& out) {
   const auto isLive = [](const SurfacePoint& p) { return p.kind != SurfaceKind::kNone && !p.baked; };
   if (std::ranges::none_of(of_pixel, isLive)) return;
-  for (SurfacePoint& p : of_pixel) p.baked = false;
+  for (SurfacePoint& p : of_pixel) p.baked = p.near_shadow = false;
   out.clear({x, y, x + 1, y + 1});
 }
 
@@ -63,7 +58,10 @@ BakedLight::BakedLight(const GridLevels& grid, const GridParams& params, const P
   }
 }
 
-void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const {
+// Reads the points that forEachPoint(f) calls f(x, y, index) with, and calls each(BakedBatch, BakedPoints)
+// for a few of them.
+void BakedLight::forEachBatch(const SurfaceSamples& on, const GBuffer& g, const auto& forEachPoint,
+                              const auto& each) const {
   constexpr int kSteps = 4;
   std::array<BakedPoints, kSteps> batches;  // wanted, located, found and read in turn
   int batch = 0;
@@ -72,63 +70,56 @@ void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstim
     batches[(batch + 3) % kSteps].locate();
     batches[(batch + 2) % kSteps].find();
     batch = (batch + 1) % kSteps;
-    if (batches[batch].count() > 0) add(batches[batch], on, g, out);
-    batches[batch].clear();
+    BakedPoints& points = batches[batch];
+    if (points.count() > 0) each(BakedBatch(points, on, g, scale_, params_.cell_px), points);
+    points.clear();
   };
-  out.clear(tile);
-  forEachPointBySquares(tile, on, [&](int x, int y, std::size_t index) {
-    on[index].baked = false;
-    if (on[index].kind == SurfaceKind::kNone) return;
+  forEachPoint([&](int x, int y, std::size_t index) {
     batches[batch].add({x, y, static_cast<std::uint32_t>(index)}, on.place(index), on[index].kind);
     if (batches[batch].full()) turn();
   });
   for (int left = 0; left < kSteps; ++left) turn();
+}
+
+void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const {
+  out.clear(tile);
+  const auto forEachPoint = [&](const auto& f) {
+    forEachPixelBySquares(tile, [&](int x, int y) {
+      for (int i = 0; i < on.perPixel(); ++i) {
+        const std::size_t index = on.indexOf(x * on.perPixel() + i, y);
+        on[index].baked = on[index].near_shadow = false;
+        if (on[index].kind != SurfaceKind::kNone) f(x, y, index);
+      }
+    });
+  };
+  forEachBatch(on, g, forEachPoint, [&](const BakedBatch& light, const BakedPoints&) {
+    light.mark(on);
+    light.add({}, out);
+  });
   if (on.perPixel() == 1) return;
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x) leavePartsOut(on.of(x, y), x, y, out);
 }
 
-void BakedLight::add(const BakedPoints& points, SurfaceSamples& on, const GBuffer& g,
-                     GridEstimate& out) const {
-  using F = BakedPoints::F;
-  LaneMemory<3> of_points;  // unoccluded light, share, and squared motion in pixels
-  for (int i = 0; i < points.count(); ++i) {
-    const auto [x, y, index] = points[i];
-    const float mx = g.motion_x.at(x, y), my = g.motion_y.at(x, y);
-    of_points.set(i, std::array{on.place(index).unoccluded, on[index].share, mx * mx + my * my});
-  }
-  const auto [U, share, px2] = of_points.lanes();
-  const auto [means, variances] = points.light();
-  const auto lanes = [](const Octet& column) { return F(__m256(column)); };
-  const F of_fine = 1.f - points.fraction();
-  const F fine_known = lanes(means[kKnown]), coarse_known = lanes(means[kOfCoarse + kKnown]);
-  const auto known = coarse_known >= kLeastShare;
-  const F of_coarse = (1.f - of_fine * fine_known) / coarse_known;  // also what no fine vertex knows
-  const auto blend = [&](const auto& columns, int k, const F& of_coarse) {
-    return F(lanes(columns[k]) * of_fine + lanes(columns[kOfCoarse + k]) * of_coarse);
+void BakedLight::readAgain(std::span<const Pixel> pixels, const SurfaceSamples& on, const GBuffer& g,
+                           const FrameShadows& shadows, GridEstimate& out) const {
+  const auto forEachPoint = [&](const auto& f) {
+    for (const auto& [x, y] : pixels) {
+      bool any = false;
+      for (int i = 0; i < on.perPixel(); ++i) {
+        const std::size_t index = on.indexOf(x * on.perPixel() + i, y);
+        if (!on[index].baked) continue;
+        if (!any) out.clear({x, y, x + 1, y + 1});
+        any = true;
+        f(x, y, index);
+      }
+    }
   };
-  const F visibility = blend(means, kVisibility, of_coarse);
-  const F residual = blend(means, kResidual, of_coarse) / scale_;
-  // Of `of_residual` and of what U is a factor of.
-  const auto variance = [&, &U = U, &variances = variances](int of_residual, int of_visibility,
-                                                            const F& of_coarse) {
-    return F(blend(variances, of_residual, of_coarse) / (scale_ * scale_) +
-             U * U * blend(variances, of_visibility, of_coarse));
-  };
-  const F cells = points.scale() / params_.cell_px;
-  const F var_i = variance(kVarResidual, kVarVisibility, of_coarse);
-  const F var_step =
-      cells * cells * px2 * variance(kStepResidual, kStepVisibility, F(of_coarse * kStepToFine));
-  LaneMemory<3> estimate;
-  store(F(share * (residual + U * visibility)), estimate.values[0]);
-  store(F(share * share * var_i), estimate.values[1]);
-  store(F(share * share * min(F(2.f * var_i), var_step)), estimate.values[2]);
-  forEachLane(lanesOf(known) & LaneSet::first(points.count()), [&](int i) {
-    const auto [x, y, index] = points[i];
-    on[index].baked = true;
-    out.i.at(x, y) += estimate.values[0][i];
-    out.var_i.at(x, y) += estimate.values[1][i];
-    out.var_step.at(x, y) += estimate.values[2][i];
+  forEachBatch(on, g, forEachPoint, [&](const BakedBatch& light, const BakedPoints& points) {
+    RayLanes of_points;
+    for (int i = 0; shadows.all && i < points.count(); ++i)
+      of_points.set(i, (*shadows.all)[points[i].index], shadows.visibility);
+    light.add(of_points, out);
   });
 }
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "cache/bake/baked_blend.h"
-#include "cache/bake/baked_points.h"
+#include "cache/bake/baked_levels.h"
 #include "cache/grid/surface_grid.h"
 
 namespace saccade {
@@ -16,13 +16,27 @@ class BakedLight {
   BakedLight(const GridLevels& grid, const GridParams& params, const PoolHandle& pool);
 
   // Reads at the points of a tile, and marks those of pixels all of whose light is known as baked. Sets these
-  // pixels to the sum over their points, by shares, and clears all others of the tile.
+  // pixels to the sum over their points, by shares, and clears all others of the tile. Points at the edge of
+  // a shadow are marked as near_shadow, and want rays where the edge is visible.
   void read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const;
+
+  struct Pixel {
+    int x, y;
+  };
+  // Shadows by rays, of the points of a frame.
+  struct FrameShadows {
+    const std::vector<SurfaceShadow>* all = nullptr;  // nullptr: there are none
+    RayVisibility SurfaceShadow::*visibility = &SurfaceShadow::now;
+  };
+  // Sets pixels that are baked again, with the visibility that rays tell where they were wanted. The same
+  // points with the same rays give the same bits.
+  void readAgain(std::span<const Pixel> pixels, const SurfaceSamples& on, const GBuffer& g,
+                 const FrameShadows& shadows, GridEstimate& out) const;
   std::size_t vertices() const { return vertices_; }  // whose light is known
 
  private:
-  // Reads points, and adds them to their pixels.
-  void add(const BakedPoints& points, SurfaceSamples& on, const GBuffer& g, GridEstimate& out) const;
+  void forEachBatch(const SurfaceSamples& on, const GBuffer& g, const auto& forEachPoint,
+                    const auto& each) const;
 
   GridParams params_;
   float scale_;  // of the residual that vertices keep

@@ -76,6 +76,21 @@ class BakedPoints {
     }
     return {transposed(rows.means), transposed(rows.variances)};
   }
+  // Whether shadows() is above 0 at any point.
+  bool anyNearShadow() const {
+    for (int t = 0; t < taps_.size(); ++t) {
+      const BakedLevels::Two& levels = levels_[taps_.point(t)];
+      if (levels.fine->isNearShadow(places_[t])) return true;
+      if (levels.coarse->hasShadows() && BakedLevel::lacks(indices_[t])) return true;
+    }
+    return false;
+  }
+  // BakedVertex::shadow around each point: of its finer level, or of the coarser one where that has gaps.
+  F shadows() const {
+    alignas(64) float of_points[kMost] = {};
+    for (int t = 0; t < taps_.size(); ++t) of_points[taps_.point(t)] += taps_.share(t) * shadowAround(t);
+    return load<kMost>(of_points);
+  }
   // Edge of a pixel's finest cells over that of its finer level, [1, 2).
   const F& scale() const { return scale_; }
   // log2 of it to 4e-4, exact at both ends.
@@ -100,6 +115,18 @@ class BakedPoints {
     for (int c = 0; c < 4; ++c) sum.add((*levels_[i].fine)[indices_[tap][c]], Octet{} + weights[c]);
     const bool all_coarse = sum.means[kOfCoarse + kKnown] > kNearlyOne * taps_.share(tap);
     return all_coarse ? sum : readApart(tap);
+  }
+  float shadowAround(int tap) const {
+    const auto& [fine, coarse, exponent] = levels_[taps_.point(tap)];
+    float sum = 0;
+    if (BakedLevel::lacks(indices_[tap])) {
+      const Tetrahedron corners = coarseCorners(tap);
+      for (int c = 0; c < 4; ++c) sum += corners.weight[c] * coarse->shadowAt(corners.key[c]);
+    } else if (fine->isNearShadow(places_[tap])) {
+      const Quad weights = tetrahedra_.weights(taps_.point(tap));
+      for (int c = 0; c < 4; ++c) sum += weights[c] * fine->shadow(indices_[tap][c]);
+    }
+    return sum;
   }
   // Where not all corners know the coarser light: what each level knows by itself.
   [[gnu::noinline]] BakedSums readApart(int tap) const {

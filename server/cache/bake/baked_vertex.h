@@ -13,11 +13,13 @@
 namespace saccade {
 
 // The light of one level at a vertex. Variances are those of residual and visibility. Variances of a step are
-// extrapolated with its square to the length of a cell.
+// extrapolated with its square to the length of a cell. `shadow`: the variance of visibility within the
+// finest cells and of its mean; 0 where it can change no light visibly.
 struct BakedVertex {
   bool known = false;
   float residual = 0, visibility = 0;
   float var_residual = 0, var_visibility = 0, step_residual = 0, step_visibility = 0;
+  float shadow = 0;
 };
 // Of two that are known.
 inline BakedVertex meanOf(const BakedVertex& a, const BakedVertex& b) {
@@ -29,7 +31,8 @@ inline BakedVertex meanOf(const BakedVertex& a, const BakedVertex& b) {
           mean(&V::var_residual),
           mean(&V::var_visibility),
           mean(&V::step_residual),
-          mean(&V::step_visibility)};
+          mean(&V::step_visibility),
+          mean(&V::shadow)};
 }
 
 // A byte that stands for a variance: the nearest of four numbers to each power of two, from 2^-48 to 2^16.
@@ -53,8 +56,9 @@ class VarianceByte {
   std::uint8_t code_ = 0;
 };
 
-// The light of a level at one of its vertices, and that of the next coarser level there. Rest and visibility
-// are half floats (IEEE 754 binary16); their errors of 2^-12 are a thousandth of a usual contrast threshold.
+// The light of a level at one of its vertices, and that of the next coarser level there, without `shadow`.
+// Rest and visibility are half floats (IEEE 754 binary16); their errors of 2^-12 are a thousandth of a usual
+// contrast threshold.
 class alignas(16) BakedPair {
  public:
   BakedPair() : BakedPair({}, {}) {}

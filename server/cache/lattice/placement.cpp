@@ -31,6 +31,10 @@ void Placement::place(const SurfaceSamples& on, float cell_px) {
   bins.clear(), bins.reserve(most * kMaxBins);
   bin_weights.clear(), bin_weights.reserve(most * kMaxBins);
   least_level = std::numeric_limits<int>::max(), most_level = std::numeric_limits<int>::min();
+  if (!on.needPaths()) {
+    band_ends.resize(static_cast<std::size_t>((on.height() + kBandRows - 1) / kBandRows) + 1);
+    return;
+  }
   const int square = kBandRows * on.perPixel();
   for (int y0 = 0; y0 < on.height(); y0 += kBandRows) {
     const int y1 = std::min(y0 + kBandRows, on.height());

@@ -11,8 +11,7 @@ namespace saccade {
 namespace {
 
 bool isLit(const SurfaceSamples& on, std::size_t point) {
-  const SurfacePoint& p = on[point];
-  return p.share > 0 && p.kind != SurfaceKind::kNone && !p.baked && on.place(point).unoccluded > 0;
+  return on[point].canAskRays() && on.place(point).unoccluded > 0;
 }
 
 LitPoint litPointOf(const PlainStart& start) {
@@ -40,7 +39,8 @@ bool isOneSurface(const SurfacePlace& a, const SurfacePlace& b) {
 }  // namespace
 
 void FrameRays::reset(std::size_t points, int groups) {
-  groups_ = groups;
+  if (areOf(points, groups) && !used_) return;
+  groups_ = groups, used_ = false;
   rays_.assign(points * static_cast<std::size_t>(groups), {});
 }
 

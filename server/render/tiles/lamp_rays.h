@@ -39,6 +39,8 @@ struct RayRequest {
 class FrameRays {
  public:
   void reset(std::size_t points, int groups);
+  // Tells that trace() follows.
+  void use() { used_ = true; }
 
   // Whether they are of so many points and groups.
   bool areOf(std::size_t points, int groups) const {
@@ -68,6 +70,7 @@ class FrameRays {
   }
 
   int groups_ = 0;
+  bool used_ = false;           // since reset()
   std::vector<LampRays> rays_;  // by point and group
 };
 

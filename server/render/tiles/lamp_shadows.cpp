@@ -7,12 +7,16 @@ namespace saccade {
 namespace {
 
 constexpr int kFew = 2, kManyPerPath = 4, kMost = 256;  // rays to a group of lamps
-constexpr int kMovingPerPath = 16;                      // instead, where a body may have moved
+constexpr int kMostPerPath = 16;     // instead, where a body may have moved, or other light is known ahead
 constexpr float kLeastGain = 0.25f;  // what rays must lessen, over the variance that they leave
 constexpr float kSpread = 0.25f;  // variance of a change by rays that are spread evenly, of that by any rays
 
 bool moves(const SurfaceShadow& shadow) {
   return shadow.wanted == SurfaceShadow::kMoves;
+}
+
+bool getsMost(const SurfaceSamples& on, std::size_t point, const SurfaceShadow& shadow) {
+  return moves(shadow) || on[point].near_shadow;
 }
 
 // The light of all groups at a point.
@@ -64,9 +68,10 @@ void LampShadows::finish(std::size_t point, int rays, SurfaceShadow& shadow) con
 
 std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameStarts& before, int spp,
                                             const PoolHandle& pool, std::vector<SurfaceShadow>& shadows) {
-  if (now_.groups() == 0) return {};
+  if (now_.groups() == 0 || !now.on.wantShadows()) return {};
+  now_.use(), before_.use();
   const auto rays = [&](int per_path) { return std::clamp(per_path * spp, kFew, kMost); };
-  const int many = rays(kManyPerPath), moving = rays(kMovingPerPath);
+  const int many = rays(kManyPerPath), most = rays(kMostPerPath);
   const SurfaceSamples& on = now.on;
   bands_.resize(static_cast<std::size_t>((on.height() + kBandRows - 1) / kBandRows));
   const auto forEachBand = [&](const auto& f) {
@@ -83,13 +88,13 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
     for (std::size_t point = on.indexOf(0, i * kBandRows); point < end; ++point)
       if (shadows[point].wanted > 0) {
         // Both frames have equally many rays, so that a change is not one of their number.
-        if (!moves(shadows[point])) before_.limit(point, many);
+        if (!getsMost(on, point, shadows[point])) before_.limit(point, many);
         band.few.push_back({static_cast<std::uint32_t>(point), all_groups});
       }
     traceBoth(band.few, kFew);
   });
   time += forEachBand([&](int, Requests& band) {
-    band.many.clear(), band.moving.clear();
+    band.many.clear(), band.most.clear();
     for (const RayRequest& few : band.few) {
       RayRequest more{few.point, 0};
       for (int g = 0; g < now_.groups(); ++g)
@@ -97,19 +102,19 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
           more.groups |= 1u << g;
       if (more.groups == 0) continue;
       SurfaceShadow& shadow = shadows[few.point];
-      if (moves(shadow))
-        band.moving.push_back(more);
-      else if (shadow.wanted < kLeastGain * rayVariance(now_, more, many))
+      const bool gets_most = getsMost(on, few.point, shadow);
+      const float left = rayVariance(now_, more, gets_most ? most : many);
+      if (!moves(shadow) && shadow.wanted < kLeastGain * left)
         shadow.wanted = 0;
       else
-        band.many.push_back(more);
+        (gets_most ? band.most : band.many).push_back(more);
     }
   });
   return time + forEachBand([&](int, Requests& band) {
-           traceBoth(band.many, many), traceBoth(band.moving, moving);
+           traceBoth(band.many, many), traceBoth(band.most, most);
            for (const RayRequest& few : band.few)
              if (SurfaceShadow& shadow = shadows[few.point]; shadow.wanted > 0)
-               finish(few.point, moves(shadow) ? moving : many, shadow);
+               finish(few.point, getsMost(on, few.point, shadow) ? most : many, shadow);
          });
 }
 

@@ -26,7 +26,7 @@ class LampShadows {
  private:
   // Of a band of rows.
   struct Requests {
-    std::vector<RayRequest> few, many, moving;  // moving: instead of many
+    std::vector<RayRequest> few, many, most;  // most: instead of many
   };
   void finish(std::size_t point, int rays, SurfaceShadow& shadow) const;
 

@@ -115,7 +115,7 @@ void renderPathTile(const SeedPlan& seeds, const Tracing& tracing, Tile tile, co
                     Frame& out) {
   SurfaceSamples& on = *out.surfaces;
   forEachPixel(tile, [&](int x, int y) { out.samples.I2.at(x, y) = out.g.emission.at(x, y); });
-  if (!hasPaths(on, tile)) return;
+  if (!on.needPaths() || !hasPaths(on, tile)) return;
   struct Same {
     const PlainStart& operator()(std::uint32_t, const PlainStart& start) const { return start; }
     const PathStart& operator()(std::uint32_t, const SurfaceStart& start) const { return start.path; }

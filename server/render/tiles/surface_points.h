@@ -114,18 +114,22 @@ class TilePoints {
     light.finish();
   }
 
-  // Copies where paths start, of points that may get any.
+  // Copies where paths and shadow rays start, of points that may get any.
   void keepStarts(SurfaceStarts& starts) const {
     const SurfaceSamples& on = *out_.surfaces;
-    bool any = false, any_of_others = false;
+    bool any = false, any_of_others = false, any_near_shadow = false;
     forEachPixel(tile_, [&](int x, int y) {
       const bool all = on.hasUncacheable(x, y);
       any_of_others |= all;
-      for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
-        if (const SurfacePoint& p = on.at(column, y); p.share > 0 && (all || !p.baked))
-          any = true, keepStart(column, y, starts);
+      for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
+        const SurfacePoint& p = on.at(column, y);
+        const bool paths = p.share > 0 && (all || !p.baked);
+        if (!paths && !p.near_shadow) continue;
+        any |= paths, any_near_shadow |= p.near_shadow;
+        keepStart(column, y, starts);
+      }
     });
-    if (any) starts.setAny(any_of_others);
+    starts.setAny(any, any_of_others, any_near_shadow);
   }
 
  private:

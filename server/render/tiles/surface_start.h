@@ -55,22 +55,26 @@ class SurfaceStarts {
   SurfaceStarts& operator=(SurfaceStarts&& other) {
     plain_.swap(other.plain_), others_.swap(other.others_), is_plain_.swap(other.is_plain_);
     any_ = other.any_.load(), any_of_others_ = other.any_of_others_.load();
+    any_near_shadow_ = other.any_near_shadow_.load();
     return *this;
   }
   void resize(std::size_t points, bool plain_only) {
     plain_.resize(points), is_plain_.resize(points), others_.resize(plain_only ? 0 : points);
-    any_ = any_of_others_ = false;
+    any_ = any_of_others_ = any_near_shadow_ = false;
   }
   void set(std::size_t i, const PlainStart& start) { plain_[i] = start, is_plain_[i] = true; }
   void set(std::size_t i, const SurfaceStart& start) { others_[i] = start, is_plain_[i] = false; }
-  // Tells of the starts of a tile that there are any, and whether SurfacePoint::isUncacheable() is true of
-  // some.
-  void setAny(bool of_others) {
-    any_ = true;
+  // Tells of a tile whether any of its starts may get paths, whether SurfacePoint::isUncacheable() is true of
+  // some, and SurfacePoint::near_shadow.
+  void setAny(bool paths, bool of_others, bool near_shadow) {
+    if (paths) any_ = true;
     if (of_others) any_of_others_ = true;
+    if (near_shadow) any_near_shadow_ = true;
   }
-  bool any() const { return any_; }  // since resize()
+  // Since resize().
+  bool any() const { return any_; }
   bool anyOfOthers() const { return any_of_others_; }
+  bool anyNearShadow() const { return any_near_shadow_; }
 
   bool isPlain(std::size_t i) const { return is_plain_[i]; }
   const PlainStart& plain(std::size_t i) const { return plain_[i]; }
@@ -85,7 +89,7 @@ class SurfaceStarts {
   std::vector<PlainStart> plain_;
   std::vector<SurfaceStart> others_;
   std::vector<char> is_plain_;
-  std::atomic<bool> any_ = false, any_of_others_ = false;
+  std::atomic<bool> any_ = false, any_of_others_ = false, any_near_shadow_ = false;
 };
 
 }  // namespace saccade
