@@ -53,12 +53,14 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   const std::string path = is_file ? file.locate(shape, properties.text("filename")) : "";
   const bool face_normals = !is_file || properties.flag("face_normals", false);
   const bool flip_v = is_file && properties.flag("flip_tex_coords", type == "obj");
+  const bool flip_normals = properties.flag("flip_normals", false);
   properties.finish();
   const std::size_t index = scene.meshes.size();
   scene.meshes.emplace_back();
   loads.add(file.errorsAt(shape), [=, &meshes = scene.meshes] {
     Mesh mesh = loadMesh(type, path, flip_v);
     placeMesh(mesh, common.placement, face_normals);
+    if (flip_normals) turnRound(mesh);
     if (!isFinite(mesh)) throw SceneError("a vertex of the shape is too far away for float numbers");
     if (common.has_bsdf) mesh.unread.clear();
     if (!common.name.empty()) mesh.name = common.name;
@@ -86,6 +88,7 @@ void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& mater
   const Common common = parseCommon(file, shape, properties, materials, scene.origin);
   const Vec3d center = properties.vector("center").value_or(Vec3d{});
   const double radius = properties.number("radius", 1) * uniformScale(file, shape, common.placement);
+  properties.neutral("flip_normals", false);
   properties.finish();
   const Vec3 placed = toFloat(mapPoint(common.placement, center));
   const float size = static_cast<float>(radius);
