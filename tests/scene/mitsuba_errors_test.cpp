@@ -35,7 +35,7 @@ TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
   expectAt4("<emitter type='area'/>",
             "'area' is not supported; supported: envmap, constant, point, spot, directional");
   expectAt4("<shape type='hair'/>",
-            "'hair' is not supported; supported: obj, ply, rectangle, cube, disk, sphere");
+            "'hair' is not supported; supported: obj, ply, serialized, rectangle, cube, disk, sphere");
   expectAt4(shape("<bsdf type='principled'/>"),
             "'principled' is not supported; supported: diffuse, plastic, roughplastic, conductor, "
             "roughconductor, dielectric, thindielectric, twosided, mask, bumpmap");
