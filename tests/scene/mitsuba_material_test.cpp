@@ -91,6 +91,21 @@ TEST(MitsubaMaterial, GlassIsReadInBothDialects) {
   }
 }
 
+TEST(MitsubaMaterial, RoughGlassIsRead) {
+  const Material glass = material(
+      "<bsdf type='roughdielectric'><float name='alpha' value='0.2'/><string name='distribution' "
+      "value='ggx'/>"
+      "<string name='intIOR' value='diamond'/><rgb name='specularTransmittance' value='0.2, 0.4, "
+      "0.6'/></bsdf>");
+  EXPECT_EQ(glass.model.kind, BsdfKind::kRoughDielectric);
+  EXPECT_EQ(glass.model.microfacets, MicrofacetKind::kGgx);
+  EXPECT_FLOAT_EQ(glass.model.alpha, 0.2f);
+  EXPECT_FLOAT_EQ(glass.model.ior, 2.419f / 1.000277f);
+  expectNear(glass.transmittance.color0, {0.2f, 0.4f, 0.6f}, 0);
+  expectBsdfError("<bsdf type='roughdielectric'><string name='intIOR' value='air'/></bsdf>",
+                  "must differ by 0.001 at least");
+}
+
 // The indices of BK7 glass, polypropylene and air that Mitsuba's manual gives.
 TEST(MitsubaMaterial, DefaultsAreThoseOfMitsuba) {
   EXPECT_FLOAT_EQ(material("<bsdf type='dielectric'/>").model.ior, 1.5046f / 1.000277f);

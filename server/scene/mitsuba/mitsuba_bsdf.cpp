@@ -1,5 +1,6 @@
 #include "scene/mitsuba/mitsuba_bsdf.h"
 
+#include <cmath>
 #include <limits>
 
 #include "scene/conductors.h"
@@ -54,6 +55,9 @@ void BsdfReader::read(BsdfKind kind) {
     case BsdfKind::kConductor:
       readConductor();
       break;
+    case BsdfKind::kRoughDielectric:
+      readRoughness();
+      [[fallthrough]];
     case BsdfKind::kDielectric:
     case BsdfKind::kThinDielectric:
       readDielectric();
@@ -98,6 +102,10 @@ void BsdfReader::readConductor() {
 
 void BsdfReader::readDielectric() {
   readIor(kGlass);
+  constexpr float kLeastBend =
+      1e-3f;  // nearer to 1, numbers are too coarse to tell microfacets from straight on
+  if (material_.model.kind == BsdfKind::kRoughDielectric && std::abs(material_.model.ior - 1) < kLeastBend)
+    throw file_.error(bsdf_, "int_ior and ext_ior of rough glass must differ by 0.001 at least");
   material_.transmittance = textures_.readColor(properties_, "specular_transmittance", kWhite);
 }
 

@@ -4,11 +4,13 @@
 // Supported:
 //   sensor    perspective, the first of several: fov along x, or fov_axis y|x|smaller|larger|diagonal, or
 //             focal_length, by default 50mm; one that mirrors is taken unmirrored, with a warning
-//   shape     obj, ply (flip_tex_coords), serialized (shape_index), rectangle, cube, disk, sphere;
-//   face_normals and flip_normals of meshes bsdf      the kinds of bsdf_model.h; around one, in any order,
-//   twosided, mask, bumpmap texture bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
-//   emitter   area, of a shape; envmap, constant, point, spot, directional transform of matrix, translate,
-//   rotate, scale, lookat in order <default> and $names; ids and refs to what stands before
+//   shape     obj, ply (flip_tex_coords), serialized (shape_index), rectangle, cube, disk, sphere; meshes
+//             may have face_normals and flip_normals
+//   bsdf      the kinds of bsdf_model.h; around one, in any order, twosided, mask, bumpmap
+//   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
+//   emitter   area, of a shape; envmap, constant, point, spot, directional
+//   transform of matrix, translate, rotate, scale, lookat in order
+//   <default> and $names; ids and refs to what stands before
 // Colours are what xml_color.h says. Indices of refraction are numbers, or names of dielectrics.h. A bsdf at
 // the top without an id goes by that of the bsdf within it. Of integrators max_depth is kept, and of the film
 // its width and height. Samplers and the like are ignored. So are properties that change no light: strings,
