@@ -13,8 +13,9 @@ struct SpectrumSample {
 
 // Both take samples whose wavelengths increase. The spectrum is linear between them, and 0 outside.
 
-// The linear Rec. 709 colour of a spectrum, as of a lamp: folded with the CIE 1931 observer, so that its
-// luminance is the mean of the spectrum weighted by y. An even spectrum is not white. Parts may be below 0.
+// The linear Rec. 709 colour of a spectrum, as of a lamp. It is folded with the CIE 1931 observer. Its
+// luminance is the mean of the spectrum, weighted by the observer's y. An even spectrum is not white. Parts
+// may be below 0.
 Rgb colorOfLight(const std::vector<SpectrumSample>& spectrum);
 
 // The colour of a surface that reflects, or lets through, this share of each wavelength, under daylight D65.

@@ -59,8 +59,8 @@ TEST(RoughDielectric, SamplesFollowTheirPdf) {
   }
 }
 
-// What it reflects and lets through is what its tables say, which come from microfacets alone. It is all the
-// light, but for what several microfacets would scatter.
+// Its tables, which come from microfacets alone, say how much it reflects and lets through. Only light
+// between several microfacets is lost.
 TEST(RoughDielectric, PowerIsKept) {
   for (const test::BsdfCase& c : cases({0.05f, 0.2f, 0.5f})) {
     for (const float cos_o : {0.2f, 0.6f, 1.f, -0.2f, -0.6f, -1.f}) {

@@ -32,7 +32,7 @@ struct SerializedLayout {
   }
 };
 
-// What is compressed of a triangle (0, 0, 0), (1, 0, 0), (0, `height`, 0) with normal +z.
+// The data, not yet compressed, of a triangle (0, 0, 0), (1, 0, 0), (0, `height`, 0) with normal +z.
 inline std::string triangleData(const SerializedLayout& layout, double height, std::uint64_t vertices = 3,
                                 std::uint64_t triangles = 1, std::uint32_t last_corner = 2) {
   std::string data;

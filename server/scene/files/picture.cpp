@@ -9,7 +9,7 @@
 #include "scene/files/limits.h"
 #include "scene/files/plain_file.h"
 #include "scene/files/scene_error.h"
-#include "scene/srgb.h"
+#include "scene/files/srgb.h"
 
 namespace saccade {
 namespace {

@@ -11,7 +11,7 @@
 namespace saccade {
 namespace {
 
-// What zlib counts in one call.
+// The number of bytes that zlib is given at once.
 uInt piece(std::size_t bytes) {
   return static_cast<uInt>(std::min<std::size_t>(bytes, std::numeric_limits<uInt>::max()));
 }

@@ -51,7 +51,7 @@ double parseFocalLength(const XmlFile& file, pugi::xml_node sensor, std::string_
 }
 
 // The horizontal field of view in degrees. It is given by `fov` and `fov_axis`, or by the focal length of a
-// lens before film of 36 mm by 24 mm, of which the diagonal counts. The default is 50 mm.
+// lens, by default 50 mm. That lens stands before film of 36 mm by 24 mm, of which the diagonal counts.
 double readFov(const XmlFile& file, pugi::xml_node sensor, Properties& properties, double aspect) {
   constexpr double kAbsent = std::numeric_limits<double>::infinity();
   const double fov = properties.number("fov", kAbsent);

@@ -11,11 +11,11 @@
 //   emitter   area, of a shape; envmap, constant, point, spot, directional
 //   transform of matrix, translate, rotate, scale, lookat in order
 //   <default> and $names; ids and refs to what stands before
-// Colours are what xml_color.h says. Indices of refraction are numbers, or names of dielectrics.h. A bsdf at
-// the top without an id goes by that of the bsdf within it. Of integrators max_depth is kept, and of the film
-// its width and height. Samplers and the like are ignored. So are properties that change no light: strings,
-// flags and numbers of the film, and what has the value at which it does nothing, such as a principal point
-// of 0. Anything else, or beyond limits.h, is a SceneError that names file, line and what is supported.
+// Colours: see xml_color.h. Indices of refraction are numbers, or names of dielectrics.h. A bsdf at the top
+// without an id goes by that of the bsdf within it. Of integrators max_depth is kept, and of the film its
+// width and height. Samplers and the like are ignored. So are properties that change no light: strings, flags
+// and numbers of the film, or a principal point of 0. Anything else, or beyond limits.h, is a SceneError that
+// names file, line and what is supported.
 //
 // Our extension: an area emitter may change over stream time, by a factor (dimensionless, at least 0) on its
 // radiance.

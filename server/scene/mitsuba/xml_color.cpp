@@ -8,7 +8,7 @@
 #include "scene/files/text.h"
 #include "scene/mitsuba/xml_properties.h"
 #include "scene/spectrum.h"
-#include "scene/srgb.h"
+#include "scene/files/srgb.h"
 
 namespace saccade {
 namespace {

@@ -11,9 +11,9 @@ enum class ColorUse {
   kQuantity,  // such as a radiance
 };
 
-// What <rgb>, <srgb>, <spectrum> or <float> says: a number, three, #rrggbb, or for <spectrum> a list of
-// nm:value. It is linear Rec. 709, as spectrum.h says for lists, where parts below 0 become 0, and shares
-// above 1 become 1. Throws SceneError that names the line.
+// Takes <rgb>, <srgb>, <spectrum> or <float>: a number, three, #rrggbb, or for <spectrum> a list of nm:value.
+// The colour is linear Rec. 709; spectrum.h says how lists become one. There parts below 0 become 0, and
+// shares above 1 become 1. Throws SceneError that names the line.
 Rgb parseColor(const XmlFile& file, pugi::xml_node node, ColorUse use);
 
 }  // namespace saccade
