@@ -5,10 +5,10 @@
 #include <limits>
 #include <string>
 
+#include "scene/files/srgb.h"
 #include "scene/files/text.h"
 #include "scene/mitsuba/xml_properties.h"
 #include "scene/spectrum.h"
-#include "scene/files/srgb.h"
 
 namespace saccade {
 namespace {
