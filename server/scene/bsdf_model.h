@@ -16,7 +16,8 @@ enum class BsdfKind {
   kRoughConductor,
   kDielectric,      // the surface of glass
   kThinDielectric,  // a pane: both its surfaces at once, nothing is bent
-  kCount,           // how many kinds there are; no kind
+  kRoughDielectric,
+  kCount,  // how many kinds there are; no kind
 };
 inline constexpr auto kBsdfKindCount = static_cast<std::size_t>(BsdfKind::kCount);
 
@@ -27,6 +28,7 @@ struct BsdfTraits {
   bool base = false;                // has a diffuse base, of the colour Material::reflectance
   bool delta = false;               // has delta lobes only: the view is followed into it
   bool transmits = false;           // lets light through, and is seen from both sides
+  bool transmits_rough = false;     // spreads the light it lets through: lights behind it are sampled
   bool transmits_straight = false;  // does not bend the light it lets through: shadow rays go on
 };
 
@@ -43,6 +45,10 @@ inline constexpr BsdfTraits kBsdfTraits[] = {
      .delta = true,
      .transmits = true,
      .transmits_straight = true},
+    {.kind = BsdfKind::kRoughDielectric,
+     .name = "roughdielectric",
+     .transmits = true,
+     .transmits_rough = true},
 };
 static_assert(std::size(kBsdfTraits) == kBsdfKindCount, "each kind has a row");
 static_assert(

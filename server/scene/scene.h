@@ -67,12 +67,13 @@ struct Scene {
   std::vector<PointLight> point_lights = {};
   std::vector<SpotLight> spot_lights = {};
   std::vector<DirectionalLight> directional_lights = {};
-  std::vector<Body> bodies = {};    // what may move; all other shapes stand
-  Vec3d origin = {};                // of its axes, in the world
-  Pose T_world_camera;              // the sensor of the scene file; camera axes x right, y down, z forward
-  double fov_x_deg = 45;            // horizontal field of view
-  int width = 256, height = 256;    // the film of the scene file
-  std::optional<int> bounces = {};  // indirect ones of the author's picture; none: not said, or endless
+  std::vector<Body> bodies = {};  // what may move; all other shapes stand
+  Vec3d origin = {};              // of its axes, in the world
+  Pose T_world_camera;            // the sensor of the scene file; camera axes x right, y down, z forward
+  double fov_x_deg = 45;          // horizontal field of view
+  int width = 256, height = 256;  // the film of the scene file
+  std::vector<std::string> unread = {};  // sentences on what its file says and the picture does not show
+  std::optional<int> bounces = {};       // indirect ones of the author's picture; none: not said, or endless
 };
 
 // 1 where all colours are grey: of surfaces, textures, metals and lights. Else 3.

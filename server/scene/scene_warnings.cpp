@@ -27,6 +27,7 @@ std::vector<std::string> warningsOf(const Scene& scene) {
     warnings.push_back("the same holds for " + std::to_string(unread.size() - kMostFiles) +
                        " more mesh files");
   }
+  warnings.insert(warnings.end(), scene.unread.begin(), scene.unread.end());
   if (!isLit(statsOf(scene))) warnings.push_back("the scene has no light, so that all is black");
   return warnings;
 }

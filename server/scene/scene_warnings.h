@@ -8,7 +8,8 @@
 
 namespace saccade {
 
-// One sentence each: what of a mesh file is not read, once for each file, and that there is no light. Empty:
+// One sentence each: what of a mesh file or of the scene's own is not read, and that there is no light. Each
+// mesh file is told once. Empty:
 // there is nothing to tell.
 std::vector<std::string> warningsOf(const Scene& scene);
 

@@ -59,6 +59,28 @@ TEST(Materials, ASlabOfGlassLetsLightThrough) {
   EXPECT_NEAR(test::meanOf(frame.g.emission).mean, 2 * (1 - f) * (1 - f), 1e-3);  // straight through
 }
 
+// Head-on: what it reflects, and what comes through of a radiance that the index makes smaller.
+TEST(Materials, RoughGlassIsLitFromBothSides) {
+  Scene scene = test::floorFromAbove(0);
+  scene.materials = {of(BsdfKind::kRoughDielectric)};
+  scene.environment = {{1, 1, 1}, {}, {}};
+  const BsdfTables tables(scene.materials[0].model);
+  const double through = tables.transmittance(1) / (tables.model.ior * tables.model.ior);
+  const test::Mean m = test::renderMean(std::move(scene), 0, 1024);
+  EXPECT_NEAR(m.mean, tables.reflectance(1).x + through, 4 * m.error + 5e-3);
+}
+
+// By the value of the BSDF, straight through from a lamp without extent.
+TEST(Materials, APointShinesThroughRoughGlass) {
+  Scene scene = test::floorFromAbove(0);
+  scene.materials = {of(BsdfKind::kRoughDielectric)};
+  scene.point_lights = {{{0, 0, -200}, {4e4f, 4e4f, 4e4f}}};  // irradiance 1 on the glass
+  const BsdfTables tables(scene.materials[0].model);
+  const Bsdf glass{&tables};
+  const double expected = evaluateBsdf(glass, Vec3{0, 0, 1}, Vec3{0, 0, -1}).value.x;
+  EXPECT_NEAR(test::renderMean(std::move(scene), 0, 64, 16).mean, expected, 0.01 * expected);
+}
+
 TEST(Materials, AMaskShowsItsShare) {
   Material m = test::grey(0.5f);
   m.opacity.color0 = {0.75f, 0.75f, 0.75f};

@@ -119,6 +119,19 @@ TEST(MitsubaXml, MeshesAreSmoothUnlessTheyAskForFaceNormals) {
   EXPECT_EQ(normals("<boolean name='face_normals' value='true'/>"), 0u);
 }
 
+TEST(MitsubaXml, MeshesMayFaceTheOtherWay) {
+  const auto mesh = [](const std::string& more) {
+    return load(kSensor + "<shape type='obj'><string name='filename' value='a.obj'/>" + more + "</shape>")
+        .meshes[0];
+  };
+  const Mesh plain = mesh(""), turned = mesh("<boolean name='flipNormals' value='true'/>");
+  EXPECT_EQ(plain.triangles[0], (std::array<std::uint32_t, 3>{0, 1, 2}));
+  EXPECT_EQ(turned.triangles[0], (std::array<std::uint32_t, 3>{0, 2, 1}));
+  EXPECT_EQ(plain.normals[0], (Vec3{0, 0, 1}));
+  EXPECT_EQ(turned.normals[0], (Vec3{0, 0, -1}));
+  EXPECT_EQ(mesh("<boolean name='flip_normals' value='false'/>").triangles, plain.triangles);
+}
+
 TEST(MitsubaXml, ReadsEmittersAndCheckerboards) {
   const Scene scene =
       load(kSensor +

@@ -10,6 +10,7 @@
 #include "render/bsdf/dielectric.h"
 #include "render/bsdf/diffuse.h"
 #include "render/bsdf/plastic.h"
+#include "render/bsdf/rough_dielectric.h"
 
 namespace saccade {
 
@@ -30,8 +31,8 @@ constexpr BsdfKinds kindsWith(bool BsdfTraits::*trait) {
 namespace detail {
 
 // In the order of BsdfKind.
-using BsdfFamilies =
-    std::tuple<Diffuse, Plastic, RoughPlastic, Conductor, RoughConductor, Dielectric, ThinDielectric>;
+using BsdfFamilies = std::tuple<Diffuse, Plastic, RoughPlastic, Conductor, RoughConductor, Dielectric,
+                                ThinDielectric, RoughDielectric>;
 
 template <std::size_t... I>
 constexpr bool inOrder(std::index_sequence<I...>) {

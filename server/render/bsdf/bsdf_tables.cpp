@@ -75,11 +75,18 @@ BsdfTables::BsdfTables(const BsdfModel& m) : model(m) {
     const auto conductor = [&](float cosine) { return fresnelConductor(cosine, m.eta, m.k); };
     reflectance.fill([&](float cos_o) { return roughReflectance(f, cos_o, conductor); });
   }
-  if (m.kind == BsdfKind::kRoughPlastic) {
+  if (m.kind == BsdfKind::kRoughPlastic || m.kind == BsdfKind::kRoughDielectric) {
     const auto grey = [&](float cosine) { return Rgb{1, 1, 1} * dielectric(cosine); };
     reflectance.fill([&](float cos_o) { return roughReflectance(f, cos_o, grey); });
     transmittance.fill([&](float cos_o) { return roughTransmittance(f, cos_o, m.ior); });
     mean_transmittance = cosineWeightedMean(transmittance);
+  }
+  if (m.kind == BsdfKind::kRoughDielectric) {
+    const auto inner = [&](float cosine) {
+      return Rgb{1, 1, 1} * fresnelDielectric(cosine, 1 / m.ior).reflectance;
+    };
+    inner_reflectance.fill([&](float cos_o) { return roughReflectance(f, cos_o, inner).x; });
+    inner_transmittance.fill([&](float cos_o) { return roughTransmittance(f, cos_o, 1 / m.ior); });
   }
   if (m.kind == BsdfKind::kPlastic)
     mean_transmittance = cosineWeightedMean([&](float cosine) { return 1 - dielectric(cosine); });

@@ -40,10 +40,12 @@ struct BsdfTables {
 
   BsdfModel model;  // its roughness is at least kLeastAlpha
 
-  // For rough kinds: the fractions of light from outside that leave into the upper hemisphere (per channel)
-  // and into the lower one (rough plastic). Light between two microfacets is lost, as in Mitsuba.
+  // For rough kinds: the fractions of light from outside that leave into the upper hemisphere, per channel.
+  // Of plastic and glass also those into the lower one. Light between two microfacets is lost, as in Mitsuba.
   CosineTable<Rgb> reflectance;
   CosineTable<float> transmittance;
+  // Rough glass: the same of light from inside.
+  CosineTable<float> inner_reflectance, inner_transmittance;
 
   // For plastics: the transmittance of diffuse light from outside, and the reflectance of diffuse light from
   // inside.

@@ -35,6 +35,22 @@ template <int W, PathKind K>
   return f;
 }
 
+// The lanes of these that scatter light through rough glass. Their rays leave on its other side.
+template <int W, int C>
+LaneSet goThrough(const Batch<C>& b, int first, LaneSet behind, Vec3T<Floats<W>>& origin,
+                  Vec3T<Floats<W>>& segment) {
+  LaneSet through;
+  forEachLane(lanesShadedAs<W>(ShadedAs::kOther, *b.now, first, behind), [&](int i) {
+    const Surface& s = b.now->surfaces[static_cast<std::size_t>(first + i)];
+    if (!traitsOf(s.bsdf.tables->model.kind).transmits_rough) return;
+    const Vec3 from = leave(s, true);
+    setLane(segment, i, laneOf(segment, i) + laneOf(origin, i) - from);
+    setLane(origin, i, from);
+    through.add(i);
+  });
+  return through;
+}
+
 template <int W, PathKind K>
 void directLightOf(const Batch<K.channels>& b, Stratum stratum) {
   constexpr int C = K.channels;
@@ -51,8 +67,14 @@ void directLightOf(const Batch<K.channels>& b, Stratum stratum) {
     ray.origin = p.origin.template lanes<W>(first);
     const PathNumbers<W> numbers{load<W>(&p.reversed_index[first]), load<W>(&p.path_key[first])};
     const auto u = numbersAt<W, K.split>(b, numbers, kLight);
-    const auto light = sampleLights<W, C>(b, stratum, ray.origin, ng, u(0), u(1), u(2), lanesOf(lanes));
-    lanes = lanes && light.pdf > 0.f && dot(light.direction, ng) > 0.f;
+    auto light = sampleLights<W, C>(b, stratum, ray.origin, ng, u(0), u(1), u(2), lanesOf(lanes));
+    auto reached = dot(light.direction, ng) > 0.f;
+    if constexpr (K.mixed)
+      if (b.t.scene.still().shading().has(&BsdfTraits::transmits_rough)) {
+        const LaneSet behind = lanesOf(lanes && light.pdf > 0.f && !reached);
+        reached = reached || maskOf<W>(goThrough<W>(b, first, behind, ray.origin, light.segment));
+      }
+    lanes = lanes && light.pdf > 0.f && reached;
     const F cosine = dot(light.direction, ns);
     const auto f = evaluateLanes<W, K>(b, first, light.direction, ns, cosine, lanesOf(lanes));
     lanes = lanes && f.pdf > 0.f;

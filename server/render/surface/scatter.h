@@ -22,8 +22,10 @@ class Scatter {
 
   // The value for light from the unit direction w.
   BsdfValue evaluate(Vec3 w) const {
-    if (dot(w, s_.geometric_normal) <= 0) return {};
-    BsdfValue v = evaluateBsdf<S.kinds>(s_.bsdf, wo_, frame_.toLocal(w));
+    const Vec3 wi = frame_.toLocal(w);
+    const float side = dot(w, s_.geometric_normal);
+    if ((goesThrough(wi) ? -side : side) <= 0) return {};
+    BsdfValue v = evaluateBsdf<S.kinds>(s_.bsdf, wo_, wi);
     if constexpr (S.extras) v.value = v.value * s_.opacity, v.pdf *= s_.opacity;
     return v;
   }
@@ -77,6 +79,12 @@ class Scatter {
   Vec3 normal() const { return frame_.z; }
 
  private:
+  // Whether light from wi is scattered through the surface.
+  bool goesThrough(Vec3 wi) const {
+    if constexpr (!S.has(&BsdfTraits::transmits_rough)) return false;
+    return traits().transmits_rough && wi.z * wo_.z < 0;
+  }
+
   static constexpr bool kTransmits = S.has(&BsdfTraits::transmits);
   const BsdfTraits& traits() const {
     return traitsOf(S.diffuseOnly() ? BsdfKind::kDiffuse : s_.bsdf.tables->model.kind);

@@ -26,6 +26,14 @@ inline Vec3 leave(const SurfaceStart& start) {
   return leave(start.path.surface);
 }
 
+// In the direction w: rough glass lets some light through.
+inline Vec3 leaveTowards(const PlainStart& start, Vec3) {
+  return leave(start);
+}
+inline Vec3 leaveTowards(const SurfaceStart& start, Vec3 w) {
+  return leave(start.path.surface, dot(w, start.path.surface.geometric_normal) < 0);
+}
+
 // Adds the light that starts reflect to what their pixels emit, so that no filter sees it.
 template <Shading S>
 class DeltaLight {
@@ -43,7 +51,7 @@ class DeltaLight {
       const Rgb reflected = scattered<S>(start, light.direction) * light.radiance;
       if (!(luminance(reflected) * scale > 0)) continue;
       pending_[next_] = {x, y, reflected * scale};
-      rays_.add({origin, light.segment, light.reach, next_});
+      rays_.add({leaveTowards(start, light.direction), light.segment, light.reach, next_});
       next_ = (next_ + 1) % kPending;
     }
   }

@@ -12,6 +12,7 @@ inline constexpr int kMaxBsdfDepth = 16;    // bsdfs within bsdfs, through <ref>
 inline constexpr int kMaxFilmEdge = 16384;  // pixels
 
 inline constexpr std::size_t kMaxMeshBytes = std::size_t{4} << 30;  // of a file
+inline constexpr std::size_t kMaxMeshBytesPerByte = 200;            // of its compressed data
 inline constexpr std::size_t kMaxTriangles = 100'000'000;           // of a mesh, and of all meshes together
 
 inline constexpr int kMaxPictureEdge = 16384;                           // pixels

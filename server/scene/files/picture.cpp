@@ -9,6 +9,7 @@
 #include "scene/files/limits.h"
 #include "scene/files/plain_file.h"
 #include "scene/files/scene_error.h"
+#include "scene/files/srgb.h"
 
 namespace saccade {
 namespace {
@@ -19,12 +20,11 @@ float clampTo(float max, float v) {
 }
 
 // Tabulated for 16 bits, which holds every value of 8- and 16-bit pictures.
-float linearFromSrgb(float encoded) {
+float tabulatedFromSrgb(float encoded) {
   static const auto table = [] {
     std::array<float, 65536> values;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const double s = static_cast<double>(i) / 65535;
-      values[i] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+      values[i] = static_cast<float>(linearFromSrgb(static_cast<double>(i) / 65535));
     }
     return values;
   }();
@@ -93,7 +93,7 @@ Picture loadPicture(const std::string& path, PixelUse use) {
   const bool integers = shape.number == pictures::Number::kU8 || shape.number == pictures::Number::kU16;
   const bool encoded = integers && use != PixelUse::kRawReflectance && use != PixelUse::kRawOpacity;
   const float max = use == PixelUse::kRadiance ? kMaxRadiance : 1;
-  const auto linear = [&](float v) { return encoded ? linearFromSrgb(clampTo(1, v)) : clampTo(max, v); };
+  const auto linear = [&](float v) { return encoded ? tabulatedFromSrgb(clampTo(1, v)) : clampTo(max, v); };
   for (Rgb& c : picture.pixels) {
     if (grey) c.y = c.z = c.x;
     c = {linear(c.x), linear(c.y), linear(c.z)};

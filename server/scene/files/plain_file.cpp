@@ -31,10 +31,10 @@ class PlainFile {
 
   std::size_t size() const { return size_; }
 
-  std::string read(std::size_t count) const {
+  std::string read(std::size_t count, std::size_t offset = 0) const {
     std::string bytes(count, '\0');
     for (std::size_t done = 0; done < count;) {
-      const ssize_t got = ::read(fd_, bytes.data() + done, count - done);
+      const ssize_t got = ::pread(fd_, bytes.data() + done, count - done, static_cast<off_t>(offset + done));
       if (got < 0) fail(std::strerror(errno));
       if (got == 0) fail("became shorter while it was read");
       done += static_cast<std::size_t>(got);
@@ -64,6 +64,10 @@ std::string readFile(const std::string& path, std::size_t max_bytes) {
 std::string readBeginning(const std::string& path, std::size_t max_bytes) {
   const PlainFile file(path);
   return file.read(std::min(file.size(), max_bytes));
+}
+
+std::string readPart(const std::string& path, std::size_t offset, std::size_t bytes) {
+  return PlainFile(path).read(bytes, offset);
 }
 
 std::size_t plainFileSize(const std::string& path) {

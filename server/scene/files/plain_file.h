@@ -11,6 +11,8 @@ namespace saccade {
 std::string readFile(const std::string& path, std::size_t max_bytes);
 // The first bytes, at most `max_bytes`.
 std::string readBeginning(const std::string& path, std::size_t max_bytes);
+// `bytes` from `offset` on, which the file must have.
+std::string readPart(const std::string& path, std::size_t offset, std::size_t bytes);
 // The size in bytes, for a reader that opens the file itself.
 std::size_t plainFileSize(const std::string& path);
 

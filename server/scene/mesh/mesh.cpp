@@ -44,6 +44,10 @@ std::vector<Vec3> smoothNormals(const Mesh& mesh) {
   return normals;
 }
 
+void reverseTriangles(Mesh& mesh) {
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
 // Reverses triangles that face away from the normals of their corners.
 void turnToNormals(Mesh& mesh) {
   for (auto& t : mesh.triangles) {
@@ -92,8 +96,7 @@ Mesh makeDisk() {
 
 void placeMesh(Mesh& mesh, const Affine& to_world, bool face_normals) {
   for (Vec3& p : mesh.positions) p = toFloat(mapPoint(to_world, toDouble(p)));
-  if (determinant(to_world) < 0)
-    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  if (determinant(to_world) < 0) reverseTriangles(mesh);
   if (face_normals) {
     mesh.normals.clear();
   } else if (mesh.normals.empty()) {
@@ -107,6 +110,11 @@ void placeMesh(Mesh& mesh, const Affine& to_world, bool face_normals) {
   mesh.normals.shrink_to_fit();
   mesh.uvs.shrink_to_fit();
   mesh.triangles.shrink_to_fit();
+}
+
+void turnRound(Mesh& mesh) {
+  reverseTriangles(mesh);
+  for (Vec3& n : mesh.normals) n = -n;
 }
 
 }  // namespace saccade

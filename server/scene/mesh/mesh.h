@@ -23,4 +23,7 @@ Mesh makeDisk();
 // their normals point.
 void placeMesh(Mesh& mesh, const Affine& to_world, bool face_normals);
 
+// Makes the mesh face the other way.
+void turnRound(Mesh& mesh);
+
 }  // namespace saccade

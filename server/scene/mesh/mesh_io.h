@@ -25,4 +25,9 @@ Mesh parseObj(std::string_view bytes, const std::string& path);  // content of a
 Mesh loadPly(const std::string& path);
 Mesh parsePly(std::string_view bytes, const std::string& path);
 
+// A serialized file of Mitsuba 0.5 to 3, versions 3 and 4, of floats or doubles. It may hold several meshes,
+// of which `index` counts from 0. No other mesh in it is read. Mesh::unread tells of colours.
+Mesh loadSerialized(const std::string& path, int index);
+Mesh parseSerialized(std::string_view bytes, const std::string& path, int index);
+
 }  // namespace saccade

@@ -1,15 +1,17 @@
 #include "scene/mitsuba/mitsuba_bsdf.h"
 
+#include <cmath>
 #include <limits>
 
 #include "scene/conductors.h"
+#include "scene/dielectrics.h"
 
 namespace saccade {
 namespace {
 
 // Mitsuba's defaults.
-constexpr double kAirIor = 1.000277, kGlassIor = 1.5046, kPolypropyleneIor = 1.49;
-constexpr Rgb kHalf{0.5f, 0.5f, 0.5f}, kOne{1, 1, 1};
+constexpr const char *kAir = "air", *kGlass = "bk7", *kPolypropylene = "polypropylene";
+constexpr SurfaceColor kHalf = constantColor({0.5f, 0.5f, 0.5f});
 
 // One BSDF, property by property.
 class BsdfReader {
@@ -20,12 +22,13 @@ class BsdfReader {
   void read(BsdfKind kind);
 
  private:
+  void readDiffuse();
   void readPlastic();
   void readConductor();
   void readDielectric();
   void readRoughness();
-  void readIor(double interior_default);
-  double positive(const std::string& name, double fallback);
+  void readIor(const std::string& interior_default);
+  double index(const std::string& name, const std::string& fallback);
 
   const XmlFile& file_;
   pugi::xml_node bsdf_;
@@ -38,7 +41,7 @@ void BsdfReader::read(BsdfKind kind) {
   material_.model.kind = kind;
   switch (kind) {
     case BsdfKind::kDiffuse:
-      material_.reflectance = textures_.readColor(properties_, "reflectance", kHalf);
+      readDiffuse();
       break;
     case BsdfKind::kRoughPlastic:
       readRoughness();
@@ -52,6 +55,9 @@ void BsdfReader::read(BsdfKind kind) {
     case BsdfKind::kConductor:
       readConductor();
       break;
+    case BsdfKind::kRoughDielectric:
+      readRoughness();
+      [[fallthrough]];
     case BsdfKind::kDielectric:
     case BsdfKind::kThinDielectric:
       readDielectric();
@@ -60,12 +66,18 @@ void BsdfReader::read(BsdfKind kind) {
       break;
   }
   if (kind != BsdfKind::kDiffuse)
-    material_.specular = textures_.readColor(properties_, "specular_reflectance", kOne);
+    material_.specular = textures_.readColor(properties_, "specular_reflectance", kWhite);
   properties_.finish();
 }
 
+// Mitsuba 0.6 takes either name.
+void BsdfReader::readDiffuse() {
+  const SurfaceColor other = textures_.readColor(properties_, "diffuse_reflectance", kHalf);
+  material_.reflectance = textures_.readColor(properties_, "reflectance", other);
+}
+
 void BsdfReader::readPlastic() {
-  readIor(kPolypropyleneIor);
+  readIor(kPolypropylene);
   material_.reflectance = textures_.readColor(properties_, "diffuse_reflectance", kHalf);
   material_.model.nonlinear = properties_.flag("nonlinear", false);
 }
@@ -73,9 +85,9 @@ void BsdfReader::readPlastic() {
 // eta and k, or a metal by name.
 void BsdfReader::readConductor() {
   constexpr float kMax = std::numeric_limits<float>::max();
-  const auto eta = properties_.color("eta", kMax), k = properties_.color("k", kMax);
+  const auto eta = properties_.quantity("eta", kMax), k = properties_.quantity("k", kMax);
   const std::string name = properties_.text("material");
-  const float outside = static_cast<float>(positive("ext_eta", 1));
+  const float outside = static_cast<float>(index("ext_eta", "vacuum"));
   if (eta.has_value() != k.has_value() || (eta && !name.empty()))
     throw file_.error(bsdf_, "a metal needs eta and k, or <string name=\"material\">, or neither");
   ComplexIndex metal{name, eta.value_or(Rgb{}), k.value_or(Rgb{})};
@@ -89,13 +101,20 @@ void BsdfReader::readConductor() {
 }
 
 void BsdfReader::readDielectric() {
-  readIor(kGlassIor);
-  material_.transmittance = textures_.readColor(properties_, "specular_transmittance", kOne);
+  readIor(kGlass);
+  constexpr float kLeastBend =
+      1e-3f;  // nearer to 1, numbers are too coarse to tell microfacets from straight on
+  if (material_.model.kind == BsdfKind::kRoughDielectric && std::abs(material_.model.ior - 1) < kLeastBend)
+    throw file_.error(bsdf_, "int_ior and ext_ior of rough glass must differ by 0.001 at least");
+  material_.transmittance = textures_.readColor(properties_, "specular_transmittance", kWhite);
 }
 
 void BsdfReader::readRoughness() {
-  const double alpha = properties_.number("alpha", 0.1);
+  const double both = properties_.number("alpha", 0.1);
+  const double alpha = properties_.number("alpha_u", both), across = properties_.number("alpha_v", both);
   if (!(alpha >= 0 && alpha <= 1)) throw file_.error(bsdf_, "alpha must be within [0, 1]");
+  if (alpha != across)
+    throw file_.error(bsdf_, "alpha_u and alpha_v must be equal: brushed surfaces are not supported");
   material_.model.alpha = static_cast<float>(alpha);
   const std::string distribution = properties_.text("distribution");
   if (!distribution.empty() && distribution != "beckmann" && distribution != "ggx")
@@ -105,13 +124,18 @@ void BsdfReader::readRoughness() {
   properties_.ignore("boolean", {"sample_visible"});
 }
 
-void BsdfReader::readIor(double interior_default) {
-  material_.model.ior =
-      static_cast<float>(positive("int_ior", interior_default) / positive("ext_ior", kAirIor));
+void BsdfReader::readIor(const std::string& interior_default) {
+  material_.model.ior = static_cast<float>(index("int_ior", interior_default) / index("ext_ior", kAir));
 }
 
-double BsdfReader::positive(const std::string& name, double fallback) {
-  const double value = properties_.number(name, fallback);
+// A number, or a material by name.
+double BsdfReader::index(const std::string& name, const std::string& fallback) {
+  const std::string given = properties_.text(name), material = given.empty() ? fallback : given;
+  const std::optional<double> found = findDielectric(material);
+  if (!found)
+    throw file_.error(bsdf_,
+                      name + ": the material '" + material + "' is not known; known: " + dielectricNames());
+  const double value = properties_.number(name, *found);
   if (!(value >= 1e-3 && value <= 1e3)) throw file_.error(bsdf_, name + " must be within [0.001, 1000]");
   return value;
 }

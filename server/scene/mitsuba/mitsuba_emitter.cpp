@@ -63,7 +63,7 @@ Emission parseEmitter(const XmlFile& file, pugi::xml_node emitter) {
   supportedType(file, emitter, {"area"});
   Properties properties(file, emitter);
   properties.ignore("float", {"sampling_weight"});
-  const auto radiance = properties.color("radiance", kMaxRadiance);
+  const auto radiance = properties.quantity("radiance", kMaxRadiance);
   const Strength strength = parseStrength(file, emitter, properties);
   properties.finish();
   if (!radiance)

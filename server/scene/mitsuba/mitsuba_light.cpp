@@ -11,7 +11,7 @@ namespace saccade {
 namespace {
 
 Rgb requiredColor(const XmlFile& file, pugi::xml_node emitter, Properties& properties, const char* name) {
-  const auto color = properties.color(name, kMaxRadiance);
+  const auto color = properties.quantity(name, kMaxRadiance);
   if (!color)
     throw file.error(emitter,
                      "the emitter needs <rgb>, <spectrum> or <float name=\"" + std::string(name) + "\">");

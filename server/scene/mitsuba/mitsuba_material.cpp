@@ -55,8 +55,8 @@ pugi::xml_node MaterialReader::readWrapper(const std::string& type, pugi::xml_no
   if (type == "twosided") {
     material.twosided = true;
   } else if (type == "mask") {
-    material.opacity =
-        textures_.readColor(properties, "opacity", {0.5f, 0.5f, 0.5f}, TextureReader::Use::kOpacity);
+    material.opacity = textures_.readColor(properties, "opacity", constantColor({0.5f, 0.5f, 0.5f}),
+                                           TextureReader::Use::kOpacity);
   } else {
     const pugi::xml_node height = properties.object("texture");
     if (!height) throw file_.error(bsdf, "a bumpmap needs a <texture>");

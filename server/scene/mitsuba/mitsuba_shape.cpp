@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/files/limits.h"
 #include "scene/mesh/mesh.h"
 #include "scene/mesh/mesh_io.h"
 #include "scene/mitsuba/mitsuba_emitter.h"
@@ -30,14 +31,34 @@ Common parseCommon(const XmlFile& file, pugi::xml_node shape, Properties& proper
           emitter ? parseEmitter(file, emitter) : Emission{}};
 }
 
-Mesh loadMesh(const std::string& type, const std::string& path, bool flip_v) {
-  if (type == "rectangle") return makeRectangle();
-  if (type == "cube") return makeCube();
-  if (type == "disk") return makeDisk();
-  Mesh mesh = type == "obj" ? loadObj(path) : loadPly(path);
-  if (flip_v)
+// A mesh in a file.
+struct MeshFile {
+  std::string path;
+  int index;    // of the meshes in it
+  bool flip_v;  // of texture coordinates
+};
+
+MeshFile readMeshFile(const XmlFile& file, pugi::xml_node shape, const std::string& type,
+                      Properties& properties) {
+  const std::string path = file.locate(shape, properties.text("filename"));
+  if (type != "serialized") return {path, 0, properties.flag("flip_tex_coords", type == "obj")};
+  const double index = properties.number("shape_index", 0);
+  if (!(index >= 0 && index <= kMaxTriangles) || index != std::floor(index))
+    throw file.error(shape, "the shape_index must be a whole number from 0");
+  return {path, static_cast<int>(index), false};
+}
+
+Mesh loadMeshFile(const std::string& type, const MeshFile& file) {
+  Mesh mesh = type == "obj"   ? loadObj(file.path)
+              : type == "ply" ? loadPly(file.path)
+                              : loadSerialized(file.path, file.index);
+  if (file.flip_v)
     for (Vec2& uv : mesh.uvs) uv.y = 1 - uv.y;
   return mesh;
+}
+
+Mesh makeMesh(const std::string& type) {
+  return type == "rectangle" ? makeRectangle() : type == "cube" ? makeCube() : makeDisk();
 }
 
 bool isFinite(const Mesh& mesh) {
@@ -49,16 +70,17 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
               FileLoads& loads, Scene& scene) {
   Properties properties(file, shape);
   const Common common = parseCommon(file, shape, properties, materials, scene.origin);
-  const bool is_file = type == "obj" || type == "ply";
-  const std::string path = is_file ? file.locate(shape, properties.text("filename")) : "";
+  const bool is_file = type == "obj" || type == "ply" || type == "serialized";
+  const MeshFile mesh_file = is_file ? readMeshFile(file, shape, type, properties) : MeshFile{};
   const bool face_normals = !is_file || properties.flag("face_normals", false);
-  const bool flip_v = is_file && properties.flag("flip_tex_coords", type == "obj");
+  const bool flip_normals = properties.flag("flip_normals", false);
   properties.finish();
   const std::size_t index = scene.meshes.size();
   scene.meshes.emplace_back();
   loads.add(file.errorsAt(shape), [=, &meshes = scene.meshes] {
-    Mesh mesh = loadMesh(type, path, flip_v);
+    Mesh mesh = is_file ? loadMeshFile(type, mesh_file) : makeMesh(type);
     placeMesh(mesh, common.placement, face_normals);
+    if (flip_normals) turnRound(mesh);
     if (!isFinite(mesh)) throw SceneError("a vertex of the shape is too far away for float numbers");
     if (common.has_bsdf) mesh.unread.clear();
     if (!common.name.empty()) mesh.name = common.name;
@@ -86,6 +108,7 @@ void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& mater
   const Common common = parseCommon(file, shape, properties, materials, scene.origin);
   const Vec3d center = properties.vector("center").value_or(Vec3d{});
   const double radius = properties.number("radius", 1) * uniformScale(file, shape, common.placement);
+  properties.neutral("flip_normals", false);
   properties.finish();
   const Vec3 placed = toFloat(mapPoint(common.placement, center));
   const float size = static_cast<float>(radius);
@@ -99,7 +122,8 @@ void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& mater
 
 void readShape(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, FileLoads& loads,
                Scene& scene) {
-  const std::string type = supportedType(file, shape, {"obj", "ply", "rectangle", "cube", "disk", "sphere"});
+  const std::string type =
+      supportedType(file, shape, {"obj", "ply", "serialized", "rectangle", "cube", "disk", "sphere"});
   if (type == "sphere") {
     readSphere(file, shape, materials, scene);
   } else {

@@ -43,10 +43,11 @@ PixelUse pixelUse(TextureReader::Use use, bool raw) {
 
 }  // namespace
 
-SurfaceColor TextureReader::readColor(Properties& properties, const std::string& name, Rgb fallback,
-                                      Use use) {
+SurfaceColor TextureReader::readColor(Properties& properties, const std::string& name,
+                                      const SurfaceColor& fallback, Use use) {
   if (const pugi::xml_node texture = properties.object("texture", name)) return readTexture(texture, use);
-  return constantColor(properties.color(name, 1).value_or(fallback));
+  const std::optional<Rgb> color = properties.share(name);
+  return color ? constantColor(*color) : fallback;
 }
 
 SurfaceColor TextureReader::readTexture(pugi::xml_node texture, Use use) {
@@ -58,8 +59,8 @@ SurfaceColor TextureReader::readTexture(pugi::xml_node texture, Use use) {
   } else {
     c.kind = SurfaceColor::Kind::kCheckerboard;
     readUvMap(file_, properties, c);
-    c.color0 = properties.color("color0", 1).value_or(Rgb{0.4f, 0.4f, 0.4f});
-    c.color1 = properties.color("color1", 1).value_or(Rgb{0.2f, 0.2f, 0.2f});
+    c.color0 = properties.share("color0").value_or(Rgb{0.4f, 0.4f, 0.4f});
+    c.color1 = properties.share("color1").value_or(Rgb{0.2f, 0.2f, 0.2f});
   }
   properties.finish();
   return c;

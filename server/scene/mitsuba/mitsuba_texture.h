@@ -21,7 +21,7 @@ class TextureReader {
   enum class Use { kReflectance, kOpacity };
 
   // The property called `name`: a number, a colour or a texture.
-  SurfaceColor readColor(Properties& properties, const std::string& name, Rgb fallback,
+  SurfaceColor readColor(Properties& properties, const std::string& name, const SurfaceColor& fallback,
                          Use use = Use::kReflectance);
   SurfaceColor readTexture(pugi::xml_node texture, Use use = Use::kReflectance);
 

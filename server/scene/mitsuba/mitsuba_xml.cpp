@@ -32,9 +32,11 @@ std::string readConfined(const std::string& path, const LoadOptions& options) {
 // All but the meshes and pictures, which `loads` will fill in. `scene` must stay where it is until then.
 void readScene(const XmlFile& file, FileLoads& loads, Scene& scene) {
   Properties properties(file, file.root());
-  const pugi::xml_node sensor = properties.object("sensor");
-  if (!sensor) throw file.error(file.root(), "the scene has no <sensor type=\"perspective\">");
-  readSensor(file, sensor, scene);
+  const std::vector<pugi::xml_node> sensors = properties.objects("sensor");
+  if (sensors.empty()) throw file.error(file.root(), "the scene has no <sensor type=\"perspective\">");
+  readSensor(file, sensors[0], scene);
+  if (sensors.size() > 1)
+    scene.unread.push_back("the first of " + std::to_string(sensors.size()) + " sensors is the camera");
 
   // Only the materials that shapes use are read.
   TextureReader textures(file, loads, scene);

@@ -2,17 +2,20 @@
 // of both are read in all files; where defaults differ, the version of the scene decides.
 //
 // Supported:
-//   sensor    perspective: fov along x, or fov_axis y|x|smaller|larger
-//   shape     obj, ply (face_normals, flip_tex_coords), rectangle, cube, disk, sphere
+//   sensor    perspective, the first of several: fov along x, or fov_axis y|x|smaller|larger|diagonal, or
+//             focal_length, by default 50mm; one that mirrors is taken unmirrored, with a warning
+//   shape     obj, ply (flip_tex_coords), serialized (shape_index), rectangle, cube, disk, sphere; meshes
+//             may have face_normals and flip_normals
 //   bsdf      the kinds of bsdf_model.h; around one, in any order, twosided, mask, bumpmap
 //   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
 //   emitter   area, of a shape; envmap, constant, point, spot, directional
 //   transform of matrix, translate, rotate, scale, lookat in order
 //   <default> and $names; ids and refs to what stands before
-// Colours are rgb, float, or spectrum of one number. A bsdf at the top without an id goes by that of the bsdf
-// within it. Of integrators max_depth is kept, and of the film its width and height. Samplers and the like
-// are ignored. Anything else, or beyond limits.h, is a SceneError that names file, line and what is
-// supported.
+// Colours: see xml_color.h. Indices of refraction are numbers, or names of dielectrics.h. A bsdf at the top
+// without an id goes by that of the bsdf within it. Of integrators max_depth is kept, and of the film its
+// width and height. Samplers and the like are ignored. So are properties that change no light: strings, flags
+// and numbers of the film, or a principal point of 0. Anything else, or beyond limits.h, is a SceneError that
+// names file, line and what is supported.
 //
 // Our extension: an area emitter may change over stream time, by a factor (dimensionless, at least 0) on its
 // radiance.

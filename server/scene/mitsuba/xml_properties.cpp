@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include "base/names.h"
 #include "scene/files/text.h"
@@ -60,6 +59,12 @@ double Properties::parsed(pugi::xml_node node) const {
   return values[0];
 }
 
+bool Properties::parsedFlag(pugi::xml_node node) const {
+  const std::string value = node.attribute("value").value();
+  if (value != "true" && value != "false") throw file_.error(node, "expected value=\"true\" or \"false\"");
+  return value == "true";
+}
+
 double Properties::number(const std::string& name, double fallback) {
   for (const char* tag : {"float", "integer"})
     if (const Child* child = take(tag, name)) return parsed(child->given);
@@ -68,11 +73,7 @@ double Properties::number(const std::string& name, double fallback) {
 
 bool Properties::flag(const std::string& name, bool fallback) {
   const Child* child = take("boolean", name);
-  if (!child) return fallback;
-  const std::string value = child->given.attribute("value").value();
-  if (value != "true" && value != "false")
-    throw file_.error(child->given, "expected value=\"true\" or \"false\"");
-  return value == "true";
+  return child ? parsedFlag(child->given) : fallback;
 }
 
 std::string Properties::text(const std::string& name) {
@@ -95,21 +96,33 @@ std::optional<Vec3d> Properties::vector(const std::string& name) {
   return {};
 }
 
-std::optional<Rgb> Properties::color(const std::string& name, float max) {
-  for (const char* tag : {"rgb", "spectrum", "float"}) {
+std::optional<Rgb> Properties::color(const std::string& name, ColorUse use, float max) {
+  for (const char* tag : {"rgb", "srgb", "spectrum", "float"}) {
     const Child* child = take(tag, name);
     if (!child) continue;
-    const auto values = parseNumbers(file_, child->given, child->given.attribute("value").value());
-    if (values.size() != 1 && values.size() != 3)
-      throw file_.error(child->given, "expected one or three numbers");
-    for (const double v : values)
-      if (!(v >= 0 && v <= max))
+    const Rgb color = parseColor(file_, child->given, use);
+    for (const float part : {color.x, color.y, color.z})
+      if (!(part >= 0 && part <= max))
         throw file_.error(child->given, "'" + name + "' must be at least 0" +
                                             (max == 1 ? " and at most 1" : ", and not too large"));
-    const auto c = [&](std::size_t i) { return static_cast<float>(values[values.size() == 3 ? i : 0]); };
-    return Rgb{c(0), c(1), c(2)};
+    return color;
   }
   return {};
+}
+
+void Properties::neutral(const std::string& name, int value) {
+  for (const char* tag : {"float", "integer"}) {
+    const Child* child = take(tag, name);
+    if (child && parsed(child->given) != value)
+      throw file_.error(child->given, "'" + name + "' is supported at " + std::to_string(value) + " alone");
+  }
+}
+
+void Properties::neutral(const std::string& name, bool value) {
+  const Child* child = take("boolean", name);
+  if (child && parsedFlag(child->given) != value)
+    throw file_.error(child->given,
+                      "'" + name + "' is supported as " + (value ? "true" : "false") + " alone");
 }
 
 std::vector<pugi::xml_node> Properties::objects(const std::string& tag, const std::string& name) {

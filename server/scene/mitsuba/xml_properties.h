@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "scene/mitsuba/xml_file.h"
+#include "scene/mitsuba/xml_color.h"
 
 namespace saccade {
 
@@ -19,18 +19,24 @@ class Properties {
  public:
   Properties(const XmlFile& file, pugi::xml_node object);
 
-  double number(const std::string& name, double fallback);       // <float> or <integer>, finite
-  bool flag(const std::string& name, bool fallback);             // <boolean>
-  std::string text(const std::string& name);                     // <string>; empty if absent
-  std::optional<Vec3d> vector(const std::string& name);          // <point> or <vector>, finite
-  std::optional<Rgb> color(const std::string& name, float max);  // <rgb>, <spectrum> of a number, or <float>;
-                                                                 // each value in [0, max]
+  double number(const std::string& name, double fallback);  // <float> or <integer>, finite
+  bool flag(const std::string& name, bool fallback);        // <boolean>
+  std::string text(const std::string& name);                // <string>; empty if absent
+  std::optional<Vec3d> vector(const std::string& name);     // <point> or <vector>, finite
+  // Colours, see xml_color.h: a share of light, each part in [0, 1], or a quantity, each part in [0, max].
+  std::optional<Rgb> share(const std::string& name) { return color(name, ColorUse::kShare, 1); }
+  std::optional<Rgb> quantity(const std::string& name, float max) {
+    return color(name, ColorUse::kQuantity, max);
+  }
 
   // The objects with this tag and name, or of any name if it is empty, seen through <ref>.
   std::vector<pugi::xml_node> objects(const std::string& tag, const std::string& name = {});
   // At most one of them; null if absent.
   pugi::xml_node object(const std::string& tag, const std::string& name = {});
-  // Takes properties that are not used here.
+  // Takes a property that may be given if it has this value, which changes nothing.
+  void neutral(const std::string& name, int value);
+  void neutral(const std::string& name, bool value);
+  // Takes properties that are not used here; without names, all with this tag.
   void ignore(const std::string& tag, const std::vector<std::string>& names = {{}});
 
   void finish();
@@ -44,6 +50,8 @@ class Properties {
   std::vector<Child*> takeAll(const std::string& tag, const std::string& name);
   Child* take(const std::string& tag, const std::string& name);  // at most one; nullptr if absent
   double parsed(pugi::xml_node node) const;
+  bool parsedFlag(pugi::xml_node node) const;
+  std::optional<Rgb> color(const std::string& name, ColorUse use, float max);
 
   const XmlFile& file_;
   pugi::xml_node object_;
