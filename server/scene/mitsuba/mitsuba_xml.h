@@ -32,8 +32,8 @@ namespace saccade {
 
 // Files are looked up as findFile() says. Throws SceneError.
 Scene loadMitsubaXml(const std::string& path, const LoadOptions& options = {});
-// Throws SceneError where loadMitsubaXml() would, without reading any mesh or picture.
-void checkMitsubaXml(const std::string& path, const LoadOptions& options);
+// The same without reading any mesh or picture: meshes have names alone. Throws SceneError.
+Scene outlineMitsubaXml(const std::string& path, const LoadOptions& options);
 // The same of a text, as if it stood in a file at `path`.
 Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options = {});
 
