@@ -51,6 +51,10 @@ class Request(unittest.TestCase):
             sensors=[c.Sensor(threshold=0.1, **sensor), c.Sensor(threshold=0.2, **sensor)],
             delivery=c.DELIVERY_LIVE, codec=events_pb2.CODEC_ZSTD, seed=5))
 
+    def test_objects_move_as_the_scene_says_or_stand(self):
+        own, still = make_request({**NEEDED, "objects": {"bunny": "own", "lamp": "still"}}).objects
+        self.assertEqual((own.path.WhichOneof("path"), still.path.WhichOneof("path")), ("own", "still"))
+
     def test_objects_move_by_a_motion_by_poses_or_by_a_file(self):
         with tempfile.NamedTemporaryFile("w", suffix=".txt") as file:
             file.write("0 1 2 3 0 0 0 1\n")
