@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 
 LABELS = ("source", "artefact")
-FACTS = {**dict.fromkeys(LABELS, np.uint8), "object": np.uint32}  # columns that not all events have, and their types
+# Columns that not all events have, and their types.
+FACTS: dict[str, type[Any]] = {"source": np.uint8, "artefact": np.uint8, "object": np.uint32}
 
 
 @dataclass(frozen=True, eq=False, repr=False)

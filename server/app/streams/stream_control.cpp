@@ -75,6 +75,7 @@ void setVector(const Vec3d& v, v1::Vector3& to) {
 }
 
 void describePath(const std::vector<TimedPose>& keys, v1::Keyframes& path) {
+  path.Clear();
   path.set_interpolation(v1::INTERPOLATION_LINEAR);
   for (const TimedPose& key : keys) {
     v1::Keyframe& frame = *path.add_keys();

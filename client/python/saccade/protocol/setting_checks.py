@@ -103,7 +103,7 @@ def _object_path(name: str, value: Any) -> Any:
     try:
         if isinstance(value, os.PathLike) or isinstance(value, str) and value.endswith(POSE_FILES):
             return value
-        if value in (OWN, STILL):
+        if isinstance(value, str) and value in (OWN, STILL):
             return value
         return _object_speed(value) if isinstance(value, str) else _poses(value, OBJECT)
     except Invalid as wrong:
