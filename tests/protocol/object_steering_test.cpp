@@ -148,7 +148,7 @@ TEST_F(ObjectSteering, BadCallsAreRefusedWithTheirField) {
          "nan");
   expect(turned, v1::CODE_INVALID_ARGUMENT, "objects[0].pose.rotation", "length");
   expect(twice, v1::CODE_INVALID_ARGUMENT, "objects[1].name", "twice");
-  expect(many, v1::CODE_INVALID_ARGUMENT, "steer.objects", "more than 64");
+  expect(many, v1::CODE_INVALID_ARGUMENT, "objects", "more than 64");
 }
 
 TEST_F(ObjectSteering, TheKeysOfAllPathsAreBounded) {

@@ -190,7 +190,8 @@ TEST(ObjectStream, ASteeredStreamIsDescribedWithThePathsOfItsObjects) {
   EXPECT_EQ(described().name(), "light");
   EXPECT_FALSE(described().has_path());
   request.mutable_timing()->set_clock(v1::CLOCK_LOCKSTEP);
-  EXPECT_EQ(described().path().csv(), request.objects(0).path().csv());
+  ASSERT_EQ(described().path().keyframes().keys_size(), 1);  // where it is at the first frame
+  EXPECT_EQ(described().path().keyframes().keys(0).position().y(), 2);
 }
 
 }  // namespace

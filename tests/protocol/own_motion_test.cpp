@@ -104,15 +104,10 @@ TEST(OwnMotion, WhatAMovingSceneCannotHaveIsRefusedUnlessItStands) {
       server,
       {{turntable(), bake, v1::CODE_INVALID_ARGUMENT, "quality.bake_error", "these move: ball, turntable"},
        {turntable(), [](auto& r) { addObject(r, "light").mutable_own(); }, v1::CODE_NOT_FOUND,
-        "objects[0].path.own", "does not move 'light'; it moves: ball, turntable"},
-       {turntable(),
-        [](auto& r) {
-          for (int i = 0; i < 63; ++i) addObject(r, "x" + std::to_string(i)).mutable_still();
-        },
-        v1::CODE_NOT_FOUND, "objects[0].name", "'x0'"}});
+        "objects[0].path.own", "does not move 'light'; it moves: ball, turntable"}});
   v1::OpenStream standing = stopped();
   bake(standing);
-  EXPECT_EQ(server.client().tryOpen(standing).code(), v1::CODE_OK);
+  EXPECT_EQ(server.client().tryOpen(standing).message(), "");
 }
 
 TEST(OwnMotion, EqualStreamsShareAFeed) {

@@ -20,7 +20,7 @@ class OwnMotions : public testing::Test {
  protected:
   OwnMotions() {
     const auto ball = [](const std::string& id, const char* x) {
-      return "<shape type='sphere' id='" + id + "'><point name='center' x='" + x + "'/></shape>";
+      return "<shape type='sphere' id='" + id + "'><point name='center' x='" + x + "' y='0' z='0'/></shape>";
     };
     files_.write("scenes/two/scene.xml", test::kSensor + ball("ball", "0") + ball("other", "5") + "</scene>");
   }

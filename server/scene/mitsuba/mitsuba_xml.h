@@ -8,7 +8,7 @@
 //   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
 //   emitter   area, of a shape; envmap, constant, point, spot, directional
 //   transform of matrix, translate, rotate, scale, lookat in order
-//   <default> and $names; ids and refs to what stands before
+//   <default> and $names; ids and refs to what stands before. Shapes may share an id: they are one object
 // Colours are rgb, float, or spectrum of one number. A bsdf at the top without an id goes by that of the bsdf
 // within it. Of integrators max_depth is kept, and of the film its width and height. Samplers and the like
 // are ignored. Anything else, or beyond limits.h, is a SceneError that names file, line and what is
