@@ -14,9 +14,9 @@ namespace saccade {
 // csv. checkTrajectory() comes first. Throws Refusal.
 void checkObjects(ResolvedStream& stream);
 
-// Adds the objects that `scene` moves, and removes those that stand anyway. Throws Refusal where the scene lacks
-// an object or its motion, with the names that there are. It also does where the request wants a scene that
-// stands.
+// Adds the objects that `scene` moves, and removes those that stand anyway. Throws Refusal where the scene
+// lacks an object or its motion, with the names that there are. It also does where the request wants a scene
+// that stands.
 void fitObjects(const Scene& scene, ResolvedStream& stream);
 
 // Of the objects that may move, in order: the bodies of the stream.
