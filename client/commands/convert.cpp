@@ -24,18 +24,24 @@ struct ConvertOptions {
   OutputOptions output;
 };
 
-// Facts about the events that are known before the first is read. `labels`: whether the new file has them.
-v1::Recording aboutEvents(const SourceFile& source, bool labels) {
+// Facts about the events that are known before the first is read.
+v1::Recording aboutEvents(const SourceFile& source, const WriterInfo& format) {
+  const bool labels = source.facts().labels && format.labels;
+  const bool objects = source.facts().object_ids && format.objects;
   v1::Recording about = source.recording().value_or(v1::Recording());
   about.clear_begin_ns();
   about.clear_end_ns();
   about.clear_events();
   about.clear_truth();  // SourceFile says that it is left out
   about.clear_truth_places();
-  about.clear_id_names();
+  if (!objects) about.clear_id_names();
   about.set_labels(labels);
-  if (!labels && about.has_request())  // so that a replay can write the new format
-    for (v1::Sensor& sensor : *about.mutable_request()->mutable_sensors()) sensor.clear_labels();
+  about.set_object_ids(objects);
+  if (about.has_request())  // so that a replay can write the new format
+    for (v1::Sensor& sensor : *about.mutable_request()->mutable_sensors()) {
+      if (!labels) sensor.clear_labels();
+      if (!objects) sensor.clear_object_ids();
+    }
   about.set_width(source.size().width);
   about.set_height(source.size().height);
   return about;
@@ -67,8 +73,8 @@ void runConvert(const ConvertOptions& options) {
   const WriterInfo& format = options.output.writer();
   checkOutputs(options.output, 1);
   watchInterrupt();
-  SourceFile source(options.input, options.size, format.labels, options.reading);
-  RecordingFile file(options.output.path, format, {aboutEvents(source, source.labels() && format.labels)});
+  SourceFile source(options.input, options.size, {format.labels, format.objects}, options.reading);
+  RecordingFile file(options.output.path, format, {aboutEvents(source, format)});
   Progress progress(source.recording() ? secondsOf(source.recording()->end_ns()) : 0);
   try {
     copyEvents(source, file.sensor(0), progress);

@@ -10,10 +10,21 @@
 namespace saccade::client {
 namespace {
 
+void printObjects(const v1::SceneInfo& scene) {
+  if (scene.objects().empty()) return;
+  print("  objects:");
+  for (const v1::SceneObject& object : scene.objects()) {
+    print(" %s", object.name().c_str());
+    if (!object.motion().empty()) print(" (moves: %s)", object.motion().c_str());
+  }
+  print("\n");
+}
+
 void printScene(const v1::SceneInfo& scene) {
   print("%s  %s\n", scene.name().c_str(), scene.description().c_str());
   if (!scene.unavailable().empty()) print("  cannot be opened here: %s\n", scene.unavailable().c_str());
   if (!scene.stats().empty()) print("  %s\n", scene.stats().c_str());
+  printObjects(scene);
   if (scene.trajectories().empty()) return;
   print("  trajectories:");
   for (const std::string& name : scene.trajectories()) print(" %s", name.c_str());
@@ -42,7 +53,7 @@ void runList(const ListOptions& options) {
 
 void addListCommand(CLI::App& app) {
   CLI::App* command =
-      app.add_subcommand("list", "print the scenes of the server, and the trajectories of each");
+      app.add_subcommand("list", "print the scenes of the server, and the trajectories and objects of each");
   const auto options = std::make_shared<ListOptions>();
   addServerOptions(*command, options->server);
   addJsonOption(*command, options->json);

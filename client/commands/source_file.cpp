@@ -35,8 +35,8 @@ ImageSize sizeOf(const std::string& path, const std::string& description, const 
 
 }  // namespace
 
-SourceFile::SourceFile(const std::string& path, const std::optional<std::string>& size, bool labels,
-                       const ReadingOptions& options)
+SourceFile::SourceFile(const std::string& path, const std::optional<std::string>& size,
+                       const EventFacts& kept, const ReadingOptions& options)
     : path_(path),
       options_(options),
       reader_(openReader(path, options.sensor, &options_.columns)),
@@ -45,7 +45,7 @@ SourceFile::SourceFile(const std::string& path, const std::optional<std::string>
       size_(sizeOf(path, description_, reader_->size(), recording_, size)),
       check_(path, size_, options.mends) {
   if (options.sort_us > 0) sorter_.emplace(path, options.sort_us);
-  sayLeftOut(labels);
+  sayLeftOut(kept);
   if (!recording_) sayAssumed(size);
 }
 
@@ -66,10 +66,11 @@ std::string SourceFile::changes() const {
   return changes;
 }
 
-void SourceFile::sayLeftOut(bool labels) const {
+void SourceFile::sayLeftOut(const EventFacts& kept) const {
   std::string left_out = reader_->leftOut();
   const auto leaveOut = [&](const std::string& what) { left_out += (left_out.empty() ? "" : ", ") + what; };
-  if (reader_->labels() && !labels) leaveOut("the labels of the events");
+  if (reader_->labels() && !kept.labels) leaveOut("the labels of the events");
+  if (reader_->objects() && !kept.object_ids) leaveOut("the objects of the events");
   if (std::filesystem::is_directory(truthFolderOf(path_))) leaveOut(truthFolderOf(path_));
   if (!left_out.empty())
     print(stderr, "saccade: %s: the events of %s are read; left out: %s\n", path_.c_str(),

@@ -9,6 +9,7 @@
 #include "client/formats/common/event_check.h"
 #include "client/formats/common/event_sorter.h"
 #include "client/formats/common/reader.h"
+#include "client/options/event_facts.h"
 #include "saccade/v1/recording.pb.h"
 
 namespace saccade::client {
@@ -19,8 +20,9 @@ class SourceFile {
   // It is "WIDTHxHEIGHT" or empty; nothing: the command has no such option, and compares with the
   // description. Throws std::invalid_argument if the size is missing or contradicts them, std::runtime_error
   // if there is nothing to compare with, and as openReader(). Says on stderr what of the file is left out;
-  // the labels of events are, unless `labels`. Says what was assumed too, where there is no description.
-  SourceFile(const std::string& path, const std::optional<std::string>& size, bool labels,
+  // the labels and objects of events are, unless `kept`. Says what was assumed too, where there is no
+  // description.
+  SourceFile(const std::string& path, const std::optional<std::string>& size, const EventFacts& kept,
              const ReadingOptions& options = {});
 
   // Replaces `events` by the next batch; false at the end. Throws FileFault for events that no sensor of this
@@ -33,11 +35,11 @@ class SourceFile {
   const std::string& path() const { return path_; }
   const std::string& description() const { return description_; }  // the name of that JSON
   const ImageSize& size() const { return size_; }
-  bool labels() const { return reader_->labels(); }  // whether its events have some
+  EventFacts facts() const { return {reader_->labels(), reader_->objects()}; }  // that its events have
   const std::optional<v1::Recording>& recording() const { return recording_; }  // if there is that JSON
 
  private:
-  void sayLeftOut(bool labels) const;
+  void sayLeftOut(const EventFacts& kept) const;
   void sayAssumed(const std::optional<std::string>& size) const;
   void crop(Events& events);
   bool readSorted(Events& events);

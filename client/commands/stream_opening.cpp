@@ -64,6 +64,7 @@ void tellOpening(std::FILE* out, const v1::OpenStream& request, const v1::Stream
   if (request.pushed()) return;
   printChoice(out, opened);
   printModel(out, opened);
+  printObjects(out, opened.resolved());
   printPixelSpeed(out, opened);
   warnOfFastPicture(opened);
   if (!request.trajectory().has_csv() || !opened.has_trajectory_s()) return;

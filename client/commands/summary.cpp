@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "client/options/request_text.h"
 #include "client/terminal/console.h"
 #include "client/terminal/progress.h"
 
@@ -21,7 +22,25 @@ double advisedRate(double rate_hz, double px_per_frame) {
   return std::ceil(rate / step) * step;
 }
 
+// "spin:90", or in words.
+std::string textOf(const v1::ObjectPath& path) {
+  if (path.has_own()) return "as the scene says";
+  if (!path.has_motion()) return "along poses";
+  const v1::ObjectSpeed& motion = path.motion();
+  char speed[32];
+  std::snprintf(speed, sizeof speed, ":%g", motion.speed());
+  return enumWord(motion.kind()) + speed;
+}
+
 }  // namespace
+
+void printObjects(std::FILE* out, const v1::OpenStream& resolved) {
+  std::string text;
+  for (const v1::ObjectMotion& object : resolved.objects())
+    if (!object.path().has_still())
+      text += (text.empty() ? "" : ", ") + object.name() + " (" + textOf(object.path()) + ")";
+  if (!text.empty()) print(out, "objects move: %s\n", text.c_str());
+}
 
 void printModel(std::FILE* out, const v1::StreamOpened& opened) {
   if (!opened.has_simplification()) return;

@@ -15,6 +15,8 @@ namespace saccade::client {
 void printChoice(std::FILE* out, const v1::StreamOpened& opened);
 // The simplification that the server chose for --max-event-change; nothing without it.
 void printModel(std::FILE* out, const v1::StreamOpened& opened);
+// The objects that move; nothing where all stand.
+void printObjects(std::FILE* out, const v1::OpenStream& resolved);
 void printPixelSpeed(std::FILE* out, const v1::StreamOpened& opened);
 // On stderr: the picture moves by more than half a pixel per frame, and the rate that would be enough.
 void warnOfFastPicture(const v1::StreamOpened& opened);

@@ -17,7 +17,7 @@ struct VerifyOptions {
 };
 
 void runVerify(const VerifyOptions& options) {
-  SourceFile source(options.file, std::nullopt, false, options.reading);
+  SourceFile source(options.file, std::nullopt, {}, options.reading);
   const std::string &path = source.path(), &description = source.description();
   const v1::Recording& expected = *source.recording();
   EventDigest digest;

@@ -27,6 +27,14 @@ std::string formatsOf(const std::string& extension) {
   return names.empty() ? "has no known extension" : names;
 }
 
+std::string namesWith(bool WriterInfo::*ability) {
+  std::string names;
+  for (const WriterInfo* writer : writerTable())
+    if (writer->*ability)
+      names += (names.empty() ? "" : ", ") + std::string(writer->extension) + " " + writer->name;
+  return names;
+}
+
 }  // namespace
 
 const std::vector<const WriterInfo*>& writerTable() {
@@ -56,12 +64,11 @@ std::string writerExtensions() {
 }
 
 std::string labelWriterNames() {
-  std::string names;
-  for (const WriterInfo* writer : writerTable()) {
-    if (writer->labels)
-      names += (names.empty() ? "" : ", ") + std::string(writer->extension) + " " + writer->name;
-  }
-  return names;
+  return namesWith(&WriterInfo::labels);
+}
+
+std::string objectWriterNames() {
+  return namesWith(&WriterInfo::objects);
 }
 
 const WriterInfo& writerFor(const std::string& path, const std::string& name) {

@@ -43,6 +43,7 @@ constexpr struct {
                 {"sensors.noise", "--noise"},
                 {"sensors.max_events_per_pixel_frame", "--max-events"},
                 {"sensors.labels", "--labels"},
+                {"sensors.object_ids", "--object-ids"},
                 {"truth.imu.gravity", "--gravity"},
                 {"truth.imu.metres_per_unit", "--metres-per-unit"},
                 {"truth.imu", "--imu"},

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "client/options/labels_option.h"
 #include "client/options/truth_option.h"
 
 namespace saccade::client {
@@ -17,15 +16,15 @@ void addRecordingOptions(CLI::App& command, RecordingOptions& options) {
                   "PNG of brightness, its change and the latest events, a third of the way through")
       ->check(CLI::Validator(fault, "FILE.png"));
   addTruthOption(command, options.truth);
-  addLabelsOption(command, options.labels);
+  addEventFacts(command, options.facts);
 }
 
 RecordJob makeJob(const RecordingOptions& options, v1::OpenStream request) {
   requestTruth(options.truth, request);
-  if (options.labels) requestLabels(request);
+  requestEventFacts(options.facts, request);
   checkOutputs(options.output, request.sensors_size());
   checkTruthOutput(options.output, request);
-  checkLabelsOutput(options.output, request);
+  checkEventFacts(options.output, request);
   if (!options.preview.empty()) checkOutput("--preview", options.preview, options.output.force);
   return {.request = std::move(request),
           .output = options.output.path,

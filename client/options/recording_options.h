@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "client/options/event_facts.h"
 #include "client/options/output_options.h"
 #include "client/options/record_job.h"
 
@@ -14,7 +15,7 @@ struct RecordingOptions {
   OutputOptions output = {};
   std::string preview = {};  // a PNG file, or none
   std::vector<std::string> truth = {};
-  bool labels = false;
+  EventFacts facts = {};
 };
 
 void addRecordingOptions(CLI::App& command, RecordingOptions& options);

@@ -26,6 +26,13 @@ std::string enumWords(const google::protobuf::EnumDescriptor& names) {
   return text;
 }
 
+std::string enumWord(const google::protobuf::EnumDescriptor& names, int number) {
+  const auto words = wordsOf(names);
+  const auto* value = names.FindValueByNumber(number);
+  return value && value->index() > 0 ? words[static_cast<std::size_t>(value->index()) - 1]
+                                     : std::to_string(number);
+}
+
 std::string fieldNames(const google::protobuf::Descriptor& message) {
   std::string text;
   for (int i = 0; i < message.field_count(); ++i) text += (i == 0 ? "" : ", ") + message.field(i)->name();

@@ -33,6 +33,13 @@ std::string enumWords() {
   return enumWords(*google::protobuf::GetEnumDescriptor<Enum>());
 }
 
+// The word for a number that the schema names.
+std::string enumWord(const google::protobuf::EnumDescriptor& names, int number);
+template <class Enum>
+std::string enumWord(Enum value) {
+  return enumWord(*google::protobuf::GetEnumDescriptor<Enum>(), value);
+}
+
 template <class Enum>
 Enum enumValue(const std::string& option, const std::string& word) {
   return static_cast<Enum>(enumNumber(*google::protobuf::GetEnumDescriptor<Enum>(), option, word));

@@ -13,9 +13,11 @@ namespace saccade::client {
 namespace {
 
 bool hasIds(const v1::Recording& about) {
-  const auto& truth = about.truth();
-  return std::any_of(truth.begin(), truth.end(),
-                     [](const v1::RecordedTruth& channel) { return channel.info().name() == "ids"; });
+  const auto numbers = [](const v1::RecordedTruth& channel) {
+    const std::string& name = channel.info().name();
+    return name == "ids" || name.starts_with("object_");
+  };
+  return about.object_ids() || std::ranges::any_of(about.truth(), numbers);
 }
 
 v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescription& server, int sensor) {
@@ -27,6 +29,7 @@ v1::Recording describe(const v1::StreamOpened& stream, const v1::ServerDescripti
   *about.mutable_request() = stream.resolved();
   about.set_sensor(static_cast<std::uint32_t>(sensor));
   about.set_labels(asked.labels());
+  about.set_object_ids(asked.object_ids());
   about.set_bake_digest(stream.bake_digest());
   about.set_server_version(server.version());
   about.set_instruction_set(server.instruction_set());

@@ -101,4 +101,12 @@ v1::FramePushed StreamHandle::push(std::span<const float> intensity) {
   return control_.call(std::move(request)).push_frame();
 }
 
+v1::Steered StreamHandle::steer(v1::Steer call) {
+  call.set_stream_id(opened_.stream_id());
+  call.set_token(opened_.token());
+  v1::Request request;
+  *request.mutable_steer() = std::move(call);
+  return control_.call(std::move(request)).steer();
+}
+
 }  // namespace saccade::client

@@ -53,6 +53,10 @@ class StreamHandle {
   // Gives a stream with `pushed` its next frame: linear luminance, row by row from the top. Throws Refused.
   v1::FramePushed push(std::span<const float> intensity);
 
+  // Steers the camera and objects of a stream with `timing.steerable`. Fills in the stream of `call`. Throws
+  // Refused.
+  v1::Steered steer(v1::Steer call);
+
   // Ends the stream at its next frame: the packets up to there still come, and then END. Neither waits for
   // the server nor throws.
   void close();

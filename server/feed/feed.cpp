@@ -55,6 +55,12 @@ const IntensityChange& Feed::step(const PoolHandle& pool) {
   return change;
 }
 
+void Feed::steer(const FeedKeys& keys) {
+  path_.append(keys.camera);
+  for (PosedScene& posed : posed_)
+    for (const BodyKey& body : keys.bodies) posed.append(body.body, body.key);
+}
+
 void Feed::render(const PoolHandle& pool) {
   Frame& frame = frames_.current();
   frame.index = next_++;

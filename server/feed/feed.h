@@ -8,6 +8,7 @@
 #include "base/pool_handle.h"
 #include "feed/feed_config.h"
 #include "feed/feed_interval.h"
+#include "feed/feed_keys.h"
 #include "feed/pixel_speed.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
@@ -26,8 +27,8 @@ class Feed {
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
        std::unique_ptr<Method> method, SeedPlanner seeds, const PoolHandle& pool);
 
-  // Adds a key to the path, after its last one.
-  void steer(const TimedPose& key) { path_.append(key); }
+  // Adds keys to the paths, after the last ones.
+  void steer(const FeedKeys& keys);
 
   // Renders the next frame and estimates the change since the one before it. The change stays as it is until
   // the second step after this one begins.

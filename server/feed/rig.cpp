@@ -4,8 +4,8 @@
 
 namespace saccade {
 
-void Rig::steer(const TimedPose& key) {
-  for (const auto& feed : feeds_) feed->steer(key);
+void Rig::steer(const FeedKeys& keys) {
+  for (const auto& feed : feeds_) feed->steer(keys);
 }
 
 const std::vector<FeedInterval>& Rig::step(const PoolHandle& pool) {

@@ -15,8 +15,8 @@ class Rig : public IntervalSource {
   explicit Rig(std::vector<std::unique_ptr<Feed>> feeds) : feeds_(std::move(feeds)) {}
   explicit Rig(std::unique_ptr<Feed> feed) { feeds_.push_back(std::move(feed)); }
 
-  // Adds a key to the path of each view, after its last one.
-  void steer(const TimedPose& key);
+  // Adds keys to the paths of each view, after the last ones.
+  void steer(const FeedKeys& keys);
 
   const std::vector<FeedInterval>& step(const PoolHandle& pool) override;
 

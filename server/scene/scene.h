@@ -10,6 +10,7 @@
 
 #include "base/vec.h"
 #include "scene/camera/pose.h"
+#include "scene/camera/trajectory.h"
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/strength.h"
@@ -57,6 +58,14 @@ struct Body {
   Vec3 centre() const { return (low + high) * 0.5f; }
 };
 
+// A motion that the scene's folder gives an object. It moves where a body is made of that.
+struct OwnMotion {
+  std::string name;                     // of shapes
+  std::string text;                     // KIND:SPEED, or the name of a file of poses
+  std::optional<Trajectory> path = {};  // of a file, T_world_body
+  std::size_t poses = 0;                // of the path
+};
+
 struct Scene {
   std::string name;
   std::vector<Material> materials;
@@ -67,8 +76,9 @@ struct Scene {
   std::vector<PointLight> point_lights = {};
   std::vector<SpotLight> spot_lights = {};
   std::vector<DirectionalLight> directional_lights = {};
-  std::vector<Body> bodies = {};  // what may move; all other shapes stand
-  Vec3d origin = {};              // of its axes, in the world
+  std::vector<Body> bodies = {};        // what may move; all other shapes stand
+  std::vector<OwnMotion> motions = {};  // sorted by name
+  Vec3d origin = {};                    // of its axes, in the world
   Pose T_world_camera;            // the sensor of the scene file; camera axes x right, y down, z forward
   double fov_x_deg = 45;          // horizontal field of view
   int width = 256, height = 256;  // the film of the scene file

@@ -60,11 +60,11 @@ v1::Status readHead(RawRequest& raw) {
     return makeStatus(v1::CODE_UNIMPLEMENTED, "the request holds no call that this server knows", "call");
   }
   const bool may_be_long = raw.call == v1::Request::kOpenStream || raw.call == v1::Request::kPushFrame;
-  if (!may_be_long && bytes.size() > kMaxShortRequest) {
-    return makeStatus(
-        v1::CODE_INVALID_ARGUMENT,
-        "only open_stream and push_frame may take more than " + std::to_string(kMaxShortRequest) + " bytes",
-        "call");
+  const std::size_t most = raw.call == v1::Request::kSteer ? kMaxSteerRequest : kMaxShortRequest;
+  if (!may_be_long && bytes.size() > most) {
+    return makeStatus(v1::CODE_INVALID_ARGUMENT,
+                      "only open_stream and push_frame may take more than " + std::to_string(most) + " bytes",
+                      "call");
   }
   return okStatus();
 }

@@ -15,8 +15,8 @@ struct RawRequest {
   MessagePart message;
 };
 
-// Most bytes of any request but open_stream and push_frame.
-inline constexpr std::size_t kMaxShortRequest = 4 << 10;
+// Most bytes of any request but open_stream and push_frame, and of steer, which may have objects.
+inline constexpr std::size_t kMaxShortRequest = 4 << 10, kMaxSteerRequest = 32 << 10;
 
 // Reads the head of `raw.message` into the other members, in a time that does not depend on their size.
 // Returns OK, or why the request must be refused.

@@ -13,9 +13,11 @@ constexpr std::size_t kMaxCut = kMaxIdNameBytes - std::string_view("..._42949672
 
 class NameList {
  public:
-  void add(const std::string& name) {
+  // `body`: of a shape; all shapes of a body have one name, and the number of the first.
+  void add(const std::string& name, int body = kStands) {
     names_.push_back(cutText(name, kMaxCut));
-    ++uses_[names_.back()];
+    int& uses = uses_[names_.back()];
+    if (body == kStands || uses == 0) ++uses;
   }
   // Returns how many are left out.
   std::uint32_t give(google::protobuf::RepeatedPtrField<std::string>& out) const {
@@ -34,8 +36,8 @@ class NameList {
 
 v1::IdNames idNames(const Scene& scene) {
   NameList objects, materials;
-  for (const Mesh& mesh : scene.meshes) objects.add(mesh.name);
-  for (const Sphere& sphere : scene.spheres) objects.add(sphere.name);
+  for (const Mesh& mesh : scene.meshes) objects.add(mesh.name, mesh.body);
+  for (const Sphere& sphere : scene.spheres) objects.add(sphere.name, sphere.body);
   for (const Material& material : scene.materials) materials.add(material.name);
   v1::IdNames names;
   names.set_further_objects(objects.give(*names.mutable_objects()));

@@ -9,7 +9,8 @@ namespace saccade {
 // The bounds that IdNames states.
 inline constexpr std::size_t kMaxIdNames = 4096, kMaxIdNameBytes = 64;
 
-// Those of the scene file. A name that several have gets "_" and the number, such as "rectangle_3".
+// Those of the scene file. A name that several have gets "_" and the number, such as "rectangle_3", but for
+// the shapes of a body, which have one number.
 v1::IdNames idNames(const Scene& scene);
 
 }  // namespace saccade

@@ -37,7 +37,8 @@ struct TruthChannelInfo {
 // THE list of truth channels.
 const std::vector<TruthChannelInfo>& truthTable();
 const TruthChannelInfo* findTruth(const std::string& name);  // nullptr if there is none
-double rowsOfFrame(const TruthConfig& config);               // on average; 0: it has pictures
+double rowsOfFrame(const TruthConfig& config);               // on average, at most; 0: it has pictures
+bool tellsObjects(const std::string& name);                  // whether the channel numbers objects, as ids
 std::string truthNames();                                    // "depth, ..." for messages
 std::string truthNamesOf(TruthChannelInfo::Needs needs);     // of those that need just this
 

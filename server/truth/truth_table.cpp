@@ -1,4 +1,5 @@
 #include "base/names.h"
+#include "saccade/wire/ranges.h"
 #include "truth/truth_source.h"
 
 namespace saccade {
@@ -14,6 +15,8 @@ std::unique_ptr<TruthSource> makeBrightness(const TruthConfig& config);
 std::unique_ptr<TruthSource> makeFlowBackward(const TruthConfig& config);
 std::unique_ptr<TruthSource> makeFlowForward(const TruthConfig& config);
 std::unique_ptr<TruthSource> makeVelocity(const TruthConfig& config);
+std::unique_ptr<TruthSource> makeObjectPoses(const TruthConfig& config);
+std::unique_ptr<TruthSource> makeObjectVelocities(const TruthConfig& config);
 std::unique_ptr<TruthSource> makeFrame(const TruthConfig& config);    // 8 bits
 std::unique_ptr<TruthSource> makeFrame16(const TruthConfig& config);  // 16 bits
 std::unique_ptr<TruthSource> makeIds(const TruthConfig& config);
@@ -63,7 +66,7 @@ const std::vector<TruthChannelInfo>& truthTable() {
        {"x", "y", "valid"},
        makeFlowForward},
       {"ids",
-       "shape and material that the pixel centre meets first, counted from 1 on; 0 where no surface is",
+       "object and material that the pixel centre meets first, counted from 1 on; 0 where no surface is",
        "",
        kPicture,
        kU32,
@@ -119,6 +122,24 @@ const std::vector<TruthChannelInfo>& truthTable() {
        kF64,
        {"vx", "vy", "vz", "wx", "wy", "wz"},
        makeVelocity},
+      {"object_poses",
+       "T_world_object of each object that moves, at each frame: its number in ids, position of its centre, "
+       "unit "
+       "quaternion",
+       "scene units",
+       kRows,
+       kF64,
+       {"object", "x", "y", "z", "qx", "qy", "qz", "qw"},
+       makeObjectPoses},
+      {"object_velocities",
+       "velocity of each object that moves, at each frame: its number in ids, linear of its centre in world "
+       "axes, "
+       "angular in its own axes; just before the frame where it jumps",
+       "scene units/s, rad/s",
+       kRows,
+       kF64,
+       {"object", "vx", "vy", "vz", "wx", "wy", "wz"},
+       makeObjectVelocities},
       {"imu",
        "specific force and angular velocity of the body, in its axes: means over the sample period that ends",
        "m/s^2, rad/s",
@@ -136,7 +157,12 @@ const TruthChannelInfo* findTruth(const std::string& name) {
 
 double rowsOfFrame(const TruthConfig& config) {
   if (findTruth(config.name)->layout != v1::LAYOUT_ROWS) return 0;
+  if (tellsObjects(config.name)) return ranges::kObjects.max;
   return config.name == "imu" ? config.imu.rate_hz / config.frame_rate_hz : 1;
+}
+
+bool tellsObjects(const std::string& name) {
+  return name == "ids" || name == "object_poses" || name == "object_velocities";
 }
 
 std::string truthNames() {

@@ -39,6 +39,18 @@ TEST_F(LabelColumnsTest, AreThoseOfTheEvents) {
   EXPECT_EQ(readBack(*reader), (Events{{0, 0, 0, 0, 0, 5}, {1000, 1, 1, 1, 1, 127}}));
 }
 
+TEST_F(LabelColumnsTest, ObjectsAreThoseOfTheEvents) {
+  write({{"object", "\5\x7f"}});
+  const auto reader = kNpzReader.make(file_);
+  EXPECT_TRUE(reader->objects());
+  EXPECT_FALSE(reader->labels());
+  const Events events = readBack(*reader);
+  EXPECT_EQ(events.at(0).object, 5u);
+  EXPECT_EQ(events.at(1).object, 127u);
+  write({{"object", "\1\xff"}});  // -1
+  EXPECT_NE(faultOf().find("event 2 has object -1"), std::string::npos) << faultOf();
+}
+
 TEST_F(LabelColumnsTest, OneWithoutTheOtherIsLeftOutByName) {
   write({{"source", "\1\1"}});
   EXPECT_FALSE(kNpzReader.make(file_)->labels());

@@ -1,4 +1,6 @@
 // `saccade record --labels` and `--max-artefact-odds`, and what other commands make of such files.
+#include <set>
+
 #include "client/command.h"
 #include "client/formats/common/reader.h"
 #include "client/recording/sidecar.h"
@@ -83,6 +85,35 @@ TEST_F(LabelsCommand, ConvertTakesThemOverWhereBothFormatsHoldThem) {
     }
     fs::remove(from + ".json");
   }
+}
+
+std::set<std::uint32_t> objectsOf(const std::string& file) {
+  const auto reader = client::readerFor(file).make(file);
+  EXPECT_TRUE(reader->objects()) << file;
+  std::set<std::uint32_t> objects;
+  for (Events batch; reader->read(batch);)
+    for (const Event& event : batch) objects.insert(event.object);
+  return objects;
+}
+
+TEST_F(LabelsCommand, ObjectsAreInTheFilesThatHoldThem) {
+  const std::string npz = folder_.at("a.npz"), h5 = folder_.at("a.h5"), csv = folder_.at("a.csv");
+  ASSERT_EQ(record("--object-ids -o " + npz).code, 0);
+  EXPECT_TRUE(client::recordingOf(npz)->object_ids());
+  EXPECT_GT(client::recordingOf(npz)->id_names().objects_size(), 0);
+  const std::set<std::uint32_t> objects = objectsOf(npz);
+  EXPECT_GT(objects.size(), 1u);
+  ASSERT_EQ(run("convert " + npz + " " + h5).code, 0);
+  EXPECT_EQ(objectsOf(h5), objects);
+  ASSERT_EQ(run("convert " + h5 + " " + csv).code, 0);
+  EXPECT_EQ(textOf(csv).substr(0, 15), "t,x,y,p,object\n");
+  EXPECT_TRUE(holds(run("verify " + csv), "are as recorded"));
+  EXPECT_TRUE(
+      holds(run("convert " + npz + " " + folder_.at("a.raw")), "left out: the objects of the events"));
+  const std::string nobody = " --control tcp://127.0.0.1:1";
+  EXPECT_TRUE(
+      holds(run("record cornell-box --trajectory right --object-ids -o " + folder_.at("b.raw") + nobody),
+            "does not hold the objects of events; those that do are .h5 dsec"));
 }
 
 TEST_F(LabelsCommand, TheSummaryTellsWhatWasWithheldAndWhy) {

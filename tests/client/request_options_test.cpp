@@ -296,6 +296,9 @@ TEST(RequestOptions, ObjectsMoveByAMotionOrByAFile) {
   EXPECT_EQ(open.objects(0).path().motion().speed(), -90);
   EXPECT_EQ(open.objects(1).name(), "lamp");
   EXPECT_EQ(open.objects(1).path().csv(), "0 1 2 3 0 0 0 1\n");
+  const auto others = openStream("--object bunny=still --object lamp=own");
+  EXPECT_TRUE(others.objects(0).path().has_still());
+  EXPECT_TRUE(others.objects(1).path().has_own());
 }
 
 TEST(RequestOptions, AFaultyObjectIsNamed) {
@@ -305,7 +308,7 @@ TEST(RequestOptions, AFaultyObjectIsNamed) {
   for (const char* wrong : {"spin", "spin:fast", "spin:"})
     EXPECT_EQ(faultOf(std::string("--object bunny=") + wrong),
               std::string("--object: '") + wrong +
-                  "' is neither a .csv or .txt file nor KIND:SPEED, such as spin:90");
+                  "' is neither a .csv or .txt file, nor KIND:SPEED such as spin:90, nor still or own");
   EXPECT_EQ(faultOf("--object bunny=fly:1"), "--object: 'fly' is none of spin, orbit, slide, swing");
   EXPECT_EQ(faultOf("--object bunny=none.txt"), "--object: 'none.txt' cannot be read");
 }

@@ -1,6 +1,8 @@
 // Streams of scenes whose objects move.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "mock/control_calls.h"
 #include "mock/events_of.h"
 #include "objects.h"
@@ -70,6 +72,51 @@ TEST(ObjectStream, APathIsTheSameAsItsText) {
   keyed.mutable_objects(0)->mutable_path()->mutable_keyframes()->mutable_keys(1)->mutable_position()->set_x(
       2.6);
   EXPECT_NE(bytes, bytesOf(server, withDepth(keyed)));
+}
+
+// A second line a second later, so that a path is not a single pose.
+std::string textFrom(double begin_s, Vec3d at) {
+  const auto line = [&](double t, Vec3d p) {
+    return std::to_string(t) + " " + std::to_string(p.x) + " " + std::to_string(p.y) + " " +
+           std::to_string(p.z) + " 0 0 0 1\n";
+  };
+  return line(begin_s, at) + line(begin_s + 1, at + Vec3d{1, 0, 0});
+}
+
+// x of the objects at the first frame and 0.02 s later.
+std::vector<double> placesOf(TestServer& server, v1::OpenStream request) {
+  request.add_truth()->set_name("object_poses");
+  std::vector<double> places;
+  const TruthSamples samples = samplesOf(server.run(request)[1]);
+  for (const std::size_t i : {0u, 1u, 20u, 21u}) {
+    double row[2];
+    std::memcpy(row, samples.at(i).elements.data(), sizeof row);
+    places.push_back(row[1]);
+  }
+  return places;
+}
+
+TEST(ObjectStream, TextsOfObjectsShareOneClock) {
+  TestServer server;
+  v1::OpenStream request = stillRequest();
+  addObject(request, "short_block").set_csv(textFrom(1.7e9, {1, 1, 1}));
+  addObject(request, "tall_block").set_csv(textFrom(1.7e9 + 0.01, {4, 1, 1}));
+  const std::vector<double> places = placesOf(server, request);
+  EXPECT_NEAR(places[0], 1, 1e-6);
+  EXPECT_NEAR(places[1], 4, 1e-6);
+  EXPECT_NEAR(places[2], 1.02, 1e-6);
+  EXPECT_NEAR(places[3], 4.01, 1e-6);  // it began 0.01 s later
+}
+
+TEST(ObjectStream, TheTextOfTheCameraSetsTheClock) {
+  TestServer server;
+  v1::OpenStream request = stillRequest();
+  request.mutable_trajectory()->set_csv("1.7e9 2.78 2.73 -7.5 0 0 1 0\n");
+  addObject(request, "short_block").set_csv(textFrom(1.7e9 - 0.5, {1, 1, 1}));
+  addObject(request, "tall_block").set_csv(textFrom(1.7e9, {4, 1, 1}));
+  const std::vector<double> places = placesOf(server, request);
+  EXPECT_NEAR(places[0], 1.5, 1e-6);
+  EXPECT_NEAR(places[1], 4, 1e-6);
 }
 
 TEST(ObjectStream, APoseIsWhereTheCentreOfTheBoxLies) {
@@ -143,7 +190,8 @@ TEST(ObjectStream, ASteeredStreamIsDescribedWithThePathsOfItsObjects) {
   EXPECT_EQ(described().name(), "light");
   EXPECT_FALSE(described().has_path());
   request.mutable_timing()->set_clock(v1::CLOCK_LOCKSTEP);
-  EXPECT_EQ(described().path().csv(), request.objects(0).path().csv());
+  ASSERT_EQ(described().path().keyframes().keys_size(), 1);  // where it is at the first frame
+  EXPECT_EQ(described().path().keyframes().keys(0).position().y(), 2);
 }
 
 }  // namespace

@@ -75,6 +75,18 @@ class Packets(unittest.TestCase):
         with self.assertRaisesRegex(saccade.PacketFault, "source"):
             read_packet(*packet(columns + bytes([0, 9, 0, 0]), **labelled))
 
+    def test_objects_stand_behind_all_other_columns(self):
+        columns = struct.pack("<IIHHHHBB", 0, 1, 0, 1, 0, 0, 1, 0)
+        objects, common = struct.pack("<II", 7, 1 << 20), {"count": 2, "t1_ns": 5000, "width": 2}
+        content = read_packet(*packet(columns + objects, layout=pb.LAYOUT_OBJECT_COLUMNS, **common)).content
+        self.assertEqual(content.object.tolist(), [7, 1 << 20])
+        self.assertIsNone(content.source)
+        both = read_packet(*packet(columns + bytes([0, 1, 51, 0]) + objects, layout=pb.LAYOUT_LABELLED_OBJECT_COLUMNS,
+                                   **common)).content
+        self.assertEqual((both.source.tolist(), both.object.tolist()), ([0, 1], [7, 1 << 20]))
+        self.assertEqual(saccade.concatenate([both[:1], both[1:]]).object.tolist(), [7, 1 << 20])
+        self.assertIsNone(read_packet(*packet()).content.object)
+
     def test_rules_that_no_golden_packet_breaks(self):
         late = struct.pack("<IHHB", 1, 0, 0, 1)
         faults = {

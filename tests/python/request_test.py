@@ -30,14 +30,14 @@ class Request(unittest.TestCase):
                              "seed": 5, "threshold": [0.1, 0.2], "threshold_off": 0.3, "bias": 1e-4,
                              "refractory_s": 1e-3, "cutoff_hz": 2, "model": "probabilistic", "reconstruction": "direct",
                              "max_events_per_pixel_frame": 4, "max_events_per_frame": 7, "preset": "davis346",
-                             "labels": True, "max_artefact_odds": 0.3,
+                             "labels": True, "object_ids": True, "max_artefact_odds": 0.3,
                              "noise": {"leak_hz": 0.5}, "method": "svgf", "spp": 4,
                              "params": {"alpha": 0.5}, "bounces": 1, "jitter": True, "monochrome": True,
                              "bake_error": 0.1, "disable": ["masks"], "budget_ms": 5, "max_false_rate": 0.25,
                              "max_event_change": 0.5})
         sensor = dict(threshold_off=0.3, bias=1e-4, refractory_s=1e-3, cutoff_hz=2, model=c.EVENT_MODEL_PROBABILISTIC,
                       reconstruction=c.RECONSTRUCTION_DIRECT, max_events_per_pixel_frame=4, max_events_per_frame=7,
-                      labels=True, max_artefact_odds=0.3,
+                      labels=True, object_ids=True, max_artefact_odds=0.3,
                       preset="davis346", noise=noise_pb2.Noise(leak_hz=0.5))
         self.assertEqual(made, c.OpenStream(
             scene="room", view=c.View(width=6, height=4, fov_x_deg=40),
@@ -50,6 +50,10 @@ class Request(unittest.TestCase):
                               budget_ms=5, max_false_rate=0.25, max_event_change=0.5),
             sensors=[c.Sensor(threshold=0.1, **sensor), c.Sensor(threshold=0.2, **sensor)],
             delivery=c.DELIVERY_LIVE, codec=events_pb2.CODEC_ZSTD, seed=5))
+
+    def test_objects_move_as_the_scene_says_or_stand(self):
+        own, still = make_request({**NEEDED, "objects": {"bunny": "own", "lamp": "still"}}).objects
+        self.assertEqual((own.path.WhichOneof("path"), still.path.WhichOneof("path")), ("own", "still"))
 
     def test_objects_move_by_a_motion_by_poses_or_by_a_file(self):
         with tempfile.NamedTemporaryFile("w", suffix=".txt") as file:

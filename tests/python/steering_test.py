@@ -48,6 +48,33 @@ class Steering(unittest.TestCase):
         with self.client.open_request(request) as stream:
             return list(stream)
 
+    def test_objects_go_where_they_are_told_and_events_tell_them(self):
+        settings = {**SETTINGS, "clock": "lockstep", "objects": {"tall_block": "still"}, "object_ids": True,
+                    "truth": "object_poses"}
+        with self.client.open(**settings) as stream:
+            events, places = [], []
+            for i in range(STEPS):
+                events += stream.step(objects={"tall_block": (3.7 - 0.03 * i, 1.65, 3.5, 0, 0, 0, 1)})
+                places.append(stream.truth[-1].data[1])
+            request, names = stream.describe(), stream.id_names.objects
+        np.testing.assert_allclose(places, [3.7 - 0.03 * i for i in range(STEPS)])
+        seen = saccade.concatenate(events)
+        self.assertIn("tall_block", {names[number] for number in set(seen.object.tolist()) - {0}})
+        again = saccade.concatenate(self.replayed(request))
+        np.testing.assert_array_equal(rows(again), rows(seen))
+        np.testing.assert_array_equal(again.object, seen.object)
+        with tempfile.TemporaryDirectory() as folder:
+            seen.save(pathlib.Path(folder) / "a.npz")
+            read = saccade.read(pathlib.Path(folder) / "a.npz")
+            np.testing.assert_array_equal(read.object, seen.object)
+
+    def test_a_step_needs_something_to_steer(self):
+        with self.client.open(**SETTINGS, clock="lockstep") as stream:
+            with self.assertRaisesRegex(ValueError, "poses of objects"):
+                stream.step()
+            with self.assertRaisesRegex(saccade.NotFound, "no object 'tall_block'"):
+                stream.step(objects={"tall_block": (0, 0, 0, 0, 0, 0, 1)})
+
     def test_a_step_gives_the_events_of_its_frame(self):
         events, request = self.steps(threshold=[0.1, 0.2])
         self.assertEqual([[(one.sensor, one.t0, one.t1) for one in step] for step in events],

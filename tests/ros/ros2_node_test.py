@@ -148,6 +148,11 @@ class Ros2Node(unittest.TestCase):
             self.assertEqual(receiver.decode(packet.events.tobytes()), [])
             self.assertEqual(receiver.high, time_us(packet) // 4096 * 4096)
 
+    def test_objects_move_before_a_camera_that_stands(self):
+        self.assertGreater(len(self.published(motion="still", objects="tall_block=spin:360")["/event_camera/events"]), 0)
+        with self.assertRaisesRegex(ValueError, "NAME=PATH"):
+            stream_source.objects_of("tall_block")
+
     def test_stamps_begin_at_the_time_of_ros(self):
         packets = self.published(stream_time=False)["/event_camera/events"]
         first_us = self.reference[0, 0]

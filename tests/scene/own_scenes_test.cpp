@@ -22,11 +22,12 @@ std::string meshFolders() {
       given ? fs::path(given) : fs::path(SACCADE_SOURCE_DIR).parent_path() / "shared/scenes";
   return std::string(kDefaultMeshes) + ":" + (real / "meshes").string();
 }
-TEST(OwnScenes, ListsOurFourScenes) {
+TEST(OwnScenes, ListsOurScenes) {
   const auto entries = SceneLibrary(kScenes).list();
   std::vector<std::string> names;
   for (const SceneEntry& entry : entries) names.push_back(entry.name);
-  for (const std::string name : {"cornell-box", "cornell-bunny", "cornell-dragon", "textured-cornell-box"})
+  for (const std::string name :
+       {"cornell-box", "cornell-bunny", "cornell-dragon", "cornell-turntable", "textured-cornell-box"})
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
 }

@@ -7,7 +7,7 @@ globalThis.addEventListener = () => {};
 const { velocityOf } = await import("../../server/web/page/look_round.js");
 const { lighterSetting, noticeOf } = await import("../../server/web/page/notice.js");
 const { recordLineOf } = await import("../../server/web/page/record_line.js");
-const { DEFAULTS, openStreamOf } = await import("../../server/web/page/settings.js");
+const { DEFAULTS, fromFragment, openStreamOf } = await import("../../server/web/page/settings.js");
 const { openingText } = await import("../../server/web/page/texts.js");
 
 test("the command has each setting that changes events", () => {
@@ -17,6 +17,17 @@ test("the command has each setting that changes events", () => {
   const preset = recordLineOf({ ...settings, scene: "it's one", motion: "right", preset: "davis346", duration: 0 }, 3.21049);
   assert.ok(preset.startsWith("saccade record 'it'\\''s one' --motion right "), preset);
   assert.ok(preset.includes("--duration 3.212 --preset davis346 --bias"), preset); // 1606 frames of 2 ms
+});
+
+test("an object moves as the page says, in the stream and in the command", () => {
+  const settings = { ...DEFAULTS, scene: "cornell-bunny", object: "bunny", path: "spin:-45" };
+  assert.deepStrictEqual(openStreamOf(settings).objects,
+    [{ name: "bunny", path: { motion: { kind: "OBJECT_MOTION_KIND_SPIN", speed: -45 } } }]);
+  assert.deepStrictEqual(openStreamOf({ ...settings, path: "still" }).objects, [{ name: "bunny", path: { still: {} } }]);
+  assert.strictEqual(openStreamOf(DEFAULTS).objects, undefined);
+  assert.ok(recordLineOf({ ...settings, duration: 1 }, 0).includes(" --object 'bunny=spin:-45' "));
+  assert.strictEqual(fromFragment("#object=bunny&path=spin:90").path, "spin:90");
+  assert.strictEqual(fromFragment("#object=bunny&path=fly").path, DEFAULTS.path);
 });
 
 test("a page may be slowed down, and its own stream can be steered", () => {

@@ -53,6 +53,25 @@ TEST(Columns, LabelsStandBehindTheColumns) {
   EXPECT_NE(decodeColumns(header, kBytes, out), "");
 }
 
+// 13 or 15 bytes: the objects 7 and 0x01020304 stand last.
+TEST(Columns, ObjectsStandBehindAllOthers) {
+  Events events = kEvents;
+  events[0].object = 7, events[1].object = 0x01020304;
+  const std::string objects("\x07\x00\x00\x00\x04\x03\x02\x01", 8), labels("\x01\x00\x7f\x00", 4);
+  EXPECT_EQ(encodeColumns(events, 5'000'000, v1::LAYOUT_OBJECT_COLUMNS), kBytes + objects);
+  v1::PacketHeader header = headerOf(2, 5'000'000, 1'005'001'000);
+  Events out;
+  header.set_layout(v1::LAYOUT_OBJECT_COLUMNS);
+  EXPECT_EQ(decodeColumns(header, kBytes + objects, out), "");
+  EXPECT_EQ(out, events);
+  EXPECT_NE(decodeColumns(header, kBytes + objects.substr(1), out), "");
+  events[0].source = 1, events[0].artefact = 127;
+  header.set_layout(v1::LAYOUT_LABELLED_OBJECT_COLUMNS);
+  EXPECT_EQ(encodeColumns(events, 5'000'000, header.layout()), kBytes + labels + objects);
+  EXPECT_EQ(decodeColumns(header, kBytes + labels + objects, out), "");
+  EXPECT_EQ(out, events);
+}
+
 TEST(Columns, EncodeRefusesTimesItCannotExpress) {
   EXPECT_THROW(encodeColumns(kEvents, 5'258'001), std::out_of_range);
   const Events late{{(std::int64_t{1} << 32) * 1000, 0, 0, 0}};

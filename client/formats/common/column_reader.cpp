@@ -16,6 +16,7 @@ ColumnReader::ColumnReader(const std::string& path, std::unique_ptr<ArrayFile> f
   x_ = openBesideT(columns.places[1]), y_ = openBesideT(columns.places[2]);
   p_ = openBesideT(columns.places[3]);
   if (labels()) source_ = openBesideT({facts_.source}), artefact_ = openBesideT({facts_.artefact});
+  if (objects()) object_ = openBesideT({facts_.object});
   const auto told = columns.told ? columns.told : facts_.unit;
   unit_ = findUnit(path, unit, told, firstTimes(columns.places[0]));
   if (!unit_.why.empty()) assumed_ = "t as " + unit_.why + ", " + columns.text;
@@ -28,6 +29,7 @@ bool ColumnReader::read(Events& events) {
   readTimes(count);
   x_->read(count, columns_.x), y_->read(count, columns_.y), p_->read(count, columns_.p);
   if (labels()) source_->read(count, columns_.source), artefact_->read(count, columns_.artefact);
+  if (objects()) object_->read(count, columns_.object);
   columns_.toEvents(path_, done_, events);
   done_ += count;
   return true;

@@ -17,6 +17,7 @@ struct ArrayFacts {
   std::optional<TimeUnit> unit;  // of t, where the layout tells it
   std::int64_t offset_us = 0;    // to be added to t
   std::string source, artefact;  // the arrays of labels, where both are there
+  std::string object;            // that of objects
   std::string left_out;
   std::uint32_t sensor = 0;  // as Reader::sensor()
   std::string name = "one stream";
@@ -31,6 +32,7 @@ class ColumnReader : public Reader {
   std::uint32_t sensor() const override { return facts_.sensor; }
   std::string name() const override { return facts_.name; }
   bool labels() const override { return !facts_.source.empty(); }
+  bool objects() const override { return !facts_.object.empty(); }
   std::string leftOut() const override { return facts_.left_out; }
   std::string assumed() const override { return assumed_; }
   bool read(Events& events) override;
@@ -45,7 +47,7 @@ class ColumnReader : public Reader {
   const std::string path_;
   const std::unique_ptr<ArrayFile> file_;
   const ArrayFacts facts_;
-  Column t_, x_, y_, p_, source_, artefact_;
+  Column t_, x_, y_, p_, source_, artefact_, object_;
   FoundUnit unit_;
   std::string assumed_;
   EventColumns columns_;

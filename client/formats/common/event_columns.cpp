@@ -28,6 +28,7 @@ void EventColumns::toEvents(const std::string& path, std::uint64_t before, Event
     events[i] = {t_ns, static_cast<std::uint16_t>(x[i]), static_cast<std::uint16_t>(y[i]), *polarity};
   }
   if (!source.empty()) addLabels(path, before, events);
+  if (!object.empty()) addObjects(path, before, events);
 }
 
 void EventColumns::fail(const std::string& path, std::uint64_t before, std::size_t i) const {
@@ -45,6 +46,15 @@ void EventColumns::addLabels(const std::string& path, std::uint64_t before, Even
                                 "; both are 0 to 255");
     events[i].source = static_cast<std::uint8_t>(source[i]);
     events[i].artefact = static_cast<std::uint8_t>(artefact[i]);
+  }
+}
+
+void EventColumns::addObjects(const std::string& path, std::uint64_t before, Events& events) const {
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (object[i] < 0 || object[i] > UINT32_MAX)
+      throw FileFault(path, "event " + std::to_string(before + i + 1) + " has object " +
+                                std::to_string(object[i]) + "; it is 0 to 4294967295");
+    events[i].object = static_cast<std::uint32_t>(object[i]);
   }
 }
 

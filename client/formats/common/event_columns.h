@@ -1,4 +1,4 @@
-// Events as columns, as HDF5 and NumPy files have them: four, or six with labels.
+// Events as columns, as HDF5 and NumPy files have them: four, two more with labels, and one with objects.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@ inline constexpr std::uint64_t kColumnBatch = 1 << 16;  // events
 struct EventColumns {
   std::vector<std::int64_t> t_us, x, y, p;     // equally many of each
   std::vector<std::int64_t> source, artefact;  // as many, or none of an event without labels
+  std::vector<std::int64_t> object;            // likewise, without objects
 
   // Replaces `events` by these. `before`: events of the file before them. Throws FileFault with the event at
   // fault if a number is not one of an event, or of a time beyond 292 years.
@@ -23,6 +24,7 @@ struct EventColumns {
  private:
   [[noreturn]] void fail(const std::string& path, std::uint64_t before, std::size_t i) const;
   void addLabels(const std::string& path, std::uint64_t before, Events& events) const;
+  void addObjects(const std::string& path, std::uint64_t before, Events& events) const;
 
   PolarityScale polarities_;
 };

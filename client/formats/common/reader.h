@@ -37,6 +37,7 @@ class Reader {
   virtual std::uint32_t sensor() const { return 0; }         // number in the file of the one that is read
   virtual std::string name() const { return "one stream"; }  // of its events, for messages
   virtual bool labels() const { return false; }  // whether the events have labels: Event::source and artefact
+  virtual bool objects() const { return false; }  // whether they have objects: Event::object
   // The kinds of content that read() passes over, such as "frames (FRME)"; empty: none.
   virtual std::string leftOut() const { return ""; }
   // The facts that the file did not tell and that were taken for likely, such as the unit of t; empty: none.

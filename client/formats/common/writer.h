@@ -51,14 +51,16 @@ struct WriterInfo {
   // Starts one file for several sensors of a stream, and returns a writer for each. The file is complete when
   // all of them are finished. Throws as make(). nullptr: each sensor needs a file of its own.
   Writers (*makeJoint)(const std::string& path, const std::vector<v1::Recording>& sensors) = nullptr;
-  bool wraps = false;  // its times wrap: it holds none that begin far from 0
+  bool wraps = false;    // its times wrap: it holds none that begin far from 0
+  bool objects = false;  // whether the file holds the objects of events, see Recording.object_ids
 };
 
 // All file formats. The first of an extension is the one that it stands for.
 const std::vector<const WriterInfo*>& writerTable();
-std::string writerNames();       // ".csv csv (what it is), ..." for messages
-std::string writerExtensions();  // ".csv, ..."
-std::string labelWriterNames();  // ".npz npz, ...": the formats that hold labels
+std::string writerNames();        // ".csv csv (what it is), ..." for messages
+std::string writerExtensions();   // ".csv, ..."
+std::string labelWriterNames();   // ".npz npz, ...": the formats that hold labels
+std::string objectWriterNames();  // likewise: that hold objects
 
 // The format `name`, or without a name that of the extension of `path`; CSV for kStandardOutput. Throws
 // std::invalid_argument with the known formats, also where the name has another extension than `path`.

@@ -1,5 +1,6 @@
 // HDF5, foremost as the DSEC data set has it: /events/x, y, p, t as whole numbers of any width, t in
-// microseconds. Adds /t_offset, if there is one, to t. Labels may be /events/source and artefact. The size of
+// microseconds. Adds /t_offset, if there is one, to t. Labels may be /events/source and artefact, and objects
+// /events/object. The size of
 // the image may stand in attributes of the root or in /events. A file of a killed writer opens up to its last
 // flush. In a file of several sensors, /sensor_1 has the same layout for sensor 1, and so on. Layouts of
 // other programs are found by the names of their columns.
@@ -68,6 +69,7 @@ ArrayFacts factsOf(const std::string& path, const Hdf5Arrays& file) {
   if (file.has("ms_to_idx") || file.has("t_offset")) facts.unit = TimeUnit::kUs;
   const LabelColumns labels{file.has("events/source"), file.has("events/artefact")};
   if (labels.both()) facts.source = "events/source", facts.artefact = "events/artefact";
+  if (file.has("events/object")) facts.object = "events/object";
   facts.left_out = labels.alone();
   return facts;
 }

@@ -6,7 +6,7 @@
 // t has 32 bits, as readers expect. The file on disk ends with a whole chunk until finish(). After a full
 // disk or a kill it lacks the latest events, up to 131071, and the end of /ms_to_idx. The group /truth has
 // the truth channels, and then lacks the latest pictures, up to 4 MiB, and up to 1023 rows. Labels are
-// /events/source and /events/artefact, u8, as in Event.
+// /events/source and /events/artefact, u8, as in Event. Objects are /events/object, u32.
 //
 // Sensor 0 is at the root, and sensor k in /sensor_k with all of the layout. Truth of view v is in
 // /view_v/truth, but for view 0.
@@ -64,6 +64,7 @@ class DsecWriter : public Writer {
     writeScalar(events_.id(), "width", about.width());
     writeScalar(events_.id(), "height", about.height());
     if (about.labels()) labels_.emplace(events_.id(), kChunk, filters);
+    if (about.object_ids()) object_.emplace(events_.id(), "object", kChunk, filters);
     addTruth(about, filters);
     toDisk();
   }
@@ -87,6 +88,7 @@ class DsecWriter : public Writer {
     indexUntil((until_us_ - *offset_us_) / kUsPerMs + 1);
     x_.flush(), y_.flush(), p_.flush(), t_.flush(), ms_to_idx_.flush();
     if (labels_) labels_->flush();
+    if (object_) object_->flush();
     for (Hdf5Truth& truth : truth_) truth.flush();
     shared_->finish();
   }
@@ -116,6 +118,7 @@ class DsecWriter : public Writer {
     indexUntil(t_us / kUsPerMs);
     x_.push(event.x), y_.push(event.y), p_.push(event.p), t_.push(static_cast<std::uint32_t>(t_us));
     if (labels_) labels_->push(event);
+    if (object_) object_->push(event.object);
     if (++count_ % kChunk != 0) return;
     ms_to_idx_.flush();
     toDisk();
@@ -140,6 +143,7 @@ class DsecWriter : public Writer {
   Hdf5Column<std::uint32_t> t_;
   Hdf5Column<std::uint64_t> ms_to_idx_;
   std::optional<Hdf5Labels> labels_;
+  std::optional<Hdf5Column<std::uint32_t>> object_;
   std::deque<Hdf5Truth> truth_;    // by channel
   std::uint64_t truth_bytes_ = 0;  // since the last commit
   std::optional<std::int64_t> offset_us_;
@@ -184,21 +188,21 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-extern const WriterInfo kDsecWriter{"dsec",
-                                    ".h5",
-                                    "HDF5 as in DSEC, up to 71 min",
-                                    make<addGzip>,
-                                    false,
-                                    holdsAllTruth,
-                                    true,
-                                    makeJoint<addGzip>};
-extern const WriterInfo kDsecBloscWriter{"dsec-blosc",
-                                         ".h5",
-                                         "the same, compressed by Blosc with zstd",
-                                         make<addBlosc>,
-                                         false,
-                                         holdsAllTruth,
-                                         true,
-                                         makeJoint<addBlosc>};
+extern const WriterInfo kDsecWriter{.name = "dsec",
+                                    .extension = ".h5",
+                                    .description = "HDF5 as in DSEC, up to 71 min",
+                                    .make = make<addGzip>,
+                                    .truth = holdsAllTruth,
+                                    .labels = true,
+                                    .makeJoint = makeJoint<addGzip>,
+                                    .objects = true};
+extern const WriterInfo kDsecBloscWriter{.name = "dsec-blosc",
+                                         .extension = ".h5",
+                                         .description = "the same, compressed by Blosc with zstd",
+                                         .make = make<addBlosc>,
+                                         .truth = holdsAllTruth,
+                                         .labels = true,
+                                         .makeJoint = makeJoint<addBlosc>,
+                                         .objects = true};
 
 }  // namespace saccade::client

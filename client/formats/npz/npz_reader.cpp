@@ -1,6 +1,7 @@
 // NumPy's .npz: four arrays t, x, y and p of equal lengths, or an array of structures or of rows of four
-// numbers. Numbers are of any width, stored or compressed. There may be labels in source and artefact, and
-// single numbers width and height. A cut file cannot be read, because its directory stands at the end.
+// numbers. Numbers are of any width, stored or compressed. There may be labels in source and artefact,
+// objects in object, and single numbers width and height. A cut file cannot be read, because its directory
+// stands at the end.
 #include <algorithm>
 #include <utility>
 
@@ -87,6 +88,7 @@ std::unique_ptr<Reader> makeBy(const std::string& path, const ColumnOptions& opt
   ArrayFacts facts;
   facts.size = {file->sideOf("width"), file->sideOf("height")};
   if (labels.both()) facts.source = "source", facts.artefact = "artefact";
+  if (file->has("object")) facts.object = "object";
   facts.left_out = otherNames(*file, labels.alone());
   return std::make_unique<ColumnReader>(path, std::move(file), columns, options.unit, facts);
 }

@@ -1,6 +1,7 @@
 // NumPy's .npz: arrays t (i64 microseconds), x, y (u16) and p (u8) of equal lengths, and numbers width and
 // height. This is the layout of evutils, and SpikingJelly reads it. Labels are arrays source and artefact
-// (u8), as in Event. Truth channels have arrays beside them. See numpy.lib.format, and zip_archive.h.
+// (u8), as in Event, and objects an array object (u32). Truth channels have arrays beside them. See
+// numpy.lib.format, and zip_archive.h.
 //
 // An array is one piece of the file and says its length first. So each column waits in a spool file for the
 // end of the events. A part of the disk is taken at the start and given back at the end. So there is room to
@@ -53,6 +54,7 @@ class NpzWriter : public Writer {
       source_.emplace(path, "source", "|u1", 1, Z_RLE);
       artefact_.emplace(path, "artefact", "|u1", 1, Z_RLE);
     }
+    if (about.object_ids()) object_.emplace(path, "object", "<u4", 4, Z_RLE);
     for (const v1::RecordedTruth& channel : about.truth()) truth_.emplace_back(path, channel);
     reserve_.emplace(path).allocate(kReserve);
   }
@@ -95,6 +97,7 @@ class NpzWriter : public Writer {
   std::vector<NpzColumn*> eventColumns() {
     std::vector<NpzColumn*> columns{&t_, &x_, &y_, &p_};
     if (source_) columns.insert(columns.end(), {&*source_, &*artefact_});
+    if (object_) columns.push_back(&*object_);
     return columns;
   }
 
@@ -107,6 +110,8 @@ class NpzWriter : public Writer {
       source_->spool(bytesOf<std::uint8_t>(waiting_, [](const Event& event) { return event.source; }));
       artefact_->spool(bytesOf<std::uint8_t>(waiting_, [](const Event& event) { return event.artefact; }));
     }
+    if (object_)
+      object_->spool(bytesOf<std::uint32_t>(waiting_, [](const Event& event) { return event.object; }));
     for (NpzColumn* column : eventColumns()) column->keep();
     waiting_.clear();
   }
@@ -120,6 +125,7 @@ class NpzWriter : public Writer {
   OutputFile file_;
   NpzColumn t_, x_, y_, p_;
   std::optional<NpzColumn> source_, artefact_;  // of labelled events
+  std::optional<NpzColumn> object_;             // of events with objects
   std::deque<NpzTruth> truth_;                  // by channel
   const std::string width_, height_;
   std::optional<SpoolFile> reserve_;
@@ -134,7 +140,12 @@ std::unique_ptr<Writer> make(const std::string& path, const v1::Recording& about
 
 }  // namespace
 
-extern const WriterInfo kNpzWriter{"npz",         ".npz", "arrays t[us], x, y, p of NumPy", make, false,
-                                   holdsAllTruth, true};
+extern const WriterInfo kNpzWriter{.name = "npz",
+                                   .extension = ".npz",
+                                   .description = "arrays t[us], x, y, p of NumPy",
+                                   .make = make,
+                                   .truth = holdsAllTruth,
+                                   .labels = true,
+                                   .objects = true};
 
 }  // namespace saccade::client

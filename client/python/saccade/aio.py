@@ -14,6 +14,7 @@ from saccade.protocol.request import make_request
 from saccade.protocol.retry import RetryPolicy
 from saccade.protocol.session import Address
 from saccade.protocol.sockets import Key
+from saccade.protocol.steering import Objects
 from saccade.protocol.stream_state import Picture, StreamState
 from saccade.settings import SensorSettings, Settings
 from saccade.truth import Truth
@@ -79,12 +80,13 @@ class Stream(StreamState):
         while (item := await self._next_item()) is not None:
             yield item
 
-    async def steer(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None) -> int:
-        return await self._steer(pose, velocity)
+    async def steer(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None,
+                    objects: Objects | None = None) -> int:
+        return await self._steer(pose, velocity, objects)
 
-    async def step(self, pose: Sequence[float] | None = None, *,
-                   velocity: Sequence[float] | None = None) -> list[Events]:
-        return await self._step(pose, velocity)
+    async def step(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None,
+                   objects: Objects | None = None) -> list[Events]:
+        return await self._step(pose, velocity, objects)
 
     async def push(self, frame: Frame) -> list[Events]:
         return await self._push(frame)

@@ -14,6 +14,7 @@ from saccade.protocol.request import make_request
 from saccade.protocol.retry import RetryPolicy
 from saccade.protocol.session import Address
 from saccade.protocol.sockets import Key
+from saccade.protocol.steering import Objects
 from saccade.protocol.stream_state import Picture, StreamState
 from saccade.settings import SensorSettings, Settings
 from saccade.truth import Truth
@@ -117,21 +118,24 @@ class Stream(StreamState):
         while (item := run(self._next_item())) is not None:
             yield item
 
-    def steer(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None) -> int:
-        """Sets the camera from the next frame on; returns the time of that frame in microseconds.
+    def steer(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None,
+              objects: Objects | None = None) -> int:
+        """Sets the camera and objects from the next frame on; returns the time of that frame in microseconds.
 
-        Before the first call the camera is where the motion or trajectory of the stream begins.
+        Each of them follows its path of the request before the first call that names it.
 
         pose: position x y z and quaternion x y z w of T_world_camera. velocity: linear in scene units and angular in
             radians, per second, along and about the camera's axes x right, y down, z forward. A positive wx turns it
-            up, wy to the right, and wz clockwise.
+            up, wy to the right, and wz clockwise. With neither, the camera goes on as before.
+        objects: poses of T_world_object by name, of objects that the request names.
         Raises InvalidArgument if the stream is not steerable, and LimitExceeded if too many poses wait.
         """
-        return run(self._steer(pose, velocity))
+        return run(self._steer(pose, velocity, objects))
 
-    def step(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None) -> list[Events]:
+    def step(self, pose: Sequence[float] | None = None, *, velocity: Sequence[float] | None = None,
+             objects: Objects | None = None) -> list[Events]:
         """steer(), and waits for that frame. Returns the events since the last ones, by sensor. For "lockstep"."""
-        return run(self._step(pose, velocity))
+        return run(self._step(pose, velocity, objects))
 
     def push(self, frame: Frame) -> list[Events]:
         """Sends the next frame of a stream with pushed=True. Returns the events since the last one, by sensor.

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 
 LABELS = ("source", "artefact")
+# Columns that not all events have, and their types.
+FACTS: dict[str, type[Any]] = {"source": np.uint8, "artefact": np.uint8, "object": np.uint32}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -31,6 +33,7 @@ class Events:
     sensor: index of the sensor in its stream.
     source: uint8 (n), 0 is the scene, 1 is noise of the sensor; None without the setting labels.
     artefact: uint8 (n), 255 times the odds that the event is an error of rendering; None likewise.
+    object: uint32 (n), the number in the channel ids of what the pixel shows; None without the setting object_ids.
     camera: the calibration; None where it is not known, as of a file without FILE.json.
 
     x, y and p of a stream are read-only views of the received packet. Raises ValueError for columns of unequal length.
@@ -45,13 +48,14 @@ class Events:
     sensor: int = 0
     source: NDArray[np.uint8] | None = None
     artefact: NDArray[np.uint8] | None = None
+    object: NDArray[np.uint32] | None = None
     camera: Camera | None = None
 
     def __post_init__(self) -> None:
         for name, dtype in (("t", np.int64), ("x", np.uint16), ("y", np.uint16), ("p", np.bool_)):
             object.__setattr__(self, name, np.asarray(getattr(self, name), dtype))
-        for label in (self.source, self.artefact):
-            if label is not None and label.shape != self.t.shape:
+        for fact in self.facts().values():
+            if fact.shape != self.t.shape:
                 raise ValueError("labels must have the length of t")
         if not self.t.shape == self.x.shape == self.y.shape == self.p.shape == (self.t.size,):
             raise ValueError("t, x, y and p must be columns of one length")
@@ -80,10 +84,13 @@ class Events:
         """The events of a slice, a mask, or an array of increasing indices. They cover the same interval."""
         if not isinstance(which, (slice, np.ndarray)):
             raise TypeError("index Events with a slice or an array; for one event, index its columns")
-        labels: dict[str, Any] = {name: None if (label := getattr(self, name)) is None else label[which]
-                                  for name in LABELS}
+        facts: dict[str, Any] = {name: fact[which] for name, fact in self.facts().items()}
         return replace(self, t=self.t[which], x=self.x[which], y=self.y[which], p=self.p[which],
-                       interval=(self.t0, self.t1), **labels)
+                       interval=(self.t0, self.t1), **facts)
+
+    def facts(self) -> dict[str, NDArray[Any]]:
+        """Those of the columns source, artefact and object that these events have, by name."""
+        return {name: column for name in FACTS if (column := getattr(self, name)) is not None}
 
     def slice(self, t0: int, t1: int) -> Events:
         """The events with t0 <= t < t1, in microseconds. They cover [t0, t1)."""
@@ -124,7 +131,7 @@ class Events:
         return conversions.to_torch(self)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a compressed .npz with t, x, y, p, width, height and labels, which saccade.read() reads.
+        """Writes a compressed .npz with t, x, y, p, width, height, labels and objects, which saccade.read() reads.
 
         Raises ValueError for another extension, and where the size is unknown.
         """
@@ -157,6 +164,6 @@ def concatenate(parts: Sequence[Events]) -> Events:
     if any(one.t[-1] > two.t[0] for one, two in zip(filled, filled[1:])):
         raise ValueError("the parts are not in time order")
     t, x, y, p = (np.concatenate([getattr(part, name) for part in parts]) for name in "txyp")
-    labelled = all(part.source is not None for part in parts)
-    labels = {name: np.concatenate([getattr(part, name) for part in parts]) for name in LABELS} if labelled else {}
-    return Events(t, x, y, p, first.size, (first.t0, last.t1), first.sensor, **labels, camera=first.camera)
+    facts = {name: np.concatenate([getattr(part, name) for part in parts]) for name in FACTS
+             if all(getattr(part, name) is not None for part in parts)}
+    return Events(t, x, y, p, first.size, (first.t0, last.t1), first.sensor, **facts, camera=first.camera)

@@ -50,6 +50,7 @@ class Settings(Needed, total=False):
     objects: what moves in the scene, by name: {"bunny": "spin:90"}. A path is "KIND:SPEED", with KIND one of spin,
         orbit (degrees per second), slide and swing (scene units per second); or a file of poses, or poses, as of
         trajectory, but of T_world_object: where the centre of the box around it lies, and how it has turned.
+        "own" moves it as the scene says, which is so without it; "still" stops it.
 
     The camera:
     size: width and height in pixels. It is needed, but with a calibration.
@@ -78,6 +79,7 @@ class Settings(Needed, total=False):
     bias: scene luminance. refractory_s: seconds. cutoff_hz: Hz. seed: of the stream.
     max_events_per_pixel_frame, max_events_per_frame: further events are withheld and counted.
     labels: Events.source and Events.artefact tell where each event comes from.
+    object_ids: Events.object tells which object the pixel of each event shows; id_names of the stream names them.
     max_artefact_odds: events with higher odds to be an error of rendering are withheld and counted.
     preset: the sensor of a known camera, by name. noise: amounts by name, such as {"leak_hz": 0.1}, of all sensors.
 
@@ -127,6 +129,7 @@ class Settings(Needed, total=False):
     max_events_per_pixel_frame: int
     max_events_per_frame: int
     labels: bool
+    object_ids: bool
     max_artefact_odds: float
     preset: str
     noise: Mapping[str, float]

@@ -12,8 +12,14 @@ static_assert(std::endian::native == std::endian::little, "columns are copied as
 
 // Where each column of n events starts in a payload.
 struct Offsets {
-  explicit Offsets(std::size_t n) : x(4 * n), y(6 * n), p(8 * n), source(9 * n), artefact(10 * n) {}
-  std::size_t x, y, p, source, artefact;
+  Offsets(std::size_t n, v1::Layout layout)
+      : x(4 * n),
+        y(6 * n),
+        p(8 * n),
+        source(9 * n),
+        artefact(10 * n),
+        object((hasLabels(layout) ? 11 : 9) * n) {}
+  std::size_t x, y, p, source, artefact, object;
 };
 
 // Payloads received from a socket need not be aligned, so values are copied, never cast.
@@ -52,16 +58,19 @@ std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns, v1:
   if (n > 0 &&
       (events.front().t_ns < t0_ns || units(events.back()) > std::numeric_limits<std::uint32_t>::max()))
     throw std::out_of_range("an event lies outside the times its packet can express");
-  const Offsets at(n);
+  const Offsets at(n, layout);
   std::string payload(n * bytesPerEvent(layout), '\0');
   char* bytes = payload.data();
   for (std::size_t i = 0; i < n; ++i) store(bytes, i, static_cast<std::uint32_t>(units(events[i])));
   for (std::size_t i = 0; i < n; ++i) store(bytes + at.x, i, events[i].x);
   for (std::size_t i = 0; i < n; ++i) store(bytes + at.y, i, events[i].y);
   for (std::size_t i = 0; i < n; ++i) store(bytes + at.p, i, events[i].p);
-  if (layout == v1::LAYOUT_COLUMNS) return payload;
-  for (std::size_t i = 0; i < n; ++i) store(bytes + at.source, i, events[i].source);
-  for (std::size_t i = 0; i < n; ++i) store(bytes + at.artefact, i, events[i].artefact);
+  if (hasLabels(layout)) {
+    for (std::size_t i = 0; i < n; ++i) store(bytes + at.source, i, events[i].source);
+    for (std::size_t i = 0; i < n; ++i) store(bytes + at.artefact, i, events[i].artefact);
+  }
+  if (hasObjects(layout))
+    for (std::size_t i = 0; i < n; ++i) store(bytes + at.object, i, events[i].object);
   return payload;
 }
 
@@ -72,8 +81,8 @@ std::string decodeColumns(const v1::PacketHeader& header, std::string_view paylo
   if (payload.size() != n * size)
     return "a payload whose size is not " + std::to_string(size) + " bytes an event";
   if (header.t0_ns() < 0 || header.t1_ns() < header.t0_ns()) return "an interval that runs backwards";
-  const bool labelled = header.layout() == v1::LAYOUT_LABELLED_COLUMNS;
-  const Offsets at(n);
+  const bool labelled = hasLabels(header.layout()), with_objects = hasObjects(header.layout());
+  const Offsets at(n, header.layout());
   const Span span(header);
   const char* bytes = payload.data();
   out.reserve(n);
@@ -89,6 +98,7 @@ std::string decodeColumns(const v1::PacketHeader& header, std::string_view paylo
       out.back().source = load<std::uint8_t>(bytes + at.source, i);
       out.back().artefact = load<std::uint8_t>(bytes + at.artefact, i);
     }
+    if (with_objects) out.back().object = load<std::uint32_t>(bytes + at.object, i);
     if (std::string fault = checkEvent(out.back(), header); !fault.empty()) return fault;
   }
   return {};

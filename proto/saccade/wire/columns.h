@@ -1,6 +1,7 @@
 // LAYOUT_COLUMNS, 9 bytes an event: u32 dt[n] | u16 x[n] | u16 y[n] | u8 p[n], little-endian, without
 // padding. dt counts units of dt_unit_ns since t0_ns. LAYOUT_LABELLED_COLUMNS, 11 bytes an event: with u8
-// source[n] | u8 artefact[n] behind them.
+// source[n] | u8 artefact[n] behind them. LAYOUT_OBJECT_COLUMNS and LAYOUT_LABELLED_OBJECT_COLUMNS, 13 and 15
+// bytes: with u32 object[n] behind those.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +14,16 @@
 
 namespace saccade {
 
-// Of either layout; 0 of others.
+constexpr bool hasLabels(v1::Layout layout) {
+  return layout == v1::LAYOUT_LABELLED_COLUMNS || layout == v1::LAYOUT_LABELLED_OBJECT_COLUMNS;
+}
+constexpr bool hasObjects(v1::Layout layout) {
+  return layout == v1::LAYOUT_OBJECT_COLUMNS || layout == v1::LAYOUT_LABELLED_OBJECT_COLUMNS;
+}
+// Of a layout of events; 0 of others.
 constexpr std::size_t bytesPerEvent(v1::Layout layout) {
-  return layout == v1::LAYOUT_COLUMNS ? 9 : layout == v1::LAYOUT_LABELLED_COLUMNS ? 11 : 0;
+  if (layout != v1::LAYOUT_COLUMNS && !hasLabels(layout) && !hasObjects(layout)) return 0;
+  return 9 + (hasLabels(layout) ? 2u : 0u) + (hasObjects(layout) ? 4u : 0u);
 }
 
 // Encodes `events` with a dt_unit_ns of kTimeUnitNs, to which their times are floored. Throws
@@ -23,7 +31,7 @@ constexpr std::size_t bytesPerEvent(v1::Layout layout) {
 std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns,
                           v1::Layout layout = v1::LAYOUT_COLUMNS);
 
-// Decodes a payload of any content, in either layout, into `out`, as its header describes it. Returns an
+// Decodes a payload of any content, in a layout of events, into `out`, as its header describes it. Returns an
 // empty text, or what is wrong:
 // - the size is not that of `count` events;
 // - a pixel lies outside width x height, or p is neither 0 nor 1;

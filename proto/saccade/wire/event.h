@@ -16,6 +16,7 @@ struct Event {
   // Labels; 0 where they are not asked for.
   std::uint8_t source = 0;    // v1::EventSource
   std::uint8_t artefact = 0;  // 255 times the odds that the event is an error of rendering
+  std::uint32_t object = 0;   // number in the truth channel ids; 0: nothing, or not asked for
 
   friend bool operator==(const Event&, const Event&) = default;
 };

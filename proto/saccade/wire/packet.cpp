@@ -25,7 +25,7 @@ std::string checkCoding(const v1::PacketHeader& header, v1::Layout layout) {
 std::string checkEvents(const v1::PacketHeader& header) {
   if (header.count() > kMaxPacketEvents) return "count is above " + std::to_string(kMaxPacketEvents);
   if (header.dt_unit_ns() == 0) return "dt_unit_ns is 0";
-  if (header.layout() == v1::LAYOUT_LABELLED_COLUMNS) return checkCodec(header);
+  if (hasLabels(header.layout()) || hasObjects(header.layout())) return checkCodec(header);
   return checkCoding(header, v1::LAYOUT_COLUMNS);
 }
 

@@ -81,14 +81,24 @@ double feedBytes(const FeedConfig& feed) {
          findMethod(feed.method)->memory(feed.params, feed.pixels(), feed.jitter);
 }
 
-// Of objects that move: the number of the one that a pixel shows, and their places, each in two frames. The
-// method may keep a grid of changes beside that of light, at the same vertices.
-double objectBytes(const FeedConfig& feed, std::size_t objects) {
+// Keys of paths that the scene gives objects.
+double ownPathBytes(const ResolvedStream& stream) {
+  constexpr double kKeyBytes = 250;
+  double keys = 0;
+  for (const ResolvedObject& object : stream.objects) keys += static_cast<double>(object.own_poses);
+  return keys * kKeyBytes;
+}
+
+// Of objects that move: the number of the one that a pixel shows, their places and lamps, each in two frames.
+// The method may keep a grid of changes beside that of light, at the same vertices.
+double objectBytes(const FeedConfig& feed, const ResolvedStream& stream) {
   constexpr double kFrames = 2, kObjectBytes = 16 << 10;  // of a place
   constexpr double kChanges = 0.5;                        // of what the method takes
+  const double objects = static_cast<double>(stream.objects.size());
   if (objects == 0) return 0;
   return kFrames *
-             (pixelsWithBorder(feed) * sizeof(std::uint32_t) + kObjectBytes * static_cast<double>(objects)) +
+             (pixelsWithBorder(feed) * sizeof(std::uint32_t) + kObjectBytes * objects + stream.lamp_bytes) +
+         ownPathBytes(stream) +
          kChanges * findMethod(feed.method)->memory(feed.params, feed.pixels(), feed.jitter);
 }
 
@@ -98,8 +108,8 @@ double feedMemory(const ResolvedStream& stream, const Limits& limits) {
   double bytes = 0;
   for (std::size_t i = 0; i < stream.views(); ++i) {
     const FeedConfig& feed = stream.feedOf(i);
-    bytes += stream.request.pushed() ? pushedBytes(feed, limits)
-                                     : feedBytes(feed) + objectBytes(feed, stream.objects.size());
+    bytes +=
+        stream.request.pushed() ? pushedBytes(feed, limits) : feedBytes(feed) + objectBytes(feed, stream);
   }
   return bytes / kMiB;
 }
@@ -108,7 +118,7 @@ double feedMemory(const ResolvedStream& stream, const Limits& limits) {
 // plainest.
 double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   constexpr double kSensorBytes = 24, kNoiseBytes = 28;  // per pixel
-  constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
+  constexpr double kEventBytes = 81;                     // per event of a frame, until it is in a packet
   constexpr double kTruthBytes = 48;                     // per pixel: a picture, and its copy for the packet
   constexpr double kRowBytes = 400;                      // likewise: a row of a frame
   constexpr double kPacketBytes = 640;                   // per packet, without its events
@@ -166,7 +176,8 @@ void checkChange(const v1::OpenStream& request, const v1::Sensor& sensor, const 
 void boundSteering(ResolvedStream& stream, const Limits& limits) {
   if (!stream.request.timing().steerable()) return;
   const double keys = std::min<double>(ranges::kKeyframes.max, limits[Limit::kTrajectoryPoints]);
-  const auto most = static_cast<FrameIndex>(std::max(keys - 1, 1.0));
+  const double paths = 1.0 + stream.request.objects_size();
+  const auto most = static_cast<FrameIndex>(std::max(std::floor(keys / paths) - 1, 1.0));
   if (stream.frames > most) {
     throw LimitReached(Limit::kTrajectoryPoints, "timing.duration_s",
                        "a stream that can be steered has at most " + std::to_string(most) + " frames");
@@ -192,7 +203,9 @@ std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) 
       {Limit::kMemory, objectMemory(stream.request) * views, "objects"},
       {Limit::kQueues, queueMemory(stream, limits)}};
   if (stream.request.timing().steerable())
-    shares.push_back({Limit::kMemory, steeringMemory(stream.frames) * views, "timing"});
+    shares.push_back({Limit::kMemory,
+                      steeringMemory(stream.frames) * views * (1.0 + stream.request.objects_size()),
+                      "timing"});
   return shares;
 }
 

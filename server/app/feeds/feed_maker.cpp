@@ -4,6 +4,17 @@
 #include "app/sequence/stream_rig.h"
 
 namespace saccade {
+namespace {
+
+// Of the objects that the client has named. All objects of a stream that is steered are bodies.
+std::map<std::size_t, Trajectory> steeredBodies(const ResolvedStream& stream) {
+  std::map<std::size_t, Trajectory> paths;
+  for (std::size_t i = 0; i < stream.objects.size(); ++i)
+    if (stream.objects[i].given) paths.emplace(i, stream.feed.body_paths[i]);
+  return paths;
+}
+
+}  // namespace
 
 OwnFeed FeedMaker::ofScene(const std::shared_ptr<const RenderScene>& scene, const Trajectory& body,
                            const ResolvedStream& stream, const PoolHandle& pool) const {
@@ -13,8 +24,10 @@ OwnFeed FeedMaker::ofScene(const std::shared_ptr<const RenderScene>& scene, cons
     return {run(rig, stream, factsOf(*rig, body, stream.frames))};
   }
   const std::size_t waiting = timing.clock() == v1::CLOCK_LOCKSTEP ? most(Limit::kSteers) : 0;
-  const auto steering = std::make_shared<Steering>(body, timing.frame_rate_hz(), stream.frames, waiting);
-  const auto rig = std::make_shared<SteeredRig>(makeRig(scene, steering->begin(), stream, pool), steering);
+  const auto steering =
+      std::make_shared<Steering>(body, steeredBodies(stream), timing.frame_rate_hz(), stream.frames, waiting);
+  const auto rig = std::make_shared<SteeredRig>(
+      makeRig(scene, steering->begin(), stream, pool, steering->bodiesBegin()), steering);
   return {run(rig, stream, factsOf(*rig, body, stream.frames)), steering};
 }
 

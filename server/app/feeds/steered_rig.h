@@ -1,4 +1,4 @@
-// A rig whose path its client steers.
+// A rig whose paths its client steers.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@ namespace saccade {
 
 class SteeredRig final : public Rig {
  public:
-  // The path of `rig` is steering->begin(). It grows by a key for each frame.
+  // The paths of `rig` are steering->begin() and bodiesBegin(). They grow by a key for each frame.
   SteeredRig(Rig rig, std::shared_ptr<Steering> steering)
       : Rig(std::move(rig)), steering_(std::move(steering)) {}
 

@@ -1,53 +1,50 @@
 #include "app/feeds/steering.h"
 
-#include <algorithm>
-
 #include "app/admission/limits.h"
-#include "scene/camera/screw_step.h"
 
 namespace saccade {
 namespace {
 
 constexpr double kSteerRetrySeconds = 0.1;
 
-// A path by velocities stays where a request may have keys.
-Vec3d withinBounds(Vec3d p) {
-  const auto clamp = [](double x) { return std::clamp(x, -kMaxDistance, kMaxDistance); };
-  return {clamp(p.x), clamp(p.y), clamp(p.z)};
-}
-
-// As readKeyframes() makes it of the key.
-Pose unitPose(const Pose& key, const Quaternion& prev) {
-  return {key.position, unitNear(key.rotation, prev)};
-}
-
 }  // namespace
 
-Steering::Steering(Trajectory path, double frame_rate_hz, FrameIndex frames, std::size_t most_waiting)
-    : path_(std::move(path)), frame_rate_hz_(frame_rate_hz), frames_(frames), most_waiting_(most_waiting) {
-  keys_.reserve(frames + 1);
-  keys_.push_back({TimeNs{0}, path_.at(TimeNs{0})});
-  last_ = unitPose(keys_.front().pose, keys_.front().pose.rotation);
+Steering::Steering(Trajectory camera, std::map<std::size_t, Trajectory> bodies, double frame_rate_hz,
+                   FrameIndex frames, std::size_t most_waiting)
+    : frame_rate_hz_(frame_rate_hz),
+      frames_(frames),
+      most_waiting_(most_waiting),
+      camera_(std::move(camera), frames) {
+  for (auto& [body, path] : bodies) bodies_.emplace(body, SteeredPath(std::move(path), frames));
 }
 
-Trajectory Steering::begin() const {
-  std::vector<TimedPose> keys;
-  keys.reserve(frames_ + 1);
-  keys.push_back({TimeNs{0}, last_});
-  return Trajectory(std::move(keys));
+std::map<std::size_t, Trajectory> Steering::bodiesBegin() const {
+  std::map<std::size_t, Trajectory> paths;
+  for (const auto& [body, path] : bodies_) paths.emplace(body, path.begin());
+  return paths;
 }
 
-FrameIndex Steering::steer(const SteerTarget& target) {
+FrameIndex Steering::steer(const SteerTargets& targets) {
   std::lock_guard lock(mutex_);
-  if (most_waiting_ == 0) waiting_.clear();
-  const FrameIndex frame = keys_.size() + waiting_.size();
+  const std::size_t ahead = most_waiting_ == 0 ? 0 : waiting_.size();
+  const FrameIndex frame = camera_.keys().size() + ahead;
   if (frame > frames_) throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "no frame of the stream is left");
-  if (most_waiting_ > 0 && waiting_.size() >= most_waiting_) {
+  if (most_waiting_ > 0 && ahead >= most_waiting_) {
     throw LimitReached(Limit::kSteers, {}, std::to_string(most_waiting_) + " wait for their frames",
                        kSteerRetrySeconds);
   }
-  waiting_.push_back(target);
+  if (most_waiting_ > 0 || waiting_.empty())
+    waiting_.push_back(targets);
+  else
+    merge(targets);
   return frame;
+}
+
+// Into those that wait for the next frame: the newest target of each path counts.
+void Steering::merge(const SteerTargets& targets) {
+  SteerTargets& next = waiting_.back();
+  if (targets.camera) next.camera = targets.camera;
+  for (const auto& [body, pose] : targets.bodies) next.bodies.insert_or_assign(body, pose);
 }
 
 bool Steering::ready() const {
@@ -55,35 +52,35 @@ bool Steering::ready() const {
   return most_waiting_ == 0 || !waiting_.empty();
 }
 
-TimedPose Steering::next() {
+FeedKeys Steering::next() {
   std::lock_guard lock(mutex_);
   if (!waiting_.empty()) {
-    target_ = waiting_.front();
+    const SteerTargets& targets = waiting_.front();
+    if (targets.camera) camera_.setTarget(*targets.camera);
+    for (const auto& [body, pose] : targets.bodies) bodies_.at(body).setTarget(pose);
     waiting_.pop_front();
   }
-  const TimeNs t = frameTime(keys_.size(), frame_rate_hz_);
-  keys_.push_back({t, nextPose(t)});
-  last_ = unitPose(keys_.back().pose, last_.rotation);
-  return {t, last_};
-}
-
-Pose Steering::nextPose(TimeNs t) const {
-  if (!target_) return path_.at(t);
-  if (const Pose* pose = std::get_if<Pose>(&*target_)) return *pose;
-  const Twist& velocity = std::get<Twist>(*target_);
-  const double dt = seconds(t - keys_.back().time);
-  const Pose moved = last_ * screwStep(velocity.angular * dt, velocity.linear * dt);
-  return {withinBounds(moved.position), moved.rotation};
+  const TimeNs t = frameTime(camera_.keys().size(), frame_rate_hz_);
+  FeedKeys keys{camera_.next(t)};
+  for (auto& [body, path] : bodies_) keys.bodies.push_back({body, path.next(t)});
+  return keys;
 }
 
 std::vector<TimedPose> Steering::keys() const {
   std::lock_guard lock(mutex_);
-  return keys_;
+  return camera_.keys();
+}
+
+std::map<std::size_t, std::vector<TimedPose>> Steering::bodyKeys() const {
+  std::lock_guard lock(mutex_);
+  std::map<std::size_t, std::vector<TimedPose>> keys;
+  for (const auto& [body, path] : bodies_) keys.emplace(body, path.keys());
+  return keys;
 }
 
 std::size_t Steering::frames() const {
   std::lock_guard lock(mutex_);
-  return keys_.size();
+  return camera_.keys().size();
 }
 
 }  // namespace saccade

@@ -1,55 +1,63 @@
-// The camera of a stream that its client steers: what it has been told, and the path that it has gone.
+// The camera and the objects of a stream that its client steers.
 #pragma once
 
 #include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
-#include <variant>
 #include <vector>
 
-#include "scene/camera/image_speed.h"
-#include "scene/camera/trajectory.h"
+#include "app/feeds/steered_path.h"
+#include "feed/feed_keys.h"
 
 namespace saccade {
 
-// The pose of a frame, as the client gave it; or a velocity in the camera's own axes.
-using SteerTarget = std::variant<Pose, Twist>;
+// Targets that a client gives at once. Others go on as before.
+struct SteerTargets {
+  std::optional<SteerTarget> camera = {};
+  std::map<std::size_t, Pose> bodies = {};  // by their numbers
+};
 
 // All members may be called from any thread.
 class Steering {
  public:
-  // `path`: the camera's until the first target. `frames`: the last frame's index. `most_waiting`: each
-  // target is for one frame, and so many may wait; 0: a target is for all frames until the next target.
-  Steering(Trajectory path, double frame_rate_hz, FrameIndex frames, std::size_t most_waiting);
+  // `camera`, `bodies`: the paths until the first target; bodies that are not among these cannot be steered.
+  // `frames`: the last frame's index. `most_waiting`: all targets told at once are for one frame, and so many
+  // may wait; 0: they are for all frames until the next ones.
+  Steering(Trajectory camera, std::map<std::size_t, Trajectory> bodies, double frame_rate_hz,
+           FrameIndex frames, std::size_t most_waiting);
 
-  // The path at frame 0, with room for all frames.
-  Trajectory begin() const;
+  // The paths at frame 0, with room for all frames.
+  Trajectory begin() const { return camera_.begin(); }
+  std::map<std::size_t, Trajectory> bodiesBegin() const;
 
-  // Returns the index of the first frame that has the target. Throws LimitReached where too many wait, and
+  bool steers(std::size_t body) const { return bodies_.contains(body); }
+
+  // Returns the index of the first frame that has the targets. Throws LimitReached where too many wait, and
   // Refusal where no frame is left.
-  FrameIndex steer(const SteerTarget& target);
+  FrameIndex steer(const SteerTargets& targets);
 
-  // The feed's thread, before each frame: whether its pose is known, and then the key of its path.
+  // The feed's thread, before each frame: whether its poses are known, and then the keys of the paths.
   bool ready() const;
-  TimedPose next();
+  FeedKeys next();
 
   // A key for each frame begun, such that a request with these keys goes the same path, bit for bit.
   std::vector<TimedPose> keys() const;
+  std::map<std::size_t, std::vector<TimedPose>> bodyKeys() const;
   std::size_t frames() const;  // how many have been begun, frame 0 included
+  std::size_t paths() const { return 1 + bodies_.size(); }
 
  private:
-  Pose nextPose(TimeNs t) const;
+  void merge(const SteerTargets& targets);
 
-  const Trajectory path_;
   const double frame_rate_hz_;
   const FrameIndex frames_;
   const std::size_t most_waiting_;
 
   mutable std::mutex mutex_;
-  std::deque<SteerTarget> waiting_;
-  std::optional<SteerTarget> target_;
-  std::vector<TimedPose> keys_;  // before rotations become unit length
-  Pose last_;                    // of the newest frame
+  std::deque<SteerTargets> waiting_;
+  SteeredPath camera_;
+  std::map<std::size_t, SteeredPath> bodies_;
 };
 
 }  // namespace saccade

@@ -33,6 +33,7 @@ constexpr Bound kElements[] = {
     {"saccade.v1.OpenStream.truth", ranges::kTruth.max},
     {"saccade.v1.OpenStream.further_views", ranges::kFurtherViews.max},
     {"saccade.v1.OpenStream.objects", ranges::kObjects.max},
+    {"saccade.v1.Steer.objects", ranges::kObjects.max},
     {"saccade.v1.Sensor.changes", std::int64_t{ranges::kSensors.max} * ranges::kSensorChanges.max},
     {"saccade.v1.Truth.times_s", ranges::kTruthTimes.max}};
 // The most bytes of a text that may be longer than a name.

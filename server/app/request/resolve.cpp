@@ -120,9 +120,6 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
   if (r.timing().steerable() && r.quality().has_bake_error())
     refuse("quality.bake_error",
            "light is computed ahead for the surfaces of a path, and a steered path is not known");
-  if (r.objects_size() > 0 && r.quality().has_bake_error())
-    refuse("quality.bake_error",
-           "light is computed ahead for objects that stand; leave out objects, or bake_error");
   resolveDelivery(r);
   stream.feed.seed = r.seed();
   shareSettings(stream);
@@ -130,7 +127,7 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
 }
 
 void fitTo(const Scene& scene, ResolvedStream& stream) {
-  findObjects(scene, stream);
+  fitObjects(scene, stream);
   if (!stream.chooses_method && !EmitterStrengths(scene).areSteady())
     takeMethod(defaultMethod(false), stream);
   stream.feed.camera = fitView(scene, *stream.request.mutable_view(), viewField(0));

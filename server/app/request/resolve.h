@@ -14,8 +14,9 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
 // The same for a stream whose client sends the frames. fitTo() has nothing to add.
 ResolvedStream resolvePushed(v1::OpenStream request);
 
-// Finds the objects, and fills in the views with fitView(), and the method where lamps change over time.
-// Removes disabled features that the scene lacks, so that equal feeds have equal keys. Throws Refusal.
+// Fits the objects with fitObjects(), and fills in the views with fitView(), and the method where lamps
+// change over time. Removes disabled features that the scene lacks, so that equal feeds have equal keys.
+// Throws Refusal.
 void fitTo(const Scene& scene, ResolvedStream& stream);
 
 }  // namespace saccade

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "app/request/refusal.h"
+#include "app/request/resolve_objects.h"
 #include "app/request/resolve_quality.h"
 
 namespace saccade {
@@ -74,7 +75,7 @@ std::optional<v1::ExpectedQuality> resolveBudget(v1::OpenStream& request,
   const std::string field = checkBudget(quality);
   checkLeftOpen(request.method());
   if (!accuracy.unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, field, accuracy.unavailable);
-  if (request.objects_size() > 0)
+  if (!bodyNames(request).empty())
     throw Refusal(v1::CODE_UNAVAILABLE, field, "no scene is measured with moving objects");
   const AccuracyTable& table = accuracy.table;
   if (quality.has_bounces() && static_cast<int>(quality.bounces()) != table.bounces) {

@@ -1,6 +1,8 @@
 #include "app/request/resolve_objects.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -12,11 +14,12 @@
 #include "base/text_cut.h"
 #include "scene/motion/bodies.h"
 #include "scene/motion/object_motion.h"
+#include "scene/motion/own_motions.h"
 
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMostNames = 1024;  // bytes of a list of names in a refusal
+constexpr double kMaxClockSeconds = 1e9;  // between the first poses of two texts
 
 std::string fieldOf(std::size_t place) {
   return "objects[" + std::to_string(place) + "]";
@@ -34,13 +37,13 @@ void checkMotion(const v1::ObjectSpeed& motion, const std::string& field) {
   if (!fault.empty()) refuse(field + ".speed", fault);
 }
 
-// None of a motion, which needs the scene.
+// None of motions, which need the scene, and of csv.
 std::optional<Trajectory> readPath(v1::ObjectPath& path, const std::string& field) {
   if (path.has_keyframes()) return readKeyframes(*path.mutable_keyframes(), field + ".keyframes");
-  if (path.has_csv()) return Trajectory(readCsv(path.csv(), field + ".csv").poses);
-  if (!path.has_motion())
-    refuse(field, "give a motion, keyframes or csv; a motion is one of: " + joinNames(objectMotionKinds()));
-  checkMotion(path.motion(), field + ".motion");
+  if (path.path_case() == v1::ObjectPath::PATH_NOT_SET)
+    refuse(field, "give a motion, keyframes, csv, own or still; a motion is one of: " +
+                      joinNames(objectMotionKinds()));
+  if (path.has_motion()) checkMotion(path.motion(), field + ".motion");
   return {};
 }
 
@@ -53,6 +56,69 @@ void checkTexts(const v1::OpenStream& request) {
       refuse(fieldOf(static_cast<std::size_t>(i)) + ".path.csv",
              "the texts of all objects are longer than " + std::to_string(ranges::kMaxCsvBytes) + " bytes");
   }
+}
+
+// Poses of a text, at the stream times of the clock that all texts share.
+std::vector<TimedPose> atStreamTime(PoseText text, std::int64_t zero_ns, const std::string& field) {
+  const double later_s = (static_cast<double>(text.begin.count()) - static_cast<double>(zero_ns)) * 1e-9;
+  const double last_s = later_s + seconds(text.poses.back().time);
+  if (std::abs(later_s) > kMaxClockSeconds || (last_s < 0 && text.poses.size() > 1))
+    refuse(field, "its poses are at stream times from " + std::to_string(later_s) + " to " +
+                      std::to_string(last_s) + " s; all texts of a request have one clock");
+  for (TimedPose& key : text.poses) key.time += text.begin - TimeNs{zero_ns};
+  return std::move(text.poses);
+}
+
+// A text per object; none where it has none.
+using Texts = std::vector<std::optional<PoseText>>;
+
+Texts readTexts(const v1::OpenStream& request) {
+  Texts texts;
+  for (const v1::ObjectMotion& object : request.objects()) {
+    const std::string field = fieldOf(texts.size()) + ".path.csv";
+    texts.emplace_back();
+    if (object.path().has_csv()) texts.back() = readCsv(object.path().csv(), field);
+  }
+  return texts;
+}
+
+void takeTexts(Texts texts, ResolvedStream& stream) {
+  std::int64_t zero_ns = std::numeric_limits<std::int64_t>::max();
+  for (const auto& text : texts)
+    if (text) zero_ns = std::min(zero_ns, text->begin.count());
+  zero_ns = stream.path_begin_ns.value_or(zero_ns);
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    if (texts[i])
+      stream.objects[i].path =
+          Trajectory(atStreamTime(std::move(*texts[i]), zero_ns, fieldOf(i) + ".path.csv"));
+}
+
+// Of the copy of all lamps that a feed keeps at one time where some move. A triangle is part of three tables.
+double lampBytes(const Scene& scene) {
+  constexpr double kTriangleBytes = 400, kVertexBytes = 64;
+  bool moves = false;
+  double bytes = 0;
+  const auto add = [&](const auto& shape, double of_shape) {
+    if (!emits(shape)) return;
+    moves = moves || shape.body != kStands;
+    bytes += of_shape;
+  };
+  for (const Mesh& mesh : scene.meshes)
+    add(mesh, kTriangleBytes * static_cast<double>(mesh.triangles.size()) +
+                  kVertexBytes * static_cast<double>(mesh.positions.size()));
+  for (const Sphere& sphere : scene.spheres) add(sphere, kTriangleBytes);
+  return moves ? bytes : 0;
+}
+
+bool mayMove(const v1::ObjectMotion& object, const v1::OpenStream& request) {
+  return !object.path().has_still() || request.timing().steerable();
+}
+
+// Of a motion that the scene makes.
+Trajectory pathOf(const v1::ObjectMotion& object, const Scene& scene, const Body& body) {
+  if (object.path().has_motion()) return makeObjectMotion(motionOf(object.path().motion()), scene, body);
+  if (object.path().has_own()) return makeOwnMotion(*ownMotion(scene, object.name()), scene, body);
+  return Trajectory({{TimeNs{0}, {toDouble(body.centre()) + scene.origin, {}}}});
 }
 
 void sortByName(ResolvedStream& stream) {
@@ -85,35 +151,27 @@ void checkObjects(ResolvedStream& stream) {
       refuse(field + ".name", "the object '" + cutText(object.name(), kMaxEcho) + "' is given twice");
     stream.objects.push_back({stream.objects.size(), readPath(*object.mutable_path(), field + ".path")});
   }
+  takeTexts(readTexts(request), stream);
   sortByName(stream);
 }
 
-std::vector<std::string> objectNames(const v1::OpenStream& request) {
+std::vector<std::string> bodyNames(const v1::OpenStream& request) {
   std::vector<std::string> names;
-  for (const v1::ObjectMotion& object : request.objects()) names.push_back(object.name());
+  for (const v1::ObjectMotion& object : request.objects())
+    if (mayMove(object, request)) names.push_back(object.name());
   return names;
 }
 
-void findObjects(const Scene& scene, const ResolvedStream& stream) {
-  if (stream.objects.empty()) return;
-  const std::set<std::string> known = shapeNames(scene);
-  for (std::size_t i = 0; i < stream.objects.size(); ++i) {
-    const std::string& name = stream.request.objects(static_cast<int>(i)).name();
-    if (known.contains(name)) continue;
-    throw Refusal(v1::CODE_NOT_FOUND, fieldOf(stream.objects[i].given) + ".name",
-                  "the scene has no object '" + cutText(name, kMaxEcho) +
-                      "'; it has: " + cutText(joinNames(known), kMostNames));
-  }
-}
-
 void setBodyPaths(const Scene& scene, ResolvedStream& stream) {
-  SACCADE_CHECK(scene.bodies.size() == stream.objects.size());
   std::vector<Trajectory> paths;
   for (std::size_t i = 0; i < stream.objects.size(); ++i) {
-    const v1::ObjectPath& path = stream.request.objects(static_cast<int>(i)).path();
+    const v1::ObjectMotion& object = stream.request.objects(static_cast<int>(i));
+    if (!mayMove(object, stream.request)) continue;
     const auto& given = stream.objects[i].path;
-    paths.push_back(given ? *given : makeObjectMotion(motionOf(path.motion()), scene, scene.bodies[i]));
+    paths.push_back(given ? *given : pathOf(object, scene, scene.bodies.at(paths.size())));
   }
+  SACCADE_CHECK(scene.bodies.size() == paths.size());
+  stream.lamp_bytes = lampBytes(scene);
   for (FeedConfig& feed : stream.further) feed.body_paths = paths;
   stream.feed.body_paths = std::move(paths);
 }

@@ -10,16 +10,19 @@
 namespace saccade {
 
 // Checks what needs no loaded scene, reads keyframes and csv, and sorts the objects by name: equal feeds have
-// equal keys. Throws Refusal.
+// equal keys. The first pose of the camera's csv is at stream time 0, or else the earliest of the objects'
+// csv. checkTrajectory() comes first. Throws Refusal.
 void checkObjects(ResolvedStream& stream);
 
-// Of checked objects, in order.
-std::vector<std::string> objectNames(const v1::OpenStream& request);
+// Adds the objects that `scene` moves, and removes those that stand anyway. Throws Refusal where the scene
+// lacks an object or its motion, with the names that there are. It also does where the request wants a scene
+// that stands.
+void fitObjects(const Scene& scene, ResolvedStream& stream);
 
-// Throws Refusal, with the names that there are, where the scene lacks an object.
-void findObjects(const Scene& scene, const ResolvedStream& stream);
+// Of the objects that may move, in order: the bodies of the stream.
+std::vector<std::string> bodyNames(const v1::OpenStream& request);
 
-// Gives the feeds the paths of the bodies of `scene`, which are the objects.
+// Gives the feeds the paths of the bodies of `scene`, and counts what the lamps among them take.
 void setBodyPaths(const Scene& scene, ResolvedStream& stream);
 
 }  // namespace saccade

@@ -29,6 +29,11 @@ void checkPushed(const v1::OpenStream& request) {
   checkUnset(timing.steerable(), "timing.steerable");
 }
 
+void checkObjectIds(const v1::OpenStream& request) {
+  for (int i = 0; i < request.sensors_size(); ++i)
+    checkUnset(request.sensors(i).object_ids(), ("sensors[" + std::to_string(i) + "].object_ids").c_str());
+}
+
 void checkTruth(const v1::OpenStream& request) {
   for (int i = 0; i < request.truth_size(); ++i) {
     const TruthChannelInfo* info = findTruth(request.truth(i).name());
@@ -59,6 +64,7 @@ ResolvedStream resolvePushed(v1::OpenStream request) {
       sensor.set_reconstruction(v1::RECONSTRUCTION_DIRECT);
   }
   resolveSensors(stream);
+  checkObjectIds(r);
   checkTruth(r);
   resolveTruths(stream);
   resolveDelivery(r);

@@ -1,4 +1,5 @@
 #include "app/request/refusal.h"
+#include "app/request/resolve_objects.h"
 #include "app/request/resolve_quality.h"
 #include "base/names.h"
 #include "base/text_cut.h"
@@ -38,7 +39,7 @@ std::optional<v1::ExpectedChange> resolveSimplification(v1::OpenStream& request,
   checkRange(field, quality.max_event_change(), ranges::kMaxEventChange);
   checkLeftOpen(quality);
   if (!source.unavailable.empty()) throw Refusal(v1::CODE_UNAVAILABLE, field, source.unavailable);
-  if (request.objects_size() > 0)
+  if (!bodyNames(request).empty())
     throw Refusal(v1::CODE_UNAVAILABLE, field, "no scene is measured with moving objects");
   const std::vector<MeasuredModel> models = source.table.modelsOf(request.scene());
   if (models.empty()) {

@@ -14,10 +14,11 @@
 
 namespace saccade {
 
-// An object that moves.
+// An object that moves, or that the client stops.
 struct ResolvedObject {
-  std::size_t given = 0;                // its place in the client's request, for refusals
-  std::optional<Trajectory> path = {};  // of keyframes and csv; a motion needs the scene
+  std::optional<std::size_t> given = {};  // its place in the client's request; none: the scene moves it
+  std::optional<Trajectory> path = {};    // of keyframes and csv; other motions need the scene
+  std::size_t own_poses = 0;              // of a path that the scene gives it
 };
 
 struct ResolvedStream {
@@ -32,6 +33,7 @@ struct ResolvedStream {
   std::optional<Trajectory> given_path = {};       // of keyframes and csv; other paths need the scene
   std::optional<std::int64_t> path_begin_ns = {};  // of csv: the time that its text gives the first pose
   std::vector<ResolvedObject> objects = {};        // in the order of request.objects: by name
+  double lamp_bytes = 0;                           // of the lamps of a feed at one time, where some move
   SceneFeatures disabled_features = {};
   bool chooses_method = false;  // the request, or its budget; otherwise fitTo() may take another one
   std::optional<v1::ExpectedQuality> expected = {};       // of a request with a budget

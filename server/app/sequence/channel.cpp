@@ -50,7 +50,7 @@ std::vector<std::unique_ptr<Channel>> makeChannels(const ResolvedStream& stream,
     const v1::Sensor& request = stream.request.sensors(static_cast<int>(i));
     const std::size_t view = see(request.view());
     channels.push_back(std::make_unique<SensorChannel>(stream.sensors[i], source, request.from_event(),
-                                                       stream.changes[i], view));
+                                                       stream.changes[i], view, request.object_ids()));
     ++source.sensor;
   }
   for (std::size_t i = 0; i < stream.truth.size(); ++i) {

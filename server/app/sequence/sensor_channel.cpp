@@ -5,12 +5,23 @@
 
 namespace saccade {
 
+namespace {
+
+v1::Layout layoutOf(bool labels, bool object_ids) {
+  if (object_ids) return labels ? v1::LAYOUT_LABELLED_OBJECT_COLUMNS : v1::LAYOUT_OBJECT_COLUMNS;
+  return labels ? v1::LAYOUT_LABELLED_COLUMNS : v1::LAYOUT_COLUMNS;
+}
+
+}  // namespace
+
 SensorChannel::SensorChannel(const SensorConfig& config, const PacketSource& source, std::uint64_t from_event,
-                             std::vector<SensorChange> changes, std::size_t view)
+                             std::vector<SensorChange> changes, std::size_t view, bool object_ids)
     : Channel(from_event, view),
       sensor_(config, static_cast<int>(source.width), static_cast<int>(source.height)),
       schedule_(std::move(changes)),
-      cutter_(source, config.labels ? v1::LAYOUT_LABELLED_COLUMNS : v1::LAYOUT_COLUMNS) {}
+      cutter_(source, layoutOf(config.labels, object_ids)) {
+  if (object_ids) objects_.emplace();
+}
 
 std::vector<Packet> SensorChannel::makePackets(const FeedInterval& interval) {
   const IntensityChange& change = interval.change;
@@ -18,6 +29,7 @@ std::vector<Packet> SensorChannel::makePackets(const FeedInterval& interval) {
   std::vector<Packet> full;
   if (!std::exchange(joined_, true) && change.frame > 1) full.push_back(snapshot(change));
   sensor_.generate(change, output_);
+  if (objects_) objects_->find(*interval.rendered, output_.events);
   events_ += output_.events.size();
   const PacketInterval span{change.t0.count(),  change.t1.count(), change.frame - 1,
                             output_.suppressed, output_.artefacts, output_.lost_in_readout};

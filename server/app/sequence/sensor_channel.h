@@ -1,12 +1,14 @@
 // One sensor of a stream, and the packets of its events.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/sequence/channel.h"
 #include "events/sensor.h"
 #include "saccade/wire/packet_cutter.h"
+#include "truth/event_objects.h"
 
 namespace saccade {
 
@@ -14,7 +16,7 @@ class SensorChannel final : public Channel {
  public:
   // `changes`: in order of time.
   SensorChannel(const SensorConfig& config, const PacketSource& source, std::uint64_t from_event,
-                std::vector<SensorChange> changes = {}, std::size_t view = 0);
+                std::vector<SensorChange> changes = {}, std::size_t view = 0, bool object_ids = false);
   SensorSchedule* schedule() override { return &schedule_; }
 
  protected:
@@ -28,6 +30,7 @@ class SensorChannel final : public Channel {
   Packet snapshot(const IntensityChange& first);
 
   Sensor sensor_;
+  std::optional<EventObjects> objects_;  // where they are asked for
   SensorSchedule schedule_;
   PacketCutter cutter_;
   std::uint64_t events_ = 0;

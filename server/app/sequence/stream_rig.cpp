@@ -26,11 +26,14 @@ BakePlan planView(const RenderScene& scene, const Trajectory& body, const Resolv
 }  // namespace
 
 Rig makeRig(const std::shared_ptr<const RenderScene>& scene, const Trajectory& body,
-            const ResolvedStream& stream, const PoolHandle& pool) {
+            const ResolvedStream& stream, const PoolHandle& pool,
+            const std::map<std::size_t, Trajectory>& steered) {
   std::vector<std::unique_ptr<Feed>> feeds;
-  for (std::size_t i = 0; i < stream.views(); ++i)
-    feeds.push_back(
-        std::make_unique<Feed>(scene, body.mounted(stream.T_body_camera[i]), stream.feedOf(i), pool));
+  for (std::size_t i = 0; i < stream.views(); ++i) {
+    FeedConfig config = stream.feedOf(i);
+    for (const auto& [number, path] : steered) config.body_paths[number] = path;
+    feeds.push_back(std::make_unique<Feed>(scene, body.mounted(stream.T_body_camera[i]), config, pool));
+  }
   return Rig(std::move(feeds));
 }
 

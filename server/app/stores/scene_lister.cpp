@@ -62,6 +62,11 @@ v1::SceneInfo SceneLister::describe(const SceneEntry& entry) const {
   scene.set_unavailable(entry.unavailable.empty() ? cutText(note.failure, kMaxEntryBytes)
                                                   : entry.unavailable);
   scene.set_stats(cutText(note.stats, kMaxEntryBytes));
+  for (const SceneObject& object : entry.objects) {
+    v1::SceneObject& listed = *scene.add_objects();
+    listed.set_name(object.name);
+    listed.set_motion(object.motion);
+  }
   return scene;
 }
 

@@ -6,9 +6,13 @@
 #include "app/request/read_pose.h"
 #include "app/request/refusal.h"
 #include "app/request/resolve_sensor.h"
+#include "base/names.h"
+#include "base/text_cut.h"
 
 namespace saccade {
 namespace {
+
+constexpr std::size_t kMostNames = 1024;  // bytes of a list of names in a refusal
 
 void checkRuns(const Stream& stream) {
   if (stream.session->finished()) throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "the stream has ended");
@@ -20,9 +24,37 @@ Steering& steeringOf(const Stream& stream) {
   refuse("stream_id", "open the stream with timing.clock LOCKSTEP, or with timing.steerable, to steer it");
 }
 
-SteerTarget readTarget(const v1::Steer& call) {
+// The number of the body of an object.
+std::size_t bodyNamed(const std::string& name, const Stream& stream, const std::string& field) {
+  std::vector<std::string> steered;
+  for (int i = 0; i < stream.request->objects_size(); ++i) {
+    const auto body = static_cast<std::size_t>(i);
+    if (!stream.steering->steers(body)) continue;
+    if (stream.request->objects(i).name() == name) return body;
+    steered.push_back(stream.request->objects(i).name());
+  }
+  throw Refusal(v1::CODE_NOT_FOUND, field,
+                "the request has no object '" + cutText(name, kMaxEcho) +
+                    "'; it has: " + cutText(joinNames(steered), kMostNames));
+}
+
+std::map<std::size_t, Pose> readObjects(const v1::Steer& call, const Stream& stream) {
+  std::map<std::size_t, Pose> poses;
+  for (int i = 0; i < call.objects_size(); ++i) {
+    const v1::SteeredObject& object = call.objects(i);
+    const std::string field = "objects[" + std::to_string(i) + "]";
+    const std::size_t body = bodyNamed(object.name(), stream, field + ".name");
+    const Pose pose = readPose(object.pose().position(), object.pose().rotation(), field + ".pose");
+    if (!poses.emplace(body, pose).second)
+      refuse(field + ".name", "the object '" + object.name() + "' is given twice");
+  }
+  return poses;
+}
+
+std::optional<SteerTarget> readTarget(const v1::Steer& call) {
   if (call.has_pose()) return readPose(call.pose().position(), call.pose().rotation(), "pose");
-  if (!call.has_velocity()) refuse("target", "give a pose or a velocity");
+  if (!call.has_velocity() && call.objects_size() > 0) return {};
+  if (!call.has_velocity()) refuse("target", "give a pose, a velocity or objects");
   const v1::CameraVelocity& velocity = call.velocity();
   return Twist{readVector(velocity.linear(), ranges::kLinear, "velocity.linear"),
                readVector(velocity.angular(), ranges::kAngular, "velocity.angular")};
@@ -43,6 +75,7 @@ void setVector(const Vec3d& v, v1::Vector3& to) {
 }
 
 void describePath(const std::vector<TimedPose>& keys, v1::Keyframes& path) {
+  path.Clear();
   path.set_interpolation(v1::INTERPOLATION_LINEAR);
   for (const TimedPose& key : keys) {
     v1::Keyframe& frame = *path.add_keys();
@@ -83,7 +116,8 @@ void describeChanges(const std::vector<SensorChange>& changes, v1::Sensor& senso
 }  // namespace
 
 v1::Steered steerStream(const Stream& stream, const v1::Steer& call) {
-  const FrameIndex frame = steeringOf(stream).steer(readTarget(call));
+  Steering& steering = steeringOf(stream);
+  const FrameIndex frame = steering.steer({readTarget(call), readObjects(call, stream)});
   stream.feed->notifier()->raise();
   v1::Steered steered;
   steered.set_frame(frame);
@@ -127,7 +161,7 @@ std::size_t descriptionBytes(const Stream& stream) {
     const auto asked = static_cast<std::size_t>(stream.request->sensors(i).changes_size());
     bytes += kChangeBytes * (stream.sink->schedule(static_cast<std::size_t>(i)).size() - asked);
   }
-  return stream.steering ? bytes + kKeyBytes * stream.steering->frames() : bytes;
+  return stream.steering ? bytes + kKeyBytes * stream.steering->frames() * stream.steering->paths() : bytes;
 }
 
 v1::StreamDescription describeStream(const Stream& stream) {
@@ -140,6 +174,9 @@ v1::StreamDescription describeStream(const Stream& stream) {
   if (!stream.steering) return description;
   const std::vector<TimedPose> keys = stream.steering->keys();
   describePath(keys, *request.mutable_trajectory()->mutable_keyframes());
+  for (const auto& [body, of_body] : stream.steering->bodyKeys())
+    describePath(of_body,
+                 *request.mutable_objects(static_cast<int>(body))->mutable_path()->mutable_keyframes());
   v1::Timing& timing = *request.mutable_timing();
   timing.set_clock(v1::CLOCK_FAST);
   timing.set_speed(0);

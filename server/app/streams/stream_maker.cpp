@@ -12,6 +12,7 @@
 #include "render/world/render_scene.h"
 #include "stream/bounded_peers.h"
 #include "truth/id_names.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {
@@ -50,7 +51,8 @@ void checkDelivery(const v1::OpenStream& request) {
 }
 
 bool asksForIds(const v1::OpenStream& request) {
-  return std::ranges::any_of(request.truth(), [](const v1::Truth& truth) { return truth.name() == "ids"; });
+  return std::ranges::any_of(request.truth(), [](const v1::Truth& t) { return tellsObjects(t.name()); }) ||
+         std::ranges::any_of(request.sensors(), [](const v1::Sensor& sensor) { return sensor.object_ids(); });
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ void keepRequest(v1::OpenStream& request, Stream& stream) {
   for (const v1::ObjectMotion& object : objects) {
     v1::ObjectMotion& kept = *rest->add_objects();
     kept.set_name(object.name());
-    if (request.timing().steerable() || object.path().has_motion()) *kept.mutable_path() = object.path();
+    const bool is_long = object.path().has_csv() || object.path().has_keyframes();
+    if (request.timing().steerable() || !is_long) *kept.mutable_path() = object.path();
   }
   objects.Swap(request.mutable_objects());
   request.set_allocated_trajectory(path);

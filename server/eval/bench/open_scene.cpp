@@ -115,8 +115,7 @@ Scene readScene(const std::string& name_or_path) {
       name_or_path, [](const std::string& text) { std::fprintf(stderr, "loading %s\n", text.c_str()); });
   const fs::path file = fileOf(name_or_path);
   if (!file.empty())
-    return formatOf(file).load(file.string(),
-                               {.search_folders = splitFolders(meshFolders()), .progress = progress});
+    return loadSceneFile(file, {.search_folders = splitFolders(meshFolders()), .progress = progress});
   if (!ownLibrary().find(name_or_path) && fs::is_directory(name_or_path))
     throw SceneError(ownLibrary().unknown(name_or_path) + "; the folder here is ./" + name_or_path);
   return ownLibrary().load(name_or_path, progress);

@@ -18,7 +18,9 @@ class PosedBodies {
   PosedBodies(const RenderScene& scene, const std::vector<Trajectory>& paths);
 
   void setTime(TimeNs t);
+  void append(std::size_t body, const TimedPose& key) { paths_[body].append(key); }
 
+  const std::vector<Trajectory>& paths() const { return paths_; }
   // How they lie, in their order.
   std::span<const RigidMotion> motions() const { return motions_; }
   // The place of a surface of a body in caches of light: as the scene file has it, but apart from all others.
@@ -38,7 +40,7 @@ class PosedBodies {
 
  private:
   const RenderScene& scene_;
-  const std::vector<Trajectory> paths_;
+  std::vector<Trajectory> paths_;
   std::vector<Pose> poses_;  // world axes
   std::vector<RigidMotion> motions_;
   EmbreeInstances all_, emitters_, straight_;

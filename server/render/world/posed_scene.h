@@ -28,6 +28,9 @@ class PosedScene {
     if (bodies_) bodies_->setTime(t);
   }
 
+  // Adds a key to the path of a body, after its last one.
+  void append(std::size_t body, const TimedPose& key) { bodies_->append(body, key); }
+
   const RenderScene& still() const { return *scene_; }  // what is the same at all times
   const EmitterStrengths& strengths() const { return strengths_; }
   const PosedBodies* bodies() const { return bodies_.get(); }  // nullptr where the scene has none

@@ -1,6 +1,7 @@
 #include "scene/library/scene_folder.h"
 
 #include <algorithm>
+#include <set>
 
 #include "base/text_cut.h"
 #include "scene/camera/motion.h"
@@ -9,6 +10,7 @@
 #include "scene/files/scene_error.h"
 #include "scene/files/text.h"
 #include "scene/library/scene_format.h"
+#include "scene/motion/bodies.h"
 
 namespace saccade {
 namespace {
@@ -27,6 +29,21 @@ std::string describe(const fs::path& readme, const fs::path& scenes) {
     if (!line.empty() && line[0] != '#') return std::string(line);
   }
   return {};
+}
+
+// Those that move come first.
+std::vector<SceneObject> objectsOf(const Scene& scene) {
+  std::set<std::string> others = shapeNames(scene);
+  std::vector<SceneObject> objects;
+  for (const OwnMotion& motion : scene.motions) {
+    objects.push_back({cutText(motion.name, kMaxEcho), cutText(motion.text, kMaxEcho)});
+    others.erase(motion.name);
+  }
+  for (const std::string& name : others) {
+    if (objects.size() >= kMostListedObjects) break;
+    objects.push_back({cutText(name, kMaxEcho), {}});
+  }
+  return objects;
 }
 
 }  // namespace
@@ -70,8 +87,7 @@ SceneEntry describeScene(const fs::path& scene, const fs::path& scenes, const Lo
   }
   if (!entry.unavailable.empty()) return entry;
   try {
-    const fs::path file = sceneFileIn(scene);
-    formatOf(file).check(file.string(), options);
+    entry.objects = objectsOf(outlineSceneFile(sceneFileIn(scene), options));
   } catch (const SceneError& fault) {
     entry.unavailable = cutText(fault.what(), kMaxEntryBytes);
   }

@@ -12,12 +12,22 @@ namespace saccade {
 
 inline constexpr std::size_t kMaxEntryBytes = 1000;  // of each text of a SceneEntry
 
+inline constexpr std::size_t kMostListedObjects = 256;
+
+// Shapes of one name, which may move.
+struct SceneObject {
+  std::string name;
+  std::string motion;  // OwnMotion::text; empty: it stands unless a client moves it
+};
+
 // The parts of a scene that clients can ask for. All texts are UTF-8.
 struct SceneEntry {
   std::string name;
   std::string description;                // the first line of text in README.md, or why it cannot be read
   std::vector<std::string> trajectories;  // the names of its CSV files, then motionNames()
-  std::string unavailable;                // why the scene cannot be opened on this machine; empty: it can
+  // At most kMostListedObjects, those that move first, then by name. None of an outline.
+  std::vector<SceneObject> objects = {};
+  std::string unavailable;  // why the scene cannot be opened on this machine; empty: it can
 };
 
 // Name and trajectories of the scene in the folder `scene`, one of `scenes`. Reads no file. `unavailable`

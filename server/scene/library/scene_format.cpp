@@ -6,6 +6,8 @@
 #include "scene/files/scene_error.h"
 #include "scene/library/scene_folder.h"
 #include "scene/mitsuba/mitsuba_xml.h"
+#include "scene/motion/bodies.h"
+#include "scene/motion/own_motions.h"
 
 namespace saccade {
 namespace {
@@ -24,16 +26,29 @@ std::string join(std::string SceneFormat::*text) {
   return joinNames(all);
 }
 
+Scene withMotions(Scene scene, const fs::path& file, const LoadOptions& options) {
+  scene.motions = readOwnMotions(file, shapeNames(scene), options);
+  return scene;
+}
+
 }  // namespace
 
 const std::vector<SceneFormat>& sceneFormats() {
-  static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, checkMitsubaXml}};
+  static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml}};
   return formats;
 }
 
 const SceneFormat& formatOf(const fs::path& path) {
   if (const SceneFormat* format = findFormat(path)) return *format;
   throw SceneError(formatFault(path));
+}
+
+Scene loadSceneFile(const fs::path& file, const LoadOptions& options) {
+  return withMotions(formatOf(file).load(file.string(), options), file, options);
+}
+
+Scene outlineSceneFile(const fs::path& file, const LoadOptions& options) {
+  return withMotions(formatOf(file).outline(file.string(), options), file, options);
 }
 
 std::string formatFault(const fs::path& path) {

@@ -14,15 +14,20 @@ namespace saccade {
 struct SceneFormat {
   std::string name;       // "Mitsuba", for messages
   std::string extension;  // ".xml"
-  // Both throw SceneError. check() throws where load() would, but reads no mesh and no picture.
+  // Both throw SceneError. outline() throws where load() would, but reads no mesh and no picture: its meshes
+  // have names alone.
   Scene (*load)(const std::string& path, const LoadOptions& options);
-  void (*check)(const std::string& path, const LoadOptions& options);
+  Scene (*outline)(const std::string& path, const LoadOptions& options);
 };
 
 const std::vector<SceneFormat>& sceneFormats();
 
 // The format of a file, by its extension. Throws SceneError with formatFault().
 const SceneFormat& formatOf(const std::filesystem::path& path);
+// The scene of a file, with the motions that its folder gives it. Both throw SceneError; outlineSceneFile()
+// is as SceneFormat::outline.
+Scene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options);
+Scene outlineSceneFile(const std::filesystem::path& file, const LoadOptions& options);
 // "a.obj is not a Mitsuba scene; only .xml is read", and what exports it from Blender's formats; empty where
 // the format is known.
 std::string formatFault(const std::filesystem::path& path);

@@ -8,6 +8,7 @@
 #include "scene/files/plain_file.h"
 #include "scene/files/scene_error.h"
 #include "scene/library/scene_format.h"
+#include "scene/motion/own_motions.h"
 
 namespace saccade {
 namespace {
@@ -46,7 +47,7 @@ std::vector<SceneEntry> SceneLibrary::list() const {
 
 // A scene that was unavailable is read again: a mesh may have come, which is no change of its folder.
 SceneLibrary::Indexed SceneLibrary::refreshed(const fs::path& scene) const {
-  Times changed{changeOf(sceneFileIn(scene)), changeOf(scene / "README.md"),
+  Times changed{changeOf(sceneFileIn(scene)), changeOf(scene / kMotionFile), changeOf(scene / "README.md"),
                 changeOf(scene / "trajectories")};
   const auto known = index_.find(scene);
   if (known != index_.end() && known->second.changed == changed && known->second.entry.unavailable.empty())
@@ -82,12 +83,11 @@ Scene SceneLibrary::load(const std::string& name, const LoadProgress& progress,
   if (!contains(name)) throw SceneError(unknown(name));
   LoadOptions options = options_;
   options.progress = progress, options.stop = stop;
-  const fs::path file = sceneFileIn(folder_ / name);
-  return formatOf(file).load(file.string(), options);
+  return loadSceneFile(sceneFileIn(folder_ / name), options);
 }
 
 fs::file_time_type SceneLibrary::lastChange(const std::string& name) const {
-  return changeOf(sceneFileIn(folder_ / name));
+  return std::max(changeOf(sceneFileIn(folder_ / name)), changeOf(folder_ / name / kMotionFile));
 }
 
 Trajectory SceneLibrary::loadTrajectory(const std::string& scene, const std::string& name) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "scene/files/limits.h"
 #include "scene/mesh/mesh.h"
@@ -61,6 +62,12 @@ Mesh makeMesh(const std::string& type) {
   return type == "rectangle" ? makeRectangle() : type == "cube" ? makeCube() : makeDisk();
 }
 
+std::string nameOf(const Common& common, const std::string& type, const std::string& path) {
+  if (!common.name.empty()) return common.name;
+  const std::string stem = std::filesystem::path(path).stem().string();
+  return stem.empty() ? type : stem;
+}
+
 bool isFinite(const Mesh& mesh) {
   return std::all_of(mesh.positions.begin(), mesh.positions.end(),
                      [](Vec3 p) { return std::isfinite(dot(p, p)); });
@@ -76,15 +83,15 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   const bool flip_normals = properties.flag("flip_normals", false);
   properties.finish();
   const std::size_t index = scene.meshes.size();
-  scene.meshes.emplace_back();
+  const std::string name = nameOf(common, type, mesh_file.path);
+  scene.meshes.emplace_back().name = name;
   loads.add(file.errorsAt(shape), [=, &meshes = scene.meshes] {
     Mesh mesh = is_file ? loadMeshFile(type, mesh_file) : makeMesh(type);
     placeMesh(mesh, common.placement, face_normals);
     if (flip_normals) turnRound(mesh);
     if (!isFinite(mesh)) throw SceneError("a vertex of the shape is too far away for float numbers");
     if (common.has_bsdf) mesh.unread.clear();
-    if (!common.name.empty()) mesh.name = common.name;
-    if (mesh.name.empty()) mesh.name = type;
+    mesh.name = name;
     mesh.material = common.material;
     mesh.radiance = common.emission.radiance;
     mesh.strength = common.emission.strength;

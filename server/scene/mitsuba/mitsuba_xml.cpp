@@ -75,11 +75,12 @@ Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptio
   return loadScene(file, path, options, origin);
 }
 
-void checkMitsubaXml(const std::string& path, const LoadOptions& options) {
+Scene outlineMitsubaXml(const std::string& path, const LoadOptions& options) {
   const XmlFile file(readConfined(path, options), path, options);
   FileLoads not_run;
   Scene scene;
   readScene(file, not_run, scene);
+  return scene;
 }
 
 }  // namespace saccade

@@ -10,7 +10,7 @@
 //   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
 //   emitter   area, of a shape; envmap, constant, point, spot, directional
 //   transform of matrix, translate, rotate, scale, lookat in order
-//   <default> and $names; ids and refs to what stands before
+//   <default> and $names; ids and refs to what stands before. Shapes may share an id: they are one object
 // Colours: see xml_color.h. Indices of refraction are numbers, or names of dielectrics.h. A bsdf at the top
 // without an id goes by that of the bsdf within it. Of integrators max_depth is kept, and of the film its
 // width and height. Samplers and the like are ignored. So are properties that change no light: strings, flags
@@ -35,8 +35,8 @@ namespace saccade {
 
 // Files are looked up as findFile() says. Throws SceneError.
 Scene loadMitsubaXml(const std::string& path, const LoadOptions& options = {});
-// Throws SceneError where loadMitsubaXml() would, without reading any mesh or picture.
-void checkMitsubaXml(const std::string& path, const LoadOptions& options);
+// The same without reading any mesh or picture: meshes have names alone. Throws SceneError.
+Scene outlineMitsubaXml(const std::string& path, const LoadOptions& options);
 // The same of a text, as if it stood in a file at `path`.
 Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options = {});
 

@@ -47,6 +47,11 @@ pugi::xml_node wholeBsdf(pugi::xml_node node) {
   return std::string(outer.parent().name()) == "scene" ? outer : node;
 }
 
+// Shapes of one id are one object, see Scene::bodies. Mitsuba itself refuses them.
+bool isShape(pugi::xml_node node) {
+  return std::string(node.name()) == "shape";
+}
+
 }  // namespace
 
 XmlFile::XmlFile(std::string text, const std::string& path, const LoadOptions& options)
@@ -65,7 +70,10 @@ void XmlFile::indexIds() {
       throw error(node, "the elements are nested more than " + std::to_string(kMaxXmlDepth) + " deep");
     const std::string id = node.attribute("id").value();
     if (id.empty() || std::string(node.name()) == "ref") return;
-    if (!ids_.emplace(id, wholeBsdf(node)).second) throw error(node, "the id '" + id + "' is taken already");
+    const auto known = ids_.find(id);
+    const bool joins = known != ids_.end() && isShape(known->second) && isShape(node);
+    if (known != ids_.end() && !joins) throw error(node, "the id '" + id + "' is taken already");
+    ids_.emplace(id, wholeBsdf(node));
   });
 }
 

@@ -1,5 +1,6 @@
 // Pose of the camera at each frame.
 #include "truth/path_source.h"
+#include "truth/pose_rows.h"
 #include "truth/truth_source.h"
 
 namespace saccade {
@@ -7,10 +8,7 @@ namespace {
 
 class CameraPose final : public PathSource {
  protected:
-  std::vector<double> row(const Trajectory& path, TimeNs t) override {
-    const auto [p, q] = path.at(t);
-    return {p.x, p.y, p.z, q.x, q.y, q.z, q.w};
-  }
+  std::vector<double> row(const Trajectory& path, TimeNs t) override { return poseRow(path.at(t)); }
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Velocity of the camera at each frame.
 #include "truth/path_source.h"
+#include "truth/pose_rows.h"
 #include "truth/truth_source.h"
 
 namespace saccade {
@@ -8,8 +9,7 @@ namespace {
 class CameraVelocity final : public PathSource {
  protected:
   std::vector<double> row(const Trajectory& path, TimeNs t) override {
-    const auto [v, w] = path.velocityAt(t);
-    return {v.x, v.y, v.z, w.x, w.y, w.z};
+    return velocityRow(path.velocityAt(t));
   }
 };
 

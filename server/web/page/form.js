@@ -1,9 +1,9 @@
 // The controls: shows settings, and tells when they change.
 import { PALETTES } from "./palettes.js";
-import { DEFAULTS, MOTIONS, RATES, SIZES } from "./settings.js";
+import { DEFAULTS, MOTIONS, PATHS, RATES, SIZES } from "./settings.js";
 import { SLIDERS } from "./sliders.js";
 
-const OF_OWN_STREAM = ["motion", "px", "preset", "C", "bias", "size", "rate", "speed"]; // a broadcast of others has its own
+const OF_OWN_STREAM = ["motion", "px", "object", "path", "preset", "C", "bias", "size", "rate", "speed"]; // a broadcast of others has its own
 
 const option = (value, label = value, title = "") => Object.assign(new Option(label, value), { title });
 
@@ -11,6 +11,10 @@ function group(label, options) {
   const made = Object.assign(document.createElement("optgroup"), { label });
   made.append(...options);
   return made;
+}
+
+function sceneLabel({ name, objects = [] }) {
+  return objects.some(({ motion }) => motion) ? `${name} (moves)` : name;
 }
 
 export class Form {
@@ -40,10 +44,19 @@ export class Form {
     const chosen = source.startsWith("stream:") ? { stream: name } : { stream: "", scene: name };
     this.settings = { ...this.settings, ...chosen };
     if (![...MOTIONS, ...this.trajectories()].includes(this.settings.motion)) this.settings.motion = DEFAULTS.motion;
+    if (!this.objects().some((object) => object.name === this.settings.object)) this.settings.object = DEFAULTS.object;
+  }
+
+  scene() {
+    return this.scenes.find(({ name }) => name === this.settings.scene);
   }
 
   trajectories() {
-    return this.scenes.find(({ name }) => name === this.settings.scene)?.trajectories ?? [];
+    return this.scene()?.trajectories ?? [];
+  }
+
+  objects() {
+    return this.scene()?.objects ?? [];
   }
 
   // Scenes and streams of the server: those that can be watched are offered.
@@ -55,7 +68,7 @@ export class Form {
     const ready = scenes.filter(({ unavailable }) => !unavailable);
     const running = broadcasts.map(({ streamId, scene }) => option("stream:" + streamId, `${scene} · ${streamId.slice(0, 6)}`));
     this.form.source.replaceChildren(
-      group("Scenes", ready.map(({ name, description }) => option("scene:" + name, name, description))),
+      group("Scenes", ready.map((scene) => option("scene:" + scene.name, sceneLabel(scene), scene.description))),
       ...(running.length > 0 ? [group("Running broadcasts", running)] : []),
     );
     if (!this.settings.scene && !this.settings.stream) this.settings.scene = ready[0]?.name ?? "";
@@ -74,6 +87,7 @@ export class Form {
     const { form } = this;
     form.source.value = settings.stream ? "stream:" + settings.stream : "scene:" + settings.scene;
     this.showMotions();
+    this.showObjects();
     for (const name of ["preset", "size", "rate", "colours"]) form[name].value = settings[name];
     for (const [name, { at, text }] of Object.entries(SLIDERS)) {
       form[name].value = at(settings[name]);
@@ -81,6 +95,18 @@ export class Form {
     }
     form.C.parentElement.hidden = settings.preset !== "";
     for (const name of OF_OWN_STREAM) form[name].disabled = settings.stream !== "";
+  }
+
+  showObjects() {
+    const { form, settings } = this;
+    const moves = ({ name, motion }) => option(name, motion ? `${name} (${motion})` : name);
+    form.object.replaceChildren(option("", "as the scene says"), ...this.objects().map(moves));
+    form.object.value = settings.object;
+    const named = PATHS.includes(settings.path) ? PATHS : [...PATHS, settings.path];
+    const own = this.objects().some(({ name, motion }) => name === settings.object && motion);
+    form.path.replaceChildren(...named.filter((path) => path !== "own" || own).map((path) => option(path)));
+    form.path.value = settings.path;
+    form.path.parentElement.hidden = settings.object === "";
   }
 
   showMotions() {

@@ -6,6 +6,8 @@ export const DEFAULTS = {
   sensor: 0, // of that broadcast
   motion: "pan", // a kind of motion, or the name of a trajectory
   px: 0.5, // pixels per frame, of a kind of motion
+  object: "", // of the scene, that moves in another way than the scene says
+  path: "spin:45", // of that object, one of PATHS
   size: "160x120",
   rate: 200, // frames per second of stream time
   duration: 0, // seconds of stream time; 0: until the page leaves. It has no control
@@ -22,6 +24,8 @@ export const DEFAULTS = {
 export const SIZES = ["64x48", "128x96", "160x120", "240x180", "346x260", "640x480"];
 export const RATES = [25, 50, 100, 200, 500, 1000, 2000];
 export const SLOWEST = 1 / 256; // stream seconds per second, where the server lacks the CPU for more
+// Of an object: as the scene says, not at all, or a kind of motion and its speed per second.
+export const PATHS = ["own", "still", "spin:45", "spin:-45", "orbit:30", "slide:0.5", "swing:1"];
 export const MOTIONS = ["pan", "tilt", "roll", "truck", "pedestal", "dolly", "orbit", "shake", "random", "roam"];
 
 // The settings of a fragment such as #scene=cornell-box&C=0.1; what it leaves out, or says wrong, has its default.
@@ -33,12 +37,20 @@ export function fromFragment(fragment) {
     if (typeof value === "string" || (text !== "" && Number.isFinite(value))) settings[key] = value;
   }
   if (!/^\d{1,4}x\d{1,4}$/.test(settings.size)) settings.size = DEFAULTS.size;
+  if (!PATHS.includes(settings.path) && !/^[a-z]+:-?[\d.]+$/.test(settings.path)) settings.path = DEFAULTS.path;
   return settings;
 }
 
 export function toFragment(settings) {
   const said = Object.entries(settings).filter(([key, value]) => key === "scene" || value !== DEFAULTS[key]);
   return "#" + new URLSearchParams(said.filter(([, value]) => value !== ""));
+}
+
+// An ObjectPath of control.proto.
+function objectPathOf(path) {
+  if (path === "own" || path === "still") return { [path]: {} };
+  const [kind, speed] = path.split(":");
+  return { motion: { kind: "OBJECT_MOTION_KIND_" + kind.toUpperCase(), speed: Number(speed) } };
 }
 
 // An OpenStream of control.proto.
@@ -53,6 +65,7 @@ export function openStreamOf(settings) {
     scene: settings.scene,
     view: { width, height },
     trajectory,
+    ...(settings.object && { objects: [{ name: settings.object, path: objectPathOf(settings.path) }] }),
     timing: { frameRateHz: settings.rate, durationS: settings.duration, clock: "CLOCK_PACED", speed: settings.speed,
       minSpeed: Math.min(SLOWEST, settings.speed), steerable: settings.look === 1 },
     sensors: [{ ...threshold, bias: settings.bias }],

@@ -1,4 +1,4 @@
-"""Reads the two layouts of payloads as numpy arrays."""
+"""Reads the layouts of payloads as numpy arrays."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -11,7 +11,10 @@ from saccade.errors import PacketFault
 from saccade.events import Events
 from saccade.v1 import events_pb2
 
-BYTES_PER_EVENT = {events_pb2.LAYOUT_COLUMNS: 9, events_pb2.LAYOUT_LABELLED_COLUMNS: 11}
+BYTES_PER_EVENT = {events_pb2.LAYOUT_COLUMNS: 9, events_pb2.LAYOUT_LABELLED_COLUMNS: 11,
+                   events_pb2.LAYOUT_OBJECT_COLUMNS: 13, events_pb2.LAYOUT_LABELLED_OBJECT_COLUMNS: 15}
+LABELLED = (events_pb2.LAYOUT_LABELLED_COLUMNS, events_pb2.LAYOUT_LABELLED_OBJECT_COLUMNS)
+WITH_OBJECTS = (events_pb2.LAYOUT_OBJECT_COLUMNS, events_pb2.LAYOUT_LABELLED_OBJECT_COLUMNS)
 BYTES_PER_PIXEL = 8  # of a snapshot
 NS_PER_US = 1000
 
@@ -43,8 +46,10 @@ def read_columns(header: events_pb2.PacketHeader, payload: bytes) -> Events:
         _check_events(header, length, dt, x, y, p)
     t = (header.t0_ns + dt.astype(np.int64) * header.dt_unit_ns) // NS_PER_US
     interval = header.t0_ns // NS_PER_US, header.t1_ns // NS_PER_US
-    labels = _read_labels(n, payload) if header.layout == events_pb2.LAYOUT_LABELLED_COLUMNS else {}
-    return Events(t, x, y, p.view(np.bool_), (header.width, header.height), interval, header.sensor, **labels)
+    facts = _read_labels(n, payload) if header.layout in LABELLED else {}
+    if header.layout in WITH_OBJECTS:
+        facts["object"] = np.frombuffer(payload, "<u4", n, offset=(11 if header.layout in LABELLED else 9) * n)
+    return Events(t, x, y, p.view(np.bool_), (header.width, header.height), interval, header.sensor, **facts)
 
 
 def _read_labels(n: int, payload: bytes) -> dict[str, Any]:

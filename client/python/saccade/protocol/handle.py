@@ -9,7 +9,7 @@ from saccade.protocol.control import DEADLINE_S, Control
 from saccade.protocol.opening import OPEN_DEADLINE_S, Opening, Place
 from saccade.protocol.servers import Servers
 from saccade.protocol.sockets import reachable_endpoint
-from saccade.protocol.steering import make_change, make_describe, make_push, make_steer
+from saccade.protocol.steering import Objects, make_change, make_describe, make_push, make_steer
 from saccade.v1 import control_pb2, recording_pb2, truth_pb2
 
 
@@ -90,8 +90,9 @@ class StreamHandle:
         frame = control_pb2.GetFrame(stream_id=self.opened.stream_id, token=self.opened.token)
         return (await self.control.call(control_pb2.Request(get_frame=frame))).get_frame
 
-    async def steer(self, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> control_pb2.Steered:
-        return (await self.control.call(make_steer(self.opened, pose, velocity))).steer
+    async def steer(self, pose: Sequence[float] | None, velocity: Sequence[float] | None,
+                    objects: Objects | None) -> control_pb2.Steered:
+        return (await self.control.call(make_steer(self.opened, pose, velocity, objects))).steer
 
     async def push(self, intensity: bytes) -> control_pb2.FramePushed:
         return (await self.control.call(make_push(self.opened, intensity))).push_frame
@@ -109,8 +110,9 @@ class StreamHandle:
         request = (await self.control.call(make_describe(self.opened))).describe_stream.request
         if not request.HasField("trajectory"):
             request.trajectory.CopyFrom(self.opened.resolved.trajectory)
-        del request.objects[:]  # the server keeps no long paths
-        request.objects.extend(self.opened.resolved.objects)
+        if not self.opened.resolved.timing.steerable:
+            del request.objects[:]  # the server keeps no long paths
+            request.objects.extend(self.opened.resolved.objects)
         return request
 
     def describe_maker(self, recording: recording_pb2.Recording) -> dict[str, truth_pb2.TruthInfo]:

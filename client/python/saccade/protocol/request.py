@@ -14,7 +14,7 @@ from saccade.settings import SensorSettings, Settings
 from saccade.v1 import control_pb2 as c
 from saccade.v1 import noise_pb2
 
-OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset", "labels", "max_artefact_odds",
+OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset", "labels", "object_ids", "max_artefact_odds",
                   "model", "reconstruction")
 OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "clearance", "start", "objects", "method", "spp",
              "params", "disable", "calibration", "fov_x_deg", "intrinsics", "distortion", "T_body_camera", "further_views")

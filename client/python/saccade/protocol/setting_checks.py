@@ -19,7 +19,9 @@ from saccade.v1 import events_pb2, noise_pb2
 IMU_NOISE = ("accelerometer_noise", "gyroscope_noise", "accelerometer_walk", "gyroscope_walk")
 TRUTH = "the name of a truth channel, or (name, n) for every n-th frame, or a list of these"
 TRAJECTORY = "a name of Client.scenes(), the path of a file of poses, or poses: float (n, 8), t x y z qx qy qz qw"
-OBJECT = "KIND:SPEED such as 'spin:90', the path of a file of poses, or poses: float (n, 8), t x y z qx qy qz qw"
+OWN, STILL = "own", "still"  # paths of objects
+OBJECT = ("KIND:SPEED such as 'spin:90', 'own', 'still', the path of a file of poses, or poses: float (n, 8), "
+          "t x y z qx qy qz qw")
 PLACE = "a matrix (4, 4), or x y z, or x y z qx qy qz qw"
 COEFFICIENTS = {"radtan": (4, 5), "equidistant": (4,)}
 
@@ -101,6 +103,8 @@ def _object_path(name: str, value: Any) -> Any:
     try:
         if isinstance(value, os.PathLike) or isinstance(value, str) and value.endswith(POSE_FILES):
             return value
+        if isinstance(value, str) and value in (OWN, STILL):
+            return value
         return _object_speed(value) if isinstance(value, str) else _poses(value, OBJECT)
     except Invalid as wrong:
         raise Invalid(wrong.value, wrong.valid, f".{name}") from None
@@ -138,7 +142,8 @@ SETTINGS: dict[str, Check] = {
     "params": amounts("numbers by the name of a parameter, such as {'alpha': 0.2}"),
     "clock": one_of(c.Clock), "delivery": one_of(c.Delivery), "codec": one_of(events_pb2.Codec),
     "model": one_of(c.EventModel), "reconstruction": one_of(c.Reconstruction),
-    **dict.fromkeys(("pushed", "steerable", "packet_per_frame", "until_path_ends", "labels", "jitter", "monochrome"),
+    **dict.fromkeys(("pushed", "steerable", "packet_per_frame", "until_path_ends", "labels", "object_ids", "jitter",
+                     "monochrome"),
                     flag),
     **dict.fromkeys(("rate_hz", "turn_s", "clearance", "duration_s", "fov_x_deg", "max_artefact_odds", "bake_error",
                      "budget_ms", "max_false_rate", "max_event_change", "metres_per_unit"), number),

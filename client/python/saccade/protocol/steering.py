@@ -1,7 +1,7 @@
 """Makes the calls that control a running stream."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from saccade.values import MOST_U32, check, numbers_of, whole
 from saccade.v1 import control_pb2 as c
@@ -11,19 +11,28 @@ POSE = numbers_of("x y z qx qy qz qw, finite numbers", 7)
 VELOCITY = numbers_of("vx vy vz wx wy wz, finite numbers", 6)
 
 
-def make_steer(opened: c.StreamOpened, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> c.Request:
-    """Raises ValueError unless one of the two is given, with the right number of values."""
-    if (pose is None) == (velocity is None):
-        raise ValueError("give a pose or a velocity")
+Objects = Mapping[str, Sequence[float]]
+
+
+def make_steer(opened: c.StreamOpened, pose: Sequence[float] | None, velocity: Sequence[float] | None,
+               objects: Objects | None) -> c.Request:
+    """Raises ValueError unless there is something to steer, with the right number of values."""
+    if pose is not None and velocity is not None or pose is None and velocity is None and not objects:
+        raise ValueError("give a pose or a velocity, or poses of objects")
     call = c.Steer(stream_id=opened.stream_id, token=opened.token)
     if pose is not None:
-        x, y, z, qx, qy, qz, qw = check("pose", pose, POSE)
-        call.pose.CopyFrom(c.CameraPose(position=Vector3(x=x, y=y, z=z),
-                                        rotation=Quaternion(x=qx, y=qy, z=qz, w=qw)))
+        call.pose.CopyFrom(_pose("pose", pose))
+    for name, of_object in (objects or {}).items():
+        call.objects.add(name=name, pose=_pose(f"objects.{name}", of_object))
     if velocity is not None:
         x, y, z, wx, wy, wz = check("velocity", velocity, VELOCITY)
         call.velocity.CopyFrom(c.CameraVelocity(linear=Vector3(x=x, y=y, z=z), angular=Vector3(x=wx, y=wy, z=wz)))
     return c.Request(steer=call)
+
+
+def _pose(name: str, pose: Sequence[float]) -> c.CameraPose:
+    x, y, z, qx, qy, qz, qw = check(name, pose, POSE)
+    return c.CameraPose(position=Vector3(x=x, y=y, z=z), rotation=Quaternion(x=qx, y=qy, z=qz, w=qw))
 
 
 def make_push(opened: c.StreamOpened, intensity: bytes) -> c.Request:

@@ -18,6 +18,7 @@ from saccade.protocol.columns import NS_PER_US, Snapshot
 from saccade.protocol.request import make_sensor_change
 from saccade.protocol.samples import Samples
 from saccade.protocol.sequence import Losses
+from saccade.protocol.steering import Objects
 from saccade.protocol.subscription import Subscription, end_text
 from saccade.settings import SensorSettings
 from saccade.truth import OF_BODY, IdNames, Truth
@@ -139,12 +140,14 @@ class StreamState:
         if 0 < self.opened.frames - 0.5 > frames and not self._subscription.handle.closed:
             raise StreamFault(end_text(end))
 
-    async def _steer(self, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> int:
-        steered = await self._subscription.handle.steer(pose, velocity)
+    async def _steer(self, pose: Sequence[float] | None, velocity: Sequence[float] | None,
+                     objects: Objects | None) -> int:
+        steered = await self._subscription.handle.steer(pose, velocity, objects)
         return steered.t_ns // NS_PER_US
 
-    async def _step(self, pose: Sequence[float] | None, velocity: Sequence[float] | None) -> list[Events]:
-        return await self._frame_until(await self._subscription.handle.steer(pose, velocity))
+    async def _step(self, pose: Sequence[float] | None, velocity: Sequence[float] | None,
+                    objects: Objects | None) -> list[Events]:
+        return await self._frame_until(await self._subscription.handle.steer(pose, velocity, objects))
 
     async def _push(self, frame: Frame) -> list[Events]:
         pushed = await self._subscription.handle.push(luminance(frame, self.size).tobytes())

@@ -2,7 +2,7 @@
 
 Further sensors of a recording have the same in the groups /sensor_1, /sensor_2 and so on.
 
-Labels are /events/source and artefact.
+Labels are /events/source and artefact, and objects /events/object.
 """
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from saccade.errors import FormatError
-from saccade.events import LABELS, Events
-from saccade.readers.columns import events_of
+from saccade.events import Events
+from saccade.readers.columns import events_of, fact_names
 
 
 def chunks(path: pathlib.Path, chunk: int, group: str = "") -> Iterator[Events]:
@@ -29,14 +29,14 @@ def chunks(path: pathlib.Path, chunk: int, group: str = "") -> Iterator[Events]:
         if missing:
             raise FormatError(f"no data set '{missing[0]}', as DSEC has it")
         columns = [file[name] for name in names]
-        labels = {name: file[f"events/{name}"] for name in LABELS if set(LABELS) <= file["events"].keys()}
+        facts = {name: file[f"events/{name}"] for name in fact_names(file["events"].keys())}
         offset = int(file["t_offset"][()]) if "t_offset" in file else 0
         size = _size(file)
         for first in range(0, max(len(column) for column in columns), chunk):
             part = slice(first, first + chunk)
             t, x, y, p = (column[part] for column in columns)
             yield events_of(t.astype(np.int64) + offset, x, y, p, size,
-                            {name: column[part] for name, column in labels.items()})
+                            {name: column[part] for name, column in facts.items()})
 
 
 def _size(file: Any) -> tuple[int, int] | None:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from saccade.errors import FormatError
-from saccade.events import LABELS, Events
+from saccade.events import FACTS, Events
 from saccade.stored.hdf5_column import Column, read_number
 from saccade.truth import TruthArrays
 
@@ -41,8 +41,7 @@ class Hdf5Events:
         self._file = h5py.h5f.open(os.fsencode(path), h5py.h5f.ACC_RDONLY, _access())
         self._group, self._size, self._sensor, self._count = group, size, sensor, count
         self._t, self._x, self._y, self._p = (self._column(name) for name in "txyp")
-        labelled = f"{group}events/{LABELS[0]}".encode() in self._file
-        self._labels = {name: self._column(name) for name in LABELS if labelled}
+        self._facts = {name: self._column(name) for name in FACTS if f"{group}events/{name}".encode() in self._file}
         self._offset = read_number(self._file, f"{group}t_offset")
         self._index: NDArray[np.uint64] | None = None
         self._full = False
@@ -73,9 +72,9 @@ class Hdf5Events:
         t = self._t.all[first:last].astype(np.int64)
         if self._offset:
             t += self._offset
-        labels: dict[str, Any] = {name: column.view[first:last] for name, column in self._labels.items()}
+        facts: dict[str, Any] = {name: column.view[first:last] for name, column in self._facts.items()}
         return Events(t, self._x.view[first:last], self._y.view[first:last], self._p.view[first:last].view(np.bool_),
-                      self._size, interval, self._sensor, **labels)
+                      self._size, interval, self._sensor, **facts)
 
     def _near(self, begin: int, end: int) -> tuple[int, int]:
         """Events that hold those of the interval, and at most a millisecond more on both sides."""
@@ -97,7 +96,7 @@ class Hdf5Events:
                                    (self._p, 2, "polarity")):
             if any(column.all[part].max() >= most for part in column.fill(first, last)):
                 raise FormatError(f"a {what} is {most} or more")
-        for column in self._labels.values():
+        for column in self._facts.values():
             list(column.fill(first, last))
         self._full = self._t.full
 

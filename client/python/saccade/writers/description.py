@@ -28,7 +28,8 @@ def describe_events(events: Events) -> recording_pb2.Recording:
     width, height = known_size(events)
     return recording_pb2.Recording(width=width, height=height, begin_ns=events.t0 * NS_PER_US,
                                    end_ns=events.t1 * NS_PER_US, events=len(events), digest=digest_of(events),
-                                   sensor=events.sensor, labels=events.source is not None)
+                                   sensor=events.sensor, labels=events.source is not None,
+                                   object_ids=events.object is not None)
 
 
 def write_description(path: pathlib.Path, about: recording_pb2.Recording) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from saccade.events import LABELS, Events
+from saccade.events import Events
 from saccade.representations import known_size
 from saccade.truth import TruthArrays
 
@@ -35,9 +35,8 @@ def _write_sensor(group: Any, events: Events) -> None:
     inside["width"], inside["height"] = (np.uint32(side) for side in known_size(events))
     for name, kind in (("x", "<u2"), ("y", "<u2"), ("p", "u1"), ("t", "<u4")):
         _write_column(inside, name, getattr(events, name).astype(kind))
-    for name in LABELS:
-        if (label := getattr(events, name)) is not None:
-            _write_column(inside, name, label)
+    for name, fact in events.facts().items():
+        _write_column(inside, name, fact)
     milliseconds = np.arange(events.t1 // US_PER_MS + 2)  # entry m: the events before millisecond m
     _write_column(group, "ms_to_idx", np.searchsorted(events.t, milliseconds * US_PER_MS).astype("<u8"))
     group["t_offset"] = np.int64(0)

@@ -1,4 +1,4 @@
-""".npz with t (microseconds), x, y, p, width, height, labels, and truth channels as NAME, NAME_t and NAME_exposure."""
+""".npz with t (microseconds), x, y, p, width, height, labels, objects, and truth channels as NAME, NAME_t and NAME_exposure."""
 from __future__ import annotations
 
 import os
@@ -21,6 +21,6 @@ def write_npz(path: str | os.PathLike[str], events: Events, truth: Mapping[str, 
     arrays: dict[str, NDArray[Any]] = {name: channel.data for name, channel in truth.items()}
     arrays |= {f"{name}_t": channel.t for name, channel in truth.items()}
     arrays |= {f"{name}_exposure": channel.exposure for name, channel in truth.items() if channel.exposure is not None}
-    arrays |= {name: label for name in ("source", "artefact") if (label := getattr(events, name)) is not None}
+    arrays |= events.facts()
     np.savez_compressed(path, t=events.t, x=events.x, y=events.y, p=events.p.view(np.uint8), width=width, height=height,
                         **arrays)

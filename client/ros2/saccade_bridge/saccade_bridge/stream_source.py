@@ -23,8 +23,8 @@ SETTINGS = {
     "delivery": "",
 }
 # All parameters. client/README.md describes them.
-PARAMETERS = {**SETTINGS, "server": "", "width": 240, "height": 180, "frame_id": "camera", "stream_time": False,
-              "wait_for_subscriber": True}
+PARAMETERS = {**SETTINGS, "objects": "", "server": "", "width": 240, "height": 180, "frame_id": "camera",
+              "stream_time": False, "wait_for_subscriber": True}
 
 NS_PER_US, NS_PER_S = 1000, 1_000_000_000
 POLL_S = 0.02
@@ -40,9 +40,19 @@ def wait_for_subscriber(count, stopped):
 def open_stream(parameters):
     """Gives a saccade.Stream. parameters: the values of PARAMETERS, by name."""
     settings = {name: parameters[name] for name in SETTINGS if parameters[name]}
+    if parameters["objects"]:
+        settings["objects"] = objects_of(parameters["objects"])
     with saccade.connect(parameters["server"] or None) as client:
         with client.open(size=(parameters["width"], parameters["height"]), **settings) as stream:
             yield stream
+
+
+def objects_of(text):
+    """The paths of objects by name, of NAME=PATH,NAME=PATH."""
+    pairs = [pair.partition("=") for pair in text.split(",")]
+    if not all(name and path for name, _, path in pairs):
+        raise ValueError(f"objects: '{text}' is not NAME=PATH,NAME=PATH, such as bunny=spin:90,light=still")
+    return {name: path for name, _, path in pairs}
 
 
 def intrinsics(stream):
