@@ -83,6 +83,8 @@ void Feed::render(const PoolHandle& pool) {
   times_[Stage::kTrace] += renderer_.traceShadows(view, config_.spp, frame, before, pool);
   if (method->needsPairs({frame, before}))
     times_[Stage::kTrace] += renderer_.renderPairs(view, seeds, before, known, pool, frame);
+  if (frame.surfaces->hasCoats() || before.surfaces->hasCoats())
+    times_[Stage::kTrace] += renderer_.renderCoats(view, seeds, before, known, pool, frame);
 }
 
 Camera Feed::cameraAt(TimeNs t) const {

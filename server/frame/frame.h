@@ -66,9 +66,10 @@ struct Frame {
   std::uint64_t light = 0;  // the strengths of all emitters: equal numbers mean equal strengths
   bool stands = false;      // whether the camera and all bodies have the poses of the frame before
   GBuffer g;
-  FrameSamples samples;
+  FrameSamples samples;                      // with SurfaceSamples, light of coats is not in them
   std::unique_ptr<SurfaceSamples> surfaces;  // nullptr where no method asks
   std::unique_ptr<PairSamples> pairs;        // of this frame where a method asked; else nullptr, or older
+  std::unique_ptr<CoatSamples> coats;        // of this frame where it or the one before hasCoats(); likewise
 };
 
 // Two consecutive frames. A view; never stored.

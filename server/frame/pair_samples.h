@@ -15,4 +15,12 @@ struct PairSamples {
   ImageF more;      // of them, those that it got as its first ones had too much noise; 0: none
 };
 
+// The light that the coats of plastics reflect: their interfaces, without the bases below. A pixel that shows
+// one in one frame alone reflects none in the other. In `pairs`, variance is that of reflected light.
+struct CoatSamples {
+  CoatSamples(int w, int h) : now(w, h), pairs(w, h) {}
+  ImageF now;  // mean of the paths in this frame
+  PairSamples pairs;
+};
+
 }  // namespace saccade

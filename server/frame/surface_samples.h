@@ -15,7 +15,7 @@ namespace saccade {
 enum class SurfaceKind : std::uint8_t {
   kNone,     // nothing: no surface, or one whose light depends on the view, such as metal
   kDiffuse,  // reflects alike into all directions
-  kMixed,    // nearly so: a plastic, or a surface seen in a mirror or through glass
+  kMixed,    // nearly so: the base of a plastic, or a surface seen in a mirror or through glass
 };
 
 // The light that a path has found from its second vertex on.
@@ -30,6 +30,7 @@ struct SurfacePoint {
   SurfaceKind kind = SurfaceKind::kNone;
   bool light_moves = false;  // whether direct light may have changed since the frame before
   bool baked = false;        // whether its light is known ahead, as the method finds
+  bool has_coat = false;     // whether the interface of a plastic reflects light into the view, too
   std::uint32_t paths = 0;   // that it gets, as the method plans
 
   // Whether it reflects light that depends on the view, so that it cannot be shared.
@@ -44,9 +45,9 @@ struct SurfacePlace {
   float unoccluded = 0;  // light in closed form, see SurfaceLight
 };
 
-// The light that the paths of a point have found, if it gets any. All light is demodulated: a part of I - E,
-// divided by the luminance of the albedo. Direct light that a diffuse base reflects has a closed form but for
-// shadows, where lamps are simple:
+// The light that the paths of a point have found, if it gets any. That of a coat is not in it, see
+// CoatSamples. All light is demodulated: a part of I - E, divided by the luminance of the albedo. Direct
+// light that a diffuse base reflects has a closed form but for shadows, where lamps are simple:
 //   i = place.unoccluded * visibility + residual,   visibility = visible / unoccluded in the mean.
 // Where there is no such light, all light is in `residual`.
 struct SurfaceLight {
@@ -122,18 +123,25 @@ class SurfaceSamples {
     return std::ranges::any_of(of(x, y), [](const SurfacePoint& p) { return p.isUncacheable(); });
   }
 
+  // Whether a pixel shows a coat.
+  bool hasCoat(int x, int y) const {
+    return std::ranges::any_of(of(x, y), [](const SurfacePoint& p) { return p.has_coat; });
+  }
+
   // Whether any point may get paths: not where nothing reflects but baked light.
   bool needPaths() const { return need_paths_; }
   // Whether any pixel hasUncacheable().
   bool hasUncacheable() const { return has_uncacheable_; }
-  // Sets both, once all points are known.
-  void summarize(bool need_paths, bool has_uncacheable) {
-    need_paths_ = need_paths, has_uncacheable_ = has_uncacheable;
+  // Whether any pixel hasCoat().
+  bool hasCoats() const { return has_coats_; }
+  // Sets all three, once all points are known.
+  void summarize(bool need_paths, bool has_uncacheable, bool has_coats) {
+    need_paths_ = need_paths, has_uncacheable_ = has_uncacheable, has_coats_ = has_coats;
   }
 
  private:
   int per_pixel_, columns_;
-  bool need_paths_ = true, has_uncacheable_ = true;
+  bool need_paths_ = true, has_uncacheable_ = true, has_coats_ = false;
   std::vector<SurfacePoint> points_;
   std::vector<SurfacePlace> places_;
   std::vector<SurfaceLight> lights_;

@@ -190,6 +190,17 @@ void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, 
       modulate(frames, Demodulation::kAlbedo, 1, filtered_, i_prev_, now.var_i, pool, out);
 
   fillUncached(frames, pool, out, times);
+  addCoats(frames, pool, out, times);
+}
+
+void IrradianceCache::addCoats(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
+                               StageTimes& times) {
+  if (frames.cur.surfaces->hasCoats() || frames.prev.surfaces->hasCoats()) {
+    if (!coats_) coats_ = std::make_unique<CoatChange>(out.dI.width(), out.dI.height());
+    coats_->addTo(out, frames, pool, times);
+  } else if (coats_) {
+    coats_->forget();
+  }
 }
 
 void IrradianceCache::fillUncached(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,

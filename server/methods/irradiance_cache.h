@@ -9,6 +9,7 @@
 #include "cache/grid/light_states.h"
 #include "filter/atrous.h"
 #include "filter/filter_planes.h"
+#include "methods/coat_change.h"
 #include "methods/light_change.h"
 #include "methods/method.h"
 #include "methods/paired_change.h"
@@ -59,6 +60,7 @@ class IrradianceCache final : public SurfaceMethod {
   void addLightChange(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
   // Replaces the change of pixels whose light cannot be cached.
   void fillUncached(const FramePair& frames, const PoolHandle& pool, IntensityChange& out, StageTimes& times);
+  void addCoats(const FramePair& frames, const PoolHandle& pool, IntensityChange& out, StageTimes& times);
 
   IrradianceCacheParams params_;
   AtrousParams atrous_;
@@ -71,6 +73,7 @@ class IrradianceCache final : public SurfaceMethod {
   ImageF shadow_detail_, shadow_detail_prev_;
   std::unique_ptr<LightChange> change_;  // from the first frame on in which a body moves
   std::vector<char> light_moved_;        // by point of the last frame, where the scene has bodies
+  std::unique_ptr<CoatChange> coats_;    // from the first frame on that shows one
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;               // D[i_{t-1}]
   std::uint32_t frames_ = 0;    // planned so far

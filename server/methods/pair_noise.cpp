@@ -18,17 +18,35 @@ float varianceOfChange(const PairSamples& pairs, int x, int y) {
   return sum / n / pairs.count.at(x, y);
 }
 
+namespace {
+
 // By what those around differ.
-float varianceOfIllumination(const Frame& now, int x, int y) {
-  const ImageF& I = now.samples.I2;
-  const float here = illuminationOf(now.g, x, y, I.at(x, y));
+template <class Light>
+float varianceAroundOf(const PairSamples& pairs, int x, int y, const Light& light) {
+  const float here = light(x, y);
   float sum = 0, squares = 0, n = 0;
-  forEachAround(I, x, y, 1, [&](int u, int v) {
-    if (!hasPairs(*now.pairs, u, v)) return;
-    const float from_this = illuminationOf(now.g, u, v, I.at(u, v)) - here;
+  forEachAround(pairs.count, x, y, 1, [&](int u, int v) {
+    if (!hasPairs(pairs, u, v)) return;
+    const float from_this = light(u, v) - here;
     sum += from_this, squares += from_this * from_this, n += 1;
   });
   return n > 1 ? std::max(squares - sum * sum / n, 0.f) / (n - 1) : here * here;
+}
+
+}  // namespace
+
+float varianceOfIllumination(const Frame& now, int x, int y) {
+  return varianceAroundOf(*now.pairs, x, y,
+                          [&](int u, int v) { return illuminationOf(now.g, u, v, now.samples.I2.at(u, v)); });
+}
+
+float varianceAround(const CoatSamples& coats, int x, int y) {
+  return varianceAroundOf(coats.pairs, x, y, [&](int u, int v) { return coats.now.at(u, v); });
+}
+
+float provenChange(float d, float var) {
+  constexpr float kDoubt = 0.05f;
+  return d * d > kDoubt * var ? d - kDoubt * var / d : 0;
 }
 
 }  // namespace saccade

@@ -13,5 +13,11 @@ inline bool hasPairs(const PairSamples& pairs, int x, int y) {
 // pairs.
 float varianceOfChange(const PairSamples& pairs, int x, int y);
 float varianceOfIllumination(const Frame& now, int x, int y);
+// The variance of a coat's light now, likewise.
+float varianceAround(const CoatSamples& coats, int x, int y);
+
+// A change that its noise may have made is none, or it would be an event where nothing happens. It is the
+// positive part of James and Stein (1961), with less of the noise.
+float provenChange(float d, float var);
 
 }  // namespace saccade

@@ -21,13 +21,6 @@ constexpr AtrousParams kAtrous{.sigma_n = 16, .sigma_l = 6, .sigma_l_diff = 6};
 constexpr float kFilteredVariance = 2;
 constexpr float kLightVariance = 8;  // the same for light: its history has less noise
 
-// A change that its noise may have made is none, or it would be an event where nothing happens. It is the
-// positive part of James and Stein (1961), with less of the noise.
-float proven(float d, float var) {
-  constexpr float kDoubt = 0.05f;
-  return d * d > kDoubt * var ? d - kDoubt * var / d : 0;
-}
-
 }  // namespace
 
 PairedChange::PairedChange(int w, int h)
@@ -116,7 +109,7 @@ void PairedChange::modulate(const FramePair& frames, const PoolHandle& pool, Int
       const float a_prev = modulationAlbedo(g_prev.albedo.at(x, y), Demodulation::kAlbedo);
       const float d = last_.at(x, y), var = var_last_.at(x, y), i_prev = before_.at(x, y);
       const float E = g.emission.at(x, y), E_prev = g_prev.emission.at(x, y);
-      change.dI.at(x, y) = a * proven(d, var) + (a - a_prev) * i_prev + (E - E_prev);
+      change.dI.at(x, y) = a * provenChange(d, var) + (a - a_prev) * i_prev + (E - E_prev);
       change.var_dI.at(x, y) = a * a * var;
       change.I_prev.at(x, y) = a_prev * i_prev + E_prev;
     }

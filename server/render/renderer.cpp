@@ -40,6 +40,8 @@ void renderStillTile(const PixelContext& view, const SeedPlan& seeds, int bounce
   });
 }
 
+constexpr int kPathsPerCoat = 2;  // paths asked for each pair of a coat
+
 constexpr double kPieceRays = 20480;  // of a piece: few milliseconds, so that other jobs wait no longer
 
 int tileEdge(int spp, int bounces) {
@@ -76,14 +78,15 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
   const Shading has = scene.shading();
   const bool plain_only =
       has.diffuseOnly() && !has.extras && view.now.camera.isPlain() && out.surfaces->perPixel() == 1;
-  if (starts().anyOfOthers() || scene.analyticLight().groups() > 0) current_ = 1 - current_;
+  if (starts().anyOfOthers() || starts().anyCoats() || scene.analyticLight().groups() > 0)
+    current_ = 1 - current_;
   shadows_.next(scene, out.surfaces->indexOf(0, out.height()));
   starts().resize(out.surfaces->indexOf(0, out.height()), plain_only);
   const ChangingLight changing(view.now.scene, view.before.scene);
   const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
                                      [&](Tile t) { tile(view, changing, t, on_tile, starts(), out); });
-  out.surfaces->summarize(starts().any(), starts().anyOfOthers());
+  out.surfaces->summarize(starts().any(), starts().anyOfOthers(), starts().anyCoats());
   return {out, scene, time};
 }
 
@@ -122,30 +125,59 @@ std::chrono::nanoseconds Renderer::renderReplays(const PixelContext& view, const
                           [&](Tile t) { tile(view, seeds, tracing, t, starts(), out); });
 }
 
+PairSides Renderer::pairSides(const PixelContext& view, const SeedPlan& seeds, const Frame& before,
+                              const BounceGrid* known, const Frame& out) {
+  const Camera& camera = view.now.camera;
+  const KnownBounces bounces{known, camera.origin, camera.pixel};
+  const bool deltas_apart = view.now.scene.still().deltaLamps().areFew();
+  return {{out, starts(), {view.now.scene, settings_.bounces, bounces, deltas_apart}},
+          {before, startsBefore(), {view.before.scene, settings_.bounces, bounces, deltas_apart}},
+          {seeds.stream, seeds.frame2}};
+}
+
 std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const SeedPlan& seeds,
                                                const Frame& before, const BounceGrid* known,
                                                const PoolHandle& pool, Frame& out) {
   if (!out.pairs) out.pairs = std::make_unique<PairSamples>(out.width(), out.height());
-  const Camera& camera = view.now.camera;
-  const KnownBounces bounces{known, camera.origin, camera.pixel};
-  const bool deltas_apart = view.now.scene.still().deltaLamps().areFew();
-  const PairSides sides{
-      {out, starts(), {view.now.scene, settings_.bounces, bounces, deltas_apart}},
-      {before, startsBefore(), {view.before.scene, settings_.bounces, bounces, deltas_apart}},
-      {seeds.stream, seeds.frame2}};
+  const PairSides sides = pairSides(view, seeds, before, known, out);
   const Shading has = view.now.scene.still().shading();
   const int edge = tileEdge(2 * seeds.spp2, settings_.bounces);
   const auto replay = withKernel(has, [this]<Shading S>() {
     return settings_.channels == 1 ? renderPairTile<S, 1> : renderPairTile<S, 3>;
   });
   const auto add = withKernel(has, [this]<Shading S>() {
-    return settings_.channels == 1 ? renderMorePairsTile<S, 1> : renderMorePairsTile<S, 3>;
+    return settings_.channels == 1 ? renderMorePairsTile<S, 1, AllOfPoint>
+                                   : renderMorePairsTile<S, 3, AllOfPoint>;
   });
+  const PairedLight light{out.samples.I2, *out.pairs, &out.g, &before.g};
   auto time =
       pool.forEachTile(out.width(), out.height(), edge, [&](Tile tile) { replay(sides, tile, *out.pairs); });
-  time += planMorePairs(out, before, pool, *out.pairs);
-  return time + pool.forEachTile(out.width(), out.height(), edge,
-                                 [&](Tile tile) { add(sides, tile, out.samples, *out.pairs); });
+  time += planMorePairs(light, pool);
+  return time +
+         pool.forEachTile(out.width(), out.height(), edge, [&](Tile tile) { add(sides, tile, light); });
+}
+
+std::chrono::nanoseconds Renderer::renderCoats(const PixelContext& view, const SeedPlan& seeds,
+                                               const Frame& before, const BounceGrid* known,
+                                               const PoolHandle& pool, Frame& out) {
+  if (!out.coats) out.coats = std::make_unique<CoatSamples>(out.width(), out.height());
+  const PairSides sides = pairSides(view, seeds, before, known, out);
+  const Shading has = view.now.scene.still().shading();
+  const auto count = static_cast<std::uint32_t>(std::max(1, seeds.spp2 / kPathsPerCoat));
+  const int edge = tileEdge(2 * static_cast<int>(count), settings_.bounces);
+  const auto first = withKernel(has, [this]<Shading S>() {
+    return settings_.channels == 1 ? renderCoatTile<S, 1> : renderCoatTile<S, 3>;
+  });
+  const auto add = withKernel(has, [this]<Shading S>() {
+    return settings_.channels == 1 ? renderMorePairsTile<S, 1, CoatOfPoint>
+                                   : renderMorePairsTile<S, 3, CoatOfPoint>;
+  });
+  const PairedLight light{out.coats->now, out.coats->pairs};
+  auto time = pool.forEachTile(out.width(), out.height(), edge,
+                               [&](Tile tile) { first(sides, count, tile, *out.coats); });
+  time += planMorePairs(light, pool);
+  return time +
+         pool.forEachTile(out.width(), out.height(), edge, [&](Tile tile) { add(sides, tile, light); });
 }
 
 std::chrono::nanoseconds Renderer::traceShadows(const PixelContext& view, int spp, Frame& now,

@@ -16,6 +16,8 @@
 
 namespace saccade {
 
+struct PairSides;
+
 struct RenderSettings {
   int bounces = 3;      // indirect
   int channels = 3;     // 1 or 3
@@ -58,6 +60,10 @@ class Renderer {
   std::chrono::nanoseconds renderPairs(const PixelContext& view, const SeedPlan& seeds, const Frame& before,
                                        const BounceGrid* known, const PoolHandle& pool, Frame& out);
 
+  // Sets out.coats likewise, by pairs of their own. One of both frames must have pixels that show coats.
+  std::chrono::nanoseconds renderCoats(const PixelContext& view, const SeedPlan& seeds, const Frame& before,
+                                       const BounceGrid* known, const PoolHandle& pool, Frame& out);
+
   // Renders one picture in colour, into three planes. The paths of a pixel, those of pass 2, all start at
   // its centre. Features go to `out.g`; `out.samples` does not change.
   void renderStill(const PixelContext& view, const SeedPlan& seeds, const PoolHandle& pool, Frame& out,
@@ -67,9 +73,11 @@ class Renderer {
   RenderSettings settings_;
   SurfaceStarts& starts() { return starts_[current_]; }
   SurfaceStarts& startsBefore() { return starts_[1 - current_]; }
+  PairSides pairSides(const PixelContext& view, const SeedPlan& seeds, const Frame& before,
+                      const BounceGrid* known, const Frame& out);
 
   // Of points that may get paths, of the last renderSurfaces(). Those of the one before it are kept where
-  // its pixels hasUncacheable(), or where lamps have a closed form.
+  // its pixels hasUncacheable() or hasCoat(), or where lamps have a closed form.
   std::array<SurfaceStarts, 2> starts_;
   std::size_t current_ = 0;
   LampShadows shadows_;

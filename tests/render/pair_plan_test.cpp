@@ -21,6 +21,7 @@ struct PairPlanTest : testing::Test {
             1.f + 0.01f * (isNoisy(x, y) ? 100 : 1) * (toUnit(hashKey(1, y * kW + x)) - 0.5f);
       }
   }
+  PairedLight light() { return {now.samples.I2, pairs, &now.g, &before.g}; }
   static bool isNoisy(int x, int y) { return (x == 7 || x == 8) && (y == 5 || y == 6); }
 
   TilePool pool{2};
@@ -29,7 +30,7 @@ struct PairPlanTest : testing::Test {
 };
 
 TEST_F(PairPlanTest, MorePairsGoWhereTheNoiseIs) {
-  planMorePairs(now, before, pool, pairs);
+  planMorePairs(light(), pool);
   EXPECT_GT(pairs.more.at(7, 5), 0);
   EXPECT_GT(pairs.more.at(8, 6), 0);
   EXPECT_EQ(pairs.more.at(2, 5), 0);
@@ -44,15 +45,23 @@ TEST_F(PairPlanTest, TexturesAreNoNoise) {
       now.samples.I2.at(x, y) = now.g.albedo.at(x, y) = x % 2 == 0 ? 0.25f : 0.5f;
       pairs.before.at(x, y) = before.g.albedo.at(x, y) = x % 2 == 0 ? 0.5f : 0.25f;
     }
-  planMorePairs(now, before, pool, pairs);
+  planMorePairs(light(), pool);
   EXPECT_EQ(pairs.variance.at(7, 5), 0);
   EXPECT_EQ(pairs.more.at(7, 5), 0);
+}
+
+// Without the features of frames, light is neither emitted nor off an albedo.
+TEST_F(PairPlanTest, LightCanBeApartFromThatOfPixels) {
+  now.g.emission.fill(5), now.g.albedo.fill(0.1f);
+  planMorePairs({now.samples.I2, pairs}, pool);
+  EXPECT_GT(pairs.more.at(7, 5), 0);
+  EXPECT_NEAR(pairs.variance.at(2, 3), 1e-4 / 12, 0.6e-4 / 12);
 }
 
 TEST_F(PairPlanTest, PixelsWithoutPairsGetNone) {
   pairs.count.at(7, 5) = 0;
   pairs.more.fill(0);
-  planMorePairs(now, before, pool, pairs);
+  planMorePairs(light(), pool);
   EXPECT_EQ(pairs.more.at(7, 5), 0);
   EXPECT_GT(pairs.more.at(8, 6), 0);
 }
@@ -62,7 +71,7 @@ TEST_F(PairPlanTest, FurtherPairsJoinTheMeans) {
   now.g.emission.at(1, 1) = 0.5f, before.g.emission.at(1, 1) = 0.25f;
   now.g.albedo.at(1, 1) = 1, before.g.albedo.at(1, 1) = 0.5f;
   const std::array<std::array<float, 2>, 3> further{{{6, 2}, {9, 1.5f}, {6, 2.5f}}};
-  addPairs(further, 1, 1, now.g, before.g, now.samples, pairs);
+  addPairs(further, 1, 1, light());
   EXPECT_EQ(pairs.count.at(1, 1), 4);
   EXPECT_FLOAT_EQ(now.samples.I2.at(1, 1), 0.5f + (3 + 6 + 9 + 6) / 4.f);
   EXPECT_FLOAT_EQ(pairs.before.at(1, 1), 0.25f + (1 + 2 + 1.5f + 2.5f) / 4.f);

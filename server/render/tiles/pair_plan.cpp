@@ -23,17 +23,26 @@ float meanAround(const ImageF& count, int x, int y, const Value& value) {
   return sum / n;
 }
 
+// One frame of a pixel's pairs: what it emits, and what its reflected light is divided by.
+struct PairDivisor {
+  PairDivisor(const GBuffer* g, int x, int y) {
+    if (g) emission = g->emission.at(x, y), albedo = divisorOf(*g, x, y);
+  }
+  float operator()(float I) const { return (I - emission) / albedo; }
+  float emission = 0, albedo = 1;
+};
+
 }  // namespace
 
-std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, const PoolHandle& pool,
-                                       PairSamples& pairs) {
-  const int width = now.width(), height = now.height();
+std::chrono::nanoseconds planMorePairs(const PairedLight& light, const PoolHandle& pool) {
+  PairSamples& pairs = light.pairs;
+  const int width = light.now.width(), height = light.now.height();
   const auto change = [&](int x, int y) {
-    return illuminationOf(now.g, x, y, now.samples.I2.at(x, y)) -
-           illuminationOf(before.g, x, y, pairs.before.at(x, y));
+    return PairDivisor(light.g_now, x, y)(light.now.at(x, y)) -
+           PairDivisor(light.g_before, x, y)(pairs.before.at(x, y));
   };
   const auto deviation = [&](int x, int y) {  // of radiance
-    return now.g.albedo.at(x, y) * std::sqrt(pairs.variance.at(x, y));
+    return (light.g_now ? light.g_now->albedo.at(x, y) : 1) * std::sqrt(pairs.variance.at(x, y));
   };
   // The square of what a change differs by from the mean around it. The mean holds a ninth of it.
   ImageF apart(width, height);
@@ -64,10 +73,11 @@ std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, co
   });
 }
 
-void addPairs(std::span<const std::array<float, 2>> further, int x, int y, const GBuffer& g_now,
-              const GBuffer& g_before, FrameSamples& samples, PairSamples& pairs) {
+void addPairs(std::span<const std::array<float, 2>> further, int x, int y, const PairedLight& light) {
+  PairSamples& pairs = light.pairs;
   const auto n = static_cast<float>(further.size());
-  const float A_now = divisorOf(g_now, x, y), A_before = divisorOf(g_before, x, y);
+  const PairDivisor of_now(light.g_now, x, y), of_before(light.g_before, x, y);
+  const float A_now = of_now.albedo, A_before = of_before.albedo;
   float sum_now = 0, sum_before = 0;
   for (const auto& [now, before] : further) sum_now += now, sum_before += before;
   const float mean = (sum_now / A_now - sum_before / A_before) / n;
@@ -78,8 +88,8 @@ void addPairs(std::span<const std::array<float, 2>> further, int x, int y, const
   }
   float& count = pairs.count.at(x, y);
   const auto add = [&](float E, float sum, float& I) { I = E + ((I - E) * count + sum) / (count + n); };
-  add(g_now.emission.at(x, y), sum_now, samples.I2.at(x, y));
-  add(g_before.emission.at(x, y), sum_before, pairs.before.at(x, y));
+  add(of_now.emission, sum_now, light.now.at(x, y));
+  add(of_before.emission, sum_before, pairs.before.at(x, y));
   pairs.variance.at(x, y) = squares / std::max(n - 1, 1.f);
   count += n;
 }

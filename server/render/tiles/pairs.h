@@ -27,9 +27,20 @@ struct PairNumbers {
   std::uint32_t first = 0, count = 0;
 };
 
+// Which light of a pixel's points pairs are of: all of it.
+struct AllOfPoint {
+  static bool isAt(const SurfacePoint& p) { return p.share > 0; }
+  static const PathStart& pathOf(const SurfaceStart& start) { return start.path; }
+};
+// That of the coats of plastics.
+struct CoatOfPoint {
+  static bool isAt(const SurfacePoint& p) { return p.has_coat; }
+  static PathStart pathOf(const SurfaceStart& start) { return start.coatPath(); }
+};
+
 // Traces the numbers(x, y) of a tile's pixels in one frame. Calls on_light(x, y, path, light): light is the
 // part of what the pixel reflects that one of its points contributes.
-template <Shading S, int C>
+template <Shading S, int C, class Part>
 void tracePairSide(const PairSide& side, const SequencePlace& places, Tile tile, const auto& numbers,
                    const auto& on_light) {
   const SurfaceSamples& on = *side.frame.surfaces;
@@ -52,7 +63,7 @@ void tracePairSide(const PairSide& side, const SequencePlace& places, Tile tile,
     const PairNumbers of = numbers(x, y);
     for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
       const auto i = static_cast<std::uint32_t>(on.indexOf(column, y));
-      if (on[i].share <= 0) continue;
+      if (!Part::isAt(on[i])) continue;
       for (std::uint32_t path = of.first; path < of.first + of.count; ++path) {
         const NewPath one{places.of(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(y), path),
                           static_cast<std::uint32_t>(traced.size())};
@@ -60,7 +71,7 @@ void tracePairSide(const PairSide& side, const SequencePlace& places, Tile tile,
         if (starts.isPlain(i))
           plain.add(starts.plain(i), one);
         else
-          run.add(starts.other(i).path, one);
+          run.add(Part::pathOf(starts.other(i)), one);
       }
     }
   });
@@ -78,7 +89,7 @@ void renderPairTile(const PairSides& sides, Tile tile, PairSamples& pairs) {
     if (!now.hasUncacheable(x, y) || !before.hasUncacheable(x, y)) return;
     for (const SurfacePoint& p : now.of(x, y)) count = std::max(count, static_cast<float>(p.paths));
   });
-  tracePairSide<S, C>(
+  tracePairSide<S, C, AllOfPoint>(
       sides.before, sides.places, tile,
       [&](int x, int y) {
         return PairNumbers{0, static_cast<std::uint32_t>(pairs.count.at(x, y))};
@@ -88,9 +99,33 @@ void renderPairTile(const PairSides& sides, Tile tile, PairSamples& pairs) {
       });
 }
 
-// Traces the pairs that planMorePairs() has planned. Adds them to the means, and sets their variance.
+// Traces `count` pairs of each pixel that shows a coat in any of the frames.
 template <Shading S, int C>
-void renderMorePairsTile(const PairSides& sides, Tile tile, FrameSamples& samples, PairSamples& pairs) {
+void renderCoatTile(const PairSides& sides, std::uint32_t count, Tile tile, CoatSamples& coats) {
+  const SurfaceSamples &now = *sides.now.frame.surfaces, &before = *sides.before.frame.surfaces;
+  PairSamples& pairs = coats.pairs;
+  forEachPixel(tile, [&](int x, int y) {
+    coats.now.at(x, y) = pairs.before.at(x, y) = pairs.more.at(x, y) = 0;
+    pairs.count.at(x, y) = now.hasCoat(x, y) || before.hasCoat(x, y) ? static_cast<float>(count) : 0;
+  });
+  const auto trace = [&](const PairSide& side, ImageF& light) {
+    tracePairSide<S, C, CoatOfPoint>(
+        side, sides.places, tile,
+        [&](int, int) {
+          return PairNumbers{0, count};
+        },
+        [&](int x, int y, std::uint32_t, float found) {
+          light.at(x, y) += found / static_cast<float>(count);
+        });
+  };
+  trace(sides.now, coats.now);
+  trace(sides.before, pairs.before);
+}
+
+// Traces the pairs that planMorePairs() has planned. Adds them to the means, and sets their variance.
+template <Shading S, int C, class Part>
+void renderMorePairsTile(const PairSides& sides, Tile tile, const PairedLight& of) {
+  const PairSamples& pairs = of.pairs;
   const auto indexOf = [&](int x, int y) {
     return static_cast<std::size_t>((y - tile.y0) * kMaxTileEdge + x - tile.x0);
   };
@@ -104,7 +139,7 @@ void renderMorePairsTile(const PairSides& sides, Tile tile, FrameSamples& sample
   });
   if (light.empty()) return;
   const auto trace = [&](const PairSide& side, std::size_t which) {
-    tracePairSide<S, C>(
+    tracePairSide<S, C, Part>(
         side, sides.places, tile,
         [&](int x, int y) {
           return PairNumbers{first(x, y), planned(x, y)};
@@ -117,9 +152,7 @@ void renderMorePairsTile(const PairSides& sides, Tile tile, FrameSamples& sample
   trace(sides.before, 1);
   forEachPixel(tile, [&](int x, int y) {
     const std::uint32_t n = planned(x, y);
-    if (n > 0)
-      addPairs(std::span(light).subspan(at[indexOf(x, y)], n), x, y, sides.now.frame.g, sides.before.frame.g,
-               samples, pairs);
+    if (n > 0) addPairs(std::span(light).subspan(at[indexOf(x, y)], n), x, y, of);
   });
 }
 

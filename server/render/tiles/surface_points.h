@@ -29,6 +29,7 @@ void setStart(const PathStart& path, float albedo, SurfaceStart& out) {
   out.base.albedo = has_base ? scatter.diffuseAlbedo() : Rgb{};
   out.base.all = has_base && scatter.isDiffuse();
   out.albedo = albedo;
+  out.coat = has_base && !out.base.all ? path.surface.bsdf.specular : Rgb{};
 }
 
 // The points of a tile, as they are found.
@@ -106,15 +107,18 @@ class TilePoints {
   // Copies where paths start, of points that may get any.
   void keepStarts(SurfaceStarts& starts) const {
     const SurfaceSamples& on = *out_.surfaces;
-    bool any = false, any_of_others = false;
+    bool any = false, any_of_others = false, any_coats = false;
     forEachPixel(tile_, [&](int x, int y) {
       const bool all = on.hasUncacheable(x, y);
       any_of_others |= all;
-      for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column)
-        if (const SurfacePoint& p = on.at(column, y); p.share > 0 && (all || !p.baked))
-          any = true, keepStart(column, y, starts);
+      for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
+        const SurfacePoint& p = on.at(column, y);
+        if (p.share <= 0 || (p.baked && !all && !p.has_coat)) continue;
+        any = true, any_coats |= p.has_coat;
+        keepStart(column, y, starts);
+      }
     });
-    if (any) starts.setAny(any_of_others);
+    if (any) starts.setAny(any_of_others, any_coats);
   }
 
  private:
@@ -137,6 +141,7 @@ class TilePoints {
     point.share = share;
     if (!guide.hit || !guide.has_base || albedo <= kLeastSurfaceAlbedo) return;
     point.kind = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
+    point.has_coat = start.hasCoat();
     const Rgb white = view_.now.scene.analyticLight().at(litPoint(hit.start), view_.now.scene.strengths());
     SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(column, y));
     place = {guide.point, guide.normal, view_.now.camera.pixelAt(hit.direction) * guide.t,
@@ -156,8 +161,10 @@ class TilePoints {
 
   void keepStart(int column, int y, SurfaceStarts& starts) const {
     const std::size_t i = out_.surfaces->indexOf(column, y);
-    if (!isPlain(column, y)) return starts.set(i, memory_->others[indexOf(column, y)]);
-    starts.set(i, plainStart(column, y));
+    if (isPlain(column, y)) return starts.set(i, plainStart(column, y));
+    SurfaceStart& start = memory_->others[indexOf(column, y)];
+    start.setCoatApart();
+    starts.set(i, start);
   }
   PlainStart plainStart(int x, int y) const {
     const int lane = (y - tile_.y0) % kBlockEdge * kBlockEdge + (x - tile_.x0) % kBlockEdge;

@@ -16,9 +16,22 @@ struct DiffuseBase {
 };
 
 struct SurfaceStart {
-  PathStart path;
+  PathStart path;  // once its coat is apart, of the base alone
   DiffuseBase base;
-  float albedo = 0;  // luminance
+  float albedo = 0;  // luminance; of the coat, too
+  Rgb coat;          // Bsdf::specular of a plastic; 0: there is no coat
+
+  // Takes the coat off `path`.
+  void setCoatApart() {
+    if (hasCoat()) path.surface.bsdf.specular = {};
+  }
+  bool hasCoat() const { return luminance(coat) > 0; }
+  // Where the paths of the coat start.
+  PathStart coatPath() const {
+    PathStart start = path;
+    start.surface.bsdf.diffuse = {}, start.surface.bsdf.specular = coat;
+    return start;
+  }
 };
 
 // A start at a plain surface: a lane of PlainSurfaces.
@@ -52,22 +65,25 @@ class SurfaceStarts {
   SurfaceStarts& operator=(SurfaceStarts&& other) {
     plain_.swap(other.plain_), others_.swap(other.others_), is_plain_.swap(other.is_plain_);
     any_ = other.any_.load(), any_of_others_ = other.any_of_others_.load();
+    any_coats_ = other.any_coats_.load();
     return *this;
   }
   void resize(std::size_t points, bool plain_only) {
     plain_.resize(points), is_plain_.resize(points), others_.resize(plain_only ? 0 : points);
-    any_ = any_of_others_ = false;
+    any_ = any_of_others_ = any_coats_ = false;
   }
   void set(std::size_t i, const PlainStart& start) { plain_[i] = start, is_plain_[i] = true; }
   void set(std::size_t i, const SurfaceStart& start) { others_[i] = start, is_plain_[i] = false; }
-  // Tells of the starts of a tile that there are any, and whether SurfacePoint::isUncacheable() is true of
-  // some.
-  void setAny(bool of_others) {
+  // Tells of the starts of a tile that there are any, and whether SurfacePoint::isUncacheable() or has_coat
+  // is true of some.
+  void setAny(bool of_others, bool coats) {
     any_ = true;
     if (of_others) any_of_others_ = true;
+    if (coats) any_coats_ = true;
   }
   bool any() const { return any_; }  // since resize()
   bool anyOfOthers() const { return any_of_others_; }
+  bool anyCoats() const { return any_coats_; }
 
   bool isPlain(std::size_t i) const { return is_plain_[i]; }
   const PlainStart& plain(std::size_t i) const { return plain_[i]; }
@@ -81,7 +97,7 @@ class SurfaceStarts {
   std::vector<PlainStart> plain_;
   std::vector<SurfaceStart> others_;
   std::vector<char> is_plain_;
-  std::atomic<bool> any_ = false, any_of_others_ = false;
+  std::atomic<bool> any_ = false, any_of_others_ = false, any_coats_ = false;
 };
 
 }  // namespace saccade
