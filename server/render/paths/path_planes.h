@@ -76,6 +76,8 @@ struct PathResults {
   // Split: components of the direct light of the first vertex, per unit of albedo but for the last. Of lamps
   // whose light has a closed form: all of it, what no surface blocks, and the paths' own estimate by MIS.
   ColorPlanes<Channels> unoccluded, visible, mis_weighted;
+  // Where surfaces are not all diffuse: the same by samples of the lights alone, as the surface reflects it.
+  ColorPlanes<Channels> sampled;
   ColorPlanes<Channels> before, carried;  // of paths split at their second vertex, see endsAtKnownLight()
   std::array<Rgb, kBatchRoom> suffix_albedo;
   std::array<std::uint64_t, kBatchRoom> suffix_cell;

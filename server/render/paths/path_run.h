@@ -74,6 +74,7 @@ class PathRun {
     r.radiance.set(slot, black);
     if constexpr (kSplit) {
       r.unoccluded.set(slot, black), r.visible.set(slot, black), r.mis_weighted.set(slot, black);
+      if constexpr (S.extras) r.sampled.set(slot, black);
       r.suffix_cell[slot] = 0;
     }
   }

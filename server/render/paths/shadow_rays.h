@@ -77,11 +77,13 @@ class ShadowRays {
 
   // Adds the light of a ray, of which so much comes through.
   void add(const Unpacked& rays, int i, Color<C> through, float weight) {
-    const Color<C> found = Unpacked::at(rays.light, i) * through * weight;
+    const Color<C> light = Unpacked::at(rays.light, i) * through, found = light * weight;
     b_.results.radiance.add(rays.slot[i], found);
     if constexpr (K.split) {
       b_.results.visible.add(rays.slot[i], Unpacked::at(rays.unoccluded, i) * through);
-      if (rays.closed_form[i] > 0) b_.results.mis_weighted.add(rays.slot[i], found);
+      if (rays.closed_form[i] <= 0) return;
+      b_.results.mis_weighted.add(rays.slot[i], found);
+      if constexpr (K.mixed) b_.results.sampled.add(rays.slot[i], light);
     }
   }
 

@@ -52,7 +52,7 @@ void tracePairSide(const PairSide& side, const SequencePlace& places, Tile tile,
   const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
     const auto [i, path] = traced[owner];
     ReflectedLight light;
-    addPath(found, slot, {}, light);
+    addPath<S>(found, slot, {}, light);
     const int x = on.columnOf(i) / on.perPixel(), y = on.rowOf(i);
     const float white = on[i].share * side.frame.g.albedo.at(x, y) / starts.albedo(i);
     on_light(x, y, path, static_cast<float>(light.all) * white);

@@ -9,11 +9,11 @@ namespace saccade {
 
 // The light that the paths of a point have found, and its components: sums of luminance.
 struct ReflectedLight {
-  double all = 0, unoccluded = 0, visible = 0, mis_weighted = 0;
+  double all = 0, unoccluded = 0, visible = 0, mis_weighted = 0, sampled = 0;
   BounceSample bounce;  // of the last path that has one
 };
 
-template <int C>
+template <Shading S, int C>
 void addPath(const PathResults<C>& found, std::uint32_t slot, Rgb base, ReflectedLight& sum) {
   const Color<C> end = found.radiance.at(slot);
   Color<C> path = end;
@@ -25,6 +25,7 @@ void addPath(const PathResults<C>& found, std::uint32_t slot, Rgb base, Reflecte
   sum.unoccluded += unoccluded;
   sum.visible += (Color<C>(base) * found.visible.at(slot)).luminance();
   sum.mis_weighted += found.mis_weighted.at(slot).luminance();
+  if constexpr (S.extras) sum.sampled += found.sampled.at(slot).luminance();
   if (!continued) return;
   const Rgb light = end.rgb(), albedo = found.suffix_albedo[slot];
   sum.bounce = {found.suffix_cell[slot], {light.x / albedo.x, light.y / albedo.y, light.z / albedo.z}};
@@ -32,9 +33,10 @@ void addPath(const PathResults<C>& found, std::uint32_t slot, Rgb base, Reflecte
 
 // The means over the paths of a point, over its albedo.
 inline SurfaceLight lightOf(const ReflectedLight& sum, double paths, DiffuseBase base, float albedo) {
-  // Of a diffuse surface the path's own estimate of such light goes: what is left has the least noise. Of a
-  // plastic that estimate holds other light too.
-  const double direct = base.all ? sum.mis_weighted : sum.visible;
+  // The path's own estimate of such light goes: what is left has the least noise. The base of a plastic
+  // reflects it a little unlike a diffuse surface: samples of the lights tell the difference.
+  double direct = base.all ? sum.mis_weighted : 0;
+  if (base.isUnder()) direct = sum.mis_weighted - sum.sampled + sum.visible;
   return {static_cast<float>(sum.unoccluded / paths) / albedo,
           static_cast<float>(sum.visible / paths) / albedo,
           static_cast<float>((sum.all - direct) / paths) / albedo, sum.bounce};
@@ -81,7 +83,7 @@ void tracePoints(const SeedPlan& seeds, const Tracing& tracing, Tile tile, const
   const Scratch<std::array<std::uint32_t, kMaxTilePoints>> points;  // those with paths
   std::uint32_t count = 0;
   const auto onPath = [&](std::uint32_t owner, const PathResults<C>& found, std::uint32_t slot) {
-    addPath(found, slot, starts.base((*points)[owner]).albedo, (*sums)[owner]);
+    addPath<S>(found, slot, starts.base((*points)[owner]).albedo, (*sums)[owner]);
   };
   PathRun<S, C, true, decltype(onPath)> run(tracing, onPath);
   PlainPaths plain(tracing.known.pixel, run);

@@ -13,13 +13,15 @@ namespace saccade {
 struct DiffuseBase {
   Rgb albedo;        // 0: there is none
   bool all = false;  // the surface is nothing else
+
+  bool isUnder() const { return !all && luminance(albedo) > 0; }  // whether it lies under a coat
 };
 
 struct SurfaceStart {
   PathStart path;  // once its coat is apart, of the base alone
   DiffuseBase base;
   float albedo = 0;  // luminance; of the coat, too
-  Rgb coat;          // Bsdf::specular of a plastic; 0: there is no coat
+  Rgb coat;          // Bsdf::specular of a plastic; 0: nothing lies on the base
 
   // Takes the coat off `path`.
   void setCoatApart() {
