@@ -15,7 +15,8 @@ namespace saccade {
 enum class SurfaceKind : std::uint8_t {
   kNone,     // nothing: no surface, or one whose light depends on the view, such as metal
   kDiffuse,  // reflects alike into all directions
-  kMixed,    // nearly so: the base of a plastic, or a surface seen in a mirror or through glass
+  kMixed,    // nearly so: the base of a plastic
+  kSeen,     // a surface of one of both, seen in a mirror, through glass or through a mask
 };
 
 // The light that a path has found from its second vertex on.
@@ -39,7 +40,7 @@ struct SurfacePoint {
 
 // Where a point lies, unless it is of kNone.
 struct SurfacePlace {
-  Vec3 position;         // where the surface seems to be, world space; of a body as PosedBodies::cachePlace()
+  Vec3 position;         // world space, behind mirrors too; of a body as PosedBodies::cachePlace()
   Vec3 normal;           // unit shading normal, towards the camera
   float footprint = 0;   // width of a pixel there, seen at a right angle, scene units
   float unoccluded = 0;  // light in closed form, see SurfaceLight

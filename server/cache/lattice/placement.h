@@ -28,7 +28,7 @@ struct GridPoint {
 
 // The place of a point, without taps. `cell_px`: edge of the finest cells, pixels.
 GridPoint gridPoint(const SurfacePlace& place, float cell_px);
-inline constexpr int kVertexBins = 12;  // and as many for each further side of a cut
+inline constexpr int kVertexBins = 18;  // and as many for each further side of a cut
 // The vertex on a side of the cut of one on side 0.
 inline VertexKey onSide(VertexKey vertex, std::uint32_t side) {
   return vertex + (VertexKey{kVertexBins * side} << vertex_bits::kBin);
@@ -38,8 +38,8 @@ inline bool isOnFurtherSide(VertexKey vertex) {
 }
 // The bin of vertices for one of a normal's.
 inline int vertexBin(int bin_of_normal, SurfaceKind kind) {
-  constexpr int kMixed = kVertexBins / 2;
-  return bin_of_normal + (kind == SurfaceKind::kMixed ? kMixed : 0);
+  constexpr int kOfKind = kVertexBins / 3;
+  return bin_of_normal + (static_cast<int>(kind) - static_cast<int>(SurfaceKind::kDiffuse)) * kOfKind;
 }
 
 // Four vertices of one bin.

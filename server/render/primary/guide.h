@@ -11,6 +11,7 @@ namespace saccade {
 // where it appears to be [Falcor: primary surface replacement].
 struct Guide {
   Vec3 point;             // apparent position, world space
+  Vec3 place;             // real position
   Vec3 point_before;      // the same in the frame before, as if its mirrors stood
   Vec3 normal;            // unit shading normal at the real position
   Vec3 plane_normal;      // unit geometric normal at the apparent position

@@ -64,6 +64,7 @@ Guide followView(const PixelContext& view, const Ray& primary, const Hit& first,
   }
   g.t = first.t + distance / length(primary.direction);
   g.point = distance > 0 ? primary.origin + primary.direction * g.t : s.point;
+  g.place = s.point;
   g.point_before = g.point + step;
   g.body = body;
   return g;
@@ -76,6 +77,7 @@ Guide findGuide(const PixelContext& view, const Ray& ray, const Hit& hit, const 
   if constexpr (S.extras) return detail::followView<S>(view, ray, hit, start);
   const Surface& s = start.surface;
   return {s.point,
+          s.point,
           view.pointBefore(hit.body, s.point),
           s.shading_normal,
           s.geometric_normal,

@@ -140,11 +140,11 @@ class TilePoints {
     setStart<S>(hit.start, albedo, start);
     point.share = share;
     if (!guide.hit || !guide.has_base || albedo <= kLeastSurfaceAlbedo) return;
-    point.kind = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
+    point.kind = kindOf(start.base);
     point.has_coat = start.hasCoat();
     const Rgb white = view_.now.scene.analyticLight().at(litPoint(hit.start), view_.now.scene.strengths());
     SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(column, y));
-    place = {guide.point, guide.normal, view_.now.camera.pixelAt(hit.direction) * guide.t,
+    place = {guide.place, guide.normal, view_.now.camera.pixelAt(hit.direction) * guide.t,
              luminance(start.base.albedo * white) / albedo};
     if (view_.now.scene.bodies()) setMotion(guide.body, hit.start.surface.point, point, place);
   }
@@ -157,6 +157,10 @@ class TilePoints {
     point.light_moves = point.light_moves || changing_.isMoving(body);
     place.position = bodies.cachePlace(body, place.position);
     place.normal = bodies.motions()[body].restDirection(place.normal);
+  }
+
+  static SurfaceKind kindOf(const DiffuseBase& base) {
+    return base.all ? SurfaceKind::kDiffuse : base.isUnder() ? SurfaceKind::kMixed : SurfaceKind::kSeen;
   }
 
   void keepStart(int column, int y, SurfaceStarts& starts) const {
