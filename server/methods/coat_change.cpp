@@ -17,6 +17,7 @@ constexpr int kIterations = 2;
 constexpr AtrousParams kAtrous{.sigma_n = 16, .sigma_l = 6, .sigma_l_diff = 6};
 // The filter takes errors of neighbours for independent, and its choice of them lessens the variance.
 constexpr float kFilteredVariance = 2;
+constexpr float kLightVariance = 8;  // the same for light: its history has less noise
 
 }  // namespace
 
@@ -63,7 +64,7 @@ void CoatChange::joinBefore(const CoatSamples& coats, const PoolHandle& pool, St
   times[Stage::kTemporal] += pool.forEachRow(now_.height(), [&](int y) {
     for (int x = 0; x < now_.width(); ++x) {
       scratch_.i.at(x, y) = std::max(filtered_.i.at(x, y) - filtered_.d.at(x, y), 0.f);
-      scratch_.var_i.at(x, y) = kFilteredVariance * filtered_.var_i.at(x, y);
+      scratch_.var_i.at(x, y) = kLightVariance * filtered_.var_i.at(x, y);
       if (!has_last_ || !hasPairs(coats.pairs, x, y)) var_now_.at(x, y) = kNoEstimate;
     }
   });

@@ -12,7 +12,8 @@ namespace saccade {
 namespace {
 
 constexpr int kW = 40, kH = 32, kOthers = 8;  // the first columns show no coat
-constexpr float kNoise = 0.1f;                // standard deviation of a pair's light, and of its difference
+constexpr float kNoise = 0.1f;                // standard deviation of a pair's light
+constexpr float kPairedNoise = 0.01f;         // of its difference
 constexpr float kBase = 3, kBaseChange = 0.5f;
 
 // A wall that a camera sees from the front. Its coat reflects `light`, which changes.
@@ -26,18 +27,19 @@ struct CoatChangeTest : testing::Test {
     cur.coats = std::make_unique<CoatSamples>(kW, kH);
   }
 
+  // With a standard deviation of 1.
   float errorAt(int x, int y, std::uint64_t of) const {
     constexpr float kSqrt12 = 3.4641f;  // of evenly distributed numbers
-    return kNoise * kSqrt12 * (toUnit(hashKey(2 * frame + of, y * kW + x)) - 0.5f);
+    return kSqrt12 * (toUnit(hashKey(2 * frame + of, y * kW + x)) - 0.5f);
   }
   // A frame whose true change is `d`.
   void step(float d, bool noise = true) {
     PairSamples& pairs = cur.coats->pairs;
     for (int y = 0; y < kH; ++y)
       for (int x = kOthers; x < kW; ++x) {
-        pairs.before.at(x, y) = light + (noise ? errorAt(x, y, 0) : 0);
-        cur.coats->now.at(x, y) = pairs.before.at(x, y) + d + (noise ? errorAt(x, y, 1) : 0);
-        pairs.variance.at(x, y) = noise ? kNoise * kNoise : 0, pairs.count.at(x, y) = 1;
+        pairs.before.at(x, y) = light + (noise ? kNoise * errorAt(x, y, 0) : 0);
+        cur.coats->now.at(x, y) = pairs.before.at(x, y) + d + (noise ? kPairedNoise * errorAt(x, y, 1) : 0);
+        pairs.variance.at(x, y) = noise ? kPairedNoise * kPairedNoise : 0, pairs.count.at(x, y) = 1;
       }
     ++frame, light += d;
     change.dI.fill(kBaseChange), change.I_prev.fill(kBase), change.I_now.fill(kBase + kBaseChange);

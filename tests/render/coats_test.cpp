@@ -86,8 +86,8 @@ TEST_P(CoatsOf, PixelsThatShowPlasticInAFrame) {
       const bool now = frames.now.surfaces->hasCoat(x, y), before = frames.before.surfaces->hasCoat(x, y);
       const CoatSamples& coats = *frames.now.coats;
       EXPECT_EQ(coats.pairs.count.at(x, y) > 0, now || before);
-      if (!now) EXPECT_EQ(coats.now.at(x, y), 0);
-      if (!before) EXPECT_EQ(coats.pairs.before.at(x, y), 0);
+      EXPECT_TRUE(now || coats.now.at(x, y) == 0);
+      EXPECT_TRUE(before || coats.pairs.before.at(x, y) == 0);
       one += now != before, none += !now && !before;
     }
   EXPECT_GT(one, kSize / 2);
