@@ -20,7 +20,7 @@ enum Flags : std::uint32_t { kNormals = 1, kUvs = 2, kColours = 8, kDoubles = 0x
 class SerializedReader {
  public:
   explicit SerializedReader(const std::string& path) : path_(path) {}
-  Mesh read(const SerializedMesh& mesh, int index);
+  Mesh read(const SerializedMesh& mesh);
 
  private:
   void readVertices(Inflate& data, std::uint32_t flags, std::size_t count);
@@ -40,7 +40,7 @@ T take(Inflate& data) {
   return value;
 }
 
-Mesh SerializedReader::read(const SerializedMesh& mesh, int index) {
+Mesh SerializedReader::read(const SerializedMesh& mesh) {
   Inflate data(mesh.compressed, path_);
   const auto flags = take<std::uint32_t>(data);
   if (mesh.version == 4)
@@ -53,7 +53,7 @@ Mesh SerializedReader::read(const SerializedMesh& mesh, int index) {
   readTriangles(data, triangles);
   if (flags & kColours)
     mesh_.unread = path_ + ": its colours are not read; the shape is grey without a <bsdf>";
-  mesh_.name = std::filesystem::path(path_).stem().string() + (index > 0 ? "@" + std::to_string(index) : "");
+  mesh_.name = std::filesystem::path(path_).stem().string();
   return std::move(mesh_);
 }
 
@@ -110,7 +110,7 @@ Mesh parseSerialized(std::string_view bytes, const std::string& path, int index)
   const auto part = [bytes](std::size_t offset, std::size_t count) {
     return std::string(bytes.substr(offset, count));
   };
-  return SerializedReader(path).read(readSerializedMesh({bytes.size(), part}, path, index), index);
+  return SerializedReader(path).read(readSerializedMesh({bytes.size(), part}, path, index));
 }
 
 Mesh loadSerialized(const std::string& path, int index) {
@@ -118,7 +118,7 @@ Mesh loadSerialized(const std::string& path, int index) {
   if (size > kMaxMeshBytes)
     throw SceneError(path + ": has more than " + std::to_string(kMaxMeshBytes) + " bytes");
   const auto part = [&path](std::size_t offset, std::size_t bytes) { return readPart(path, offset, bytes); };
-  return SerializedReader(path).read(readSerializedMesh({size, part}, path, index), index);
+  return SerializedReader(path).read(readSerializedMesh({size, part}, path, index));
 }
 
 }  // namespace saccade

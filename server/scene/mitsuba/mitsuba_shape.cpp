@@ -62,10 +62,11 @@ Mesh makeMesh(const std::string& type) {
   return type == "rectangle" ? makeRectangle() : type == "cube" ? makeCube() : makeDisk();
 }
 
-std::string nameOf(const Common& common, const std::string& type, const std::string& path) {
+std::string nameOf(const Common& common, const std::string& type, const MeshFile& file) {
   if (!common.name.empty()) return common.name;
-  const std::string stem = std::filesystem::path(path).stem().string();
-  return stem.empty() ? type : stem;
+  const std::string stem = std::filesystem::path(file.path).stem().string();
+  if (stem.empty()) return type;
+  return file.index > 0 ? stem + "@" + std::to_string(file.index) : stem;
 }
 
 bool isFinite(const Mesh& mesh) {
@@ -83,7 +84,7 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   const bool flip_normals = properties.flag("flip_normals", false);
   properties.finish();
   const std::size_t index = scene.meshes.size();
-  const std::string name = nameOf(common, type, mesh_file.path);
+  const std::string name = nameOf(common, type, mesh_file);
   scene.meshes.emplace_back().name = name;
   loads.add(file.errorsAt(shape), [=, &meshes = scene.meshes] {
     Mesh mesh = is_file ? loadMeshFile(type, mesh_file) : makeMesh(type);
