@@ -39,10 +39,11 @@ template <int W, PathKind K>
 template <int W, int C>
 LaneSet goThrough(const Batch<C>& b, int first, LaneSet behind, Vec3T<Floats<W>>& origin,
                   Vec3T<Floats<W>>& segment) {
+  constexpr BsdfKinds kRough = kindsWith(&BsdfTraits::transmits_rough);
   LaneSet through;
   forEachLane(lanesShadedAs<W>(ShadedAs::kOther, *b.now, first, behind), [&](int i) {
     const Surface& s = b.now->surfaces[static_cast<std::size_t>(first + i)];
-    if (!traitsOf(s.bsdf.tables->model.kind).transmits_rough) return;
+    if ((kRough & only(s.bsdf.tables->model.kind)) == 0) return;
     const Vec3 from = leave(s, true);
     setLane(segment, i, laneOf(segment, i) + laneOf(origin, i) - from);
     setLane(origin, i, from);

@@ -81,8 +81,9 @@ class Scatter {
  private:
   // Whether light from wi is scattered through the surface.
   bool goesThrough(Vec3 wi) const {
-    if constexpr (!S.has(&BsdfTraits::transmits_rough)) return false;
-    return traits().transmits_rough && wi.z * wo_.z < 0;
+    constexpr BsdfKinds kRough = kindsWith(&BsdfTraits::transmits_rough);
+    if constexpr ((S.kinds & kRough) == 0) return false;
+    return (kRough & only(s_.bsdf.tables->model.kind)) != 0 && wi.z * wo_.z < 0;
   }
 
   static constexpr bool kTransmits = S.has(&BsdfTraits::transmits);
