@@ -30,7 +30,7 @@ struct Recorded {
 };
 
 Recorded readFile(const std::string& path, const std::string& size) {
-  SourceFile source(path, size, true);
+  SourceFile source(path, size, EventFacts{.labels = true});
   Recorded recorded;
   recorded.about.set_width(source.size().width);
   recorded.about.set_height(source.size().height);
