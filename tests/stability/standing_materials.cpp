@@ -54,6 +54,7 @@ std::vector<MaterialScene> materialScenes() {
   add("conductor", twosided(bsdf("conductor")));
   add("dielectric", bsdf("dielectric"));
   add("thindielectric", bsdf("thindielectric"));
+  add("roughdielectric", bsdf("roughdielectric", "<float name='alpha' value='0.2'/>"));
   for (const std::string microfacets : {"beckmann", "ggx"})
     for (const double alpha : {0.02, 0.05, 0.3, 1.0}) {
       const std::string kind = "_" + microfacets + "_" + std::to_string(static_cast<int>(alpha * 100));
