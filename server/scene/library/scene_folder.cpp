@@ -31,7 +31,7 @@ std::string describe(const fs::path& readme, const fs::path& scenes) {
   return {};
 }
 
-// Those that move come first.
+// Objects that move come first.
 std::vector<SceneObject> objectsOf(const Scene& scene) {
   std::set<std::string> others = shapeNames(scene);
   std::vector<SceneObject> objects;

@@ -47,7 +47,7 @@ class ShapeIds final : public PictureSource {
     return {numbers_[shape], static_cast<std::uint32_t>(material) + 1};
   }
 
-  // Those of the pixels from (x0, y) on.
+  // The numbers of the pixels from (x0, y) on.
   void trace(const RenderedFrame& frame, int x0, int y, std::span<Ids> out) const {
     std::array<ShapeRay, kShapeRays> rays;
     std::array<Hit, kShapeRays> hits;
