@@ -17,5 +17,7 @@ std::string cutText(std::string_view text, std::size_t max_bytes);
 
 // A reply or the log repeats at most this many bytes of a client's text.
 inline constexpr std::size_t kMaxEcho = 64;
+// A fault lists at most this many bytes of names that would be valid.
+inline constexpr std::size_t kMostNames = 1024;
 
 }  // namespace saccade

@@ -12,8 +12,6 @@
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMostNames = 1024;  // bytes of a list of names in a refusal
-
 std::string quoted(const std::string& name) {
   return "'" + cutText(name, kMaxEcho) + "'";
 }

@@ -12,8 +12,6 @@
 namespace saccade {
 namespace {
 
-constexpr std::size_t kMostNames = 1024;  // bytes of a list of names in a refusal
-
 void checkRuns(const Stream& stream) {
   if (stream.session->finished()) throw Refusal(v1::CODE_NOT_FOUND, "stream_id", "the stream has ended");
 }

@@ -18,8 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFileBytes = 1 << 20, kMaxPoseBytes = 8 << 20;
-constexpr std::size_t kMostNames = 1024;  // bytes of a list of names in an error
-constexpr double kMaxPeriod = 1e9;        // seconds
+constexpr double kMaxPeriod = 1e9;  // seconds
 
 // Reads one table of the file.
 class TableReader {
