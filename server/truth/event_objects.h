@@ -12,7 +12,8 @@ namespace saccade {
 class EventObjects {
  public:
   // Sets Event::object of the events of an interval to numbers of the truth channel ids. They are those of
-  // the frame that is nearer in time, or of the later one. All intervals are of one scene.
+  // the frame that is nearer in time, or of the later one. All intervals are of one scene of at most
+  // kMaxObject shapes.
   void find(const RenderedInterval& interval, Events& events);
 
  private:

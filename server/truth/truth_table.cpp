@@ -124,8 +124,7 @@ const std::vector<TruthChannelInfo>& truthTable() {
        makeVelocity},
       {"object_poses",
        "T_world_object of each object that moves, at each frame: its number in ids, position of its centre, "
-       "unit "
-       "quaternion",
+       "unit quaternion",
        "scene units",
        kRows,
        kF64,
@@ -133,8 +132,7 @@ const std::vector<TruthChannelInfo>& truthTable() {
        makeObjectPoses},
       {"object_velocities",
        "velocity of each object that moves, at each frame: its number in ids, linear of its centre in world "
-       "axes, "
-       "angular in its own axes; just before the frame where it jumps",
+       "axes, angular in its own axes; just before the frame where it jumps",
        "scene units/s, rad/s",
        kRows,
        kF64,

@@ -68,7 +68,8 @@ TEST_F(LabelColumnsTest, OfAnotherLengthAreRefused) {
 
 TEST_F(LabelColumnsTest, OutsideOfAByteAreRefusedWithTheirEvent) {
   write({{"source", "\1\1"}, {"artefact", "\1\xff"}});  // -1
-  EXPECT_NE(faultOf().find("event 2 has source 1, artefact -1; both are 0 to 255"), std::string::npos)
+  EXPECT_NE(faultOf().find("event 2 has source 1, artefact -1; source is 0 to 7, artefact 0 to 255"),
+            std::string::npos)
       << faultOf();
 }
 

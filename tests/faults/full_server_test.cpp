@@ -14,7 +14,7 @@
 namespace saccade {
 namespace {
 
-constexpr double kMemoryMiB = 56, kQueuesMiB = 36, kScenesMiB = 16, kInboundMiB = 16, kReplyMiB = 0.5;
+constexpr double kMemoryMiB = 48, kQueuesMiB = 36, kScenesMiB = 16, kInboundMiB = 16, kReplyMiB = 0.5;
 constexpr double kRepliesMiB = 16 * kReplyMiB;  // of all connections
 constexpr double kOtherMiB = 16;                // threads, connections, what the heap does not give back
 constexpr double kMiB = 1 << 20;

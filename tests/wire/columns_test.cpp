@@ -53,11 +53,11 @@ TEST(Columns, LabelsStandBehindTheColumns) {
   EXPECT_NE(decodeColumns(header, kBytes, out), "");
 }
 
-// 13 or 15 bytes: the objects 7 and 0x01020304 stand last.
+// 13 or 15 bytes: the objects 7 and 0x00020304 stand last.
 TEST(Columns, ObjectsStandBehindAllOthers) {
   Events events = kEvents;
-  events[0].object = 7, events[1].object = 0x01020304;
-  const std::string objects("\x07\x00\x00\x00\x04\x03\x02\x01", 8), labels("\x01\x00\x7f\x00", 4);
+  events[0].object = 7, events[1].object = 0x00020304;
+  const std::string objects("\x07\x00\x00\x00\x04\x03\x02\x00", 8), labels("\x01\x00\x7f\x00", 4);
   EXPECT_EQ(encodeColumns(events, 5'000'000, v1::LAYOUT_OBJECT_COLUMNS), kBytes + objects);
   v1::PacketHeader header = headerOf(2, 5'000'000, 1'005'001'000);
   Events out;
@@ -65,6 +65,7 @@ TEST(Columns, ObjectsStandBehindAllOthers) {
   EXPECT_EQ(decodeColumns(header, kBytes + objects, out), "");
   EXPECT_EQ(out, events);
   EXPECT_NE(decodeColumns(header, kBytes + objects.substr(1), out), "");
+  EXPECT_EQ(decodeColumns(header, kBytes + objects.substr(0, 7) + '\x10', out), "an object beyond 1048575");
   events[0].source = 1, events[0].artefact = 127;
   header.set_layout(v1::LAYOUT_LABELLED_OBJECT_COLUMNS);
   EXPECT_EQ(encodeColumns(events, 5'000'000, header.layout()), kBytes + labels + objects);

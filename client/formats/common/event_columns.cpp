@@ -8,8 +8,8 @@ bool isPixel(std::int64_t value) {
   return value >= 0 && value <= UINT16_MAX;
 }
 
-bool isByte(std::int64_t value) {
-  return value >= 0 && value <= UINT8_MAX;
+bool isWithin(std::int64_t value, std::int64_t max) {
+  return value >= 0 && value <= max;
 }
 
 }  // namespace
@@ -40,21 +40,21 @@ void EventColumns::fail(const std::string& path, std::uint64_t before, std::size
 
 void EventColumns::addLabels(const std::string& path, std::uint64_t before, Events& events) const {
   for (std::size_t i = 0; i < events.size(); ++i) {
-    if (!isByte(source[i]) || !isByte(artefact[i]))
+    if (!isWithin(source[i], kMaxSource) || !isWithin(artefact[i], UINT8_MAX))
       throw FileFault(path, "event " + std::to_string(before + i + 1) + " has source " +
                                 std::to_string(source[i]) + ", artefact " + std::to_string(artefact[i]) +
-                                "; both are 0 to 255");
-    events[i].source = static_cast<std::uint8_t>(source[i]);
+                                "; source is 0 to " + std::to_string(kMaxSource) + ", artefact 0 to 255");
+    events[i].source = static_cast<std::uint32_t>(source[i]) & kMaxSource;
     events[i].artefact = static_cast<std::uint8_t>(artefact[i]);
   }
 }
 
 void EventColumns::addObjects(const std::string& path, std::uint64_t before, Events& events) const {
   for (std::size_t i = 0; i < events.size(); ++i) {
-    if (object[i] < 0 || object[i] > UINT32_MAX)
+    if (!isWithin(object[i], kMaxObject))
       throw FileFault(path, "event " + std::to_string(before + i + 1) + " has object " +
-                                std::to_string(object[i]) + "; it is 0 to 4294967295");
-    events[i].object = static_cast<std::uint32_t>(object[i]);
+                                std::to_string(object[i]) + "; it is 0 to " + std::to_string(kMaxObject));
+    events[i].object = static_cast<std::uint32_t>(object[i]) & kMaxObject;
   }
 }
 

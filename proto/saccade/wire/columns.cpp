@@ -35,6 +35,10 @@ void store(char* column, std::size_t i, T value) {
   std::memcpy(column + i * sizeof(T), &value, sizeof(T));
 }
 
+std::uint8_t toByte(std::uint32_t value) {
+  return static_cast<std::uint8_t>(value);
+}
+
 // The interval as unsigned lengths, so that no header can overflow the sums.
 struct Span {
   explicit Span(const v1::PacketHeader& h)
@@ -43,10 +47,18 @@ struct Span {
   std::uint64_t length;
 };
 
-std::string checkEvent(const Event& e, const v1::PacketHeader& h) {
+// The numbers of one event as a payload has them.
+struct Numbers {
+  std::uint16_t x, y;
+  std::uint8_t p, source = 0, artefact = 0;
+  std::uint32_t object = 0;
+};
+
+std::string check(const Numbers& e, const v1::PacketHeader& h) {
   if (e.x >= h.width() || e.y >= h.height()) return "a pixel outside the view";
   if (e.p > 1) return "a polarity that is neither 0 nor 1";
   if (!v1::EventSource_IsValid(e.source)) return "a source that is unknown";
+  if (e.object > kMaxObject) return "an object beyond " + std::to_string(kMaxObject);
   return {};
 }
 
@@ -64,13 +76,13 @@ std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns, v1:
   for (std::size_t i = 0; i < n; ++i) store(bytes, i, static_cast<std::uint32_t>(units(events[i])));
   for (std::size_t i = 0; i < n; ++i) store(bytes + at.x, i, events[i].x);
   for (std::size_t i = 0; i < n; ++i) store(bytes + at.y, i, events[i].y);
-  for (std::size_t i = 0; i < n; ++i) store(bytes + at.p, i, events[i].p);
+  for (std::size_t i = 0; i < n; ++i) store(bytes + at.p, i, toByte(events[i].p));
   if (hasLabels(layout)) {
-    for (std::size_t i = 0; i < n; ++i) store(bytes + at.source, i, events[i].source);
-    for (std::size_t i = 0; i < n; ++i) store(bytes + at.artefact, i, events[i].artefact);
+    for (std::size_t i = 0; i < n; ++i) store(bytes + at.source, i, toByte(events[i].source));
+    for (std::size_t i = 0; i < n; ++i) store(bytes + at.artefact, i, toByte(events[i].artefact));
   }
   if (hasObjects(layout))
-    for (std::size_t i = 0; i < n; ++i) store(bytes + at.object, i, events[i].object);
+    for (std::size_t i = 0; i < n; ++i) store(bytes + at.object, i, std::uint32_t{events[i].object});
   return payload;
 }
 
@@ -92,14 +104,16 @@ std::string decodeColumns(const v1::PacketHeader& header, std::string_view paylo
     if (after_t0 < prev) return "times that run backwards";
     if (!span.holds(after_t0)) return "a time outside the packet's interval";
     prev = after_t0;
-    out.push_back({header.t0_ns() + static_cast<std::int64_t>(after_t0), load<std::uint16_t>(bytes + at.x, i),
-                   load<std::uint16_t>(bytes + at.y, i), load<std::uint8_t>(bytes + at.p, i)});
+    Numbers event{load<std::uint16_t>(bytes + at.x, i), load<std::uint16_t>(bytes + at.y, i),
+                  load<std::uint8_t>(bytes + at.p, i)};
     if (labelled) {
-      out.back().source = load<std::uint8_t>(bytes + at.source, i);
-      out.back().artefact = load<std::uint8_t>(bytes + at.artefact, i);
+      event.source = load<std::uint8_t>(bytes + at.source, i);
+      event.artefact = load<std::uint8_t>(bytes + at.artefact, i);
     }
-    if (with_objects) out.back().object = load<std::uint32_t>(bytes + at.object, i);
-    if (std::string fault = checkEvent(out.back(), header); !fault.empty()) return fault;
+    if (with_objects) event.object = load<std::uint32_t>(bytes + at.object, i);
+    if (std::string fault = check(event, header); !fault.empty()) return fault;
+    out.push_back({header.t0_ns() + static_cast<std::int64_t>(after_t0), event.x, event.y, event.p,
+                   event.source, event.artefact, event.object});
   }
   return {};
 }

@@ -34,7 +34,7 @@ std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns,
 // Decodes a payload of any content, in a layout of events, into `out`, as its header describes it. Returns an
 // empty text, or what is wrong:
 // - the size is not that of `count` events;
-// - a pixel lies outside width x height, or p is neither 0 nor 1;
+// - a pixel lies outside width x height, p is neither 0 nor 1, or a label or object is none of Event's;
 // - times decrease, or leave [t0_ns, t1_ns), or differ from t0_ns where t0_ns = t1_ns.
 std::string decodeColumns(const v1::PacketHeader& header, std::string_view payload, Events& out);
 

@@ -118,7 +118,7 @@ double feedMemory(const ResolvedStream& stream, const Limits& limits) {
 // plainest.
 double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   constexpr double kSensorBytes = 24, kNoiseBytes = 28;  // per pixel
-  constexpr double kEventBytes = 81;                     // per event of a frame, until it is in a packet
+  constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
   constexpr double kTruthBytes = 48;                     // per pixel: a picture, and its copy for the packet
   constexpr double kRowBytes = 400;                      // likewise: a row of a frame
   constexpr double kPacketBytes = 640;                   // per packet, without its events

@@ -50,6 +50,17 @@ void checkDelivery(const v1::OpenStream& request) {
     refuse("delivery", "this saccaded has the system's libzmq, with which it serves no BROADCAST stream");
 }
 
+// An event has 20 bits for the number of its object.
+void checkObjectIds(const v1::OpenStream& request, const Scene& scene) {
+  const std::size_t shapes = scene.meshes.size() + scene.spheres.size();
+  if (shapes <= kMaxObject) return;
+  for (int i = 0; i < request.sensors_size(); ++i)
+    if (request.sensors(i).object_ids())
+      refuse("sensors[" + std::to_string(i) + "].object_ids", "the scene has " + std::to_string(shapes) +
+                                                                  " shapes, and events tell of at most " +
+                                                                  std::to_string(kMaxObject));
+}
+
 bool asksForIds(const v1::OpenStream& request) {
   return std::ranges::any_of(request.truth(), [](const v1::Truth& t) { return tellsObjects(t.name()); }) ||
          std::ranges::any_of(request.sensors(), [](const v1::Sensor& sensor) { return sensor.object_ids(); });
@@ -74,6 +85,7 @@ v1::StreamOpened StreamMaker::make(v1::OpenStream request, PendingOpen& opening)
     stream.reserved.push_back(reserve(stream.user, feedShare(resolved)));
     enter(plan, feeds_.ofClient(resolved), stream);
   } else {
+    checkObjectIds(resolved.request, plan.scene->description());
     openFeed(plan, opening, stream);
   }
   resources_.log.info(
