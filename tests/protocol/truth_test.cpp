@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mock/bad_request.h"
+#include "objects.h"
 #include "truth/truth_source.h"
 
 namespace saccade {
@@ -87,11 +88,12 @@ TEST(Truth, ExposesFramesOnTheClockOfTheEvents) {
   }
 }
 
-// The IMU has times of its own. Forward flow of a frame comes with the next frame, and that of the last frame
-// never comes.
+// One object moves, so that channels of objects have a row for each frame. The IMU has times of its own.
+// Forward flow of a frame comes with the next frame, and that of the last frame never comes.
 TEST(Truth, EveryChannelOfTheListComes) {
   TestServer server;
   v1::OpenStream request = tinyRequest();
+  addMotion(request, "tall_block", v1::OBJECT_MOTION_KIND_SPIN, 90);
   for (const TruthChannelInfo& info : truthTable()) request.add_truth()->set_name(info.name);
   auto packets = server.run(request);
   ASSERT_EQ(packets.size(), 1 + truthTable().size());
