@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "client/formats/ros/bag_record.h"
+#include "client/formats/ros/event_array.h"
 #include "format_test.h"
 #include "random_events.h"
 
@@ -145,6 +146,28 @@ TEST_P(RosReaderTest, DamagedFilesAreRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, RosReaderTest, testing::Values(".bag", ".mcap"),
                          [](const auto& test) { return test.param + 1; });
+
+// dvs_msgs/EventArray: seq, stamp, frame "", height, width, and one event: x, y, sec, nsec, polarity.
+std::string arrayOf(std::uint8_t p) {
+  std::string bytes(16, '\0');
+  for (const std::uint32_t number : {3, 4, 1}) bytes.append(reinterpret_cast<const char*>(&number), 4);
+  return bytes.append(12, '\0') + static_cast<char>(p);
+}
+
+TEST(EventArray, RefusesAPolarityThatIsNeither0Nor1) {
+  EventArrayDecoder decoder;
+  Events events;
+  decoder.begin(arrayOf(1));
+  EXPECT_TRUE(decoder.append(events));
+  EXPECT_EQ(events, (Events{{0, 0, 0, 1}}));
+  decoder.begin(arrayOf(2));
+  try {
+    decoder.append(events);
+    ADD_FAILURE() << "was taken";
+  } catch (const std::runtime_error& fault) {
+    EXPECT_STREQ(fault.what(), "has an event of polarity 2; it is 0 or 1");
+  }
+}
 
 using BagReaderTest = FormatTest;
 

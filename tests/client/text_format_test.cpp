@@ -114,7 +114,6 @@ TEST(EventCheck, NamesTheEventAtFault) {
   EXPECT_EQ(faultOf({0, 0, 0, 1}), "a.csv: event 3 is 1 us earlier than the one before");
   EXPECT_EQ(faultOf({1000, 4, 0, 1}), "a.csv: event 3 is at (4, 0), outside of 4x3 pixels");
   EXPECT_EQ(faultOf({1000, 0, 3, 1}), "a.csv: event 3 is at (0, 3), outside of 4x3 pixels");
-  EXPECT_EQ(faultOf({1000, 0, 0, 2}), "a.csv: event 3 has a polarity other than 0 and 1");
 }
 
 }  // namespace

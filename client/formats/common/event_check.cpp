@@ -7,8 +7,7 @@ namespace saccade::client {
 void EventCheck::check(const Events& events) {
   for (const Event& event : events) {
     ++count_;
-    if (event.t_ns < last_ns_ || event.x >= size_.width || event.y >= size_.height || event.p > 1)
-      fail(event, count_);
+    if (event.t_ns < last_ns_ || event.x >= size_.width || event.y >= size_.height) fail(event, count_);
     last_ns_ = event.t_ns;
   }
 }
@@ -18,7 +17,6 @@ void EventCheck::fail(const Event& event, std::uint64_t number) const {
   if (event.t_ns < last_ns_)
     throw FileFault(path_, place + "is " + textOfUs(last_ns_ - event.t_ns) + " earlier than the one before" +
                                (mends_ ? "; --sort WINDOW_US puts such events in order" : ""));
-  if (event.p > 1) throw FileFault(path_, place + "has a polarity other than 0 and 1");
   throw FileFault(path_, place + "is at (" + std::to_string(event.x) + ", " + std::to_string(event.y) +
                              "), outside of " + std::to_string(size_.width) + "x" +
                              std::to_string(size_.height) + " pixels" +

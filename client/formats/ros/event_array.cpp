@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "client/formats/common/byte_reader.h"
 #include "client/formats/common/units.h"
@@ -15,7 +16,9 @@ Event eventOf(ByteReader& bytes) {
   const auto x = bytes.number<std::uint16_t>(), y = bytes.number<std::uint16_t>();
   const std::int64_t seconds = bytes.number<std::uint32_t>(), ns = bytes.number<std::uint32_t>();
   const std::int64_t t_ns = seconds * kNsPerSecond + ns;
-  return {t_ns - t_ns % kNsPerUs, x, y, bytes.number<std::uint8_t>()};
+  const auto p = bytes.number<std::uint8_t>();
+  if (p > 1) throw std::runtime_error("has an event of polarity " + std::to_string(p) + "; it is 0 or 1");
+  return {t_ns - t_ns % kNsPerUs, x, y, p};
 }
 
 }  // namespace
