@@ -20,16 +20,19 @@ BenchSetup smallOf(BenchSetup setup) {
 }  // namespace
 
 TimeBench::TimeBench(const BenchSetup& setup, std::shared_ptr<const RenderScene> scene, TilePool& pool)
-    : frames_(setup.last),
+    : frames_(static_cast<std::size_t>(setup.last)),
       scaled_(pixelsOf(setup) / 4 / pixelsOf(smallOf(setup))),
       bench_(smallOf(setup), std::move(scene), pool) {}
 
 MeasuredTime TimeBench::run(const MethodSpec& method, int spp) const {
-  const std::vector<double> ms = bench_.run(method, spp, 1).frame_ms;
-  const auto mean = [&](auto begin) {
-    return scaled_ * std::accumulate(begin, begin + frames_, 0.0) / frames_;
+  return meansOf(bench_.run(method, spp, 1).frame_ms);
+}
+
+MeasuredTime TimeBench::meansOf(std::span<const double> frame_ms) const {
+  const auto mean = [&](std::span<const double> ms) {
+    return scaled_ * std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size());
   };
-  return {0, mean(ms.begin()), mean(ms.end() - frames_)};
+  return {0, mean(frame_ms.first(frames_)), mean(frame_ms.last(frames_))};
 }
 
 }  // namespace saccade::eval

@@ -1,6 +1,8 @@
 // Measures the times that tables/time_model.h needs beside those of a Bench.
 #pragma once
 
+#include <span>
+
 #include "eval/bench/bench.h"
 #include "tables/time_model.h"
 
@@ -13,10 +15,12 @@ class TimeBench {
 
   // All but first_ms. Throws Interrupted.
   MeasuredTime run(const MethodSpec& method, int spp) const;
+  // The same of times of frames, of which there are more than `setup.last`.
+  MeasuredTime meansOf(std::span<const double> frame_ms) const;
 
  private:
-  int frames_;     // of the table
-  double scaled_;  // a quarter of its pixels over those of bench_
+  std::size_t frames_;  // of the table
+  double scaled_;       // a quarter of its pixels over those of bench_
   Bench bench_;
 };
 
