@@ -2,8 +2,9 @@
 """Measures accuracy on small scenes that are hard for the methods:
     tests/bench/hard_scenes.py [BUILD] [OUT]     with BUILD/bin/saccade-eval, by default build/release
 It prints a line for each figure: the value now, and the one that is asked. SACCADE_HARD_SCENES names the folder of the
-scenes, by default ../shared/accuracy; others are those of the project. A figure without its scenes is left out by name. OUT keeps what was measured, by
-default out/hard_scenes, and the same command continues there: remove it after a change of the program.
+scenes, by default ../shared/accuracy; others are those of the project, or of its stability suite. A figure without its
+scenes is left out by name. OUT keeps what was measured, by default out/hard_scenes, and the same command continues there:
+remove it after a change of the program.
 """
 import csv
 import os
@@ -15,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SIZE = ["--size", "64x48"]
 CELL = [*SIZE, "--motions", "right", "--speeds", "0.67", "--frames", "20:21", "--repeats", "1", "--reference", "512",
-        "--baselines", "svgf@2", "--candidates", "irradiance_cache@2,irradiance_cache@8,irradiance_cache@32"]
+        "--baselines", "event_svgf@2,svgf@2", "--candidates", "irradiance_cache@2,irradiance_cache@8,irradiance_cache@32"]
 FEW, MANY = 64, 16384  # paths per pixel of a picture, and of its reference
 
 
@@ -27,8 +28,9 @@ class Bench:
 
     def path(self, scene):
         """Of the scene file; it may be absent."""
-        hard = self.scenes / scene / "scene.xml"
-        return hard if hard.exists() else ROOT / "scenes" / scene / "scene.xml"
+        places = [self.scenes / scene / "scene.xml", ROOT / f"tests/stability/scenes/{scene}.xml",
+                  ROOT / "scenes" / scene / "scene.xml"]
+        return next((place for place in places if place.exists()), places[0])
 
     def run(self, *arguments):
         command = [self.program, *map(str, arguments)]
@@ -73,6 +75,12 @@ def share(scene):
     return [scene], lambda bench: ours(bench, scene, "dL_share")
 
 
+def over_rivals(scene, column):
+    """Over the better of both rivals."""
+    return [scene], lambda bench: ours(bench, scene, column) / min(
+        bench.cell(scene, rival, 2, column) for rival in ("event_svgf", "svgf"))
+
+
 def over_svgf(scene, column):
     return [scene], lambda bench: ours(bench, scene, column) / bench.cell(scene, "svgf", 2, column)
 
@@ -98,6 +106,9 @@ FIGURES = [
     ("lamps_thousand: dI over that of lamps_one", over_scene("lamps_thousand", "lamps_one", "dI_l1"), "<=", 1.2),
     ("bulb_sky_1000: noise at 64 paths over bulb_nosky's", over_noise("bulb_sky_1000", "bulb_nosky"), "<=", 1.2),
     ("house_sky_50: noise at 64 paths over house_nosky's", over_noise("house_sky_50", "house_nosky"), "<=", 1.2),
+    *((f"{scene}: {column} over the better rival's", over_rivals(scene, column), "<=", 1)
+      for scene in ("glass_and_mirror", "metal_ball", "plastic_balls")
+      for column in ("dI_error", "false_events", "missed_events")),
     ("cornell-bunny: error of dL at 8 paths over that at 2", over_two_paths("cornell-bunny", 8), "<=", 0.8),
     ("cornell-bunny: error of dL at 32 paths over that at 2", over_two_paths("cornell-bunny", 32), "<=", 0.6),
 ]

@@ -5,6 +5,7 @@ import hard_scenes
 
 TABLE = """# cpu="A" size=64x48
 scene,method,spp,dL_share,dL_error
+room,event_svgf,2,0.2,0.4
 room,svgf,2,0.1,0.8
 room,irradiance_cache,2,0.25,0.5
 room,irradiance_cache,8,0.5,0.4
@@ -36,6 +37,7 @@ class HardScenes(unittest.TestCase):
     def test_figures_are_ratios_to_what_they_name(self):
         self.assertEqual(self.value(hard_scenes.share("room")), 0.25)
         self.assertEqual(self.value(hard_scenes.over_svgf("room", "dL_share")), 2.5)
+        self.assertEqual(self.value(hard_scenes.over_rivals("room", "dL_error")), 1.25)
         self.assertEqual(self.value(hard_scenes.over_scene("ten", "one", "dL_error")), 2)
         self.assertEqual(self.value(hard_scenes.over_two_paths("room", 8)), 0.8)
         self.assertEqual(self.value(hard_scenes.over_noise("day", "night")), 4)
