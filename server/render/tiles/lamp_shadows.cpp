@@ -6,8 +6,8 @@
 namespace saccade {
 namespace {
 
-constexpr int kFew = 2, kManyPerPath = 4, kMost = 256;  // rays to a group of lamps
-constexpr int kMostPerPath = 16;     // instead, where a body may have moved, or other light is known ahead
+constexpr int kFew = 2, kMost = 256;                     // rays to a group of lamps
+constexpr std::array<int, 3> kRaysPerPath = {4, 8, 16};  // by RayNeed
 constexpr float kLeastGain = 0.25f;  // what rays must lessen, over the variance that they leave
 constexpr float kSpread = 0.25f;  // variance of a change by rays that are spread evenly, of that by any rays
 
@@ -15,8 +15,8 @@ bool moves(const SurfaceShadow& shadow) {
   return shadow.wanted == SurfaceShadow::kMoves;
 }
 
-bool getsMost(const SurfaceSamples& on, std::size_t point, const SurfaceShadow& shadow) {
-  return moves(shadow) || on[point].near_shadow;
+RayNeed needOf(const SurfaceSamples& on, std::size_t point, const SurfaceShadow& shadow) {
+  return moves(shadow) ? kMayHaveMoved : on[point].near_shadow ? kElseKnown : kElseLearned;
 }
 
 // The light of all groups at a point.
@@ -70,9 +70,9 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
                                             const PoolHandle& pool, std::vector<SurfaceShadow>& shadows) {
   if (now_.groups() == 0 || !now.on.wantShadows()) return {};
   now_.use(), before_.use();
-  const auto rays = [&](int per_path) { return std::clamp(per_path * spp, kFew, kMost); };
-  const int many = rays(kManyPerPath), most = rays(kMostPerPath);
   const SurfaceSamples& on = now.on;
+  const auto raysOf = [&](RayNeed need) { return std::clamp(kRaysPerPath[need] * spp, kFew, kMost); };
+  const auto raysTo = [&](std::size_t point) { return raysOf(needOf(on, point, shadows[point])); };
   bands_.resize(static_cast<std::size_t>((on.height() + kBandRows - 1) / kBandRows));
   const auto forEachBand = [&](const auto& f) {
     return pool.run(static_cast<int>(bands_.size()),
@@ -88,13 +88,13 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
     for (std::size_t point = on.indexOf(0, i * kBandRows); point < end; ++point)
       if (shadows[point].wanted > 0) {
         // Both frames have equally many rays, so that a change is not one of their number.
-        if (!getsMost(on, point, shadows[point])) before_.limit(point, many);
+        if (!moves(shadows[point])) before_.limit(point, raysTo(point));
         band.few.push_back({static_cast<std::uint32_t>(point), all_groups});
       }
     traceBoth(band.few, kFew);
   });
   time += forEachBand([&](int, Requests& band) {
-    band.many.clear(), band.most.clear();
+    for (std::vector<RayRequest>& requests : band.many) requests.clear();
     for (const RayRequest& few : band.few) {
       RayRequest more{few.point, 0};
       for (int g = 0; g < now_.groups(); ++g)
@@ -102,19 +102,18 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
           more.groups |= 1u << g;
       if (more.groups == 0) continue;
       SurfaceShadow& shadow = shadows[few.point];
-      const bool gets_most = getsMost(on, few.point, shadow);
-      const float left = rayVariance(now_, more, gets_most ? most : many);
-      if (!moves(shadow) && shadow.wanted < kLeastGain * left)
+      if (!moves(shadow) && shadow.wanted < kLeastGain * rayVariance(now_, more, raysTo(few.point)))
         shadow.wanted = 0;
       else
-        (gets_most ? band.most : band.many).push_back(more);
+        band.many[needOf(on, few.point, shadow)].push_back(more);
     }
   });
   return time + forEachBand([&](int, Requests& band) {
-           traceBoth(band.many, many), traceBoth(band.most, most);
+           for (const RayNeed need : {kElseLearned, kElseKnown, kMayHaveMoved})
+             traceBoth(band.many[need], raysOf(need));
            for (const RayRequest& few : band.few)
              if (SurfaceShadow& shadow = shadows[few.point]; shadow.wanted > 0)
-               finish(few.point, getsMost(on, few.point, shadow) ? most : many, shadow);
+               finish(few.point, raysTo(few.point), shadow);
          });
 }
 

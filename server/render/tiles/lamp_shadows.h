@@ -5,6 +5,7 @@
 // in a penumbra, it gets many.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <vector>
 
@@ -12,6 +13,9 @@
 #include "render/tiles/lamp_rays.h"
 
 namespace saccade {
+
+// Why a point needs many rays: its visibility is all that is not known ahead, or may be unlike that before.
+enum RayNeed : std::size_t { kElseLearned, kElseKnown, kMayHaveMoved };
 
 class LampShadows {
  public:
@@ -26,7 +30,8 @@ class LampShadows {
  private:
   // Of a band of rows.
   struct Requests {
-    std::vector<RayRequest> few, many, most;  // most: instead of many
+    std::vector<RayRequest> few;
+    std::array<std::vector<RayRequest>, 3> many;  // by RayNeed
   };
   void finish(std::size_t point, int rays, SurfaceShadow& shadow) const;
 
