@@ -35,7 +35,7 @@ std::string keptText(Recorder& recorder, const std::string& output) {
   return text;
 }
 
-// What the scene moves is known only now.
+// Only the resolved request names the objects that the scene moves.
 void startPoses(const RecordJob& job, const v1::OpenStream& resolved, RecordedFiles& files) {
   for (const std::string& name : tumNames(job.output, resolved))
     checkOutput("--write-poses", name, job.replaces);

@@ -72,7 +72,7 @@ struct MethodSetup {
   std::shared_ptr<const BakedLight> baked = nullptr;  // precomputed light of this scene, if there is any
 };
 
-// What the memory of a method grows with.
+// The traits of a view that the memory of a method grows with.
 struct ViewTraits {
   double pixels;
   bool jitter;

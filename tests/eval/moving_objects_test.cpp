@@ -47,7 +47,8 @@ TEST(MovingObjects, TheGivenPathComesFirst) {
 }
 
 TEST(MovingObjects, FaultsNameWhatIsValid) {
-  expectContains(errorOf([] { moving({"lamp=still"}); }), "the scene has no object 'lamp'; it has: back_wall, ball, ");
+  expectContains(errorOf([] { moving({"lamp=still"}); }),
+                 "the scene has no object 'lamp'; it has: back_wall, ball, ");
   expectContains(errorOf([] { parseObjects({"ball=spin:1", "ball=still"}); }), "'ball' is given twice");
   expectContains(errorOf([] { turn({"turntable=stop"}); }),
                  "--object turntable: 'stop' is no path of an object; give KIND:SPEED, with KIND one of "

@@ -53,7 +53,7 @@ TEST(SlidingSurfaces, AreNotThoseThatRiseOrTilt) {
 }
 
 // A wall at a distance of 1 from the axis about which it turns. Beside the foot of the axis it comes forward
-// by more than rays start off it, so that a place of it lies within the body at the other time.
+// by more than rays start off it. So a place of it lies within the body at the other time.
 TEST(SlidingSurfaces, AreNotThoseThatTurnAboutAFarAxis) {
   constexpr double kTurn = 0.002;
   const auto scene = card();

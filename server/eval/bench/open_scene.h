@@ -29,7 +29,7 @@ void requireTableNames(const std::vector<std::string>& names_or_paths);
 
 // As the scene's file has it: nothing moves. Throws SceneError.
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path);
-// What `objects` and the scene itself move are its bodies, see setBodies(). Throws SceneError.
+// Its bodies are `objects` and those that it moves by itself, see setBodies(). Throws SceneError.
 std::shared_ptr<const RenderScene> openMovingScene(const std::string& name_or_path,
                                                    const std::vector<MovingObject>& objects);
 
