@@ -14,6 +14,7 @@
 #include "client/commands/stream_opening.h"
 #include "client/commands/summary.h"
 #include "client/formats/common/units.h"
+#include "client/options/output_options.h"
 #include "client/terminal/interrupt.h"
 
 namespace saccade::client {
@@ -34,6 +35,13 @@ std::string keptText(Recorder& recorder, const std::string& output) {
   return text;
 }
 
+// Only the resolved request names the objects that the scene moves.
+void startPoses(const RecordJob& job, const v1::OpenStream& resolved, RecordedFiles& files) {
+  for (const std::string& name : tumNames(job.output, resolved))
+    checkOutput("--write-poses", name, job.replaces);
+  files.poses.emplace(job.output, resolved);
+}
+
 RecordSinks startSinks(const RecordJob& job, const StreamHandle& stream) {
   const v1::OpenStream& resolved = stream.opened().resolved();
   try {
@@ -41,7 +49,7 @@ RecordSinks startSinks(const RecordJob& job, const StreamHandle& stream) {
         .recorder = Recorder(job.output, *job.format, stream.opened(), stream.server()),
         .time_offset_ns = job.keep_times ? stream.opened().trajectory_begin_ns() : job.time_offset_ns};
     files.recorder.setTimeOffset(files.time_offset_ns);
-    if (job.poses) files.poses.emplace(job.output, resolved);
+    if (job.poses) startPoses(job, resolved, files);
     return {std::move(files), makePreview(job.preview, resolved.timing())};
   } catch (const std::system_error& error) {
     throw std::invalid_argument(std::string("--output: ") + error.what());

@@ -17,7 +17,8 @@ struct RecordJob {
   const WriterInfo* format;
   std::string preview = {};         // PNG file, or none
   bool calibration = false;         // whether the cameras are written beside the output
-  bool poses = false;               // whether their poses are, as TumFiles
+  bool poses = false;               // whether poses of cameras and objects are, as TumFiles
+  bool replaces = false;            // whether existing files of poses are replaced
   std::string trajectory = {};      // what the user gave, for errors
   bool keep_times = false;          // files get the times that the trajectory's text has
   std::int64_t time_offset_ns = 0;  // else this is added to stream time

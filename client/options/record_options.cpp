@@ -1,5 +1,6 @@
 #include "client/options/record_options.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -20,9 +21,12 @@ void checkCalibration(const OutputOptions& output, const v1::OpenStream& request
 // Finds before any work that the files of the poses cannot be written.
 void checkPoses(const OutputOptions& output, const v1::OpenStream& request) {
   if (output.path == kStandardOutput) throw std::invalid_argument("--write-poses: it needs a file");
-  const std::vector<std::string> names = tumNames(output.path, request);
-  if (names.empty()) throw std::invalid_argument("--write-poses goes with --truth pose");
-  for (const std::string& name : names) checkOutput("--write-poses", name, output.force);
+  const bool has_poses = std::ranges::any_of(request.truth(), [](const v1::Truth& truth) {
+    return truth.name() == "pose" || truth.name() == "object_poses";
+  });
+  if (!has_poses) throw std::invalid_argument("--write-poses goes with --truth pose or object_poses");
+  for (const std::string& name : tumNames(output.path, request))
+    checkOutput("--write-poses", name, output.force);
 }
 
 // Finds before any work that the times of the trajectory cannot be kept.
@@ -47,7 +51,8 @@ void addRecordOptions(CLI::App& command, RecordOptions& options) {
       "give all that is written the times of the trajectory's file, such as Unix time, instead of "
       "times from 0 on");
   command.add_flag("--write-poses", options.write_poses,
-                   "write what --truth pose gives as text too, in TUM format: FILE.tum.txt");
+                   "write what --truth pose and object_poses give as text too, in TUM format: FILE.tum.txt, "
+                   "FILE.object-NAME.tum.txt");
   addRequestOptions(command, options.request);
   addImuOptions(command, options.imu);
 }
@@ -60,6 +65,7 @@ RecordJob makeRecordJob(const RecordOptions& options) {
   job.retry_time_s = options.request.retry_time_s;
   job.keep_times = options.keep_times;
   job.poses = options.write_poses;
+  job.replaces = options.recording.output.force;
   if (options.keep_times) checkKeptTimes(options);
   if (options.write_poses) checkPoses(options.recording.output, job.request);
   if (options.write_calibration) checkCalibration(options.recording.output, job.request);

@@ -56,12 +56,16 @@ std::size_t P::gridBytes(double pixels) const {
 }
 
 // Measured with the least `memory_mib` on pictures of 512x512 of curved meshes and of the staircase.
-double irradianceCacheBytes(const ParamValues& params, double pixels, bool jitter) {
+double irradianceCacheBytes(const ParamValues& params, const ViewTraits& view) {
   constexpr double kPlaces = 1900, kMorePlaces = 1700, kTwoFrames = 600;  // per pixel
   constexpr double kPairs = 500, kMorePairs = 1000;                       // where a picture shows metals
   constexpr double kShadows = 300, kMoreShadows = 900;                    // rays to four lamps
-  return pixels * (kPlaces + kPairs + kShadows + (jitter ? kMorePlaces + kMorePairs + kMoreShadows : 0)) +
-         std::max(pixels * kTwoFrames, bytesOfGrids(static_cast<int>(params.at("memory_mib")), pixels));
+  constexpr double kChanges = 1300, kMoreChanges = 200;  // where objects move: replays, changes, their grid
+  const double of_jitter = kMorePlaces + kMorePairs + kMoreShadows + (view.moves ? kMoreChanges : 0);
+  const double of_pixel = kPlaces + kPairs + kShadows + (view.moves ? kChanges : 0);
+  return view.pixels * (of_pixel + (view.jitter ? of_jitter : 0)) +
+         std::max(view.pixels * kTwoFrames,
+                  bytesOfGrids(static_cast<int>(params.at("memory_mib")), view.pixels));
 }
 
 }  // namespace saccade

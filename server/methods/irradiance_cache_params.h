@@ -30,6 +30,6 @@ struct IrradianceCacheParams {
 };
 
 // See MethodInfo::memory.
-double irradianceCacheBytes(const ParamValues& params, double pixels, bool jitter);
+double irradianceCacheBytes(const ParamValues& params, const ViewTraits& view);
 
 }  // namespace saccade

@@ -72,6 +72,13 @@ struct MethodSetup {
   std::shared_ptr<const BakedLight> baked = nullptr;  // precomputed light of this scene, if there is any
 };
 
+// The traits of a view that the memory of a method grows with.
+struct ViewTraits {
+  double pixels;
+  bool jitter;
+  bool moves;  // whether objects of the scene do
+};
+
 // A row of the table of methods. seeds() too takes what resolveParams() returned.
 struct MethodInfo {
   std::string name, description;
@@ -80,9 +87,9 @@ struct MethodInfo {
   std::unique_ptr<Method> (*make)(const MethodSetup& setup);
   bool takes_baked = false;  // whether it makes use of a bake
   // Bytes that it takes at most for a view, beside what every method takes.
-  double (*memory)(const ParamValues& params, double pixels, bool jitter) = noMore;
+  double (*memory)(const ParamValues& params, const ViewTraits& view) = noMore;
 
-  static double noMore(const ParamValues&, double, bool) { return 0; }
+  static double noMore(const ParamValues&, const ViewTraits&) { return 0; }
 };
 
 // THE list of methods, method_table.cpp. The first is the default for scenes whose light is steady.

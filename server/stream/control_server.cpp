@@ -119,11 +119,12 @@ Answer ControlServer::answerTo(const std::string& connection, const RawRequest& 
   const auto expect = [weak = std::weak_ptr(unread)](std::size_t bytes) {
     if (const auto reply = weak.lock()) reply->expect(bytes);
   };
-  const auto give = [outbox = outbox_, loop = loop_, connection, unread = std::move(unread), id = request.id,
-                     call = request.call, &counts = counts_, client](v1::Reply reply) mutable {
+  // Copies of `give` share one hold: those that are kept must not keep the reply counted.
+  const auto hold = std::make_shared<std::shared_ptr<UnreadReply>>(std::move(unread));
+  const auto give = [outbox = outbox_, loop = loop_, connection, hold, id = request.id, call = request.call,
+                     &counts = counts_, client](v1::Reply reply) {
     reply.set_request_id(id);
-    // A kept copy of this function must not keep the reply counted.
-    const v1::Code code = outbox->put(connection, std::move(reply), std::move(unread));
+    const v1::Code code = outbox->put(connection, std::move(reply), std::move(*hold));
     counts.add({call, code});
     if (client && code != v1::CODE_OK) ++client->refusals;
     loop->wake().wake();

@@ -16,6 +16,7 @@ void connectStranger(zmq::socket_t& socket, const std::string& endpoint, const s
   char public_key[41], secret_key[41];
   if (zmq_curve_keypair(public_key, secret_key) != 0) throw zmq::error_t();
   socket.set(zmq::sockopt::linger, 0);
+  socket.set(zmq::sockopt::reconnect_ivl, -1);  // only one handshake is the probe's
   socket.set(zmq::sockopt::ipv6, isIpv6(endpoint));
   socket.set(zmq::sockopt::curve_serverkey, publicKeyOf(server_secret));
   socket.set(zmq::sockopt::curve_publickey, public_key);

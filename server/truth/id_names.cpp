@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/text_cut.h"
+#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {
@@ -33,6 +34,11 @@ class NameList {
 };
 
 }  // namespace
+
+bool asksForIds(const v1::OpenStream& request) {
+  return std::ranges::any_of(request.truth(), [](const v1::Truth& t) { return tellsObjects(t.name()); }) ||
+         std::ranges::any_of(request.sensors(), [](const v1::Sensor& sensor) { return sensor.object_ids(); });
+}
 
 v1::IdNames idNames(const Scene& scene) {
   NameList objects, materials;

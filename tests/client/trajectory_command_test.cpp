@@ -75,6 +75,38 @@ TEST_F(AlongAFile, AnObjectMovesAlongOneTooAndAgainInAReplay) {
   EXPECT_TRUE(holds(wrong, "--object: the scene has no object 'teapot'; it has: back_wall")) << wrong.output;
 }
 
+// The scene moves the ball and the turntable; a copy of their poses moves them in the same way.
+TEST_F(AlongAFile, PosesOfObjectsAreTextThatMovesThemAgain) {
+  const std::string command =
+      "record cornell-turntable --motion still --size 16x12 --rate 100 --duration 0.05 " + server_.option() +
+      " --truth object_poses --write-poses -o ";
+  ASSERT_EQ(run(command + folder_.at("a.csv")).code, 0);
+  const auto poses = [&](const std::string& name) { return folder_.at("a.csv.object-" + name + ".tum.txt"); };
+  const std::string turntable = textOf(poses("turntable"));
+  EXPECT_EQ(std::count(turntable.begin(), turntable.end(), '\n'), 6);
+  // 60 degrees per second about the axis that is up, y.
+  EXPECT_NE(turntable.find("0.050000 "), std::string::npos);
+  EXPECT_NE(turntable.find(" 0 0.02617694"), std::string::npos) << turntable;
+  const Result again = run(command + folder_.at("b.csv") + " --object ball=" + poses("ball") +
+                           " --object turntable=" + poses("turntable"));
+  ASSERT_EQ(again.code, 0) << again.output;
+  EXPECT_EQ(textOf(folder_.at("b.csv.object-ball.tum.txt")), textOf(poses("ball")));
+  EXPECT_EQ(textOf(folder_.at("b.csv")), textOf(folder_.at("a.csv")));
+}
+
+TEST_F(AlongAFile, PosesOfObjectsReplaceNothingUnasked) {
+  std::ofstream(folder_.at("a.csv.object-ball.tum.txt")) << "mine";
+  const std::string command =
+      "record cornell-turntable --motion still --size 16x12 --rate 100 --duration 0.01 " + server_.option() +
+      " --truth object_poses --write-poses -o " + folder_.at("a.csv");
+  const Result result = run(command);
+  EXPECT_EQ(result.code, 2) << result.output;
+  EXPECT_TRUE(holds(result, "a.csv.object-ball.tum.txt' exists; --force replaces it")) << result.output;
+  EXPECT_EQ(textOf(folder_.at("a.csv.object-ball.tum.txt")), "mine");
+  EXPECT_EQ(run(command + " --force").code, 0);
+  EXPECT_NE(textOf(folder_.at("a.csv.object-ball.tum.txt")), "mine");
+}
+
 TEST_F(AlongAFile, AFormatWhoseTimesWrapKeepsNone) {
   const Result result = record("--keep-times -o " + folder_.at("a.raw"));
   EXPECT_EQ(result.code, 2);

@@ -61,6 +61,15 @@ TEST_F(MakeSequenceTest, PublishesFilesWithTheirDigests) {
   EXPECT_TRUE(std::filesystem::is_empty(set->partialFolder()));
 }
 
+TEST_F(MakeSequenceTest, NamesTheNumbersOfObjects) {
+  const v1::DataSetSequence planned = sequence(
+      1, {"--duration=0.004", "--object=tall_block=spin:90", "--truth=object_poses", "--write-poses"});
+  ASSERT_EQ(make(planned), Made::kDone);
+  const auto about = readJson<v1::Recording>(set->sequenceFolder(planned) / "a.h5.json");
+  EXPECT_GT(about.id_names().objects_size(), 0);
+  EXPECT_TRUE(std::filesystem::exists(set->sequenceFolder(planned) / "a.h5.object-tall_block.tum.txt"));
+}
+
 TEST_F(MakeSequenceTest, ASecondWorkerDoesNoHarm) {
   const v1::DataSetSequence planned = sequence(1);
   ASSERT_EQ(make(planned), Made::kDone);

@@ -35,9 +35,10 @@ class CountedMemory : public testing::Test {
       subscribers_.back()->attach(streams_.back());
     }
   }
-  void awaitFrames() {
+  void awaitFrames(std::uint64_t frames = 1) {
     for (const auto& stream : streams_)
-      ASSERT_TRUE(waitUntil([&] { return client_.info(stream.stream_id()).frames_done() > 0; }, kPatience));
+      ASSERT_TRUE(
+          waitUntil([&] { return client_.info(stream.stream_id()).frames_done() >= frames; }, kPatience));
   }
 
   ServerProcess server_{{"--limit-memory", std::to_string(kMemoryMiB), "--limit-queues",
@@ -61,6 +62,25 @@ TEST_F(CountedMemory, RowsOfAFrame) {
   EXPECT_GE(streams_.size(), 2u);
   awaitFrames();
   EXPECT_LT(grownMiB(), kMemoryMiB + kQueuesMiB + kOtherMiB);
+}
+
+// Two bodies, the lamp and the camera; the sensor has no event to send.
+TEST_F(CountedMemory, ObjectsThatMove) {
+  v1::OpenStream request = tinyRequest();
+  request.set_scene("cornell-turntable");
+  request.mutable_view()->set_width(64);
+  request.mutable_view()->set_height(48);
+  request.mutable_timing()->set_frame_rate_hz(50);
+  request.mutable_timing()->set_duration_s(0);
+  request.mutable_sensors(0)->set_threshold(5);
+  v1::ObjectMotion& lamp = *request.add_objects();
+  lamp.set_name("light");
+  lamp.mutable_path()->mutable_motion()->set_kind(v1::OBJECT_MOTION_KIND_SLIDE);
+  lamp.mutable_path()->mutable_motion()->set_speed(0.3);
+  EXPECT_EQ(fill(request), "memory");
+  EXPECT_GE(streams_.size(), 3u);
+  awaitFrames(20);
+  EXPECT_LT(grownMiB(), kMemoryMiB + kOtherMiB);
 }
 
 // 64000 changes, each with all of its noise: 15 bytes of a change become 500.

@@ -142,5 +142,28 @@ TEST_P(SlidingFeed, OfOneColourInARoomHasNoChange) {
   }
 }
 
+// About an axis far above, by 0.002 in each frame: light changes by as little.
+TEST(TurningWall, DoesNotShadeItself) {
+  const Scene s = inARoom(floor(SurfaceColor::Kind::kConstant));
+  constexpr double kFar = 5;
+  std::vector<TimedPose> keys;
+  for (FrameIndex t = 0; t < 8; ++t) {
+    const double turn = 0.002 * static_cast<double>(t);
+    keys.push_back({frameTime(t, kRate),
+                    {{0, kFar * std::sin(turn), kFar - kFar * std::cos(turn)}, axisAngle({turn, 0, 0})}});
+  }
+  FeedConfig c = config(s, {}, 2);
+  c.body_paths = {Trajectory(keys)};
+  TilePool pool(2);
+  Feed feed(std::make_shared<RenderScene>(s), Trajectory({{TimeNs(0), s.T_world_camera}}), c, pool);
+  for (int t = 1; t < 8; ++t) {
+    const IntensityChange& change = feed.step(pool);
+    int changed = 0;
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) changed += std::abs(change.dI.at(x, y)) > 0.1 * change.I_now.at(x, y);
+    EXPECT_LE(changed, 5) << t;  // noise where it is dark
+  }
+}
+
 }  // namespace
 }  // namespace saccade

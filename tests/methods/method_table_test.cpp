@@ -31,13 +31,18 @@ TEST(MethodTable, TellsTheMemoryThatAGridMayTake) {
     ParamValues resolved;
     std::string bad_name;
     EXPECT_EQ(resolveParams(cache, {{"memory_mib", memory}}, resolved, bad_name), "");
-    return cache.memory(resolved, pixels, false);
+    return cache.memory(resolved, {pixels, false, false});
   };
   EXPECT_NEAR(bytes(512, 2e5) - bytes(256, 2e5), 256 * kMiB, 1);
   EXPECT_EQ(bytes(512, 1e3), bytes(256, 1e3));
   EXPECT_EQ(bytes(1, 1e6), bytes(2, 1e6)) << "two frames need more";
-  EXPECT_GT(cache.memory({{"memory_mib", 256}}, 1e5, true), bytes(256, 1e5)) << "more points in a pixel";
-  EXPECT_EQ(findMethod("event_svgf")->memory({}, 1e5, false), 0);
+  const auto more = [&](bool jitter, bool moves) {
+    return cache.memory({{"memory_mib", 256}}, {1e5, jitter, moves}) - bytes(256, 1e5);
+  };
+  EXPECT_GT(more(true, false), 0) << "more points in a pixel";
+  EXPECT_GT(more(false, true), 0) << "changes of light";
+  EXPECT_GT(more(true, true), more(true, false) + more(false, true));
+  EXPECT_EQ(findMethod("event_svgf")->memory({}, {1e5, false, true}), 0);
 }
 
 TEST(MethodTable, AFormerNameOfAParameterIsRefusedWithTheNewOne) {

@@ -6,6 +6,7 @@
 
 #include "mock/keyed_server.h"
 #include "mock/mock_http.h"
+#include "mock/wait_until.h"
 #include "stream/bounded_peers.h"
 #include "stream/endpoint.h"
 
@@ -23,9 +24,14 @@ class ClientNames : public KeyedServer {
   }
   MockClient client(const MockKeys& keys) { return MockClient(app().controlEndpoint(), keys); }
   App& app() { return server_process_->app(); }
+  // Replies and packets are counted when they are on their way, so that a client may be faster.
   bool told(const std::string& line) {
-    return ("\n" + httpGet(app().httpEndpoint(), "/metrics").body).find("\n" + line + "\n") !=
-           std::string::npos;
+    return waitUntil(
+        [&] {
+          return ("\n" + httpGet(app().httpEndpoint(), "/metrics").body).find("\n" + line + "\n") !=
+                 std::string::npos;
+        },
+        kPatience);
   }
   static v1::StreamList all(MockClient& client) {
     v1::Request request;

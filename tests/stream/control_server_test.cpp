@@ -130,6 +130,22 @@ TEST(ControlServer, CountsWhatAnAnswerIsExpectedToTake) {
   EXPECT_EQ(late.size(), 2u);
 }
 
+// As a thread that answers may keep it, until it runs again.
+TEST(ControlServer, AnAnswerThatIsKeptCountsNothing) {
+  RequestCounts counts;
+  ControlServer server(kOptions, counts);
+  std::vector<Answer> kept;
+  server.start([&](const RawRequest&, const Peer&, const Answer& answer) {
+    kept.push_back(answer);
+    answer(replyOf(4 << 20));  // of 16 MiB
+  });
+  LazyPeer peer(server.endpoint());
+  for (int i = 0; i < 12; ++i) {
+    peer.ask();
+    EXPECT_EQ(peer.read().code(), v1::CODE_OK) << i;
+  }
+}
+
 // Requests whose answers are yet to come count, too. The first ones too many are refused, the rest counted.
 TEST(ControlServer, DropsAndCountsWhatIsAskedWithoutEnd) {
   RequestCounts counts;

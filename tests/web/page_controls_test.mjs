@@ -7,7 +7,7 @@ globalThis.addEventListener = () => {};
 const { velocityOf } = await import("../../server/web/page/look_round.js");
 const { lighterSetting, noticeOf } = await import("../../server/web/page/notice.js");
 const { recordLineOf } = await import("../../server/web/page/record_line.js");
-const { DEFAULTS, fromFragment, openStreamOf } = await import("../../server/web/page/settings.js");
+const { DEFAULTS, fromFragment, openStreamOf, withFirstScene, withScene } = await import("../../server/web/page/settings.js");
 const { openingText } = await import("../../server/web/page/texts.js");
 
 test("the command has each setting that changes events", () => {
@@ -17,6 +17,20 @@ test("the command has each setting that changes events", () => {
   const preset = recordLineOf({ ...settings, scene: "it's one", motion: "right", preset: "davis346", duration: 0 }, 3.21049);
   assert.ok(preset.startsWith("saccade record 'it'\\''s one' --motion right "), preset);
   assert.ok(preset.includes("--duration 3.212 --preset davis346 --bias"), preset); // 1606 frames of 2 ms
+});
+
+test("the first scene is one that moves, before a camera that stands, and no other stands with its camera", () => {
+  const trajectories = ["right", "still"];
+  const box = { name: "box", trajectories, objects: [{ name: "block", motion: "" }] };
+  const table = { name: "table", trajectories, objects: [{ name: "disc", motion: "spin:60" }] };
+  const scenes = [box, table], first = withFirstScene(DEFAULTS, scenes);
+  assert.deepStrictEqual([first.scene, first.motion], ["table", "still"]);
+  assert.strictEqual(withFirstScene({ ...DEFAULTS, motion: "orbit" }, scenes).motion, "orbit");
+  assert.deepStrictEqual(withFirstScene(DEFAULTS, [box]), { ...DEFAULTS, scene: "box" });
+  assert.strictEqual(withFirstScene(DEFAULTS, []).scene, "");
+  assert.deepStrictEqual(withScene({ ...first, object: "disc" }, scenes, "box"), { ...DEFAULTS, scene: "box" });
+  assert.strictEqual(withScene({ ...first, motion: "right" }, scenes, "box").motion, "right");
+  assert.strictEqual(withScene({ ...first, motion: "arc" }, scenes, "table").motion, DEFAULTS.motion);
 });
 
 test("an object moves as the page says, in the stream and in the command", () => {

@@ -1,4 +1,4 @@
-"""Makes deploy/viewer.webp: the viewer with cornell-bunny.
+"""Makes deploy/viewer.webp: the viewer with cornell-turntable, before a camera that stands.
 
 Usage: picture.py SACCADED [SECONDS [WIDTH HEIGHT dark|light FILE [FRAGMENT]]]. Takes the picture after SECONDS."""
 import base64
@@ -10,7 +10,7 @@ import chromium
 from viewed_server import ViewedServer
 
 OUT = pathlib.Path(__file__).resolve().parents[2] / "deploy/viewer.webp"
-SHOWN = "scene=cornell-bunny&motion=orbit&size=240x180&rate=500&px=0.5&speed=0.00390625"
+SHOWN = "scene=cornell-turntable&motion=still&size=240x180&rate=500&speed=0.00390625"
 seconds, width, height, theme, file, fragment = (sys.argv[2:] + ["10", "1120", "780", "dark", OUT, SHOWN][len(sys.argv) - 2:])
 
 browser, server = chromium.start(int(width), int(height)), ViewedServer(sys.argv[1], "--threads", "2")

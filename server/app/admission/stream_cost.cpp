@@ -74,11 +74,11 @@ double pushedBytes(const FeedConfig& feed, const Limits& limits) {
   return pixelsWithBorder(feed) * sizeof(float) * planes;
 }
 
-double feedBytes(const FeedConfig& feed) {
+double feedBytes(const FeedConfig& feed, bool moves) {
   constexpr double kFeedBytes = 260;  // per pixel
   const double lens_bytes = feed.camera.distortion.isNone() ? 0 : feed.pixels() * sizeof(Vec2);
   return pixelsWithBorder(feed) * kFeedBytes + lens_bytes +
-         findMethod(feed.method)->memory(feed.params, feed.pixels(), feed.jitter);
+         findMethod(feed.method)->memory(feed.params, {feed.pixels(), feed.jitter, moves});
 }
 
 // Keys of paths that the scene gives objects.
@@ -90,16 +90,13 @@ double ownPathBytes(const ResolvedStream& stream) {
 }
 
 // Of objects that move: the number of the one that a pixel shows, their places and lamps, each in two frames.
-// The method may keep a grid of changes beside that of light, at the same vertices.
 double objectBytes(const FeedConfig& feed, const ResolvedStream& stream) {
   constexpr double kFrames = 2, kObjectBytes = 16 << 10;  // of a place
-  constexpr double kChanges = 0.5;                        // of what the method takes
   const double objects = static_cast<double>(stream.objects.size());
   if (objects == 0) return 0;
   return kFrames *
              (pixelsWithBorder(feed) * sizeof(std::uint32_t) + kObjectBytes * objects + stream.lamp_bytes) +
-         ownPathBytes(stream) +
-         kChanges * findMethod(feed.method)->memory(feed.params, feed.pixels(), feed.jitter);
+         ownPathBytes(stream);
 }
 
 }  // namespace
@@ -108,8 +105,8 @@ double feedMemory(const ResolvedStream& stream, const Limits& limits) {
   double bytes = 0;
   for (std::size_t i = 0; i < stream.views(); ++i) {
     const FeedConfig& feed = stream.feedOf(i);
-    bytes +=
-        stream.request.pushed() ? pushedBytes(feed, limits) : feedBytes(feed) + objectBytes(feed, stream);
+    bytes += stream.request.pushed() ? pushedBytes(feed, limits)
+                                     : feedBytes(feed, !stream.objects.empty()) + objectBytes(feed, stream);
   }
   return bytes / kMiB;
 }

@@ -1,7 +1,5 @@
 #include "app/streams/stream_maker.h"
 
-#include <algorithm>
-
 #include "app/admission/stream_cost.h"
 #include "app/feeds/pace.h"
 #include "app/request/refusal.h"
@@ -12,7 +10,6 @@
 #include "render/world/render_scene.h"
 #include "stream/bounded_peers.h"
 #include "truth/id_names.h"
-#include "truth/truth_source.h"
 
 namespace saccade {
 namespace {
@@ -59,11 +56,6 @@ void checkObjectIds(const v1::OpenStream& request, const Scene& scene) {
       refuse("sensors[" + std::to_string(i) + "].object_ids", "the scene has " + std::to_string(shapes) +
                                                                   " shapes, and events tell of at most " +
                                                                   std::to_string(kMaxObject));
-}
-
-bool asksForIds(const v1::OpenStream& request) {
-  return std::ranges::any_of(request.truth(), [](const v1::Truth& t) { return tellsObjects(t.name()); }) ||
-         std::ranges::any_of(request.sensors(), [](const v1::Sensor& sensor) { return sensor.object_ids(); });
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ void addBakeOption(CLI::App& app, double& error) {
 OpenedFeed open(FeedOptions& o) {
   const Size size = parseSize(o.size);
   const auto objects = parseObjects(o.objects);
-  auto scene = openScene(o.scene, objects);
+  auto scene = openMovingScene(o.scene, objects);
   o.feed.camera = pinhole(scene->description().fov_x_deg, size.width, size.height);
   o.feed.body_paths = openPaths(scene->description(), objects, o.feed.frame_rate_hz);
   Trajectory path = openTrajectory(o.scene, o.trajectory, *scene, o.feed);

@@ -121,15 +121,23 @@ Scene readScene(const std::string& name_or_path) {
   return ownLibrary().load(name_or_path, progress);
 }
 
-}  // namespace
-
-std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path,
-                                             const std::vector<MovingObject>& objects) {
-  Scene scene = readScene(name_or_path);
-  setBodies(scene, objects);
+std::shared_ptr<const RenderScene> warnedOf(Scene scene, const std::string& name_or_path) {
   for (const std::string& warning : warningsOf(scene))
     std::fprintf(stderr, "warning: %s: %s\n", name_or_path.c_str(), warning.c_str());
   return std::make_shared<RenderScene>(std::move(scene));
+}
+
+}  // namespace
+
+std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {
+  return warnedOf(readScene(name_or_path), name_or_path);
+}
+
+std::shared_ptr<const RenderScene> openMovingScene(const std::string& name_or_path,
+                                                   const std::vector<MovingObject>& objects) {
+  Scene scene = readScene(name_or_path);
+  setBodies(scene, objects);
+  return warnedOf(std::move(scene), name_or_path);
 }
 
 Trajectory openTrajectory(const std::string& scene, const std::string& text, const RenderScene& opened,

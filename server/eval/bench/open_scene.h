@@ -27,9 +27,11 @@ std::string sceneName(const std::string& name_or_path);
 // them.
 void requireTableNames(const std::vector<std::string>& names_or_paths);
 
-// `objects` move. Throws SceneError.
-std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path,
-                                             const std::vector<MovingObject>& objects = {});
+// As the scene's file has it: nothing moves. Throws SceneError.
+std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path);
+// Its bodies are `objects` and those that it moves by itself, see setBodies(). Throws SceneError.
+std::shared_ptr<const RenderScene> openMovingScene(const std::string& name_or_path,
+                                                   const std::vector<MovingObject>& objects);
 
 // Whether a text names a file of poses, and such a file. Throws SceneError.
 bool isTrajectoryFile(const std::string& text);

@@ -26,8 +26,7 @@ v1::StreamOpened describe(const StreamPlan& plan) {
   opened.set_frames(plan.resolved.frames);
   if (plan.bake) opened.set_bake_digest(plan.bake->digest);
   if (plan.resolved.path_begin_ns) opened.set_trajectory_begin_ns(*plan.resolved.path_begin_ns);
-  if (std::ranges::any_of(opened.resolved().truth(), [](const auto& truth) { return truth.name() == "ids"; }))
-    *opened.mutable_id_names() = idNames(plan.scene->description());
+  if (asksForIds(opened.resolved())) *opened.mutable_id_names() = idNames(plan.scene->description());
   return opened;
 }
 

@@ -67,7 +67,7 @@ class TilePoints {
       if (view_.now.scene.bodies())
         carrier(block.x(lane), block.y(lane)) =
             setMotion(out_.g.body.at(block.x(lane), block.y(lane)) - 1,
-                      {s.point.at(lane), s.geometric_normal.at(lane), s.width[lane]}, point, place);
+                      {s.point.at(lane), s.geometric_normal.at(lane), s.offset[lane]}, point, place);
     });
   }
   // The one point of another pixel.
@@ -160,7 +160,7 @@ class TilePoints {
     const Surface& surface = hit.start.surface;
     if (view_.now.scene.bodies())
       carrier(column, y) =
-          setMotion(guide.body, {surface.point, surface.geometric_normal, place.footprint}, point, place);
+          setMotion(guide.body, {surface.point, surface.geometric_normal, surface.offset}, point, place);
   }
 
   // Sets the place of a point of a body, and whether direct light moves there. Returns the body that carries

@@ -5,9 +5,9 @@
 namespace saccade {
 namespace {
 
-constexpr float kLeastCosine = 0.9999f;
+constexpr float kMostTurn = 1e-4f;    // of the normal: what rounding turns it
 constexpr float kMostAscent = 0.05f;  // of a step that slides, along the normal
-constexpr float kDepth = 0.1f;        // pixels above and below a point in which the surface is looked for
+constexpr float kDepth = 0.5f;        // of the offset of rays: so far off a point the surface may be
 constexpr float kLeastStep = 1e-4f;   // of a body's size: rounding turns smaller ones
 
 bool isStep(const Body& body, const RigidMotion& from, const RigidMotion& to) {
@@ -35,18 +35,20 @@ bool SlidingSurfaces::at(std::uint32_t body, const SeenPoint& point) const {
   const Vec3 rest = step.from.restPoint(point.position), normal = step.from.restDirection(point.normal);
   const Vec3 way = step.to.point(rest) - point.position;
   if (std::abs(dot(way, point.normal)) > kMostAscent * length(way)) return false;
-  if (shows(body, rest, normal, point.width)) return true;
+  if (shows(body, rest, normal, point.offset)) return true;
   // Another such step.
   const Vec3 after = step.to.restPoint(step.from.point(step.to.restPoint(point.position)));
   const Vec3 normal_after = step.to.restDirection(step.from.direction(step.to.restDirection(point.normal)));
-  return shows(body, after, normal_after, point.width);
+  return shows(body, after, normal_after, point.offset);
 }
 
-bool SlidingSurfaces::shows(std::uint32_t body, Vec3 rest, Vec3 rest_normal, float width) const {
-  const float depth = kDepth * width;
+bool SlidingSurfaces::shows(std::uint32_t body, Vec3 rest, Vec3 rest_normal, float offset) const {
+  const float depth = kDepth * offset;
   const Hit hit =
       scene_->bodies()[body]->all.intersect({rest + rest_normal * depth, -rest_normal, 2 * depth});
-  return hit.valid && std::abs(dot(normalize(hit.normal), rest_normal)) >= kLeastCosine;
+  if (!hit.valid) return false;
+  const Vec3 n = normalize(hit.normal);
+  return length(dot(n, rest_normal) < 0 ? n + rest_normal : n - rest_normal) <= kMostTurn;
 }
 
 }  // namespace saccade

@@ -1,5 +1,6 @@
 // Surfaces of bodies that slide in themselves, such as a turntable's. A place of the scene shows the body one
-// frame after the other, with one normal. Their light belongs to the place, not to the body [ours].
+// frame after the other, with one normal. Their light belongs to the place, not to the body [ours]. The place
+// is the same but for rounding: a ray that leaves it must not start within the body at the other time.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,7 @@ namespace saccade {
 // A point of a surface, seen from a camera.
 struct SeenPoint {
   Vec3 position, normal;  // normal: geometric
-  float width = 0;        // of a pixel there
+  float offset = 0;       // of rays that leave it, see ray_offset.h
 };
 
 class SlidingSurfaces {
@@ -28,7 +29,7 @@ class SlidingSurfaces {
     RigidMotion from, to;
     bool any = false;
   };
-  bool shows(std::uint32_t body, Vec3 rest, Vec3 rest_normal, float width) const;
+  bool shows(std::uint32_t body, Vec3 rest, Vec3 rest_normal, float offset) const;
 
   const RenderScene* scene_ = nullptr;
   std::vector<Step> last_;  // by body

@@ -1,6 +1,6 @@
 // The controls: shows settings, and tells when they change.
 import { PALETTES } from "./palettes.js";
-import { DEFAULTS, MOTIONS, PATHS, RATES, SIZES } from "./settings.js";
+import { MOTIONS, PATHS, RATES, SIZES, moves, withFirstScene, withScene } from "./settings.js";
 import { SLIDERS } from "./sliders.js";
 
 const OF_OWN_STREAM = ["motion", "px", "object", "path", "preset", "C", "bias", "size", "rate", "speed"]; // a broadcast of others has its own
@@ -13,9 +13,7 @@ function group(label, options) {
   return made;
 }
 
-function sceneLabel({ name, objects = [] }) {
-  return objects.some(({ motion }) => motion) ? `${name} (moves)` : name;
-}
+const sceneLabel = (scene) => (moves(scene) ? `${scene.name} (moves)` : scene.name);
 
 export class Form {
   // `changed(settings)` is called after each change by hand.
@@ -41,10 +39,10 @@ export class Form {
   chooseSource(source) {
     const at = source.indexOf(":");
     const name = source.slice(at + 1);
-    const chosen = source.startsWith("stream:") ? { stream: name } : { stream: "", scene: name };
-    this.settings = { ...this.settings, ...chosen };
-    if (![...MOTIONS, ...this.trajectories()].includes(this.settings.motion)) this.settings.motion = DEFAULTS.motion;
-    if (!this.objects().some((object) => object.name === this.settings.object)) this.settings.object = DEFAULTS.object;
+    const { settings } = this;
+    this.settings = source.startsWith("stream:")
+      ? { ...settings, stream: name }
+      : withScene({ ...settings, stream: "" }, this.scenes, name);
   }
 
   scene() {
@@ -71,7 +69,7 @@ export class Form {
       group("Scenes", ready.map((scene) => option("scene:" + scene.name, sceneLabel(scene), scene.description))),
       ...(running.length > 0 ? [group("Running broadcasts", running)] : []),
     );
-    if (!this.settings.scene && !this.settings.stream) this.settings.scene = ready[0]?.name ?? "";
+    if (!this.settings.scene && !this.settings.stream) this.settings = withFirstScene(this.settings, ready);
     this.show(this.settings);
   }
 

@@ -1,7 +1,7 @@
 // What the page asks for: its form, the fragment of its address, and the request to the server.
 
 export const DEFAULTS = {
-  scene: "", // the first of the server
+  scene: "", // the first of the server that moves by itself, before a camera that stands
   stream: "", // id of a running broadcast, instead of a scene
   sensor: 0, // of that broadcast
   motion: "pan", // a kind of motion, or the name of a trajectory
@@ -44,6 +44,28 @@ export function fromFragment(fragment) {
 export function toFragment(settings) {
   const said = Object.entries(settings).filter(([key, value]) => key === "scene" || value !== DEFAULTS[key]);
   return "#" + new URLSearchParams(said.filter(([, value]) => value !== ""));
+}
+
+// Whether a SceneInfo of control.proto has objects that move by themselves.
+export const moves = ({ objects = [] }) => objects.some(({ motion }) => motion);
+
+// The settings of a page whose address names no scene: the first that moves by itself, else the first one.
+export function withFirstScene(settings, scenes) {
+  const { name = "" } = scenes.find(moves) ?? scenes[0] ?? {};
+  return withScene({ ...settings, motion: settings.motion === DEFAULTS.motion ? "still" : settings.motion }, scenes, name);
+}
+
+// A camera that stands before what stands would see no events: it has the default motion.
+export function withScene(settings, scenes, scene) {
+  const { trajectories = [], objects = [] } = scenes.find(({ name }) => name === scene) ?? {};
+  const known = [...MOTIONS, ...trajectories].includes(settings.motion);
+  const sees = settings.motion !== "still" || moves({ objects });
+  return {
+    ...settings,
+    scene,
+    motion: known && sees ? settings.motion : DEFAULTS.motion,
+    object: objects.some(({ name }) => name === settings.object) ? settings.object : DEFAULTS.object,
+  };
 }
 
 // An ObjectPath of control.proto.
