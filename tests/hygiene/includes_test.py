@@ -114,7 +114,7 @@ OUTSIDE = {
     "microhttpd": ["server/ops/http_"],
     "wslay/": ["server/web/web_socket.cpp"],
     "nettle/": ["server/web/web_handshake.cpp"],
-    "toml++/": ["server/app/config/config_file.cpp", "server/scene/motion/own_motions.cpp", "server/farm/recipe/toml_", "server/farm/recipe/recipe_reader.cpp"],
+    "toml++/": ["server/app/config/config_file.cpp", "server/scene/files/toml_file.h", "server/farm/recipe/toml_", "server/farm/recipe/recipe_reader.cpp"],
 }
 
 

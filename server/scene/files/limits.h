@@ -5,7 +5,9 @@
 
 namespace saccade {
 
-inline constexpr std::size_t kMaxXmlBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kMaxXmlBytes = std::size_t{64} << 20;  // of a file, and of all that it includes
+inline constexpr int kMaxIncludes = 1000;
+inline constexpr std::size_t kMaxIncludeDepth = 16;                         // files within files
 inline constexpr std::size_t kMaxSubstitutedBytes = std::size_t{16} << 20;  // of all values with a $name
 inline constexpr int kMaxXmlDepth = 64;                                     // elements within elements
 inline constexpr int kMaxBsdfDepth = 16;    // bsdfs within bsdfs, through <ref>

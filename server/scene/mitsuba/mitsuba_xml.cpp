@@ -45,7 +45,8 @@ void readScene(const XmlFile& file, FileLoads& loads, Scene& scene) {
     readShape(file, shape, materials, loads, scene);
   for (const pugi::xml_node emitter : properties.objects("emitter")) readLight(file, emitter, loads, scene);
   scene.bounces = readBounces(file, properties.objects("integrator"));
-  for (const char* tag : {"default", "bsdf", "texture", "sampler", "film", "rfilter"}) properties.ignore(tag);
+  for (const char* tag : {"default", "path", "bsdf", "texture", "sampler", "film", "rfilter"})
+    properties.ignore(tag);
   properties.finish();
 }
 
