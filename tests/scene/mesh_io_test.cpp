@@ -27,7 +27,6 @@ const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 TEST(Obj, PolygonsBecomeFans) {
   const Mesh mesh = obj(kSquare + "v 0 0.5 1\nf 1 2 3 4 5\n");
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
-  EXPECT_EQ(mesh.name, "a mesh");
   EXPECT_EQ(mesh.positions[4], (Vec3{0, 0.5f, 1}));
 }
 

@@ -1,6 +1,6 @@
-// Reads mesh files. The result is raw: in the space of the file, `positions` without the spare entry.
-// `normals` and `uvs` are empty unless the file has them for every vertex. placeMesh() makes it part of a
-// scene.
+// Reads mesh files. The result is raw: in the space of the file, without a name, `positions` without the
+// spare entry. `normals` and `uvs` are empty unless the file has them for every vertex. placeMesh() makes it
+// part of a scene.
 //
 // All functions throw SceneError, which names the line or the face. Causes are malformed text, an index out
 // of range, a number that is not finite, a mesh without triangles, or one beyond limits.h. Polygons become

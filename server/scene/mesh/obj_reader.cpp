@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <unordered_map>
 
 #include "base/hash_rng.h"
@@ -57,7 +56,6 @@ Mesh ObjReader::read(std::string_view text) {
   if (mesh_.triangles.empty()) fail("the file has no faces");
   if (!all_uvs_) mesh_.uvs.clear();
   if (!all_normals_) mesh_.normals.clear();
-  mesh_.name = std::filesystem::path(path_).stem().string();
   if (has_materials_)
     mesh_.unread = path_ + ": its materials (usemtl) are not read; the shape is grey without a <bsdf>";
   return std::move(mesh_);
