@@ -36,7 +36,7 @@ TEST_F(LabelColumnsTest, AreThoseOfTheEvents) {
   write({{"source", std::string("\0\1", 2)}, {"artefact", "\5\x7f"}});
   const auto reader = kNpzReader.make(file_);
   EXPECT_TRUE(reader->labels());
-  EXPECT_EQ(readBack(*reader), (Events{{0, 0, 0, 0, 0, 5}, {1000, 1, 1, 1, 1, 127}}));
+  EXPECT_EQ(readBack(*reader), (Events{{0, 0, 0, 0, 0, 0, 5}, {1000, 1, 1, 1, 1, 0, 127}}));
 }
 
 TEST_F(LabelColumnsTest, ObjectsAreThoseOfTheEvents) {

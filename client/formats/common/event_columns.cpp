@@ -44,7 +44,7 @@ void EventColumns::addLabels(const std::string& path, std::uint64_t before, Even
       throw FileFault(path, "event " + std::to_string(before + i + 1) + " has source " +
                                 std::to_string(source[i]) + ", artefact " + std::to_string(artefact[i]) +
                                 "; source is 0 to " + std::to_string(kMaxSource) + ", artefact 0 to 255");
-    events[i].source = static_cast<std::uint32_t>(source[i]) & kMaxSource;
+    events[i].source = static_cast<std::uint8_t>(source[i]);
     events[i].artefact = static_cast<std::uint8_t>(artefact[i]);
   }
 }
@@ -54,7 +54,7 @@ void EventColumns::addObjects(const std::string& path, std::uint64_t before, Eve
     if (!isWithin(object[i], kMaxObject))
       throw FileFault(path, "event " + std::to_string(before + i + 1) + " has object " +
                                 std::to_string(object[i]) + "; it is 0 to " + std::to_string(kMaxObject));
-    events[i].object = static_cast<std::uint32_t>(object[i]) & kMaxObject;
+    events[i].object = static_cast<std::uint32_t>(object[i]);
   }
 }
 

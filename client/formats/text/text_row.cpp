@@ -17,14 +17,13 @@ bool takePixel(std::string_view& text, std::uint16_t& pixel) {
 }
 
 // As Python writes a bool.
-bool takeBool(std::string_view& text, std::uint8_t& p) {
+std::optional<std::uint8_t> takeBool(std::string_view& text) {
   for (const auto& [word, value] : {std::pair{"True", 1}, {"true", 1}, {"False", 0}, {"false", 0}}) {
     if (!text.starts_with(word)) continue;
     text.remove_prefix(std::string_view(word).size());
-    p = static_cast<std::uint8_t>(value);
-    return true;
+    return static_cast<std::uint8_t>(value);
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -50,17 +49,15 @@ bool RowParser::takeField(std::string_view& text, const std::optional<Role>& rol
     case Role::kY:
       return takePixel(text, event.y);
     case Role::kP:
-      return takePolarity(text, event.p);
+      if (const auto p = takePolarity(text)) return event.p = *p, true;
+      return false;
   }
   return false;
 }
 
-bool RowParser::takePolarity(std::string_view& text, std::uint8_t& p) {
+std::optional<std::uint8_t> RowParser::takePolarity(std::string_view& text) {
   std::int64_t value;
-  if (!takeWhole(text, value)) return takeBool(text, p);
-  const auto polarity = polarities_.parse(value);
-  p = polarity.value_or(0);
-  return polarity.has_value();
+  return takeWhole(text, value) ? polarities_.parse(value) : takeBool(text);
 }
 
 }  // namespace saccade::client

@@ -27,7 +27,7 @@ class RowParser {
 
  private:
   bool takeField(std::string_view& text, const std::optional<Role>& role, Event& event);
-  bool takePolarity(std::string_view& text, std::uint8_t& p);
+  std::optional<std::uint8_t> takePolarity(std::string_view& text);
 
   const RowForm form_;
   PolarityScale polarities_;

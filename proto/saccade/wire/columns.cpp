@@ -35,10 +35,6 @@ void store(char* column, std::size_t i, T value) {
   std::memcpy(column + i * sizeof(T), &value, sizeof(T));
 }
 
-std::uint8_t toByte(std::uint32_t value) {
-  return static_cast<std::uint8_t>(value);
-}
-
 // The interval as unsigned lengths, so that no header can overflow the sums.
 struct Span {
   explicit Span(const v1::PacketHeader& h)
@@ -76,10 +72,10 @@ std::string encodeColumns(std::span<const Event> events, std::int64_t t0_ns, v1:
   for (std::size_t i = 0; i < n; ++i) store(bytes, i, static_cast<std::uint32_t>(units(events[i])));
   for (std::size_t i = 0; i < n; ++i) store(bytes + at.x, i, events[i].x);
   for (std::size_t i = 0; i < n; ++i) store(bytes + at.y, i, events[i].y);
-  for (std::size_t i = 0; i < n; ++i) store(bytes + at.p, i, toByte(events[i].p));
+  for (std::size_t i = 0; i < n; ++i) store(bytes + at.p, i, std::uint8_t{events[i].p});
   if (hasLabels(layout)) {
-    for (std::size_t i = 0; i < n; ++i) store(bytes + at.source, i, toByte(events[i].source));
-    for (std::size_t i = 0; i < n; ++i) store(bytes + at.artefact, i, toByte(events[i].artefact));
+    for (std::size_t i = 0; i < n; ++i) store(bytes + at.source, i, std::uint8_t{events[i].source});
+    for (std::size_t i = 0; i < n; ++i) store(bytes + at.artefact, i, events[i].artefact);
   }
   if (hasObjects(layout))
     for (std::size_t i = 0; i < n; ++i) store(bytes + at.object, i, std::uint32_t{events[i].object});
@@ -113,7 +109,7 @@ std::string decodeColumns(const v1::PacketHeader& header, std::string_view paylo
     if (with_objects) event.object = load<std::uint32_t>(bytes + at.object, i);
     if (std::string fault = check(event, header); !fault.empty()) return fault;
     out.push_back({header.t0_ns() + static_cast<std::int64_t>(after_t0), event.x, event.y, event.p,
-                   event.source, event.artefact, event.object});
+                   event.source, event.object, event.artefact});
   }
   return {};
 }

@@ -13,11 +13,11 @@ struct Event {
   std::int64_t t_ns;   // stream time
   std::uint16_t x, y;  // pixel, (0, 0) is top left
   // Together 4 bytes, so that an event has 16.
-  std::uint32_t p : 1;  // polarity: 1 ON (brighter), 0 OFF
+  std::uint8_t p : 1;  // polarity: 1 ON (brighter), 0 OFF
   // 0 where they are not asked for:
-  std::uint32_t source : 3 = 0;    // v1::EventSource
-  std::uint32_t artefact : 8 = 0;  // 255 times the odds that the event is an error of rendering
-  std::uint32_t object : 20 = 0;   // number in the truth channel ids; 0: nothing
+  std::uint8_t source : 3 = 0;    // v1::EventSource
+  std::uint32_t object : 20 = 0;  // number in the truth channel ids; 0: nothing
+  std::uint8_t artefact = 0;      // 255 times the odds that the event is an error of rendering
 
   friend bool operator==(const Event&, const Event&) = default;
 };

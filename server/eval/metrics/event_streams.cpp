@@ -51,7 +51,7 @@ std::int64_t floorDivide(std::int64_t a, std::int64_t b) {
 }
 
 auto byPixelAndTime(const Event& e) {
-  return std::tie(e.y, e.x, e.p, e.t_ns);
+  return std::tuple(e.y, e.x, e.p == 1, e.t_ns);
 }
 
 bool sameSource(const Event& a, const Event& b) {
