@@ -28,6 +28,7 @@ const std::string kNow =
 <emitter type="envmap"><string name="filename" value="a.ppm"/></emitter>
 <emitter type="point"><rgb name="intensity" value="1"/></emitter>
 <emitter type="spot"><rgb name="intensity" value="1"/><float name="cutoff_angle" value="30"/></emitter>
+<emitter type="sun"><float name="hour" value="9"/></emitter>
 <emitter type="directional"><vector name="direction" value="0, -1, 0"/><float name="irradiance" value="1"/></emitter>
 </scene>)";
 

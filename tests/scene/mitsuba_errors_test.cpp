@@ -32,8 +32,9 @@ std::string shape(const std::string& content) {
 TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
   expectAt4("<medium type='homogeneous'/>", "<medium> is not supported");
   expectAt4("<medium type='homogeneous'/>", "supported: <sensor>, <shape>, <emitter>");
-  expectAt4("<emitter type='area'/>",
-            "'area' is not supported; supported: envmap, constant, point, spot, directional");
+  expectAt4(
+      "<emitter type='area'/>",
+      "'area' is not supported; supported: envmap, constant, sky, sun, sunsky, point, spot, directional");
   expectAt4("<shape type='hair'/>",
             "'hair' is not supported; supported: obj, ply, serialized, rectangle, cube, disk, sphere");
   expectAt4(shape("<bsdf type='principled'/>"),

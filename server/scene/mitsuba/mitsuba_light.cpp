@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "scene/files/limits.h"
+#include "scene/mitsuba/mitsuba_environment.h"
+#include "scene/mitsuba/mitsuba_sky.h"
 #include "scene/mitsuba/mitsuba_transform.h"
 #include "scene/mitsuba/xml_properties.h"
 
@@ -16,19 +18,6 @@ Rgb requiredColor(const XmlFile& file, pugi::xml_node emitter, Properties& prope
     throw file.error(emitter,
                      "the emitter needs <rgb>, <spectrum> or <float name=\"" + std::string(name) + "\">");
   return *color;
-}
-
-// The rotation or reflection of the map, without its scale and translation.
-Affine orthonormal(const XmlFile& file, pugi::xml_node emitter, const Affine& map) {
-  const Affine unit{normalize(map.x), normalize(map.y), normalize(map.z), {}};
-  if (std::abs(std::abs(determinant(unit)) - 1) > 1e-4)
-    throw file.error(emitter, "the emitter's to_world may rotate, mirror and scale, not shear");
-  return unit;
-}
-
-void addEnvironment(const XmlFile& file, pugi::xml_node emitter, Scene& scene, Environment environment) {
-  if (scene.environment) throw file.error(emitter, "a second emitter around the scene; one is supported");
-  scene.environment = std::move(environment);
 }
 
 void readEnvmap(const XmlFile& file, pugi::xml_node emitter, Properties& properties, FileLoads& loads,
@@ -81,14 +70,16 @@ void readDirectional(const XmlFile& file, pugi::xml_node emitter, Properties& pr
 }  // namespace
 
 void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Scene& scene) {
-  const std::string type =
-      supportedType(file, emitter, {"envmap", "constant", "point", "spot", "directional"});
+  const std::string type = supportedType(
+      file, emitter, {"envmap", "constant", "sky", "sun", "sunsky", "point", "spot", "directional"});
   Properties properties(file, emitter);
   properties.ignore("float", {"sampling_weight"});
   if (type == "envmap") {
     readEnvmap(file, emitter, properties, loads, scene);
   } else if (type == "constant") {
     addEnvironment(file, emitter, scene, {requiredColor(file, emitter, properties, "radiance"), {}, {}});
+  } else if (type == "sky" || type == "sun" || type == "sunsky") {
+    readSky(file, emitter, type, properties, loads, scene);
   } else if (type == "point") {
     readPoint(file, emitter, properties, scene);
   } else if (type == "spot") {

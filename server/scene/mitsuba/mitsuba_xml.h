@@ -8,7 +8,7 @@
 //             may have face_normals and flip_normals
 //   bsdf      the kinds of bsdf_model.h; around one, in any order, twosided, mask, bumpmap
 //   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
-//   emitter   area, of a shape; envmap, constant, point, spot, directional
+//   emitter   area, of a shape; envmap, constant, point, spot, directional; sky, sun, sunsky (mitsuba_sky.h)
 //   transform of matrix, translate, rotate, scale, lookat in order
 //   <include filename="..."> of a <scene>, of which the children are read; <path value="FOLDER"> to look
 //   files up in. Both are relative to the folder of the scene's file, also in an included file <default> and
