@@ -26,10 +26,12 @@ TEST_F(MitsubaInclude, PutsObjectsInTheirPlace) {
                                        "value='1, 0, 0'/></bsdf>"));
   files.write("parts/balls.xml",
               scene(include("parts/paint.xml") + "\n" + sphere("$size", "<ref id='red'/>") + sphere("3")));
-  const Scene s = loadBody(files,
-                           sphere("1") + "<default name='size' value='2'/><include filename='" +
-                               "parts/$which.xml'></include>" + sphere("4", "<ref id='red'/>"),
-                           "3.0.0' comment='a > b");
+  const Scene s = loadBody(
+      files,
+      sphere("1") +
+          "<default name='size' value='2'/><default name='which' value='balls'/><include filename='" +
+          "parts/$which.xml'></include>" + sphere("4", "<ref id='red'/>"),
+      "3.0.0' comment='a > b");
   ASSERT_EQ(s.spheres.size(), 4u);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(s.spheres[static_cast<std::size_t>(i)].radius, i + 1);
   for (const std::size_t red : {1u, 3u})
@@ -50,6 +52,8 @@ TEST_F(MitsubaInclude, FaultsNameTheFileAndTheLineThatTheyAreOn) {
   expectContains(error("\n" + include("absent.xml")), files.path("scene.xml") + ":4: ");
   expectContains(error(include("absent.xml")), "absent.xml: cannot be read");
   expectContains(error("\n" + include("$which.xml")), "scene.xml:4: $which is not defined");
+  EXPECT_EQ(error(include("$which.xml")).rfind("scene.xml:3: "),
+            error(include("$which.xml")).find("scene.xml:3: "));
   expectContains(error("<include/>"), "scene.xml:3: ");
   expectContains(error("<include filename='good.xml'><path/></include>"), "has no elements within it");
 }

@@ -47,8 +47,8 @@ class XmlIncluder {
       const XmlPart::Span place = file.spanOf(node);
       copy(file, {part.begin, place.begin});
       part.begin = place.end;
-      const std::string path =
-          toldAt(file, node, [&] { return findFile(value("filename"), folder_, options_); });
+      const std::string filename = value("filename");
+      const std::string path = toldAt(file, node, [&] { return findFile(filename, folder_, options_); });
       const XmlPart included(toldAt(file, node, [&] { return read(path); }), path);
       add(included, included.inner());
     });
