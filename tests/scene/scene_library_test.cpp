@@ -31,11 +31,12 @@ TEST(SceneLibrary, NoNameLeadsOutOfTheFolder) {
 
 TEST(SceneLibrary, AFileInPlaceOfANameIsToldAsThat) {
   const SceneLibrary library(kScenes);
-  expectContains(library.unknown("my.obj"), "my.obj is not a Mitsuba scene; only .xml is read; there are: ");
+  expectContains(library.unknown("my.fbx"),
+                 "my.fbx is not a Mitsuba, OBJ, PLY scene; only .xml, .obj, .ply are read; there are: ");
+  expectContains(library.unknown("my.obj"), "my.obj is a file; give the name of a scene");
   for (const std::string blender : {"my.gltf", "my.glb", "my.blend"})
-    expectContains(library.unknown(blender), blender +
-                                                 " is not a Mitsuba scene; only .xml is read, which "
-                                                 "Blender's add-on mitsuba-blender exports; there are: ");
+    expectContains(library.unknown(blender),
+                   "read; a .xml is what Blender's add-on mitsuba-blender exports; there are: ");
   expectContains(library.unknown("mine/scene.xml"), "mine/scene.xml is a file; give the name of a scene");
   expectContains(library.unknown("mine"), "no scene is named 'mine'; there are: ");
 }

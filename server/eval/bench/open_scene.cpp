@@ -92,7 +92,7 @@ std::vector<std::string> availableScenes() {
 std::string sceneName(const std::string& name_or_path) {
   const fs::path file = fileOf(name_or_path);
   if (file.empty()) return name_or_path;
-  return file.stem() == "scene" ? file.parent_path().filename().string() : file.stem().string();
+  return isSceneFile(file) ? file.parent_path().filename().string() : file.stem().string();
 }
 
 void requireTableNames(const std::vector<std::string>& names_or_paths) {
