@@ -123,6 +123,22 @@ Scene readScene(const std::string& name_or_path) {
 
 }  // namespace
 
+std::optional<Scene> inspectScene(const std::string& name_or_path, std::vector<std::string>& faults) {
+  const auto keep = [&](const std::string& fault) {
+    if (std::find(faults.begin(), faults.end(), fault) == faults.end()) faults.push_back(fault);
+  };
+  const fs::path file = fileOf(name_or_path);
+  const SceneLibrary library = ownLibrary();
+  try {
+    if (file.empty() && !library.find(name_or_path)) throw SceneError(library.unknown(name_or_path));
+    return loadSceneFile(file.empty() ? sceneFileIn(library.folder() / name_or_path) : file,
+                         {.search_folders = splitFolders(meshFolders()), .fault = keep});
+  } catch (const SceneError& fault) {
+    keep(fault.what());
+    return {};
+  }
+}
+
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path,
                                              const std::vector<MovingObject>& objects) {
   Scene scene = readScene(name_or_path);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ void requireTableNames(const std::vector<std::string>& names_or_paths);
 // `objects` move. Throws SceneError.
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path,
                                              const std::vector<MovingObject>& objects = {});
+
+// The scene without the parts that have faults, which are told one by one. None if there is nothing left to
+// tell of. Does not throw SceneError.
+std::optional<Scene> inspectScene(const std::string& name_or_path, std::vector<std::string>& faults);
 
 // Whether a text names a file of poses, and such a file. Throws SceneError.
 bool isTrajectoryFile(const std::string& text);
