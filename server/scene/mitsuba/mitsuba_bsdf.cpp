@@ -27,6 +27,7 @@ class BsdfReader {
   void readConductor();
   void readDielectric();
   void readRoughness();
+  void ignoreRoughness();
   void readIor(const std::string& interior_default);
   double index(const std::string& name, const std::string& fallback);
 
@@ -67,7 +68,14 @@ void BsdfReader::read(BsdfKind kind) {
   }
   if (kind != BsdfKind::kDiffuse)
     material_.specular = textures_.readColor(properties_, "specular_reflectance", kWhite);
+  if (traitsOf(kind).delta) ignoreRoughness();
   properties_.finish();
+}
+
+// What exporters write for smooth surfaces too, where Mitsuba does not read it.
+void BsdfReader::ignoreRoughness() {
+  properties_.ignore("string", {"distribution"});
+  properties_.ignore("float", {"alpha"});
 }
 
 // Mitsuba 0.6 takes either name.
