@@ -4,7 +4,8 @@
 //
 // All functions throw SceneError, which names the line or the face. Causes are malformed text, an index out
 // of range, a number that is not finite, a mesh without triangles, or one beyond limits.h. Polygons become
-// fans of triangles, so they should be convex.
+// fans of triangles, so they should be convex. Faces of an OBJ file with one or two corners have no area, and
+// are left out.
 #pragma once
 
 #include <cstddef>

@@ -98,7 +98,7 @@ void ObjReader::readFace(std::string_view words) {
   face_.clear();
   for (auto word = takeWord(words); !word.empty() && word[0] != '#'; word = takeWord(words))
     face_.push_back(vertexOf(readCorner(word)));
-  if (face_.size() < 3) fail("a face needs at least 3 corners");
+  if (face_.empty()) fail("a face needs corners");
   if (mesh_.triangles.size() + face_.size() > kMaxTriangles)
     fail("more than " + std::to_string(kMaxTriangles) + " triangles");
   for (std::size_t i = 2; i < face_.size(); ++i)
