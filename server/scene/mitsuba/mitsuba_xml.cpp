@@ -47,6 +47,11 @@ void attempt(const LoadOptions& options, Read read) {
   }
 }
 
+// An area emitter with an id at the top is there for a <ref> of shapes.
+bool isForShapes(pugi::xml_node emitter) {
+  return emitter.attribute("id") && std::string_view(emitter.attribute("type").value()) == "area";
+}
+
 // All but the meshes and pictures, which `loads` will fill in. `scene` must stay where it is until then.
 void readScene(const XmlFile& file, const LoadOptions& options, FileLoads& loads, Scene& scene) {
   Properties properties(file, file.root());
@@ -57,7 +62,7 @@ void readScene(const XmlFile& file, const LoadOptions& options, FileLoads& loads
   for (const pugi::xml_node shape : properties.objects("shape"))
     attempt(options, [&] { readShape(file, shape, materials, loads, scene); });
   for (const pugi::xml_node emitter : properties.objects("emitter"))
-    attempt(options, [&] { readLight(file, emitter, loads, scene); });
+    if (!isForShapes(emitter)) attempt(options, [&] { readLight(file, emitter, loads, scene); });
   attempt(options, [&] { scene.bounces = readBounces(file, properties.objects("integrator")); });
   for (const char* tag : {"default", "path", "bsdf", "texture", "sampler", "film", "rfilter"})
     properties.ignore(tag);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/names.h"
+#include "base/text_cut.h"
 #include "scene/files/confinement.h"
 #include "scene/files/find_file.h"
 #include "scene/files/limits.h"
@@ -100,12 +101,11 @@ pugi::xml_node XmlFile::resolve(pugi::xml_node node) const {
   if (std::string(node.name()) != "ref") return node;
   const std::string id = node.attribute("id").value();
   const auto found = ids_.find(id);
-  if (found != ids_.end() && found->second.offset_debug() < node.offset_debug() &&
-      !isAncestor(found->second, node))
-    return found->second;
+  if (found != ids_.end() && !isAncestor(found->second, node)) return found->second;
   std::vector<std::string> names;
   for (const auto& [name, target] : ids_) names.push_back(name);
-  throw error(node, "ref to '" + id + "', which names no object before this line; ids: " + joinNames(names));
+  throw error(node, "ref to '" + id + "', which names no object outside of itself; ids: " +
+                        cutText(joinNames(names), kMostNames));
 }
 
 std::string XmlFile::locate(pugi::xml_node at, const std::string& filename) const {

@@ -29,8 +29,8 @@ class XmlFile {
     return [this, at](const std::string& what) { return error(at, what); };
   }
 
-  // The object that a <ref> names; any other node is returned as it is. An object must stand before its
-  // <ref>, so that references cannot go in circles.
+  // The object that a <ref> names; any other node is returned as it is. References may go in circles: a
+  // reader that follows them bounds the depth.
   pugi::xml_node resolve(pugi::xml_node node) const;
 
   // The path of a file that the object `at` names; see findFile(). Throws SceneError.
