@@ -57,7 +57,7 @@ void addDefaultCamera(Scene& scene) {
 
 void addDefaultLight(Scene& scene) {
   scene.environment = Environment{{0.5f, 0.5f, 0.5f}, {}, {}};
-  scene.directional_lights.push_back({normalize(Vec3{0.5f, -1, -1}), {1.5f, 1.5f, 1.5f}});
+  scene.directional_lights.push_back({normalize(Vec3{0.5f, -1, -1}), {3, 3, 3}});
   scene.unread.push_back(
       "the file has no light: it has default ones, from all sides and from the upper left");
 }

@@ -11,8 +11,8 @@ namespace saccade {
 // from the front, the right and above, so near that all of them are just in view. Up is +y, and front +z.
 void addDefaultCamera(Scene& scene);
 
-// Light of radiance 0.5 from all sides, and a sun of irradiance 1.5 from the left, above and before the
-// scene. A white surface that faces the sun has a radiance of about 1.
+// Light of radiance 0.5 from all sides, and a sun of irradiance 3 from the left, above and before the scene.
+// A white surface that faces the sun has a radiance of about 1.5.
 void addDefaultLight(Scene& scene);
 
 }  // namespace saccade

@@ -21,7 +21,7 @@ namespace saccade::eval {
 std::vector<std::string> availableScenes();
 
 // The name for tables and titles, by which the server knows the scene: of "mine/room/scene.xml" it is "room".
-// A file with another name than scene.xml gives its own, without ".xml".
+// A file with another name than those of kSceneStems gives its own, without the extension.
 std::string sceneName(const std::string& name_or_path);
 
 // Throws std::runtime_error where two scenes have one name, or a name holds a comma: tables could not tell

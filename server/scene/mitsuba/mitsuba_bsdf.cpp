@@ -72,7 +72,7 @@ void BsdfReader::read(BsdfKind kind) {
   properties_.finish();
 }
 
-// What exporters write for smooth surfaces too, where Mitsuba does not read it.
+// Exporters write these for smooth surfaces too, where Mitsuba does not read them.
 void BsdfReader::ignoreRoughness() {
   properties_.ignore("string", {"distribution"});
   properties_.ignore("float", {"alpha"});
