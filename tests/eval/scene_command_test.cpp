@@ -63,7 +63,7 @@ TEST_F(SceneCommand, TellsWhyNothingOpens) {
   EXPECT_EQ(exitCodeOf("no-such-scene"), 1);
   expectContains(log, "no scene is named 'no-such-scene'; there are: ");
   EXPECT_EQ(exitCodeOf("a.fbx"), 1);
-  expectContains(log, "a.fbx is not a Mitsuba");
+  expectContains(log, "a.fbx is not a scene of Mitsuba");
 }
 
 }  // namespace

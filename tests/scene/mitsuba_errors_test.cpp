@@ -125,6 +125,8 @@ TEST(MitsubaErrors, ShapesThatCannotBe) {
   expectAt4("<shape type='sphere'><float name='radius' value='0'/></shape>", "radius above 0");
   expectAt4("<shape type='cylinder'><float name='radius' value='0'/></shape>",
             "a radius and a length above 0");
+  expectAt4("<shape type='cylinder'><float name='radius' value='-1'/></shape>",
+            "a radius and a length above 0");
   expectAt4("<shape type='cylinder'><point name='p1' x='0' y='0' z='0'/></shape>", "a length above 0");
   expectAt4(shape("<ref id='paint'/><ref id='paint'/>"), "a second <bsdf>");
   expectAt4(shape("<bsdf type='twosided'/>"), "needs a <bsdf>");

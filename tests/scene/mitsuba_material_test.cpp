@@ -26,6 +26,17 @@ const Dialect kDialects[] = {{"0.5.0", "intIOR", "extIOR", "extEta", "diffuseRef
                              {"3.0.0", "int_ior", "ext_ior", "ext_eta", "diffuse_reflectance",
                               "specular_reflectance", "specular_transmittance"}};
 
+// As exporters write AlSb, a colour that Rec. 709 does not hold.
+TEST(MitsubaMaterial, AnIndexBelow0Is0) {
+  const std::string k = "<rgb name='k' value='1, 1, 1'/>";
+  const Material m = material("<bsdf type='conductor'><rgb name='eta' value='-0.0485, 4, 5'/>" + k +
+                              "<float name='ext_eta' value='1'/></bsdf>");
+  EXPECT_EQ(m.model.eta, (Rgb{0, 4, 5}));
+  expectContains(errorOfBody("<shape type='disk'><bsdf type='conductor'><rgb name='eta' value='-2, 4, 5'/>" +
+                             k + "</bsdf></shape>"),
+                 "'eta' must be at least -1");
+}
+
 TEST(MitsubaMaterial, ASmoothSurfaceMayHaveARoughnessThatMitsubaDoesNotRead) {
   const Scratch files;
   for (const std::string kind : {"conductor", "dielectric"}) {

@@ -32,11 +32,11 @@ TEST(SceneLibrary, NoNameLeadsOutOfTheFolder) {
 TEST(SceneLibrary, AFileInPlaceOfANameIsToldAsThat) {
   const SceneLibrary library(kScenes);
   expectContains(library.unknown("my.fbx"),
-                 "my.fbx is not a Mitsuba, OBJ, PLY scene; only .xml, .obj, .ply are read; there are: ");
+                 "my.fbx is not a scene of Mitsuba, OBJ, PLY; read are .xml, .obj, .ply; there are: ");
   expectContains(library.unknown("my.obj"), "my.obj is a file; give the name of a scene");
   for (const std::string blender : {"my.gltf", "my.glb", "my.blend"})
     expectContains(library.unknown(blender),
-                   "read; a .xml is what Blender's add-on mitsuba-blender exports; there are: ");
+                   ".ply; Blender's add-on mitsuba-blender exports .xml; there are: ");
   expectContains(library.unknown("mine/scene.xml"), "mine/scene.xml is a file; give the name of a scene");
   expectContains(library.unknown("mine"), "no scene is named 'mine'; there are: ");
 }

@@ -59,9 +59,9 @@ std::string formatFault(const fs::path& path) {
   if (findFormat(path)) return {};
   const std::string extension = path.extension().string();
   const bool opens_in_blender = extension == ".gltf" || extension == ".glb" || extension == ".blend";
-  return path.string() + " is not a " + join(&SceneFormat::name) + " scene; only " +
-         join(&SceneFormat::extension) + " are read" +
-         (opens_in_blender ? "; a .xml is what Blender's add-on mitsuba-blender exports" : "");
+  return path.string() + " is not a scene of " + join(&SceneFormat::name) + "; read are " +
+         join(&SceneFormat::extension) +
+         (opens_in_blender ? "; Blender's add-on mitsuba-blender exports .xml" : "");
 }
 
 fs::path sceneFileIn(const fs::path& folder) {

@@ -28,8 +28,8 @@ const SceneFormat& formatOf(const std::filesystem::path& path);
 // is as SceneFormat::outline.
 Scene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options);
 Scene outlineSceneFile(const std::filesystem::path& file, const LoadOptions& options);
-// "a.fbx is not a Mitsuba, OBJ, PLY scene; only .xml, .obj, .ply are read". For Blender's formats it tells
-// what exports one. Empty where the format is known.
+// "a.fbx is not a scene of Mitsuba, ...; read are .xml, ...", and what exports one from Blender's formats;
+// empty where the format is known.
 std::string formatFault(const std::filesystem::path& path);
 
 // The names of a scene's file in its folder, without extension; the first comes before the others.

@@ -7,8 +7,8 @@
 #include "scene/files/limits.h"
 #include "scene/mesh/mesh.h"
 #include "scene/mesh/mesh_io.h"
-#include "scene/mesh/round_shapes.h"
 #include "scene/mitsuba/mitsuba_emitter.h"
+#include "scene/mitsuba/mitsuba_round.h"
 #include "scene/mitsuba/mitsuba_transform.h"
 #include "scene/mitsuba/xml_properties.h"
 
@@ -59,38 +59,9 @@ Mesh loadMeshFile(const std::string& type, const MeshFile& file) {
   return mesh;
 }
 
-bool isRound(const std::string& type) {
-  return type == "cylinder" || type == "sphere";
-}
-
 Mesh makeMesh(const std::string& type) {
-  if (isRound(type)) return type == "cylinder" ? makeCylinder() : makeSphere();
+  if (isRound(type)) return makeRound(type);
   return type == "rectangle" ? makeRectangle() : type == "cube" ? makeCube() : makeDisk();
-}
-
-// From the axis from z = 0 to 1 with a radius of 1 to that from p0 to p1.
-Affine readAxis(const XmlFile& file, pugi::xml_node shape, Properties& properties) {
-  const Vec3d p0 = properties.vector("p0").value_or(Vec3d{}),
-              p1 = properties.vector("p1").value_or(Vec3d{0, 0, 1});
-  const double radius = properties.number("radius", 1);
-  const Vec3d axis = p1 - p0, z = normalize(axis);
-  const Vec3d across = std::abs(z.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-  const Vec3d x = normalize(cross(across, z)) * radius, y = cross(z, x);
-  if (!(determinant({x, y, axis, {}}) > 0))
-    throw file.error(shape, "a cylinder needs a radius and a length above 0");
-  return {x, y, axis, p0};
-}
-
-// From a sphere of radius 1 around 0.
-Affine readBall(const XmlFile& file, pugi::xml_node shape, Properties& properties) {
-  const double r = properties.number("radius", 1);
-  if (!(r > 0)) throw file.error(shape, "a sphere needs a radius above 0");
-  return {{r, 0, 0}, {0, r, 0}, {0, 0, r}, properties.vector("center").value_or(Vec3d{})};
-}
-
-Affine readRound(const XmlFile& file, pugi::xml_node shape, const std::string& type, Properties& properties) {
-  if (!isRound(type)) return {};
-  return type == "cylinder" ? readAxis(file, shape, properties) : readBall(file, shape, properties);
 }
 
 std::string nameOf(const Common& common, const std::string& type, const MeshFile& file) {
@@ -148,7 +119,7 @@ void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& mater
   const Common common = parseCommon(file, shape, properties, materials, scene.origin);
   const Vec3d center = properties.vector("center").value_or(Vec3d{});
   const double radius = properties.number("radius", 1) * uniformScale(file, shape, common.placement);
-  properties.flag("flip_normals", false);
+  properties.neutral("flip_normals", false);
   properties.finish();
   const Vec3 placed = toFloat(mapPoint(common.placement, center));
   const float size = static_cast<float>(radius);
