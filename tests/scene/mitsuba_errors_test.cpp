@@ -159,6 +159,7 @@ TEST(MitsubaErrors, FaultyFiles) {
   expectContains(error(""), "faulty XML");
   expectContains(error("<model/>"), "not <scene>");
   expectContains(error("<scene/>"), "no <sensor");
+  expectContains(error("<scene/>\n<scene/><!-- end -->"), "scene.xml:2: a second root element");
   expectContains(errorOf([] { loadMitsubaXml("/no/such/scene.xml"); }), "cannot be read");
   std::filesystem::resize_file(files.path("scene.xml"), kMaxXmlBytes + 1);
   expectContains(errorOf([&] { loadMitsubaXml(files.path("scene.xml")); }), "has more than 67108864 bytes");

@@ -49,6 +49,8 @@ TEST_F(MitsubaInclude, FaultsNameTheFileAndTheLineThatTheyAreOn) {
   expectContains(error(include("torn.xml")), files.path("torn.xml") + ":3: faulty XML");
   expectContains(error(include("model.xml")),
                  files.path("model.xml") + ":2: the root element is not <scene>");
+  files.write("two.xml", "<scene>\n</scene>\n<scene/>");
+  expectContains(error(include("two.xml")), files.path("two.xml") + ":3: a second root element");
   expectContains(error("\n" + include("absent.xml")), files.path("scene.xml") + ":4: ");
   expectContains(error(include("absent.xml")), "absent.xml: cannot be read");
   expectContains(error("\n" + include("$which.xml")), "scene.xml:4: $which is not defined");
@@ -56,6 +58,14 @@ TEST_F(MitsubaInclude, FaultsNameTheFileAndTheLineThatTheyAreOn) {
             error(include("$which.xml")).find("scene.xml:3: "));
   expectContains(error("<include/>"), "scene.xml:3: ");
   expectContains(error("<include filename='good.xml'><path/></include>"), "has no elements within it");
+}
+
+TEST_F(MitsubaInclude, EndsOfScenesInCommentsAreNoEnds) {
+  files.write("a.xml",
+              "<!-- <scene> --><scene><!-- </scene> -->" + sphere("2") + "</scene  ><!-- </scene> -->");
+  const Scene s = loadBody(files, "<!-- </scene> -->" + include("a.xml") + sphere("3") + "<!-- -->");
+  ASSERT_EQ(s.spheres.size(), 2u);
+  EXPECT_EQ(s.spheres[0].radius, 2);
 }
 
 TEST_F(MitsubaInclude, AFileThatIncludesItselfIsRefused) {

@@ -51,6 +51,7 @@ XmlFile::XmlFile(std::string text, const std::string& path, const LoadOptions& o
   const pugi::xml_parse_result result = document_.load_buffer(bytes.data(), bytes.size());
   if (!result) throw text_.error(result.offset, std::string("faulty XML: ") + result.description());
   if (std::string(root().name()) != "scene") throw error(root(), "the root element is not <scene>");
+  if (const pugi::xml_node second = root().next_sibling()) throw error(second, "a second root element");
   substituteNames();
   indexIds();
 }

@@ -29,16 +29,21 @@ long lineEndsIn(std::string_view text) {
   return std::count(text.begin(), text.end(), '\n');
 }
 
+// Comments and the like are kept as nodes, so that the end of the root is known.
 XmlPart::XmlPart(std::string text, const std::string& path) : text_(std::move(text)), path_(path) {
-  const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size());
+  const unsigned options = pugi::parse_default | pugi::parse_comments | pugi::parse_pi;
+  const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size(), options);
   if (!result) throw errorAt(result.offset, std::string("faulty XML: ") + result.description());
-  const pugi::xml_node root = document_.document_element();
-  if (std::string_view(root.name()) != "scene") throw error(root, "the root element is not <scene>");
+  if (std::string_view(root().name()) != "scene") throw error(root(), "the root element is not <scene>");
+  for (pugi::xml_node after = root().next_sibling(); after; after = after.next_sibling())
+    if (isElement(after)) throw error(after, "a second root element");
 }
 
 XmlPart::Span XmlPart::inner() const {
-  const std::size_t begin = tagEnd(text_, nameOf(document_.document_element())), end = text_.rfind("</scene");
-  return {begin, end == text_.npos ? begin : std::max(begin, end)};
+  const std::size_t begin = tagEnd(text_, nameOf(root()));
+  if (text_[begin - 2] == '/') return {begin, begin};
+  const pugi::xml_node after = root().next_sibling();
+  return {begin, text_.rfind("</scene", after ? static_cast<std::size_t>(after.offset_debug()) : text_.npos)};
 }
 
 XmlPart::Span XmlPart::spanOf(pugi::xml_node include) const {

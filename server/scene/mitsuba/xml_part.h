@@ -20,12 +20,12 @@ class XmlPart {
     std::size_t begin, end;
   };
 
-  // Throws SceneError with file and line: faulty XML, or a root other than <scene>.
+  // Throws SceneError with file and line: faulty XML, or other roots than one <scene>.
   XmlPart(std::string text, const std::string& path);
 
   std::string_view text(Span span) const { return {text_.data() + span.begin, span.end - span.begin}; }
   const std::string& path() const { return path_; }
-  const pugi::xml_document& document() const { return document_; }
+  pugi::xml_node root() const { return document_.document_element(); }
   Span all() const { return {0, text_.size()}; }
   // The text between the tags of the <scene>.
   Span inner() const;

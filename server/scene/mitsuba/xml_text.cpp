@@ -36,7 +36,14 @@ class XmlIncluder {
   // Adds a part of a file, with what it includes.
   void add(const XmlPart& file, XmlPart::Span part) {
     open_.push_back(followed(file.path()));
-    forEachElement(file.document(), [&](pugi::xml_node node) {
+    long line = file.lineAt(part.begin);  // where `part` begins
+    const auto copyTo = [&](XmlPart::Span next) {
+      whole_.pieces_.push_back({whole_.bytes_.size(), file.path(), line});
+      whole_.bytes_ += file.text({part.begin, next.begin});
+      line += lineEndsIn(file.text({part.begin, next.end}));
+      part.begin = next.end;
+    };
+    forEachElement(file.root(), [&](pugi::xml_node node) {
       const std::string_view name = node.name();
       const auto value = [&](const char* attribute) {
         return toldAt(file, node, [&] { return names_.substituted(node.attribute(attribute).value()); });
@@ -44,24 +51,17 @@ class XmlIncluder {
       if (name == "default") names_.define(value("name"), value("value"));
       if (name == "path") options_.search_folders.push_back(folder_ / value("value"));
       if (name != "include") return;
-      const XmlPart::Span place = file.spanOf(node);
-      copy(file, {part.begin, place.begin});
-      part.begin = place.end;
+      copyTo(file.spanOf(node));
       const std::string filename = value("filename");
       const std::string path = toldAt(file, node, [&] { return findFile(filename, folder_, options_); });
       const XmlPart included(toldAt(file, node, [&] { return read(path); }), path);
       add(included, included.inner());
     });
-    copy(file, part);
+    copyTo({part.end, part.end});
     open_.pop_back();
   }
 
  private:
-  void copy(const XmlPart& file, XmlPart::Span part) {
-    whole_.pieces_.push_back({whole_.bytes_.size(), file.path(), file.lineAt(part.begin)});
-    whole_.bytes_ += file.text(part);
-  }
-
   std::string read(const std::string& path) {
     const auto same = std::find(open_.begin(), open_.end(), followed(path));
     if (same != open_.end())

@@ -1,13 +1,14 @@
-// Goes through the elements of an XML document.
+// Goes through elements of an XML document.
 #pragma once
 
 #include <pugixml.hpp>
 
 namespace saccade {
 
-// Calls f(node) for every element, in document order and without recursion, however deep the file is.
+// Calls f(node) for every element within `top`, in document order and without recursion, however deep they
+// are.
 template <class F>
-void forEachElement(const pugi::xml_document& document, F f) {
+void forEachElement(pugi::xml_node top, F f) {
   struct Walker : pugi::xml_tree_walker {
     explicit Walker(F& f) : f_(f) {}
     bool for_each(pugi::xml_node& node) override {
@@ -16,7 +17,7 @@ void forEachElement(const pugi::xml_document& document, F f) {
     }
     F& f_;
   } walker(f);
-  pugi::xml_node(document).traverse(walker);
+  top.traverse(walker);
 }
 
 }  // namespace saccade
