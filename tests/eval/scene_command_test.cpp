@@ -64,6 +64,7 @@ TEST_F(SceneCommand, TellsWhyNothingOpens) {
   expectContains(log, "no scene is named 'no-such-scene'; there are: ");
   EXPECT_EQ(exitCodeOf("a.fbx"), 1);
   expectContains(log, "a.fbx is not a scene of Mitsuba");
+  expectContains(log, "saccade-eval: a.fbx cannot be opened at all");
 }
 
 }  // namespace

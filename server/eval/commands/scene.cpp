@@ -25,6 +25,7 @@ void runScene(const std::string& name) {
   std::optional<Scene> scene = inspectScene(name, faults);
   if (scene) print(sceneReport(*scene));
   for (const std::string& fault : faults) print(reportLine("fault", fault));
+  if (!scene) throw std::runtime_error(name + " cannot be opened at all");
   if (!faults.empty())
     throw std::runtime_error(name + " does not open: leave out or replace what has a fault (" +
                              std::to_string(faults.size()) + "); scenes/README.md lists what is supported");
