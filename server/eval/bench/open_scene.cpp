@@ -123,22 +123,6 @@ Scene readScene(const std::string& name_or_path) {
 
 }  // namespace
 
-std::optional<Scene> inspectScene(const std::string& name_or_path, std::vector<std::string>& faults) {
-  const auto keep = [&](const std::string& fault) {
-    if (std::find(faults.begin(), faults.end(), fault) == faults.end()) faults.push_back(fault);
-  };
-  const fs::path file = fileOf(name_or_path);
-  const SceneLibrary library = ownLibrary();
-  try {
-    if (file.empty() && !library.find(name_or_path)) throw SceneError(library.unknown(name_or_path));
-    return loadSceneFile(file.empty() ? sceneFileIn(library.folder() / name_or_path) : file,
-                         {.search_folders = splitFolders(meshFolders()), .fault = keep});
-  } catch (const SceneError& fault) {
-    keep(fault.what());
-    return {};
-  }
-}
-
 std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path,
                                              const std::vector<MovingObject>& objects) {
   Scene scene = readScene(name_or_path);
@@ -155,6 +139,22 @@ Trajectory openTrajectory(const std::string& scene, const std::string& text, con
   const auto motion = isMotionName(text) ? namedMotion(text, s.fov_x_deg) : readMotion(text, feed);
   if (!motion) return ofTheScene(scene, text);
   return motionIn(opened, *motion, s.T_world_camera, Lens(pinhole(s.fov_x_deg, 64, 48)));
+}
+
+std::optional<Scene> inspectScene(const std::string& name_or_path, std::vector<std::string>& faults) {
+  const auto keep = [&](const std::string& fault) {
+    if (std::find(faults.begin(), faults.end(), fault) == faults.end()) faults.push_back(fault);
+  };
+  const fs::path file = fileOf(name_or_path);
+  const SceneLibrary library = ownLibrary();
+  try {
+    if (file.empty() && !library.find(name_or_path)) throw SceneError(library.unknown(name_or_path));
+    return loadSceneFile(file.empty() ? sceneFileIn(library.folder() / name_or_path) : file,
+                         {.search_folders = splitFolders(meshFolders()), .fault = keep});
+  } catch (const SceneError& fault) {
+    keep(fault.what());
+    return {};
+  }
 }
 
 void checkMotion(std::string text) {
