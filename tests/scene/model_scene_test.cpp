@@ -96,6 +96,14 @@ TEST_F(ModelScene, FaultsOfMaterialsNameTheLine) {
   expectContains(error("newmtl red\nmap_Kd\n"), "paint.mtl:2: the map names no file");
 }
 
+TEST_F(ModelScene, MaterialsAreBounded) {
+  std::string libraries, uses = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (int i = 0; i < 65; ++i) libraries += "mtllib " + std::to_string(i) + ".mtl\n";
+  for (int i = 0; i < 65536; ++i) uses += "usemtl " + std::to_string(i) + "\n";
+  expectContains(errorOf([&] { obj(libraries + kTwo, kPaint); }), "more than 64 files of materials");
+  expectContains(errorOf([&] { obj(uses, kPaint); }), "more than 65536 materials");
+}
+
 TEST_F(ModelScene, NothingOutsideOfTheScenesIsRead) {
   const Scratch other;
   const std::string secret = other.write("secret.mtl", kPaint);
