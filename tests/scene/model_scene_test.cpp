@@ -15,6 +15,7 @@ namespace {
 const std::string kTwo =
     "mtllib paint.mtl\nv 0 0 0\nv 4 0 0\nv 0 2 0\nv 4 2 -1\nvt 0 0\nvt 1 0\nvt 0 1\n"
     "usemtl red\nf 1/1 2/2 3/3\nusemtl lamp\nf 2/1 4/2 3/3\nusemtl red\nf 1/1 3/3 4/2\n";
+const std::string kFace = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const std::string kPaint =
     "# two\nnewmtl red\nKa 1 1 1\nKd 0.8 0.1 0.1\nKs 0 0 0\nNs 98\nillum 2\n\n"
     "newmtl lamp\nKd 0\nKe 5 4 3\nNi 1.5\nd 0.5\n";
@@ -96,6 +97,12 @@ TEST_F(ModelScene, FaultsOfMaterialsNameTheLine) {
   expectContains(error("newmtl red\nmap_Kd\n"), "paint.mtl:2: the map names no file");
 }
 
+TEST_F(ModelScene, MaterialsOfAPathThatLeadsNowhereLieBesideTheMesh) {
+  const Scene s =
+      obj("mtllib C:\\models\\paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n", kPaint);
+  EXPECT_EQ(s.materials.at(0).reflectance.color0, (Rgb{0.8f, 0.1f, 0.1f}));
+}
+
 TEST_F(ModelScene, MaterialsAreBounded) {
   std::string libraries, uses = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   for (int i = 0; i < 65; ++i) libraries += "mtllib " + std::to_string(i) + ".mtl\n";
@@ -112,7 +119,11 @@ TEST_F(ModelScene, NothingOutsideOfTheScenesIsRead) {
   const auto error = [&](const std::string& text) {
     return errorOf([&] { loadObjScene(files.write("thing/scene.obj", text), confined); });
   };
-  expectContains(error("mtllib " + secret + "\nv 0 0 0\nf 1 1 1\n"), "leads out of the folder of the scenes");
+  const Scene s =
+      loadObjScene(files.write("thing/scene.obj", "mtllib " + secret + "\nusemtl red\n" + kFace), confined);
+  expectContains(s.unread.at(0), "thing/secret.mtl is absent");
+  std::filesystem::create_symlink(secret, files.path("thing/secret.mtl"));
+  expectContains(error("mtllib secret.mtl\n" + kFace), "leads out of the folder of the scenes");
   files.write("thing/paint.mtl", "newmtl red\nmap_Kd " + other.write("a.ppm", "P3 1 1 255 1 1 1") + "\n");
   expectContains(error(kTwo), "leads out of the folder of the scenes");
   expectContains(errorOf([&] { loadPlyScene(other.write("a.ply", "ply"), confined); }), "leads out");

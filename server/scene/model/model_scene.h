@@ -17,7 +17,8 @@
 namespace saccade {
 
 // All throw SceneError, which names the file and, where it has lines, the line. A file of materials that is
-// absent is told in Scene::unread, and a picture that is absent is an error.
+// not where its name leads is looked up beside the mesh. Scene::unread tells if it is absent. A picture that
+// is absent is an error.
 Scene loadObjScene(const std::string& path, const LoadOptions& options = {});
 Scene loadPlyScene(const std::string& path, const LoadOptions& options = {});
 // The same without reading any file: a mesh that has a name alone. Throws where the file may not be read.

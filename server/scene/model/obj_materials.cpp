@@ -31,7 +31,10 @@ ObjMaterials::ObjMaterials(const std::string& path, const ObjFile& file, const L
     if (read.size() > kMaxMtlFiles)
       throw SceneError(path + ": more than " + std::to_string(kMaxMtlFiles) + " files of materials");
     std::replace(library.begin(), library.end(), '\\', '/');
-    readLibrary((fs::path(path).parent_path() / library).string(), options);
+    const fs::path folder = fs::path(path).parent_path(), given = folder / library;
+    std::error_code absent;
+    const bool there = mayRead(given, options.confined_to) && fs::exists(given, absent);
+    readLibrary((there ? given : folder / given.filename()).string(), options);
   }
   std::size_t begin = 0;
   int material = file.uses.empty() || file.uses[0].triangle > 0 ? numberOf("") : 0;
