@@ -23,6 +23,10 @@ TEST(SceneValues, GiveNamesTheirValues) {
   EXPECT_EQ(radiusWith("size = 0.25", kDefault + kBall), 0.25f);
   EXPECT_EQ(radiusWith("size = '7'", kBall + kDefault), 7);
   EXPECT_EQ(radiusWith("size = 3  # not read but named", kDefault + "<shape type='sphere'/>"), 1);
+  const std::string sampler =
+      "<sampler type='independent'><integer name='sample_count' value='$spp'/></sampler>";
+  EXPECT_EQ(radiusWith("size = 3", sampler + kBall), 3);
+  EXPECT_EQ(radiusWith("size = 3\nspp = 8", sampler + kBall), 3);
   const Scratch files;
   files.write("values.toml", "flat = true\nfile = \"a.obj\"");
   files.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

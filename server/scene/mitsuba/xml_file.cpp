@@ -35,6 +35,13 @@ pugi::xml_node wholeBsdf(pugi::xml_node node) {
   return std::string(outer.parent().name()) == "scene" ? outer : node;
 }
 
+// Samplers are not read: they may ask for a value of Mitsuba's command line, such as $spp.
+bool isInSampler(pugi::xml_node node) {
+  for (; node; node = node.parent())
+    if (std::string(node.name()) == "sampler") return true;
+  return false;
+}
+
 // Shapes of one id are one object, see Scene::bodies. Mitsuba itself refuses them.
 bool isShape(pugi::xml_node node) {
   return std::string(node.name()) == "shape";
@@ -78,7 +85,11 @@ void XmlFile::substituteNames() {
     for (pugi::xml_attribute a : node.attributes()) {
       const std::string value = a.value();
       if (value.find('$') == value.npos) continue;
-      a.set_value(toldAt(*this, node, [&] { return names_.substituted(value); }).c_str());
+      try {
+        a.set_value(names_.substituted(value).c_str());
+      } catch (const SceneError& fault) {
+        if (!isInSampler(node)) throw error(node, fault.what());
+      }
     }
     const std::string name = node.name();
     if (name == "default") names_.define(node.attribute("name").value(), node.attribute("value").value());
