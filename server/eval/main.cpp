@@ -39,6 +39,7 @@ void useInstructions(const std::string& name) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Renders pictures and references, runs methods, and measures how accurate they are."};
+  saccade::eval::addSceneCommand(app);
   saccade::eval::addRenderCommand(app);
   saccade::eval::addFramesCommand(app);
   saccade::eval::addCompareCommand(app);

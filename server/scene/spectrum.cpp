@@ -81,12 +81,6 @@ double valueAt(const std::vector<SpectrumSample>& spectrum, double wavelength) {
   return between(a.value, b.value, (wavelength - a.wavelength) / (b.wavelength - a.wavelength));
 }
 
-// From CIE XYZ to linear Rec. 709 [IEC 61966-2-1].
-Vec3d rec709(Vec3d c) {
-  return {3.2406 * c.x - 1.5372 * c.y - 0.4986 * c.z, -0.9689 * c.x + 1.8758 * c.y + 0.0415 * c.z,
-          0.0557 * c.x - 0.2040 * c.y + 1.0570 * c.z};
-}
-
 // The integral of value(wavelength, standard) times the observer, over wavelengths, as a colour.
 template <class Value>
 Vec3d observed(Value value) {
@@ -99,6 +93,11 @@ Vec3d observed(Value value) {
 }
 
 }  // namespace
+
+Vec3d rec709(Vec3d c) {
+  return {3.2406 * c.x - 1.5372 * c.y - 0.4986 * c.z, -0.9689 * c.x + 1.8758 * c.y + 0.0415 * c.z,
+          0.0557 * c.x - 0.2040 * c.y + 1.0570 * c.z};
+}
 
 Rgb colorOfLight(const std::vector<SpectrumSample>& spectrum) {
   double y = 0;

@@ -28,8 +28,14 @@ const std::string kNow =
 <emitter type="envmap"><string name="filename" value="a.ppm"/></emitter>
 <emitter type="point"><rgb name="intensity" value="1"/></emitter>
 <emitter type="spot"><rgb name="intensity" value="1"/><float name="cutoff_angle" value="30"/></emitter>
+<emitter type="sun"><float name="hour" value="9"/></emitter>
 <emitter type="directional"><vector name="direction" value="0, -1, 0"/><float name="irradiance" value="1"/></emitter>
 </scene>)";
+
+const std::string kParts =
+    R"(<scene version="3.0.0"><default name="part" value="part"/><include filename="$part.xml"/>
+<sensor type="perspective"/><shape type="cylinder"><point name="p1" x="0" y="1" z="2"/><ref id="lamp"/></shape>
+<emitter type="area" id="lamp"/><shape type="sphere"><boolean name="flip_normals" value="true"/></shape></scene>)";
 
 // The scene stands beside its mesh and its picture, and may read nothing else.
 bool read(std::string_view bytes) {
@@ -37,7 +43,8 @@ bool read(std::string_view bytes) {
   static const std::string mesh = files.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   static const std::string picture = files.write("a.ppm", "P3 1 1 255  1 2 3");
   LoadOptions options;
-  options.confined_to = {mesh, picture};
+  static const std::string part = files.write("part.xml", "<scene><shape type='cube' id='box'/></scene>");
+  options.confined_to = {mesh, picture, part};
   options.threads = 1;
   return accepts<SceneError>([&] { parseMitsubaXml(std::string(bytes), files.path("scene.xml"), options); });
 }
@@ -45,10 +52,12 @@ bool read(std::string_view bytes) {
 }  // namespace
 
 const FuzzTarget& fuzzTarget() {
-  static const FuzzTarget target{{kOld, kNow},
+  static const FuzzTarget target{{kOld, kNow, kParts},
                                  {"<shape type=\"cube\"/>",
                                   "<bsdf type=\"diffuse\"/>",
                                   "<ref id=\"metal\"/>",
+                                  "<include filename=\"part.xml\"/>",
+                                  "<path value=\".\"/>",
                                   "$spp",
                                   "id=\"metal\"",
                                   "type=\"mask\"",

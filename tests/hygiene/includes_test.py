@@ -35,8 +35,10 @@ FOLDERS = {
     "scene/roam": "scene/camera",
     "scene/motion": "scene scene/files scene/camera",
     "scene/mesh": "scene scene/files",
-    "scene/mitsuba": "scene scene/files scene/camera scene/mesh",
-    "scene/library": "scene scene/files scene/camera scene/mitsuba scene/motion",
+    "scene/sky": "scene",
+    "scene/mitsuba": "scene scene/files scene/camera scene/mesh scene/sky",
+    "scene/model": "scene scene/files scene/camera scene/mesh",
+    "scene/library": "scene scene/files scene/camera scene/mitsuba scene/model scene/motion",
     "cache/lattice": "",
     "cache/grid": "cache/lattice",
     "cache/bake": "cache/lattice cache/grid",
@@ -114,7 +116,7 @@ OUTSIDE = {
     "microhttpd": ["server/ops/http_"],
     "wslay/": ["server/web/web_socket.cpp"],
     "nettle/": ["server/web/web_handshake.cpp"],
-    "toml++/": ["server/app/config/config_file.cpp", "server/scene/motion/own_motions.cpp", "server/farm/recipe/toml_", "server/farm/recipe/recipe_reader.cpp"],
+    "toml++/": ["server/app/config/config_file.cpp", "server/scene/files/toml_file.h", "server/farm/recipe/toml_", "server/farm/recipe/recipe_reader.cpp"],
 }
 
 

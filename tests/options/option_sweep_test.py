@@ -69,6 +69,7 @@ class Place:
             (SACCADE, "convert"): ({"input": str(self.csv), "output": out}, ["--size", "4x4"]),
             (SACCADE, "verify"): ({"file": str(self.csv)}, []), (SACCADE, "keygen"): ({"name": "a"}, []),
             (EVAL, "render"): (scene, ["--size", "8x8", "--spp", "1", "--output", str(self.folder / "out.png")]),
+            (EVAL, "scene"): (scene, []),
             (EVAL, "frames"): (scene, ["--size", "8x8", "--frames", "1:2"]),
             (EVAL, "compare"): ({"dump": str(self.folder / "folder"), "reference": str(self.folder / "folder")}, []),
             (EVAL, "compare-renders"): ({"picture": str(self.csv), "reference": str(self.csv)}, []),

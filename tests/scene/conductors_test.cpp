@@ -28,9 +28,18 @@ TEST(Conductors, HaveTheColoursOfTheirMetals) {
   }
 }
 
+// K: the reflectance of potassium is about 0.93 at 600 nm [Palik]. Glassy carbon is dark.
+TEST(Conductors, AlsoHaveTheNamesOfPalik) {
+  EXPECT_EQ(findConductor("W_palik"), findConductor("W"));
+  EXPECT_NE(findConductor("Cu_palik"), findConductor("Cu"));
+  EXPECT_FALSE(findConductor("steel_palik"));
+  EXPECT_NEAR(reflectance(findConductor("K")->eta.x, findConductor("K")->k.x), 0.95, 0.04);
+  EXPECT_LT(reflectance(findConductor("a-C")->eta.y, findConductor("a-C")->k.y), 0.25);
+}
+
 TEST(Conductors, AnUnknownNameIsNotFoundAndTheKnownOnesCanBeListed) {
   EXPECT_FALSE(findConductor("cu"));
-  EXPECT_NE(conductorNames().find("none, Ag, Al"), std::string::npos);
+  EXPECT_NE(conductorNames().find("none, a-C, Ag, Al"), std::string::npos);
 }
 
 }  // namespace

@@ -27,8 +27,13 @@ const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 TEST(Obj, PolygonsBecomeFans) {
   const Mesh mesh = obj(kSquare + "v 0 0.5 1\nf 1 2 3 4 5\n");
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
-  EXPECT_EQ(mesh.name, "a mesh");
   EXPECT_EQ(mesh.positions[4], (Vec3{0, 0.5f, 1}));
+}
+
+TEST(Obj, FacesWithoutAnAreaAreLeftOut) {
+  EXPECT_EQ(obj(kSquare + "f 1 2\nf 3\nf 1 2 3\n").triangles.size(), 1u);
+  expectContains(objError(kSquare + "f 1 2\n"), "the file has no faces");
+  expectContains(objError(kSquare + "f\n"), ":5: a face needs corners");
 }
 
 TEST(Obj, NegativeIndicesCountFromTheEndSoFar) {
@@ -70,7 +75,6 @@ TEST(Obj, NamesTheLineOfAFault) {
   expectContains(objError(kSquare + "f 0 1 2\n"), ":5: vertex index '0'");
   expectContains(objError(kSquare + "f 1 2 99999999999999999999\n"), ":5: vertex index");
   expectContains(objError(kSquare + "f 1/1 2/1 3/1\n"), ":5: texture coordinate index '1'");
-  expectContains(objError(kSquare + "f 1 2\n"), ":5: a face needs");
   expectContains(objError(kSquare + "f 1/1/1/1 2 3\n"), ":5: a corner");
   expectContains(objError("v 0 nan 0\n"), ":1: expected 3 finite numbers, found 'nan'");
   expectContains(objError("v 0 1e39 0\n"), ":1: expected 3 finite");

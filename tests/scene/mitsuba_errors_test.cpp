@@ -32,10 +32,12 @@ std::string shape(const std::string& content) {
 TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
   expectAt4("<medium type='homogeneous'/>", "<medium> is not supported");
   expectAt4("<medium type='homogeneous'/>", "supported: <sensor>, <shape>, <emitter>");
-  expectAt4("<emitter type='area'/>",
-            "'area' is not supported; supported: envmap, constant, point, spot, directional");
-  expectAt4("<shape type='hair'/>",
-            "'hair' is not supported; supported: obj, ply, serialized, rectangle, cube, disk, sphere");
+  expectAt4(
+      "<emitter type='area'/>",
+      "'area' is not supported; supported: envmap, constant, sky, sun, sunsky, point, spot, directional");
+  expectAt4(
+      "<shape type='hair'/>",
+      "'hair' is not supported; supported: obj, ply, serialized, rectangle, cube, disk, cylinder, sphere");
   expectAt4(shape("<bsdf type='principled'/>"),
             "'principled' is not supported; supported: diffuse, plastic, roughplastic, conductor, "
             "roughconductor, dielectric, thindielectric, roughdielectric, twosided, mask, bumpmap");
@@ -43,8 +45,6 @@ TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
   expectAt4(shape("<boolean name='smooth' value='true'/>"), "<boolean name=\"smooth\"> is not supported");
   expectAt4(shape("<boolean name='beSmooth' value='true'/>"),
             "supported: <emitter>, <bsdf>, <transform name=\"to_world\">");
-  expectAt4("<shape type='sphere'><boolean name='flipNormals' value='true'/></shape>",
-            "'flip_normals' is supported as false alone");
   expectAt4(shape("<bsdf type='diffuse'><texture type='wood' name='reflectance'/></bsdf>"),
             "bitmap, checkerboard");
   expectAt4(shape("<transform name='to_world'><shear/></transform>"), "supported: matrix, translate");
@@ -56,6 +56,10 @@ TEST(MitsubaErrors, NamesThatLeadNowhere) {
   expectAt4(shape("<ref id='varnish'/>"), "ids: paint");
   expectAt4("<bsdf type='twosided' id='loop'><ref id='loop'/></bsdf>" + shape("<ref id='loop'/>"),
             "ref to 'loop'");
+  expectAt4(
+      "<bsdf type='twosided' id='a'><ref id='b'/></bsdf><bsdf type='twosided' id='b'><ref id='a'/></bsdf>" +
+          shape("<ref id='a'/>"),
+      "nested more than 16 deep");
   expectAt4("<bsdf type='diffuse' id='paint'/>", "the id 'paint' is taken");
   expectAt4("<shape type='obj'><string name='filename' value='absent.obj'/></shape>",
             "absent.obj: cannot be read");
@@ -119,7 +123,11 @@ TEST(MitsubaErrors, ShapesThatCannotBe) {
   const std::string stretched = "<transform name='to_world'><scale x='2'/></transform>";
   expectAt4("<shape type='sphere'>" + stretched + "</shape>", "same factor in all directions");
   expectAt4("<shape type='sphere'><float name='radius' value='0'/></shape>", "radius above 0");
-  expectAt4(shape("<emitter type='area'/>"), "needs <rgb>");
+  expectAt4("<shape type='cylinder'><float name='radius' value='0'/></shape>",
+            "a radius and a length above 0");
+  expectAt4("<shape type='cylinder'><float name='radius' value='-1'/></shape>",
+            "a radius and a length above 0");
+  expectAt4("<shape type='cylinder'><point name='p1' x='0' y='0' z='0'/></shape>", "a length above 0");
   expectAt4(shape("<ref id='paint'/><ref id='paint'/>"), "a second <bsdf>");
   expectAt4(shape("<bsdf type='twosided'/>"), "needs a <bsdf>");
 }
@@ -151,6 +159,7 @@ TEST(MitsubaErrors, FaultyFiles) {
   expectContains(error(""), "faulty XML");
   expectContains(error("<model/>"), "not <scene>");
   expectContains(error("<scene/>"), "no <sensor");
+  expectContains(error("<scene/>\n<scene/><!-- end -->"), "scene.xml:2: a second root element");
   expectContains(errorOf([] { loadMitsubaXml("/no/such/scene.xml"); }), "cannot be read");
   std::filesystem::resize_file(files.path("scene.xml"), kMaxXmlBytes + 1);
   expectContains(errorOf([&] { loadMitsubaXml(files.path("scene.xml")); }), "has more than 67108864 bytes");

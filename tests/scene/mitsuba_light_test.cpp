@@ -86,10 +86,17 @@ TEST(MitsubaLight, ColouredLightNeedsThreeChannels) {
   EXPECT_EQ(colorChannels(light("envmap", "<string name='filename' value='sky.ppm'/>")), 3);
 }
 
+// As in Mitsuba.
+TEST(MitsubaLight, LightIsWhiteUnlessItIsGiven) {
+  EXPECT_EQ(light("constant", "").environment->radiance, (Rgb{1, 1, 1}));
+  EXPECT_EQ(light("point", "").point_lights.at(0).intensity, (Rgb{1, 1, 1}));
+  const Scratch files;
+  const Scene lamp =
+      loadBody(files, "<shape type='disk'><ref id='lamp'/></shape><emitter type='area' id='lamp'/>");
+  EXPECT_EQ(lamp.meshes.at(0).radiance, (Rgb{1, 1, 1}));
+}
+
 TEST(MitsubaLight, FaultsAreErrors) {
-  expectContains(lightError("constant", ""),
-                 "scene.xml:3: the emitter needs <rgb>, <spectrum> or <float "
-                 "name=\"radiance\">");
   expectContains(lightError("envmap", ""), "the emitter needs <string name=\"filename\">");
   expectContains(lightError("envmap", "<string name='filename' value='absent.exr'/>"), "scene.xml:3: ");
   expectContains(lightError("envmap", "<string name='filename' value='absent.exr'/>"), "absent.exr");

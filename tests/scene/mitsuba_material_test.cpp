@@ -26,6 +26,27 @@ const Dialect kDialects[] = {{"0.5.0", "intIOR", "extIOR", "extEta", "diffuseRef
                              {"3.0.0", "int_ior", "ext_ior", "ext_eta", "diffuse_reflectance",
                               "specular_reflectance", "specular_transmittance"}};
 
+// As exporters write AlSb, a colour that Rec. 709 does not hold.
+TEST(MitsubaMaterial, AnIndexBelow0Is0) {
+  const std::string k = "<rgb name='k' value='1, 1, 1'/>";
+  const Material m = material("<bsdf type='conductor'><rgb name='eta' value='-0.0485, 4, 5'/>" + k +
+                              "<float name='ext_eta' value='1'/></bsdf>");
+  EXPECT_EQ(m.model.eta, (Rgb{0, 4, 5}));
+  expectContains(errorOfBody("<shape type='disk'><bsdf type='conductor'><rgb name='eta' value='-2, 4, 5'/>" +
+                             k + "</bsdf></shape>"),
+                 "'eta' must be at least -1");
+}
+
+TEST(MitsubaMaterial, ASmoothSurfaceMayHaveARoughnessThatMitsubaDoesNotRead) {
+  const Scratch files;
+  for (const std::string kind : {"conductor", "dielectric"}) {
+    const Scene s = loadBody(files, "<shape type='disk'><bsdf type='" + kind +
+                                        "'><string name='distribution' value='phong'/>"
+                                        "<float name='alpha' value='0.3'/></bsdf></shape>");
+    EXPECT_EQ(traitsOf(s.materials.at(0).model.kind).name, kind);
+  }
+}
+
 TEST(MitsubaMaterial, PlasticsAreReadInBothDialects) {
   for (const Dialect& d : kDialects) {
     const std::string properties = "<float name='" + d.int_ior + "' value='1.8'/><float name='" + d.ext_ior +
@@ -197,7 +218,7 @@ TEST(MitsubaMaterial, AnIdWithinAWrapperNamesTheWhole) {
 
 TEST(MitsubaMaterial, FaultsNameWhatIsValid) {
   expectBsdfError("<bsdf type='conductor'><string name='material' value='Unobtainium'/></bsdf>",
-                  "the metal 'Unobtainium' is not known; known: none, Ag");
+                  "the metal 'Unobtainium' is not known; known: none, a-C, Ag");
   expectBsdfError("<bsdf type='conductor'><rgb name='eta' value='1, 1, 1'/></bsdf>", "needs eta and k");
   expectBsdfError("<bsdf type='roughplastic'><string name='distribution' value='phong'/></bsdf>",
                   "'phong' is not supported; supported: beckmann, ggx");

@@ -170,6 +170,9 @@ TEST(MitsubaXml, TheDepthOfTheIntegratorSaysTheBounces) {
           "<integrator type='volpath'><integer name='max_depth' value='$deep'/></integrator></integrator>"),
       7);
   EXPECT_EQ(bounces("<integrator type='path'/>"), std::nullopt);
+  EXPECT_EQ(bounces("<integrator type='aov' id='a'><ref id='b'/><ref id='b'/></integrator>"
+                    "<integrator type='aov' id='b'><ref id='a'/><ref id='a'/></integrator>"),
+            std::nullopt);
   EXPECT_EQ(bounces(""), std::nullopt);
 }
 

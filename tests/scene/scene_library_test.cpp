@@ -31,11 +31,12 @@ TEST(SceneLibrary, NoNameLeadsOutOfTheFolder) {
 
 TEST(SceneLibrary, AFileInPlaceOfANameIsToldAsThat) {
   const SceneLibrary library(kScenes);
-  expectContains(library.unknown("my.obj"), "my.obj is not a Mitsuba scene; only .xml is read; there are: ");
+  expectContains(library.unknown("my.fbx"),
+                 "my.fbx is not a scene of Mitsuba, OBJ, PLY; read are .xml, .obj, .ply; there are: ");
+  expectContains(library.unknown("my.obj"), "my.obj is a file; give the name of a scene");
   for (const std::string blender : {"my.gltf", "my.glb", "my.blend"})
-    expectContains(library.unknown(blender), blender +
-                                                 " is not a Mitsuba scene; only .xml is read, which "
-                                                 "Blender's add-on mitsuba-blender exports; there are: ");
+    expectContains(library.unknown(blender),
+                   ".ply; Blender's add-on mitsuba-blender exports .xml; there are: ");
   expectContains(library.unknown("mine/scene.xml"), "mine/scene.xml is a file; give the name of a scene");
   expectContains(library.unknown("mine"), "no scene is named 'mine'; there are: ");
 }
@@ -54,8 +55,9 @@ TEST(SceneLibrary, ASceneWhoseMeshIsAbsentSaysSo) {
   EXPECT_EQ(entries[0].description, "A scene without its bunny.");
   for (const std::string& why : {entries[0].unavailable, errorOf([&] { library.load("lonely"); })}) {
     expectContains(why, "scene.xml:2: ");
-    expectContains(why, "bunny.obj is absent, and no folder of --meshes or SACCADE_MESHES holds it: " +
-                            files.path("meshes"));
+    expectContains(why,
+                   "bunny.obj is absent, and no folder of <path>, --meshes or SACCADE_MESHES holds it: " +
+                       files.path("meshes"));
   }
 }
 

@@ -92,7 +92,7 @@ std::vector<std::string> availableScenes() {
 std::string sceneName(const std::string& name_or_path) {
   const fs::path file = fileOf(name_or_path);
   if (file.empty()) return name_or_path;
-  return file.stem() == "scene" ? file.parent_path().filename().string() : file.stem().string();
+  return isSceneFile(file) ? file.parent_path().filename().string() : file.stem().string();
 }
 
 void requireTableNames(const std::vector<std::string>& names_or_paths) {
@@ -147,6 +147,22 @@ Trajectory openTrajectory(const std::string& scene, const std::string& text, con
   const auto motion = isMotionName(text) ? namedMotion(text, s.fov_x_deg) : readMotion(text, feed);
   if (!motion) return ofTheScene(scene, text);
   return motionIn(opened, *motion, s.T_world_camera, Lens(pinhole(s.fov_x_deg, 64, 48)));
+}
+
+std::optional<Scene> inspectScene(const std::string& name_or_path, std::vector<std::string>& faults) {
+  const auto keep = [&](const std::string& fault) {
+    if (std::find(faults.begin(), faults.end(), fault) == faults.end()) faults.push_back(fault);
+  };
+  const fs::path file = fileOf(name_or_path);
+  const SceneLibrary library = ownLibrary();
+  try {
+    if (file.empty() && !library.find(name_or_path)) throw SceneError(library.unknown(name_or_path));
+    return loadSceneFile(file.empty() ? sceneFileIn(library.folder() / name_or_path) : file,
+                         {.search_folders = splitFolders(meshFolders()), .fault = keep});
+  } catch (const SceneError& fault) {
+    keep(fault.what());
+    return {};
+  }
 }
 
 void checkMotion(std::string text) {

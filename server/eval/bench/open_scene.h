@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ namespace saccade::eval {
 std::vector<std::string> availableScenes();
 
 // The name for tables and titles, by which the server knows the scene: of "mine/room/scene.xml" it is "room".
-// A file with another name than scene.xml gives its own, without ".xml".
+// A file with another name than those of kSceneStems gives its own, without the extension.
 std::string sceneName(const std::string& name_or_path);
 
 // Throws std::runtime_error where two scenes have one name, or a name holds a comma: tables could not tell
@@ -32,6 +33,10 @@ std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path);
 // Its bodies are `objects` and those that it moves by itself, see setBodies(). Throws SceneError.
 std::shared_ptr<const RenderScene> openMovingScene(const std::string& name_or_path,
                                                    const std::vector<MovingObject>& objects);
+
+// The scene without the parts that have faults, which are told one by one. None if there is nothing left to
+// tell of. Does not throw SceneError.
+std::optional<Scene> inspectScene(const std::string& name_or_path, std::vector<std::string>& faults);
 
 // Whether a text names a file of poses, and such a file. Throws SceneError.
 bool isTrajectoryFile(const std::string& text);

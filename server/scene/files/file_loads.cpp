@@ -52,12 +52,14 @@ void FileLoads::run(const LoadOptions& options) const {
     work();
   }
   throwIfStopped(options.stop);
-  if (faults.empty()) return;
-  const auto& [first, fault] = *faults.begin();
-  try {
-    std::rethrow_exception(fault);
-  } catch (const SceneError& e) {
-    throw loads_[static_cast<std::size_t>(first)].located(e.what());
+  for (const auto& [index, fault] : faults) {
+    try {
+      std::rethrow_exception(fault);
+    } catch (const SceneError& e) {
+      const SceneError told = loads_[static_cast<std::size_t>(index)].located(e.what());
+      if (!options.fault) throw told;
+      options.fault(told.what());
+    }
   }
 }
 

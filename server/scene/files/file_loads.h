@@ -29,7 +29,7 @@ class FileLoads {
   void takePixels(std::size_t count);
 
   // Runs all loads. The result does not depend on the number of threads. Throws the error of the first load
-  // that failed, in the order of add().
+  // that failed, in the order of add(), or tells all to options.fault.
   void run(const LoadOptions& options) const;
 
  private:

@@ -24,7 +24,7 @@ std::string findFile(const std::string& name, const fs::path& folder, const Load
   for (const fs::path& other : options.search_folders)
     if (isThere(other / name, options)) return (other / name).string();
   throw SceneError("the file " + beside.string() +
-                   " is absent, and no folder of --meshes or SACCADE_MESHES holds it: " +
+                   " is absent, and no folder of <path>, --meshes or SACCADE_MESHES holds it: " +
                    describeFolders(options.search_folders, name));
 }
 

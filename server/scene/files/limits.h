@@ -5,7 +5,9 @@
 
 namespace saccade {
 
-inline constexpr std::size_t kMaxXmlBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kMaxXmlBytes = std::size_t{64} << 20;  // of a file, and of all that it includes
+inline constexpr int kMaxIncludes = 1000;
+inline constexpr std::size_t kMaxIncludeDepth = 16;                         // files within files
 inline constexpr std::size_t kMaxSubstitutedBytes = std::size_t{16} << 20;  // of all values with a $name
 inline constexpr int kMaxXmlDepth = 64;                                     // elements within elements
 inline constexpr int kMaxBsdfDepth = 16;    // bsdfs within bsdfs, through <ref>
@@ -14,6 +16,10 @@ inline constexpr int kMaxFilmEdge = 16384;  // pixels
 inline constexpr std::size_t kMaxMeshBytes = std::size_t{4} << 30;  // of a file
 inline constexpr std::size_t kMaxMeshBytesPerByte = 200;            // of its compressed data
 inline constexpr std::size_t kMaxTriangles = 100'000'000;           // of a mesh, and of all meshes together
+
+inline constexpr std::size_t kMaxMtlBytes = std::size_t{16} << 20;  // of a file of materials
+inline constexpr std::size_t kMaxMtlFiles = 64;                     // of an OBJ file
+inline constexpr std::size_t kMaxObjMaterials = 65536;              // that an OBJ file uses
 
 inline constexpr int kMaxPictureEdge = 16384;                           // pixels
 inline constexpr std::size_t kMaxPicturePixels = std::size_t{1} << 27;  // of a picture: 1.5 GiB as floats

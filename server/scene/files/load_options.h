@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace saccade {
@@ -20,6 +21,9 @@ struct LoadOptions {
   std::vector<std::filesystem::path> confined_to = {};
   int threads = 0;  // that read files; 0: one for each core, at most kMaxLoadThreads
   LoadProgress progress = {};
+  // Takes the fault of an object, which is then left out of the scene, and may be called with one fault
+  // again. Empty: the first fault ends the load. For reports on a file alone: such a scene lacks a part.
+  std::function<void(const std::string& fault)> fault = {};
   std::stop_token stop = {};  // once requested, no more files are read, and Cancelled is thrown
 };
 

@@ -40,6 +40,12 @@ std::string_view takeWord(std::string_view& text, std::string_view also) {
   return word;
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
+  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
+}
+
 std::optional<double> parseNumber(std::string_view word) {
   const auto value = parseAs<double>(word);
   return value && std::isfinite(*value) ? value : std::nullopt;

@@ -13,6 +13,9 @@ std::string_view takeLine(std::string_view& text);
 // the end.
 std::string_view takeWord(std::string_view& text, std::string_view also = {});
 
+// Without blanks and tabs at both ends.
+std::string_view trimmed(std::string_view text);
+
 // The finite number that `word` is as a whole, or none.
 std::optional<double> parseNumber(std::string_view word);
 std::optional<long long> parseInteger(std::string_view word);

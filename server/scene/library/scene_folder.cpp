@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/names.h"
 #include "base/text_cut.h"
 #include "scene/camera/motion.h"
 #include "scene/files/confinement.h"
@@ -87,7 +88,10 @@ SceneEntry describeScene(const fs::path& scene, const fs::path& scenes, const Lo
   }
   if (!entry.unavailable.empty()) return entry;
   try {
-    entry.objects = objectsOf(outlineSceneFile(sceneFileIn(scene), options));
+    const Scene outline = outlineSceneFile(sceneFileIn(scene), options);
+    entry.objects = objectsOf(outline);
+    if (entry.description.empty() && !outline.unread.empty())
+      entry.description = cutText(joinNames(outline.unread), kMaxEntryBytes);
   } catch (const SceneError& fault) {
     entry.unavailable = cutText(fault.what(), kMaxEntryBytes);
   }

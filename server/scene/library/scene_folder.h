@@ -23,7 +23,9 @@ struct SceneObject {
 // The parts of a scene that clients can ask for. All texts are UTF-8.
 struct SceneEntry {
   std::string name;
-  std::string description;                // the first line of text in README.md, or why it cannot be read
+  // The first line of text in README.md, or why it cannot be read. Without one: what an outline tells of the
+  // scene, such as that its camera is a default one.
+  std::string description;
   std::vector<std::string> trajectories;  // the names of its CSV files, then motionNames()
   // At most kMostListedObjects, those that move first, then by name. None of an outline.
   std::vector<SceneObject> objects = {};

@@ -1,11 +1,13 @@
 #include "scene/library/scene_format.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/names.h"
 #include "scene/files/scene_error.h"
 #include "scene/library/scene_folder.h"
 #include "scene/mitsuba/mitsuba_xml.h"
+#include "scene/model/model_scene.h"
 #include "scene/motion/bodies.h"
 #include "scene/motion/own_motions.h"
 
@@ -34,7 +36,9 @@ Scene withMotions(Scene scene, const fs::path& file, const LoadOptions& options)
 }  // namespace
 
 const std::vector<SceneFormat>& sceneFormats() {
-  static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml}};
+  static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml},
+                                                {"OBJ", ".obj", loadObjScene, outlineModelScene},
+                                                {"PLY", ".ply", loadPlyScene, outlineModelScene}};
   return formats;
 }
 
@@ -55,17 +59,20 @@ std::string formatFault(const fs::path& path) {
   if (findFormat(path)) return {};
   const std::string extension = path.extension().string();
   const bool opens_in_blender = extension == ".gltf" || extension == ".glb" || extension == ".blend";
-  return path.string() + " is not a " + join(&SceneFormat::name) + " scene; only " +
-         join(&SceneFormat::extension) + " is read" +
-         (opens_in_blender ? ", which Blender's add-on mitsuba-blender exports" : "");
+  return path.string() + " is not a scene of " + join(&SceneFormat::name) + "; read are " +
+         join(&SceneFormat::extension) +
+         (opens_in_blender ? "; Blender's add-on mitsuba-blender exports .xml" : "");
 }
 
 fs::path sceneFileIn(const fs::path& folder) {
-  const auto at = [&](const SceneFormat& format) { return folder / ("scene" + format.extension); };
-  const auto& formats = sceneFormats();
-  const auto found =
-      std::find_if(formats.begin(), formats.end(), [&](const auto& format) { return !isAbsent(at(format)); });
-  return at(found == formats.end() ? formats.front() : *found);
+  for (const char* stem : kSceneStems)
+    for (const SceneFormat& format : sceneFormats())
+      if (const fs::path file = folder / (stem + format.extension); !isAbsent(file)) return file;
+  return folder / (kSceneStems[0] + sceneFormats().front().extension);
+}
+
+bool isSceneFile(const fs::path& file) {
+  return std::find(std::begin(kSceneStems), std::end(kSceneStems), file.stem()) != std::end(kSceneStems);
 }
 
 bool looksLikeFile(const std::string& text) {

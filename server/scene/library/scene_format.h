@@ -28,13 +28,19 @@ const SceneFormat& formatOf(const std::filesystem::path& path);
 // is as SceneFormat::outline.
 Scene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options);
 Scene outlineSceneFile(const std::filesystem::path& file, const LoadOptions& options);
-// "a.obj is not a Mitsuba scene; only .xml is read", and what exports it from Blender's formats; empty where
-// the format is known.
+// "a.fbx is not a scene of Mitsuba, ...; read are .xml, ...", and what exports one from Blender's formats;
+// empty where the format is known.
 std::string formatFault(const std::filesystem::path& path);
 
-// The file of the scene in `folder`: "scene" with the extension of the first format that has a file there.
-// Where none has, that of the first format.
+// The names of a scene's file in its folder, without extension; the first comes before the others.
+inline constexpr const char* kSceneStems[] = {"scene", "model"};
+
+// The file of the scene in `folder`: one of these names, with the extension of the first format that has a
+// file there. Where none has, the first name and that of the first format.
 std::filesystem::path sceneFileIn(const std::filesystem::path& folder);
+
+// Whether a file has one of these names, so that the scene has the name of its folder.
+bool isSceneFile(const std::filesystem::path& file);
 
 // Whether someone who gives `text` for a scene means a file rather than a name.
 bool looksLikeFile(const std::string& text);

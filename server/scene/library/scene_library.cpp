@@ -8,6 +8,7 @@
 #include "scene/files/plain_file.h"
 #include "scene/files/scene_error.h"
 #include "scene/library/scene_format.h"
+#include "scene/mitsuba/scene_values.h"
 #include "scene/motion/own_motions.h"
 
 namespace saccade {
@@ -47,8 +48,8 @@ std::vector<SceneEntry> SceneLibrary::list() const {
 
 // A scene that was unavailable is read again: a mesh may have come, which is no change of its folder.
 SceneLibrary::Indexed SceneLibrary::refreshed(const fs::path& scene) const {
-  Times changed{changeOf(sceneFileIn(scene)), changeOf(scene / kMotionFile), changeOf(scene / "README.md"),
-                changeOf(scene / "trajectories")};
+  Times changed{changeOf(sceneFileIn(scene)), changeOf(scene / kMotionFile), changeOf(scene / kValuesFile),
+                changeOf(scene / "README.md"), changeOf(scene / "trajectories")};
   const auto known = index_.find(scene);
   if (known != index_.end() && known->second.changed == changed && known->second.entry.unavailable.empty())
     return known->second;
@@ -87,7 +88,9 @@ Scene SceneLibrary::load(const std::string& name, const LoadProgress& progress,
 }
 
 fs::file_time_type SceneLibrary::lastChange(const std::string& name) const {
-  return std::max(changeOf(sceneFileIn(folder_ / name)), changeOf(folder_ / name / kMotionFile));
+  const fs::path scene = folder_ / name;
+  return std::max(
+      {changeOf(sceneFileIn(scene)), changeOf(scene / kMotionFile), changeOf(scene / kValuesFile)});
 }
 
 Trajectory SceneLibrary::loadTrajectory(const std::string& scene, const std::string& name) const {

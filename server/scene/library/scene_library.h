@@ -36,8 +36,8 @@ class SceneLibrary {
              const std::stop_token& stop = {}) const;
   // Says that there is no such scene, and which there are. Throws SceneError where the folder cannot be read.
   std::string unknown(const std::string& name) const;
-  // When the scene's file or that of its motions was last written, whichever was later; the beginning of time
-  // where there is none.
+  // The latest time at which the scene's file, that of its motions or that of its values was written. Without
+  // any it is the beginning of time.
   std::filesystem::file_time_type lastChange(const std::string& name) const;
   // A trajectory from the scene's CSV files. Throws SceneError that names the valid ones.
   Trajectory loadTrajectory(const std::string& scene, const std::string& name) const;

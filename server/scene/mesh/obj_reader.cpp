@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <unordered_map>
 
 #include "base/hash_rng.h"
@@ -27,7 +26,7 @@ struct CornerHash {
 class ObjReader {
  public:
   explicit ObjReader(const std::string& path) : path_(path) {}
-  Mesh read(std::string_view text);
+  ObjFile read(std::string_view text);
 
  private:
   void readLine(std::string_view line);
@@ -45,11 +44,12 @@ class ObjReader {
   std::vector<Vec2> vt_;
   std::unordered_map<Corner, std::uint32_t, CornerHash> vertices_;
   std::vector<std::uint32_t> face_;
-  bool all_uvs_ = true, all_normals_ = true, has_materials_ = false;
-  Mesh mesh_;
+  bool all_uvs_ = true, all_normals_ = true;
+  ObjFile file_;
+  Mesh& mesh_ = file_.mesh;
 };
 
-Mesh ObjReader::read(std::string_view text) {
+ObjFile ObjReader::read(std::string_view text) {
   while (!text.empty()) {
     ++line_;
     readLine(takeLine(text));
@@ -57,10 +57,7 @@ Mesh ObjReader::read(std::string_view text) {
   if (mesh_.triangles.empty()) fail("the file has no faces");
   if (!all_uvs_) mesh_.uvs.clear();
   if (!all_normals_) mesh_.normals.clear();
-  mesh_.name = std::filesystem::path(path_).stem().string();
-  if (has_materials_)
-    mesh_.unread = path_ + ": its materials (usemtl) are not read; the shape is grey without a <bsdf>";
-  return std::move(mesh_);
+  return std::move(file_);
 }
 
 void ObjReader::readLine(std::string_view line) {
@@ -77,7 +74,9 @@ void ObjReader::readLine(std::string_view line) {
   } else if (keyword == "f") {
     readFace(line);
   } else if (keyword == "usemtl") {
-    has_materials_ = true;
+    file_.uses.push_back({mesh_.triangles.size(), std::string(trimmed(line))});
+  } else if (keyword == "mtllib") {
+    file_.libraries.emplace_back(trimmed(line));
   }
 }
 
@@ -99,7 +98,7 @@ void ObjReader::readFace(std::string_view words) {
   face_.clear();
   for (auto word = takeWord(words); !word.empty() && word[0] != '#'; word = takeWord(words))
     face_.push_back(vertexOf(readCorner(word)));
-  if (face_.size() < 3) fail("a face needs at least 3 corners");
+  if (face_.empty()) fail("a face needs corners");
   if (mesh_.triangles.size() + face_.size() > kMaxTriangles)
     fail("more than " + std::to_string(kMaxTriangles) + " triangles");
   for (std::size_t i = 2; i < face_.size(); ++i)
@@ -143,8 +142,15 @@ std::uint32_t ObjReader::vertexOf(const Corner& corner) {
 
 }  // namespace
 
+ObjFile loadObjFile(const std::string& path) {
+  return ObjReader(path).read(readFile(path, kMaxMeshBytes));
+}
+
 Mesh parseObj(std::string_view bytes, const std::string& path) {
-  return ObjReader(path).read(bytes);
+  ObjFile file = ObjReader(path).read(bytes);
+  if (!file.uses.empty())
+    file.mesh.unread = path + ": its materials (usemtl) are not read; the shape is grey without a <bsdf>";
+  return std::move(file.mesh);
 }
 
 Mesh loadObj(const std::string& path) {

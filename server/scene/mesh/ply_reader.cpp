@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "scene/files/limits.h"
@@ -62,7 +61,6 @@ Mesh PlyReader::read(std::string_view bytes) {
     }
   }
   if (mesh_.triangles.empty()) fail("the file has no faces");
-  mesh_.name = std::filesystem::path(path_).stem().string();
   return std::move(mesh_);
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "scene/files/limits.h"
 #include "scene/files/plain_file.h"
@@ -53,7 +52,6 @@ Mesh SerializedReader::read(const SerializedMesh& mesh) {
   readTriangles(data, triangles);
   if (flags & kColours)
     mesh_.unread = path_ + ": its colours are not read; the shape is grey without a <bsdf>";
-  mesh_.name = std::filesystem::path(path_).stem().string();
   return std::move(mesh_);
 }
 

@@ -1,5 +1,6 @@
 #include "scene/mitsuba/mitsuba_bsdf.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,9 +25,11 @@ class BsdfReader {
  private:
   void readDiffuse();
   void readPlastic();
+  std::optional<Rgb> readIndex(const std::string& name);
   void readConductor();
   void readDielectric();
   void readRoughness();
+  void ignoreRoughness();
   void readIor(const std::string& interior_default);
   double index(const std::string& name, const std::string& fallback);
 
@@ -67,7 +70,14 @@ void BsdfReader::read(BsdfKind kind) {
   }
   if (kind != BsdfKind::kDiffuse)
     material_.specular = textures_.readColor(properties_, "specular_reflectance", kWhite);
+  if (traitsOf(kind).delta) ignoreRoughness();
   properties_.finish();
+}
+
+// Exporters write these for smooth surfaces too, where Mitsuba does not read them.
+void BsdfReader::ignoreRoughness() {
+  properties_.ignore("string", {"distribution"});
+  properties_.ignore("float", {"alpha"});
 }
 
 // Mitsuba 0.6 takes either name.
@@ -82,10 +92,17 @@ void BsdfReader::readPlastic() {
   material_.model.nonlinear = properties_.flag("nonlinear", false);
 }
 
+// A part of an index. Colours outside of Rec. 709 have parts below 0, which become 0.
+std::optional<Rgb> BsdfReader::readIndex(const std::string& name) {
+  constexpr float kMax = std::numeric_limits<float>::max();
+  std::optional<Rgb> index = properties_.quantity(name, kMax, -1);
+  if (index) index = Rgb{std::max(index->x, 0.f), std::max(index->y, 0.f), std::max(index->z, 0.f)};
+  return index;
+}
+
 // eta and k, or a metal by name.
 void BsdfReader::readConductor() {
-  constexpr float kMax = std::numeric_limits<float>::max();
-  const auto eta = properties_.quantity("eta", kMax), k = properties_.quantity("k", kMax);
+  const auto eta = readIndex("eta"), k = readIndex("k");
   const std::string name = properties_.text("material");
   const float outside = static_cast<float>(index("ext_eta", "vacuum"));
   if (eta.has_value() != k.has_value() || (eta && !name.empty()))

@@ -63,12 +63,10 @@ Emission parseEmitter(const XmlFile& file, pugi::xml_node emitter) {
   supportedType(file, emitter, {"area"});
   Properties properties(file, emitter);
   properties.ignore("float", {"sampling_weight"});
-  const auto radiance = properties.quantity("radiance", kMaxRadiance);
+  const Rgb radiance = properties.quantity("radiance", kMaxRadiance).value_or(Rgb{1, 1, 1});
   const Strength strength = parseStrength(file, emitter, properties);
   properties.finish();
-  if (!radiance)
-    throw file.error(emitter, "an area emitter needs <rgb>, <spectrum> or <float name=\"radiance\">");
-  return {*radiance, strength};
+  return {radiance, strength};
 }
 
 }  // namespace saccade

@@ -4,31 +4,17 @@
 #include <numbers>
 
 #include "scene/files/limits.h"
+#include "scene/mitsuba/mitsuba_environment.h"
+#include "scene/mitsuba/mitsuba_sky.h"
 #include "scene/mitsuba/mitsuba_transform.h"
 #include "scene/mitsuba/xml_properties.h"
 
 namespace saccade {
 namespace {
 
-Rgb requiredColor(const XmlFile& file, pugi::xml_node emitter, Properties& properties, const char* name) {
-  const auto color = properties.quantity(name, kMaxRadiance);
-  if (!color)
-    throw file.error(emitter,
-                     "the emitter needs <rgb>, <spectrum> or <float name=\"" + std::string(name) + "\">");
-  return *color;
-}
-
-// The rotation or reflection of the map, without its scale and translation.
-Affine orthonormal(const XmlFile& file, pugi::xml_node emitter, const Affine& map) {
-  const Affine unit{normalize(map.x), normalize(map.y), normalize(map.z), {}};
-  if (std::abs(std::abs(determinant(unit)) - 1) > 1e-4)
-    throw file.error(emitter, "the emitter's to_world may rotate, mirror and scale, not shear");
-  return unit;
-}
-
-void addEnvironment(const XmlFile& file, pugi::xml_node emitter, Scene& scene, Environment environment) {
-  if (scene.environment) throw file.error(emitter, "a second emitter around the scene; one is supported");
-  scene.environment = std::move(environment);
+// White light of 1 by default.
+Rgb readColor(Properties& properties, const char* name) {
+  return properties.quantity(name, kMaxRadiance).value_or(Rgb{1, 1, 1});
 }
 
 void readEnvmap(const XmlFile& file, pugi::xml_node emitter, Properties& properties, FileLoads& loads,
@@ -44,11 +30,10 @@ void readEnvmap(const XmlFile& file, pugi::xml_node emitter, Properties& propert
   });
 }
 
-void readPoint(const XmlFile& file, pugi::xml_node emitter, Properties& properties, Scene& scene) {
+void readPoint(const XmlFile& file, Properties& properties, Scene& scene) {
   const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
   const Vec3d position = properties.vector("position").value_or(to_world.translation);
-  scene.point_lights.push_back(
-      {toFloat(position - scene.origin), requiredColor(file, emitter, properties, "intensity")});
+  scene.point_lights.push_back({toFloat(position - scene.origin), readColor(properties, "intensity")});
 }
 
 // A half-angle in degrees, as radians.
@@ -65,7 +50,7 @@ void readSpot(const XmlFile& file, pugi::xml_node emitter, Properties& propertie
   if (beam > cutoff) throw file.error(emitter, "the beam_width must be at most the cutoff_angle");
   scene.spot_lights.push_back(
       {toFloat(to_world.translation - scene.origin), toFloat(orthonormal(file, emitter, to_world).z),
-       requiredColor(file, emitter, properties, "intensity"), halfAngle(file, emitter, beam, "beam_width"),
+       readColor(properties, "intensity"), halfAngle(file, emitter, beam, "beam_width"),
        halfAngle(file, emitter, cutoff, "cutoff_angle")});
 }
 
@@ -74,23 +59,24 @@ void readDirectional(const XmlFile& file, pugi::xml_node emitter, Properties& pr
   const Vec3d direction = properties.vector("direction").value_or(to_world.z);
   if (!(length(direction) > 0 && std::isfinite(length(direction))))
     throw file.error(emitter, "the direction must not be 0, and finite");
-  scene.directional_lights.push_back(
-      {toFloat(normalize(direction)), requiredColor(file, emitter, properties, "irradiance")});
+  scene.directional_lights.push_back({toFloat(normalize(direction)), readColor(properties, "irradiance")});
 }
 
 }  // namespace
 
 void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Scene& scene) {
-  const std::string type =
-      supportedType(file, emitter, {"envmap", "constant", "point", "spot", "directional"});
+  const std::string type = supportedType(
+      file, emitter, {"envmap", "constant", "sky", "sun", "sunsky", "point", "spot", "directional"});
   Properties properties(file, emitter);
   properties.ignore("float", {"sampling_weight"});
   if (type == "envmap") {
     readEnvmap(file, emitter, properties, loads, scene);
   } else if (type == "constant") {
-    addEnvironment(file, emitter, scene, {requiredColor(file, emitter, properties, "radiance"), {}, {}});
+    addEnvironment(file, emitter, scene, {readColor(properties, "radiance"), {}, {}});
+  } else if (type == "sky" || type == "sun" || type == "sunsky") {
+    readSky(file, emitter, type, properties, loads, scene);
   } else if (type == "point") {
-    readPoint(file, emitter, properties, scene);
+    readPoint(file, properties, scene);
   } else if (type == "spot") {
     readSpot(file, emitter, properties, scene);
   } else {

@@ -7,7 +7,7 @@
 
 namespace saccade {
 
-// Adds an envmap, constant, point, spot or directional <emitter> to `scene`; `loads` will read its picture.
+// Adds an <emitter> that is no area to `scene`; `loads` will read or compute its picture.
 // Throws SceneError.
 void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Scene& scene);
 

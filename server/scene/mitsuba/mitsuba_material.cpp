@@ -24,9 +24,9 @@ std::vector<std::string> allTypes() {
 }  // namespace
 
 int MaterialReader::read(pugi::xml_node bsdf) {
-  const auto [found, added] = materials_.try_emplace(bsdf, static_cast<int>(scene_.materials.size()));
-  if (added) scene_.materials.push_back(bsdf ? parse(bsdf) : defaultMaterial());
-  return found->second;
+  if (const auto found = materials_.find(bsdf); found != materials_.end()) return found->second;
+  scene_.materials.push_back(bsdf ? parse(bsdf) : defaultMaterial());
+  return materials_[bsdf] = static_cast<int>(scene_.materials.size()) - 1;
 }
 
 // Reads a BSDF and the wrappers around it, in any order.

@@ -8,6 +8,7 @@
 #include "scene/mesh/mesh.h"
 #include "scene/mesh/mesh_io.h"
 #include "scene/mitsuba/mitsuba_emitter.h"
+#include "scene/mitsuba/mitsuba_round.h"
 #include "scene/mitsuba/mitsuba_transform.h"
 #include "scene/mitsuba/xml_properties.h"
 
@@ -59,6 +60,7 @@ Mesh loadMeshFile(const std::string& type, const MeshFile& file) {
 }
 
 Mesh makeMesh(const std::string& type) {
+  if (isRound(type)) return makeRound(type);
   return type == "rectangle" ? makeRectangle() : type == "cube" ? makeCube() : makeDisk();
 }
 
@@ -77,10 +79,11 @@ bool isFinite(const Mesh& mesh) {
 void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type, MaterialReader& materials,
               FileLoads& loads, Scene& scene) {
   Properties properties(file, shape);
-  const Common common = parseCommon(file, shape, properties, materials, scene.origin);
+  Common common = parseCommon(file, shape, properties, materials, scene.origin);
+  common.placement = common.placement * readRound(file, shape, type, properties);
   const bool is_file = type == "obj" || type == "ply" || type == "serialized";
   const MeshFile mesh_file = is_file ? readMeshFile(file, shape, type, properties) : MeshFile{};
-  const bool face_normals = !is_file || properties.flag("face_normals", false);
+  const bool face_normals = is_file ? properties.flag("face_normals", false) : !isRound(type);
   const bool flip_normals = properties.flag("flip_normals", false);
   properties.finish();
   const std::size_t index = scene.meshes.size();
@@ -126,13 +129,18 @@ void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& mater
                            common.emission.radiance, common.emission.strength});
 }
 
+// Whether a sphere faces inwards: it is then a mesh.
+bool isTurned(const XmlFile& file, pugi::xml_node shape) {
+  return Properties(file, shape).flag("flip_normals", false);
+}
+
 }  // namespace
 
 void readShape(const XmlFile& file, pugi::xml_node shape, MaterialReader& materials, FileLoads& loads,
                Scene& scene) {
-  const std::string type =
-      supportedType(file, shape, {"obj", "ply", "serialized", "rectangle", "cube", "disk", "sphere"});
-  if (type == "sphere") {
+  const std::string type = supportedType(
+      file, shape, {"obj", "ply", "serialized", "rectangle", "cube", "disk", "cylinder", "sphere"});
+  if (type == "sphere" && !isTurned(file, shape)) {
     readSphere(file, shape, materials, scene);
   } else {
     readMesh(file, shape, type, materials, loads, scene);

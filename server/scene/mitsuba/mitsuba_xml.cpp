@@ -29,24 +29,44 @@ std::string readConfined(const std::string& path, const LoadOptions& options) {
   return readFile(path, kMaxXmlBytes);
 }
 
-// All but the meshes and pictures, which `loads` will fill in. `scene` must stay where it is until then.
-void readScene(const XmlFile& file, FileLoads& loads, Scene& scene) {
-  Properties properties(file, file.root());
-  const std::vector<pugi::xml_node> sensors = properties.objects("sensor");
+void readCamera(const XmlFile& file, const std::vector<pugi::xml_node>& sensors, Scene& scene) {
   if (sensors.empty()) throw file.error(file.root(), "the scene has no <sensor type=\"perspective\">");
   readSensor(file, sensors[0], scene);
   if (sensors.size() > 1)
     scene.unread.push_back("the first of " + std::to_string(sensors.size()) + " sensors is the camera");
+}
 
+// Runs `read`, whose fault options.fault may take.
+template <class Read>
+void attempt(const LoadOptions& options, Read read) {
+  try {
+    read();
+  } catch (const SceneError& fault) {
+    if (!options.fault) throw;
+    options.fault(fault.what());
+  }
+}
+
+// An area emitter with an id at the top is there for a <ref> of shapes.
+bool isForShapes(pugi::xml_node emitter) {
+  return emitter.attribute("id") && std::string_view(emitter.attribute("type").value()) == "area";
+}
+
+// All but the meshes and pictures, which `loads` will fill in. `scene` must stay where it is until then.
+void readScene(const XmlFile& file, const LoadOptions& options, FileLoads& loads, Scene& scene) {
+  Properties properties(file, file.root());
+  attempt(options, [&] { readCamera(file, properties.objects("sensor"), scene); });
   // Only the materials that shapes use are read.
   TextureReader textures(file, loads, scene);
   MaterialReader materials(file, textures, scene);
   for (const pugi::xml_node shape : properties.objects("shape"))
-    readShape(file, shape, materials, loads, scene);
-  for (const pugi::xml_node emitter : properties.objects("emitter")) readLight(file, emitter, loads, scene);
-  scene.bounces = readBounces(file, properties.objects("integrator"));
-  for (const char* tag : {"default", "bsdf", "texture", "sampler", "film", "rfilter"}) properties.ignore(tag);
-  properties.finish();
+    attempt(options, [&] { readShape(file, shape, materials, loads, scene); });
+  for (const pugi::xml_node emitter : properties.objects("emitter"))
+    if (!isForShapes(emitter)) attempt(options, [&] { readLight(file, emitter, loads, scene); });
+  attempt(options, [&] { scene.bounces = readBounces(file, properties.objects("integrator")); });
+  for (const char* tag : {"default", "path", "bsdf", "texture", "sampler", "film", "rfilter"})
+    properties.ignore(tag);
+  attempt(options, [&] { properties.finish(); });
 }
 
 Scene loadScene(const XmlFile& file, const std::string& path, const LoadOptions& options, Vec3d origin) {
@@ -54,7 +74,7 @@ Scene loadScene(const XmlFile& file, const std::string& path, const LoadOptions&
   Scene scene;
   scene.name = std::filesystem::path(path).parent_path().filename().string();
   scene.origin = origin;
-  readScene(file, loads, scene);
+  readScene(file, options, loads, scene);
   loads.run(options);
   checkTriangles(file, scene);
   return scene;
@@ -79,7 +99,7 @@ Scene outlineMitsubaXml(const std::string& path, const LoadOptions& options) {
   const XmlFile file(readConfined(path, options), path, options);
   FileLoads not_run;
   Scene scene;
-  readScene(file, not_run, scene);
+  readScene(file, options, not_run, scene);
   return scene;
 }
 

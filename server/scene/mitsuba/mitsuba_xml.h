@@ -4,13 +4,16 @@
 // Supported:
 //   sensor    perspective, the first of several: fov along x, or fov_axis y|x|smaller|larger|diagonal, or
 //             focal_length, by default 50mm; one that mirrors is taken unmirrored, with a warning
-//   shape     obj, ply (flip_tex_coords), serialized (shape_index), rectangle, cube, disk, sphere; meshes
-//             may have face_normals and flip_normals
+//   shape     obj, ply (flip_tex_coords), serialized (shape_index), rectangle, cube, disk, cylinder, sphere;
+//             face_normals of meshes in files, flip_normals
 //   bsdf      the kinds of bsdf_model.h; around one, in any order, twosided, mask, bumpmap
 //   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
-//   emitter   area, of a shape; envmap, constant, point, spot, directional
+//   emitter   area, of a shape; envmap, constant, point, spot, directional; sky, sun, sunsky (mitsuba_sky.h)
 //   transform of matrix, translate, rotate, scale, lookat in order
-//   <default> and $names; ids and refs to what stands before. Shapes may share an id: they are one object
+//   <include filename="..."> of a <scene>, of which the children are read; <path value="FOLDER"> to look
+//   files up in. Both are relative to the folder of the scene's file, also in an included file <default> and
+//   $names, of which values.toml gives values (scene_values.h) ids and refs, in any order. Shapes may
+//   share an id: they are one object
 // Colours: see xml_color.h. Indices of refraction are numbers, or names of dielectrics.h. A bsdf at the top
 // without an id goes by that of the bsdf within it. Of integrators max_depth is kept, and of the film its
 // width and height. Samplers and the like are ignored. So are properties that change no light: strings, flags

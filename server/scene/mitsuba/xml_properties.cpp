@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "base/names.h"
 #include "scene/files/text.h"
@@ -96,14 +97,15 @@ std::optional<Vec3d> Properties::vector(const std::string& name) {
   return {};
 }
 
-std::optional<Rgb> Properties::color(const std::string& name, ColorUse use, float max) {
+std::optional<Rgb> Properties::color(const std::string& name, ColorUse use, float least, float max) {
   for (const char* tag : {"rgb", "srgb", "spectrum", "float"}) {
     const Child* child = take(tag, name);
     if (!child) continue;
     const Rgb color = parseColor(file_, child->given, use);
     for (const float part : {color.x, color.y, color.z})
-      if (!(part >= 0 && part <= max))
-        throw file_.error(child->given, "'" + name + "' must be at least 0" +
+      if (!(part >= least && part <= max))
+        throw file_.error(child->given, "'" + name + "' must be at least " +
+                                            std::to_string(std::lround(least)) +
                                             (max == 1 ? " and at most 1" : ", and not too large"));
     return color;
   }

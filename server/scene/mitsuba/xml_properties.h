@@ -23,10 +23,11 @@ class Properties {
   bool flag(const std::string& name, bool fallback);        // <boolean>
   std::string text(const std::string& name);                // <string>; empty if absent
   std::optional<Vec3d> vector(const std::string& name);     // <point> or <vector>, finite
-  // Colours, see xml_color.h: a share of light, each part in [0, 1], or a quantity, each part in [0, max].
-  std::optional<Rgb> share(const std::string& name) { return color(name, ColorUse::kShare, 1); }
-  std::optional<Rgb> quantity(const std::string& name, float max) {
-    return color(name, ColorUse::kQuantity, max);
+  // Colours, see xml_color.h: a share of light, each part in [0, 1], or a quantity, each part in [least,
+  // max].
+  std::optional<Rgb> share(const std::string& name) { return color(name, ColorUse::kShare, 0, 1); }
+  std::optional<Rgb> quantity(const std::string& name, float max, float least = 0) {
+    return color(name, ColorUse::kQuantity, least, max);
   }
 
   // The objects with this tag and name, or of any name if it is empty, seen through <ref>.
@@ -51,7 +52,7 @@ class Properties {
   Child* take(const std::string& tag, const std::string& name);  // at most one; nullptr if absent
   double parsed(pugi::xml_node node) const;
   bool parsedFlag(pugi::xml_node node) const;
-  std::optional<Rgb> color(const std::string& name, ColorUse use, float max);
+  std::optional<Rgb> color(const std::string& name, ColorUse use, float least, float max);
 
   const XmlFile& file_;
   pugi::xml_node object_;

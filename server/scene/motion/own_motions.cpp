@@ -1,7 +1,5 @@
 #include "scene/motion/own_motions.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +8,7 @@
 #include "scene/files/confinement.h"
 #include "scene/files/plain_file.h"
 #include "scene/files/scene_error.h"
+#include "scene/files/toml_file.h"
 #include "scene/motion/object_motion.h"
 
 namespace saccade {
@@ -94,29 +93,17 @@ class TableReader {
   const LoadOptions& options_;
 };
 
-toml::table parse(const fs::path& file, const LoadOptions& options) {
-  if (!mayRead(file, options.confined_to))
-    throw SceneError(file.string() + " leads out of the folder of the scenes");
-  try {
-    return toml::parse(readFile(file.string(), kMaxFileBytes), file.string());
-  } catch (const toml::parse_error& fault) {
-    throw SceneError(file.string() + ":" + std::to_string(fault.source().begin.line) + ": " +
-                     std::string(fault.description()));
-  }
-}
-
 }  // namespace
 
 std::vector<OwnMotion> readOwnMotions(const fs::path& scene_file, const std::set<std::string>& shapes,
                                       const LoadOptions& options) {
   const fs::path file = scene_file.parent_path() / kMotionFile;
-  std::error_code other;
-  if (fs::symlink_status(file, other).type() == fs::file_type::not_found) return {};
-  const toml::table tables = parse(file, options);
-  if (tables.size() > kMostOwnMotions)
+  const auto tables = readToml(file, kMaxFileBytes, options);
+  if (!tables) return {};
+  if (tables->size() > kMostOwnMotions)
     throw SceneError(file.string() + ": more than " + std::to_string(kMostOwnMotions) + " objects move");
   std::vector<OwnMotion> motions;
-  for (const auto& [name, node] : tables)
+  for (const auto& [name, node] : *tables)
     motions.push_back(TableReader(file, std::string(name.str()), node, options).read(shapes));
   std::ranges::sort(motions, {}, &OwnMotion::name);
   return motions;

@@ -1,0 +1,18 @@
+// A camera and a light for files that have none.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace saccade {
+
+// Both tell in Scene::unread that they are defaults.
+
+// A camera with a horizontal field of view of 45 degrees and 640 x 480 pixels. It looks at the scene's meshes
+// from the front, the right and above, so near that all of them are just in view. Up is +y, and front +z.
+void addDefaultCamera(Scene& scene);
+
+// Light of radiance 0.5 from all sides, and a sun of irradiance 3 from the left, above and before the scene.
+// A white surface that faces the sun has a radiance of about 1.5.
+void addDefaultLight(Scene& scene);
+
+}  // namespace saccade
