@@ -36,7 +36,8 @@ FOLDERS = {
     "scene/motion": "scene scene/files scene/camera",
     "scene/mesh": "scene scene/files",
     "scene/mitsuba": "scene scene/files scene/camera scene/mesh",
-    "scene/library": "scene scene/files scene/camera scene/mitsuba scene/motion",
+    "scene/gltf": "scene scene/files scene/camera scene/mesh scene/motion",
+    "scene/library": "scene scene/files scene/camera scene/gltf scene/mitsuba scene/motion",
     "cache/lattice": "",
     "cache/grid": "cache/lattice",
     "cache/bake": "cache/lattice cache/grid",
@@ -113,7 +114,10 @@ OUTSIDE = {
     "prometheus/": ["server/app/metrics.cpp"],
     "microhttpd": ["server/ops/http_"],
     "wslay/": ["server/web/web_socket.cpp"],
-    "nettle/": ["server/web/web_handshake.cpp"],
+    "nettle/": ["server/web/web_handshake.cpp", "server/scene/gltf/gltf_uri.cpp"],
+    "nlohmann/": ["server/scene/gltf/"],
+    "draco/": ["server/scene/gltf/draco_mesh.cpp", "tests/"],
+    "meshoptimizer": ["server/scene/gltf/meshopt_view.cpp", "tests/"],
     "toml++/": ["server/app/config/config_file.cpp", "server/scene/motion/own_motions.cpp", "server/farm/recipe/toml_", "server/farm/recipe/recipe_reader.cpp"],
 }
 

@@ -62,7 +62,7 @@ inline BsdfCase metallicRoughness(Rgb base, float roughness, float metalness, fl
   return c;
 }
 
-// What is no metal, a mixture, a metal.
+// Of each roughness a dielectric, a mixture and a metal.
 inline std::vector<BsdfCase> metallicRoughnessCases(std::vector<float> roughnesses) {
   std::vector<BsdfCase> cases;
   for (const float roughness : roughnesses)

@@ -37,7 +37,7 @@ TEST(MetallicRoughness, OfAMetalIsTheMicrofacetFormula) {
   EXPECT_NEAR(evaluateBsdf(metal.bsdf(), wo, wi).value.y, expected, 1e-4 * expected);
 }
 
-// What is no metal, or a mixture without loss between its microfacets, reflects all light if it is white.
+// A white dielectric reflects all light. So does a smooth mixture, without loss between its microfacets.
 TEST(MetallicRoughness, OfWhiteReflectsAllLight) {
   for (const float roughness : {0.f, 0.2f, 0.5f, 1.f})
     for (const float cos_o : kCosines) {

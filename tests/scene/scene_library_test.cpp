@@ -31,11 +31,11 @@ TEST(SceneLibrary, NoNameLeadsOutOfTheFolder) {
 
 TEST(SceneLibrary, AFileInPlaceOfANameIsToldAsThat) {
   const SceneLibrary library(kScenes);
-  expectContains(library.unknown("my.obj"), "my.obj is not a Mitsuba scene; only .xml is read; there are: ");
-  for (const std::string blender : {"my.gltf", "my.glb", "my.blend"})
-    expectContains(library.unknown(blender), blender +
-                                                 " is not a Mitsuba scene; only .xml is read, which "
-                                                 "Blender's add-on mitsuba-blender exports; there are: ");
+  expectContains(
+      library.unknown("my.obj"),
+      "my.obj is not a scene of Mitsuba, glTF, binary glTF; read are .xml, .gltf, .glb; there are: ");
+  expectContains(library.unknown("my.blend"),
+                 "read are .xml, .gltf, .glb; Blender exports glTF; there are: ");
   expectContains(library.unknown("mine/scene.xml"), "mine/scene.xml is a file; give the name of a scene");
   expectContains(library.unknown("mine"), "no scene is named 'mine'; there are: ");
 }

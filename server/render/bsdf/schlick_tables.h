@@ -51,8 +51,8 @@ class SchlickTables {
 // Computed at the first call.
 const SchlickTables& schlickTables();
 
-// The reflectance at grazing angles of an interface that reflects f0 at a right angle: below 0.02 it is no
-// surface of matter, and fades out [Lagarde and de Rousiers 2014, 3.2].
+// The reflectance at grazing angles of an interface that reflects f0 at a right angle. No matter reflects
+// less than 0.02 there, so that it fades out below [Lagarde and de Rousiers 2014, 3.2].
 inline float grazingReflectance(float f0) {
   return std::min(1.f, 50 * f0);
 }

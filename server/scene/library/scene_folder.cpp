@@ -46,6 +46,13 @@ std::vector<SceneObject> objectsOf(const Scene& scene) {
   return objects;
 }
 
+// Before the motions that any scene offers.
+void addPaths(const Scene& scene, SceneEntry& entry) {
+  auto at = entry.trajectories.end() - static_cast<std::ptrdiff_t>(motionNames().size());
+  for (const ScenePath& path : scene.paths)
+    at = entry.trajectories.insert(at, cutText(path.name, kMaxEntryBytes)) + 1;
+}
+
 }  // namespace
 
 std::vector<fs::path> entriesOf(const fs::path& folder) {
@@ -71,6 +78,7 @@ SceneEntry outlineScene(const fs::path& scene, const fs::path& scenes) {
       throw SceneError("the name of the folder is not UTF-8, so that no request can hold it");
     requireWithin(sceneFileIn(scene), scenes);
     entry.trajectories = csvNames(scene / "trajectories");
+    entry.may_have_paths = formatOf(sceneFileIn(scene)).has_paths;
   } catch (const SceneError& fault) {
     entry.unavailable = cutText(fault.what(), kMaxEntryBytes);
   }
@@ -87,7 +95,9 @@ SceneEntry describeScene(const fs::path& scene, const fs::path& scenes, const Lo
   }
   if (!entry.unavailable.empty()) return entry;
   try {
-    entry.objects = objectsOf(outlineSceneFile(sceneFileIn(scene), options));
+    const Scene outline = outlineSceneFile(sceneFileIn(scene), options);
+    entry.objects = objectsOf(outline);
+    addPaths(outline, entry);
   } catch (const SceneError& fault) {
     entry.unavailable = cutText(fault.what(), kMaxEntryBytes);
   }

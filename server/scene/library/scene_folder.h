@@ -23,8 +23,10 @@ struct SceneObject {
 // The parts of a scene that clients can ask for. All texts are UTF-8.
 struct SceneEntry {
   std::string name;
-  std::string description;                // the first line of text in README.md, or why it cannot be read
-  std::vector<std::string> trajectories;  // the names of its CSV files, then motionNames()
+  std::string description;  // the first line of text in README.md, or why it cannot be read
+  // The names of its CSV files, then of Scene::paths, then motionNames(). An outline has no paths.
+  std::vector<std::string> trajectories;
+  bool may_have_paths = false;  // of an outline: its file may have some
   // At most kMostListedObjects, those that move first, then by name. None of an outline.
   std::vector<SceneObject> objects = {};
   std::string unavailable;  // why the scene cannot be opened on this machine; empty: it can

@@ -18,6 +18,7 @@ struct SceneFormat {
   // have names alone.
   Scene (*load)(const std::string& path, const LoadOptions& options);
   Scene (*outline)(const std::string& path, const LoadOptions& options);
+  bool has_paths = false;  // its files may have Scene::paths
 };
 
 const std::vector<SceneFormat>& sceneFormats();
@@ -28,8 +29,8 @@ const SceneFormat& formatOf(const std::filesystem::path& path);
 // is as SceneFormat::outline.
 Scene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options);
 Scene outlineSceneFile(const std::filesystem::path& file, const LoadOptions& options);
-// "a.obj is not a Mitsuba scene; only .xml is read", and what exports it from Blender's formats; empty where
-// the format is known.
+// "a.obj is not a scene of Mitsuba, ...; read are .xml, ...", and what to do with Blender's files; empty
+// where the format is known.
 std::string formatFault(const std::filesystem::path& path);
 
 // The file of the scene in `folder`: "scene" with the extension of the first format that has a file there.

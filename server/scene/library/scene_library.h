@@ -39,7 +39,8 @@ class SceneLibrary {
   // When the scene's file or that of its motions was last written, whichever was later; the beginning of time
   // where there is none.
   std::filesystem::file_time_type lastChange(const std::string& name) const;
-  // A trajectory from the scene's CSV files. Throws SceneError that names the valid ones.
+  // A trajectory from the scene's CSV files, or one of Scene::paths, for which the whole scene is read.
+  // Throws SceneError that names the valid ones.
   Trajectory loadTrajectory(const std::string& scene, const std::string& name) const;
 
  private:
