@@ -90,10 +90,9 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
 }
 
 void addScenesOption(CLI::App& app, std::vector<std::string>& scenes) {
-  app.add_option(
-      "scenes", scenes,
-      "scenes by name, or by the path of a scene.xml or its folder; the table holds the name alone, or "
-      "that of the folder. Default: all that can be opened here");
+  app.add_option("scenes", scenes,
+                 "scenes by name, or by the path of a file or folder; the table holds the name alone, or "
+                 "that of the folder. Default: all that can be opened here");
 }
 
 void addMethodOptions(CLI::App& app, std::vector<std::string>& methods, std::vector<int>& spp) {

@@ -10,8 +10,7 @@
 namespace saccade::eval {
 
 void addFeedOptions(CLI::App& app, FeedOptions& o) {
-  app.add_option("scene", o.scene, "a scene by name, or by the path of a scene.xml or its folder")
-      ->required();
+  app.add_option("scene", o.scene, "a scene by name, or by the path of its file or folder")->required();
   app.add_option(kTrajectoryFlag, o.trajectory, trajectoryHelp())
       ->check(readBy(checkMotion))
       ->capture_default_str();

@@ -52,7 +52,7 @@ void addFigure(CLI::App& parent, const Figure& figure) {
   const std::string number = std::to_string(o->number);
   o->output = "out/figure" + number;
   auto* c = parent.add_subcommand(number, figure.what);
-  c->add_option("scenes", o->scenes, "scenes by name, or by the path of a scene.xml or its folder")
+  c->add_option("scenes", o->scenes, "scenes by name, or by the path of a file or folder")
       ->capture_default_str();
   addMethodOptions(*c, o->methods, o->spp);
   if (!o->speeds.empty()) {

@@ -108,7 +108,7 @@ void addOddsCommand(CLI::App& app) {
   o->bench.size = "64x64", o->bench.frames = "10:21", o->bench.threshold = 0.1, o->bench.repeats = 0;
   auto* c = app.add_subcommand(
       "odds", "compare the odds that events are artefacts with the share that is: a table and a picture");
-  c->add_option("scenes", o->scenes, "scenes by name, or by the path of a scene.xml or its folder")
+  c->add_option("scenes", o->scenes, "scenes by name, or by the path of a file or folder")
       ->capture_default_str();
   addMethodOptions(*c, o->methods, o->spp);
   addBenchOptions(*c, o->bench);

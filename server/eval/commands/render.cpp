@@ -97,8 +97,7 @@ void addRenderCommand(CLI::App& app) {
   auto o = std::make_shared<RenderOptions>();
   auto* command =
       app.add_subcommand("render", "render one picture: linear 32-bit floats (.exr) or 8 bits (.png)");
-  command->add_option("scene", o->scene, "a scene by name, or by the path of a scene.xml or its folder")
-      ->required();
+  command->add_option("scene", o->scene, "a scene by name, or by the path of its file or folder")->required();
   command->add_option("--size", o->size, "WIDTHxHEIGHT, pixels; default: that of the scene");
   command->add_option("--spp", o->spp, "paths per pixel")->check(NumberIn(1, 1 << 20))->capture_default_str();
   command->add_option("--bounces", o->bounces, "indirect bounces; default: those of the scene file, else 3")

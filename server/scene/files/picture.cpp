@@ -55,7 +55,7 @@ void checkBytes(const std::string& path, const pictures::Shape& shape, std::size
                    " bytes");
 }
 
-std::unique_ptr<pictures::Input> openChecked(const PictureSource& source) {
+std::unique_ptr<pictures::Input> openChecked(const PictureFile& source) {
   const std::size_t bytes = source.bytes ? source.bytes->size() : plainFileSize(source.name);
   auto input = asSceneError([&] {
     return source.bytes ? pictures::library().openBytes(*source.bytes, source.name)
@@ -81,11 +81,11 @@ bool readAlpha(pictures::Input& input, Picture& picture) {
 
 }  // namespace
 
-std::size_t countPixels(const PictureSource& source) {
+std::size_t countPixels(const PictureFile& source) {
   return openChecked(source)->shape().pixels();
 }
 
-Picture loadPicture(const PictureSource& source, PixelUse use) {
+Picture loadPicture(const PictureFile& source, PixelUse use) {
   const auto input = openChecked(source);
   const pictures::Shape& shape = input->shape();
   const bool grey = shape.channels.size() < 3;

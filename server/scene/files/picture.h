@@ -17,9 +17,9 @@ struct Picture {
 };
 
 // A file, or the bytes of one within another. These must outlive it.
-struct PictureSource {
-  PictureSource(std::string path) : name(std::move(path)) {}
-  PictureSource(std::string_view bytes_, std::string name_) : name(std::move(name_)), bytes(bytes_) {}
+struct PictureFile {
+  PictureFile(std::string path) : name(std::move(path)) {}
+  PictureFile(std::string_view bytes_, std::string name_) : name(std::move(name_)), bytes(bytes_) {}
 
   std::string name;  // the path; of bytes, for messages
   std::optional<std::string_view> bytes = {};
@@ -36,8 +36,8 @@ enum class PixelUse {
 
 // Reads a picture with OpenImageIO: its first three channels, or its first as grey; alpha is ignored, but for
 // opacity. NaN becomes 0. Throws SceneError if it cannot be read or is larger than limits.h allows.
-Picture loadPicture(const PictureSource& source, PixelUse use);
+Picture loadPicture(const PictureFile& source, PixelUse use);
 // The number of pixels, by the header of the file, before memory is taken for them. Throws as loadPicture().
-std::size_t countPixels(const PictureSource& source);
+std::size_t countPixels(const PictureFile& source);
 
 }  // namespace saccade

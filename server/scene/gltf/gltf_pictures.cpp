@@ -21,7 +21,7 @@ PixelUse pixelUse(PictureUse::Kind kind) {
   return alpha ? PixelUse::kAlpha : PixelUse::kReflectance;
 }
 
-Texture loadFor(const PictureSource& source, const PictureUse& use) {
+Texture loadFor(const PictureFile& source, const PictureUse& use) {
   Picture picture = loadPicture(source, pixelUse(use.kind));
   for (Rgb& c : picture.pixels) {
     c = c * use.factor;
@@ -78,7 +78,7 @@ JsonNode GltfPictures::imageOf(const JsonNode& info) const {
   return root.entry("images", *image);
 }
 
-PictureSource GltfPictures::sourceOf(const JsonNode& image) {
+PictureFile GltfPictures::sourceOf(const JsonNode& image) {
   const auto uri = image.find("uri");
   if (uri && !isData(uri->text())) return file_.locate(*uri, uri->text());
   if (!uri && buffers_) return {buffers_->view(image, image.at("bufferView").size()).bytes, "the picture"};

@@ -40,7 +40,7 @@ class GltfPictures {
 
  private:
   JsonNode imageOf(const JsonNode& info) const;
-  PictureSource sourceOf(const JsonNode& image);
+  PictureFile sourceOf(const JsonNode& image);
   int add(const JsonNode& image, const PictureUse& use);
 
   const GltfFile& file_;
