@@ -46,7 +46,7 @@ TEST(GltfMaterial, HasGltfsDefaults) {
   EXPECT_EQ(m.model.kind, BsdfKind::kMetallicRoughness);
   EXPECT_EQ(m.reflectance.color0, (Rgb{1, 1, 1}));
   EXPECT_EQ(m.metallic_roughness.color0, (Rgb{0, 1, 1}));
-  EXPECT_FALSE(m.twosided);
+  EXPECT_TRUE(m.twosided);
   EXPECT_TRUE(isOpaque(m));
 }
 

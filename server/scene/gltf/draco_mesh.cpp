@@ -14,9 +14,15 @@ std::unique_ptr<draco::Mesh> decode(const JsonNode& coded, std::string_view byte
   draco::DecoderBuffer buffer;
   buffer.Init(bytes.data(), bytes.size());
   draco::Decoder decoder;
-  auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
-  if (!decoded.ok()) throw coded.error("its bytes are damaged: " + decoded.status().error_msg_string());
-  return std::move(decoded).value();
+  std::string fault;
+  try {
+    auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
+    if (decoded.ok()) return std::move(decoded).value();
+    fault = decoded.status().error_msg_string();
+  } catch (const std::exception& damage) {  // a number of entries that no memory holds
+    fault = damage.what();
+  }
+  throw coded.error("its bytes are damaged: " + fault);
 }
 
 // Entries of T, which are `N` floats; empty where the mesh has no such attribute.

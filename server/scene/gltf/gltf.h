@@ -4,7 +4,7 @@
 //   node      tree of TRS or matrices; its name is that of an object, unique by "@index"
 //   mesh      triangles, strips, fans, with and without indices; NORMAL (else flat), TEXCOORD of any one set
 //   data      sparse, KHR_mesh_quantization, EXT_meshopt_compression, KHR_draco_mesh_compression
-//   material  metallic-roughness, normal map, KHR_materials_emissive_strength, doubleSided, alphaMode
+//   material  metallic-roughness, normal map, KHR_materials_emissive_strength, alphaMode; both sides
 //             KHR_materials_ior, _specular without textures, _transmission as glass, _volume as solid glass
 //   texture   PNG, JPEG, EXT_texture_webp; KHR_texture_transform without rotation; repeats
 //   camera    perspective; each is a named path, and the first the scene's own

@@ -71,7 +71,7 @@ std::optional<SurfaceColor> Reader::texture(const JsonNode& of, const char* key,
 
 void Reader::readSurface() {
   m_.model.kind = BsdfKind::kMetallicRoughness;
-  m_.twosided = json_.flag("doubleSided", false);
+  m_.twosided = true;  // glTF hides backs unless they are doubleSided, which light cannot
   readBase(json_.object("pbrMetallicRoughness"));
   readNormals();
   readInterface();
@@ -166,7 +166,7 @@ Rgb Reader::readEmission(int& index) {
     tell("all of it gives the mean light of its emissiveTexture");
     index = pictures_.read(*info, {PictureUse::Kind::kMean}).texture;
   }
-  if (m_.twosided) tell("its light leaves the front alone");
+  if (json_.flag("doubleSided", false)) tell("its light leaves the front alone");
   return emission;
 }
 
