@@ -48,7 +48,7 @@ std::vector<T> attribute(const JsonNode& coded, const draco::Mesh& mesh, const s
 }  // namespace
 
 Mesh readDraco(const JsonNode& coded, const GltfBuffers& buffers, const std::string& uvs) {
-  const auto coded_mesh = decode(coded, buffers.view(coded, coded.at("bufferView").size()).bytes);
+  const auto coded_mesh = decode(coded, buffers.view(coded.at("bufferView").size()).bytes);
   Mesh mesh;
   mesh.positions = attribute<Vec3, 3>(coded, *coded_mesh, "POSITION");
   mesh.normals = attribute<Vec3, 3>(coded, *coded_mesh, "NORMAL");

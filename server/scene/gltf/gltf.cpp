@@ -9,7 +9,7 @@
 #include "scene/gltf/gltf_defaults.h"
 #include "scene/gltf/gltf_extensions.h"
 #include "scene/gltf/gltf_lights.h"
-#include "scene/gltf/gltf_mesh.h"
+#include "scene/gltf/gltf_meshes.h"
 #include "scene/gltf/gltf_motions.h"
 #include "scene/motion/own_motions.h"
 #include "scene/motion/shape_box.h"

@@ -67,7 +67,7 @@ class Elements {
   Elements(const JsonNode& at, const GltfBuffers& buffers, const Component& component, std::size_t size,
            std::size_t count)
       : component_(component), size_(size) {
-    const auto [bytes, stride] = buffers.view(at, at.at("bufferView").size());
+    const auto [bytes, stride] = buffers.view(at.at("bufferView").size());
     const std::size_t offset = at.size("byteOffset", 0), element = component.bytes * size;
     stride_ = stride > 0 ? stride : element;
     if (stride_ < element) throw at.error("its elements are longer than the byteStride of its view");

@@ -1,5 +1,7 @@
 #include "scene/gltf/gltf_buffers.h"
 
+#include <algorithm>
+
 #include "scene/files/limits.h"
 #include "scene/gltf/meshopt_view.h"
 
@@ -21,35 +23,32 @@ std::string readBuffer(const GltfFile& file, const JsonNode& buffer, bool first)
 
 GltfBuffers::GltfBuffers(const GltfFile& file) : file_(file) {
   for (const JsonNode& buffer : file.root().list("buffers")) {
-    const std::size_t count = buffer.at("byteLength").size();
-    if (count > kMaxMeshBytes - bytes_)
-      throw buffer.error("the buffers have more than " + std::to_string(kMaxMeshBytes) + " bytes together");
+    take(buffer, buffer.at("byteLength").size(), kMaxMeshBytes);
     buffers_.push_back(readBuffer(file, buffer, buffers_.empty()));
-    bytes_ += buffers_.back().size();
   }
-  decodeViews();
-}
-
-void GltfBuffers::decodeViews() {
+  const std::size_t most = std::min(kMaxMeshBytes, bytes_ * kMaxMeshBytesPerByte);
   std::size_t i = 0;
-  for (const JsonNode& view : file_.root().list("bufferViews")) {
+  for (const JsonNode& view : file.root().list("bufferViews")) {
     if (const auto coded = view.extension(kMeshopt)) {
-      std::string bytes = decodeMeshopt(*coded, part(*coded));
-      if (bytes.size() > kMaxMeshBytes - bytes_)
-        throw view.error("the buffers have more than " + std::to_string(kMaxMeshBytes) + " bytes together");
-      bytes_ += bytes.size();
-      decoded_[i] = std::move(bytes);
+      take(view, decodedBytes(*coded), most);
+      decoded_[i] = decodeMeshopt(*coded, part(*coded));
     }
     ++i;
   }
 }
 
-GltfBuffers::View GltfBuffers::view(const JsonNode& at, std::size_t i) const {
+// Before memory is taken.
+void GltfBuffers::take(const JsonNode& at, std::size_t count, std::size_t most) {
+  if (count > most || bytes_ > most - count)
+    throw at.error("the buffers have more than " + std::to_string(most) + " bytes together");
+  bytes_ += count;
+}
+
+GltfBuffers::View GltfBuffers::view(std::size_t i) const {
   const JsonNode view = file_.root().entry("bufferViews", i);
   const std::size_t stride = view.size("byteStride", 0);
   if (const auto found = decoded_.find(i); found != decoded_.end())
     return {found->second, view.extension(kMeshopt)->at("byteStride").size()};
-  if (i >= file_.root().count("bufferViews")) throw at.error("there is no such view");
   return {part(view), stride};
 }
 

@@ -22,11 +22,11 @@ class GltfBuffers {
     std::string_view bytes;
     std::size_t stride;
   };
-  View view(const JsonNode& at, std::size_t i) const;
+  View view(std::size_t i) const;
   std::size_t bytes() const { return bytes_; }  // of all together
 
  private:
-  void decodeViews();
+  void take(const JsonNode& at, std::size_t count, std::size_t most);
   std::string_view part(const JsonNode& view) const;
 
   const GltfFile& file_;

@@ -81,7 +81,7 @@ JsonNode GltfPictures::imageOf(const JsonNode& info) const {
 PictureFile GltfPictures::sourceOf(const JsonNode& image) {
   const auto uri = image.find("uri");
   if (uri && !isData(uri->text())) return file_.locate(*uri, uri->text());
-  if (!uri && buffers_) return {buffers_->view(image, image.at("bufferView").size()).bytes, "the picture"};
+  if (!uri && buffers_) return {buffers_->view(image.at("bufferView").size()).bytes, "the picture"};
   const auto [data, added] = data_.try_emplace(image.place());
   if (added && uri && buffers_) data->second = decodeData(*uri, uri->text());
   return {data->second, "the picture"};

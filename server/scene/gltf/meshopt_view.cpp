@@ -7,6 +7,8 @@
 namespace saccade {
 namespace {
 
+constexpr std::size_t kMaxStride = 256;  // bytes
+
 // One of what the extension allows for `mode` and `filter`.
 [[noreturn]] void refuse(const JsonNode& coded, const std::string& what) {
   throw coded.error("the " + what + " is not one of EXT_meshopt_compression for this byteStride");
@@ -17,7 +19,7 @@ int decodeAs(const std::string& mode, const JsonNode& coded, std::size_t count, 
              std::string_view bytes, char* to) {
   const auto* from = reinterpret_cast<const unsigned char*>(bytes.data());
   const bool indices = (stride == 2 || stride == 4);
-  if (mode == "ATTRIBUTES" && stride > 0 && stride % 4 == 0 && stride <= 256)
+  if (mode == "ATTRIBUTES" && stride > 0 && stride % 4 == 0)
     return meshopt_decodeVertexBuffer(to, count, stride, from, bytes.size());
   if (mode == "TRIANGLES" && indices && count % 3 == 0)
     return meshopt_decodeIndexBuffer(to, count, stride, from, bytes.size());
@@ -40,10 +42,14 @@ void filterAs(const std::string& filter, const JsonNode& coded, std::size_t coun
 
 }  // namespace
 
+std::size_t decodedBytes(const JsonNode& coded) {
+  const std::size_t count = coded.at("count").size(), stride = coded.at("byteStride").size();
+  if (stride > kMaxStride || count > kMaxMeshBytes / kMaxStride) throw coded.error("holds too many elements");
+  return count * stride;
+}
+
 std::string decodeMeshopt(const JsonNode& coded, std::string_view bytes) {
   const std::size_t count = coded.at("count").size(), stride = coded.at("byteStride").size();
-  if (stride > 256 || count > kMaxMeshBytes / 256 || count * stride > kMaxMeshBytesPerByte * bytes.size())
-    throw coded.error("holds more than " + std::to_string(kMaxMeshBytesPerByte) + " times its bytes");
   std::string decoded(count * stride, '\0');
   const std::string mode = coded.at("mode").text();
   if (decodeAs(mode, coded, count, stride, bytes, decoded.data()) != 0)

@@ -8,7 +8,11 @@
 
 namespace saccade {
 
-// `coded`: the extension of a buffer view, and the bytes that it names. Throws SceneError.
+// `coded`: the extension of a buffer view. Both throw SceneError.
+
+// How many bytes it holds.
+std::size_t decodedBytes(const JsonNode& coded);
+// They, from those that it names.
 std::string decodeMeshopt(const JsonNode& coded, std::string_view bytes);
 
 }  // namespace saccade

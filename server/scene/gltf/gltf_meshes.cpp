@@ -1,4 +1,4 @@
-#include "scene/gltf/gltf_mesh.h"
+#include "scene/gltf/gltf_meshes.h"
 
 #include <algorithm>
 #include <cmath>
