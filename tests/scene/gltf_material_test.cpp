@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/gltf/two_sides.h"
 #include "scene/gltf_scratch.h"
+#include "scene/mesh/mesh.h"
 
 namespace saccade {
 namespace {
@@ -110,6 +112,28 @@ TEST(GltfMaterial, EmitsFactorTimesStrengthTimesTheMeanOfItsTexture) {
   EXPECT_FLOAT_EQ(pictured.meshes.at(0).radiance.x, 8);
   EXPECT_EQ(pictured.meshes.at(0).radiance.y, 0);
   expectContains(pictured.unread.at(0), "emissiveTexture");
+}
+
+// As two meshes: the back is behind the front, and faces the other way.
+TEST(GltfMaterial, ThatIsDoubleSidedEmitsFromBothSides) {
+  const std::string lamp = R"("emissiveFactor":[1,1,1])";
+  EXPECT_EQ(loadMaterial("{" + lamp + "}").meshes.size(), 1u);
+  const Scene scene = loadMaterial(R"({"doubleSided":true,)" + lamp + "}");
+  ASSERT_EQ(scene.meshes.size(), 2u);
+  const Mesh& back = scene.meshes[1];
+  EXPECT_EQ(back.name, "it");
+  EXPECT_EQ(back.radiance, (Rgb{1, 1, 1}));
+  EXPECT_NEAR(back.positions[0].z, -1e-4 * std::sqrt(2), 1e-8);
+  const auto [a, b, c] = back.triangles.at(0);
+  EXPECT_LT(cross(back.positions[b] - back.positions[a], back.positions[c] - back.positions[a]).z, 0);
+}
+
+TEST(GltfMaterial, OfAClosedMeshHasNoBackToEmitFrom) {
+  Mesh cube = makeCube();  // its faces share no vertex
+  placeMesh(cube, {}, true);
+  EXPECT_FALSE(isOpen(cube));
+  cube.triangles.pop_back();
+  EXPECT_TRUE(isOpen(cube));
 }
 
 // Two sets of coordinates: the first texture decides.

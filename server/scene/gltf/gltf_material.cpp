@@ -166,7 +166,6 @@ Rgb Reader::readEmission(int& index) {
     tell("all of it gives the mean light of its emissiveTexture");
     index = pictures_.read(*info, {PictureUse::Kind::kMean}).texture;
   }
-  if (json_.flag("doubleSided", false)) tell("its light leaves the front alone");
   return emission;
 }
 
@@ -179,6 +178,7 @@ GltfMaterial readMaterial(const JsonNode& json, const std::string& name, GltfPic
   Reader reader(json, pictures, read.material, unread);
   reader.readSurface();
   read.emission = reader.readEmission(read.emission_texture);
+  read.emits_back = json.flag("doubleSided", false);
   read.coordinates = reader.coordinates();
   return read;
 }

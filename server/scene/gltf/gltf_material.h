@@ -9,6 +9,7 @@ struct GltfMaterial {
   Material material;
   std::size_t coordinates = 0;  // the set of texture coordinates of its textures: the number of TEXCOORD
   Rgb emission{};               // radiance
+  bool emits_back = false;      // from both sides
   int emission_texture = -1;    // of Scene::textures: a factor of one pixel; -1: none
 };
 

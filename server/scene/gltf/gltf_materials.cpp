@@ -1,6 +1,10 @@
 #include "scene/gltf/gltf_materials.h"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
+
+#include "scene/gltf/two_sides.h"
 
 namespace saccade {
 
@@ -18,12 +22,15 @@ int GltfMaterials::read(std::optional<std::size_t> i) {
 }
 
 void GltfMaterials::setEmission() {
+  std::vector<Mesh> backs;
   for (Mesh& mesh : scene_.meshes) {
     const GltfMaterial& of = read_[static_cast<std::size_t>(mesh.material)];
     const auto texture = static_cast<std::size_t>(of.emission_texture);
     const Rgb factor = of.emission_texture < 0 ? Rgb{1, 1, 1} : scene_.textures[texture].pixels()[0];
     mesh.radiance = of.emission * factor;
+    if (of.emits_back && emits(mesh) && isOpen(mesh)) backs.push_back(backOf(mesh));
   }
+  std::ranges::move(backs, std::back_inserter(scene_.meshes));
 }
 
 }  // namespace saccade

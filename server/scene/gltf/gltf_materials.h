@@ -18,7 +18,8 @@ class GltfMaterials {
   std::size_t coordinates(int material) const {
     return read_[static_cast<std::size_t>(material)].coordinates;
   }
-  // Gives meshes the light of their materials, once pictures have been read.
+  // Gives meshes the light of their materials, once pictures have been read. Open ones that emit from both
+  // sides get a second mesh for their back.
   void setEmission();
 
  private:
