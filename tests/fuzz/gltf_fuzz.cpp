@@ -57,6 +57,7 @@ bool read(std::string_view bytes) {
   LoadOptions options;
   options.confined_to = {scene, picture};
   options.threads = 1;
+  accepts<SceneError>([&] { outlineGltf(scene, options); });
   return accepts<SceneError>([&] { loadGltf(scene, options); });
 }
 

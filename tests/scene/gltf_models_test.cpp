@@ -92,6 +92,7 @@ TEST(GltfModels, OfBlender) {
     ASSERT_NE(lamp, scene.meshes.end());
     expectNear(lamp->radiance, {17, 12, 4}, 1e-4);
     EXPECT_EQ(movers(scene), std::vector<std::string>{"Mover"});
+    EXPECT_EQ(movers(outlineGltf(file, {})), std::vector<std::string>{"Mover"});
     ASSERT_EQ(scene.paths.size(), 1u);
     EXPECT_EQ(scene.paths[0].name, "Cam");
     const Trajectory& camera = scene.paths[0].path;

@@ -144,6 +144,17 @@ TEST(GltfCameras, MoveWithTheirNodes) {
   EXPECT_TRUE(scene.motions.empty());
 }
 
+// Without its keys, which are in the buffer.
+TEST(GltfCameras, ThatMoveAreInTheOutline) {
+  const Scratch files;
+  GltfArrays arrays = test::triangle();
+  arrays.floats({0, 1}, "SCALAR"), arrays.floats({0, 0, 5, 0, 0, 9}, "VEC3");
+  const std::string file = test::writeGltf(files, arrays,
+                                           {test::kTriangleMesh, kCameras, animation("translation", "LINEAR"),
+                                            R"("nodes":[{"camera":0,"name":"eye"},{"mesh":0}])"});
+  EXPECT_EQ(outlineGltf(file, {}).paths.at(0).name, "eye");
+}
+
 class GltfLibrary : public testing::Test {
  protected:
   GltfLibrary() {

@@ -37,8 +37,8 @@ Pose cameraPose(const Affine& world) {
 }
 
 std::vector<TimedPose> cameraPath(const GltfAnimation& animation, std::size_t i, double reach) {
-  if (!animation.moverOf(i)) return {{TimeNs{0}, cameraPose(animation.worldAt(i, 0))}};
   MotionToSample motion = motionOf(animation, i, reach);
+  if (motion.keys.empty()) return {{TimeNs{0}, cameraPose(animation.worldAt(i, 0))}};
   motion.at = [&](double t) { return cameraPose(animation.worldAt(i, t)); };
   return samplePath(motion);
 }
