@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace saccade::pictures {
@@ -52,6 +53,8 @@ class Library {
   // Opens a flat picture. Colours are not multiplied by the alpha of a file that keeps both apart. Throws
   // std::runtime_error with the file's name.
   virtual std::unique_ptr<Input> open(const std::string& path) const = 0;
+  // The same of a PNG, JPEG or WebP picture in memory, which must outlive the input. `name` is for messages.
+  virtual std::unique_ptr<Input> openBytes(std::string_view bytes, const std::string& name) const = 0;
 
   // Writes the format of the extension. `numbers`: channels of a pixel side by side, of the type
   // `shape.number`; f64 becomes f32. Equal pictures have equal bytes. Throws std::runtime_error with the

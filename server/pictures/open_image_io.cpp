@@ -76,12 +76,24 @@ bool holdsSeveral(ImageInput& input) {
   return several;
 }
 
+// By the first bytes; empty of another format.
+std::string formatOf(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG")) return "png";
+  if (bytes.starts_with("\xff\xd8")) return "jpg";
+  return bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP") ? "webp" : "";
+}
+
 class File final : public Input {
  public:
-  explicit File(const std::string& path) : path_(path) {
-    ImageSpec keep_colours;  // otherwise OpenImageIO multiplies them by alpha
-    keep_colours.attribute("oiio:UnassociatedAlpha", 1);
-    input_ = ImageInput::open(path, &keep_colours);
+  // Of a picture of this format in `memory`, if there is one.
+  explicit File(const std::string& path, std::unique_ptr<OIIO::Filesystem::IOMemReader> memory = nullptr,
+                const std::string& format = {})
+      : path_(path), memory_(std::move(memory)) {
+    ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1);  // otherwise OpenImageIO multiplies colours by alpha
+    OIIO::Filesystem::IOProxy* proxy = memory_.get();
+    if (memory_) config.attribute("oiio:ioproxy", TypeDesc::PTR, &proxy);
+    input_ = ImageInput::open(format.empty() ? path : "memory." + format, &config);
     if (!input_) fail(path, OIIO::geterror());
     const ImageSpec& spec = input_->spec();
     if (spec.depth != 1 || spec.deep) fail(path, "is not flat: its pixels have depth");
@@ -97,6 +109,7 @@ class File final : public Input {
 
  private:
   const std::string path_;
+  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory_;
   std::unique_ptr<ImageInput> input_;
 };
 
@@ -117,6 +130,14 @@ class OpenImageIo final : public Library {
 
   std::unique_ptr<Input> open(const std::string& path) const override { return std::make_unique<File>(path); }
 
+  std::unique_ptr<Input> openBytes(std::string_view bytes, const std::string& name) const override {
+    const std::string format = formatOf(bytes);
+    if (format.empty()) fail(name, "is not a PNG, JPEG or WebP picture");
+    auto memory =
+        std::make_unique<OIIO::Filesystem::IOMemReader>(const_cast<char*>(bytes.data()), bytes.size());
+    return std::make_unique<File>(name, std::move(memory), format);
+  }
+
   void write(const std::string& path, const Shape& shape, const void* numbers) const override {
     put(ImageOutput::create(path).get(), path, shape, numbers);
   }
@@ -133,7 +154,7 @@ class OpenImageIo final : public Library {
 
 }  // namespace
 
-const Library* saccadePictures1() {
+const Library* saccadePictures2() {
   static const OpenImageIo library;
   return &library;
 }

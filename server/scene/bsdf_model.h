@@ -1,4 +1,4 @@
-// The model of a material: the same at all its points, in Mitsuba's terms.
+// The model of a material: the same at all its points, in the terms of Mitsuba and of glTF.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,15 @@ enum class BsdfKind {
   kDielectric,      // the surface of glass
   kThinDielectric,  // a pane: both its surfaces at once, nothing is bent
   kRoughDielectric,
-  kCount,  // how many kinds there are; no kind
+  kMetallicRoughness,  // the material of glTF 2.0: a diffuse base under a rough interface, or a metal
+  kCount,              // how many kinds there are; no kind
 };
 inline constexpr auto kBsdfKindCount = static_cast<std::size_t>(BsdfKind::kCount);
 
 // Properties of a kind of BSDF.
 struct BsdfTraits {
   BsdfKind kind;
-  const char* name;                 // the type of its <bsdf> in Mitsuba's XML
+  const char* name;                 // the type of its <bsdf> in Mitsuba's XML; metallicroughness is our own
   bool base = false;                // has a diffuse base, of the colour Material::reflectance
   bool delta = false;               // has delta lobes only: the view is followed into it
   bool transmits = false;           // lets light through, and is seen from both sides
@@ -49,6 +50,7 @@ inline constexpr BsdfTraits kBsdfTraits[] = {
      .name = "roughdielectric",
      .transmits = true,
      .transmits_rough = true},
+    {.kind = BsdfKind::kMetallicRoughness, .name = "metallicroughness", .base = true},
 };
 static_assert(std::size(kBsdfTraits) == kBsdfKindCount, "each kind has a row");
 static_assert(
@@ -70,7 +72,7 @@ struct BsdfModel {
   BsdfKind kind = BsdfKind::kDiffuse;
   MicrofacetKind microfacets = MicrofacetKind::kBeckmann;  // rough kinds
   float alpha = 0.1f;            // rough kinds: roughness, in (0, 1]; below 1e-4 counts as 1e-4
-  float ior = 1.5f;              // plastics and dielectrics: index of refraction, inside over outside, > 0
+  float ior = 1.5f;              // all but metals: index of refraction, inside over outside, > 0
   Rgb eta{0, 0, 0}, k{1, 1, 1};  // conductors: the index eta + ik over the outside's; default: reflects all
   bool nonlinear = false;        // plastics: light that is scattered inside takes on more of the colour
 };

@@ -26,16 +26,23 @@ inline constexpr SurfaceColor kWhite = constantColor({1, 1, 1});
 
 struct Material {
   std::string name;          // its id; without one, the type of its BSDF; "default" where a shape has none
-  SurfaceColor reflectance;  // diffuse: all of it; plastics: of the base
+  SurfaceColor reflectance;  // diffuse: all of it; plastics: of the base; metallic-roughness: the base colour
   bool twosided = false;     // false: black seen from behind the geometric normal. Glass is never black
   BsdfModel model = {};
   SurfaceColor specular = kWhite;       // all but diffuse: factor of what the interface reflects
   SurfaceColor transmittance = kWhite;  // dielectrics: factor of what it lets through
-  SurfaceColor opacity = kWhite;        // the rest of the light goes straight on, as if nothing were there
+  // Metallic-roughness, as in pictures of glTF: green is the roughness, whose square is alpha; blue the
+  // metalness.
+  SurfaceColor metallic_roughness = constantColor({0, 1, 0});
+  SurfaceColor opacity = kWhite;  // the rest of the light goes straight on, as if nothing were there
   // Bump map: luminance * height_scale is a displacement along the normal, in scene units. Only its changes
   // over the surface count.
   SurfaceColor height = {};
   float height_scale = 1;
+  // Normal map: (colour * 2 - 1) is the normal, along the directions in which the texture's u and v grow, and
+  // the surface's own normal. Without texture: none.
+  SurfaceColor normals = {};
+  float normals_scale = 1;  // of the first two
 };
 
 inline bool isTextured(const SurfaceColor& c) {
@@ -43,7 +50,8 @@ inline bool isTextured(const SurfaceColor& c) {
 }
 inline bool isTextured(const Material& m) {
   return isTextured(m.reflectance) || isTextured(m.specular) || isTextured(m.transmittance) ||
-         isTextured(m.opacity) || isTextured(m.height);
+         isTextured(m.metallic_roughness) || isTextured(m.opacity) || isTextured(m.height) ||
+         isTextured(m.normals);
 }
 inline bool isOpaque(const Material& m) {
   return !isTextured(m.opacity) && m.opacity.color0 == Rgb{1, 1, 1};
@@ -52,8 +60,9 @@ inline bool isOpaque(const Material& m) {
 inline bool transmitsStraight(const Material& m) {
   return traitsOf(m.model.kind).transmits_straight || !isOpaque(m);
 }
+// Whether a map bends the normals.
 inline bool isBumpy(const Material& m) {
-  return isTextured(m.height) && m.height_scale != 0;
+  return (isTextured(m.height) && m.height_scale != 0) || (isTextured(m.normals) && m.normals_scale != 0);
 }
 
 }  // namespace saccade

@@ -66,6 +66,12 @@ struct OwnMotion {
   std::size_t poses = 0;                // of the path
 };
 
+// A camera path that the scene's file has.
+struct ScenePath {
+  std::string name;
+  Trajectory path;  // T_world_camera
+};
+
 struct Scene {
   std::string name;
   std::vector<Material> materials;
@@ -78,6 +84,7 @@ struct Scene {
   std::vector<DirectionalLight> directional_lights = {};
   std::vector<Body> bodies = {};        // what may move; all other shapes stand
   std::vector<OwnMotion> motions = {};  // sorted by name
+  std::vector<ScenePath> paths = {};    // of the cameras of its file
   Vec3d origin = {};                    // of its axes, in the world
   Pose T_world_camera;            // the sensor of the scene file; camera axes x right, y down, z forward
   double fov_x_deg = 45;          // horizontal field of view

@@ -23,6 +23,8 @@ void add(ContentHash& h, const Material& m) {
   add(h, m.model);
   for (const SurfaceColor* c : {&m.specular, &m.transmittance, &m.opacity, &m.height}) add(h, *c);
   h.add(m.height_scale);
+  if (m.model.kind == BsdfKind::kMetallicRoughness) add(h, m.metallic_roughness);
+  if (isTextured(m.normals)) add(h, m.normals), h.add(m.normals_scale);
 }
 
 // Samples the finest level. A texture without mips looks different from afar.

@@ -11,6 +11,7 @@
 #include "app/request/resolve_trajectory.h"
 #include "app/sequence/channel.h"
 #include "app/sequence/stream_rig.h"
+#include "scene/gltf_scratch.h"
 
 namespace saccade {
 namespace {
@@ -79,6 +80,43 @@ TEST(RequestLibrary, LinksNoTransport) {
   for (const std::string& library : loaded)
     for (const char* transport : {"zmq", "microhttpd", "wslay"})
       EXPECT_EQ(library.find(transport), std::string::npos) << library;
+}
+
+// A camera of a glTF file is known once the file has been read.
+TEST(StreamPlanOfGltf, TakesItsCamerasAndItsMotions) {
+  const Scratch files;
+  test::GltfArrays arrays = test::triangle();
+  arrays.floats({0, 1}, "SCALAR"), arrays.floats({0, 0, 0, 1, 0, 0}, "VEC3");
+  files.write("mine/data.bin", arrays.bytes());
+  files.write(
+      "mine/scene.gltf",
+      test::gltf({test::kTriangleMesh, arrays.json(),
+                  R"("cameras":[{"type":"perspective","perspective":{"yfov":1}}])",
+                  R"("nodes":[{"mesh":0,"name":"it"},{"camera":0,"name":"eye","translation":[0,0,5]}])",
+                  R"("animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],
+                          "samplers":[{"input":1,"output":2}]}])"}));
+  SceneCache scenes(files.path(""));
+  const MeasuredTables tables{openAccuracySource(""), openSimplificationSource("")};
+  const auto resolvedFor = [&](const std::string& trajectory) {
+    v1::OpenStream r = request();
+    r.set_scene("mine"), r.mutable_trajectory()->set_name(trajectory);
+    StreamPlan plan = planStream(r, scenes.library(), tables, {});
+    loadScenes(plan, scenes, {});
+    return plan;
+  };
+  const StreamPlan of = resolvedFor("eye");
+  EXPECT_EQ(resolveTrajectory(of.resolved, *of.whole, scenes.library()).at(TimeNs{0}).position,
+            (Vec3d{0, 0, 5}));
+  ASSERT_EQ(of.resolved.request.objects_size(), 1);
+  EXPECT_TRUE(of.resolved.request.objects(0).path().has_own());
+  EXPECT_NEAR(of.resolved.feed.body_paths.at(0).at(TimeNs{500'000'000}).position.x, 1, 1e-6);
+  const StreamPlan other = resolvedFor("nose");
+  try {
+    resolveTrajectory(other.resolved, *other.whole, scenes.library());
+    FAIL() << "there is no trajectory nose";
+  } catch (const Refusal& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("eye"), std::string::npos) << refusal.what();
+  }
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ FOLDERS = {
     "scene/sky": "scene",
     "scene/mitsuba": "scene scene/files scene/camera scene/mesh scene/sky",
     "scene/model": "scene scene/files scene/camera scene/mesh",
-    "scene/library": "scene scene/files scene/camera scene/mitsuba scene/model scene/motion",
+    "scene/gltf": "scene scene/files scene/camera scene/mesh scene/motion",
+    "scene/library": "scene scene/files scene/camera scene/gltf scene/mitsuba scene/model scene/motion",
     "cache/lattice": "",
     "cache/grid": "cache/lattice",
     "cache/bake": "cache/lattice cache/grid",
@@ -115,7 +116,10 @@ OUTSIDE = {
     "prometheus/": ["server/app/metrics.cpp"],
     "microhttpd": ["server/ops/http_"],
     "wslay/": ["server/web/web_socket.cpp"],
-    "nettle/": ["server/web/web_handshake.cpp"],
+    "nettle/": ["server/web/web_handshake.cpp", "server/scene/gltf/gltf_uri.cpp"],
+    "nlohmann/": ["server/scene/gltf/"],
+    "draco/": ["server/scene/gltf/draco_mesh.cpp", "tests/"],
+    "meshoptimizer": ["server/scene/gltf/meshopt_view.cpp", "tests/"],
     "toml++/": ["server/app/config/config_file.cpp", "server/scene/files/toml_file.h", "server/farm/recipe/toml_", "server/farm/recipe/recipe_reader.cpp"],
 }
 

@@ -13,8 +13,9 @@ struct BsdfCase {
   std::string name;
   BsdfTables tables;
   Rgb diffuse{}, specular{1, 1, 1}, transmittance{1, 1, 1};
+  float alpha = 1;
 
-  Bsdf bsdf() const { return {&tables, diffuse, specular, transmittance}; }
+  Bsdf bsdf() const { return {&tables, diffuse, specular, transmittance, alpha}; }
 };
 
 inline BsdfModel modelOf(BsdfKind kind) {
@@ -47,6 +48,26 @@ inline std::vector<BsdfCase> roughCases(std::vector<float> alphas) {
       cases.push_back({"white rough plastic, " + name, BsdfTables(plastic), {1, 1, 1}});
     }
   }
+  return cases;
+}
+
+inline BsdfCase metallicRoughness(Rgb base, float roughness, float metalness, float ior = 1.5f) {
+  BsdfModel model = modelOf(BsdfKind::kMetallicRoughness);
+  model.ior = ior;
+  BsdfCase c{"metallic-roughness " + std::to_string(roughness) + " " + std::to_string(metalness) +
+                 " of index " + std::to_string(ior),
+             BsdfTables(model)};
+  const Bsdf b = MetallicRoughness::at(c.tables, base, {0, roughness, metalness});
+  c.diffuse = b.diffuse, c.specular = b.specular, c.alpha = b.alpha;
+  return c;
+}
+
+// Of each roughness a dielectric, a mixture and a metal.
+inline std::vector<BsdfCase> metallicRoughnessCases(std::vector<float> roughnesses) {
+  std::vector<BsdfCase> cases;
+  for (const float roughness : roughnesses)
+    for (const float metalness : {0.f, 0.5f, 1.f})
+      cases.push_back(metallicRoughness({0.9f, 0.5f, 0.2f}, roughness, metalness));
   return cases;
 }
 

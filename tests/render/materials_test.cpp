@@ -33,6 +33,29 @@ TEST(Materials, WithoutLossVanishInAFurnace) {
   }
 }
 
+Material metallicRoughness(Rgb base, float roughness, float metalness) {
+  Material m = of(BsdfKind::kMetallicRoughness);
+  m.reflectance = constantColor(base);
+  m.metallic_roughness = constantColor({0, roughness, metalness});
+  return m;
+}
+
+TEST(Materials, OfWhiteGltfVanishInAFurnace) {
+  for (const float roughness : {0.2f, 0.6f, 1.f}) {
+    const test::Mean m = test::renderMean(ball(metallicRoughness({1, 1, 1}, roughness, 0)), 0, 256, 64);
+    EXPECT_NEAR(m.mean, 1, 4 * m.error + 1e-3) << roughness;
+  }
+}
+
+TEST(Materials, OfGltfReflectTheirAlbedoInAFurnace) {
+  for (const float metalness : {0.f, 0.5f, 1.f}) {
+    const Frame frame =
+        test::renderFrame(ball(metallicRoughness({0.5f, 0.5f, 0.5f}, 0.5f, metalness)), 0, 1024, 16);
+    const test::Mean m = test::meanOf(frame.samples.I2);
+    EXPECT_NEAR(m.mean / test::meanOf(frame.g.albedo).mean, 1, 4 * m.error / m.mean + 2e-3) << metalness;
+  }
+}
+
 // Head-on: the albedo that the filter divides by is what comes back.
 TEST(Materials, ReflectTheirAlbedoInAFurnace) {
   for (const BsdfKind kind :

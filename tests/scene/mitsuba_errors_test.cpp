@@ -40,7 +40,8 @@ TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
       "'hair' is not supported; supported: obj, ply, serialized, rectangle, cube, disk, cylinder, sphere");
   expectAt4(shape("<bsdf type='principled'/>"),
             "'principled' is not supported; supported: diffuse, plastic, roughplastic, conductor, "
-            "roughconductor, dielectric, thindielectric, roughdielectric, twosided, mask, bumpmap");
+            "roughconductor, dielectric, thindielectric, roughdielectric, metallicroughness, twosided, mask, "
+            "bumpmap");
   expectAt4(shape("<emitter type='spot'/>"), "supported: area");
   expectAt4(shape("<boolean name='smooth' value='true'/>"), "<boolean name=\"smooth\"> is not supported");
   expectAt4(shape("<boolean name='beSmooth' value='true'/>"),

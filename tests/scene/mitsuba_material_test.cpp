@@ -246,5 +246,19 @@ TEST(MitsubaMaterial, ChainsOfReferencesEnd) {
                  "nested more than 16 deep");
 }
 
+// Our own: the material of glTF.
+TEST(MitsubaMaterial, MetallicRoughnessHasItsDefaults) {
+  const Material plain = material("<bsdf type='metallicroughness'/>");
+  EXPECT_EQ(plain.metallic_roughness.color0, (Rgb{0, 0.5f, 0}));
+  EXPECT_EQ(plain.reflectance.color0, (Rgb{0.5f, 0.5f, 0.5f}));
+  const Material metal = material(
+      "<bsdf type='metallicroughness'><rgb name='base_color' value='0.9, 0.5, 0.2'/>"
+      "<float name='metallic' value='1'/><float name='roughness' value='0.25'/></bsdf>");
+  EXPECT_EQ(metal.metallic_roughness.color0, (Rgb{0, 0.25f, 1}));
+  EXPECT_EQ(metal.reflectance.color0, (Rgb{0.9f, 0.5f, 0.2f}));
+  expectBsdfError("<bsdf type='metallicroughness'><float name='metallic' value='2'/></bsdf>",
+                  "within [0, 1]");
+}
+
 }  // namespace
 }  // namespace saccade

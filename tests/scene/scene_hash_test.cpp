@@ -28,6 +28,12 @@ TEST(SceneHash, TellsApartWhatDiffersInOneThing) {
       [](Scene& s) { s.materials[0].opacity.color0.x = 0.5f; },
       [](Scene& s) { s.materials[0].height.kind = SurfaceColor::Kind::kCheckerboard; },
       [](Scene& s) { s.materials[0].height_scale = 2; },
+      [](Scene& s) { s.materials[0].normals.kind = SurfaceColor::Kind::kCheckerboard; },
+      [](Scene& s) { s.materials[0].model.kind = BsdfKind::kMetallicRoughness; },
+      [](Scene& s) {
+        s.materials[0].model.kind = BsdfKind::kMetallicRoughness;
+        s.materials[0].metallic_roughness.color0.y = 0.5f;
+      },
       [](Scene& s) { s.materials[0].twosided = true; },
       [](Scene& s) { s.materials[0].model.kind = BsdfKind::kPlastic; },
       [](Scene& s) { s.materials[0].model.microfacets = MicrofacetKind::kGgx; },

@@ -32,11 +32,10 @@ TEST(SceneLibrary, NoNameLeadsOutOfTheFolder) {
 TEST(SceneLibrary, AFileInPlaceOfANameIsToldAsThat) {
   const SceneLibrary library(kScenes);
   expectContains(library.unknown("my.fbx"),
-                 "my.fbx is not a scene of Mitsuba, OBJ, PLY; read are .xml, .obj, .ply; there are: ");
+                 "my.fbx is not a scene of Mitsuba, glTF, binary glTF, OBJ, PLY; read are .xml, .gltf, .glb, "
+                 ".obj, .ply; there are: ");
   expectContains(library.unknown("my.obj"), "my.obj is a file; give the name of a scene");
-  for (const std::string blender : {"my.gltf", "my.glb", "my.blend"})
-    expectContains(library.unknown(blender),
-                   ".ply; Blender's add-on mitsuba-blender exports .xml; there are: ");
+  expectContains(library.unknown("my.blend"), ".ply; Blender exports glTF; there are: ");
   expectContains(library.unknown("mine/scene.xml"), "mine/scene.xml is a file; give the name of a scene");
   expectContains(library.unknown("mine"), "no scene is named 'mine'; there are: ");
 }

@@ -61,6 +61,12 @@ std::vector<MaterialScene> materialScenes() {
       add("roughconductor" + kind, rough("roughconductor", alpha, microfacets));
       add("roughplastic" + kind, rough("roughplastic", alpha, microfacets));
     }
+  for (const char* metallic : {"0", "1"})
+    add(std::string("metallicroughness_") + metallic,
+        twosided(bsdf("metallicroughness", checkerboard("base_color") +
+                                               "<float name='roughness' value='0.3'/>"
+                                               "<float name='metallic' value='" +
+                                               std::string(metallic) + "'/>")));
   add("roughconductor_picture", twosided(bsdf("roughconductor", picture("specular_reflectance"))));
   for (const std::string& inner : {diffuse, bsdf("roughconductor")}) {
     const std::string of = inner == diffuse ? "diffuse" : "roughconductor";

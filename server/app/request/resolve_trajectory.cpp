@@ -63,7 +63,7 @@ void checkName(const std::string& name, const SceneEntry& scene) {
   const auto isIn = [&](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  if (isIn(scene.trajectories)) return;
+  if (isIn(scene.trajectories) || scene.may_have_paths) return;
   const std::string quoted = "'" + cutText(name, kMaxEcho) + "'";
   throw Refusal(v1::CODE_NOT_FOUND, "trajectory.name",
                 isIn(motionKinds()) ? quoted + " is a motion, which needs a speed, such as " + name + ":10"
@@ -94,6 +94,13 @@ Trajectory byName(const ResolvedStream& stream, const RenderScene& scene, const 
   const double fov = view.has_fov_x_deg() ? view.fov_x_deg() : fovXDeg(camera);
   if (isMotionName(name))
     return motionIn(scene, namedMotion(name, fov), scene.description().T_world_camera, Lens(camera));
+  const std::vector<ScenePath>& paths = scene.description().paths;
+  if (const ScenePath* path = findRow(paths, name)) return path->path;
+  if (std::optional<SceneEntry> entry = library.find(stream.request.scene()); entry && !paths.empty()) {
+    entry->may_have_paths = false;
+    for (const ScenePath& path : paths) entry->trajectories.push_back(path.name);
+    checkName(name, *entry);
+  }
   return library.loadTrajectory(stream.request.scene(), name);
 }
 

@@ -145,6 +145,7 @@ Trajectory openTrajectory(const std::string& scene, const std::string& text, con
   if (isTrajectoryFile(text)) return readTrajectoryFile(text);
   const Scene& s = opened.description();
   const auto motion = isMotionName(text) ? namedMotion(text, s.fov_x_deg) : readMotion(text, feed);
+  if (const ScenePath* path = findRow(s.paths, text); path && !motion) return path->path;
   if (!motion) return ofTheScene(scene, text);
   return motionIn(opened, *motion, s.T_world_camera, Lens(pinhole(s.fov_x_deg, 64, 48)));
 }

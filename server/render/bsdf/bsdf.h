@@ -9,6 +9,7 @@
 #include "render/bsdf/conductor.h"
 #include "render/bsdf/dielectric.h"
 #include "render/bsdf/diffuse.h"
+#include "render/bsdf/metallic_roughness.h"
 #include "render/bsdf/plastic.h"
 #include "render/bsdf/rough_dielectric.h"
 
@@ -32,7 +33,7 @@ namespace detail {
 
 // In the order of BsdfKind.
 using BsdfFamilies = std::tuple<Diffuse, Plastic, RoughPlastic, Conductor, RoughConductor, Dielectric,
-                                ThinDielectric, RoughDielectric>;
+                                ThinDielectric, RoughDielectric, MetallicRoughness>;
 
 template <std::size_t... I>
 constexpr bool inOrder(std::index_sequence<I...>) {
@@ -72,6 +73,15 @@ BsdfSample sampleBsdf(const Bsdf& b, Vec3 wo, float u_lobe, float u1, float u2) 
 template <BsdfKinds Kinds = kAllBsdfKinds>
 Rgb bsdfAlbedo(const Bsdf& b, float cos_o) {
   return detail::visit<Kinds>(b, [&](auto family) { return family.albedo(b, cos_o); });
+}
+
+// Whether a surface of a kind with a base reflects light by it at all: a metal does not.
+template <BsdfKinds Kinds = kAllBsdfKinds>
+bool bsdfHasBase(const Bsdf& b) {
+  return detail::visit<Kinds>(b, [&](auto family) {
+    if constexpr (requires { family.hasBase(b); }) return family.hasBase(b);
+    return traitsOf(family.kKind).base;
+  });
 }
 
 // The part of it that a diffuse base reflects; 0 without one.

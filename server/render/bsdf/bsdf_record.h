@@ -10,9 +10,11 @@ namespace saccade {
 // A material at one point, with its textures looked up. Colours are linear, in [0, 1].
 struct Bsdf {
   const BsdfTables* tables;    // of the material
-  Rgb diffuse{};               // diffuse, plastics: reflectance of the base
-  Rgb specular{1, 1, 1};       // all but diffuse: factor of what the interface reflects
+  Rgb diffuse{};               // diffuse, plastics, metallic-roughness: reflectance of the base
+  Rgb specular{1, 1, 1};       // all but diffuse: factor of what the interface reflects; metallic-roughness:
+                               // its reflectance at a right angle
   Rgb transmittance{1, 1, 1};  // dielectrics: factor of what it lets through
+  float alpha = 1;             // metallic-roughness: of its microfacets, at least kLeastAlpha
 };
 
 // The value for a pair of directions. Delta lobes, which reflect into one direction only, count as 0.

@@ -1,39 +1,12 @@
 #include "render/bsdf/bsdf_tables.h"
 
 #include "render/bsdf/fresnel.h"
-#include "render/bsdf/microfacet.h"
+#include "render/bsdf/microfacet_mean.h"
 
 namespace saccade {
 namespace {
 
-constexpr int kNormals = 24;  // per dimension
 constexpr int kCosines = 256;
-
-// The i-th node in [0, 1] of a quadrature rule, and its weight. The rule is finer towards both ends, because
-// steep normals are rare but lose most of the light.
-struct Node {
-  explicit Node(float i) : u(ease(i + 0.5f)), weight(ease(i + 1) - ease(i)) {}
-  static float ease(float i) {
-    const float t = i / kNormals;
-    return t * t * (3 - 2 * t);
-  }
-  float u, weight;
-};
-
-// The mean of at(wo, m) over the microfacets that are visible from cosine cos_o. As wo lies in the xz plane,
-// half of u2 is enough by symmetry.
-template <class Function>
-auto meanOverNormals(const Microfacets& f, float cos_o, Function at) {
-  const Vec3 wo{std::sqrt(1 - cos_o * cos_o), 0, cos_o};
-  decltype(at(wo, wo)) sum{};
-  for (int i = 0; i < kNormals; ++i) {
-    for (int j = 0; j < kNormals; ++j) {
-      const Node n1(static_cast<float>(i)), n2(static_cast<float>(j));
-      sum = sum + at(wo, sampleVisibleNormal(f, wo, n1.u, n2.u / 2)) * (n1.weight * n2.weight);
-    }
-  }
-  return sum;
-}
 
 // The fraction of light from cosine cos_o that rough plastic or metal reflects: E[F G1].
 template <class Fresnel>
@@ -90,6 +63,10 @@ BsdfTables::BsdfTables(const BsdfModel& m) : model(m) {
   }
   if (m.kind == BsdfKind::kPlastic)
     mean_transmittance = cosineWeightedMean([&](float cosine) { return 1 - dielectric(cosine); });
+  if (m.kind == BsdfKind::kMetallicRoughness) {
+    dielectric_reflectance = dielectric(1);
+    schlick = &schlickTables();
+  }
   // An interface transmits as much light inwards as outwards [Walter 2007, reciprocity]. It reflects the
   // rest.
   internal_reflectance = 1 - mean_transmittance / (m.ior * m.ior);

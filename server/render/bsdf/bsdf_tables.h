@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/vec.h"
+#include "render/bsdf/schlick_tables.h"
 #include "scene/bsdf_model.h"
 
 namespace saccade {
@@ -50,6 +51,10 @@ struct BsdfTables {
   // For plastics: the transmittance of diffuse light from outside, and the reflectance of diffuse light from
   // inside.
   float mean_transmittance = 1, internal_reflectance = 0;
+
+  // For metallic-roughness: the reflectance of what is no metal, at a right angle.
+  float dielectric_reflectance = 0;
+  const SchlickTables* schlick = nullptr;
 };
 
 }  // namespace saccade

@@ -7,7 +7,7 @@ bool hasBumpMaps(const Scene& scene) {
 }
 
 void leaveOutBumpMaps(Scene& scene) {
-  for (Material& m : scene.materials) m.height = {}, m.height_scale = 1;
+  for (Material& m : scene.materials) m.height = m.normals = {}, m.height_scale = m.normals_scale = 1;
 }
 
 }  // namespace saccade

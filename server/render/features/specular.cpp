@@ -27,6 +27,10 @@ SurfaceColor mapped(Scene& scene, SurfaceColor c, Change change) {
 // the colours of the base and the mean of the interface.
 SurfaceColor albedoAcross(Scene& scene, const Material& m) {
   const BsdfTables tables(m.model);
+  if (m.model.kind == BsdfKind::kMetallicRoughness)
+    return mapped(scene, m.reflectance, [&, mean = meanOf(scene, m.metallic_roughness)](Rgb colour) {
+      return bsdfAlbedo(MetallicRoughness::at(tables, colour, mean), 1);
+    });
   Bsdf b{.tables = &tables, .diffuse = meanOf(scene, m.reflectance), .specular = meanOf(scene, m.specular)};
   const bool base = traitsOf(m.model.kind).base && (isTextured(m.reflectance) || !isTextured(m.specular));
   return mapped(scene, base ? m.reflectance : m.specular, [&](Rgb colour) {

@@ -10,13 +10,14 @@ Rgb meanOf(const Scene& scene, const SurfaceColor& c) {
 
 bool hasTextures(const Scene& scene) {
   return anyMaterial(scene, [](const Material& m) {
-    return isTextured(m.reflectance) || isTextured(m.specular) || isTextured(m.transmittance);
+    return isTextured(m.reflectance) || isTextured(m.specular) || isTextured(m.transmittance) ||
+           isTextured(m.metallic_roughness);
   });
 }
 
 void leaveOutTextures(Scene& scene) {
   for (Material& m : scene.materials)
-    for (SurfaceColor* c : {&m.reflectance, &m.specular, &m.transmittance})
+    for (SurfaceColor* c : {&m.reflectance, &m.specular, &m.transmittance, &m.metallic_roughness})
       *c = constantColor(meanOf(scene, *c));
 }
 

@@ -54,7 +54,7 @@ Guide followView(const PixelContext& view, const Ray& primary, const Hit& first,
     s = surfaceAt<S>(scene, ray, hit, cone.width);
     direction = next.wi, geometry = hit.geometry, body = hit.body;
   }
-  g.has_base = S.diffuseOnly() || traitsOf(s.bsdf.tables->model.kind).base;
+  g.has_base = bsdfHasBase<S.kinds>(s.bsdf);
   g.normal = s.shading_normal;
   g.plane_normal = s.geometric_normal;
   Vec3 step = view.pointBefore(body, s.point) - s.point;

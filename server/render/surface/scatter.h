@@ -53,7 +53,7 @@ class Scatter {
 
   // Of its base, where it has one: the part of albedo() that is reflected alike into all directions.
   Rgb diffuseAlbedo() const { return bsdfDiffuseAlbedo<S.kinds>(s_.bsdf, wo_.z); }
-  bool hasBase() const { return traits().base; }
+  bool hasBase() const { return bsdfHasBase<S.kinds>(s_.bsdf); }
   bool isDiffuse() const { return traits().kind == BsdfKind::kDiffuse; }
 
   // The light that goes straight through. Panes and masks do not bend light, so that shadow rays go on behind

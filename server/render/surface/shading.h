@@ -23,10 +23,11 @@ struct Shading {
   }
 };
 
-// From the smallest to the largest. A diffuse scene with extras uses kPlastics.
+// From the smallest to the largest. A diffuse scene with extras uses kPlastics, and one of glTF kEverything.
 inline constexpr Shading kPlainDiffuse{};
 inline constexpr Shading kTexturedDiffuse{only(BsdfKind::kDiffuse), true};
-inline constexpr Shading kPlastics{kindsWith(&BsdfTraits::base), true, true};
+inline constexpr Shading kPlastics{
+    only(BsdfKind::kDiffuse) | only(BsdfKind::kPlastic) | only(BsdfKind::kRoughPlastic), true, true};
 inline constexpr Shading kEverything{kAllBsdfKinds, true, true};
 
 Shading shadingOf(const Scene& scene);  // the features that the scene has

@@ -1,4 +1,4 @@
-// Bump maps: normals of the surface that a height over the mesh makes [Blinn 1978].
+// Bump maps, normals of the surface that a height over the mesh makes [Blinn 1978], and normal maps.
 #pragma once
 
 #include "render/surface/surface_color.h"
@@ -27,6 +27,28 @@ inline Vec3 bumpedNormal(const Scene& scene, const Material& m, Vec3 n, const Te
   const Vec3 bent = cross(du, dv);
   if (!(dot(bent, bent) > 0)) return n;
   return normalize(dot(bent, n) < 0 ? -bent : bent);
+}
+
+// The unit normal n, turned by the normal map. Its axes are the directions in which the coordinates of the
+// picture grow, at a right angle to n [glTF 2.0, 3.9.3].
+inline Vec3 mappedNormal(const Scene& scene, const Material& m, Vec3 n, const TexturePatch& patch,
+                         float footprint) {
+  const Vec3 local = lookUp(scene, m.normals, {patch.uv, footprint}) * 2.f - Vec3{1, 1, 1};
+  const auto along = [&](Vec3 tangent, float scale) {
+    const Vec3 flat = tangent - n * dot(n, tangent);
+    const float size = length(flat);
+    return size > 0 ? flat * (std::copysign(1.f, scale) / size) : Vec3{};
+  };
+  const Vec3 right = along(patch.dp_du, m.normals.uv_scale.x), up = along(patch.dp_dv, m.normals.uv_scale.y);
+  const Vec3 bent = (right * local.x + up * local.y) * m.normals_scale + n * std::max(local.z, 1e-3f);
+  return normalize(bent);
+}
+
+// By the map that the material has.
+inline Vec3 bentNormal(const Scene& scene, const Material& m, Vec3 n, const TexturePatch& patch,
+                       float footprint) {
+  return isTextured(m.normals) ? mappedNormal(scene, m, n, patch, footprint)
+                               : bumpedNormal(scene, m, n, patch, footprint);
 }
 
 }  // namespace saccade

@@ -19,9 +19,14 @@ inline TexturePoint texturePoint(const TexturePatch& patch, float cosine, float 
   return {patch.uv, across * patch.uv_per_length};
 }
 
+// `tables`: of the material; nullptr for kernels of diffuse surfaces alone.
 template <Shading S>
-Bsdf bsdfAt(const Scene& scene, const Material& m, TexturePoint at) {
-  Bsdf b{nullptr, colorAt<S>(scene, m.reflectance, at)};
+Bsdf bsdfAt(const Scene& scene, const Material& m, const BsdfTables* tables, TexturePoint at) {
+  if constexpr (S.kinds & only(BsdfKind::kMetallicRoughness))
+    if (m.model.kind == BsdfKind::kMetallicRoughness)
+      return MetallicRoughness::at(*tables, colorAt<S>(scene, m.reflectance, at),
+                                   colorAt<S>(scene, m.metallic_roughness, at));
+  Bsdf b{tables, colorAt<S>(scene, m.reflectance, at)};
   if constexpr (!S.diffuseOnly()) b.specular = colorAt<S>(scene, m.specular, at);
   if constexpr (S.has(&BsdfTraits::transmits)) b.transmittance = colorAt<S>(scene, m.transmittance, at);
   return b;
@@ -64,18 +69,24 @@ Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, V
 
   Vec3 ns = patch.shading_normal;
   const Rgb radiance = mesh ? mesh->radiance : sphere->radiance;
-  Surface s{
-      patch.point, patch.offset, n, ns, bsdfAt<S>(scene, material, at), front ? radiance : Rgb{}, false, 1};
+  const BsdfTables* tables = S.diffuseOnly() ? nullptr : &posed.still().tables(id);
+  Surface s{patch.point,
+            patch.offset,
+            n,
+            ns,
+            bsdfAt<S>(scene, material, tables, at),
+            front ? radiance : Rgb{},
+            false,
+            1};
   bool black = !front && !material.twosided;
   if constexpr (S.has(&BsdfTraits::transmits)) {
     const bool transmits = traitsOf(material.model.kind).transmits;
     black = black && !transmits;
     s.inside = transmits && !front;
   }
-  if constexpr (!S.diffuseOnly()) s.bsdf.tables = &posed.still().tables(id);
   if constexpr (S.extras) {
     s.opacity = luminance(lookUp(scene, material.opacity, at));
-    if (isBumpy(material)) ns = bumpedNormal(scene, material, ns, texture, at.footprint);
+    if (isBumpy(material)) ns = bentNormal(scene, material, ns, texture, at.footprint);
   }
   if (!front) s.geometric_normal = -n;
   s.shading_normal = dot(ns, s.geometric_normal) < 0 ? -ns : ns;

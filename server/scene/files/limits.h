@@ -10,6 +10,8 @@ inline constexpr int kMaxIncludes = 1000;
 inline constexpr std::size_t kMaxIncludeDepth = 16;                         // files within files
 inline constexpr std::size_t kMaxSubstitutedBytes = std::size_t{16} << 20;  // of all values with a $name
 inline constexpr int kMaxXmlDepth = 64;                                     // elements within elements
+inline constexpr std::size_t kMaxGltfJsonBytes = std::size_t{256} << 20;
+inline constexpr int kMaxNodeDepth = 256;   // nodes of glTF within nodes
 inline constexpr int kMaxBsdfDepth = 16;    // bsdfs within bsdfs, through <ref>
 inline constexpr int kMaxFilmEdge = 16384;  // pixels
 

@@ -55,11 +55,14 @@ void checkBytes(const std::string& path, const pictures::Shape& shape, std::size
                    " bytes");
 }
 
-std::unique_ptr<pictures::Input> openChecked(const std::string& path) {
-  const std::size_t bytes = plainFileSize(path);
-  auto input = asSceneError([&] { return pictures::library().open(path); });
-  checkSize(path, input->shape());
-  checkBytes(path, input->shape(), bytes);
+std::unique_ptr<pictures::Input> openChecked(const PictureFile& source) {
+  const std::size_t bytes = source.bytes ? source.bytes->size() : plainFileSize(source.name);
+  auto input = asSceneError([&] {
+    return source.bytes ? pictures::library().openBytes(*source.bytes, source.name)
+                        : pictures::library().open(source.name);
+  });
+  checkSize(source.name, input->shape());
+  checkBytes(source.name, input->shape(), bytes);
   return input;
 }
 
@@ -67,7 +70,7 @@ void readChannels(pictures::Input& input, int first, int count, Picture& picture
   asSceneError([&] { input.read(first, count, &picture.pixels[0].x, sizeof(Rgb)); });
 }
 
-// Fills the picture with its alpha, unless that is 1 all over. Returns whether it did.
+// Fills the picture with its alpha. Returns whether it is clear anywhere.
 bool readAlpha(pictures::Input& input, Picture& picture) {
   const int alpha = input.shape().alpha;
   if (alpha < 0) return false;
@@ -78,17 +81,24 @@ bool readAlpha(pictures::Input& input, Picture& picture) {
 
 }  // namespace
 
-std::size_t countPixels(const std::string& path) {
-  return openChecked(path)->shape().pixels();
+std::size_t countPixels(const PictureFile& source) {
+  return openChecked(source)->shape().pixels();
 }
 
-Picture loadPicture(const std::string& path, PixelUse use) {
-  const auto input = openChecked(path);
+Picture loadPicture(const PictureFile& source, PixelUse use) {
+  const auto input = openChecked(source);
   const pictures::Shape& shape = input->shape();
   const bool grey = shape.channels.size() < 3;
   Picture picture{shape.width, shape.height, std::vector<Rgb>(shape.pixels())};
   const bool opacity = use == PixelUse::kOpacity || use == PixelUse::kRawOpacity;
   if (opacity && readAlpha(*input, picture)) return picture;
+  if (use == PixelUse::kAlpha) {
+    if (shape.alpha < 0)
+      std::ranges::fill(picture.pixels, Rgb{1, 1, 1});
+    else
+      readAlpha(*input, picture);
+    return picture;
+  }
   readChannels(*input, 0, grey ? 1 : 3, picture);
   const bool integers = shape.number == pictures::Number::kU8 || shape.number == pictures::Number::kU16;
   const bool encoded = integers && use != PixelUse::kRawReflectance && use != PixelUse::kRawOpacity;

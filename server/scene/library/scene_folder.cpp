@@ -47,6 +47,13 @@ std::vector<SceneObject> objectsOf(const Scene& scene) {
   return objects;
 }
 
+// Before the motions that any scene offers.
+void addPaths(const Scene& scene, SceneEntry& entry) {
+  auto at = entry.trajectories.end() - static_cast<std::ptrdiff_t>(motionNames().size());
+  for (const ScenePath& path : scene.paths)
+    at = entry.trajectories.insert(at, cutText(path.name, kMaxEntryBytes)) + 1;
+}
+
 }  // namespace
 
 std::vector<fs::path> entriesOf(const fs::path& folder) {
@@ -72,6 +79,7 @@ SceneEntry outlineScene(const fs::path& scene, const fs::path& scenes) {
       throw SceneError("the name of the folder is not UTF-8, so that no request can hold it");
     requireWithin(sceneFileIn(scene), scenes);
     entry.trajectories = csvNames(scene / "trajectories");
+    entry.may_have_paths = formatOf(sceneFileIn(scene)).has_paths;
   } catch (const SceneError& fault) {
     entry.unavailable = cutText(fault.what(), kMaxEntryBytes);
   }
@@ -92,6 +100,7 @@ SceneEntry describeScene(const fs::path& scene, const fs::path& scenes, const Lo
     entry.objects = objectsOf(outline);
     if (entry.description.empty() && !outline.unread.empty())
       entry.description = cutText(joinNames(outline.unread), kMaxEntryBytes);
+    addPaths(outline, entry);
   } catch (const SceneError& fault) {
     entry.unavailable = cutText(fault.what(), kMaxEntryBytes);
   }

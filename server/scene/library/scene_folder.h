@@ -26,7 +26,9 @@ struct SceneEntry {
   // The first line of text in README.md, or why it cannot be read. Without one: what an outline tells of the
   // scene, such as that its camera is a default one.
   std::string description;
-  std::vector<std::string> trajectories;  // the names of its CSV files, then motionNames()
+  // The names of its CSV files, then of Scene::paths, then motionNames(). An outline has no paths.
+  std::vector<std::string> trajectories;
+  bool may_have_paths = false;  // of an outline: its file may have some
   // At most kMostListedObjects, those that move first, then by name. None of an outline.
   std::vector<SceneObject> objects = {};
   std::string unavailable;  // why the scene cannot be opened on this machine; empty: it can

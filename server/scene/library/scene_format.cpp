@@ -5,6 +5,7 @@
 
 #include "base/names.h"
 #include "scene/files/scene_error.h"
+#include "scene/gltf/gltf.h"
 #include "scene/library/scene_folder.h"
 #include "scene/mitsuba/mitsuba_xml.h"
 #include "scene/model/model_scene.h"
@@ -28,8 +29,13 @@ std::string join(std::string SceneFormat::*text) {
   return joinNames(all);
 }
 
+// Motions beside the file come before those in it.
 Scene withMotions(Scene scene, const fs::path& file, const LoadOptions& options) {
-  scene.motions = readOwnMotions(file, shapeNames(scene), options);
+  for (OwnMotion& motion : readOwnMotions(file, shapeNames(scene), options)) {
+    std::erase_if(scene.motions, [&](const OwnMotion& other) { return other.name == motion.name; });
+    scene.motions.push_back(std::move(motion));
+  }
+  std::ranges::sort(scene.motions, {}, &OwnMotion::name);
   return scene;
 }
 
@@ -37,6 +43,8 @@ Scene withMotions(Scene scene, const fs::path& file, const LoadOptions& options)
 
 const std::vector<SceneFormat>& sceneFormats() {
   static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml},
+                                                {"glTF", ".gltf", loadGltf, outlineGltf, true},
+                                                {"binary glTF", ".glb", loadGltf, outlineGltf, true},
                                                 {"OBJ", ".obj", loadObjScene, outlineModelScene},
                                                 {"PLY", ".ply", loadPlyScene, outlineModelScene}};
   return formats;
@@ -57,11 +65,9 @@ Scene outlineSceneFile(const fs::path& file, const LoadOptions& options) {
 
 std::string formatFault(const fs::path& path) {
   if (findFormat(path)) return {};
-  const std::string extension = path.extension().string();
-  const bool opens_in_blender = extension == ".gltf" || extension == ".glb" || extension == ".blend";
+  const bool is_blender = path.extension() == ".blend";
   return path.string() + " is not a scene of " + join(&SceneFormat::name) + "; read are " +
-         join(&SceneFormat::extension) +
-         (opens_in_blender ? "; Blender's add-on mitsuba-blender exports .xml" : "");
+         join(&SceneFormat::extension) + (is_blender ? "; Blender exports glTF" : "");
 }
 
 fs::path sceneFileIn(const fs::path& folder) {

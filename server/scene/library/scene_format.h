@@ -18,6 +18,7 @@ struct SceneFormat {
   // have names alone.
   Scene (*load)(const std::string& path, const LoadOptions& options);
   Scene (*outline)(const std::string& path, const LoadOptions& options);
+  bool has_paths = false;  // its files may have Scene::paths
 };
 
 const std::vector<SceneFormat>& sceneFormats();
@@ -28,8 +29,8 @@ const SceneFormat& formatOf(const std::filesystem::path& path);
 // is as SceneFormat::outline.
 Scene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options);
 Scene outlineSceneFile(const std::filesystem::path& file, const LoadOptions& options);
-// "a.fbx is not a scene of Mitsuba, ...; read are .xml, ...", and what exports one from Blender's formats;
-// empty where the format is known.
+// "a.fbx is not a scene of Mitsuba, ...; read are .xml, ...", and what to do with Blender's files; empty
+// where the format is known.
 std::string formatFault(const std::filesystem::path& path);
 
 // The names of a scene's file in its folder, without extension; the first comes before the others.

@@ -97,9 +97,15 @@ Trajectory SceneLibrary::loadTrajectory(const std::string& scene, const std::str
   if (!contains(scene)) throw SceneError(unknown(scene));
   const fs::path folder = folder_ / scene / "trajectories";
   const std::vector<std::string> names = csvNames(folder);
-  if (std::find(names.begin(), names.end(), name) == names.end())
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    const fs::path file = sceneFileIn(folder_ / scene);
+    if (formatOf(file).has_paths) {
+      const Scene loaded = loadSceneFile(file, options_);
+      if (const ScenePath* path = findRow(loaded.paths, name)) return path->path;
+    }
     throw SceneError("no trajectory of the scene " + scene + " is named '" + name +
                      "'; there are: " + joinNames(names));
+  }
   const std::string file = (folder / (name + ".csv")).string();
   requireWithin(file, folder_);
   return parseTrajectory(readFile(file, kMaxTrajectoryBytes), file);

@@ -39,7 +39,8 @@ class SceneLibrary {
   // The latest time at which the scene's file, that of its motions or that of its values was written. Without
   // any it is the beginning of time.
   std::filesystem::file_time_type lastChange(const std::string& name) const;
-  // A trajectory from the scene's CSV files. Throws SceneError that names the valid ones.
+  // A trajectory from the scene's CSV files, or one of Scene::paths, for which the whole scene is read.
+  // Throws SceneError that names the valid ones.
   Trajectory loadTrajectory(const std::string& scene, const std::string& name) const;
 
  private:

@@ -28,6 +28,7 @@ class BsdfReader {
   std::optional<Rgb> readIndex(const std::string& name);
   void readConductor();
   void readDielectric();
+  void readMetallicRoughness();
   void readRoughness();
   void ignoreRoughness();
   void readIor(const std::string& interior_default);
@@ -65,10 +66,13 @@ void BsdfReader::read(BsdfKind kind) {
     case BsdfKind::kThinDielectric:
       readDielectric();
       break;
+    case BsdfKind::kMetallicRoughness:
+      readMetallicRoughness();
+      break;
     case BsdfKind::kCount:
       break;
   }
-  if (kind != BsdfKind::kDiffuse)
+  if (kind != BsdfKind::kDiffuse && kind != BsdfKind::kMetallicRoughness)
     material_.specular = textures_.readColor(properties_, "specular_reflectance", kWhite);
   if (traitsOf(kind).delta) ignoreRoughness();
   properties_.finish();
@@ -124,6 +128,17 @@ void BsdfReader::readDielectric() {
   if (material_.model.kind == BsdfKind::kRoughDielectric && std::abs(material_.model.ior - 1) < kLeastBend)
     throw file_.error(bsdf_, "int_ior and ext_ior of rough glass must differ by 0.001 at least");
   material_.transmittance = textures_.readColor(properties_, "specular_transmittance", kWhite);
+}
+
+// Our own, with names as those of Mitsuba's principled.
+void BsdfReader::readMetallicRoughness() {
+  readIor(kGlass);
+  material_.reflectance = textures_.readColor(properties_, "base_color", kHalf);
+  const double metallic = properties_.number("metallic", 0), roughness = properties_.number("roughness", 0.5);
+  if (!(metallic >= 0 && metallic <= 1 && roughness >= 0 && roughness <= 1))
+    throw file_.error(bsdf_, "metallic and roughness must be within [0, 1]");
+  material_.metallic_roughness =
+      constantColor({0, static_cast<float>(roughness), static_cast<float>(metallic)});
 }
 
 void BsdfReader::readRoughness() {

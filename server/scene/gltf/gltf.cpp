@@ -1,0 +1,153 @@
+#include "scene/gltf/gltf.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/text_cut.h"
+#include "scene/gltf/gltf_cameras.h"
+#include "scene/gltf/gltf_defaults.h"
+#include "scene/gltf/gltf_extensions.h"
+#include "scene/gltf/gltf_lights.h"
+#include "scene/gltf/gltf_meshes.h"
+#include "scene/gltf/gltf_motions.h"
+#include "scene/motion/own_motions.h"
+#include "scene/motion/shape_box.h"
+#include "scene/scene_origin.h"
+
+namespace saccade {
+namespace {
+
+constexpr std::size_t kMaxSentence = 300;  // bytes
+
+// The first of these sentences, once each.
+std::vector<std::string> shortened(const std::vector<std::string>& unread) {
+  constexpr std::size_t kMost = 24;
+  std::vector<std::string> told;
+  std::set<std::string> seen;
+  for (const std::string& sentence : unread)
+    if (seen.insert(sentence).second && told.size() < kMost) told.push_back(cutText(sentence, kMaxSentence));
+  if (seen.size() > kMost)
+    told.push_back(std::to_string(seen.size() - kMost) + " more things of this kind are not shown");
+  return told;
+}
+
+Affine relativeTo(Affine to_world, Vec3d origin) {
+  to_world.translation = to_world.translation - origin;
+  return to_world;
+}
+
+// Reads one scene from a file. Without `buffers` it is an outline.
+class SceneReader {
+ public:
+  SceneReader(const GltfFile& file, const GltfBuffers* buffers, Scene& scene)
+      : root_(file.root()),
+        nodes_(readNodes(root_)),
+        animation_(root_, nodes_),
+        pictures_(file, buffers, loads_, scene),
+        materials_(root_, pictures_, scene),
+        meshes_(root_, buffers, materials_, loads_, scene),
+        scene_(scene) {
+    if (buffers) animation_.readKeys(*buffers);
+  }
+
+  void readNodesOfScene() {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const auto mover = animation_.moverOf(i);
+      const Affine to_world = animation_.worldAt(i, 0);
+      if (mover && nodes_[i].json.extension("KHR_lights_punctual"))
+        scene_.unread.push_back("the lamp " + nodes_[i].name + " stands where its animation begins");
+      addLight(root_, nodes_[i].json, to_world, scene_);
+      if (!nodes_[i].json.find("mesh")) continue;
+      if (mover) movers_.insert(*mover);
+      meshes_.add(nodes_[i], nodes_[mover.value_or(i)].name, relativeTo(to_world, scene_.origin));
+    }
+    readCameras(root_, nodes_, animation_, scene_);
+    const auto& of_animation = animation_.unread();
+    scene_.unread.insert(scene_.unread.end(), of_animation.begin(), of_animation.end());
+  }
+
+  void load(const LoadOptions& options) {
+    loads_.run(options);
+    materials_.setEmission();
+    for (const std::size_t i : movers()) addMotion(i);
+    sortMotions();
+  }
+
+  void nameMotions() {
+    for (const std::size_t i : movers()) scene_.motions.push_back({nodes_[i].name, "animation"});
+    sortMotions();
+  }
+
+ private:
+  std::vector<std::size_t> movers() {
+    std::vector<std::size_t> all(movers_.begin(), movers_.end());
+    if (all.size() <= kMostOwnMotions) return all;
+    scene_.unread.push_back("the first " + std::to_string(kMostOwnMotions) + " of " +
+                            std::to_string(all.size()) + " animated objects move");
+    all.resize(kMostOwnMotions);
+    return all;
+  }
+
+  void addMotion(std::size_t i) {
+    ShapeBox box;
+    for (const Mesh& mesh : scene_.meshes)
+      if (mesh.name == nodes_[i].name) box.add(mesh);
+    const Vec3d centre = toDouble(box.centre()) + scene_.origin;
+    const double radius = std::max(1e-6, length(toDouble(box.high - box.low)) / 2);
+    if (auto motion = bodyMotion(animation_, i, nodes_[i].name, centre, radius, scene_.unread))
+      scene_.motions.push_back(std::move(*motion));
+  }
+
+  void sortMotions() { std::ranges::sort(scene_.motions, {}, &OwnMotion::name); }
+
+  const JsonNode root_;
+  const std::vector<GltfNode> nodes_;
+  GltfAnimation animation_;
+  FileLoads loads_;
+  GltfPictures pictures_;
+  GltfMaterials materials_;
+  GltfMeshes meshes_;
+  Scene& scene_;
+  std::set<std::size_t> movers_;  // nodes with meshes, by which these move
+};
+
+Scene loadAt(const GltfFile& file, const GltfBuffers& buffers, const LoadOptions& options, Vec3d origin) {
+  Scene scene;
+  scene.name = std::filesystem::path(file.path()).parent_path().filename().string();
+  scene.origin = origin;
+  scene.unread = unreadExtensions(file.root());
+  SceneReader reader(file, &buffers, scene);
+  reader.readNodesOfScene();
+  if (scene.meshes.empty()) throw file.root().error("the scene has no mesh");
+  reader.load(options);
+  addDefaults(scene);
+  scene.unread = shortened(scene.unread);
+  return scene;
+}
+
+}  // namespace
+
+Scene loadGltf(const std::string& path, const LoadOptions& options) {
+  const GltfFile file(path, options);
+  const GltfBuffers buffers(file);
+  Scene scene = loadAt(file, buffers, options, {});
+  const Vec3d origin = originOf(scene);
+  if (origin == Vec3d{}) return scene;
+  scene = {};  // its floats are too coarse: it is read once more
+  return loadAt(file, buffers, options, origin);
+}
+
+Scene outlineGltf(const std::string& path, const LoadOptions& options) {
+  const GltfFile file(path, options);
+  Scene scene;
+  scene.unread = unreadExtensions(file.root());
+  SceneReader reader(file, nullptr, scene);
+  reader.readNodesOfScene();
+  if (scene.meshes.empty()) throw file.root().error("the scene has no mesh");
+  reader.nameMotions();
+  scene.unread = shortened(scene.unread);
+  return scene;
+}
+
+}  // namespace saccade

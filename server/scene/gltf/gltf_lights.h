@@ -1,0 +1,17 @@
+// Lamps of KHR_lights_punctual.
+#pragma once
+
+#include "scene/affine.h"
+#include "scene/gltf/json_node.h"
+#include "scene/scene.h"
+
+namespace saccade {
+
+// Adds the lamp of a node, if it has one. Throws SceneError.
+//
+// Lamps of glTF are in candela and lux, and its surfaces in candela per square metre. One candela per square
+// metre is a radiance of 1 here. Blender's exporter gives radiant units to surfaces, and 683 lumens per watt
+// to lamps: the lamps of its files are divided by 683.
+void addLight(const JsonNode& root, const JsonNode& node, const Affine& to_world, Scene& scene);
+
+}  // namespace saccade

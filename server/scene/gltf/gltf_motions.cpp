@@ -1,0 +1,79 @@
+#include "scene/gltf/gltf_motions.h"
+
+#include <cmath>
+
+#include "scene/gltf/path_sampler.h"
+
+namespace saccade {
+namespace {
+
+constexpr double kRigid = 1e-3;  // how far the axes of a body may be from unit length and right angles
+
+// The rotation next to a map, by its z axis and then its y axis.
+Quaternion rotationOf(const Affine& a) {
+  const Vec3d z = normalize(a.z), x = normalize(cross(a.y, z));
+  const Vec3d y = cross(z, x);
+  return fromAxes(x, y, z);
+}
+
+bool isRigid(const Affine& a) {
+  const Vec3d axes[]{a.x, a.y, a.z};
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(length(axes[i]) - 1) > kRigid || std::abs(dot(axes[i], axes[(i + 1) % 3])) > kRigid)
+      return false;
+  return true;
+}
+
+// A point at this distance moves by as much as the pose.
+MotionToSample motionOf(const GltfAnimation& animation, std::size_t i, double reach) {
+  return {{}, animation.keyTimes(i), animation.stepTimes(i), reach};
+}
+
+}  // namespace
+
+Pose cameraPose(const Affine& world) {
+  const Quaternion r = rotationOf(world);
+  return {world.translation, fromAxes(rotate(r, {1, 0, 0}), rotate(r, {0, -1, 0}), rotate(r, {0, 0, -1}))};
+}
+
+std::vector<TimedPose> cameraPath(const GltfAnimation& animation, std::size_t i, double reach) {
+  MotionToSample motion = motionOf(animation, i, reach);
+  if (motion.keys.empty()) return {{TimeNs{0}, cameraPose(animation.worldAt(i, 0))}};
+  motion.at = [&](double t) { return cameraPose(animation.worldAt(i, t)); };
+  return samplePath(motion);
+}
+
+Trajectory playedPath(std::vector<TimedPose> poses, double length, double reach) {
+  const TimeNs period{std::llround(length * 1e9)};
+  const std::vector<TimedPose> ends{poses.front(), poses.back()};
+  if (period <= TimeNs{0} || stands(poses, reach) || !stands(ends, reach))
+    return Trajectory(std::move(poses));
+  if (poses.front().time > TimeNs{0}) poses.insert(poses.begin(), {TimeNs{0}, poses.front().pose});
+  if (poses.back().time < period) poses.push_back({period, {}});
+  poses.back().pose = poses.front().pose;
+  return Trajectory::periodic(std::move(poses));
+}
+
+std::optional<OwnMotion> bodyMotion(const GltfAnimation& animation, std::size_t i, const std::string& name,
+                                    Vec3d centre, double radius, std::vector<std::string>& unread) {
+  const auto from_rest = inverse(animation.worldAt(i, 0));
+  if (!from_rest) {
+    unread.push_back(name + " has no size when its animation begins; it stands");
+    return {};
+  }
+  bool rigid = true;
+  MotionToSample motion = motionOf(animation, i, radius);
+  motion.at = [&](double t) {
+    const Affine moved = animation.worldAt(i, t) * *from_rest;
+    rigid = rigid && isRigid(moved);
+    const bool turned = determinant(moved) != 0;
+    return Pose{mapPoint(moved, centre), turned ? rotationOf(moved) : Quaternion{}};
+  };
+  std::vector<TimedPose> poses = samplePath(motion);
+  if (!rigid) unread.push_back("the size of " + name + " changes in its animation; it keeps its first");
+  if (stands(poses, radius)) return {};
+  const std::size_t count = poses.size();
+  return OwnMotion{name, "animation", playedPath(std::move(poses), animation.length(), radius), count};
+}
+
+}  // namespace saccade
