@@ -190,6 +190,24 @@ TEST(GltfLights, AreInCandelaAndLux) {
   EXPECT_FALSE(sun.environment);
 }
 
+std::string sky(const std::string& radiance) {
+  return R"("scenes":[{"nodes":[0],"extensions":{"SACCADE_sky":{)" + radiance +
+         R"(}}}],"extensionsUsed":["SACCADE_sky"])";
+}
+
+TEST(GltfLights, OfOurOwnSkyAreEven) {
+  const Scene scene = test::loadTriangle({test::kTriangleNode, sky(R"("radiance":[0.5,1,2])")});
+  ASSERT_TRUE(scene.environment.has_value());
+  EXPECT_EQ(scene.environment->radiance, (Rgb{0.5f, 1, 2}));
+  for (const std::string& sentence : scene.unread) EXPECT_EQ(sentence.find("sky"), sentence.npos) << sentence;
+  const auto fault = [](const std::string& radiance) {
+    return errorOf([&] { test::loadTriangle({test::kTriangleNode, sky(radiance)}); });
+  };
+  expectContains(fault(""), "scenes[0].extensions.SACCADE_sky: has no radiance");
+  expectContains(fault(R"("radiance":[1,-1,1])"), "the light must be within [0, 1e18]");
+  expectContains(fault(R"("radiance":1)"), "is not an array of 3 numbers");
+}
+
 // Blender writes watts / (4 pi) times 683, beside radiance in radiant units.
 TEST(GltfLights, OfBlenderAreRadiant) {
   const Scratch files;

@@ -62,6 +62,7 @@ class SceneReader {
       if (mover) movers_.insert(*mover);
       meshes_.add(nodes_[i], nodes_[mover.value_or(i)].name, relativeTo(to_world, scene_.origin));
     }
+    addSky(root_, scene_);
     readCameras(root_, nodes_, animation_, scene_);
     const auto& of_animation = animation_.unread();
     scene_.unread.insert(scene_.unread.end(), of_animation.begin(), of_animation.end());

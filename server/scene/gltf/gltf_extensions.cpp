@@ -19,7 +19,8 @@ const std::vector<std::string>& supported() {
                                               "KHR_materials_transmission",
                                               "KHR_materials_volume",
                                               "KHR_mesh_quantization",
-                                              "KHR_texture_transform"};
+                                              "KHR_texture_transform",
+                                              "SACCADE_sky"};
   return names;
 }
 

@@ -1,4 +1,4 @@
-// Lamps of KHR_lights_punctual.
+// Lamps of KHR_lights_punctual, and an even sky.
 #pragma once
 
 #include "scene/affine.h"
@@ -13,5 +13,9 @@ namespace saccade {
 // metre is a radiance of 1 here. Blender's exporter gives radiant units to surfaces, and 683 lumens per watt
 // to lamps: the lamps of its files are divided by 683.
 void addLight(const JsonNode& root, const JsonNode& node, const Affine& to_world, Scene& scene);
+
+// Adds the even sky of SACCADE_sky, an extension of ours of the file's scene, if it has one:
+// {"radiance": [R, G, B]}, linear, at least 0. Throws SceneError.
+void addSky(const JsonNode& root, Scene& scene);
 
 }  // namespace saccade
