@@ -187,5 +187,14 @@ TEST_F(GltfLibrary, MotionsBesideTheFileComeFirst) {
   EXPECT_EQ(scene.motions[0].text, "spin:90");
 }
 
+TEST_F(GltfLibrary, TrajectoriesBesideTheFileComeFirst) {
+  files_.write("scenes/mine/trajectories/eye.csv", "0 1 2 3 0 0 0 1\n1 4 5 6 0 0 0 1\n");
+  const SceneLibrary library(files_.path("scenes"));
+  const std::vector<std::string> names = library.list().at(0).trajectories;
+  EXPECT_EQ(std::ranges::count(names, "eye"), 1);
+  EXPECT_TRUE(library.load("mine").paths.empty());
+  EXPECT_EQ(library.loadTrajectory("mine", "eye").at(0s).position, (Vec3d{1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace saccade

@@ -29,13 +29,16 @@ std::string join(std::string SceneFormat::*text) {
   return joinNames(all);
 }
 
-// Motions beside the file come before those in it.
-Scene withMotions(Scene scene, const fs::path& file, const LoadOptions& options) {
+// Motions and trajectories beside the file come before those in it.
+Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& options) {
   for (OwnMotion& motion : readOwnMotions(file, shapeNames(scene), options)) {
     std::erase_if(scene.motions, [&](const OwnMotion& other) { return other.name == motion.name; });
     scene.motions.push_back(std::move(motion));
   }
   std::ranges::sort(scene.motions, {}, &OwnMotion::name);
+  if (scene.paths.empty()) return scene;
+  for (const std::string& name : csvNames(file.parent_path() / "trajectories"))
+    std::erase_if(scene.paths, [&](const ScenePath& path) { return path.name == name; });
   return scene;
 }
 
@@ -56,11 +59,11 @@ const SceneFormat& formatOf(const fs::path& path) {
 }
 
 Scene loadSceneFile(const fs::path& file, const LoadOptions& options) {
-  return withMotions(formatOf(file).load(file.string(), options), file, options);
+  return withFilesBeside(formatOf(file).load(file.string(), options), file, options);
 }
 
 Scene outlineSceneFile(const fs::path& file, const LoadOptions& options) {
-  return withMotions(formatOf(file).outline(file.string(), options), file, options);
+  return withFilesBeside(formatOf(file).outline(file.string(), options), file, options);
 }
 
 std::string formatFault(const fs::path& path) {
