@@ -14,8 +14,8 @@ namespace saccade {
 // to lamps: the lamps of its files are divided by 683.
 void addLight(const JsonNode& root, const JsonNode& node, const Affine& to_world, Scene& scene);
 
-// Adds the even sky of SACCADE_sky, an extension of ours of the file's scene, if it has one:
-// {"radiance": [R, G, B]}, linear, at least 0. Throws SceneError.
+// Adds the even sky of SACCADE_sky, an extension of ours of the file's scene, if it has one. It is
+// {"radiance": [R, G, B]}, linear and at least 0. Throws SceneError.
 void addSky(const JsonNode& root, Scene& scene);
 
 }  // namespace saccade

@@ -25,8 +25,8 @@ const std::vector<SceneFormat>& sceneFormats();
 
 // The format of a file, by its extension. Throws SceneError with formatFault().
 const SceneFormat& formatOf(const std::filesystem::path& path);
-// The scene of a file, with the motions that its folder gives it, and without the paths of which its folder has
-// a trajectory. Both throw SceneError; outlineSceneFile() is as SceneFormat::outline.
+// The scene of a file, with the motions that its folder gives it, and without the paths of which its folder
+// has a trajectory. Both throw SceneError; outlineSceneFile() is as SceneFormat::outline.
 Scene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options);
 Scene outlineSceneFile(const std::filesystem::path& file, const LoadOptions& options);
 // "a.fbx is not a scene of Mitsuba, ...; read are .xml, ...", and what to do with Blender's files; empty
