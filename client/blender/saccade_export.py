@@ -16,7 +16,7 @@ import sys
 import bpy
 import numpy
 from bpy_extras.io_utils import ExportHelper
-from mathutils import Matrix
+from mathutils import Euler, Matrix
 
 bl_info = {
     "name": "Export to Saccade",
@@ -30,6 +30,7 @@ bl_info = {
 
 TO_Y_UP = Matrix(((1, 0, 0, 0), (0, 0, 1, 0), (0, -1, 0, 0), (0, 0, 0, 1)))  # as Blender's exporter turns the world
 CAMERA_AXES = Matrix.Diagonal((1, -1, -1, 1))  # from x right, y up, z backward to x right, y down, z forward
+SKY_AXES = Matrix.Rotation(math.pi / 2, 4, "Y")  # from directions of SACCADE_sky to those of Blender's, with y up
 SHAPES = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
 DEFORMERS = {"ARMATURE", "CLOTH", "LATTICE", "SOFT_BODY", "SURFACE_DEFORM", "MESH_DEFORM", "MESH_CACHE",
              "MESH_SEQUENCE_CACHE", "OCEAN", "FLUID", "EXPLODE", "WAVE"}
@@ -165,21 +166,75 @@ def write_bodies(context, folder, tracks, exported, tell):
 # ---- Light
 
 
-def sky_of(world, tell):
-    """The radiance of an even world, linear; None: it has none."""
-    if not world:
-        return None
-    output = world.node_tree.get_output_node("CYCLES") if world.use_nodes else None
-    if not output:
-        return None if world.use_nodes else list(world.color)
-    links = output.inputs["Surface"].links
+def background_of(world):
+    """The shader of a world that is nothing but a background."""
+    output = world.node_tree.get_output_node("CYCLES")
+    links = output.inputs["Surface"].links if output else ()
     shader = links[0].from_node if links else None
+    return shader if shader and shader.type == "BACKGROUND" and not shader.inputs["Strength"].is_linked else None
+
+
+def save_picture(image, folder):
+    """A copy of the file of a picture, in the folder; None where it has no file."""
+    suffix = pathlib.Path(image.filepath).suffix
+    source = pathlib.Path(bpy.path.abspath(image.filepath, library=image.library))
+    data = image.packed_file.data if image.packed_file else source.read_bytes() if source.is_file() else None
+    if image.source != "FILE" or not suffix or not data:
+        return None
+    path = folder / f"sky{suffix}"
+    path.write_bytes(data)
+    return path.name
+
+
+def rotation_of_sky(node):
+    """How an environment texture turns its directions; None where it does more than that."""
+    turn = Matrix()
+    if node.inputs["Vector"].is_linked:
+        mapping = node.inputs["Vector"].links[0].from_node
+        if mapping.type == "MAPPING":
+            values = {key: mapping.inputs[key] for key in ("Location", "Rotation", "Scale") if key in mapping.inputs}
+            plain = {"Location": (0, 0, 0), "Scale": (1, 1, 1)}
+            if any(socket.is_linked or key in plain and tuple(socket.default_value) != plain[key]
+                   for key, socket in values.items()):
+                return None
+            turn = Euler(values["Rotation"].default_value).to_matrix().to_4x4()
+            if mapping.vector_type == "TEXTURE":
+                turn.transpose()
+            link = mapping.inputs["Vector"].links
+        else:
+            link = node.inputs["Vector"].links
+        if not link or link[0].from_socket.name != "Generated":
+            return None
+    return (TO_Y_UP @ turn.inverted() @ TO_Y_UP.inverted() @ SKY_AXES).to_quaternion()
+
+
+def picture_of_sky(socket, folder):
+    """What SACCADE_sky says of a picture; None where the colour is another thing."""
+    node = socket.links[0].from_node
+    if node.type != "TEX_ENVIRONMENT" or node.projection != "EQUIRECTANGULAR" or not node.image:
+        return None
+    turn = rotation_of_sky(node)
+    name = save_picture(node.image, folder) if turn else None
+    return {"picture": name, "rotation": [turn.x, turn.y, turn.z, turn.w]} if name else None
+
+
+def sky_of(world, folder, tell):
+    """SACCADE_sky of a world, a colour or a picture. None where it is black or another thing."""
+    if not world or not world.use_nodes:
+        return {"radiance": list(world.color)} if world and max(world.color) > 0 else None
+    shader = background_of(world)
     if not shader:
+        tell("the world is more than a background, and is not exported")
         return None
-    if shader.type != "BACKGROUND" or any(socket.is_linked for socket in shader.inputs):
-        tell("the world is more than a colour, and is not exported")
+    strength, color = shader.inputs["Strength"].default_value, shader.inputs["Color"]
+    if not color.is_linked:
+        radiance = [strength * part for part in color.default_value[:3]]
+        return {"radiance": radiance} if max(radiance) > 0 else None
+    picture = picture_of_sky(color, folder)
+    if not picture:
+        tell("the world is neither a colour nor a picture from a file, and is not exported")
         return None
-    return [shader.inputs["Strength"].default_value * part for part in shader.inputs["Color"].default_value[:3]]
+    return {"radiance": [strength] * 3, **picture}
 
 
 def lamp_corners(lamp):
@@ -289,8 +344,8 @@ def finish_glb(path, camera, sky):
     def edit(gltf):
         if camera:
             put_first(gltf, camera.name)
-        if sky and max(sky) > 0:
-            gltf["scenes"][gltf.get("scene", 0)].setdefault("extensions", {})["SACCADE_sky"] = {"radiance": sky}
+        if sky:
+            gltf["scenes"][gltf.get("scene", 0)].setdefault("extensions", {})["SACCADE_sky"] = sky
             gltf.setdefault("extensionsUsed", []).append("SACCADE_sky")
         exported.update(node["name"] for node in gltf["nodes"] if "mesh" in node)
 
@@ -345,7 +400,7 @@ def export(context, folder, samples_per_frame, tell):
         lamps = [item for item in items if item.type == "LIGHT" and item.data.type == "AREA"]
         with area_lamps_as_shapes(context, lamps):
             export_gltf(folder / "scene.glb")
-        exported = finish_glb(folder / "scene.glb", scene.camera, sky_of(scene.world, tell))
+        exported = finish_glb(folder / "scene.glb", scene.camera, sky_of(scene.world, folder, tell))
         write_cameras(folder, [t for t in tracks if t.item.type == "CAMERA"], tell)
         write_bodies(context, folder, [t for t in tracks if t.item.type in SHAPES or t.item in lamps], exported, tell)
         tell_of_rest(scene, items, tracks, tell)

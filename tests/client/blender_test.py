@@ -89,6 +89,26 @@ def build():
     return eye, cube
 
 
+def take_picture(folder):
+    """A world with a picture that is turned: a gradient, and a bright spot."""
+    import bpy
+
+    width, height = 64, 32
+    image = bpy.data.images.new("sky", width, height, float_buffer=True)
+    image.pixels = [0.2 + 0.02 * x * (c == 0) + 0.05 * y * (c == 1) + 8 * (abs(x - 20) < 4 and abs(y - 22) < 4)
+                    for y in range(height) for x in range(width) for c in range(4)]
+    image.file_format, image.filepath_raw = "OPEN_EXR", f"{folder}/sky source.exr"
+    image.save()
+    tree = bpy.context.scene.world.node_tree
+    kinds = "TexEnvironment", "Mapping", "TexCoord"
+    texture, mapping, place = (tree.nodes.new("ShaderNode" + kind) for kind in kinds)
+    texture.image = bpy.data.images.load(image.filepath_raw)
+    mapping.inputs["Rotation"].default_value = 0.3, -0.2, 0.8
+    tree.links.new(place.outputs["Generated"], mapping.inputs["Vector"])
+    tree.links.new(mapping.outputs["Vector"], texture.inputs["Vector"])
+    tree.links.new(texture.outputs["Color"], tree.nodes["Background"].inputs["Color"])
+
+
 def render(path):
     import bpy
 
@@ -130,6 +150,10 @@ def make(folder):
         render(f"{folder}/{name}.exr")
     pathlib.Path(folder, "truth.json").write_text(json.dumps(found))
     bpy.ops.wm.save_as_mainfile(filepath=f"{folder}/cube.blend")
+    take_picture(folder)
+    bpy.context.scene.frame_set(1)
+    render(f"{folder}/picture.exr")
+    bpy.ops.wm.save_as_mainfile(filepath=f"{folder}/picture.blend")
 
 
 def blocks(path):
@@ -240,11 +264,19 @@ class Export(unittest.TestCase):
             moved = turned(turn, [a - b for a, b in zip(corner, centre)])
             self.assert_near([a + b for a, b in zip(place, moved)], wanted, 1e-5)
 
-    def test_the_first_picture_is_that_of_cycles(self):
-        ours = self.folder / "ours.exr"
+    def render_as(self, scene, theirs):
+        ours = self.folder / f"ours of {theirs}"
         size = "x".join(map(str, SIZE))
-        self.evaluate("render", self.scene, "--size", size, "--spp", 256, "--bounces", 4, "-o", ours)
-        self.assert_alike(ours, self.folder / "first.exr")
+        self.evaluate("render", scene, "--size", size, "--spp", 256, "--bounces", 4, "-o", ours)
+        self.assert_alike(ours, self.folder / theirs)
+
+    def test_the_first_picture_is_that_of_cycles(self):
+        self.render_as(self.scene, "first.exr")
+
+    def test_a_picture_of_the_world_is_that_of_cycles(self):
+        scene = self.folder / "scenes/picture"
+        self.assertNotIn("Warning", blender(self.folder / "picture.blend", "--python", EXPORT, "--", scene))
+        self.render_as(scene, "picture.exr")
 
     # At a rate of 1 / SECONDS the first frame after frame 0 is the one of Blender. Its paths start at the centres
     # of pixels, so that a larger one is needed for smooth edges.

@@ -17,7 +17,7 @@ constexpr const char* kBuffer =
 
 const std::string kScene = std::string(
                                R"({"asset":{"version":"2.0","generator":"Khronos glTF Blender I/O v3.4.50"},
-"extensionsUsed":["KHR_lights_punctual"],"scene":0,"scenes":[{"nodes":[0,3]}],
+"extensionsUsed":["KHR_lights_punctual"],"scene":0,"scenes":[{"nodes":[0,3],"extensions":{"SACCADE_sky":{"radiance":[0,1,2],"rotation":[0,0,0,1],"picture":"a.ppm"}}}],
 "nodes":[{"name":"a","children":[1,2],"rotation":[0,0,0,1],"scale":[1,2,1]},{"mesh":0,"translation":[1,0,0]},
 {"camera":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,3,1]},{"extensions":{"KHR_lights_punctual":{"light":0}}}],
 "cameras":[{"type":"perspective","perspective":{"yfov":0.7,"aspectRatio":1.5,"znear":0.1}}],

@@ -203,9 +203,24 @@ TEST(GltfLights, OfOurOwnSkyAreEven) {
   const auto fault = [](const std::string& radiance) {
     return errorOf([&] { test::loadTriangle({test::kTriangleNode, sky(radiance)}); });
   };
-  expectContains(fault(""), "scenes[0].extensions.SACCADE_sky: has no radiance");
   expectContains(fault(R"("radiance":[1,-1,1])"), "the light must be within [0, 1e18]");
   expectContains(fault(R"("radiance":1)"), "is not an array of 3 numbers");
+  expectContains(fault(R"("rotation":[0,0,0,0])"), "SACCADE_sky: the rotation has no length");
+  expectContains(fault(R"("picture":"absent.exr")"), "SACCADE_sky.picture: ");
+}
+
+// A turn by 90 degrees about y brings the picture's -z to -x.
+TEST(GltfLights, OfOurOwnSkyMayHaveAPicture) {
+  const Scratch files;
+  files.write("sky.ppm", "P3 2 1 255 255 0 0 0 0 255");
+  const Scene scene = test::loadGltfOf(
+      files, test::triangle(),
+      {test::kTriangleMesh, test::kTriangleNode,
+       sky(R"("picture":"sky.ppm","rotation":[0,0.7071067811865476,0,0.7071067811865476])")});
+  ASSERT_TRUE(scene.environment.has_value());
+  EXPECT_EQ(scene.environment->radiance, (Rgb{1, 1, 1}));
+  EXPECT_EQ(scene.environment->picture.pixels, (std::vector<Rgb>{{1, 0, 0}, {0, 0, 1}}));
+  expectNear(mapVector(scene.environment->to_world, {0, 0, -1}), {-1, 0, 0}, 1e-9);
 }
 
 // Blender writes watts / (4 pi) times 683, beside radiance in radiant units.

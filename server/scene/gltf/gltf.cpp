@@ -11,6 +11,7 @@
 #include "scene/gltf/gltf_lights.h"
 #include "scene/gltf/gltf_meshes.h"
 #include "scene/gltf/gltf_motions.h"
+#include "scene/gltf/gltf_sky.h"
 #include "scene/motion/own_motions.h"
 #include "scene/motion/shape_box.h"
 #include "scene/scene_origin.h"
@@ -48,6 +49,7 @@ class SceneReader {
         materials_(root_, pictures_, scene),
         meshes_(root_, buffers, materials_, loads_, scene),
         scene_(scene) {
+    addSky(file, loads_, scene_);
     if (buffers) animation_.readKeys(*buffers);
   }
 
@@ -62,7 +64,6 @@ class SceneReader {
       if (mover) movers_.insert(*mover);
       meshes_.add(nodes_[i], nodes_[mover.value_or(i)].name, relativeTo(to_world, scene_.origin));
     }
-    addSky(root_, scene_);
     readCameras(root_, nodes_, animation_, scene_);
     const auto& of_animation = animation_.unread();
     scene_.unread.insert(scene_.unread.end(), of_animation.begin(), of_animation.end());

@@ -8,7 +8,7 @@
 //             KHR_materials_ior, _specular without textures, _transmission as glass, _volume as solid glass
 //   texture   PNG, JPEG, EXT_texture_webp; KHR_texture_transform without rotation; repeats
 //   camera    perspective; each is a named path, and the first the scene's own
-//   light     KHR_lights_punctual; our own SACCADE_sky, an even sky
+//   light     KHR_lights_punctual; our own SACCADE_sky, even or a picture
 //   animation of nodes: these are objects with a motion of their own, from stream time 0 on
 // A file without a camera is seen from its front. One without light stands under an even sky of radiance 1.
 // Scene::unread tells of parts that would change the picture, and are not shown. Required extensions that are

@@ -9,7 +9,6 @@ namespace saccade {
 namespace {
 
 constexpr const char* kExtension = "KHR_lights_punctual";
-constexpr const char* kSky = "SACCADE_sky";
 constexpr double kBlenderLumensPerWatt = 683;
 
 double unitOf(const JsonNode& root) {
@@ -17,16 +16,10 @@ double unitOf(const JsonNode& root) {
   return blender ? 1 / kBlenderLumensPerWatt : 1;
 }
 
-Rgb checked(const JsonNode& light, Vec3d value) {
-  for (const double part : {value.x, value.y, value.z})
-    if (!(part >= 0 && part <= kMaxRadiance)) throw light.error("the light must be within [0, 1e18]");
-  return toFloat(value);
-}
-
 Rgb lightOf(const JsonNode& root, const JsonNode& light) {
   const auto color = light.numbers<3>("color", {1, 1, 1});
   const double intensity = light.number("intensity", 1) * unitOf(root);
-  return checked(light, {color[0] * intensity, color[1] * intensity, color[2] * intensity});
+  return checkedLight(light, {color[0] * intensity, color[1] * intensity, color[2] * intensity});
 }
 
 SpotLight spotOf(const JsonNode& light, Vec3 position, Vec3 axis, Rgb intensity) {
@@ -39,6 +32,12 @@ SpotLight spotOf(const JsonNode& light, Vec3 position, Vec3 axis, Rgb intensity)
 }
 
 }  // namespace
+
+Rgb checkedLight(const JsonNode& of, Vec3d light) {
+  for (const double part : {light.x, light.y, light.z})
+    if (!(part >= 0 && part <= kMaxRadiance)) throw of.error("the light must be within [0, 1e18]");
+  return toFloat(light);
+}
 
 void addLight(const JsonNode& root, const JsonNode& node, const Affine& to_world, Scene& scene) {
   const auto extension = node.extension(kExtension);
@@ -61,15 +60,6 @@ void addLight(const JsonNode& root, const JsonNode& node, const Affine& to_world
     scene.directional_lights.push_back({axis, intensity});
   else
     throw light.error("the type is not point, spot or directional");
-}
-
-void addSky(const JsonNode& root, Scene& scene) {
-  const std::size_t scenes = root.count("scenes");
-  if (scenes == 0) return;
-  const auto sky = root.entry("scenes", root.index("scene", scenes).value_or(0)).extension(kSky);
-  if (!sky) return;
-  const std::vector<double> radiance = sky->at("radiance").numbers(3);
-  scene.environment = Environment{checked(*sky, {radiance[0], radiance[1], radiance[2]}), {}, {}};
 }
 
 }  // namespace saccade

@@ -1,4 +1,4 @@
-// Lamps of KHR_lights_punctual, and an even sky.
+// Lamps of KHR_lights_punctual.
 #pragma once
 
 #include "scene/affine.h"
@@ -14,8 +14,7 @@ namespace saccade {
 // to lamps: the lamps of its files are divided by 683.
 void addLight(const JsonNode& root, const JsonNode& node, const Affine& to_world, Scene& scene);
 
-// Adds the even sky of SACCADE_sky, an extension of ours of the file's scene, if it has one. It is
-// {"radiance": [R, G, B]}, linear and at least 0. Throws SceneError.
-void addSky(const JsonNode& root, Scene& scene);
+// As floats; throws SceneError where a part is not within [0, kMaxRadiance].
+Rgb checkedLight(const JsonNode& of, Vec3d light);
 
 }  // namespace saccade
