@@ -365,6 +365,8 @@ def tell_of_rest(scene, items, tracks, tell):
     for track in tracks:
         if track.item.type == "LIGHT" and track.item.data.type != "AREA" and track.moves():
             tell(f"the lamp {track.item.name} moves; it stands where it is at the first frame")
+        if track.item.instance_type != "NONE" and track.moves():
+            tell(f"the instances of {track.item.name} move; they stand where they are at the first frame")
     for item in items:
         data = item.data
         if item.type == "LIGHT":
@@ -396,7 +398,8 @@ def export(context, folder, samples_per_frame, tell):
     folder.mkdir(parents=True, exist_ok=True)
     items = [item for item in context.view_layer.objects if not item.hide_render]
     try:
-        tracks = sample(context, [i for i in items if i.type in SHAPES | {"CAMERA", "LIGHT"}], samples_per_frame)
+        movable = [i for i in items if i.type in SHAPES | {"CAMERA", "LIGHT"} or i.instance_type != "NONE"]
+        tracks = sample(context, movable, samples_per_frame)
         lamps = [item for item in items if item.type == "LIGHT" and item.data.type == "AREA"]
         with area_lamps_as_shapes(context, lamps):
             export_gltf(folder / "scene.glb")

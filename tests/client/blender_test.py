@@ -175,8 +175,12 @@ def compare(ours, theirs):
 
 
 def export_twice(folder):
-    """Which objects there are after exports from inside, and at which frame."""
+    """Which objects there are after exports from inside, and at which frame. There is a lamp with a radius besides."""
     import bpy
+
+    bulb = bpy.data.lights.new("Bulb", "POINT")
+    bulb.shadow_soft_size = 0.1
+    add("Bulb", bulb)
 
     sys.path.insert(0, str(EXPORT.parent))
     import saccade_export
@@ -231,7 +235,8 @@ class Export(unittest.TestCase):
         inside("make", cls.folder)
         cls.truth = json.loads((cls.folder / "truth.json").read_text())
         cls.scene = cls.folder / "scenes/cube"
-        cls.told = blender(cls.folder / "cube.blend", "--python", EXPORT, "--", cls.scene)
+        told = blender(cls.folder / "cube.blend", "--python", EXPORT, "--", cls.scene)
+        assert "Warning" not in told, told
 
     @classmethod
     def tearDownClass(cls):
@@ -292,8 +297,10 @@ class Export(unittest.TestCase):
         self.assertGreater(ratio["close"], 0.95, ratio)
 
     def test_the_file_of_blender_stays_as_it_was(self):
-        left, frame = answer(inside("twice", self.folder / "again", scene=[self.folder / "cube.blend"]), "LEFT")
-        objects = ["arm", "the cube", "floor", "Eye", "Another", "Area"]
+        told = inside("twice", self.folder / "again", scene=[self.folder / "cube.blend"])
+        self.assertIn("Warning: the lamp Bulb has a radius; its shadows are hard", told)
+        left, frame = answer(told, "LEFT")
+        objects = ["arm", "the cube", "floor", "Eye", "Another", "Area", "Bulb"]
         self.assertEqual(left, sorted(objects + 2 * ["the cube", "floor"]))  # and their meshes and materials
         self.assertEqual(frame, 3.5)
         self.assertEqual(len(poses(self.folder / "again/trajectories/Eye.csv")), 12 * 8 + 1)
