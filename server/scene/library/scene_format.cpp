@@ -42,7 +42,7 @@ Scene withMotions(Scene scene, const fs::path& file, const LoadOptions& options)
 }  // namespace
 
 const std::vector<SceneFormat>& sceneFormats() {
-  static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml},
+  static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml, true},
                                                 {"glTF", ".gltf", loadGltf, outlineGltf, true},
                                                 {"binary glTF", ".glb", loadGltf, outlineGltf, true},
                                                 {"OBJ", ".obj", loadObjScene, outlineModelScene},
