@@ -82,6 +82,21 @@ TEST(MitsubaSensor, TheFirstOfSeveralIsTheCamera) {
   expectContains(warningsOf(scene)[0], "first of 2 sensors");
 }
 
+TEST(MitsubaSensor, TheOthersAreTrajectoriesThatStand) {
+  const auto at = [](const std::string& x) {
+    return "<transform name='to_world'><translate x='" + x + "' y='0' z='0'/></transform>";
+  };
+  std::string top = sensor(at("2"));
+  top.replace(top.find("<sensor"), 7, "<sensor id='top'");
+  const Scene scene = load(sensor(at("1")) + top + sensor(at("3")) + kLamp);
+  EXPECT_EQ(scene.T_world_camera.position.x, 1);
+  ASSERT_EQ(scene.paths.size(), 2u);
+  EXPECT_EQ(scene.paths[0].name, "top");
+  EXPECT_EQ(scene.paths[0].path.at(TimeNs{5}).position.x, 2);
+  EXPECT_EQ(scene.paths[1].name, "sensor_3");
+  EXPECT_EQ(scene.paths[1].path.at(TimeNs{0}).position.x, 3);
+}
+
 TEST(MitsubaSensor, PropertiesThatChangeNoLightAreAccepted) {
   const Scene scene =
       load(sensor("<hide name='a'/>" + number("principal_point_offset_x", "0") + number("fov", "40") +

@@ -45,7 +45,7 @@ Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& opti
 }  // namespace
 
 const std::vector<SceneFormat>& sceneFormats() {
-  static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml},
+  static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml, true},
                                                 {"glTF", ".gltf", loadGltf, outlineGltf, true},
                                                 {"binary glTF", ".glb", loadGltf, outlineGltf, true},
                                                 {"OBJ", ".obj", loadObjScene, outlineModelScene},

@@ -1,5 +1,6 @@
 #include "scene/mitsuba/mitsuba_xml.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "scene/files/confinement.h"
@@ -29,11 +30,25 @@ std::string readConfined(const std::string& path, const LoadOptions& options) {
   return readFile(path, kMaxXmlBytes);
 }
 
+// A further sensor, as a camera path that stands.
+ScenePath readFurther(const XmlFile& file, pugi::xml_node sensor, std::size_t number, const Scene& scene) {
+  Scene seen;
+  seen.origin = scene.origin;
+  readSensor(file, sensor, seen);
+  const std::string id = sensor.attribute("id").value();
+  return {id.empty() ? "sensor_" + std::to_string(number) : id,
+          Trajectory({{TimeNs{0}, seen.T_world_camera}})};
+}
+
 void readCamera(const XmlFile& file, const std::vector<pugi::xml_node>& sensors, Scene& scene) {
+  constexpr std::size_t kMost = 64;
   if (sensors.empty()) throw file.error(file.root(), "the scene has no <sensor type=\"perspective\">");
   readSensor(file, sensors[0], scene);
+  for (std::size_t i = 1; i < std::min(sensors.size(), kMost); ++i)
+    scene.paths.push_back(readFurther(file, sensors[i], i + 1, scene));
   if (sensors.size() > 1)
-    scene.unread.push_back("the first of " + std::to_string(sensors.size()) + " sensors is the camera");
+    scene.unread.push_back("the first of " + std::to_string(sensors.size()) +
+                           " sensors is the camera; the poses of others are trajectories, by their ids");
 }
 
 // Runs `read`, whose fault options.fault may take.
