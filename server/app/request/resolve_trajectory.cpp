@@ -96,7 +96,7 @@ Trajectory byName(const ResolvedStream& stream, const RenderScene& scene, const 
     return motionIn(scene, namedMotion(name, fov), scene.description().T_world_camera, Lens(camera));
   const std::vector<ScenePath>& paths = scene.description().paths;
   if (const ScenePath* path = findRow(paths, name)) return path->path;
-  if (std::optional<SceneEntry> entry = library.find(stream.request.scene()); entry && !paths.empty()) {
+  if (std::optional<SceneEntry> entry = library.find(stream.request.scene())) {
     entry->may_have_paths = false;
     for (const ScenePath& path : paths) entry->trajectories.push_back(path.name);
     checkName(name, *entry);
