@@ -103,7 +103,8 @@ TEST_F(LostServer, ARecordingIsOpenedAgainAtAServerThatRestartsMeanwhile) {
   server_.emplace(std::vector<std::string>{"--control", control_, "--data", data_});
   const std::string output = disturbed.rest();
   EXPECT_EQ(disturbed.finish(), 0) << output;
-  EXPECT_NE(output.find("the server is stopping; trying again for 60 s"), std::string::npos) << output;
+  // The server's last answer may come, or get lost with it. The next server knows of no such request.
+  EXPECT_NE(output.find("trying again for 60 s"), std::string::npos) << output;
 }
 
 TEST_F(LostServer, WithoutTimeToRetryAServerThatIsNotUpIsToldAtOnce) {
