@@ -155,12 +155,13 @@ std::string arrayOf(std::uint8_t p) {
 }
 
 TEST(EventArray, RefusesAPolarityThatIsNeither0Nor1) {
+  const std::string good = arrayOf(1), bad = arrayOf(2);  // the decoder keeps a view of its message
   EventArrayDecoder decoder;
   Events events;
-  decoder.begin(arrayOf(1));
+  decoder.begin(good);
   EXPECT_TRUE(decoder.append(events));
   EXPECT_EQ(events, (Events{{0, 0, 0, 1}}));
-  decoder.begin(arrayOf(2));
+  decoder.begin(bad);
   try {
     decoder.append(events);
     ADD_FAILURE() << "was taken";
