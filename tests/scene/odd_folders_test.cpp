@@ -90,6 +90,11 @@ TEST_F(OddFolders, AReadmeOfAnyKindLeavesItsSceneAlone) {
   EXPECT_EQ(entry("good").description, "\uFFFD" + std::string(997, 'a') + "...");
 }
 
+TEST_F(OddFolders, ATitleAndAPictureOfAReadmeDescribeNothing) {
+  files_.write("good/README.md", "# good\n\n![what it shows](a.png)\n\nA box.\n");
+  EXPECT_EQ(entry("good").description, "A box.");
+}
+
 TEST_F(OddFolders, HugeFilesAreNotReadToTheirEnds) {
   makeHuge("good/README.md");
   EXPECT_EQ(entry("good").description, "Much.");

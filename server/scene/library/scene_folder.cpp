@@ -20,14 +20,14 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxReadmeBytes = 64 << 10;
 
-// The first line that is neither blank nor a title.
+// The first line that is not blank, a title or a picture.
 std::string describe(const fs::path& readme, const fs::path& scenes) {
   if (isAbsent(readme)) return {};
   requireWithin(readme, scenes);
   const std::string bytes = readBeginning(readme.string(), kMaxReadmeBytes);
   for (std::string_view text = bytes; !text.empty();) {
     const auto line = takeLine(text);
-    if (!line.empty() && line[0] != '#') return std::string(line);
+    if (!line.empty() && line[0] != '#' && !line.starts_with("![")) return std::string(line);
   }
   return {};
 }
