@@ -144,6 +144,7 @@ TEST(ControlServer, AnAnswerThatIsKeptCountsNothing) {
     peer.ask();
     EXPECT_EQ(peer.read().code(), v1::CODE_OK) << i;
   }
+  server.stop();  // its thread puts answers there
 }
 
 // Requests whose answers are yet to come count, too. The first ones too many are refused, the rest counted.
