@@ -146,7 +146,7 @@ TEST(GltfNodes, OfTheDefaultSceneAreRead) {
   EXPECT_EQ(scene.meshes.size(), 1u);
 }
 
-// The same file as text with base64, and as binary.
+// One file, as text with base64 and as binary, gives one scene.
 TEST(GltfFile, HoldsItsBuffersItself) {
   const Scratch files;
   const GltfArrays arrays = test::triangle();

@@ -24,7 +24,7 @@ const std::vector<std::string>& supported() {
   return names;
 }
 
-// Those of this list that are not supported.
+// Names the extensions of a list of the file that are not supported.
 std::vector<std::string> unknown(const JsonNode& root, const char* list) {
   std::vector<std::string> names;
   for (const JsonNode& entry : root.list(list))

@@ -9,7 +9,7 @@ namespace saccade {
 // at equal places are one.
 bool isOpen(const Mesh& mesh);
 
-// The same surface facing the other way, and behind it by 1e-4 of its size.
+// Returns the surface turned round, and moved to behind the given one by 1e-4 of its size.
 Mesh backOf(const Mesh& mesh);
 
 }  // namespace saccade
