@@ -3,49 +3,42 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "scene/shape_box.h"
 
 namespace saccade {
 namespace {
 
 constexpr double kMargin = 1.05;  // of the distance
 
-struct Box {
-  Vec3d low, high;
-  std::array<Vec3d, 8> corners() const {
-    std::array<Vec3d, 8> all;
-    for (unsigned i = 0; i < 8; ++i)
-      all[i] = {i & 1 ? low.x : high.x, i & 2 ? low.y : high.y, i & 4 ? low.z : high.z};
-    return all;
-  }
-};
-
-Box boxOf(const Scene& scene) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-  for (const Mesh& mesh : scene.meshes)
-    for (const auto& triangle : mesh.triangles)
-      for (const std::uint32_t i : triangle) {
-        const Vec3d p = toDouble(mesh.positions[i]);
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-      }
-  return box.low.x <= box.high.x ? box : Box{};
+std::array<Vec3d, 8> cornersOf(Vec3d low, Vec3d high) {
+  std::array<Vec3d, 8> all;
+  for (unsigned i = 0; i < 8; ++i)
+    all[i] = {i & 1 ? low.x : high.x, i & 2 ? low.y : high.y, i & 4 ? low.z : high.z};
+  return all;
 }
 
 }  // namespace
 
+bool isLit(const Scene& scene) {
+  const auto emit = [](const auto& shape) { return emits(shape); };
+  return scene.environment || !scene.point_lights.empty() || !scene.spot_lights.empty() ||
+         !scene.directional_lights.empty() || std::ranges::any_of(scene.meshes, emit) ||
+         std::ranges::any_of(scene.spheres, emit);
+}
+
 void addDefaultCamera(Scene& scene) {
   scene.width = 640, scene.height = 480, scene.fov_x_deg = 45;
-  const Box box = boxOf(scene);
-  const Vec3d centre = (box.low + box.high) * 0.5;
+  ShapeBox box = boxOf(scene);
+  if (box.low.x > box.high.x) box.low = box.high = {};  // without any shape
+  const Vec3d low = toDouble(box.low), high = toDouble(box.high), centre = (low + high) * 0.5;
   const Vec3d forward = normalize(Vec3d{-0.5, -0.4, -1}), right = normalize(cross(forward, {0, 1, 0}));
   const Vec3d down = cross(forward, right);
   const double half_x = std::tan(scene.fov_x_deg * std::numbers::pi / 360);
   const double half_y = half_x * scene.height / scene.width;
   double distance = 0;  // from the centre, at which each corner is within the field of view
-  for (const Vec3d corner : box.corners()) {
+  for (const Vec3d corner : cornersOf(low, high)) {
     const Vec3d p = corner - centre;
     const double across = std::max(std::abs(dot(p, right)) / half_x, std::abs(dot(p, down)) / half_y);
     distance = std::max(distance, across - dot(p, forward));

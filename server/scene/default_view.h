@@ -5,9 +5,11 @@
 
 namespace saccade {
 
-// Both tell in Scene::unread that they are defaults.
+bool isLit(const Scene& scene);  // whether anything in it gives light
 
-// A camera with a horizontal field of view of 45 degrees and 640 x 480 pixels. It looks at the scene's meshes
+// The other two tell in Scene::unread that they are defaults.
+
+// A camera with a horizontal field of view of 45 degrees and 640 x 480 pixels. It looks at the scene's shapes
 // from the front, the right and above, so near that all of them are just in view. Up is +y, and front +z.
 void addDefaultCamera(Scene& scene);
 

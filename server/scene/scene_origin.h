@@ -11,4 +11,14 @@ namespace saccade {
 // multiple of the power of two above the diagonal.
 Vec3d originOf(const Scene& scene);
 
+// The scene that `load` gives for an origin. It is loaded once more where its floats would be too coarse.
+template <class Load>
+Scene loadAtOrigin(const Load& load) {
+  Scene scene = load(Vec3d{});
+  const Vec3d origin = originOf(scene);
+  if (origin == Vec3d{}) return scene;
+  scene = {};  // frees its memory first
+  return load(origin);
+}
+
 }  // namespace saccade

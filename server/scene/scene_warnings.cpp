@@ -2,18 +2,12 @@
 
 #include <set>
 
-#include "scene/scene_stats.h"
+#include "scene/default_view.h"
 
 namespace saccade {
 namespace {
 
 constexpr std::size_t kMostFiles = 8;  // that are told one by one
-
-bool isLit(const SceneStats& stats) {
-  return stats.area_lights + stats.environments + stats.point_lights + stats.spot_lights +
-             stats.directional_lights >
-         0;
-}
 
 }  // namespace
 
@@ -28,7 +22,7 @@ std::vector<std::string> warningsOf(const Scene& scene) {
                        " more mesh files");
   }
   warnings.insert(warnings.end(), scene.unread.begin(), scene.unread.end());
-  if (!isLit(statsOf(scene))) warnings.push_back("the scene has no light, so that all is black");
+  if (!isLit(scene)) warnings.push_back("the scene has no light, so that all is black");
   return warnings;
 }
 

@@ -6,7 +6,7 @@
 
 #include "base/wide.h"
 #include "render/world/posed_scene.h"
-#include "scene/motion/shape_box.h"
+#include "scene/shape_box.h"
 
 namespace saccade {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/content_hash.h"
-#include "scene/motion/shape_box.h"
+#include "scene/shape_box.h"
 
 namespace saccade {
 namespace {

@@ -13,8 +13,8 @@
 #include "scene/gltf/gltf_motions.h"
 #include "scene/gltf/gltf_sky.h"
 #include "scene/motion/own_motions.h"
-#include "scene/motion/shape_box.h"
 #include "scene/scene_origin.h"
+#include "scene/shape_box.h"
 
 namespace saccade {
 namespace {
@@ -133,11 +133,7 @@ Scene loadAt(const GltfFile& file, const GltfBuffers& buffers, const LoadOptions
 Scene loadGltf(const std::string& path, const LoadOptions& options) {
   const GltfFile file(path, options);
   const GltfBuffers buffers(file);
-  Scene scene = loadAt(file, buffers, options, {});
-  const Vec3d origin = originOf(scene);
-  if (origin == Vec3d{}) return scene;
-  scene = {};  // its floats are too coarse: it is read once more
-  return loadAt(file, buffers, options, origin);
+  return loadAtOrigin([&](Vec3d origin) { return loadAt(file, buffers, options, origin); });
 }
 
 Scene outlineGltf(const std::string& path, const LoadOptions& options) {

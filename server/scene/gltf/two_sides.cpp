@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "scene/mesh/mesh.h"
-#include "scene/motion/shape_box.h"
+#include "scene/shape_box.h"
 
 namespace saccade {
 namespace {

@@ -103,11 +103,7 @@ Scene loadMitsubaXml(const std::string& path, const LoadOptions& options) {
 
 Scene parseMitsubaXml(std::string text, const std::string& path, const LoadOptions& options) {
   const XmlFile file(std::move(text), path, options);
-  Scene scene = loadScene(file, path, options, {});
-  const Vec3d origin = originOf(scene);
-  if (origin == Vec3d{}) return scene;
-  scene = {};  // its floats are too coarse: it is read once more
-  return loadScene(file, path, options, origin);
+  return loadAtOrigin([&](Vec3d origin) { return loadScene(file, path, options, origin); });
 }
 
 Scene outlineMitsubaXml(const std::string& path, const LoadOptions& options) {

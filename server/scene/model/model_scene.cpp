@@ -41,8 +41,7 @@ Mesh placed(Mesh mesh, const std::string& path) {
 
 void finish(Scene& scene) {
   addDefaultCamera(scene);
-  if (std::none_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return emits(m); }))
-    addDefaultLight(scene);
+  if (!isLit(scene)) addDefaultLight(scene);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "base/check.h"
 #include "base/names.h"
 #include "scene/files/scene_error.h"
-#include "scene/motion/shape_box.h"
+#include "scene/shape_box.h"
 
 namespace saccade {
 

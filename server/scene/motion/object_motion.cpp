@@ -10,7 +10,7 @@
 #include "scene/camera/screw_motion.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/text.h"
-#include "scene/motion/shape_box.h"
+#include "scene/shape_box.h"
 
 namespace saccade {
 namespace {
