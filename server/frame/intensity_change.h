@@ -2,11 +2,20 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "base/units.h"
 #include "frame/image.h"
 
 namespace saccade {
+
+// The intensity of one pixel at a time inside an interval.
+struct IntensityUpdate {
+  std::uint32_t pixel;  // y * width + x
+  float at;             // share of the interval that has passed, 0 < at < 1
+  float I;              // D[I] >= 0
+};
 
 // All planes are width x height, Rec. 709 luminance.
 struct IntensityChange {
@@ -20,6 +29,9 @@ struct IntensityChange {
   ImageF I_now;          // D[I_t] >= 0
   ImageF var_dI;         // variance of dI, >= 0; 0 if the method does not estimate it
   ImageF var_I_prev;     // variance of I_prev, >= 0; 0 if the method does not estimate it
+  // By `at`, then by pixel; no pair twice. The log brightness of a pixel is straight in time from t0 to its
+  // first update, from one to the next, and from its last to t1.
+  std::vector<IntensityUpdate> updates;
 };
 
 // All planes.
@@ -30,6 +42,7 @@ inline constexpr std::array kChangePlanes{&IntensityChange::dI, &IntensityChange
 inline void IntensityChange::copyFrom(const IntensityChange& other) {
   t0 = other.t0, t1 = other.t1, frame = other.frame;
   for (const auto plane : kChangePlanes) (this->*plane).copyFrom(other.*plane);
+  updates = other.updates;
 }
 
 }  // namespace saccade
