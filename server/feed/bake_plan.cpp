@@ -10,7 +10,7 @@
 namespace saccade {
 namespace {
 
-constexpr std::uint32_t kVersion = 7;      // of what a plan leads to: the code's part in the digest
+constexpr std::uint32_t kVersion = 8;      // of what a plan leads to: the code's part in the digest
 constexpr double kPixelsBetweenPoses = 4;  // at most, of the fastest percent of the picture
 
 }  // namespace

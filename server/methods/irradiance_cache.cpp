@@ -53,12 +53,12 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
   uncached_.next(known_.changed());
   // Light at second vertices may have moved.
   const BounceGrid* bounces = next.frame.g.hasBodies() ? nullptr : &known_.state().bounces;
-  if (!on.needPaths()) return bounces;
+  if (!on.needPaths()) return std::ranges::fill(had_others_, 0), bounces;
   const auto asked = static_cast<float>(spp);
   const PathPlan paths{.asked = asked,
                        .usual = std::max(asked - params_.grid_paths, 0.5f * asked),
                        .target = params_.target * std::sqrt(2 / asked)};
-  times[Stage::kTemporal] += planPaths(paths, known_.uncertainty(), known_.frames(), pool, on);
+  times[Stage::kTemporal] += planPaths(paths, known_.uncertainty(), known_.frames(), pool, had_others_, on);
   return bounces;
 }
 

@@ -39,7 +39,8 @@ class IrradianceCache final : public SurfaceMethod {
   KnownLight known_;
   std::unique_ptr<LightChange> change_;  // from the first frame on in which a body moves
   FilterPlanes filtered_, scratch_;
-  ImageF i_prev_;  // D[i_{t-1}]
+  ImageF i_prev_;                 // D[i_{t-1}]
+  std::vector<char> had_others_;  // see planPaths()
   UncachedChange uncached_;
 };
 

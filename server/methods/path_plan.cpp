@@ -10,7 +10,9 @@ namespace {
 
 constexpr float kMostForOthers = 4;  // times `asked`
 constexpr float kLeastForOthers = 0.5f;
-constexpr double kOfPair = 2;  // paths: the one of the frame, and its partner in the frame before
+constexpr double kMostForNew = 8;      // times those of other points of kNone
+constexpr double kShareForNew = 0.25;  // of `asked`, at most
+constexpr double kOfPair = 2;          // paths: the one of the frame, and its partner in the frame before
 
 // In [0, 1), spread evenly over any few neighbours in space and time. It is the R2 sequence (Roberts 2018) in
 // x and y, moved on by the golden ratio in every frame.
@@ -36,17 +38,31 @@ std::uint32_t pathsForOthers(const PathPlan& plan, const SurfaceSamples& on, std
   return static_cast<std::uint32_t>(std::max(paths, 1.0));
 }
 
+// Those of points of kNone in pixels that showed none before, `newly` in number.
+std::uint32_t pathsForNew(const PathPlan& plan, const SurfaceSamples& on, std::uint32_t paths,
+                          std::uint64_t newly) {
+  const double most = kShareForNew * plan.asked * on.columns() / on.perPixel() * on.height();
+  const double times = 1 + most / (paths * static_cast<double>(std::max<std::uint64_t>(newly, 1)));
+  return static_cast<std::uint32_t>(paths * std::min(times, kMostForNew));
+}
+
 }  // namespace
 
 std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, std::uint32_t frame,
-                                   const PoolHandle& pool, SurfaceSamples& on) {
-  std::atomic<std::uint64_t> others = 0, planned = 0;
+                                   const PoolHandle& pool, std::vector<char>& had_others,
+                                   SurfaceSamples& on) {
+  const int width = on.columns() / on.perPixel();
+  if (had_others.empty()) had_others.assign(static_cast<std::size_t>(width) * on.height(), 1);
+  const auto had = [&](int column, int y) -> char& {
+    return had_others[static_cast<std::size_t>(y) * width + column / on.perPixel()];
+  };
+  std::atomic<std::uint64_t> others = 0, newly = 0, planned = 0;
   const auto time = pool.forEachRow(on.height(), [&](int y) {
-    std::uint64_t row_others = 0, row_planned = 0;
+    std::uint64_t row_others = 0, row_newly = 0, row_planned = 0;
     for (int column = 0; column < on.columns(); ++column) {
       SurfacePoint& p = on.at(column, y);
       if (p.isUncacheable()) {
-        ++row_others;
+        ++row_others, row_newly += !had(column, y);
         continue;
       }
       p.paths = 0;
@@ -57,13 +73,15 @@ std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, st
         p.paths = std::max(p.paths, 1u);
       row_planned += p.paths;
     }
-    others += row_others, planned += row_planned;
+    others += row_others, newly += row_newly, planned += row_planned;
   });
-  if (others == 0) return time;
+  if (others == 0) return std::ranges::fill(had_others, 0), time;
   const std::uint32_t paths = pathsForOthers(plan, on, others, planned);
+  const std::uint32_t for_new = pathsForNew(plan, on, paths, newly);
   return time + pool.forEachRow(on.height(), [&](int y) {
-    for (SurfacePoint& p : on.row(y))
-      if (p.isUncacheable()) p.paths = paths;
+    for (int column = 0; column < on.columns(); ++column)
+      if (SurfacePoint& p = on.at(column, y); p.isUncacheable()) p.paths = had(column, y) ? paths : for_new;
+    for (int x = 0; x < width; ++x) had(x * on.perPixel(), y) = on.hasUncacheable(x, y);
   });
 }
 

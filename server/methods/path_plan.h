@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <vector>
 
 #include "base/pool_handle.h"
 #include "frame/image.h"
@@ -19,7 +20,10 @@ struct PathPlan {
 // Sets SurfacePoint::paths. The more is known the fewer they are, and none where the light is baked. Paths
 // that are left over go to points of kNone. `error`: relative, with the columns of `on`. `frame` moves the
 // rounding on.
+// Points of kNone get more in pixels that showed none in the frame before, and so have neither pairs nor a
+// history. `had_others` tells of each pixel whether it did; empty: there is no such frame. It becomes that of
+// this frame.
 std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, std::uint32_t frame,
-                                   const PoolHandle& pool, SurfaceSamples& on);
+                                   const PoolHandle& pool, std::vector<char>& had_others, SurfaceSamples& on);
 
 }  // namespace saccade

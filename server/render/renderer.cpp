@@ -101,6 +101,7 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
                         settings_.bounces,
                         {known, camera.origin, camera.pixel},
                         view.scene.still().deltaLamps().areFew(),
+                        true,
                         moved_.any() ? &moved_ : nullptr};
   const auto tile = withKernel(view.scene.still().shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
@@ -119,7 +120,8 @@ std::chrono::nanoseconds Renderer::renderReplays(const PixelContext& view, const
   const Tracing tracing{view.before.scene,
                         settings_.bounces,
                         {nullptr, camera.origin, camera.pixel},
-                        view.before.scene.still().deltaLamps().areFew()};
+                        view.before.scene.still().deltaLamps().areFew(),
+                        true};
   const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderReplayTile<S, 1> : renderReplayTile<S, 3>;
   });
@@ -135,8 +137,8 @@ std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const S
   const KnownBounces bounces{known, camera.origin, camera.pixel};
   const bool deltas_apart = view.now.scene.still().deltaLamps().areFew();
   const PairSides sides{
-      {out, starts(), {view.now.scene, settings_.bounces, bounces, deltas_apart}},
-      {before, startsBefore(), {view.before.scene, settings_.bounces, bounces, deltas_apart}},
+      {out, starts(), {view.now.scene, settings_.bounces, bounces, deltas_apart, true}},
+      {before, startsBefore(), {view.before.scene, settings_.bounces, bounces, deltas_apart, true}},
       {seeds.stream, seeds.frame2}};
   const Shading has = view.now.scene.still().shading();
   const int edge = tileEdge(2 * seeds.spp2, settings_.bounces);

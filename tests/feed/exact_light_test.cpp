@@ -69,6 +69,41 @@ TEST(ExactLight, OfASunIsThatOfEachPixel) {
   EXPECT_GT(dark, kSize / 2);
 }
 
+// A lamp above a black floor with a smooth coat, which mirrors it. The reflectance is that of a right angle
+// to 1 %: the camera looks down.
+TEST(ExactLight, OfALampInACoatIsThatOfEachPixel) {
+  constexpr float kRadiance = 4, kWide = 0.1f;
+  TilePool pool(2);
+  Scene scene = test::floorFromAbove(0);
+  scene.materials[0].model.kind = BsdfKind::kPlastic, scene.materials[0].model.ior = 1.5f;
+  const Rgb radiance{kRadiance, kRadiance, kRadiance};
+  scene.meshes.push_back(test::quad({-kWide, -5, 1}, {0, 10, 0}, {2 * kWide, 0, 0}, 0, radiance));
+  scene.T_world_camera.position = {0, 0, 0.8};
+  const Pose home = scene.T_world_camera;
+  Pose there = home;
+  there.position.x += 100 * kStep;
+  const Trajectory path({{TimeNs(0), home}, {TimeNs(1'000'000'000), there}});
+  FeedConfig narrow = config();
+  narrow.camera = pinhole(20, kSize, kSize);
+  Feed feed(std::make_shared<RenderScene>(scene), path, narrow, pool);
+  const double pixel = 2 * std::tan(10 * std::numbers::pi / 180) / kSize;
+  int gone = 0;
+  for (int frame = 1; frame <= 3; ++frame) {
+    const IntensityChange& change = feed.step(pool);
+    for (int x = 0; x < kSize; ++x) {
+      const auto mirrored = [&](int f) {
+        return std::abs(kStep * f + (x + 0.5 - kSize / 2.) * pixel * (0.8 + 1));
+      };
+      const auto light = [&](int f) { return mirrored(f) < kWide ? 0.04 * kRadiance : 0; };
+      if (std::min(std::abs(mirrored(frame) - kWide), std::abs(mirrored(frame - 1) - kWide)) < 1e-3) continue;
+      EXPECT_NEAR(change.I_now.at(x, kSize / 2), light(frame), 1e-2 * 0.04 * kRadiance) << x;
+      EXPECT_NEAR(change.dI.at(x, kSize / 2), light(frame) - light(frame - 1), 1e-2 * 0.04 * kRadiance) << x;
+      gone += light(frame) < light(frame - 1);
+    }
+  }
+  EXPECT_GT(gone, 0);
+}
+
 // A mask covers half of a pixel, and lets a part of the floor be seen. Its shadow falls outside the view.
 TEST(ExactLight, OfMasksIsTheirMeanOverThePixel) {
   constexpr float kMaskAlbedo = 0.8f;

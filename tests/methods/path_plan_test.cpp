@@ -15,7 +15,7 @@ struct PathPlanTest : testing::Test {
     for (int y = 0; y < kH; ++y)
       for (SurfacePoint& p : on.row(y)) p.share = 1, p.kind = SurfaceKind::kDiffuse;
   }
-  void plan(std::uint32_t frame = 0) { planPaths(kPlan, error, frame, pool, on); }
+  void plan(std::uint32_t frame = 0) { planPaths(kPlan, error, frame, pool, had_others, on); }
   double mean() const {
     double sum = 0;
     for (int y = 0; y < kH; ++y)
@@ -26,6 +26,7 @@ struct PathPlanTest : testing::Test {
   TilePool pool{2};
   SurfaceSamples on{kW, kH, 1};
   ImageF error{kW, kH};
+  std::vector<char> had_others;
 };
 
 TEST_F(PathPlanTest, TheBetterLightIsKnownTheFewerPaths) {
@@ -67,14 +68,38 @@ TEST_F(PathPlanTest, WhatIsLeftGoesToSurfacesThatShareNoLight) {
   EXPECT_EQ(on[0].paths, 32u);
 }
 
+// Such a pixel has no pairs and no history.
+TEST_F(PathPlanTest, PixelsThatNewlyShowSuchASurfaceGetMore) {
+  error.fill(1);  // nothing is left
+  on[7].kind = SurfaceKind::kNone;
+  plan();
+  EXPECT_EQ(on[7].paths, 4u);  // in the first frame nothing is known of the one before
+  on[9].kind = SurfaceKind::kNone;
+  plan();
+  EXPECT_EQ(on[7].paths, 4u);
+  EXPECT_EQ(on[9].paths, 32u);
+  plan();
+  EXPECT_EQ(on[9].paths, 4u);
+}
+
+// All of them together get a quarter of the paths asked, besides.
+TEST_F(PathPlanTest, ManyNewOnesShareABound) {
+  error.fill(1);
+  plan();
+  for (int i = 0; i < kW * kH; ++i) on[static_cast<std::size_t>(i)].kind = SurfaceKind::kNone;
+  plan();
+  EXPECT_LE(mean(), 4 + 0.25 * kPlan.asked);
+  EXPECT_GT(mean(), 4);
+}
+
 TEST_F(PathPlanTest, PointsBesideSuchASurfaceAreSampled) {
   SurfaceSamples two(kW, kH, 2);
   ImageF known(two.columns(), kH);
   for (SurfacePoint& p : two.of(3, 4)) p.share = 0.5f, p.kind = SurfaceKind::kDiffuse;
-  planPaths(kPlan, known, 0, pool, two);
+  planPaths(kPlan, known, 0, pool, had_others, two);
   EXPECT_EQ(two.of(3, 4)[0].paths, 0u);
   two.of(3, 4)[1].kind = SurfaceKind::kNone;
-  planPaths(kPlan, known, 0, pool, two);
+  planPaths(kPlan, known, 0, pool, had_others, two);
   EXPECT_EQ(two.of(3, 4)[0].paths, 1u);
 }
 

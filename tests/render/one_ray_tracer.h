@@ -89,7 +89,8 @@ Color<C> traceOneRay(const Tracing& t, const PathStart& start, const PathSampler
     else
       pdf = next.pdf, delta = next.delta, distance = 0, set = t.lightsOf(vertex == 0),
       chooser = {leave(s, next.transmitted), s.geometric_normal};
-    in_view = in_view && vertex < kMaxViewDepth && scatter.isView(next);
+    const bool image = t.images_apart && vertex == 0 && scatter.isImage(next);
+    in_view = in_view && vertex < kMaxViewDepth && (image || scatter.isView(next));
     if (!next.delta) cone.spread = RayCone::lobeSpread(next.pdf);
     const Ray ray{leave(s, next.transmitted), next.wi, std::numeric_limits<float>::infinity()};
     bounce += !next.delta;

@@ -49,6 +49,18 @@ TEST_F(PairPlanTest, TexturesAreNoNoise) {
   EXPECT_EQ(pairs.more.at(7, 5), 0);
 }
 
+// As on thin rods.
+TEST_F(PairPlanTest, PixelsWithoutNeighboursGetMore) {
+  pairs.count.fill(0);
+  pairs.more.fill(0);
+  for (const auto& [x, y] : {std::pair{2, 3}, {10, 3}, {11, 3}}) pairs.count.at(x, y) = 1;
+  now.samples.I2.at(10, 3) = now.samples.I2.at(11, 3) = 1;
+  planMorePairs(now, before, pool, pairs);
+  EXPECT_EQ(pairs.more.at(2, 3), 7);
+  EXPECT_EQ(pairs.more.at(10, 3), 0);
+  EXPECT_EQ(pairs.more.at(3, 3), 0);
+}
+
 TEST_F(PairPlanTest, PixelsWithoutPairsGetNone) {
   pairs.count.at(7, 5) = 0;
   pairs.more.fill(0);

@@ -113,7 +113,8 @@ ScatteredRay sampleBsdf(const Tracing& t, int vertex, LivePaths<C>& paths, std::
     paths.pdf[i] *= scatter.straightTransmittance().probability;
   else
     paths.pdf[i] = next.pdf, paths.distance[i] = 0, state.delta = next.delta, state.from_start = vertex == 0;
-  state.in_view = state.in_view && vertex < kMaxViewDepth && scatter.isView(next);
+  const bool image = t.images_apart && vertex == 0 && scatter.isImage(next);
+  state.in_view = state.in_view && vertex < kMaxViewDepth && (image || scatter.isView(next));
   state.delta_last = next.delta;
   state.bounces += !next.delta;
   if (!next.delta) paths.spread[i] = RayCone::lobeSpread(next.pdf);

@@ -20,6 +20,8 @@ struct Tracing {
   KnownBounces known;
   // First vertices take no samples of points and suns: their light is computed elsewhere.
   bool deltas_apart = false;
+  // Nor do paths count the emission that mirrorImage() tells.
+  bool images_apart = false;
   // Asks which paths PathResults::touched; nullptr: none.
   const MovedBodies* moved = nullptr;
 

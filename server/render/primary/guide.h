@@ -26,4 +26,10 @@ struct Guide {
 template <Shading S>
 Guide findGuide(const PixelContext& view, const Ray& ray, const Hit& hit, const PathStart& start);
 
+// The light of lamps and the sky that the surface at `start` mirrors into the pixel, beside the view that the
+// guide follows. The coat of a plastic does so, and clear glass. The image has no noise, and moves unlike the
+// surface. It goes on through the mirrors, panes and masks that it shows. 0: the surface mirrors none.
+template <Shading S>
+Rgb mirrorImage(const PosedScene& scene, const PathStart& start);
+
 }  // namespace saccade

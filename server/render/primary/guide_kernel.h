@@ -69,7 +69,42 @@ Guide followView(const PixelContext& view, const Ray& primary, const Hit& first,
   return g;
 }
 
+// The emission that a ray shows, and what it sees in mirrors, clear glass and masks. `cone`: at its origin.
+template <Shading S>
+Rgb emissionAlong(const PosedScene& scene, Ray ray, RayCone cone) {
+  Rgb light, throughput{1, 1, 1};
+  for (int depth = 1;; ++depth) {
+    const Hit hit = scene.geometry().intersect(ray);
+    if (!hit.valid) return light + throughput * scene.lights().distant().radiance(ray.direction);
+    cone.width = cone.at(hit.t);
+    const Surface s = surfaceAt<S>(scene, ray, hit, cone.width);
+    light = light + throughput * s.radiance * scene.strengths()[hit.geometry];
+    const Scatter<S> scatter(s, ray.direction);
+    const BsdfSample next = scatter.sample(kView, kView, kView);
+    if (depth == kMaxViewDepth || !scatter.isView(next)) return light;
+    throughput = throughput * next.weight * next.pdf;
+    ray.origin = leave(s, next.transmitted), ray.direction = next.wi;
+  }
+}
+
 }  // namespace detail
+
+template <Shading S>
+Rgb mirrorImage(const PosedScene& scene, const PathStart& start) {
+  // Those that mirror light beside another lobe.
+  constexpr BsdfKinds kMirrors =
+      only(BsdfKind::kPlastic) | only(BsdfKind::kDielectric) | only(BsdfKind::kThinDielectric);
+  if constexpr ((S.kinds & kMirrors) != 0) {
+    const Surface& s = start.surface;
+    if ((kMirrors & only(s.bsdf.tables->model.kind)) == 0) return {};
+    const Scatter<S> scatter(s, start.direction);
+    const BsdfSample image = scatter.sample(0, 0, 0);
+    if (!scatter.isImage(image)) return {};
+    const Ray ray{leave(s), image.wi, std::numeric_limits<float>::infinity()};
+    return image.weight * image.pdf * detail::emissionAlong<S>(scene, ray, start.cone);
+  }
+  return {};
+}
 
 template <Shading S>
 Guide findGuide(const PixelContext& view, const Ray& ray, const Hit& hit, const PathStart& start) {

@@ -53,6 +53,13 @@ class SubPixels {
     for (const Layer& layer : shown()) E += luminance(layer.hit.guide.emission) * layer.share;
     return E;
   }
+  // See mirrorImage().
+  float image() const {
+    float E = 0;
+    for (const Layer& layer : shown())
+      if (layer.hit.valid) E += luminance(mirrorImage<S>(view_.now.scene, layer.hit.start)) * layer.share;
+    return E;
+  }
   // A layer of a sub-pixel, chosen by its share of the albedo with u in [0, 1). nullptr: all of them are
   // darker than `least`.
   const PrimaryHit* choose(std::size_t sub_pixel, float least, float u) const {

@@ -75,6 +75,10 @@ class Scatter {
     return next.delta && next.pdf >= 0.5f && (traits().delta || next.transmitted);
   }
 
+  // Whether a sample is what the surface mirrors beside its view: the coat of a plastic does, and clear
+  // glass. If there is one, sample(0, ...) returns it.
+  bool isImage(const BsdfSample& next) const { return next.delta && !next.transmitted && !isView(next); }
+
   // The normal of the mirror.
   Vec3 normal() const { return frame_.z; }
 

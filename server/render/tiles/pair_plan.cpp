@@ -23,6 +23,14 @@ float meanAround(const ImageF& count, int x, int y, const Value& value) {
   return sum / n;
 }
 
+// The share of a pixel's pairs in those of the 3x3 pixels around it.
+float ownShare(const ImageF& count, int x, int y) {
+  float sum = 0;
+  for (int v = y - 1; v <= y + 1; ++v)
+    for (int u = x - 1; u <= x + 1; ++u) sum += count.at(u, v);
+  return count.at(x, y) / sum;
+}
+
 }  // namespace
 
 std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, const PoolHandle& pool,
@@ -35,13 +43,14 @@ std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, co
   const auto deviation = [&](int x, int y) {  // of radiance
     return now.g.albedo.at(x, y) * std::sqrt(pairs.variance.at(x, y));
   };
-  // The square of what a change differs by from the mean around it. The mean holds a ninth of it.
+  // The square of what a change differs by from the mean around it, of which it is a share itself.
   ImageF apart(width, height);
   auto time = pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x)
       if (const float n = pairs.count.at(x, y); n > 0) {
         const float d = change(x, y) - meanAround(pairs.count, x, y, change);
-        apart.at(x, y) = d * d * n * 9 / 8;
+        const float own = ownShare(pairs.count, x, y);
+        apart.at(x, y) = own < 1 ? d * d * n / (1 - own) : 0;
       }
   });
   std::vector<double> deviations(static_cast<std::size_t>(height)), pixels(deviations.size());
@@ -59,7 +68,8 @@ std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, co
   const float limit = n > 0 ? kAbove * static_cast<float>(sum / n) : 0;
   return time + pool.forEachRow(height, [&](int y) {
     for (int x = 0; x < width; ++x)
-      if (const float first = pairs.count.at(x, y); first > 0 && deviation(x, y) > limit)
+      if (const float first = pairs.count.at(x, y);
+          first > 0 && (deviation(x, y) > limit || ownShare(pairs.count, x, y) == 1))
         pairs.more.at(x, y) = std::min(kMore * first, kMostMore);
   });
 }

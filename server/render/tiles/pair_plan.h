@@ -11,7 +11,8 @@
 namespace saccade {
 
 // Estimates the variance of each pixel's pairs by those around it. Plans `more` pairs where the noise of its
-// radiance is above the mean of the picture, as at the edge of a lamp's reflection [ours].
+// radiance is above the mean of the picture, as at the edge of a lamp's reflection [ours]. So it does where
+// no pixel around has pairs that could tell it.
 std::chrono::nanoseconds planMorePairs(const Frame& now, const Frame& before, const PoolHandle& pool,
                                        PairSamples& pairs);
 

@@ -71,7 +71,10 @@ class TilePoints {
     });
   }
   // The one point of another pixel.
-  void set(int x, int y, const PrimaryHit& centre) { setPoint(x, y, centre, 1); }
+  void set(int x, int y, const PrimaryHit& centre) {
+    setPoint(x, y, centre, 1);
+    if (centre.valid) out_.g.emission.at(x, y) += luminance(mirrorImage<S>(view_.now.scene, centre.start));
+  }
 
   // The features of a pixel, with a point for each surface that it shows, at the centre of the pixel where
   // that shows it, too. Albedo and emission are means over the pixel. Guides are of the centre.
@@ -81,7 +84,7 @@ class TilePoints {
     const PrimaryHit& centre = shown.centre();
     writeFeatures(centre, view_.now.camera, view_.before.camera, x, y, out_.g);
     const float A = out_.g.albedo.at(x, y) = shown.albedo();
-    out_.g.emission.at(x, y) = shown.emission();
+    out_.g.emission.at(x, y) = shown.emission() + shown.image();
     for (SurfacePoint& p : out_.surfaces->of(x, y)) p = {};
     if (A <= 0) return;
     int column = x * out_.surfaces->perPixel();
