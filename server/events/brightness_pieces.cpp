@@ -60,11 +60,11 @@ void BrightnessPieces::last(ImageF& dL) const {
   for (int y = 0; y < dL.height(); ++y) {
     const float *I_prev = change_->I_prev.row(y), *dI = change_->dI.row(y), *I = I_.row(y),
                 *from = from_.row(y), *slope = slope_.row(y);
+    const float bias = bias_, ramp = corrected_ ? 1 : 0;
     float* __restrict out = dL.row(y);
     for (int x = 0; x < dL.width(); ++x) {
-      const float rest = logResponse(I[x], I_prev[x] + dI[x] - I[x], bias_);
-      const float ramp = corrected_ ? (1 - from[x]) * slope[x] : 0;
-      out[x] = from[x] > 0 ? rest + ramp : out[x];
+      const float rest = logResponse(I[x], I_prev[x] + dI[x] - I[x], bias) + ramp * (1 - from[x]) * slope[x];
+      out[x] = from[x] > 0 ? rest : out[x];
     }
   }
 }
