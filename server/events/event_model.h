@@ -29,8 +29,8 @@ class EventModel {
   virtual std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) = 0;
 
   // The same for an interval whose log brightness is straight in pieces: begin(), advance() until t1 is near,
-  // end(). The events are in the order of the pieces. `dL`: the change of the last piece of each pixel,
-  // which begins at the share `from` of the interval and ends at t1; 0 <= from < 1.
+  // end(). The events are in the order of the pieces. `dL`: the change of the last piece of each pixel. It
+  // begins at the share `from` of the interval, 0 <= from < 1, and ends at t1.
   virtual void begin(const Interval& interval, Events& events) = 0;
   virtual void advance(const Pieces& pieces, Events& events) = 0;
   virtual std::uint64_t end(const ImageF& dL, const ImageF& from, Events& events) = 0;

@@ -46,8 +46,8 @@ class Feed {
   // of t1. Not as the first step.
   const IntensityChange& holdTo(TimeNs t);
 
-  // How far the picture moves until each of these times, from the last frame and from one to the next: the
-  // 99th percentile over the surfaces that it shows, px.
+  // How far the picture moves from the last frame to the first of these times, and from one to the next. In
+  // pixels: the 99th percentile over the surfaces that it shows.
   void measureMotion(std::span<const TimeNs> times, std::span<double> px);
 
   // Over the first `frames` intervals; 0: over all, see measurePixelSpeed().

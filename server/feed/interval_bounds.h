@@ -3,8 +3,8 @@
 
 namespace saccade {
 
-// A frame is divided into intervals in which the surfaces of all but one per cent of the pixels move by at
-// most about `px` pixels.
+// A frame is divided into intervals. In each the surfaces move by at most about `px` pixels, but for one per
+// cent of the pixels.
 struct IntervalBounds {
   double px = 0;             // 0: each frame is one interval
   double max_rate_hz = 1e4;  // most intervals per second

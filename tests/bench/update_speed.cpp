@@ -1,9 +1,9 @@
 // The cost of sensors whose intervals have updates:
 //   build/dev/bin/update_speed
-// An interval is 1 px of motion, and 15 % of 346 x 260 pixels have an update at each 1/16 of it: at edges of
-// a contrast of 0.3, which pass in a sixteenth. Prints for some sensors the ms per interval with updates,
-// without them, and of 16 whole frames with the same brightness, and the events per interval. Times are CPU
-// times of one thread, the best of some rounds in turn.
+// An interval is 1 px of motion. At each 1/16 of it 15 % of 346 x 260 pixels have an update. They are at
+// edges of a contrast of 0.3, which pass in a sixteenth. For some sensors it prints the ms per interval with
+// updates, without them, and of 16 whole frames with the same brightness. The last columns are the events per
+// interval. Times are CPU times of one thread, the best of some rounds in turn.
 #include <algorithm>
 #include <array>
 #include <cmath>

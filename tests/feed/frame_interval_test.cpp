@@ -128,7 +128,7 @@ TEST(RigIntervals, AreFramesWhereTheCameraRests) {
   EXPECT_GT(rig.lastTimes().total().count(), 0);
 }
 
-// What rests is not rendered, and what follows is as if it had been short.
+// The motion after a rest is as after a short one.
 TEST(RigIntervals, ARestChangesNothingOfTheMotionAfterIt) {
   TilePool pool(1);
   const auto changeAfter = [&](TimeNs rest) {

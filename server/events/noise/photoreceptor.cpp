@@ -18,7 +18,7 @@ float settle(float lag) {
   return std::abs(lag) < kAtRest ? 0 : lag;
 }
 
-// What filter() is for one pixel over `share` of the interval.
+// The change of the output of one pixel over `share` of the interval.
 template <bool kFollower>
 float respond(const auto& poles, float share, float I, float dL, float& lag, float* follower) {
   const float luminance = I - I == 0 ? clampTo(I, 0, poles.white) : 0;

@@ -30,8 +30,8 @@ class Photoreceptor {
   // Other bandwidths from the next interval on; the lags stay. A pole without a bandwidth follows at once:
   // its lag comes out in the next interval. A new follower has no lag.
   void change(const NoiseConfig& noise);
-  // Replaces `dL` by the change of the output over the interval, or over the last piece of each pixel: from
-  // the share `from` of the interval to t1. Does not touch the border, and does not allocate.
+  // Replaces `dL` by the change of the output over the interval, or over the last piece of each pixel. That
+  // begins at the share `from` of the interval. Does not touch the border, and does not allocate.
   void filter(const IntensityChange& change, ImageF& dL, const ImageF* from = nullptr);
   // The same for pieces of the interval, before its last ones.
   void filter(const IntensityChange& change, Pieces& pieces);
