@@ -1,4 +1,5 @@
 // `saccade-eval times` compares the events of streams with those of one that is fine in time.
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -28,17 +29,22 @@ struct TimesOptions : FeedOptions {
   std::string cache = defaultCache();
 };
 
-void printRow(const std::string& name, const TimeTruthRow& row, const TimeTruthRow& reference) {
-  std::printf("%-24s %9.1f %9.2f %8.3f %9.0f %8.4f %8.4f %8.4f\n", name.c_str(), row.intervals, row.cpu_ms,
-              row.cpu_ms / reference.cpu_ms, row.events, row.errors.false_share, row.errors.missed_share,
-              row.errors.time);
-  std::fflush(stdout);
-}
-
 std::string label(const char* text, double value) {
   char number[32];
   std::snprintf(number, sizeof number, text, value);
   return number;
+}
+
+// A number without a meaning is a dash.
+std::string figure(double value) {
+  return std::isfinite(value) ? label("%.4f", value) : "-";
+}
+
+void printRow(const std::string& name, const TimeTruthRow& row, const TimeTruthRow& reference) {
+  std::printf("%-24s %9.1f %9.2f %8.3f %9.0f %8s %8s %8s\n", name.c_str(), row.intervals, row.cpu_ms,
+              row.cpu_ms / reference.cpu_ms, row.events, figure(row.errors.false_share).c_str(),
+              figure(row.errors.missed_share).c_str(), figure(row.errors.time).c_str());
+  std::fflush(stdout);
 }
 
 void measure(const TimesOptions& o, const TimeTruthSetup& setup, TilePool& pool) {
