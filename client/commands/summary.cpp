@@ -68,6 +68,7 @@ void printPixelSpeed(std::FILE* out, const v1::StreamOpened& opened) {
 
 void warnOfFastPicture(const v1::StreamOpened& opened) {
   const v1::OpenStream& request = opened.resolved();
+  if (request.timing().interval_px() > 0) return;
   const v1::Motion& motion = request.trajectory().motion();
   const double px = motion.has_px_per_frame() ? std::abs(motion.px_per_frame()) : opened.px_per_frame_p50();
   if (px <= kAdvisedPixels) return;

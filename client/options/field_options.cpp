@@ -19,6 +19,8 @@ constexpr struct {
                 {"trajectory", "--trajectory"},
                 {"objects", "--object"},
                 {"timing.frame_rate_hz", "--rate"},
+                {"timing.interval_px", "--interval-px"},
+                {"timing.max_rate_hz", "--max-rate"},
                 {"timing.duration_s", "--duration"},
                 {"timing.until_path_ends", "--duration"},
                 {"timing.clock", "--clock"},

@@ -42,7 +42,9 @@ v1::Quality makeQuality(const RequestOptions& options) {
 
 v1::Timing makeTiming(const RequestOptions& options) {
   v1::Timing timing;
-  timing.set_frame_rate_hz(options.rate_hz);
+  timing.set_frame_rate_hz(options.interval_px ? options.min_rate_hz : options.rate_hz);
+  if (options.interval_px) timing.set_interval_px(*options.interval_px);
+  if (options.max_rate_hz) timing.set_max_rate_hz(*options.max_rate_hz);
   const bool until_path_ends = !options.duration_s && namesPoses(options);
   timing.set_until_path_ends(until_path_ends);
   if (!until_path_ends) timing.set_duration_s(options.duration_s.value_or(kDuration));

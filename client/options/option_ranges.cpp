@@ -25,6 +25,9 @@ void limitRequest(CLI::App& command) {
   limitTo(command, "--metres-per-unit", ranges::kMetresPerUnit);
   limitTo(command, "--pose-rate", ranges::kFrameRate);
   limitTo(command, "--rate", ranges::kFrameRate);
+  limitTo(command, "--interval-px", ranges::kIntervalPx);
+  limitTo(command, "--min-rate", ranges::kFrameRate);
+  limitTo(command, "--max-rate", ranges::kFrameRate);
   limitTo(command, "--duration", ranges::kDuration);
   limitTo(command, "--retry-time", Range<double>{0, 1e6});
   limitTo(command, "--spp", ranges::kSpp);

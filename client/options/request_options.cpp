@@ -62,7 +62,21 @@ std::string durationDefault(const RequestOptions& o) {
 
 void addStreamOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Stream");
-  command.add_option("--rate", o.rate_hz, "frames per second of the stream")->capture_default_str();
+  CLI::Option* rate =
+      command.add_option("--rate", o.rate_hz, "frames per second of the stream")->capture_default_str();
+  CLI::Option* interval =
+      command
+          .add_option("--interval-px", o.interval_px,
+                      "instead of --rate: render when the picture has moved by so many pixels, such as 0.5")
+          ->excludes(rate);
+  command
+      .add_option("--min-rate", o.min_rate_hz,
+                  "with --interval-px: least frames per second; truth and poses come at this rate")
+      ->needs(interval)
+      ->capture_default_str();
+  command
+      .add_option("--max-rate", o.max_rate_hz, "with --interval-px: most frames per second; default 10000")
+      ->needs(interval);
   command.add_option("--duration", o.duration_s,
                      "seconds of the stream; 0: until Ctrl-C; by default" + durationDefault(o));
   command

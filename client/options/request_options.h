@@ -33,6 +33,9 @@ struct RequestOptions {
   SensorOptions sensors;
   CameraOptions camera;
   double rate_hz = 1000;
+  std::optional<double> interval_px;  // intervals that follow motion, in frames of min_rate_hz
+  double min_rate_hz = 20;
+  std::optional<double> max_rate_hz;
   std::optional<double> duration_s;  // unset: to the end of a file of poses, or kDuration
   std::string delivery = "lossless", clock = "fast";
   std::string codec;

@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   saccade::eval::addOddsCommand(app);
   saccade::eval::addSensorCommand(app);
   saccade::eval::addSimplificationCommand(app);
+  saccade::eval::addTimesCommand(app);
   saccade::eval::requireSubcommand(app, "command");
   app.set_version_flag("--version", SACCADE_VERSION);
   app.add_option_function<std::string>("--instructions", useInstructions,

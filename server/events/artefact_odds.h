@@ -21,8 +21,9 @@ namespace saccade {
 double artefactOdds(double dL, double sigma, double tau);
 
 // Labels the events of an interval, in any order, with their odds. `dL`: the change of log brightness that
-// they come from. `bias`: I_eps. tau^2 is the mean of dL^2 over the 3x3 pixels around the event, with its
-// errors. (Less their variance, odds are too high where errors prevail.) A mean over the same pixels gives
+// they come from; where that is straight in pieces, the sum of their |dL|. `bias`: I_eps. tau^2 is the mean
+// of dL^2 over the 3x3 pixels around the event, with its errors. (Less their variance, odds are too high
+// where errors prevail.) A mean over the same pixels gives
 //
 //   sigma^2 = mean(var_dI + (I_now - I_prev - dI)^2) / (I_eps + max(0, I_prev + dI))^2    [ours]
 //

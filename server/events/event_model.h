@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/units.h"
+#include "events/pieces.h"
 #include "events/sensor_config.h"
 #include "frame/image.h"
 #include "saccade/wire/event.h"
@@ -26,6 +27,14 @@ class EventModel {
   // time; OFF first where times are equal. `dL`: change of log brightness over the interval, finite, with a
   // border of 0. Returns how many events were withheld.
   virtual std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) = 0;
+
+  // The same for an interval whose log brightness is straight in pieces: begin(), advance() until t1 is near,
+  // end(). The events are in the order of the pieces. `dL`: the change of the last piece of each pixel. It
+  // begins at the share `from` of the interval, 0 <= from < 1, and ends at t1.
+  virtual void begin(const Interval& interval, Events& events) = 0;
+  virtual void advance(const Pieces& pieces, Events& events) = 0;
+  virtual std::uint64_t end(const ImageF& dL, const ImageF& from, Events& events) = 0;
+
   // From the next interval on. A pixel whose level lies outside the new thresholds makes one event there at
   // once, and takes the level that it sees as its reference.
   virtual void setThresholds(const SensorConfig& config) = 0;

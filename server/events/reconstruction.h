@@ -42,6 +42,8 @@ class Reconstruction {
   // Replaces `dL`, the finite response of `change`, by L^_t - L^_{t-1}, finite. Call it for every interval,
   // in order. Does not touch the border, and does not allocate.
   virtual void reconstruct(const IntensityChange& change, ImageF& dL) = 0;
+  // Whether it may change `dL`. The correction of an interval with updates is spread evenly over it.
+  virtual bool corrects() const { return true; }
   // From the next interval on, dL and L^ are those of this I_eps. L^ stays the brightness of the same
   // intensity.
   virtual void setBias(double bias) = 0;

@@ -62,19 +62,48 @@ void Sensor::change(const SensorChange& change) {
 
 void Sensor::generate(const IntensityChange& change, SensorOutput& out) {
   const Interval interval{change.t0, change.t1, change.frame};
-  logResponse(change, static_cast<float>(config_.bias), dL_);
-  reconstruction_->reconstruct(change, dL_);
-  if (photoreceptor_) {
-    photoreceptor_->filter(change, dL_);
-    if (config_.noise.photoreceptor_hz == 0) photoreceptor_.reset();
-  }
   out.events.clear();
-  out.suppressed = model_->generate(dL_, interval, out.events);
+  logResponse(change, static_cast<float>(config_.bias), dL_);
+  out.suppressed = change.updates.empty() ? moveStraight(change, interval, out.events)
+                                          : moveInPieces(change, interval, out.events);
+  if (photoreceptor_ && config_.noise.photoreceptor_hz == 0) photoreceptor_.reset();
   out.artefacts = 0;
-  if (config_.labels || config_.max_artefact_odds < 1) judge(change, out);
+  if (judges()) judge(change, out);
   if (!noise_sources_.empty()) addNoise(change, out);
   readOut(interval, out);
   giveBackSlack(out.events);
+}
+
+std::uint64_t Sensor::moveStraight(const IntensityChange& change, const Interval& interval, Events& events) {
+  reconstruction_->reconstruct(change, dL_);
+  if (photoreceptor_) photoreceptor_->filter(change, dL_);
+  return model_->generate(dL_, interval, events);
+}
+
+std::uint64_t Sensor::moveInPieces(const IntensityChange& change, const Interval& interval, Events& events) {
+  if (!pieces_) pieces_.emplace(dL_.width(), dL_.height());
+  pieces_->begin(change, static_cast<float>(config_.bias), dL_);
+  reconstruction_->reconstruct(change, dL_);
+  if (reconstruction_->corrects()) pieces_->correct(dL_);
+  if (judges()) {
+    if (!lengths_) lengths_.emplace(dL_.width(), dL_.height());
+    lengths_->clear();
+  }
+  model_->begin(interval, events);
+  while (Pieces* pieces = pieces_->next()) {
+    if (photoreceptor_) photoreceptor_->filter(change, *pieces);
+    if (judges()) lengths_->add(*pieces);
+    model_->advance(*pieces, events);
+  }
+  pieces_->last(dL_);
+  if (photoreceptor_) photoreceptor_->filter(change, dL_, &pieces_->from());
+  const std::uint64_t withheld = model_->end(dL_, pieces_->from(), events);
+  if (judges()) lengths_->complete(dL_);
+  return withheld;
+}
+
+bool Sensor::judges() const {
+  return config_.labels || config_.max_artefact_odds < 1;
 }
 
 void Sensor::judge(const IntensityChange& change, SensorOutput& out) {

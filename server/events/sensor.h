@@ -6,12 +6,14 @@
 #include <optional>
 #include <vector>
 
+#include "events/brightness_pieces.h"
 #include "events/event_model.h"
 #include "events/noise/arbiter.h"
 #include "events/noise/dead_pixels.h"
 #include "events/noise/jitter.h"
 #include "events/noise/noise_source.h"
 #include "events/noise/photoreceptor.h"
+#include "events/path_lengths.h"
 #include "events/reconstruction.h"
 #include "events/sensor_config.h"
 #include "events/time_order.h"
@@ -23,7 +25,7 @@ namespace saccade {
 
 struct SensorOutput {
   // Of [t0, t1), in time order. Ties: those of the signal by row, column, polarity, then those of noise. With
-  // jitter or a readout_hz, ties are in no order.
+  // jitter, a readout_hz or updates inside the interval, ties are in no order.
   Events events;
   std::uint64_t suppressed = 0;       // of this interval, withheld by refractory period, bound or readout
   std::uint64_t artefacts = 0;        // of them, by max_artefact_odds
@@ -48,6 +50,11 @@ class Sensor {
   void generate(const IntensityChange& change, SensorOutput& out);
 
  private:
+  // Both move the pixels by the response of `change`, which is in dL_. They return how many events they
+  // withheld. They leave in dL_ what judge() takes.
+  std::uint64_t moveStraight(const IntensityChange& change, const Interval& interval, Events& events);
+  std::uint64_t moveInPieces(const IntensityChange& change, const Interval& interval, Events& events);
+  bool judges() const;
   void judge(const IntensityChange& change, SensorOutput& out);
   void addNoise(const IntensityChange& change, SensorOutput& out);
   void readOut(const Interval& interval, SensorOutput& out);
@@ -58,6 +65,9 @@ class Sensor {
   std::unique_ptr<Reconstruction> reconstruction_;
   std::unique_ptr<EventModel> model_;
   TimeOrder order_;
+  // Once an interval has updates; the lengths where odds are asked for.
+  std::optional<BrightnessPieces> pieces_;
+  std::optional<PathLengths> lengths_;
   // The parts of noise that are on.
   std::optional<Photoreceptor> photoreceptor_;
   std::vector<std::unique_ptr<NoiseSource>> noise_sources_;

@@ -39,19 +39,23 @@ void ThresholdPixels<Thresholds>::setThresholds(const SensorConfig& config) {
 }
 
 template <class Thresholds>
-void ThresholdPixels<Thresholds>::begin(const Interval& interval) {
+void ThresholdPixels<Thresholds>::begin(const Interval& interval, bool once) {
   SACCADE_CHECK(interval.t0 < interval.t1);
   interval_ = interval;
   length_ns_ = static_cast<double>((interval.t1 - interval.t0).count());
   suppressed_ = 0;
   room_ = max_all_;
+  sent_.assign(once ? 0 : static_cast<std::size_t>(width_) * height_, 0);
 }
 
-// Whether a blind pixel wakes in this interval, or woke before while its brightness did not change. `start`:
-// the fraction of the interval at which it wakes.
+// Whether a blind pixel wakes in this part, or woke before while its brightness did not change. `start`: the
+// fraction of the part at which it wakes.
 template <class Thresholds>
-bool ThresholdPixels<Thresholds>::wakes(Blindness& blindness, int x, int y, double change, double& start) {
-  start = std::max(0.0, static_cast<double>((blindness.until - interval_.t0).count()) / length_ns_);
+bool ThresholdPixels<Thresholds>::wakes(Blindness& blindness, int x, int y, double change, Part part,
+                                        double& start) {
+  const double asleep_ns =
+      static_cast<double>((blindness.until - interval_.t0).count()) - part.from * length_ns_;
+  start = std::max(0.0, asleep_ns / ((part.to - part.from) * length_ns_));
   if (start >= 1) {
     blindness.change += change;
     return false;
@@ -63,7 +67,8 @@ bool ThresholdPixels<Thresholds>::wakes(Blindness& blindness, int x, int y, doub
 }
 
 template <class Thresholds>
-void ThresholdPixels<Thresholds>::advanceRow(int y, const float* dL, float* v, Events& events) {
+void ThresholdPixels<Thresholds>::advanceRow(int y, const float* dL, const float* from, float* v,
+                                             Events& events) {
   constexpr int kLanes = 8;
   using F = Floats<kLanes>;
   for (int x0 = 0; x0 < width_; x0 += kLanes) {
@@ -77,17 +82,8 @@ void ThresholdPixels<Thresholds>::advanceRow(int y, const float* dL, float* v, E
     if (blindness_.empty()) store(select(quiet, moved, level), v + x0);
     forEachLane(loud, [&](int lane) {
       const int x = x0 + lane;
-      v[x] = advance(x, y, v[x], dL[x], events);
+      v[x] = advance(x, y, v[x], dL[x], {from ? from[x] : 0.0, 1}, events);
     });
-  }
-}
-
-template <class Thresholds>
-void ThresholdPixels<Thresholds>::settleRow(int y, const float* dL, float* v, Events& events) {
-  for (int x = 0; x < width_; ++x) {
-    v[x] = settle(x, y, v[x], events);
-    if (dL[x] != 0) v[x] = advance(x, y, v[x], dL[x], events);
-    settled_ = 0;
   }
 }
 
@@ -97,7 +93,7 @@ float ThresholdPixels<Thresholds>::settle(int x, int y, float v, Events& events)
   const bool between = v >= thresholds_.lowest(x, y) && v <= thresholds_.highest(x, y);
   if ((blindness && blindness->until != kAwake) || between) return v;
   if (room_ > 0) {
-    --room_, ++settled_;
+    --room_, ++sent_[indexOf(x, y)];
     events.push_back(
         {interval_.t0.count(), static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), v > 0});
   } else {
@@ -108,12 +104,13 @@ float ThresholdPixels<Thresholds>::settle(int x, int y, float v, Events& events)
 }
 
 template <class Thresholds>
-float ThresholdPixels<Thresholds>::advanceInFull(int x, int y, double v, double change, Events& events) {
+float ThresholdPixels<Thresholds>::advanceInFull(int x, int y, double v, double change, Part part,
+                                                 Events& events) {
   // A blind pixel takes part from when it wakes.
   double start = 0;
   Blindness* blindness = blindnessOf(x, y);
   if (blindness && blindness->until != kAwake) {
-    if (!wakes(*blindness, x, y, change, start)) return static_cast<float>(v);
+    if (!wakes(*blindness, x, y, change, part, start)) return static_cast<float>(v);
     v = 0;
   }
 
@@ -124,18 +121,19 @@ float ThresholdPixels<Thresholds>::advanceInFull(int x, int y, double v, double 
   if (rest < first) return inside(x, y, v + sign * rest);
 
   // From one event to the next brightness moves by C, and by what passes while the pixel is blind.
-  const double unseen = speed * static_cast<double>(refractory_.count()) / length_ns_;
-  const Crossings crossings{start, first, C + unseen, speed};
+  const double part_ns = (part.to - part.from) * length_ns_;
+  const double unseen = speed * static_cast<double>(refractory_.count()) / part_ns;
+  const Crossings crossings{part, start, first, C + unseen, speed};
   const auto count = static_cast<std::int64_t>((rest - first) / crossings.period) + 1;
   send(crossings, count, {0, static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), change > 0},
        events);
 
-  // At t1 the pixel is still blind after its last event, or awake again.
+  // At the end the pixel is still blind after its last event, or awake again.
   const double left = std::max(0.0, rest - crossings.distance(count - 1));
   const bool blind = blindness && left < unseen;
   suppressed_ += static_cast<std::uint64_t>(count - blind) * wholeThresholds(unseen, C);
   if (!blind) return inside(x, y, sign * (left - unseen));
-  const auto event = TimeNs(std::llround(crossings.fraction(count - 1) * length_ns_));
+  const auto event = TimeNs(std::llround(part.from * length_ns_ + crossings.fraction(count - 1) * part_ns));
   *blindness = {interval_.t0 + event + refractory_, sign * left};
   return 0;
 }
@@ -144,13 +142,17 @@ float ThresholdPixels<Thresholds>::advanceInFull(int x, int y, double v, double 
 template <class Thresholds>
 void ThresholdPixels<Thresholds>::send(const Crossings& crossings, std::int64_t count, Event event,
                                        Events& events) {
-  const std::int64_t wanted = std::min(count, max_events_ - settled_);
+  std::uint32_t* before = sent_.empty() ? nullptr : &sent_[indexOf(event.x, event.y)];
+  const std::int64_t wanted = std::min(count, max_events_ - (before ? *before : 0));
   const auto sent = static_cast<std::int64_t>(std::min(static_cast<std::uint64_t>(wanted), room_));
   suppressed_ += static_cast<std::uint64_t>(count - sent);
   room_ -= static_cast<std::uint64_t>(sent);
+  if (before) *before += static_cast<std::uint32_t>(sent);
   const std::int64_t ticks = (interval_.t1 - interval_.t0) / kEventTimeUnit;
+  const auto length = static_cast<double>(ticks);
+  const double from = crossings.part.from * length, part = crossings.part.to * length - from;
   for (std::int64_t k = 0; k < sent; ++k) {
-    const auto tick = static_cast<std::int64_t>(crossings.fraction(k) * static_cast<double>(ticks));
+    const auto tick = static_cast<std::int64_t>(from + crossings.fraction(k) * part);
     event.t_ns = (interval_.t0 + std::min(tick, ticks - 1) * kEventTimeUnit).count();
     events.push_back(event);
   }

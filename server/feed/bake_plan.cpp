@@ -12,11 +12,18 @@ namespace {
 
 constexpr std::uint32_t kVersion = 8;      // of what a plan leads to: the code's part in the digest
 constexpr double kPixelsBetweenPoses = 4;  // at most, of the fastest percent of the picture
+constexpr double kPoseRate = 1000;         // Hz: poses of frames with several intervals come from these times
 
 }  // namespace
 
-BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedConfig& feed, FrameIndex frames,
-                  double error) {
+BakePlan planBake(const RenderScene& scene, const Trajectory& path, const FeedConfig& asked,
+                  FrameIndex frames, double error) {
+  FeedConfig feed = asked;
+  if (asked.intervals.followMotion()) {
+    feed.frame_rate_hz = std::max(asked.frame_rate_hz, kPoseRate);
+    frames = static_cast<FrameIndex>(
+        std::ceil(static_cast<double>(frames) * (feed.frame_rate_hz / asked.frame_rate_hz)));
+  }
   if (!EmitterStrengths(scene.description()).areSteady())
     throw std::runtime_error(
         "the light of this scene changes over time, so that it cannot be computed ahead; leave out the bake");

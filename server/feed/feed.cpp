@@ -1,5 +1,7 @@
 #include "feed/feed.h"
 
+#include <algorithm>
+
 #include "base/quantile.h"
 #include "base/thread_time.h"
 #include "render/primary/sub_pixel.h"
@@ -36,23 +38,57 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
       changes_{IntensityChange(config.camera.width, config.camera.height),
                IntensityChange(config.camera.width, config.camera.height)} {
   lens_.tabulate();
-  render(pool);
+  render(TimeNs{0}, pool);
   method_->start(frames_.current(), pool);
 }
 
-const IntensityChange& Feed::step(const PoolHandle& pool) {
+const IntensityChange& Feed::stepTo(TimeNs t, const PoolHandle& pool) {
   const auto began = threadCpuTime() + TilePool::criticalPathTime();
   times_ = {};
+  held_ = false;
   frames_.swap();
-  render(pool);
+  render(t, pool);
   const FramePair frames = frames_.pair();
-  IntensityChange& change = changes_[frames.cur.index % 2];
-  change.t0 = frames.prev.time;
-  change.t1 = frames.cur.time;
-  change.frame = frames.cur.index;
+  IntensityChange& change = nextChange(frames.prev.time, frames.cur.time);
   method_->estimate(frames, pool, change, times_);
   critical_path_ = threadCpuTime() + TilePool::criticalPathTime() - began;
   return change;
+}
+
+IntensityChange& Feed::nextChange(TimeNs t0, TimeNs t1) {
+  IntensityChange& change = changes_[++steps_ % 2];
+  change.t0 = t0, change.t1 = t1;
+  change.frame = steps_;
+  return change;
+}
+
+bool Feed::standsUntil(TimeNs t) const {
+  const TimeNs now = frames_.pair().cur.time;
+  const PosedBodies* bodies = posed_[0].bodies();
+  const auto stands = [&](const Trajectory& path) { return path.at(t) == path.at(now); };
+  return posed_[0].strengths().areSteady() && stands(path_) &&
+         (!bodies || std::ranges::all_of(bodies->paths(), stands));
+}
+
+const IntensityChange& Feed::holdTo(TimeNs t) {
+  SACCADE_CHECK(steps_ > 0);
+  const IntensityChange& last = change();
+  IntensityChange& change = nextChange(last.t1, t);
+  change.I_prev.copyFrom(last.I_now), change.I_now.copyFrom(last.I_now);
+  change.var_I_prev.copyFrom(last.var_I_prev);
+  change.dI.fill(0), change.var_dI.fill(0);
+  change.updates.clear();
+  frames_.current().time = t;
+  times_ = {}, critical_path_ = {};
+  held_ = true;
+  return change;
+}
+
+void Feed::measureMotion(std::span<const TimeNs> times, std::span<double> px) {
+  const Frame& frame = frames_.pair().cur;
+  const PosedScene& posed = posed_[frame.index % 2];
+  motion_.look(frame, cameraAt(frame.time), posed);
+  for (std::size_t i = 0; i < times.size(); ++i) px[i] = motion_.moveTo(times[i], cameraAt(times[i]), posed);
 }
 
 void Feed::steer(const FeedKeys& keys) {
@@ -61,11 +97,11 @@ void Feed::steer(const FeedKeys& keys) {
     for (const BodyKey& body : keys.bodies) posed.append(body.body, body.key);
 }
 
-void Feed::render(const PoolHandle& pool) {
+void Feed::render(TimeNs t, const PoolHandle& pool) {
   Frame& frame = frames_.current();
   frame.index = next_++;
-  frame.time = frameTime(frame.index, config_.frame_rate_hz);
-  const TimeNs time_prev = frame.index == 0 ? frame.time : frameTime(frame.index - 1, config_.frame_rate_hz);
+  frame.time = t;
+  const TimeNs time_prev = frame.index == 0 ? t : frames_.pair().prev.time;
   const Camera camera = cameraAt(frame.time), prev = cameraAt(time_prev);
   PosedScene& posed = posed_[frame.index % 2];
   posed.setTime(frame.time);
@@ -97,8 +133,9 @@ Camera Feed::cameraAt(TimeNs t) const {
 
 FeedInterval Feed::interval() const {
   const IntensityChange& done = change();
-  return {done, RenderedInterval{frames(), cameraAt(done.t1), cameraAt(done.t0), path_,
-                                 posed_[done.frame % 2], posed_[(done.frame + 1) % 2]}};
+  const FramePair pair = frames(), shown = held_ ? FramePair{pair.cur, pair.cur} : pair;
+  return {done, RenderedInterval{shown, cameraAt(done.t1), cameraAt(done.t0), path_,
+                                 posed_[shown.cur.index % 2], posed_[shown.prev.index % 2]}};
 }
 
 PixelSpeed Feed::pixelSpeed(FrameIndex frames) const {

@@ -4,12 +4,14 @@
 
 #include <array>
 #include <memory>
+#include <span>
 
 #include "base/pool_handle.h"
 #include "feed/feed_config.h"
 #include "feed/feed_interval.h"
 #include "feed/feed_keys.h"
 #include "feed/pixel_speed.h"
+#include "feed/view_motion.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
 #include "render/renderer.h"
@@ -30,9 +32,23 @@ class Feed {
   // Adds keys to the paths, after the last ones.
   void steer(const FeedKeys& keys);
 
-  // Renders the next frame and estimates the change since the one before it. The change stays as it is until
-  // the second step after this one begins.
-  const IntensityChange& step(const PoolHandle& pool);
+  // Renders the frame at `t`, which is later than the last one, and estimates the change since that. The
+  // change stays as it is until the second step after this one begins.
+  const IntensityChange& stepTo(TimeNs t, const PoolHandle& pool);
+  // To the next frame at the rate of the configuration.
+  const IntensityChange& step(const PoolHandle& pool) {
+    return stepTo(frameTime(next_, config_.frame_rate_hz), pool);
+  }
+
+  // Whether the camera, all bodies and all lamps are at `t` as at the last frame.
+  bool standsUntil(TimeNs t) const;
+  // A step to `t` without a change, where standsUntil(t): renders nothing, and the frame of t0 becomes that
+  // of t1. Not as the first step.
+  const IntensityChange& holdTo(TimeNs t);
+
+  // How far the picture moves from the last frame to the first of these times, and from one to the next. In
+  // pixels: the 99th percentile over the surfaces that it shows.
+  void measureMotion(std::span<const TimeNs> times, std::span<double> px);
 
   // Over the first `frames` intervals; 0: over all, see measurePixelSpeed().
   PixelSpeed pixelSpeed(FrameIndex frames) const;
@@ -41,12 +57,16 @@ class Feed {
   const StageTimes& lastTimes() const { return times_; }  // of the last step
   // The least wall time of the last step: its passes one after the other, each with all threads to itself.
   std::chrono::nanoseconds lastCriticalPath() const { return critical_path_; }
-  const IntensityChange& change() const { return changes_[(next_ - 1) % 2]; }
+  const IntensityChange& change() const { return changes_[steps_ % 2]; }
   FeedInterval interval() const;                       // of the last step
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
 
+  const FeedConfig& config() const { return config_; }
+  bool lampsChange() const { return !posed_[0].strengths().areSteady(); }  // over time
+
  private:
-  void render(const PoolHandle& pool);
+  void render(TimeNs t, const PoolHandle& pool);
+  IntensityChange& nextChange(TimeNs t0, TimeNs t1);
   Camera cameraAt(TimeNs t) const;
   const RenderScene& scene() const { return posed_[0].still(); }
 
@@ -59,9 +79,11 @@ class Feed {
   SeedPlanner seeds_;
   FrameRing frames_;
   std::array<IntensityChange, 2> changes_;  // in turn
+  ViewMotion motion_;
   StageTimes times_;
   std::chrono::nanoseconds critical_path_{0};
-  FrameIndex next_ = 0;
+  FrameIndex next_ = 0, steps_ = 0;  // frames rendered, and steps made
+  bool held_ = false;                // the last step
 };
 
 }  // namespace saccade

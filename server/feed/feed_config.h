@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "feed/interval_bounds.h"
 #include "methods/method.h"
 #include "scene/camera/lens.h"
 #include "scene/camera/trajectory.h"
@@ -14,6 +15,7 @@ namespace saccade {
 struct FeedConfig {
   CameraModel camera = pinhole(45, 256, 256);
   double frame_rate_hz = 500;
+  IntervalBounds intervals = {};                  // of a Rig
   std::string method = defaultMethod(true).name;  // of methodTable()
   ParamValues params;                             // resolved by resolveParams()
   int spp = 2;                                    // paths per pixel and frame over both passes

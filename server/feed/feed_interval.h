@@ -24,6 +24,11 @@ struct RenderedInterval {
 struct FeedInterval {
   const IntensityChange& change;
   std::optional<RenderedInterval> rendered;  // nothing where a client has sent the frames
+  // The first frame of the stream at t1 or later, and whether it is at t1: frames may have several intervals.
+  FrameIndex frame = change.frame;
+  bool ends_frame = true;
+
+  FrameIndex reachedFrame() const { return ends_frame ? frame : frame - 1; }  // the last one at t1 or earlier
 };
 
 }  // namespace saccade

@@ -14,7 +14,7 @@ class IntervalSource {
  public:
   virtual ~IntervalSource() = default;
 
-  // Whether step() has all that it needs. From any thread.
+  // Whether step() has all that it needs. On the thread that calls step().
   virtual bool ready() const { return true; }
   // Makes the next interval of each view. The intervals hold until the next step, and their changes until the
   // second step after this one begins. Throws Cancelled.

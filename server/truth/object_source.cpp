@@ -10,7 +10,7 @@ TruthSamples ObjectSource::sample(const FeedInterval& interval) {
   TruthSamples samples;
   if (!interval.rendered->scene.bodies()) return samples;
   if (interval.change.frame == 1) add(*interval.rendered, interval.change.t0, samples);
-  add(*interval.rendered, interval.change.t1, samples);
+  if (interval.ends_frame) add(*interval.rendered, interval.change.t1, samples);
   return samples;
 }
 

@@ -11,7 +11,7 @@ TruthSamples PathSource::sample(const FeedInterval& interval) {
   };
   TruthSamples samples;
   if (interval.change.frame == 1) samples.push_back(at(interval.change.t0));
-  samples.push_back(at(interval.change.t1));
+  if (interval.ends_frame) samples.push_back(at(interval.change.t1));
   return samples;
 }
 

@@ -13,7 +13,7 @@ TruthSamples PictureSource::sample(const FeedInterval& interval) {
   }
   TruthSamples samples;
   if (change.frame == 1) add({0, change.t0, change.I_prev, prev ? &*prev : nullptr}, samples);
-  add({change.frame, change.t1, change.I_now, cur ? &*cur : nullptr}, samples);
+  if (interval.ends_frame) add({interval.frame, change.t1, change.I_now, cur ? &*cur : nullptr}, samples);
   return samples;
 }
 

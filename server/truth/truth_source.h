@@ -15,7 +15,8 @@ namespace saccade {
 class TruthSource {
  public:
   virtual ~TruthSource() = default;
-  // Returns the samples that the interval completes, in time order. Call it for every interval from some
+  // Returns the samples that the interval completes, in time order. Pictures and poses are those of frames,
+  // see FeedInterval. Call it for every interval from some
   // interval on, in order. Times are multiples of kTimeUnitNs, and at most the interval's t1.
   virtual TruthSamples sample(const FeedInterval& interval) = 0;
 };
@@ -32,6 +33,7 @@ struct TruthChannelInfo {
     kIntensity
   } needs = Needs::kScene;  // kIntensity: also where a client sends the frames
   enum class Setting { kNone, kBias, kExposure } setting = Setting::kNone;  // what else a request may set
+  bool needs_pairs = false;  // whether it compares a frame with the one that was rendered before it
 };
 
 // THE list of truth channels.

@@ -33,7 +33,7 @@ class Sink : public testing::Test {
   void publish(std::unique_ptr<IntensityChange> change, std::chrono::milliseconds lag = {}) {
     const StillView view(std::move(change));
     for (std::size_t i = 0; i < sink_.channels(); ++i) sink_.process(i, view.interval());
-    sink_.publish(view.interval().change, lag);
+    sink_.publish(view.interval(), lag);
   }
   // The packets that wait for the client.
   std::vector<v1::PacketHeader> sent() {

@@ -143,6 +143,20 @@ TEST(RequestOptions, AValueDoesNotSwallowTheScene) {
   EXPECT_EQ(options.scene, "cornell-box");
 }
 
+TEST(RequestOptions, IntervalsFollowMotionInsteadOfARate) {
+  const v1::Timing timing = openStream("--interval-px 0.5").timing();
+  EXPECT_EQ(timing.interval_px(), 0.5);
+  EXPECT_EQ(timing.frame_rate_hz(), 20);
+  EXPECT_EQ(timing.max_rate_hz(), 0);
+  const v1::Timing bounded = openStream("--interval-px 1 --min-rate 50 --max-rate 2000").timing();
+  EXPECT_EQ(bounded.frame_rate_hz(), 50);
+  EXPECT_EQ(bounded.max_rate_hz(), 2000);
+  EXPECT_EQ(openStream("--rate 50").timing().interval_px(), 0);
+  EXPECT_NE(faultOf("--interval-px 1 --rate 50"), "");
+  EXPECT_NE(faultOf("--min-rate 50"), "");
+  EXPECT_NE(faultOf("--max-rate 50"), "");
+}
+
 TEST(RequestOptions, RequestHoldsWhatWasGiven) {
   const auto open = openStream(
       "--size 64x48 --fov 50 --rate 250 --duration 1.5 --clock paced --delivery live --method pt --spp 4 "

@@ -61,8 +61,8 @@ class FeedFailure : public testing::Test {
     const FeedConfig config{.camera = pinhole(45, 8, 8), .frame_rate_hz = 100, .params = {}};
     auto feed = std::make_unique<Feed>(scene_, Trajectory({{TimeNs(0), Pose{}}}), config, std::move(method),
                                        SeedPlan::independent, pool_);
-    return std::make_unique<FeedRunner>(std::make_shared<Rig>(std::move(feed)), FeedPace{kFrames, 100, 0},
-                                        pool_, totals_, log_);
+    return std::make_unique<FeedRunner>(std::make_shared<Rig>(std::move(feed)), FeedPace{kFrames, 0}, pool_,
+                                        totals_, log_);
   }
 
   static std::shared_ptr<StreamSink> makeSink(const std::shared_ptr<Session>& session) {
@@ -179,7 +179,7 @@ TEST_F(FeedFailure, AFrameThatNobodyWantsIsNotFinishedBySensors) {
                                           session->stop(v1::END_REASON_CLOSED);
                                           runner->interrupt();
                                         }),
-                                        FeedPace{0, 100, 0}, pool_, totals_, log_);
+                                        FeedPace{0, 0}, pool_, totals_, log_);
   session = std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, kSensors, transport_, runner->notifier(),
                                       totals_.traffic);
   runner->add(makeSink(session));

@@ -31,7 +31,7 @@ TEST(FeedMemory, OutOfItAFeedEndsAndTheServerGoesOn) {
   FeedRunner runner(
       std::make_shared<Rig>(std::make_unique<Feed>(scene, Trajectory({{TimeNs(0), Pose{}}}), config,
                                                    std::make_unique<Greedy>(), SeedPlan::independent, pool)),
-      FeedPace{5, 100, 0}, pool, totals, log);
+      FeedPace{5, 0}, pool, totals, log);
   const auto session =
       std::make_shared<Session>("1", v1::DELIVERY_LOSSLESS, 1, transport, runner.notifier(), totals.traffic);
   ResolvedStream stream{.feed = config, .sensors = {{}}, .changes = {{}}};

@@ -145,7 +145,7 @@ TEST_F(StreamRegistryTest, AFeedThatIsSharedIsALoadOnce) {
     return std::make_shared<FeedRunner>(std::make_shared<Rig>(std::make_unique<Feed>(
                                             std::make_shared<const RenderScene>(test::furnace(0.5f, 1)),
                                             Trajectory({{TimeNs(0), Pose{}}}), config, pool)),
-                                        FeedPace{5, 100, 2}, pool, totals, log_);
+                                        FeedPace{5, 2}, pool, totals, log_);
   };
   Stream stream;
   v1::OpenStream request;

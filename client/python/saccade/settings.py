@@ -64,6 +64,9 @@ class Settings(Needed, total=False):
     further_views: more cameras on the same body: the place of each, likewise, in the axes of the first. Each has
         sensors of its own, which are numbered after those of the camera before, and the truth channels.
 
+    interval_px: each frame is rendered several times, whenever the picture has moved by about so many pixels; max_rate_hz
+        bounds how often per second. Truth, poses and Stream.step() keep to the frames. Without it each frame is rendered
+        once.
     duration_s: stream time; without it, or with 0, the stream goes on until it is closed.
     clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed, "lockstep" renders a frame
         for each Stream.step().
@@ -103,6 +106,8 @@ class Settings(Needed, total=False):
     clearance: float
     start: Sequence[float]
     objects: Mapping[str, str | os.PathLike[str] | NDArray[np.float64]]
+    interval_px: float
+    max_rate_hz: float
     duration_s: float
     size: tuple[int, int]
     fov_x_deg: float

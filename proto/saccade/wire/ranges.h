@@ -23,6 +23,7 @@ inline constexpr Range<double> kTurn{1e-3, 1e3};              // Motion.turn_s: 
 inline constexpr Range<double> kClearance{1e-6, 1e6};         // Motion.clearance: scene units
 inline constexpr Range<int> kKeyframes{1, 100000};            // Keyframes.keys: how many
 inline constexpr Range<double> kFrameRate{0.1, 1e5};          // Timing.frame_rate_hz: Hz
+inline constexpr Range<double> kIntervalPx{0.01, 1000};       // Timing.interval_px: pixels
 inline constexpr Range<double> kDuration{0, 1e7};         // Timing.duration_s: seconds, at least one frame
 inline constexpr Range<double> kSpeed{1e-3, 1e3};         // Timing.speed: stream time over wall-clock time
 inline constexpr Range<int> kSpp{1, 65536};               // Method.spp: paths per pixel and frame

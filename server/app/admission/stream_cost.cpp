@@ -115,6 +115,7 @@ double feedMemory(const ResolvedStream& stream, const Limits& limits) {
 // plainest.
 double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   constexpr double kSensorBytes = 24, kNoiseBytes = 28;  // per pixel
+  constexpr double kPieceBytes = 20;                     // per pixel, where an interval may hold updates
   constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
   constexpr double kTruthBytes = 48;                     // per pixel: a picture, and its copy for the packet
   constexpr double kRowBytes = 400;                      // likewise: a row of a frame
@@ -126,7 +127,8 @@ double streamMemory(const ResolvedStream& stream, const Limits& limits) {
     const FeedConfig& view = feedOfSensor(stream, i);
     const double events =
         view.pixels() * (sensor.max_events_per_pixel_frame + noiseRoom(sensor.noise, rate_hz));
-    bytes += pixelsWithBorder(view) * (kSensorBytes + kNoiseBytes) + packets * kPacketBytes +
+    const double piece_bytes = view.intervals.followMotion() ? kPieceBytes : 0;
+    bytes += pixelsWithBorder(view) * (kSensorBytes + kNoiseBytes + piece_bytes) + packets * kPacketBytes +
              kEventBytes * (std::min(events, static_cast<double>(sensor.max_events_per_frame)) +
                             bufferRoom(sensor.noise));
   }
@@ -208,6 +210,7 @@ std::vector<Share> sharesOf(const ResolvedStream& stream, const Limits& limits) 
 
 void checkAlone(const v1::OpenStream& request, const Limits& limits) {
   checkMost(Limit::kFrameRate, "timing.frame_rate_hz", request.timing().frame_rate_hz(), limits);
+  checkMost(Limit::kFrameRate, "timing.max_rate_hz", request.timing().max_rate_hz(), limits);
   const v1::Trajectory& path = request.trajectory();
   checkMost(Limit::kTrajectoryPoints, path.has_csv() ? "trajectory.csv" : "trajectory.keyframes.keys",
             pointsOf(path), limits);

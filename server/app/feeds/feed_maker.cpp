@@ -41,7 +41,7 @@ OwnFeed FeedMaker::ofClient(const ResolvedStream& stream) const {
 std::shared_ptr<FeedRunner> FeedMaker::run(std::shared_ptr<IntervalSource> source,
                                            const ResolvedStream& stream, const FeedFacts& facts) const {
   const v1::Timing& timing = stream.request.timing();
-  const FeedPace pace{stream.frames, timing.frame_rate_hz(), timing.speed()};
+  const FeedPace pace{stream.frames, timing.speed()};
   return std::make_shared<FeedRunner>(std::move(source), pace, pool_, totals_, log_, facts);
 }
 

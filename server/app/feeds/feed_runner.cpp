@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/feeds/pace.h"
 #include "base/thread_time.h"
@@ -170,15 +171,15 @@ bool FeedRunner::needsAttention() const {
 }
 
 void FeedRunner::step() {
-  if (frame_ == 0) began_ = ChangeNotifier::Clock::now();
+  if (now_ == TimeNs{0}) began_ = ChangeNotifier::Clock::now();
   clock_.begin(
-      now(), std::none_of(sinks_.begin(), sinks_.end(), [](const auto& sink) { return sink->catchingUp(); }));
+      now_, std::none_of(sinks_.begin(), sinks_.end(), [](const auto& sink) { return sink->catchingUp(); }));
   const std::vector<FeedInterval>& views = makeIntervals();
   const double lag_s = clock_.running() ? waitUntilDue(views.front().change.t1) : 0;
   StageTimes times = source_->lastTimes();
   const auto before = threadCpuTime();
   times[Stage::kEvents] += publish(views, lag_s);
-  record(times, source_->lastCriticalPath() + (threadCpuTime() - before), lag_s);
+  record(times, source_->lastCriticalPath() + (threadCpuTime() - before), lag_s, views.front().ends_frame);
 }
 
 // Frames of a feed that keeps its pace are due at a certain time. interrupt() drops what is left of a frame.
@@ -188,8 +189,9 @@ PoolHandle FeedRunner::pool() const {
 
 const std::vector<FeedInterval>& FeedRunner::makeIntervals() {
   const std::vector<FeedInterval>& views = source_->step(pool());
-  newest_.set(views.front().change);
-  frame_ = views.front().change.frame;
+  newest_.set(views.front().change, views.front().frame);
+  now_ = views.front().change.t1;
+  frame_ = views.front().reachedFrame();
   return views;
 }
 
@@ -210,7 +212,7 @@ std::chrono::nanoseconds FeedRunner::publish(const std::vector<FeedInterval>& vi
   const std::chrono::milliseconds lag(lag_s > kMostLagSeconds ? std::llround(lag_s * 1e3) : 0);
   for (StreamSink* sink : started) {
     const std::uint64_t events_before = sink->events();
-    sink->publish(views.front().change, lag);
+    sink->publish(views.front(), lag);
     totals_.events += sink->events() - events_before;
   }
   return used;
@@ -223,26 +225,30 @@ double FeedRunner::waitUntilDue(TimeNs t) {
   return std::max(0.0, std::chrono::duration<double>(ChangeNotifier::Clock::now() - due).count());
 }
 
-void FeedRunner::record(const StageTimes& times, std::chrono::nanoseconds critical_path, double lag_s) {
+void FeedRunner::record(const StageTimes& times, std::chrono::nanoseconds critical_path, double lag_s,
+                        bool ends_frame) {
   logTimes(frame_, times);
-  totals_.frames += 1;
+  totals_.frames += ends_frame ? 1 : 0;
   totals_.add(times);
+  frame_cpu_ += times, frame_critical_path_ += critical_path;
   std::lock_guard lock(mutex_);
   progress_.frames = frame_;
   progress_.lag_s = lag_s;
   progress_.cpu += times;
-  progress_.recent_s.add(seconds(times.total() - times[Stage::kEvents]));
-  progress_.critical_path_s.add(seconds(critical_path));
+  if (!ends_frame) return;
+  const StageTimes frame = std::exchange(frame_cpu_, {});
+  progress_.recent_s.add(seconds(frame.total() - frame[Stage::kEvents]));
+  progress_.critical_path_s.add(seconds(std::exchange(frame_critical_path_, {})));
 }
 
 void FeedRunner::finish(StreamSink& sink) {
   const std::uint64_t events_before = sink.events();
-  sink.end(now(), frame_);
+  sink.end(now_, frame_);
   totals_.events += sink.events() - events_before;
   const std::chrono::duration<double> wall = ChangeNotifier::Clock::now() - began_;
   log_.info(sink.user(),
             fmt::format("stream {} ended after {} frames: {} events, {:.3g} of real time",
-                        sink.session().id(), frame_, sink.events(), seconds(now()) / wall.count()));
+                        sink.session().id(), frame_, sink.events(), seconds(now_) / wall.count()));
 }
 
 }  // namespace saccade

@@ -26,16 +26,15 @@
 namespace saccade {
 
 struct FeedPace {
-  FrameIndex frames = 0;     // intervals to render; 0: until the last stream ends
-  double frame_rate_hz = 0;  // > 0
-  double speed = 0;          // stream seconds per second; 0: as fast as possible
+  FrameIndex frames = 0;  // to render after frame 0; 0: until the last stream ends
+  double speed = 0;       // stream seconds per second; 0: as fast as possible
 };
 
 struct FeedProgress {
-  FrameIndex frames = 0;       // intervals done
-  double lag_s = 0;            // by how much the last one missed its time; 0 without a pace
-  StageTimes cpu;              // of all intervals together
-  RecentMean recent_s;         // CPU time for an interval, without its events
+  FrameIndex frames = 0;       // done, without frame 0
+  double lag_s = 0;            // by how much the last interval missed its time; 0 without a pace
+  StageTimes cpu;              // of all frames together
+  RecentMean recent_s;         // CPU time for a frame, without its events
   RecentMean critical_path_s;  // the part of that time that more threads do not shorten
 };
 
@@ -78,9 +77,8 @@ class FeedRunner {
   void holdClock();
   void endStopped();
   double waitUntilDue(TimeNs t);
-  void record(const StageTimes& times, std::chrono::nanoseconds critical_path, double lag_s);
+  void record(const StageTimes& times, std::chrono::nanoseconds critical_path, double lag_s, bool ends_frame);
   void finish(StreamSink& sink);
-  TimeNs now() const { return frameTime(frame_, pace_.frame_rate_hz); }
 
   TilePool& pool_;
   const std::shared_ptr<IntervalSource> source_;
@@ -94,6 +92,9 @@ class FeedRunner {
   // The feed's thread.
   std::vector<std::shared_ptr<StreamSink>> sinks_;  // changed under the mutex
   FrameIndex frame_ = 0;                            // the newest one
+  TimeNs now_{0};                                   // the end of the last interval
+  StageTimes frame_cpu_;                            // of the intervals of the frame that is under way
+  std::chrono::nanoseconds frame_critical_path_{0};
   PaceClock clock_;
   ChangeNotifier::Clock::time_point began_ = ChangeNotifier::Clock::now();  // when frame 1 was begun
 

@@ -2,9 +2,10 @@
 
 namespace saccade {
 
-void NewestInterval::set(const IntensityChange& change) {
+void NewestInterval::set(const IntensityChange& change, FrameIndex frame) {
   std::lock_guard lock(mutex_);
   newest_ = &change;
+  frame_ = frame;
 }
 
 std::unique_ptr<const IntensityChange> NewestInterval::copy() const {
@@ -12,6 +13,7 @@ std::unique_ptr<const IntensityChange> NewestInterval::copy() const {
   if (!newest_) return nullptr;
   auto copy = std::make_unique<IntensityChange>(newest_->dI.width(), newest_->dI.height());
   copy->copyFrom(*newest_);
+  copy->frame = frame_;
   return copy;
 }
 

@@ -12,12 +12,14 @@ namespace saccade {
 class NewestInterval {
  public:
   // `change` must stay as it is until the next call has returned. That call waits for no more than one copy.
-  void set(const IntensityChange& change);
+  // `frame`: the first of the stream at t1 or later; the copy has it.
+  void set(const IntensityChange& change, FrameIndex frame);
   std::unique_ptr<const IntensityChange> copy() const;  // nullptr before the first set()
 
  private:
   mutable std::mutex mutex_;
   const IntensityChange* newest_ = nullptr;
+  FrameIndex frame_ = 0;
 };
 
 }  // namespace saccade

@@ -11,8 +11,8 @@
 namespace saccade {
 namespace {
 
-// Of the frames that are measured the first is left out: it also allocates, and knows no light.
-constexpr int kLeastFrames = 2, kMostFrames = 4;
+// Of the steps that are measured the first is left out: it also allocates, and knows no light.
+constexpr int kLeastSteps = 2, kMostSteps = 4;
 constexpr double kEnoughSeconds = 0.25;  // of CPU time: slow frames need no repetition
 
 std::string number(double value) {
@@ -63,19 +63,22 @@ CpuCost measureFrame(const std::shared_ptr<const RenderScene>& scene, const Traj
   };
   const bool packet_per_frame = stream.request.timing().packet_per_frame();
   CpuCost spent, first;
-  int frames = 0;
-  while (frames < kLeastFrames || (frames < kMostFrames && spent.feed + spent.sensors < kEnoughSeconds)) {
+  int steps = 0;
+  TimeNs first_end{0}, end{0};
+  while (steps < kLeastSteps || (steps < kMostSteps && spent.feed + spent.sensors < kEnoughSeconds)) {
     const std::vector<FeedInterval>& views = rig.step(pool);
     spent.feed += seconds(rig.lastTimes().total());
     spent.critical_path += seconds(rig.lastCriticalPath());
     spent.sensors +=
         each([&](Channel& channel) { channel.process(views[channel.view()], packet_per_frame); });
     spent.longest += longestOf(channels);
-    if (++frames == 1) first = spent;
+    end = views.front().change.t1;
+    if (++steps == 1) first = spent, first_end = end;
   }
+  const auto framesIn = [&](TimeNs t) { return seconds(t) * stream.feed.frame_rate_hz; };
   const double left_s =
-      each([](Channel& channel) { channel.flush(); }) / frames;  // most of the cost of short frames
-  CpuCost frame = (spent - first) * (1.0 / (frames - 1));
+      each([](Channel& channel) { channel.flush(); }) / framesIn(end);  // most of the cost of short frames
+  CpuCost frame = (spent - first) * (1 / framesIn(end - first_end));
   frame.sensors += left_s;
   frame.longest += left_s / static_cast<double>(channels.size());
   return frame;
@@ -110,8 +113,10 @@ void checkPace(const v1::Timing& timing, const CpuCost& frame, const PaceLoad& t
                                number(periods) + " of its period; " + number(share) + " are allowed";
   const double fits = std::min(free / need, share / periods);
   if (fits > 0 && !joins) {
-    message += ": what fits is a frame rate of " + atMost(timing.frame_rate_hz() * fits) +
-               " Hz, or a speed of " + atMost(timing.speed() * fits);
+    message += ": what fits is ";
+    if (timing.interval_px() == 0)
+      message += "a frame rate of " + atMost(timing.frame_rate_hz() * fits) + " Hz, or ";
+    message += "a speed of " + atMost(timing.speed() * fits);
   }
   // Other programs may give back the CPU time that they take now.
   const bool later = need <= idle.threads * share && periodsOf(own, idle) <= share;

@@ -23,7 +23,7 @@ struct CpuCost {
 // The cost of two streams that share a feed.
 CpuCost together(const CpuCost& a, const CpuCost& b);
 
-// Measures the cost of a frame. Renders a few frames of a rig of its own.
+// Measures the cost of a frame. Renders a few steps of a rig of its own.
 CpuCost measureFrame(const std::shared_ptr<const RenderScene>& scene, const Trajectory& body,
                      const ResolvedStream& stream, const PoolHandle& pool);
 

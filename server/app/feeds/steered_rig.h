@@ -14,9 +14,9 @@ class SteeredRig final : public Rig {
   SteeredRig(Rig rig, std::shared_ptr<Steering> steering)
       : Rig(std::move(rig)), steering_(std::move(steering)) {}
 
-  bool ready() const override { return steering_->ready(); }
+  bool ready() const override { return !atFrame() || steering_->ready(); }
   const std::vector<FeedInterval>& step(const PoolHandle& pool) override {
-    steer(steering_->next());
+    if (atFrame()) steer(steering_->next());
     return Rig::step(pool);
   }
 

@@ -28,12 +28,12 @@ StreamSink::StreamSink(std::shared_ptr<Session> session, const ResolvedStream& s
       packet_per_frame_(stream.request.timing().packet_per_frame()),
       user_(std::move(user)) {}
 
-void StreamSink::publish(const IntensityChange& change, std::chrono::milliseconds lag) {
+void StreamSink::publish(const FeedInterval& interval, std::chrono::milliseconds lag) {
   lag_ = lag;
   session_->setLag(lag);
   deliver();
-  countCost();
-  session_->setProgress(change.frame, change.t1.count());
+  countCost(interval.ends_frame);
+  session_->setProgress(interval.reachedFrame(), interval.change.t1.count());
 }
 
 void StreamSink::deliver() {
@@ -46,14 +46,16 @@ void StreamSink::deliver() {
   events_ = events;
 }
 
-void StreamSink::countCost() {
-  std::chrono::nanoseconds sum{0}, longest{0};
+void StreamSink::countCost(bool ends_frame) {
+  std::chrono::nanoseconds longest{0};
   for (const auto& channel : channels_) {
-    sum += channel->cost();
+    frame_cost_ += channel->cost();
     longest = std::max(longest, channel->cost());
   }
-  cost_mean_.add(seconds(sum));
-  longest_mean_.add(seconds(longest));
+  frame_longest_ += longest;
+  if (!ends_frame) return;
+  cost_mean_.add(seconds(std::exchange(frame_cost_, {})));
+  longest_mean_.add(seconds(std::exchange(frame_longest_, {})));
   recent_s_ = cost_mean_.value();
   longest_s_ = longest_mean_.value();
 }

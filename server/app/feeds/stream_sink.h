@@ -21,7 +21,7 @@ class StreamSink {
   const Session& session() const { return *session_; }
   const std::string& user() const { return user_; }
   std::uint64_t events() const { return events_; }
-  double recentSeconds() const { return recent_s_; }          // CPU time per interval, recent mean
+  double recentSeconds() const { return recent_s_; }          // CPU time per frame, recent mean
   double recentLongestSeconds() const { return longest_s_; }  // of the channel that takes longest
 
   SensorSchedule& schedule(std::size_t sensor) const { return *channels_[sensor]->schedule(); }
@@ -33,7 +33,7 @@ class StreamSink {
   void process(std::size_t channel, const FeedInterval& interval) {
     channels_[channel]->process(interval, packet_per_frame_);
   }
-  void publish(const IntensityChange& change, std::chrono::milliseconds lag);
+  void publish(const FeedInterval& interval, std::chrono::milliseconds lag);
 
   // On the feed's thread. `frame` is the index of the frame at t.
   bool catchingUp() const;               // no event is for the client yet
@@ -46,7 +46,7 @@ class StreamSink {
   void deliver();
   void push(std::vector<Packet> packets);
   void pushError(std::uint32_t channel, const std::string& message);
-  void countCost();
+  void countCost(bool ends_frame);
 
   const std::shared_ptr<Session> session_;
   std::vector<std::unique_ptr<Channel>> channels_;
@@ -55,6 +55,7 @@ class StreamSink {
   const std::string user_;
   std::chrono::milliseconds lag_{0};
   std::atomic<std::uint64_t> events_ = 0;
+  std::chrono::nanoseconds frame_cost_{0}, frame_longest_{0};  // of the frame that is under way
   RecentMean cost_mean_, longest_mean_;
   std::atomic<double> recent_s_ = 0, longest_s_ = 0;  // for other threads
 };

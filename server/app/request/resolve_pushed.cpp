@@ -27,6 +27,7 @@ void checkPushed(const v1::OpenStream& request) {
   const v1::Timing& timing = request.timing();
   checkUnset(timing.clock() != v1::CLOCK_UNSPECIFIED && timing.clock() != v1::CLOCK_FAST, "timing.clock");
   checkUnset(timing.steerable(), "timing.steerable");
+  checkUnset(timing.interval_px() != 0, "timing.interval_px");
 }
 
 void checkObjectIds(const v1::OpenStream& request) {

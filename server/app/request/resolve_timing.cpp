@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
 #include "app/request/resolve_parts.h"
@@ -15,6 +17,18 @@ void takeDuration(const std::optional<Trajectory>& path, v1::Timing& timing) {
     refuse(field, "the path has no pose after time 0; give timing.duration_s");
   timing.set_duration_s(seconds(path->lastTime()));
   timing.clear_until_path_ends();
+}
+
+IntervalBounds resolveIntervals(v1::Timing& timing) {
+  if (timing.interval_px() == 0) {
+    if (timing.max_rate_hz() != 0) refuse("timing.max_rate_hz", "it needs timing.interval_px");
+    return {};
+  }
+  checkRange("timing.interval_px", timing.interval_px(), ranges::kIntervalPx);
+  if (timing.max_rate_hz() == 0)
+    timing.set_max_rate_hz(std::max(IntervalBounds{}.max_rate_hz, timing.frame_rate_hz()));
+  checkRange("timing.max_rate_hz", timing.max_rate_hz(), timing.frame_rate_hz(), ranges::kFrameRate.max);
+  return {timing.interval_px(), timing.max_rate_hz()};
 }
 
 }  // namespace
@@ -35,6 +49,7 @@ void resolveTiming(ResolvedStream& stream) {
   timing.set_speed(paced ? speed : 0);
   if (!paced) timing.clear_min_speed();
   stream.feed.frame_rate_hz = timing.frame_rate_hz();
+  stream.feed.intervals = resolveIntervals(timing);
   if (timing.duration_s() == 0) return;
   // A duration within rounding of a whole number of frames counts as that number.
   stream.frames = static_cast<FrameIndex>(timing.duration_s() * timing.frame_rate_hz() + 1e-6);

@@ -64,6 +64,8 @@ TruthConfig resolveTruth(v1::Truth& truth, int index, const FeedConfig& feed, st
     refuse(field + ".name",
            "there is no truth channel '" + cutText(truth.name(), kMaxEcho) + "'; there are: " + truthNames());
   }
+  if (feed.intervals.followMotion() && info->needs_pairs)
+    refuse(field + ".name", info->name + " needs frames of one interval each: leave out timing.interval_px");
   TruthConfig config{.name = truth.name(),
                      .frames = FrameSelection(),
                      .width = feed.camera.width,

@@ -12,9 +12,9 @@ namespace saccade {
 void Channel::process(const FeedInterval& interval, bool whole) {
   const auto began = threadCpuTime();
   full_ = forClient(makePackets(interval));
-  if (whole) std::ranges::move(flush(), std::back_inserter(full_));
+  if (whole && interval.ends_frame) std::ranges::move(flush(), std::back_inserter(full_));
   items_ = countItems();
-  reached_.emplace(interval.change.t1, interval.change.frame);
+  reached_.emplace(interval.change.t1, interval.reachedFrame());
   cost_ = threadCpuTime() - began;
 }
 

@@ -23,7 +23,7 @@ class Channel {
   std::size_t view() const { return view_; }  // the number of the one that it sees
 
   // Makes the packets of an interval. Takes every interval of its view from some interval on, in order, on
-  // any thread. `whole`: the last packet ends with the interval.
+  // any thread. `whole`: the last packet ends with the frame that the interval ends.
   void process(const FeedInterval& interval, bool whole);
 
   // Of the last process():

@@ -27,19 +27,19 @@ std::vector<Packet> SensorChannel::makePackets(const FeedInterval& interval) {
   const IntensityChange& change = interval.change;
   if (const auto due = schedule_.takeDue(change.t0, change.t1)) sensor_.change(*due);
   std::vector<Packet> full;
-  if (!std::exchange(joined_, true) && change.frame > 1) full.push_back(snapshot(change));
+  if (!std::exchange(joined_, true) && change.frame > 1) full.push_back(snapshot(interval));
   sensor_.generate(change, output_);
   if (objects_) objects_->find(*interval.rendered, output_.events);
   events_ += output_.events.size();
-  const PacketInterval span{change.t0.count(),  change.t1.count(), change.frame - 1,
+  const PacketInterval span{change.t0.count(),  change.t1.count(), interval.frame - 1,
                             output_.suppressed, output_.artefacts, output_.lost_in_readout};
   std::ranges::move(cutter_.cut(output_.events, span), std::back_inserter(full));
   return full;
 }
 
-Packet SensorChannel::snapshot(const IntensityChange& first) {
-  std::string planes = encodePlanes(sensor_.pixelsAtStart(first.I_prev));
-  return cutter_.snapshot(first.t0.count(), first.frame - 1, std::move(planes));
+Packet SensorChannel::snapshot(const FeedInterval& first) {
+  std::string planes = encodePlanes(sensor_.pixelsAtStart(first.change.I_prev));
+  return cutter_.snapshot(first.change.t0.count(), first.frame - 1, std::move(planes));
 }
 
 std::vector<Packet> SensorChannel::endPackets(TimeNs t, FrameIndex frame, v1::EndReason reason) {

@@ -27,7 +27,7 @@ class SensorChannel final : public Channel {
   std::uint64_t countItems() const override { return events_; }
 
  private:
-  Packet snapshot(const IntensityChange& first);
+  Packet snapshot(const FeedInterval& first);
 
   Sensor sensor_;
   std::optional<EventObjects> objects_;  // where they are asked for

@@ -25,7 +25,7 @@ TruthPacker& TruthChannel::packerFrom(TimeNs t) {
 
 std::vector<Packet> TruthChannel::makePackets(const FeedInterval& interval) {
   const IntensityChange& change = interval.change;
-  return packerFrom(change.t0).add(truth_->sample(interval), change.t1.count(), change.frame);
+  return packerFrom(change.t0).add(truth_->sample(interval), change.t1.count(), interval.reachedFrame());
 }
 
 std::vector<Packet> TruthChannel::flushPackets() {

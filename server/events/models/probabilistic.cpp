@@ -1,5 +1,6 @@
 // Stochastic generation (paper, 4.6): a threshold phase uniform in [0, C), fresh for every pixel and frame,
-// so that E[K] = |dL| / C [E (31)]. Between frames it keeps only which pixels are blind.
+// so that E[K] = |dL| / C [E (31)]. Each piece of a pixel has a fresh phase, so that E[K] is the sum over
+// the pieces. Between frames it keeps only which pixels are blind.
 #include <bit>
 
 #include "base/hash_rng.h"
@@ -36,14 +37,30 @@ class Probabilistic final : public EventModel {
       : seed_(config.seed), width_(width), pixels_(config, width, height) {}
 
   std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) override {
-    pixels_.begin(interval);
-    const std::uint64_t key = hashKey(seed_, interval.frame);
+    pixels_.begin(interval, true);
+    key_ = hashKey(seed_, interval.frame);
+    forEachChange(dL, [&](int x, int y, float change) { move(x, y, change, keyOf(x, y), {}, events); });
+    return pixels_.suppressed();
+  }
+
+  void begin(const Interval& interval, Events&) override {
+    pixels_.begin(interval, false);
+    key_ = hashKey(seed_, interval.frame);
+  }
+
+  void advance(const Pieces& pieces, Events& events) override {
+    TilePool::yieldToHighPriority();
+    for (int i = 0; i < pieces.count; ++i) {
+      if (pieces.dL[i] == 0) continue;
+      const int x = pieces.x[i], y = pieces.y[i];
+      const std::uint64_t key = hashKey(keyOf(x, y), std::bit_cast<std::uint32_t>(pieces.to[i]));
+      move(x, y, pieces.dL[i], key, {pieces.from[i], pieces.to[i]}, events);
+    }
+  }
+
+  std::uint64_t end(const ImageF& dL, const ImageF& from, Events& events) override {
     forEachChange(dL, [&](int x, int y, float change) {
-      const std::uint64_t pixel = static_cast<std::uint64_t>(y) * width_ + x;
-      // 53 bits: with the steps of a float E[K] of a small change would be wrong.
-      const double u = static_cast<double>(hashKey(key, pixel) >> 11) * 0x1p-53;
-      const double C = pixels_.threshold(x, y, change), phase = change > 0 ? u * C : -u * C;
-      pixels_.advance(x, y, phase, change, events);
+      move(x, y, change, keyOf(x, y), {from.at(x, y), 1}, events);
     });
     return pixels_.suppressed();
   }
@@ -54,7 +71,20 @@ class Probabilistic final : public EventModel {
   float level(int, int) const override { return 0; }
 
  private:
-  std::uint64_t seed_;
+  // Of the numbers of a pixel in this interval.
+  std::uint64_t keyOf(int x, int y) const {
+    return hashKey(key_, static_cast<std::uint64_t>(y) * width_ + x);
+  }
+
+  void move(int x, int y, float change, std::uint64_t number, typename ThresholdPixels<Thresholds>::Part part,
+            Events& events) {
+    // 53 bits: with the steps of a float E[K] of a small change would be wrong.
+    const double u = static_cast<double>(number >> 11) * 0x1p-53;
+    const double C = pixels_.threshold(x, y, change), phase = change > 0 ? u * C : -u * C;
+    pixels_.advance(x, y, phase, change, part, events);
+  }
+
+  std::uint64_t seed_, key_ = 0;
   int width_;
   ThresholdPixels<Thresholds> pixels_;
 };

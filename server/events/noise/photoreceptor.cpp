@@ -18,29 +18,29 @@ float settle(float lag) {
   return std::abs(lag) < kAtRest ? 0 : lag;
 }
 
-// Of a row of pixels: the reference luminance, a1 over the luminance, a2.
-struct Row {
-  float white, per_luminance, a2;
-};
+// The change of the output of one pixel over `share` of the interval.
+template <bool kFollower>
+float respond(const auto& poles, float share, float I, float dL, float& lag, float* follower) {
+  const float luminance = I - I == 0 ? clampTo(I, 0, poles.white) : 0;
+  const float a1 = poles.per_luminance * (luminance + kDark * poles.white) * share;
+  const float before = lag, after = settle(decay(a1) * before + decayBetween(0, a1) * dL);
+  lag = after;
+  float out = dL + (before - after);
+  if constexpr (kFollower) {
+    const float g = *follower, a2 = poles.a2 * share;
+    const float g_after =
+        settle(decay(a2) * g + decayBetween(0, a2) * dL + decayBetween(a1, a2) * (a1 * before - dL));
+    *follower = g_after;
+    out += g - g_after;
+  }
+  return out;
+}
 
 template <bool kFollower>
-void filterRow(const Row& row, const float* I, int width, float* __restrict lag, float* __restrict follower,
-               float* __restrict dL) {
-  for (int x = 0; x < width; ++x) {
-    const float luminance = I[x] - I[x] == 0 ? clampTo(I[x], 0, row.white) : 0;
-    const float a1 = row.per_luminance * (luminance + kDark * row.white);
-    const float before = lag[x], after = settle(decay(a1) * before + decayBetween(0, a1) * dL[x]);
-    lag[x] = after;
-    float out = dL[x] + (before - after);
-    if constexpr (kFollower) {
-      const float g = follower[x];
-      const float g_after = settle(decay(row.a2) * g + decayBetween(0, row.a2) * dL[x] +
-                                   decayBetween(a1, row.a2) * (a1 * before - dL[x]));
-      follower[x] = g_after;
-      out += g - g_after;
-    }
-    dL[x] = out;
-  }
+void filterRow(const auto& poles, const auto& shareOf, const float* I, int width, float* __restrict lag,
+               float* __restrict follower, float* __restrict dL) {
+  for (int x = 0; x < width; ++x)
+    dL[x] = respond<kFollower>(poles, shareOf(x), I[x], dL[x], lag[x], follower + (kFollower ? x : 0));
 }
 
 // The bandwidth of a pole that has one, else one that leaves no lag.
@@ -50,6 +50,11 @@ double bandwidth(double hz, double dt) {
 }
 
 }  // namespace
+
+// Of an interval: the reference luminance, a1 over the luminance, a2.
+struct Photoreceptor::Poles {
+  float white, per_luminance, a2;
+};
 
 Photoreceptor::Photoreceptor(const NoiseConfig& noise, int width, int height)
     : noise_(noise), lag_(width, height) {
@@ -62,22 +67,43 @@ void Photoreceptor::change(const NoiseConfig& noise) {
     follower_lag_ = std::make_unique<ImageF>(lag_.width(), lag_.height());
 }
 
-void Photoreceptor::filter(const IntensityChange& change, ImageF& dL) {
+Photoreceptor::Poles Photoreceptor::polesOf(const IntensityChange& change) const {
   const double dt = 2 * std::numbers::pi * seconds(change.t1 - change.t0);
   const double R = noise_.reference_luminance;
-  const Row row{
-      .white = static_cast<float>(R),
-      .per_luminance = static_cast<float>(bandwidth(noise_.photoreceptor_hz, dt) * dt / (R * (1 + kDark))),
-      .a2 = static_cast<float>(bandwidth(noise_.follower_hz, dt) * dt)};
+  return {static_cast<float>(R),
+          static_cast<float>(bandwidth(noise_.photoreceptor_hz, dt) * dt / (R * (1 + kDark))),
+          static_cast<float>(bandwidth(noise_.follower_hz, dt) * dt)};
+}
+
+void Photoreceptor::filter(const IntensityChange& change, ImageF& dL, const ImageF* from) {
+  const Poles poles = polesOf(change);
   for (int y = 0; y < dL.height(); ++y) {
-    const float* I = change.I_now.row(y);
-    if (follower_lag_) {
-      filterRow<true>(row, I, dL.width(), lag_.row(y), follower_lag_->row(y), dL.row(y));
+    const float *I = change.I_now.row(y), *begin = from ? from->row(y) : nullptr;
+    float* follower = follower_lag_ ? follower_lag_->row(y) : nullptr;
+    const auto filter = [&](const auto& shareOf) {
+      if (follower) {
+        filterRow<true>(poles, shareOf, I, dL.width(), lag_.row(y), follower, dL.row(y));
+      } else {
+        filterRow<false>(poles, shareOf, I, dL.width(), lag_.row(y), follower, dL.row(y));
+      }
+    };
+    if (begin) {
+      filter([&](int x) { return 1 - begin[x]; });
     } else {
-      filterRow<false>(row, I, dL.width(), lag_.row(y), nullptr, dL.row(y));
+      filter([](int) { return 1.f; });
     }
   }
   if (noise_.follower_hz == 0) follower_lag_.reset();
+}
+
+void Photoreceptor::filter(const IntensityChange& change, Pieces& pieces) {
+  const Poles poles = polesOf(change);
+  for (int i = 0; i < pieces.count; ++i) {
+    const float share = pieces.to[i] - pieces.from[i], I = pieces.I[i];
+    float &lag = lag_.at(pieces.x[i], pieces.y[i]), &dL = pieces.dL[i];
+    dL = follower_lag_ ? respond<true>(poles, share, I, dL, lag, &follower_lag_->at(pieces.x[i], pieces.y[i]))
+                       : respond<false>(poles, share, I, dL, lag, nullptr);
+  }
 }
 
 std::optional<Photoreceptor> makePhotoreceptor(const NoiseConfig& noise, int width, int height) {

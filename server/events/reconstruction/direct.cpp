@@ -7,6 +7,7 @@ namespace {
 class Direct final : public Reconstruction {
  public:
   void reconstruct(const IntensityChange&, ImageF&) override {}
+  bool corrects() const override { return false; }
   void setBias(double) override {}
 };
 

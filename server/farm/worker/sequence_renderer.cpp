@@ -56,13 +56,14 @@ void renderFrames(const StreamPlan& plan, const Trajectory& body, FrameIndex fra
   Rig rig = makeRig(plan.scene, body, resolved, pool);
   const auto channels = makeChannels(resolved, {}, 0);
   const bool whole = resolved.request.timing().packet_per_frame();
-  for (FrameIndex frame = 0; frame < frames; ++frame) {
+  for (FrameIndex frame = 0; frame < frames;) {
     const std::vector<FeedInterval>& views = rig.step(pool);
     PoolHandle(pool).run(static_cast<int>(channels.size()), [&](int i) {
       Channel& channel = *channels[static_cast<std::size_t>(i)];
       channel.process(views[channel.view()], whole);
     });
     for (const auto& channel : channels) take(channel->takePackets(), files);
+    frame = views.front().reachedFrame();
   }
   for (const auto& channel : channels) take(channel->end({}, frames, v1::END_REASON_FINISHED), files);
 }

@@ -19,17 +19,19 @@ class ExposedFrame final : public TruthSource {
 
   // Exposures end at the frames that are wanted. One that would begin during another is left out.
   TruthSamples sample(const FeedInterval& interval) override {
-    const IntensityChange& change = interval.change;
-    const FrameIndex last = change.frame + config_.exposure_frames - 1;
-    if (config_.frames.takes(last, frameTime(last, config_.frame_rate_hz)) && left_ == 0) open(change.t0);
+    if (!interval.ends_frame) return {};
+    const FrameIndex last = interval.frame + config_.exposure_frames - 1;
+    if (config_.frames.takes(last, timeOf(last)) && left_ == 0) open(timeOf(interval.frame - 1));
     if (left_ == 0) return {};
-    expose(change.I_now);
+    expose(interval.change.I_now);
     if (--left_ > 0) return {};
-    const std::int64_t end = change.t1.count();
+    const std::int64_t end = interval.change.t1.count();
     return {{end, read(), begin_.count(), end}};
   }
 
  private:
+  TimeNs timeOf(FrameIndex frame) const { return frameTime(frame, config_.frame_rate_hz); }
+
   void open(TimeNs t) {
     begin_ = t;
     left_ = config_.exposure_frames;

@@ -1,0 +1,54 @@
+#include "eval/bench/time_truth.h"
+
+#include "eval/bench/interrupt.h"
+#include "events/sensor.h"
+#include "feed/rig.h"
+
+namespace saccade::eval {
+
+TimeTruth::TimeTruth(const TimeTruthSetup& setup, TilePool& pool)
+    : setup_(setup), pool_(pool), reference_(run(framesOf(setup.fine), truth_)) {}
+
+TimeTruthRow TimeTruth::measureFrames(double per_window) {
+  return measure(framesOf(per_window));
+}
+
+TimeTruthRow TimeTruth::measureIntervals(const IntervalBounds& bounds) {
+  FeedConfig feed = setup_.feed;
+  feed.intervals = bounds;
+  return measure(feed);
+}
+
+FeedConfig TimeTruth::framesOf(double per_window) const {
+  FeedConfig feed = setup_.feed;
+  feed.frame_rate_hz *= per_window;
+  return feed;
+}
+
+TimeTruthRow TimeTruth::measure(const FeedConfig& feed) const {
+  Events events;
+  TimeTruthRow row = run(feed, events);
+  row.errors = windowErrors(events, truth_, 1e9 / setup_.feed.frame_rate_hz);
+  return row;
+}
+
+TimeTruthRow TimeTruth::run(const FeedConfig& feed, Events& events) const {
+  Rig rig(std::make_unique<Feed>(setup_.scene, setup_.path, feed, pool_));
+  Sensor sensor(setup_.sensor, feed.camera.width, feed.camera.height);
+  SensorOutput out;
+  TimeTruthRow row;
+  const TimeNs end = frameTime(static_cast<FrameIndex>(setup_.windows), setup_.feed.frame_rate_hz);
+  for (TimeNs t{0}; t < end;) {
+    const IntensityChange& change = rig.step({pool_}).front().change;
+    sensor.generate(change, out);
+    events.insert(events.end(), out.events.begin(), out.events.end());
+    row.cpu_ms += 1e3 * seconds(rig.lastTimes().total()) / setup_.windows;
+    row.intervals += 1.0 / setup_.windows;
+    t = change.t1;
+    if (interrupted()) throw Interrupted{};
+  }
+  row.events = static_cast<double>(events.size()) / setup_.windows;
+  return row;
+}
+
+}  // namespace saccade::eval

@@ -1,0 +1,117 @@
+// `saccade-eval times` compares the events of streams with those of one that is fine in time.
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/default_cache.h"
+#include "base/new_folder.h"
+#include "base/number_in.h"
+#include "eval/bench/feed_options.h"
+#include "eval/bench/interrupt.h"
+#include "eval/bench/kept_bake.h"
+#include "eval/bench/open_scene.h"
+#include "eval/bench/time_truth.h"
+#include "eval/commands/commands.h"
+#include "methods/method_spec.h"
+#include "saccade/wire/ranges.h"
+
+namespace saccade::eval {
+namespace {
+
+struct TimesOptions : FeedOptions {
+  std::vector<double> frames{1, 2, 4}, intervals{1, 0.5};
+  SensorConfig sensor{.reconstruction = "direct"};
+  int windows = 4, fine = 64;
+  double bake_error = 0;
+  std::string cache = defaultCache();
+};
+
+std::string label(const char* text, double value) {
+  char number[32];
+  std::snprintf(number, sizeof number, text, value);
+  return number;
+}
+
+// A number without a meaning is a dash.
+std::string figure(double value) {
+  return std::isfinite(value) ? label("%.4f", value) : "-";
+}
+
+void printRow(const std::string& name, const TimeTruthRow& row, const TimeTruthRow& reference) {
+  std::printf("%-24s %9.1f %9.2f %8.3f %9.0f %8s %8s %8s\n", name.c_str(), row.intervals, row.cpu_ms,
+              row.cpu_ms / reference.cpu_ms, row.events, figure(row.errors.false_share).c_str(),
+              figure(row.errors.missed_share).c_str(), figure(row.errors.time).c_str());
+  std::fflush(stdout);
+}
+
+void measure(const TimesOptions& o, const TimeTruthSetup& setup, TilePool& pool) {
+  TimeTruth truth(setup, pool);
+  std::printf("%-24s %9s %9s %8s %9s %8s %8s %8s\n", "per window", "intervals", "CPU ms", "of ref.", "events",
+              "false", "missed", "time");
+  printRow(label("reference, %g frames", o.fine), truth.reference(), truth.reference());
+  for (const double frames : o.frames)
+    printRow(label("%g frames", frames), truth.measureFrames(frames), truth.reference());
+  for (const double px : o.intervals)
+    printRow(label("intervals of %g px", px), truth.measureIntervals({.px = px}), truth.reference());
+}
+
+void runTimes(TimesOptions& o) {
+  o.feed.params = parseMethod(o.feed.method).params;
+  auto [scene, path] = open(o);
+  TilePool pool(o.threads);
+  watchInterrupt();
+  try {
+    if (o.bake_error > 0) {
+      const BakePlan plan = planBake(*scene, path, o.feed, static_cast<FrameIndex>(o.windows), o.bake_error);
+      o.feed.baked = keptBake(scene, plan, o.cache, sceneName(o.scene), pool).light;
+    }
+    measure(o, {scene, path, o.feed, o.sensor, o.windows, o.fine}, pool);
+  } catch (const Interrupted&) {
+    throw std::runtime_error("interrupted");
+  }
+}
+
+}  // namespace
+
+void addTimesCommand(CLI::App& app) {
+  auto o = std::make_shared<TimesOptions>();
+  o->trajectory = "truck:1px", o->feed.frame_rate_hz = 100;
+  auto* c =
+      app.add_subcommand("times",
+                         "compare the events of streams with those of one that is fine in time; a window "
+                         "is a frame at --rate, best with 1 px of motion");
+  addFeedOptions(*c, *o);
+  c->add_option("--method", o->feed.method, "one of: " + methodNames())->capture_default_str();
+  c->add_option("--windows", o->windows, "how many windows")
+      ->check(NumberIn(1, 10'000))
+      ->capture_default_str();
+  c->add_option("--fine", o->fine, "frames of the reference per window")
+      ->check(NumberIn(1, 4096))
+      ->capture_default_str();
+  c->add_option("--frames", o->frames, "streams with so many frames per window")
+      ->check(NumberIn(1.0 / 64, 4096.0))
+      ->capture_default_str();
+  c->add_option("--intervals", o->intervals, "streams whose intervals follow motion, px")
+      ->check(NumberIn(ranges::kIntervalPx.min, ranges::kIntervalPx.max))
+      ->capture_default_str();
+  c->add_option("--threshold", o->sensor.threshold, "C of ON and OFF events")
+      ->check(NumberIn(ranges::kThreshold.min, ranges::kThreshold.max))
+      ->capture_default_str();
+  c->add_option("--seed", o->feed.seed, "seed of the random numbers")
+      ->check(wholeNumber())
+      ->capture_default_str();
+  addBakeOption(*c, o->bake_error);
+  c->add_option("--cache", o->cache, "folder for bakes")
+      ->check(CLI::Validator(newFolderFault, ""))
+      ->capture_default_str();
+  c->callback([o] {
+    o->sensor.threshold_off = o->sensor.threshold;
+    o->sensor.seed = o->feed.seed;
+    runTimes(*o);
+  });
+}
+
+}  // namespace saccade::eval
