@@ -1,6 +1,6 @@
 #include "events/log_response.h"
 
-#include "events/log_ratio.h"
+#include "base/log_ratio.h"
 
 namespace saccade {
 namespace {
