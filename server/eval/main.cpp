@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
   saccade::eval::addCellsCommand(app);
   saccade::eval::addFigureCommand(app);
   saccade::eval::addOddsCommand(app);
+  saccade::eval::addRefineCommand(app);
   saccade::eval::addSensorCommand(app);
   saccade::eval::addSimplificationCommand(app);
   saccade::eval::addTimesCommand(app);

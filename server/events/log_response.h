@@ -1,7 +1,7 @@
 // The lin-log response of a pixel, from intensity to log brightness [E (1), (20), (21)].
 #pragma once
 
-#include "events/log_ratio.h"
+#include "base/log_ratio.h"
 #include "frame/intensity_change.h"
 
 namespace saccade {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "base/log_ratio.h"
 #include "events/artefact_odds.h"
-#include "events/log_ratio.h"
 #include "events/log_response.h"
 
 namespace saccade {

@@ -20,8 +20,8 @@ const MethodInfo& methodOf(const FeedConfig& config) {
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
            const PoolHandle& pool)
     : Feed(std::move(scene), std::move(path), config,
-           methodOf(config).make(
-               {config.params, config.camera.width, config.camera.height, config.spp, config.baked}),
+           methodOf(config).make({config.params, config.camera.width, config.camera.height, config.spp,
+                                  config.baked, config.refinement.has_value()}),
            methodOf(config).seeds(config.params), pool) {}
 
 Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
@@ -37,6 +37,7 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
               method_->onSurfaces() ? (config.jitter ? kSubPixels : 1) : 0),
       changes_{IntensityChange(config.camera.width, config.camera.height),
                IntensityChange(config.camera.width, config.camera.height)} {
+  if (config.refinement) refinement_ = std::make_unique<Refinement>(config, scene);
   lens_.tabulate();
   render(TimeNs{0}, pool);
   method_->start(frames_.current(), pool);
@@ -51,6 +52,7 @@ const IntensityChange& Feed::stepTo(TimeNs t, const PoolHandle& pool) {
   const FramePair frames = frames_.pair();
   IntensityChange& change = nextChange(frames.prev.time, frames.cur.time);
   method_->estimate(frames, pool, change, times_);
+  if (refinement_) refine(pool, change);
   critical_path_ = threadCpuTime() + TilePool::criticalPathTime() - began;
   return change;
 }
@@ -95,6 +97,7 @@ void Feed::steer(const FeedKeys& keys) {
   path_.append(keys.camera);
   for (PosedScene& posed : posed_)
     for (const BodyKey& body : keys.bodies) posed.append(body.body, body.key);
+  if (refinement_) refinement_->steer(keys);
 }
 
 void Feed::render(TimeNs t, const PoolHandle& pool) {
@@ -125,6 +128,16 @@ void Feed::render(TimeNs t, const PoolHandle& pool) {
   times_[Stage::kTrace] += renderer_.traceShadows(view, config_.spp, frame, before, pool);
   if (method->needsPairs({frame, before}))
     times_[Stage::kTrace] += renderer_.renderPairs(view, seeds, before, known, pool, frame);
+}
+
+void Feed::refine(const PoolHandle& pool, IntensityChange& change) {
+  change.updates.clear(), refined_ = {};
+  const FramePair frames = frames_.pair();
+  if (frames.cur.stands || frames.cur.light != frames.prev.light) return;
+  const Refinement::Interval interval{frames, posed_[frames.cur.index % 2], renderer_.motion(),
+                                      *method_->onSurfaces(), [this](TimeNs t) { return cameraAt(t); }};
+  times_[Stage::kRefine] += refinement_->refine(interval, pool, change);
+  refined_ = refinement_->lastCounts();
 }
 
 Camera Feed::cameraAt(TimeNs t) const {

@@ -11,6 +11,7 @@
 #include "feed/feed_interval.h"
 #include "feed/feed_keys.h"
 #include "feed/pixel_speed.h"
+#include "feed/refinement.h"
 #include "feed/view_motion.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
@@ -61,11 +62,14 @@ class Feed {
   FeedInterval interval() const;                       // of the last step
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
 
+  // Of the last step; nothing where the feed has whole frames only.
+  const Refinement::Counts& refined() const { return refined_; }
   const FeedConfig& config() const { return config_; }
   bool lampsChange() const { return !posed_[0].strengths().areSteady(); }  // over time
 
  private:
   void render(TimeNs t, const PoolHandle& pool);
+  void refine(const PoolHandle& pool, IntensityChange& change);
   IntensityChange& nextChange(TimeNs t0, TimeNs t1);
   Camera cameraAt(TimeNs t) const;
   const RenderScene& scene() const { return posed_[0].still(); }
@@ -76,6 +80,8 @@ class Feed {
   Trajectory path_;
   Renderer renderer_;
   std::unique_ptr<Method> method_;
+  std::unique_ptr<Refinement> refinement_;  // nullptr: whole frames only
+  Refinement::Counts refined_;
   SeedPlanner seeds_;
   FrameRing frames_;
   std::array<IntensityChange, 2> changes_;  // in turn

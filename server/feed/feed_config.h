@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,14 @@
 #include "scene/camera/trajectory.h"
 
 namespace saccade {
+
+// How far pixels are refined within an interval, see refinement.h. Thresholds and biases: the least of all
+// sensors of the feed.
+struct RefinementSettings {
+  double finest_px = 1. / 16;  // motion within the shortest pieces, pixels, > 0
+  double threshold = 0.2;      // log brightness, > 0
+  double bias = 1e-3;          // scene luminance, > 0
+};
 
 struct FeedConfig {
   CameraModel camera = pinhole(45, 256, 256);
@@ -23,8 +32,9 @@ struct FeedConfig {
   bool jitter = false;                            // RenderSettings::jitter
   bool monochrome = false;
   std::uint64_t seed = 0;
-  std::vector<Trajectory> body_paths = {};       // of Scene::bodies, in their order
-  std::shared_ptr<const BakedLight> baked = {};  // precomputed light of this scene; nullptr: none
+  std::vector<Trajectory> body_paths = {};            // of Scene::bodies, in their order
+  std::shared_ptr<const BakedLight> baked = {};       // precomputed light of this scene; nullptr: none
+  std::optional<RefinementSettings> refinement = {};  // none: a change has no updates
 
   double pixels() const { return static_cast<double>(camera.width) * camera.height; }
 };

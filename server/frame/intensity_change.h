@@ -29,8 +29,8 @@ struct IntensityChange {
   ImageF I_now;          // D[I_t] >= 0
   ImageF var_dI;         // variance of dI, >= 0; 0 if the method does not estimate it
   ImageF var_I_prev;     // variance of I_prev, >= 0; 0 if the method does not estimate it
-  // By `at`, then by pixel; no pair twice. The log brightness of a pixel is straight in time between its
-  // updates, from t0 to the first, and from the last to t1.
+  // By `at`, then by pixel; no pair twice. The log brightness of a pixel is straight in time between two of
+  // its updates, and so before the first and after the last.
   std::vector<IntensityUpdate> updates;
 };
 

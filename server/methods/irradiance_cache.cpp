@@ -30,18 +30,20 @@ MethodInfo IrradianceCache::info() {
           [](const ParamValues&) -> SeedPlanner { return SeedPlan::independent; },
           [](const MethodSetup& setup) -> std::unique_ptr<Method> {
             return std::make_unique<IrradianceCache>(makeParams(Params::fields(), setup.params), setup.width,
-                                                     setup.height, setup.spp, setup.baked);
+                                                     setup.height, setup.spp, setup.baked, setup.refined);
           },
+          true,
           true,
           irradianceCacheBytes};
 }
 
 IrradianceCache::IrradianceCache(const IrradianceCacheParams& p, int w, int h, int spp,
-                                 std::shared_ptr<const BakedLight> baked)
+                                 std::shared_ptr<const BakedLight> baked, bool refined)
     : params_(p),
+      refined_(refined),
       atrous_{
           .sigma_z = p.sigma_z, .sigma_n = p.sigma_n, .sigma_l = p.sigma_l, .sigma_l_diff = p.sigma_l_diff},
-      known_(p.grid(spp), p.gridBytes(1. * w * h), std::move(baked), w, h),
+      known_(p.grid(spp), p.gridBytes(1. * w * h), std::move(baked), w, h, refined),
       filtered_(w, h),
       scratch_(w, h),
       i_prev_(w, h) {}
@@ -64,12 +66,45 @@ const BounceGrid* IrradianceCache::plan(int spp, const SurfaceFrame& next, const
 
 void IrradianceCache::start(const Frame& first, const PoolHandle& pool) {
   StageTimes unused;
-  filter(FramePair::first(first), pool, unused);
+  known_.read(FramePair::first(first), pool, unused);
 }
 
 void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                                StageTimes& times) {
-  filter(frames, pool, times);
+  known_.read(frames, pool, times);
+  const int most = refined_ ? 0 : known_.hasBake() ? kBakedIterations : params_.iterations;
+  const int iterations = std::min(params_.iterations, most);
+  if (iterations == 0 && frames.cur.surfaces->replays().empty())
+    times[Stage::kModulate] += modulateLookUps(frames, pool, out);
+  else
+    modulateFiltered(frames, iterations, pool, out, times);
+  uncached_.estimate(frames, known_.isNew(), known_.of(frames.cur).i, known_.of(frames.prev).i, pool, out,
+                     times);
+}
+
+// As modulate() does, without planes for a filter.
+std::chrono::nanoseconds IrradianceCache::modulateLookUps(const FramePair& frames, const PoolHandle& pool,
+                                                          IntensityChange& out) const {
+  const GridEstimate &now = known_.of(frames.cur), &before = known_.of(frames.prev);
+  const GBuffer &g = frames.cur.g, &g_prev = frames.prev.g;
+  return pool.forEachRow(out.dI.height(), [&](int y) {
+    for (int x = 0; x < out.dI.width(); ++x) {
+      const float a = modulationAlbedo(g.albedo.at(x, y), Demodulation::kAlbedo);
+      const float a_prev = modulationAlbedo(g_prev.albedo.at(x, y), Demodulation::kAlbedo), da = a - a_prev;
+      const float E = g.emission.at(x, y), E_prev = g_prev.emission.at(x, y);
+      const float i = now.i.at(x, y), i_prev = before.i.at(x, y), var_i = now.var_i.at(x, y);
+      out.dI.at(x, y) = a * (i - i_prev) + da * i_prev + (E - E_prev);
+      out.I_prev.at(x, y) = std::max(0.f, a_prev * i_prev + E_prev);
+      out.I_now.at(x, y) = std::max(0.f, a * i + E);
+      out.var_dI.at(x, y) = a * a * now.var_step.at(x, y) + da * da * var_i;
+      out.var_I_prev.at(x, y) = a_prev * a_prev * var_i;
+    }
+  });
+}
+
+void IrradianceCache::modulateFiltered(const FramePair& frames, int iterations, const PoolHandle& pool,
+                                       IntensityChange& out, StageTimes& times) {
+  filter(frames, iterations, pool, times);
   // D[i_{t-1}] is what today's grid estimates for the frame before, not the estimate of then. The filter
   // takes the errors of neighbours for independent, but they share vertices: it lessens them by little.
   const GridEstimate& now = known_.of(frames.cur);
@@ -80,22 +115,19 @@ void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, 
   });
   times[Stage::kModulate] +=
       modulate(frames, Demodulation::kAlbedo, 1, filtered_, i_prev_, now.var_i, pool, out);
-  uncached_.estimate(frames, known_.isNew(), now.i, known_.of(frames.prev).i, pool, out, times);
 }
 
-void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
-  known_.read(frames, pool, times);
+void IrradianceCache::filter(const FramePair& frames, int iterations, const PoolHandle& pool,
+                             StageTimes& times) {
   const GridEstimate &now = known_.of(frames.cur), &before = known_.of(frames.prev);
   times[Stage::kVariance] += pool.forEachRow(now.i.height(), [&](int y) {
     for (int x = 0; x < now.i.width(); ++x) {
       filtered_.i.at(x, y) = now.i.at(x, y);
       filtered_.var_i.at(x, y) = now.var_i.at(x, y);
-      filtered_.d.at(x, y) = frames.is_first ? 0 : now.i.at(x, y) - before.i.at(x, y);
+      filtered_.d.at(x, y) = now.i.at(x, y) - before.i.at(x, y);
       filtered_.var_d.at(x, y) = now.var_step.at(x, y);
     }
   });
-  const int iterations =
-      known_.hasBake() ? std::min(params_.iterations, kBakedIterations) : params_.iterations;
   for (int k = 0; k < iterations; ++k) {
     times[Stage::kAtrous] += atrousIteration(frames, atrous_, 1 << k, filtered_, pool, scratch_);
     std::swap(filtered_, scratch_);
@@ -104,7 +136,7 @@ void IrradianceCache::filter(const FramePair& frames, const PoolHandle& pool, St
 }
 
 void IrradianceCache::addLightChange(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
-  if (frames.is_first || frames.cur.surfaces->replays().empty()) return;
+  if (frames.cur.surfaces->replays().empty()) return;
   if (!change_) change_ = std::make_unique<LightChange>(i_prev_.width(), i_prev_.height());
   known_.keepChanges();
   change_->estimate(frames, known_.at(), known_.state(), known_.of(frames.cur), pool, times);

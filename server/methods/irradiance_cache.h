@@ -16,8 +16,9 @@ namespace saccade {
 class IrradianceCache final : public SurfaceMethod {
  public:
   // `baked`: light that is known ahead; may be nullptr. A change of the scene's light ends its use.
+  // `refined`: see MethodSetup.
   IrradianceCache(const IrradianceCacheParams& params, int width, int height, int spp,
-                  std::shared_ptr<const BakedLight> baked = nullptr);
+                  std::shared_ptr<const BakedLight> baked = nullptr, bool refined = false);
   static MethodInfo info();
 
   void readBaked(Tile tile, Frame& next) override { known_.readBaked(tile, next); }
@@ -27,14 +28,23 @@ class IrradianceCache final : public SurfaceMethod {
   void start(const Frame& first, const PoolHandle& pool) override;
   void estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,
                 StageTimes& times) override;
+  void readPoints(std::span<const PointSample> at, std::span<PlaceLight> out) const override {
+    known_.readPoints(at, out);
+  }
 
  private:
-  // Reads, and filters both frames' points into filtered_.
-  void filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+  // From what is known to the change of pixels: as it is, or filtered.
+  std::chrono::nanoseconds modulateLookUps(const FramePair& frames, const PoolHandle& pool,
+                                           IntensityChange& out) const;
+  void modulateFiltered(const FramePair& frames, int iterations, const PoolHandle& pool, IntensityChange& out,
+                        StageTimes& times);
+  // Filters both frames' points into filtered_.
+  void filter(const FramePair& frames, int iterations, const PoolHandle& pool, StageTimes& times);
   // Adds the change of light at surfaces to that which their motion makes.
   void addLightChange(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
 
   IrradianceCacheParams params_;
+  const bool refined_;
   AtrousParams atrous_;
   KnownLight known_;
   std::unique_ptr<LightChange> change_;  // from the first frame on in which a body moves

@@ -16,8 +16,9 @@ float keptOf(const SurfacePoint& point) {
 }  // namespace
 
 KnownLight::KnownLight(const GridParams& params, std::size_t memory, std::shared_ptr<const BakedLight> baked,
-                       int width, int height)
-    : states_(params, memory),
+                       int width, int height, bool refined)
+    : refined_(refined),
+      states_(params, memory),
       baked_(std::move(baked)),
       estimates_{GridEstimate(width, height), GridEstimate(width, height)} {}
 
@@ -96,9 +97,11 @@ void KnownLight::readGrid(const FramePair& frames, const PoolHandle& pool, Stage
   times[Stage::kTemporal] += added.time, times[Stage::kVariance] += compared.time;
   if (!frames.is_first) times[Stage::kVariance] += grid_prev.read(prev, pool, before);
   times[Stage::kTemporal] += grid.learn(compared, pool);
-  // Points that are seen for the first time have only now been judged.
+  // Points that are seen for the first time have only now been judged. readPoints() finds what all of them
+  // show now.
   const auto again = [&](const SurfaceGrid& from, const FrameOnGrid& frame, GridEstimate& out) {
-    times[Stage::kVariance] += from.readAgain(frame, pool, uncertainty_, uncertainty_prev_, out);
+    times[Stage::kVariance] += refined_ ? from.read(frame, pool, out)
+                                        : from.readAgain(frame, pool, uncertainty_, uncertainty_prev_, out);
   };
   again(grid, cur, now);
   if (!frames.is_first) again(grid_prev, prev, before);
@@ -108,6 +111,18 @@ void KnownLight::readGrid(const FramePair& frames, const PoolHandle& pool, Stage
       for (int x = 0; x < now.i.width(); ++x)
         now.var_step.at(x, y) = now.var_i.at(x, y) + before.var_i.at(x, y);
     });
+}
+
+void KnownLight::readPoints(std::span<const PointSample> at, std::span<PlaceLight> out) const {
+  if (baked_)
+    baked_->read(at, out);
+  else
+    std::ranges::fill(out, PlaceLight{});
+  const auto isUnknown = [](const PlaceLight& light) { return !light.known; };
+  if (std::ranges::any_of(out, isUnknown)) states_.current().grid.readPoints(at, out);
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (out[k].known && at[k].light_moves && at[k].place.unoccluded > 0)
+      out[k].shadow = SurfaceShadow::kMoves;
 }
 
 void KnownLight::readBakedShadows(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "cache/bake/baked_light.h"
@@ -17,9 +18,9 @@ namespace saccade {
 
 class KnownLight {
  public:
-  // `memory`: bytes of all grids. `baked`: see IrradianceCache.
+  // `memory`: bytes of all grids. `baked`: see IrradianceCache. `refined`: see MethodSetup.
   KnownLight(const GridParams& params, std::size_t memory, std::shared_ptr<const BakedLight> baked, int width,
-             int height);
+             int height, bool refined);
 
   // Reads the bake at a tile of the next frame, and marks points that it knows. Called before enter().
   void readBaked(Tile tile, Frame& next);
@@ -27,6 +28,9 @@ class KnownLight {
   void enter(const SurfaceFrame& next, const PoolHandle& pool, StageTimes& times);
   // Adds the samples of the frame that was entered last, and reads both frames.
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
+
+  // See SurfaceMethod. The bake's light, and the grid's where the bake knows none.
+  void readPoints(std::span<const PointSample> at, std::span<PlaceLight> out) const;
 
   // Of the current frame or the one before it, after read().
   const GridEstimate& of(const Frame& frame) const { return estimates_[frame.index % 2]; }
@@ -50,6 +54,7 @@ class KnownLight {
   // Takes the visibility that rays tell into what is baked.
   void readBakedShadows(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
 
+  const bool refined_;
   LightStates states_;
   std::shared_ptr<const BakedLight> baked_;
   Placement at_, at_prev_;

@@ -3,12 +3,14 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/pool_handle.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
+#include "frame/point_samples.h"
 #include "frame/seed_plan.h"
 #include "frame/surface_frame.h"
 #include "methods/stage_times.h"
@@ -62,6 +64,9 @@ class SurfaceMethod : public Method {
   // paths at their second vertex, which stays as it is until start() or estimate(); nullptr: there is none.
   virtual const BounceGrid* plan(int spp, const SurfaceFrame& next, const PoolHandle& pool,
                                  StageTimes& times) = 0;
+  // Looks up light at points of times between both frames: as many as there are of `out`. Called after
+  // estimate(), by several threads at once.
+  virtual void readPoints(std::span<const PointSample> at, std::span<PlaceLight> out) const = 0;
 };
 
 // The setup that a method is made for.
@@ -70,6 +75,7 @@ struct MethodSetup {
   int width, height;
   int spp;                                            // paths per pixel and frame, over both passes
   std::shared_ptr<const BakedLight> baked = nullptr;  // precomputed light of this scene, if there is any
+  bool refined = false;  // whether its frames must show what readPoints() finds, without a filter
 };
 
 // The traits of a view that the memory of a method grows with.
@@ -86,6 +92,7 @@ struct MethodInfo {
   SeedPlanner (*seeds)(const ParamValues& params);
   std::unique_ptr<Method> (*make)(const MethodSetup& setup);
   bool takes_baked = false;  // whether it makes use of a bake
+  bool refines = false;      // whether it is a SurfaceMethod, which knows light between frames
   // Bytes that it takes at most for a view, beside what every method takes.
   double (*memory)(const ParamValues& params, const ViewTraits& view) = noMore;
 

@@ -6,9 +6,9 @@
 
 namespace saccade {
 
-enum class Stage { kTrace, kTemporal, kVariance, kAtrous, kModulate, kEvents };
-inline constexpr std::array<const char*, 6> kStageNames{"trace",  "temporal", "variance",
-                                                        "atrous", "modulate", "events"};
+enum class Stage { kTrace, kTemporal, kVariance, kAtrous, kModulate, kRefine, kEvents };
+inline constexpr std::array<const char*, 7> kStageNames{"trace",    "temporal", "variance", "atrous",
+                                                        "modulate", "refine",   "events"};
 
 struct StageTimes {
   std::array<std::chrono::nanoseconds, kStageNames.size()> cpu{};

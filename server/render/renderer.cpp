@@ -80,9 +80,9 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
   shadows_.next(scene, out.surfaces->indexOf(0, out.height()));
   starts().resize(out.surfaces->indexOf(0, out.height()), plain_only);
   moved_ = MovedBodies(view.now.scene, view.before.scene);
-  const ChangingLight changing(view.now.scene, view.before.scene, moved_);
+  changing_.emplace(view.now.scene, view.before.scene, moved_);
   sliding_.next(view.now.scene, view.before.scene);
-  const FrameMotion motion{moved_, changing, sliding_};
+  const FrameMotion motion = this->motion();
   const auto tile = withKernel(has, []<Shading S>() { return renderSurfaceTile<S>; });
   const auto time = pool.forEachTile(out.width(), out.height(), kMaxTileEdge,
                                      [&](Tile t) { tile(view, motion, t, on_tile, starts(), out); });

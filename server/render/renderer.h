@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <functional>
+#include <optional>
 
 #include "base/pool_handle.h"
 #include "cache/grid/bounce_grid.h"
@@ -12,9 +13,7 @@
 #include "frame/surface_frame.h"
 #include "render/camera/pixel_context.h"
 #include "render/tiles/lamp_shadows.h"
-#include "render/tiles/surface_start.h"
-#include "render/world/moved_bodies.h"
-#include "render/world/sliding_surfaces.h"
+#include "render/tiles/surface_place.h"
 
 namespace saccade {
 
@@ -65,6 +64,9 @@ class Renderer {
   void renderStill(const PixelContext& view, const SeedPlan& seeds, const PoolHandle& pool, Frame& out,
                    ImageF (&rgb)[3]);
 
+  // From the frame before into that of the last renderSurfaces().
+  FrameMotion motion() const { return {moved_, *changing_, sliding_}; }
+
  private:
   RenderSettings settings_;
   SurfaceStarts& starts() { return starts_[current_]; }
@@ -72,6 +74,7 @@ class Renderer {
 
   // Of the last renderSurfaces().
   MovedBodies moved_;
+  std::optional<ChangingLight> changing_;
   SlidingSurfaces sliding_;
   // Of points that may get paths, of the last renderSurfaces(). Those of the one before it are kept where
   // its pixels hasUncacheable(), or where lamps have a closed form.

@@ -139,6 +139,31 @@ TEST_F(BakedLightTest, AsksForRaysAtTheEdgeOfAShadow) {
   EXPECT_LT(share(36, kW, near), 0.1);
 }
 
+// Points in any order, without a frame.
+TEST_F(BakedLightTest, KnowsAtPointsWhatItKnowsInFrames) {
+  const BakedLight baked(grid.levels(), {}, pool);
+  wall.show(10, 1);
+  const Read frame = read(baked);
+  const SurfaceSamples& on = *wall.frame.surfaces;
+  std::vector<PointSample> points;
+  for (int i = 0; i < kW * kH; ++i)
+    points.push_back({on.place(static_cast<std::size_t>(i) * 7 % (kW * kH)), SurfaceKind::kDiffuse});
+  points.push_back({on.place(0), SurfaceKind::kNone});
+  points.push_back({{{500, 0, 0}, {0, 0, 1}, kPixel, 1}, SurfaceKind::kDiffuse});
+  std::vector<PlaceLight> light(points.size(), {.known = true});
+  baked.read(points, light);
+  EXPECT_FALSE(light.end()[-2].known) << "its kind is kNone";
+  EXPECT_FALSE(light.end()[-1].known) << "it lies elsewhere";
+  for (int i = 0; i < kW * kH; ++i) {
+    const int at = i * 7 % (kW * kH), x = at % kW, y = at / kW;
+    const auto k = static_cast<std::size_t>(i), index = static_cast<std::size_t>(at);
+    ASSERT_EQ(light[k].known, frame.known.at(x, y) != 0) << x << " " << y;
+    if (!light[k].known) continue;
+    ASSERT_EQ(light[k].residual + light[k].visibility, frame.light.i.at(x, y)) << x << " " << y;
+    ASSERT_EQ(light[k].shadow, on[index].near_shadow ? on.shadows()[index].wanted : 0) << x << " " << y;
+  }
+}
+
 TEST_F(BakedLightTest, TakesVisibilityThatRaysTell) {
   const BakedLight baked(grid.levels(), {}, pool);
   wall.show(10, 1);

@@ -93,6 +93,38 @@ TEST_F(SurfaceGridTest, ReadsTheSameAtTheSamePlace) {
   for (int x = 0; x < kW; ++x) EXPECT_EQ(again.i.at(x, 7), once_more.i.at(x, 7));
 }
 
+// Where it has learned it finds what the last frame shows; elsewhere it knows nothing, and adds nothing.
+TEST_F(SurfaceGridTest, KnowsPointsWithoutAFrame) {
+  Wall wall;
+  wall.noise = 1, wall.unoccluded = 1;
+  wall.visibility = [](float x) { return x < 30 * kPixel ? 1.f : 0.2f; };
+  for (int t = 0; t < 5; ++t) look(wall, 0.7f * t, t);
+  GridEstimate frame(kW, kH);
+  grid.read({*wall.frame.surfaces, wall.frame.g, at}, pool, frame);
+  std::vector<PointSample> points;
+  for (int i = 0; i < kW * kH; ++i)
+    points.push_back({wall.frame.surfaces->place(static_cast<std::size_t>(i)), SurfaceKind::kDiffuse});
+  points.push_back({{{500, 0, 0}, {0, 0, 1}, kPixel, 1}, SurfaceKind::kDiffuse});
+  points.push_back({{{0.1f, 0.1f, 0}, {0, 0, 1}, 1e-9f, 1}, SurfaceKind::kDiffuse});
+  std::vector<PlaceLight> light(points.size());
+  light[0] = {.known = true, .residual = 77};
+  const std::size_t vertices = grid.vertices();
+  grid.readPoints(points, light);
+  EXPECT_EQ(grid.vertices(), vertices);
+  EXPECT_EQ(light[0].residual, 77) << "it was known";
+  EXPECT_FALSE(light.end()[-2].known) << "it lies elsewhere";
+  EXPECT_FALSE(light.end()[-1].known) << "it is seen from too near";
+  ImageF relative(kW, kH), detail(kW, kH);
+  grid.uncertainty({*wall.frame.surfaces, wall.frame.g, at}, pool, relative, &detail);
+  for (int i = 1; i < kW * kH; ++i) {
+    const int x = i % kW, y = i / kW;
+    const PlaceLight& found = light[static_cast<std::size_t>(i)];
+    ASSERT_TRUE(found.known) << x << " " << y;
+    ASSERT_NEAR(found.residual + found.visibility, frame.i.at(x, y), 1e-6f) << x << " " << y;
+    ASSERT_NEAR(found.shadow, detail.at(x, y), 1e-6f) << x << " " << y;
+  }
+}
+
 TEST_F(SurfaceGridTest, IsTheSameForAnyNumberOfThreads) {
   Wall wall;
   wall.noise = 1, wall.unoccluded = 1;

@@ -58,10 +58,9 @@ BakedLight::BakedLight(const GridLevels& grid, const GridParams& params, const P
   }
 }
 
-// Reads the points that forEachPoint(f) calls f(x, y, index) with, and calls each(BakedBatch, BakedPoints)
-// for a few of them.
-void BakedLight::forEachBatch(const SurfaceSamples& on, const GBuffer& g, const auto& forEachPoint,
-                              const auto& each) const {
+// Reads the points that forEachPoint(f) calls f(point, place, kind) with, and calls each(points) for a few of
+// them.
+void BakedLight::forEachBatch(const auto& forEachPoint, const auto& each) const {
   constexpr int kSteps = 4;
   std::array<BakedPoints, kSteps> batches;  // wanted, located, found and read in turn
   int batch = 0;
@@ -71,11 +70,11 @@ void BakedLight::forEachBatch(const SurfaceSamples& on, const GBuffer& g, const 
     batches[(batch + 2) % kSteps].find();
     batch = (batch + 1) % kSteps;
     BakedPoints& points = batches[batch];
-    if (points.count() > 0) each(BakedBatch(points, on, g, scale_, params_.cell_px), points);
+    if (points.count() > 0) each(points);
     points.clear();
   };
-  forEachPoint([&](int x, int y, std::size_t index) {
-    batches[batch].add({x, y, static_cast<std::uint32_t>(index)}, on.place(index), on[index].kind);
+  forEachPoint([&](const BakedPoints::Point& point, const SurfacePlace& place, SurfaceKind kind) {
+    batches[batch].add(point, place, kind);
     if (batches[batch].full()) turn();
   });
   for (int left = 0; left < kSteps; ++left) turn();
@@ -88,11 +87,13 @@ void BakedLight::read(Tile tile, SurfaceSamples& on, const GBuffer& g, GridEstim
       for (int i = 0; i < on.perPixel(); ++i) {
         const std::size_t index = on.indexOf(x * on.perPixel() + i, y);
         on[index].baked = on[index].near_shadow = false;
-        if (on[index].kind != SurfaceKind::kNone) f(x, y, index);
+        if (on[index].kind != SurfaceKind::kNone)
+          f({x, y, static_cast<std::uint32_t>(index)}, on.place(index), on[index].kind);
       }
     });
   };
-  forEachBatch(on, g, forEachPoint, [&](const BakedBatch& light, const BakedPoints&) {
+  forEachBatch(forEachPoint, [&](const BakedPoints& points) {
+    const BakedBatch light(points, on, g, scale_, params_.cell_px);
     light.mark(on);
     light.add({}, out);
   });
@@ -111,15 +112,40 @@ void BakedLight::readAgain(std::span<const Pixel> pixels, const SurfaceSamples& 
         if (!on[index].baked) continue;
         if (!any) out.clear({x, y, x + 1, y + 1});
         any = true;
-        f(x, y, index);
+        f({x, y, static_cast<std::uint32_t>(index)}, on.place(index), on[index].kind);
       }
     }
   };
-  forEachBatch(on, g, forEachPoint, [&](const BakedBatch& light, const BakedPoints& points) {
+  forEachBatch(forEachPoint, [&](const BakedPoints& points) {
     RayLanes of_points;
     for (int i = 0; shadows.all && i < points.count(); ++i)
       of_points.set(i, (*shadows.all)[points[i].index], shadows.visibility);
-    light.add(of_points, out);
+    BakedBatch(points, on, g, scale_, params_.cell_px).add(of_points, out);
+  });
+}
+
+void BakedLight::read(std::span<const PointSample> at, std::span<PlaceLight> out) const {
+  const auto forEachPoint = [&](const auto& f) {
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      out[k] = {};
+      if (at[k].kind != SurfaceKind::kNone) f({0, 0, static_cast<std::uint32_t>(k)}, at[k].place, at[k].kind);
+    }
+  };
+  forEachBatch(forEachPoint, [&](const BakedPoints& points) {
+    const BakedMeans mean(points, points.light().means, scale_);
+    LaneMemory<4> lanes;
+    store(mean.residual, lanes.values[0]), store(mean.visibility, lanes.values[1]);
+    LaneSet visible;
+    if (points.anyNearShadow()) {
+      for (int i = 0; i < points.count(); ++i) lanes.values[2][i] = at[points[i].index].place.unoccluded;
+      const BakedPoints::F variance = points.shadows();
+      visible = mean.shadows(load<kPointLanes>(lanes.values[2]), variance).visible;
+      store(variance, lanes.values[3]);
+    }
+    forEachLane(mean.known, [&](int i) {
+      const float shadow = visible.has(i) ? lanes.values[3][i] : 0;
+      out[points[i].index] = {true, lanes.values[0][i], lanes.values[1][i], shadow};
+    });
   });
 }
 

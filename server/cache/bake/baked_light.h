@@ -8,6 +8,7 @@
 #include "cache/bake/baked_blend.h"
 #include "cache/bake/baked_levels.h"
 #include "cache/grid/surface_grid.h"
+#include "frame/point_samples.h"
 
 namespace saccade {
 
@@ -32,11 +33,14 @@ class BakedLight {
   // points with the same rays give the same bits.
   void readAgain(std::span<const Pixel> pixels, const SurfaceSamples& on, const GBuffer& g,
                  const FrameShadows& shadows, GridEstimate& out) const;
+  // Reads at points of any pixels and times, those of kNone apart. Neighbours should follow each other. As
+  // many as there are of `out`. A point of a frame gets the same bits.
+  void read(std::span<const PointSample> at, std::span<PlaceLight> out) const;
+
   std::size_t vertices() const { return vertices_; }  // whose light is known
 
  private:
-  void forEachBatch(const SurfaceSamples& on, const GBuffer& g, const auto& forEachPoint,
-                    const auto& each) const;
+  void forEachBatch(const auto& forEachPoint, const auto& each) const;
 
   GridParams params_;
   float scale_;  // of the residual that vertices keep

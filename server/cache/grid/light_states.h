@@ -34,6 +34,7 @@ class LightStates {
   bool isAt(std::uint64_t strengths) const { return !current_ || current_->strengths == strengths; }
 
   LightState& current() { return *current_; }
+  const LightState& current() const { return *current_; }
   // That of the frame before; of the first frame, the current one.
   LightState& previous() { return *previous_; }
   bool changed() const { return current_ != previous_; }

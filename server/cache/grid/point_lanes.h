@@ -17,6 +17,12 @@ struct alignas(64) LaneMemory {
   void set(int lane, const V& v) {
     for (std::size_t i = 0; i < kValues; ++i) values[i][lane] = v[static_cast<int>(i)];
   }
+  template <class V>
+  V at(int lane) const {
+    V v{};
+    for (std::size_t i = 0; i < kValues; ++i) v[static_cast<int>(i)] = values[i][lane];
+    return v;
+  }
   std::array<PointFloats, kValues> lanes() const {
     std::array<PointFloats, kValues> all;
     for (std::size_t i = 0; i < kValues; ++i) all[i] = load<kPointLanes>(values[i]);

@@ -71,4 +71,13 @@ inline float shadowVariance(const Octet& evidence, float noise, float unoccluded
   return unoccluded * std::sqrt(variance) > kLeastShadowContrast * light ? variance : 0;
 }
 
+// The same where a level has this light, and this evidence for the detail within it.
+inline float shadowVariance(const Quad& light, const Octet& evidence, float unoccluded,
+                            const BlendParams& blend) {
+  if (!(unoccluded > 0)) return 0;
+  const float noise = varianceOf<float>(evidence[6], evidence[7], light[3], blend);
+  // Not U V: where few samples have met a strong lamp that is hidden, V is far too large.
+  return shadowVariance(evidence, noise, unoccluded, (light[1] + unoccluded * light[2]) / light[0]);
+}
+
 }  // namespace saccade

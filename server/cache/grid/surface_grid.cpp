@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cache/grid/cut_search.h"
+#include "cache/grid/grid_reader.h"
 #include "cache/grid/ray_visibility.h"
 #include "cache/grid/vertex_search.h"
 
@@ -200,12 +201,9 @@ SurfaceGrid::Time SurfaceGrid::uncertainty(const FrameOnGrid& frame, const PoolH
       const bool known = l[0] > 0 && e[3] > 0, shadows = l[3] > 0 && e[7] > 0;
       const float U = on.place(p.index).unoccluded;
       const float light = l[1] / l[0] + (shadows ? U * l[2] / l[3] : 0);
-      const float noise = varianceOf<float>(e[6], e[7], l[3], params_.blend);
-      // Not U V: where few samples have met a strong lamp that is hidden, V is far too large.
-      const float found = (l[1] + U * l[2]) / l[0];
-      const float of_rays = shadow_detail && U > 0 ? shadowVariance(e, noise, U, found) : 0;
+      const float of_rays = shadow_detail ? shadowVariance(l, e, U, params_.blend) : 0;
       float variance = varianceOf<float>(e[2], e[3], l[0], params_.blend);
-      if (of_rays == 0) variance += U * U * noise;
+      if (of_rays == 0) variance += U * U * varianceOf<float>(e[6], e[7], l[3], params_.blend);
       out.at(on.columnOf(p.index), on.rowOf(p.index)) =
           known ? std::sqrt(variance) / std::max(light, 1e-6f) : kUnknown;
       if (shadow_detail) shadow_detail->at(on.columnOf(p.index), on.rowOf(p.index)) = of_rays;
@@ -248,6 +246,10 @@ SurfaceGrid::Time SurfaceGrid::readBands(const FrameOnGrid& frame, const PoolHan
 SurfaceGrid::Time SurfaceGrid::read(const FrameOnGrid& frame, const PoolHandle& pool,
                                     GridEstimate& out) const {
   return readBands(frame, pool, kAll, kNothingElse, out);
+}
+
+void SurfaceGrid::readPoints(std::span<const PointSample> at, std::span<PlaceLight> out) const {
+  GridReader(levels_, params_).read(at, out);
 }
 
 SurfaceGrid::Compared SurfaceGrid::readAdded(const Added& added, const PoolHandle& pool, GridEstimate& out) {

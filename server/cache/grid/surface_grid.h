@@ -10,12 +10,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <span>
 
 #include "base/pool_handle.h"
 #include "cache/grid/evidence.h"
 #include "cache/grid/new_vertices.h"
 #include "frame/frame.h"
 #include "frame/obstacles.h"
+#include "frame/point_samples.h"
 
 namespace saccade {
 
@@ -101,6 +103,9 @@ class SurfaceGrid {
   // Reads again, but only where uncertainty() of either frame was kUnknown.
   Time readAgain(const FrameOnGrid& frame, const PoolHandle& pool, const ImageF& uncertainty,
                  const ImageF& uncertainty_prev, GridEstimate& out) const;
+  // Reads at points of any pixels and times: those that have a kind, and that `out` does not know yet. There
+  // are as many of `out`. It knows points that any sample is near to, and adds no vertices.
+  void readPoints(std::span<const PointSample> at, std::span<PlaceLight> out) const;
   // Forgets all light: it has changed.
   void forget();
   // Changes GridParams::max_vertices.

@@ -26,11 +26,8 @@ GridPoint gridPoint(const SurfacePlace& place, float cell_px) {
 void Placement::place(const SurfaceSamples& on, float cell_px) {
   constexpr int kMaxBins = 3;
   const std::size_t most = on.indexOf(0, on.height());
-  points.clear(), points.reserve(most);
-  band_ends.assign(1, 0);
-  bins.clear(), bins.reserve(most * kMaxBins);
-  bin_weights.clear(), bin_weights.reserve(most * kMaxBins);
-  least_level = std::numeric_limits<int>::max(), most_level = std::numeric_limits<int>::min();
+  clear();
+  points.reserve(most), bins.reserve(most * kMaxBins), bin_weights.reserve(most * kMaxBins);
   if (!on.needPaths()) {
     band_ends.resize(static_cast<std::size_t>((on.height() + kBandRows - 1) / kBandRows) + 1);
     return;
@@ -41,18 +38,29 @@ void Placement::place(const SurfaceSamples& on, float cell_px) {
     for (int x0 = 0; x0 < on.columns(); x0 += square) {
       const int x1 = std::min(x0 + square, on.columns());
       for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) add(on, static_cast<std::uint32_t>(on.indexOf(x, y)), cell_px);
+        for (int x = x0; x < x1; ++x) {
+          const std::size_t i = on.indexOf(x, y);
+          if (on[i].kind != SurfaceKind::kNone && !on[i].baked)
+            add(on.place(i), on[i].kind, static_cast<std::uint32_t>(i), cell_px);
+        }
     }
     band_ends.push_back(points.size());
   }
+  makeTaps();
+}
+
+void Placement::clear() {
+  points.clear(), bins.clear(), bin_weights.clear();
+  band_ends.assign(1, 0);
+  least_level = std::numeric_limits<int>::max(), most_level = std::numeric_limits<int>::min();
+}
+
+void Placement::makeTaps() {
   for (auto& slot : taps)
     if (slot.size() < bins.size()) slot.resize(bins.size());
 }
 
-void Placement::add(const SurfaceSamples& on, std::uint32_t index, float cell_px) {
-  const SurfaceKind kind = on[index].kind;
-  if (kind == SurfaceKind::kNone || on[index].baked) return;
-  const SurfacePlace& place = on.place(index);
+void Placement::add(const SurfacePlace& place, SurfaceKind kind, std::uint32_t index, float cell_px) {
   const NormalBins normal(place.normal);
   GridPoint& point = points.emplace_back(gridPoint(place, cell_px));
   point.index = index;

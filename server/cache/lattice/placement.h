@@ -52,6 +52,11 @@ struct Placement {
   // Takes the points of a frame that can share light, and whose light is not known ahead. Fills all but
   // `taps`. `cell_px`: edge of the finest cells, pixels.
   void place(const SurfaceSamples& on, float cell_px);
+  // Takes no points, and then single ones. `index`: GridPoint::index.
+  void clear();
+  void add(const SurfacePlace& place, SurfaceKind kind, std::uint32_t index, float cell_px);
+  // Makes room for the taps of all points.
+  void makeTaps();
 
   // The share of a point's own sample in what it gathers in a slot.
   float ownShare(const GridPoint& p, int slot) const {
@@ -72,9 +77,6 @@ struct Placement {
   std::vector<float> bin_weights;      // likewise
   std::array<std::vector<Taps>, kSlots> taps;  // by slot
   int least_level = 0, most_level = -1;        // of any slot
-
- private:
-  void add(const SurfaceSamples& on, std::uint32_t index, float cell_px);
 };
 
 }  // namespace saccade

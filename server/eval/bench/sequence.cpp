@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "base/log_ratio.h"
 #include "eval/metrics/brightness_change.h"
 #include "eval/metrics/for_each_pixel.h"
-#include "events/log_ratio.h"
 #include "events/reconstruction.h"
 #include "events/sensor.h"
 

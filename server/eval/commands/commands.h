@@ -14,6 +14,7 @@ void addCellsCommand(CLI::App& app);
 void addChartCommand(CLI::App& app);
 void addFigureCommand(CLI::App& app);
 void addOddsCommand(CLI::App& app);
+void addRefineCommand(CLI::App& app);
 void addSceneCommand(CLI::App& app);
 void addSensorCommand(CLI::App& app);
 void addSimplificationCommand(CLI::App& app);

@@ -9,7 +9,7 @@ namespace saccade::eval {
 
 // Events are counted per pixel, polarity and window of time; windows begin at time 0. Of `n` events where the
 // reference has `m`, n - m are false, or m - n are missed. The k-th of the others is compared with the k-th
-// of the reference. [asynchronous prototype]
+// of the reference.
 struct WindowErrors {
   double false_share = 0, missed_share = 0;  // of the events of the reference; NaN if it has none
   double time = 0;                           // mean |dt| over the events compared, in windows; NaN if none is

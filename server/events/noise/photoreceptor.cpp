@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/log_ratio.h"
 #include "base/units.h"
-#include "events/log_ratio.h"
 #include "events/noise/decay.h"
 
 namespace saccade {

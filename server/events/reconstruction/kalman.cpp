@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-#include "events/log_ratio.h"
+#include "base/log_ratio.h"
 #include "events/reconstruction/predict_correct.h"
 #include "events/reconstruction/reconstructions.h"
 

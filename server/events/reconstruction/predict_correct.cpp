@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "events/log_ratio.h"
+#include "base/log_ratio.h"
 
 namespace saccade {
 

@@ -54,7 +54,7 @@ struct PlainLanes {
 };
 
 template <int W>
-[[gnu::always_inline]] inline PlainLanes<W> plainLanes(const PixelContext& view, const RayPacket<W>& packet,
+[[gnu::always_inline]] inline PlainLanes<W> plainLanes(const PosedScene& posed, const RayPacket<W>& packet,
                                                        LaneSet plain, const SurfaceLanes<W>& s,
                                                        const Floats<W>& width) {
   PlainLanes<W> lanes;
@@ -63,14 +63,14 @@ template <int W>
       selectLanes(dot(s.shading_normal, lanes.geometric_normal) < 0.f, -s.shading_normal, s.shading_normal);
   const LaneSet front = lanesOf(s.front());
   LaneVectors reflectance{}, emission{};
-  const Scene& scene = view.now.scene.still().description();
+  const Scene& scene = posed.still().description();
   forEachLane(plain, [&](int i) {
     const std::uint32_t geometry = packet.geometry[i];
-    const ShapeRow& row = view.now.scene.still().shapeRows()[geometry];
+    const ShapeRow& row = posed.still().shapeRows()[geometry];
     const bool seen_front = front.has(i);
     if (row.emits && seen_front) {
       const auto [mesh, sphere] = HitShape(scene, packet.hit(i));
-      emission.set(i, (mesh ? mesh->radiance : sphere->radiance) * view.now.scene.strengths()[geometry]);
+      emission.set(i, (mesh ? mesh->radiance : sphere->radiance) * posed.strengths()[geometry]);
     }
     if (!row.twosided && !seen_front) return;
     reflectance.set(
@@ -78,6 +78,29 @@ template <int W>
   });
   lanes.reflectance = reflectance.template lanes<W>(0), lanes.emission = emission.template lanes<W>(0);
   return lanes;
+}
+
+// The lanes that have hit a plain surface.
+template <int W>
+[[gnu::always_inline]] inline LaneSet plainHits(const PosedScene& scene, const RayPacket<W>& packet,
+                                                LaneSet lanes) {
+  LaneSet plain;
+  forEachLane(lanes, [&](int i) {
+    const std::uint32_t geometry = packet.geometry[i];
+    plain.add(i, geometry != RayPacket<W>::kNone && scene.still().shapeRows()[geometry].plain);
+  });
+  return plain;
+}
+
+template <int W>
+[[gnu::always_inline]] inline void storeLanes(const SurfaceLanes<W>& s, const PlainLanes<W>& surface,
+                                              const Floats<W>& albedo, const Floats<W>& width, int first,
+                                              PlainSurfaces& out) {
+  out.point.store(s.point, first), store(s.offset, &out.offset[first]);
+  out.geometric_normal.store(surface.geometric_normal, first);
+  out.shading_normal.store(surface.shading_normal, first);
+  out.reflectance.store(surface.reflectance, first), out.emission.store(surface.emission, first);
+  store(albedo, &out.albedo[first]), store(width, &out.width[first]);
 }
 
 template <int W>
@@ -113,7 +136,7 @@ template <int W>
   using F = Floats<W>;
   const SurfaceLanes<W> s = surfacesAt<W>(view.now.scene, packet, plain);
   const F z = load<W>(packet.far), width = view.now.camera.pixel * z;
-  const PlainLanes<W> surface = plainLanes<W>(view, packet, plain, s, width);
+  const PlainLanes<W> surface = plainLanes<W>(view.now.scene, packet, plain, s, width);
   const F albedo = luminance<F>(surface.reflectance);
   Vec3T<F> before = s.point;
   if (view.now.scene.bodies())
@@ -124,11 +147,7 @@ template <int W>
           packet.instance[i] + 1;
     });
   writeFeatures<W>(view, part, direction, z, s.point, before, surface, albedo, g);
-  out.point.store(s.point, part.first), store(s.offset, &out.offset[part.first]);
-  out.geometric_normal.store(surface.geometric_normal, part.first);
-  out.shading_normal.store(surface.shading_normal, part.first);
-  out.reflectance.store(surface.reflectance, part.first), out.emission.store(surface.emission, part.first);
-  store(albedo, &out.albedo[part.first]), store(width, &out.width[part.first]);
+  storeLanes<W>(s, surface, albedo, width, part.first, out);
 }
 
 template <int W>
@@ -143,13 +162,7 @@ void tracePrimaryBlock(const PixelContext& view, Tile pixels, GBuffer& g, Primar
     setRays<W>(std::array{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z},
                F(std::numeric_limits<float>::infinity()), packet);
     view.now.scene.geometry().template intersect<W>(packet, inside, EmbreeTracer::Rays::kCoherent);
-    LaneSet plain;
-    forEachLane(inside, [&](int i) {
-      const std::uint32_t geometry = packet.geometry[i];
-      const bool is_plain =
-          geometry != RayPacket<W>::kNone && view.now.scene.still().shapeRows()[geometry].plain;
-      plain.add(i, is_plain);
-    });
+    const LaneSet plain = plainHits<W>(view.now.scene, packet, inside);
     const LaneSet others = inside - plain;
     forEachLane(others, [&](int i) {
       out.rays[static_cast<std::size_t>(first + i)] = packet.ray(i);

@@ -34,15 +34,16 @@ inline Vec3 leaveTowards(const SurfaceStart& start, Vec3 w) {
   return leave(start.path.surface, dot(w, start.path.surface.geometric_normal) < 0);
 }
 
-// Adds the light that starts reflect to what their pixels emit, so that no filter sees it.
-template <Shading S>
+// Calls on_light(owner, luminance) for the light of each lamp that reaches a start: what its pixel emits, so
+// that no filter sees it.
+template <Shading S, class OnLight>
 class DeltaLight {
  public:
-  DeltaLight(const PosedScene& scene, Frame& out)
-      : tracing_{scene, 0, {}}, out_(out), rays_(tracing_, add_) {}
+  DeltaLight(const PosedScene& scene, const OnLight& on_light)
+      : tracing_{scene, 0, {}}, on_light_(on_light), rays_(tracing_, tell_) {}
 
   // `scale`: of the light that the start reflects, to that of its pixel.
-  void add(int x, int y, const auto& start, float scale) {
+  void add(std::uint32_t owner, const auto& start, float scale) {
     const RenderScene& scene = tracing_.scene.still();
     const DeltaLamps& lamps = scene.deltaLamps();
     const Vec3 origin = leave(start);
@@ -50,7 +51,7 @@ class DeltaLight {
       const IncidentLight light = lamps.at(i, origin);
       const Rgb reflected = scattered<S>(start, light.direction) * light.radiance;
       if (!(luminance(reflected) * scale > 0)) continue;
-      pending_[next_] = {x, y, reflected * scale};
+      pending_[next_] = {owner, reflected * scale};
       rays_.add({leaveTowards(start, light.direction), light.segment, light.reach, next_});
       next_ = (next_ + 1) % kPending;
     }
@@ -59,24 +60,24 @@ class DeltaLight {
 
  private:
   struct Pending {
-    int x, y;
+    std::uint32_t owner;
     Rgb light;
   };
-  struct Add {
-    DeltaLight& to;
+  struct Tell {
+    DeltaLight& of;
     void operator()(const ShadowRay& ray, Rgb fraction) const {
-      const Pending& p = to.pending_[ray.owner];
-      to.out_.g.emission.at(p.x, p.y) += luminance(p.light * fraction);
+      const Pending& p = of.pending_[ray.owner];
+      of.on_light_(p.owner, luminance(p.light * fraction));
     }
   };
   static constexpr std::uint32_t kPending = 32;  // more than the rays of a packet
 
   const Tracing tracing_;
-  Frame& out_;
-  const Add add_{*this};
+  const OnLight& on_light_;
+  const Tell tell_{*this};
   std::array<Pending, kPending> pending_;
   std::uint32_t next_ = 0;
-  TileShadowRays<S, Add> rays_;
+  TileShadowRays<S, Tell> rays_;
 };
 
 }  // namespace saccade

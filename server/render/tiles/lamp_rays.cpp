@@ -3,30 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/lights/lamp_points.h"
-#include "render/tiles/delta_light.h"
-#include "render/tiles/ray_numbers.h"
+#include "render/tiles/lamp_ray_tracer.h"
 
 namespace saccade {
 namespace {
 
 bool isLit(const SurfaceSamples& on, std::size_t point) {
   return on[point].canAskRays() && on.place(point).unoccluded > 0;
-}
-
-LitPoint litPointOf(const PlainStart& start) {
-  return {start.point, start.shading_normal, start.geometric_normal};
-}
-LitPoint litPointOf(const SurfaceStart& start) {
-  const Surface& s = start.path.surface;
-  return {s.point, s.shading_normal, s.geometric_normal};
-}
-
-Rgb baseOf(const PlainStart& start) {
-  return start.reflectance;
-}
-Rgb baseOf(const SurfaceStart& start) {
-  return start.base.albedo;
 }
 
 // Whether a neighbour lies in the plane of a point.
@@ -50,43 +33,20 @@ void FrameRays::trace(const FrameStarts& frame, std::span<const RayRequest> requ
 
 template <Shading S>
 void FrameRays::traceWith(const FrameStarts& frame, std::span<const RayRequest> requests, int count) {
-  const Tracing tracing{frame.scene, 0, {}};
-  const auto onEnd = [&](const ShadowRay& ray, Rgb fraction) {
-    LampRays& rays = rays_[ray.owner];
-    rays.visible += ray.weight * luminance(fraction), rays.all += ray.weight;
-  };
-  TileShadowRays<S, decltype(onEnd)> shadow_rays(tracing, onEnd);
-  LampPoints lamps(frame.scene.analyticLight(), frame.scene.strengths());
-  const auto add = [&](std::size_t i, int group, const RayNumbers& numbers, Vec3 origin) {
-    LampRays& rays = rays_[i];
-    rays.unoccluded = lamps.unoccluded(group);
-    for (; rays.count < count && rays.unoccluded > 0; ++rays.count) {
-      const auto u = [&](int dimension) { return numbers.u(rays.count, dimension); };
-      const LampPoints::Point to = lamps.at(group, u(0), u(1), u(2));
-      if (to.weight > 0)
-        shadow_rays.add({origin, to.position - origin, kShadowEnd, static_cast<std::uint32_t>(i), to.weight});
-    }
-    rays.count = count;
-  };
+  LampRayTracer<S> tracer(frame.scene, rays_);
   for (const RayRequest& request : requests) {
-    const auto wants = [&](int group) {
-      return (request.groups >> group & 1) && at(request.point, group).count < count;
-    };
-    bool any = false;
-    for (int g = 0; g < groups_; ++g) any = any || wants(g);
-    if (!any || !isLit(frame.on, request.point)) continue;
+    std::uint32_t wanted = 0;
+    for (int g = 0; g < groups_; ++g)
+      if (at(request.point, g).count < count) wanted |= request.groups & 1u << g;
+    if (wanted == 0 || !isLit(frame.on, request.point)) continue;
     const RayNumbers numbers(frame.on.columnOf(request.point), frame.on.rowOf(request.point));
-    const auto from = [&](const auto& start) {
-      lamps.lookFrom(litPointOf(start), baseOf(start));
-      for (int g = 0; g < groups_; ++g)
-        if (wants(g)) add(indexOf(request.point, g), g, numbers, leave(start));
-    };
+    const std::size_t first = indexOf(request.point, 0);
     if (frame.starts.isPlain(request.point))
-      from(frame.starts.plain(request.point));
+      tracer.add(frame.starts.plain(request.point), first, wanted, count, numbers);
     else
-      from(frame.starts.other(request.point));
+      tracer.add(frame.starts.other(request.point), first, wanted, count, numbers);
   }
-  shadow_rays.finish();
+  tracer.finish();
 }
 
 bool FrameRays::areMixedAround(const SurfaceSamples& on, std::uint32_t point, int group) const {

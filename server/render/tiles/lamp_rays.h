@@ -29,6 +29,25 @@ struct LampRays {
   float visibility() const { return all > 0 ? visible / all : 1; }
 };
 
+// The light of all groups at a point.
+struct LampSums {
+  explicit LampSums(std::span<const LampRays> of_groups) {
+    for (const LampRays& rays : of_groups) {
+      const float V = rays.visibility(), U = rays.unoccluded;
+      light += U, visible += U * V;
+      if (rays.areMixed()) variance += U * U * V * (1 - V) / static_cast<float>(rays.count);
+    }
+  }
+  // `of_visible`: variance of `visible`.
+  RayVisibility visibility(float wanted, float of_visible) const {
+    const float of_mean = relativeVariance(of_visible);
+    return {light > 0 ? visible / light : 1, wanted / (wanted + of_mean), of_mean};
+  }
+  float relativeVariance(float v) const { return light > 0 ? v / (light * light) : 0; }
+
+  float light = 0, visible = 0, variance = 0;  // of `visible`
+};
+
 // A point that wants rays to some groups: bit g stands for group g.
 struct RayRequest {
   std::uint32_t point;
@@ -49,6 +68,9 @@ class FrameRays {
 
   int groups() const { return groups_; }
   const LampRays& at(std::size_t point, int group) const { return rays_[indexOf(point, group)]; }
+  std::span<const LampRays> of(std::size_t point) const {
+    return std::span(rays_).subspan(indexOf(point, 0), static_cast<std::size_t>(groups_));
+  }
 
   // Forgets the rays of a point that has more than `most` to a group.
   void limit(std::size_t point, int most) {

@@ -19,21 +19,6 @@ RayNeed needOf(const SurfaceSamples& on, std::size_t point, const SurfaceShadow&
   return moves(shadow) ? kMayHaveMoved : on[point].near_shadow ? kElseKnown : kElseLearned;
 }
 
-// The light of all groups at a point.
-struct LampSums {
-  LampSums(const FrameRays& of, std::size_t point) {
-    for (int g = 0; g < of.groups(); ++g) {
-      const LampRays& rays = of.at(point, g);
-      const float V = rays.visibility(), U = rays.unoccluded;
-      light += U, visible += U * V;
-      if (rays.areMixed()) variance += U * U * V * (1 - V) / static_cast<float>(rays.count);
-    }
-  }
-  float relativeVariance(float v) const { return light > 0 ? v / (light * light) : 0; }
-
-  float light = 0, visible = 0, variance = 0;  // of `visible`
-};
-
 // Variance of visibility that so many rays to these groups leave, as a part of the light of all groups.
 float rayVariance(const FrameRays& of, const RayRequest& request, int rays) {
   constexpr float kOfOne = 0.16f;  // V (1 - V) in the middle of a penumbra, but for its edges
@@ -49,15 +34,11 @@ float rayVariance(const FrameRays& of, const RayRequest& request, int rays) {
 }  // namespace
 
 void LampShadows::finish(std::size_t point, int rays, SurfaceShadow& shadow) const {
-  const LampSums now(now_, point), before(before_, point);
+  const LampSums now(now_.of(point)), before(before_.of(point));
   // One variance of the light for both, so that a change is not one of trust.
   const float variance = std::max(now.variance, before.variance);
-  const auto known = [&](const LampSums& sums) -> RayVisibility {
-    const float of_mean = sums.relativeVariance(variance);
-    return {sums.light > 0 ? sums.visible / sums.light : 1, shadow.wanted / (shadow.wanted + of_mean),
-            of_mean};
-  };
-  shadow.now = known(now), shadow.before = known(before);
+  shadow.now = now.visibility(shadow.wanted, variance);
+  shadow.before = before.visibility(shadow.wanted, variance);
   shadow.rays = 0;
   for (int g = 0; g < now_.groups(); ++g) shadow.rays += now_.at(point, g).count;
   // A ray's end changes with the probability of the change. A change has no more variance than both frames.

@@ -5,39 +5,13 @@
 
 #include "base/scratch.h"
 #include "render/primary/sub_pixels_shown.h"
-#include "render/surface/scatter.h"
 #include "render/tiles/delta_light.h"
-#include "render/tiles/surface_start.h"
+#include "render/tiles/surface_place.h"
 #include "render/tiles/tile_samples.h"
-#include "render/world/changing_light.h"
-#include "render/world/sliding_surfaces.h"
 
 namespace saccade {
 
-inline constexpr float kLeastSurfaceAlbedo = 1e-4f;  // darker surfaces share no light
 inline constexpr int kMaxTilePoints = kMaxTileEdge * kMaxTileEdge * static_cast<int>(kSubPixels);
-
-// The motion from the frame before into a frame.
-struct FrameMotion {
-  const MovedBodies& moved;
-  const ChangingLight& light;
-  const SlidingSurfaces& sliding;
-};
-
-inline LitPoint litPoint(const PathStart& start) {
-  return {start.surface.point, start.surface.shading_normal, start.surface.geometric_normal};
-}
-
-// Sets its parts one by one: a copy of them all would wait for each of them to reach the cache.
-template <Shading S>
-void setStart(const PathStart& path, float albedo, SurfaceStart& out) {
-  const Scatter<S> scatter(path.surface, path.direction);
-  const bool has_base = scatter.hasBase() && path.surface.opacity >= 1;
-  out.path = path;
-  out.base.albedo = has_base ? scatter.diffuseAlbedo() : Rgb{};
-  out.base.all = has_base && scatter.isDiffuse();
-  out.albedo = albedo;
-}
 
 // The points of a tile, as they are found.
 template <Shading S>
@@ -56,18 +30,14 @@ class TilePoints {
       SurfacePoint& point = out_.surfaces->at(block.x(lane), block.y(lane)) = {};
       isPlain(block.x(lane), block.y(lane)) = true;
       carrier(block.x(lane), block.y(lane)) = kNoBody;
-      const float albedo = s.albedo[lane];
-      if (albedo <= 0) return;
+      if (s.albedo[lane] <= 0) return;
       point.share = 1;
-      if (albedo <= kLeastSurfaceAlbedo) return;
-      point.kind = SurfaceKind::kDiffuse;
-      const float unoccluded = luminance(s.reflectance.at(lane) * white.at(lane)) / albedo;
       SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(block.x(lane), block.y(lane)));
-      place = {s.point.at(lane), s.shading_normal.at(lane), s.width[lane], unoccluded};
-      if (view_.now.scene.bodies())
+      point.kind = setPlace(s, lane, white.at(lane), place);
+      if (point.kind != SurfaceKind::kNone && view_.now.scene.bodies())
         carrier(block.x(lane), block.y(lane)) =
-            setMotion(out_.g.body.at(block.x(lane), block.y(lane)) - 1,
-                      {s.point.at(lane), s.geometric_normal.at(lane), s.offset[lane]}, point, place);
+            setMotion(view_.now.scene, motion_, out_.g.body.at(block.x(lane), block.y(lane)) - 1,
+                      seenPoint(s, lane), point.light_moves, place);
     });
   }
   // The one point of another pixel.
@@ -99,18 +69,24 @@ class TilePoints {
   // Adds the light of lamps without extent to what pixels emit.
   void addDeltaLight() {
     const SurfaceSamples& on = *out_.surfaces;
-    DeltaLight<S> light(view_.now.scene, out_);
+    const int width = out_.width();
+    const auto onLight = [&](std::uint32_t pixel, float light) {
+      const int i = static_cast<int>(pixel);
+      out_.g.emission.at(i % width, i / width) += light;
+    };
+    DeltaLight<S, decltype(onLight)> light(view_.now.scene, onLight);
     forEachPixel(tile_, [&](int x, int y) {
+      const auto pixel = static_cast<std::uint32_t>(y * width + x);
       for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
         const float share = on.at(column, y).share;
         if (share <= 0) continue;
         const float scale = share * out_.g.albedo.at(x, y);
         if (isPlain(column, y)) {
           const PlainStart start = plainStart(column, y);
-          light.add(x, y, start, scale / start.albedo);
+          light.add(pixel, start, scale / start.albedo);
         } else {
           const SurfaceStart& start = memory_->others[indexOf(column, y)];
-          light.add(x, y, start, scale / start.albedo);
+          light.add(pixel, start, scale / start.albedo);
         }
       }
     });
@@ -154,30 +130,11 @@ class TilePoints {
     SurfaceStart& start = memory_->others[indexOf(column, y)];
     setStart<S>(hit.start, albedo, start);
     point.share = share;
-    if (!guide.hit || !guide.has_base || albedo <= kLeastSurfaceAlbedo) return;
-    point.kind = start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
-    const Rgb white = view_.now.scene.analyticLight().at(litPoint(hit.start), view_.now.scene.strengths());
     SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(column, y));
-    place = {guide.point, guide.normal, view_.now.camera.pixelAt(hit.direction) * guide.t,
-             luminance(start.base.albedo * white) / albedo};
-    const Surface& surface = hit.start.surface;
-    if (view_.now.scene.bodies())
+    point.kind = setPlace(view_.now, hit, start, place);
+    if (point.kind != SurfaceKind::kNone && view_.now.scene.bodies())
       carrier(column, y) =
-          setMotion(guide.body, {surface.point, surface.geometric_normal, surface.offset}, point, place);
-  }
-
-  // Sets the place of a point of a body, and whether direct light moves there. Returns the body that carries
-  // the light of the point along. `body`: Hit::body.
-  std::uint32_t setMotion(std::uint32_t body, const SeenPoint& seen, SurfacePoint& point,
-                          SurfacePlace& place) const {
-    point.light_moves = motion_.light.at(seen.position);
-    if (body == kNoBody) return kNoBody;
-    point.light_moves = point.light_moves || motion_.moved.includes(body);
-    if (motion_.sliding.at(body, seen)) return kNoBody;
-    const PosedBodies& bodies = *view_.now.scene.bodies();
-    place.position = bodies.cachePlace(body, place.position);
-    place.normal = bodies.motions()[body].restDirection(place.normal);
-    return body;
+          setMotion(view_.now.scene, motion_, guide.body, seenPoint(hit.start), point.light_moves, place);
   }
 
   void keepStart(int column, int y, SurfaceStarts& starts) const {

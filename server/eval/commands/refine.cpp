@@ -1,0 +1,107 @@
+// `saccade-eval refine` measures refined intervals against frames.
+#include <cstdio>
+#include <stdexcept>
+
+#include "base/default_cache.h"
+#include "base/new_folder.h"
+#include "base/number_in.h"
+#include "eval/bench/arguments.h"
+#include "eval/bench/feed_options.h"
+#include "eval/bench/interrupt.h"
+#include "eval/bench/kept_bake.h"
+#include "eval/bench/open_scene.h"
+#include "eval/bench/refine_bench.h"
+#include "eval/commands/commands.h"
+#include "methods/method_spec.h"
+#include "saccade/wire/ranges.h"
+
+namespace saccade::eval {
+namespace {
+
+struct RefineCommand : FeedOptions {
+  RefineCommand() { trajectory = "truck:1px", size = "346x260"; }
+
+  RefinementSettings refinement;
+  int intervals = 4, pieces = 16;
+  double bake_error = 0;
+  std::string cache = defaultCache();
+};
+
+void print(const RefineResult& r, const RefineCommand& o) {
+  const double frames = static_cast<double>(o.intervals) * o.pieces, pixels = o.feed.pixels();
+  const auto ms = [&](double seconds) { return 1e3 * seconds / frames; };
+  std::printf("true events per pixel and fine frame %.4f\n", r.events);
+  std::printf(
+      "CPU ms per fine frame: refined %.3f, all fine frames %.3f, the same without a filter %.3f, "
+      "two frames per interval %.3f\n",
+      ms(r.refined), ms(r.fine), ms(r.look_ups), ms(r.halves));
+  std::printf(
+      "refined: %.3f of all fine frames, %.3f of those without a filter, %.3f of two frames per "
+      "interval\n",
+      r.refined / r.fine, r.refined / r.look_ups, r.refined / r.halves);
+  std::printf(
+      "looked up %.4f of pixels and fine frames beside whole frames (%.4f); without room %.0f pieces\n",
+      r.samples / pixels / frames, 1. / o.pieces, r.unsplit);
+  const auto row = [&](const char* name, const TimedScore& s, double off) {
+    std::printf("%-24s false %.4f, missed %.4f, time error %.3f fine frames, brightness wrong at %.4f\n",
+                name, s.false_events, s.missed, s.time_error, off);
+  };
+  row("refined:", r.refined_events, r.off);
+  row("two frames per interval:", r.halves_events, r.halves_off);
+  std::printf("time error against that of two frames: %.3f\n",
+              r.refined_events.time_error / r.halves_events.time_error);
+}
+
+void run(RefineCommand& o) {
+  const MethodSpec method = parseMethod(o.feed.method);
+  o.feed.params = method.params;
+  checkSpp(method, o.feed.spp);
+  o.feed.refinement = o.refinement;
+  if (const std::string fault = refinementFault(o.feed); !fault.empty())
+    throw CLI::ValidationError("--method", fault);
+  const auto [scene, path] = open(o);
+  watchInterrupt();
+  if (o.bake_error > 0) {
+    TilePool pool(o.threads);
+    const auto last = static_cast<FrameIndex>(o.intervals);
+    o.feed.baked =
+        keptBake(scene, planBake(*scene, path, o.feed, last, o.bake_error), o.cache, sceneName(o.scene), pool)
+            .light;
+  }
+  std::printf("%s %s %s, %d intervals of %d fine frames\n", o.scene.c_str(), o.size.c_str(),
+              o.trajectory.c_str(), o.intervals, o.pieces);
+  print(measureRefinement({scene, path, o.feed, o.intervals, o.pieces}), o);
+}
+
+}  // namespace
+
+void addRefineCommand(CLI::App& app) {
+  auto o = std::make_shared<RefineCommand>();
+  auto* c = app.add_subcommand(
+      "refine",
+      "measure refined intervals against frames: CPU time, and events against those of fine frames");
+  addFeedOptions(*c, *o);
+  c->add_option("--method", o->feed.method, "one that knows light between frames")->capture_default_str();
+  c->add_option("--spp", o->feed.spp, "paths per pixel and frame")
+      ->check(NumberIn(ranges::kSpp.min, ranges::kSpp.max))
+      ->capture_default_str();
+  c->add_option("--intervals", o->intervals, "intervals: --rate tells their length")
+      ->check(NumberIn(1, 1000))
+      ->capture_default_str();
+  c->add_option("--pieces", o->pieces, "fine frames per interval, an even number")
+      ->check(NumberIn(2, 64))
+      ->capture_default_str();
+  c->add_option("--finest", o->refinement.finest_px, "motion within the shortest pieces, pixels")
+      ->check(NumberIn(1e-3, 1e3))
+      ->capture_default_str();
+  c->add_option("--threshold", o->refinement.threshold, "of the sensor, log brightness")
+      ->check(NumberIn(1e-3, 10.))
+      ->capture_default_str();
+  addBakeOption(*c, o->bake_error);
+  c->add_option("--cache", o->cache, "folder for bakes")
+      ->check(CLI::Validator(newFolderFault, ""))
+      ->capture_default_str();
+  c->callback([o] { run(*o); });
+}
+
+}  // namespace saccade::eval

@@ -1,0 +1,54 @@
+// Refines the pixels of a tile within an interval.
+//
+// A pixel's log brightness starts as a line between both ends. Where it can have changed, its value in the
+// middle is looked up. Where that is off the line, both halves are split in turn. Pieces of one length
+// are looked up together, in the order of their pixels: rays that share a pixel are as coherent as neighbours
+// [ours].
+#pragma once
+
+#include <vector>
+
+#include "feed/brightness_range.h"
+#include "feed/feed_config.h"
+#include "frame/intensity_change.h"
+#include "methods/method.h"
+#include "render/tiles/point_sampler.h"
+
+namespace saccade {
+
+// The interval between two frames, cut into pieces of equal length.
+struct RefinedInterval {
+  static constexpr int kMostLevels = 5, kMostPieces = 1 << kMostLevels;
+
+  int levels;                                 // 2^levels pieces; moment k is at k / 2^levels
+  std::span<const Camera> cameras;            // by moment, up to 2^levels
+  std::span<const PosedScene* const> scenes;  // by moment, or one where nothing moves
+  const FrameMotion* motion;                  // nullptr in a scene without bodies
+  const ImageF &L0, &L1;                      // log brightness at both ends
+  const SurfaceMethod& light;
+  int spp;         // as of LampShadows
+  float bias;      // of log brightness
+  float contrast;  // of the range that a change needs
+  float enough;    // distance from the line that needs no further piece
+};
+
+class RefinedTile {
+ public:
+  // Of updates to a pixel of the tile, in the mean. Where a level would exceed them, no piece is split any
+  // more.
+  static constexpr std::size_t kMostUpdates = 8;
+
+  // `levels`: at most those of the interval. `reach`: see findRanges().
+  void refine(const RefinedInterval& interval, Tile tile, int levels, int reach);
+
+  // By time, then by pixel.
+  const std::vector<IntensityUpdate>& updates() const { return updates_; }
+  std::size_t samples() const { return samples_; }  // look-ups, of known light or not
+  std::size_t unsplit() const { return unsplit_; }  // pieces that found no room
+
+ private:
+  std::vector<IntensityUpdate> updates_;
+  std::size_t samples_ = 0, unsplit_ = 0;
+};
+
+}  // namespace saccade

@@ -1,0 +1,121 @@
+#include "render/tiles/point_sampler.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "render/tiles/lamp_ray_tracer.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kFewestRays = 2, kMostRays = 256;  // as of LampShadows
+
+}  // namespace
+
+void PointSampler::withStart(std::size_t k, const auto& f) const {
+  const RayBlock& block = blocks_[k / kBlockPixels];
+  const int lane = static_cast<int>(k % kBlockPixels);
+  if (block.plain.has(lane))
+    f(PlainStart(block.surfaces, lane, kNoBody));
+  else
+    f(others_[k]);
+}
+
+void PointSampler::look(const PointView& view, std::span<const PixelMoment> asked,
+                        std::span<PointSample> out) {
+  withKernel(view.scene.still().shading(), [&]<Shading S>() { lookAs<S>(view, asked, out); });
+}
+
+template <Shading S>
+void PointSampler::lookAs(const PointView& view, std::span<const PixelMoment> asked,
+                          std::span<PointSample> out) {
+  for (std::size_t first = 0; first < asked.size(); first += kBlockPixels) {
+    RayBlock& block = blocks_[first / kBlockPixels];
+    block.count = static_cast<int>(std::min<std::size_t>(kBlockPixels, asked.size() - first));
+    const auto cameraOf = [&](std::size_t lane) -> const Camera& {
+      return view.cameras[asked[first + lane].moment];
+    };
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i) {
+      const PixelMoment& at = asked[first + i];
+      block.rays[i] = {cameraOf(i).origin,
+                       cameraOf(i).direction(static_cast<float>(at.x), static_cast<float>(at.y)),
+                       std::numeric_limits<float>::infinity()};
+    }
+    traceRayBlock(view.scene, view.cameras[0], block);
+    if (block.plain.any()) lookPlain(view, first, out);
+    forEachLane(block.others, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      PointSample& point = out[first + i] = {};
+      const PosedView own{view.scene, cameraOf(i)};
+      shadePrimary<S>(PixelContext(own), block.rays[i], block.hits[i], hit_);
+      point.emission = luminance(hit_.guide.emission);
+      const float albedo = luminance(hit_.guide.albedo);
+      if (!hit_.valid || albedo <= 0) return;
+      point.albedo = albedo;
+      SurfaceStart& start = others_[first + i];
+      setStart<S>(hit_.start, albedo, start);
+      point.kind = setPlace(own, hit_, start, point.place);
+      if (point.kind != SurfaceKind::kNone && view.motion)
+        setMotion(view.scene, *view.motion, hit_.guide.body, seenPoint(hit_.start), point.light_moves,
+                  point.place);
+    });
+  }
+  if (view.scene.still().deltaLamps().areFew()) addDeltaLight<S>(view, out.first(asked.size()));
+}
+
+void PointSampler::lookPlain(const PointView& view, std::size_t first, std::span<PointSample> out) {
+  const RayBlock& block = blocks_[first / kBlockPixels];
+  const PlainSurfaces& s = block.surfaces;
+  LaneVectors white;
+  view.scene.analyticLight().at({s.point, s.shading_normal, s.geometric_normal}, block.plain,
+                                view.scene.strengths(), white);
+  forEachLane(block.plain, [&](int lane) {
+    PointSample& point = out[first + static_cast<std::size_t>(lane)] = {};
+    point.albedo = s.albedo[lane], point.emission = luminance(s.emission.at(lane));
+    if (point.albedo <= 0) return;
+    point.kind = setPlace(s, lane, white.at(lane), point.place);
+    if (point.kind != SurfaceKind::kNone && view.motion)
+      setMotion(view.scene, *view.motion, block.bodies[static_cast<std::size_t>(lane)], seenPoint(s, lane),
+                point.light_moves, point.place);
+  });
+}
+
+template <Shading S>
+void PointSampler::addDeltaLight(const PointView& view, std::span<PointSample> out) const {
+  const auto onLight = [&](std::uint32_t k, float light) { out[k].emission += light; };
+  DeltaLight<S, decltype(onLight)> light(view.scene, onLight);
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (out[k].albedo > 0)
+      withStart(k, [&](const auto& start) { light.add(static_cast<std::uint32_t>(k), start, 1); });
+  light.finish();
+}
+
+void PointSampler::traceShadows(const PointView& view, std::span<const PixelMoment> asked, int spp,
+                                std::span<PlaceLight> light) {
+  const auto groups = static_cast<std::size_t>(view.scene.analyticLight().groups());
+  if (groups == 0 || std::ranges::none_of(light, [](const PlaceLight& l) { return l.shadow > 0; })) return;
+  const int rays = std::clamp(kRaysPerPath * spp, kFewestRays, kMostRays);
+  std::fill_n(rays_.begin(), asked.size() * groups, LampRays{});
+  withKernel(view.scene.still().shading(), [&]<Shading S>() { traceAs<S>(view, asked, rays, light); });
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (!(light[k].shadow > 0)) continue;
+    const LampSums sums{std::span(rays_).subspan(k * groups, groups)};
+    const RayVisibility by_rays = sums.visibility(light[k].shadow, sums.variance);
+    light[k].visibility += by_rays.trust * (by_rays.mean - light[k].visibility);
+  }
+}
+
+template <Shading S>
+void PointSampler::traceAs(const PointView& view, std::span<const PixelMoment> asked, int rays,
+                           std::span<const PlaceLight> light) {
+  const auto groups = static_cast<std::size_t>(view.scene.analyticLight().groups());
+  LampRayTracer<S> tracer(view.scene, rays_);
+  for (std::size_t k = 0; k < asked.size(); ++k)
+    if (light[k].shadow > 0)
+      withStart(k, [&](const auto& start) {
+        tracer.add(start, k * groups, (1u << groups) - 1, rays, RayNumbers(asked[k].x, asked[k].y));
+      });
+  tracer.finish();
+}
+
+}  // namespace saccade

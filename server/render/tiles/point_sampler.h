@@ -1,0 +1,52 @@
+// The surfaces that pixels show at any times, without frames: primary rays in packets, each with a camera of
+// its own. A point equals that of a frame at the same pixel and time but for rounding, which depends on who
+// shares its packet [ours].
+#pragma once
+
+#include <span>
+
+#include "frame/point_samples.h"
+#include "render/primary/ray_block.h"
+#include "render/tiles/lamp_rays.h"
+#include "render/tiles/surface_place.h"
+
+namespace saccade {
+
+// A scene and cameras of one lens, which PixelMoment::moment numbers.
+struct PointView {
+  const PosedScene& scene;
+  std::span<const Camera> cameras;
+  const FrameMotion* motion = nullptr;  // of the interval that the moments lie in; of a scene with bodies
+};
+
+class PointSampler {
+ public:
+  static constexpr std::size_t kMost = 256;  // points at once
+  static constexpr int kRaysPerPath = 8;     // of a shadow that is wanted, to each group of lamps
+
+  // Finds what at most kMost pixels show. Neighbours should follow each other, whatever their times.
+  void look(const PointView& view, std::span<const PixelMoment> asked, std::span<PointSample> out);
+  // Traces the shadow rays that `light` wants at the points of the last look(). It takes them into
+  // visibility, as far as they are trusted. `spp` as of LampShadows.
+  void traceShadows(const PointView& view, std::span<const PixelMoment> asked, int spp,
+                    std::span<PlaceLight> light);
+
+ private:
+  template <Shading S>
+  void lookAs(const PointView& view, std::span<const PixelMoment> asked, std::span<PointSample> out);
+  template <Shading S>
+  void addDeltaLight(const PointView& view, std::span<PointSample> out) const;
+  template <Shading S>
+  void traceAs(const PointView& view, std::span<const PixelMoment> asked, int rays,
+               std::span<const PlaceLight> light);
+  void lookPlain(const PointView& view, std::size_t first, std::span<PointSample> out);
+  // f(where the light of point k starts).
+  void withStart(std::size_t k, const auto& f) const;
+
+  std::array<RayBlock, kMost / kBlockPixels> blocks_;
+  std::array<SurfaceStart, kMost> others_;  // of points that are not plain
+  PrimaryHit hit_;
+  std::array<LampRays, kMost * AnalyticLight::kMaxGroups> rays_;
+};
+
+}  // namespace saccade

@@ -1,0 +1,77 @@
+// Where the light of a point that a pixel shows is kept, see SurfacePlace.
+#pragma once
+
+#include "frame/surface_samples.h"
+#include "render/primary/gbuffer_pass.h"
+#include "render/surface/scatter.h"
+#include "render/tiles/surface_start.h"
+#include "render/world/changing_light.h"
+#include "render/world/sliding_surfaces.h"
+
+namespace saccade {
+
+inline constexpr float kLeastSurfaceAlbedo = 1e-4f;  // darker surfaces share no light
+
+// The motion from the frame before into a frame.
+struct FrameMotion {
+  const MovedBodies& moved;
+  const ChangingLight& light;
+  const SlidingSurfaces& sliding;
+};
+
+// Sets its parts one by one: a copy of them all would wait for each of them to reach the cache.
+template <Shading S>
+void setStart(const PathStart& path, float albedo, SurfaceStart& out) {
+  const Scatter<S> scatter(path.surface, path.direction);
+  const bool has_base = scatter.hasBase() && path.surface.opacity >= 1;
+  out.path = path;
+  out.base.albedo = has_base ? scatter.diffuseAlbedo() : Rgb{};
+  out.base.all = has_base && scatter.isDiffuse();
+  out.albedo = albedo;
+}
+
+// Sets the place of a lane of plain surfaces, which is not black. `white`: AnalyticLight::at() of it. Returns
+// its kind; with kNone there is no place.
+inline SurfaceKind setPlace(const PlainSurfaces& s, int lane, Rgb white, SurfacePlace& place) {
+  const float albedo = s.albedo[lane];
+  if (albedo <= kLeastSurfaceAlbedo) return SurfaceKind::kNone;
+  const float unoccluded = luminance(s.reflectance.at(lane) * white) / albedo;
+  place = {s.point.at(lane), s.shading_normal.at(lane), s.width[lane], unoccluded};
+  return SurfaceKind::kDiffuse;
+}
+
+// The same of another surface that reflects light, where paths start at `start`.
+inline SurfaceKind setPlace(const PosedView& view, const PrimaryHit& hit, const SurfaceStart& start,
+                            SurfacePlace& place) {
+  const Guide& guide = hit.guide;
+  if (!guide.hit || !guide.has_base || start.albedo <= kLeastSurfaceAlbedo) return SurfaceKind::kNone;
+  const Surface& s = hit.start.surface;
+  const Rgb white =
+      view.scene.analyticLight().at({s.point, s.shading_normal, s.geometric_normal}, view.scene.strengths());
+  place = {guide.point, guide.normal, view.camera.pixelAt(hit.direction) * guide.t,
+           luminance(start.base.albedo * white) / start.albedo};
+  return start.base.all ? SurfaceKind::kDiffuse : SurfaceKind::kMixed;
+}
+
+inline SeenPoint seenPoint(const PlainSurfaces& s, int lane) {
+  return {s.point.at(lane), s.geometric_normal.at(lane), s.offset[lane]};
+}
+inline SeenPoint seenPoint(const PathStart& start) {
+  return {start.surface.point, start.surface.geometric_normal, start.surface.offset};
+}
+
+// Sets the place of a point in a scene with bodies, and whether direct light moves there. Returns the body
+// that carries the light of the point along. `body`: Hit::body.
+inline std::uint32_t setMotion(const PosedScene& scene, const FrameMotion& motion, std::uint32_t body,
+                               const SeenPoint& seen, bool& light_moves, SurfacePlace& place) {
+  light_moves = motion.light.at(seen.position);
+  if (body == kNoBody) return kNoBody;
+  light_moves = light_moves || motion.moved.includes(body);
+  if (motion.sliding.at(body, seen)) return kNoBody;
+  const PosedBodies& bodies = *scene.bodies();
+  place.position = bodies.cachePlace(body, place.position);
+  place.normal = bodies.motions()[body].restDirection(place.normal);
+  return body;
+}
+
+}  // namespace saccade

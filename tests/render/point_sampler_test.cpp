@@ -1,0 +1,154 @@
+// Pixels at any times, against whole frames of the same times.
+#include "render/tiles/point_sampler.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "base/instruction_set.h"
+#include "render/renderer.h"
+#include "render/test_scenes.h"
+
+namespace saccade {
+namespace {
+
+constexpr int kW = 31, kH = 23, kMoments = 3;
+
+// Plain, textured and smooth surfaces, plastic, a mirror, a lamp in view, a sun, and a gap that shows
+// nothing.
+Scene room() {
+  Scene s;
+  s.materials = {test::grey(0.6f), test::grey(0.5f), test::grey(0.7f, false), test::grey(0.5f),
+                 test::grey(0.4f)};
+  s.materials[1].reflectance = {.kind = SurfaceColor::Kind::kCheckerboard,
+                                .color0 = {0.9f, 0.1f, 0.2f},
+                                .color1 = {0.1f, 0.8f, 0.3f},
+                                .uv_scale = {4, 4}};
+  s.materials[3].model.kind = BsdfKind::kConductor;
+  s.materials[4].model.kind = BsdfKind::kPlastic;
+  s.meshes = {test::quad({-1, -1, 1}, {0, 2, 0}, {2, 0, 0}, 1),
+              test::quad({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}, 0),
+              test::quad({1, -1, -1}, {0, 2, 0}, {0, 0, 2}, 2),
+              test::quad({-1, 1, -1}, {2, 0, 0}, {0, 0, 1.2f}, 4),
+              test::quad({-0.3f, -0.95f, 0.2f}, {0, 0, 0.6f}, {0.6f, 0, 0}, 0, {9, 8, 7}),
+              test::quad({0.2f, 0.3f, 0.6f}, {0.3f, 0, 0}, {0, 0.3f, 0}, 3)};
+  s.spheres.push_back({"ball", {0.4f, -0.3f, 0.4f}, 0.3f, 0, {}, {}});
+  s.directional_lights.push_back({normalize(Vec3{0.2f, 0.4f, 1}), {2, 2, 2}});
+  s.T_world_camera = {{0, 0, -0.9}, {}};
+  s.fov_x_deg = 75;
+  return s;
+}
+
+struct PointSamplerTest : testing::Test {
+  PointSamplerTest() {
+    for (int k = 0; k < kMoments; ++k) cameras.emplace_back(Pose{{0.01 * k, 0, -0.9}, {}}, lens);
+  }
+
+  Frame frameAt(int moment) {
+    Frame frame(kW, kH, 1);
+    const PosedView view{scene, cameras[static_cast<std::size_t>(moment)]};
+    Renderer({}).renderSurfaces(PixelContext(view), pool, frame);
+    return frame;
+  }
+  // Each pixel at moments in turn, so that packets mix them.
+  static std::vector<PixelMoment> mixed() {
+    std::vector<PixelMoment> all;
+    for (std::uint16_t y = 0; y < kH; ++y)
+      for (std::uint16_t x = 0; x < kW; ++x) all.push_back({x, y, (x + y) % std::uint32_t{kMoments}});
+    return all;
+  }
+  void expectThoseOfFrames() {
+    std::vector<Frame> frames;
+    for (int k = 0; k < kMoments; ++k) frames.push_back(frameAt(k));
+    const std::vector<PixelMoment> all = mixed();
+    PointSampler sampler;
+    std::vector<PointSample> found(PointSampler::kMost);
+    int kinds[3] = {}, black = 0;
+    for (std::size_t first = 0; first < all.size(); first += PointSampler::kMost) {
+      const auto asked = std::span(all).subspan(first, std::min(PointSampler::kMost, all.size() - first));
+      sampler.look({scene, cameras}, asked, found);
+      for (std::size_t k = 0; k < asked.size(); ++k) {
+        const auto [x, y, moment] = asked[k];
+        SCOPED_TRACE(testing::Message() << x << ", " << y << " at " << moment);
+        const Frame& frame = frames[moment];
+        expectSame(found[k], frame, x, y);
+        ++kinds[static_cast<int>(found[k].kind)], black += found[k].albedo <= 0;
+      }
+    }
+    for (const int count : kinds) EXPECT_GT(count, 10);
+    EXPECT_GT(black, 10);
+  }
+  static void expectSame(const PointSample& point, const Frame& frame, int x, int y) {
+    const SurfacePoint& there = frame.surfaces->at(x, y);
+    ASSERT_EQ(point.kind, there.kind);
+    EXPECT_EQ(point.isUncacheable(), there.isUncacheable());
+    EXPECT_NEAR(point.emission, frame.g.emission.at(x, y), 1e-4f);
+    if (there.share > 0) {
+      EXPECT_NEAR(point.albedo, frame.g.albedo.at(x, y), 1e-5f);
+    } else {
+      EXPECT_EQ(point.albedo, 0);
+    }
+    if (point.kind == SurfaceKind::kNone) return;
+    const SurfacePlace& place = frame.surfaces->place(frame.surfaces->indexOf(x, y));
+    EXPECT_LT(length(point.place.position - place.position), 1e-5f);
+    EXPECT_LT(length(point.place.normal - place.normal), 1e-5f);
+    EXPECT_NEAR(point.place.footprint, place.footprint, 1e-6f);
+    EXPECT_NEAR(point.place.unoccluded, place.unoccluded, 1e-4f);
+  }
+
+  const PosedScene scene{std::make_shared<RenderScene>(room())};
+  Lens lens{pinhole(75, kW, kH)};
+  std::vector<Camera> cameras;
+  TilePool pool{2};
+};
+
+TEST_F(PointSamplerTest, FindsWhatFramesShow) {
+  expectThoseOfFrames();
+  useInstructionSet("avx2");
+  expectThoseOfFrames();
+  useInstructionSet(kInstructionSetNames[static_cast<std::size_t>(widestInstructionSet())]);
+}
+
+TEST_F(PointSamplerTest, FindsItThroughALens) {
+  CameraModel model = pinhole(75, kW, kH);
+  model.distortion.k[0] = -0.1;
+  lens = Lens(model);
+  lens.tabulate();
+  cameras.clear();
+  for (int k = 0; k < kMoments; ++k) cameras.emplace_back(Pose{{0.01 * k, 0, -0.9}, {}}, lens);
+  expectThoseOfFrames();
+}
+
+// A card covers a part of a small lamp: the share of it that a point of the floor sees is a line in x.
+TEST(PointShadows, AreThoseOfPenumbras) {
+  constexpr float kHalf = 0.1f;
+  Scene s = test::floorFromAbove(0.5f);
+  s.meshes.push_back(test::quad({-kHalf, -kHalf, 2}, {0, 2 * kHalf, 0}, {2 * kHalf, 0, 0}, 0, {9, 9, 9}));
+  s.meshes.push_back(test::quad({-4, -60, 1}, {4, 0, 0}, {0, 120, 0}, 0));
+  const PosedScene scene(std::make_shared<RenderScene>(std::move(s)));
+  constexpr int kPixels = 64;
+  constexpr double kEye = 0.9, kFov = 26;
+  const std::vector<Camera> cameras{Camera({{0, 0, kEye}, {1, 0, 0, 0}}, pinhole(kFov, kPixels, 1))};
+  std::vector<PixelMoment> asked;
+  for (std::uint16_t x = 0; x < kPixels; ++x) asked.push_back({x, 0, 0});
+  std::vector<PointSample> points(kPixels);
+  PointSampler sampler;
+  sampler.look({scene, cameras}, asked, points);
+  std::vector<PlaceLight> light(kPixels, {.known = true, .visibility = 0.5f, .shadow = 1});
+  light[0].shadow = 0;
+  sampler.traceShadows({scene, cameras}, asked, 8, light);
+  EXPECT_EQ(light[0].visibility, 0.5f) << "it wants no rays";
+  double squares = 0;
+  for (std::size_t x = 1; x < kPixels; ++x) {
+    const float seen = std::clamp((kHalf + points[x].place.position.x) / (2 * kHalf), 0.f, 1.f);
+    squares += std::pow(light[x].visibility - seen, 2);
+    if (seen == 0 || seen == 1) {
+      EXPECT_EQ(light[x].visibility, seen) << x;
+    }
+  }
+  EXPECT_LT(std::sqrt(squares / kPixels), 0.05);
+}
+
+}  // namespace
+}  // namespace saccade
