@@ -8,6 +8,7 @@ namespace {
 void add(ContentHash& h, const SurfaceColor& c) {
   h.add(static_cast<int>(c.kind)), h.add(c.color0), h.add(c.color1), h.add(c.texture), h.add(c.uv_scale),
       h.add(c.uv_offset);
+  if (c.uv_cross.x != 0 || c.uv_cross.y != 0) h.add(c.uv_cross);
 }
 
 void add(ContentHash& h, const BsdfModel& m) {
@@ -30,6 +31,8 @@ void add(ContentHash& h, const Material& m) {
 // Samples the finest level. A texture without mips looks different from afar.
 void add(ContentHash& h, const Texture& t) {
   if (!t.mipMapped()) h.add(1);
+  if (t.wrapU() != Texture::Wrap::kRepeat) h.add(2 + static_cast<int>(t.wrapU()));
+  if (t.wrapV() != Texture::Wrap::kRepeat) h.add(4 + static_cast<int>(t.wrapV()));
   for (int i = 0; i < 4096; ++i)
     h.add(t.sample({static_cast<float>(i % 64) / 64, static_cast<float>(i / 64) / 64}, 0));
 }
