@@ -42,6 +42,22 @@ void add(ContentHash& h, const Environment& e) {
       h.add(e.picture.pixels);
 }
 
+void add(ContentHash& h, const KeyTrack& track) {
+  h.add(static_cast<int>(track.interpolation)), h.add(track.times), h.add(track.values);
+}
+
+void add(ContentHash& h, const Deformation& d) {
+  h.add(d.positions), h.add(d.normals), h.add(d.influences), h.add(d.weights), h.add(d.period.count());
+  add(h, d.weight_keys);
+  for (const MorphTarget& target : d.targets) h.add(target.positions), h.add(target.normals);
+  for (const Joint& joint : d.joints) h.add(joint.node ? *joint.node + 1 : 0), h.add(joint.from_mesh);
+}
+
+void add(ContentHash& h, const MovingNode& node) {
+  h.add(node.parent ? *node.parent + 1 : 0), h.add(node.rest.affine());
+  for (const NodeTrack& track : node.tracks) h.add(static_cast<int>(track.property)), add(h, track.keys);
+}
+
 }  // namespace
 
 std::uint64_t hashScene(const Scene& scene) {
@@ -62,6 +78,10 @@ std::uint64_t hashScene(const Scene& scene) {
   if (scene.bodies.empty()) return h.value;
   for (const Mesh& m : scene.meshes) h.add(m.body);
   for (const Sphere& s : scene.spheres) h.add(s.body);
+  if (scene.deformations.empty()) return h.value;
+  for (const Mesh& m : scene.meshes) h.add(m.deformation);
+  for (const Deformation& d : scene.deformations) add(h, d);
+  for (const MovingNode& node : scene.nodes) add(h, node);
   return h.value;
 }
 
