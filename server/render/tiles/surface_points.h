@@ -55,7 +55,7 @@ class TilePoints {
     forEachLane(block.plain, [&](int lane) {
       SurfacePoint& point = out_.surfaces->at(block.x(lane), block.y(lane)) = {};
       isPlain(block.x(lane), block.y(lane)) = true;
-      carrier(block.x(lane), block.y(lane)) = kNoBody;
+      carried(block.x(lane), block.y(lane)).body = kNoBody;
       const float albedo = s.albedo[lane];
       if (albedo <= 0) return;
       point.share = 1;
@@ -64,10 +64,11 @@ class TilePoints {
       const float unoccluded = luminance(s.reflectance.at(lane) * white.at(lane)) / albedo;
       SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(block.x(lane), block.y(lane)));
       place = {s.point.at(lane), s.shading_normal.at(lane), s.width[lane], unoccluded};
-      if (view_.now.scene.bodies())
-        carrier(block.x(lane), block.y(lane)) =
-            setMotion(out_.g.body.at(block.x(lane), block.y(lane)) - 1,
-                      {s.point.at(lane), s.geometric_normal.at(lane), s.offset[lane]}, point, place);
+      if (!view_.now.scene.bodies()) return;
+      ShapePoint& on = carried(block.x(lane), block.y(lane));
+      on = view_.now.scene.deformed() ? block.on[static_cast<std::size_t>(lane)]
+                                      : ShapePoint::ofBody(out_.g.body.at(block.x(lane), block.y(lane)) - 1);
+      setMotion({s.point.at(lane), s.geometric_normal.at(lane), s.offset[lane]}, point, place, on);
     });
   }
   // The one point of another pixel.
@@ -138,13 +139,13 @@ class TilePoints {
     std::array<SurfaceStart, kMaxTilePoints> others;
     std::array<PlainSurfaces, kTileBlocks * kTileBlocks> plain;
     std::array<bool, kMaxTilePoints> is_plain;
-    std::array<std::uint32_t, kMaxTilePoints> carriers;  // the bodies that carry them, or kNoBody
+    std::array<ShapePoint, kMaxTilePoints> carried;  // on the bodies that carry them; of kNoBody: on none
   };
 
   // The point that a ray has found. `share`: of the pixel's albedo.
   void setPoint(int column, int y, const PrimaryHit& hit, float share) {
     SurfacePoint& point = out_.surfaces->at(column, y) = {};
-    isPlain(column, y) = false, carrier(column, y) = kNoBody;
+    isPlain(column, y) = false, carried(column, y).body = kNoBody;
     const Guide& guide = hit.guide;
     const float albedo = luminance(guide.albedo);
     if (!hit.valid || albedo <= 0) return;
@@ -158,35 +159,37 @@ class TilePoints {
     place = {guide.point, guide.normal, view_.now.camera.pixelAt(hit.direction) * guide.t,
              luminance(start.base.albedo * white) / albedo};
     const Surface& surface = hit.start.surface;
-    if (view_.now.scene.bodies())
-      carrier(column, y) =
-          setMotion(guide.body, {surface.point, surface.geometric_normal, surface.offset}, point, place);
+    if (!view_.now.scene.bodies()) return;
+    carried(column, y) = guide.on;
+    setMotion({surface.point, surface.geometric_normal, surface.offset}, point, place, carried(column, y));
   }
 
-  // Sets the place of a point of a body, and whether direct light moves there. Returns the body that carries
-  // the light of the point along. `body`: Hit::body.
-  std::uint32_t setMotion(std::uint32_t body, const SeenPoint& seen, SurfacePoint& point,
-                          SurfacePlace& place) const {
+  // Sets the place of a point of a body, and whether direct light moves there. Clears on.body where the body
+  // does not carry the light of the point along.
+  void setMotion(const SeenPoint& seen, SurfacePoint& point, SurfacePlace& place, ShapePoint& on) const {
     point.light_moves = motion_.light.at(seen.position);
-    if (body == kNoBody) return kNoBody;
-    point.light_moves = point.light_moves || motion_.moved.includes(body);
-    if (motion_.sliding.at(body, seen)) return kNoBody;
+    if (on.body == kNoBody) return;
+    point.light_moves = point.light_moves || motion_.moved.includes(on.body);
+    if (motion_.sliding.at(on.body, seen)) {
+      on.body = kNoBody;
+      return;
+    }
     const PosedBodies& bodies = *view_.now.scene.bodies();
-    place.position = bodies.cachePlace(body, place.position);
-    place.normal = bodies.motions()[body].restDirection(place.normal);
-    return body;
+    place.position = bodies.cachePlace(on, place.position);
+    place.normal = bodies.cacheNormal(on, place.normal);
   }
 
   void keepStart(int column, int y, SurfaceStarts& starts) const {
     const std::size_t i = out_.surfaces->indexOf(column, y);
+    if (view_.now.scene.deformed()) starts.setCarried(i, carried(column, y));
     if (isPlain(column, y)) return starts.set(i, plainStart(column, y));
     SurfaceStart& start = memory_->others[indexOf(column, y)];
-    start.carrier = carrier(column, y);
+    start.carrier = carried(column, y).body;
     starts.set(i, start);
   }
   PlainStart plainStart(int x, int y) const {
     const int lane = (y - tile_.y0) % kBlockEdge * kBlockEdge + (x - tile_.x0) % kBlockEdge;
-    return {memory_->plain[blockOf(x, y)], lane, carrier(x, y)};
+    return {memory_->plain[blockOf(x, y)], lane, carried(x, y).body};
   }
 
   std::size_t blockOf(int x, int y) const {
@@ -197,7 +200,7 @@ class TilePoints {
     return static_cast<std::size_t>(((y - tile_.y0) * (tile_.x1 - tile_.x0) - tile_.x0) * per_pixel + column);
   }
   bool& isPlain(int column, int y) const { return memory_->is_plain[indexOf(column, y)]; }
-  std::uint32_t& carrier(int column, int y) const { return memory_->carriers[indexOf(column, y)]; }
+  ShapePoint& carried(int column, int y) const { return memory_->carried[indexOf(column, y)]; }
 
   const PixelContext& view_;
   const FrameMotion& motion_;
