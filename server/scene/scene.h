@@ -28,6 +28,7 @@ struct Mesh {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;     // per vertex, unit; empty: flat
   std::vector<Vec2> uvs;         // per vertex; empty: none
+  std::vector<Rgb> colors = {};  // per vertex: factors in [0, 1] of the base colour of metallic-roughness
   std::vector<std::array<std::uint32_t, 3>> triangles;
   int material = 0;
   Rgb radiance;             // emitted on the side of the geometric normal (counter-clockwise front); 0: none

@@ -64,7 +64,7 @@ std::uint64_t hashScene(const Scene& scene) {
   ContentHash h;
   for (const Mesh& m : scene.meshes)
     h.add(m.positions), h.add(m.normals), h.add(m.uvs), h.add(m.triangles), h.add(m.material),
-        h.add(m.radiance);
+        h.add(m.radiance), h.add(m.colors);
   for (const Sphere& s : scene.spheres)
     h.add(s.center), h.add(s.radius), h.add(s.material), h.add(s.radiance);
   for (const Material& m : scene.materials) add(h, m);

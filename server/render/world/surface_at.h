@@ -35,12 +35,24 @@ struct HitShape {
         sphere(mesh ? nullptr : &scene.spheres[hit.geometry - scene.meshes.size()]) {}
 };
 
-// `tables`: of the material; nullptr for kernels of diffuse surfaces alone.
+// The colour that the vertices of a shape give its base.
 template <Shading S>
-Bsdf bsdfAt(const Scene& scene, const Material& m, const BsdfTables* tables, TexturePoint at) {
+Rgb vertexColor(const HitShape& shape, const ShapePoint& on) {
+  if constexpr (S.kinds & only(BsdfKind::kMetallicRoughness)) {
+    if (!shape.mesh || shape.mesh->colors.empty()) return {1, 1, 1};
+    const auto [i, j, k] = shape.mesh->triangles[on.primitive];
+    const std::vector<Rgb>& colors = shape.mesh->colors;
+    return interpolate(colors[i], colors[j], colors[k], on.u, on.v);
+  }
+  return {1, 1, 1};
+}
+
+// `tables`: of the material; nullptr for kernels of diffuse surfaces alone. `factor`: see vertexColor().
+template <Shading S>
+Bsdf bsdfAt(const Scene& scene, const Material& m, const BsdfTables* tables, TexturePoint at, Rgb factor) {
   if constexpr (S.kinds & only(BsdfKind::kMetallicRoughness))
     if (m.model.kind == BsdfKind::kMetallicRoughness)
-      return MetallicRoughness::at(*tables, colorAt<S>(scene, m.reflectance, at),
+      return MetallicRoughness::at(*tables, colorAt<S>(scene, m.reflectance, at) * factor,
                                    colorAt<S>(scene, m.metallic_roughness, at));
   Bsdf b{tables, colorAt<S>(scene, m.reflectance, at)};
   if constexpr (!S.diffuseOnly()) b.specular = colorAt<S>(scene, m.specular, at);
@@ -83,7 +95,7 @@ Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, V
             patch.offset,
             n,
             ns,
-            bsdfAt<S>(scene, material, tables, at),
+            bsdfAt<S>(scene, material, tables, at, vertexColor<S>(shape, hit)),
             front ? radiance : Rgb{},
             false,
             1};

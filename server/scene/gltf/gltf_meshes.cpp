@@ -50,7 +50,8 @@ void GltfMeshes::addPart(const JsonNode& part, Placed placed) {
   }
   const int material = materials_.read(part.index("material", root_.count("materials")));
   const std::size_t coordinates = materials_.coordinates(material), index = scene_.meshes.size();
-  if (part.at("attributes").find("COLOR_0"))
+  const BsdfKind kind = scene_.materials[static_cast<std::size_t>(material)].model.kind;
+  if (part.at("attributes").find("COLOR_0") && (coded || kind != BsdfKind::kMetallicRoughness))
     scene_.unread.push_back("the colours of the vertices of " + placed.name + " are not shown");
   Mesh& outline = scene_.meshes.emplace_back();
   outline.name = placed.name, outline.material = material;

@@ -1,5 +1,6 @@
 #include "scene/gltf/gltf_primitive.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -35,6 +36,19 @@ std::vector<std::array<std::uint32_t, 3>> triangles(const std::vector<std::uint3
     all.push_back({c[i], c[i + 1 + i % 2], c[i + 2 - i % 2]});
   for (std::size_t i = 1; mode == kFan && i + 2 <= c.size(); ++i) all.push_back({c[i], c[i + 1], c[0]});
   return all;
+}
+
+// Their alpha does not count.
+std::vector<Rgb> readColors(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& attributes,
+                            std::size_t vertices) {
+  const auto index = attributes.index("COLOR_0", root.count("accessors"));
+  if (!index) return {};
+  const std::size_t numbers = root.entry("accessors", *index).text("type") == "VEC4" ? 4 : 3;
+  const std::vector<float> v = readAttribute(root, buffers, attributes, "COLOR_0", numbers, vertices);
+  std::vector<Rgb> colors(vertices);
+  const auto part = [&](std::size_t i, std::size_t k) { return std::clamp(v[numbers * i + k], 0.f, 1.f); };
+  for (std::size_t i = 0; i < vertices; ++i) colors[i] = {part(i, 0), part(i, 1), part(i, 2)};
+  return colors;
 }
 
 }  // namespace
@@ -77,6 +91,7 @@ Mesh readPrimitive(const JsonNode& root, const GltfBuffers& buffers, const JsonN
   mesh.positions = readVectors(root, buffers, attributes, "POSITION", vertices);
   mesh.normals = readVectors(root, buffers, attributes, "NORMAL", vertices);
   mesh.uvs = pairs(readAttribute(root, buffers, attributes, uvs, 2, vertices));
+  mesh.colors = readColors(root, buffers, attributes, vertices);
   mesh.triangles = triangles(corners(root, buffers, part, vertices), part.size("mode", kTriangles));
   if (mesh.triangles.empty()) throw part.error("has no triangle");
   return mesh;
