@@ -134,6 +134,27 @@ TEST(DeformingScene, LiesInTheBoxesOfBothTimes) {
                   p.y <= box.high.y && p.z <= box.high.z);
 }
 
+// A feed keeps a tree at each of two times. server/app/request counts as much for each of its triangles.
+TEST(DeformingScene, TakesNoMoreMemoryThanIsCounted) {
+  constexpr std::uint32_t kEdge = 100;
+  constexpr double kCounted = 300, kTriangles = 2 * (kEdge - 1) * (kEdge - 1);
+  Scene s = furnace(0.6f, 0);
+  Mesh& mesh = s.meshes.emplace_back();
+  mesh.name = "grid";
+  for (std::uint32_t i = 0; i < kEdge * kEdge; ++i) {
+    mesh.positions.push_back({static_cast<float>(i % kEdge), static_cast<float>(i / kEdge), 0});
+    if (i % kEdge + 1 == kEdge || i / kEdge + 1 == kEdge) continue;
+    mesh.triangles.push_back({i, i + 1, i + kEdge});
+    mesh.triangles.push_back({i + 1, i + kEdge + 1, i + kEdge});
+  }
+  mesh.positions.push_back({});  // the spare one
+  setBending(s, "grid", 0.5f, 1);
+  const auto scene = ready(std::move(s));
+  const std::size_t before = scene->bytes();
+  const PosedScene posed = posedAt(scene, 1s);
+  EXPECT_LT(static_cast<double>(scene->bytes() - before), kCounted * kTriangles);
+}
+
 // A surface keeps its place in caches of light while its mesh bends.
 TEST(DeformingScene, HasItsCachePlacesWhereItRests) {
   Scene s = movingRoom();
