@@ -32,7 +32,7 @@ void MovingView::appendSteps(const At& now, const At& before, const CameraModel&
     if (!hit.valid) continue;
     const Vec3 point = now.camera.origin + direction * hit.t;
     const auto to = now.camera.project(point),
-               from = before.camera.project(now_.carried(hit.body, point, before_));
+               from = before.camera.project(now_.carried(hit, point, before_));
     if (from.z > 0) lengths.push_back(std::hypot(to.x - from.x, to.y - from.y) * now.camera.pixel);
   }
 }

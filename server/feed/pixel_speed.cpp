@@ -9,6 +9,7 @@
 #include "render/camera/view_grid.h"
 #include "render/world/render_scene.h"
 #include "scene/camera/image_speed.h"
+#include "scene/motion/bodies.h"
 
 namespace saccade {
 namespace {
@@ -27,11 +28,15 @@ VisiblePoints gridView(const RenderScene& scene, const Camera& camera, const Cam
   return view;
 }
 
-// Of the path that lasts longest.
-FrameIndex framesOfPaths(const Trajectory& path, const FeedConfig& config, FrameIndex frames) {
+// Of the path that lasts longest, or of the forms of bodies.
+FrameIndex framesOfPaths(const Scene& scene, const Trajectory& path, const FeedConfig& config,
+                         FrameIndex frames) {
   FrameIndex most = framesToLookAt(path, config.frame_rate_hz, frames);
   for (const Trajectory& body : config.body_paths)
     most = std::max(most, framesToLookAt(body, config.frame_rate_hz, frames));
+  if (const TimeNs last = lastFormKey(scene); last > TimeNs{0})
+    most = std::max(
+        most, framesToLookAt(Trajectory(std::vector<TimedPose>{{last, {}}}), config.frame_rate_hz, frames));
   return most;
 }
 
@@ -45,7 +50,7 @@ FrameIndex framesToLookAt(const Trajectory& path, double rate_hz, FrameIndex fra
 
 PixelSpeed measurePixelSpeed(const RenderScene& scene, const Trajectory& path, const FeedConfig& config,
                              FrameIndex frames) {
-  const FrameIndex all = framesOfPaths(path, config, frames);
+  const FrameIndex all = framesOfPaths(scene.description(), path, config, frames);
   const FrameIndex instants = std::min(all, kInstants);
   const Lens lens(config.camera);
   std::optional<MovingView> bodies;

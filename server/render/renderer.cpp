@@ -78,7 +78,7 @@ SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle
       has.diffuseOnly() && !has.extras && view.now.camera.isPlain() && out.surfaces->perPixel() == 1;
   if (starts().anyOfOthers() || scene.analyticLight().groups() > 0) current_ = 1 - current_;
   shadows_.next(scene, out.surfaces->indexOf(0, out.height()));
-  starts().resize(out.surfaces->indexOf(0, out.height()), plain_only);
+  starts().resize(out.surfaces->indexOf(0, out.height()), plain_only, view.now.scene.deformed());
   moved_ = MovedBodies(view.now.scene, view.before.scene);
   changing_.emplace(view.now.scene, view.before.scene, moved_);
   sliding_.next(view.now.scene, view.before.scene);

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "base/affine.h"
 #include "base/vec.h"
-#include "scene/affine.h"
 #include "scene/files/picture.h"
 
 namespace saccade {

@@ -19,7 +19,7 @@ bool grey(const Texture& t) {
   return t.grey();
 }
 bool grey(const Mesh& m) {
-  return grey(m.radiance);
+  return grey(m.radiance) && std::all_of(m.colors.begin(), m.colors.end(), [](Rgb c) { return grey(c); });
 }
 bool grey(const Sphere& s) {
   return grey(s.radiance);

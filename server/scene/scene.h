@@ -11,6 +11,7 @@
 #include "base/vec.h"
 #include "scene/camera/pose.h"
 #include "scene/camera/trajectory.h"
+#include "scene/deformation/deformation.h"
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/strength.h"
@@ -18,21 +19,29 @@
 
 namespace saccade {
 
-inline constexpr int kStands = -1;  // instead of the number of a body
+inline constexpr int kStands = -1;     // instead of the number of a body
+inline constexpr int kKeepsForm = -1;  // instead of the number of a deformation
 
 // Embree reads `positions` in place, and may read one entry beyond the last: there is a spare one.
 struct Mesh {
   std::string name;  // its id; without one, that of the file without folder and extension, or its type
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  // per vertex, unit; empty: flat
-  std::vector<Vec2> uvs;      // per vertex; empty: none
+  std::vector<Vec3> normals;     // per vertex, unit; empty: flat
+  std::vector<Vec2> uvs;         // per vertex; empty: none
+  std::vector<Rgb> colors = {};  // per vertex: factors in [0, 1] of the base colour of metallic-roughness
   std::vector<std::array<std::uint32_t, 3>> triangles;
   int material = 0;
   Rgb radiance;             // emitted on the side of the geometric normal (counter-clockwise front); 0: none
   Strength strength = {};   // of radiance, over time
   std::string unread = {};  // a sentence on what its file says and the picture does not show; empty: nothing
   int body = kStands;       // of Scene::bodies
+  int deformation = kKeepsForm;  // of Scene::deformations: how it changes as part of a body
 };
+
+// Whether a mesh changes its form.
+inline bool deforms(const Mesh& mesh) {
+  return mesh.body != kStands && mesh.deformation != kKeepsForm;
+}
 
 struct Sphere {
   std::string name;  // its id; without one "sphere"
@@ -49,11 +58,11 @@ inline bool emits(const auto& shape) {
   return luminance(shape.radiance) > 0;
 }
 
-// Shapes that move together, and keep their form. Its pose at a time is where its centre lies, and how it has
-// turned about it. In the scene file's own place it has the pose {centre, no rotation}.
+// Shapes that move together. Its pose at a time is where its centre lies, and how it has turned about it. In
+// the scene file's own place it has the pose {centre, no rotation}. Meshes that deform do so in that place.
 struct Body {
   std::string name;  // of its shapes
-  Vec3 low, high;    // corners of the box around them in the scene file
+  Vec3 low, high;    // corners of the box around them in the scene file, as they are at stream time 0
 
   Vec3 centre() const { return (low + high) * 0.5f; }
 };
@@ -82,7 +91,9 @@ struct Scene {
   std::vector<PointLight> point_lights = {};
   std::vector<SpotLight> spot_lights = {};
   std::vector<DirectionalLight> directional_lights = {};
-  std::vector<Body> bodies = {};        // what may move; all other shapes stand
+  std::vector<Body> bodies = {};  // what may move; all other shapes stand
+  std::vector<Deformation> deformations = {};
+  std::vector<MovingNode> nodes = {};   // that deformations follow
   std::vector<OwnMotion> motions = {};  // sorted by name
   std::vector<ScenePath> paths = {};    // of the cameras of its file
   Vec3d origin = {};                    // of its axes, in the world

@@ -8,6 +8,7 @@ namespace {
 void add(ContentHash& h, const SurfaceColor& c) {
   h.add(static_cast<int>(c.kind)), h.add(c.color0), h.add(c.color1), h.add(c.texture), h.add(c.uv_scale),
       h.add(c.uv_offset);
+  if (c.uv_cross.x != 0 || c.uv_cross.y != 0) h.add(c.uv_cross);
 }
 
 void add(ContentHash& h, const BsdfModel& m) {
@@ -30,6 +31,8 @@ void add(ContentHash& h, const Material& m) {
 // Samples the finest level. A texture without mips looks different from afar.
 void add(ContentHash& h, const Texture& t) {
   if (!t.mipMapped()) h.add(1);
+  if (t.wrapU() != Texture::Wrap::kRepeat) h.add(2 + static_cast<int>(t.wrapU()));
+  if (t.wrapV() != Texture::Wrap::kRepeat) h.add(4 + static_cast<int>(t.wrapV()));
   for (int i = 0; i < 4096; ++i)
     h.add(t.sample({static_cast<float>(i % 64) / 64, static_cast<float>(i / 64) / 64}, 0));
 }
@@ -39,13 +42,29 @@ void add(ContentHash& h, const Environment& e) {
       h.add(e.picture.pixels);
 }
 
+void add(ContentHash& h, const KeyTrack& track) {
+  h.add(static_cast<int>(track.interpolation)), h.add(track.times), h.add(track.values);
+}
+
+void add(ContentHash& h, const Deformation& d) {
+  h.add(d.positions), h.add(d.normals), h.add(d.influences), h.add(d.weights), h.add(d.period.count());
+  add(h, d.weight_keys);
+  for (const MorphTarget& target : d.targets) h.add(target.positions), h.add(target.normals);
+  for (const Joint& joint : d.joints) h.add(joint.node ? *joint.node + 1 : 0), h.add(joint.from_mesh);
+}
+
+void add(ContentHash& h, const MovingNode& node) {
+  h.add(node.parent ? *node.parent + 1 : 0), h.add(node.rest.affine());
+  for (const NodeTrack& track : node.tracks) h.add(static_cast<int>(track.property)), add(h, track.keys);
+}
+
 }  // namespace
 
 std::uint64_t hashScene(const Scene& scene) {
   ContentHash h;
   for (const Mesh& m : scene.meshes)
     h.add(m.positions), h.add(m.normals), h.add(m.uvs), h.add(m.triangles), h.add(m.material),
-        h.add(m.radiance);
+        h.add(m.radiance), h.add(m.colors);
   for (const Sphere& s : scene.spheres)
     h.add(s.center), h.add(s.radius), h.add(s.material), h.add(s.radiance);
   for (const Material& m : scene.materials) add(h, m);
@@ -59,6 +78,10 @@ std::uint64_t hashScene(const Scene& scene) {
   if (scene.bodies.empty()) return h.value;
   for (const Mesh& m : scene.meshes) h.add(m.body);
   for (const Sphere& s : scene.spheres) h.add(s.body);
+  if (scene.deformations.empty()) return h.value;
+  for (const Mesh& m : scene.meshes) h.add(m.deformation);
+  for (const Deformation& d : scene.deformations) add(h, d);
+  for (const MovingNode& node : scene.nodes) add(h, node);
   return h.value;
 }
 

@@ -13,10 +13,20 @@ std::size_t bytesOf(const std::vector<T>& values) {
   return values.size() * sizeof(T);
 }
 
+// Without the meshes that deform.
+std::size_t bytesOfDeformations(const Scene& scene) {
+  std::size_t bytes = 0;
+  for (const Deformation& deformation : scene.deformations) bytes += saccade::bytesOf(deformation);
+  for (const MovingNode& node : scene.nodes)
+    for (const NodeTrack& track : node.tracks)
+      bytes += bytesOf(track.keys.times) + bytesOf(track.keys.values);
+  return bytes;
+}
+
 void addMesh(const Mesh& mesh, SceneStats& stats) {
   stats.triangles += mesh.triangles.size();
-  stats.geometry_bytes +=
-      bytesOf(mesh.positions) + bytesOf(mesh.normals) + bytesOf(mesh.uvs) + bytesOf(mesh.triangles);
+  stats.geometry_bytes += bytesOf(mesh.positions) + bytesOf(mesh.normals) + bytesOf(mesh.uvs) +
+                          bytesOf(mesh.colors) + bytesOf(mesh.triangles);
   if (mesh.radiance != Rgb{}) ++stats.area_lights;
 }
 
@@ -47,6 +57,7 @@ SceneStats statsOf(const Scene& scene) {
   stats.meshes = scene.meshes.size(), stats.spheres = scene.spheres.size();
   stats.geometry_bytes = bytesOf(scene.spheres);
   for (const Mesh& mesh : scene.meshes) addMesh(mesh, stats);
+  stats.geometry_bytes += bytesOfDeformations(scene);
   for (const Sphere& sphere : scene.spheres) stats.area_lights += sphere.radiance != Rgb{};
   for (const Material& material : scene.materials) addMaterial(material, stats);
   stats.environments = scene.environment.has_value();

@@ -33,13 +33,23 @@ float wrap(float u) {
   return f >= 0 && f < 1 ? f : 0;
 }
 
-// The two pixels around a coordinate, repeating, and the weight of the second.
+// The two pixels around a coordinate, and the weight of the second.
 struct Taps {
   int i0, i1;
   float w1;
 };
 
-Taps tapsAt(float u, int count) {
+// Where the picture is mirrored, or its edge goes on, no tap crosses an edge.
+Taps tapsWithin(float u, int count, Texture::Wrap kind) {
+  const float period = 2 * wrap(u / 2), mirrored = period > 1 ? 2 - period : period;
+  const float within = kind == Texture::Wrap::kMirror ? mirrored : u > 0 ? std::min(u, 1.f) : 0;
+  const float x = within * static_cast<float>(count) - 0.5f;
+  const int i = static_cast<int>(std::floor(x));
+  return {std::max(i, 0), std::min(i + 1, count - 1), x - static_cast<float>(i)};
+}
+
+Taps tapsAt(float u, int count, Texture::Wrap kind) {
+  if (kind != Texture::Wrap::kRepeat) return tapsWithin(u, count, kind);
   const float x = wrap(u) * static_cast<float>(count) - 0.5f;
   const int i = static_cast<int>(std::floor(x));
   return {i < 0 ? count - 1 : i, i + 1 >= count ? 0 : i + 1, x - static_cast<float>(i)};
@@ -80,8 +90,8 @@ Texture::Level Texture::halve(const Level& fine) {
   return coarse;
 }
 
-Rgb Texture::bilinear(const Level& level, Vec2 uv) {
-  const Taps x = tapsAt(uv.x, level.width), y = tapsAt(1 - uv.y, level.height);
+Rgb Texture::bilinear(const Level& level, Vec2 uv) const {
+  const Taps x = tapsAt(uv.x, level.width, wrap_u_), y = tapsAt(1 - uv.y, level.height, wrap_v_);
   const Rgb* row0 = &level.pixels[static_cast<std::size_t>(y.i0) * static_cast<std::size_t>(level.width)];
   const Rgb* row1 = &level.pixels[static_cast<std::size_t>(y.i1) * static_cast<std::size_t>(level.width)];
   return mix(mix(row0[x.i0], row0[x.i1], x.w1), mix(row1[x.i0], row1[x.i1], x.w1), y.w1);

@@ -9,11 +9,18 @@
 
 namespace saccade {
 
-// Coordinates repeat with period 1, and v = 0 is the bottom edge of the picture, as in Mitsuba and OBJ. The
-// centre of pixel i of n lies at (i + 0.5) / n. Every level has the mean of the whole picture.
+// Coordinates repeat with period 1 unless said otherwise, and v = 0 is the bottom edge of the picture, as in
+// Mitsuba and OBJ. The centre of pixel i of n lies at (i + 0.5) / n. Every level has the mean of the whole
+// picture.
 class Texture {
  public:
   Texture(int width, int height, std::vector<Rgb> linear_pixels);  // row 0 on top; builds the mip chain
+
+  // Beyond [0, 1] a picture repeats, or every second one is mirrored, or its edge goes on.
+  enum class Wrap { kRepeat, kMirror, kClamp };
+  void setWrap(Wrap u, Wrap v) { wrap_u_ = u, wrap_v_ = v; }
+  Wrap wrapU() const { return wrap_u_; }
+  Wrap wrapV() const { return wrap_v_; }
 
   int width() const { return levels_[0].width; }
   int height() const { return levels_[0].height; }
@@ -37,9 +44,10 @@ class Texture {
     std::vector<Rgb> pixels;
   };
   static Level halve(const Level& fine);
-  static Rgb bilinear(const Level& level, Vec2 uv);
+  Rgb bilinear(const Level& level, Vec2 uv) const;
 
   std::vector<Level> levels_;
+  Wrap wrap_u_ = Wrap::kRepeat, wrap_v_ = Wrap::kRepeat;
   bool grey_;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/tile_pool.h"
+#include "truth/shape_rays.h"
 
 namespace saccade {
 namespace {
@@ -14,13 +15,24 @@ struct Flow {
   float z;     // depth in the other frame
 };
 
+// Where on its body the surface is that a pixel shows. In mirrors, bodies that deform seem to keep their
+// form.
+ShapePoint placeOf(const FlowView& here, int x, int y) {
+  const std::uint32_t body = here.g.body.at(x, y) - 1;
+  if (!here.scene.bodies()->deforms(body)) return ShapePoint::ofBody(body);
+  const ShapeRay ray{static_cast<float>(x), static_cast<float>(y)};
+  Hit hit;
+  meetShapes(here.scene, here.camera, {&ray, 1}, {&hit, 1});
+  return hit.valid && hit.body == body ? hit : ShapePoint::ofBody(body);
+}
+
 // From the camera here to a point that a pixel shows, plus this: from the camera there to the same point of
 // its body.
 Vec3 stepOf(const FlowView& here, const FlowView& there, int x, int y, Vec3 from_here) {
   const Vec3 of_camera = here.camera.origin - there.camera.origin;
   if (!here.scene.bodies() || here.g.body.at(x, y) == 0) return of_camera;
   const Vec3 point = here.camera.origin + from_here;
-  return here.scene.carried(here.g.body.at(x, y) - 1, point, there.scene) - point + of_camera;
+  return here.scene.carried(placeOf(here, x, y), point, there.scene) - point + of_camera;
 }
 
 // The camera that stands gives exactly 0, because both projections use the same formula.

@@ -40,7 +40,7 @@ TEST(StreamCost, CountsWhatAMovingFeedAdds) {
 TEST(StreamCost, CountsLampsInBothFramesAndTheScenesOwnPaths) {
   ResolvedStream stream = withObjects(2);
   const double before = bytesOf(stream);
-  stream.lamp_bytes = 3e6;
+  stream.shape_bytes = 3e6;
   EXPECT_NEAR(bytesOf(stream) - before, 2 * 3e6, 1);
   stream.objects[1].own_poses = 10'000;
   EXPECT_NEAR(bytesOf(stream) - before, 2 * 3e6 + 10'000 * 250, 1);

@@ -32,6 +32,26 @@ const std::string kScene = std::string(
 "animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"rotation"}}],"samplers":[{"input":3,"output":4,"interpolation":"LINEAR"}]}],
 )") + kBuffer + "}";
 
+// A triangle with a skin of one joint and a morph target, both of which move.
+const std::string kForms =
+    R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0,"skin":0,"weights":[0.5]},{"name":"j"}],
+"skins":[{"joints":[1],"inverseBindMatrices":3}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2},"targets":[{"POSITION":0}]}]}],
+"animations":[{"name":"A","channels":[{"sampler":0,"target":{"node":1,"path":"rotation"}},
+{"sampler":1,"target":{"node":0,"path":"weights"}}],"samplers":[{"input":4,"output":5},{"input":4,"output":6}]}],
+"buffers":[{"byteLength":208,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAAAAAACAPwAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAACAPw=="}],
+"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},
+{"buffer":0,"byteOffset":36,"byteLength":12},
+{"buffer":0,"byteOffset":48,"byteLength":48},
+{"buffer":0,"byteOffset":96,"byteLength":64},
+{"buffer":0,"byteOffset":160,"byteLength":8},
+{"buffer":0,"byteOffset":168,"byteLength":32},
+{"buffer":0,"byteOffset":200,"byteLength":8}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+{"bufferView":1,"componentType":5121,"count":3,"type":"VEC4"},{"bufferView":2,"componentType":5126,"count":3,"type":"VEC4"},
+{"bufferView":3,"componentType":5126,"count":1,"type":"MAT4"},{"bufferView":4,"componentType":5126,"count":2,"type":"SCALAR"},
+{"bufferView":5,"componentType":5126,"count":2,"type":"VEC4"},{"bufferView":6,"componentType":5126,"count":2,"type":"SCALAR"}]})";
+
 std::string word(std::size_t n) {
   const auto v = static_cast<std::uint32_t>(n);
   return {reinterpret_cast<const char*>(&v), sizeof v};
@@ -64,9 +84,12 @@ bool read(std::string_view bytes) {
 }  // namespace
 
 const FuzzTarget& fuzzTarget() {
-  static const FuzzTarget target{{kScene, binary()},
+  static const FuzzTarget target{{kScene, kForms, binary()},
                                  {"\"mode\":6",
                                   "\"skin\":0",
+                                  "\"targets\":[{\"POSITION\":0}]",
+                                  "\"type\":\"MAT4\"",
+                                  "\"weights\":[1]",
                                   "\"children\":[0]",
                                   "\"count\":1000000000",
                                   "\"byteStride\":1",

@@ -83,6 +83,17 @@ TEST(GltfMaterial, TurnsTextureCoordinatesUpsideDown) {
   EXPECT_FLOAT_EQ(v * c.uv_scale.y + c.uv_offset.y, 1 - (0.25f + 4 * v));
 }
 
+// Coordinates turn counter-clockwise in the picture, whose v goes down, so a quarter takes u to -v. The
+// exporter of Blender does so, too.
+TEST(GltfMaterial, TurnsTextures) {
+  const Scene scene = loadMaterial(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,
+    "extensions":{"KHR_texture_transform":{"scale":[2,4],"rotation":1.5707963267948966}}}}})");
+  const SurfaceColor& c = scene.materials.at(0).reflectance;
+  const float u = 0.3f, v = 0.1f;
+  EXPECT_NEAR(u * c.uv_scale.x + v * c.uv_cross.x + c.uv_offset.x, 4 * v, 1e-6f);
+  EXPECT_NEAR(v * c.uv_scale.y + u * c.uv_cross.y + c.uv_offset.y, 1 + 2 * u, 1e-6f);
+}
+
 TEST(GltfMaterial, OfModeMaskIsCutAtTheThreshold) {
   const std::string base = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":2}})";
   const Scene cut = loadMaterial(R"({"alphaMode":"MASK","alphaCutoff":0.6,)" + base + "}");

@@ -170,5 +170,17 @@ TEST(GltfFile, HoldsItsBuffersItself) {
                  "ends within a part of the .glb");
 }
 
+// Whole numbers are shares, and alpha does not count.
+TEST(GltfMesh, HasTheColoursOfItsVertices) {
+  const Scratch files;
+  GltfArrays arrays = test::triangle();
+  arrays.whole<std::uint8_t>({255, 0, 51, 9, 0, 255, 0, 9, 0, 0, 255, 9}, 5121, "VEC4",
+                             R"(,"normalized":true)");
+  const Scene scene = test::loadGltfOf(
+      files, arrays,
+      {R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1}}]}])", test::kTriangleNode});
+  EXPECT_EQ(scene.meshes.at(0).colors, (std::vector<Rgb>{{1, 0, 0.2f}, {0, 1, 0}, {0, 0, 1}}));
+}
+
 }  // namespace
 }  // namespace saccade

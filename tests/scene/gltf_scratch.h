@@ -47,6 +47,7 @@ class GltfArrays {
 
  private:
   static std::size_t numbersOf(const std::string& type) {
+    if (type == "MAT4") return 16;
     return type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
   }
   template <class T>

@@ -260,5 +260,36 @@ TEST(MitsubaMaterial, MetallicRoughnessHasItsDefaults) {
                   "within [0, 1]");
 }
 
+const std::string kBright = "<bsdf type='diffuse'><rgb name='reflectance' value='0.8'/></bsdf>",
+                  kDark = "<bsdf type='diffuse'><rgb name='reflectance' value='0.4'/></bsdf>",
+                  kMetal = "<bsdf type='conductor'/>";
+
+std::string blend(const std::string& weight, const std::string& parts) {
+  return "<bsdf type='blendbsdf'><float name='weight' value='" + weight + "'/>" + parts + "</bsdf>";
+}
+
+TEST(MitsubaMaterial, ABlendOfDiffuseSurfacesHasTheirMean) {
+  EXPECT_FLOAT_EQ(material(blend("0.25", kBright + kDark)).reflectance.color0.x, 0.7f);
+  EXPECT_FLOAT_EQ(material("<bsdf type='mixturebsdf'><string name='weights' value='0.5, 0.25'/>" + kBright +
+                           kDark + "</bsdf>")
+                      .reflectance.color0.y,
+                  0.5f);
+  EXPECT_TRUE(material("<bsdf type='twosided'>" + blend("0.25", kBright + kDark) + "</bsdf>").twosided);
+}
+
+TEST(MitsubaMaterial, ABlendOfWeight1IsOneOfItsBsdfs) {
+  EXPECT_EQ(material(blend("1", kBright + kMetal)).model.kind, BsdfKind::kConductor);
+  EXPECT_EQ(material(blend("0", kBright + kMetal)).model.kind, BsdfKind::kDiffuse);
+}
+
+TEST(MitsubaMaterial, OtherBlendsAreRefused) {
+  expectBsdfError(blend("0.5", kBright + kMetal), "are blended with weights of 0 and 1 alone");
+  expectBsdfError(blend("0.5", kBright), "has 1 bsdfs for 2 weights");
+  expectBsdfError(blend("1.5", kBright + kDark), "must be at least 0, and their sum at most 1");
+  expectBsdfError(blend("0.5", kBright + blend("0.5", kBright + kDark)), "a blend within a blend");
+  expectBsdfError(blend("0.5", kBright + "<bsdf type='twosided'>" + kDark + "</bsdf>"),
+                  "two sides all or none");
+}
+
 }  // namespace
 }  // namespace saccade

@@ -56,6 +56,19 @@ TEST(Texture, PixelCentresGiveThePixelsWithTheFirstRowOnTop) {
   EXPECT_FLOAT_EQ(t.sample({0.75f, 0.25f}, 0).x, 3);
 }
 
+// The row on top is 0 1, and then 1 0, or 1 1.
+TEST(Texture, IsMirroredOrGoesOnBeyondItsEdges) {
+  using Wrap = Texture::Wrap;
+  Texture t = fourPixels();
+  t.setWrap(Wrap::kMirror, Wrap::kRepeat);
+  for (const auto& [u, value] : {std::pair{0.f, 0.f}, {1.f, 1.f}, {1.25f, 1.f}, {1.75f, 0.f}, {-0.75f, 1.f}})
+    EXPECT_FLOAT_EQ(t.sample({u, 0.75f}, 0).x, value) << u;
+  t.setWrap(Wrap::kClamp, Wrap::kClamp);
+  for (const auto& [u, value] : {std::pair{-7.f, 0.f}, {0.f, 0.f}, {0.5f, 0.5f}, {1.f, 1.f}, {9.f, 1.f}})
+    EXPECT_FLOAT_EQ(t.sample({u, 4}, 0).x, value) << u;
+  EXPECT_FLOAT_EQ(t.sample({NAN, 4}, 0).x, 0);
+}
+
 TEST(Texture, IsBilinearBetweenThem) {
   const Texture t = fourPixels();
   EXPECT_FLOAT_EQ(t.sample({0.375f, 0.75f}, 0).x, 0.25f);

@@ -1,5 +1,6 @@
 // Optical flow against closed forms of rotation, translation and occlusion.
 #include "feed/room.h"
+#include "render/deforming_shapes.h"
 #include "scene/motion/bodies.h"
 #include "truth/truth_run.h"
 
@@ -104,6 +105,35 @@ TEST(TruthFlow, OfABodyIsThatOfItsMotionAndOfTheWallNothing) {
       EXPECT_EQ(forward.at(2, x, 5), covered ? 0 : 1) << x;
     }
   }
+}
+
+// A wall z = 4 + w s x bends from w = 0 to 1. A ray (d, e, 1) meets it at x = z d. There the wall is at
+// 4 + v s x at the other time.
+TEST(TruthFlow, OfAWallThatBendsFollowsItsPoints) {
+  Scene s;
+  s.materials = {test::grey(0.5f)};
+  s.meshes = {test::quad({-9, -9, 4}, {0, 18, 0}, {18, 0, 0}, 0)};
+  s.meshes[0].name = "wall";
+  constexpr float kSlope = 0.2f;
+  test::setBending(s, "wall", kSlope, 0.01f);
+  const Trajectory path({{TimeNs(0), {toDouble(s.bodies[0].centre()), {}}}});
+  TruthRun run(s, steps({}, {}), kW, kH, kLens.fov_x_deg, {path});
+  const FeedInterval interval = run.step();
+  const Planes forward = run.planesOf(run.source("flow_forward")->sample(interval).front());
+  const Planes backward = run.planesOf(run.source("flow_backward")->sample(interval).front());
+  const auto flow = [&](int x, int y, double here, double there) {
+    const Vec3d d = kLens.direction(x, y);
+    const double z = 4 / (1 - here * kSlope * d.x);
+    const Vec3d at{d.x * z, d.y * z, 4 + there * kSlope * d.x * z};
+    return std::pair(kLens.columnOf(at) - x, kLens.rowOf(at) - y);
+  };
+  for (int y = 0; y < kH; ++y)
+    for (int x = 0; x < kW; ++x) {
+      EXPECT_NEAR(forward.at(0, x, y), flow(x, y, 0, 1).first, 1e-3);
+      EXPECT_NEAR(forward.at(1, x, y), flow(x, y, 0, 1).second, 1e-3);
+      EXPECT_NEAR(backward.at(0, x, y), flow(x, y, 1, 0).first, 1e-3);
+      EXPECT_NEAR(backward.at(1, x, y), flow(x, y, 1, 0).second, 1e-3);
+    }
 }
 
 float sampled(const Planes& planes, int plane, float x, float y) {

@@ -89,13 +89,14 @@ double ownPathBytes(const ResolvedStream& stream) {
   return keys * kKeyBytes;
 }
 
-// Of objects that move: the number of the one that a pixel shows, their places and lamps, each in two frames.
+// Of objects that move: the number of the one that a pixel shows, their places, lamps and deformed shapes,
+// each in two frames.
 double objectBytes(const FeedConfig& feed, const ResolvedStream& stream) {
   constexpr double kFrames = 2, kObjectBytes = 16 << 10;  // of a place
   const double objects = static_cast<double>(stream.objects.size());
   if (objects == 0) return 0;
   return kFrames *
-             (pixelsWithBorder(feed) * sizeof(std::uint32_t) + kObjectBytes * objects + stream.lamp_bytes) +
+             (pixelsWithBorder(feed) * sizeof(std::uint32_t) + kObjectBytes * objects + stream.shape_bytes) +
          ownPathBytes(stream);
 }
 

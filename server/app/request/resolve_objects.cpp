@@ -110,6 +110,20 @@ double lampBytes(const Scene& scene) {
   return moves ? bytes : 0;
 }
 
+// Of the copies of bodies that deform, with their trees, that a feed keeps at one time.
+double deformedBytes(const Scene& scene) {
+  constexpr double kTriangleBytes = 300, kVertexBytes = 32;
+  std::vector<char> bodies(scene.bodies.size());
+  for (const Mesh& mesh : scene.meshes)
+    if (deforms(mesh)) bodies[static_cast<std::size_t>(mesh.body)] = true;
+  double bytes = 0;
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.body != kStands && bodies[static_cast<std::size_t>(mesh.body)])
+      bytes += kTriangleBytes * static_cast<double>(mesh.triangles.size()) +
+               kVertexBytes * static_cast<double>(mesh.positions.size());
+  return bytes;
+}
+
 bool mayMove(const v1::ObjectMotion& object, const v1::OpenStream& request) {
   return !object.path().has_still() || request.timing().steerable();
 }
@@ -162,6 +176,13 @@ std::vector<std::string> bodyNames(const v1::OpenStream& request) {
   return names;
 }
 
+std::vector<std::string> rigidNames(const v1::OpenStream& request) {
+  std::vector<std::string> names;
+  for (const v1::ObjectMotion& object : request.objects())
+    if (mayMove(object, request) && object.path().has_still()) names.push_back(object.name());
+  return names;
+}
+
 void setBodyPaths(const Scene& scene, ResolvedStream& stream) {
   std::vector<Trajectory> paths;
   for (std::size_t i = 0; i < stream.objects.size(); ++i) {
@@ -171,7 +192,7 @@ void setBodyPaths(const Scene& scene, ResolvedStream& stream) {
     paths.push_back(given ? *given : pathOf(object, scene, scene.bodies.at(paths.size())));
   }
   SACCADE_CHECK(scene.bodies.size() == paths.size());
-  stream.lamp_bytes = lampBytes(scene);
+  stream.shape_bytes = lampBytes(scene) + deformedBytes(scene);
   for (FeedConfig& feed : stream.further) feed.body_paths = paths;
   stream.feed.body_paths = std::move(paths);
 }

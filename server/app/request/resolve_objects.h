@@ -22,7 +22,10 @@ void fitObjects(const Scene& scene, ResolvedStream& stream);
 // Of the objects that may move, in order: the bodies of the stream.
 std::vector<std::string> bodyNames(const v1::OpenStream& request);
 
-// Gives the feeds the paths of the bodies of `scene`, and counts what the lamps among them take.
+// Those of them that stand until they are steered: they keep their form.
+std::vector<std::string> rigidNames(const v1::OpenStream& request);
+
+// Gives the feeds the paths of the bodies of `scene`, and counts what their lamps and forms take.
 void setBodyPaths(const Scene& scene, ResolvedStream& stream);
 
 }  // namespace saccade

@@ -33,7 +33,7 @@ struct ResolvedStream {
   std::optional<Trajectory> given_path = {};       // of keyframes and csv; other paths need the scene
   std::optional<std::int64_t> path_begin_ns = {};  // of csv: the time that its text gives the first pose
   std::vector<ResolvedObject> objects = {};        // in the order of request.objects: by name
-  double lamp_bytes = 0;                           // of the lamps of a feed at one time, where some move
+  double shape_bytes = 0;                          // of shapes that a feed keeps for itself at one time
   SceneFeatures disabled_features = {};
   bool chooses_method = false;  // the request, or its budget; otherwise fitTo() may take another one
   std::optional<v1::ExpectedQuality> expected = {};       // of a request with a budget

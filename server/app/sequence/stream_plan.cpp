@@ -43,7 +43,8 @@ void loadScenes(StreamPlan& plan, SceneCache& scenes, const BuildContext& contex
   const std::string& name = resolved.request.scene();
   plan.whole = scenes.get(name, context.stop, context.setProgress);
   fitTo(plan.whole->description(), resolved);
-  const SceneVariant variant{resolved.disabled_features, bodyNames(resolved.request)};
+  const SceneVariant variant{resolved.disabled_features, bodyNames(resolved.request),
+                             rigidNames(resolved.request)};
   plan.scene = scenes.vary(name, plan.whole, variant, context.stop);
   setBodyPaths(plan.scene->description(), resolved);
 }

@@ -37,6 +37,7 @@ SceneCache::ScenePtr SceneCache::vary(const std::string& name, const ScenePtr& w
   return getOrBuild({name, variant}, {{}, whole}, stop, [=, this](const BuildContext&) {
     Scene scene = whole->description();
     setBodies(scene, variant.bodies);
+    keepForms(scene, variant.rigid);
     return prepare(name, simplified(std::move(scene), variant.disabled));
   });
 }

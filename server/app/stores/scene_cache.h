@@ -46,6 +46,7 @@ struct SceneUse {
 struct SceneVariant {
   SceneFeatures disabled = {};
   std::vector<std::string> bodies = {};  // names of shapes, sorted
+  std::vector<std::string> rigid = {};   // those of them that keep their form
 
   bool isWhole() const { return disabled.empty() && bodies.empty(); }
   friend auto operator<=>(const SceneVariant&, const SceneVariant&) = default;

@@ -17,9 +17,9 @@ struct PixelContext {
   // Of a picture without a frame before it.
   explicit PixelContext(const PosedView& now) : PixelContext(now, now) {}
 
-  // Where a point of a surface was in the frame before. `body`: Hit::body.
-  Vec3 pointBefore(std::uint32_t body, Vec3 point) const {
-    return now.scene.carried(body, point, before.scene);
+  // Where a point of a shape was in the frame before.
+  Vec3 pointBefore(const ShapePoint& on, Vec3 point) const {
+    return now.scene.carried(on, point, before.scene);
   }
 
   PosedView now, before;  // of the frame, and of the one before it

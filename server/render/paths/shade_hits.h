@@ -41,8 +41,7 @@ std::array<Floats<W>, C> reflectances(const Batch<C>& b, const RayPacket<W>& pac
     const ShapeRow& row = b.t.scene.still().shapeRows()[packet.geometry[i]];
     if (!row.twosided && !front.has(i)) return;
     setLane(reflectance, i,
-            Color<C>(row.textured ? textureColor(b.t.scene.still().description(), packet.hit(i), s.cosine[i],
-                                                 footprint[i])
+            Color<C>(row.textured ? textureColor(b.t.scene, packet.hit(i), s.cosine[i], footprint[i])
                                   : row.reflectance));
   });
   return reflectance;
@@ -62,11 +61,10 @@ void shadeHitsTogether(const Batch<K.channels>& b, const RayPacket<W>& packet, L
     if (!b.t.scene.still().shapeRows()[geometry].emits) return;
     const PathState state = K.mixed ? PathState::unpack(from.state[p]) : diffuseState(b.vertex);
     if (state.in_view) return;
-    const auto [mesh, sphere] = HitShape(b.t.scene.still().description(), packet.hit(i));
     const float distance = packet.far[i] + (K.mixed ? from.distance[p] : 0);
     const Found found{
         from.slot[p],
-        {geometry, packet.hit(i).primitive, mesh ? mesh->radiance : sphere->radiance, distance, s.cosine[i]},
+        {geometry, packet.primitive[i], HitShape(b.t.scene, packet.hit(i)).radiance(), distance, s.cosine[i]},
         chooserOf<K.mixed>(from, p, laneOf(s.point, i), packet.ray(i).direction, distance)};
     addFound<C, K.split>(b.t, found, from.throughput.at(p), state.delta ? kDeltaPdf : from.pdf[p],
                          state.from_start, b.results);

@@ -130,7 +130,7 @@ std::size_t traceLayers(const PixelContext& view, std::span<const Vec2> points, 
 void writeFeatures(const PrimaryHit& primary, const Camera& camera, const Camera& prev, int x, int y,
                    GBuffer& g) {
   const Guide& guide = primary.guide;
-  if (g.hasBodies()) g.body.at(x, y) = guide.hit ? guide.body + 1 : 0;
+  if (g.hasBodies()) g.body.at(x, y) = guide.hit ? guide.on.body + 1 : 0;
   g.albedo.at(x, y) = luminance(guide.albedo);
   g.emission.at(x, y) = luminance(guide.emission);
   if (!guide.hit) return setFar(camera, prev, primary.direction, x, y, g);

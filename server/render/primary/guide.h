@@ -17,7 +17,7 @@ struct Guide {
   float t;                // along the pixel's ray
   Rgb albedo;             // of the surface, and of the mirrors and panes that show it
   Rgb emission;           // of the surface, and of the mirrors and panes that show it
-  std::uint32_t body;     // Hit::body of the surface
+  ShapePoint on;          // where on its shape the surface is
   bool hit = true;        // false: nothing is hit, and only albedo and emission are valid
   bool has_base = false;  // whether it has a diffuse base
 };

@@ -30,9 +30,9 @@ Guide followView(const PixelContext& view, const Ray& primary, const Hit& first,
   Surface s = start.surface;
   Vec3 direction = start.direction;
   RayCone cone = start.cone;
-  std::uint32_t geometry = first.geometry, body = first.body;
+  ShapePoint on = first;
   for (int depth = 0;; ++depth) {
-    g.emission = g.emission + throughput * s.radiance * scene.strengths()[geometry];
+    g.emission = g.emission + throughput * s.radiance * scene.strengths()[on.geometry];
     const Scatter<S> scatter(s, direction);
     const BsdfSample next = scatter.sample(kView, kView, kView);
     if (depth == kMaxViewDepth || !scatter.isView(next)) {
@@ -52,12 +52,12 @@ Guide followView(const PixelContext& view, const Ray& primary, const Hit& first,
     distance += hit.t;
     cone.width = cone.at(hit.t);
     s = surfaceAt<S>(scene, ray, hit, cone.width);
-    direction = next.wi, geometry = hit.geometry, body = hit.body;
+    direction = next.wi, on = hit;
   }
   g.has_base = bsdfHasBase<S.kinds>(s.bsdf);
   g.normal = s.shading_normal;
   g.plane_normal = s.geometric_normal;
-  Vec3 step = view.pointBefore(body, s.point) - s.point;
+  Vec3 step = view.pointBefore(on, s.point) - s.point;
   while (mirror_count > 0) {
     const Vec3 about = mirrors[--mirror_count];
     g.plane_normal = mirrored(g.plane_normal, about), step = mirrored(step, about);
@@ -65,7 +65,7 @@ Guide followView(const PixelContext& view, const Ray& primary, const Hit& first,
   g.t = first.t + distance / length(primary.direction);
   g.point = distance > 0 ? primary.origin + primary.direction * g.t : s.point;
   g.point_before = g.point + step;
-  g.body = body;
+  g.on = on;
   return g;
 }
 
@@ -111,13 +111,13 @@ Guide findGuide(const PixelContext& view, const Ray& ray, const Hit& hit, const 
   if constexpr (S.extras) return detail::followView<S>(view, ray, hit, start);
   const Surface& s = start.surface;
   return {s.point,
-          view.pointBefore(hit.body, s.point),
+          view.pointBefore(hit, s.point),
           s.shading_normal,
           s.geometric_normal,
           hit.t,
           Scatter<S>(s, start.direction).albedo(),
           s.radiance * view.now.scene.strengths()[hit.geometry],
-          hit.body,
+          hit,
           true,
           true};
 }

@@ -36,6 +36,7 @@ struct PrimaryBlock {
   PlainSurfaces surfaces;              // of plain lanes
   std::array<Ray, kBlockPixels> rays;  // of other lanes, and their hits
   std::array<Hit, kBlockPixels> hits;
+  std::array<ShapePoint, kBlockPixels> on;  // of plain lanes, where some body deforms
 };
 
 // Traces the rays through the centres of `pixels`, at most 4 x 4. Writes the features of plain pixels to `g`,

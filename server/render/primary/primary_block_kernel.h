@@ -54,7 +54,7 @@ struct PlainLanes {
 };
 
 template <int W>
-[[gnu::always_inline]] inline PlainLanes<W> plainLanes(const PosedScene& posed, const RayPacket<W>& packet,
+[[gnu::always_inline]] inline PlainLanes<W> plainLanes(const PosedScene& scene, const RayPacket<W>& packet,
                                                        LaneSet plain, const SurfaceLanes<W>& s,
                                                        const Floats<W>& width) {
   PlainLanes<W> lanes;
@@ -63,15 +63,12 @@ template <int W>
       selectLanes(dot(s.shading_normal, lanes.geometric_normal) < 0.f, -s.shading_normal, s.shading_normal);
   const LaneSet front = lanesOf(s.front());
   LaneVectors reflectance{}, emission{};
-  const Scene& scene = posed.still().description();
   forEachLane(plain, [&](int i) {
     const std::uint32_t geometry = packet.geometry[i];
-    const ShapeRow& row = posed.still().shapeRows()[geometry];
+    const ShapeRow& row = scene.still().shapeRows()[geometry];
     const bool seen_front = front.has(i);
-    if (row.emits && seen_front) {
-      const auto [mesh, sphere] = HitShape(scene, packet.hit(i));
-      emission.set(i, (mesh ? mesh->radiance : sphere->radiance) * posed.strengths()[geometry]);
-    }
+    if (row.emits && seen_front)
+      emission.set(i, HitShape(scene, packet.hit(i)).radiance() * scene.strengths()[geometry]);
     if (!row.twosided && !seen_front) return;
     reflectance.set(
         i, row.textured ? textureColor(scene, packet.hit(i), s.cosine[i], width[i]) : row.reflectance);
@@ -141,7 +138,7 @@ template <int W>
   Vec3T<F> before = s.point;
   if (view.now.scene.bodies())
     forEachLane(plain, [&](int i) {
-      setLane(before, i, view.pointBefore(packet.instance[i], laneOf(s.point, i)));
+      setLane(before, i, view.pointBefore(packet.on(i), laneOf(s.point, i)));
       const int lane = part.first + i;
       g.body.at(part.pixels.x0 + lane % kBlockEdge, part.pixels.y0 + lane / kBlockEdge) =
           packet.instance[i] + 1;
@@ -169,7 +166,10 @@ void tracePrimaryBlock(const PixelContext& view, Tile pixels, GBuffer& g, Primar
       out.hits[static_cast<std::size_t>(first + i)] = packet.hit(i);
     });
     out.plain.bits |= plain.bits << first, out.others.bits |= others.bits << first;
-    if (plain.any()) shadePlain<W>(view, part, direction, packet, plain, g, out.surfaces);
+    if (!plain.any()) continue;
+    shadePlain<W>(view, part, direction, packet, plain, g, out.surfaces);
+    if (view.now.scene.deformed())
+      forEachLane(plain, [&](int i) { out.on[static_cast<std::size_t>(first + i)] = packet.on(i); });
   }
 }
 

@@ -7,12 +7,12 @@
 namespace saccade {
 
 struct RayBlock {
-  int count = 0;                                   // of rays, in the first lanes
-  std::array<Ray, kBlockPixels> rays;              // their directions have length 1 along the viewing axis
-  LaneSet plain, others;                           // lanes
-  PlainSurfaces surfaces;                          // of plain lanes
-  std::array<std::uint32_t, kBlockPixels> bodies;  // of plain lanes: Hit::body
-  std::array<Hit, kBlockPixels> hits;              // of other lanes
+  int count = 0;                            // of rays, in the first lanes
+  std::array<Ray, kBlockPixels> rays;       // their directions have length 1 along the viewing axis
+  LaneSet plain, others;                    // lanes
+  PlainSurfaces surfaces;                   // of plain lanes
+  std::array<ShapePoint, kBlockPixels> on;  // of plain lanes
+  std::array<Hit, kBlockPixels> hits;       // of other lanes
 };
 
 // Traces the rays of a block. `lens`: any of the rays' cameras, which share one lens. Where that is distorted

@@ -22,7 +22,7 @@ template <int W>
   const Floats<W> width = pixel * load<W>(packet.far);
   const PlainLanes<W> surface = plainLanes<W>(scene, packet, plain, s, width);
   storeLanes<W>(s, surface, luminance<Floats<W>>(surface.reflectance), width, first, block.surfaces);
-  forEachLane(plain, [&](int i) { block.bodies[static_cast<std::size_t>(first + i)] = packet.instance[i]; });
+  forEachLane(plain, [&](int i) { block.on[static_cast<std::size_t>(first + i)] = packet.on(i); });
 }
 
 template <int W>

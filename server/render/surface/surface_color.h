@@ -27,8 +27,10 @@ inline float filteredSquareWave(float x, float w) {
 
 inline Rgb lookUp(const Scene& scene, const SurfaceColor& c, TexturePoint p) {
   if (c.kind == SurfaceColor::Kind::kConstant) return c.color0;
-  const Vec2 st{p.uv.x * c.uv_scale.x + c.uv_offset.x, p.uv.y * c.uv_scale.y + c.uv_offset.y};
-  const float width = p.footprint * std::sqrt(std::abs(c.uv_scale.x * c.uv_scale.y));
+  const Vec2 st{p.uv.x * c.uv_scale.x + p.uv.y * c.uv_cross.x + c.uv_offset.x,
+                p.uv.y * c.uv_scale.y + p.uv.x * c.uv_cross.y + c.uv_offset.y};
+  const float width =
+      p.footprint * std::sqrt(std::abs(c.uv_scale.x * c.uv_scale.y - c.uv_cross.x * c.uv_cross.y));
   if (c.kind == SurfaceColor::Kind::kBitmap) return scene.textures[c.texture].sample(st, width);
   // In Mitsuba's checkerboard, color0 fills the squares where both coordinates lie in the same half of their
   // period.

@@ -49,14 +49,16 @@ void PointSampler::lookAs(const PointView& view, std::span<const PixelMoment> as
       const PosedView own{view.scene, cameraOf(i)};
       shadePrimary<S>(PixelContext(own), block.rays[i], block.hits[i], hit_);
       point.emission = luminance(hit_.guide.emission);
+      if (!hit_.valid) return;
+      point.emission += luminance(mirrorImage<S>(view.scene, hit_.start));
       const float albedo = luminance(hit_.guide.albedo);
-      if (!hit_.valid || albedo <= 0) return;
+      if (albedo <= 0) return;
       point.albedo = albedo;
       SurfaceStart& start = others_[first + i];
       setStart<S>(hit_.start, albedo, start);
       point.kind = setPlace(own, hit_, start, point.place);
       if (point.kind != SurfaceKind::kNone && view.motion)
-        setMotion(view.scene, *view.motion, hit_.guide.body, seenPoint(hit_.start), point.light_moves,
+        setMotion(view.scene, *view.motion, hit_.guide.on, seenPoint(hit_.start), point.light_moves,
                   point.place);
     });
   }
@@ -75,7 +77,7 @@ void PointSampler::lookPlain(const PointView& view, std::size_t first, std::span
     if (point.albedo <= 0) return;
     point.kind = setPlace(s, lane, white.at(lane), point.place);
     if (point.kind != SurfaceKind::kNone && view.motion)
-      setMotion(view.scene, *view.motion, block.bodies[static_cast<std::size_t>(lane)], seenPoint(s, lane),
+      setMotion(view.scene, *view.motion, block.on[static_cast<std::size_t>(lane)], seenPoint(s, lane),
                 point.light_moves, point.place);
   });
 }

@@ -10,34 +10,34 @@ namespace saccade {
 // The starts of a frame. Those that bodies carry are put where they were in the frame before.
 class CarriedStarts {
  public:
-  CarriedStarts(const PixelContext& view, const MovedBodies& moved) : view_(view), moved_(moved) {}
+  CarriedStarts(const PixelContext& view, const MovedBodies& moved, const SurfaceStarts& starts)
+      : view_(view), moved_(moved), starts_(starts) {}
 
-  PlainStart operator()(std::uint32_t, PlainStart start) const {
+  PlainStart operator()(std::uint32_t i, PlainStart start) const {
     if (!moved_.includes(start.carrier)) return start;
-    start.point = view_.pointBefore(start.carrier, start.point);
-    for (Vec3* normal : {&start.geometric_normal, &start.shading_normal})
-      *normal = turned(start.carrier, *normal);
+    const ShapePoint on = starts_.carried(i);
+    start.point = view_.pointBefore(on, start.point);
+    for (Vec3* normal : {&start.geometric_normal, &start.shading_normal}) *normal = turned(on, *normal);
     return start;
   }
-  PathStart operator()(std::uint32_t, const SurfaceStart& start) const {
+  PathStart operator()(std::uint32_t i, const SurfaceStart& start) const {
     PathStart path = start.path;
     if (!moved_.includes(start.carrier)) return path;
+    const ShapePoint on = starts_.carried(i);
     Surface& s = path.surface;
-    s.point = view_.pointBefore(start.carrier, s.point);
-    for (Vec3* v : {&s.geometric_normal, &s.shading_normal, &path.direction}) *v = turned(start.carrier, *v);
+    s.point = view_.pointBefore(on, s.point);
+    for (Vec3* v : {&s.geometric_normal, &s.shading_normal, &path.direction}) *v = turned(on, *v);
     return path;
   }
 
  private:
-  Vec3 turned(std::uint32_t body, Vec3 v) const {
-    return motions(view_.before)[body].direction(motions(view_.now)[body].restDirection(v));
-  }
-  static std::span<const RigidMotion> motions(const PosedView& view) {
-    return view.scene.bodies()->motions();
+  Vec3 turned(const ShapePoint& on, Vec3 v) const {
+    return view_.now.scene.turned(on, v, view_.before.scene);
   }
 
   const PixelContext& view_;
   const MovedBodies& moved_;
+  const SurfaceStarts& starts_;
 };
 
 // Points whose light is not shared have pairs of paths instead, see pairs.h.
@@ -53,7 +53,7 @@ void renderReplayTile(const PixelContext& view, const MovedBodies& moved, const 
       on.replays()[i] = on.light(i);
     }
   });
-  tracePoints<S, C>(seeds, before, tile, starts, on, differs, CarriedStarts(view, moved),
+  tracePoints<S, C>(seeds, before, tile, starts, on, differs, CarriedStarts(view, moved, starts),
                     [&](std::uint32_t i, const ReflectedLight& sum) {
                       on.replays()[i] = lightOf(sum, on[i].paths, starts.base(i), starts.albedo(i));
                     });

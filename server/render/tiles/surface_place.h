@@ -60,18 +60,18 @@ inline SeenPoint seenPoint(const PathStart& start) {
   return {start.surface.point, start.surface.geometric_normal, start.surface.offset};
 }
 
-// Sets the place of a point in a scene with bodies, and whether direct light moves there. Returns the body
-// that carries the light of the point along. `body`: Hit::body.
-inline std::uint32_t setMotion(const PosedScene& scene, const FrameMotion& motion, std::uint32_t body,
-                               const SeenPoint& seen, bool& light_moves, SurfacePlace& place) {
+// Sets the place of a point in a scene with bodies, and whether direct light moves there. `on`: where on its
+// shape the point is. Returns the same, without a body where none carries the light of the point along.
+inline ShapePoint setMotion(const PosedScene& scene, const FrameMotion& motion, ShapePoint on,
+                            const SeenPoint& seen, bool& light_moves, SurfacePlace& place) {
   light_moves = motion.light.at(seen.position);
-  if (body == kNoBody) return kNoBody;
-  light_moves = light_moves || motion.moved.includes(body);
-  if (motion.sliding.at(body, seen)) return kNoBody;
+  if (on.body == kNoBody) return on;
+  light_moves = light_moves || motion.moved.includes(on.body);
+  if (motion.sliding.at(on.body, seen)) return {};
   const PosedBodies& bodies = *scene.bodies();
-  place.position = bodies.cachePlace(body, place.position);
-  place.normal = bodies.motions()[body].restDirection(place.normal);
-  return body;
+  place.position = bodies.cachePlace(on, place.position);
+  place.normal = bodies.cacheNormal(on, place.normal);
+  return on;
 }
 
 }  // namespace saccade

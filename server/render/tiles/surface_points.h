@@ -29,15 +29,14 @@ class TilePoints {
     forEachLane(block.plain, [&](int lane) {
       SurfacePoint& point = out_.surfaces->at(block.x(lane), block.y(lane)) = {};
       isPlain(block.x(lane), block.y(lane)) = true;
-      carrier(block.x(lane), block.y(lane)) = kNoBody;
+      carried(block.x(lane), block.y(lane)).body = kNoBody;
       if (s.albedo[lane] <= 0) return;
       point.share = 1;
       SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(block.x(lane), block.y(lane)));
       point.kind = setPlace(s, lane, white.at(lane), place);
       if (point.kind != SurfaceKind::kNone && view_.now.scene.bodies())
-        carrier(block.x(lane), block.y(lane)) =
-            setMotion(view_.now.scene, motion_, out_.g.body.at(block.x(lane), block.y(lane)) - 1,
-                      seenPoint(s, lane), point.light_moves, place);
+        carried(block.x(lane), block.y(lane)) = setMotion(view_.now.scene, motion_, placeOf(block, lane),
+                                                          seenPoint(s, lane), point.light_moves, place);
     });
   }
   // The one point of another pixel.
@@ -117,13 +116,13 @@ class TilePoints {
     std::array<SurfaceStart, kMaxTilePoints> others;
     std::array<PlainSurfaces, kTileBlocks * kTileBlocks> plain;
     std::array<bool, kMaxTilePoints> is_plain;
-    std::array<std::uint32_t, kMaxTilePoints> carriers;  // the bodies that carry them, or kNoBody
+    std::array<ShapePoint, kMaxTilePoints> carried;  // on the bodies that carry them; of kNoBody: on none
   };
 
   // The point that a ray has found. `share`: of the pixel's albedo.
   void setPoint(int column, int y, const PrimaryHit& hit, float share) {
     SurfacePoint& point = out_.surfaces->at(column, y) = {};
-    isPlain(column, y) = false, carrier(column, y) = kNoBody;
+    isPlain(column, y) = false, carried(column, y).body = kNoBody;
     const Guide& guide = hit.guide;
     const float albedo = luminance(guide.albedo);
     if (!hit.valid || albedo <= 0) return;
@@ -133,20 +132,27 @@ class TilePoints {
     SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(column, y));
     point.kind = setPlace(view_.now, hit, start, place);
     if (point.kind != SurfaceKind::kNone && view_.now.scene.bodies())
-      carrier(column, y) =
-          setMotion(view_.now.scene, motion_, guide.body, seenPoint(hit.start), point.light_moves, place);
+      carried(column, y) =
+          setMotion(view_.now.scene, motion_, guide.on, seenPoint(hit.start), point.light_moves, place);
+  }
+
+  // Where on its shape a plain lane is; only the body is known where none deforms.
+  ShapePoint placeOf(const PrimaryBlock& block, int lane) const {
+    if (view_.now.scene.deformed()) return block.on[static_cast<std::size_t>(lane)];
+    return ShapePoint::ofBody(out_.g.body.at(block.x(lane), block.y(lane)) - 1);
   }
 
   void keepStart(int column, int y, SurfaceStarts& starts) const {
     const std::size_t i = out_.surfaces->indexOf(column, y);
+    if (view_.now.scene.deformed()) starts.setCarried(i, carried(column, y));
     if (isPlain(column, y)) return starts.set(i, plainStart(column, y));
     SurfaceStart& start = memory_->others[indexOf(column, y)];
-    start.carrier = carrier(column, y);
+    start.carrier = carried(column, y).body;
     starts.set(i, start);
   }
   PlainStart plainStart(int x, int y) const {
     const int lane = (y - tile_.y0) % kBlockEdge * kBlockEdge + (x - tile_.x0) % kBlockEdge;
-    return {memory_->plain[blockOf(x, y)], lane, carrier(x, y)};
+    return {memory_->plain[blockOf(x, y)], lane, carried(x, y).body};
   }
 
   std::size_t blockOf(int x, int y) const {
@@ -157,7 +163,7 @@ class TilePoints {
     return static_cast<std::size_t>(((y - tile_.y0) * (tile_.x1 - tile_.x0) - tile_.x0) * per_pixel + column);
   }
   bool& isPlain(int column, int y) const { return memory_->is_plain[indexOf(column, y)]; }
-  std::uint32_t& carrier(int column, int y) const { return memory_->carriers[indexOf(column, y)]; }
+  ShapePoint& carried(int column, int y) const { return memory_->carried[indexOf(column, y)]; }
 
   const PixelContext& view_;
   const FrameMotion& motion_;

@@ -54,16 +54,21 @@ class SurfaceStarts {
   SurfaceStarts(SurfaceStarts&& other) { *this = std::move(other); }
   SurfaceStarts& operator=(SurfaceStarts&& other) {
     plain_.swap(other.plain_), others_.swap(other.others_), is_plain_.swap(other.is_plain_);
+    carried_.swap(other.carried_);
     any_ = other.any_.load(), any_of_others_ = other.any_of_others_.load();
     any_near_shadow_ = other.any_near_shadow_.load();
     return *this;
   }
-  void resize(std::size_t points, bool plain_only) {
+  // `deforms`: a body does.
+  void resize(std::size_t points, bool plain_only, bool deforms) {
+    carried_.resize(deforms ? points : 0);
     plain_.resize(points), is_plain_.resize(points), others_.resize(plain_only ? 0 : points);
     any_ = any_of_others_ = any_near_shadow_ = false;
   }
   void set(std::size_t i, const PlainStart& start) { plain_[i] = start, is_plain_[i] = true; }
   void set(std::size_t i, const SurfaceStart& start) { others_[i] = start, is_plain_[i] = false; }
+  // The place of a start on a body that deforms.
+  void setCarried(std::size_t i, const ShapePoint& on) { carried_[i] = on; }
   // Tells of a tile whether any of its starts may get paths, whether SurfacePoint::isUncacheable() is true of
   // some, and SurfacePoint::near_shadow.
   void setAny(bool paths, bool of_others, bool near_shadow) {
@@ -83,12 +88,17 @@ class SurfaceStarts {
     return isPlain(i) ? DiffuseBase{plain_[i].reflectance, true} : others_[i].base;
   }
   std::uint32_t carrier(std::size_t i) const { return isPlain(i) ? plain_[i].carrier : others_[i].carrier; }
+  // Where it is on its carrier. Of one that keeps its form only the body is set.
+  ShapePoint carried(std::size_t i) const {
+    return carried_.empty() ? ShapePoint::ofBody(carrier(i)) : carried_[i];
+  }
   float albedo(std::size_t i) const { return isPlain(i) ? plain_[i].albedo : others_[i].albedo; }
 
  private:
   std::vector<PlainStart> plain_;
   std::vector<SurfaceStart> others_;
   std::vector<char> is_plain_;
+  std::vector<ShapePoint> carried_;  // empty where no body deforms
   std::atomic<bool> any_ = false, any_of_others_ = false, any_near_shadow_ = false;
 };
 

@@ -15,7 +15,9 @@ inline Vec3 bumpedNormal(const Scene& scene, const Material& m, Vec3 n, const Te
   float step = std::max(footprint, 1e-6f);
   if (m.height.kind == SurfaceColor::Kind::kBitmap) {
     const Texture& t = scene.textures[m.height.texture];
-    const float scale = std::max(std::abs(m.height.uv_scale.x), std::abs(m.height.uv_scale.y));
+    const Vec2 direct = m.height.uv_scale, across = m.height.uv_cross;
+    const float scale =
+        std::max({std::abs(direct.x), std::abs(direct.y), std::abs(across.x), std::abs(across.y)});
     step = std::max(step, 1 / (static_cast<float>(std::max(t.width(), t.height())) * scale));
   }
   const auto [u, v] = patch.uv;
@@ -34,12 +36,16 @@ inline Vec3 bumpedNormal(const Scene& scene, const Material& m, Vec3 n, const Te
 inline Vec3 mappedNormal(const Scene& scene, const Material& m, Vec3 n, const TexturePatch& patch,
                          float footprint) {
   const Vec3 local = lookUp(scene, m.normals, {patch.uv, footprint}) * 2.f - Vec3{1, 1, 1};
-  const auto along = [&](Vec3 tangent, float scale) {
+  // The columns of the inverse of the map from (u, v) to the picture, by the sign of its determinant alone.
+  const Vec2 direct = m.normals.uv_scale, across = m.normals.uv_cross;
+  const float side = std::copysign(1.f, direct.x * direct.y - across.x * across.y);
+  const auto along = [&](float u, float v) {
+    const Vec3 tangent = patch.dp_du * (side * u) + patch.dp_dv * (side * v);
     const Vec3 flat = tangent - n * dot(n, tangent);
     const float size = length(flat);
-    return size > 0 ? flat * (std::copysign(1.f, scale) / size) : Vec3{};
+    return size > 0 ? flat * (1 / size) : Vec3{};
   };
-  const Vec3 right = along(patch.dp_du, m.normals.uv_scale.x), up = along(patch.dp_dv, m.normals.uv_scale.y);
+  const Vec3 right = along(direct.y, -across.y), up = along(-across.x, direct.x);
   const Vec3 bent = (right * local.x + up * local.y) * m.normals_scale + n * std::max(local.z, 1e-3f);
   return normalize(bent);
 }

@@ -25,10 +25,19 @@ RTCGeometry makeSphere(RTCDevice device, const Sphere& sphere) {
   return geometry;
 }
 
+bool changesForm(const Mesh& mesh) {
+  return deforms(mesh);
+}
+bool changesForm(const Sphere&) {
+  return false;
+}
+
 }  // namespace
 
-EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes, int body, std::shared_ptr<EmbreeDevice> device)
+EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes, int body, std::shared_ptr<EmbreeDevice> device,
+                         Form form)
     : EmbreeTracer(std::move(device)), shapes_(scene) {
+  if (form == Form::kChanges) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
   unsigned id = 0;
   const auto attach = [&](const auto& shape, auto make) {
     const unsigned its_id = id++;
@@ -39,6 +48,10 @@ EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes, int body, std::share
     RTCGeometry geometry = make(device_->get(), shape);
     const std::uint32_t kind = straight ? kStraightMask : kBlockingMask;
     rtcSetGeometryMask(geometry, shapes == Shapes::kAll ? kind : kBlockingMask | kStraightMask);
+    if (form == Form::kChanges && changesForm(shape)) {
+      rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
+      changing_.push_back(its_id);
+    }
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene_, geometry, its_id);
     rtcReleaseGeometry(geometry);
@@ -50,6 +63,16 @@ EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes, int body, std::share
   rtcGetSceneBounds(scene_, &b);
   const bool empty = !(b.lower_x <= b.upper_x);
   diagonal_ = empty ? 0 : length(Vec3{b.upper_x - b.lower_x, b.upper_y - b.lower_y, b.upper_z - b.lower_z});
+}
+
+// A refitted tree keeps its topology, so that it depends on the present form alone.
+void EmbreeScene::update() {
+  for (const unsigned id : changing_) {
+    RTCGeometry geometry = rtcGetGeometry(scene_, id);
+    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcCommitGeometry(geometry);
+  }
+  rtcCommitScene(scene_);
 }
 
 }  // namespace saccade

@@ -16,8 +16,14 @@ class EmbreeScene : public EmbreeTracer {
   // The shapes that stand.
   explicit EmbreeScene(const Scene& scene, Shapes shapes = Shapes::kAll)
       : EmbreeScene(scene, shapes, kStands, std::make_shared<EmbreeDevice>()) {}
-  // The shapes of a body, in the places that the scene file gives them.
-  EmbreeScene(const Scene& scene, Shapes shapes, int body, std::shared_ptr<EmbreeDevice> device);
+  // The shapes of a body, in the places that the scene file gives them. kChanges: the positions of meshes
+  // that deform may change before update().
+  enum class Form { kKept, kChanges };
+  EmbreeScene(const Scene& scene, Shapes shapes, int body, std::shared_ptr<EmbreeDevice> device,
+              Form form = Form::kKept);
+
+  // Takes milliseconds for 100,000 triangles. Not while rays are traced.
+  void update();
 
   // From a point to the nearest surface, or `reach` where none is nearer than that.
   double distance(Vec3d point, double reach) const;
@@ -29,6 +35,7 @@ class EmbreeScene : public EmbreeTracer {
   friend class EmbreeInstances;
 
   const Scene& shapes_;
+  std::vector<unsigned> changing_;  // ids of meshes that deform
   float diagonal_;
 };
 

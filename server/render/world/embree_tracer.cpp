@@ -79,10 +79,10 @@ void EmbreeTracer::intersect(const Ray& ray, Hit& hit) const {
   r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(rtcIntersect1, false, &r, scene_);
   if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
-  hit = {r.ray.tfar,      {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z},
-         r.hit.u,         r.hit.v,
-         r.hit.geomID,    r.hit.primID,
-         r.hit.instID[0], true};
+  hit = {{r.hit.instID[0], r.hit.geomID, r.hit.primID, r.hit.u, r.hit.v},
+         r.ray.tfar,
+         {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z},
+         true};
 }
 
 // Calls call(lanes as Embree wants them).

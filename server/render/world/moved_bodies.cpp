@@ -5,10 +5,11 @@ namespace {
 
 constexpr std::size_t kMostBoxes = 16;  // that each ray and each point is tested against
 
-void addMoved(const Body& body, const RigidMotion& motion, ShapeBox& box) {
+void addBody(const PosedBodies& bodies, std::size_t body, ShapeBox& box) {
+  const ShapeBox rest = bodies.box(body);
   for (int i = 0; i < 8; ++i)
-    box.add(motion.point({i & 1 ? body.high.x : body.low.x, i & 2 ? body.high.y : body.low.y,
-                          i & 4 ? body.high.z : body.low.z}));
+    box.add(bodies.motions()[body].point({i & 1 ? rest.high.x : rest.low.x, i & 2 ? rest.high.y : rest.low.y,
+                                          i & 4 ? rest.high.z : rest.low.z}));
 }
 
 // With room for what Embree rounds.
@@ -49,11 +50,10 @@ MovedBodies::MovedBodies(const PosedScene& now, const PosedScene& before) {
   if (!now.bodies()) return;
   const Scene& scene = now.still().description();
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const RigidMotion &a = now.bodies()->motions()[i], &b = before.bodies()->motions()[i];
-    moves_.push_back(a != b);
-    if (a == b) continue;
+    moves_.push_back(!now.bodies()->equals(*before.bodies(), i));
+    if (!moves_.back()) continue;
     ShapeBox& box = boxes_.emplace_back();
-    addMoved(scene.bodies[i], a, box), addMoved(scene.bodies[i], b, box);
+    addBody(*now.bodies(), i, box), addBody(*before.bodies(), i, box);
   }
   boxes_ = joined(std::move(boxes_));
   for (const ShapeBox& box : boxes_) wide_boxes_.push_back(widened(box));

@@ -1,4 +1,5 @@
-// The bodies that lie elsewhere at another time of a scene, and the boxes around them at both times. A
+// The bodies that lie elsewhere or have another form at another time of a scene, and the boxes around them at
+// both times. A
 // ray that meets no such box finds the same at both times [ours].
 #pragma once
 

@@ -27,21 +27,21 @@ V interpolate(const V& a, const V& b, const V& c, float u, float v) {
 }
 
 // Unit, on either side. `n` is the unit geometric normal.
-inline Vec3 shadingNormalAt(const Mesh& mesh, const Hit& hit, Vec3 n) {
+inline Vec3 shadingNormalAt(const Mesh& mesh, const ShapePoint& at, Vec3 n) {
   if (mesh.normals.empty()) return n;
-  const auto [i, j, k] = mesh.triangles[hit.primitive];
-  const Vec3 ns = interpolate(mesh.normals[i], mesh.normals[j], mesh.normals[k], hit.u, hit.v);
+  const auto [i, j, k] = mesh.triangles[at.primitive];
+  const Vec3 ns = interpolate(mesh.normals[i], mesh.normals[j], mesh.normals[k], at.u, at.v);
   return dot(ns, ns) > 0 ? normalize(ns) : n;
 }
 
-inline TexturePatch texturePatchAt(const Mesh& mesh, const Hit& hit) {
+inline TexturePatch texturePatchAt(const Mesh& mesh, const ShapePoint& at) {
   if (mesh.uvs.empty()) return {};
-  const auto [i, j, k] = mesh.triangles[hit.primitive];
+  const auto [i, j, k] = mesh.triangles[at.primitive];
   const Vec3 ab = mesh.positions[j] - mesh.positions[i], ac = mesh.positions[k] - mesh.positions[i];
   const Vec2 p = mesh.uvs[i], q = mesh.uvs[j], r = mesh.uvs[k];
   const Vec2 pq{q.x - p.x, q.y - p.y}, pr{r.x - p.x, r.y - p.y};
   const float uv_area = pq.x * pr.y - pr.x * pq.y;
-  TexturePatch patch{{p.x + pq.x * hit.u + pr.x * hit.v, p.y + pq.y * hit.u + pr.y * hit.v},
+  TexturePatch patch{{p.x + pq.x * at.u + pr.x * at.v, p.y + pq.y * at.u + pr.y * at.v},
                      std::sqrt(std::abs(uv_area) / std::max(length(cross(ab, ac)), 1e-20f))};
   if (uv_area != 0) {
     patch.dp_du = (ab * pr.y - ac * pq.y) / uv_area;

@@ -34,23 +34,31 @@ class PosedScene {
   const RenderScene& still() const { return *scene_; }  // what is the same at all times
   const EmitterStrengths& strengths() const { return strengths_; }
   const PosedBodies* bodies() const { return bodies_.get(); }  // nullptr where the scene has none
-  bool posesEqual(const PosedScene& other) const {
-    return !bodies_ || std::ranges::equal(bodies_->motions(), other.bodies_->motions());
-  }
+  const DeformedShapes* deformed() const { return bodies_ ? bodies_->deformed() : nullptr; }  // likewise
+  bool posesEqual(const PosedScene& other) const { return !bodies_ || bodies_->equals(*other.bodies_); }
   // A number for the light: equal where all lamps have equal strengths, and all bodies equal poses.
   std::uint64_t state() const { return bodies_ ? bodies_->state(strengths_.state()) : strengths_.state(); }
 
-  // Where a point of a body is in the scene at another time. `body`: Hit::body.
-  Vec3 carried(std::uint32_t body, Vec3 point, const PosedScene& to) const {
-    if (body == kNoBody) return point;
-    const RigidMotion &here = bodies_->motions()[body], &there = to.bodies_->motions()[body];
-    return here == there ? point : there.point(here.restPoint(point));
+  // Where a point of a shape is in the scene at another time, and how a direction there has turned.
+  Vec3 carried(const ShapePoint& on, Vec3 point, const PosedScene& to) const {
+    return on.body == kNoBody ? point : bodies_->carried(on, point, *to.bodies_);
+  }
+  Vec3 turned(const ShapePoint& on, Vec3 direction, const PosedScene& to) const {
+    return on.body == kNoBody ? direction : bodies_->turned(on, direction, *to.bodies_);
   }
 
   // See RenderScene.
   PosedShapes geometry() const { return {scene_->geometry(), bodies_ ? &bodies_->all() : nullptr}; }
   PosedShapes emitters() const { return {scene_->emitters(), bodies_ ? &bodies_->emitters() : nullptr}; }
   PosedShapes straight() const { return {scene_->straight(), bodies_ ? &bodies_->straight() : nullptr}; }
+  // A mesh in the form that it has, where the scene file has its body.
+  const Mesh& mesh(std::uint32_t geometry) const {
+    const Mesh* mesh = deformed() ? deformed()->mesh(geometry) : nullptr;
+    return mesh ? *mesh : scene_->description().meshes[geometry];
+  }
+  const std::vector<ShapeRow>& shapeRows() const {
+    return deformed() ? deformed()->rows() : scene_->shapeRows();
+  }
   const Lights& lights() const { return lamps() ? lamps()->lights : scene_->lights(); }
   const LightColumns& lightColumns() const { return lamps() ? lamps()->columns : scene_->lightColumns(); }
   const AnalyticLight& analyticLight() const { return lamps() ? lamps()->analytic : scene_->analyticLight(); }

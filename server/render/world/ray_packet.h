@@ -31,10 +31,10 @@ struct alignas(64) RayPacket {
   }
   Hit hit(int i) const {
     if (geometry[i] == kNone) return {};
-    return {
-        far[i], {normal_x[i], normal_y[i], normal_z[i]}, u[i], v[i], geometry[i], primitive[i], instance[i],
-        true};
+    return {on(i), far[i], {normal_x[i], normal_y[i], normal_z[i]}, true};
   }
+
+  ShapePoint on(int i) const { return {instance[i], geometry[i], primitive[i], u[i], v[i]}; }
 
   void clearHits() { std::fill_n(geometry, W, kNone), std::fill_n(instance, W, kNoBody); }
 

@@ -42,6 +42,7 @@ class RenderScene : public Obstacles {
   const EmbreeScene& straight() const { return straight_; }
   // Of Scene::bodies, in their order.
   const std::vector<std::unique_ptr<BodyShapes>>& bodies() const { return bodies_; }
+  const std::shared_ptr<EmbreeDevice>& deviceOfBodies() const { return device_of_bodies_; }
   bool lightMayBeAnywhere() const { return scene_.environment.has_value(); }
   const LightColumns& lightColumns() const { return light_columns_; }
   const std::vector<ShapeRow>& shapeRows() const { return shape_rows_; }

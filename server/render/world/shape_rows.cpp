@@ -18,6 +18,8 @@ ShapeRow row(const Scene& scene, const auto& shape) {
   return row;
 }
 
+}  // namespace
+
 float longestEdge(const Mesh& mesh) {
   float longest2 = 0;
   for (const auto& [a, b, c] : mesh.triangles)
@@ -27,8 +29,6 @@ float longestEdge(const Mesh& mesh) {
     }
   return std::sqrt(longest2);
 }
-
-}  // namespace
 
 std::vector<ShapeRow> shapeRows(const Scene& scene) {
   std::vector<ShapeRow> rows;

@@ -20,4 +20,6 @@ struct alignas(64) ShapeRow {
 
 std::vector<ShapeRow> shapeRows(const Scene& scene);
 
+float longestEdge(const Mesh& mesh);  // 0 of a mesh without triangles
+
 }  // namespace saccade

@@ -25,7 +25,8 @@ void SlidingSurfaces::next(const PosedScene& now, const PosedScene& before) {
   const auto to = now.bodies()->motions(), from = before.bodies()->motions();
   last_.resize(to.size());
   for (std::size_t i = 0; i < to.size(); ++i)
-    if (isStep(scene_->description().bodies[i], from[i], to[i])) last_[i] = {from[i], to[i], true};
+    if (!now.bodies()->deforms(i) && isStep(scene_->description().bodies[i], from[i], to[i]))
+      last_[i] = {from[i], to[i], true};
 }
 
 bool SlidingSurfaces::at(std::uint32_t body, const SeenPoint& point) const {

@@ -21,7 +21,7 @@ class SlidingSurfaces {
   void next(const PosedScene& now, const PosedScene& before);
 
   // Whether the surface of a body slides in itself: the body's last step puts it on its own place, backwards
-  // or forwards. False of a body that has not moved yet.
+  // or forwards. False of a body that has not moved yet, or that deforms.
   bool at(std::uint32_t body, const SeenPoint& point) const;
 
  private:

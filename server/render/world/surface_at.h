@@ -19,12 +19,40 @@ inline TexturePoint texturePoint(const TexturePatch& patch, float cosine, float 
   return {patch.uv, across * patch.uv_per_length};
 }
 
-// `tables`: of the material; nullptr for kernels of diffuse surfaces alone.
+// The shape that a hit lies on: one of both is nullptr.
+struct HitShape {
+  HitShape(const PosedScene& posed, const Hit& hit) : HitShape(posed, posed.still().description(), hit) {}
+
+  int material() const { return mesh ? mesh->material : sphere->material; }
+  Rgb radiance() const { return mesh ? mesh->radiance : sphere->radiance; }
+
+  const Mesh* mesh;  // in the form that it has
+  const Sphere* sphere;
+
+ private:
+  HitShape(const PosedScene& posed, const Scene& scene, const Hit& hit)
+      : mesh(hit.geometry < scene.meshes.size() ? &posed.mesh(hit.geometry) : nullptr),
+        sphere(mesh ? nullptr : &scene.spheres[hit.geometry - scene.meshes.size()]) {}
+};
+
+// The colour that the vertices of a shape give its base.
 template <Shading S>
-Bsdf bsdfAt(const Scene& scene, const Material& m, const BsdfTables* tables, TexturePoint at) {
+Rgb vertexColor(const HitShape& shape, const ShapePoint& on) {
+  if constexpr (S.kinds & only(BsdfKind::kMetallicRoughness)) {
+    if (!shape.mesh || shape.mesh->colors.empty()) return {1, 1, 1};
+    const auto [i, j, k] = shape.mesh->triangles[on.primitive];
+    const std::vector<Rgb>& colors = shape.mesh->colors;
+    return interpolate(colors[i], colors[j], colors[k], on.u, on.v);
+  }
+  return {1, 1, 1};
+}
+
+// `tables`: of the material; nullptr for kernels of diffuse surfaces alone. `factor`: see vertexColor().
+template <Shading S>
+Bsdf bsdfAt(const Scene& scene, const Material& m, const BsdfTables* tables, TexturePoint at, Rgb factor) {
   if constexpr (S.kinds & only(BsdfKind::kMetallicRoughness))
     if (m.model.kind == BsdfKind::kMetallicRoughness)
-      return MetallicRoughness::at(*tables, colorAt<S>(scene, m.reflectance, at),
+      return MetallicRoughness::at(*tables, colorAt<S>(scene, m.reflectance, at) * factor,
                                    colorAt<S>(scene, m.metallic_roughness, at));
   Bsdf b{tables, colorAt<S>(scene, m.reflectance, at)};
   if constexpr (!S.diffuseOnly()) b.specular = colorAt<S>(scene, m.specular, at);
@@ -32,21 +60,14 @@ Bsdf bsdfAt(const Scene& scene, const Material& m, const BsdfTables* tables, Tex
   return b;
 }
 
-// The shape that a hit lies on: one of both is nullptr.
-struct HitShape {
-  HitShape(const Scene& scene, const Hit& hit)
-      : mesh(hit.geometry < scene.meshes.size() ? &scene.meshes[hit.geometry] : nullptr),
-        sphere(mesh ? nullptr : &scene.spheres[hit.geometry - scene.meshes.size()]) {}
-  const Mesh* mesh;
-  const Sphere* sphere;
-};
-
 // In scene axes. `n` is the unit geometric normal.
 inline TexturePatch texturePatchOf(const PosedScene& posed, const Hit& hit, Vec3 n) {
-  const auto [mesh, sphere] = HitShape(posed.still().description(), hit);
-  if (hit.body == kNoBody) return mesh ? texturePatchAt(*mesh, hit) : texturePatchAt(*sphere, n);
+  const HitShape shape(posed, hit);
+  if (hit.body == kNoBody)
+    return shape.mesh ? texturePatchAt(*shape.mesh, hit) : texturePatchAt(*shape.sphere, n);
   const RigidMotion& motion = posed.bodies()->motions()[hit.body];
-  TexturePatch patch = mesh ? texturePatchAt(*mesh, hit) : texturePatchAt(*sphere, motion.restDirection(n));
+  TexturePatch patch =
+      shape.mesh ? texturePatchAt(*shape.mesh, hit) : texturePatchAt(*shape.sphere, motion.restDirection(n));
   patch.dp_du = motion.direction(patch.dp_du), patch.dp_dv = motion.direction(patch.dp_dv);
   return patch;
 }
@@ -59,8 +80,8 @@ Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, V
                   float footprint) {
   const Scene& scene = posed.still().description();
   const bool front = cosine > 0;
-  const auto [mesh, sphere] = HitShape(scene, hit);
-  const int id = mesh ? mesh->material : sphere->material;
+  const HitShape shape(posed, hit);
+  const int id = shape.material();
   const Material& material = scene.materials[id];
   TexturePatch texture;
   if (S.diffuseOnly() ? S.textures && isTextured(material.reflectance) : isTextured(material))
@@ -68,13 +89,13 @@ Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, V
   const TexturePoint at = texturePoint(texture, cosine, footprint);
 
   Vec3 ns = patch.shading_normal;
-  const Rgb radiance = mesh ? mesh->radiance : sphere->radiance;
+  const Rgb radiance = shape.radiance();
   const BsdfTables* tables = S.diffuseOnly() ? nullptr : &posed.still().tables(id);
   Surface s{patch.point,
             patch.offset,
             n,
             ns,
-            bsdfAt<S>(scene, material, tables, at),
+            bsdfAt<S>(scene, material, tables, at, vertexColor<S>(shape, hit)),
             front ? radiance : Rgb{},
             false,
             1};
@@ -97,10 +118,10 @@ Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, V
 template <Shading S>
 Surface surfaceAt(const PosedScene& scene, const Ray& ray, const Hit& hit, float footprint) {
   Vec3 n = normalize(hit.normal);
-  const Mesh* mesh = HitShape(scene.still().description(), hit).mesh;
+  const Mesh* mesh = HitShape(scene, hit).mesh;
   const Vec3 point = ray.origin + ray.direction * hit.t;
   Patch patch{point, mesh ? shadingNormalAt(*mesh, hit, n) : n,
-              rayOffset(ray.origin, point, scene.still().shapeRows()[hit.geometry].edge)};
+              rayOffset(ray.origin, point, scene.shapeRows()[hit.geometry].edge)};
   if (hit.body != kNoBody) {
     const RigidMotion& motion = scene.bodies()->motions()[hit.body];
     n = motion.direction(n), patch.shading_normal = motion.direction(patch.shading_normal);

@@ -91,12 +91,12 @@ template <int W>
   const Vec3T<F> direction{load<W>(packet.x), load<W>(packet.y), load<W>(packet.z)};
   SurfaceLanes<W> s;
   s.normal = unit({load<W>(packet.normal_x), load<W>(packet.normal_y), load<W>(packet.normal_z)});
-  s.shading_normal = shadingNormals<W>(scene.still().shapeRows(), packet, lanes, s.normal);
+  s.shading_normal = shadingNormals<W>(scene.shapeRows(), packet, lanes, s.normal);
   if (scene.bodies()) turnNormals<W>(scene.bodies()->motions(), packet, lanes, s);
   s.cosine = -dot(s.normal, unit(direction));
   const Vec3T<F> origin{load<W>(packet.origin_x), load<W>(packet.origin_y), load<W>(packet.origin_z)};
   s.point = origin + direction * load<W>(packet.far);
-  s.offset = rayOffset<F>(origin, s.point, longestEdges<W>(scene.still().shapeRows(), packet));
+  s.offset = rayOffset<F>(origin, s.point, longestEdges<W>(scene.shapeRows(), packet));
   return s;
 }
 

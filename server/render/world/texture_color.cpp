@@ -4,11 +4,12 @@
 
 namespace saccade {
 
-Rgb textureColor(const Scene& scene, const Hit& hit, float cosine, float footprint) {
-  const auto [mesh, sphere] = HitShape(scene, hit);
-  const Material& material = scene.materials[mesh ? mesh->material : sphere->material];
+Rgb textureColor(const PosedScene& posed, const Hit& hit, float cosine, float footprint) {
+  const Scene& scene = posed.still().description();
+  const HitShape shape(posed, hit);
+  const Material& material = scene.materials[static_cast<std::size_t>(shape.material())];
   const TexturePatch texture =
-      mesh ? texturePatchAt(*mesh, hit) : texturePatchAt(*sphere, normalize(hit.normal));
+      shape.mesh ? texturePatchAt(*shape.mesh, hit) : texturePatchAt(*shape.sphere, normalize(hit.normal));
   return lookUp(scene, material.reflectance, texturePoint(texture, cosine, footprint));
 }
 

@@ -41,19 +41,21 @@ Affine relativeTo(Affine to_world, Vec3d origin) {
 // Reads one scene from a file. Without `buffers` it is an outline.
 class SceneReader {
  public:
-  SceneReader(const GltfFile& file, const GltfBuffers* buffers, Scene& scene)
+  SceneReader(const GltfFile& file, const GltfBuffers* buffers, const LoadOptions& options, Scene& scene)
       : root_(file.root()),
         nodes_(readNodes(root_)),
-        animation_(root_, nodes_),
+        animation_(root_, nodes_, chosenAnimation(file.path(), options)),
         pictures_(file, buffers, loads_, scene),
         materials_(root_, pictures_, scene),
-        meshes_(root_, buffers, materials_, loads_, scene),
+        forms_(root_, buffers, nodes_, animation_, scene),
+        meshes_(root_, buffers, materials_, forms_, loads_, scene),
         scene_(scene) {
     addSky(file, loads_, scene_);
     if (buffers) animation_.readKeys(*buffers);
   }
 
   void readNodesOfScene() {
+    std::vector<GltfForm> forms;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const auto mover = animation_.moverOf(i);
       const Affine to_world = animation_.worldAt(i, 0);
@@ -61,9 +63,15 @@ class SceneReader {
         scene_.unread.push_back("the lamp " + nodes_[i].name + " stands where its animation begins");
       addLight(root_, nodes_[i].json, to_world, scene_);
       if (!nodes_[i].json.find("mesh")) continue;
-      if (mover) movers_.insert(*mover);
-      meshes_.add(nodes_[i], nodes_[mover.value_or(i)].name, relativeTo(to_world, scene_.origin));
+      auto form = forms_.of(i);
+      const bool has_skin = form && form->skin, changes = form && form->changes;
+      const std::size_t body = has_skin ? i : mover.value_or(i);
+      if (changes || (mover && !has_skin)) movers_.insert(body);
+      if (changes && !form->joint_nodes.empty()) deformed_.insert(body);
+      if (form) forms.push_back(*form);
+      meshes_.add(nodes_[i], {nodes_[body].name, relativeTo(to_world, scene_.origin), std::move(form)});
     }
+    forms_.addNodes(forms);
     readCameras(root_, nodes_, animation_, scene_);
     const auto& of_animation = animation_.unread();
     scene_.unread.insert(scene_.unread.end(), of_animation.begin(), of_animation.end());
@@ -96,9 +104,15 @@ class SceneReader {
     for (const Mesh& mesh : scene_.meshes)
       if (mesh.name == nodes_[i].name) box.add(mesh);
     const Vec3d centre = toDouble(box.centre()) + scene_.origin;
+    const OwnMotion stands{nodes_[i].name, "animation", Trajectory({{TimeNs{0}, {centre, {}}}}), 1};
+    if (deformed_.contains(i) || !animation_.moverOf(i)) return scene_.motions.push_back(stands);
     const double radius = std::max(1e-6, length(toDouble(box.high - box.low)) / 2);
     if (auto motion = bodyMotion(animation_, i, nodes_[i].name, centre, radius, scene_.unread))
       scene_.motions.push_back(std::move(*motion));
+    else if (std::ranges::any_of(scene_.meshes, [&](const Mesh& mesh) {
+               return mesh.name == nodes_[i].name && mesh.deformation != kKeepsForm;
+             }))
+      scene_.motions.push_back(stands);
   }
 
   void sortMotions() { std::ranges::sort(scene_.motions, {}, &OwnMotion::name); }
@@ -109,9 +123,11 @@ class SceneReader {
   FileLoads loads_;
   GltfPictures pictures_;
   GltfMaterials materials_;
+  GltfForms forms_;
   GltfMeshes meshes_;
   Scene& scene_;
-  std::set<std::size_t> movers_;  // nodes with meshes, by which these move
+  std::set<std::size_t> movers_;    // nodes with meshes, by which these move
+  std::set<std::size_t> deformed_;  // those of them whose whole motion is a deformation
 };
 
 Scene loadAt(const GltfFile& file, const GltfBuffers& buffers, const LoadOptions& options, Vec3d origin) {
@@ -119,7 +135,7 @@ Scene loadAt(const GltfFile& file, const GltfBuffers& buffers, const LoadOptions
   scene.name = std::filesystem::path(file.path()).parent_path().filename().string();
   scene.origin = origin;
   scene.unread = unreadExtensions(file.root());
-  SceneReader reader(file, &buffers, scene);
+  SceneReader reader(file, &buffers, options, scene);
   reader.readNodesOfScene();
   if (scene.meshes.empty()) throw file.root().error("the scene has no mesh");
   reader.load(options);
@@ -140,7 +156,7 @@ Scene outlineGltf(const std::string& path, const LoadOptions& options) {
   const GltfFile file(path, options);
   Scene scene;
   scene.unread = unreadExtensions(file.root());
-  SceneReader reader(file, nullptr, scene);
+  SceneReader reader(file, nullptr, options, scene);
   reader.readNodesOfScene();
   if (scene.meshes.empty()) throw file.root().error("the scene has no mesh");
   reader.nameMotions();

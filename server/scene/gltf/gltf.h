@@ -2,14 +2,16 @@
 //
 // Supported:
 //   node      tree of TRS or matrices; its name is that of an object, unique by "@index"
-//   mesh      triangles, strips, fans, with and without indices; NORMAL (else flat), TEXCOORD of any one set
+//   mesh      triangles, strips, fans, with and without indices; NORMAL (else flat), TEXCOORD of any one set,
+//             COLOR_0 without its alpha
+//   form      skins of four joints a vertex, morph targets of POSITION and NORMAL
 //   data      sparse, KHR_mesh_quantization, EXT_meshopt_compression, KHR_draco_mesh_compression
 //   material  metallic-roughness, normal map, KHR_materials_emissive_strength, alphaMode; both sides
 //             KHR_materials_ior, _specular without textures, _transmission as glass, _volume as solid glass
-//   texture   PNG, JPEG, EXT_texture_webp; KHR_texture_transform without rotation; repeats
+//   texture   PNG, JPEG, EXT_texture_webp; KHR_texture_transform; repeats, is mirrored, or clamped
 //   camera    perspective; each is a named path, and the first the scene's own
 //   light     KHR_lights_punctual; our own SACCADE_sky, even or a picture
-//   animation of nodes: these are objects with a motion of their own, from stream time 0 on
+//   animation of nodes and weights: these are objects with a motion of their own, from stream time 0 on
 // A file without a camera is seen from its front. One without light stands under an even sky of radiance 1.
 // Scene::unread tells of parts that would change the picture, and are not shown. Required extensions that are
 // not supported, and values out of range, are a SceneError that names file and place.

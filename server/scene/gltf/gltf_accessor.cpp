@@ -30,11 +30,11 @@ Component componentOf(const JsonNode& accessor) {
 }
 
 std::size_t typeSize(const JsonNode& accessor) {
-  static const std::vector<std::string> types{"SCALAR", "VEC2", "VEC3", "VEC4"};
+  static const std::vector<std::string> types{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT4"};
   const JsonNode node = accessor.at("type");
   const auto found = std::ranges::find(types, node.text());
   if (found == types.end()) throw node.error("is not one of " + joinNames(types));
-  return static_cast<std::size_t>(found - types.begin()) + 1;
+  return found + 1 == types.end() ? 16 : static_cast<std::size_t>(found - types.begin()) + 1;
 }
 
 template <class T>

@@ -1,7 +1,7 @@
 // Lamps of KHR_lights_punctual.
 #pragma once
 
-#include "scene/affine.h"
+#include "base/affine.h"
 #include "scene/gltf/json_node.h"
 #include "scene/scene.h"
 

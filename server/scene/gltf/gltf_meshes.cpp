@@ -23,43 +23,59 @@ void GltfMeshes::count(const JsonNode& part) {
   const std::size_t accessors = root_.count("accessors");
   const std::size_t vertices = accessorCount(root_, part.at("attributes").at("POSITION").index(accessors));
   const auto indices = part.index("indices", accessors);
-  vertices_ += vertices;
+  vertices_ += vertices * (1 + part.count("targets"));
   corners_ += indices ? accessorCount(root_, *indices) : vertices;
   if (std::max(vertices_, corners_) > 3 * kMaxTriangles)
     throw part.error("the scene has more than " + std::to_string(kMaxTriangles) + " triangles");
 }
 
-void GltfMeshes::add(const GltfNode& node, const std::string& name, const Affine& to_world) {
+void GltfMeshes::add(const GltfNode& node, const Placed& placed) {
   const auto index = node.json.index("mesh", root_.count("meshes"));
   if (!index) return;
   const JsonNode mesh = root_.entry("meshes", *index);
   for (const JsonNode& part : mesh.list("primitives")) {
     if (hasTriangles(part))
-      addPart(part, name, to_world);
+      addPart(part, placed);
     else
-      scene_.unread.push_back("points and lines of " + name + " are not shown");
-    if (part.find("targets"))
-      scene_.unread.push_back("the shape of " + name + " stays without its morph targets");
+      scene_.unread.push_back("points and lines of " + placed.name + " are not shown");
   }
-  if (node.json.find("skin")) scene_.unread.push_back("the skin of " + name + " stays at its first pose");
 }
 
-void GltfMeshes::addPart(const JsonNode& part, const std::string& name, const Affine& to_world) {
+void GltfMeshes::addPart(const JsonNode& part, Placed placed) {
   count(part);
+  const bool coded = part.extension("KHR_draco_mesh_compression").has_value();
+  if (placed.form && coded) {
+    scene_.unread.push_back(placed.name + " keeps its form, as it is compressed with Draco");
+    placed.form.reset();
+  }
   const int material = materials_.read(part.index("material", root_.count("materials")));
   const std::size_t coordinates = materials_.coordinates(material), index = scene_.meshes.size();
-  if (part.at("attributes").find("COLOR_0"))
-    scene_.unread.push_back("the colours of the vertices of " + name + " are not shown");
+  const BsdfKind kind = scene_.materials[static_cast<std::size_t>(material)].model.kind;
+  if (part.at("attributes").find("COLOR_0") && (coded || kind != BsdfKind::kMetallicRoughness))
+    scene_.unread.push_back("the colours of the vertices of " + placed.name + " are not shown");
   Mesh& outline = scene_.meshes.emplace_back();
-  outline.name = name, outline.material = material;
+  outline.name = placed.name, outline.material = material;
+  if (placed.form && placed.form->changes) {
+    outline.deformation = static_cast<int>(scene_.deformations.size());
+    scene_.deformations.emplace_back();
+  }
   loads_.add([part](const std::string& what) { return part.error(what); },
-             [=, this, &meshes = scene_.meshes] {
-               Mesh mesh = readPrimitive(root_, *buffers_, part, coordinates);
-               placeMesh(mesh, to_world, mesh.normals.empty());
-               if (!isFinite(mesh)) throw SceneError("a vertex is too far away for float numbers");
-               mesh.name = name, mesh.material = material;
-               meshes[index] = std::move(mesh);
-             });
+             [=, this] { load(part, placed, coordinates, scene_.meshes[index]); });
+}
+
+void GltfMeshes::load(const JsonNode& part, const Placed& placed, std::size_t coordinates,
+                      Mesh& outline) const {
+  Mesh mesh = readPrimitive(root_, *buffers_, part, coordinates);
+  if (placed.form) {
+    Deformation deformation = forms_.place(*placed.form, part, placed.to_scene, mesh);
+    if (outline.deformation != kKeepsForm)
+      scene_.deformations[static_cast<std::size_t>(outline.deformation)] = std::move(deformation);
+  } else {
+    placeMesh(mesh, placed.to_scene, mesh.normals.empty());
+  }
+  if (!isFinite(mesh)) throw SceneError("a vertex is too far away for float numbers");
+  mesh.name = outline.name, mesh.material = outline.material, mesh.deformation = outline.deformation;
+  outline = std::move(mesh);
 }
 
 }  // namespace saccade

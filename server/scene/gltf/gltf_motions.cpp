@@ -1,5 +1,6 @@
 #include "scene/gltf/gltf_motions.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/gltf/path_sampler.h"
@@ -52,6 +53,18 @@ Trajectory playedPath(std::vector<TimedPose> poses, double length, double reach)
   if (poses.back().time < period) poses.push_back({period, {}});
   poses.back().pose = poses.front().pose;
   return Trajectory::periodic(std::move(poses));
+}
+
+bool staysRigid(const GltfAnimation& animation, std::size_t i) {
+  const auto from_rest = inverse(animation.worldAt(i, 0));
+  const std::vector<double> keys = animation.keyTimes(i);
+  const auto isRigidAt = [&](double t) { return from_rest && isRigid(animation.worldAt(i, t) * *from_rest); };
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const double next = keys[std::min(k + 1, keys.size() - 1)];
+    for (const double s : {0.0, 0.25, 0.5, 0.75})
+      if (!isRigidAt(keys[k] + (next - keys[k]) * s)) return false;
+  }
+  return true;
 }
 
 std::optional<OwnMotion> bodyMotion(const GltfAnimation& animation, std::size_t i, const std::string& name,

@@ -13,6 +13,9 @@ Pose cameraPose(const Affine& world);
 // A path that repeats with the length of all animations where it ends as it began. Else it stands at its end.
 Trajectory playedPath(std::vector<TimedPose> poses, double length, double reach);
 
+// Whether what is fixed to node i keeps its size while it moves.
+bool staysRigid(const GltfAnimation& animation, std::size_t i);
+
 // The motion of a body around `centre` (world) that is fixed to node i; none where it stands. Adds a sentence
 // to `unread` where its form changes.
 std::optional<OwnMotion> bodyMotion(const GltfAnimation& animation, std::size_t i, const std::string& name,

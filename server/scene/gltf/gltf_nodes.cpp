@@ -25,9 +25,7 @@ LocalTransform readTransform(const JsonNode& node) {
     local.matrix = readMatrix(*matrix);
     return local;
   }
-  const auto [x, y, z, w] = node.numbers<4>("rotation", {0, 0, 0, 1});
-  if (!isRotation({x, y, z, w})) throw node.error("the rotation has no length");
-  local.rotation = normalize(Quaternion{x, y, z, w});
+  local.rotation = readRotation(node);
   local.translation = vec(node.numbers<3>("translation", {0, 0, 0}));
   local.scale = vec(node.numbers<3>("scale", {1, 1, 1}));
   return local;
@@ -52,10 +50,8 @@ std::vector<std::size_t> allRoots(const JsonNode& root) {
 }
 
 std::vector<std::size_t> sceneRoots(const JsonNode& root) {
-  const std::size_t scenes = root.count("scenes");
-  if (scenes == 0) return allRoots(root);
-  const std::size_t scene = root.index("scene", scenes).value_or(0);
-  return indices(root.entry("scenes", scene), "nodes", root.count("nodes"));
+  const auto scene = sceneOf(root);
+  return scene ? indices(*scene, "nodes", root.count("nodes")) : allRoots(root);
 }
 
 // Names of nodes may be absent, or come twice.
@@ -79,10 +75,16 @@ class Names {
 
 }  // namespace
 
-Affine LocalTransform::affine() const {
-  if (matrix) return *matrix;
-  return {rotate(rotation, {scale.x, 0, 0}), rotate(rotation, {0, scale.y, 0}),
-          rotate(rotation, {0, 0, scale.z}), translation};
+std::optional<JsonNode> sceneOf(const JsonNode& root) {
+  const std::size_t scenes = root.count("scenes");
+  if (scenes == 0) return {};
+  return root.entry("scenes", root.index("scene", scenes).value_or(0));
+}
+
+Quaternion readRotation(const JsonNode& json) {
+  const auto [x, y, z, w] = json.numbers<4>("rotation", {0, 0, 0, 1});
+  if (!isRotation({x, y, z, w})) throw json.error("the rotation has no length");
+  return normalize(Quaternion{x, y, z, w});
 }
 
 std::vector<GltfNode> readNodes(const JsonNode& root) {

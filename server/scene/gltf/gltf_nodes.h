@@ -5,22 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "scene/affine.h"
-#include "scene/camera/pose.h"
+#include "scene/deformation/moving_node.h"
 #include "scene/gltf/json_node.h"
 
 namespace saccade {
-
-// From the space of a node to that of its parent: scaled, then turned, then moved. Instead of these, a
-// matrix.
-struct LocalTransform {
-  Vec3d translation;
-  Quaternion rotation;
-  Vec3d scale{1, 1, 1};
-  std::optional<Affine> matrix = {};
-
-  Affine affine() const;
-};
 
 struct GltfNode {
   std::size_t index;  // in the file
@@ -29,6 +17,12 @@ struct GltfNode {
   std::string name;                   // its own; else that of its mesh; unique
   LocalTransform rest;                // as the file has it, without animation
 };
+
+// The default scene, or the first; none where the file has no scene. Throws SceneError.
+std::optional<JsonNode> sceneOf(const JsonNode& root);
+
+// The property "rotation", of unit length; no rotation where it is absent. Throws SceneError.
+Quaternion readRotation(const JsonNode& json);
 
 // The nodes of the default scene, or of the first, or of the whole file where it has no scene. Parents come
 // before their children. Throws SceneError.

@@ -9,7 +9,21 @@
 namespace saccade {
 namespace {
 
-constexpr std::size_t kRepeat = 10497;  // of OpenGL
+// Of OpenGL.
+constexpr std::size_t kRepeat = 10497, kMirror = 33648, kClamp = 33071;
+
+Texture::Wrap wrapOf(const JsonNode& sampler, const char* key) {
+  switch (sampler.size(key, kRepeat)) {
+    case kRepeat:
+      return Texture::Wrap::kRepeat;
+    case kMirror:
+      return Texture::Wrap::kMirror;
+    case kClamp:
+      return Texture::Wrap::kClamp;
+    default:
+      throw sampler.error(std::string(key) + " is not 10497, 33648 or 33071");
+  }
+}
 
 float single(double v) {
   return static_cast<float>(v);
@@ -28,20 +42,23 @@ Texture loadFor(const PictureFile& source, const PictureUse& use) {
     if (use.kind == PictureUse::Kind::kCutOut) c.x = c.y = c.z = c.x >= use.threshold ? 1 : 0;
   }
   Texture texture(picture.width, picture.height, std::move(picture.pixels));
-  return use.kind == PictureUse::Kind::kMean ? Texture(1, 1, {texture.mean()}) : std::move(texture);
+  if (use.kind == PictureUse::Kind::kMean) return Texture(1, 1, {texture.mean()});
+  texture.setWrap(use.wrap_u, use.wrap_v);
+  return texture;
 }
 
-// KHR_texture_transform. Texture coordinates of glTF have v = 0 at the top of the picture, and ours at the
-// bottom.
-void setTransform(const JsonNode& info, SurfaceColor& c, Scene& scene) {
+// KHR_texture_transform: the coordinates are scaled, then turned by the angle, then moved. Those of glTF have
+// v = 0 at the top of the picture, and ours at the bottom.
+void setTransform(const JsonNode& info, SurfaceColor& c) {
   double angle = 0;
   std::array<double, 2> scale{1, 1}, offset{0, 0};
   if (const auto transform = info.extension("KHR_texture_transform")) {
     angle = transform->number("rotation", 0);
     scale = transform->numbers<2>("scale", scale), offset = transform->numbers<2>("offset", offset);
   }
-  if (angle != 0) scene.unread.push_back("textures are not turned; " + info.place() + " would be");
-  c.uv_scale = {single(scale[0]), single(-scale[1])};
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  c.uv_scale = {single(scale[0] * cosine), single(-scale[1] * cosine)};
+  c.uv_cross = {single(scale[1] * sine), single(scale[0] * sine)};
   c.uv_offset = {single(offset[0]), single(1 - offset[1])};
 }
 
@@ -53,25 +70,23 @@ std::size_t GltfPictures::coordinates(const JsonNode& info) {
   return transform ? transform->size("texCoord", own) : own;
 }
 
-SurfaceColor GltfPictures::read(const JsonNode& info, const PictureUse& use) {
+SurfaceColor GltfPictures::read(const JsonNode& info, PictureUse use) {
   SurfaceColor c;
   c.kind = SurfaceColor::Kind::kBitmap;
-  setTransform(info, c, scene_);
-  c.texture = add(imageOf(info), use);
-  return c;
-}
-
-JsonNode GltfPictures::imageOf(const JsonNode& info) const {
+  setTransform(info, c);
   const JsonNode root = file_.root();
-  const std::size_t images = root.count("images");
   const JsonNode texture = root.entry("textures", info.at("index").index(root.count("textures")));
   if (const auto sampler = texture.index("sampler", root.count("samplers"))) {
     const JsonNode at = root.entry("samplers", *sampler);
-    if (at.size("wrapS", kRepeat) != kRepeat || at.size("wrapT", kRepeat) != kRepeat) {
-      const std::string told = "all textures repeat, also those that the file clamps or mirrors";
-      if (std::ranges::find(scene_.unread, told) == scene_.unread.end()) scene_.unread.push_back(told);
-    }
+    use.wrap_u = wrapOf(at, "wrapS"), use.wrap_v = wrapOf(at, "wrapT");
   }
+  c.texture = add(imageOf(texture), use);
+  return c;
+}
+
+JsonNode GltfPictures::imageOf(const JsonNode& texture) const {
+  const JsonNode root = file_.root();
+  const std::size_t images = root.count("images");
   const auto webp = texture.extension("EXT_texture_webp");
   const auto image = webp ? webp->index("source", images) : texture.index("source", images);
   if (!image) throw texture.error("has no source that is read; there are: PNG, JPEG, WebP");

@@ -22,8 +22,9 @@ struct PictureUse {
   Kind kind = Kind::kColor;
   Rgb factor{1, 1, 1};
   float threshold = 0;  // of alpha times the factor
+  Texture::Wrap wrap_u = Texture::Wrap::kRepeat, wrap_v = Texture::Wrap::kRepeat;  // of the texture
 
-  auto key() const { return std::tuple(kind, factor.x, factor.y, factor.z, threshold); }
+  auto key() const { return std::tuple(kind, factor.x, factor.y, factor.z, threshold, wrap_u, wrap_v); }
 };
 
 // All members throw SceneError.
@@ -34,12 +35,12 @@ class GltfPictures {
       : file_(file), buffers_(buffers), loads_(loads), scene_(scene) {}
 
   // A texture that a material names: `info` has an index.
-  SurfaceColor read(const JsonNode& info, const PictureUse& use);
+  SurfaceColor read(const JsonNode& info, PictureUse use);
   // The set of texture coordinates that it uses.
   static std::size_t coordinates(const JsonNode& info);
 
  private:
-  JsonNode imageOf(const JsonNode& info) const;
+  JsonNode imageOf(const JsonNode& texture) const;
   PictureFile sourceOf(const JsonNode& image);
   int add(const JsonNode& image, const PictureUse& use);
 

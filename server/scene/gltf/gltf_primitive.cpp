@@ -1,22 +1,16 @@
 #include "scene/gltf/gltf_primitive.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "scene/gltf/draco_mesh.h"
-#include "scene/gltf/gltf_accessor.h"
 
 namespace saccade {
 namespace {
 
 // Of OpenGL.
 enum Mode : std::size_t { kTriangles = 4, kStrip = 5, kFan = 6, kModes };
-
-std::vector<Vec3> vectors(const std::vector<float>& v) {
-  std::vector<Vec3> all(v.size() / 3);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
-  return all;
-}
 
 std::vector<Vec2> pairs(const std::vector<float>& v) {
   std::vector<Vec2> all(v.size() / 2);
@@ -44,18 +38,17 @@ std::vector<std::array<std::uint32_t, 3>> triangles(const std::vector<std::uint3
   return all;
 }
 
-// As wide as the vertices, or empty where the part has none.
-std::vector<float> attribute(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& part,
-                             const std::string& name, std::size_t components, std::size_t vertices) {
-  const auto index = part.at("attributes").index(name.c_str(), root.count("accessors"));
+// Their alpha does not count.
+std::vector<Rgb> readColors(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& attributes,
+                            std::size_t vertices) {
+  const auto index = attributes.index("COLOR_0", root.count("accessors"));
   if (!index) return {};
-  std::vector<float> values = readFloats(root, buffers, *index, components);
-  if (values.size() != components * vertices)
-    throw part.error(name + " has " + std::to_string(values.size() / components) + " entries for " +
-                     std::to_string(vertices) + " vertices");
-  for (const float v : values)
-    if (!std::isfinite(v)) throw part.error(name + " has a number that is not finite");
-  return values;
+  const std::size_t numbers = root.entry("accessors", *index).text("type") == "VEC4" ? 4 : 3;
+  const std::vector<float> v = readAttribute(root, buffers, attributes, "COLOR_0", numbers, vertices);
+  std::vector<Rgb> colors(vertices);
+  const auto part = [&](std::size_t i, std::size_t k) { return std::clamp(v[numbers * i + k], 0.f, 1.f); };
+  for (std::size_t i = 0; i < vertices; ++i) colors[i] = {part(i, 0), part(i, 1), part(i, 2)};
+  return colors;
 }
 
 }  // namespace
@@ -66,6 +59,27 @@ bool hasTriangles(const JsonNode& part) {
   return mode >= kTriangles;
 }
 
+std::vector<float> readAttribute(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& attributes,
+                                 const std::string& name, std::size_t components, std::size_t vertices) {
+  const auto index = attributes.index(name.c_str(), root.count("accessors"));
+  if (!index) return {};
+  std::vector<float> values = readFloats(root, buffers, *index, components);
+  if (values.size() != components * vertices)
+    throw attributes.error(name + " has " + std::to_string(values.size() / components) + " entries for " +
+                           std::to_string(vertices) + " vertices");
+  for (const float v : values)
+    if (!std::isfinite(v)) throw attributes.error(name + " has a number that is not finite");
+  return values;
+}
+
+std::vector<Vec3> readVectors(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& attributes,
+                              const std::string& name, std::size_t vertices) {
+  const std::vector<float> v = readAttribute(root, buffers, attributes, name, 3, vertices);
+  std::vector<Vec3> all(v.size() / 3);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
+  return all;
+}
+
 Mesh readPrimitive(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& part,
                    std::size_t coordinates) {
   const std::string uvs = "TEXCOORD_" + std::to_string(coordinates);
@@ -73,9 +87,11 @@ Mesh readPrimitive(const JsonNode& root, const GltfBuffers& buffers, const JsonN
   const std::size_t vertices =
       accessorCount(root, part.at("attributes").at("POSITION").index(root.count("accessors")));
   Mesh mesh;
-  mesh.positions = vectors(attribute(root, buffers, part, "POSITION", 3, vertices));
-  mesh.normals = vectors(attribute(root, buffers, part, "NORMAL", 3, vertices));
-  mesh.uvs = pairs(attribute(root, buffers, part, uvs, 2, vertices));
+  const JsonNode attributes = part.at("attributes");
+  mesh.positions = readVectors(root, buffers, attributes, "POSITION", vertices);
+  mesh.normals = readVectors(root, buffers, attributes, "NORMAL", vertices);
+  mesh.uvs = pairs(readAttribute(root, buffers, attributes, uvs, 2, vertices));
+  mesh.colors = readColors(root, buffers, attributes, vertices);
   mesh.triangles = triangles(corners(root, buffers, part, vertices), part.size("mode", kTriangles));
   if (mesh.triangles.empty()) throw part.error("has no triangle");
   return mesh;

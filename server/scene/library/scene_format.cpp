@@ -31,6 +31,8 @@ std::string join(std::string SceneFormat::*text) {
 
 // Motions and trajectories beside the file come before those in it.
 Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& options) {
+  if (const auto chosen = chosenAnimation(file, options); chosen && !formatOf(file).has_animations)
+    throw chosen->error("only files of glTF have animations");
   for (OwnMotion& motion : readOwnMotions(file, shapeNames(scene), options)) {
     std::erase_if(scene.motions, [&](const OwnMotion& other) { return other.name == motion.name; });
     scene.motions.push_back(std::move(motion));
@@ -46,8 +48,8 @@ Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& opti
 
 const std::vector<SceneFormat>& sceneFormats() {
   static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml, true},
-                                                {"glTF", ".gltf", loadGltf, outlineGltf, true},
-                                                {"binary glTF", ".glb", loadGltf, outlineGltf, true},
+                                                {"glTF", ".gltf", loadGltf, outlineGltf, true, true},
+                                                {"binary glTF", ".glb", loadGltf, outlineGltf, true, true},
                                                 {"OBJ", ".obj", loadObjScene, outlineModelScene},
                                                 {"PLY", ".ply", loadPlyScene, outlineModelScene}};
   return formats;

@@ -18,7 +18,8 @@ struct SceneFormat {
   // have names alone.
   Scene (*load)(const std::string& path, const LoadOptions& options);
   Scene (*outline)(const std::string& path, const LoadOptions& options);
-  bool has_paths = false;  // its files may have Scene::paths
+  bool has_paths = false;       // its files may have Scene::paths
+  bool has_animations = false;  // motion.toml may choose one of them
 };
 
 const std::vector<SceneFormat>& sceneFormats();

@@ -1,7 +1,7 @@
 // Makes meshes from formulas, with Mitsuba's texture coordinates, and places meshes in a scene.
 #pragma once
 
-#include "scene/affine.h"
+#include "base/affine.h"
 #include "scene/scene.h"
 
 namespace saccade {

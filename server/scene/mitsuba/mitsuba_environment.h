@@ -1,7 +1,7 @@
 // Emitters around the scene.
 #pragma once
 
-#include "scene/affine.h"
+#include "base/affine.h"
 #include "scene/mitsuba/xml_file.h"
 #include "scene/scene.h"
 

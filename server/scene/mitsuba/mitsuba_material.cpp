@@ -17,8 +17,28 @@ Material defaultMaterial() {
 
 std::vector<std::string> allTypes() {
   std::vector<std::string> types = bsdfTypes();
-  types.insert(types.end(), {"twosided", "mask", "bumpmap"});
+  types.insert(types.end(), {"twosided", "mask", "bumpmap", "blendbsdf", "mixturebsdf"});
   return types;
+}
+
+bool isWrapper(const std::string& type) {
+  return type == "twosided" || type == "mask" || type == "bumpmap";
+}
+bool isBlend(const std::string& type) {
+  return type == "blendbsdf" || type == "mixturebsdf";
+}
+
+// The shares of the bsdfs within a blend.
+std::vector<double> blendWeights(const XmlFile& file, pugi::xml_node bsdf, Properties& properties) {
+  if (std::string_view(bsdf.attribute("type").value()) == "blendbsdf") {
+    const double second = properties.number("weight", 0.5);
+    return {1 - second, second};
+  }
+  return parseNumbers(file, bsdf, properties.text("weights"));
+}
+
+bool isPlainDiffuse(const Material& m) {
+  return m.model.kind == BsdfKind::kDiffuse && !isTextured(m) && isOpaque(m);
 }
 
 }  // namespace
@@ -30,15 +50,21 @@ int MaterialReader::read(pugi::xml_node bsdf) {
 }
 
 // Reads a BSDF and the wrappers around it, in any order.
-Material MaterialReader::parse(pugi::xml_node bsdf) {
+Material MaterialReader::parse(pugi::xml_node bsdf, Blends blends) {
   static const std::vector<std::string> types = allTypes();
   Material material;
   std::set<std::string> wrappers;
   for (int depth = 0; depth < kMaxBsdfDepth; ++depth) {
     if (material.name.empty()) material.name = bsdf.attribute("id").value();
     const std::string type = supportedType(file_, bsdf, types);
-    if (type != "twosided" && type != "mask" && type != "bumpmap") {
+    if (isBlend(type)) {
+      if (blends == Blends::kRefused) throw file_.error(bsdf, "a blend within a blend is not supported");
+      bsdf = readBlend(type, bsdf, material);
+      if (bsdf) continue;
+    } else if (!isWrapper(type)) {
       readBsdf(file_, bsdf, textures_, material);
+    }
+    if (!isWrapper(type)) {
       if (material.name.empty()) material.name = type;
       return material;
     }
@@ -47,6 +73,39 @@ Material MaterialReader::parse(pugi::xml_node bsdf) {
     bsdf = readWrapper(type, bsdf, material);
   }
   throw file_.error(bsdf, "the bsdfs are nested more than " + std::to_string(kMaxBsdfDepth) + " deep");
+}
+
+// A weight of 1 leaves one bsdf, which is returned. Else diffuse surfaces have the sum of their shares, and
+// none is left to read.
+pugi::xml_node MaterialReader::readBlend(const std::string& type, pugi::xml_node bsdf, Material& material) {
+  Properties properties(file_, bsdf);
+  const std::vector<double> weights = blendWeights(file_, bsdf, properties);
+  const std::vector<pugi::xml_node> parts = properties.objects("bsdf");
+  properties.finish();
+  if (parts.size() != weights.size())
+    throw file_.error(bsdf, "has " + std::to_string(parts.size()) + " bsdfs for " +
+                                std::to_string(weights.size()) + " weights");
+  Rgb sum;
+  double rest = 1 + 1e-6;
+  std::optional<bool> twosided;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    rest -= weights[i];
+    if (!(weights[i] >= 0 && rest >= 0))
+      throw file_.error(bsdf, "the weights of a " + type + " must be at least 0, and their sum at most 1");
+    if (weights[i] == 1) return parts[i];
+    const Material part = parse(parts[i], Blends::kRefused);
+    if (weights[i] == 0) continue;
+    if (!isPlainDiffuse(part) || part.twosided != twosided.value_or(part.twosided))
+      throw file_.error(
+          parts[i],
+          "other bsdfs than diffuse ones of one colour, with two sides all or none, are blended "
+          "with weights of 0 and 1 alone");
+    sum = sum + part.reflectance.color0 * static_cast<float>(weights[i]);
+    twosided = part.twosided;
+  }
+  material.twosided = material.twosided || twosided.value_or(false);
+  material.reflectance = constantColor(sum);
+  return {};
 }
 
 // Returns the bsdf within the wrapper.

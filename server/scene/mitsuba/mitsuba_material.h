@@ -18,7 +18,9 @@ class MaterialReader {
   int read(pugi::xml_node bsdf);
 
  private:
-  Material parse(pugi::xml_node bsdf);
+  enum class Blends { kRead, kRefused };
+  Material parse(pugi::xml_node bsdf, Blends blends = Blends::kRead);
+  pugi::xml_node readBlend(const std::string& type, pugi::xml_node bsdf, Material& material);
   pugi::xml_node readWrapper(const std::string& type, pugi::xml_node bsdf, Material& material);
 
   const XmlFile& file_;

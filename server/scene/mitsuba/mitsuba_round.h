@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/affine.h"
+#include "base/affine.h"
 #include "scene/mitsuba/xml_properties.h"
 #include "scene/scene.h"
 

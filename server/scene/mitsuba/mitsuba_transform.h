@@ -1,7 +1,7 @@
 // The <transform> of a Mitsuba scene file.
 #pragma once
 
-#include "scene/affine.h"
+#include "base/affine.h"
 #include "scene/mitsuba/xml_file.h"
 
 namespace saccade {

@@ -1,6 +1,7 @@
 #include "scene/motion/bodies.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.h"
 #include "base/names.h"
@@ -33,6 +34,23 @@ void setBodies(Scene& scene, std::span<const std::string> names) {
       throw SceneError("the scene has no object '" + name + "'; it has: " + joinNames(shapeNames(scene)));
     scene.bodies.push_back({name, box.low, box.high});
   }
+}
+
+void keepForms(Scene& scene, std::span<const std::string> names) {
+  for (Mesh& mesh : scene.meshes)
+    if (std::ranges::find(names, mesh.name) != names.end()) mesh.deformation = kKeepsForm;
+}
+
+TimeNs lastFormKey(const Scene& scene) {
+  if (std::ranges::none_of(scene.meshes, deforms)) return TimeNs{0};
+  float last = 0;
+  const auto take = [&](const KeyTrack& keys) {
+    if (!keys.times.empty()) last = std::max(last, keys.times.back());
+  };
+  for (const MovingNode& node : scene.nodes)
+    for (const NodeTrack& track : node.tracks) take(track.keys);
+  for (const Deformation& deformation : scene.deformations) take(deformation.weight_keys);
+  return TimeNs{std::llround(double{last} * 1e9)};
 }
 
 }  // namespace saccade

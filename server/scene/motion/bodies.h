@@ -17,4 +17,10 @@ std::set<std::string> shapeNames(const Scene& scene);
 // lists the names that the scene has, where it has no such shape, or a name comes twice.
 void setBodies(Scene& scene, std::span<const std::string> names);
 
+// Lets the shapes with one of these names keep the form that they have at stream time 0.
+void keepForms(Scene& scene, std::span<const std::string> names);
+
+// The time of the last key that changes the form of a body; 0 where none does.
+TimeNs lastFormKey(const Scene& scene);
+
 }  // namespace saccade

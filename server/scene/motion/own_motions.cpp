@@ -7,7 +7,6 @@
 #include "base/text_cut.h"
 #include "scene/files/confinement.h"
 #include "scene/files/plain_file.h"
-#include "scene/files/scene_error.h"
 #include "scene/files/toml_file.h"
 #include "scene/motion/object_motion.h"
 
@@ -18,6 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFileBytes = 1 << 20, kMaxPoseBytes = 8 << 20;
 constexpr double kMaxPeriod = 1e9;  // seconds
+constexpr std::string_view kAnimation = "animation";
 
 // Reads one table of the file.
 class TableReader {
@@ -104,9 +104,22 @@ std::vector<OwnMotion> readOwnMotions(const fs::path& scene_file, const std::set
     throw SceneError(file.string() + ": more than " + std::to_string(kMostOwnMotions) + " objects move");
   std::vector<OwnMotion> motions;
   for (const auto& [name, node] : *tables)
-    motions.push_back(TableReader(file, std::string(name.str()), node, options).read(shapes));
+    if (name != kAnimation || node.is_table())
+      motions.push_back(TableReader(file, std::string(name.str()), node, options).read(shapes));
   std::ranges::sort(motions, {}, &OwnMotion::name);
   return motions;
+}
+
+std::optional<ChosenAnimation> chosenAnimation(const fs::path& scene_file, const LoadOptions& options) {
+  const fs::path file = scene_file.parent_path() / kMotionFile;
+  const auto tables = readToml(file, kMaxFileBytes, options);
+  const toml::node* node = tables ? tables->get(kAnimation) : nullptr;
+  if (!node || node->is_table()) return {};
+  ChosenAnimation chosen{{}, file.string(), static_cast<long>(node->source().begin.line)};
+  const auto name = node->value_exact<std::string>();
+  if (!name) throw chosen.error("animation is not a text in quotes");
+  chosen.name = *name;
+  return chosen;
 }
 
 const OwnMotion* ownMotion(const Scene& scene, const std::string& name) {

@@ -1,5 +1,6 @@
-// Motions that a scene gives its own objects: the file motion.toml beside the scene's file. It has a table
-// for each object, by the name of its shapes:
+// Motions that a scene gives its own objects: the file motion.toml beside the scene's file. It may choose an
+// animation of the scene's file, and has a table for each object, by the name of its shapes:
+//   animation = "Run"       # of glTF: no other one plays
 //   [turntable]
 //   motion = "spin:45"      # KIND:SPEED, see object_motion.h
 //   [train]
@@ -8,11 +9,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "scene/files/load_options.h"
+#include "scene/files/scene_error.h"
 #include "scene/scene.h"
 
 namespace saccade {
@@ -24,6 +27,17 @@ inline constexpr std::size_t kMostOwnMotions = 64;
 // has. Throws SceneError with file and line, and what would be valid.
 std::vector<OwnMotion> readOwnMotions(const std::filesystem::path& scene_file,
                                       const std::set<std::string>& shapes, const LoadOptions& options);
+
+// The animation that motion.toml chooses, and a fault of this choice with its place.
+struct ChosenAnimation {
+  std::string name, file;
+  long line;
+
+  SceneError error(const std::string& what) const { return {file, line, what}; }
+};
+// None where it chooses none. Throws SceneError.
+std::optional<ChosenAnimation> chosenAnimation(const std::filesystem::path& scene_file,
+                                               const LoadOptions& options);
 
 // That of an object; nullptr where the scene does not move it.
 const OwnMotion* ownMotion(const Scene& scene, const std::string& name);

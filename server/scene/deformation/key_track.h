@@ -1,8 +1,8 @@
-// Keys of one property of a node over time [glTF 2.0, 3.11, appendix C].
+// Keys of one property over time [glTF 2.0, 3.11, appendix C].
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace saccade {
@@ -11,12 +11,13 @@ enum class KeyInterpolation { kLinear, kStep, kCubic };
 
 struct KeyTrack {
   KeyInterpolation interpolation = KeyInterpolation::kLinear;
-  std::size_t size = 3;       // numbers of a value: 4 of a rotation, which is a quaternion x y z w
+  bool rotates = false;       // values are quaternions x y z w of any length, and linear is along an arc
+  std::size_t size = 3;       // numbers of a value
   std::vector<float> times;   // seconds, increasing; at least one
   std::vector<float> values;  // of cubic keys: the in-tangent, the value and the out-tangent
 
-  // Held before the first key and after the last. Quaternions have any length.
-  std::array<double, 4> at(double seconds) const;
+  // Sets `value`, which has `size` numbers. Held before the first key and after the last.
+  void at(double seconds, std::span<double> value) const;
 };
 
 }  // namespace saccade

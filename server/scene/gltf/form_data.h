@@ -1,0 +1,26 @@
+// The arrays of skins and morph targets of a glTF file [glTF 2.0, 3.7.2.2, 3.7.3].
+#pragma once
+
+#include "scene/gltf/gltf_buffers.h"
+#include "scene/scene.h"
+
+namespace saccade {
+
+// All throw SceneError.
+
+// How many targets the parts of a mesh have at most.
+std::size_t targetCount(const JsonNode& mesh);
+
+// For each joint of a skin the map from the space of the mesh to that of the joint's node.
+std::vector<Affine> readBinds(const JsonNode& root, const GltfBuffers& buffers, std::size_t skin,
+                              std::size_t joints);
+
+// Of a part of a mesh, which has been read into `mesh`. Normals are those of the vertices that have some.
+std::vector<MorphTarget> readTargets(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& part,
+                                     const Mesh& mesh);
+
+// The first four of each vertex, with a sum of 1.
+std::vector<Influence> readInfluences(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& part,
+                                      std::size_t vertices, std::size_t joints);
+
+}  // namespace saccade
