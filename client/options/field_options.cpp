@@ -21,6 +21,7 @@ constexpr struct {
                 {"timing.frame_rate_hz", "--rate"},
                 {"timing.interval_px", "--interval-px"},
                 {"timing.max_rate_hz", "--max-rate"},
+                {"timing.refinement", "--finest-px"},
                 {"timing.duration_s", "--duration"},
                 {"timing.until_path_ends", "--duration"},
                 {"timing.clock", "--clock"},

@@ -44,6 +44,7 @@ v1::Timing makeTiming(const RequestOptions& options) {
   v1::Timing timing;
   timing.set_frame_rate_hz(options.interval_px ? options.min_rate_hz : options.rate_hz);
   if (options.interval_px) timing.set_interval_px(*options.interval_px);
+  if (options.finest_px) timing.mutable_refinement()->set_finest_px(*options.finest_px);
   if (options.max_rate_hz) timing.set_max_rate_hz(*options.max_rate_hz);
   const bool until_path_ends = !options.duration_s && namesPoses(options);
   timing.set_until_path_ends(until_path_ends);

@@ -26,6 +26,7 @@ void limitRequest(CLI::App& command) {
   limitTo(command, "--pose-rate", ranges::kFrameRate);
   limitTo(command, "--rate", ranges::kFrameRate);
   limitTo(command, "--interval-px", ranges::kIntervalPx);
+  limitTo(command, "--finest-px", ranges::kFinestPx);
   limitTo(command, "--min-rate", ranges::kFrameRate);
   limitTo(command, "--max-rate", ranges::kFrameRate);
   limitTo(command, "--duration", ranges::kDuration);

@@ -67,7 +67,7 @@ void addStreamOptions(CLI::App& command, RequestOptions& o) {
   CLI::Option* interval =
       command
           .add_option("--interval-px", o.interval_px,
-                      "instead of --rate: render when the picture has moved by so many pixels, such as 0.5")
+                      "instead of --rate: render when the picture has moved by so many pixels, such as 1")
           ->excludes(rate);
   command
       .add_option("--min-rate", o.min_rate_hz,
@@ -76,6 +76,11 @@ void addStreamOptions(CLI::App& command, RequestOptions& o) {
       ->capture_default_str();
   command
       .add_option("--max-rate", o.max_rate_hz, "with --interval-px: most frames per second; default 10000")
+      ->needs(interval);
+  command
+      .add_option("--finest-px", o.finest_px,
+                  "with --interval-px: render pixels that change in between, down to so many pixels of motion; "
+                  "default a sixteenth, if the method can; as --interval-px: whole frames alone")
       ->needs(interval);
   command.add_option("--duration", o.duration_s,
                      "seconds of the stream; 0: until Ctrl-C; by default" + durationDefault(o));

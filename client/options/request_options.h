@@ -34,6 +34,7 @@ struct RequestOptions {
   CameraOptions camera;
   double rate_hz = 1000;
   std::optional<double> interval_px;  // intervals that follow motion, in frames of min_rate_hz
+  std::optional<double> finest_px;    // Refinement.finest_px
   double min_rate_hz = 20;
   std::optional<double> max_rate_hz;
   std::optional<double> duration_s;  // unset: to the end of a file of poses, or kDuration

@@ -151,8 +151,11 @@ TEST(RequestOptions, IntervalsFollowMotionInsteadOfARate) {
   const v1::Timing bounded = openStream("--interval-px 1 --min-rate 50 --max-rate 2000").timing();
   EXPECT_EQ(bounded.frame_rate_hz(), 50);
   EXPECT_EQ(bounded.max_rate_hz(), 2000);
+  EXPECT_FALSE(bounded.has_refinement());
+  EXPECT_EQ(openStream("--interval-px 1 --finest-px 0.25").timing().refinement().finest_px(), 0.25);
   EXPECT_EQ(openStream("--rate 50").timing().interval_px(), 0);
   EXPECT_NE(faultOf("--interval-px 1 --rate 50"), "");
+  EXPECT_NE(faultOf("--rate 50 --finest-px 0.1"), "");
   EXPECT_NE(faultOf("--min-rate 50"), "");
   EXPECT_NE(faultOf("--max-rate 50"), "");
 }

@@ -1,6 +1,7 @@
 // Streams whose frames have several intervals.
 #include <gtest/gtest.h>
 
+#include "eval/metrics/window_errors.h"
 #include "mock/bad_request.h"
 #include "mock/control_calls.h"
 #include "mock/events_of.h"
@@ -41,6 +42,40 @@ TEST(Intervals, HaveTheEventsOfShortFrames) {
   const double events = count(following()), of_fine = count(fine), of_coarse = count(coarse);
   EXPECT_GT(of_fine, 100);
   EXPECT_LT(std::abs(events - of_fine), 0.5 * std::abs(of_coarse - of_fine));
+}
+
+// The events of frames that are as short as the pieces, with far fewer frames.
+TEST(Intervals, AreRefinedWhereBrightnessChanges) {
+  TestServer server(2);
+  v1::OpenStream refined = following(0.8), whole = refined, fine = following(0.05);
+  whole.mutable_timing()->mutable_refinement()->set_finest_px(0.8);
+  fine.mutable_timing()->mutable_refinement()->set_finest_px(0.05);
+  const auto events = [&](const v1::OpenStream& request) {
+    const auto packets = server.run(request);
+    checkPackets(packets.at(0));
+    return eventsOf(packets.at(0));
+  };
+  const Events truth = events(fine);
+  const double window_ns = 1e9 * kFrame / 4;
+  const auto of_refined = eval::windowErrors(events(refined), truth, window_ns),
+             of_whole = eval::windowErrors(events(whole), truth, window_ns);
+  EXPECT_LT(of_refined.time, 0.3 * of_whole.time);
+  EXPECT_LT(of_refined.missed_share + of_refined.false_share,
+            0.5 * (of_whole.missed_share + of_whole.false_share));
+}
+
+TEST(Intervals, SayHowTheyAreRefined) {
+  TestServer server;
+  v1::OpenStream request = following(0.8);
+  request.mutable_sensors(0)->set_threshold(0.3);
+  *request.add_sensors() = request.sensors(0);
+  request.mutable_sensors(1)->set_threshold_off(0.15);
+  const v1::Refinement by_default = server.client().open(request).resolved().timing().refinement();
+  EXPECT_EQ(by_default.finest_px(), 0.05);
+  EXPECT_EQ(by_default.threshold(), 0.15);
+  EXPECT_EQ(by_default.bias(), 1e-3);
+  request.mutable_method()->set_name("event_svgf");
+  EXPECT_EQ(server.client().open(request).resolved().timing().refinement().finest_px(), 0.8);
 }
 
 TEST(Intervals, LeaveFramesAndPacketsAsTheyAre) {
@@ -103,7 +138,27 @@ TEST(Intervals, RefuseWhatTheyCannotDo) {
        bad([](Open& r) { r.mutable_timing()->set_max_rate_hz(10); }, "timing.max_rate_hz", "[50, 100000]"),
        bad([](Open& r) { r.mutable_timing()->set_interval_px(0), r.mutable_timing()->set_max_rate_hz(10); },
            "timing.max_rate_hz", "interval_px"),
-       bad([](Open& r) { r.add_truth()->set_name("flow_forward"); }, "truth[1].name", "interval_px")});
+       bad([](Open& r) { r.add_truth()->set_name("flow_forward"); }, "truth[1].name", "interval_px"),
+       bad([](Open& r) { r.mutable_timing()->mutable_refinement()->set_finest_px(0.001); },
+           "timing.refinement.finest_px", "[0.0015625, 0.05]"),
+       bad([](Open& r) { r.mutable_timing()->mutable_refinement()->set_threshold(11); },
+           "timing.refinement.threshold", "[0.001, 10]"),
+       bad([](Open& r) { r.mutable_timing()->mutable_refinement()->set_bias(std::nan("")); },
+           "timing.refinement.bias", "nan"),
+       bad([](Open& r) { r.mutable_timing()->set_interval_px(0), r.mutable_timing()->mutable_refinement(); },
+           "timing.refinement", "interval_px"),
+       bad(
+           [](Open& r) {
+             r.mutable_timing()->mutable_refinement()->set_finest_px(0.01);
+             r.mutable_method()->set_name("svgf");
+           },
+           "timing.refinement.finest_px", "svgf has whole frames only"),
+       bad(
+           [](Open& r) {
+             r.mutable_timing()->mutable_refinement()->set_finest_px(0.01);
+             r.mutable_quality()->set_jitter(true);
+           },
+           "timing.refinement.finest_px", "jitter")});
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class Request(unittest.TestCase):
     def test_every_setting_has_its_field(self):
         made = make_request({**NEEDED, "motion": "shake:-3px", "turn_s": 0, "motion_seed": 9,
                              "start": (1, 2, 3, 0, 0.5, 0, 1), "duration_s": 2,
-                             "interval_px": 0.5, "max_rate_hz": 2000,
+                             "interval_px": 0.5, "max_rate_hz": 2000, "finest_px": 0.1,
                              "speed": 0.5, "fov_x_deg": 40, "clock": "paced", "delivery": "live", "codec": "zstd",
                              "seed": 5, "threshold": [0.1, 0.2], "threshold_off": 0.3, "bias": 1e-4,
                              "refractory_s": 1e-3, "cutoff_hz": 2, "model": "probabilistic", "reconstruction": "direct",
@@ -46,7 +46,7 @@ class Request(unittest.TestCase):
                 kind=c.MOTION_KIND_SHAKE, px_per_frame=-3, turn_s=0, seed=9, start=c.RigidTransform(
                     position=c.Vector3(x=1, y=2, z=3), rotation=c.Quaternion(y=0.5, w=1)))),
             timing=c.Timing(frame_rate_hz=100, duration_s=2, clock=c.CLOCK_PACED, speed=0.5, interval_px=0.5,
-                            max_rate_hz=2000),
+                            max_rate_hz=2000, refinement=c.Refinement(finest_px=0.1)),
             method=c.Method(name="svgf", spp=4, params={"alpha": 0.5}),
             quality=c.Quality(bounces=1, jitter=True, monochrome=True, bake_error=0.1, disabled_features=["masks"],
                               budget_ms=5, max_false_rate=0.25, max_event_change=0.5),

@@ -66,7 +66,7 @@ class Settings(Needed, total=False):
 
     interval_px: each frame is rendered several times, whenever the picture has moved by about so many pixels; max_rate_hz
         bounds how often per second. Truth, poses and Stream.step() keep to the frames. Without it each frame is rendered
-        once.
+        once. Pixels that change in between are rendered down to finest_px of motion, by default a sixteenth.
     duration_s: stream time; without it, or with 0, the stream goes on until it is closed.
     clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed, "lockstep" renders a frame
         for each Stream.step().
@@ -108,6 +108,7 @@ class Settings(Needed, total=False):
     objects: Mapping[str, str | os.PathLike[str] | NDArray[np.float64]]
     interval_px: float
     max_rate_hz: float
+    finest_px: float
     duration_s: float
     size: tuple[int, int]
     fov_x_deg: float

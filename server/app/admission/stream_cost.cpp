@@ -8,6 +8,7 @@
 #include "app/request/refusal.h"
 #include "app/request/request_memory.h"
 #include "base/mebibyte.h"
+#include "feed/refined_tile.h"
 #include "frame/intensity_change.h"
 #include "saccade/wire/packet_cutter.h"
 #include "truth/truth_source.h"
@@ -76,8 +77,11 @@ double pushedBytes(const FeedConfig& feed, const Limits& limits) {
 
 double feedBytes(const FeedConfig& feed, bool moves) {
   constexpr double kFeedBytes = 260;  // per pixel
+  // Likewise: log brightness at both ends, and updates of tiles, which grow, and of two intervals.
+  constexpr double kRefinedBytes =
+      2 * sizeof(float) + 4.0 * RefinedTile::kMostUpdates * sizeof(IntensityUpdate);
   const double lens_bytes = feed.camera.distortion.isNone() ? 0 : feed.pixels() * sizeof(Vec2);
-  return pixelsWithBorder(feed) * kFeedBytes + lens_bytes +
+  return pixelsWithBorder(feed) * (kFeedBytes + (feed.refinement ? kRefinedBytes : 0)) + lens_bytes +
          findMethod(feed.method)->memory(feed.params, {feed.pixels(), feed.jitter, moves});
 }
 
@@ -90,14 +94,14 @@ double ownPathBytes(const ResolvedStream& stream) {
 }
 
 // Of objects that move: the number of the one that a pixel shows, their places, lamps and deformed shapes,
-// each in two frames.
+// each in two frames, and at the times within a refined interval.
 double objectBytes(const FeedConfig& feed, const ResolvedStream& stream) {
   constexpr double kFrames = 2, kObjectBytes = 16 << 10;  // of a place
+  const double times = kFrames + (feed.refinement ? RefinedInterval::kMostPieces : 0);
   const double objects = static_cast<double>(stream.objects.size());
   if (objects == 0) return 0;
-  return kFrames *
-             (pixelsWithBorder(feed) * sizeof(std::uint32_t) + kObjectBytes * objects + stream.shape_bytes) +
-         ownPathBytes(stream);
+  return kFrames * pixelsWithBorder(feed) * sizeof(std::uint32_t) +
+         times * (kObjectBytes * objects + stream.shape_bytes) + ownPathBytes(stream);
 }
 
 }  // namespace

@@ -61,6 +61,8 @@ void takeMethod(const MethodInfo& info, ResolvedStream& stream) {
   method.set_name(info.name);
   method.clear_params();
   resolveMethod(method, stream.feed);
+  if (!stream.chooses_refinement) stream.request.mutable_timing()->clear_refinement();
+  resolveRefinement(stream);
   shareSettings(stream);
 }
 
@@ -122,6 +124,8 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
            "light is computed ahead for the surfaces of a path, and a steered path is not known");
   resolveDelivery(r);
   stream.feed.seed = r.seed();
+  stream.chooses_refinement = r.timing().refinement().finest_px() > 0;
+  resolveRefinement(stream);
   shareSettings(stream);
   return stream;
 }

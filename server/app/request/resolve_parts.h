@@ -10,6 +10,7 @@ namespace saccade {
 // They throw Refusal.
 void resolveTiming(ResolvedStream& stream);
 void resolveSensors(ResolvedStream& stream);
+void resolveRefinement(ResolvedStream& stream);  // after the timing, the sensors, the method and the quality
 void resolveTruths(ResolvedStream& stream);
 void resolveDelivery(v1::OpenStream& request);
 

@@ -35,7 +35,8 @@ struct ResolvedStream {
   std::vector<ResolvedObject> objects = {};        // in the order of request.objects: by name
   double shape_bytes = 0;                          // of shapes that a feed keeps for itself at one time
   SceneFeatures disabled_features = {};
-  bool chooses_method = false;  // the request, or its budget; otherwise fitTo() may take another one
+  bool chooses_method = false;      // the request, or its budget; otherwise fitTo() may take another one
+  bool chooses_refinement = false;  // the request, by Refinement.finest_px
   std::optional<v1::ExpectedQuality> expected = {};       // of a request with a budget
   std::optional<v1::ExpectedChange> simplification = {};  // of a request with a max_event_change
 

@@ -40,7 +40,8 @@ def make_request(settings: Settings) -> c.OpenStream:
         view=make_view(s), further_views=make_further_views(s), sensors=_sensors(s), truth=make_truth(s),
         timing=c.Timing(frame_rate_hz=s["rate_hz"],
                         **_some(s, "clock", "duration_s", "speed", "steerable", "packet_per_frame", "until_path_ends",
-                                "interval_px", "max_rate_hz")),
+                                "interval_px", "max_rate_hz"),
+                        **({"refinement": c.Refinement(finest_px=s["finest_px"])} if "finest_px" in s else {})),
         **({"pushed": True} if pushed else _scene(s)), **_some(s, "delivery", "codec", "seed"))
 
 
