@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/counting_new.h"
 #include "feed/interval_clock.h"
 #include "feed/rig.h"
 #include "feed/room.h"
+#include "scene/motion/bodies.h"
 
 namespace saccade {
 namespace {
@@ -163,6 +165,39 @@ TEST(RigIntervals, AreThoseOfTheFastestView) {
   int intervals = 1;
   while (!rig.step({pool}).back().ends_frame) ++intervals;
   EXPECT_EQ(intervals, 13);  // 3.1 px of the first view, and 12.4 of the second
+}
+
+// A card fills the view, and slides by 62 px per second for 75 ms; then it stands.
+TEST(RigIntervals, FollowBodies) {
+  Scene s;
+  s.materials = {test::grey(0.5f)};
+  s.meshes = {test::quad({-90, -90, 4}, {180, 0, 0}, {0, 180, 0}, 0, {1, 1, 1}),
+              test::quad({-8, -8, 2}, {16, 0, 0}, {0, 16, 0}, 0, {1, 1, 1})};
+  s.meshes[1].name = "card";
+  const std::string names[]{"card"};
+  setBodies(s, names);
+  const Vec3d start = toDouble(s.bodies[0].centre());
+  const double to = 62 * 0.075 / (kSize / 2.0) * 2;
+  FeedConfig moving = config(1);
+  moving.body_paths = {Trajectory({{TimeNs{0}, {start, {}}}, {TimeNs{75ms}, {start + Vec3d{to, 0, 0}, {}}}})};
+  TilePool pool(1);
+  Rig rig(std::make_unique<Feed>(std::make_shared<RenderScene>(std::move(s)), truck(0), moving, pool));
+  // 3.1 px in the first frame; 1.55 px in the first half of the second one, at equal motion.
+  const std::vector<TimeNs> ends = endsOf(rig, pool, 150ms);
+  ASSERT_EQ(ends.size(), 7u);
+  EXPECT_NEAR(seconds(ends[0]), 0.0125, 2e-5);
+  EXPECT_NEAR(seconds(ends[4]), 0.0625, 2e-5);
+  EXPECT_EQ(ends[5], 100ms);
+  EXPECT_EQ(rig.lastTimes().total().count(), 0) << "the third frame rests";
+}
+
+TEST(RigIntervals, AllocateNothingAfterTheFirstOnes) {
+  TilePool pool(1);
+  Rig rig(std::make_unique<Feed>(test::room(), truck(0.4, 200ms), config(0.5), pool));
+  for (int i = 0; i < 12; ++i) rig.step({pool});
+  const int before = test::allocations();
+  for (int i = 0; i < 6; ++i) rig.step({pool});
+  EXPECT_EQ(test::allocations(), before);
 }
 
 TEST(RigIntervals, FollowLampsThatChange) {
