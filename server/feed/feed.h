@@ -10,13 +10,14 @@
 #include "feed/feed_interval.h"
 #include "feed/feed_keys.h"
 #include "feed/pixel_speed.h"
-#include "feed/refinement.h"
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
 #include "render/renderer.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {
+
+class Refinement;
 
 class Feed {
  public:
@@ -27,6 +28,8 @@ class Feed {
   // With a method of the caller's instead of `config.method`, and the passes that it needs.
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
        std::unique_ptr<Method> method, SeedPlanner seeds, const PoolHandle& pool);
+
+  ~Feed();
 
   // Adds keys to the paths, after the last ones.
   void steer(const FeedKeys& keys);
@@ -47,7 +50,7 @@ class Feed {
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
 
   // Of the last step; nothing where the feed has whole frames only.
-  const Refinement::Counts& refined() const { return refined_; }
+  const RefinementCounts& refined() const { return refined_; }
 
  private:
   void render(const PoolHandle& pool);
@@ -62,7 +65,7 @@ class Feed {
   Renderer renderer_;
   std::unique_ptr<Method> method_;
   std::unique_ptr<Refinement> refinement_;  // nullptr: whole frames only
-  Refinement::Counts refined_;
+  RefinementCounts refined_;
   SeedPlanner seeds_;
   FrameRing frames_;
   std::array<IntensityChange, 2> changes_;  // in turn
