@@ -27,7 +27,8 @@ struct RefineResult {
   // filter; `halves_events`: of every half interval of the truth. Times are in fine frames.
   TimedScore refined_events, look_up_events, halves_events;
   double events = 0;  // true ones, a pixel and fine frame
-  double off = 0, look_ups_off = 0, halves_off = 0;  // share of pixels and fine frames whose brightness is wrong by 0.1 thresholds
+  double off = 0, look_ups_off = 0,
+         halves_off = 0;  // share of pixels and fine frames whose brightness is wrong by 0.1 thresholds
 };
 
 // All feeds take turns on one thread.

@@ -35,7 +35,7 @@ inline float varianceOfRays(float squares, int rays) {
   constexpr float kOfOne = 0.16f;  // V (1 - V)
   return kOfOne * squares / static_cast<float>(rays);
 }
-// What rays must lessen, over the variance that they leave.
+// The least that rays must lessen, over the variance that they leave.
 inline constexpr float kLeastRayGain = 0.25f;
 
 // The light of all groups at a point.
