@@ -4,6 +4,7 @@
 
 #include "base/quantile.h"
 #include "base/thread_time.h"
+#include "feed/refinement.h"
 #include "render/primary/sub_pixel.h"
 
 namespace saccade {
@@ -42,6 +43,8 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
   render(TimeNs{0}, pool);
   method_->start(frames_.current(), pool);
 }
+
+Feed::~Feed() = default;
 
 const IntensityChange& Feed::stepTo(TimeNs t, const PoolHandle& pool) {
   const auto began = threadCpuTime() + TilePool::criticalPathTime();
@@ -134,8 +137,12 @@ void Feed::refine(const PoolHandle& pool, IntensityChange& change) {
   change.updates.clear(), refined_ = {};
   const FramePair frames = frames_.pair();
   if (frames.cur.stands || frames.cur.light != frames.prev.light) return;
-  const Refinement::Interval interval{frames, posed_[frames.cur.index % 2], renderer_.motion(),
-                                      *method_->onSurfaces(), [this](TimeNs t) { return cameraAt(t); }};
+  const Refinement::Interval interval{frames,
+                                      posed_[frames.cur.index % 2],
+                                      renderer_.motion(),
+                                      *method_->onSurfaces(),
+                                      renderer_.shadowRays(),
+                                      [this](TimeNs t) { return cameraAt(t); }};
   times_[Stage::kRefine] += refinement_->refine(interval, pool, change);
   refined_ = refinement_->lastCounts();
 }

@@ -11,14 +11,19 @@
 #include "feed/feed_interval.h"
 #include "feed/feed_keys.h"
 #include "feed/pixel_speed.h"
+<<<<<<< HEAD
 #include "feed/refinement.h"
 #include "feed/view_motion.h"
+=======
+>>>>>>> 50918727d4ad9ab9c26da206527814316ca9a514
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
 #include "render/renderer.h"
 #include "scene/camera/trajectory.h"
 
 namespace saccade {
+
+class Refinement;
 
 class Feed {
  public:
@@ -29,6 +34,8 @@ class Feed {
   // With a method of the caller's instead of `config.method`, and the passes that it needs.
   Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const FeedConfig& config,
        std::unique_ptr<Method> method, SeedPlanner seeds, const PoolHandle& pool);
+
+  ~Feed();
 
   // Adds keys to the paths, after the last ones.
   void steer(const FeedKeys& keys);
@@ -63,9 +70,13 @@ class Feed {
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
 
   // Of the last step; nothing where the feed has whole frames only.
+<<<<<<< HEAD
   const Refinement::Counts& refined() const { return refined_; }
   const FeedConfig& config() const { return config_; }
   bool lampsChange() const { return !posed_[0].strengths().areSteady(); }  // over time
+=======
+  const RefinementCounts& refined() const { return refined_; }
+>>>>>>> 50918727d4ad9ab9c26da206527814316ca9a514
 
  private:
   void render(TimeNs t, const PoolHandle& pool);
@@ -81,7 +92,7 @@ class Feed {
   Renderer renderer_;
   std::unique_ptr<Method> method_;
   std::unique_ptr<Refinement> refinement_;  // nullptr: whole frames only
-  Refinement::Counts refined_;
+  RefinementCounts refined_;
   SeedPlanner seeds_;
   FrameRing frames_;
   std::array<IntensityChange, 2> changes_;  // in turn

@@ -19,6 +19,14 @@ struct RefinementSettings {
   double finest_px = 1. / 16;  // motion within the shortest pieces, pixels, > 0
   double threshold = 0.2;      // log brightness, > 0
   double bias = 1e-3;          // scene luminance, > 0
+  // Of a pixel, in the mean over a tile. Where pieces of one length would exceed it, none is split further.
+  double most_updates = 8;
+};
+
+// Of an interval.
+struct RefinementCounts {
+  std::size_t samples = 0;  // look-ups
+  std::size_t unsplit = 0;  // pieces that found no room among most_updates
 };
 
 struct FeedConfig {

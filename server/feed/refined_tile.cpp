@@ -65,7 +65,7 @@ class PieceSampler {
     const auto light = std::span(light_).first(count);
     sampler_.look(view, asked, samples);
     interval.light.readPoints(samples, light);
-    sampler_.traceShadows(view, asked, interval.spp, light);
+    sampler_.traceShadows(view, asked, interval.shadows, light);
   }
   // NaN where no look-up tells it.
   float I(std::size_t k) const {
@@ -158,9 +158,9 @@ void RefinedTile::refine(const RefinedInterval& interval, Tile tile, int levels,
   if (m.level.empty()) return;
   const int moments = 1 << interval.levels;
   m.grid.clear(moments);
-  const std::size_t most = kMostUpdates * static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0));
+  const double most = interval.most_updates * (tile.x1 - tile.x0) * (tile.y1 - tile.y0);
   for (int level = 0; level < levels && !m.level.empty(); ++level, std::swap(m.level, m.next)) {
-    if (samples_ + m.level.size() > most) {
+    if (static_cast<double>(samples_ + m.level.size()) > most) {
       unsplit_ = m.level.size() / 2;
       break;
     }

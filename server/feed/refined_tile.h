@@ -26,18 +26,15 @@ struct RefinedInterval {
   const FrameMotion* motion;                  // nullptr in a scene without bodies
   const ImageF &L0, &L1;                      // log brightness at both ends
   const SurfaceMethod& light;
-  int spp;         // as of LampShadows
-  float bias;      // of log brightness
-  float contrast;  // of the range that a change needs
-  float enough;    // distance from the line that needs no further piece
+  const EndShadows& shadows;
+  float bias;           // of log brightness
+  float contrast;       // of the range that a change needs
+  float enough;         // distance from the line that needs no further piece
+  double most_updates;  // see RefinementSettings
 };
 
 class RefinedTile {
  public:
-  // Of updates to a pixel of the tile, in the mean. Where a level would exceed them, no piece is split any
-  // more.
-  static constexpr std::size_t kMostUpdates = 8;
-
   // `levels`: at most those of the interval. `reach`: see findRanges().
   void refine(const RefinedInterval& interval, Tile tile, int levels, int reach);
 

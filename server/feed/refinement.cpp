@@ -56,6 +56,8 @@ std::chrono::nanoseconds Refinement::refine(const Interval& interval, const Pool
   if (levels == 0) return time;
   time += findBrightness(change, pool);
   setMoments(interval, levels, change);
+  const EndShadows shadows{*interval.frames.cur.surfaces, *interval.frames.prev.surfaces, interval.rays,
+                           spp_};
   const RefinedInterval refined{.levels = levels,
                                 .cameras = cameras_,
                                 .scenes = scenes_,
@@ -63,10 +65,11 @@ std::chrono::nanoseconds Refinement::refine(const Interval& interval, const Pool
                                 .L0 = L0_,
                                 .L1 = L1_,
                                 .light = interval.light,
-                                .spp = spp_,
+                                .shadows = shadows,
                                 .bias = static_cast<float>(settings_.bias),
                                 .contrast = static_cast<float>(kRange * settings_.threshold),
-                                .enough = static_cast<float>(kOffLine * settings_.threshold)};
+                                .enough = static_cast<float>(kOffLine * settings_.threshold),
+                                .most_updates = settings_.most_updates};
   time += pool.run(across_ * down_, [&](int i) {
     const int x = i % across_ * kTileEdge, y = i / across_ * kTileEdge;
     const Tile tile{x, y, std::min(x + kTileEdge, width_), std::min(y + kTileEdge, height_)};
@@ -137,12 +140,7 @@ void Refinement::setMoments(const Interval& interval, int levels, const Intensit
 
 // The updates of all tiles, by time and then by pixel, as those of each tile are.
 void Refinement::join(IntensityChange& change) {
-  std::size_t all = 0;
-  for (const RefinedTile& tile : tiles_) {
-    all += tile.updates().size();
-    counts_.samples += tile.samples(), counts_.unsplit += tile.unsplit();
-  }
-  change.updates.reserve(all);
+  for (const RefinedTile& tile : tiles_) counts_.samples += tile.samples(), counts_.unsplit += tile.unsplit();
   std::ranges::fill(joined_, 0);
   const auto pieces = static_cast<float>(cameras_.size());
   for (std::size_t moment = 1; moment < cameras_.size(); ++moment) {

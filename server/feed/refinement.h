@@ -30,16 +30,13 @@ class Refinement {
     const PosedScene& scene;
     const FrameMotion motion;  // of the interval
     const SurfaceMethod& light;
+    const FrameRays& rays;  // of the frame at its end
     const std::function<Camera(TimeNs)> cameraAt;
   };
   // Sets the updates of `change`, whose other parts are known. Returns the CPU time.
   std::chrono::nanoseconds refine(const Interval& interval, const PoolHandle& pool, IntensityChange& change);
 
-  struct Counts {
-    std::size_t samples = 0;  // look-ups
-    std::size_t unsplit = 0;  // pieces that found no room among RefinedTile::kMostUpdates
-  };
-  const Counts& lastCounts() const { return counts_; }  // of the last refine()
+  const RefinementCounts& lastCounts() const { return counts_; }  // of the last refine()
 
  private:
   static constexpr int kTileEdge = kRefinedTile;
@@ -60,7 +57,7 @@ class Refinement {
   std::vector<const PosedScene*> scenes_;
   std::vector<RefinedTile> tiles_;
   std::vector<std::size_t> joined_;  // of the updates of each tile
-  Counts counts_;
+  RefinementCounts counts_;
 };
 
 }  // namespace saccade

@@ -30,7 +30,8 @@ struct PlaceLight {
   bool known = false;
   float residual = 0;
   float visibility = 1;
-  float shadow = 0;  // variance of visibility that rays are to tell; 0: none are wanted
+  float shadow = 0;             // variance of visibility that rays may tell; 0: they cannot
+  bool shadow_visible = false;  // whether it is a visible part of the light
 };
 
 }  // namespace saccade

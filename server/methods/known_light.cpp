@@ -122,7 +122,7 @@ void KnownLight::readPoints(std::span<const PointSample> at, std::span<PlaceLigh
   if (std::ranges::any_of(out, isUnknown)) states_.current().grid.readPoints(at, out);
   for (std::size_t k = 0; k < out.size(); ++k)
     if (out[k].known && at[k].light_moves && at[k].place.unoccluded > 0)
-      out[k].shadow = SurfaceShadow::kMoves;
+      out[k].shadow = SurfaceShadow::kMoves, out[k].shadow_visible = true;
 }
 
 void KnownLight::readBakedShadows(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {

@@ -65,6 +65,7 @@ class Renderer {
                    ImageF (&rgb)[3]);
 
   // From the frame before into that of the last renderSurfaces().
+  const FrameRays& shadowRays() const { return shadows_.rays(); }  // after traceShadows()
   FrameMotion motion() const { return {moved_, *changing_, sliding_}; }
 
  private:

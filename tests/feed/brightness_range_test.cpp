@@ -21,10 +21,10 @@ TEST(BrightnessRange, IsThatOfASquareAtBothEnds) {
   ImageF a(kW, kH), b(kW, kH);
   for (int y = 0; y < kH; ++y)
     for (int x = 0; x < kW; ++x) {
-      a.at(x, y) = randomAt(1, x / 9, y / 9);
-      b.at(x, y) = randomAt(2, x / 9, y / 9);
+      a.at(x, y) = randomAt(1, x / 3, y / 3);
+      b.at(x, y) = randomAt(2, x / 3, y / 3);
     }
-  constexpr float kLimit = 0.5f;
+  constexpr float kLimit = 0.7f;
   for (const int reach : {1, 3, kMostReach}) {
     for (const Tile tile : {Tile{0, 0, 32, 32}, Tile{64, 32, kW, kH}}) {
       const TileMask mask = findRanges(a, b, tile, reach, kLimit);

@@ -135,16 +135,19 @@ void BakedLight::read(std::span<const PointSample> at, std::span<PlaceLight> out
     const BakedMeans mean(points, points.light().means, scale_);
     LaneMemory<4> lanes;
     store(mean.residual, lanes.values[0]), store(mean.visibility, lanes.values[1]);
-    LaneSet visible;
+    BakedMeans::Shadows shadows;
     if (points.anyNearShadow()) {
       for (int i = 0; i < points.count(); ++i) lanes.values[2][i] = at[points[i].index].place.unoccluded;
       const BakedPoints::F variance = points.shadows();
-      visible = mean.shadows(load<kPointLanes>(lanes.values[2]), variance).visible;
+      shadows = mean.shadows(load<kPointLanes>(lanes.values[2]), variance);
       store(variance, lanes.values[3]);
     }
     forEachLane(mean.known, [&](int i) {
-      const float shadow = visible.has(i) ? lanes.values[3][i] : 0;
-      out[points[i].index] = {true, lanes.values[0][i], lanes.values[1][i], shadow};
+      out[points[i].index] = {.known = true,
+                              .residual = lanes.values[0][i],
+                              .visibility = lanes.values[1][i],
+                              .shadow = shadows.near.has(i) ? lanes.values[3][i] : 0,
+                              .shadow_visible = shadows.visible.has(i)};
     });
   });
 }

@@ -87,7 +87,7 @@ void GridReader::readLanes(const PointLanes& lanes, std::span<const PointSample>
     const std::uint32_t k = at_.points[lanes.points[i]].index;
     const float shadow = shadowVariance(lanes.light[slot].at<Quad>(i), lanes.evidence[slot].at<Octet>(i),
                                         at[k].place.unoccluded, params_.blend);
-    out[k] = {true, values.values[0][i], values.values[1][i], shadow};
+    out[k] = {true, values.values[0][i], values.values[1][i], shadow, shadow > 0};
   }
 }
 

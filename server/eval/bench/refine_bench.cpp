@@ -30,11 +30,12 @@ class RefineBench {
   explicit RefineBench(const RefineSetup& s)
       : setup_(s),
         brightness_(s.config.refinement->bias),
-        refined_(feedOf(1, true)),
-        fine_(feedOf(s.pieces, false)),
-        look_ups_(feedOf(s.pieces, true)),
-        halves_(feedOf(2, false)),
-        sensors_(3, LineSensor(pixels(), s.config.refinement->threshold)) {
+        refined_(feedOf(1, s.config.refinement)),
+        truth_feed_(feedOf(1, everywhere(*s.config.refinement))),
+        fine_(feedOf(s.pieces, {})),
+        look_ups_(feedOf(s.pieces, never(*s.config.refinement))),
+        halves_(feedOf(2, {})),
+        sensors_(4, LineSensor(pixels(), s.config.refinement->threshold)) {
     for (int k = 0; k <= s.pieces; ++k) {
       truth_.emplace_back(s.config.camera.width, s.config.camera.height);
       drawn_.emplace_back(s.config.camera.width, s.config.camera.height);
@@ -43,6 +44,7 @@ class RefineBench {
 
   RefineResult run() {
     for (interval_ = 0; interval_ < setup_.intervals; ++interval_) {
+      stepTruth();
       stepFine();
       stepHalves();
       stepRefined();
@@ -50,22 +52,30 @@ class RefineBench {
     const double times = static_cast<double>(pixels()) * setup_.pieces * setup_.intervals;
     const std::vector<TimedEvent> truth = sensors_[0].events();
     result_.refined_events = scoreEvents(sensors_[1].events(), truth, setup_.pieces);
+    result_.look_up_events = scoreEvents(sensors_[3].events(), truth, setup_.pieces);
     result_.halves_events = scoreEvents(sensors_[2].events(), truth, setup_.pieces);
     result_.events = static_cast<double>(truth.size()) / times;
-    result_.updates /= times, result_.off /= times, result_.halves_off /= times;
+    result_.updates /= times, result_.off /= times;
+    result_.look_ups_off /= times, result_.halves_off /= times;
     return result_;
   }
 
  private:
   std::size_t pixels() const { return static_cast<std::size_t>(setup_.config.pixels()); }
 
-  // `bare`: with frames as refinement has them.
-  std::unique_ptr<Feed> feedOf(int frames, bool bare) {
+  std::unique_ptr<Feed> feedOf(int frames, const std::optional<RefinementSettings>& refinement) {
     FeedConfig config = setup_.config;
-    config.frame_rate_hz *= frames;
-    if (!bare) config.refinement.reset();
-    if (bare && frames > 1) config.refinement->finest_px = 1e9;  // never refines
+    config.frame_rate_hz *= frames, config.refinement = refinement;
     return std::make_unique<Feed>(setup_.scene, setup_.path, config, pool_);
+  }
+  static RefinementSettings everywhere(RefinementSettings settings) {
+    settings.threshold = 1e-9, settings.most_updates = 1e9;
+    return settings;
+  }
+  // Its frames are those of refinement.
+  static RefinementSettings never(RefinementSettings settings) {
+    settings.finest_px = 1e9;
+    return settings;
   }
   const IntensityChange& step(Feed& feed, double& seconds) {
     const IntensityChange& change = feed.step(pool_);
@@ -73,20 +83,26 @@ class RefineBench {
     return change;
   }
 
-  void stepFine() {
-    for (int k = 1; k <= setup_.pieces; ++k) {
-      step(*fine_, result_.fine);
-      const IntensityChange& change = step(*look_ups_, result_.look_ups);
-      if (k == 1) brightness_.at(change.I_prev, truth_[0]);
-      brightness_.at(change.I_now, truth_[static_cast<std::size_t>(k)]);
-    }
+  void stepTruth() {
+    draw(truth_feed_->step(pool_));
+    std::swap(truth_, drawn_);
     forEachPixel([&](int x, int y, std::uint32_t pixel) {
       for (int k = 1; k <= setup_.pieces; ++k)
         sensors_[0].move(pixel, timeOf(k - 1), timeOf(k), L(truth_, k, x, y) - L(truth_, k - 1, x, y));
     });
   }
 
-  // Their events are those of every second look-up, so that the filter does not count.
+  void stepFine() {
+    for (int k = 1; k <= setup_.pieces; ++k) {
+      step(*fine_, result_.fine);
+      const IntensityChange& change = step(*look_ups_, result_.look_ups);
+      if (k == 1) brightness_.at(change.I_prev, drawn_[0]);
+      brightness_.at(change.I_now, drawn_[static_cast<std::size_t>(k)]);
+    }
+    compare(3, result_.look_ups_off);
+  }
+
+  // Their events are those of the truth at the same times, so that the filter does not count.
   void stepHalves() {
     step(*halves_, result_.halves), step(*halves_, result_.halves);
     forEachPixel([&](int x, int y, std::uint32_t) {
@@ -161,8 +177,8 @@ class RefineBench {
   const RefineSetup& setup_;
   const Brightness brightness_;
   TilePool pool_{1};
-  const std::unique_ptr<Feed> refined_, fine_, look_ups_, halves_;
-  std::vector<LineSensor> sensors_;  // of the truth, of refined intervals, and of halves
+  const std::unique_ptr<Feed> refined_, truth_feed_, fine_, look_ups_, halves_;
+  std::vector<LineSensor> sensors_;  // of the truth, refined intervals, halves and look-ups
   FinePlanes truth_, drawn_;
   int interval_ = 0;
   RefineResult result_;

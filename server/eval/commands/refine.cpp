@@ -12,6 +12,7 @@
 #include "eval/bench/open_scene.h"
 #include "eval/bench/refine_bench.h"
 #include "eval/commands/commands.h"
+#include "feed/refinement.h"
 #include "methods/method_spec.h"
 #include "saccade/wire/ranges.h"
 
@@ -47,6 +48,7 @@ void print(const RefineResult& r, const RefineCommand& o) {
                 name, s.false_events, s.missed, s.time_error, off);
   };
   row("refined:", r.refined_events, r.off);
+  row("fine frames, no filter:", r.look_up_events, r.look_ups_off);
   row("two frames per interval:", r.halves_events, r.halves_off);
   std::printf("time error against that of two frames: %.3f\n",
               r.refined_events.time_error / r.halves_events.time_error);

@@ -40,23 +40,25 @@ class LampRayTracer {
   void add(const auto& start, std::size_t first, std::uint32_t groups, int count, const RayNumbers& numbers) {
     lamps_.lookFrom(litPoint(start), baseOf(start));
     forEachLane(LaneSet{groups}, [&](int group) {
-      const std::size_t i = first + static_cast<std::size_t>(group);
-      LampRays& rays = rays_[i];
-      rays.unoccluded = lamps_.unoccluded(group);
-      for (; rays.count < count && rays.unoccluded > 0; ++rays.count) {
-        const auto u = [&](int dimension) { return numbers.u(rays.count, dimension); };
-        const LampPoints::Point to = lamps_.at(group, u(0), u(1), u(2));
-        const Vec3 origin = leave(start);
-        if (to.weight > 0)
-          shadow_rays_.add(
-              {origin, to.position - origin, kShadowEnd, static_cast<std::uint32_t>(i), to.weight});
-      }
-      rays.count = count;
+      addGroup(leave(start), group, first + static_cast<std::size_t>(group), count, numbers);
     });
   }
   void finish() { shadow_rays_.finish(); }
 
  private:
+  void addGroup(Vec3 origin, int group, std::size_t i, int count, const RayNumbers& numbers) {
+    LampRays& rays = rays_[i];
+    rays.unoccluded = lamps_.unoccluded(group);
+    for (; rays.count < count && rays.unoccluded > 0; ++rays.count) {
+      const auto u = [&](int dimension) { return numbers.u(rays.count, dimension); };
+      const LampPoints::Point to = lamps_.at(group, u(0), u(1), u(2));
+      if (to.weight > 0)
+        shadow_rays_.add(
+            {origin, to.position - origin, kShadowEnd, static_cast<std::uint32_t>(i), to.weight});
+    }
+    rays.count = count;
+  }
+
   struct OnEnd {
     std::span<LampRays> to;
     void operator()(const ShadowRay& ray, Rgb fraction) const {

@@ -29,13 +29,23 @@ struct LampRays {
   float visibility() const { return all > 0 ? visible / all : 1; }
 };
 
+// Variance of visibility that rays to groups of lamps leave, in the middle of a penumbra but for its edges.
+// `squares`: of the light of these groups, over the squared light of all.
+inline float varianceOfRays(float squares, int rays) {
+  constexpr float kOfOne = 0.16f;  // V (1 - V)
+  return kOfOne * squares / static_cast<float>(rays);
+}
+// The least that rays must lessen, over the variance that they leave.
+inline constexpr float kLeastRayGain = 0.25f;
+
 // The light of all groups at a point.
 struct LampSums {
   explicit LampSums(std::span<const LampRays> of_groups) {
     for (const LampRays& rays : of_groups) {
       const float V = rays.visibility(), U = rays.unoccluded;
       light += U, visible += U * V;
-      if (rays.areMixed()) variance += U * U * V * (1 - V) / static_cast<float>(rays.count);
+      if (!rays.areMixed()) continue;
+      variance += U * U * V * (1 - V) / static_cast<float>(rays.count), mixed2 += U * U;
     }
   }
   // `of_visible`: variance of `visible`.
@@ -46,6 +56,7 @@ struct LampSums {
   float relativeVariance(float v) const { return light > 0 ? v / (light * light) : 0; }
 
   float light = 0, visible = 0, variance = 0;  // of `visible`
+  float mixed2 = 0;                            // squared light of groups whose rays areMixed()
 };
 
 // A point that wants rays to some groups: bit g stands for group g.

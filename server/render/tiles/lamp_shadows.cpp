@@ -6,9 +6,7 @@
 namespace saccade {
 namespace {
 
-constexpr int kFew = 2, kMost = 256;                     // rays to a group of lamps
-constexpr std::array<int, 3> kRaysPerPath = {4, 8, 16};  // by RayNeed
-constexpr float kLeastGain = 0.25f;  // what rays must lessen, over the variance that they leave
+constexpr int kFew = 2, kMost = 256;  // rays to a group of lamps
 constexpr float kSpread = 0.25f;  // variance of a change by rays that are spread evenly, of that by any rays
 
 bool moves(const SurfaceShadow& shadow) {
@@ -21,17 +19,21 @@ RayNeed needOf(const SurfaceSamples& on, std::size_t point, const SurfaceShadow&
 
 // Variance of visibility that so many rays to these groups leave, as a part of the light of all groups.
 float rayVariance(const FrameRays& of, const RayRequest& request, int rays) {
-  constexpr float kOfOne = 0.16f;  // V (1 - V) in the middle of a penumbra, but for its edges
   float light = 0, squares = 0;
   for (int g = 0; g < of.groups(); ++g) {
     const float U = of.at(request.point, g).unoccluded;
     light += U;
     if (request.groups >> g & 1) squares += U * U;
   }
-  return light > 0 ? kOfOne * squares / (light * light * static_cast<float>(rays)) : 0;
+  return light > 0 ? varianceOfRays(squares / (light * light), rays) : 0;
 }
 
 }  // namespace
+
+int LampShadows::raysOf(RayNeed need, int spp) {
+  constexpr std::array<int, 3> kRaysPerPath = {4, 8, 16};
+  return std::clamp(kRaysPerPath[need] * spp, kFew, kMost);
+}
 
 void LampShadows::finish(std::size_t point, int rays, SurfaceShadow& shadow) const {
   const LampSums now(now_.of(point)), before(before_.of(point));
@@ -52,8 +54,7 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
   if (now_.groups() == 0 || !now.on.wantShadows()) return {};
   now_.use(), before_.use();
   const SurfaceSamples& on = now.on;
-  const auto raysOf = [&](RayNeed need) { return std::clamp(kRaysPerPath[need] * spp, kFew, kMost); };
-  const auto raysTo = [&](std::size_t point) { return raysOf(needOf(on, point, shadows[point])); };
+  const auto raysTo = [&](std::size_t point) { return raysOf(needOf(on, point, shadows[point]), spp); };
   bands_.resize(static_cast<std::size_t>((on.height() + kBandRows - 1) / kBandRows));
   const auto forEachBand = [&](const auto& f) {
     return pool.run(static_cast<int>(bands_.size()),
@@ -83,7 +84,7 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
           more.groups |= 1u << g;
       if (more.groups == 0) continue;
       SurfaceShadow& shadow = shadows[few.point];
-      if (!moves(shadow) && shadow.wanted < kLeastGain * rayVariance(now_, more, raysTo(few.point)))
+      if (!moves(shadow) && shadow.wanted < kLeastRayGain * rayVariance(now_, more, raysTo(few.point)))
         shadow.wanted = 0;
       else
         band.many[needOf(on, few.point, shadow)].push_back(more);
@@ -91,7 +92,7 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
   });
   return time + forEachBand([&](int, Requests& band) {
            for (const RayNeed need : {kElseLearned, kElseKnown, kMayHaveMoved})
-             traceBoth(band.many[need], raysOf(need));
+             traceBoth(band.many[need], raysOf(need, spp));
            for (const RayRequest& few : band.few)
              if (SurfaceShadow& shadow = shadows[few.point]; shadow.wanted > 0)
                finish(few.point, raysTo(few.point), shadow);

@@ -19,6 +19,9 @@ enum RayNeed : std::size_t { kElseLearned, kElseKnown, kMayHaveMoved };
 
 class LampShadows {
  public:
+  // Of a penumbra, to a group of lamps.
+  static int raysOf(RayNeed need, int spp);
+
   // A frame with so many points begins: the rays of the last one are now those of the frame before.
   void next(const RenderScene& scene, std::size_t points);
 
@@ -26,6 +29,7 @@ class LampShadows {
   // time.
   std::chrono::nanoseconds trace(const FrameStarts& now, const FrameStarts& before, int spp,
                                  const PoolHandle& pool, std::vector<SurfaceShadow>& shadows);
+  const FrameRays& rays() const { return now_; }  // of the frame that began last
 
  private:
   // Of a band of rows.

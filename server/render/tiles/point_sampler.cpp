@@ -4,14 +4,9 @@
 #include <limits>
 
 #include "render/tiles/lamp_ray_tracer.h"
+#include "render/tiles/lamp_shadows.h"
 
 namespace saccade {
-namespace {
-
-constexpr int kFewestRays = 2, kMostRays = 256;  // as of LampShadows
-
-}  // namespace
-
 void PointSampler::withStart(std::size_t k, const auto& f) const {
   const RayBlock& block = blocks_[k / kBlockPixels];
   const int lane = static_cast<int>(k % kBlockPixels);
@@ -92,31 +87,58 @@ void PointSampler::addDeltaLight(const PointView& view, std::span<PointSample> o
   light.finish();
 }
 
-void PointSampler::traceShadows(const PointView& view, std::span<const PixelMoment> asked, int spp,
-                                std::span<PlaceLight> light) {
-  const auto groups = static_cast<std::size_t>(view.scene.analyticLight().groups());
-  if (groups == 0 || std::ranges::none_of(light, [](const PlaceLight& l) { return l.shadow > 0; })) return;
-  const int rays = std::clamp(kRaysPerPath * spp, kFewestRays, kMostRays);
-  std::fill_n(rays_.begin(), asked.size() * groups, LampRays{});
-  withKernel(view.scene.still().shading(), [&]<Shading S>() { traceAs<S>(view, asked, rays, light); });
+// Where both frames can ask for rays at the pixel, they have decided. A penumbra may come from a neighbour.
+PointSampler::RayPlan PointSampler::planRays(const PixelMoment& at, const EndShadows& ends,
+                                             const PlaceLight& light) {
+  if (!(light.shadow > 0)) return {};
+  const std::size_t pixel = ends.now.indexOf(at.x, at.y);
+  if (!ends.now[pixel].canAskRays() || !ends.before[pixel].canAskRays()) {
+    if (!light.shadow_visible) return {};
+    return {light.shadow, LampShadows::raysOf(kElseKnown, ends.spp), false};
+  }
+  RayPlan plan{ends.now.shadows()[pixel].wanted, 0, true};
+  if (plan.wanted == 0) return plan;
+  const int right = std::min<int>(at.x + 1, ends.now.columns() - 1);
+  const int bottom = std::min<int>(at.y + 1, ends.now.height() - 1);
+  for (int y = std::max(0, at.y - 1); y <= bottom; ++y)
+    for (int x = std::max(0, at.x - 1); x <= right; ++x)
+      for (const LampRays& rays : ends.rays.of(ends.now.indexOf(x, y)))
+        plan.rays = std::max(plan.rays, rays.count);
+  return plan;
+}
+
+void PointSampler::traceShadows(const PointView& view, std::span<const PixelMoment> asked,
+                                const EndShadows& ends, std::span<PlaceLight> light) {
+  const int groups = ends.rays.groups();
+  if (!ends.now.wantShadows() || groups == 0) return;
+  bool any = false;
+  for (std::size_t k = 0; k < asked.size(); ++k)
+    plans_[k] = planRays(asked[k], ends, light[k]), any = any || plans_[k].wanted > 0;
+  if (!any) return;
+  withKernel(view.scene.still().shading(), [&]<Shading S>() { traceAs<S>(view, asked, groups); });
   for (std::size_t k = 0; k < asked.size(); ++k) {
-    if (!(light[k].shadow > 0)) continue;
-    const LampSums sums{std::span(rays_).subspan(k * groups, groups)};
-    const RayVisibility by_rays = sums.visibility(light[k].shadow, sums.variance);
+    const RayPlan& plan = plans_[k];
+    if (plan.wanted == 0) continue;
+    const auto of_groups = static_cast<std::size_t>(groups);
+    const LampSums sums{std::span(rays_).subspan(k * of_groups, of_groups)};
+    const float left = varianceOfRays(sums.relativeVariance(sums.mixed2), plan.rays);
+    if (!plan.at_ends && plan.wanted < kLeastRayGain * left) continue;
+    const RayVisibility by_rays = sums.visibility(plan.wanted, sums.variance);
     light[k].visibility += by_rays.trust * (by_rays.mean - light[k].visibility);
   }
 }
 
 template <Shading S>
-void PointSampler::traceAs(const PointView& view, std::span<const PixelMoment> asked, int rays,
-                           std::span<const PlaceLight> light) {
-  const auto groups = static_cast<std::size_t>(view.scene.analyticLight().groups());
+void PointSampler::traceAs(const PointView& view, std::span<const PixelMoment> asked, int groups) {
   LampRayTracer<S> tracer(view.scene, rays_);
-  for (std::size_t k = 0; k < asked.size(); ++k)
-    if (light[k].shadow > 0)
-      withStart(k, [&](const auto& start) {
-        tracer.add(start, k * groups, (1u << groups) - 1, rays, RayNumbers(asked[k].x, asked[k].y));
-      });
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (plans_[k].wanted == 0) continue;
+    const std::size_t first = k * static_cast<std::size_t>(groups);
+    std::fill_n(&rays_[first], groups, LampRays{});
+    withStart(k, [&](const auto& start) {
+      tracer.add(start, first, (1u << groups) - 1, plans_[k].rays, RayNumbers(asked[k].x, asked[k].y));
+    });
+  }
   tracer.finish();
 }
 

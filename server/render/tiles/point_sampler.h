@@ -19,16 +19,23 @@ struct PointView {
   const FrameMotion* motion = nullptr;  // of the interval that the moments lie in; of a scene with bodies
 };
 
+// The frames at both ends of the interval of moments, after LampShadows::trace().
+struct EndShadows {
+  const SurfaceSamples &now, &before;
+  const FrameRays& rays;  // at t1
+  int spp;                // as of LampShadows
+};
+
 class PointSampler {
  public:
   static constexpr std::size_t kMost = 256;  // points at once
-  static constexpr int kRaysPerPath = 8;     // of a shadow that is wanted, to each group of lamps
 
   // Finds what at most kMost pixels show. Neighbours should follow each other, whatever their times.
   void look(const PointView& view, std::span<const PixelMoment> asked, std::span<PointSample> out);
-  // Traces the shadow rays that `light` wants at the points of the last look(). It takes them into
-  // visibility, as far as they are trusted. `spp` as of LampShadows.
-  void traceShadows(const PointView& view, std::span<const PixelMoment> asked, int spp,
+  // Traces shadow rays at the points of the last look(), where `light` asks for some. Takes them into its
+  // visibility, as far as they are trusted. A point has the rays of its pixel at the ends of the interval,
+  // with the same numbers.
+  void traceShadows(const PointView& view, std::span<const PixelMoment> asked, const EndShadows& ends,
                     std::span<PlaceLight> light);
 
  private:
@@ -37,8 +44,7 @@ class PointSampler {
   template <Shading S>
   void addDeltaLight(const PointView& view, std::span<PointSample> out) const;
   template <Shading S>
-  void traceAs(const PointView& view, std::span<const PixelMoment> asked, int rays,
-               std::span<const PlaceLight> light);
+  void traceAs(const PointView& view, std::span<const PixelMoment> asked, int groups);
   void lookPlain(const PointView& view, std::size_t first, std::span<PointSample> out);
   // f(where the light of point k starts).
   void withStart(std::size_t k, const auto& f) const;
@@ -46,6 +52,15 @@ class PointSampler {
   std::array<RayBlock, kMost / kBlockPixels> blocks_;
   std::array<SurfaceStart, kMost> others_;  // of points that are not plain
   PrimaryHit hit_;
+  // Shadow rays that a point gets to each group, for that variance of visibility.
+  struct RayPlan {
+    float wanted = 0;
+    int rays = 0;
+    bool at_ends = false;  // whether the frames at both ends have decided it
+  };
+  static RayPlan planRays(const PixelMoment& at, const EndShadows& ends, const PlaceLight& light);
+
+  std::array<RayPlan, kMost> plans_;
   std::array<LampRays, kMost * AnalyticLight::kMaxGroups> rays_;
 };
 
