@@ -76,6 +76,16 @@ TEST(Morph, AddsTargetsByTheirWeights) {
   expectNear(shape.normals[0], normalize(Vec3{0.25f, 0, 1}));
 }
 
+TEST(Deformation, BeyondAllNumbersIsAtTheOrigin) {
+  std::vector<MovingNode> nodes{{{}, {}}};
+  nodes[0].rest.scale = {1e30, 1e30, 1e300};
+  Deformation d{{{1, 1, 1}}, {{0, 0, 1}}};
+  d.joints = {{0, {}}};
+  const Shape shape = shapeAt(d, nodes, 0ns);
+  EXPECT_EQ(shape.positions[0], Vec3{});
+  EXPECT_NEAR(length(shape.normals[0]), 1, 1e-6);
+}
+
 TEST(Deformation, RepeatsWithItsPeriod) {
   const std::vector<MovingNode> nodes = turningNode();
   Deformation d{{{1, 0, 0}}, {}};
