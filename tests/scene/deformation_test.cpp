@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/counting_new.h"
 #include "scene/scratch.h"
 
 namespace saccade {
@@ -93,6 +94,26 @@ TEST(Deformation, RepeatsWithItsPeriod) {
   expectNear(shapeAt(d, nodes, 2300ms).positions[0], {0, 1, 0});  // at its end
   d.period = 1s;
   expectNear(shapeAt(d, nodes, 2300ms).positions[0], shapeAt(d, nodes, 300ms).positions[0]);
+}
+
+// Also where one MeshForm is used for deformations of several sizes.
+TEST(Deformation, AllocatesNothingAfterItsFirstForm) {
+  const std::vector<MovingNode> nodes = turningNode();
+  Deformation small{{{1, 0, 0}}, {}}, large = small;
+  small.joints = {{1, {}}}, large.joints.assign(9, {1, {}});
+  large.influences = {{}};
+  NodePoses poses(nodes);
+  MeshForm form;
+  std::vector<Vec3> positions(1);
+  int before = 0;
+  for (int t = 0; t < 4; ++t) {
+    if (t == 1) before = test::allocations();
+    for (const Deformation* d : {&large, &small}) {
+      setForm(*d, poses, t * 100ms, form);
+      deform(*d, form, positions, {});
+    }
+  }
+  EXPECT_EQ(test::allocations(), before);
 }
 
 // Four weights are no quaternion: between keys they are a line.
