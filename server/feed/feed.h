@@ -11,11 +11,7 @@
 #include "feed/feed_interval.h"
 #include "feed/feed_keys.h"
 #include "feed/pixel_speed.h"
-<<<<<<< HEAD
-#include "feed/refinement.h"
 #include "feed/view_motion.h"
-=======
->>>>>>> 50918727d4ad9ab9c26da206527814316ca9a514
 #include "frame/frame.h"
 #include "frame/intensity_change.h"
 #include "render/renderer.h"
@@ -70,13 +66,9 @@ class Feed {
   FramePair frames() const { return frames_.pair(); }  // at t1 and t0 of the last step; before any, only cur
 
   // Of the last step; nothing where the feed has whole frames only.
-<<<<<<< HEAD
-  const Refinement::Counts& refined() const { return refined_; }
+  const RefinementCounts& refined() const { return refined_; }
   const FeedConfig& config() const { return config_; }
   bool lampsChange() const { return !posed_[0].strengths().areSteady(); }  // over time
-=======
-  const RefinementCounts& refined() const { return refined_; }
->>>>>>> 50918727d4ad9ab9c26da206527814316ca9a514
 
  private:
   void render(TimeNs t, const PoolHandle& pool);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/counting_new.h"
 #include "scene/scratch.h"
 
 namespace saccade {
@@ -76,6 +77,16 @@ TEST(Morph, AddsTargetsByTheirWeights) {
   expectNear(shape.normals[0], normalize(Vec3{0.25f, 0, 1}));
 }
 
+TEST(Deformation, BeyondAllNumbersIsAtTheOrigin) {
+  std::vector<MovingNode> nodes{{{}, {}}};
+  nodes[0].rest.scale = {1e30, 1e30, 1e300};
+  Deformation d{{{1, 1, 1}}, {{0, 0, 1}}};
+  d.joints = {{0, {}}};
+  const Shape shape = shapeAt(d, nodes, 0ns);
+  EXPECT_EQ(shape.positions[0], Vec3{});
+  EXPECT_NEAR(length(shape.normals[0]), 1, 1e-6);
+}
+
 TEST(Deformation, RepeatsWithItsPeriod) {
   const std::vector<MovingNode> nodes = turningNode();
   Deformation d{{{1, 0, 0}}, {}};
@@ -83,6 +94,26 @@ TEST(Deformation, RepeatsWithItsPeriod) {
   expectNear(shapeAt(d, nodes, 2300ms).positions[0], {0, 1, 0});  // at its end
   d.period = 1s;
   expectNear(shapeAt(d, nodes, 2300ms).positions[0], shapeAt(d, nodes, 300ms).positions[0]);
+}
+
+// Also where one MeshForm is used for deformations of several sizes.
+TEST(Deformation, AllocatesNothingAfterItsFirstForm) {
+  const std::vector<MovingNode> nodes = turningNode();
+  Deformation small{{{1, 0, 0}}, {}}, large = small;
+  small.joints = {{1, {}}}, large.joints.assign(9, {1, {}});
+  large.influences = {{}};
+  NodePoses poses(nodes);
+  MeshForm form;
+  std::vector<Vec3> positions(1);
+  int before = 0;
+  for (int t = 0; t < 4; ++t) {
+    if (t == 1) before = test::allocations();
+    for (const Deformation* d : {&large, &small}) {
+      setForm(*d, poses, t * 100ms, form);
+      deform(*d, form, positions, {});
+    }
+  }
+  EXPECT_EQ(test::allocations(), before);
 }
 
 // Four weights are no quaternion: between keys they are a line.

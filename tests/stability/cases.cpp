@@ -71,6 +71,10 @@ std::string ownScene(const std::string& name) {
   return ownFile("scenes/" + name + ".xml");
 }
 
+std::string ownModel(const std::string& name) {
+  return ownFile("scenes/" + name + ".gltf");
+}
+
 std::string ownTrajectory(const std::string& name) {
   return ownFile("trajectories/" + name + ".csv");
 }

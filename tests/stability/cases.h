@@ -56,6 +56,7 @@ StabilityCase lapBefore(StabilityCase c);
 
 // The paths of the suite's own files.
 std::string ownScene(const std::string& name);
+std::string ownModel(const std::string& name);
 std::string ownTrajectory(const std::string& name);
 
 }  // namespace saccade::test

@@ -72,7 +72,7 @@ bool DeformedShapes::change(Part& part, TimeNs t) {
   const Deformation& deformation = scene_.deformations[static_cast<std::size_t>(mesh.deformation)];
   setForm(deformation, nodes_, t, next_);
   if (next_ == part.form) return false;
-  std::swap(next_, part.form);
+  part.form = next_;  // a copy: a swap would give parts of other sizes memory that is too small
   deform(deformation, part.form, mesh.positions, mesh.normals);
   ShapeRow& row = rows_[part.geometry];
   row.edge = longestEdge(mesh);

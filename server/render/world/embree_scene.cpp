@@ -37,7 +37,10 @@ bool changesForm(const Sphere&) {
 EmbreeScene::EmbreeScene(const Scene& scene, Shapes shapes, int body, std::shared_ptr<EmbreeDevice> device,
                          Form form)
     : EmbreeTracer(std::move(device)), shapes_(scene) {
-  if (form == Form::kChanges) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+  if (form == Form::kChanges) {  // else a commit builds all anew
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
+  }
   unsigned id = 0;
   const auto attach = [&](const auto& shape, auto make) {
     const unsigned its_id = id++;

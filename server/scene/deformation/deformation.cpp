@@ -39,7 +39,14 @@ struct Columns {
 
 Vec3 unitOr(Vec3 v, Vec3 fallback) {
   const float square = dot(v, v);
-  return square > 0 ? v * (1 / std::sqrt(square)) : fallback;
+  return square > 0 && std::isfinite(square) ? v * (1 / std::sqrt(square)) : fallback;
+}
+
+// Numbers of a file may lead beyond the region of poses, see kMaxDistance. There nothing is seen: a vertex
+// goes to the origin.
+Vec3 within(Vec3 p) {
+  constexpr float kFarthest = 1e9f;
+  return dot(p, p) <= kFarthest * kFarthest ? p : Vec3{};
 }
 
 }  // namespace
@@ -75,7 +82,7 @@ void deform(const Deformation& d, const MeshForm& form, std::span<Vec3> position
       if (smooth && !d.targets[k].normals.empty()) n = n + d.targets[k].normals[i] * weight;
     }
     const Columns map(d.influences.empty() ? form.joints[0] : blend(form.joints, d.influences[i]));
-    positions[i] = map.point(p);
+    positions[i] = within(map.point(p));
     if (smooth) normals[i] = unitOr(map.normal(n), {0, 0, 1});
   }
 }

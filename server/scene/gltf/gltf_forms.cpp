@@ -23,6 +23,14 @@ bool isNear(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return farthest <= kReturns * length(box.high - box.low);
 }
 
+bool isBounded(const MeshForm& form) {
+  constexpr float kMost = 1e9f;
+  const auto isOne = [](const JointMap& map) {
+    return std::ranges::all_of(map, [](float v) { return std::abs(v) <= kMost; });
+  };
+  return std::ranges::all_of(form.joints, isOne);
+}
+
 // Whether a part of the mesh of a node emits light.
 bool emits(const JsonNode& root, const JsonNode& node) {
   const auto mesh = node.index("mesh", root.count("meshes"));
@@ -142,6 +150,7 @@ Deformation GltfForms::place(const GltfForm& form, const JsonNode& part, const A
   NodePoses poses(scene_.nodes);
   MeshForm first, last;
   setForm(d, poses, TimeNs{0}, first);
+  if (!isBounded(first)) throw SceneError("a joint is too far away for float numbers");
   deform(d, first, mesh.positions, mesh.normals);
   if (mesh.normals.empty() && isMirrored(first)) turnRound(mesh);
   placeMesh(mesh, {}, mesh.normals.empty());
