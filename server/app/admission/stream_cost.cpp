@@ -75,13 +75,17 @@ double pushedBytes(const FeedConfig& feed, const Limits& limits) {
   return pixelsWithBorder(feed) * sizeof(float) * planes;
 }
 
+// Per pixel: log brightness at both ends, updates of tiles, whose lists may grow to twice as much, and those
+// of two intervals.
+double refinedBytes(const FeedConfig& feed) {
+  if (!feed.refinement) return 0;
+  return 2 * sizeof(float) + 4 * feed.refinement->most_updates * sizeof(IntensityUpdate);
+}
+
 double feedBytes(const FeedConfig& feed, bool moves) {
   constexpr double kFeedBytes = 260;  // per pixel
-  // Likewise: log brightness at both ends, and updates of tiles, which grow, and of two intervals.
-  constexpr double kRefinedBytes =
-      2 * sizeof(float) + 4.0 * RefinedTile::kMostUpdates * sizeof(IntensityUpdate);
   const double lens_bytes = feed.camera.distortion.isNone() ? 0 : feed.pixels() * sizeof(Vec2);
-  return pixelsWithBorder(feed) * (kFeedBytes + (feed.refinement ? kRefinedBytes : 0)) + lens_bytes +
+  return pixelsWithBorder(feed) * (kFeedBytes + refinedBytes(feed)) + lens_bytes +
          findMethod(feed.method)->memory(feed.params, {feed.pixels(), feed.jitter, moves});
 }
 

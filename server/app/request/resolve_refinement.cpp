@@ -51,7 +51,8 @@ void resolveRefinement(ResolvedStream& stream) {
   if (refinement.finest_px() == timing.interval_px()) return;
   if (const std::string fault = refinementFault(stream.feed); !fault.empty())
     refuse(field + ".finest_px", fault);
-  stream.feed.refinement = {refinement.finest_px(), refinement.threshold(), refinement.bias()};
+  stream.feed.refinement = {
+      .finest_px = refinement.finest_px(), .threshold = refinement.threshold(), .bias = refinement.bias()};
 }
 
 }  // namespace saccade
