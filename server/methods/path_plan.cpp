@@ -10,9 +10,9 @@ namespace {
 
 constexpr float kMostForOthers = 4;  // times `asked`
 constexpr float kLeastForOthers = 0.5f;
-constexpr double kMostForNew = 8;      // times those of other points of kNone
-constexpr double kShareForNew = 0.25;  // of `asked`, at most
-constexpr double kOfPair = 2;          // paths: the one of the frame, and its partner in the frame before
+constexpr double kMostForNew = 8;     // times those of other points of kNone
+constexpr double kShareForNew = 0.1;  // of `asked`, at most
+constexpr double kOfPair = 2;         // paths: the one of the frame, and its partner in the frame before
 
 // In [0, 1), spread evenly over any few neighbours in space and time. It is the R2 sequence (Roberts 2018) in
 // x and y, moved on by the golden ratio in every frame.
