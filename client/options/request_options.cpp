@@ -78,9 +78,10 @@ void addStreamOptions(CLI::App& command, RequestOptions& o) {
       .add_option("--max-rate", o.max_rate_hz, "with --interval-px: most frames per second; default 10000")
       ->needs(interval);
   command
-      .add_option("--finest-px", o.finest_px,
-                  "with --interval-px: render pixels that change in between, down to so many pixels of motion; "
-                  "default a sixteenth, if the method can; as --interval-px: whole frames alone")
+      .add_option(
+          "--finest-px", o.finest_px,
+          "with --interval-px: render pixels that change in between, down to so many pixels of motion; "
+          "default a sixteenth, if the method can; as --interval-px: whole frames alone")
       ->needs(interval);
   command.add_option("--duration", o.duration_s,
                      "seconds of the stream; 0: until Ctrl-C; by default" + durationDefault(o));

@@ -12,8 +12,8 @@ namespace saccade {
 struct SurfaceColor {
   enum class Kind { kConstant, kBitmap, kCheckerboard };
   Kind kind = Kind::kConstant;
-  Rgb color0, color1;                    // kConstant: color0; kCheckerboard: the two colours
-  int texture = -1;                      // kBitmap: index into Scene::textures
+  Rgb color0, color1;  // kConstant: color0; kCheckerboard: the two colours
+  int texture = -1;    // kBitmap: index into Scene::textures
   // The coordinates in the texture: (u, v) * uv_scale + (v, u) * uv_cross + uv_offset.
   Vec2 uv_scale{1, 1}, uv_offset{0, 0}, uv_cross{0, 0};
 };

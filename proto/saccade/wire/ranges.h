@@ -24,7 +24,9 @@ inline constexpr Range<double> kClearance{1e-6, 1e6};         // Motion.clearanc
 inline constexpr Range<int> kKeyframes{1, 100000};            // Keyframes.keys: how many
 inline constexpr Range<double> kFrameRate{0.1, 1e5};          // Timing.frame_rate_hz: Hz
 inline constexpr Range<double> kIntervalPx{0.01, 1000};       // Timing.interval_px: pixels
-inline constexpr Range<double> kFinestPx{3e-4, 1000};        // Refinement.finest_px: pixels
+inline constexpr Range<double> kFinestPx{3e-4, 1000};         // Refinement.finest_px: pixels
+inline constexpr Range<double> kRefinedThreshold{1e-3, 10};   // Refinement.threshold: log units
+inline constexpr Range<double> kRefinedBias{1e-12, 1e6};      // Refinement.bias: scene luminance
 inline constexpr Range<double> kDuration{0, 1e7};         // Timing.duration_s: seconds, at least one frame
 inline constexpr Range<double> kSpeed{1e-3, 1e3};         // Timing.speed: stream time over wall-clock time
 inline constexpr Range<int> kSpp{1, 65536};               // Method.spp: paths per pixel and frame
@@ -34,8 +36,8 @@ inline constexpr Range<double> kMaxFalseRate{0, 1e3};     // Quality.max_false_r
 inline constexpr Range<double> kMaxEventChange{1e-6, 1};  // Quality.max_event_change: share of the events
 inline constexpr Range<double> kBakeError{1e-3, 1};       // Quality.bake_error: relative, of light
 inline constexpr Range<int> kSensors{1, 64};              // OpenStream.sensors: how many
-inline constexpr Range<double> kThreshold{1e-3, 10};      // Sensor.threshold, Sensor.threshold_off, Refinement.threshold: log units
-inline constexpr Range<double> kBias{1e-12, 1e6};         // Sensor.bias, Truth.bias, Refinement.bias: scene luminance
+inline constexpr Range<double> kThreshold{1e-3, 10};      // Sensor.threshold, Sensor.threshold_off: log units
+inline constexpr Range<double> kBias{1e-12, 1e6};         // Sensor.bias, Truth.bias: scene luminance
 inline constexpr Range<double> kRefractory{0, 10};        // Sensor.refractory_s: seconds
 inline constexpr Range<double> kCutoff{1e-4, 1e4};        // Sensor.cutoff_hz: Hz
 inline constexpr Range<int> kMaxPixelEvents{1, 65536};    // Sensor.max_events_per_pixel_frame: events

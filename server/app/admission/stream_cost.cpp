@@ -97,8 +97,8 @@ double ownPathBytes(const ResolvedStream& stream) {
   return keys * kKeyBytes;
 }
 
-// Of objects that move: the number of the one that a pixel shows, their places, lamps and deformed shapes,
-// each in two frames, and at the times within a refined interval.
+// Of objects that move: the number of the one that a pixel shows, in two frames. Their places, lamps and
+// deformed shapes are also kept at times within a refined interval.
 double objectBytes(const FeedConfig& feed, const ResolvedStream& stream) {
   constexpr double kFrames = 2, kObjectBytes = 16 << 10;  // of a place
   const double times = kFrames + (feed.refinement ? RefinedInterval::kMostPieces : 0);

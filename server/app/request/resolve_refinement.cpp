@@ -46,8 +46,8 @@ void resolveRefinement(ResolvedStream& stream) {
   setDefaults(stream, timing.interval_px(), refinement);
   checkRange(field + ".finest_px", refinement.finest_px(), timing.interval_px() / kMostPieces,
              timing.interval_px());
-  checkRange(field + ".threshold", refinement.threshold(), ranges::kThreshold);
-  checkRange(field + ".bias", refinement.bias(), ranges::kBias);
+  checkRange(field + ".threshold", refinement.threshold(), ranges::kRefinedThreshold);
+  checkRange(field + ".bias", refinement.bias(), ranges::kRefinedBias);
   if (refinement.finest_px() == timing.interval_px()) return;
   if (const std::string fault = refinementFault(stream.feed); !fault.empty())
     refuse(field + ".finest_px", fault);

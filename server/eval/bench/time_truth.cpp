@@ -13,9 +13,12 @@ TimeTruthRow TimeTruth::measureFrames(double per_window) {
   return measure(framesOf(per_window));
 }
 
-TimeTruthRow TimeTruth::measureIntervals(const IntervalBounds& bounds) {
+TimeTruthRow TimeTruth::measureIntervals(const IntervalBounds& bounds, bool refined) {
   FeedConfig feed = setup_.feed;
   feed.intervals = bounds;
+  if (refined)
+    feed.refinement = {
+        .finest_px = bounds.px / 16, .threshold = setup_.sensor.threshold, .bias = setup_.sensor.bias};
   return measure(feed);
 }
 

@@ -33,8 +33,8 @@ class TimeTruth {
   const TimeTruthRow& reference() const { return reference_; }
   // With equal frames, so many per window.
   TimeTruthRow measureFrames(double per_window);
-  // With intervals that follow motion.
-  TimeTruthRow measureIntervals(const IntervalBounds& bounds);
+  // With intervals that follow motion, whose pixels are refined to a sixteenth of it or not.
+  TimeTruthRow measureIntervals(const IntervalBounds& bounds, bool refined);
 
  private:
   TimeTruthRow run(const FeedConfig& feed, Events& events) const;

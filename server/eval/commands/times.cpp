@@ -15,6 +15,7 @@
 #include "eval/bench/open_scene.h"
 #include "eval/bench/time_truth.h"
 #include "eval/commands/commands.h"
+#include "feed/refinement.h"
 #include "methods/method_spec.h"
 #include "saccade/wire/ranges.h"
 
@@ -22,7 +23,7 @@ namespace saccade::eval {
 namespace {
 
 struct TimesOptions : FeedOptions {
-  std::vector<double> frames{1, 2, 4}, intervals{1, 0.5};
+  std::vector<double> frames{1, 2, 4}, intervals{1, 0.5}, refined{1};
   SensorConfig sensor{.reconstruction = "direct"};
   int windows = 4, fine = 64;
   double bake_error = 0;
@@ -55,7 +56,10 @@ void measure(const TimesOptions& o, const TimeTruthSetup& setup, TilePool& pool)
   for (const double frames : o.frames)
     printRow(label("%g frames", frames), truth.measureFrames(frames), truth.reference());
   for (const double px : o.intervals)
-    printRow(label("intervals of %g px", px), truth.measureIntervals({.px = px}), truth.reference());
+    printRow(label("intervals of %g px", px), truth.measureIntervals({.px = px}, false), truth.reference());
+  if (!refinementFault(setup.feed).empty()) return;
+  for (const double px : o.refined)
+    printRow(label("refined ones of %g px", px), truth.measureIntervals({.px = px}, true), truth.reference());
 }
 
 void runTimes(TimesOptions& o) {
@@ -95,6 +99,9 @@ void addTimesCommand(CLI::App& app) {
       ->check(NumberIn(1.0 / 64, 4096.0))
       ->capture_default_str();
   c->add_option("--intervals", o->intervals, "streams whose intervals follow motion, px")
+      ->check(NumberIn(ranges::kIntervalPx.min, ranges::kIntervalPx.max))
+      ->capture_default_str();
+  c->add_option("--refined", o->refined, "the same, with pixels refined to a sixteenth, if the method can")
       ->check(NumberIn(ranges::kIntervalPx.min, ranges::kIntervalPx.max))
       ->capture_default_str();
   c->add_option("--threshold", o->sensor.threshold, "C of ON and OFF events")
