@@ -55,6 +55,7 @@ void print(const RefineResult& r, const RefineCommand& o) {
 }
 
 void run(RefineCommand& o) {
+  if (o.pieces % 2 != 0) throw CLI::ValidationError("--pieces", "must be an even number");
   const MethodSpec method = parseMethod(o.feed.method);
   o.feed.params = method.params;
   checkSpp(method, o.feed.spp);
