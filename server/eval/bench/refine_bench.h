@@ -1,10 +1,9 @@
-// Refined intervals against frames: CPU time, events, and brightness.
+// Refined intervals against frames: CPU time and events.
 #pragma once
 
 #include <memory>
-#include <vector>
 
-#include "eval/metrics/timed_events.h"
+#include "eval/metrics/window_errors.h"
 #include "feed/feed.h"
 
 namespace saccade::eval {
@@ -19,16 +18,13 @@ struct RefineSetup {
 
 struct RefineResult {
   // CPU seconds of the refined feed, of one with all fine frames, and of one with two frames to an interval.
-  // `look_ups`: of all fine frames without a filter.
-  double refined = 0, fine = 0, look_ups = 0, halves = 0;
-  double samples = 0, unsplit = 0;  // see Refinement::Counts, sums
-  double updates = 0;               // a pixel and fine frame
-  // Against a feed that looks up all pixels at all fine times. `look_up_events`: of fine frames without a
-  // filter; `halves_events`: of every half interval of the truth. Times are in fine frames.
-  TimedScore refined_events, look_up_events, halves_events;
-  double events = 0;  // true ones, a pixel and fine frame
-  double off = 0, look_ups_off = 0,
-         halves_off = 0;  // share of pixels and fine frames whose brightness is wrong by 0.1 thresholds
+  // `look_ups_s`: of all fine frames without a filter.
+  double refined_s = 0, fine_s = 0, look_ups_s = 0, halves_s = 0;
+  double samples = 0, unsplit = 0;  // see RefinementCounts, sums
+  double events = 0;                // of the truth, which looks up all pixels at all fine times
+  // Against it, in windows of an interval. `look_up_errors`: of fine frames without a filter; `half_errors`:
+  // of every half interval of the truth.
+  WindowErrors refined_errors, look_up_errors, half_errors;
 };
 
 // All feeds take turns on one thread.

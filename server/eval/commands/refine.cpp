@@ -31,27 +31,26 @@ struct RefineCommand : FeedOptions {
 void print(const RefineResult& r, const RefineCommand& o) {
   const double frames = static_cast<double>(o.intervals) * o.pieces, pixels = o.feed.pixels();
   const auto ms = [&](double seconds) { return 1e3 * seconds / frames; };
-  std::printf("true events per pixel and fine frame %.4f\n", r.events);
+  std::printf("true events per pixel and fine frame %.4f\n", r.events / pixels / frames);
   std::printf(
       "CPU ms per fine frame: refined %.3f, all fine frames %.3f, the same without a filter %.3f, "
       "two frames per interval %.3f\n",
-      ms(r.refined), ms(r.fine), ms(r.look_ups), ms(r.halves));
+      ms(r.refined_s), ms(r.fine_s), ms(r.look_ups_s), ms(r.halves_s));
   std::printf(
       "refined: %.3f of all fine frames, %.3f of those without a filter, %.3f of two frames per "
       "interval\n",
-      r.refined / r.fine, r.refined / r.look_ups, r.refined / r.halves);
+      r.refined_s / r.fine_s, r.refined_s / r.look_ups_s, r.refined_s / r.halves_s);
   std::printf(
       "looked up %.4f of pixels and fine frames beside whole frames (%.4f); without room %.0f pieces\n",
       r.samples / pixels / frames, 1. / o.pieces, r.unsplit);
-  const auto row = [&](const char* name, const TimedScore& s, double off) {
-    std::printf("%-24s false %.4f, missed %.4f, time error %.3f fine frames, brightness wrong at %.4f\n",
-                name, s.false_events, s.missed, s.time_error, off);
+  const auto row = [&](const char* name, const WindowErrors& e) {
+    std::printf("%-24s false %.4f, missed %.4f, time error %.3f fine frames\n", name, e.false_share,
+                e.missed_share, e.time * o.pieces);
   };
-  row("refined:", r.refined_events, r.off);
-  row("fine frames, no filter:", r.look_up_events, r.look_ups_off);
-  row("two frames per interval:", r.halves_events, r.halves_off);
-  std::printf("time error against that of two frames: %.3f\n",
-              r.refined_events.time_error / r.halves_events.time_error);
+  row("refined:", r.refined_errors);
+  row("fine frames, no filter:", r.look_up_errors);
+  row("two frames per interval:", r.half_errors);
+  std::printf("time error against that of two frames: %.3f\n", r.refined_errors.time / r.half_errors.time);
 }
 
 void run(RefineCommand& o) {
