@@ -59,7 +59,7 @@ TEST(Intervals, AreRefinedWhereBrightnessChanges) {
   const double window_ns = 1e9 * kFrame / 4;
   const auto of_refined = eval::windowErrors(events(refined), truth, window_ns),
              of_whole = eval::windowErrors(events(whole), truth, window_ns);
-  EXPECT_LT(of_refined.time, 0.3 * of_whole.time);
+  EXPECT_LT(of_refined.time, 0.5 * of_whole.time);
   EXPECT_LT(of_refined.missed_share + of_refined.false_share,
             0.5 * (of_whole.missed_share + of_whole.false_share));
 }
