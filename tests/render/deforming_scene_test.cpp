@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "render/deforming_shapes.h"
+#include "render/moving_frames.h"
 #include "render/moving_room.h"
-#include "render/renderer.h"
 #include "render/world/changing_light.h"
 
 namespace saccade {
@@ -11,7 +11,6 @@ namespace {
 
 using namespace test;
 using namespace std::chrono_literals;
-constexpr int kSize = 32;
 
 std::shared_ptr<const RenderScene> ready(Scene s) {
   return std::make_shared<RenderScene>(std::move(s));
@@ -21,22 +20,6 @@ PosedScene posedAt(const std::shared_ptr<const RenderScene>& scene, TimeNs t) {
   PosedScene posed(scene, {standing(scene->description().bodies.at(0))});
   posed.setTime(t);
   return posed;
-}
-
-Frame render(const PosedScene& now, const PosedScene& before) {
-  TilePool pool(2);
-  Frame frame(kSize, kSize);
-  const Camera camera(now.still().description().T_world_camera, pinhole(80, kSize, kSize));
-  Renderer renderer({2, 1});
-  renderer.render(PixelContext({now, camera}, {before, camera}), SeedPlan::correlated(1, 1, 64), pool, frame);
-  return frame;
-}
-
-double meanDifference(const ImageF& a, const ImageF& b) {
-  double sum = 0;
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) sum += std::abs(a.at(x, y) - b.at(x, y));
-  return sum / (kSize * kSize);
 }
 
 // The card's vertices follow a node as the body follows its path.

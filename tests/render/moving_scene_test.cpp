@@ -1,14 +1,13 @@
 // Bodies in the renderer, against scenes whose vertices are moved instead.
 #include <gtest/gtest.h>
 
+#include "render/moving_frames.h"
 #include "render/moving_room.h"
-#include "render/renderer.h"
 #include "render/world/changing_light.h"
 
 namespace saccade {
 namespace {
 
-constexpr int kSize = 32;
 using namespace test;
 
 // The room with the shapes of this name moved in the file.
@@ -22,22 +21,6 @@ Scene movedByHand(const std::string& name, const RigidMotion& motion) {
   for (Sphere& sphere : s.spheres)
     if (sphere.name == name) sphere.center = motion.point(sphere.center);
   return s;
-}
-
-Frame render(const PosedScene& now, const PosedScene& before) {
-  TilePool pool(2);
-  Frame frame(kSize, kSize);
-  const Camera camera(now.still().description().T_world_camera, pinhole(80, kSize, kSize));
-  Renderer renderer({2, 1});
-  renderer.render(PixelContext({now, camera}, {before, camera}), SeedPlan::correlated(1, 1, 64), pool, frame);
-  return frame;
-}
-
-double meanDifference(const ImageF& a, const ImageF& b) {
-  double sum = 0;
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) sum += std::abs(a.at(x, y) - b.at(x, y));
-  return sum / (kSize * kSize);
 }
 
 TEST(MovingScene, LooksAsIfItsVerticesHadMoved) {
