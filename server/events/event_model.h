@@ -28,7 +28,7 @@ class EventModel {
   // border of 0. Returns how many events were withheld.
   virtual std::uint64_t generate(const ImageF& dL, const Interval& interval, Events& events) = 0;
 
-  // The same for an interval whose log brightness is straight in pieces: begin(), advance() until t1 is near,
+  // An interval whose log brightness is straight in pieces takes begin(), advance() until t1 is near, then
   // end(). The events are in the order of the pieces. `dL`: the change of the last piece of each pixel. It
   // begins at the share `from` of the interval, 0 <= from < 1, and ends at t1.
   virtual void begin(const Interval& interval, Events& events) = 0;

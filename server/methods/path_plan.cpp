@@ -38,7 +38,7 @@ std::uint32_t pathsForOthers(const PathPlan& plan, const SurfaceSamples& on, std
   return static_cast<std::uint32_t>(std::max(paths, 1.0));
 }
 
-// Those of points of kNone in pixels that showed none before, `newly` in number.
+// The number of paths of each of `newly` points of kNone, in pixels that showed none before.
 std::uint32_t pathsForNew(const PathPlan& plan, const SurfaceSamples& on, std::uint32_t paths,
                           std::uint64_t newly) {
   const double most = kShareForNew * plan.asked * on.columns() / on.perPixel() * on.height();

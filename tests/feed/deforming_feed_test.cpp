@@ -63,8 +63,7 @@ double sum(const ImageF& plane, const auto& of) {
   return all;
 }
 
-// The same change, up to the rounding of vertices and what follows from it: paths end otherwise in few
-// pixels.
+// Both feeds have the same change, up to the rounding of vertices: paths end otherwise in few pixels.
 TEST(DeformingFeed, ThatMovesAsABodyChangesAsIt) {
   const Scene as_body = withBody(), as_vertices = withVertices();
   for (const std::string method : {"irradiance_cache", "event_svgf", "svgf"}) {

@@ -22,7 +22,7 @@ void fitObjects(const Scene& scene, ResolvedStream& stream);
 // Of the objects that may move, in order: the bodies of the stream.
 std::vector<std::string> bodyNames(const v1::OpenStream& request);
 
-// Those of them that stand until they are steered: they keep their form.
+// The names of bodies that stand until they are steered. Such bodies keep their form.
 std::vector<std::string> rigidNames(const v1::OpenStream& request);
 
 // Gives the feeds the paths of the bodies of `scene`, and counts what their lamps and forms take.

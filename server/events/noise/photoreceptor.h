@@ -33,7 +33,7 @@ class Photoreceptor {
   // Replaces `dL` by the change of the output over the interval, or over the last piece of each pixel. That
   // begins at the share `from` of the interval. Does not touch the border, and does not allocate.
   void filter(const IntensityChange& change, ImageF& dL, const ImageF* from = nullptr);
-  // The same for pieces of the interval, before its last ones.
+  // Filters pieces of the interval in the same way, before its last ones.
   void filter(const IntensityChange& change, Pieces& pieces);
 
  private:

@@ -91,7 +91,7 @@ Rgb emissionAlong(const PosedScene& scene, Ray ray, RayCone cone) {
 
 template <Shading S>
 Rgb mirrorImage(const PosedScene& scene, const PathStart& start) {
-  // Those that mirror light beside another lobe.
+  // Surfaces of these kinds mirror light beside another lobe.
   constexpr BsdfKinds kMirrors =
       only(BsdfKind::kPlastic) | only(BsdfKind::kDielectric) | only(BsdfKind::kThinDielectric);
   if constexpr ((S.kinds & kMirrors) != 0) {

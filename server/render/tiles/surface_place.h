@@ -40,7 +40,7 @@ inline SurfaceKind setPlace(const PlainSurfaces& s, int lane, Rgb white, Surface
   return SurfaceKind::kDiffuse;
 }
 
-// The same of another surface that reflects light, where paths start at `start`.
+// Sets the place of another surface that reflects light, where paths start at `start`.
 inline SurfaceKind setPlace(const PosedView& view, const PrimaryHit& hit, const SurfaceStart& start,
                             SurfacePlace& place) {
   const Guide& guide = hit.guide;

@@ -1,6 +1,5 @@
 // The bodies that lie elsewhere or have another form at another time of a scene, and the boxes around them at
-// both times. A
-// ray that meets no such box finds the same at both times [ours].
+// both times. A ray that meets no such box finds the same at both times [ours].
 #pragma once
 
 #include <vector>
