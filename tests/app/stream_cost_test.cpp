@@ -48,6 +48,20 @@ TEST(StreamCost, CountsLampsInBothFramesAndTheScenesOwnPaths) {
   EXPECT_NEAR(bytesOf(stream), 2 * (before + 2 * 3e6 + 10'000 * 250), 2);
 }
 
+// Updates of two intervals and of tiles, log brightness at both ends, and objects at all times of an
+// interval.
+TEST(StreamCost, CountsWhatRefinementAdds) {
+  for (const int objects : {0, 2}) {
+    ResolvedStream stream = withObjects(objects);
+    stream.shape_bytes = 1e4;
+    const double before = bytesOf(stream);
+    stream.feed.refinement.emplace();
+    const double updates = 12 * stream.feed.refinement->most_updates;
+    EXPECT_GE(bytesOf(stream) - before,
+              kWidth * kHeight * (2 * 4 + 3 * updates) + (objects > 0 ? 32 * stream.shape_bytes : 0));
+  }
+}
+
 // As pathMemory() of so many keyframes, of the camera and each object.
 TEST(StreamCost, CountsThePathOfEachSteeredObject) {
   const auto steering = [](int objects) {
