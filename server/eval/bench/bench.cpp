@@ -130,11 +130,9 @@ FeedConfig Bench::feedConfig() const {
 }
 
 std::shared_ptr<const BakedLight> Bench::baked() const {
-  if (!baked_) {
-    const BakePlan plan =
-        planBake(*scene_, path_, feedConfig(), static_cast<FrameIndex>(setup_.last), setup_.bake_error);
-    baked_ = keptBake(scene_, plan, setup_.cache, setup_.scene, pool_).light;
-  }
+  if (!baked_)
+    baked_ = keptLight(scene_, path_, feedConfig(), setup_.last, setup_.bake_error, setup_.cache,
+                       setup_.scene, pool_);
   return baked_;
 }
 

@@ -20,4 +20,12 @@ Bake keptBake(std::shared_ptr<const RenderScene> scene, const BakePlan& plan, co
   return bake(std::move(scene), plan, folder, pool, after_pass, warn);
 }
 
+std::shared_ptr<const BakedLight> keptLight(std::shared_ptr<const RenderScene> scene, const Trajectory& path,
+                                            const FeedConfig& feed, int frames, double error,
+                                            const std::string& folder, const std::string& what,
+                                            TilePool& pool) {
+  const BakePlan plan = planBake(*scene, path, feed, static_cast<FrameIndex>(frames), error);
+  return keptBake(std::move(scene), plan, folder, what, pool).light;
+}
+
 }  // namespace saccade::eval

@@ -60,10 +60,8 @@ void printTimes(const StageTimes& total, double frames) {
 void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene, const Trajectory& path,
                TilePool& pool) {
   FeedConfig config = o.feed;
-  if (o.bake_error > 0 && findMethod(config.method)->takes_baked) {
-    const BakePlan plan = planBake(*scene, path, config, static_cast<FrameIndex>(o.last), o.bake_error);
-    config.baked = keptBake(scene, plan, o.cache, sceneName(o.scene), pool).light;
-  }
+  if (o.bake_error > 0 && findMethod(config.method)->takes_baked)
+    config.baked = keptLight(scene, path, config, o.last, o.bake_error, o.cache, sceneName(o.scene), pool);
   Feed feed(scene, path, config, pool);
   StageTimes total;
   Progress progress(o.feed.method, static_cast<double>(o.last));

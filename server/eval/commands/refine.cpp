@@ -65,10 +65,8 @@ void run(RefineCommand& o) {
   watchInterrupt();
   if (o.bake_error > 0) {
     TilePool pool(o.threads);
-    const auto last = static_cast<FrameIndex>(o.intervals);
     o.feed.baked =
-        keptBake(scene, planBake(*scene, path, o.feed, last, o.bake_error), o.cache, sceneName(o.scene), pool)
-            .light;
+        keptLight(scene, path, o.feed, o.intervals, o.bake_error, o.cache, sceneName(o.scene), pool);
   }
   std::printf("%s %s %s, %d intervals of %d fine frames\n", o.scene.c_str(), o.size.c_str(),
               o.trajectory.c_str(), o.intervals, o.pieces);

@@ -68,10 +68,9 @@ void runTimes(TimesOptions& o) {
   TilePool pool(o.threads);
   watchInterrupt();
   try {
-    if (o.bake_error > 0) {
-      const BakePlan plan = planBake(*scene, path, o.feed, static_cast<FrameIndex>(o.windows), o.bake_error);
-      o.feed.baked = keptBake(scene, plan, o.cache, sceneName(o.scene), pool).light;
-    }
+    if (o.bake_error > 0)
+      o.feed.baked =
+          keptLight(scene, path, o.feed, o.windows, o.bake_error, o.cache, sceneName(o.scene), pool);
     measure(o, {scene, path, o.feed, o.sensor, o.windows, o.fine}, pool);
   } catch (const Interrupted&) {
     throw std::runtime_error("interrupted");
