@@ -1,5 +1,6 @@
 #include "eval/bench/refine_bench.h"
 
+#include "eval/bench/interrupt.h"
 #include "events/sensor.h"
 
 namespace saccade::eval {
@@ -73,6 +74,7 @@ class RefineBench {
       refined_.step(pool_);
       result.samples += static_cast<double>(refined_.feed.refined().samples);
       result.unsplit += static_cast<double>(refined_.feed.refined().unsplit);
+      if (interrupted()) throw Interrupted{};
     }
     const Events& truth = truth_.all.events();
     const double window_ns = 1e9 / setup_.config.frame_rate_hz;

@@ -27,7 +27,7 @@ struct RefineResult {
   WindowErrors refined_errors, look_up_errors, half_errors;
 };
 
-// All feeds take turns on one thread.
+// All feeds take turns on one thread. Throws Interrupted.
 RefineResult measureRefinement(const RefineSetup& setup);
 
 }  // namespace saccade::eval

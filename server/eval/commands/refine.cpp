@@ -53,6 +53,17 @@ void print(const RefineResult& r, const RefineCommand& o) {
   std::printf("time error against that of two frames: %.3f\n", r.refined_errors.time / r.half_errors.time);
 }
 
+void measure(RefineCommand& o, const std::shared_ptr<const RenderScene>& scene, const Trajectory& path) {
+  if (o.bake_error > 0) {
+    TilePool pool(o.threads);
+    o.feed.baked =
+        keptLight(scene, path, o.feed, o.intervals, o.bake_error, o.cache, sceneName(o.scene), pool);
+  }
+  std::printf("%s %s %s, %d intervals of %d fine frames\n", o.scene.c_str(), o.size.c_str(),
+              o.trajectory.c_str(), o.intervals, o.pieces);
+  print(measureRefinement({scene, path, o.feed, o.intervals, o.pieces}), o);
+}
+
 void run(RefineCommand& o) {
   if (o.pieces % 2 != 0) throw CLI::ValidationError("--pieces", "must be an even number");
   const MethodSpec method = parseMethod(o.feed.method);
@@ -63,14 +74,11 @@ void run(RefineCommand& o) {
     throw CLI::ValidationError("--method", fault);
   const auto [scene, path] = open(o);
   watchInterrupt();
-  if (o.bake_error > 0) {
-    TilePool pool(o.threads);
-    o.feed.baked =
-        keptLight(scene, path, o.feed, o.intervals, o.bake_error, o.cache, sceneName(o.scene), pool);
+  try {
+    measure(o, scene, path);
+  } catch (const Interrupted&) {
+    throw std::runtime_error("interrupted");
   }
-  std::printf("%s %s %s, %d intervals of %d fine frames\n", o.scene.c_str(), o.size.c_str(),
-              o.trajectory.c_str(), o.intervals, o.pieces);
-  print(measureRefinement({scene, path, o.feed, o.intervals, o.pieces}), o);
 }
 
 }  // namespace
