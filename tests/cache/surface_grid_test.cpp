@@ -93,6 +93,23 @@ TEST_F(SurfaceGridTest, ReadsTheSameAtTheSamePlace) {
   for (int x = 0; x < kW; ++x) EXPECT_EQ(again.i.at(x, 7), once_more.i.at(x, 7));
 }
 
+// A change of light moves what is known, on all levels, and darkness has no light to lose.
+TEST_F(SurfaceGridTest, LightMovesOnByAChange) {
+  Wall wall;
+  for (int t = 0; t < 3; ++t) look(wall, 0.7f * t, t);
+  const FrameOnGrid frame{*wall.frame.surfaces, wall.frame.g, at};
+  ImageF change(kW, kH);
+  const auto lightAfter = [&](float d) {
+    change.fill(d);
+    grid.moveOn(frame, change, pool);
+    grid.read(frame, pool, now);
+    return now.i.at(kW / 2, kH / 2);
+  };
+  EXPECT_NEAR(lightAfter(0.25f), 1.25f, 1e-5);
+  EXPECT_NEAR(lightAfter(-0.75f), 0.5f, 1e-5);
+  EXPECT_NEAR(lightAfter(-2), 0, 1e-6);
+}
+
 // Where it has learned it finds what the last frame shows; elsewhere it knows nothing, and adds nothing.
 TEST_F(SurfaceGridTest, KnowsPointsWithoutAFrame) {
   Wall wall;

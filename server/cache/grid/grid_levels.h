@@ -13,6 +13,13 @@
 
 namespace saccade {
 
+// Adds up steps of light, by weight.
+struct MeanStep {
+  float weight = 0, sum = 0;
+  MeanStep operator*(float w) const { return {weight * w, sum * w}; }
+  void operator+=(const MeanStep& other) { weight += other.weight, sum += other.sum; }
+};
+
 struct GridLevel {
   VertexTable table;
   // Sums over samples of weight, residual, visible / U and unoccluded / U (the two estimates by paths).
@@ -23,6 +30,8 @@ struct GridLevel {
   Cuts cuts;
   // When fade() was at a vertex, as the grid counts frames; empty where no light has moved.
   std::vector<std::uint32_t> faded;
+  // Of moveOn(), which leaves zeros; empty where no light has moved.
+  HugeVector<MeanStep> steps;
 
   // Gives new vertices their values.
   void resize() { light.resize(table.size()), evidence.resize(table.size()), cuts.resize(table.size()); }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cache/grid/cut_search.h"
+#include "cache/grid/grid_pieces.h"
 #include "cache/grid/grid_reader.h"
 #include "cache/grid/ray_visibility.h"
 #include "cache/grid/vertex_search.h"
@@ -14,22 +15,6 @@ namespace {
 constexpr int kAhead = 4;  // pixels whose values are on their way from memory
 // Sums of floats take no more than so many samples, which leave a thousandth of one sample's noise.
 constexpr float kEnough = 1 << 20;
-
-// One piece for each level: vertices and sums are the same for any number of threads.
-template <class F>
-SurfaceGrid::Time forEachLevel(const Placement& at, const PoolHandle& pool, const F& f) {
-  if (at.empty()) return {};
-  return pool.run(at.most_level - at.least_level + 1, [&](int i) { f(at.least_level + i); });
-}
-
-// f(index, point, slot) for the points that take part in level l, in order.
-template <class F>
-void forEachPointOf(const Placement& at, int l, const F& f) {
-  for (std::size_t i = 0; i < at.points.size(); ++i) {
-    const GridPoint& p = at.points[i];
-    if (const int slot = l - p.level; GridPoint::isSlot(slot)) f(i, p, slot);
-  }
-}
 
 constexpr auto kAll = [](int, int) { return true; };
 constexpr auto kNothingElse = [](const auto&, const PointLanes&) {};
@@ -141,24 +126,6 @@ SurfaceGrid::Added SurfaceGrid::add(const FrameOnGrid& frame, const PoolHandle& 
     });
   });
   return {frame, time};
-}
-
-SurfaceGrid::Time SurfaceGrid::fade(const FrameOnGrid& frame, Kept kept, const PoolHandle& pool) {
-  const Placement& at = frame.at;
-  return forEachLevel(at, pool, [&](int l) {
-    GridLevel& level = levels_[l];
-    level.faded.resize(level.light.size());
-    forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
-      const float share = kept(frame.on[at.points[i].index]);
-      if (share == 1) return;
-      for (std::uint32_t t = p.first; t < p.first + p.count; ++t)
-        for (const std::uint32_t v : at.taps[slot][t].vertex) {
-          if (level.faded[v] == now_) continue;
-          level.faded[v] = now_;
-          level.light[v] *= share, level.evidence[v] *= share;
-        }
-    });
-  });
 }
 
 SurfaceGrid::Time SurfaceGrid::learn(const Compared& compared, const PoolHandle& pool) {

@@ -92,6 +92,9 @@ class SurfaceGrid {
   // add().
   using Kept = float (*)(const SurfacePoint&);
   Time fade(const FrameOnGrid& frame, Kept kept, const PoolHandle& pool);
+  // Changes the residual light that is known around the points of a frame, by `change` of their pixels. A
+  // vertex takes the mean change of its points.
+  Time moveOn(const FrameOnGrid& frame, const ImageF& change, const PoolHandle& pool);
   // Adds a frame's samples.
   Added add(const FrameOnGrid& frame, const PoolHandle& pool);
   // Reads at the points of a frame, and sets the pixels that show any.

@@ -1,0 +1,52 @@
+// Light that moves: the grid forgets it, or changes it.
+#include <algorithm>
+#include <utility>
+
+#include "cache/grid/grid_pieces.h"
+#include "cache/grid/surface_grid.h"
+
+namespace saccade {
+
+SurfaceGrid::Time SurfaceGrid::fade(const FrameOnGrid& frame, Kept kept, const PoolHandle& pool) {
+  const Placement& at = frame.at;
+  return forEachLevel(at, pool, [&](int l) {
+    GridLevel& level = levels_[l];
+    level.faded.resize(level.light.size());
+    forEachPointOf(at, l, [&](std::size_t i, const GridPoint& p, int slot) {
+      const float share = kept(frame.on[at.points[i].index]);
+      if (share == 1) return;
+      for (std::uint32_t t = p.first; t < p.first + p.count; ++t)
+        for (const std::uint32_t v : at.taps[slot][t].vertex) {
+          if (level.faded[v] == now_) continue;
+          level.faded[v] = now_;
+          level.light[v] *= share, level.evidence[v] *= share;
+        }
+    });
+  });
+}
+
+SurfaceGrid::Time SurfaceGrid::moveOn(const FrameOnGrid& frame, const ImageF& change,
+                                      const PoolHandle& pool) {
+  const SurfaceSamples& on = frame.on;
+  const Placement& at = frame.at;
+  return forEachLevel(at, pool, [&](int l) {
+    GridLevel& level = levels_[l];
+    level.steps.resize(level.light.size());
+    forEachPointOf(at, l, [&](std::size_t, const GridPoint& p, int slot) {
+      if (slot > kTop) return;
+      const float d = change.at(on.columnOf(p.index) / on.perPixel(), on.rowOf(p.index));
+      scatter(MeanStep{1, d}, at, p, slot, level.steps, [](const MeanStep&) { return true; });
+    });
+    forEachPointOf(at, l, [&](std::size_t, const GridPoint& p, int slot) {
+      for (std::uint32_t t = p.first; slot <= kTop && t < p.first + p.count; ++t)
+        for (const std::uint32_t v : at.taps[slot][t].vertex) {
+          const MeanStep step = std::exchange(level.steps[v], {});
+          if (step.weight == 0) continue;
+          float& residual = level.light[v][1];
+          residual = std::max(std::min(residual, 0.f), residual + level.light[v][0] * step.sum / step.weight);
+        }
+    });
+  });
+}
+
+}  // namespace saccade
