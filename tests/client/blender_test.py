@@ -144,7 +144,7 @@ def make(folder):
     numpy.bool = bool  # Blender 3.4 of Debian 12 takes NumPy's former name
     eye, cube = build()
     found = {}
-    for name, frame, part in (("first", 1, 0), ("later", FRAME, PART)):
+    for name, frame, part in (("first", 1, 0), ("later", FRAME, PART), ("next", FRAME, 2 * PART)):
         bpy.context.scene.frame_set(frame, subframe=part)
         found[name] = truth(eye, cube)
         render(f"{folder}/{name}.exr")
@@ -172,6 +172,12 @@ def blocks(path):
 def compare(ours, theirs):
     ratio = blocks(ours) / blocks(theirs)
     print("RATIO", json.dumps({"mean": ratio.mean(), "close": (abs(ratio - 1) < 0.05).mean()}))
+
+
+def compare_change(ours, before, after):
+    change, theirs = blocks(ours), blocks(after) - blocks(before)
+    print("CHANGE", json.dumps({"error": ((change - theirs) ** 2).mean() ** 0.5 / (theirs ** 2).mean() ** 0.5,
+                                "share": (change * theirs).mean() / (theirs ** 2).mean()}))
 
 
 def export_twice(folder):
@@ -291,6 +297,18 @@ class Export(unittest.TestCase):
                       "--dump", self.folder / "dump")
         self.assert_alike(self.folder / "dump/Iprev_00002.exr", self.folder / "later.exr")
 
+    # The camera, the cube and the lamp move. Without a change the error is 1 and the share 0.
+    def test_a_change_is_that_of_cycles(self):
+        rate = FPS / PART
+        frame = round(SECONDS * rate) + 1
+        for way in ("--reference", "512"), ("--method", "irradiance_cache"):
+            self.evaluate("frames", self.scene, "--trajectory", "Eye", "--size", "x".join(map(str, SIZE)), "--rate", rate,
+                          "--bounces", 4, "--jitter", *way, "--frames", f"{frame}:{frame}", "--dump", self.folder / way[0])
+            ours = self.folder / way[0] / f"dI_{frame:05}.exr"
+            found = answer(inside("change", ours, self.folder / "later.exr", self.folder / "next.exr"), "CHANGE")
+            self.assertLess(found["error"], 0.15, (way, found))
+            self.assertAlmostEqual(found["share"], 1, delta=0.08, msg=(way, found))
+
     def assert_alike(self, ours, theirs):
         ratio = answer(inside("compare", ours, theirs), "RATIO")
         self.assertAlmostEqual(ratio["mean"], 1, delta=0.02, msg=ratio)
@@ -309,7 +327,7 @@ class Export(unittest.TestCase):
 if __name__ == "__main__":
     if "--inside" in sys.argv:
         step, *arguments = sys.argv[sys.argv.index("--inside") + 1:]
-        {"make": make, "compare": compare, "twice": export_twice}[step](*arguments)
+        {"make": make, "compare": compare, "change": compare_change, "twice": export_twice}[step](*arguments)
     elif not shutil.which("blender"):
         print("skipped: there is no program blender")
         sys.exit(77)

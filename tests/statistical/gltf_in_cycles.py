@@ -57,7 +57,8 @@ def leave_out_interfaces():
                 node.inputs["Specular"].default_value = 0
 
 
-def render_in_blender(scene, picture, size, spp, bounces, diffuse):
+def open_in_blender(scene, size, spp, bounces, diffuse):
+    """Leaves Blender ready to render a glTF file."""
     import bpy
     import numpy
 
@@ -67,7 +68,6 @@ def render_in_blender(scene, picture, size, spp, bounces, diffuse):
     if diffuse:
         leave_out_interfaces()
     it = bpy.context.scene
-    it.frame_set(0)
     it.camera = next(o for o in bpy.data.objects if o.type == "CAMERA")
     lit = any(o.type == "LIGHT" for o in bpy.data.objects) or any(
         n.inputs["Emission Strength"].default_value > 0 and max(n.inputs["Emission"].default_value[:3]) > 0
@@ -84,15 +84,34 @@ def render_in_blender(scene, picture, size, spp, bounces, diffuse):
     it.render.resolution_x, it.render.resolution_y, it.render.resolution_percentage = *size, 100
     it.view_settings.view_transform = "Standard"
     it.render.image_settings.file_format, it.render.image_settings.color_depth = "OPEN_EXR", "32"
-    it.render.filepath = picture
+
+
+def render_in_blender(picture, seconds, seed=0):
+    import bpy
+
+    it = bpy.context.scene
+    frame = seconds * it.render.fps
+    it.frame_set(int(frame), subframe=frame - int(frame))
+    it.cycles.seed, it.render.filepath = seed, picture
     bpy.ops.render.render(write_still=True)
 
 
+def run_blender(script, *arguments):
+    subprocess.run(["blender", "-b", "--factory-startup", "-noaudio", "--python-exit-code", "1", "--python", script, "--",
+                    "--inside", *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
+
+
+def inside_blender():
+    """The arguments of run_blender() there, and None elsewhere."""
+    return sys.argv[sys.argv.index("--inside") + 1:] if "--inside" in sys.argv else None
+
+
 def main():
-    if "--inside" in sys.argv:
-        scene, picture, *numbers = sys.argv[sys.argv.index("--inside") + 1:]
+    if arguments := inside_blender():
+        scene, picture, *numbers = arguments
         width, height, spp, bounces, diffuse = map(int, numbers)
-        return render_in_blender(scene, picture, (width, height), spp, bounces, diffuse)
+        open_in_blender(scene, (width, height), spp, bounces, diffuse)
+        return render_in_blender(picture, 0)
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("model", type=pathlib.Path)
     p.add_argument("folder", type=pathlib.Path)
@@ -106,9 +125,7 @@ def main():
     a = p.parse_args()
     scene = copy_model(a.model, a.folder / "scene", a.size, a.camera, a.diffuse)
     theirs, ours = a.folder / "cycles.exr", a.folder / "ours.exr"
-    subprocess.run(["blender", "-b", "--factory-startup", "-noaudio", "--python-exit-code", "1", "--python", __file__, "--", "--inside", scene.resolve(),
-                    theirs.resolve(), *map(str, a.size), a.spp, a.bounces, str(int(a.diffuse))],
-                   check=True, stdout=subprocess.DEVNULL)
+    run_blender(__file__, scene.resolve(), theirs.resolve(), *a.size, a.spp, a.bounces, int(a.diffuse))
     evaluate = a.build / "bin/saccade-eval"
     subprocess.run([evaluate, "render", scene, "--size", "x".join(map(str, a.size)), "--spp", a.spp, "--bounces", a.bounces,
                     "-o", ours], check=True)
