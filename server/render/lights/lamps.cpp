@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "render/lights/delta_samples.h"
+#include "render/lights/disk.h"
 #include "render/lights/quads.h"
 #include "render/lights/sphere_cone.h"
 
@@ -34,7 +35,11 @@ LampBounds boundsOfTriangle(const AreaLamp& lamp) {
 }
 
 ChosenLamp memberOf(const LampLeaf& leaf, float probability, float u) {
-  return {leaf.first + (u >= leaf.first_share ? 1 : 0), probability / leaf.area};
+  const float others = static_cast<float>(leaf.count) - 1;
+  const float place = (u - leaf.first_share) / (1 - leaf.first_share) * others;
+  const std::uint32_t member =
+      u < leaf.first_share ? 0 : 1 + static_cast<std::uint32_t>(std::min(place, others - 1));
+  return {leaf.first + member, probability / leaf.area};
 }
 
 }  // namespace
@@ -78,9 +83,10 @@ void Lamps::addMesh(const Mesh& mesh, std::uint32_t geometry) {
     return AreaLamp{corner,  mesh.positions[b] - corner, mesh.positions[c] - corner, 0, mesh.radiance,
                     geometry};
   };
+  const std::size_t all = diskOf(mesh) ? mesh.triangles.size() : 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     std::vector<AreaLamp> lamps{lamp(i)};
-    if (isQuad(mesh, i)) lamps.push_back(lamp(++i));
+    while (lamps.size() < all || (lamps.size() == 1 && isQuad(mesh, i))) lamps.push_back(lamp(++i));
     addLeaf(lamps);
   }
 }
@@ -94,8 +100,9 @@ void Lamps::addLeaf(std::span<const AreaLamp> lamps) {
     area_lamps_.push_back(lamp);
     ++leaf.count, leaf.area += area;
   }
-  if (leaf.count == 2) leaf.first_share = area_lamps_[leaf.first].area() / leaf.area;
-  if (leaf.count > 0) leaves_.push_back(leaf);
+  if (leaf.count == 0) return;
+  leaf.first_share = area_lamps_[leaf.first].area() / leaf.area;
+  leaves_.push_back(leaf);
 }
 
 void Lamps::addSets() {
