@@ -13,9 +13,9 @@ struct Disk {
   float radius;
 };
 
-// The disk that a mesh stands for: a fan of at least 64 triangles about the centre of a regular polygon, in
-// one plane, as makeDisk() has it. Its area is that of the mesh, so that its light differs from that of the
-// mesh at the edge alone. Nothing where the mesh is none, such as an ellipse.
+// The disk that a mesh stands for, such as one of makeDisk(). Such a mesh is a regular polygon, as a fan of
+// at least 64 triangles about its centre. The disk has the same area, so that its light differs at the edge
+// alone. Of other meshes, such as ellipses: nothing.
 std::optional<Disk> diskOf(const Mesh& mesh);
 
 }  // namespace saccade

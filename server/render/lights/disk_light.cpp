@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// A disk cut by the planes through the origin with the normals n and g. What it covers is half of the sum
-// over its edges of n (r x dr) / r^2, over pi [Lambert 1760].
+// A disk cut by the planes through the origin with the normals n and g. Its form factor is the integral
+// of n (r x dr) / r^2 along its edges, over 2 pi [Lambert 1760].
 class CutDisk {
  public:
   CutDisk(const Disk& disk, Vec3d center, Vec3d n, Vec3d g)

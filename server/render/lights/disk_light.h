@@ -15,7 +15,7 @@ struct LitPoint;
 // The share of the cosine-weighted hemisphere above a point that a disk covers, as if nothing cast a shadow.
 float diskFormFactor(const Disk& disk, const LitPoint& p);
 
-// What follows is of a point from which `to_center` leads to the centre of a disk, or of several points.
+// In the following functions, `to_center` leads from a point to the centre of a disk, or from several points.
 
 template <class F>
 [[gnu::always_inline]] inline auto seesDisk(const Vec3T<F>& to_center, const Disk& disk) {
@@ -31,8 +31,8 @@ template <class F>
   return disk.radius * sqrt(max(F(0.f), 1.f - cosine * cosine));
 }
 
-// Of a disk above the horizon of n, which its bright side sees: the two form factors of Hamilton and Morgan
-// (1952), of surfaces that lie parallel to the disk and at a right angle to it, as the parts of a vector.
+// Of a disk above the horizon of n that shows its bright side. Hamilton and Morgan (1952) have the form
+// factors of surfaces that lie parallel to a disk and at a right angle to it. They are the parts of a vector.
 // With h the height above the disk's plane and e from below the point to the centre,
 //   F = (2 h r^2 / Z) n (h a / (Z + s) + e / (Z + s + 2 r^2)),   s = h^2 + e^2 - r^2,   Z^2 = s^2 + 4 r^2 h^2
 // where a is the unit vector across the plane. So written, nothing cancels out, if Z + s is 4 r^2 h^2 / (Z -

@@ -36,7 +36,7 @@ class LampTree {
   const std::array<std::vector<std::uint32_t>, kLampGroups>& groups() const { return groups_; }
   // From now on lamps that are blocked are chosen less.
   void look(LampSight sight) { sight_ = std::move(sight); }
-  // What is known to be seen of the groups from a place; nullptr: nothing is known.
+  // The shares of the groups that were seen from near a place; nullptr: nothing is known.
   const LampSight::Shares* seenFrom(const Receiver& at) const {
     return sight_.empty() ? nullptr : &sight_.at(at);
   }
