@@ -117,6 +117,27 @@ TEST_F(DiskLamp, IsFoundInItsMesh) {
   EXPECT_FALSE(diskOf(open));
 }
 
+// Without a vertex in the middle, as a polygon of Blender.
+TEST(DiskOf, FindsARegularPolygonInAnyTriangles) {
+  Mesh mesh;
+  for (int i = 0; i < 32; ++i) {
+    const double turn = 2 * kPi * i / 32;
+    mesh.positions.push_back(toFloat(Vec3d{5 + std::cos(turn), 2, 3 - std::sin(turn)}));
+  }
+  for (std::uint32_t i = 1; i + 1 < 32; ++i) mesh.triangles.push_back({0, i, i + 1});
+  const auto disk = diskOf(mesh);
+  ASSERT_TRUE(disk);
+  EXPECT_NEAR(length(disk->center - Vec3{5, 2, 3}), 0, 1e-5);
+  EXPECT_NEAR(disk->normal.y, 1, 1e-6);
+  EXPECT_NEAR(disk->radius * disk->radius * kPi, 16 * std::sin(kPi / 16), 1e-4);
+  Mesh uneven = mesh, bent = mesh, turned = mesh, few = mesh;
+  uneven.positions[3] = uneven.positions[2] * 0.5f + uneven.positions[3] * 0.5f;
+  bent.positions[3].y += 0.1f;
+  std::swap(turned.triangles[7][1], turned.triangles[7][2]);
+  few.triangles.pop_back();
+  for (const Mesh& other : {uneven, bent, turned, few}) EXPECT_FALSE(diskOf(other));
+}
+
 // Its polygon covers the same share, but for the edge.
 TEST_F(DiskLamp, GivesTheLightOfItsMesh) {
   const AnalyticLight light(scene);

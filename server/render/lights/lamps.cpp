@@ -34,6 +34,19 @@ LampBounds boundsOfTriangle(const AreaLamp& lamp) {
   return all;
 }
 
+// Whether the triangles of a disk have equal areas, as those around its centre have.
+bool isEvenDisk(const Mesh& mesh) {
+  const auto area = [&](const auto& triangle) {
+    const Vec3 a = mesh.positions[triangle[0]];
+    return length(cross(mesh.positions[triangle[1]] - a, mesh.positions[triangle[2]] - a));
+  };
+  const auto isEven = [&](const auto& triangle) {
+    const float first = area(mesh.triangles[0]);
+    return std::abs(area(triangle) - first) < 1e-2f * first;
+  };
+  return diskOf(mesh) && std::ranges::all_of(mesh.triangles, isEven);
+}
+
 ChosenLamp memberOf(const LampLeaf& leaf, float probability, float u) {
   const float others = static_cast<float>(leaf.count) - 1;
   const float place = (u - leaf.first_share) / (1 - leaf.first_share) * others;
@@ -83,7 +96,7 @@ void Lamps::addMesh(const Mesh& mesh, std::uint32_t geometry) {
     return AreaLamp{corner,  mesh.positions[b] - corner, mesh.positions[c] - corner, 0, mesh.radiance,
                     geometry};
   };
-  const std::size_t all = diskOf(mesh) ? mesh.triangles.size() : 0;
+  const std::size_t all = isEvenDisk(mesh) ? mesh.triangles.size() : 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     std::vector<AreaLamp> lamps{lamp(i)};
     while (lamps.size() < all || (lamps.size() == 1 && isQuad(mesh, i))) lamps.push_back(lamp(++i));
