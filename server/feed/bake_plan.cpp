@@ -10,7 +10,7 @@
 namespace saccade {
 namespace {
 
-constexpr std::uint32_t kVersion = 8;      // of what a plan leads to: the code's part in the digest
+constexpr std::uint32_t kVersion = 9;      // of what a plan leads to: the code's part in the digest
 constexpr double kPixelsBetweenPoses = 4;  // at most, of the fastest percent of the picture
 constexpr double kPoseRate = 1000;         // Hz: poses of frames with several intervals come from these times
 

@@ -100,7 +100,7 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
   const Tracing tracing{view.scene,
                         settings_.bounces,
                         {known, camera.origin, camera.pixel},
-                        view.scene.still().deltaLamps().areFew(),
+                        view.scene.still().deltaLamps().getRays(),
                         true,
                         moved_.any() ? &moved_ : nullptr};
   const auto tile = withKernel(view.scene.still().shading(), [this]<Shading S>() {
@@ -120,7 +120,7 @@ std::chrono::nanoseconds Renderer::renderReplays(const PixelContext& view, const
   const Tracing tracing{view.before.scene,
                         settings_.bounces,
                         {nullptr, camera.origin, camera.pixel},
-                        view.before.scene.still().deltaLamps().areFew(),
+                        view.before.scene.still().deltaLamps().getRays(),
                         true};
   const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderReplayTile<S, 1> : renderReplayTile<S, 3>;
@@ -135,7 +135,7 @@ std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const S
   if (!out.pairs) out.pairs = std::make_unique<PairSamples>(out.width(), out.height());
   const Camera& camera = view.now.camera;
   const KnownBounces bounces{known, camera.origin, camera.pixel};
-  const bool deltas_apart = view.now.scene.still().deltaLamps().areFew();
+  const bool deltas_apart = view.now.scene.still().deltaLamps().getRays();
   const PairSides sides{
       {out, starts(), {view.now.scene, settings_.bounces, bounces, deltas_apart, true}},
       {before, startsBefore(), {view.before.scene, settings_.bounces, bounces, deltas_apart, true}},

@@ -33,27 +33,27 @@ float wrap(float u) {
   return f >= 0 && f < 1 ? f : 0;
 }
 
-// The two pixels around a coordinate, and the weight of the second.
+// A coordinate brought into [0, 1].
+float within(float u, Texture::Wrap kind) {
+  if (kind == Texture::Wrap::kRepeat) return wrap(u);
+  if (kind == Texture::Wrap::kClamp) return u > 0 ? std::min(u, 1.f) : 0;
+  const float period = 2 * wrap(u / 2);
+  return period > 1 ? 2 - period : period;
+}
+
+// The two pixels around a coordinate in [0, 1], and the weight of the second. Where a picture does not
+// repeat, no tap crosses an edge.
 struct Taps {
+  Taps(float u, int count, bool repeats) {
+    const float x = u * static_cast<float>(count) - 0.5f;
+    const int i = static_cast<int>(std::floor(x)), last = count - 1;
+    i0 = i >= 0 ? i : repeats ? last : 0;
+    i1 = i < last ? i + 1 : repeats ? 0 : last;
+    w1 = x - static_cast<float>(i);
+  }
   int i0, i1;
   float w1;
 };
-
-// Where the picture is mirrored, or its edge goes on, no tap crosses an edge.
-Taps tapsWithin(float u, int count, Texture::Wrap kind) {
-  const float period = 2 * wrap(u / 2), mirrored = period > 1 ? 2 - period : period;
-  const float within = kind == Texture::Wrap::kMirror ? mirrored : u > 0 ? std::min(u, 1.f) : 0;
-  const float x = within * static_cast<float>(count) - 0.5f;
-  const int i = static_cast<int>(std::floor(x));
-  return {std::max(i, 0), std::min(i + 1, count - 1), x - static_cast<float>(i)};
-}
-
-Taps tapsAt(float u, int count, Texture::Wrap kind) {
-  if (kind != Texture::Wrap::kRepeat) return tapsWithin(u, count, kind);
-  const float x = wrap(u) * static_cast<float>(count) - 0.5f;
-  const int i = static_cast<int>(std::floor(x));
-  return {i < 0 ? count - 1 : i, i + 1 >= count ? 0 : i + 1, x - static_cast<float>(i)};
-}
 
 Rgb mix(Rgb a, Rgb b, float w) {
   return a + (b - a) * w;
@@ -90,21 +90,23 @@ Texture::Level Texture::halve(const Level& fine) {
   return coarse;
 }
 
-Rgb Texture::bilinear(const Level& level, Vec2 uv) const {
-  const Taps x = tapsAt(uv.x, level.width, wrap_u_), y = tapsAt(1 - uv.y, level.height, wrap_v_);
+// `uv`: within() its bounds, from the top.
+inline Rgb Texture::bilinear(const Level& level, Vec2 uv) const {
+  const Taps x(uv.x, level.width, wrap_u_ == Wrap::kRepeat), y(uv.y, level.height, wrap_v_ == Wrap::kRepeat);
   const Rgb* row0 = &level.pixels[static_cast<std::size_t>(y.i0) * static_cast<std::size_t>(level.width)];
   const Rgb* row1 = &level.pixels[static_cast<std::size_t>(y.i1) * static_cast<std::size_t>(level.width)];
   return mix(mix(row0[x.i0], row0[x.i1], x.w1), mix(row1[x.i0], row1[x.i1], x.w1), y.w1);
 }
 
 Rgb Texture::sample(Vec2 uv, float footprint) const {
+  const Vec2 at{within(uv.x, wrap_u_), within(1 - uv.y, wrap_v_)};
   const float pixels = footprint * static_cast<float>(std::max(width(), height()));
-  if (!(pixels > 1)) return bilinear(levels_[0], uv);
   const float coarsest = static_cast<float>(levels_.size() - 1);
-  const float level = std::min(std::log2(pixels), coarsest);
+  const float level = pixels > 1 ? std::min(std::log2(pixels), coarsest) : 0;
   const std::size_t fine = static_cast<std::size_t>(level);
-  if (fine + 1 == levels_.size()) return bilinear(levels_.back(), uv);
-  return mix(bilinear(levels_[fine], uv), bilinear(levels_[fine + 1], uv), level - static_cast<float>(fine));
+  const float w = level - static_cast<float>(fine);
+  const Rgb color = bilinear(levels_[fine], at);
+  return w > 0 ? mix(color, bilinear(levels_[fine + 1], at), w) : color;
 }
 
 Rgb Texture::mean() const {

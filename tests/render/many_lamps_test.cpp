@@ -28,7 +28,7 @@ Scene floorUnderManyLamps() {
 // Radiance of a white floor at the origin, by closed forms.
 Rgb whiteAtOrigin(const Scene& scene) {
   Rgb sum = AnalyticLight(scene).at({{}, {0, 0, 1}, {0, 0, 1}}, EmitterStrengths(scene));
-  const DeltaLamps deltas(scene);
+  const DeltaLamps deltas(scene, Lamps(scene));
   for (std::size_t i = 0; i < deltas.size(); ++i) {
     const IncidentLight light = deltas.at(i, {});
     sum = sum + light.radiance * (std::max(0.f, light.direction.z) / kPi);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/lights/disk_light.h"
 #include "render/lights/lamp_lanes.h"
 #include "render/lights/quads.h"
 #include "render/lights/sphere_light.h"
@@ -23,11 +24,13 @@ float shareOfHemisphere(const Polygon& polygon, Vec3 n) {
   return std::abs(sum) * (0.5f * std::numbers::inv_pi_v<float>);
 }
 
-// In lanes where no horizon cuts the sphere, and else one by one.
-LampLanes::F ofSphere(const LampLanes& seen_from, const AnalyticLight::Side& side, const LitPoints& points,
-                      int first) {
+// In lanes where no horizon cuts a disk or a sphere, and else one by one.
+LampLanes::F ofRound(const LampLanes& seen_from, const AnalyticLight::Side& side, const LitPoints& points,
+                     int first) {
   LaneSet cut;
-  LampLanes::F factor = seen_from.sphereFormFactor(side.corners[0], side.radius, cut);
+  LampLanes::F factor = side.form == AnalyticLight::Side::Form::kDisk
+                            ? seen_from.diskFormFactor(side.disk(), cut)
+                            : seen_from.sphereFormFactor(side.corners[0], side.radius, cut);
   forEachLane(cut, [&](int i) { factor[i] = AnalyticLight::formFactor(side, points.at(first + i)); });
   return factor;
 }
@@ -36,17 +39,35 @@ LampLanes::F ofSphere(const LampLanes& seen_from, const AnalyticLight::Side& sid
 
 AnalyticLight::AnalyticLight(const Scene& scene) : held_(scene.meshes.size() + scene.spheres.size()) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const Mesh& mesh = scene.meshes[i];
-    if (emits(mesh) && sides_.size() + mesh.triangles.size() <= kMaxSides)
-      addSides(mesh, static_cast<std::uint32_t>(i));
+    if (emits(scene.meshes[i])) addMesh(scene.meshes[i], static_cast<std::uint32_t>(i));
   }
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     const Sphere& s = scene.spheres[i];
     if (!emits(s) || sides_.size() == kMaxSides) continue;
     const std::size_t geometry = scene.meshes.size() + i;
     held_[geometry] = true;
-    sides_.push_back(
-        {{s.center}, {}, 0, s.radius, s.radiance, static_cast<std::uint32_t>(geometry), nextGroup()});
+    sides_.push_back({Side::Form::kSphere,
+                      {s.center},
+                      {},
+                      s.radius,
+                      s.radiance,
+                      static_cast<std::uint32_t>(geometry),
+                      nextGroup()});
+  }
+}
+
+void AnalyticLight::addMesh(const Mesh& mesh, std::uint32_t geometry) {
+  if (const auto disk = diskOf(mesh); disk && sides_.size() < kMaxSides) {
+    held_[geometry] = true;
+    sides_.push_back({Side::Form::kDisk,
+                      {disk->center},
+                      disk->normal,
+                      disk->radius,
+                      mesh.radiance,
+                      geometry,
+                      nextGroup()});
+  } else if (sides_.size() + mesh.triangles.size() <= kMaxSides) {
+    addSides(mesh, geometry);
   }
 }
 
@@ -55,22 +76,25 @@ void AnalyticLight::addSides(const Mesh& mesh, std::uint32_t geometry) {
   const int group = nextGroup();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto [a, b, c] = mesh.triangles[i];
-    Side side{
-        {mesh.positions[a], mesh.positions[b], mesh.positions[c]}, {}, 0, 0, mesh.radiance, geometry, group};
+    Side side{Side::Form::kPolygon,
+              {mesh.positions[a], mesh.positions[b], mesh.positions[c]},
+              {},
+              0,
+              mesh.radiance,
+              geometry,
+              group};
     const auto edge = [&](std::size_t k) { return side.corners[k] - side.corners[0]; };
     const Vec3 normal = cross(edge(1), edge(2));
     if (dot(normal, normal) == 0) continue;
-    side.normal = normalize(normal), side.area = length(normal) / 2;
-    if (isQuad(mesh, i)) {
-      side.corners.push_back(mesh.positions[mesh.triangles[++i][2]]);
-      side.area += length(cross(edge(2), edge(3))) / 2;
-    }
+    side.normal = normalize(normal);
+    if (isQuad(mesh, i)) side.corners.push_back(mesh.positions[mesh.triangles[++i][2]]);
     sides_.push_back(std::move(side));
   }
 }
 
 float AnalyticLight::formFactor(const Side& side, const LitPoint& p) {
-  if (side.radius > 0) return sphereFormFactor(side.corners[0], side.radius, p);
+  if (side.form == Side::Form::kSphere) return sphereFormFactor(side.corners[0], side.radius, p);
+  if (side.form == Side::Form::kDisk) return diskFormFactor(side.disk(), p);
   return formFactor(seen(side, p), p);
 }
 
@@ -101,7 +125,7 @@ void AnalyticLight::at(const LitPoints& points, LaneSet lanes, const EmitterStre
     if (!here.any()) continue;
     const LampLanes seen_from(points.point, points.normal, points.geometric_normal, first, here);
     for (const Side& side : sides_) {
-      const LampLanes::F factor = side.radius > 0 ? ofSphere(seen_from, side, points, first)
+      const LampLanes::F factor = side.radius > 0 ? ofRound(seen_from, side, points, first)
                                                   : seen_from.formFactor(side.corners, side.normal);
       const auto light = splat<LampLanes::F>(side.radiance) * LampLanes::F(factor * strengths[side.geometry]);
       result.store(result.lanes<LampLanes::kLanes>(first) + light, first);

@@ -1,10 +1,12 @@
-// Direct light of lamps of a few flat sides, and of spheres, in closed form, as if nothing cast a shadow.
+// Direct light of lamps of a few flat sides, of disks and of spheres, in closed form, as if nothing cast a
+// shadow.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "base/lane_vectors.h"
+#include "render/lights/disk.h"
 #include "render/lights/incident_light.h"
 #include "render/lights/polygon.h"
 #include "scene/emitter_strengths.h"
@@ -30,13 +32,17 @@ class AnalyticLight {
   static constexpr std::size_t kMaxSides = 16;  // of all lamps: more cost more than their shadows tell
 
   struct Side {
-    std::vector<Vec3> corners;  // of a convex polygon, counter-clockwise as seen from the lit side
-    Vec3 normal;                // unit
-    float area;
-    float radius = 0;  // of a sphere about its only corner, which has neither normal nor area
+    enum class Form { kPolygon, kDisk, kSphere };
+    Form form;
+    // Of a convex polygon, counter-clockwise as seen from the lit side; else the centre.
+    std::vector<Vec3> corners;
+    Vec3 normal;   // unit; a sphere has none
+    float radius;  // of a disk or a sphere
     Rgb radiance;
     std::uint32_t geometry;
     int group;  // of the lamps whose shadows are one, see groups()
+
+    Disk disk() const { return {corners[0], normal, radius}; }
   };
 
   explicit AnalyticLight(const Scene& scene);
@@ -61,6 +67,7 @@ class AnalyticLight {
           LaneVectors& result) const;
 
  private:
+  void addMesh(const Mesh& mesh, std::uint32_t geometry);
   void addSides(const Mesh& mesh, std::uint32_t geometry);
   int nextGroup() const { return std::min(groups(), kMaxGroups - 1); }
 

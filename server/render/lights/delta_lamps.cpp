@@ -4,7 +4,13 @@
 
 namespace saccade {
 
-DeltaLamps::DeltaLamps(const Scene& scene) : spots_(spotsOf(scene)), suns_(scene.directional_lights) {}
+DeltaLamps::DeltaLamps(const Scene& scene, const Lamps& lamps)
+    : spots_(spotsOf(scene)), suns_(scene.directional_lights) {
+  if (areFew() || !lamps.hasTree(LightSet::kAll)) return;
+  const LampTree& tree = lamps.tree(LightSet::kAll);  // of areas, then spots
+  for (std::size_t i = tree.count() - spots_.size(); i < tree.count(); ++i)
+    groups_.push_back(static_cast<std::uint8_t>(tree.groupOf(static_cast<std::uint32_t>(i))));
+}
 
 IncidentLight DeltaLamps::at(std::size_t lamp, Vec3 point) const {
   if (lamp < spots_.size()) return sampleOf(spots_[lamp], point, 1);

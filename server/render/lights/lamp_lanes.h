@@ -5,6 +5,8 @@
 #include <span>
 
 #include "base/lane_vectors.h"
+#include "render/lights/disk_light.h"
+#include "render/lights/lamp_front.h"
 
 namespace saccade {
 
@@ -18,17 +20,6 @@ template <class F>
   for (const float k : {0.1384896f, -0.327471f, 0.5115087f, -0.6495042f, 0.7834481f, -0.9999133f, 1.570796f})
     f = f * c + k;
   return select(cosine >= 0.f, f, F(std::numbers::pi_v<float> / sqrt(max(F(1e-12f), 1.f - c * c)) - f));
-}
-
-// Whether a point sees the bright side of a lamp. A point in the lamp's plane does not, such as one of its
-// own back: rounding alone moves it this much off.
-template <class F>
-[[gnu::always_inline]] inline auto seesLamp(const Vec3T<F>& point, std::span<const Vec3> corners, Vec3 lit) {
-  constexpr float kLeastSine = 1e-4f;
-  const auto diagonal = corners[2] - corners[0];
-  const Vec3T<F> to_point = point - splat<F>(corners[0]);
-  const F height = dot(to_point, splat<F>(lit)), size2 = dot(to_point, to_point) + dot(diagonal, diagonal);
-  return height > 0.f && height * height > kLeastSine * kLeastSine * size2;
 }
 
 class LampLanes {
@@ -58,6 +49,18 @@ class LampLanes {
     const M cut = front && any && any_geometric && !all;
     if (!(lanesOf(cut) & lanes_).any()) return select(all, ofWhole(corners), 0.f);
     return select(all || cut, ofPart(corners), 0.f);
+  }
+
+  // Of a disk; in the lanes of `cut` a horizon cuts it, and they hold nothing.
+  F diskFormFactor(const Disk& disk, LaneSet& cut) const {
+    const V to_center = splat<F>(disk.center) - point_;
+    const M front = seesDisk<F>(to_center, disk);
+    const F height = dot(to_center, normal_), reach = reachOf<F>(disk, normal_);
+    const F geometric = dot(to_center, geometric_normal_),
+            geometric_reach = reachOf<F>(disk, geometric_normal_);
+    const M whole = front && height >= reach && geometric >= geometric_reach;
+    cut = lanesOf(front && !whole && height > -reach && geometric > -geometric_reach) & lanes_;
+    return select(whole, wholeFormFactor<F>(disk, to_center, normal_), F(0.f));
   }
 
   // Of a sphere; in the lanes of `cut` a horizon cuts it, and they hold nothing.

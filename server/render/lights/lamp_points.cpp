@@ -20,9 +20,21 @@ Vec3 pointOn(const Polygon& polygon, const std::array<float, Polygon::kMaxCorner
   return a * (1 - s) + b * (s * (1 - u2)) + c * (s * u2);
 }
 
+// A place on a disk, uniform by area.
+LampPoints::Point pointOnDisk(const Disk& disk, const LitPoint& from, float form_factor, float u1, float u2) {
+  const float r = disk.radius * std::sqrt(u1), turn = 2 * std::numbers::pi_v<float> * u2;
+  const Vec3 position =
+      disk.center + ShadingFrame<float>(disk.normal).toWorld({r * std::cos(turn), r * std::sin(turn), 0});
+  const Vec3 segment = position - from.point;
+  if (!(dot(segment, from.geometric_normal) > 0)) return {position, 0};
+  const float area_over_pi = disk.radius * disk.radius, distance2 = dot(segment, segment);
+  const float leaving = -dot(segment, disk.normal), arriving = std::max(0.f, dot(segment, from.normal));
+  return {position, leaving * arriving * area_over_pi / (form_factor * distance2 * distance2)};
+}
+
 // A place on a sphere, uniform in what the point sees of it.
-LampPoints::Point pointOn(const AnalyticLight::Side& sphere, const LitPoint& from, float form_factor,
-                          float u1, float u2) {
+LampPoints::Point pointOnSphere(const AnalyticLight::Side& sphere, const LitPoint& from, float form_factor,
+                                float u1, float u2) {
   const SphereCone cone(from.point, sphere.corners[0], sphere.radius);
   const auto [w, distance] = cone.at(u1, u2);
   const Vec3 position = from.point + w * distance;
@@ -68,7 +80,10 @@ LampPoints::Point LampPoints::at(int group, float u, float u1, float u2) const {
   int i = ends_[group];
   while (i + 1 < end && u * unoccluded_[group] >= seen_[i].sum) ++i;
   const Seen& seen = seen_[i];
-  if (seen.side->radius > 0) return pointOn(*seen.side, from_, seen.form_factor, u1, u2);
+  if (seen.side->form == AnalyticLight::Side::Form::kSphere)
+    return pointOnSphere(*seen.side, from_, seen.form_factor, u1, u2);
+  if (seen.side->form == AnalyticLight::Side::Form::kDisk)
+    return pointOnDisk(seen.side->disk(), from_, seen.form_factor, u1, u2);
   const Vec3 segment = pointOn(seen.part, seen.areas, u1, u2);
   const float leaving = -dot(segment, seen.side->normal), arriving = dot(segment, from_.normal);
   const float distance2 = dot(segment, segment);

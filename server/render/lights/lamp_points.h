@@ -29,7 +29,7 @@ class LampPoints {
  private:
   struct Seen {
     const AnalyticLight::Side* side = nullptr;
-    Polygon part;                                     // of a polygon, from the surface; of a sphere empty
+    Polygon part;                                     // of a polygon, from the surface; of others empty
     std::array<float, Polygon::kMaxCorners> areas{};  // of a fan of triangles, up to each corner
     float form_factor = 0;
     float weight = 0;  // of its points: area / (pi * form factor)

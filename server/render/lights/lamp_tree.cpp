@@ -86,6 +86,12 @@ std::uint32_t LampTree::build(std::span<const LampBounds> lamps, std::span<std::
   return node;
 }
 
+std::size_t LampTree::groupOf(std::uint32_t lamp) const {
+  Place place = places_[lamp];
+  while (place.node != 0) place = {nodes_[place.node].parent, nodes_[place.node].slot};
+  return place.slot;
+}
+
 void LampTree::set(Place place, const LampBounds& bounds, std::uint32_t child) {
   Node& n = nodes_[place.node];
   const std::uint32_t i = place.slot;

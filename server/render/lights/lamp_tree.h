@@ -36,6 +36,11 @@ class LampTree {
   const std::array<std::vector<std::uint32_t>, kLampGroups>& groups() const { return groups_; }
   // From now on lamps that are blocked are chosen less.
   void look(LampSight sight) { sight_ = std::move(sight); }
+  // The shares of the groups that were seen from near a place; nullptr: nothing is known.
+  const LampSight::Shares* seenFrom(const Receiver& at) const {
+    return sight_.empty() ? nullptr : &sight_.at(at);
+  }
+  std::size_t groupOf(std::uint32_t lamp) const;
 
   Chosen choose(const Receiver& at, float u) const;
   // The same for the lanes of a set. `chosen.u` has their numbers.

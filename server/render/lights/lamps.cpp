@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "render/lights/delta_samples.h"
+#include "render/lights/disk.h"
 #include "render/lights/quads.h"
 #include "render/lights/sphere_cone.h"
 
@@ -33,8 +34,25 @@ LampBounds boundsOfTriangle(const AreaLamp& lamp) {
   return all;
 }
 
+// Whether the triangles of a disk have equal areas, as those around its centre have.
+bool isEvenDisk(const Mesh& mesh) {
+  const auto area = [&](const auto& triangle) {
+    const Vec3 a = mesh.positions[triangle[0]];
+    return length(cross(mesh.positions[triangle[1]] - a, mesh.positions[triangle[2]] - a));
+  };
+  const auto isEven = [&](const auto& triangle) {
+    const float first = area(mesh.triangles[0]);
+    return std::abs(area(triangle) - first) < 1e-2f * first;
+  };
+  return diskOf(mesh) && std::ranges::all_of(mesh.triangles, isEven);
+}
+
 ChosenLamp memberOf(const LampLeaf& leaf, float probability, float u) {
-  return {leaf.first + (u >= leaf.first_share ? 1 : 0), probability / leaf.area};
+  const float others = static_cast<float>(leaf.count) - 1;
+  const float place = (u - leaf.first_share) / (1 - leaf.first_share) * others;
+  const std::uint32_t member =
+      u < leaf.first_share ? 0 : 1 + static_cast<std::uint32_t>(std::min(place, others - 1));
+  return {leaf.first + member, probability / leaf.area};
 }
 
 }  // namespace
@@ -78,9 +96,10 @@ void Lamps::addMesh(const Mesh& mesh, std::uint32_t geometry) {
     return AreaLamp{corner,  mesh.positions[b] - corner, mesh.positions[c] - corner, 0, mesh.radiance,
                     geometry};
   };
+  const std::size_t all = isEvenDisk(mesh) ? mesh.triangles.size() : 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     std::vector<AreaLamp> lamps{lamp(i)};
-    if (isQuad(mesh, i)) lamps.push_back(lamp(++i));
+    while (lamps.size() < all || (lamps.size() == 1 && isQuad(mesh, i))) lamps.push_back(lamp(++i));
     addLeaf(lamps);
   }
 }
@@ -94,8 +113,9 @@ void Lamps::addLeaf(std::span<const AreaLamp> lamps) {
     area_lamps_.push_back(lamp);
     ++leaf.count, leaf.area += area;
   }
-  if (leaf.count == 2) leaf.first_share = area_lamps_[leaf.first].area() / leaf.area;
-  if (leaf.count > 0) leaves_.push_back(leaf);
+  if (leaf.count == 0) return;
+  leaf.first_share = area_lamps_[leaf.first].area() / leaf.area;
+  leaves_.push_back(leaf);
 }
 
 void Lamps::addSets() {

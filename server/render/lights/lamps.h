@@ -27,11 +27,11 @@ struct AreaLamp {
   Place at(float u1, float u2) const;
 };
 
-// One lamp, or the two triangles of a flat quad: what a tree chooses from.
+// One lamp, or the two triangles of a flat quad, or those of a disk: what a tree chooses from.
 struct LampLeaf {
   std::uint32_t first, count;
   float area;             // of a point 1
-  float first_share = 1;  // of the first lamp, of the area
+  float first_share = 1;  // of the first lamp, of the area; all further ones have equal shares
 };
 
 struct ChosenLamp {
@@ -47,8 +47,9 @@ struct EmitterPoint {
 };
 
 // Several lamps are chosen by what they can give at a point, with a tree. Two triangles that make a flat quad
-// are one lamp of it. Places on triangles are uniform by area, and those on spheres by what a point sees. The
-// probabilities do not depend on strengths, so that a seed finds the same points in every frame.
+// are one lamp of it, and so is a disk. Places on triangles are uniform by area, and those on spheres by what
+// a point sees. The probabilities do not depend on strengths, so that a seed finds the same points in every
+// frame.
 class Lamps {
  public:
   explicit Lamps(const Scene& scene);

@@ -4,29 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/lights/circle.h"
+
 namespace saccade {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-// An interval of a circle's angles: `half` to both sides of `middle`, at most pi.
-struct Interval {
-  double middle, half;
-};
-
-// Calls f(begin, end) for the parts of (-half, half) that lie in another interval.
-void forEachCommon(double half, Interval other, const auto& f) {
-  for (const double turn : {-2 * kPi, 0., 2 * kPi}) {
-    const double begin = std::max(-half, other.middle - other.half + turn);
-    const double end = std::min(half, other.middle + other.half + turn);
-    if (end > begin) f(begin, end);
-  }
-}
-
-// The angles phi at which a + b cos(phi - middle) > 0.
-Interval positive(double a, double b, double middle) {
-  return {middle, std::abs(a) < b ? std::acos(-a / b) : a > 0 ? kPi : 0};
-}
 
 // A circle of directions: center + cos(phi) x + sin(phi) y.
 struct Circle {
@@ -75,7 +58,7 @@ class CutCap {
     const Frame frame(axis_, n_);
     const Circle edge{axis_ * cosine_, frame.x * sine, frame.y * sine};
     double sum = 0;
-    forEachCommon(edge.above(n_).half, is_one_ ? Interval{0, kPi} : edge.above(g_),
+    forEachCommon({0, edge.above(n_).half}, is_one_ ? Interval{0, kPi} : edge.above(g_),
                   [&](double begin, double end) { sum += dot(n_, edge.area(begin, end)); });
     return sum;
   }
@@ -85,7 +68,7 @@ class CutCap {
     const Circle horizon{{}, frame.x, frame.y};
     const Interval inside = positive(-cosine_, dot(axis_, frame.x), 0);
     double sum = 0;
-    forEachCommon(inside.half, is_one_ ? Interval{0, kPi} : horizon.above(other),
+    forEachCommon(inside, is_one_ ? Interval{0, kPi} : horizon.above(other),
                   [&](double begin, double end) { sum += dot(n_, horizon.area(begin, end)); });
     return sum;
   }

@@ -1,8 +1,9 @@
-// The direct light of lamps without extent, at the surfaces that pixels show: exact, by one shadow ray for
-// each pixel and lamp.
+// The direct light of lamps without extent, at the surfaces that pixels show. It is exact, by one shadow ray
+// for each pixel and lamp, but for the weaker ones of many.
 #pragma once
 
 #include "render/surface/scatter.h"
+#include "render/tiles/ray_numbers.h"
 #include "render/tiles/surface_start.h"
 #include "render/tiles/tile_shadow_rays.h"
 
@@ -34,6 +35,13 @@ inline Vec3 leaveTowards(const SurfaceStart& start, Vec3 w) {
   return leave(start.path.surface, dot(w, start.path.surface.geometric_normal) < 0);
 }
 
+inline Vec3 normalOf(const PlainStart& start) {
+  return start.geometric_normal;
+}
+inline Vec3 normalOf(const SurfaceStart& start) {
+  return start.path.surface.geometric_normal;
+}
+
 // Calls on_light(owner, luminance) for the light of each lamp that reaches a start: what its pixel emits, so
 // that no filter sees it.
 template <Shading S, class OnLight>
@@ -42,23 +50,42 @@ class DeltaLight {
   DeltaLight(const PosedScene& scene, const OnLight& on_light)
       : tracing_{scene, 0, {}}, on_light_(on_light), rays_(tracing_, tell_) {}
 
-  // `scale`: of the light that the start reflects, to that of its pixel.
-  void add(std::uint32_t owner, const auto& start, float scale) {
-    const RenderScene& scene = tracing_.scene.still();
-    const DeltaLamps& lamps = scene.deltaLamps();
+  // `scale`: of the light that the start reflects, to that of its pixel. Of many lamps, `numbers` choose.
+  void add(std::uint32_t owner, const auto& start, float scale, const RayNumbers& numbers) {
     const Vec3 origin = leave(start);
-    for (std::size_t i = 0; i < lamps.size(); ++i) {
-      const IncidentLight light = lamps.at(i, origin);
-      const Rgb reflected = scattered<S>(start, light.direction) * light.radiance;
-      if (!(luminance(reflected) * scale > 0)) continue;
-      pending_[next_] = {owner, reflected * scale};
-      rays_.add({leaveTowards(start, light.direction), light.segment, light.reach, next_});
-      next_ = (next_ + 1) % kPending;
-    }
+    if (!lamps_.areFew()) return addSome(owner, start, origin, scale, numbers);
+    for (std::size_t i = 0; i < lamps_.size(); ++i) ask(owner, start, reflectedOf(i, start, origin), scale);
   }
   void finish() { rays_.finish(); }
 
  private:
+  struct Reflected {
+    IncidentLight light;
+    Rgb color;
+  };
+  Reflected reflectedOf(std::size_t lamp, const auto& start, Vec3 origin) const {
+    const IncidentLight light = lamps_.at(lamp, origin);
+    return {light, scattered<S>(start, light.direction) * light.radiance};
+  }
+  void ask(std::uint32_t owner, const auto& start, const Reflected& reflected, float scale) {
+    if (!(luminance(reflected.color) * scale > 0)) return;
+    const IncidentLight& light = reflected.light;
+    pending_[next_] = {owner, reflected.color * scale};
+    rays_.add({leaveTowards(start, light.direction), light.segment, light.reach, next_});
+    next_ = (next_ + 1) % kPending;
+  }
+  void addSome(std::uint32_t owner, const auto& start, Vec3 origin, float scale, const RayNumbers& numbers) {
+    const Lamps& all = tracing_.scene.still().lights().lamps();
+    const LampSight::Shares* seen =
+        all.hasTree(LightSet::kAll) ? all.tree(LightSet::kAll).seenFrom({origin, normalOf(start)}) : nullptr;
+    picks_.clear();
+    for (std::size_t i = 0; i < lamps_.size(); ++i)
+      if (const float weight = luminance(reflectedOf(i, start, origin).color); weight > 0)
+        picks_.add(static_cast<std::uint32_t>(i), weight * lamps_.shareSeen(i, seen));
+    for (const LampPicks::Pick& pick : picks_.choose(numbers.u(0, 0)))
+      ask(owner, start, reflectedOf(pick.lamp, start, origin), scale * pick.factor);
+  }
+
   struct Pending {
     std::uint32_t owner;
     Rgb light;
@@ -73,8 +100,10 @@ class DeltaLight {
   static constexpr std::uint32_t kPending = 32;  // more than the rays of a packet
 
   const Tracing tracing_;
+  const DeltaLamps& lamps_ = tracing_.scene.still().deltaLamps();
   const OnLight& on_light_;
   const Tell tell_{*this};
+  LampPicks picks_;
   std::array<Pending, kPending> pending_;
   std::uint32_t next_ = 0;
   TileShadowRays<S, Tell> rays_;

@@ -57,7 +57,7 @@ void PointSampler::lookAs(const PointView& view, std::span<const PixelMoment> as
                   point.place);
     });
   }
-  if (view.scene.still().deltaLamps().areFew()) addDeltaLight<S>(view, out.first(asked.size()));
+  if (view.scene.still().deltaLamps().getRays()) addDeltaLight<S>(view, asked, out.first(asked.size()));
 }
 
 void PointSampler::lookPlain(const PointView& view, std::size_t first, std::span<PointSample> out) {
@@ -78,12 +78,15 @@ void PointSampler::lookPlain(const PointView& view, std::size_t first, std::span
 }
 
 template <Shading S>
-void PointSampler::addDeltaLight(const PointView& view, std::span<PointSample> out) const {
+void PointSampler::addDeltaLight(const PointView& view, std::span<const PixelMoment> asked,
+                                 std::span<PointSample> out) const {
   const auto onLight = [&](std::uint32_t k, float light) { out[k].emission += light; };
   DeltaLight<S, decltype(onLight)> light(view.scene, onLight);
   for (std::size_t k = 0; k < out.size(); ++k)
     if (out[k].albedo > 0)
-      withStart(k, [&](const auto& start) { light.add(static_cast<std::uint32_t>(k), start, 1); });
+      withStart(k, [&](const auto& start) {
+        light.add(static_cast<std::uint32_t>(k), start, 1, RayNumbers(asked[k].x, asked[k].y));
+      });
   light.finish();
 }
 

@@ -42,7 +42,8 @@ class PointSampler {
   template <Shading S>
   void lookAs(const PointView& view, std::span<const PixelMoment> asked, std::span<PointSample> out);
   template <Shading S>
-  void addDeltaLight(const PointView& view, std::span<PointSample> out) const;
+  void addDeltaLight(const PointView& view, std::span<const PixelMoment> asked,
+                     std::span<PointSample> out) const;
   template <Shading S>
   void traceAs(const PointView& view, std::span<const PixelMoment> asked, int groups);
   void lookPlain(const PointView& view, std::size_t first, std::span<PointSample> out);

@@ -80,12 +80,13 @@ class TilePoints {
         const float share = on.at(column, y).share;
         if (share <= 0) continue;
         const float scale = share * out_.g.albedo.at(x, y);
+        const RayNumbers numbers(column, y);
         if (isPlain(column, y)) {
           const PlainStart start = plainStart(column, y);
-          light.add(pixel, start, scale / start.albedo);
+          light.add(pixel, start, scale / start.albedo, numbers);
         } else {
           const SurfaceStart& start = memory_->others[indexOf(column, y)];
-          light.add(pixel, start, scale / start.albedo);
+          light.add(pixel, start, scale / start.albedo, numbers);
         }
       }
     });
@@ -182,7 +183,7 @@ void renderSurfaceTile(const PixelContext& view, const FrameMotion& motion, Tile
         [&](int x, int y, const PrimaryHit& hit) { points.set(x, y, hit); });
   else
     forEachPixel(tile, [&](int x, int y) { points.setJittered(x, y); });
-  if (view.now.scene.still().deltaLamps().areFew()) points.addDeltaLight();
+  if (view.now.scene.still().deltaLamps().getRays()) points.addDeltaLight();
   on_tile(tile);
   points.keepStarts(starts);
 }

@@ -3,7 +3,7 @@
 namespace saccade {
 namespace {
 
-// A sphere has one corner, its centre.
+// A disk or a sphere has one corner, its centre.
 void addLamp(const AnalyticLight::Side& side, ShapeBox& box) {
   const Vec3 half = Vec3{1, 1, 1} * side.radius;
   for (const Vec3 corner : side.corners) box.add(corner - half), box.add(corner + half);

@@ -15,7 +15,7 @@ RenderScene::RenderScene(Scene scene)
       straight_(scene_, EmbreeScene::Shapes::kStraight),
       lights_(scene_),
       analytic_light_(scene_),
-      delta_lamps_(scene_),
+      delta_lamps_(scene_, lights_.lamps()),
       light_columns_(lights_.lamps(), analytic_light_),
       shape_rows_(saccade::shapeRows(scene_)),
       shading_(shadingOf(scene_)),
