@@ -26,11 +26,12 @@ constexpr SurfaceColor constantColor(Rgb color) {
 inline constexpr SurfaceColor kWhite = constantColor({1, 1, 1});
 
 struct Material {
-  std::string name;          // its id; without one, the type of its BSDF; "default" where a shape has none
-  SurfaceColor reflectance;  // diffuse: all of it; plastics: of the base; metallic-roughness: the base colour
-  bool twosided = false;     // false: black seen from behind the geometric normal. Glass is never black
+  std::string name;  // its id; without one, the type of its BSDF; "default" where a shape has none
+  SurfaceColor
+      reflectance;        // diffuse: all of it; plastics, phong and ward: of the base; else the base colour
+  bool twosided = false;  // false: black seen from behind the geometric normal. Glass is never black
   BsdfModel model = {};
-  SurfaceColor specular = kWhite;       // all but diffuse: factor of what the interface reflects
+  SurfaceColor specular = kWhite;       // all but diffuse: factor of what the interface or the gloss reflects
   SurfaceColor transmittance = kWhite;  // dielectrics: factor of what it lets through
   // Metallic-roughness, as in pictures of glTF: green is the roughness, whose square is alpha; blue the
   // metalness.

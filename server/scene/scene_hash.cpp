@@ -15,6 +15,8 @@ void add(ContentHash& h, const BsdfModel& m) {
   h.add(static_cast<int>(m.kind)), h.add(static_cast<int>(m.microfacets)), h.add(m.alpha), h.add(m.ior);
   h.add(m.eta), h.add(m.k), h.add(static_cast<int>(m.nonlinear));
 }
+  if (m.scatters_once) h.add(1);
+  if (m.coat_ior != 0) h.add(m.coat_ior);
 
 // A diffuse material adds only its reflectance, so that older cached references stay valid.
 void add(ContentHash& h, const Material& m) {

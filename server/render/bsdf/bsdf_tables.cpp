@@ -1,6 +1,7 @@
 #include "render/bsdf/bsdf_tables.h"
 
 #include "render/bsdf/fresnel.h"
+#include "render/bsdf/gloss_lobes.h"
 #include "render/bsdf/microfacet_mean.h"
 
 namespace saccade {
@@ -25,6 +26,22 @@ float roughTransmittance(const Microfacets& f, float cos_o, float ior) {
     const Vec3 wt = m * (cos_m / ior - r.cos_t) - wo / ior;
     return wt.z < 0 ? (1 - r.reflectance) * visibleFraction(f, wt) : 0;
   });
+}
+
+// The fraction of light from cosine cos_o that a lobe of gloss reflects: the mean weight of its samples.
+template <class Lobe>
+Rgb lobeReflectance(float alpha, float cos_o) {
+  constexpr int kSteps = 48;  // per dimension
+  const Vec3 wo{std::sqrt(1 - cos_o * cos_o), 0, cos_o};
+  const auto node = [](int i) { return (static_cast<float>(i) + 0.5f) / kSteps; };
+  float sum = 0;
+  for (int i = 0; i < kSteps; ++i)
+    for (int j = 0; j < kSteps; ++j) {
+      const Vec3 wi = Lobe::sample(alpha, wo, node(i), node(j));
+      const GlossValue gloss = wi.z > 0 ? Lobe::at(alpha, wo, wi) : GlossValue{0, 1};
+      sum += gloss.pdf > 0 ? gloss.value / gloss.pdf : 0;
+    }
+  return Rgb{1, 1, 1} * (sum / (kSteps * kSteps));
 }
 
 // 2 int_0^1 at(c) c dc, over the square root of c.
@@ -61,6 +78,10 @@ BsdfTables::BsdfTables(const BsdfModel& m) : model(m) {
     inner_reflectance.fill([&](float cos_o) { return roughReflectance(f, cos_o, inner).x; });
     inner_transmittance.fill([&](float cos_o) { return roughTransmittance(f, cos_o, 1 / m.ior); });
   }
+  if (m.kind == BsdfKind::kPhong)
+    reflectance.fill([&](float cos_o) { return lobeReflectance<PhongLobe>(model.alpha, cos_o); });
+  if (m.kind == BsdfKind::kWard)
+    reflectance.fill([&](float cos_o) { return lobeReflectance<WardLobe>(model.alpha, cos_o); });
   if (m.kind == BsdfKind::kPlastic)
     mean_transmittance = cosineWeightedMean([&](float cosine) { return 1 - dielectric(cosine); });
   if (m.kind == BsdfKind::kMetallicRoughness) {
