@@ -28,20 +28,27 @@ float roughTransmittance(const Microfacets& f, float cos_o, float ior) {
   });
 }
 
-// The fraction of light from cosine cos_o that a lobe of gloss reflects: the mean weight of its samples.
+// f cos_i / pdf of a lobe of gloss that is sampled by itself.
 template <class Lobe>
-Rgb lobeReflectance(float alpha, float cos_o) {
+float glossWeight(float alpha, Vec3 wo, Vec3 wi) {
+  const GlossValue gloss = wi.z > 0 ? Lobe::at(alpha, wo, wi) : GlossValue{};
+  return gloss.pdf > 0 ? gloss.value / gloss.pdf : 0;
+}
+
+// The fraction of light from cosine cos_o that a white lobe reflects.
+float phongReflectance(float alpha, float cos_o) {
   constexpr int kSteps = 48;  // per dimension
   const Vec3 wo{std::sqrt(1 - cos_o * cos_o), 0, cos_o};
   const auto node = [](int i) { return (static_cast<float>(i) + 0.5f) / kSteps; };
   float sum = 0;
   for (int i = 0; i < kSteps; ++i)
-    for (int j = 0; j < kSteps; ++j) {
-      const Vec3 wi = Lobe::sample(alpha, wo, node(i), node(j));
-      const GlossValue gloss = wi.z > 0 ? Lobe::at(alpha, wo, wi) : GlossValue{0, 1};
-      sum += gloss.pdf > 0 ? gloss.value / gloss.pdf : 0;
-    }
-  return Rgb{1, 1, 1} * (sum / (kSteps * kSteps));
+    for (int j = 0; j < kSteps; ++j)
+      sum += glossWeight<PhongLobe>(alpha, wo, PhongLobe::sample(alpha, wo, node(i), node(j)));
+  return sum / (kSteps * kSteps);
+}
+float wardReflectance(float alpha, float cos_o) {
+  return meanOverNormals({MicrofacetKind::kBeckmann, alpha}, cos_o,
+                         [&](Vec3 wo, Vec3 m) { return glossWeight<WardLobe>(alpha, wo, mirror(wo, m)); });
 }
 
 // 2 int_0^1 at(c) c dc, over the square root of c.
@@ -79,9 +86,9 @@ BsdfTables::BsdfTables(const BsdfModel& m) : model(m) {
     inner_transmittance.fill([&](float cos_o) { return roughTransmittance(f, cos_o, 1 / m.ior); });
   }
   if (m.kind == BsdfKind::kPhong)
-    reflectance.fill([&](float cos_o) { return lobeReflectance<PhongLobe>(model.alpha, cos_o); });
+    reflectance.fill([&](float cos_o) { return Rgb{1, 1, 1} * phongReflectance(model.alpha, cos_o); });
   if (m.kind == BsdfKind::kWard)
-    reflectance.fill([&](float cos_o) { return lobeReflectance<WardLobe>(model.alpha, cos_o); });
+    reflectance.fill([&](float cos_o) { return Rgb{1, 1, 1} * wardReflectance(model.alpha, cos_o); });
   if (m.kind == BsdfKind::kPlastic)
     mean_transmittance = cosineWeightedMean([&](float cosine) { return 1 - dielectric(cosine); });
   if (m.kind == BsdfKind::kMetallicRoughness) {

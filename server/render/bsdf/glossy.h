@@ -1,7 +1,6 @@
 // A diffuse base and a lobe of gloss beside it, as in phong and ward of Mitsuba 0.6:
 //   f = a / pi + s L(wo, wi),   a = min(diffuse, 1 - s).
-// A lobe L reflects no more than it gets, so that the surface does not either. Where both colours are more
-// than 1 together, Mitsuba scales both.
+// A lobe L reflects no more than it gets, so that the surface does not either, whatever its textures say.
 #pragma once
 
 #include "render/bsdf/bsdf_record.h"
