@@ -39,6 +39,23 @@ TEST(MitsubaGloss, PhongHasAnExponent) {
   expectBsdfError("<bsdf type='phong'><float name='exponent' value='-1'/></bsdf>", "within [0, 1e6]");
 }
 
+// As Mitsuba scales them: to 0.99 together.
+TEST(MitsubaGloss, ReflectsNoMoreThanItGets) {
+  const auto phong = [](const std::string& base, const std::string& gloss) {
+    return "<bsdf type='phong'><rgb name='diffuseReflectance' value='" + base +
+           "'/><rgb name='specularReflectance' value='" + gloss + "'/></bsdf>";
+  };
+  const Material bright = material(phong("1, 0.5, 0.25", "0.5, 0.5, 0.5"));
+  expectNear(bright.reflectance.color0, Rgb{1, 0.5f, 0.25f} * 0.66f, 1e-6);
+  expectNear(bright.specular.color0, Rgb{1, 1, 1} * 0.33f, 1e-6);
+  EXPECT_EQ(material(phong("0.5", "0.5")).specular.color0.x, 0.5f);
+  EXPECT_NEAR(material(phong("0", "9")).specular.color0.x, 0.99f, 1e-6);
+  expectBsdfError(
+      "<bsdf type='phong'><rgb name='specularReflectance' value='9'/>"
+      "<texture type='checkerboard' name='diffuseReflectance'/></bsdf>",
+      "a reflectance above 1 is not supported beside a texture");
+}
+
 TEST(MitsubaGloss, WardIsTheBalancedOne) {
   const Material ward = material(
       "<bsdf type='ward'><float name='alpha' value='0.4'/><string name='variant' value='balanced'/></bsdf>");

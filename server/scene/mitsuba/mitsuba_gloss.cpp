@@ -1,5 +1,6 @@
 #include "scene/mitsuba/mitsuba_gloss.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace saccade {
@@ -7,9 +8,27 @@ namespace {
 
 constexpr SurfaceColor kFifth = constantColor({0.2f, 0.2f, 0.2f});
 
+SurfaceColor readColor(BsdfSource& from, const std::string& name, const SurfaceColor& fallback) {
+  constexpr float kMost = 1e3f;
+  if (const pugi::xml_node texture = from.properties.object("texture", name))
+    return from.textures.readTexture(texture);
+  const std::optional<Rgb> color = from.properties.share(name, kMost);
+  return color ? constantColor(*color) : fallback;
+}
+
+float most(Rgb c) {
+  return std::max({c.x, c.y, c.z});
+}
+
+// Where both colours are more than 1 together, both are scaled, as by Mitsuba's ensureEnergyConservation().
 void readColors(BsdfSource& from, Material& material) {
-  material.reflectance = from.textures.readColor(from.properties, "diffuse_reflectance", kHalf);
-  material.specular = from.textures.readColor(from.properties, "specular_reflectance", kFifth);
+  SurfaceColor& base = material.reflectance = readColor(from, "diffuse_reflectance", kHalf);
+  SurfaceColor& gloss = material.specular = readColor(from, "specular_reflectance", kFifth);
+  const bool textured = isTextured(base) || isTextured(gloss);
+  if (const float sum = most(base.color0 + gloss.color0); !textured && sum > 1)
+    base.color0 = base.color0 * (0.99f / sum), gloss.color0 = gloss.color0 * (0.99f / sum);
+  if (most(base.color0) > 1 || most(gloss.color0) > 1)
+    throw from.error("a reflectance above 1 is not supported beside a texture");
 }
 
 }  // namespace
