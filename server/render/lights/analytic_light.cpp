@@ -23,6 +23,10 @@ float shareOfHemisphere(const Polygon& polygon, Vec3 n) {
   return std::abs(sum) * (0.5f * std::numbers::inv_pi_v<float>);
 }
 
+bool isEven(const Scene& scene, const Mesh& lamp) {
+  return !isTextured(scene.materials[static_cast<std::size_t>(lamp.material)].emission);
+}
+
 // In lanes where no horizon cuts the sphere, and else one by one.
 LampLanes::F ofSphere(const LampLanes& seen_from, const AnalyticLight::Side& side, const LitPoints& points,
                       int first) {
@@ -37,7 +41,7 @@ LampLanes::F ofSphere(const LampLanes& seen_from, const AnalyticLight::Side& sid
 AnalyticLight::AnalyticLight(const Scene& scene) : held_(scene.meshes.size() + scene.spheres.size()) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const Mesh& mesh = scene.meshes[i];
-    if (emits(mesh) && sides_.size() + mesh.triangles.size() <= kMaxSides)
+    if (emits(mesh) && isEven(scene, mesh) && sides_.size() + mesh.triangles.size() <= kMaxSides)
       addSides(mesh, static_cast<std::uint32_t>(i));
   }
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {

@@ -1,4 +1,5 @@
 // Direct light of lamps of a few flat sides, and of spheres, in closed form, as if nothing cast a shadow.
+// Their light does not vary over their surface.
 #pragma once
 
 #include <algorithm>
